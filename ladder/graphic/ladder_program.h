@@ -1,0 +1,46 @@
+#pragma once
+
+// A ladder diagram: rungs, each a condition that powers coils and calls. Rungs run top to bottom.
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ladder/graphic/condition.h"
+
+namespace stepwright::graphic {
+
+enum class CoilKind : std::uint8_t { Normal, Negated, Set, Reset, RisingEdge, FallingEdge };
+
+struct Coil {
+  CoilKind kind = CoilKind::Normal;
+  std::string variable;
+};
+
+// A function, function block or statement list in a rung, run only while its EN input has power
+// (a function block with a BOOL input in `power_input` gets the power there and runs in every scan).
+struct Block {
+  std::string type;         // "TON", "MOVE", a user POU; empty for `st_body`
+  std::string instance;     // name of the instance of a function block; empty for a function
+  std::string power_input;  // input that takes the rung's power instead of EN ("IN"); empty = EN
+  std::vector<std::pair<std::string, std::string>> inputs;   // formal parameter, ST expression
+  std::vector<std::pair<std::string, std::string>> outputs;  // formal parameter, variable written
+  std::string st_body;  // an ST statement list run under EN; used when `type` is empty
+};
+
+struct Rung {
+  std::string label;  // target of a jump; may be empty
+  std::string comment;
+  Condition condition;
+  std::vector<Block> blocks;  // in order, before the coils
+  std::vector<Coil> coils;
+  std::string jump_to;     // label to jump to while powered; may be empty
+  bool is_return = false;  // leaves the POU while powered
+};
+
+struct LadderProgram {
+  std::vector<Rung> rungs;
+};
+
+}  // namespace stepwright::graphic

@@ -1,0 +1,30 @@
+#pragma once
+
+// What stands on the other side of %I and %Q: a simulated plant, a Modbus device, a test.
+// The scan calls it from its own thread: no heap, lock, exception or log inside.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace stepwright::image {
+
+enum class IoStatus : std::uint8_t {
+  Good,  // every channel is fresh
+  Lost,  // the device does not answer; outputs go to their safe state
+};
+
+// Both areas are the raw bytes of the process image: bit b of byte n is %IXn.b / %QXn.b; words are
+// little-endian at bytes 2n and 2n+1 of the area (%IWn).
+class IoDriver {
+ public:
+  virtual ~IoDriver() = default;
+
+  // Called at the start of a scan at `now_ns` of the scan's clock (starts at 0).
+  virtual IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) = 0;
+
+  // Called at the end of a scan with the outputs that hold from `now_ns` on.
+  virtual IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) = 0;
+};
+
+}  // namespace stepwright::image

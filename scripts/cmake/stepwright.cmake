@@ -1,0 +1,84 @@
+# How every target of Stepwright is declared: folder = layer = namespace = target.
+#
+#   stepwright_library(runtime/vm PORTABLE SOURCES interpreter.cpp DEPENDS runtime/bytecode runtime/image)
+#   stepwright_program(exec FOLDER programs/exec SOURCES main.cpp DEPENDS runtime/host)
+#   stepwright_test(runtime/vm SOURCES interpreter_test.cpp)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+find_program(STEPWRIGHT_MOLD mold)
+if(STEPWRIGHT_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
+if(STEPWRIGHT_SANITIZE)
+  add_compile_options(-fsanitize=${STEPWRIGHT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${STEPWRIGHT_SANITIZE})
+endif()
+
+# -Wno-restrict: g++ 12 sees overlaps in std::string where there are none (GCC bug 105329).
+# -ffp-contract=off: one meaning on every machine: no fused multiply-add behind the program's back.
+set(STEPWRIGHT_COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual-dtor -Wno-restrict -Werror -ffp-contract=off)
+
+function(_stepwright_link target scope)
+  foreach(folder IN LISTS ARGN)
+    string(REPLACE "/" "_" dependency ${folder})
+    target_link_libraries(${target} ${scope} stepwright_${dependency})
+  endforeach()
+endfunction()
+
+# A library of one folder. PORTABLE: no exceptions, no RTTI (it also builds for the firmware).
+# DEPENDS names folders; PRIVATE names third-party targets, which never show in our headers.
+function(stepwright_library folder)
+  cmake_parse_arguments(ARG "PORTABLE" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  string(REPLACE "/" "_" name ${folder})
+  get_filename_component(leaf ${folder} NAME)
+  set(target stepwright_${name})
+  if(ARG_SOURCES)
+    add_library(${target} STATIC ${ARG_SOURCES})
+    target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
+    target_compile_options(${target} PRIVATE ${STEPWRIGHT_COMPILE_OPTIONS})
+    if(ARG_PORTABLE)
+      target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti)
+    endif()
+    _stepwright_link(${target} PUBLIC ${ARG_DEPENDS})
+    if(ARG_PRIVATE)
+      target_link_libraries(${target} PRIVATE ${ARG_PRIVATE})
+    endif()
+    set_property(GLOBAL APPEND PROPERTY STEPWRIGHT_LIBRARIES ${target})
+  else()
+    add_library(${target} INTERFACE)
+    target_include_directories(${target} INTERFACE ${PROJECT_SOURCE_DIR})
+    _stepwright_link(${target} INTERFACE ${ARG_DEPENDS})
+  endif()
+  add_library(stepwright::${leaf} ALIAS ${target})
+endfunction()
+
+# An executable in build/<preset>/bin.
+function(stepwright_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_compile_options(${name} PRIVATE ${STEPWRIGHT_COMPILE_OPTIONS})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  _stepwright_link(${name} PRIVATE ${ARG_DEPENDS})
+  if(ARG_PRIVATE)
+    target_link_libraries(${name} PRIVATE ${ARG_PRIVATE})
+  endif()
+endfunction()
+
+# The unit tests of one folder: executable unit_<folder>, one ctest entry per GoogleTest case.
+function(stepwright_test folder)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  string(REPLACE "/" "_" name ${folder})
+  set(target unit_${name})
+  stepwright_program(${target} SOURCES ${ARG_SOURCES} DEPENDS ${folder} ${ARG_DEPENDS}
+                     PRIVATE GTest::gtest_main GTest::gmock ${ARG_PRIVATE})
+  target_compile_definitions(${target} PRIVATE STEPWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                               STEPWRIGHT_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+endfunction()
