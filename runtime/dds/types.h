@@ -1,25 +1,25 @@
 #pragma once
 
 // The names under which supervisor and HMI know what travels between them and a runtime. The meaning of every
-// field stands in runtime/service/messages.h: Fast DDS carries it unchanged.
+// field stands in runtime/host/messages.h: Fast DDS carries it unchanged.
 
 #include <cstdint>
 #include <string>
 
-#include "runtime/service/messages.h"
+#include "runtime/host/messages.h"
 
 namespace stepwright::dds {
 
-using service::EventKind;
-using service::ForceRequest;
-using service::NamedValue;
-using service::RuntimeState;
-using service::RuntimeStatus;
-using service::Snapshot;
-using service::StartOptions;
-using service::StepEvent;
-using service::UnforceRequest;
-using service::WriteRequest;
+using host::EventKind;
+using host::ForceRequest;
+using host::NamedValue;
+using host::RuntimeState;
+using host::RuntimeStatus;
+using host::Snapshot;
+using host::StartOptions;
+using host::StepEvent;
+using host::UnforceRequest;
+using host::WriteRequest;
 
 // Where a process meets the others of its cell.
 struct ParticipantConfig {

@@ -13,10 +13,7 @@
 
 #include "runtime/host/runtime_state.h"
 
-namespace stepwright::service {
-
-using host::EventKind;
-using host::RuntimeState;
+namespace stepwright::host {
 
 struct NamedValue {
   std::string name;  // as the plant names it, with its unit: "level_a1_percent"
@@ -90,4 +87,4 @@ using ForceRequest = ImageBits;    // holds until unforced, over stop and start,
 using UnforceRequest = ImageBits;  // releases the bits in `mask`; `value` is ignored
 using WriteRequest = ImageBits;    // written once, before the next scan
 
-}  // namespace stepwright::service
+}  // namespace stepwright::host
