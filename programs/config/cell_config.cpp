@@ -93,7 +93,11 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   config.image.input_bytes = static_cast<std::uint32_t>(image.integer("input_bytes", 64, {1, 65'536}));
   config.image.output_bytes = static_cast<std::uint32_t>(image.integer("output_bytes", 64, {1, 65'536}));
   read_safe_state(root.table("safe_state"), config);
-  read_planning(root.table("planning"), folder, config.planning);
+  if (root.has("planning")) read_planning(root.table("planning"), folder, config.planning);
+  for (const TomlTable& fault : root.tables("faults")) {
+    config.faults.push_back({fault.required_number("at_s", {0.0, 1e9}), fault.required_text("name"),
+                             fault.required_number("value")});
+  }
   const TomlTable executive = root.table("executive");
   config.executive.max_replans = static_cast<int>(executive.integer("max_replans", 8, {0, 1'000}));
   config.executive.settle = std::chrono::milliseconds(executive.integer("settle_ms", 3'000, {0, 600'000}));

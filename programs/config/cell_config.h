@@ -35,6 +35,15 @@ struct PlantConfig {
   std::vector<std::pair<std::string, std::string>> ports;  // plant port -> address, "fc1" -> "%IX0.0"
 };
 
+// Something that goes wrong at a given plant time: a fault of the plant by its name ("leak_a1"), or a change
+// of what is asked for, named by its fluent ("(demand c1)"), which the supervisor learns of at its next
+// decision.
+struct ScheduledFault {
+  double at_s = 0.0;
+  std::string name;
+  double value = 0.0;
+};
+
 struct SafeOutput {
   std::string address;  // "%QX0.0"
   SafeAction action = SafeAction::Zero;
@@ -45,6 +54,7 @@ struct ImageConfig {
   std::uint32_t output_bytes = 64;
 };
 
+// All empty where the cell has no [planning] table: a runtime with hand-written programs only.
 struct PlanningConfig {
   std::filesystem::path domain;
   std::filesystem::path problem;
@@ -76,6 +86,7 @@ struct CellConfig {
   ClockConfig clock;
   PlantConfig plant;
   ImageConfig image;
+  std::vector<ScheduledFault> faults;
   std::vector<SafeOutput> safe_outputs;  // outputs not listed go to zero
   LostSupervisorPolicy on_lost_supervisor = LostSupervisorPolicy::Continue;
   std::chrono::milliseconds supervisor_lost_after{1'000};

@@ -1,5 +1,5 @@
-// `stepwright COMMAND ...`: the one command. It replaces itself by the program of the command, which stands beside it, so
-// that each process links only what it needs (ADR 0001).
+// `stepwright COMMAND ...`: the one command. It replaces itself by the program of the command, which stands
+// beside it, so that each process links only what it needs (ADR 0001).
 
 #include <unistd.h>
 
@@ -29,7 +29,8 @@ constexpr std::array kCommands = {
     Command{"demo", "stepwright-demo", "run a cell: all its processes, its main job, a report"},
     Command{"plan", "stepwright-plan", "find a plan for a PDDL problem"},
     Command{"validate", "stepwright-plan", "check a plan step by step"},
-    Command{"translate", "stepwright-translate", "turn a plan into SFC, Ladder, PLCopen XML or Omron mnemonics"},
+    Command{"translate", "stepwright-translate",
+            "turn a plan into SFC, Ladder, PLCopen XML or Omron mnemonics"},
     Command{"compile", "stepwright-compile", "compile ST sources to a bytecode image"},
     Command{"exec", "stepwright-exec", "run an image without a clock"},
     Command{"check", "stepwright-demo", "check a cell's configuration, planning files and program"},
@@ -49,7 +50,8 @@ int unknown(std::string_view name) {
   std::vector<std::string> names;
   for (const Command& command : kCommands) names.emplace_back(command.name);
   const std::string meant = stepwright::settings::closest(name, names);
-  std::fprintf(stderr, "stepwright: there is no command '%.*s'\n", static_cast<int>(name.size()), name.data());
+  std::fprintf(stderr, "stepwright: there is no command '%.*s'\n", static_cast<int>(name.size()),
+               name.data());
   if (!meant.empty()) std::fprintf(stderr, "  hint: did you mean '%s'?\n", meant.c_str());
   print_usage(stderr);
   return to_int(ExitCode::Usage);
@@ -76,7 +78,8 @@ int main(int argc, char** argv) {
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
     const std::string program = (self.parent_path() / command.program).string();
     execv(program.c_str(), argv);
-    std::fprintf(stderr, "stepwright: cannot start %s: %s\n  hint: is it built? (scripts/demo builds everything)\n",
+    std::fprintf(stderr,
+                 "stepwright: cannot start %s: %s\n  hint: is it built? (scripts/demo builds everything)\n",
                  program.c_str(), std::strerror(errno));
     return to_int(ExitCode::RuntimeFault);
   }
