@@ -1,7 +1,7 @@
 #pragma once
 
-// The controller as the executive sees it: a runtime that takes programs and sends step events. Over Fast DDS in the supervisor
-// process (DdsController), in the same process in tests.
+// The controller as the executive sees it: a runtime that takes programs and sends step events. Over Fast DDS
+// in the supervisor process (DdsController), in the same process in tests.
 //
 // Threads: one thread uses a controller. Every call blocks until the runtime has answered.
 
