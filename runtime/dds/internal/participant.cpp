@@ -4,6 +4,11 @@
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
 
+#include <algorithm>
+#include <cctype>
+
+#include "runtime/host/limits.h"
+
 namespace stepwright::dds::internal {
 namespace {
 
@@ -14,11 +19,23 @@ result::Result<std::unique_ptr<Participant>> refuse(const ParticipantConfig& con
                       "another domain id may help where too many processes share one");
 }
 
+// The id is the name of a partition, where Fast DDS would take '*' and '?' as a pattern.
+bool valid_id(const std::string& id) {
+  return !id.empty() && id.size() <= host::kMaxNameBytes &&
+         std::all_of(id.begin(), id.end(), [](unsigned char c) {
+           return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+         });
+}
+
 }  // namespace
 
 result::Result<std::unique_ptr<Participant>> Participant::create(const ParticipantConfig& config) {
-  if (config.domain_id > 232 || config.runtime_id.empty() || config.runtime_id.size() > host::kMaxNameBytes) {
-    return result::fail("D0004", {}, "the domain id is above 232 or the runtime id has no 1 to 64 bytes");
+  if (config.domain_id > 232) {
+    return result::fail("D0004", {}, "the domain id " + std::to_string(config.domain_id) + " is above 232");
+  }
+  if (!valid_id(config.runtime_id)) {
+    return result::fail("D0004", {}, "'" + config.runtime_id + "' cannot name a runtime",
+                        "1 to 64 letters, digits, '_', '-' and '.'");
   }
   std::unique_ptr<Participant> self(new Participant());
   self->runtime_id_ = config.runtime_id;
