@@ -37,7 +37,9 @@ class Controller {
   [[nodiscard]] virtual result::Result<std::vector<std::byte>> program() = 0;
 
   virtual std::optional<service::StepEvent> wait_event(std::chrono::milliseconds timeout) = 0;
+  // The newest of each, or none before the first arrived.
   virtual std::optional<service::RuntimeStatus> status() const = 0;
+  virtual std::optional<service::Snapshot> snapshot() const = 0;
 };
 
 }  // namespace stepwright::executive
