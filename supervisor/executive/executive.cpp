@@ -120,7 +120,7 @@ bool Executive::recover_runtime() {
   const auto program = controller_.program();
   const auto status = controller_.status();
   const bool runs = program && *program == current_.container && status &&
-                    status->state == service::RuntimeState::Running && status->program_digest == digest_;
+                    status->state == host::RuntimeState::Running && status->program_digest == digest_;
   if (!runs) return replan("the runtime was restarted or stopped while nobody watched it");
   auto reader = ImageReader::create(current_.container, current_.translation.program,
                                     watched_variables(desk_.binding()));
@@ -207,7 +207,7 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
     last_event_ = event->sequence;
     if (event->program_digest == digest_) {
       time_s_ = static_cast<double>(event->time_ns) * 1e-9;
-      if (event->kind == service::EventKind::Trap || event->kind == service::EventKind::Stopped) {
+      if (event->kind == host::EventKind::Trap || event->kind == host::EventKind::Stopped) {
         return give_up("the runtime stopped while the sensors were read: " + event->detail);
       }
       const translate::Progress progress =
@@ -261,7 +261,7 @@ bool Executive::install(const PreparedPlan& prepared) {
     if (!event) continue;
     last_event_ = event->sequence;
     (void)controller_.acknowledge(event->sequence);
-    if (event->kind != service::EventKind::Started || event->program_digest != digest_) continue;
+    if (event->kind != host::EventKind::Started || event->program_digest != digest_) continue;
     time_s_ = static_cast<double>(event->time_ns) * 1e-9;
     return true;
   }

@@ -88,7 +88,7 @@ class Executive {
 
   // executive_follow.cpp: watching one program.
   Decision follow();
-  Decision judge(const service::StepEvent& event);
+  Decision judge(const host::StepEvent& event);
   Decision judge_steps(std::span<const std::byte> image, double time_s);
   void note_progress(const translate::Progress& progress, double time_s);
   void note_done(std::size_t action, double time_s);

@@ -51,17 +51,17 @@ Executive::Decision Executive::follow() {
   }
 }
 
-Executive::Decision Executive::judge(const service::StepEvent& event) {
+Executive::Decision Executive::judge(const host::StepEvent& event) {
   if (event.program_digest != digest_) return {};  // news of a program that was replaced since
   time_s_ = static_cast<double>(event.time_ns) * kNanoseconds;
   switch (event.kind) {
-    case service::EventKind::Started:
+    case host::EventKind::Started:
       return {};
-    case service::EventKind::StepChange:
+    case host::EventKind::StepChange:
       return judge_steps(event.image, time_s_);
-    case service::EventKind::Trap:
+    case host::EventKind::Trap:
       return {Verdict::GiveUp, "the program trapped: " + event.detail};
-    case service::EventKind::Stopped:
+    case host::EventKind::Stopped:
       break;
   }
   return {Verdict::Replan, "the runtime stopped: " + event.detail};
