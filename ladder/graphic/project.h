@@ -45,6 +45,8 @@ struct Pou {
   SfcChart origin;
   std::vector<std::string> step_variables;
   std::vector<std::string> transition_variables;
+  // BOOL variable that is TRUE in the first scan only; empty if the POU was not lowered.
+  std::string first_scan_variable;
 };
 
 struct Task {
