@@ -18,9 +18,9 @@ namespace stepwright::exchange {
 
 struct OmronAddress {
   std::string variable;
-  std::string address;  // "I0.00", "I:0.00", "Q1.00", "1.00", "W40.00", "D100"
-  std::string source;   // word that is copied to `address` at the start of every scan, e.g. an analog input
-                        // "2001" of the paper's Table 3; empty if none
+  std::string address;   // "I0.00", "I:0.00", "Q1.00", "1.00", "W40.00", "D100"
+  std::string source{};  // word that is copied to `address` at the start of every scan, e.g. an analog input
+                         // "2001" of the paper's Table 3; empty if none
 };
 
 struct OmronOptions {

@@ -1,7 +1,7 @@
 #pragma once
 
 // Lowers a sequential function chart to a ladder diagram with step bits, transition bits and set/reset coils,
-// in the manner of the paper's Figure 14 (R. Vaquero Tolosa et al.). There is no SFC engine at run time: the
+// in the manner of Figure 14 of paper 6 (planning on the PLC bench). There is no SFC engine at run time: the
 // meaning of a chart is the meaning of its rungs. ladder/doc/sfc_semantics.md is the specification.
 // Pure functions; use from any thread.
 //
@@ -21,7 +21,8 @@ namespace stepwright::lowering {
 // transition T: `T_FIRES` (`TRANS<i>_FIRES` if it has no name); the rest is listed in sfc_semantics.md.
 // `<step>.X` and `<step>.T` in conditions, durations and action bodies become these variables.
 // Requires a body that holds a chart. Fails with the errors of graphic::check, with E0521 if a step or an
-// action has the name of a variable, and with E0522 if an action block's target is not BOOL.
+// action has the name of a variable, E0522 if an action block's target is not BOOL, E0524 if an action's body
+// holds RETURN.
 [[nodiscard]] result::Result<graphic::Pou> lower_sfc(const graphic::Pou& pou);
 
 // Every POU that holds a chart lowered, the others unchanged; all or nothing. Also checks the targets of
