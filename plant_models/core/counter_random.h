@@ -31,10 +31,9 @@ class CounterRandom {
   // bits. No logarithm or cosine is involved, which differ between C libraries in the last bit.
   constexpr double normal(std::uint64_t counter) const {
     constexpr double kMean = 4 * 32767.5;
-    constexpr double kDeviation = 37837.227194654914;  // sqrt(4 * (65536^2 - 1) / 12)
+    constexpr double kDeviation = 37837.22723720648;  // sqrt(4 * (65536^2 - 1) / 12)
     const std::uint64_t word = bits(counter);
-    const std::uint64_t sum =
-        (word & 0xFFFF) + (word >> 16 & 0xFFFF) + (word >> 32 & 0xFFFF) + (word >> 48);
+    const std::uint64_t sum = (word & 0xFFFF) + (word >> 16 & 0xFFFF) + (word >> 32 & 0xFFFF) + (word >> 48);
     return (static_cast<double>(sum) - kMean) / kDeviation;
   }
 
