@@ -26,4 +26,9 @@ constexpr std::size_t index(Place place) {
   return static_cast<std::size_t>(place);
 }
 
+// The distributor that serves a client.
+constexpr Tank client_tank(std::size_t client) {
+  return client == 0 ? Tank::A1 : Tank::A2;
+}
+
 }  // namespace stepwright::assemblies

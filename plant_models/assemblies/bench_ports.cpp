@@ -10,8 +10,6 @@ using core::Port;
 using core::PortKind;
 using core::Quantity;
 
-// Function-local constants below: built once, at the first call, which is at set-up and not in a scan.
-
 constexpr double kMaxLeak = 100.0;     // percent/s
 constexpr double kMaxDrift = 1000.0;   // counts/s
 constexpr double kMaxDraw = 100000.0;  // percent
@@ -35,8 +33,34 @@ constexpr std::array<FaultTarget, 16> kFaultTargets = {{
     {FaultKind::ExtraDraw, 1, 0.0, kMaxDraw},
 }};
 
+constexpr std::array<TruthTarget, 22> kTruthTargets = {{
+    {TruthKind::LevelPercent, index(Tank::F1)},
+    {TruthKind::LevelPercent, index(Tank::V1)},
+    {TruthKind::LevelPercent, index(Tank::A1)},
+    {TruthKind::LevelPercent, index(Tank::A2)},
+    {TruthKind::Position},
+    {TruthKind::Speed},
+    {TruthKind::TotalLiquid},
+    {TruthKind::Sump},
+    {TruthKind::DeliveredPercent, 0},
+    {TruthKind::DeliveredPercent, 1},
+    {TruthKind::PumpSpeed, index(Pump::B1)},
+    {TruthKind::PumpSpeed, index(Pump::B2)},
+    {TruthKind::PumpSpeed, index(Pump::B3)},
+    {TruthKind::PumpSpeed, index(Pump::B4)},
+    {TruthKind::PumpFlow, index(Pump::B1)},
+    {TruthKind::PumpFlow, index(Pump::B2)},
+    {TruthKind::PumpFlow, index(Pump::B3)},
+    {TruthKind::PumpFlow, index(Pump::B4)},
+    {TruthKind::OverflowFlow, index(Tank::V1)},
+    {TruthKind::OverflowFlow, index(Tank::A1)},
+    {TruthKind::OverflowFlow, index(Tank::A2)},
+    {TruthKind::LeakFlow},
+}};
+
 }  // namespace
 
+// The lists below are built at the first call, which is at set-up and never in a scan.
 std::span<const Port> bench_actuators() {
   static const std::array<Port, kActuators> kPorts = {{
       {"B1", PortKind::Bool, "loads v1 from f1, while the vehicle stands at f1"},
@@ -62,7 +86,7 @@ std::span<const Port> bench_sensors() {
 }
 
 std::span<const Quantity> bench_truths() {
-  static const std::array<Quantity, 22> kTruths = {{
+  static const std::array<Quantity, kTruthTargets.size()> kTruths = {{
       {"level_f1_percent", "percent", "level of the supplier"},
       {"level_v1_percent", "percent", "level of the vehicle's tank"},
       {"level_a1_percent", "percent", "level of the distributor a1"},
@@ -109,6 +133,11 @@ std::span<const Quantity> bench_faults() {
       {"draw_c2", "percent", "c2 takes this much from a2 with B4, whatever the output says"},
   }};
   return kFaults;
+}
+
+TruthTarget bench_truth_target(std::size_t truth) {
+  assert(truth < kTruthTargets.size());
+  return kTruthTargets[truth];
 }
 
 FaultTarget bench_fault_target(std::size_t fault) {

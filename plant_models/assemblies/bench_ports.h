@@ -25,20 +25,25 @@ inline constexpr std::size_t kSensors = 6;
 std::span<const core::Port> bench_actuators();
 std::span<const core::Port> bench_sensors();
 
-// Indices of bench_truths(); where a kind has several, they follow each other.
-enum class Truth : std::uint32_t {
-  LevelPercent = 0,  // per Tank
-  Position = 4,
-  Speed = 5,
-  TotalLiquid = 6,
-  Sump = 7,
-  DeliveredPercent = 8,  // per client
-  PumpSpeed = 10,        // per Pump
-  PumpFlow = 14,         // per Pump
-  OverflowFlow = 18,     // per Tank but f1
-  LeakFlow = 21,         // all tanks together
+// What a truth stands for, in the order of bench_truths().
+enum class TruthKind : std::uint8_t {
+  LevelPercent,  // of a tank
+  Position,
+  Speed,
+  TotalLiquid,
+  Sump,
+  DeliveredPercent,  // to a client
+  PumpSpeed,
+  PumpFlow,
+  OverflowFlow,  // of a tank
+  LeakFlow,      // of all tanks together
+};
+struct TruthTarget {
+  TruthKind kind = TruthKind::LevelPercent;
+  std::size_t index = 0;  // of the tank, client or pump
 };
 std::span<const core::Quantity> bench_truths();
+TruthTarget bench_truth_target(std::size_t truth);
 
 // Kinds of faults in the order of bench_faults().
 enum class FaultKind : std::uint8_t { Leak, WeakPump, StuckSwitch, SensorDrift, ExtraDraw };

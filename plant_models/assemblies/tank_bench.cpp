@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <string>
+#include <numeric>
 
 #include "plant_models/assemblies/bench_ports.h"
 
@@ -68,14 +68,13 @@ std::span<const core::Quantity> TankBench::faults() const {
 
 void TankBench::set_actuator(core::ActuatorId id, bool on) {
   assert(id.value < kActuators);
-  if (actuators_[id.value] == on) return;
   actuators_[id.value] = on;
-  changed_ = true;
 }
 
 // The modes that follow from actuators and draws, and the direction that follows from them.
 void TankBench::update_modes() {
   BenchModes& modes = equations_.modes;
+  applied_ = actuators_;
   for (std::size_t i = 0; i < kPumps; ++i) modes.pump_on[i] = actuators_[i];
   for (std::size_t i = 0; i < kClients; ++i) {
     if (std::isfinite(modes.draw_until_m3[i])) modes.pump_on[index(Pump::B3) + i] = true;
@@ -91,10 +90,10 @@ bool TankBench::restart(double t_s) {
 
 core::PlantStatus TankBench::advance_to(std::chrono::nanoseconds time) {
   if (time <= now_ || failed_) return failed_ ? core::PlantStatus::Failed : core::PlantStatus::Good;
-  if (changed_) {
+  if (fault_changed_ || actuators_ != applied_) {
     failed_ = !restart(seconds(now_));
     event_pending_ = false;
-    changed_ = false;
+    fault_changed_ = false;
   }
   failed_ = failed_ || !run_to(seconds(time));
   if (failed_) return core::PlantStatus::Failed;
@@ -172,32 +171,33 @@ std::int16_t TankBench::sensor(core::SensorId id) const {
 
 double TankBench::truth(core::TruthId id) const {
   constexpr double kLitres = 1e3;
-  const auto at = [&](Truth first) { return id.value - static_cast<std::uint32_t>(first); };
-  const std::uint32_t v = id.value;
-  assert(v < bench_truths().size());
-  if (v < static_cast<std::uint32_t>(Truth::Position)) return equations_.percent(static_cast<Tank>(v), y_);
-  if (v == static_cast<std::uint32_t>(Truth::Position)) return y_[kPosition];
-  if (v == static_cast<std::uint32_t>(Truth::Speed)) return y_[kSpeed];
-  if (v == static_cast<std::uint32_t>(Truth::TotalLiquid)) {
-    double total = y_[kSump];
-    for (std::size_t i = 0; i < kTanks; ++i) total += y_[kVolume + i];
-    return kLitres * total;
+  const TruthTarget target = bench_truth_target(id.value);
+  const std::size_t i = target.index;
+  switch (target.kind) {
+    case TruthKind::LevelPercent:
+      return equations_.percent(static_cast<Tank>(i), y_);
+    case TruthKind::Position:
+      return y_[kPosition];
+    case TruthKind::Speed:
+      return y_[kSpeed];
+    case TruthKind::TotalLiquid:
+      return kLitres * std::accumulate(&y_[kVolume], &y_[kSump] + 1, 0.0);
+    case TruthKind::Sump:
+      return kLitres * y_[kSump];
+    case TruthKind::DeliveredPercent:
+      return 100.0 * y_[kDrawn + i] / equations_.capacity_m3(client_tank(i));
+    case TruthKind::PumpSpeed:
+      return y_[kPumpSpeed + i];
+    case TruthKind::PumpFlow:
+      return kLitres * equations_.flows(y_).pump[i];
+    case TruthKind::OverflowFlow:
+      return kLitres * equations_.flows(y_).overflow[i];
+    case TruthKind::LeakFlow: {
+      const BenchFlows flows = equations_.flows(y_);
+      return kLitres * std::accumulate(flows.leak.begin(), flows.leak.end(), 0.0);
+    }
   }
-  if (v == static_cast<std::uint32_t>(Truth::Sump)) return kLitres * y_[kSump];
-  if (v < static_cast<std::uint32_t>(Truth::PumpSpeed)) {
-    const std::size_t client = at(Truth::DeliveredPercent);
-    const Tank tank = client == 0 ? Tank::A1 : Tank::A2;
-    return 100.0 * y_[kDrawn + client] / equations_.capacity_m3(tank);
-  }
-  if (v < static_cast<std::uint32_t>(Truth::PumpFlow)) return y_[kPumpSpeed + at(Truth::PumpSpeed)];
-  const BenchFlows flows = equations_.flows(y_);
-  if (v < static_cast<std::uint32_t>(Truth::OverflowFlow)) return kLitres * flows.pump[at(Truth::PumpFlow)];
-  if (v < static_cast<std::uint32_t>(Truth::LeakFlow)) {
-    return kLitres * flows.overflow[1 + at(Truth::OverflowFlow)];
-  }
-  double leak = 0.0;
-  for (double flow : flows.leak) leak += flow;
-  return kLitres * leak;
+  return 0.0;
 }
 
 }  // namespace stepwright::assemblies

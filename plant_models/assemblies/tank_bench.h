@@ -19,6 +19,7 @@
 
 #include "plant_models/assemblies/bench_equations.h"
 #include "plant_models/assemblies/bench_parameters.h"
+#include "plant_models/assemblies/bench_ports.h"
 #include "plant_models/assemblies/level_sensor.h"
 #include "plant_models/core/plant.h"
 #include "plant_models/ode/cvode_solver.h"
@@ -76,11 +77,12 @@ class TankBench final : public core::Plant {
   std::array<LevelSensor, kLevelSensors> level_sensors_;
   std::unique_ptr<ode::CvodeSolver> solver_;  // made after the equations stand at their final address
   std::array<double, kStateSize> y_{};        // at now_
-  std::array<bool, 6> actuators_{};
+  std::array<bool, kActuators> actuators_{};  // as commanded
+  std::array<bool, kActuators> applied_{};    // as the modes have them
   std::array<SwitchFault, kPlaces> switch_faults_{};
   std::array<DriftFault, kLevelSensors> drift_faults_{};
   std::chrono::nanoseconds now_{0};
-  bool changed_ = false;        // modes have changed at now_: restart before the next step
+  bool fault_changed_ = false;  // at now_: restart before the next step
   bool event_pending_ = false;  // the solver stands at a root that has not been handled
   bool failed_ = false;
 };

@@ -59,11 +59,11 @@ void TankBench::apply_fault(std::size_t fault, double value, bool active) {
   switch (target.kind) {
     case FaultKind::Leak:
       modes.leak_m3_s[i] = value / 100.0 * equations_.capacity_m3(static_cast<Tank>(i));
-      changed_ = true;
+      fault_changed_ = true;
       return;
     case FaultKind::WeakPump:
       modes.pump_strength[i] = active ? value : 1.0;
-      changed_ = true;
+      fault_changed_ = true;
       return;
     case FaultKind::StuckSwitch:
       switch_faults_[i] = {active, value != 0.0};
@@ -72,10 +72,10 @@ void TankBench::apply_fault(std::size_t fault, double value, bool active) {
       drift_faults_[i] = {value, now_};
       return;
     case FaultKind::ExtraDraw: {
-      const double amount = value / 100.0 * equations_.capacity_m3(i == 0 ? Tank::A1 : Tank::A2);
+      const double amount = value / 100.0 * equations_.capacity_m3(client_tank(i));
       const bool draws = active && amount > 0.0;
       modes.draw_until_m3[i] = draws ? y_[kDrawn + i] + amount : std::numeric_limits<double>::infinity();
-      changed_ = true;
+      fault_changed_ = true;
       return;
     }
   }
