@@ -9,27 +9,18 @@
 namespace stepwright::translate {
 
 ChartWriter::ChartWriter(const Binding& binding) : file_(binding.file) {
-  SensorProgramOptions everything;
-  everything.mode = SensorMode::Mean;
-  for (const Sensor& sensor : binding.sensors) everything.values.insert(sensor.name);
-  for (const graphic::Variable& global : cell_globals(binding, everything)) {
-    if (names_.insert(global.name)) continue;
-    problems_.push_back({"T0006",
-                         result::Severity::Error,
-                         {file_, 0, 0},
-                         "the generated variable '" + global.name + "' has the name of another one",
-                         "rename the tag or sensor"});
-  }
+  for (const std::string& name : declared_variables(binding)) names_.insert(name);
 }
 
 graphic::StepId ChartWriter::step(StepInfo info, std::string comment,
                                   const std::vector<std::string>& outputs) {
   if (!names_.insert(info.name)) {
-    problems_.push_back({"T0006",
-                         result::Severity::Error,
-                         {file_, 0, 0},
-                         "the step '" + info.name + "' has the name of a tag or of another step",
-                         "rename the tag"});
+    result::Diagnostic problem;
+    problem.code = "T0006";
+    problem.where.file = file_;
+    problem.message = "the step '" + info.name + "' has the name of a variable or of another step";
+    problem.hint = "rename the tag";
+    problems_.push_back(std::move(problem));
   }
   graphic::Step step;
   step.name = info.name;

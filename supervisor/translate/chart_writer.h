@@ -13,7 +13,7 @@ namespace stepwright::translate {
 
 class ChartWriter {
  public:
-  // Step names must differ from the globals and locals that the programs of `binding` declare.
+  // Step names must differ from the variables that the programs of `binding` declare.
   explicit ChartWriter(const Binding& binding);
 
   // `comment` is shown beside the step. The first step is the initial one.
@@ -25,7 +25,7 @@ class ChartWriter {
   // "STEP.T >= T#1s500ms"
   graphic::Condition after(graphic::StepId step, milliseconds time) const;
 
-  // Every step name that the binding uses already (T0006).
+  // Every step whose name is taken (T0006).
   const result::Diagnostics& problems() const { return problems_; }
   graphic::SfcChart take_chart() { return std::move(chart_); }
   std::vector<StepInfo> take_steps() { return std::move(steps_); }

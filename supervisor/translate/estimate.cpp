@@ -41,10 +41,10 @@ double resolution_of(const std::string& fluent, const Binding& binding) {
 }
 
 // Adds what running actions have moved so far to the fluents that no sensor sees.
-void add_transfers(const Binding& binding, const model::PlannedAction& running,
+void add_transfers(const Binding& binding, const model::GroundAction& running,
                    const model::NamedState& tracked, Estimate& estimate) {
   Assignment assignment;
-  const ActionBinding* entry = binding.action_for(running.action, assignment);
+  const ActionBinding* entry = binding.action_for(running, assignment);
   if (entry == nullptr) return;
   for (const Transfer& transfer : entry->transfers) {
     const std::string from = instantiate(transfer.from, assignment);
@@ -68,10 +68,15 @@ std::string list_of(const std::vector<std::string>& labels, const char* last_lin
   return text;
 }
 
-void check_groups(const Binding& binding, std::span<const model::PlannedAction> in_progress,
+void check_groups(const Binding& binding, std::span<const model::GroundAction> in_progress,
                   Estimate& estimate) {
-  std::set<std::string> moving;
-  for (const model::PlannedAction& running : in_progress) moving.merge(changed_atoms(running));
+  std::set<std::string> on_the_way;  // facts that running actions are about to bring about
+  for (const model::GroundAction& running : in_progress) {
+    Assignment assignment;
+    const ActionBinding* entry = binding.action_for(running, assignment);
+    if (entry == nullptr || entry->completion.kind != CompletionKind::Fact) continue;
+    on_the_way.insert(instantiate(entry->completion.atom, assignment));
+  }
   for (const OneOf& group : binding.one_of) {
     std::vector<std::string> all;
     std::vector<std::string> observed;
@@ -79,7 +84,7 @@ void check_groups(const Binding& binding, std::span<const model::PlannedAction> 
     for (const std::string& fact : group.facts) {
       all.push_back(binding.observed(fact)->label);
       if (estimate.measured.facts.contains(fact)) observed.push_back(all.back());
-      in_motion = in_motion || moving.contains(fact);
+      in_motion = in_motion || on_the_way.contains(fact);
     }
     if (observed.size() > 1) {
       estimate.contradictions.push_back(list_of(observed, " and ") + " are observed together");
@@ -102,7 +107,7 @@ std::string level_text(double value) {
 
 result::Result<Estimate> estimate(const Binding& binding, const Values& values, const Tare& tare,
                                   const model::NamedState& tracked,
-                                  std::span<const model::PlannedAction> in_progress) {
+                                  std::span<const model::GroundAction> in_progress) {
   Estimate estimate;
   estimate.measured = tracked;
   for (const ObservedFact& fact : binding.facts) {
@@ -123,7 +128,7 @@ result::Result<Estimate> estimate(const Binding& binding, const Values& values, 
   for (auto& [fluent, value] : estimate.planning.fluents) {
     value = rounded(value, resolution_of(fluent, binding));
   }
-  for (const model::PlannedAction& running : in_progress) add_transfers(binding, running, tracked, estimate);
+  for (const model::GroundAction& running : in_progress) add_transfers(binding, running, tracked, estimate);
   check_groups(binding, in_progress, estimate);
   return estimate;
 }

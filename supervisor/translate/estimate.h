@@ -34,7 +34,7 @@ struct Estimate {
 // not ended: their transfers count as far as the sensors show. Fails with T0010 if a value is missing.
 [[nodiscard]] result::Result<Estimate> estimate(const Binding& binding, const Values& values,
                                                 const Tare& tare, const model::NamedState& tracked,
-                                                std::span<const model::PlannedAction> in_progress = {});
+                                                std::span<const model::GroundAction> in_progress = {});
 
 // Sentences such as "level of a1 is 3.9, expected 5.0 (tolerance 0.2)" for every observed fluent outside
 // tolerance and every observed fact that differs. Atoms in `ignored` (see changed_atoms: what running

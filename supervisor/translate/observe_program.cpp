@@ -42,8 +42,6 @@ class ObserveChart {
     return finish();
   }
 
-  const result::Diagnostics& problems() const { return writer_.problems(); }
-
  private:
   StepId add(std::string name, StepKind kind, std::string comment, const std::string& output = {},
              milliseconds timeout = milliseconds{0}) {
@@ -83,6 +81,7 @@ class ObserveChart {
     SensorProgramOptions sensing;
     sensing.mode = SensorMode::Mean;
     sensing.interval_us = options_.interval_us;
+    assert(writer_.problems().empty());  // read_binding keeps these names free
     Translation translation;
     translation.program = kPlanProgram;
     translation.steps = writer_.take_steps();
@@ -98,12 +97,9 @@ class ObserveChart {
 
 }  // namespace
 
-result::Result<Translation> observe_program(const Binding& binding, const ObserveOptions& options) {
+Translation observe_program(const Binding& binding, const ObserveOptions& options) {
   assert(options.rest.count() > 0 && options.window.count() > 0);
-  ObserveChart chart(binding, options);
-  Translation translation = chart.build();
-  if (!chart.problems().empty()) return tl::unexpected(chart.problems());
-  return translation;
+  return ObserveChart(binding, options).build();
 }
 
 }  // namespace stepwright::translate

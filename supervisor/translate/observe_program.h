@@ -20,8 +20,7 @@ struct ObserveOptions {
 };
 
 // Requires positive times. Steps: AT_REST (Start), SEARCH_1_1.. (Search), AVERAGE (Settle), OBSERVED (Done),
-// LOST (Failed). Fails with T0006 as `translate`.
-[[nodiscard]] result::Result<Translation> observe_program(const Binding& binding,
-                                                          const ObserveOptions& options = {});
+// LOST (Failed).
+Translation observe_program(const Binding& binding, const ObserveOptions& options = {});
 
 }  // namespace stepwright::translate

@@ -121,6 +121,19 @@ std::vector<Variable> cell_globals(const Binding& binding, const SensorProgramOp
   return globals;
 }
 
+std::vector<std::string> generated_variables(const Sensor& sensor) {
+  return {filtered_variable(sensor), value_variable(sensor), state_variable(sensor), sum_variable(sensor)};
+}
+
+std::vector<std::string> declared_variables(const Binding& binding) {
+  std::vector<std::string> names = {kAveragingVariable, "first", "samples"};
+  for (const Tag& tag : binding.tags) names.push_back(tag.name);
+  for (const Sensor& sensor : binding.sensors) {
+    for (std::string& name : generated_variables(sensor)) names.push_back(std::move(name));
+  }
+  return names;
+}
+
 graphic::Pou sensor_program(const Binding& binding, const SensorProgramOptions& options) {
   graphic::Pou pou;
   pou.name = kSensorProgram;

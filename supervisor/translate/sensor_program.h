@@ -31,6 +31,10 @@ struct SensorProgramOptions {
 
 // Tags and generated variables as globals.
 std::vector<graphic::Variable> cell_globals(const Binding& binding, const SensorProgramOptions& options);
+// The names of the variables that are generated for one sensor, in any mode.
+std::vector<std::string> generated_variables(const Sensor& sensor);
+// The names of all variables that a generated program may declare, tags included.
+std::vector<std::string> declared_variables(const Binding& binding);
 // The program, which declares the globals it uses as VAR_EXTERNAL.
 graphic::Pou sensor_program(const Binding& binding, const SensorProgramOptions& options);
 

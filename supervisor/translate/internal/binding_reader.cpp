@@ -7,6 +7,7 @@
 
 #include "ladder/graphic/identifier.h"
 #include "supervisor/translate/address.h"
+#include "supervisor/translate/sensor_program.h"
 
 namespace stepwright::translate::internal {
 
@@ -43,6 +44,7 @@ void BindingReader::read(const TomlTable& root) {
   binding_.settle = to_ms(times.number("settle_s", 3.0, kPositiveDuration));
   read_tags(root.table("tags"));
   read_sensors(root.table("sensors"));
+  check_names(root);
   read_facts(root);
   read_groups(root);
   for (const TomlTable& entry : root.tables("actions")) read_action(entry);
@@ -50,7 +52,6 @@ void BindingReader::read(const TomlTable& root) {
 }
 
 void BindingReader::read_tags(const TomlTable& tags) {
-  graphic::NameSet names;
   for (const std::string& name : tags.keys()) {
     const TomlTable table = tags.table(name);
     Tag tag;
@@ -62,8 +63,6 @@ void BindingReader::read_tags(const TomlTable& tags) {
     if (!graphic::is_identifier(name) || graphic::is_keyword(name)) {
       tags.report(name, "'" + name + "' cannot name a variable",
                   "IEC 61131-3 allows letters, digits and single underscores, and no keyword");
-    } else if (!names.insert(name)) {
-      tags.report(name, "'" + name + "' differs from another tag in upper and lower case only");
     }
     check_address(table, tag);
     const auto address = parse_address(tag.address);
@@ -134,6 +133,30 @@ void BindingReader::read_sensors(const TomlTable& sensors) {
     sensor.max_bias_counts = table.number("max_bias_counts", sensor.max_bias_counts, {0.0, 65'535.0});
     sensor.omron = table.text("omron", "");
     binding_.sensors.push_back(std::move(sensor));
+  }
+}
+
+// Tags and sensors must leave the names of everything that is generated alone.
+void BindingReader::check_names(const TomlTable& root) {
+  graphic::NameSet names;
+  for (const char* taken :
+       {kSensorProgram, kPlanProgram, kAveragingVariable, "first", "samples", "main", "sensing", "planned",
+        "START", "SETTLE", "DONE", "AT_REST", "AVERAGE", "OBSERVED", "LOST"}) {
+    names.insert(taken);
+  }
+  const TomlTable tags = root.table("tags");
+  for (const Tag& tag : binding_.tags) {
+    if (!names.insert(tag.name))
+      tags.report(tag.name, "the name '" + tag.name + "' is taken", "rename the tag");
+  }
+  const TomlTable sensors = root.table("sensors");
+  for (const Sensor& sensor : binding_.sensors) {
+    for (const std::string& name : generated_variables(sensor)) {
+      if (names.insert(name)) continue;
+      sensors.report(sensor.name,
+                     "sensor '" + sensor.name + "' needs the variable '" + name + "', which is taken",
+                     "rename the sensor or the tag");
+    }
   }
 }
 

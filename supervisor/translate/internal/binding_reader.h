@@ -30,6 +30,7 @@ class BindingReader {
   void read_duration(const TomlTable& entry, ActionBinding& action);
   void check_address(const TomlTable& table, const Tag& tag);
   void check_outputs(const TomlTable& entry, const ActionBinding& action);
+  void check_names(const TomlTable& root);
   void check_every_action_is_bound(const TomlTable& root);
 
   Binding binding_;
