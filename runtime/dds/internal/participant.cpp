@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "runtime/host/limits.h"
 
@@ -27,6 +28,26 @@ bool valid_id(const std::string& id) {
          });
 }
 
+// Left alone, Fast DDS never gives a participant number out twice in one process, so that after some
+// reconnections a process would sit on ports that nobody announces to. Take the lowest number that this
+// process does not use in the domain; where another process has its ports, Fast DDS itself moves on to the
+// next free ones.
+fdds::DomainParticipant* create_lowest(const ParticipantConfig& config) {
+  auto* factory = fdds::DomainParticipantFactory::get_instance();
+  std::set<std::int32_t> used;
+  for (const fdds::DomainParticipant* other : factory->lookup_participants(config.domain_id)) {
+    used.insert(other->get_qos().wire_protocol().participant_id);
+  }
+  fdds::DomainParticipantQos qos = participant_qos(config.name);
+  fdds::DomainParticipant* created = nullptr;
+  for (std::int32_t number = 0; created == nullptr && number < kParticipantsPerDomain; ++number) {
+    if (used.contains(number)) continue;
+    qos.wire_protocol().participant_id = number;
+    created = factory->create_participant(config.domain_id, qos);
+  }
+  return created;
+}
+
 }  // namespace
 
 result::Result<std::unique_ptr<Participant>> Participant::create(const ParticipantConfig& config) {
@@ -40,8 +61,7 @@ result::Result<std::unique_ptr<Participant>> Participant::create(const Participa
   std::unique_ptr<Participant> self(new Participant());
   self->runtime_id_ = config.runtime_id;
   // A profile file in the working folder must not change how a cell communicates.
-  auto* factory = fdds::DomainParticipantFactory::get_instance();
-  self->participant_ = factory->create_participant(config.domain_id, participant_qos(config.name));
+  self->participant_ = create_lowest(config);
   if (self->participant_ == nullptr) return refuse(config, "a participant");
   fdds::PublisherQos publisher_qos = fdds::PUBLISHER_QOS_DEFAULT;
   publisher_qos.partition().push_back(config.runtime_id.c_str());
