@@ -113,20 +113,15 @@ ExitCode execute(const Arguments& arguments) {
     std::ofstream file(arguments.json_file);
     file << to_json(*report, arguments.engine).dump(2) << "\n";
     if (!file.flush()) {
-      auto unwritable = result::fail("B0006", {arguments.json_file, 0, 0}, "the file cannot be written");
-      return fail(unwritable.value());
-      result::Severity::Error, {arguments.json_file, 0, 0}, "the file cannot be written", {}
+      return fail(result::fail("B0006", {arguments.json_file, 0, 0}, "the file cannot be written").value());
     }
-  });
-}
-}
-else {
-  print(*report);
-}
-for (const exec::TrapReport& trap : report->traps) {
-  std::cerr << result::to_string(trap.diagnostic) << " (scan " << trap.scan << ")\n";
-}
-return report->traps.empty() ? ExitCode::Done : ExitCode::RuntimeFault;
+  } else {
+    print(*report);
+  }
+  for (const exec::TrapReport& trap : report->traps) {
+    std::cerr << result::to_string(trap.diagnostic) << " (scan " << trap.scan << ")\n";
+  }
+  return report->traps.empty() ? ExitCode::Done : ExitCode::RuntimeFault;
 }
 
 }  // namespace
