@@ -85,8 +85,12 @@ ExitCode compile(const Arguments& arguments) {
     diagnostics = output ? output->warnings : output.error();
     if (output) {
       bytes = output->container.size();
-      if (!write(arguments.image, reinterpret_cast<const char*>(output->container.data()), bytes))
-        diagnostics.push_back({"E0002", result::Severity::Error, {arguments.image, 0, 0}, "cannot write the file", ""});
+      if (!write(arguments.image, reinterpret_cast<const char*>(output->container.data()), bytes)) {
+        result::Diagnostic& failure = diagnostics.emplace_back();
+        failure.code = "E0002";
+        failure.where.file = arguments.image;
+        failure.message = "cannot write the file";
+      }
     }
   }
   const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
