@@ -81,7 +81,7 @@ class Executive {
   bool await_runtime();
   bool recover_runtime();
   bool finish();
-  bool give_up(const std::string& reason);
+  bool give_up(const std::string& reason, result::ExitCode exit = result::ExitCode::RuntimeFault);
   bool give_up(const std::string& what, const result::Diagnostics& diagnostics);
   void set_phase(Phase phase, std::string message);
   void publish();

@@ -8,22 +8,6 @@
 namespace stepwright::executive {
 namespace {
 
-using translate::ActionState;
-
-executive::ActionState record_state(ActionState state) {
-  switch (state) {
-    case ActionState::Pending:
-      return executive::ActionState::Pending;
-    case ActionState::Active:
-      return executive::ActionState::Active;
-    case ActionState::Done:
-      return executive::ActionState::Done;
-    case ActionState::Failed:
-      return executive::ActionState::Failed;
-  }
-  return executive::ActionState::Pending;
-}
-
 std::string joined(const std::vector<std::string>& sentences) {
   std::string text;
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : "; ") + sentence;
@@ -100,9 +84,9 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
 void Executive::note_progress(const translate::Progress& progress, double time_s) {
   std::vector<ActionRecord>& actions = record_.episodes.back().actions;
   for (std::size_t i = 0; i < actions.size(); ++i) {
-    const executive::ActionState state = record_state(progress.actions[i]);
+    const ActionState state = progress.actions[i];
     if (state == actions[i].state) continue;
-    const bool began = actions[i].state == executive::ActionState::Pending;
+    const bool began = actions[i].state == ActionState::Pending;
     actions[i].state = state;
     if (began) {
       actions[i].started_s = time_s;
@@ -113,7 +97,7 @@ void Executive::note_progress(const translate::Progress& progress, double time_s
       }
       actions[i].actual_cost = desk_.cost_of(current_.run.actions[i].action, before);
     }
-    if (state == executive::ActionState::Done) note_done(i, time_s);
+    if (state == ActionState::Done) note_done(i, time_s);
   }
 }
 

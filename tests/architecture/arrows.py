@@ -33,7 +33,7 @@ ARROWS = {
     "supervisor/pddl": ["supervisor/model"],
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
     "supervisor/executive": ["supervisor/translate", "supervisor/pddl", "ladder/driver", "runtime/dds"],
-    "plant_models/core": ["runtime/result"],
+    "plant_models/core": ["runtime/result", "runtime/base"],
     "plant_models/ode": ["plant_models/core"],
     "plant_models/assemblies": ["plant_models/ode"],
     "plant_models/bridge": ["plant_models/core", "runtime/image"],
