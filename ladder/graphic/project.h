@@ -20,11 +20,11 @@ struct Variable {
   std::string name;
   std::string type;  // ST type text: "BOOL", "INT", "TON", "ARRAY[1..3] OF REAL"
   VariableSection section = VariableSection::Local;
-  std::string address;  // "%IX0.0"; empty if not located
-  std::string initial;  // ST initial value text; empty if none
+  std::string address{};  // "%IX0.0"; empty if not located
+  std::string initial{};  // ST initial value text; empty if none
   bool constant = false;
   bool retain = false;
-  std::string comment;
+  std::string comment{};
 };
 
 enum class PouKind : std::uint8_t { Program, FunctionBlock, Function };
@@ -45,6 +45,8 @@ struct Pou {
   SfcChart origin;
   std::vector<std::string> step_variables;
   std::vector<std::string> transition_variables;
+  // BOOL variable that is TRUE in the first scan only; empty if the POU was not lowered.
+  std::string first_scan_variable;
 };
 
 struct Task {

@@ -3,10 +3,10 @@
 // A sequential function chart (IEC 61131-3, 2.6): steps, transitions, actions. No layout: drawings compute
 // it, a file that brings one keeps it in `layout`.
 //
-// Invariants (checked by `check`): one initial step at least, names unique, every transition has a source and
-// a target, all of them exist. Simultaneous divergence = several targets, convergence = several sources;
-// alternative branches = several transitions with a common source, tested in the order of `priority`, then of
-// the list.
+// Invariants (checked by `check`): one initial step at least, names legal and unique (a transition may have
+// none), every transition has a source and a target, all of them exist. Simultaneous divergence = several
+// targets, convergence = several sources; alternative branches = several transitions with a common source,
+// tested in the order of `priority`, then of the list.
 
 #include <cstdint>
 #include <optional>
@@ -35,8 +35,8 @@ struct Point {
 struct ActionBlock {
   Qualifier qualifier = Qualifier::N;
   std::string target;
-  std::string duration;   // an ST TIME literal or variable ("T#2s"), empty if the qualifier takes none
-  std::string indicator;  // optional indicator variable
+  std::string duration{};   // an ST TIME literal or variable ("T#2s"), empty if the qualifier takes none
+  std::string indicator{};  // optional indicator variable
 };
 
 struct Step {
@@ -69,7 +69,8 @@ struct SfcChart {
   std::vector<Action> actions;
 };
 
-// Every broken invariant as a diagnostic; empty if the chart is sound.
+// Every broken invariant as a diagnostic that names the step or transition; no errors if the chart is sound.
+// A step that no token can reach is a warning.
 [[nodiscard]] result::Diagnostics check(const SfcChart& chart);
 
 // "N", "P1", ... and back (nullopt for anything else).

@@ -6,6 +6,8 @@
 //
 // Invariants of a valid file (the verifier checks them): every section exactly once, in the order of its id,
 // each starting at the next multiple of 8 behind the one before, padding zero, the file ends with the last.
+// Ranges into another section (members of types, code of functions, transitions and steps of charts, links of
+// transitions) follow each other in the order of their owners without gaps.
 
 #include <cstdint>
 #include <type_traits>
@@ -23,6 +25,7 @@ inline constexpr std::uint32_t kMaxImageBytes = 64u << 20;
 inline constexpr std::uint32_t kMaxStackSlots = 1u << 20;
 inline constexpr std::uint32_t kMaxCallDepth = 64;
 inline constexpr std::uint32_t kMaxTasks = 16;
+inline constexpr std::uint32_t kMaxStringBytes = 4096;
 inline constexpr std::uint32_t kMaxLocals = 4096;  // of one function, parameters included
 
 struct FileHeader {
@@ -87,6 +90,7 @@ enum class TypeKind : std::uint8_t {
   Struct = 2,
   Instance = 3,  // the data of a program or function block
 };
+inline constexpr std::uint8_t kTypeKindCount = 4;
 
 struct TypeRecord {
   StringRef name;
@@ -106,13 +110,16 @@ struct MemberRecord {
   std::uint32_t offset;  // from the start of the struct or instance
 };
 
-enum class SymbolSection : std::uint8_t { Local = 0, Input = 1, Output = 2, InOut = 3, Global = 4 };
+// VAR_IN_OUT, VAR_TEMP and the variables of functions are not listed: they have no value between scans.
+enum class SymbolSection : std::uint8_t { Local = 0, Input = 1, Output = 2, Global = 3 };
+inline constexpr std::uint8_t kSymbolSectionCount = 4;
 
 enum SymbolFlag : std::uint16_t {
   kSymbolRetain = 1,
   kSymbolLocated = 2,
   kSymbolConstant = 4,
 };
+inline constexpr std::uint16_t kSymbolFlagMask = 7;
 
 // A variable by its path ("MAIN.timer.Q", "level_a1"). Its address is absolute.
 struct SymbolRecord {
@@ -140,6 +147,7 @@ struct ProgramCallRecord {
 };
 
 enum class FunctionKind : std::uint8_t { Function = 0, FunctionBlock = 1, Program = 2 };
+inline constexpr std::uint8_t kFunctionKindCount = 3;
 
 struct FunctionRecord {
   StringRef name;

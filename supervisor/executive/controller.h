@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/host/messages.h"
 #include "runtime/result/result.h"
-#include "runtime/service/messages.h"
 
 namespace stepwright::executive {
 
@@ -36,8 +36,10 @@ class Controller {
   // The container that is loaded now.
   [[nodiscard]] virtual result::Result<std::vector<std::byte>> program() = 0;
 
-  virtual std::optional<service::StepEvent> wait_event(std::chrono::milliseconds timeout) = 0;
-  virtual std::optional<service::RuntimeStatus> status() const = 0;
+  virtual std::optional<host::StepEvent> wait_event(std::chrono::milliseconds timeout) = 0;
+  // The newest of each, or none before the first arrived.
+  virtual std::optional<host::RuntimeStatus> status() const = 0;
+  virtual std::optional<host::Snapshot> snapshot() const = 0;
 };
 
 }  // namespace stepwright::executive

@@ -8,6 +8,7 @@
 //   for (const std::string& sentence : deviations(binding, expected, now.measured)) report(sentence);
 
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,14 +37,11 @@ struct Estimate {
                                                 std::span<const model::GroundAction> in_progress = {});
 
 // Sentences such as "level of a1 is 3.9, expected 5.0 (tolerance 0.2)" for every observed fluent outside
-// tolerance and every observed fact that differs. Atoms in `ignored` (what running actions change) are not
-// compared.
+// tolerance and every observed fact that differs. Atoms in `ignored` (see changed_atoms: what running
+// actions change) are not compared.
 std::vector<std::string> deviations(const Binding& binding, const model::NamedState& expected,
                                     const model::NamedState& measured,
                                     const std::set<std::string>& ignored = {});
-
-// The observed facts and fluents that an action changes, by its states before and after.
-std::set<std::string> changed_atoms(const model::PlannedAction& action);
 
 // Bias of each sensor = mean counts - calibration at the known level. Fails with T0010 if a value or level is
 // missing and with T0011 if a bias is larger than the binding allows.

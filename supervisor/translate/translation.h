@@ -21,17 +21,17 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ladder/graphic/project.h"
 #include "runtime/result/result.h"
 #include "supervisor/model/planned_run.h"
 #include "supervisor/translate/binding.h"
+#include "supervisor/translate/change.h"
+#include "supervisor/translate/sensor_condition.h"
 
 namespace stepwright::translate {
-
-// Bias of each sensor in raw counts, by the sensor's name; a sensor that is not listed has none.
-using Tare = std::map<std::string, double>;
 
 struct TranslateOptions {
   bool sequential = false;  // one action after the other, as in the paper
@@ -49,16 +49,10 @@ struct StepInfo {
   std::string name;
   StepKind kind = StepKind::Wait;
   std::optional<std::size_t> action;  // Action, Rest, Failed: index into the plan
+  std::vector<std::size_t> after;     // actions that are done when this step is active, and with them all
+                                      // that are ordered before them
   milliseconds timeout{0};            // Action and Search; 0 = none
   std::vector<std::string> assumed;   // Action: parts of its precondition that no sensor can check
-};
-
-// What an action changes when it is done, measured fluents included; adds up along any order that the plan
-// allows.
-struct Change {
-  std::vector<std::string> made_true;
-  std::vector<std::string> made_false;
-  std::map<std::string, double> increase;
 };
 
 struct Translation {

@@ -1,0 +1,206 @@
+#include "ladder/lowering/sfc_actions.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace stepwright::lowering {
+namespace {
+
+using graphic::ActionBlock;
+using graphic::CoilKind;
+using graphic::Condition;
+using graphic::Qualifier;
+using graphic::StepId;
+
+struct Association {
+  StepId step;
+  const ActionBlock* block;
+};
+
+// All action blocks with one target.
+struct Target {
+  std::string name;
+  const graphic::Action* action = nullptr;  // nullptr: a BOOL variable
+  std::vector<Association> associations;
+};
+
+std::vector<Target> targets_of(const graphic::SfcChart& chart) {
+  std::vector<Target> bodies;
+  for (const graphic::Action& action : chart.actions) bodies.push_back({action.name, &action, {}});
+  std::vector<Target> all;
+  const auto find = [](std::vector<Target>& in, const std::string& name) {
+    return std::find_if(in.begin(), in.end(),
+                        [&](const Target& t) { return graphic::same_name(t.name, name); });
+  };
+  for (std::size_t i = 0; i < chart.steps.size(); ++i) {
+    for (const ActionBlock& block : chart.steps[i].actions) {
+      auto found = find(bodies, block.target);
+      if (found == bodies.end()) {
+        found = find(all, block.target);
+        if (found == all.end()) found = all.insert(all.end(), {block.target, nullptr, {}});
+      }
+      found->associations.push_back({StepId(static_cast<std::uint32_t>(i)), &block});
+    }
+  }
+  std::move(bodies.begin(), bodies.end(), std::back_inserter(all));
+  return all;
+}
+
+// The rungs of one target.
+class ActionControl {
+ public:
+  ActionControl(SfcLoweringContext& context, const Target& target) : context_(context), target_(target) {}
+
+  void lower() {
+    if (target_.associations.empty()) return;
+    for (const Association& a : target_.associations) {
+      if (a.block->qualifier == Qualifier::R) resets_.push_back(context_.active(a.step));
+    }
+    if (target_.action == nullptr && only_set_and_reset()) {
+      set_and_reset(target_.name, set_condition());
+      return;
+    }
+    if (const Condition set = set_condition(); set.kind != graphic::ConditionKind::True) {
+      const std::string stored =
+          context_.declare(target_.name + "_STORED", "BOOL", target_.name + " is set (qualifier S)");
+      set_and_reset(stored, set);
+      terms_.push_back(graphic::contact(stored));
+    }
+    for (const Association& a : target_.associations) associate(a);
+    if (!terms_.empty()) drive();
+  }
+
+ private:
+  bool only_set_and_reset() const {
+    return std::all_of(target_.associations.begin(), target_.associations.end(), [](const Association& a) {
+      return a.block->qualifier == Qualifier::S || a.block->qualifier == Qualifier::R;
+    });
+  }
+
+  // True (a closed wire) stands for "no step sets it".
+  Condition set_condition() const {
+    std::vector<Condition> sets;
+    for (const Association& a : target_.associations) {
+      if (a.block->qualifier == Qualifier::S) sets.push_back(context_.active(a.step));
+    }
+    return graphic::any(std::move(sets));
+  }
+
+  void associate(const Association& a) {
+    const StepVariables& step = context_.steps()[a.step.value];
+    switch (a.block->qualifier) {
+      case Qualifier::N:
+        terms_.push_back(context_.active(a.step));
+        break;
+      case Qualifier::P:
+      case Qualifier::P1:
+        terms_.push_back(graphic::all({context_.active(a.step), graphic::contact(step.was_active, true)}));
+        break;
+      case Qualifier::P0:
+        terms_.push_back(graphic::all({context_.active(a.step, true), graphic::contact(step.was_active)}));
+        break;
+      case Qualifier::L:
+        terms_.push_back(graphic::all(
+            {context_.active(a.step), graphic::contact(timer(a, context_.active(a.step)), true)}));
+        break;
+      case Qualifier::D:
+        terms_.push_back(graphic::contact(timer(a, context_.active(a.step))));
+        break;
+      case Qualifier::SD:
+        terms_.push_back(graphic::contact(timer(a, latch(a, context_.active(a.step)))));
+        break;
+      case Qualifier::DS:
+        terms_.push_back(latch(a, graphic::contact(timer(a, context_.active(a.step)))));
+        break;
+      case Qualifier::SL: {
+        const Condition stored = latch(a, context_.active(a.step));
+        terms_.push_back(graphic::all({stored, graphic::contact(timer(a, stored), true)}));
+        break;
+      }
+      case Qualifier::S:
+      case Qualifier::R:
+        break;  // set_condition() and resets_
+    }
+  }
+
+  std::string place(const Association& a) const {
+    return context_.chart().steps[a.step.value].name + "_" + target_.name;
+  }
+
+  // An on-delay timer of this action block; returns its output, "NAME.Q".
+  std::string timer(const Association& a, Condition input) {
+    const std::string name = context_.declare(
+        place(a) + "_TMR", "TON",
+        std::string("time of ") + graphic::to_string(a.block->qualifier) + " action " + target_.name);
+    graphic::Block block;
+    block.type = "TON";
+    block.instance = name;
+    block.power_input = "IN";
+    block.inputs.emplace_back("PT", context_.rewrite(a.block->duration));
+    graphic::Rung rung;
+    rung.comment = "Time of action block " + std::string(graphic::to_string(a.block->qualifier)) + " " +
+                   target_.name + " of step " + context_.chart().steps[a.step.value].name;
+    rung.condition = std::move(input);
+    rung.blocks.push_back(std::move(block));
+    context_.add(std::move(rung));
+    return name + ".Q";
+  }
+
+  // A stored bit of this action block, which the R blocks of the target reset.
+  Condition latch(const Association& a, Condition set) {
+    const std::string name =
+        context_.declare(place(a) + "_STORED", "BOOL",
+                         std::string(graphic::to_string(a.block->qualifier)) + " action " + target_.name);
+    set_and_reset(name, std::move(set));
+    return graphic::contact(name);
+  }
+
+  // Reset last: it wins, as in the RS block of ACTION_CONTROL.
+  void set_and_reset(const std::string& variable, Condition set) {
+    if (set.kind != graphic::ConditionKind::True) {
+      coil("Set " + variable, std::move(set), CoilKind::Set, variable);
+    }
+    if (!resets_.empty()) coil("Reset " + variable, graphic::any(resets_), CoilKind::Reset, variable);
+  }
+
+  void coil(std::string comment, Condition condition, CoilKind kind, const std::string& variable) {
+    graphic::Rung rung;
+    rung.comment = std::move(comment);
+    rung.condition = std::move(condition);
+    rung.coils.push_back({kind, variable});
+    context_.add(std::move(rung));
+  }
+
+  void drive() {
+    std::vector<Condition> series{graphic::any(terms_)};
+    for (Condition reset : resets_) {
+      reset.negated = true;
+      series.push_back(std::move(reset));
+    }
+    if (target_.action == nullptr) {
+      coil("Output " + target_.name, graphic::all(std::move(series)), CoilKind::Normal, target_.name);
+      return;
+    }
+    graphic::Rung rung;
+    rung.comment = "Action " + target_.name;
+    rung.condition = graphic::all(std::move(series));
+    graphic::Block block;
+    block.st_body = context_.rewrite(target_.action->st_body);
+    rung.blocks.push_back(std::move(block));
+    context_.add(std::move(rung));
+  }
+
+  SfcLoweringContext& context_;
+  const Target& target_;
+  std::vector<Condition> terms_;   // any of them makes the action active
+  std::vector<Condition> resets_;  // contacts of the steps with an R block
+};
+
+}  // namespace
+
+void lower_actions(SfcLoweringContext& context) {
+  const std::vector<Target> targets = targets_of(context.chart());
+  for (const Target& target : targets) ActionControl(context, target).lower();
+}
+
+}  // namespace stepwright::lowering

@@ -1,0 +1,148 @@
+#include "ladder/lowering/sfc_lowering_context.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ladder/lowering/st_names.h"
+
+namespace stepwright::lowering {
+namespace {
+
+using graphic::ActionBlock;
+using graphic::Condition;
+using graphic::Qualifier;
+using graphic::SfcChart;
+
+template <typename Visit>
+void for_each_text_of(const Condition& condition, Visit& visit) {
+  visit(condition.name);
+  visit(condition.operand);
+  for (const Condition& child : condition.children) for_each_text_of(child, visit);
+}
+
+bool has_edge_action(const graphic::Step& step) {
+  return std::any_of(step.actions.begin(), step.actions.end(), [](const ActionBlock& block) {
+    return block.qualifier == Qualifier::P || block.qualifier == Qualifier::P0 ||
+           block.qualifier == Qualifier::P1;
+  });
+}
+
+}  // namespace
+
+SfcLoweringContext::SfcLoweringContext(const graphic::Pou& pou) : pou_(pou) {
+  pou_.origin = std::get<SfcChart>(pou.body);
+  pou_.step_variables.clear();
+  pou_.transition_variables.clear();
+  reserve_names();
+  declare_steps();
+  declare_transitions();
+  pou_.first_scan_variable = declare("SFC_FIRST_SCAN", "BOOL", "TRUE in the first scan", "TRUE");
+}
+
+template <typename Visit>
+void SfcLoweringContext::for_each_text(Visit visit) const {
+  for (const graphic::Transition& transition : chart().transitions) {
+    for_each_text_of(transition.condition, visit);
+  }
+  for (const graphic::Step& step : chart().steps) {
+    for (const ActionBlock& block : step.actions) {
+      visit(block.target);
+      visit(block.duration);
+      visit(block.indicator);
+    }
+  }
+  for (const graphic::Action& action : chart().actions) visit(action.st_body);
+}
+
+void SfcLoweringContext::reserve_names() {
+  names_.insert(pou_.name);
+  for (const graphic::Variable& variable : pou_.variables) names_.insert(variable.name);
+  for (const graphic::Step& step : chart().steps) names_.insert(step.name);
+  for (const graphic::Transition& transition : chart().transitions) names_.insert(transition.name);
+  for (const graphic::Action& action : chart().actions) names_.insert(action.name);
+  // A text may use globals and functions that this POU does not declare.
+  for_each_text([&](const std::string& text) {
+    for_each_identifier(text, [&](std::string_view name) { names_.insert(name); });
+  });
+}
+
+void SfcLoweringContext::declare_steps() {
+  std::vector<bool> timed(chart().steps.size(), false);
+  for_each_text([&](const std::string& text) {
+    replace_step_flags(text, [&](std::string_view name, char flag) {
+      for (std::size_t i = 0; i < timed.size(); ++i) {
+        if (flag == 'T' && graphic::same_name(chart().steps[i].name, name)) timed[i] = true;
+      }
+      return std::string();
+    });
+  });
+  if (std::find(timed.begin(), timed.end(), true) != timed.end()) {
+    clock_timer_ = declare("SFC_CLOCK", "TON", "time since the first scan");
+    now_ = declare("SFC_NOW", "TIME", "time since the first scan");
+  }
+  for (std::size_t i = 0; i < chart().steps.size(); ++i) {
+    const graphic::Step& step = chart().steps[i];
+    StepVariables variables;
+    variables.active = declare(step.name + "_X", "BOOL", "step " + step.name + " is active");
+    if (timed[i]) {
+      variables.elapsed = declare(step.name + "_T", "TIME", "time since step " + step.name + " was entered");
+      variables.entered_at = declare(step.name + "_SINCE", "TIME", "when step " + step.name + " was entered");
+    }
+    if (has_edge_action(step)) {
+      variables.was_active = declare(step.name + "_WAS", "BOOL", "step " + step.name + " was active before");
+    }
+    pou_.step_variables.push_back(variables.active);
+    steps_.push_back(std::move(variables));
+  }
+}
+
+void SfcLoweringContext::declare_transitions() {
+  for (std::size_t i = 0; i < chart().transitions.size(); ++i) {
+    const std::string& name = chart().transitions[i].name;
+    const std::string base = name.empty() ? "TRANS" + std::to_string(i) : name;
+    pou_.transition_variables.push_back(declare(base + "_FIRES", "BOOL", "transition " + base + " fires"));
+  }
+}
+
+std::string SfcLoweringContext::declare(std::string_view wanted, std::string type, std::string comment,
+                                        std::string initial) {
+  graphic::Variable variable;
+  variable.name = names_.unique(wanted);
+  variable.type = std::move(type);
+  variable.comment = std::move(comment);
+  variable.initial = std::move(initial);
+  pou_.variables.push_back(variable);
+  return variable.name;
+}
+
+Condition SfcLoweringContext::active(graphic::StepId step, bool negated) const {
+  return graphic::contact(steps_[step.value].active, negated);
+}
+
+Condition SfcLoweringContext::fires(std::size_t transition, bool negated) const {
+  return graphic::contact(pou_.transition_variables[transition], negated);
+}
+
+std::string SfcLoweringContext::rewrite(std::string_view text) const {
+  return replace_step_flags(text, [this](std::string_view name, char flag) {
+    for (std::size_t i = 0; i < chart().steps.size(); ++i) {
+      if (!graphic::same_name(chart().steps[i].name, name)) continue;
+      return flag == 'X' ? steps_[i].active : steps_[i].elapsed;
+    }
+    return std::string();
+  });
+}
+
+Condition SfcLoweringContext::rewrite(Condition condition) const {
+  condition.name = rewrite(std::string_view(condition.name));
+  condition.operand = rewrite(std::string_view(condition.operand));
+  for (Condition& child : condition.children) child = rewrite(std::move(child));
+  return condition;
+}
+
+graphic::Pou SfcLoweringContext::finish() {
+  pou_.body = graphic::LadderProgram{std::move(rungs_)};
+  return std::move(pou_);
+}
+
+}  // namespace stepwright::lowering

@@ -1,0 +1,65 @@
+#pragma once
+
+// What the parts of the SFC lowering share: the POU that grows, its generated variables and the rewriting of
+// step flags. Internal to this folder; one object per lowering, one thread.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ladder/graphic/identifier.h"
+#include "ladder/graphic/project.h"
+
+namespace stepwright::lowering {
+
+// The generated variables of one step; empty where the chart does not need it.
+struct StepVariables {
+  std::string active;      // BOOL, S.X
+  std::string elapsed;     // TIME, S.T
+  std::string entered_at;  // TIME, the chart's clock when the step was entered last
+  std::string was_active;  // BOOL, S.X at the end of the scan before
+};
+
+class SfcLoweringContext {
+ public:
+  // Reserves every name that `pou` uses and declares the step and transition bits and what they need. The
+  // body of `pou` is a sound chart.
+  explicit SfcLoweringContext(const graphic::Pou& pou);
+
+  const graphic::SfcChart& chart() const { return pou_.origin; }
+  const std::vector<StepVariables>& steps() const { return steps_; }
+  graphic::Condition active(graphic::StepId step, bool negated = false) const;
+  graphic::Condition fires(std::size_t transition, bool negated = false) const;
+  const std::string& clock_timer() const { return clock_timer_; }
+  const std::string& now() const { return now_; }
+  const std::string& first_scan() const { return pou_.first_scan_variable; }
+
+  // Declares a variable under a free name made from `wanted` and returns that name.
+  std::string declare(std::string_view wanted, std::string type, std::string comment,
+                      std::string initial = {});
+
+  // The text with step flags replaced by their variables.
+  std::string rewrite(std::string_view text) const;
+  graphic::Condition rewrite(graphic::Condition condition) const;
+
+  void add(graphic::Rung rung) { rungs_.push_back(std::move(rung)); }
+  // The POU with the rungs as its body. The context is used up.
+  graphic::Pou finish();
+
+ private:
+  void reserve_names();
+  void declare_steps();
+  void declare_transitions();
+  template <typename Visit>
+  void for_each_text(Visit visit) const;
+
+  graphic::Pou pou_;
+  graphic::NameSet names_;
+  std::vector<StepVariables> steps_;
+  std::vector<graphic::Rung> rungs_;
+  std::string clock_timer_;
+  std::string now_;
+};
+
+}  // namespace stepwright::lowering

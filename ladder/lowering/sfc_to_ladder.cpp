@@ -1,0 +1,193 @@
+#include "ladder/lowering/sfc_to_ladder.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <utility>
+
+#include "ladder/lowering/sfc_actions.h"
+#include "ladder/lowering/sfc_lowering_context.h"
+#include "ladder/lowering/sfc_name_check.h"
+
+namespace stepwright::lowering {
+namespace {
+
+using graphic::CoilKind;
+using graphic::Condition;
+using graphic::Pou;
+using graphic::Rung;
+using graphic::SfcChart;
+using graphic::StepId;
+using graphic::Transition;
+using result::Diagnostics;
+
+bool share_a_source(const Transition& a, const Transition& b) {
+  return std::any_of(a.sources.begin(), a.sources.end(), [&](StepId id) {
+    return std::find(b.sources.begin(), b.sources.end(), id) != b.sources.end();
+  });
+}
+
+std::string names_of(const SfcChart& chart, const std::vector<StepId>& ids) {
+  std::string text;
+  for (const StepId id : ids) text += (text.empty() ? "" : " + ") + chart.steps[id.value].name;
+  return text;
+}
+
+Rung statements(std::string comment, Condition condition, std::string st) {
+  Rung rung;
+  rung.comment = std::move(comment);
+  rung.condition = std::move(condition);
+  graphic::Block block;
+  block.st_body = std::move(st);
+  rung.blocks.push_back(std::move(block));
+  return rung;
+}
+
+// The elapsed times, before the transitions read them.
+void lower_clock(SfcLoweringContext& context) {
+  if (context.now().empty()) return;
+  Rung clock;
+  clock.comment = "Clock of the step times";
+  graphic::Block timer;
+  timer.type = "TON";
+  timer.instance = context.clock_timer();
+  timer.power_input = "IN";
+  timer.inputs.emplace_back("PT", "T#36500d");  // a hundred years: it never stands still
+  timer.outputs.emplace_back("ET", context.now());
+  clock.blocks.push_back(std::move(timer));
+  context.add(std::move(clock));
+  for (const StepVariables& step : context.steps()) {
+    if (step.elapsed.empty()) continue;
+    context.add(statements("Elapsed time " + step.elapsed, graphic::contact(step.active),
+                           step.elapsed + " := " + context.now() + " - " + step.entered_at + ";"));
+  }
+}
+
+// In the order of their priority, so that a transition can look at the bits of those that go before it.
+void lower_transition_bits(SfcLoweringContext& context) {
+  const SfcChart& chart = context.chart();
+  std::vector<std::size_t> order(chart.transitions.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return chart.transitions[a].priority < chart.transitions[b].priority;
+  });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Transition& transition = chart.transitions[order[i]];
+    std::vector<Condition> series;
+    for (const StepId source : transition.sources) series.push_back(context.active(source));
+    series.push_back(context.rewrite(transition.condition));
+    for (std::size_t j = 0; j < i; ++j) {
+      if (share_a_source(transition, chart.transitions[order[j]])) {
+        series.push_back(context.fires(order[j], true));
+      }
+    }
+    Rung rung;
+    rung.comment =
+        "Transition " + names_of(chart, transition.sources) + " -> " + names_of(chart, transition.targets);
+    rung.condition = graphic::all(std::move(series));
+    rung.coils.push_back({CoilKind::Normal, context.fires(order[i]).name});
+    context.add(std::move(rung));
+  }
+}
+
+void lower_evolution(SfcLoweringContext& context, CoilKind kind) {
+  const SfcChart& chart = context.chart();
+  for (std::size_t i = 0; i < chart.transitions.size(); ++i) {
+    const Transition& transition = chart.transitions[i];
+    const bool leave = kind == CoilKind::Reset;
+    const std::vector<StepId>& steps = leave ? transition.sources : transition.targets;
+    Rung rung;
+    rung.comment = (leave ? "Leave " : "Enter ") + names_of(chart, steps);
+    rung.condition = context.fires(i);
+    for (const StepId step : steps) rung.coils.push_back({kind, context.steps()[step.value].active});
+    context.add(std::move(rung));
+  }
+}
+
+// The step bits are FALSE before the first scan, so no transition fires in it and the actions of the initial
+// steps run before any transition is tested.
+void lower_initial_situation(SfcLoweringContext& context) {
+  Rung rung;
+  rung.comment = "Initial situation";
+  rung.condition = graphic::contact(context.first_scan());
+  for (std::size_t i = 0; i < context.steps().size(); ++i) {
+    if (context.chart().steps[i].initial) rung.coils.push_back({CoilKind::Set, context.steps()[i].active});
+  }
+  context.add(std::move(rung));
+}
+
+void lower_entry_times(SfcLoweringContext& context) {
+  const SfcChart& chart = context.chart();
+  for (std::size_t i = 0; i < context.steps().size(); ++i) {
+    const StepVariables& step = context.steps()[i];
+    if (step.elapsed.empty()) continue;
+    std::vector<Condition> entries;
+    for (std::size_t t = 0; t < chart.transitions.size(); ++t) {
+      const std::vector<StepId>& targets = chart.transitions[t].targets;
+      const StepId id(static_cast<std::uint32_t>(i));
+      if (std::find(targets.begin(), targets.end(), id) != targets.end()) entries.push_back(context.fires(t));
+    }
+    if (chart.steps[i].initial) entries.push_back(graphic::contact(context.first_scan()));
+    if (entries.empty()) continue;  // a step that nothing enters
+    context.add(statements("Time of step " + chart.steps[i].name + " starts",
+                           graphic::any(std::move(entries)),
+                           step.entered_at + " := " + context.now() + "; " + step.elapsed + " := T#0s;"));
+  }
+}
+
+void lower_end_of_scan(SfcLoweringContext& context) {
+  for (const StepVariables& step : context.steps()) {
+    if (step.was_active.empty()) continue;
+    Rung rung;
+    rung.comment = "Remember " + step.active;
+    rung.condition = graphic::contact(step.active);
+    rung.coils.push_back({CoilKind::Normal, step.was_active});
+    context.add(std::move(rung));
+  }
+  Rung rung;
+  rung.comment = "End of the first scan";
+  rung.coils.push_back({CoilKind::Reset, context.first_scan()});
+  context.add(std::move(rung));
+}
+
+result::Result<Pou> lower(const Pou& pou, const std::vector<graphic::Variable>* globals) {
+  assert(std::holds_alternative<SfcChart>(pou.body));
+  Diagnostics diagnostics = graphic::check(std::get<SfcChart>(pou.body));
+  if (!result::has_errors(diagnostics)) diagnostics = check_names(pou, globals);
+  if (result::has_errors(diagnostics)) return tl::unexpected<Diagnostics>(std::move(diagnostics));
+
+  SfcLoweringContext context(pou);
+  lower_clock(context);
+  lower_transition_bits(context);
+  lower_evolution(context, CoilKind::Reset);
+  lower_evolution(context, CoilKind::Set);
+  lower_initial_situation(context);
+  lower_entry_times(context);
+  lower_actions(context);
+  lower_end_of_scan(context);
+  return context.finish();
+}
+
+}  // namespace
+
+result::Result<Pou> lower_sfc(const Pou& pou) {
+  return lower(pou, nullptr);
+}
+
+result::Result<graphic::Project> lower_sfc(const graphic::Project& project) {
+  graphic::Project lowered = project;
+  for (Pou& pou : lowered.pous) {
+    if (!std::holds_alternative<SfcChart>(pou.body)) continue;
+    result::Result<Pou> ladder = lower(pou, &project.globals);
+    if (!ladder) {
+      for (result::Diagnostic& diagnostic : ladder.error()) {
+        diagnostic.message = "POU '" + pou.name + "': " + diagnostic.message;
+      }
+      return result::forward(ladder);
+    }
+    pou = std::move(*ladder);
+  }
+  return lowered;
+}
+
+}  // namespace stepwright::lowering

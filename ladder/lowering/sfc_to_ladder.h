@@ -1,0 +1,32 @@
+#pragma once
+
+// Lowers a sequential function chart to a ladder diagram with step bits, transition bits and set/reset coils,
+// in the manner of Figure 14 of paper 6 (planning on the PLC bench). There is no SFC engine at run time: the
+// meaning of a chart is the meaning of its rungs. ladder/doc/sfc_semantics.md is the specification.
+// Pure functions; use from any thread.
+//
+// Invariants of the result: every transition is evaluated on the step bits at the start of the scan; one
+// evolution per scan; all generated names are legal, unique in the POU and listed in its variables.
+//
+//   Result<graphic::Pou> ladder = lower_sfc(pou);            // pou.body holds an SfcChart
+//   std::get<graphic::LadderProgram>(ladder->body).rungs     // what the compiler takes
+//   ladder->step_variables[i]                                // BOOL variable of chart.steps[i]: "LOAD_X"
+
+#include "ladder/graphic/project.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::lowering {
+
+// Generated variables of step S: `S_X` (active), `S_T` (elapsed time, only if some text uses `S.T`); of
+// transition T: `T_FIRES` (`TRANS<i>_FIRES` if it has no name); the rest is listed in sfc_semantics.md.
+// `<step>.X` and `<step>.T` in conditions, durations and action bodies become these variables.
+// Requires a body that holds a chart. Fails with the errors of graphic::check, with E0521 if a step or an
+// action has the name of a variable, E0522 if an action block's target is not BOOL, E0524 if an action's body
+// holds RETURN.
+[[nodiscard]] result::Result<graphic::Pou> lower_sfc(const graphic::Pou& pou);
+
+// Every POU that holds a chart lowered, the others unchanged; all or nothing. Also checks the targets of
+// action blocks against the globals of the project (E0523: neither a variable nor an action).
+[[nodiscard]] result::Result<graphic::Project> lower_sfc(const graphic::Project& project);
+
+}  // namespace stepwright::lowering
