@@ -23,6 +23,26 @@ int word(std::span<const std::byte> area, std::size_t index) {
   return static_cast<int>(area[2 * index]) | static_cast<int>(area[2 * index + 1]) << 8;
 }
 
+// A plant whose solver has given up.
+class DeadPlant final : public core::Plant {
+ public:
+  std::span<const core::Port> actuators() const override { return {}; }
+  std::span<const core::Port> sensors() const override { return {}; }
+  std::span<const core::Quantity> truths() const override { return {}; }
+  std::span<const core::Quantity> faults() const override { return {}; }
+  const core::PlantDescription& description() const override { return description_; }
+  std::chrono::nanoseconds now() const override { return std::chrono::nanoseconds(0); }
+  void set_actuator(core::ActuatorId, bool) override {}
+  core::PlantStatus advance_to(std::chrono::nanoseconds) override { return core::PlantStatus::Failed; }
+  std::int16_t sensor(core::SensorId) const override { return 0; }
+  double truth(core::TruthId) const override { return 0.0; }
+  result::Result<void> inject_fault(std::string_view, double) override { return {}; }
+  result::Result<void> clear_fault(std::string_view) override { return {}; }
+
+ private:
+  core::PlantDescription description_;
+};
+
 class PlantDriverTest : public testing::Test {
  protected:
   std::unique_ptr<assemblies::TankBench> plant = make_plant();
@@ -74,6 +94,13 @@ TEST_F(PlantDriverTest, WhenAreaIsSmallerThanPromised_ThenLost) {
   auto driver = PlantDriver::create(*plant, default_bench_wires(), kSizes).value();
   EXPECT_EQ(driver.read_inputs(0, std::span(inputs).first(4)), image::IoStatus::Lost);
   EXPECT_EQ(driver.write_outputs(0, {}), image::IoStatus::Lost);
+}
+
+TEST_F(PlantDriverTest, WhenThePlantHasFailed_ThenLost) {
+  DeadPlant dead;
+  auto driver = PlantDriver::create(dead, {}, kSizes).value();
+  EXPECT_EQ(driver.read_inputs(0, inputs), image::IoStatus::Lost);
+  EXPECT_EQ(driver.write_outputs(0, outputs), image::IoStatus::Lost);
 }
 
 TEST_F(PlantDriverTest, WhenAWireIsWrong_ThenRefusedWithItsCode) {
