@@ -59,6 +59,10 @@ void read_planning(const TomlTable& table, const std::filesystem::path& folder, 
 
 }  // namespace
 
+bool is_goal_change(const ScheduledFault& fault) {
+  return fault.name.starts_with('(');
+}
+
 std::filesystem::path CellConfig::socket_path() const {
   return state_dir / "runtime.sock";
 }
@@ -100,6 +104,7 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   }
   const TomlTable executive = root.table("executive");
   config.executive.max_replans = static_cast<int>(executive.integer("max_replans", 8, {0, 1'000}));
+  config.executive.report_fluent = executive.text("report_fluent", {});
   config.executive.settle = std::chrono::milliseconds(executive.integer("settle_ms", 3'000, {0, 600'000}));
   config.dds.domain_id = static_cast<std::uint32_t>(root.table("dds").integer("domain_id", 0, {0, 232}));
   const TomlTable hmi = root.table("hmi");

@@ -44,6 +44,9 @@ struct ScheduledFault {
   double value = 0.0;
 };
 
+// True for a change of what is asked for, false for a fault of the plant.
+bool is_goal_change(const ScheduledFault& fault);
+
 struct SafeOutput {
   std::string address;  // "%QX0.0"
   SafeAction action = SafeAction::Zero;
@@ -66,6 +69,7 @@ struct PlanningConfig {
 
 struct ExecutiveConfig {
   int max_replans = 8;                      // then the plant is left in its safe state
+  std::string report_fluent;                // what the report follows per action; empty: the metric
   std::chrono::milliseconds settle{3'000};  // plant time over which sensors are averaged before a decision
 };
 
@@ -97,6 +101,7 @@ struct CellConfig {
 
   std::filesystem::path socket_path() const;   // the runtime's Unix socket
   std::filesystem::path journal_path() const;  // the executive's journal
+  std::filesystem::path report_path() const;   // what the supervisor leaves at the end of a run
 };
 
 // `overrides` are "dotted.key=value" texts that win over the file (--set).

@@ -23,6 +23,10 @@ std::vector<std::string> watched_variables(const translate::Binding& binding) {
   return variables;
 }
 
+result::ExitCode exit_code_of(PrepareStatus status) {
+  return status == PrepareStatus::Infeasible ? result::ExitCode::NoPlan : result::ExitCode::BudgetExhausted;
+}
+
 std::string joined(const std::vector<std::string>& sentences) {
   std::string text;
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : "; ") + sentence;
@@ -66,7 +70,9 @@ bool Executive::start_afresh() {
   const model::NamedState initial = pddl::to_named(desk_.task().initial());
   auto outcome = desk_.prepare({.planning = initial, .measured = {}, .tare = {}});
   if (!outcome) return give_up("no program could be made", outcome.error());
-  if (outcome->status != PrepareStatus::Ready) return give_up("there is no plan: " + outcome->reason);
+  if (outcome->status != PrepareStatus::Ready) {
+    return give_up("there is no plan: " + outcome->reason, exit_code_of(outcome->status));
+  }
   current_ = std::move(outcome->prepared);
   record_.goal = desk_.goal_status(initial);
   if (!await_runtime() || !observe(false)) return false;
@@ -104,7 +110,7 @@ bool Executive::resume() {
   current_.episode = record_.episodes.back();
   progress_ = {};
   for (const ActionRecord& action : record_.episodes.back().actions) {
-    progress_.actions.push_back(static_cast<translate::ActionState>(action.state));
+    progress_.actions.push_back(action.state);
   }
   digest_ = record_.episodes.back().digest;
   set_phase(Phase::Waiting, "the supervisor was restarted and looks for its runtime");
@@ -130,7 +136,7 @@ bool Executive::recover_runtime() {
   // What happened meanwhile shows in the present steps; an event that the runtime waits for comes by itself.
   const auto snapshot = controller_.snapshot();
   if (!snapshot || snapshot->program_digest != digest_) return true;
-  time_s_ = static_cast<double>(snapshot->time_ns) * 1e-9;
+  take_time(snapshot->time_ns);
   const Decision decision = judge_steps(snapshot->image, time_s_);
   if (decision.verdict == Verdict::Finished) return finish();
   if (decision.verdict == Verdict::Replan) return replan(decision.cause);
@@ -206,7 +212,7 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
     }
     last_event_ = event->sequence;
     if (event->program_digest == digest_) {
-      time_s_ = static_cast<double>(event->time_ns) * 1e-9;
+      take_time(event->time_ns);
       if (event->kind == host::EventKind::Trap || event->kind == host::EventKind::Stopped) {
         return give_up("the runtime stopped while the sensors were read: " + event->detail);
       }
@@ -228,7 +234,7 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
 bool Executive::launch() {
   record_.episodes.push_back(current_.episode);
   progress_ = {};
-  progress_.actions.assign(current_.plan.actions.size(), translate::ActionState::Pending);
+  progress_.actions.assign(current_.plan.actions.size(), ActionState::Pending);
   if (record_.episodes.size() == 1) record_.started_s = time_s_;
   record_.episodes.back().started_s = time_s_;
   while (!install(current_)) {
@@ -262,7 +268,7 @@ bool Executive::install(const PreparedPlan& prepared) {
     last_event_ = event->sequence;
     (void)controller_.acknowledge(event->sequence);
     if (event->kind != host::EventKind::Started || event->program_digest != digest_) continue;
-    time_s_ = static_cast<double>(event->time_ns) * 1e-9;
+    take_time(event->time_ns);
     return true;
   }
   return false;
@@ -288,11 +294,13 @@ bool Executive::finish() {
   return false;
 }
 
-bool Executive::give_up(const std::string& reason) {
+bool Executive::give_up(const std::string& reason, result::ExitCode exit) {
   std::string message = reason;
-  if (auto stopped = controller_.stop(reason.substr(0, 200)); !stopped) {
+  // Before the first program there is nothing to stop.
+  if (reader_ && !controller_.stop(reason.substr(0, 200))) {
     message += " (the runtime does not answer; its own rules for a lost supervisor hold)";
   }
+  record_.exit = exit;
   set_phase(Phase::Safe, std::move(message));
   return false;
 }

@@ -8,29 +8,11 @@
 namespace stepwright::executive {
 namespace {
 
-using translate::ActionState;
-
-executive::ActionState record_state(ActionState state) {
-  switch (state) {
-    case ActionState::Pending:
-      return executive::ActionState::Pending;
-    case ActionState::Active:
-      return executive::ActionState::Active;
-    case ActionState::Done:
-      return executive::ActionState::Done;
-    case ActionState::Failed:
-      return executive::ActionState::Failed;
-  }
-  return executive::ActionState::Pending;
-}
-
 std::string joined(const std::vector<std::string>& sentences) {
   std::string text;
   for (const std::string& sentence : sentences) text += (text.empty() ? "" : "; ") + sentence;
   return text;
 }
-
-constexpr double kNanoseconds = 1e-9;
 
 }  // namespace
 
@@ -53,7 +35,7 @@ Executive::Decision Executive::follow() {
 
 Executive::Decision Executive::judge(const host::StepEvent& event) {
   if (event.program_digest != digest_) return {};  // news of a program that was replaced since
-  time_s_ = static_cast<double>(event.time_ns) * kNanoseconds;
+  take_time(event.time_ns);
   switch (event.kind) {
     case host::EventKind::Started:
       return {};
@@ -65,6 +47,13 @@ Executive::Decision Executive::judge(const host::StepEvent& event) {
       break;
   }
   return {Verdict::Replan, "the runtime stopped: " + event.detail};
+}
+
+// A runtime that was restarted counts its time from zero again; the record's time goes on.
+void Executive::take_time(std::int64_t time_ns) {
+  const double time_s = static_cast<double>(time_ns) * 1e-9;
+  if (time_s + time_offset_s_ < time_s_) time_offset_s_ = time_s_;
+  time_s_ = time_s + time_offset_s_;
 }
 
 Executive::Decision Executive::judge_steps(std::span<const std::byte> image, double time_s) {
@@ -100,9 +89,9 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
 void Executive::note_progress(const translate::Progress& progress, double time_s) {
   std::vector<ActionRecord>& actions = record_.episodes.back().actions;
   for (std::size_t i = 0; i < actions.size(); ++i) {
-    const executive::ActionState state = record_state(progress.actions[i]);
+    const ActionState state = progress.actions[i];
     if (state == actions[i].state) continue;
-    const bool began = actions[i].state == executive::ActionState::Pending;
+    const bool began = actions[i].state == ActionState::Pending;
     actions[i].state = state;
     if (began) {
       actions[i].started_s = time_s;
@@ -113,7 +102,7 @@ void Executive::note_progress(const translate::Progress& progress, double time_s
       }
       actions[i].actual_cost = desk_.cost_of(current_.run.actions[i].action, before);
     }
-    if (state == executive::ActionState::Done) note_done(i, time_s);
+    if (state == ActionState::Done) note_done(i, time_s);
   }
 }
 

@@ -97,6 +97,7 @@ RunRecord record_from(const json& value) {
   record.cell = value.at("cell");
   record.phase = enum_from<Phase>(value.at("phase"), kPhases);
   record.message = value.at("message");
+  record.exit = static_cast<result::ExitCode>(value.at("exit_code").get<int>());
   for (const json& episode : value.at("episodes")) record.episodes.push_back(episode_from(episode));
   for (const json& replan : value.at("replans")) {
     record.replans.push_back({replan.at("time_s"), replan.at("cause"), replan.at("after_action")});
@@ -131,6 +132,7 @@ std::string to_json(const RunRecord& record) {
   json document = {{"cell", record.cell},
                    {"phase", to_string(record.phase)},
                    {"message", record.message},
+                   {"exit_code", result::to_int(record.exit)},
                    {"episodes", std::move(episodes)},
                    {"replans", std::move(replans)},
                    {"goal", std::move(goal)},

@@ -13,11 +13,13 @@
 #include <string>
 #include <vector>
 
+#include "runtime/result/exit_code.h"
 #include "runtime/result/result.h"
+#include "supervisor/translate/progress.h"
 
 namespace stepwright::executive {
 
-enum class ActionState : std::uint8_t { Pending, Active, Done, Failed };
+using translate::ActionState;
 
 struct ActionRecord {
   std::string text;  // "(load v1 f1 level8)"
@@ -80,7 +82,8 @@ enum class Phase : std::uint8_t {
 struct RunRecord {
   std::string cell;
   Phase phase = Phase::Planning;
-  std::string message;  // a sentence for people
+  std::string message;                             // a sentence for people
+  result::ExitCode exit = result::ExitCode::Done;  // what the supervisor's command ends with
   std::vector<Episode> episodes;
   std::vector<Replan> replans;
   std::vector<GoalRecord> goal;

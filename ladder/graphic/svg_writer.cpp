@@ -1,0 +1,80 @@
+#include "ladder/graphic/svg_writer.h"
+
+namespace stepwright::graphic {
+namespace {
+
+std::string number(int value) {
+  return '"' + std::to_string(value) + '"';
+}
+
+}  // namespace
+
+std::string xml_escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
+    }
+  }
+  return result;
+}
+
+SvgWriter::SvgWriter(int width, int height, const std::string& title, const std::string& style) {
+  const std::string size = std::to_string(width) + " " + std::to_string(height);
+  out_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\" width=" + number(width) +
+         " height=" + number(height) + " class=\"sw-drawing\" role=\"img\">\n<title>" + xml_escaped(title) +
+         "</title>\n<style>\n" + style + "</style>\n<rect class=\"sw-paper\" width=" + number(width) +
+         " height=" + number(height) + "/>\n";
+}
+
+void SvgWriter::open_group(const std::string& css, const std::string& attribute, const std::string& value) {
+  out_ += "<g class=\"" + css + "\"";
+  if (!attribute.empty()) out_ += " " + attribute + "=\"" + xml_escaped(value) + "\"";
+  out_ += ">\n";
+}
+
+void SvgWriter::close_group() {
+  out_ += "</g>\n";
+}
+
+void SvgWriter::tooltip(const std::string& text) {
+  out_ += "<title>" + xml_escaped(text) + "</title>\n";
+}
+
+void SvgWriter::rect(int x, int y, int width, int height, const std::string& css) {
+  out_ += "<rect class=\"" + css + "\" x=" + number(x) + " y=" + number(y) + " width=" + number(width) +
+          " height=" + number(height) + "/>\n";
+}
+
+void SvgWriter::line(int x1, int y1, int x2, int y2, const std::string& css) {
+  out_ += "<line class=\"" + css + "\" x1=" + number(x1) + " y1=" + number(y1) + " x2=" + number(x2) +
+          " y2=" + number(y2) + "/>\n";
+}
+
+void SvgWriter::path(const std::string& data, const std::string& css) {
+  out_ += "<path class=\"" + css + "\" d=\"" + data + "\"/>\n";
+}
+
+void SvgWriter::text(int x, int y, const std::string& text, const std::string& css) {
+  out_ += "<text class=\"" + css + "\" x=" + number(x) + " y=" + number(y) + ">" + xml_escaped(text) +
+          "</text>\n";
+}
+
+std::string SvgWriter::finish() {
+  return out_ + "</svg>\n";
+}
+
+}  // namespace stepwright::graphic
