@@ -134,7 +134,12 @@ std::string BenchScript::plan_document(double time_s) const {
                        {"planned_start_s", action.planned_start_s},
                        {"planned_finish_s", action.planned_finish_s}});
   }
-  const BenchInstant now = at(time_s);
+  // Both are of the newest completion: that is when the supervisor compares.
+  double compared_s = 0;
+  for (const auto& action : scripted) {
+    if (action.finish_s <= time_s) compared_s = std::max(compared_s, action.finish_s);
+  }
+  const BenchInstant now = at(compared_s);
   json replans = json::array();
   if (time_s > 36.2) {
     replans.push_back({{"time_s", 36.2},
@@ -156,7 +161,8 @@ std::string BenchScript::plan_document(double time_s) const {
         {"optimal_plan_ms", 30.1}}},
       {"actions", actions},
       {"replans", replans},
-      {"expected", {{"(lev v1)", 2}, {"(level a1)", 5}, {"(level a2)", 5}}},
+      {"expected",
+       {{"(lev v1)", now.level_v1 / 10}, {"(level a1)", now.level_a1 / 10}, {"(level a2)", now.level_a2 / 10}}},
       {"observed",
        {{"(lev v1)", now.level_v1 / 10 + 0.03},
         {"(level a1)", now.level_a1 / 10 - 0.04},
