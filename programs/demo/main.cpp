@@ -146,9 +146,10 @@ int run_demo(const DemoOptions& options) {
   if (!options.json.empty()) {
     std::ofstream out(options.json);
     out << summary_json(*run, sequential) << '\n';
-    if (!out)
-      return fail({{"M0005", result::Severity::Error, {options.json, 0, 0}, "cannot be written", ""}},
+    if (!out) {
+      return fail(result::fail("M0005", {options.json, 0, 0}, "cannot be written").value(),
                   ExitCode::BadInput);
+    }
   }
   if (!options.pictures.empty() && run->report) write_pictures(options.pictures, run->report->record);
   return to_int(run->exit);

@@ -13,6 +13,8 @@ import sys
 ARROWS = {
     "runtime/base": [],
     "runtime/bytecode": ["runtime/base"],
+    "runtime/bytecode/writer": ["runtime/bytecode", "runtime/result"],
+    "runtime/bytecode/reader": ["runtime/bytecode", "runtime/result"],
     "runtime/image": ["runtime/base"],
     "runtime/vm": ["runtime/bytecode", "runtime/image"],
     "runtime/scan": ["runtime/vm"],
@@ -26,19 +28,21 @@ ARROWS = {
     "ladder/graphic": ["runtime/result", "runtime/base"],
     "ladder/semantics": ["ladder/syntax"],
     "ladder/lowering": ["ladder/syntax", "ladder/graphic"],
-    "ladder/codegen": ["ladder/semantics", "runtime/bytecode"],
+    "ladder/codegen": ["ladder/semantics", "runtime/bytecode/writer"],
     "ladder/exchange": ["ladder/graphic", "ladder/lowering"],
     "ladder/driver": ["ladder/lowering", "ladder/codegen"],
     "supervisor/model": ["runtime/base", "runtime/result"],
     "supervisor/pddl": ["supervisor/model"],
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
-    "supervisor/executive": ["supervisor/translate", "supervisor/pddl", "ladder/driver", "runtime/dds"],
+    "supervisor/executive": [
+        "supervisor/translate", "supervisor/pddl", "ladder/driver", "runtime/dds", "runtime/bytecode/reader",
+    ],
     "plant_models/core": ["runtime/result", "runtime/base"],
     "plant_models/ode": ["plant_models/core"],
     "plant_models/assemblies": ["plant_models/ode"],
     "plant_models/bridge": ["plant_models/core", "runtime/image"],
     "hmi_web/protocol": ["runtime/result"],
-    "hmi_web/server": ["hmi_web/protocol", "runtime/dds", "supervisor/model"],
+    "hmi_web/server": ["hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
 }
 # Composition roots and tests may include everything; nothing else includes them.
 FREE = ("programs/", "tests/")
@@ -47,7 +51,12 @@ SOURCES = {".h", ".cpp"}
 
 
 def folder_of(path: str) -> str:
-    return "/".join(path.split("/")[:2])
+    """The longest entry of the table that holds the file; its second-level folder if there is none."""
+    parts = path.split("/")
+    for length in (3, 2):
+        if "/".join(parts[:length]) in ARROWS:
+            return "/".join(parts[:length])
+    return "/".join(parts[:2])
 
 
 def reachable() -> dict[str, set[str]]:
