@@ -42,6 +42,7 @@ ARROWS = {
     "plant_models/assemblies": ["plant_models/ode"],
     "plant_models/bridge": ["plant_models/core", "runtime/image"],
     "hmi_web/protocol": ["runtime/result"],
+    "hmi_web/client": ["hmi_web/protocol"],
     "hmi_web/server": ["hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
 }
 # Composition roots and tests may include everything; nothing else includes them.
