@@ -20,13 +20,13 @@ ARROWS = {
     "runtime/scan": ["runtime/vm"],
     "runtime/result": [],
     "runtime/settings": ["runtime/result"],
-    "runtime/host": ["runtime/scan", "runtime/result"],
+    "runtime/host": ["runtime/scan", "runtime/bytecode/reader"],
     "runtime/service": ["runtime/host"],
     "runtime/dds": ["runtime/service"],
     "ladder/source": ["runtime/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
     "ladder/graphic": ["runtime/result", "runtime/base"],
-    "ladder/semantics": ["ladder/syntax"],
+    "ladder/semantics": ["ladder/syntax", "runtime/bytecode"],
     "ladder/lowering": ["ladder/syntax", "ladder/graphic"],
     "ladder/codegen": ["ladder/semantics", "runtime/bytecode/writer"],
     "ladder/exchange": ["ladder/graphic", "ladder/lowering"],
@@ -52,12 +52,10 @@ SOURCES = {".h", ".cpp"}
 
 
 def folder_of(path: str) -> str:
-    """The longest entry of the table that holds the file; its second-level folder if there is none."""
+    """The deepest folder of the table that holds the path: host-side parts of a portable folder are their own."""
     parts = path.split("/")
-    for length in (3, 2):
-        if "/".join(parts[:length]) in ARROWS:
-            return "/".join(parts[:length])
-    return "/".join(parts[:2])
+    inner = "/".join(parts[:3])
+    return inner if inner in ARROWS else "/".join(parts[:2])
 
 
 def reachable() -> dict[str, set[str]]:

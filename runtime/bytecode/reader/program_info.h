@@ -66,7 +66,7 @@ struct TaskInfo {
 
 class ProgramInfo {
  public:
-  // Fails (B0200) if the verifier refuses the bytes, with its reason.
+  // Fails with the `refusal` (loaded_program.h) if the verifier refuses the bytes.
   [[nodiscard]] static result::Result<ProgramInfo> read(std::span<const std::byte> container);
 
   // By path, upper and lower case alike; null if there is none or if it is not elementary.

@@ -1,11 +1,11 @@
-#include "runtime/bytecode/loader/loaded_program.h"
+#include "runtime/bytecode/reader/loaded_program.h"
 
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
-namespace stepwright::loader {
+namespace stepwright::reader {
 
 using bytecode::Section;
 using bytecode::VerifyStatus;
@@ -74,16 +74,21 @@ const char* hint_for(VerifyStatus status) {
 
 }  // namespace
 
+result::Diagnostic refusal(std::span<const std::byte> bytes, const bytecode::VerifyResult& verdict,
+                           const std::string& name) {
+  const std::string more = details(bytes, verdict);
+  return {code_of(verdict.status),
+          result::Severity::Error,
+          {name, 0, 0},
+          bytecode::explain(verdict.status) + (more.empty() ? "" : ": " + more),
+          hint_for(verdict.status)};
+}
+
 result::Result<LoadedProgram> LoadedProgram::load(std::vector<std::byte> bytes, const std::string& name) {
   std::vector<std::uint32_t> scratch(bytecode::verify_scratch_words(bytes));
   bytecode::Program program;
   const bytecode::VerifyResult verdict = bytecode::verify(bytes, scratch, program);
-  if (!verdict.ok()) {
-    const std::string more = details(bytes, verdict);
-    return result::fail(code_of(verdict.status), {name, 0, 0},
-                        bytecode::explain(verdict.status) + (more.empty() ? "" : ": " + more),
-                        hint_for(verdict.status));
-  }
+  if (!verdict.ok()) return tl::unexpected(result::Diagnostics{refusal(bytes, verdict, name)});
   return LoadedProgram(std::move(bytes), program);
 }
 
@@ -122,10 +127,10 @@ result::Diagnostic describe(const bytecode::Program& program, const bytecode::Tr
   const bytecode::ContainerView& view = program.container();
   const auto function = view.record<Section::Functions>(trap.function);
   result::Diagnostic diagnostic;
-  diagnostic.code = "B0200";
+  diagnostic.code = "B0400";
   diagnostic.where = source_location(program, trap.function, trap.pc);
   diagnostic.message = std::string(bytecode::name_of(trap.code)) + " in " + text_of(view, function.name);
   return diagnostic;
 }
 
-}  // namespace stepwright::loader
+}  // namespace stepwright::reader

@@ -15,12 +15,17 @@
 #include "runtime/bytecode/trap.h"
 #include "runtime/result/result.h"
 
-namespace stepwright::loader {
+namespace stepwright::reader {
+
+// Why the verifier refused these bytes. `name` stands in the diagnostic (a path, or "download"). Codes: B0001
+// not a container, B0002 another format version, B0003 truncated or too long, B0004 damaged, B0005 anything
+// else.
+result::Diagnostic refusal(std::span<const std::byte> bytes, const bytecode::VerifyResult& verdict,
+                           const std::string& name);
 
 class LoadedProgram {
  public:
-  // `name` stands in the diagnostics (a path, or "download"). Codes: B0001 not a container, B0002 another
-  // format version, B0003 truncated or too long, B0004 damaged, B0005 refused by the verifier.
+  // Fails with the `refusal`.
   [[nodiscard]] static result::Result<LoadedProgram> load(std::vector<std::byte> bytes,
                                                           const std::string& name);
 
@@ -44,10 +49,10 @@ class LoadedProgram {
 // The source line that an instruction was compiled from; an empty location if the container has none.
 result::Location source_location(const bytecode::Program& program, std::uint32_t function, std::uint32_t pc);
 
-// The trap as an error at its source line (code "B0200").
+// The trap as an error at its source line (code "B0400").
 result::Diagnostic describe(const bytecode::Program& program, const bytecode::Trap& trap);
 
 // A string of the container.
 std::string text_of(const bytecode::ContainerView& container, bytecode::StringRef ref);
 
-}  // namespace stepwright::loader
+}  // namespace stepwright::reader
