@@ -214,8 +214,9 @@ class CodeChecker {
     const std::int64_t target = std::int64_t{pc_} + in.size + in.signed_a();
     if (target < 0 || target >= static_cast<std::int64_t>(code_.size())) return Status::BadJump;
     State& there = states_at_[static_cast<std::uint32_t>(target)];
-    const bool backward = target <= std::int64_t{pc_};
-    if (backward && there == StackStates::kNone) return Status::BadJump;
+    // What lies before the next instruction has been passed: only its instructions' starts are marked.
+    const bool passed = target < std::int64_t{pc_} + in.size;
+    if (passed && there == StackStates::kNone) return Status::BadJump;
     if (there != StackStates::kNone && there != state_) return Status::StackJoin;
     there = state_;
     reachable_ = in.opcode != Opcode::Jump;
