@@ -270,7 +270,7 @@ CodeCheck check_code(const ContainerView& view, std::uint32_t function, std::spa
   if (scratch.size() < code_check_words(code_size)) {
     return {{VerifyStatus::ScratchTooSmall, Section::Functions, function, 0}, 0};
   }
-  CodeChecker checker(view, function, scratch.first(code_check_words(code_size)));
+  CodeChecker checker(view, function, scratch.first(static_cast<std::size_t>(code_check_words(code_size))));
   const VerifyStatus status = checker.run();
   return {{status, Section::Functions, function, status == VerifyStatus::Ok ? 0 : checker.pc()},
           checker.max_depth()};
