@@ -26,7 +26,7 @@ ARROWS = {
     "ladder/source": ["runtime/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
     "ladder/graphic": ["runtime/result", "runtime/base"],
-    "ladder/semantics": ["ladder/syntax"],
+    "ladder/semantics": ["ladder/syntax", "runtime/bytecode"],
     "ladder/lowering": ["ladder/syntax", "ladder/graphic"],
     "ladder/codegen": ["ladder/semantics", "runtime/bytecode/writer"],
     "ladder/exchange": ["ladder/graphic", "ladder/lowering"],
@@ -34,13 +34,16 @@ ARROWS = {
     "supervisor/model": ["runtime/base", "runtime/result"],
     "supervisor/pddl": ["supervisor/model"],
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
-    "supervisor/executive": ["supervisor/translate", "supervisor/pddl", "ladder/driver", "runtime/dds"],
+    "supervisor/executive": [
+        "supervisor/translate", "supervisor/pddl", "ladder/driver", "runtime/dds", "runtime/bytecode/reader",
+    ],
     "plant_models/core": ["runtime/result", "runtime/base"],
     "plant_models/ode": ["plant_models/core"],
     "plant_models/assemblies": ["plant_models/ode"],
     "plant_models/bridge": ["plant_models/core", "runtime/image"],
     "hmi_web/protocol": ["runtime/result"],
-    "hmi_web/server": ["hmi_web/protocol", "runtime/dds", "supervisor/model"],
+    "hmi_web/client": ["hmi_web/protocol"],
+    "hmi_web/server": ["hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
 }
 # Composition roots and tests may include everything; nothing else includes them.
 FREE = ("programs/", "tests/")
