@@ -11,3 +11,4 @@ find_package(SUNDIALS REQUIRED COMPONENTS cvode nvecserial sunnonlinsolfixedpoin
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml)
+find_package(benchmark REQUIRED)
