@@ -2,8 +2,9 @@
 
 // The arithmetic of fluents: one meaning of "equal" and "less" for planner and validator.
 //
-// PDDL's numbers are decimals, ours are doubles, so that 0.1 + 0.2 must still equal 0.3. Values are rounded to a grid of
-// 1e-9 when they are stored, and comparisons allow half a grid step; both leave integers untouched.
+// PDDL's numbers are decimals, ours are doubles, so that 0.1 + 0.2 must still equal 0.3. Values are rounded
+// to a grid of 1e-9 when they are stored, and comparisons allow half a grid step; both leave integers
+// untouched.
 
 #include <algorithm>
 #include <cmath>

@@ -28,7 +28,8 @@ result::Result<std::vector<model::Ordering>> lift_partial_order(const Task& task
     if (!info) return result::forward(info);
     infos.push_back(std::move(*info));
   }
-  // before[j][i]: i comes before j. Walking i downwards from j, a pair that is implied by a later one is left out.
+  // before[j][i]: i comes before j. Walking i downwards from j, a pair that is implied by a later one is left
+  // out.
   std::vector<std::vector<bool>> before(count, std::vector<bool>(count, false));
   std::vector<model::Ordering> orderings;
   for (std::size_t j = 0; j < count; ++j) {

@@ -7,7 +7,8 @@
 namespace stepwright::pddl {
 namespace {
 
-// "12:", "0.00:" before the action and "[1.0]" behind it say nothing here: blanks take their place, columns stay.
+// "12:", "0.00:" before the action and "[1.0]" behind it say nothing here: blanks take their place, columns
+// stay.
 std::string strip(std::string line) {
   const std::size_t comment = line.find(';');
   if (comment != std::string::npos) line.resize(comment);

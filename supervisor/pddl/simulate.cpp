@@ -9,8 +9,7 @@ namespace {
 result::Result<double> cost_of(const Executor& executor, std::size_t step) {
   const auto cost = executor.cost();
   if (!cost) {
-    return result::fail("P0309", {"plan", 0, 0},
-                        "the metric is undefined after step " + std::to_string(step),
+    return result::fail("P0309", {"plan", 0, 0}, "the metric is undefined after step " + std::to_string(step),
                         "a fluent in it has no value in ':init'");
   }
   return *cost;

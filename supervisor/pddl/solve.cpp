@@ -17,7 +17,8 @@ class Solver {
   Solver(const Task& task, const Options& options)
       : task_(task),
         options_(options),
-        control_(options.budget.time, options.budget.memory_mb == 0 ? default_memory_mb : options.budget.memory_mb,
+        control_(options.budget.time,
+                 options.budget.memory_mb == 0 ? default_memory_mb : options.budget.memory_mb,
                  options.cancel) {}
 
   model::Outcome run() {
@@ -30,8 +31,8 @@ class Solver {
       GreedySearch greedy(space, control_);
       const SearchStatus status = greedy.run(reason_);
       if (status == SearchStatus::Exhausted) {
-        return infeasible("all states that can be reached were searched (" + std::to_string(control_.expanded) +
-                          "), none of them meets the goal");
+        return infeasible("all states that can be reached were searched (" +
+                          std::to_string(control_.expanded) + "), none of them meets the goal");
       }
       if (status == SearchStatus::Stopped) return finish();
     }
@@ -39,7 +40,8 @@ class Solver {
     const LowerBounds bounds(space, [this] { return stopped(); });
     Improvement improvement(space, control_, bounds);
     proved_ = improvement.run(!options_.optimal, reason_);
-    if (improvement.unbounded()) outcome_.reason = "the metric can be improved without end: there is no optimum";
+    if (improvement.unbounded())
+      outcome_.reason = "the metric can be improved without end: there is no optimum";
     return finish(proved_ ? model::OutcomeKind::Solved : model::OutcomeKind::Exhausted);
   }
 
@@ -75,8 +77,8 @@ class Solver {
       if (!options_.on_progress) return;
       const bool found = control_.best().steps != UINT32_MAX;
       const model::Plan best = found ? plan() : model::Plan{};
-      options_.on_progress({control_.elapsed_ms(), control_.expanded, control_.peak_mb, found ? &best : nullptr,
-                            metric_value(bound)});
+      options_.on_progress({control_.elapsed_ms(), control_.expanded, control_.peak_mb,
+                            found ? &best : nullptr, metric_value(bound)});
     };
   }
 

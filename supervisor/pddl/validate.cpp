@@ -67,9 +67,10 @@ Validation validate(const Task& task, const PlanText& plan) {
       validation.failed_step = i + 1;
       validation.failed_condition = failure->violation.condition;
       validation.failed_values = failure->violation.values;
-      report(validation, plan, plan.lines[i], failure->code,
-             "step " + std::to_string(i + 1) + " " + model::to_string(plan.actions[i]) + ": " + failure->message,
-             failure->hint);
+      report(
+          validation, plan, plan.lines[i], failure->code,
+          "step " + std::to_string(i + 1) + " " + model::to_string(plan.actions[i]) + ": " + failure->message,
+          failure->hint);
       break;
     }
     record(validation, definition, executor);
@@ -87,7 +88,8 @@ std::string table(const PlanText& plan, const Validation& validation) {
   const Trace& trace = validation.trace;
   const std::vector<std::string> fluents = changing_fluents(trace);
   std::size_t width = 10;
-  for (const model::GroundAction& action : plan.actions) width = std::max(width, model::to_string(action).size());
+  for (const model::GroundAction& action : plan.actions)
+    width = std::max(width, model::to_string(action).size());
   std::string text = pad("step", 6) + pad("action", width + 2);
   for (const std::string& fluent : fluents) text += pad(fluent, fluent.size() + 2);
   text += "cost    facts\n";

@@ -1,7 +1,7 @@
 #pragma once
 
-// The bindings of an action's parameters that its static preconditions allow: a join over them, parameter by parameter, instead of every
-// combination of objects.
+// The bindings of an action's parameters that its static preconditions allow: a join over them, parameter by
+// parameter, instead of every combination of objects.
 //
 // Thread rule: one grounding, one object per action.
 
@@ -21,8 +21,8 @@ class BindingEnumerator {
   bool run(const std::function<bool(Binding&)>& visit);
 
  private:
-  // A static fact of the precondition that proposes objects for one parameter, given the others: the objects by
-  // the values of the other arguments.
+  // A static fact of the precondition that proposes objects for one parameter, given the others: the objects
+  // by the values of the other arguments.
   struct Index {
     std::vector<const Term*> keys;
     std::map<std::vector<int>, std::vector<int>> objects;

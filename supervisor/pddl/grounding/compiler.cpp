@@ -217,8 +217,8 @@ void Compiler::effects(const Effect& effect, Binding& binding, std::size_t targe
       });
       return;
     case EffectKind::Numeric:
-      op.effects[target].numeric.push_back({variable(ground(effect.call, binding)), effect.change,
-                                            expression(effect.amount[0], binding)});
+      op.effects[target].numeric.push_back(
+          {variable(ground(effect.call, binding)), effect.change, expression(effect.amount[0], binding)});
       return;
   }
 }
@@ -227,7 +227,8 @@ std::optional<GroundOperator> Compiler::compile(int action, Binding& binding) {
   const Action& schema = definition_.actions[static_cast<std::size_t>(action)];
   GroundOperator op;
   op.action = action;
-  op.arguments.assign(binding.begin(), binding.begin() + static_cast<std::ptrdiff_t>(schema.parameters.size()));
+  op.arguments.assign(binding.begin(),
+                      binding.begin() + static_cast<std::ptrdiff_t>(schema.parameters.size()));
   add(schema.precondition, binding, true, op.precondition);
   if (op.precondition.impossible) return std::nullopt;
   op.effects.emplace_back();

@@ -1,8 +1,10 @@
 #pragma once
 
-// From schemas and a binding to numbered conditions, expressions and operators. What no action changes is decided here.
+// From schemas and a binding to numbered conditions, expressions and operators. What no action changes is
+// decided here.
 //
-// Thread rule: one grounding, one compiler. The numbering is in the order of first use, so it is the same in every run.
+// Thread rule: one grounding, one compiler. The numbering is in the order of first use, so it is the same in
+// every run.
 
 #include <map>
 #include <optional>

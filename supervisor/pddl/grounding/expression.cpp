@@ -77,7 +77,8 @@ GroundExpression variable_expression(int variable) {
 
 GroundExpression add_scaled(const GroundExpression& a, double factor, const GroundExpression& b) {
   if (!a.linear() || !b.linear()) {
-    return concatenate(NumericKind::Add, a, concatenate(NumericKind::Multiply, constant_expression(factor), b));
+    return concatenate(NumericKind::Add, a,
+                       concatenate(NumericKind::Multiply, constant_expression(factor), b));
   }
   GroundExpression sum;
   sum.constant = a.constant + factor * b.constant;

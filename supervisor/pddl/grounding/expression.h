@@ -1,8 +1,10 @@
 #pragma once
 
-// Ground arithmetic: a linear form where possible (fast, and bounds can be derived from it), else a small stack program.
+// Ground arithmetic: a linear form where possible (fast, and bounds can be derived from it), else a small
+// stack program.
 //
-// Thread rule: plain values, pure functions. Variables are indices into whatever array the caller evaluates over.
+// Thread rule: plain values, pure functions. Variables are indices into whatever array the caller evaluates
+// over.
 
 #include <functional>
 #include <vector>

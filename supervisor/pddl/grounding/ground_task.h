@@ -1,12 +1,13 @@
 #pragma once
 
-// The task as the search sees it: numbered facts and numeric variables, operators over them, nothing that cannot change and nothing
-// that decides nothing.
+// The task as the search sees it: numbered facts and numeric variables, operators over them, nothing that
+// cannot change and nothing that decides nothing.
 //
-// Facts are bits. A literal is 2 x fact for "holds" and 2 x fact + 1 for "does not hold". Fluents that only the metric reads and that are
-// only increased or decreased are no variables: their weighted amounts are the cost of an operator ("accumulated" cost).
-// What else the metric reads is its potential, a function of the state. So metric = base + accumulated + potential(state), always
-// minimized: a metric to be maximized is negated.
+// Facts are bits. A literal is 2 x fact for "holds" and 2 x fact + 1 for "does not hold". Fluents that only
+// the metric reads and that are only increased or decreased are no variables: their weighted amounts are the
+// cost of an operator ("accumulated" cost). What else the metric reads is its potential, a function of the
+// state. So metric = base + accumulated + potential(state), always minimized: a metric to be maximized is
+// negated.
 //
 // Thread rule: immutable once built.
 
@@ -56,8 +57,8 @@ struct GroundOperator {
   std::vector<int> arguments;
   Condition precondition;
   std::vector<GroundEffect> effects;
-  Interval cost;               // of one application in any reachable state
-  bool may_conflict = false;   // two effects may change one variable in ways that exclude each other
+  Interval cost;              // of one application in any reachable state
+  bool may_conflict = false;  // two effects may change one variable in ways that exclude each other
 };
 
 struct GroundTask {
@@ -69,7 +70,8 @@ struct GroundTask {
   std::vector<bool> initial_facts;
   std::vector<double> initial_values;  // NaN = undefined
   Condition goal;
-  std::optional<std::string> unreachable_goal;  // proved by relaxed reachability: text of the conjunct and why
+  std::optional<std::string>
+      unreachable_goal;  // proved by relaxed reachability: text of the conjunct and why
   double base_cost = 0.0;
   GroundExpression potential;
   bool maximize = false;

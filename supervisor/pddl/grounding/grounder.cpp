@@ -63,7 +63,8 @@ class Grounder {
       BindingEnumerator bindings(definition_, definition_.actions[a], initial);
       const bool finished = bindings.run([&](Binding& binding) {
         if (++count % bindings_between_checks == 0 && stop_()) return false;
-        if (auto op = compiler_.compile(static_cast<int>(a), binding)) raw_.operators.push_back(std::move(*op));
+        if (auto op = compiler_.compile(static_cast<int>(a), binding))
+          raw_.operators.push_back(std::move(*op));
         return true;
       });
       if (!finished) return false;
@@ -77,8 +78,9 @@ class Grounder {
     for (const Atom& atom : raw_.facts) raw_.initial_facts.push_back(definition_.facts.count(atom) != 0);
     for (const Atom& atom : raw_.variables) {
       const auto found = definition_.fluents.find(atom);
-      raw_.initial_values.push_back(found == definition_.fluents.end() ? std::numeric_limits<double>::quiet_NaN()
-                                                                       : snap(found->second));
+      raw_.initial_values.push_back(found == definition_.fluents.end()
+                                        ? std::numeric_limits<double>::quiet_NaN()
+                                        : snap(found->second));
     }
   }
 

@@ -10,7 +10,8 @@
 
 namespace stepwright::pddl {
 
-// `stop` is asked now and then; when it answers true the result is marked cancelled. The definition must outlive the task.
+// `stop` is asked now and then; when it answers true the result is marked cancelled. The definition must
+// outlive the task.
 GroundTask ground_task(const Definition& definition, const std::function<bool()>& stop);
 
 }  // namespace stepwright::pddl

@@ -12,7 +12,8 @@ bool bounded_below(Relation relation) {
   return relation != Relation::Less && relation != Relation::LessEqual;
 }
 
-// Tightens the upper end of `expression` by one comparison: with g <= 0 and k > 0, expression <= expression - k g.
+// Tightens the upper end of `expression` by one comparison: with g <= 0 and k > 0, expression <= expression -
+// k g.
 double upper_by(const GroundExpression& expression, const Comparison& comparison,
                 const std::vector<Interval>& values, double upper) {
   const GroundExpression& g = comparison.difference;
@@ -22,8 +23,8 @@ double upper_by(const GroundExpression& expression, const Comparison& comparison
                                     [&](const LinearTerm& t) { return t.variable == term.variable; });
     if (match == g.terms.end()) continue;
     const double k = term.coefficient / match->coefficient;
-    const bool usable = (k > 0.0 && bounded_above(comparison.relation)) ||
-                        (k < 0.0 && bounded_below(comparison.relation));
+    const bool usable =
+        (k > 0.0 && bounded_above(comparison.relation)) || (k < 0.0 && bounded_below(comparison.relation));
     if (!usable) continue;
     const Interval rest = evaluate_interval(add_scaled(expression, -k, g), values);
     if (!rest.empty()) upper = std::min(upper, rest.high);
@@ -52,7 +53,8 @@ bool can_hold(const Condition& condition, const RelaxedState& state) {
     if (!possible(comparison.relation, evaluate_interval(comparison.difference, state.values))) return false;
   }
   return std::all_of(condition.choices.begin(), condition.choices.end(), [&](const auto& options) {
-    return std::any_of(options.begin(), options.end(), [&](const Condition& o) { return can_hold(o, state); });
+    return std::any_of(options.begin(), options.end(),
+                       [&](const Condition& o) { return can_hold(o, state); });
   });
 }
 

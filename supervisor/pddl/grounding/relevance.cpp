@@ -28,7 +28,8 @@ class Finder {
       read(op.precondition);
       read(effect.when);
     });
-    // A fluent without an initial value forbids the actions that read or increase it, so it stays in the state.
+    // A fluent without an initial value forbids the actions that read or increase it, so it stays in the
+    // state.
     for (std::size_t v = 0; v < raw_.variables.size(); ++v) {
       if (raw_.initial_values[v] != raw_.initial_values[v]) relevance_.variables[v] = true;
     }
@@ -41,7 +42,8 @@ class Finder {
   void read(int variable) { relevance_.variables[static_cast<std::size_t>(variable)] = true; }
 
   void read(const Condition& condition) {
-    for (const int literal : condition.literals) relevance_.facts[static_cast<std::size_t>(literal / 2)] = true;
+    for (const int literal : condition.literals)
+      relevance_.facts[static_cast<std::size_t>(literal / 2)] = true;
     for_each_variable(condition, [&](int v) { read(v); });
     for (const auto& options : condition.choices) {
       for (const Condition& option : options) read(option);

@@ -3,8 +3,8 @@
 
 #include "supervisor/pddl/grounding/raw_task.h"
 #include "supervisor/pddl/grounding/relevance.h"
-#include "supervisor/pddl/syntax/text.h"
 #include "supervisor/pddl/lifted/lifted_state.h"
+#include "supervisor/pddl/syntax/text.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -83,8 +83,9 @@ class Simplifier {
         const auto v = static_cast<std::size_t>(variable);
         const Interval range = raw_.reachable.state.values[v];
         ranges += (ranges.empty() ? ": " : ", ") + fluent_name(definition, raw_.variables[v]);
-        ranges += range.empty() ? " never gets a value"
-                                : " stays between " + number_text(range.low) + " and " + number_text(range.high);
+        ranges += range.empty()
+                      ? " never gets a value"
+                      : " stays between " + number_text(range.low) + " and " + number_text(range.high);
       });
     }
     if (ranges.empty()) ranges = ": no reachable action makes it true";

@@ -53,7 +53,8 @@ Atom ground(const Call& call, const Binding& binding) {
   return atom;
 }
 
-std::optional<double> evaluate(const Expression& expression, const Binding& binding, const LiftedState& state) {
+std::optional<double> evaluate(const Expression& expression, const Binding& binding,
+                               const LiftedState& state) {
   if (expression.kind == NumericKind::Constant) return expression.number;
   if (expression.kind == NumericKind::Fluent) {
     const auto found = state.fluents.find(ground(expression.call, binding));

@@ -2,8 +2,8 @@
 
 // Conditions and expressions evaluated on the schemas themselves, without grounding.
 //
-// Thread rule: pure functions. Invariant: everything comes from a checked definition, so every index is resolved; a binding has
-// a place for every slot.
+// Thread rule: pure functions. Invariant: everything comes from a checked definition, so every index is
+// resolved; a binding has a place for every slot.
 
 #include <functional>
 #include <optional>
@@ -16,7 +16,8 @@ namespace stepwright::pddl {
 Atom ground(const Call& call, const Binding& binding);
 
 // Nothing if a fluent has no value or a divisor is zero.
-std::optional<double> evaluate(const Expression& expression, const Binding& binding, const LiftedState& state);
+std::optional<double> evaluate(const Expression& expression, const Binding& binding,
+                               const LiftedState& state);
 
 // A comparison with an undefined side is false, and so is its negation's inside: PDDL gives it no meaning.
 bool holds(const Definition& definition, const Formula& formula, Binding& binding, const LiftedState& state);

@@ -18,7 +18,8 @@ struct NumericChange {
 // The effects of one action, all read from the state before it.
 class Effects {
  public:
-  Effects(const Definition& definition, const LiftedState& before) : definition_(definition), before_(before) {}
+  Effects(const Definition& definition, const LiftedState& before)
+      : definition_(definition), before_(before) {}
 
   void collect(const Effect& effect, Binding& binding) {
     switch (effect.kind) {
@@ -63,8 +64,10 @@ class Effects {
   void numeric(const Effect& effect, const Binding& binding) {
     const auto amount = evaluate(effect.amount[0], binding, before_);
     if (!amount) {
-      failure_ = Failure{"P0306", "the value of " + print(definition_, effect.amount[0], binding) + " is undefined",
-                         "a fluent in it has no value yet, or a divisor is zero", {}};
+      failure_ = Failure{"P0306",
+                         "the value of " + print(definition_, effect.amount[0], binding) + " is undefined",
+                         "a fluent in it has no value yet, or a divisor is zero",
+                         {}};
       return;
     }
     numeric_[ground(effect.call, binding)].push_back({effect.change, *amount});
@@ -80,7 +83,8 @@ class Effects {
       const bool assign = change.kind == ChangeKind::Assign;
       additive = additive && (change.kind == ChangeKind::Increase || change.kind == ChangeKind::Decrease);
       if (!additive && changes.size() > 1) {
-        return Failure{"P0308", "the action changes " + name + " in two ways that exclude each other", {}, {}};
+        return Failure{
+            "P0308", "the action changes " + name + " in two ways that exclude each other", {}, {}};
       }
       if (!assign && old == before_.fluents.end()) {
         return Failure{"P0306", name + " is changed but has no value", "give it one in ':init'", {}};
@@ -91,7 +95,8 @@ class Effects {
       if (change.kind == ChangeKind::ScaleUp) value *= change.amount;
       if (change.kind == ChangeKind::ScaleDown) value /= change.amount;
     }
-    if (!std::isfinite(value)) return Failure{"P0307", name + " has no finite value after the action", {}, {}};
+    if (!std::isfinite(value))
+      return Failure{"P0307", name + " has no finite value after the action", {}, {}};
     after.fluents[fluent] = snap(value);
     return std::nullopt;
   }
@@ -109,15 +114,19 @@ std::optional<BoundAction> bind(const Definition& definition, const model::Groun
                                 Failure& failure) {
   const auto found = definition.action_ids.find(action.name);
   if (found == definition.action_ids.end()) {
-    failure = {"P0301", "unknown action '" + action.name + "'",
-               did_you_mean(action.name, names_of(definition.action_ids)), {}};
+    failure = {"P0301",
+               "unknown action '" + action.name + "'",
+               did_you_mean(action.name, names_of(definition.action_ids)),
+               {}};
     return std::nullopt;
   }
   const Action& schema = definition.actions[static_cast<std::size_t>(found->second)];
   if (action.arguments.size() != schema.parameters.size()) {
     failure = {"P0302",
-               "'" + action.name + "' takes " + std::to_string(schema.parameters.size()) + " argument(s), not " +
-                   std::to_string(action.arguments.size()), {}, {}};
+               "'" + action.name + "' takes " + std::to_string(schema.parameters.size()) +
+                   " argument(s), not " + std::to_string(action.arguments.size()),
+               {},
+               {}};
     return std::nullopt;
   }
   BoundAction bound{&schema, Binding(static_cast<std::size_t>(schema.slots), -1)};
@@ -125,7 +134,8 @@ std::optional<BoundAction> bind(const Definition& definition, const model::Groun
     const std::string& name = action.arguments[i];
     const auto object = definition.object_ids.find(name);
     if (object == definition.object_ids.end()) {
-      failure = {"P0303", "unknown object '" + name + "'", did_you_mean(name, names_of(definition.object_ids)), {}};
+      failure = {
+          "P0303", "unknown object '" + name + "'", did_you_mean(name, names_of(definition.object_ids)), {}};
       return std::nullopt;
     }
     const int type = definition.objects[static_cast<std::size_t>(object->second)].type;

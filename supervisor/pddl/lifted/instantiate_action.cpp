@@ -91,7 +91,8 @@ void ActionInstantiator::comparison(const Formula& formula, Binding& binding, bo
   requirement.text = print(definition_, formula, binding);
   if (!positive) requirement.text = "(not " + requirement.text + ")";
   if (constant(requirement.left) && constant(requirement.right)) {
-    if (holds(definition_, formula, binding, initial_) != positive) list.push_back(impossible(requirement.text));
+    if (holds(definition_, formula, binding, initial_) != positive)
+      list.push_back(impossible(requirement.text));
     return;
   }
   if (positive || formula.relation != Relation::Equal) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// From schemas to the readable ground form of GroundActionInfo: quantifiers expanded, negations pushed inwards, what never
-// changes decided.
+// From schemas to the readable ground form of GroundActionInfo: quantifiers expanded, negations pushed
+// inwards, what never changes decided.
 //
 // Thread rule: one object per use; it only reads the definition.
 

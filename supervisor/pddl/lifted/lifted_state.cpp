@@ -28,7 +28,8 @@ class Lifter {
     const auto& ids = function ? definition_.function_ids : definition_.predicate_ids;
     const auto found = ids.find(word);
     if (found == ids.end()) {
-      fail("P0201", name, std::string(function ? "no fluent" : "no predicate") + " '" + word + "' in the domain",
+      fail("P0201", name,
+           std::string(function ? "no fluent" : "no predicate") + " '" + word + "' in the domain",
            did_you_mean(word, names_of(ids)));
       return std::nullopt;
     }

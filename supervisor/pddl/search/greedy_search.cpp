@@ -79,7 +79,8 @@ SearchStatus GreedySearch::run(StopReason& reason) {
   }
   Entry entry{};
   for (std::uint64_t turn = 0; pop(entry); ++turn) {
-    if (turn % 16 == 0 && (reason = control_.check(memory())) != StopReason::None) return SearchStatus::Stopped;
+    if (turn % 16 == 0 && (reason = control_.check(memory())) != StopReason::None)
+      return SearchStatus::Stopped;
     const std::uint32_t node = generate(entry);
     if (node == no_node) continue;
     if (reached(node)) return SearchStatus::Found;

@@ -1,8 +1,9 @@
 #pragma once
 
-// Greedy best-first search with the relaxed-plan heuristic for the first plan: successors wait under their parent's estimate (lazy evaluation), those
-// by helpful operators in a queue of their own that is served more often after progress (Richter, Helmert 2009, "Preferred operators
-// and deferred evaluation"). Complete: without a plan in a finite space it says so.
+// Greedy best-first search with the relaxed-plan heuristic for the first plan: successors wait under their
+// parent's estimate (lazy evaluation), those by helpful operators in a queue of their own that is served more
+// often after progress (Richter, Helmert 2009, "Preferred operators and deferred evaluation"). Complete:
+// without a plan in a finite space it says so.
 //
 // Thread rule: one call, one object. Can be resumed.
 

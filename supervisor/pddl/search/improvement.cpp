@@ -4,7 +4,8 @@
 
 namespace stepwright::pddl {
 
-// Each weighted search ends with a better plan; the next one starts anew with a smaller weight and the better bound.
+// Each weighted search ends with a better plan; the next one starts anew with a smaller weight and the better
+// bound.
 SearchStatus Improvement::improve(std::uint64_t expansions, StopReason& reason) {
   if (!weighted_) weighted_ = std::make_unique<AStarSearch>(space_, control_, bounds_, weight_);
   control_.other_memory = proof_.memory();

@@ -1,7 +1,7 @@
 #pragma once
 
-// From the first plan to the proved optimum: weighted searches with falling weights for better plans, and the plain A* that proves,
-// in turns of growing length, so that neither waits for the other in vain.
+// From the first plan to the proved optimum: weighted searches with falling weights for better plans, and the
+// plain A* that proves, in turns of growing length, so that neither waits for the other in vain.
 //
 // Thread rule: one call, one object.
 
@@ -16,7 +16,8 @@ class Improvement {
   Improvement(const StateSpace& space, SearchControl& control, const LowerBounds& bounds)
       : space_(space), control_(control), bounds_(bounds), proof_(space, control, bounds, 0.0) {}
 
-  // True if the control's best plan is proved optimal; else see `reason`. `anytime`: with weighted searches in between.
+  // True if the control's best plan is proved optimal; else see `reason`. `anytime`: with weighted searches
+  // in between.
   bool run(bool anytime, StopReason& reason);
 
   bool unbounded() const { return proof_.unbounded(); }

@@ -6,7 +6,8 @@
 namespace stepwright::pddl {
 namespace {
 
-// Small projections take the costs that few variables explain; large ones see how those variables hang together.
+// Small projections take the costs that few variables explain; large ones see how those variables hang
+// together.
 constexpr std::size_t small_states = 200;
 constexpr std::size_t large_states = 1000;
 constexpr std::size_t most_work = 100000;

@@ -1,7 +1,8 @@
 #pragma once
 
-// Admissible bounds for A*: sums over projections in which every operator's cost counts in one projection only (zero-one cost
-// partitioning), the maximum over several such sums. Costs and numbers of steps have partitions of their own.
+// Admissible bounds for A*: sums over projections in which every operator's cost counts in one projection
+// only (zero-one cost partitioning), the maximum over several such sums. Costs and numbers of steps have
+// partitions of their own.
 //
 // Thread rule: one search, one object.
 

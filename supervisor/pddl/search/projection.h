@@ -1,8 +1,9 @@
 #pragma once
 
-// The task seen through a few of its facts and variables only: what the others would forbid is allowed. Its state space is small enough
-// to be searched completely, so that exact distances there bound the distances of the task from below (pattern databases,
-// Edelkamp 2001, "Planning with pattern databases", here with numeric variables).
+// The task seen through a few of its facts and variables only: what the others would forbid is allowed. Its
+// state space is small enough to be searched completely, so that exact distances there bound the distances of
+// the task from below (pattern databases, Edelkamp 2001, "Planning with pattern databases", here with numeric
+// variables).
 //
 // Thread rule: `build` once, then immutable, except for the scratch of `find`.
 
@@ -23,8 +24,8 @@ struct Pattern {
 
 class Projection {
  public:
-  // Nothing if the projected space has more states than `most_states`, costs more than `most_work` operator checks, or if an effect
-  // on the pattern depends on what it leaves out.
+  // Nothing if the projected space has more states than `most_states`, costs more than `most_work` operator
+  // checks, or if an effect on the pattern depends on what it leaves out.
   static std::optional<Projection> build(const StateSpace& space, Pattern pattern, std::size_t most_states,
                                          std::size_t most_work);
 
@@ -34,8 +35,8 @@ class Projection {
   // The operators that change the pattern.
   const std::vector<int>& operators() const { return operators_; }
 
-  // Least sum of weights from every projected state to a projected goal; infinity without a way. `weight` is asked with an
-  // operator and the least that it costs there, and must not be negative.
+  // Least sum of weights from every projected state to a projected goal; infinity without a way. `weight` is
+  // asked with an operator and the least that it costs there, and must not be negative.
   std::vector<double> distances(const std::function<double(int op, double cost)>& weight) const;
 
   // The number of the projected state; no_node if it is not known.
@@ -51,8 +52,8 @@ class Projection {
   Projection(const StateSpace& space, Pattern pattern);
   bool explore(std::size_t most_states, std::size_t most_work);
   bool expand(std::uint32_t node);
-  bool branch(const GroundOperator& op, std::size_t effect, std::vector<Word> state, double cost, std::uint32_t from,
-              std::int32_t index);
+  bool branch(const GroundOperator& op, std::size_t effect, std::vector<Word> state, double cost,
+              std::uint32_t from, std::int32_t index);
   bool apply(const GroundEffect& effect, std::vector<Word>& state) const;
   bool certain(const Condition& condition) const;
   bool relevant(const GroundOperator& op) const;

@@ -150,7 +150,8 @@ bool RelaxedLayers::step(int layer) {
   return enabled || grew || !fresh_.empty();
 }
 
-// When only numbers still grow: would a goal or a waiting unit become possible if they grew for ever? If not, they will not.
+// When only numbers still grow: would a goal or a waiting unit become possible if they grew for ever? If not,
+// they will not.
 bool RelaxedLayers::widened_helps() {
   std::vector<Interval>& now = values_[static_cast<std::size_t>(current_)];
   const std::vector<Interval> saved = now;
@@ -170,7 +171,8 @@ bool RelaxedLayers::widened_helps() {
 
 bool RelaxedLayers::build(const Word* state) {
   start(state);
-  // Ranges may grow in ever smaller steps; a goal that so many layers do not reach counts as far, not as impossible.
+  // Ranges may grow in ever smaller steps; a goal that so many layers do not reach counts as far, not as
+  // impossible.
   constexpr int most_layers = 2000;
   std::size_t idle_since = 0;
   for (last_ = 0; last_ < most_layers; ++last_) {

@@ -1,7 +1,8 @@
 #pragma once
 
-// The forward half of the relaxed-plan heuristic: when every literal can first hold, and between which ends every variable lies
-// in every layer. Deletes are ignored; in each layer every applicable change of a variable adds to its range.
+// The forward half of the relaxed-plan heuristic: when every literal can first hold, and between which ends
+// every variable lies in every layer. Deletes are ignored; in each layer every applicable change of a
+// variable adds to its range.
 //
 // Thread rule: one search, one object.
 
@@ -16,7 +17,7 @@ namespace stepwright::pddl {
 // One effect of an operator with everything it needs: what the relaxation treats as an action.
 struct Unit {
   int op = 0;
-  Condition condition;  // the precondition and the effect's own
+  Condition condition;        // the precondition and the effect's own
   std::vector<int> literals;  // that it makes true
   std::vector<NumericEffect> numeric;
 };
@@ -55,7 +56,7 @@ class RelaxedLayers {
   std::vector<int> candidates_;            // units that lack no literal but are not enabled
   std::vector<int> numeric_units_;         // enabled units that change variables
   std::vector<int> literal_layer_, unit_layer_, achiever_;
-  std::vector<int> fresh_;                 // literals reached in the layer before
+  std::vector<int> fresh_;  // literals reached in the layer before
   std::vector<std::vector<Interval>> values_;
   int current_ = 0;
   int last_ = 0;

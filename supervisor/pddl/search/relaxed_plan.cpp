@@ -5,7 +5,8 @@
 namespace stepwright::pddl {
 namespace {
 
-// How far the interval is from standing in the relation to zero; 0 if it can. Sets `upwards` to the side that must move.
+// How far the interval is from standing in the relation to zero; 0 if it can. Sets `upwards` to the side that
+// must move.
 double gap(Relation relation, Interval difference, bool& upwards) {
   const bool wants_up = relation == Relation::Greater || relation == Relation::GreaterEqual ||
                         (relation == Relation::Equal && difference.high < 0.0);
@@ -169,7 +170,8 @@ void RelaxedPlan::achieve(NumericGoal goal, int layer) {
   for (const LinearTerm& term : goal.difference.terms) {
     for (const int u : changers_[static_cast<std::size_t>(term.variable)]) {
       if (layers_.unit_layer(u) >= layer) continue;
-      const double gain = contribution(layers_.units()[static_cast<std::size_t>(u)], goal, upwards, layer - 1);
+      const double gain =
+          contribution(layers_.units()[static_cast<std::size_t>(u)], goal, upwards, layer - 1);
       if (gain > 0.0) units.emplace_back(gain, u);
     }
   }

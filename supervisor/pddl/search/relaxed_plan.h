@@ -1,7 +1,7 @@
 #pragma once
 
-// The relaxed-plan heuristic over intervals, in the manner of Metric-FF (Hoffmann 2003, sections 4 and 5): layers of facts that can hold and of
-// ranges that variables can have, then a plan read off backwards.
+// The relaxed-plan heuristic over intervals, in the manner of Metric-FF (Hoffmann 2003, sections 4 and 5):
+// layers of facts that can hold and of ranges that variables can have, then a plan read off backwards.
 //
 // Thread rule: one search, one object: it reuses its memory.
 //
@@ -22,7 +22,8 @@ class RelaxedPlan {
   // False if no plan exists from the state (proved).
   bool evaluate(const Word* state);
 
-  // Of the last evaluation: the size and the least cost of the relaxed plan, and those of its operators that are applicable at once.
+  // Of the last evaluation: the size and the least cost of the relaxed plan, and those of its operators that
+  // are applicable at once.
   int steps() const { return steps_; }
   double cost() const { return cost_; }
   const std::vector<int>& helpful() const { return helpful_; }
@@ -48,9 +49,9 @@ class RelaxedPlan {
   RelaxedLayers layers_;
   std::vector<std::vector<int>> literal_goals_;
   std::vector<std::vector<NumericGoal>> numeric_goals_;
-  std::vector<std::vector<int>> changers_;   // units by the variable that they change
-  std::vector<std::int32_t> literal_mark_;   // evaluation in which the literal became a goal
-  std::vector<std::int64_t> unit_mark_;      // evaluation and layer in which the unit was selected last
+  std::vector<std::vector<int>> changers_;  // units by the variable that they change
+  std::vector<std::int32_t> literal_mark_;  // evaluation in which the literal became a goal
+  std::vector<std::int64_t> unit_mark_;     // evaluation and layer in which the unit was selected last
   std::vector<std::int32_t> helpful_mark_;
   std::vector<int> helpful_;
   std::int32_t evaluation_ = 0;

@@ -48,7 +48,7 @@ class SearchControl {
   std::function<void(double bound)> on_second;  // about once a second
   std::uint64_t expanded = 0;
   double peak_mb = 0.0;
-  double bound = -infinity;  // of the accumulated cost with the potential
+  double bound = -infinity;      // of the accumulated cost with the potential
   std::size_t other_memory = 0;  // bytes that suspended searches hold
 
  private:

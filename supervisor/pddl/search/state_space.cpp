@@ -7,7 +7,8 @@ namespace stepwright::pddl {
 
 StateSpace::StateSpace(const GroundTask& task)
     : task_(task), fact_words_((task.facts.size() + 63) / 64), words_(fact_words_ + task.variables.size()) {
-  // Every operator waits under its rarest literal, so that a state looks at few operators that it cannot apply.
+  // Every operator waits under its rarest literal, so that a state looks at few operators that it cannot
+  // apply.
   std::vector<std::size_t> uses(2 * task.facts.size(), 0);
   for (const GroundOperator& op : task.operators) {
     for (const int literal : op.precondition.literals) ++uses[static_cast<std::size_t>(literal)];

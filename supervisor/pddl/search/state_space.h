@@ -1,8 +1,10 @@
 #pragma once
 
-// States as packed words and what operators do to them. A state is its fact bits followed by its variables' doubles.
+// States as packed words and what operators do to them. A state is its fact bits followed by its variables'
+// doubles.
 //
-// Thread rule: immutable after construction, except for the scratch of `successors`: one search, one StateSpace.
+// Thread rule: immutable after construction, except for the scratch of `successors`: one search, one
+// StateSpace.
 
 #include <bit>
 #include <cstdint>
@@ -23,10 +25,10 @@ class StateSpace {
   std::size_t words() const { return words_; }
   std::vector<Word> initial() const;
 
-  bool fact(const Word* state, int fact) const {
-    return (state[fact >> 6] >> (fact & 63) & 1) != 0;
+  bool fact(const Word* state, int fact) const { return (state[fact >> 6] >> (fact & 63) & 1) != 0; }
+  bool literal(const Word* state, int literal) const {
+    return fact(state, literal / 2) == (literal % 2 == 0);
   }
-  bool literal(const Word* state, int literal) const { return fact(state, literal / 2) == (literal % 2 == 0); }
   double value(const Word* state, int variable) const {
     return std::bit_cast<double>(state[fact_words_ + static_cast<std::size_t>(variable)]);
   }
@@ -40,8 +42,8 @@ class StateSpace {
   // The operators whose preconditions hold, ascending.
   void applicable(const Word* state, std::vector<int>& operators) const;
 
-  // Writes the state after the operator, which must be applicable, and adds what it accumulates to `cost`. False if an
-  // effect is undefined there: then the operator cannot be applied after all.
+  // Writes the state after the operator, which must be applicable, and adds what it accumulates to `cost`.
+  // False if an effect is undefined there: then the operator cannot be applied after all.
   bool apply(const GroundOperator& op, const Word* from, Word* to, double& cost) const;
 
  private:

@@ -1,10 +1,10 @@
 #pragma once
 
-// The checked form of a domain and problem: what the parser builds and the checker completes. Names are lower case; after
-// checking, every `index`, `symbol`, `type` and `slot` is resolved.
+// The checked form of a domain and problem: what the parser builds and the checker completes. Names are lower
+// case; after checking, every `index`, `symbol`, `type` and `slot` is resolved.
 //
-// Thread rule: immutable after checking. Variables live in numbered slots: the parameters of an action take 0, 1, ...; a quantifier
-// inside takes the next ones, so that a binding is a plain vector of objects.
+// Thread rule: immutable after checking. Variables live in numbered slots: the parameters of an action take
+// 0, 1, ...; a quantifier inside takes the next ones, so that a binding is a plain vector of objects.
 
 #include <compare>
 #include <cstdint>
@@ -77,12 +77,12 @@ enum class EffectKind : std::uint8_t { And, Add, Delete, Numeric, When, Forall }
 struct Effect {
   EffectKind kind = EffectKind::And;
   Place at;
-  Call call;                        // Add, Delete: the predicate; Numeric: the fluent
-  ChangeKind change{};              // Numeric
-  std::vector<Expression> amount;   // Numeric: one
-  std::vector<Formula> condition;   // When: one
-  std::vector<Effect> parts;        // And; When, Forall: one
-  std::vector<Typed> variables;     // Forall
+  Call call;                       // Add, Delete: the predicate; Numeric: the fluent
+  ChangeKind change{};             // Numeric
+  std::vector<Expression> amount;  // Numeric: one
+  std::vector<Formula> condition;  // When: one
+  std::vector<Effect> parts;       // And; When, Forall: one
+  std::vector<Typed> variables;    // Forall
 };
 
 struct Action {
@@ -157,7 +157,8 @@ struct Definition {
   bool is_subtype(int type, int ancestor) const;
 };
 
-// The function that PDDL 2.1 predefines for metrics: the number of actions here, where nothing has a duration.
+// The function that PDDL 2.1 predefines for metrics: the number of actions here, where nothing has a
+// duration.
 inline constexpr const char* total_time_name = "total-time";
 
 }  // namespace stepwright::pddl

@@ -7,10 +7,19 @@
 namespace stepwright::pddl {
 namespace {
 
-const std::vector<std::string> known_requirements = {
-    ":strips", ":typing", ":negative-preconditions", ":disjunctive-preconditions", ":equality",
-    ":existential-preconditions", ":universal-preconditions", ":quantified-preconditions",
-    ":conditional-effects", ":fluents", ":numeric-fluents", ":adl", ":action-costs"};
+const std::vector<std::string> known_requirements = {":strips",
+                                                     ":typing",
+                                                     ":negative-preconditions",
+                                                     ":disjunctive-preconditions",
+                                                     ":equality",
+                                                     ":existential-preconditions",
+                                                     ":universal-preconditions",
+                                                     ":quantified-preconditions",
+                                                     ":conditional-effects",
+                                                     ":fluents",
+                                                     ":numeric-fluents",
+                                                     ":adl",
+                                                     ":action-costs"};
 
 class Checker {
  public:
@@ -142,7 +151,8 @@ void Checker::find_cycles() {
 void Checker::objects(const std::vector<Typed>& list) {
   for (const Typed& object : list) {
     const int type = names_.type(object.type_name, object.type_at);
-    if (!declare(definition_.object_ids, object.name, object.at, definition_.objects.size(), "object")) continue;
+    if (!declare(definition_.object_ids, object.name, object.at, definition_.objects.size(), "object"))
+      continue;
     definition_.objects.push_back({object.name, type});
   }
 }
@@ -168,7 +178,8 @@ void Checker::symbols(std::vector<Symbol>& parsed, std::vector<Symbol>& table,
 
 void Checker::actions() {
   for (Action& action : domain_.actions) {
-    if (!declare(definition_.action_ids, action.name, action.at, definition_.actions.size(), "action")) continue;
+    if (!declare(definition_.action_ids, action.name, action.at, definition_.actions.size(), "action"))
+      continue;
     names_.begin(action.parameters);
     names_.formula(action.precondition);
     names_.effect(action.effect);

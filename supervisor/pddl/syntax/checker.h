@@ -2,7 +2,8 @@
 
 // Resolves names and checks types: from the parsed texts to a Definition.
 //
-// Thread rule: pure functions. Reports every error; the result is meaningful only if the reporter has no error.
+// Thread rule: pure functions. Reports every error; the result is meaningful only if the reporter has no
+// error.
 
 #include "supervisor/pddl/syntax/ast.h"
 #include "supervisor/pddl/syntax/parser.h"

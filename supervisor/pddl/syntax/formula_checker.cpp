@@ -38,7 +38,8 @@ void FormulaChecker::push(std::vector<Typed>& variables) {
     variable.slot = static_cast<int>(scope_.size());
     const bool twice = std::any_of(scope_.begin(), scope_.end(),
                                    [&](const Typed& other) { return other.name == variable.name; });
-    if (twice) reporter_.error("P0108", variable.at, "the variable '" + variable.name + "' is declared twice");
+    if (twice)
+      reporter_.error("P0108", variable.at, "the variable '" + variable.name + "' is declared twice");
     scope_.push_back(variable);
   }
   slots_ = std::max(slots_, static_cast<int>(scope_.size()));
@@ -87,7 +88,8 @@ bool FormulaChecker::resolve_symbol(Call& call, bool function) {
     hint = "'" + call.name + (function ? "' is a predicate, it has no value" : "' is a function: compare it");
   }
   reporter_.error(function ? "P0103" : "P0102", call.at,
-                  std::string(function ? "unknown function '" : "unknown predicate '") + call.name + "'", hint);
+                  std::string(function ? "unknown function '" : "unknown predicate '") + call.name + "'",
+                  hint);
   return false;
 }
 

@@ -89,7 +89,8 @@ bool FormulaParser::expression(Expression& expression) {
     return true;
   }
   expression.kind = NumericKind::Fluent;
-  if (tokens_.at(TokenKind::Name)) {  // A function without arguments may stand without parentheses in a metric.
+  if (tokens_.at(
+          TokenKind::Name)) {  // A function without arguments may stand without parentheses in a metric.
     expression.call.at = tokens_.peek().at;
     expression.call.name = tokens_.take().text;
     return true;
@@ -157,7 +158,9 @@ bool FormulaParser::connective(Formula& formula, FormulaKind kind) {
     formula.parts.emplace_back();
     if (!this->formula(formula.parts.back())) return false;
   }
-  const std::size_t wanted = kind == FormulaKind::Imply ? 2 : kind == FormulaKind::And || kind == FormulaKind::Or ? 0 : 1;
+  const std::size_t wanted = kind == FormulaKind::Imply                            ? 2
+                             : kind == FormulaKind::And || kind == FormulaKind::Or ? 0
+                                                                                   : 1;
   if (wanted != 0 && formula.parts.size() != wanted) {
     tokens_.reporter().error("P0106", formula.at,
                              "expected " + std::to_string(wanted) + " condition" + (wanted > 1 ? "s" : "") +

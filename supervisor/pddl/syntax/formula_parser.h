@@ -2,7 +2,8 @@
 
 // The parts that domains and problems share: typed lists, terms, expressions, conditions and effects.
 //
-// Thread rule: one parse, one object. Every function takes its text from the stream and returns false after reporting an error.
+// Thread rule: one parse, one object. Every function takes its text from the stream and returns false after
+// reporting an error.
 
 #include "supervisor/pddl/syntax/ast.h"
 #include "supervisor/pddl/syntax/token_stream.h"

@@ -22,7 +22,8 @@ struct Token {
   double number = 0.0;
 };
 
-// The last token is End, placed after the text. A character that PDDL does not know is reported (P0002) and left out.
+// The last token is End, placed after the text. A character that PDDL does not know is reported (P0002) and
+// left out.
 std::vector<Token> tokenize(std::string_view text, std::uint32_t file, Reporter& reporter);
 
 // "'move'", "'('" or "the end of the file": how messages name a token.

@@ -1,9 +1,10 @@
 #pragma once
 
-// From tokens to the unresolved form of a domain or a problem. Names stay names here; the checker resolves them.
+// From tokens to the unresolved form of a domain or a problem. Names stay names here; the checker resolves
+// them.
 //
-// Thread rule: pure functions. Every error is reported; what could be read is returned all the same, so that the checker can
-// find more.
+// Thread rule: pure functions. Every error is reported; what could be read is returned all the same, so that
+// the checker can find more.
 
 #include "supervisor/pddl/syntax/ast.h"
 #include "supervisor/pddl/syntax/lexer.h"

@@ -27,7 +27,8 @@ class ProblemParser : private SectionParser {
  private:
   bool section(const std::string& keyword, Place at) {
     if (!once(keyword, at)) return false;
-    if (keyword == ":domain") return tokens_.expect_name("the domain's name", problem_.domain, problem_.domain_at);
+    if (keyword == ":domain")
+      return tokens_.expect_name("the domain's name", problem_.domain, problem_.domain_at);
     if (keyword == ":requirements") return requirements(problem_.requirements);
     if (keyword == ":objects") return formulas_.typed_list(TokenKind::Name, problem_.objects);
     if (keyword == ":init") return init();

@@ -2,8 +2,8 @@
 
 // The parser's view of the tokens: looking ahead, expecting, and finding the way back after an error.
 //
-// Thread rule: one parse, one stream. The parser fails by returning false after reporting; whoever opened a section
-// closes it with `recover`, so that one file can show several errors.
+// Thread rule: one parse, one stream. The parser fails by returning false after reporting; whoever opened a
+// section closes it with `recover`, so that one file can show several errors.
 
 #include <initializer_list>
 #include <string_view>

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "plant_models/assemblies/tank_bench.h"
-#include "tests/support/allocation_counter.h"
+#include "tests/support/malloc_guard.h"
 
 namespace stepwright::bridge {
 namespace {
@@ -129,15 +129,15 @@ TEST_F(PlantDriverTest, WhenSeveralWiresAreWrong_ThenEachIsNamedAtItsPlace) {
 }
 
 TEST_F(PlantDriverTest, WhenScanning_ThenNothingIsAllocated) {
-  if (!support::allocations_are_counted()) GTEST_SKIP() << "a sanitizer owns the allocator";
+  if (!support::guard_is_active()) GTEST_SKIP() << "a sanitizer owns the allocator";
   auto driver = PlantDriver::create(*plant, default_bench_wires(), kSizes).value();
-  const std::uint64_t before = support::allocation_count();
+  const support::GuardCounts before = support::guard_counts();
   for (int scan = 0; scan < 5000; ++scan) {
     driver.read_inputs(scan * kScanNs, inputs);
     outputs[0] = static_cast<std::byte>(scan / 200 * 37 & 0x3F);
     driver.write_outputs(scan * kScanNs, outputs);
   }
-  EXPECT_EQ(support::allocation_count(), before);
+  EXPECT_EQ(support::guard_counts(), before);
 }
 
 }  // namespace

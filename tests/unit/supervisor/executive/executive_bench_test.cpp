@@ -77,11 +77,11 @@ TEST_P(FaultTest, WhenItIsInjected_ThenTheRunEndsAtTheGoalOrSafely) {
 
 INSTANTIATE_TEST_SUITE_P(Bench, FaultTest,
                          testing::Values(FaultCase{"leak_a1", 0.3, 30.0}, FaultCase{"leak_a2", 3.0, 20.0},
-                                         FaultCase{"leak_v1", 0.3, 10.0}, FaultCase{"weak_B1", 0.5, 0.0},
-                                         FaultCase{"weak_B2", 0.3, 15.0}, FaultCase{"weak_B3", 0.0, 0.0},
+                                         FaultCase{"leak_v1", 0.3, 10.0}, FaultCase{"weak_b1", 0.5, 0.0},
+                                         FaultCase{"weak_b2", 0.3, 15.0}, FaultCase{"weak_b3", 0.0, 0.0},
                                          FaultCase{"stuck_fc1", 0.0, 12.0}, FaultCase{"stuck_fc2", 1.0, 5.0},
-                                         FaultCase{"drift_S2", 2.0, 10.0},
-                                         FaultCase{"extra_draw_c1", 2.0, 30.0}));
+                                         FaultCase{"drift_s2", 2.0, 10.0},
+                                         FaultCase{"draw_c1", 15.0, 30.0}));
 
 TEST(ExecutiveBench, WhenAClientChangesItsDemand_ThenTheNewDemandIsMet) {
   SimulatedController controller({});
