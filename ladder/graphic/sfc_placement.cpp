@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace stepwright::graphic {
@@ -143,14 +144,17 @@ class Placement {
     }
   }
 
-  // Removes the small steps that rounding left in lines between two nodes.
+  // Removes the small steps that rounding and averaging left in lines.
   void straighten() {
     for (const std::vector<std::size_t>& layer : graph_.layers) {
       for (std::size_t i = 0; i < layer.size(); ++i) {
         LayoutNode& node = graph_.nodes[layer[i]];
-        if (node.up.size() != 1 || graph_.nodes[node.up[0]].down.size() != 1) continue;
-        const int wanted = graph_.nodes[node.up[0]].x;
-        if (fits(layer, i, wanted)) node.x = wanted;
+        const bool only_line = node.up.size() == 1 && graph_.nodes[node.up[0]].down.size() == 1;
+        for (const std::size_t upper : node.up) {
+          const int wanted = graph_.nodes[upper].x;
+          const bool near = std::abs(wanted - node.x) <= gap_ / 2;
+          if ((only_line || near) && fits(layer, i, wanted)) node.x = wanted;
+        }
       }
     }
   }

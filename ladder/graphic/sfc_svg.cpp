@@ -1,5 +1,7 @@
 // The SVG of a chart; see sfc_drawing.h.
 
+#include <algorithm>
+
 #include "ladder/graphic/sfc_drawing.h"
 #include "ladder/graphic/sfc_layout.h"
 #include "ladder/graphic/svg_writer.h"
@@ -75,9 +77,17 @@ class SvgDrawing {
       if (line.y1 != line.y2) halos(line);
     }
     for (const PlacedLine& line : layout_.lines) {
-      if (line.y1 != line.y2) svg_.line(line.x1, line.y1, line.x2, line.y2, "sw-wire");
+      if (line.y1 == line.y2) continue;
+      svg_.line(line.x1, line.y1 + (on_double(line.x1, line.y1) ? 2 : 0), line.x2,
+                line.y2 - (on_double(line.x2, line.y2) ? 2 : 0), "sw-wire");
     }
     svg_.close_group();
+  }
+
+  bool on_double(int x, int y) const {
+    return std::any_of(layout_.lines.begin(), layout_.lines.end(), [&](const PlacedLine& line) {
+      return line.doubled && line.y1 == y && line.x1 <= x && x <= line.x2;
+    });
   }
 
   void halos(const PlacedLine& vertical) {

@@ -66,7 +66,7 @@ void TextCanvas::box(int x, int y, int width, int height, bool doubled) {
 
 std::string TextCanvas::glyph(const Cell& cell) {
   if (!cell.glyph.empty()) return cell.glyph;
-  const bool passes = (cell.left || cell.right) && cell.up && cell.down && !cell.ends;
+  const bool passes = cell.left && cell.right && cell.up && cell.down && !cell.ends;
   if (passes) return "│";
   const std::size_t bits =
       (cell.left ? 1U : 0U) + (cell.right ? 2U : 0U) + (cell.up ? 4U : 0U) + (cell.down ? 8U : 0U);

@@ -39,7 +39,7 @@ enum class ExpressionKind : std::uint8_t {
   Index,         // operands[0] [ operands[1], ... ]
   Unary,         // `op` operands[0]
   Binary,        // operands[0] `op` operands[1] `op` ...: a chain of one operator, evaluated from the left
-  Call,          // `name` ( arguments )
+  Call,          // `name` ( arguments ), or operands[0] ( arguments )
   ArrayValues,   // [ operands ]: initial values of an array
   Repeat,        // operands[0] ( operands[1] ): in ArrayValues only; no operands[1] = default value
   StructValues,  // ( arguments ): initial values of a structure or a function block

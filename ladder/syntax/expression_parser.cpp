@@ -238,16 +238,25 @@ ExpressionPtr Parser::name_or_call() {
   node->name = {token.name, token.text, token.where};
   if (at(TokenKind::LeftParen)) {
     node->kind = ExpressionKind::Call;
-    node->arguments = arguments();
-    for (const Argument& each : node->arguments)
-      if (each.value)
-        node->depth = std::max<std::uint16_t>(node->depth, static_cast<std::uint16_t>(each.value->depth + 1));
+    call_arguments(*node);
   }
   return suffixes(std::move(node));
 }
 
+// "timers[3](IN := x)": a call of a block that is a part of a variable.
+bool Parser::at_path_call(const Expression& base) const {
+  return at(TokenKind::LeftParen) && (base.kind == ExpressionKind::Field || base.kind == ExpressionKind::Index);
+}
+
+void Parser::call_arguments(Expression& call) {
+  call.arguments = arguments();
+  for (const Argument& each : call.arguments)
+    if (each.value)
+      call.depth = std::max<std::uint16_t>(call.depth, static_cast<std::uint16_t>(each.value->depth + 1));
+}
+
 ExpressionPtr Parser::suffixes(ExpressionPtr base) {
-  while (at(TokenKind::Dot) || at(TokenKind::LeftBracket)) {
+  while (at(TokenKind::Dot) || at(TokenKind::LeftBracket) || at_path_call(*base)) {
     if (base->depth >= kMaxDepth) {
       nesting_ += 1000;
       too_deep();
@@ -257,7 +266,10 @@ ExpressionPtr Parser::suffixes(ExpressionPtr base) {
     auto node = make(at(TokenKind::Dot) ? ExpressionKind::Field : ExpressionKind::Index);
     node->where = base->where;
     adopt(*node, std::move(base));
-    if (accept(TokenKind::Dot)) {
+    if (at(TokenKind::LeftParen)) {
+      node->kind = ExpressionKind::Call;
+      call_arguments(*node);
+    } else if (accept(TokenKind::Dot)) {
       const auto name = expect_name("the name of a member");
       if (!name) return error_node();
       node->name = *name;

@@ -24,22 +24,28 @@ class NoClock final : public scan::Clock {
   std::int64_t now_ns() override { return 0; }
 };
 
-result::Result<std::vector<loader::Variable>> resolve(const bytecode::Program& program,
+result::Result<std::vector<reader::Variable>> resolve(const reader::LoadedProgram& loaded,
                                                       const std::vector<std::string>& names) {
-  std::vector<loader::Variable> variables;
+  std::vector<reader::Variable> variables;
+  if (names.empty()) return variables;
+  auto info = reader::ProgramInfo::read(loaded.bytes());
+  if (!info) return result::forward(info);
   for (const std::string& name : names) {
-    auto variable = loader::find_variable(program, name);
-    if (!variable) return result::forward(variable);
-    variables.push_back(std::move(*variable));
+    const reader::Variable* variable = info->find(name);
+    if (variable == nullptr) {
+      return result::fail("B0300", {}, "there is no variable `" + name + "` with a single value",
+                          "variables are named INSTANCE.variable, e.g. MAIN.level or MAIN.table[3]");
+    }
+    variables.push_back(*variable);
   }
   return variables;
 }
 
 }  // namespace
 
-result::Result<ExecReport> run(const loader::LoadedProgram& loaded, const ExecOptions& options) {
+result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOptions& options) {
   const bytecode::Program& program = loaded.program();
-  auto variables = resolve(program, options.trace);
+  auto variables = resolve(loaded, options.trace);
   if (!variables) return result::forward(variables);
 
   const bytecode::SizesRecord& sizes = program.sizes();
@@ -55,17 +61,16 @@ result::Result<ExecReport> run(const loader::LoadedProgram& loaded, const ExecOp
 
   ExecReport report;
   report.image_hash = image.hash();
-  for (const auto& variable : *variables)
-    report.trace.emplace_back(variable.name, std::vector<loader::Value>());
+  for (const std::string& name : options.trace) report.trace.emplace_back(name, std::vector<reader::Value>());
   while (report.scans < options.scans && cycle.state() == scan::ScanState::Running) {
     const scan::ScanReport scanned = cycle.run_scan();
     report.scans = scanned.scan;
     report.image_hash = scanned.image_hash;
     for (std::size_t i = 0; i < variables->size(); ++i) {
-      report.trace[i].second.push_back(loader::read_value((*variables)[i], image.bytes()));
+      report.trace[i].second.push_back(reader::read_value((*variables)[i], image.bytes()));
     }
     if (scanned.trap) {
-      report.traps.push_back({scanned.scan, scanned.trap, loader::describe(program, scanned.trap)});
+      report.traps.push_back({scanned.scan, scanned.trap, reader::describe(program, scanned.trap)});
     }
   }
   report.trace_hash = cycle.trace_hash();

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/bytecode/loader/loaded_program.h"
-#include "runtime/bytecode/loader/variable.h"
+#include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/bytecode/reader/read_value.h"
 #include "runtime/bytecode/trap.h"
 #include "runtime/result/result.h"
 
@@ -27,13 +27,13 @@ struct TrapReport {
 
 struct ExecReport {
   std::uint64_t scans = 0;  // that ran, the one with the trap included
-  std::vector<std::pair<std::string, std::vector<loader::Value>>> trace;  // one value per scan
+  std::vector<std::pair<std::string, std::vector<reader::Value>>> trace;  // one value per scan
   std::vector<TrapReport> traps;
   std::uint64_t image_hash = 0;  // after the last scan
   std::uint64_t trace_hash = 0;
 };
 
 // Inputs stay zero; ends with the first trap. Fails if a traced variable does not exist.
-[[nodiscard]] result::Result<ExecReport> run(const loader::LoadedProgram& loaded, const ExecOptions& options);
+[[nodiscard]] result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOptions& options);
 
 }  // namespace stepwright::exec

@@ -1,7 +1,7 @@
 // stepwright exec IMAGE.swb [--scans N] [--engine vm] [--trace VARS] [--json FILE]
 
 #include "programs/exec/exec_run.h"
-#include "runtime/bytecode/loader/loaded_program.h"
+#include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/result/exit_code.h"
 
 #include <CLI/CLI.hpp>
@@ -19,7 +19,7 @@ namespace {
 
 using stepwright::result::ExitCode;
 namespace exec = stepwright::exec;
-namespace loader = stepwright::loader;
+namespace reader = stepwright::reader;
 namespace result = stepwright::result;
 
 struct Arguments {
@@ -52,7 +52,7 @@ std::vector<std::string> split_names(const std::string& list) {
 }
 
 // JSON has no infinities: they are written as their names.
-nlohmann::json to_json(const loader::Value& value) {
+nlohmann::json to_json(const reader::Value& value) {
   if (const double* number = std::get_if<double>(&value); number != nullptr && !std::isfinite(*number)) {
     return std::isnan(*number) ? "NaN" : *number > 0 ? "Infinity" : "-Infinity";
   }
@@ -69,7 +69,7 @@ nlohmann::json to_json(const exec::ExecReport& report, const std::string& engine
   nlohmann::json trace = nlohmann::json::object();
   for (const auto& [name, values] : report.trace) {
     nlohmann::json list = nlohmann::json::array();
-    for (const loader::Value& value : values) list.push_back(to_json(value));
+    for (const reader::Value& value : values) list.push_back(to_json(value));
     trace[name] = std::move(list);
   }
   nlohmann::json traps = nlohmann::json::array();
@@ -93,7 +93,7 @@ void print(const exec::ExecReport& report) {
   std::cout << report.scans << " scans, image " << hex(report.image_hash) << "\n";
   for (const auto& [name, values] : report.trace) {
     std::cout << name << ":";
-    for (const loader::Value& value : values) std::cout << " " << to_json(value).dump();
+    for (const reader::Value& value : values) std::cout << " " << to_json(value).dump();
     std::cout << "\n";
   }
 }
@@ -104,7 +104,7 @@ ExitCode fail(const result::Diagnostics& diagnostics) {
 }
 
 ExitCode execute(const Arguments& arguments) {
-  auto loaded = loader::LoadedProgram::load_file(arguments.image);
+  auto loaded = reader::LoadedProgram::load_file(arguments.image);
   if (!loaded) return fail(loaded.error());
   const auto report = exec::run(*loaded, arguments.options);
   if (!report) return fail(report.error());

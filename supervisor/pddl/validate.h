@@ -30,6 +30,6 @@ struct Validation {
 Validation validate(const Task& task, const PlanText& plan);
 
 // The fluents and facts that change in the plan, a row per step: what `stepwright validate` prints.
-std::string table(const Task& task, const PlanText& plan, const Validation& validation);
+std::string table(const PlanText& plan, const Validation& validation);
 
 }  // namespace stepwright::pddl

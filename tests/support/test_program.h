@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/bytecode/loader/loaded_program.h"
+#include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/writer/container_writer.h"
 #include "runtime/image/process_image.h"
 #include "runtime/vm/interpreter.h"
@@ -50,10 +50,10 @@ class TestProgram {
   TestProgram(const TestProgram&) = delete;
   TestProgram& operator=(const TestProgram&) = delete;
 
-  static loader::LoadedProgram load(const writer::ContainerModel& model) {
+  static reader::LoadedProgram load(const writer::ContainerModel& model) {
     auto bytes = writer::write_container(model);
     if (!bytes) throw std::runtime_error(result::to_string(bytes.error()));
-    auto loaded = loader::LoadedProgram::load(std::move(*bytes), "test");
+    auto loaded = reader::LoadedProgram::load(std::move(*bytes), "test");
     if (!loaded) throw std::runtime_error(result::to_string(loaded.error()));
     return std::move(*loaded);
   }
@@ -84,12 +84,12 @@ class TestProgram {
     std::memcpy(memory_.data() + address, &value, sizeof(T));
   }
 
-  const loader::LoadedProgram& loaded() const { return loaded_; }
+  const reader::LoadedProgram& loaded() const { return loaded_; }
   image::ProcessImage& image() { return image_; }
   vm::Interpreter& engine() { return engine_; }
 
  private:
-  loader::LoadedProgram loaded_;
+  reader::LoadedProgram loaded_;
   std::vector<std::byte> memory_;
   image::ProcessImage image_;
   std::vector<std::uint64_t> stack_;

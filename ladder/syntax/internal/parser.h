@@ -58,6 +58,8 @@ class Parser {
   ExpressionPtr prefixed_literal();
   ExpressionPtr name_or_call();
   ExpressionPtr suffixes(ExpressionPtr base);
+  bool at_path_call(const Expression& base) const;
+  void call_arguments(Expression& call);
   std::vector<Argument> arguments();
   Argument argument();
   ExpressionPtr initial_value();

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,6 +49,7 @@ struct TransitionInfo {
   std::string condition;
   std::vector<std::uint32_t> sources;  // indexes into ChartInfo::steps
   std::vector<std::uint32_t> targets;
+  std::optional<Variable> fires;  // true in the scan in which it is crossed; none if no bit is kept
 };
 
 struct ChartInfo {
@@ -64,7 +66,7 @@ struct TaskInfo {
 
 class ProgramInfo {
  public:
-  // Fails (B0200) if the verifier refuses the bytes, with its reason.
+  // Fails with the `refusal` (loaded_program.h) if the verifier refuses the bytes.
   [[nodiscard]] static result::Result<ProgramInfo> read(std::span<const std::byte> container);
 
   // By path, upper and lower case alike; null if there is none or if it is not elementary.

@@ -61,7 +61,7 @@ Outputs Job::next(const core::Plant& plant) {
   return out;
 }
 
-void apply(const Outputs& outputs, core::Plant& plant) {
+void operate(const Outputs& outputs, core::Plant& plant) {
   for (std::uint32_t i = 0; i < outputs.size(); ++i) plant.set_actuator(core::ActuatorId(i), outputs[i]);
 }
 

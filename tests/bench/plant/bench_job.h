@@ -35,6 +35,6 @@ class Job {
 };
 
 // Puts the outputs on the plant.
-void apply(const Outputs& outputs, core::Plant& plant);
+void operate(const Outputs& outputs, core::Plant& plant);
 
 }  // namespace stepwright::bench

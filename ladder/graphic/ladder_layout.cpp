@@ -1,0 +1,326 @@
+#include "ladder/graphic/ladder_layout.h"
+
+#include <algorithm>
+
+#include "ladder/graphic/sfc_layout.h"
+
+namespace stepwright::graphic {
+namespace {
+
+struct Size {
+  int width = 0;
+  int up = 0;    // above the wire
+  int down = 0;  // below it
+};
+
+class Layouter {
+ public:
+  Layouter(const LadderProgram& program, const LadderMetrics& metrics) : program_(program), m_(metrics) {}
+
+  LadderLayout run() {
+    for (const Rung& rung : program_.rungs) {
+      for (const Coil& coil : rung.coils)
+        coil_width_ = std::max(coil_width_, symbol_size(coil.variable).width);
+    }
+    int width = m_.min_width;
+    for (const Rung& rung : program_.rungs) {
+      const int parts = measure(rung.condition).width + outputs(rung).width + 3 * m_.wire;
+      const int comment = text_width(rung.comment) + 8 * m_.character;
+      width = std::max({width, parts, comment});
+    }
+    out_.left_rail = m_.margin;
+    out_.right_rail = m_.margin + width;
+    out_.width = width + 2 * m_.margin + 1;
+    int y = m_.margin;
+    for (std::size_t i = 0; i < program_.rungs.size(); ++i) y = place_rung(i, y);
+    out_.height = y + m_.margin;
+    return std::move(out_);
+  }
+
+ private:
+  int text_width(const std::string& text) const { return static_cast<int>(length_of(text)) * m_.character; }
+
+  Size symbol_size(const std::string& name) const {
+    return {std::max(m_.symbol, text_width(name)) + 2 * m_.wire, m_.symbol_half + m_.line, m_.symbol_half};
+  }
+
+  static std::string box_text(const Condition& condition) {
+    if (condition.kind == ConditionKind::Expression)
+      return condition.negated ? to_st(condition) : condition.name;
+    return condition.name + " " + to_st(condition.op) + " " + condition.operand;
+  }
+
+  Size measure(const Condition& condition) const {
+    switch (condition.kind) {
+      case ConditionKind::True:
+        return {2 * m_.wire, 0, 0};
+      case ConditionKind::Contact:
+        return symbol_size(condition.name);
+      case ConditionKind::Comparison:
+      case ConditionKind::Expression:
+        return {text_width(box_text(condition)) + 2 * m_.padding + 2 * m_.wire, m_.symbol_half,
+                m_.symbol_half};
+      case ConditionKind::All:
+        return series(condition);
+      case ConditionKind::Any:
+        return parallel(condition);
+    }
+    return {};
+  }
+
+  Size series(const Condition& condition) const {
+    Size size;
+    for (const Condition& child : condition.children) {
+      const Size part = measure(child);
+      size.width += part.width;
+      size.up = std::max(size.up, part.up);
+      size.down = std::max(size.down, part.down);
+    }
+    return size;
+  }
+
+  Size parallel(const Condition& condition) const {
+    Size size;
+    for (std::size_t i = 0; i < condition.children.size(); ++i) {
+      const Size part = measure(condition.children[i]);
+      size.width = std::max(size.width, part.width);
+      if (i == 0) size = part;
+      if (i > 0) size.down += m_.branch_gap + part.up + part.down;
+      if (i > 0) size.down += 1;
+    }
+    size.width += 2 * m_.wire;
+    return size;
+  }
+
+  Size block_size(const Block& block) const {
+    const BlockShape shape = shape_of(block, m_);
+    const int above = m_.line * (shape.instance.empty() ? 1 : 2) + m_.symbol_half + 1;
+    const int below = m_.line * static_cast<int>(shape.rows.size());
+    return {shape.left + shape.box + shape.right + 2 * m_.wire, above, below};
+  }
+
+  // What a rung powers, from top to bottom.
+  struct Output {
+    Size size;
+    PlacedSymbol symbol;
+  };
+
+  std::vector<Output> outputs_of(const Rung& rung) const {
+    std::vector<Output> list;
+    const auto add = [&](SymbolKind kind, Size size) -> PlacedSymbol& {
+      list.push_back({size, {}});
+      list.back().symbol.kind = kind;
+      list.back().symbol.width = size.width;
+      return list.back().symbol;
+    };
+    for (const Block& block : rung.blocks) add(SymbolKind::Block, block_size(block)).block = &block;
+    for (const Coil& coil : rung.coils) {
+      // All coils of a program stand below each other.
+      Size size = symbol_size(coil.variable);
+      size.width = coil_width_;
+      add(SymbolKind::Coil, size).coil = &coil;
+    }
+    if (!rung.jump_to.empty()) {
+      const std::string text = ">> " + rung.jump_to;
+      add(SymbolKind::Jump, {text_width(text) + m_.wire, m_.symbol_half, m_.symbol_half}).text = text;
+    }
+    if (rung.is_return) {
+      const std::string text = "<RETURN>";
+      add(SymbolKind::Return, {text_width(text) + m_.wire, m_.symbol_half, m_.symbol_half}).text = text;
+    }
+    return list;
+  }
+
+  Size outputs(const Rung& rung) const {
+    Size size;
+    for (const Output& output : outputs_of(rung)) {
+      size.width = std::max(size.width, output.size.width);
+      size.up = size.up == 0 ? output.size.up : size.up;
+      size.down += output.size.down + output.size.up + m_.branch_gap;
+    }
+    size.width += m_.wire;
+    return size;
+  }
+
+  void wire(int x1, int y1, int x2, int y2) {
+    if (x1 != x2 || y1 != y2) out_.rungs.back().wires.push_back({x1, y1, x2, y2});
+  }
+
+  int place_rung(std::size_t index, int top) {
+    const Rung& rung = program_.rungs[index];
+    out_.rungs.push_back({index, top, {}, {}});
+    const Size condition = measure(rung.condition);
+    const Size output = outputs(rung);
+    const int y = top + m_.line + m_.branch_gap + std::max(condition.up, output.up);
+    place(rung.condition, out_.left_rail, y, condition.width);
+    const int split = out_.right_rail - output.width;
+    wire(out_.left_rail + condition.width, y, split, y);
+    const int bottom = std::max(y + condition.down + 1, place_outputs(rung, split, y));
+    return bottom + m_.rung_gap;
+  }
+
+  int place_outputs(const Rung& rung, int split, int y) {
+    int bottom = y;
+    int previous = y;
+    bool first = true;
+    for (Output& output : outputs_of(rung)) {
+      const int at = first ? y : bottom + m_.branch_gap + output.size.up;
+      first = false;
+      wire(split, previous, split, at);
+      previous = at;
+      bottom = at + output.size.down + 1;
+      place_output(output, split, at);
+    }
+    return bottom;
+  }
+
+  void place_output(Output& output, int split, int y) {
+    PlacedSymbol& symbol = output.symbol;
+    symbol.y = y;
+    symbol.x = out_.right_rail - symbol.width;
+    if (symbol.kind == SymbolKind::Coil) {
+      centre(symbol, split, out_.right_rail);
+    } else if (symbol.kind == SymbolKind::Block) {
+      const BlockShape shape = shape_of(*symbol.block, m_);
+      symbol.x = out_.right_rail - m_.wire - shape.right - shape.box;
+      symbol.width = shape.box;
+      wire(split, y, symbol.x, y);
+      if (shape.passes_power) wire(symbol.x + shape.box, y, out_.right_rail, y);
+    } else {
+      wire(split, y, symbol.x, y);
+    }
+    out_.rungs.back().symbols.push_back(symbol);
+  }
+
+  // Puts a contact or coil in the middle of its text and wires it to both sides.
+  void centre(PlacedSymbol& symbol, int left, int right) {
+    const int end = symbol.x + symbol.width;
+    symbol.x += (symbol.width - m_.symbol) / 2;
+    symbol.width = m_.symbol;
+    wire(left, symbol.y, symbol.x, symbol.y);
+    wire(symbol.x + m_.symbol, symbol.y, std::max(end, right), symbol.y);
+  }
+
+  // Fills the wire from `x` to `x + width` at `y`.
+  void place(const Condition& condition, int x, int y, int width) {
+    if (condition.kind == ConditionKind::True) wire(x, y, x + width, y);
+    if (condition.kind == ConditionKind::All) place_series(condition, x, y, width);
+    if (condition.kind == ConditionKind::Any) place_parallel(condition, x, y, width);
+    const int own = measure(condition).width;
+    PlacedSymbol symbol;
+    symbol.x = x;
+    symbol.y = y;
+    symbol.width = own;
+    symbol.condition = &condition;
+    if (condition.kind == ConditionKind::Contact) {
+      centre(symbol, x, x + width);
+      out_.rungs.back().symbols.push_back(symbol);
+    }
+    if (condition.kind == ConditionKind::Comparison || condition.kind == ConditionKind::Expression) {
+      symbol.kind = SymbolKind::Box;
+      symbol.text = box_text(condition);
+      symbol.x += m_.wire;
+      symbol.width -= 2 * m_.wire;
+      wire(x, y, symbol.x, y);
+      wire(symbol.x + symbol.width, y, x + width, y);
+      out_.rungs.back().symbols.push_back(symbol);
+    }
+  }
+
+  void place_series(const Condition& condition, int x, int y, int width) {
+    const int end = x + width;
+    for (const Condition& child : condition.children) {
+      const int own = measure(child).width;
+      place(child, x, y, own);
+      x += own;
+    }
+    wire(x, y, end, y);
+  }
+
+  void place_parallel(const Condition& condition, int x, int y, int width) {
+    const int left = x + m_.wire;
+    const int right = x + measure(condition).width - m_.wire;
+    int at = y;
+    int bottom = y;
+    for (std::size_t i = 0; i < condition.children.size(); ++i) {
+      const Size part = measure(condition.children[i]);
+      if (i > 0) {
+        const int next = bottom + m_.branch_gap + part.up + 1;
+        wire(left, at, left, next);
+        wire(right, at, right, next);
+        at = next;
+      }
+      place(condition.children[i], left, at, right - left);
+      bottom = at + part.down;
+    }
+    wire(x, y, left, y);
+    wire(right, y, x + width, y);
+  }
+
+  const LadderProgram& program_;
+  const LadderMetrics& m_;
+  LadderLayout out_;
+  int coil_width_ = 0;
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::string line;
+  for (const char c : text + "\n") {
+    if (c != '\n') {
+      line += c;
+    } else if (!line.empty()) {
+      lines.push_back(std::move(line));
+      line.clear();
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+LadderLayout lay_out(const LadderProgram& program, const LadderMetrics& metrics) {
+  return Layouter(program, metrics).run();
+}
+
+BlockShape shape_of(const Block& block, const LadderMetrics& metrics) {
+  BlockShape shape;
+  shape.title = block.type.empty() ? "ST" : block.type;
+  shape.instance = block.instance;
+  shape.passes_power = block.power_input.empty();
+  shape.rows.push_back(
+      {"", shape.passes_power ? "EN" : block.power_input, shape.passes_power ? "ENO" : "", ""});
+  if (block.type.empty()) {
+    for (std::string& line : lines_of(block.st_body)) shape.rows.push_back({"", std::move(line), "", ""});
+  }
+  const auto row = [&shape](std::size_t index) -> BlockRow& {
+    if (shape.rows.size() <= index) shape.rows.resize(index + 1);
+    return shape.rows[index];
+  };
+  std::size_t next = 1;
+  for (const auto& [pin, value] : block.inputs) {
+    row(next).pin_in = pin;
+    row(next++).value_in = value;
+  }
+  next = shape.passes_power ? 1 : 0;
+  for (const auto& [pin, value] : block.outputs) {
+    row(next).pin_out = pin;
+    row(next++).value_out = value;
+  }
+  const auto width = [&metrics](const std::string& text) {
+    return static_cast<int>(length_of(text)) * metrics.character;
+  };
+  for (const BlockRow& each : shape.rows) {
+    const int between = each.pin_in.empty() || each.pin_out.empty() ? 0 : 2 * metrics.character;
+    shape.box = std::max(shape.box, width(each.pin_in) + between + width(each.pin_out));
+    if (!each.value_in.empty()) shape.left = std::max(shape.left, width(each.value_in) + metrics.wire);
+    if (!each.value_out.empty()) shape.right = std::max(shape.right, width(each.value_out) + metrics.wire);
+  }
+  shape.box = std::max(shape.box, width(shape.title)) + 2 * metrics.padding;
+  // The name of the instance stands above the box and may be wider than it.
+  shape.left = std::max(shape.left, (width(shape.instance) - shape.box) / 2);
+  shape.right = std::max(shape.right, (width(shape.instance) - shape.box) / 2);
+  return shape;
+}
+
+}  // namespace stepwright::graphic
