@@ -127,7 +127,7 @@ StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing:
   event.detail = slot.note.reason.str();
   if (slot.note.kind == EventKind::Trap) {
     event.detail = slot.note.trap
-                       ? result::to_string(loader::describe(program.loaded().program(), slot.note.trap))
+                       ? result::to_string(reader::describe(program.loaded().program(), slot.note.trap))
                        : "the I/O driver does not answer";
   }
   event.image = slot.image;

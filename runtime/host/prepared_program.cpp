@@ -27,7 +27,7 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::ve
                                                                          scan::Clock& clock,
                                                                          const scan::ScanConfig& config,
                                                                          std::size_t plant_values) {
-  auto loaded = loader::LoadedProgram::load(std::move(container), "download");
+  auto loaded = reader::LoadedProgram::load(std::move(container), "download");
   if (!loaded) return result::forward(loaded);
   const bytecode::Program& program = loaded->program();
   const char* const areas_hint = "see [image] of the cell's configuration";
@@ -43,7 +43,7 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::ve
       new PreparedProgram(std::move(*loaded), std::move(digest), io, clock, config, plant_values));
 }
 
-PreparedProgram::PreparedProgram(loader::LoadedProgram loaded, std::string digest, AreaDriver& io,
+PreparedProgram::PreparedProgram(reader::LoadedProgram loaded, std::string digest, AreaDriver& io,
                                  scan::Clock& clock, const scan::ScanConfig& config, std::size_t plant_values)
     : digest_(std::move(digest)),
       loaded_(std::move(loaded)),

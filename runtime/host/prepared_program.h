@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/bytecode/loader/loaded_program.h"
+#include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/host/area_driver.h"
 #include "runtime/host/event_ring.h"
 #include "runtime/host/step_watch.h"
@@ -34,7 +34,7 @@ class PreparedProgram {
   PreparedProgram& operator=(const PreparedProgram&) = delete;
 
   const std::string& digest() const { return digest_; }
-  const loader::LoadedProgram& loaded() const { return loaded_; }
+  const reader::LoadedProgram& loaded() const { return loaded_; }
 
   // Scan thread only.
   image::ProcessImage& image() { return image_; }
@@ -44,11 +44,11 @@ class PreparedProgram {
   EventRing& events() { return events_; }
 
  private:
-  PreparedProgram(loader::LoadedProgram loaded, std::string digest, AreaDriver& io, scan::Clock& clock,
+  PreparedProgram(reader::LoadedProgram loaded, std::string digest, AreaDriver& io, scan::Clock& clock,
                   const scan::ScanConfig& config, std::size_t plant_values);
 
   std::string digest_;
-  loader::LoadedProgram loaded_;
+  reader::LoadedProgram loaded_;
   std::vector<std::byte> memory_;
   std::vector<std::uint64_t> stack_;
   image::ProcessImage image_;
