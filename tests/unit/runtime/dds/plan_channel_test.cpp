@@ -37,6 +37,8 @@ TEST(PlanChannel, WhenAViewerAsks_ThenTheSupervisorGetsEveryRequestInOrder) {
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
   while (!subscriber->request("0") && std::chrono::steady_clock::now() < deadline) {
   }
+  while (!subscriber->supervisor_alive() && std::chrono::steady_clock::now() < deadline) {
+  }
   EXPECT_TRUE(subscriber->supervisor_alive());
   for (int i = 1; i < 10; ++i) ASSERT_TRUE(subscriber->request(std::to_string(i)));
   for (int i = 0; i < 10; ++i) EXPECT_EQ(publisher->wait_request(kPatience), std::to_string(i));
