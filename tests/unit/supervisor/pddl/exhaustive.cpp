@@ -50,11 +50,26 @@ struct Dynamic {
   friend auto operator<=>(const Dynamic&, const Dynamic&) = default;
 };
 
+void find_replaced(const Effect& effect, std::set<int>& functions) {
+  const bool counted = effect.change == ChangeKind::Increase || effect.change == ChangeKind::Decrease;
+  if (effect.kind == EffectKind::Numeric && !counted) functions.insert(effect.call.symbol);
+  for (const Effect& part : effect.parts) find_replaced(part, functions);
+}
+
+// The functions that only the metric reads and that actions only add to: they do not tell states apart.
+std::set<int> counting_functions(const Definition& definition) {
+  std::set<int> replaced;
+  for (const Action& action : definition.actions) find_replaced(action.effect, replaced);
+  std::set<int> counting = metric_only_functions(definition);
+  std::erase_if(counting, [&](int function) { return replaced.count(function) != 0; });
+  return counting;
+}
+
 // Takes states apart into what changes and what stays, and puts them together again.
 class Splitter {
  public:
   explicit Splitter(const Task& task) : definition_(task.definition()), whole_(initial_state(definition_)) {
-    const std::set<int> counting = metric_only_functions(definition_);
+    const std::set<int> counting = counting_functions(definition_);
     for (const auto& [fluent, value] : whole_.fluents) {
       if (!definition_.functions[static_cast<std::size_t>(fluent.symbol)].changes) continue;
       (counting.count(fluent.symbol) != 0 ? counters_ : fluents_).push_back(fluent);
@@ -131,7 +146,7 @@ std::optional<Optimum> exhaustive_optimum(const Task& task, std::size_t most_sta
   std::priority_queue<Entry, std::vector<Entry>, Later> open;
   std::size_t order = 0;
   const bool all = definition.metric &&
-                   can_fall(definition, definition.metric->expression, metric_only_functions(definition));
+                   can_fall(definition, definition.metric->expression, counting_functions(definition));
   std::optional<Optimum> best_goal;
   const auto visit = [&](const Executor& executor, std::size_t steps) {
     const double cost = cost_of(definition, executor, steps);

@@ -52,11 +52,13 @@ TEST(Grounding, WhenAnActionCanNeverRun_ThenItIsLeftOut) {
 }
 
 TEST(Grounding, WhenCostsDependOnTheState_ThenTheirRangeIsKnown) {
-  const GroundTask ground = ground_all(testing::bench_task());
+  const Task task = testing::bench_task();
+  const GroundTask ground = ground_all(task);
   for (const GroundOperator& op : ground.operators) {
     EXPECT_GE(op.cost.low, 0.0);  // what a partial order postpones is positive by its precondition
   }
-  const GroundTask load = ground_all(testing::bench_task("_load"));
+  const Task load_task = testing::bench_task("_load");
+  const GroundTask load = ground_all(load_task);
   for (const GroundOperator& op : load.operators) {
     if (action_of(load, op).name == "move") {
       EXPECT_GE(op.cost.low, 2.0);  // the vehicle is never empty
@@ -79,9 +81,11 @@ TEST(Grounding, WhenStaticFactsRelateParameters_ThenTheyAreJoined) {
 }
 
 TEST(Grounding, WhenAFluentOnlyCounts_ThenItIsNoVariable) {
-  const GroundTask counting = ground_all(testing::counter_task("(= (n) 10)"));
+  const Task plain = testing::counter_task("(= (n) 10)");
+  const GroundTask counting = ground_all(plain);
   EXPECT_EQ(counting.variables.size(), 1u);
-  const GroundTask reading = ground_all(testing::counter_task("(and (= (n) 10) (<= (effort) 8))"));
+  const Task limited = testing::counter_task("(and (= (n) 10) (<= (effort) 8))");
+  const GroundTask reading = ground_all(limited);
   EXPECT_EQ(reading.variables.size(), 2u);
 }
 

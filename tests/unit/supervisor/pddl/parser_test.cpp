@@ -8,7 +8,7 @@
 namespace stepwright::pddl {
 namespace {
 
-constexpr const char* good_domain = R"((define (domain d)
+constexpr const char* kGoodDomain = R"((define (domain d)
   (:requirements :typing :numeric-fluents)
   (:types car place)
   (:predicates (at ?c - car ?p - place))
@@ -18,7 +18,7 @@ constexpr const char* good_domain = R"((define (domain d)
     :precondition (and (at ?c ?a) (>= (fuel ?c) 1))
     :effect (and (not (at ?c ?a)) (at ?c ?b) (decrease (fuel ?c) 1))))
 )";
-constexpr const char* good_problem = R"((define (problem p)
+constexpr const char* kGoodProblem = R"((define (problem p)
   (:domain d)
   (:objects c - car x y - place)
   (:init (at c x) (= (fuel c) 3))
@@ -46,8 +46,8 @@ class BadInput : public ::testing::TestWithParam<Case> {};
 
 TEST_P(BadInput, WhenRead_ThenLocated) {
   const Case& c = GetParam();
-  const std::string domain = c.in_domain ? replaced(good_domain, c.from, c.to) : good_domain;
-  const std::string problem = c.in_domain ? good_problem : replaced(good_problem, c.from, c.to);
+  const std::string domain = c.in_domain ? replaced(kGoodDomain, c.from, c.to) : kGoodDomain;
+  const std::string problem = c.in_domain ? kGoodProblem : replaced(kGoodProblem, c.from, c.to);
   const auto task = parse_task({"d.pddl", domain}, {"p.pddl", problem});
   ASSERT_FALSE(task.has_value());
   const auto found = std::find_if(task.error().begin(), task.error().end(),
@@ -59,17 +59,17 @@ TEST_P(BadInput, WhenRead_ThenLocated) {
   EXPECT_NE((found->message + found->hint).find(c.part), std::string::npos) << result::to_string(*found);
 }
 
-const Case cases[] = {
-    {"UnexpectedCharacter", true, "(fuel ?c) 1)", "(fuel ?c) $1)", 8, 47, "P0002", "$"},
+const Case kCases[] = {
+    {"UnexpectedCharacter", true, "(fuel ?c) 1)", "(fuel ?c) $1)", 8, 49, "P0002", "$"},
     {"MissingName", true, "(domain d)", "(domain ?d)", 1, 17, "P0003", "expected the name of the domain"},
     {"EndOfFile", true, "(decrease (fuel ?c) 1))))", "(decrease (fuel ?c) 1))", 10, 1, "P0004", "line 6"},
-    {"BadNumber", true, "(fuel ?c) 1))", "(fuel ?c) 1x))", 8, 47, "P0005", "1x"},
+    {"BadNumber", true, "(fuel ?c) 1))", "(fuel ?c) 1x))", 8, 49, "P0005", "1x"},
     {"SectionTwice", true, "(:types car place)", "(:types car place) (:types bus)", 3, 23, "P0007", ":types"},
-    {"Either", true, "(at ?c - car", "(at ?c - (either car place)", 4, 26, "P0008", "either"},
+    {"Either", true, "(at ?c - car", "(at ?c - (either car place)", 4, 25, "P0008", "either"},
     {"Durative", true, "(:action go", "(:durative-action go", 6, 4, "P0008", "no duration"},
-    {"UnknownType", true, "?c - car ?a ?b - place)", "?c - car ?a ?b - plaec)", 7, 39, "P0101", "'place'"},
+    {"UnknownType", true, "?c - car ?a ?b - place)", "?c - car ?a ?b - plaec)", 7, 35, "P0101", "'place'"},
     {"UnknownPredicate", true, "(and (at ?c ?a)", "(and (att ?c ?a)", 8, 25, "P0102", "'at'"},
-    {"UnknownFunction", true, "(>= (fuel ?c)", "(>= (fule ?c)", 8, 41, "P0103", "'fuel'"},
+    {"UnknownFunction", true, "(>= (fuel ?c)", "(>= (fule ?c)", 8, 40, "P0103", "'fuel'"},
     {"UnknownVariable", true, "(at ?c ?b) (d", "(at ?c ?bb) (d", 9, 42, "P0105", "'?b'"},
     {"Arity", true, "(and (at ?c ?a)", "(and (at ?c)", 8, 25, "P0106", "takes 2"},
     {"TypeMismatch", true, "(and (at ?c ?a)", "(and (at ?a ?c)", 8, 28, "P0107", "'place'"},
@@ -77,7 +77,7 @@ const Case cases[] = {
     {"TypeCycle", true, "(:types car place)", "(:types car - place place - car)", 3, 11, "P0109", "ancestor"},
     {"OtherDomain", false, "(:domain d)", "(:domain e)", 2, 12, "P0111", "'e'"},
     {"NoGoal", false, "(:goal (at c y))", "", 1, 18, "P0113", "goal"},
-    {"UnknownObject", false, "(at c x)", "(at c xx)", 4, 15, "P0104", "'x'"},
+    {"UnknownObject", false, "(at c x)", "(at c xx)", 4, 16, "P0104", "'x'"},
     {"UnknownObjectInGoal", false, "(at c y)", "(at c why)", 5, 16, "P0104", "why"},
     {"TwoValues", false, "(= (fuel c) 3)", "(= (fuel c) 3) (= (fuel c) 4)", 4, 38, "P0114", "fuel"},
     {"ValueNotANumber", false, "(= (fuel c) 3)", "(= (fuel c) x)", 4, 31, "P0003", "a number"},
@@ -90,11 +90,11 @@ const Case cases[] = {
     {"SwappedFiles", false, "(problem p)", "(domain p)", 1, 10, "P0003", "order"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Pddl, BadInput, ::testing::ValuesIn(cases),
+INSTANTIATE_TEST_SUITE_P(Pddl, BadInput, ::testing::ValuesIn(kCases),
                          [](const auto& c) { return std::string(c.param.name); });
 
 TEST(Parser, WhenInputIsGood_ThenATaskWithItsParts) {
-  const auto task = parse_task({"d.pddl", good_domain}, {"p.pddl", good_problem});
+  const auto task = parse_task({"d.pddl", kGoodDomain}, {"p.pddl", kGoodProblem});
   ASSERT_TRUE(task.has_value()) << result::to_string(task.error());
   EXPECT_EQ(task->domain_name(), "d");
   EXPECT_EQ(task->problem_name(), "p");
@@ -105,18 +105,18 @@ TEST(Parser, WhenInputIsGood_ThenATaskWithItsParts) {
 }
 
 TEST(Parser, WhenUpperCase_ThenSameTaskAsLowerCase) {
-  std::string upper = good_problem;
+  std::string upper = kGoodProblem;
   std::transform(upper.begin(), upper.end(), upper.begin(), [](char c) { return std::toupper(c); });
-  const auto task = parse_task({"d.pddl", good_domain}, {"p.pddl", upper});
+  const auto task = parse_task({"d.pddl", kGoodDomain}, {"p.pddl", upper});
   ASSERT_TRUE(task.has_value()) << result::to_string(task.error());
-  EXPECT_EQ(task->initial(), parse_task({"", good_domain}, {"", good_problem})->initial());
+  EXPECT_EQ(task->initial(), parse_task({"", kGoodDomain}, {"", kGoodProblem})->initial());
 }
 
 TEST(Parser, WhenSeveralErrors_ThenAllAreReportedInOrder) {
-  std::string domain = replaced(good_domain, "(and (at ?c ?a)", "(and (att ?c ?a)");
+  std::string domain = replaced(kGoodDomain, "(and (at ?c ?a)", "(and (att ?c ?a)");
   domain = replaced(domain, "(decrease (fuel ?c) 1)", "(decrease (fool ?c) 1)");
   const auto task =
-      parse_task({"d.pddl", domain}, {"p.pddl", replaced(good_problem, "(at c y)", "(at c z)")});
+      parse_task({"d.pddl", domain}, {"p.pddl", replaced(kGoodProblem, "(at c y)", "(at c z)")});
   ASSERT_FALSE(task.has_value());
   ASSERT_EQ(task.error().size(), 3u) << result::to_string(task.error());
   EXPECT_EQ(task.error()[0].where.line, 8u);
@@ -125,16 +125,16 @@ TEST(Parser, WhenSeveralErrors_ThenAllAreReportedInOrder) {
 }
 
 TEST(Parser, WhenSyntaxErrorsInTwoSections_ThenBothAreReportedByRecovery) {
-  std::string domain = replaced(good_domain, "(:types car place)", "(:types ?car place)");
+  std::string domain = replaced(kGoodDomain, "(:types car place)", "(:types ?car place)");
   domain = replaced(domain, ":parameters (?c", ":parameters (c");
-  const auto task = parse_task({"d.pddl", domain}, {"p.pddl", good_problem});
+  const auto task = parse_task({"d.pddl", domain}, {"p.pddl", kGoodProblem});
   ASSERT_FALSE(task.has_value());
   EXPECT_EQ(task.error().size(), 2u) << result::to_string(task.error());
 }
 
 TEST(Parser, WhenRequirementIsMissing_ThenWarningWithItsPlace) {
   const auto task =
-      parse_task({"d.pddl", replaced(good_domain, " :numeric-fluents", "")}, {"p.pddl", good_problem});
+      parse_task({"d.pddl", replaced(kGoodDomain, " :numeric-fluents", "")}, {"p.pddl", kGoodProblem});
   ASSERT_TRUE(task.has_value());
   ASSERT_EQ(task->warnings().size(), 1u);
   EXPECT_EQ(task->warnings()[0].code, "P0110");
@@ -143,18 +143,18 @@ TEST(Parser, WhenRequirementIsMissing_ThenWarningWithItsPlace) {
 
 TEST(Parser, WhenNestedTooDeeply_ThenErrorNotCrashInGoalAndEffect) {
   const std::string deep = "(and " + std::string(100000, '(');
-  auto task = parse_task({"", good_domain}, {"", replaced(good_problem, "(at c y)", deep)});
+  auto task = parse_task({"", kGoodDomain}, {"", replaced(kGoodProblem, "(at c y)", deep)});
   EXPECT_FALSE(task.has_value());
   std::string nested;
   for (int i = 0; i < 5000; ++i) nested += "(and ";
-  task = parse_task({"", replaced(good_domain, "(and (not (at", nested + "(not (at")}, {"", good_problem});
+  task = parse_task({"", replaced(kGoodDomain, "(and (not (at", nested + "(not (at")}, {"", kGoodProblem});
   ASSERT_FALSE(task.has_value());
   EXPECT_EQ(task.error()[0].code, "P0006");
 }
 
 TEST(Parser, WhenTextIsCutAnywhere_ThenErrorNotCrashAtEveryByte) {
-  const std::string domain = good_domain;
-  const std::string problem = good_problem;
+  const std::string domain = kGoodDomain;
+  const std::string problem = kGoodProblem;
   for (std::size_t i = 0; i + 3 < domain.size(); ++i) {
     EXPECT_FALSE(parse_task({"d", domain.substr(0, i)}, {"p", problem}).has_value()) << i;
   }
