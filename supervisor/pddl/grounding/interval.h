@@ -11,7 +11,7 @@
 
 namespace stepwright::pddl {
 
-inline constexpr double kInfinity = std::numeric_limits<double>::kInfinity();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Interval {
   double low = kInfinity;
