@@ -25,15 +25,15 @@ struct ScanFigures {
 };
 
 struct CellState {
-  bool runtime_alive = false;   // the link and the runtime behind it answer
+  bool runtime_alive = false;  // the link and the runtime behind it answer
   bool supervisor_alive = false;
-  std::string runtime_state;    // "empty", "stopped", "running", "fault"; empty = not known
-  std::string runtime_detail;   // a sentence about a fault
-  bool waiting = false;         // the simulated clock stands still for the supervisor's decision
-  std::string program_digest;   // of the program whose steps and tags these are; empty = none
+  std::string runtime_state;   // "empty", "stopped", "running", "fault"; empty = not known
+  std::string runtime_detail;  // a sentence about a fault
+  bool waiting = false;        // the simulated clock stands still for the supervisor's decision
+  std::string program_digest;  // of the program whose steps and tags these are; empty = none
   std::uint64_t scan = 0;
-  double time_s = 0;            // the cell's clock
-  std::string trace_hash;       // hex
+  double time_s = 0;       // the cell's clock
+  std::string trace_hash;  // hex
   ScanFigures figures;
   std::vector<std::uint32_t> active_steps;
   std::vector<std::uint32_t> true_transitions;

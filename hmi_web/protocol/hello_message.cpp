@@ -10,9 +10,12 @@ using nlohmann::json;
 
 const char* to_string(TankSide side) {
   switch (side) {
-    case TankSide::Above: return "above";
-    case TankSide::Below: return "below";
-    case TankSide::OnVehicle: return "vehicle";
+    case TankSide::Above:
+      return "above";
+    case TankSide::Below:
+      return "below";
+    case TankSide::OnVehicle:
+      return "vehicle";
   }
   return "below";
 }
@@ -48,10 +51,7 @@ json to_json(const Tank& tank) {
 }
 
 json to_json(const Pump& pump) {
-  return {{"id", pump.id},
-          {"label", pump.label},
-          {"running", pump.running_point},
-          {"flow", pump.flow_point}};
+  return {{"id", pump.id}, {"label", pump.label}, {"running", pump.running_point}, {"flow", pump.flow_point}};
 }
 
 json to_json(const Pipe& pipe) {

@@ -9,7 +9,8 @@
 
 namespace stepwright::protocol {
 
-// Three decimals are finer than any sensor of a cell, and a value that only trembles behind them is no change.
+// Three decimals are finer than any sensor of a cell, and a value that only trembles behind them is no
+// change.
 nlohmann::json number(double value);
 nlohmann::json number(const std::optional<double>& value);
 nlohmann::json numbers(const std::vector<std::optional<double>>& values);

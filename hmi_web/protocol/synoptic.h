@@ -45,11 +45,11 @@ struct Tank {
   std::string id;
   std::string label;
   TankSide side = TankSide::Below;
-  std::string at;            // a place or a vehicle
-  std::string level_point;   // measured, percent
-  std::string truth_point;   // of a simulated plant, percent
-  double low_percent = 0;    // below: abnormal (0 = no limit)
-  double high_percent = 0;   // above: abnormal (0 = no limit)
+  std::string at;           // a place or a vehicle
+  std::string level_point;  // measured, percent
+  std::string truth_point;  // of a simulated plant, percent
+  double low_percent = 0;   // below: abnormal (0 = no limit)
+  double high_percent = 0;  // above: abnormal (0 = no limit)
 };
 
 // Drawn once, beside the tank from which its pipes lead.

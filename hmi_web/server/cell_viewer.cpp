@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "hmi_web/server/image_value.h"
+
 namespace stepwright::server {
 namespace {
 
@@ -13,11 +15,15 @@ std::string hexadecimal(std::uint64_t value) {
   return digits.data();
 }
 
-std::vector<std::uint32_t> indices_of_true(const std::vector<ImageLocation>& bits,
-                                           std::span<const std::byte> image) {
+bool is_true(const std::optional<reader::Variable>& bit, std::span<const std::byte> image) {
+  return bit && read(*bit, image).value_or(0) != 0;
+}
+
+template <typename Bits>
+std::vector<std::uint32_t> indices_of_true(const Bits& bits, std::span<const std::byte> image) {
   std::vector<std::uint32_t> indices;
   for (std::size_t i = 0; i < bits.size(); ++i) {
-    if (read(bits[i], image).value_or(0) != 0) indices.push_back(static_cast<std::uint32_t>(i));
+    if (is_true(bits[i], image)) indices.push_back(static_cast<std::uint32_t>(i));
   }
   return indices;
 }

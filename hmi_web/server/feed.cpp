@@ -47,8 +47,7 @@ bool Feed::take_state(const CellView& view, bool whole, Time now) {
   const bool beat = now - last_sent_ >= options_.beat;
   if (sequence_ != 0 && !whole && !beat && view.state == state_) return false;
   ++sequence_;
-  delta_ = whole || sequence_ == 1 ? nullptr
-                                   : shared(protocol::delta_message(state_, view.state, sequence_));
+  delta_ = whole || sequence_ == 1 ? nullptr : shared(protocol::delta_message(state_, view.state, sequence_));
   state_ = view.state;
   whole_ = nullptr;
   last_sent_ = now;

@@ -27,11 +27,11 @@ namespace stepwright::server {
 using MessageText = std::shared_ptr<const std::string>;
 
 struct FeedOptions {
-  std::chrono::milliseconds beat{1'000};          // a viewer hears something at least this often
-  std::chrono::milliseconds trend_spacing{100};   // between two rows of the trend
-  std::size_t trend_rows = 6'000;                 // kept: ten minutes
+  std::chrono::milliseconds beat{1'000};         // a viewer hears something at least this often
+  std::chrono::milliseconds trend_spacing{100};  // between two rows of the trend
+  std::size_t trend_rows = 6'000;                // kept: ten minutes
   std::size_t trend_rows_per_message = 1'000;
-  std::size_t max_plan_bytes = 4u << 20;          // a longer plan document is ignored
+  std::size_t max_plan_bytes = 4u << 20;  // a longer plan document is ignored
 };
 
 class Feed {
@@ -76,8 +76,8 @@ class Feed {
   std::uint64_t program_revision_ = 0;
   protocol::CellState state_;
   std::uint64_t sequence_ = 0;  // of state_; 0 = never one
-  MessageText delta_;  // from sequence_ - 1 to sequence_; null if that step needs the whole state
-  mutable MessageText whole_;     // of sequence_, made when the first viewer needs it
+  MessageText delta_;           // from sequence_ - 1 to sequence_; null if that step needs the whole state
+  mutable MessageText whole_;   // of sequence_, made when the first viewer needs it
   Time last_sent_{};
   std::string plan_source_;
   MessageText plan_;

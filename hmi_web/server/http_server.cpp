@@ -52,7 +52,8 @@ std::string_view view(beast::string_view text) {
 
 void add_common_fields(Response& response) {
   for (const auto& [name, value] : kSecurityHeaders) {
-    response.set(beast::string_view(name.data(), name.size()), beast::string_view(value.data(), value.size()));
+    response.set(beast::string_view(name.data(), name.size()),
+                 beast::string_view(value.data(), value.size()));
   }
 }
 
@@ -82,7 +83,8 @@ void fill_with_error(Response& response, const Decision& decision, bool head_onl
 // One HTTP connection until it ends or becomes a WebSocket. shared_ptr: each pending operation holds it.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
-  HttpConnection(tcp::socket socket, HttpServer::State& server) : stream_(std::move(socket)), server_(server) {}
+  HttpConnection(tcp::socket socket, HttpServer::State& server)
+      : stream_(std::move(socket)), server_(server) {}
   ~HttpConnection() {
     if (!upgraded_) server_.end_connection();
   }
@@ -106,10 +108,10 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void answer() {
     const HttpRequest& request = parser_->get();
     const auto header = [&](http::field name) { return view(request[name]); };
-    const Decision decision = server_.policy->decide({view(request.method_string()), view(request.target()),
-                                                      header(http::field::host), header(http::field::origin),
-                                                      header(http::field::if_none_match),
-                                                      beast::websocket::is_upgrade(request)});
+    const Decision decision =
+        server_.policy->decide({view(request.method_string()), view(request.target()),
+                                header(http::field::host), header(http::field::origin),
+                                header(http::field::if_none_match), beast::websocket::is_upgrade(request)});
     if (decision.status == 101) {
       upgraded_ = true;
       stream_.expires_never();
@@ -225,9 +227,10 @@ result::Result<std::unique_ptr<HttpServer>> HttpServer::listen(const ListenAddre
   if (!error) acceptor.bind(endpoint, error);
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
   if (error == asio::error::address_in_use) {
-    return result::fail("H0001", {}, "port " + std::to_string(address.port) + " of " + address.host +
-                                         " is in use by another program",
-                        "stop that program, or choose another port with --port or hmi.port");
+    return result::fail(
+        "H0001", {},
+        "port " + std::to_string(address.port) + " of " + address.host + " is in use by another program",
+        "stop that program, or choose another port with --port or hmi.port");
   }
   if (error) {
     return result::fail("H0002", {}, "cannot serve at " + where + ": " + error.message(),

@@ -24,10 +24,10 @@
 namespace stepwright::server {
 
 struct ServerLimits {
-  std::size_t connections = 128;               // more are closed at once
-  std::size_t header_bytes = 8'192;            // of a request
-  std::chrono::seconds request_timeout{10};    // from the first byte expected to the last
-  std::chrono::seconds silent_viewer{15};      // without any answer to pings: disconnected
+  std::size_t connections = 128;             // more are closed at once
+  std::size_t header_bytes = 8'192;          // of a request
+  std::chrono::seconds request_timeout{10};  // from the first byte expected to the last
+  std::chrono::seconds silent_viewer{15};    // without any answer to pings: disconnected
 };
 
 class HttpServer {

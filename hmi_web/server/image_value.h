@@ -1,10 +1,10 @@
 #pragma once
 
-// Where a value lies in the process image and how it is read out of a copy of it.
+// Values out of a copy of the process image: bounded reading, and direct addresses of the I/O areas.
 //
-//   std::optional<double> counts = read({2, 0, ImageType::I16}, snapshot.image);
+//   std::optional<double> counts = read({bytecode::ElementaryType::Int, 2}, snapshot.image);
 //
-// Pure; any thread. A location past the end of the image gives no value.
+// Pure; any thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,24 +12,16 @@
 #include <span>
 #include <string_view>
 
+#include "runtime/bytecode/reader/program_info.h"
+
 namespace stepwright::server {
 
-// As values lie in the image, little-endian (runtime/doc/bytecode_format.md). Bit is one bit of a byte, Bool a
-// byte that is 0 or 1.
-enum class ImageType : std::uint8_t { Bit, Bool, I8, U8, I16, U16, I32, U32, I64, U64, F32, F64 };
+// As reader::read_number; no value if the variable reaches past the end of the image.
+std::optional<double> read(const reader::Variable& variable, std::span<const std::byte> image);
 
-struct ImageLocation {
-  std::uint32_t byte = 0;
-  std::uint8_t bit = 0;  // Bit only
-  ImageType type = ImageType::Bool;
-};
-
-// 64-bit integers beyond 2^53 lose their last digits: the value is for showing, not for computing.
-std::optional<double> read(const ImageLocation& location, std::span<const std::byte> image);
-
-// A direct address in the input or output area: "%IX0.2", "%IW1" (bytes 2 and 3), "%QB4". An integer of width
-// W is signed, as INT is. `output_offset` is where the output area begins; inputs begin at 0. nullopt for
-// anything else, markers included.
-std::optional<ImageLocation> location_of_address(std::string_view address, std::uint32_t output_offset);
+// A direct address in the input or output area: "%IX0.2", "%IW1" (bytes 2 and 3), "%QB4". A word is read as
+// signed, as an INT at that address is. `output_offset` is where the output area begins; inputs begin at 0.
+// nullopt for anything else, markers included.
+std::optional<reader::Variable> variable_at(std::string_view address, std::uint32_t output_offset);
 
 }  // namespace stepwright::server

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "hmi_web/server/image_value.h"
+
 namespace stepwright::server {
 namespace {
 
-std::optional<ImageLocation> resolve(const PointSource& source, const ProgramLayout* layout) {
+std::optional<reader::Variable> resolve(const PointSource& source, const ProgramLayout* layout) {
   if (layout == nullptr) return std::nullopt;
   return source.kind == PointSourceKind::Tag ? find_tag(*layout, source.name)
-                                             : location_of_address(source.name, layout->output_offset);
+                                             : variable_at(source.name, layout->output_offset);
 }
 
 std::optional<double> truth(const ImageSnapshot& snapshot, const std::string& name) {
@@ -26,8 +28,8 @@ PointReader::PointReader(const std::vector<PointSources>& points, const ProgramL
     for (const PointSource& source : sources) {
       if (source.kind == PointSourceKind::PlantTruth) {
         resolved.push_back({source.name, source.factor, source.offset});
-      } else if (const auto location = resolve(source, layout)) {
-        resolved.push_back({*location, source.factor, source.offset});
+      } else if (const auto variable = resolve(source, layout)) {
+        resolved.push_back({*variable, source.factor, source.offset});
       }
     }
     points_.push_back(std::move(resolved));
@@ -38,8 +40,8 @@ std::vector<std::optional<double>> PointReader::read(const ImageSnapshot& snapsh
   std::vector<std::optional<double>> values(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) {
     for (const Resolved& source : points_[i]) {
-      const auto* location = std::get_if<ImageLocation>(&source.where);
-      const auto value = location != nullptr ? server::read(*location, snapshot.image)
+      const auto* variable = std::get_if<reader::Variable>(&source.where);
+      const auto value = variable != nullptr ? server::read(*variable, snapshot.image)
                                              : truth(snapshot, std::get<std::string>(source.where));
       if (!value) continue;
       values[i] = source.factor * *value + source.offset;

@@ -43,7 +43,7 @@ class PointReader {
 
  private:
   struct Resolved {
-    std::variant<ImageLocation, std::string> where;  // in the image, or the name of a plant truth
+    std::variant<reader::Variable, std::string> where;  // in the image, or the name of a plant truth
     double factor;
     double offset;
   };

@@ -18,7 +18,8 @@ std::string lower(std::string_view text) {
 RequestPolicy::RequestPolicy(const ListenAddress& address, protocol::Assets assets) : assets_(assets) {
   const bool is_ipv6 = address.host.find(':') != std::string::npos;
   const std::string own = is_ipv6 ? "[" + address.host + "]" : address.host;
-  for (const std::string& host : {std::string("localhost"), std::string("127.0.0.1"), std::string("[::1]"), own}) {
+  for (const std::string& host :
+       {std::string("localhost"), std::string("127.0.0.1"), std::string("[::1]"), own}) {
     authorities_.push_back(lower(host) + ":" + std::to_string(address.port));
     // Browsers leave the default port out.
     if (address.port == 80) authorities_.push_back(lower(host));

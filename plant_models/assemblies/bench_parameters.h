@@ -47,13 +47,13 @@ struct TrackParameters {
 
 struct BenchParameters {
   std::array<TankParameters, kTanks> tanks = {{
-      {.capacity_l = 15.0, .initial_percent = 80.0},  // f1: must hold all liquid at once
+      {.capacity_l = 20.0, .initial_percent = 55.0},  // f1: must hold all liquid at once
       {.initial_percent = 20.0},                      // v1
       {.initial_percent = 20.0},                      // a1
       {.initial_percent = 20.0},                      // a2
   }};
   std::array<PumpParameters, kPumps> pumps = {{
-      {.lift_m = 0.40},
+      {.lift_m = 0.34},
       {},
       {.shutoff_head_m = 1.2, .resistance_m_per_m3_s = 8.0e3, .lift_m = 0.40},
       {.shutoff_head_m = 1.2, .resistance_m_per_m3_s = 8.0e3, .lift_m = 0.40},

@@ -34,6 +34,7 @@ struct DemoOptions {
   std::optional<int> port;
   std::string json;
   std::string pictures;
+  std::string state_dir;
   std::vector<std::string> faults;
   std::vector<std::string> overrides;
 };
@@ -99,16 +100,20 @@ std::filesystem::path make_state_dir() {
   return mkdtemp(pattern.data()) == nullptr ? std::filesystem::path() : std::filesystem::path(pattern);
 }
 
+// Runs in `kept`, or in a temporary folder if that is empty.
 result::Result<CellRunResult> run_once(const std::filesystem::path& cell, std::vector<std::string> overrides,
-                                       bool page, int domain_offset) {
-  const std::filesystem::path state_dir = make_state_dir();
-  if (state_dir.empty()) return result::fail("M0004", {}, "no temporary folder can be made");
-  overrides.push_back("cell.state_dir=" + state_dir.string());
+                                       const std::filesystem::path& kept, bool page, int domain_offset) {
+  const std::filesystem::path state_dir = kept.empty() ? make_state_dir() : std::filesystem::absolute(kept);
+  std::error_code error;
+  std::filesystem::create_directories(state_dir, error);
+  if (state_dir.empty() || error) {
+    return result::fail("M0004", {state_dir.string(), 0, 0}, "the state folder cannot be made");
+  }
+  overrides.push_back("cell.state_dir=\"" + state_dir.string() + "\"");
   // Several demos may run on one machine: each has a domain of its own.
   overrides.push_back("dds.domain_id=" + std::to_string(10 + (getpid() * 2 + domain_offset) % 90));
   auto result = CellRun({cell, overrides, state_dir, page}).run(stop_requested);
-  std::error_code ignored;  // a leftover temporary folder does no harm
-  std::filesystem::remove_all(state_dir, ignored);
+  if (kept.empty()) std::filesystem::remove_all(state_dir, error);  // a leftover folder does no harm
   return result;
 }
 
@@ -130,7 +135,7 @@ int run_demo(const DemoOptions& options) {
                 static_cast<unsigned>(config->hmi.port));
     std::fflush(stdout);
   }
-  auto run = run_once(*cell, *overrides, !options.headless, 0);
+  auto run = run_once(*cell, *overrides, options.state_dir, !options.headless, 0);
   if (!run) return fail(run.error(), ExitCode::RuntimeFault);
   std::optional<CellRunResult> sequential;
   if (run->report && run->exit == ExitCode::Done && options.compare && !options.sequential &&
@@ -138,7 +143,7 @@ int run_demo(const DemoOptions& options) {
     std::vector<std::string> strict = *overrides;
     strict.emplace_back("planning.sequential=true");
     strict.emplace_back("clock.speed=0");
-    if (auto second = run_once(*cell, strict, false, 1)) sequential = std::move(*second);
+    if (auto second = run_once(*cell, strict, {}, false, 1)) sequential = std::move(*second);
   }
   if (run->report && options.headless)
     std::printf("%s", executive::report_table(run->report->record).c_str());
@@ -192,6 +197,7 @@ int demo_main(int argc, char** argv) {
   app.add_option("--port", options.port, "port of the web page")->check(CLI::Range(0, 65'535));
   app.add_option("--json", options.json, "write the figures to this file");
   app.add_option("--pictures", options.pictures, "write gantt.svg and cost.svg into this folder");
+  app.add_option("--state-dir", options.state_dir, "keep logs, journal and report in this folder");
   app.add_option("--fault", options.faults, "NAME=VALUE@SECONDS: a fault of the plant, or a changed demand");
   app.add_option("--set", options.overrides, "KEY=VALUE that wins over the cell's file");
   try {

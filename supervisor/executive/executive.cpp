@@ -136,7 +136,7 @@ bool Executive::recover_runtime() {
   // What happened meanwhile shows in the present steps; an event that the runtime waits for comes by itself.
   const auto snapshot = controller_.snapshot();
   if (!snapshot || snapshot->program_digest != digest_) return true;
-  time_s_ = static_cast<double>(snapshot->time_ns) * 1e-9;
+  take_time(snapshot->time_ns);
   const Decision decision = judge_steps(snapshot->image, time_s_);
   if (decision.verdict == Verdict::Finished) return finish();
   if (decision.verdict == Verdict::Replan) return replan(decision.cause);
@@ -212,7 +212,7 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
     }
     last_event_ = event->sequence;
     if (event->program_digest == digest_) {
-      time_s_ = static_cast<double>(event->time_ns) * 1e-9;
+      take_time(event->time_ns);
       if (event->kind == host::EventKind::Trap || event->kind == host::EventKind::Stopped) {
         return give_up("the runtime stopped while the sensors were read: " + event->detail);
       }
@@ -268,7 +268,7 @@ bool Executive::install(const PreparedPlan& prepared) {
     last_event_ = event->sequence;
     (void)controller_.acknowledge(event->sequence);
     if (event->kind != host::EventKind::Started || event->program_digest != digest_) continue;
-    time_s_ = static_cast<double>(event->time_ns) * 1e-9;
+    take_time(event->time_ns);
     return true;
   }
   return false;

@@ -89,6 +89,7 @@ class Executive {
   // executive_follow.cpp: watching one program.
   Decision follow();
   Decision judge(const host::StepEvent& event);
+  void take_time(std::int64_t time_ns);
   Decision judge_steps(std::span<const std::byte> image, double time_s);
   void note_progress(const translate::Progress& progress, double time_s);
   void note_done(std::size_t action, double time_s);
@@ -113,7 +114,8 @@ class Executive {
   std::map<std::string, double> changed_;  // fluents set from outside so far
   std::size_t next_change_ = 0;            // into options_.goal_changes
   std::uint64_t last_event_ = 0;
-  double time_s_ = 0.0;
+  double time_s_ = 0.0;         // of the record: scan clock, going on over restarts of the runtime
+  double time_offset_s_ = 0.0;  // record time - scan clock
 
   std::atomic<bool> abort_{false};
   std::mutex requests_mutex_;

@@ -14,8 +14,6 @@ std::string joined(const std::vector<std::string>& sentences) {
   return text;
 }
 
-constexpr double kNanoseconds = 1e-9;
-
 }  // namespace
 
 Executive::Decision Executive::follow() {
@@ -37,7 +35,7 @@ Executive::Decision Executive::follow() {
 
 Executive::Decision Executive::judge(const host::StepEvent& event) {
   if (event.program_digest != digest_) return {};  // news of a program that was replaced since
-  time_s_ = static_cast<double>(event.time_ns) * kNanoseconds;
+  take_time(event.time_ns);
   switch (event.kind) {
     case host::EventKind::Started:
       return {};
@@ -49,6 +47,13 @@ Executive::Decision Executive::judge(const host::StepEvent& event) {
       break;
   }
   return {Verdict::Replan, "the runtime stopped: " + event.detail};
+}
+
+// A runtime that was restarted counts its time from zero again; the record's time goes on.
+void Executive::take_time(std::int64_t time_ns) {
+  const double time_s = static_cast<double>(time_ns) * 1e-9;
+  if (time_s + time_offset_s_ < time_s_) time_offset_s_ = time_s_;
+  time_s_ = time_s + time_offset_s_;
 }
 
 Executive::Decision Executive::judge_steps(std::span<const std::byte> image, double time_s) {

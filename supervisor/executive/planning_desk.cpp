@@ -55,8 +55,10 @@ result::Result<PlanningDesk> PlanningDesk::open(const DeskOptions& options) {
 result::Result<PrepareOutcome> PlanningDesk::prepare(const StartState& start) const {
   auto task = task_.with_initial(pddl::from_named(start.planning));
   if (!task) return result::forward(task);
-  const model::Outcome solved =
-      pddl::solve(*task, {.optimal = options_.optimal, .budget = {.time = options_.time, .memory_mb = 0}});
+  pddl::Options search;
+  search.optimal = options_.optimal;
+  search.budget.time = options_.time;
+  const model::Outcome solved = pddl::solve(*task, search);
   PrepareOutcome outcome;
   outcome.reason = solved.reason;
   if (!solved.plan) {

@@ -82,7 +82,8 @@ struct Transfer {
   double ratio = 1.0;
 };
 
-// How long an action takes: fixed + per_unit x |change of `of`| in seconds.
+// How long an action takes: fixed + per_unit x |change of `of`| in seconds. A fluent that the action does not
+// change (a distance) counts with its value.
 struct DurationModel {
   double fixed_s = 0.0;
   double per_unit_s = 0.0;

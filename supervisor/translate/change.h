@@ -11,12 +11,9 @@
 #include <vector>
 
 #include "supervisor/model/planned_run.h"
-#include "supervisor/translate/binding.h"
+#include "supervisor/translate/guard.h"
 
 namespace stepwright::translate {
-
-// Measured minus planned value of fluents; a fluent that is not listed has 0.
-using Offsets = std::map<std::string, double>;
 
 // What one action changes. Changes of different actions add up in any order that the plan allows.
 struct Change {

@@ -58,14 +58,8 @@ graphic::Condition ChartWriter::after(graphic::StepId step, milliseconds time) c
 std::string time_literal(milliseconds time) {
   assert(time.count() >= 0);
   const long long total = time.count();
-  const long long minutes = total / 60'000;
-  const long long seconds = total / 1'000 % 60;
-  const long long rest = total % 1'000;
-  std::string text = "T#";
-  if (minutes != 0) text += std::to_string(minutes) + "m";
-  if (seconds != 0) text += std::to_string(seconds) + "s";
-  if (rest != 0 || text == "T#") text += std::to_string(rest) + "ms";
-  return text;
+  if (total % 1'000 == 0) return "T#" + std::to_string(total / 1'000) + "s";
+  return "T#" + std::to_string(total) + "ms";
 }
 
 }  // namespace stepwright::translate

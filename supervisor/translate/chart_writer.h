@@ -22,7 +22,7 @@ class ChartWriter {
   void transition(std::vector<graphic::StepId> sources, std::vector<graphic::StepId> targets,
                   graphic::Condition condition, std::string comment);
 
-  // "STEP.T >= T#1s500ms"
+  // "STEP.T >= T#1500ms"
   graphic::Condition after(graphic::StepId step, milliseconds time) const;
 
   // Every step whose name is taken (T0006).
@@ -38,7 +38,7 @@ class ChartWriter {
   result::Diagnostics problems_;
 };
 
-// "T#1m30s", "T#250ms"; requires time >= 0.
+// "T#90s", "T#250ms"; requires time >= 0.
 std::string time_literal(milliseconds time);
 
 }  // namespace stepwright::translate

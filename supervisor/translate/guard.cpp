@@ -42,7 +42,7 @@ bool is_upper_limit(Comparison comparison) {
 class GuardBuilder {
  public:
   GuardBuilder(const model::NamedState& before, const Binding& binding, const Tare& tare,
-               const std::map<std::string, double>& offsets)
+               const Offsets& offsets)
       : before_(before), binding_(binding), tare_(tare), offsets_(offsets) {}
 
   Part part(const model::Condition& condition) {
@@ -137,7 +137,7 @@ class GuardBuilder {
   const model::NamedState& before_;
   const Binding& binding_;
   const Tare& tare_;
-  const std::map<std::string, double>& offsets_;
+  const Offsets& offsets_;
   std::vector<std::string> assumed_;
   std::set<std::string> values_;
 };
@@ -145,7 +145,7 @@ class GuardBuilder {
 }  // namespace
 
 result::Result<Guard> make_guard(const model::PlannedAction& planned, const Binding& binding,
-                                 const Tare& tare, const std::map<std::string, double>& offsets) {
+                                 const Tare& tare, const Offsets& offsets) {
   if (!model::holds(planned.precondition, planned.before)) {
     return result::fail("T0005", {},
                         "the precondition of " + to_string(planned.action) +

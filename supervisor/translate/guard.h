@@ -20,18 +20,19 @@
 
 namespace stepwright::translate {
 
+// Measured minus planned value of fluents; a fluent that is not listed has 0.
+using Offsets = std::map<std::string, double>;
+
 struct Guard {
   graphic::Condition condition;      // True if nothing can be checked
   std::vector<std::string> assumed;  // PDDL text of the parts that are not checked
   std::set<std::string> values;      // sensors whose calibrated level the condition reads
 };
 
-// `offsets` are measured minus planned values of fluents: each widens the tolerance of its sensor, because
-// the plan was made for the rounded value. Fails with T0005 if the
-// precondition does not hold in `before`, the state in which the plan itself has the action.
+// Each of the `offsets` widens the tolerance of its sensor, because the plan was made for the rounded value.
+// Fails with T0005 if the precondition does not hold in `before`, the state in which the plan has the action.
 [[nodiscard]] result::Result<Guard> make_guard(const model::PlannedAction& planned, const Binding& binding,
-                                               const Tare& tare,
-                                               const std::map<std::string, double>& offsets);
+                                               const Tare& tare, const Offsets& offsets);
 
 // "S1_value": the calibrated level as REAL.
 std::string value_variable(const Sensor& sensor);

@@ -27,7 +27,8 @@ result::Result<double> nominal_duration(const model::PlannedAction& planned, con
                         "the duration of " + to_string(planned.action) + " counts " + fluent +
                             ", which the plan's states lack");
   }
-  duration += entry.duration.per_unit_s * std::abs(after->second - before->second);
+  const double change = std::abs(after->second - before->second);
+  duration += entry.duration.per_unit_s * (change != 0.0 ? change : std::abs(after->second));
   return duration;
 }
 

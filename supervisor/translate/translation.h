@@ -36,10 +36,10 @@ namespace stepwright::translate {
 struct TranslateOptions {
   bool sequential = false;  // one action after the other, as in the paper
   std::int64_t interval_us = 10'000;
-  Tare tare;
+  Tare tare{};
   // Fluents as measured at the start, where they differ from the plan's rounded initial state (replanning);
   // empty = as planned.
-  std::map<std::string, double> measured;
+  std::map<std::string, double> measured{};
 };
 
 enum class StepKind : std::uint8_t { Start, Action, Rest, Wait, Settle, Done, Failed, Search };

@@ -18,8 +18,8 @@ struct ScriptedAction {
   double start_s;
   double finish_s;
   Effect effect;
-  int place;        // -1 a1, 0 f1, +1 a2; of a move: where it ends
-  double percent;   // moved liquid
+  int place;               // -1 a1, 0 f1, +1 a2; of a move: where it ends
+  double percent;          // moved liquid
   std::vector<int> after;  // actions that it waits for; none = the start
 };
 

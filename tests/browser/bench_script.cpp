@@ -77,11 +77,13 @@ void BenchScript::add_steps_and_transitions() {
   std::vector<std::vector<std::uint32_t>> inputs(actions.size());
   std::vector<std::vector<int>> successors(actions.size());
   for (std::size_t i = 0; i < actions.size(); ++i) {
-    for (const int before : actions[i].after) successors[static_cast<std::size_t>(before)].push_back(static_cast<int>(i));
+    for (const int before : actions[i].after)
+      successors[static_cast<std::size_t>(before)].push_back(static_cast<int>(i));
   }
   program_.transitions.push_back({"T00", {0}, {1}, "fc1"});
   for (std::size_t i = 0; i < actions.size(); ++i) {
-    protocol::ProgramTransition done{"T_" + std::string(actions[i].step), {static_cast<std::uint32_t>(i + 1)}, {}, {}};
+    protocol::ProgramTransition done{
+        "T_" + std::string(actions[i].step), {static_cast<std::uint32_t>(i + 1)}, {}, {}};
     done.condition = actions[i].effect == Effect::Move ? (actions[i].place < 0   ? "fc2"
                                                           : actions[i].place > 0 ? "fc3"
                                                                                  : "fc1")
@@ -134,7 +136,12 @@ std::string BenchScript::plan_document(double time_s) const {
                        {"planned_start_s", action.planned_start_s},
                        {"planned_finish_s", action.planned_finish_s}});
   }
-  const BenchInstant now = at(time_s);
+  // Both are of the newest completion: that is when the supervisor compares.
+  double compared_s = 0;
+  for (const auto& action : scripted) {
+    if (action.finish_s <= time_s) compared_s = std::max(compared_s, action.finish_s);
+  }
+  const BenchInstant now = at(compared_s);
   json replans = json::array();
   if (time_s > 36.2) {
     replans.push_back({{"time_s", 36.2},
@@ -156,7 +163,10 @@ std::string BenchScript::plan_document(double time_s) const {
         {"optimal_plan_ms", 30.1}}},
       {"actions", actions},
       {"replans", replans},
-      {"expected", {{"(lev v1)", 2}, {"(level a1)", 5}, {"(level a2)", 5}}},
+      {"expected",
+       {{"(lev v1)", now.level_v1 / 10},
+        {"(level a1)", now.level_a1 / 10},
+        {"(level a2)", now.level_a2 / 10}}},
       {"observed",
        {{"(lev v1)", now.level_v1 / 10 + 0.03},
         {"(level a1)", now.level_a1 / 10 - 0.04},
@@ -174,7 +184,8 @@ std::string BenchScript::plan_document(double time_s) const {
 
 protocol::Synoptic bench_synoptic() {
   protocol::Synoptic s;
-  for (const auto& [id, label] : {std::pair{"v1", "vehicle v1"}, {"a1", "distributor a1"}, {"a2", "distributor a2"}}) {
+  for (const auto& [id, label] :
+       {std::pair{"v1", "vehicle v1"}, {"a1", "distributor a1"}, {"a2", "distributor a2"}}) {
     s.points.push_back({std::string(id) + ".level", label, "%", true});
     s.points.push_back({std::string(id) + ".truth", std::string(label) + ", true", "%", true});
   }

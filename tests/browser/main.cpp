@@ -1,5 +1,6 @@
-// hmi_scripted_cell [PORT [SPEED [START_S]]]: the real HMI server over a scripted bench, for the browser test.
-// Prints its address; "runtime off" and "runtime on" on its input end and restart the runtime that it plays.
+// hmi_scripted_cell [PORT [SPEED [START_S]]]: the real HMI server over a scripted bench, for the browser
+// test. Prints its address; "runtime off" and "runtime on" on its input end and restart the runtime that it
+// plays.
 
 #include <cstdio>
 #include <cstdlib>

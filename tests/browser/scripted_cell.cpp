@@ -5,11 +5,14 @@
 #include <cstring>
 #include <string>
 
+#include "hmi_web/server/image_value.h"
+#include "runtime/bytecode/value_type.h"
+
 namespace stepwright::browser {
 namespace {
 
-using server::ImageLocation;
-using server::ImageType;
+using bytecode::ElementaryType;
+using reader::Variable;
 
 constexpr std::uint32_t kInputBytes = 8;
 constexpr std::uint32_t kOutputBytes = 2;
@@ -32,7 +35,7 @@ double noisy(double percent, double time_s, double phase) {
 }
 
 void add_tag(server::ProgramLayout& layout, std::string name, std::string type, std::string address,
-             ImageLocation where) {
+             Variable where) {
   layout.program.tags.push_back({std::move(name), std::move(type), std::move(address)});
   layout.tags.push_back(where);
 }
@@ -42,21 +45,26 @@ std::shared_ptr<const server::ProgramLayout> layout_of(const protocol::Program& 
   layout->program = program;
   layout->output_offset = kInputBytes;
   for (std::uint32_t i = 0; i < program.steps.size(); ++i) {
-    layout->steps.push_back({kSteps + i, 0, ImageType::Bool});
+    layout->steps.push_back({ElementaryType::Bool, kSteps + i, bytecode::kNoBit});
   }
-  // A transition never stays true: a script has none of them.
-  layout->transitions.assign(program.transitions.size(), {kSteps - 1, 7, ImageType::Bit});
-  for (const auto& [name, address] : {std::pair{"fc1", "%IX0.0"}, {"fc2", "%IX0.1"}, {"fc3", "%IX0.2"},
-                                      {"B1", "%QX0.0"}, {"B2", "%QX0.1"}, {"drive_left", "%QX0.2"},
-                                      {"drive_right", "%QX0.3"}, {"B3", "%QX0.4"}, {"B4", "%QX0.5"}}) {
-    add_tag(*layout, name, "BOOL", address, *server::location_of_address(address, kInputBytes));
+  layout->transitions.resize(program.transitions.size());
+  for (const auto& [name, address] : {std::pair{"fc1", "%IX0.0"},
+                                      {"fc2", "%IX0.1"},
+                                      {"fc3", "%IX0.2"},
+                                      {"B1", "%QX0.0"},
+                                      {"B2", "%QX0.1"},
+                                      {"drive_left", "%QX0.2"},
+                                      {"drive_right", "%QX0.3"},
+                                      {"B3", "%QX0.4"},
+                                      {"B4", "%QX0.5"}}) {
+    add_tag(*layout, name, "BOOL", address, *server::variable_at(address, kInputBytes));
   }
   for (const auto& [name, address] : {std::pair{"S1", "%IW1"}, {"S2", "%IW2"}, {"S3", "%IW3"}}) {
-    add_tag(*layout, name, "INT", address, *server::location_of_address(address, kInputBytes));
+    add_tag(*layout, name, "INT", address, *server::variable_at(address, kInputBytes));
   }
   std::uint32_t at = kLevels;
-  for (const char* name : {"PLAN.S1_FILTERED", "PLAN.S2_FILTERED", "PLAN.S3_FILTERED"}) {
-    add_tag(*layout, name, "REAL", "", {at, 0, ImageType::F32});
+  for (const char* name : {"S1_filtered", "S2_filtered", "S3_filtered"}) {
+    add_tag(*layout, name, "REAL", "", {ElementaryType::Real, at, bytecode::kNoBit});
     at += 4;
   }
   return layout;
@@ -102,7 +110,8 @@ server::ImageSnapshot ScriptedCell::snapshot(double time_s) const {
   put_bit(image, 0, 0, at(0));
   put_bit(image, 0, 1, at(-1));
   put_bit(image, 0, 2, at(1));
-  const bool outputs[] = {bench.pump_b1, bench.pump_b2, bench.left, bench.right, bench.pump_b3, bench.pump_b4};
+  const bool outputs[] = {bench.pump_b1, bench.pump_b2, bench.left,
+                          bench.right,   bench.pump_b3, bench.pump_b4};
   for (int bit = 0; bit < 6; ++bit) put_bit(image, kInputBytes, bit, outputs[bit]);
   const double truth[] = {bench.level_v1, bench.level_a1, bench.level_a2};
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -110,10 +119,13 @@ server::ImageSnapshot ScriptedCell::snapshot(double time_s) const {
     put(image, 2 + 2 * i, static_cast<std::int16_t>(measured * 30 + 700));
     put(image, kLevels + 4 * i, static_cast<float>(measured * 30 + 700));
   }
-  for (std::size_t i = 0; i < bench.steps.size(); ++i) image[kSteps + i] = static_cast<std::byte>(bench.steps[i]);
+  for (std::size_t i = 0; i < bench.steps.size(); ++i)
+    image[kSteps + i] = static_cast<std::byte>(bench.steps[i]);
   const double supplier = 95 - (bench.level_v1 + bench.level_a1 + bench.level_a2 - 60) / 3;
-  result.plant = {{"position", bench.vehicle_position}, {"level_v1_percent", truth[0]},
-                  {"level_a1_percent", truth[1]},       {"level_a2_percent", truth[2]},
+  result.plant = {{"position", bench.vehicle_position},
+                  {"level_v1_percent", truth[0]},
+                  {"level_a1_percent", truth[1]},
+                  {"level_a2_percent", truth[2]},
                   {"level_f1_percent", supplier}};
   return result;
 }
@@ -121,15 +133,16 @@ server::ImageSnapshot ScriptedCell::snapshot(double time_s) const {
 std::vector<server::PointSources> ScriptedCell::point_sources() {
   using server::PointSourceKind;
   std::vector<server::PointSources> points;
-  for (const auto& [tag, truth] : {std::pair{"S1_FILTERED", "level_v1_percent"},
-                                   {"S2_FILTERED", "level_a1_percent"},
-                                   {"S3_FILTERED", "level_a2_percent"}}) {
+  for (const auto& [tag, truth] : {std::pair{"S1_filtered", "level_v1_percent"},
+                                   {"S2_filtered", "level_a1_percent"},
+                                   {"S3_filtered", "level_a2_percent"}}) {
     points.push_back({{PointSourceKind::Tag, tag, 1.0 / 30, -700.0 / 30}});
     points.push_back({{PointSourceKind::PlantTruth, truth}});
   }
   points.push_back({{PointSourceKind::PlantTruth, "level_f1_percent"}});
   points.push_back({{PointSourceKind::PlantTruth, "position"}});
-  for (const char* address : {"%QX0.2", "%QX0.3", "%IX0.0", "%IX0.1", "%IX0.2", "%QX0.0", "%QX0.1", "%QX0.4", "%QX0.5"}) {
+  for (const char* address :
+       {"%QX0.2", "%QX0.3", "%IX0.0", "%IX0.1", "%IX0.2", "%QX0.0", "%QX0.1", "%QX0.4", "%QX0.5"}) {
     points.push_back({{PointSourceKind::Address, address}});
   }
   return points;

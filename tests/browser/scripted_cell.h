@@ -1,6 +1,7 @@
 #pragma once
 
-// A CellSource whose cell follows the bench script at a chosen pace, with an image as a runtime would have it.
+// A CellSource whose cell follows the bench script at a chosen pace, with an image as a runtime would have
+// it.
 //
 // Threads: observe() from one, set_runtime_alive() from any.
 

@@ -82,9 +82,13 @@ ChartInfo chart_info(const ContainerView& view, const bytecode::SfcChartRecord& 
   }
   for (std::uint32_t i = 0; i < record.transition_count; ++i) {
     const auto transition = view.record<Section::SfcTransitions>(record.first_transition + i);
-    chart.transitions.push_back({text_of(view, transition.name), text_of(view, transition.condition),
-                                 links(view, transition.first_source, transition.source_count),
-                                 links(view, transition.first_target, transition.target_count)});
+    TransitionInfo info{text_of(view, transition.name), text_of(view, transition.condition),
+                        links(view, transition.first_source, transition.source_count),
+                        links(view, transition.first_target, transition.target_count), std::nullopt};
+    if (transition.address != bytecode::kNoIndex) {
+      info.fires = Variable{bytecode::ElementaryType::Bool, transition.address, transition.bit};
+    }
+    chart.transitions.push_back(std::move(info));
   }
   return chart;
 }

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,6 +49,7 @@ struct TransitionInfo {
   std::string condition;
   std::vector<std::uint32_t> sources;  // indexes into ChartInfo::steps
   std::vector<std::uint32_t> targets;
+  std::optional<Variable> fires;  // true in the scan in which it is crossed; none if no bit is kept
 };
 
 struct ChartInfo {

@@ -20,8 +20,6 @@ const Duration_t kLivelinessAssertion(0, 100'000'000u);
 // Announcing this often makes two processes find each other in well under a second, whoever comes first.
 const Duration_t kAnnouncement(0, 330'000'000u);
 const Duration_t kParticipantLease(1, 0);
-// How many processes of one domain find each other on this machine (each announces to so many ports).
-constexpr std::uint32_t kParticipants = 24;
 // A sender that is blocked for longer gives up; requests are repeated and events fetched again.
 const Duration_t kMaxBlocking(0, 50'000'000u);
 constexpr std::uint32_t kSocketBufferBytes = 4u << 20;
@@ -59,7 +57,7 @@ DomainParticipantQos participant_qos(const std::string& name) {
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
   // Loopback only: nothing of a cell is reachable from another machine until security is configured.
   udp->interfaceWhiteList.emplace_back("127.0.0.1");
-  udp->maxInitialPeersRange = kParticipants;
+  udp->maxInitialPeersRange = static_cast<std::uint32_t>(kParticipantsPerDomain);
   udp->sendBufferSize = kSocketBufferBytes;
   udp->receiveBufferSize = kSocketBufferBytes;
   udp->non_blocking_send = true;

@@ -9,6 +9,9 @@
 
 namespace stepwright::dds::internal {
 
+// How many processes of one domain find each other on this machine.
+inline constexpr std::int32_t kParticipantsPerDomain = 24;
+
 enum class Profile {
   Request,   // Command, ProgramChunk, Reply, OperatorRequest: reliable, kept until delivered
   Event,     // Event: reliable, a bounded queue

@@ -107,7 +107,8 @@ void BindingReader::read_sensors(const TomlTable& sensors) {
     if (!graphic::is_identifier(name)) sensors.report(name, "'" + name + "' cannot name a variable");
     sensor.tag = table.required_text("tag");
     const Tag* tag = sensor.tag.empty() ? nullptr : atoms_.tag(table, "tag", sensor.tag);
-    if (tag != nullptr && (tag->output || (tag->type != "INT" && tag->type != "UINT"))) {
+    const bool counts = tag == nullptr || tag->type == "INT" || tag->type == "UINT";
+    if (tag != nullptr && address_size_of(tag->type) && (tag->output || !counts)) {
       table.report("tag", "'" + sensor.tag + "' cannot be measured: it is no INT or UINT input");
     }
     if (const auto fluent = atoms_.atom(table, "fluent", AtomKind::Fluent, nullptr)) {

@@ -64,7 +64,8 @@ HandState HandBench::slope(const HandState& s) const {
     d.volume[i] -= draw;
     d.volume[0] += draw;
   }
-  for (std::size_t i = 0; i < 4; ++i) d.w[i] = ((inputs.pump[i] ? 1.0 : 0.0) - s.w[i]) / p_.pumps[i].time_constant_s;
+  for (std::size_t i = 0; i < 4; ++i)
+    d.w[i] = ((inputs.pump[i] ? 1.0 : 0.0) - s.w[i]) / p_.pumps[i].time_constant_s;
   if (direction_ != 0) {
     const auto& c = p_.vehicle;
     const double mass = c.empty_mass_kg + p_.density_kg_per_l * 1e3 * s.volume[1];

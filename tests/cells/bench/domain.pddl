@@ -21,6 +21,7 @@
     (demand ?c - client)
     (received ?c - client)
     (distance-travelled)
+    (transport-cost)                       ; distance x level on board, as the paper accounts for its Figures 15 and 16
     (postponed))                           ; units of demand that a partial order left open
 
   (:action load
@@ -33,7 +34,8 @@
     :parameters (?v - vehicle ?from ?to - place)
     :precondition (and (is-at ?v ?from) (not (= ?from ?to)))
     :effect (and (not (is-at ?v ?from)) (is-at ?v ?to)
-                 (increase (distance-travelled) (distance ?from ?to))))
+                 (increase (distance-travelled) (distance ?from ?to))
+                 (increase (transport-cost) (* (distance ?from ?to) (lev ?v)))))
 
   (:action unload
     :parameters (?v - vehicle ?d - distributor ?l - leveltransf)

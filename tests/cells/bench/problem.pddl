@@ -22,7 +22,7 @@
     (= (amount level1) 1) (= (amount level2) 2) (= (amount level3) 3) (= (amount level4) 4)
     (= (amount level5) 5) (= (amount level6) 6) (= (amount level7) 7) (= (amount level8) 8)
     (= (amount level9) 9) (= (amount level10) 10)
-    (= (distance-travelled) 0)
+    (= (distance-travelled) 0) (= (transport-cost) 0)
     (= (postponed) 0))
   (:goal (and
     (is-at v1 f1)

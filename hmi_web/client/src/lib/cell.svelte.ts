@@ -15,6 +15,18 @@ import {
 } from './protocol';
 import { TrendData } from './trend_data';
 
+// Planned times count from the start of their plan; everything else is the cell's clock.
+function onCellTime(document: PlanDocument): PlanDocument {
+  const start = document.episodes?.at(-1)?.started_s ?? 0;
+  const shift = (time: Value | undefined) => (typeof time === 'number' ? time + start : time);
+  const actions = document.actions?.map((action) => ({
+    ...action,
+    planned_start_s: shift(action.planned_start_s),
+    planned_finish_s: shift(action.planned_finish_s),
+  }));
+  return { ...document, ...(actions ? { actions } : {}) };
+}
+
 const NOTHING: LiveFields = {
   runtime_alive: false,
   supervisor_alive: false,
@@ -76,7 +88,7 @@ export class Cell {
       case 'delta':
         return this.takeDelta(message);
       case 'plan':
-        this.plan = message.document;
+        this.plan = onCellTime(message.document);
         return;
       case 'trend':
         this.trend.add(message);

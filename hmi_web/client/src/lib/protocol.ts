@@ -171,6 +171,8 @@ export interface PlanDocument {
     optimal_plan_ms?: Value;
   } | null;
   actions?: PlanAction[];
+  // Every plan of the run, the newest last; planned times count from its start.
+  episodes?: { started_s: number }[];
   replans?: Replan[];
   expected?: Record<string, Value>;
   observed?: Record<string, Value>;

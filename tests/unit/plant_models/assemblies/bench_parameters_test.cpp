@@ -21,7 +21,7 @@ TEST(BenchParameters, WhenOneFigureIsWrong_ThenRefusedAndNoPlantIsMade) {
       [](auto& p) { p.tanks[1].capacity_l = 0.0; },
       [](auto& p) { p.tanks[2].initial_percent = 101.0; },
       [](auto& p) { p.tanks[3].initial_percent = std::numeric_limits<double>::quiet_NaN(); },
-      [](auto& p) { p.tanks[0].capacity_l = 10.0; },  // cannot hold everything
+      [](auto& p) { p.tanks[0].initial_percent = 100.0; },  // cannot hold everything
       [](auto& p) { p.pumps[0].time_constant_s = -0.1; },
       [](auto& p) { p.pumps[1].lift_m = 0.2; },  // siphons
       [](auto& p) { p.pumps[2].resistance_m_per_m3_s = 0.0; },

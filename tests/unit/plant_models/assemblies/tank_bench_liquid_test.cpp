@@ -5,8 +5,8 @@
 namespace stepwright::assemblies {
 namespace {
 
-// One plan level in litres and in percent of a distributor.
-constexpr double kLevelPercent = 10.0;
+constexpr double kLevelPercent = 10.0;         // one plan level
+constexpr double kSupplierShare = 3.0 / 20.0;  // percent of f1 per percent of another tank
 
 TEST(TankBenchLiquid, WhenMade_ThenLevelsAreThoseOfTheProblem) {
   const BenchRig rig;
@@ -24,7 +24,7 @@ TEST(TankBenchLiquid, WhenOperatedByHand_ThenEveryStepMovesItsLiquid) {
   rig.pump("B1", 5.0);
   const double loaded = rig.truth("level_v1_percent");
   EXPECT_GT(loaded, 50.0);
-  EXPECT_LT(rig.truth("level_f1_percent"), 80.0 - (loaded - 20.0) / 5.0 + 1e-6);
+  EXPECT_LT(rig.truth("level_f1_percent"), 55.0 - (loaded - 20.0) * kSupplierShare + 1e-6);
   rig.drive("drive_left", "fc2");
   EXPECT_DOUBLE_EQ(rig.truth("level_v1_percent"), loaded);
   rig.pump("B2", 3.0);
@@ -37,10 +37,10 @@ TEST(TankBenchLiquid, WhenOperatedByHand_ThenEveryStepMovesItsLiquid) {
   const double drawn = rig.truth("delivered_c1_percent");
   EXPECT_GT(drawn, kLevelPercent);
   EXPECT_NEAR(rig.truth("level_a1_percent"), 20.0 + unloaded - drawn, 1e-9);
-  EXPECT_NEAR(rig.truth("level_f1_percent"), supplier + drawn / 5.0, 1e-9);
+  EXPECT_NEAR(rig.truth("level_f1_percent"), supplier + drawn * kSupplierShare, 1e-9);
   rig.drive("drive_right", "fc1");
   EXPECT_EQ(rig.truth("sump"), 0.0);
-  EXPECT_NEAR(rig.truth("total_liquid"), 13.8, 1e-9);
+  EXPECT_NEAR(rig.truth("total_liquid"), 12.8, 1e-9);
 }
 
 TEST(TankBenchLiquid, WhenVehicleIsAway_ThenTheLoadingPumpMovesNothing) {
@@ -48,7 +48,7 @@ TEST(TankBenchLiquid, WhenVehicleIsAway_ThenTheLoadingPumpMovesNothing) {
   rig.drive("drive_left", "fc2");
   rig.pump("B1", 5.0);
   EXPECT_DOUBLE_EQ(rig.truth("level_v1_percent"), 20.0);
-  EXPECT_DOUBLE_EQ(rig.truth("level_f1_percent"), 80.0);
+  EXPECT_DOUBLE_EQ(rig.truth("level_f1_percent"), 55.0);
 }
 
 TEST(TankBenchLiquid, WhenVehicleLeavesWhileLoading_ThenTheFlowEndsAtTheSwitch) {
@@ -72,7 +72,7 @@ TEST(TankBenchLiquid, WhenUnloadedBetweenPlaces_ThenItSpillsToTheSumpAndIsAccoun
   rig.pump("B2", 1.0);
   EXPECT_GT(rig.truth("sump"), 0.1);
   EXPECT_DOUBLE_EQ(rig.truth("level_a1_percent"), 20.0);
-  EXPECT_NEAR(rig.truth("total_liquid"), 13.8, 1e-9);
+  EXPECT_NEAR(rig.truth("total_liquid"), 12.8, 1e-9);
 }
 
 TEST(TankBenchLiquid, WhenSourceRunsEmpty_ThenFlowEndsAndLevelIsNeverNegative) {
@@ -80,7 +80,7 @@ TEST(TankBenchLiquid, WhenSourceRunsEmpty_ThenFlowEndsAndLevelIsNeverNegative) {
   rig.set("B3", true);
   for (int i = 0; i < 60; ++i) {
     rig.run(0.5);
-    ASSERT_GE(rig.truth("level_a1_percent"), -1e-6);
+    ASSERT_GE(rig.truth("level_a1_percent"), -1e-3);  // the solver's tolerance
     ASSERT_GE(rig.truth("flow_b3"), 0.0);
   }
   EXPECT_NEAR(rig.truth("level_a1_percent"), 0.0, 1e-3);
@@ -94,8 +94,8 @@ TEST(TankBenchLiquid, WhenTargetIsFull_ThenTheRestReturnsToTheSupplier) {
   rig.run(30.0);
   EXPECT_GT(rig.truth("level_v1_percent"), 100.0);
   EXPECT_LT(rig.truth("level_v1_percent"), 101.0);
-  EXPECT_NEAR(rig.truth("overflow_v1"), rig.truth("flow_b1"), 1e-6);
-  EXPECT_NEAR(rig.truth("total_liquid"), 13.8, 1e-9);
+  EXPECT_NEAR(rig.truth("overflow_v1"), rig.truth("flow_b1"), 1e-4);
+  EXPECT_NEAR(rig.truth("total_liquid"), 12.8, 1e-9);
   EXPECT_EQ(rig.truth("sump"), 0.0);
 }
 

@@ -6,7 +6,7 @@
 
 #include "runtime/base/hash64.h"
 #include "tests/bench/plant/bench_job.h"
-#include "tests/support/allocation_counter.h"
+#include "tests/support/malloc_guard.h"
 #include "tests/unit/plant_models/assemblies/bench_rig.h"
 
 namespace stepwright::assemblies {
@@ -55,20 +55,20 @@ TEST(TankBenchRepeatable, WhenTimeHasPassedAlready_ThenNothingChanges) {
 }
 
 TEST(TankBenchRepeatable, WhenRunning_ThenNothingIsAllocated) {
-  if (!support::allocations_are_counted()) GTEST_SKIP() << "a sanitizer owns the allocator";
+  if (!support::guard_is_active()) GTEST_SKIP() << "a sanitizer owns the allocator";
   BenchRig rig;
   bench::Job job;
-  const std::uint64_t before = support::allocation_count();
+  const support::GuardCounts before = support::guard_counts();
   long sum = 0;
   for (int scan = 0; scan < 20'000; ++scan) {
     bench::operate(job.next(rig.plant()), rig.plant());
     rig.plant().advance(10ms);
     for (std::uint32_t s = 0; s < 6; ++s) sum += rig.plant().sensor(core::SensorId(s));
   }
-  EXPECT_EQ(support::allocation_count(), before);
+  EXPECT_EQ(support::guard_counts(), before);
   EXPECT_GT(sum, 0);
   const auto after_proof = std::vector<int>(10);  // the counter does count
-  EXPECT_GT(support::allocation_count(), before);
+  EXPECT_GT(support::guard_counts().allocations, before.allocations);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "plant_models/assemblies/tank_bench.h"
-#include "tests/support/allocation_counter.h"
+#include "tests/support/malloc_guard.h"
 
 namespace stepwright::bridge {
 namespace {
@@ -22,6 +22,26 @@ std::unique_ptr<assemblies::TankBench> make_plant() {
 int word(std::span<const std::byte> area, std::size_t index) {
   return static_cast<int>(area[2 * index]) | static_cast<int>(area[2 * index + 1]) << 8;
 }
+
+// A plant whose solver has given up.
+class DeadPlant final : public core::Plant {
+ public:
+  std::span<const core::Port> actuators() const override { return {}; }
+  std::span<const core::Port> sensors() const override { return {}; }
+  std::span<const core::Quantity> truths() const override { return {}; }
+  std::span<const core::Quantity> faults() const override { return {}; }
+  const core::PlantDescription& description() const override { return description_; }
+  std::chrono::nanoseconds now() const override { return std::chrono::nanoseconds(0); }
+  void set_actuator(core::ActuatorId, bool) override {}
+  core::PlantStatus advance_to(std::chrono::nanoseconds) override { return core::PlantStatus::Failed; }
+  std::int16_t sensor(core::SensorId) const override { return 0; }
+  double truth(core::TruthId) const override { return 0.0; }
+  result::Result<void> inject_fault(std::string_view, double) override { return {}; }
+  result::Result<void> clear_fault(std::string_view) override { return {}; }
+
+ private:
+  core::PlantDescription description_;
+};
 
 class PlantDriverTest : public testing::Test {
  protected:
@@ -76,6 +96,13 @@ TEST_F(PlantDriverTest, WhenAreaIsSmallerThanPromised_ThenLost) {
   EXPECT_EQ(driver.write_outputs(0, {}), image::IoStatus::Lost);
 }
 
+TEST_F(PlantDriverTest, WhenThePlantHasFailed_ThenLost) {
+  DeadPlant dead;
+  auto driver = PlantDriver::create(dead, {}, kSizes).value();
+  EXPECT_EQ(driver.read_inputs(0, inputs), image::IoStatus::Lost);
+  EXPECT_EQ(driver.write_outputs(0, outputs), image::IoStatus::Lost);
+}
+
 TEST_F(PlantDriverTest, WhenAWireIsWrong_ThenRefusedWithItsCode) {
   using Codes = std::vector<std::string>;
   EXPECT_EQ(codes({{"fc9", "%IX0.0", {}}}), Codes{"C0301"});
@@ -102,15 +129,15 @@ TEST_F(PlantDriverTest, WhenSeveralWiresAreWrong_ThenEachIsNamedAtItsPlace) {
 }
 
 TEST_F(PlantDriverTest, WhenScanning_ThenNothingIsAllocated) {
-  if (!support::allocations_are_counted()) GTEST_SKIP() << "a sanitizer owns the allocator";
+  if (!support::guard_is_active()) GTEST_SKIP() << "a sanitizer owns the allocator";
   auto driver = PlantDriver::create(*plant, default_bench_wires(), kSizes).value();
-  const std::uint64_t before = support::allocation_count();
+  const support::GuardCounts before = support::guard_counts();
   for (int scan = 0; scan < 5000; ++scan) {
     driver.read_inputs(scan * kScanNs, inputs);
     outputs[0] = static_cast<std::byte>(scan / 200 * 37 & 0x3F);
     driver.write_outputs(scan * kScanNs, outputs);
   }
-  EXPECT_EQ(support::allocation_count(), before);
+  EXPECT_EQ(support::guard_counts(), before);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "tests/support/simulated_controller.h"
+#include "tests/support/controller/simulated_controller.h"
 
 #include <algorithm>
 #include <stdexcept>
