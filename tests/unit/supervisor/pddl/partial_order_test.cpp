@@ -126,7 +126,7 @@ TEST(GroundAction, WhenInspected_ThenConditionsReadsAndWrites) {
 
 TEST(GroundAction, WhenOnlyTheMetricReadsAFluent_ThenItCounts) {
   const auto info = inspect_action(bench_task(), {"move", {"v1", "f1", "a1"}});
-  EXPECT_EQ(info->counts, std::set<std::string>{"(distance-travelled)"});
+  EXPECT_EQ(info->counts, (std::set<std::string>{"(distance-travelled)", "(transport-cost)"}));
   EXPECT_EQ(info->preconditions.size(), 1u);
 }
 
