@@ -24,6 +24,8 @@ endif()
 # -ffp-contract=off: one meaning on every machine: no fused multiply-add behind the program's back.
 set(STEPWRIGHT_COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual-dtor -Wno-restrict -Werror -ffp-contract=off)
 
+add_custom_target(programs)
+
 function(_stepwright_link target scope)
   foreach(folder IN LISTS ARGN)
     string(REPLACE "/" "_" dependency ${folder})
@@ -58,7 +60,7 @@ function(stepwright_library folder)
   add_library(stepwright::${leaf} ALIAS ${target})
 endfunction()
 
-# An executable in build/<preset>/bin.
+# An executable in build/<preset>/bin; the target `programs` builds those of programs/.
 function(stepwright_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -67,6 +69,9 @@ function(stepwright_program name)
   _stepwright_link(${name} PRIVATE ${ARG_DEPENDS})
   if(ARG_PRIVATE)
     target_link_libraries(${name} PRIVATE ${ARG_PRIVATE})
+  endif()
+  if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${PROJECT_SOURCE_DIR}/programs/")
+    add_dependencies(programs ${name})
   endif()
 endfunction()
 

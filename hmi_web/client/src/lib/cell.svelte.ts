@@ -1,0 +1,124 @@
+// Everything that the page knows about the cell, kept up to date by the connection. Components read it;
+// nothing else writes it.
+
+import { Connection, liveUrl, type LinkState } from './connection';
+import {
+  PROTOCOL_VERSION,
+  type DeltaMessage,
+  type HelloMessage,
+  type LiveFields,
+  type PlanDocument,
+  type ProgramMessage,
+  type ServerMessage,
+  type StateMessage,
+  type Value,
+} from './protocol';
+import { TrendData } from './trend_data';
+
+// Planned times count from the start of their plan; everything else is the cell's clock.
+function onCellTime(document: PlanDocument): PlanDocument {
+  const start = document.episodes?.at(-1)?.started_s ?? 0;
+  const shift = (time: Value | undefined) => (typeof time === 'number' ? time + start : time);
+  const actions = document.actions?.map((action) => ({
+    ...action,
+    planned_start_s: shift(action.planned_start_s),
+    planned_finish_s: shift(action.planned_finish_s),
+  }));
+  return { ...document, ...(actions ? { actions } : {}) };
+}
+
+const NOTHING: LiveFields = {
+  runtime_alive: false,
+  supervisor_alive: false,
+  runtime_state: '',
+  runtime_detail: '',
+  waiting: false,
+  program: '',
+  scan: 0,
+  time_s: 0,
+  trace_hash: '',
+  figures: { overruns: 0, p50_us: 0, p99_us: 0, max_us: 0, realtime_factor: 0 },
+  steps: [],
+  transitions: [],
+};
+
+export class Cell {
+  link = $state<LinkState>('connecting');
+  // Wall clock of the newest message, for "values of 12:03:44".
+  heardAt = $state<Date | null>(null);
+  hello = $state.raw<HelloMessage | null>(null);
+  program = $state.raw<ProgramMessage | null>(null);
+  plan = $state.raw<PlanDocument | null>(null);
+  live = $state<LiveFields>({ ...NOTHING });
+  points = $state<Value[]>([]);
+  tags = $state<Value[]>([]);
+  // Not reactive itself: a chart redraws when `trendVersion` moves.
+  trend = new TrendData(0);
+  trendVersion = $state(0);
+
+  private pointIndex = new Map<string, number>();
+
+  connect(): void {
+    new Connection(liveUrl(window.location), {
+      onMessage: (message) => this.take(message),
+      onState: (state) => (this.link = state),
+    });
+  }
+
+  // The value of a point by its id; null if there is no such point or it is not known now.
+  point(id: string): Value {
+    const index = this.pointIndex.get(id);
+    return index === undefined ? null : (this.points[index] ?? null);
+  }
+
+  isOn(id: string): boolean {
+    return (this.point(id) ?? 0) > 0.5;
+  }
+
+  private take(message: ServerMessage): void {
+    this.heardAt = new Date();
+    switch (message.type) {
+      case 'hello':
+        return this.takeHello(message);
+      case 'program':
+        this.program = message.digest === '' ? null : message;
+        return;
+      case 'state':
+        return this.takeState(message);
+      case 'delta':
+        return this.takeDelta(message);
+      case 'plan':
+        this.plan = onCellTime(message.document);
+        return;
+      case 'trend':
+        this.trend.add(message);
+        this.trendVersion += 1;
+        return;
+    }
+  }
+
+  private takeHello(message: HelloMessage): void {
+    // The server was replaced by one that speaks another language: its own page fits it.
+    if (message.protocol !== PROTOCOL_VERSION) window.location.reload();
+    this.pointIndex = new Map(message.synoptic.points.map((point, index) => [point.id, index]));
+    this.trend = new TrendData(message.synoptic.points.filter((point) => point.trend).length);
+    this.trendVersion += 1;
+    this.program = null;
+    this.plan = null;
+    this.hello = message;
+  }
+
+  private takeState(message: StateMessage): void {
+    const { type: _type, seq: _seq, points, tags, ...live } = message;
+    this.live = live;
+    this.points = points;
+    this.tags = tags;
+  }
+
+  private takeDelta(message: DeltaMessage): void {
+    const { type: _type, seq: _seq, points, tags, ...changed } = message;
+    Object.assign(this.live, changed);
+    for (const [index, value] of Object.entries(points ?? {})) this.points[Number(index)] = value;
+    for (const [index, value] of Object.entries(tags ?? {})) this.tags[Number(index)] = value;
+  }
+}

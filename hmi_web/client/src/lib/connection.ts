@@ -1,0 +1,82 @@
+// Keeps a WebSocket to the server open for as long as the page is, and says when it cannot.
+
+import type { ServerMessage } from './protocol';
+
+export type LinkState = 'connecting' | 'live' | 'lost';
+
+export interface ConnectionEvents {
+  onMessage(message: ServerMessage): void;
+  onState(state: LinkState): void;
+}
+
+// The server says something at least every second.
+const SILENCE_MS = 3_000;
+const FIRST_RETRY_MS = 250;
+const LAST_RETRY_MS = 4_000;
+
+export class Connection {
+  private socket: WebSocket | null = null;
+  private retryMs = FIRST_RETRY_MS;
+  private retryTimer = 0;
+  private silenceTimer = 0;
+
+  constructor(
+    private readonly url: string,
+    private readonly events: ConnectionEvents,
+  ) {
+    // A laptop that wakes up, or a network that comes back, should not wait for the timer.
+    window.addEventListener('online', () => this.retryNow());
+    document.addEventListener('visibilitychange', () => {
+      if (document.visibilityState === 'visible') this.retryNow();
+    });
+    this.open();
+  }
+
+  private open(): void {
+    const socket = new WebSocket(this.url);
+    this.socket = socket;
+    this.watchSilence();
+    socket.onmessage = (event: MessageEvent<string>) => {
+      this.watchSilence();
+      this.retryMs = FIRST_RETRY_MS;
+      this.events.onState('live');
+      this.events.onMessage(JSON.parse(event.data) as ServerMessage);
+    };
+    socket.onclose = () => {
+      if (this.socket === socket) this.lose();
+    };
+  }
+
+  // A connection whose other end vanished without a word looks open for minutes.
+  private watchSilence(): void {
+    window.clearTimeout(this.silenceTimer);
+    this.silenceTimer = window.setTimeout(() => this.lose(), SILENCE_MS);
+  }
+
+  private lose(): void {
+    window.clearTimeout(this.silenceTimer);
+    const socket = this.socket;
+    this.socket = null;
+    if (socket) {
+      socket.onclose = null;
+      socket.onmessage = null;
+      socket.close();
+    }
+    this.events.onState('lost');
+    // Spread out, so that many pages do not all come back in the same instant.
+    const delay = this.retryMs * (0.75 + Math.random() / 2);
+    this.retryMs = Math.min(this.retryMs * 2, LAST_RETRY_MS);
+    this.retryTimer = window.setTimeout(() => this.open(), delay);
+  }
+
+  private retryNow(): void {
+    if (this.socket) return;
+    window.clearTimeout(this.retryTimer);
+    this.retryMs = FIRST_RETRY_MS;
+    this.open();
+  }
+}
+
+export function liveUrl(location: Location): string {
+  return `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/live`;
+}

@@ -1,0 +1,196 @@
+// The messages of the server as they arrive: hmi_web/doc/protocol.md.
+
+export interface Point {
+  id: string;
+  label: string;
+  unit: string;
+  trend: boolean;
+}
+
+export interface Place {
+  id: string;
+  label: string;
+  position: number;
+  switch: string;
+}
+
+export interface Vehicle {
+  id: string;
+  label: string;
+  position: string;
+  left: string;
+  right: string;
+}
+
+export interface Tank {
+  id: string;
+  label: string;
+  side: 'above' | 'below' | 'vehicle';
+  at: string;
+  level: string;
+  truth: string;
+  low_percent: number;
+  high_percent: number;
+}
+
+export interface Pump {
+  id: string;
+  label: string;
+  running: string;
+  flow: string;
+}
+
+export interface Pipe {
+  from: string;
+  to: string;
+  pump: string;
+  at_place: string;
+}
+
+export interface SynopticDescription {
+  points: Point[];
+  places: Place[];
+  vehicles: Vehicle[];
+  tanks: Tank[];
+  pumps: Pump[];
+  pipes: Pipe[];
+}
+
+export interface HelloMessage {
+  type: 'hello';
+  protocol: number;
+  cell: string;
+  version: string;
+  synoptic: SynopticDescription;
+}
+
+export interface Step {
+  name: string;
+  comment: string;
+  initial: boolean;
+}
+
+export interface Transition {
+  name: string;
+  from: number[];
+  to: number[];
+  condition: string;
+}
+
+export interface Tag {
+  name: string;
+  type: string;
+  address: string;
+}
+
+export interface ProgramMessage {
+  type: 'program';
+  digest: string;
+  steps: Step[];
+  transitions: Transition[];
+  tags: Tag[];
+}
+
+export interface ScanFigures {
+  overruns: number;
+  p50_us: number;
+  p99_us: number;
+  max_us: number;
+  realtime_factor: number;
+}
+
+export type Value = number | null;
+
+// What travels whole whenever it changes.
+export interface LiveFields {
+  runtime_alive: boolean;
+  supervisor_alive: boolean;
+  runtime_state: string;
+  runtime_detail: string;
+  waiting: boolean;
+  program: string;
+  scan: number;
+  time_s: number;
+  trace_hash: string;
+  figures: ScanFigures;
+  steps: number[];
+  transitions: number[];
+}
+
+export interface StateMessage extends LiveFields {
+  type: 'state';
+  seq: number;
+  points: Value[];
+  tags: Value[];
+}
+
+export interface DeltaMessage extends Partial<LiveFields> {
+  type: 'delta';
+  seq: number;
+  points?: Record<string, Value>;
+  tags?: Record<string, Value>;
+}
+
+export interface TrendMessage {
+  type: 'trend';
+  first: number;
+  restart: boolean;
+  rows: Value[][];
+}
+
+export interface PlanAction {
+  index: number;
+  text: string;
+  step: string;
+  state: 'pending' | 'active' | 'done' | 'failed';
+  started_s?: Value;
+  finished_s?: Value;
+  planned_start_s?: Value;
+  planned_finish_s?: Value;
+  planned_cost?: Value;
+  actual_cost?: Value;
+}
+
+export interface Replan {
+  time_s: number;
+  cause: string;
+  after_action?: string;
+}
+
+export interface PlanDocument {
+  cell?: string;
+  phase?: string;
+  message?: string;
+  program_digest?: string;
+  plan?: {
+    cost?: Value;
+    bound?: Value;
+    proved_optimal?: boolean;
+    steps?: Value;
+    first_plan_ms?: Value;
+    optimal_plan_ms?: Value;
+  } | null;
+  actions?: PlanAction[];
+  // Every plan of the run, the newest last; planned times count from its start.
+  episodes?: { started_s: number }[];
+  replans?: Replan[];
+  expected?: Record<string, Value>;
+  observed?: Record<string, Value>;
+  goal?: { text: string; met: boolean }[];
+  makespan_s?: Value;
+}
+
+export interface PlanMessage {
+  type: 'plan';
+  document: PlanDocument;
+}
+
+export type ServerMessage =
+  | HelloMessage
+  | ProgramMessage
+  | StateMessage
+  | DeltaMessage
+  | TrendMessage
+  | PlanMessage;
+
+export const PROTOCOL_VERSION = 1;

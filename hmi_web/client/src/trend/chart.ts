@@ -1,0 +1,70 @@
+// One uPlot chart of the trend: measured levels as full lines, the simulation's truth dashed beside them.
+
+import uPlot from 'uplot';
+
+import { clock, fixed } from '../lib/format';
+import type { Point } from '../lib/protocol';
+import type { TrendData } from '../lib/trend_data';
+
+const SERIES_COLOURS = 5;
+
+// Points of one tank ("a1.level", "a1.truth") share a colour.
+export interface Line {
+  label: string;
+  unit: string;
+  colour: string; // name of the custom property
+  dashed: boolean;
+}
+
+export function linesOf(points: Point[]): Line[] {
+  const owners: string[] = [];
+  return points.map((point) => {
+    const owner = point.id.split('.')[0] ?? point.id;
+    if (!owners.includes(owner)) owners.push(owner);
+    const colour = `--series-${(owners.indexOf(owner) % SERIES_COLOURS) + 1}`;
+    return { label: point.label, unit: point.unit, colour, dashed: point.id.endsWith('.truth') };
+  });
+}
+
+export function makeChart(host: HTMLElement, lines: Line[], height: number): uPlot {
+  const style = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  const axis: uPlot.Axis = {
+    stroke: () => style('--text-soft'),
+    grid: { stroke: () => style('--panel-edge'), width: 1 },
+    ticks: { stroke: () => style('--panel-edge'), width: 1, size: 4 },
+    font: '11px system-ui, sans-serif',
+  };
+  return new uPlot(
+    {
+      width: Math.max(host.clientWidth, 200),
+      height,
+      scales: { x: { time: false }, y: { range: (_, low, high) => [Math.min(0, low), Math.max(100, high)] } },
+      axes: [
+        { ...axis, values: (_, ticks) => ticks.map((tick) => clock(tick).replace('.0', '')) },
+        { ...axis, size: 38 },
+      ],
+      cursor: { points: { size: 6 }, drag: { x: true, y: false } },
+      legend: { show: false },
+      series: [
+        {},
+        ...lines.map(
+          (line): uPlot.Series => ({
+            label: line.label,
+            stroke: () => style(line.colour),
+            width: line.dashed ? 1 : 2,
+            ...(line.dashed ? { dash: [5, 4] } : {}),
+            points: { show: false },
+            value: (_, value) => `${fixed(value, 1)} ${line.unit}`,
+          }),
+        ),
+      ],
+    },
+    [[], ...lines.map(() => [])],
+    host,
+  );
+}
+
+export function draw(chart: uPlot, data: TrendData): void {
+  // The chart keeps the arrays that it is given; the trend goes on changing its own.
+  chart.setData([data.times.slice(), ...data.columns.map((column) => column.slice())] as uPlot.AlignedData);
+}

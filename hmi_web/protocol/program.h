@@ -1,0 +1,40 @@
+#pragma once
+
+// What a viewer is told about the program that runs: the chart's steps and transitions and the tags, each
+// known afterwards by its index. Sent once per program digest.
+//
+// Plain values; no thread rule.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace stepwright::protocol {
+
+struct ProgramStep {
+  std::string name;
+  std::string comment;  // of a planned step: the action, "(load v1 f1 level8)"
+  bool initial = false;
+};
+
+struct ProgramTransition {
+  std::string name;
+  std::vector<std::uint32_t> sources;  // indices into Program::steps
+  std::vector<std::uint32_t> targets;
+  std::string condition;  // ST expression
+};
+
+struct ProgramTag {
+  std::string name;     // "PLAN.S1_FILTERED"
+  std::string type;     // IEC type name: "BOOL", "INT", "REAL", "TIME" (a TIME value counts nanoseconds)
+  std::string address;  // "%IX0.0", or empty if the tag is not located
+};
+
+struct Program {
+  std::string digest;  // hex; empty = no program
+  std::vector<ProgramStep> steps;
+  std::vector<ProgramTransition> transitions;
+  std::vector<ProgramTag> tags;
+};
+
+}  // namespace stepwright::protocol

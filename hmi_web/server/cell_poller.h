@@ -1,0 +1,47 @@
+#pragma once
+
+// A thread that looks at the cell at a steady pace and keeps the feed up to date. Polling, not waiting: what
+// a viewer sees is at most `period` older than what the source knows, and a fast cell cannot flood it.
+//
+//   CellPoller poller(source, CellViewer(points), feed, [&] { server.notify(); });
+//
+// Thread rule: constructed and destroyed by one thread; `on_news` is called on the poller's own. Source and
+// feed outlive it.
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "hmi_web/server/cell_source.h"
+#include "hmi_web/server/cell_viewer.h"
+#include "hmi_web/server/feed.h"
+
+namespace stepwright::server {
+
+class CellPoller {
+ public:
+  CellPoller(CellSource& source, CellViewer viewer, Feed& feed, std::function<void()> on_news,
+             std::chrono::milliseconds period = std::chrono::milliseconds(50));
+  // Ends after the observation that is under way.
+  ~CellPoller();
+
+  CellPoller(const CellPoller&) = delete;
+  CellPoller& operator=(const CellPoller&) = delete;
+
+ private:
+  void run();
+
+  CellSource& source_;
+  CellViewer viewer_;
+  Feed& feed_;
+  std::function<void()> on_news_;
+  std::chrono::milliseconds period_;
+  std::mutex mutex_;
+  std::condition_variable stop_signal_;
+  bool stopping_ = false;  // guarded by mutex_
+  std::thread thread_;     // last: it uses all of the above
+};
+
+}  // namespace stepwright::server

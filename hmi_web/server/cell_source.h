@@ -1,0 +1,55 @@
+#pragma once
+
+// Where the server gets the cell from. The program implements it over Fast DDS, tests with a cell of their
+// own; the server knows neither.
+//
+// Thread rule: one thread calls, always the same one. `observe` may block for a moment (a request for a new
+// program), never for ever.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hmi_web/protocol/cell_state.h"
+#include "hmi_web/server/program_layout.h"
+
+namespace stepwright::server {
+
+struct RuntimeReport {
+  std::string state;  // "empty", "stopped", "running", "fault"
+  std::string detail;
+  bool waiting = false;  // at a barrier, for the supervisor
+  std::uint64_t trace_hash = 0;
+  protocol::ScanFigures figures;
+};
+
+// One consistent copy of the image, taken between two scans.
+struct ImageSnapshot {
+  std::uint64_t scan = 0;
+  double time_s = 0;
+  std::vector<std::byte> image;
+  std::vector<std::pair<std::string, double>> plant;  // truth of a simulated plant, by name
+};
+
+struct Observation {
+  bool runtime_alive = false;
+  bool supervisor_alive = false;
+  std::optional<RuntimeReport> report;
+  // Both of one program, the one that `layout` describes; without a layout the image cannot be read.
+  std::optional<ImageSnapshot> snapshot;
+  std::shared_ptr<const ProgramLayout> layout;  // shared: it stays the same for thousands of observations
+  std::optional<std::string> plan;              // the supervisor's newest plan document, JSON text
+};
+
+class CellSource {
+ public:
+  virtual ~CellSource() = default;
+  // The newest of everything, at once.
+  virtual Observation observe() = 0;
+};
+
+}  // namespace stepwright::server

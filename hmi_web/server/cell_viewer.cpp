@@ -1,0 +1,76 @@
+#include "hmi_web/server/cell_viewer.h"
+
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "hmi_web/server/image_value.h"
+
+namespace stepwright::server {
+namespace {
+
+std::string hexadecimal(std::uint64_t value) {
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(value));
+  return digits.data();
+}
+
+bool is_true(const std::optional<reader::Variable>& bit, std::span<const std::byte> image) {
+  return bit && read(*bit, image).value_or(0) != 0;
+}
+
+template <typename Bits>
+std::vector<std::uint32_t> indices_of_true(const Bits& bits, std::span<const std::byte> image) {
+  std::vector<std::uint32_t> indices;
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    if (is_true(bits[i], image)) indices.push_back(static_cast<std::uint32_t>(i));
+  }
+  return indices;
+}
+
+void add_report(const RuntimeReport& report, protocol::CellState& state) {
+  state.runtime_state = report.state;
+  state.runtime_detail = report.detail;
+  state.waiting = report.waiting;
+  state.trace_hash = hexadecimal(report.trace_hash);
+  state.figures = report.figures;
+}
+
+}  // namespace
+
+CellViewer::CellViewer(std::vector<PointSources> points)
+    : points_(std::move(points)), reader_(points_, nullptr) {}
+
+CellView CellViewer::view(const Observation& observation) {
+  if (observation.layout != layout_) {
+    layout_ = observation.layout;
+    reader_ = PointReader(points_, layout_.get());
+  }
+  CellView view;
+  view.layout = layout_;
+  view.plan = observation.plan;
+  protocol::CellState& state = view.state;
+  state.runtime_alive = observation.runtime_alive;
+  state.supervisor_alive = observation.supervisor_alive;
+  state.points.resize(points_.size());
+  if (observation.report) add_report(*observation.report, state);
+  if (layout_) {
+    state.program_digest = layout_->program.digest;
+    state.tags.resize(layout_->tags.size());
+  }
+  if (!observation.snapshot) return view;
+
+  const ImageSnapshot& snapshot = *observation.snapshot;
+  state.scan = snapshot.scan;
+  state.time_s = snapshot.time_s;
+  state.points = reader_.read(snapshot);
+  if (!layout_) return view;
+  state.active_steps = indices_of_true(layout_->steps, snapshot.image);
+  state.true_transitions = indices_of_true(layout_->transitions, snapshot.image);
+  for (std::size_t i = 0; i < layout_->tags.size(); ++i) {
+    state.tags[i] = read(layout_->tags[i], snapshot.image);
+  }
+  return view;
+}
+
+}  // namespace stepwright::server

@@ -1,0 +1,37 @@
+#pragma once
+
+// Turns what is observed of a cell into what viewers are told.
+//
+// Thread rule: one thread at a time.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hmi_web/protocol/cell_state.h"
+#include "hmi_web/server/cell_source.h"
+#include "hmi_web/server/point_reader.h"
+
+namespace stepwright::server {
+
+struct CellView {
+  std::shared_ptr<const ProgramLayout> layout;  // null = no program is known
+  protocol::CellState state;
+  std::optional<std::string> plan;
+};
+
+class CellViewer {
+ public:
+  // One entry per point of the synoptic.
+  explicit CellViewer(std::vector<PointSources> points);
+
+  CellView view(const Observation& observation);
+
+ private:
+  std::vector<PointSources> points_;
+  std::shared_ptr<const ProgramLayout> layout_;  // that `reader_` was made for
+  PointReader reader_;
+};
+
+}  // namespace stepwright::server

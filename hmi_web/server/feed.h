@@ -1,0 +1,89 @@
+#pragma once
+
+// What every viewer is to be told, and what each of them has been told already. A viewer keeps a Cursor and
+// pulls its next message when it has sent the one before; there is no queue behind a viewer, so a slow reader
+// skips snapshots and costs nothing.
+//
+//   Feed feed({"bench", "0.1.0"}, synoptic);
+//   feed.update(view, now);                            // the polling thread, every few milliseconds
+//   while (auto message = feed.next(cursor)) write(*message);   // the network thread, per viewer
+//
+// Thread rule: every function from any thread (one lock). Messages: hmi_web/doc/protocol.md.
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "hmi_web/protocol/messages.h"
+#include "hmi_web/server/cell_viewer.h"
+#include "hmi_web/server/trend_buffer.h"
+
+namespace stepwright::server {
+
+// Shared: several viewers write the same text at the same time.
+using MessageText = std::shared_ptr<const std::string>;
+
+struct FeedOptions {
+  std::chrono::milliseconds beat{1'000};         // a viewer hears something at least this often
+  std::chrono::milliseconds trend_spacing{100};  // between two rows of the trend
+  std::size_t trend_rows = 6'000;                // kept: ten minutes
+  std::size_t trend_rows_per_message = 1'000;
+  std::size_t max_plan_bytes = 4u << 20;  // a longer plan document is ignored
+};
+
+class Feed {
+ public:
+  // How far a viewer has got; a new one begins with the default.
+  struct Cursor {
+    bool greeted = false;
+    std::uint64_t program = 0;
+    std::uint64_t state = 0;
+    std::uint64_t plan = 0;
+    std::uint64_t trend_run = 0;
+    std::uint64_t trend_row = 0;
+    bool trend_begun = false;
+  };
+
+  Feed(const protocol::Greeting& greeting, const protocol::Synoptic& synoptic,
+       const FeedOptions& options = {});
+
+  // Takes over what is seen now. True if viewers have something to fetch.
+  bool update(const CellView& view, std::chrono::steady_clock::time_point now);
+
+  // The next message that a viewer at `cursor` misses, and moves the cursor past it; null = up to date.
+  MessageText next(Cursor& cursor) const;
+
+ private:
+  using Time = std::chrono::steady_clock::time_point;
+
+  bool take_program(const CellView& view);
+  bool take_state(const CellView& view, bool whole, Time now);
+  bool take_plan(const CellView& view);
+  bool take_trend(const protocol::CellState& state, Time now);
+  MessageText next_state(Cursor& cursor) const;
+  MessageText next_trend(Cursor& cursor) const;
+
+  FeedOptions options_;
+  MessageText hello_;
+  std::vector<std::size_t> trend_points_;  // indices of the points that are drawn over time
+
+  mutable std::mutex mutex_;  // guards everything below
+  std::shared_ptr<const ProgramLayout> layout_;
+  MessageText program_;  // null = never one
+  std::uint64_t program_revision_ = 0;
+  protocol::CellState state_;
+  std::uint64_t sequence_ = 0;  // of state_; 0 = never one
+  MessageText delta_;           // from sequence_ - 1 to sequence_; null if that step needs the whole state
+  mutable MessageText whole_;   // of sequence_, made when the first viewer needs it
+  Time last_sent_{};
+  std::string plan_source_;
+  MessageText plan_;
+  std::uint64_t plan_revision_ = 0;
+  TrendBuffer trend_;
+  Time last_trend_{};
+};
+
+}  // namespace stepwright::server

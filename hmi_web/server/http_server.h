@@ -1,0 +1,57 @@
+#pragma once
+
+// The HTTP and WebSocket server: hands out the client and feeds every page that is open.
+//
+//   auto server = HttpServer::listen({"127.0.0.1", 8080}, client::assets(), feed);
+//   if (!server) return report(server.error());
+//   (*server)->run();                    // until stop()
+//
+// Thread rule: run() in one thread; stop() and notify() from any. The feed outlives the server.
+// Invariants: memory per viewer is bounded (one message under way, none queued); no request and no sequence
+// of bytes ends the process. The only input that it takes is requests without a body: a viewer that sends a
+// WebSocket message is disconnected.
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "hmi_web/protocol/asset.h"
+#include "hmi_web/server/feed.h"
+#include "hmi_web/server/request_policy.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::server {
+
+struct ServerLimits {
+  std::size_t connections = 128;             // more are closed at once
+  std::size_t header_bytes = 8'192;          // of a request
+  std::chrono::seconds request_timeout{10};  // from the first byte expected to the last
+  std::chrono::seconds silent_viewer{15};    // without any answer to pings: disconnected
+};
+
+class HttpServer {
+ public:
+  // Binds and listens. Fails with H0001 (port in use), H0002 (any other reason: no such address, no right).
+  [[nodiscard]] static result::Result<std::unique_ptr<HttpServer>> listen(const ListenAddress& address,
+                                                                          protocol::Assets assets,
+                                                                          const Feed& feed,
+                                                                          const ServerLimits& limits = {});
+  ~HttpServer();
+
+  // The port that is bound.
+  std::uint16_t port() const;
+  // Serves until stop().
+  void run();
+  void stop();
+  // The feed has something new for the viewers.
+  void notify();
+
+  struct State;  // of the implementation
+
+ private:
+  explicit HttpServer(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace stepwright::server

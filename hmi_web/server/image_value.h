@@ -1,0 +1,27 @@
+#pragma once
+
+// Values out of a copy of the process image: bounded reading, and direct addresses of the I/O areas.
+//
+//   std::optional<double> counts = read({bytecode::ElementaryType::Int, 2}, snapshot.image);
+//
+// Pure; any thread.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "runtime/bytecode/reader/program_info.h"
+
+namespace stepwright::server {
+
+// As reader::read_number; no value if the variable reaches past the end of the image.
+std::optional<double> read(const reader::Variable& variable, std::span<const std::byte> image);
+
+// A direct address in the input or output area: "%IX0.2", "%IW1" (bytes 2 and 3), "%QB4". A word is read as
+// signed, as an INT at that address is. `output_offset` is where the output area begins; inputs begin at 0.
+// nullopt for anything else, markers included.
+std::optional<reader::Variable> variable_at(std::string_view address, std::uint32_t output_offset);
+
+}  // namespace stepwright::server

@@ -1,0 +1,54 @@
+#include "hmi_web/server/point_reader.h"
+
+#include <algorithm>
+
+#include "hmi_web/server/image_value.h"
+
+namespace stepwright::server {
+namespace {
+
+std::optional<reader::Variable> resolve(const PointSource& source, const ProgramLayout* layout) {
+  if (layout == nullptr) return std::nullopt;
+  return source.kind == PointSourceKind::Tag ? find_tag(*layout, source.name)
+                                             : variable_at(source.name, layout->output_offset);
+}
+
+std::optional<double> truth(const ImageSnapshot& snapshot, const std::string& name) {
+  const auto found = std::find_if(snapshot.plant.begin(), snapshot.plant.end(),
+                                  [&](const auto& value) { return value.first == name; });
+  if (found == snapshot.plant.end()) return std::nullopt;
+  return found->second;
+}
+
+}  // namespace
+
+PointReader::PointReader(const std::vector<PointSources>& points, const ProgramLayout* layout) {
+  for (const PointSources& sources : points) {
+    std::vector<Resolved> resolved;
+    for (const PointSource& source : sources) {
+      if (source.kind == PointSourceKind::PlantTruth) {
+        resolved.push_back({source.name, source.factor, source.offset});
+      } else if (const auto variable = resolve(source, layout)) {
+        resolved.push_back({*variable, source.factor, source.offset});
+      }
+    }
+    points_.push_back(std::move(resolved));
+  }
+}
+
+std::vector<std::optional<double>> PointReader::read(const ImageSnapshot& snapshot) const {
+  std::vector<std::optional<double>> values(points_.size());
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    for (const Resolved& source : points_[i]) {
+      const auto* variable = std::get_if<reader::Variable>(&source.where);
+      const auto value = variable != nullptr ? server::read(*variable, snapshot.image)
+                                             : truth(snapshot, std::get<std::string>(source.where));
+      if (!value) continue;
+      values[i] = source.factor * *value + source.offset;
+      break;
+    }
+  }
+  return values;
+}
+
+}  // namespace stepwright::server

@@ -1,0 +1,53 @@
+#pragma once
+
+// Computes the live points of the synoptic from a snapshot: each from the first of its sources that has a
+// value, scaled to the point's unit.
+//
+//   PointReader reader({{{PointSourceKind::Tag, "S1_FILTERED", 0.0325, -23}}}, layout);
+//   reader.read(snapshot)  ->  one value per binding
+//
+// Thread rule: immutable after construction.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hmi_web/server/cell_source.h"
+
+namespace stepwright::server {
+
+enum class PointSourceKind : std::uint8_t {
+  Tag,         // a tag of the running program
+  Address,     // an address in the input or output area, "%QX0.0"
+  PlantTruth,  // a value that the simulated plant reports
+};
+
+struct PointSource {
+  PointSourceKind kind = PointSourceKind::Tag;
+  std::string name;
+  double factor = 1;  // point = factor * value + offset
+  double offset = 0;
+};
+
+// Of one point; in the order in which they are tried.
+using PointSources = std::vector<PointSource>;
+
+class PointReader {
+ public:
+  // Resolves tags and addresses against `layout`, which may be null: then only plant truth has values.
+  PointReader(const std::vector<PointSources>& points, const ProgramLayout* layout);
+
+  std::vector<std::optional<double>> read(const ImageSnapshot& snapshot) const;
+
+ private:
+  struct Resolved {
+    std::variant<reader::Variable, std::string> where;  // in the image, or the name of a plant truth
+    double factor;
+    double offset;
+  };
+  std::vector<std::vector<Resolved>> points_;
+};
+
+}  // namespace stepwright::server

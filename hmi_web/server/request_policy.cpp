@@ -1,0 +1,57 @@
+#include "hmi_web/server/request_policy.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace stepwright::server {
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+}  // namespace
+
+RequestPolicy::RequestPolicy(const ListenAddress& address, protocol::Assets assets) : assets_(assets) {
+  const bool is_ipv6 = address.host.find(':') != std::string::npos;
+  const std::string own = is_ipv6 ? "[" + address.host + "]" : address.host;
+  for (const std::string& host :
+       {std::string("localhost"), std::string("127.0.0.1"), std::string("[::1]"), own}) {
+    authorities_.push_back(lower(host) + ":" + std::to_string(address.port));
+    // Browsers leave the default port out.
+    if (address.port == 80) authorities_.push_back(lower(host));
+  }
+}
+
+Decision RequestPolicy::decide(const RequestHead& request) const {
+  if (!is_own_authority(request.host)) return {403, nullptr, "this name is not served here"};
+  if (request.method != "GET" && request.method != "HEAD") return {405, nullptr, "only GET and HEAD"};
+
+  const std::string_view path = request.target.substr(0, request.target.find('?'));
+  if (path == kLivePath) {
+    if (!request.upgrade || request.method != "GET") return {426, nullptr, "this is a WebSocket"};
+    // Programs that are no browser send no Origin; a browser always does.
+    if (!request.origin.empty() && !is_own_origin(request.origin)) {
+      return {403, nullptr, "not from this page"};
+    }
+    return {101};
+  }
+  const auto asset =
+      std::find_if(assets_.begin(), assets_.end(), [&](const auto& entry) { return entry.path == path; });
+  if (asset == assets_.end()) return {404, nullptr, "there is nothing here"};
+  return {request.if_none_match == asset->etag ? 304u : 200u, &*asset};
+}
+
+bool RequestPolicy::is_own_authority(std::string_view authority) const {
+  return std::find(authorities_.begin(), authorities_.end(), lower(authority)) != authorities_.end();
+}
+
+bool RequestPolicy::is_own_origin(std::string_view origin) const {
+  constexpr std::string_view kScheme = "http://";
+  return origin.substr(0, kScheme.size()) == kScheme && is_own_authority(origin.substr(kScheme.size()));
+}
+
+}  // namespace stepwright::server

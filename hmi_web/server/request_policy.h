@@ -1,0 +1,74 @@
+#pragma once
+
+// Decides what happens to an HTTP request, before and apart from any networking.
+//
+// A page that some other site planted in the browser can reach a loopback port too. Hence: the Host must be
+// one of our names (DNS rebinding), and a WebSocket upgrade that says where it comes from must come from our
+// own page (RFC 6455, 10.2).
+//
+//   RequestPolicy policy({"127.0.0.1", 8080}, assets);
+//   Decision decision = policy.decide({"GET", "/", "localhost:8080"});   // status 200, the page
+//
+// Thread rule: immutable after construction.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "hmi_web/protocol/asset.h"
+
+namespace stepwright::server {
+
+struct ListenAddress {
+  std::string host = "127.0.0.1";  // a name or an IPv4 or IPv6 address without brackets
+  std::uint16_t port = 8080;       // 0 = any free one
+};
+
+struct RequestHead {
+  std::string_view method;
+  std::string_view target;
+  std::string_view host;    // the header; empty = there is none
+  std::string_view origin;  // likewise
+  std::string_view if_none_match = {};
+  bool upgrade = false;  // asks for a WebSocket
+};
+
+struct Decision {
+  unsigned status = 0;  // 101 = upgrade, 200 and 304 = `asset`, anything else = an error with `reason`
+  const protocol::Asset* asset = nullptr;
+  std::string_view reason = {};
+};
+
+// Sent with every response.
+inline constexpr std::array kSecurityHeaders = {
+    std::pair<std::string_view, std::string_view>{
+        "Content-Security-Policy",
+        "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'"},
+    std::pair<std::string_view, std::string_view>{"X-Content-Type-Options", "nosniff"},
+    std::pair<std::string_view, std::string_view>{"X-Frame-Options", "DENY"},
+    std::pair<std::string_view, std::string_view>{"Referrer-Policy", "no-referrer"},
+    std::pair<std::string_view, std::string_view>{"Cross-Origin-Opener-Policy", "same-origin"},
+    std::pair<std::string_view, std::string_view>{"Cross-Origin-Resource-Policy", "same-origin"},
+};
+
+inline constexpr std::string_view kLivePath = "/live";  // of the WebSocket
+
+class RequestPolicy {
+ public:
+  // The address with the port that is really bound. Its host, and the loopback names beside it, are ours.
+  RequestPolicy(const ListenAddress& address, protocol::Assets assets);
+
+  Decision decide(const RequestHead& request) const;
+
+ private:
+  bool is_own_authority(std::string_view authority) const;
+  bool is_own_origin(std::string_view origin) const;
+
+  std::vector<std::string> authorities_;  // "localhost:8080", in lower case
+  protocol::Assets assets_;
+};
+
+}  // namespace stepwright::server

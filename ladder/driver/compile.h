@@ -1,0 +1,43 @@
+#pragma once
+
+// The compiler as one function: IEC 61131-3 sources in, a bytecode container out.
+//
+// Pure: no file, clock or environment is read, nothing is kept between calls, so any number of threads may
+// compile at once. The same input gives the same bytes. 1000 rungs take a few milliseconds.
+//
+//   driver::CompileInput input;
+//   input.texts.push_back({"blink.st", text});
+//   auto output = driver::compile(input);
+//   if (!output) print(result::to_string(output.error()));
+//
+// Texts and a graphic project may be mixed: a project's POUs may call the functions of a text. Standard
+// function blocks (TON .. RS) are there without being named.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "ladder/graphic/project.h"
+#include "ladder/source/source_set.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::driver {
+
+struct CompileInput {
+  std::vector<source::NamedText> texts;  // ST, in the order in which diagnostics name them
+  const graphic::Project* project =
+      nullptr;  // LD, SFC and ST POUs of an exchange file or a plan; may be null
+};
+
+struct CompileOutput {
+  std::vector<std::byte> container;  // ready for the verifier (runtime/bytecode)
+  std::string digest;                // of the container, as its header holds it, in hexadecimal
+  result::Diagnostics warnings;      // nothing of severity Error
+};
+
+// Fails with every diagnostic found (errors and warnings, in the order of the sources). A program needs one
+// CONFIGURATION or, without one, exactly one PROGRAM, which then runs as an instance of its own name in a
+// task of 10 ms (a project's own tasks and instances take the place of a CONFIGURATION).
+[[nodiscard]] result::Result<CompileOutput> compile(const CompileInput& input);
+
+}  // namespace stepwright::driver

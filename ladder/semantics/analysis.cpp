@@ -1,0 +1,37 @@
+#include "ladder/semantics/internal/analysis.h"
+
+#include <algorithm>
+
+namespace stepwright::semantics::internal {
+
+std::optional<std::uint32_t> Analysis::allocate(std::uint32_t size, Position where) {
+  auto& data = model.area(Base::Data);
+  if (size > kMaxData || data.size() > kMaxData - size) {
+    error(code::kTooLarge, where, "the variables of the program are larger than 32 MiB");
+    return std::nullopt;
+  }
+  const auto offset = static_cast<std::uint32_t>(data.size());
+  data.resize(data.size() + size);
+  return offset;
+}
+
+Place Analysis::allocate_place(const Type* type, Position where) {
+  Place place;
+  place.base = Base::Data;
+  place.type = type;
+  const auto offset = allocate(type->size, where);
+  if (!offset) return place;
+  place.offset = *offset;
+  std::copy(type->initial.begin(), type->initial.end(), model.area(Base::Data).begin() + *offset);
+  return place;
+}
+
+std::string quote(std::string_view name) {
+  return "'" + std::string(name) + "'";
+}
+
+bytecode::StackType slot_type(const Type& type) {
+  return bytecode::stack_type(bytecode::mem_type(type.elementary));
+}
+
+}  // namespace stepwright::semantics::internal

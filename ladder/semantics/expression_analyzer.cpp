@@ -1,0 +1,208 @@
+#include "ladder/semantics/internal/expression_analyzer.h"
+
+#include <utility>
+
+namespace stepwright::semantics::internal {
+
+using syntax::Expression;
+using syntax::ExpressionKind;
+
+ValuePtr ExpressionAnalyzer::make(ValueKind kind, const Type* type, Position where) {
+  auto value = std::make_unique<Value>();
+  value->kind = kind;
+  value->type = type;
+  value->where = where;
+  return value;
+}
+
+ValuePtr ExpressionAnalyzer::make_constant(Constant constant, const Type* type, Position where) {
+  ValuePtr value = make(ValueKind::Constant, type, where);
+  value->constant = constant;
+  return value;
+}
+
+ValuePtr ExpressionAnalyzer::load(Place place, Position where) {
+  ValuePtr value = make(ValueKind::Load, place.type, where);
+  value->place = std::move(place);
+  return value;
+}
+
+Place ExpressionAnalyzer::copy_direct(const Place& place) {
+  Place copy;
+  copy.base = place.base;
+  copy.offset = place.offset;
+  copy.slot = place.slot;
+  copy.bit = place.bit;
+  copy.type = place.type;
+  return copy;
+}
+
+ValuePtr ExpressionAnalyzer::value(const Expression& expression) {
+  if (expression.prefix && expression.kind != ExpressionKind::EnumValue) return typed_literal(expression);
+  switch (expression.kind) {
+    case ExpressionKind::Boolean:
+    case ExpressionKind::Integer:
+    case ExpressionKind::Real:
+    case ExpressionKind::Time:
+      return literal(expression);
+    case ExpressionKind::Variable:
+      return variable(expression);
+    case ExpressionKind::EnumValue:
+      return enum_value(expression);
+    case ExpressionKind::Direct:
+    case ExpressionKind::Field:
+    case ExpressionKind::Index: {
+      auto found = place(expression, Access::Read);
+      return found ? load(std::move(*found), expression.where) : nullptr;
+    }
+    case ExpressionKind::Unary:
+      return unary(expression);
+    case ExpressionKind::Binary:
+      return binary(expression);
+    case ExpressionKind::Call:
+      return call(expression);
+    case ExpressionKind::ArrayValues:
+    case ExpressionKind::StructValues:
+    case ExpressionKind::Repeat:
+      a_.error(code::kBadInitializer, expression.where, "a list of values can only initialise a variable");
+      return nullptr;
+    case ExpressionKind::Error:
+      break;
+  }
+  return nullptr;
+}
+
+ValuePtr ExpressionAnalyzer::literal(const Expression& expression) {
+  const TypeTable& types = a_.type_table();
+  switch (expression.kind) {
+    case ExpressionKind::Boolean:
+      return make_constant({static_cast<__int128>(expression.integer)}, types.boolean(), expression.where);
+    case ExpressionKind::Integer:
+      return make_constant({static_cast<__int128>(expression.integer)}, types.any_integer(),
+                           expression.where);
+    case ExpressionKind::Real:
+      return make_constant({0, expression.real}, types.any_real(), expression.where);
+    default:
+      return make_constant({expression.time_ns}, types.elementary(ElementaryType::Time), expression.where);
+  }
+}
+
+// INT#5, WORD#16#FF, REAL#1
+ValuePtr ExpressionAnalyzer::typed_literal(const Expression& expression) {
+  ElementaryType which{};
+  if (!elementary_from(a_.names.folded(expression.prefix->id), which)) {
+    a_.error(code::kUnknownType, expression.prefix->where,
+             quote(expression.prefix->text) + " is no elementary type");
+    return nullptr;
+  }
+  const TypeTable& types = a_.type_table();
+  const Type* type = types.elementary(which);
+  ValuePtr inner;
+  if (expression.kind == ExpressionKind::Unary) {
+    inner = unary(expression);
+  } else {
+    inner = literal(expression);
+  }
+  return inner ? convert(std::move(inner), type, expression.where) : nullptr;
+}
+
+ValuePtr ExpressionAnalyzer::variable(const Expression& expression) {
+  const syntax::Name& name = expression.name;
+  const Variable* found = find_variable(name.id);
+  if (found == nullptr) {
+    const auto known = a_.enum_values.find(name.id.value);
+    if (known != a_.enum_values.end()) return enum_value(expression);
+  } else if (found->value) {
+    return make_constant(*found->value, found->type, expression.where);
+  }
+  auto at = place(expression, Access::Read);
+  return at ? load(std::move(*at), expression.where) : nullptr;
+}
+
+// "Red" or "Color#Red"
+ValuePtr ExpressionAnalyzer::enum_value(const Expression& expression) {
+  const syntax::Name& name = expression.name;
+  if (!expression.prefix) {
+    const EnumValue& found = a_.enum_values.at(name.id.value);
+    if (found.type != nullptr) return make_constant({found.value}, found.type, expression.where);
+    a_.error(code::kUndeclared, name.where, quote(name.text) + " is a value of several enumerations",
+             "write it with its type: Type#" + std::string(name.text));
+    return nullptr;
+  }
+  const auto type = a_.types.find(expression.prefix->id.value);
+  if (type == a_.types.end() || (type->second != nullptr && type->second->kind != TypeKind::Enumeration)) {
+    a_.error(code::kUnknownType, expression.prefix->where,
+             quote(expression.prefix->text) + " is no enumeration");
+    return nullptr;
+  }
+  if (type->second == nullptr) return nullptr;
+  for (const Enumerator& each : type->second->enumerators)
+    if (each.name == name.id) return make_constant({each.value}, type->second, expression.where);
+  a_.error(code::kUnknownMember, name.where, quote(type->second->name) + " has no value " + quote(name.text));
+  return nullptr;
+}
+
+ValuePtr ExpressionAnalyzer::settle(ValuePtr value) {
+  if (!value || !value->type->is_literal()) return value;
+  const TypeTable& types = a_.type_table();
+  if (value->type->kind == TypeKind::AnyReal)
+    return convert(std::move(value), types.elementary(ElementaryType::Real), Position());
+  for (const auto which : {ElementaryType::Int, ElementaryType::Dint, ElementaryType::Lint}) {
+    if (fits(value->constant, *types.elementary(which))) {
+      const Position where = value->where;
+      return convert(std::move(value), types.elementary(which), where);
+    }
+  }
+  const Position where = value->where;
+  return convert(std::move(value), types.elementary(ElementaryType::Ulint), where);
+}
+
+ValuePtr ExpressionAnalyzer::settled_value(const Expression& expression) {
+  return settle(value(expression));
+}
+
+ValuePtr ExpressionAnalyzer::value_as(const Expression& expression, const Type* type) {
+  ValuePtr found = value(expression);
+  if (!found || type == nullptr) return nullptr;
+  return convert(std::move(found), type, expression.where);
+}
+
+ValuePtr ExpressionAnalyzer::condition(const Expression& expression, const char* what) {
+  ValuePtr found = value(expression);
+  if (!found) return nullptr;
+  if (!found->type->is_bool()) {
+    a_.error(code::kTypeMismatch, expression.where,
+             std::string(what) + " must be BOOL, not " + found->type->name,
+             found->type->is_number() ? "compare it, for instance with '<> 0'" : "");
+    return nullptr;
+  }
+  return found;
+}
+
+std::optional<Constant> ExpressionAnalyzer::constant(const Expression& expression, const Type* type) {
+  const ValuePtr found = value_as(expression, type);
+  if (!found) return std::nullopt;
+  if (found->kind != ValueKind::Constant) {
+    a_.error(code::kNotConstant, expression.where, "the value must be known when the program is compiled",
+             "use a literal or a variable declared CONSTANT");
+    return std::nullopt;
+  }
+  return found->constant;
+}
+
+std::optional<std::int64_t> ExpressionAnalyzer::constant_integer(const Expression& expression) {
+  const ValuePtr found = settled_value(expression);
+  if (!found) return std::nullopt;
+  if (!found->type->is_integer()) {
+    a_.error(code::kTypeMismatch, expression.where, "an integer is needed here, not " + found->type->name);
+    return std::nullopt;
+  }
+  if (found->kind != ValueKind::Constant) {
+    a_.error(code::kNotConstant, expression.where, "the value must be known when the program is compiled",
+             "use a literal or a variable declared CONSTANT");
+    return std::nullopt;
+  }
+  return static_cast<std::int64_t>(found->constant.integer);
+}
+
+}  // namespace stepwright::semantics::internal

@@ -1,0 +1,86 @@
+// First values of variables (IEC 61131-3, 6.5.1.3).
+
+#include <algorithm>
+
+#include "ladder/semantics/internal/declarer.h"
+
+namespace stepwright::semantics::internal {
+
+namespace {
+
+using syntax::Expression;
+using syntax::ExpressionKind;
+
+constexpr const char* kListHint = "lists are written [1, 2, 3(0)], structures (a := 1, b := 2)";
+
+bool initialise_array(Analysis& a, ExpressionAnalyzer& expressions, const Expression& list, const Type& type,
+                      std::span<std::byte> out) {
+  const Type& element = *type.element;
+  const std::size_t count = out.size() / element.size;
+  std::size_t next = 0;
+  bool sound = true;
+  for (const auto& each : list.operands) {
+    const bool repeats = each->kind == ExpressionKind::Repeat;
+    const Expression* value = each.get();
+    if (repeats) value = each->operands.size() > 1 ? each->operands[1].get() : nullptr;
+    const std::uint64_t times = repeats ? each->operands[0]->integer : 1;
+    if (times > count - next) {
+      a.error(code::kBadInitializer, each->where,
+              "more values than the " + std::to_string(count) + " elements of the array");
+      return false;
+    }
+    for (std::uint64_t i = 0; i < times && sound; ++i, ++next)
+      if (value != nullptr)
+        sound = initialise(a, expressions, *value, element, out.subspan(next * element.size, element.size));
+  }
+  return sound;
+}
+
+bool initialise_struct(Analysis& a, ExpressionAnalyzer& expressions, const Expression& list, const Type& type,
+                       std::span<std::byte> out) {
+  bool sound = true;
+  for (const syntax::Argument& each : list.arguments) {
+    const Type* member = nullptr;
+    std::uint32_t offset = 0;
+    if (type.kind == TypeKind::Struct) {
+      for (const Field& field : type.fields) {
+        if (field.name != each.formal->id) continue;
+        member = field.type;
+        offset = field.offset;
+      }
+    } else if (const Variable* found = type.pou->find(each.formal->id);
+               found != nullptr && found->place.base == Base::This) {
+      member = found->type;
+      offset = found->place.offset;
+      if (member == nullptr) return false;
+    }
+    if (member == nullptr) {
+      a.error(code::kUnknownMember, each.formal->where,
+              quote(type.name) + " has no member " + quote(each.formal->text));
+      sound = false;
+      continue;
+    }
+    sound = initialise(a, expressions, *each.value, *member, out.subspan(offset, member->size)) && sound;
+  }
+  return sound;
+}
+
+}  // namespace
+
+bool initialise(Analysis& a, ExpressionAnalyzer& expressions, const Expression& initial, const Type& type,
+                std::span<std::byte> out) {
+  if (type.is_scalar()) {
+    const auto value = expressions.constant(initial, &type);
+    if (value) store(*value, type, out);
+    return value.has_value();
+  }
+  if (type.kind == TypeKind::Array && initial.kind == ExpressionKind::ArrayValues)
+    return initialise_array(a, expressions, initial, type, out);
+  if (type.kind != TypeKind::Array && initial.kind == ExpressionKind::StructValues)
+    return initialise_struct(a, expressions, initial, type, out);
+  if (initial.kind != ExpressionKind::Error)
+    a.error(code::kBadInitializer, initial.where, "this is no first value for " + type.name, kListHint);
+  return false;
+}
+
+}  // namespace stepwright::semantics::internal

@@ -1,0 +1,53 @@
+#pragma once
+
+// What the parts of the analysis share: the model in the making and the global names.
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "ladder/semantics/model.h"
+#include "ladder/source/codes.h"
+#include "ladder/source/diagnostic_sink.h"
+
+namespace stepwright::semantics::internal {
+
+namespace code = source::code;
+using source::NameId;
+using source::Position;
+
+struct EnumValue {
+  const Type* type = nullptr;  // null: several enumerations have a value of this name
+  std::int16_t value = 0;
+};
+
+struct Analysis {
+  Model& model;
+  source::NameTable& names;
+  source::DiagnosticSink& sink;
+  std::unordered_map<std::uint32_t, const Type*> types;  // user types by NameId; null: wrong declaration
+  std::unordered_map<std::uint32_t, Pou*> pous;
+  std::unordered_map<std::uint32_t, std::uint32_t> globals;  // NameId -> index into model.globals
+  std::unordered_map<std::uint32_t, EnumValue> enum_values;
+
+  void error(const char* what, Position where, std::string message, std::string hint = {}) {
+    sink.error(what, where, std::move(message), std::move(hint));
+  }
+
+  TypeTable& type_table() { return model.types; }
+
+  // `size` bytes of Data, zero; nothing and a report if the program gets too large.
+  std::optional<std::uint32_t> allocate(std::uint32_t size, Position where);
+  // A place in Data for a value of the type, with the type's initial value.
+  Place allocate_place(const Type* type, Position where);
+};
+
+// Bytes that a program may have.
+inline constexpr std::uint32_t kMaxData = 32u << 20;
+
+std::string quote(std::string_view name);
+// The slot that holds a scalar of this type.
+bytecode::StackType slot_type(const Type& type);
+
+}  // namespace stepwright::semantics::internal

@@ -1,0 +1,60 @@
+#pragma once
+
+// Declarations: types, variables with their memory and first values, configurations.
+
+#include "ladder/semantics/internal/expression_analyzer.h"
+
+namespace stepwright::semantics::internal {
+
+// Types by name and by shape; user types are made on demand, so that their order does not matter.
+class TypeResolver {
+ public:
+  // `unit` must outlive the resolver.
+  TypeResolver(Analysis& analysis, const syntax::Unit& unit);
+
+  // Every type of the unit, and the names of enumeration values.
+  void declare_all();
+  // Null after a report. Instances of function blocks are types too.
+  const Type* resolve(const syntax::TypeSpec& spec);
+  // Lays out the variables of a POU, before those that hold instances of it.
+  void lay_out(Pou& pou);
+
+ private:
+  const Type* named(const syntax::Name& name);
+  const Type* declared(const syntax::TypeDeclaration& declaration);
+  const Type* array(const syntax::TypeSpec& spec);
+  const Type* structure(const syntax::TypeSpec& spec, std::string name);
+  const Type* enumeration(const syntax::TypeSpec& spec, std::string name);
+
+  enum class State : std::uint8_t { Open, Running, Done };
+  struct Known {
+    const syntax::TypeDeclaration* declaration = nullptr;
+    State state = State::Open;
+  };
+  Analysis& a_;
+  const syntax::Unit& unit_;
+  std::unordered_map<std::uint32_t, Known> known_;
+  std::unordered_map<std::uint32_t, State> layouts_;  // of POUs
+};
+
+// Writes the value of an initialiser at `out`, which holds the type's own initial value. False after a
+// report.
+bool initialise(Analysis& analysis, ExpressionAnalyzer& expressions, const syntax::Expression& initial,
+                const Type& type, std::span<std::byte> out);
+
+// Globals of the unit and of its configurations. Appends to the model.
+void declare_globals(Analysis& analysis, TypeResolver& types,
+                     const std::vector<syntax::VariableDeclaration>& lines);
+
+// Two located variables that share bits, whatever POU or configuration declares them.
+void check_overlaps(Analysis& analysis);
+
+// Gives a variable an address of %I, %Q or %M, grows the area and writes the first value. False after a
+// report.
+bool locate(Analysis& analysis, const syntax::VariableDeclaration& line, Variable& variable,
+            std::span<const std::byte> initial);
+
+// Tasks and program instances, with their memory.
+void configure(Analysis& analysis, const syntax::Unit& unit, std::size_t library_pous);
+
+}  // namespace stepwright::semantics::internal

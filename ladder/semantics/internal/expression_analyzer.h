@@ -1,0 +1,131 @@
+#pragma once
+
+// Syntax expressions -> values. A function that returns null or nothing has reported why (or met something
+// that was reported before), so callers stay silent.
+
+#include <optional>
+
+#include "ladder/semantics/internal/analysis.h"
+#include "ladder/semantics/statement.h"
+
+namespace stepwright::semantics::internal {
+
+enum class Access : std::uint8_t { Read, Write };
+
+class ExpressionAnalyzer {
+ public:
+  // `pou` is null outside of POUs (bounds, initial values of globals): only constants are known there.
+  ExpressionAnalyzer(Analysis& analysis, Pou* pou) : a_(analysis), pou_(pou) {}
+
+  // A value of whatever type it has; literals keep their literal type.
+  ValuePtr value(const syntax::Expression& expression);
+  // The value, implicitly converted to `type`.
+  ValuePtr value_as(const syntax::Expression& expression, const Type* type);
+  // As value(), but literals get the type that they have without a context: INT, DINT, LINT, REAL.
+  ValuePtr settled_value(const syntax::Expression& expression);
+  // A BOOL value; `what` for the message ("the condition of IF").
+  ValuePtr condition(const syntax::Expression& expression, const char* what);
+  // A constant of the type.
+  std::optional<Constant> constant(const syntax::Expression& expression, const Type* type);
+  // A constant integer, whatever its type.
+  std::optional<std::int64_t> constant_integer(const syntax::Expression& expression);
+  // A variable or a part of one.
+  std::optional<Place> place(const syntax::Expression& expression, Access access);
+
+  // Implicit conversion; reports at `where` if there is none.
+  ValuePtr convert(ValuePtr value, const Type* type, Position where);
+
+  // A call as a statement; of a function or of a block.
+  std::optional<Statement> call_statement(const syntax::Expression& call);
+
+  // Makes values.
+  static ValuePtr make(ValueKind kind, const Type* type, Position where);
+  static ValuePtr make_constant(Constant constant, const Type* type, Position where);
+  static ValuePtr load(Place place, Position where);
+  // A copy of a place without index steps.
+  static Place copy_direct(const Place& place);
+
+ private:
+  // expression_analyzer.cpp
+  ValuePtr literal(const syntax::Expression& expression);
+  ValuePtr typed_literal(const syntax::Expression& expression);
+  ValuePtr variable(const syntax::Expression& expression);
+  ValuePtr enum_value(const syntax::Expression& expression);
+  ValuePtr settle(ValuePtr value);
+
+  // place.cpp
+  std::optional<Place> part(const syntax::Expression& expression);
+  std::optional<Place> variable_place(const syntax::Name& name);
+  std::optional<Place> field_place(const syntax::Expression& expression);
+  std::optional<Place> index_place(const syntax::Expression& expression);
+  std::optional<Place> direct_place(const syntax::Expression& expression);
+  struct Member {
+    const Type* type = nullptr;
+    std::uint32_t offset = 0;
+  };
+  std::optional<Member> struct_member(const Type& type, const syntax::Name& name);
+  std::optional<Member> instance_member(const Type& type, const syntax::Name& name);
+  bool add_index(Place& place, const syntax::Expression& index, const Dimension& dimension,
+                 std::uint32_t stride);
+  const Variable* find_variable(NameId name) const;
+  void report_unknown(const syntax::Name& name);
+  std::string why_read_only(const Variable& variable) const;
+
+  // operators.cpp
+  ValuePtr unary(const syntax::Expression& expression);
+  ValuePtr binary(const syntax::Expression& expression);
+  ValuePtr combine(syntax::Operator op, ValuePtr left, ValuePtr right, Position where);
+  ValuePtr combine_time(syntax::Operator op, ValuePtr left, ValuePtr right, Position where);
+  ValuePtr fold_literals(syntax::Operator op, const Value& left, const Value& right, Position where);
+  const Type* common_type(const Value& left, const Value& right) const;
+  bool operator_applies(syntax::Operator op, const Type& type) const;
+  ValuePtr bad_operands(syntax::Operator op, const Value& left, const Value& right, Position where);
+
+  // conversion.cpp
+  ValuePtr convert_literal(ValuePtr value, const Type* type, Position where);
+  ValuePtr convert_exactly(ValuePtr value, const Type* type);
+  ValuePtr mismatch(const Type& from, const Type& to, Position where);
+  // X_TO_Y; null without a report if the name is none.
+  bool is_conversion(const std::string& folded, const Type*& from, const Type*& to) const;
+  ValuePtr explicit_conversion(const syntax::Expression& call, const Type* from, const Type* to);
+
+  // call.cpp
+  ValuePtr call(const syntax::Expression& expression);
+  ValuePtr function_call(const syntax::Expression& expression, Pou& function);
+  std::optional<Statement> block_call(const syntax::Expression& call, const syntax::Expression* path);
+  // Which parameter each argument means; false after a report.
+  bool match_arguments(const syntax::Expression& call, const Pou& pou,
+                       std::vector<const syntax::Argument*>& out);
+  bool pass_output(const syntax::Argument& argument, Place source, std::vector<CopyAfter>& after);
+  ValuePtr reference_argument(const syntax::Argument& argument, const Variable& parameter,
+                              std::vector<CopyBefore>& before, std::vector<CopyAfter>& after);
+  bool function_argument(const Variable& parameter, const syntax::Argument* argument,
+                         const syntax::Expression& call, Value& out);
+  bool block_argument(const Variable& parameter, const syntax::Argument& argument, Statement& out);
+  Place part_of_target(const Place& instance, const Variable& member);
+  void note_callee(const Pou& callee);
+
+  // standard_call.cpp
+  ValuePtr standard_call(const syntax::Expression& call, const std::string& folded, bool& known);
+  std::optional<std::vector<ValuePtr>> standard_arguments(const syntax::Expression& call,
+                                                          std::initializer_list<const char*> formals,
+                                                          std::size_t least, std::size_t most);
+  ValuePtr numeric(const syntax::Expression& call, StandardFunction function);
+  ValuePtr extremum(const syntax::Expression& call, StandardFunction function);
+  ValuePtr limit(const syntax::Expression& call);
+  ValuePtr shift(const syntax::Expression& call, StandardFunction function);
+  ValuePtr select(const syntax::Expression& call);
+  ValuePtr multiplex(const syntax::Expression& call);
+  ValuePtr truncate(const syntax::Expression& call);
+  ValuePtr operator_call(const syntax::Expression& call, syntax::Operator op, std::size_t most);
+  // All values in one type; null after a report.
+  const Type* unify(std::vector<ValuePtr>& values, std::size_t first, Position where);
+
+  Analysis& a_;
+  Pou* pou_;
+  // Why the place that is being resolved cannot be written, and where to say so; empty if it can.
+  std::string read_only_;
+  Position read_only_where_;
+};
+
+}  // namespace stepwright::semantics::internal

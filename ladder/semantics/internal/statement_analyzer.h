@@ -1,0 +1,40 @@
+#pragma once
+
+// Syntax statements -> checked statements. A statement that is wrong is left out of the result; its reports
+// keep the model from reaching codegen.
+
+#include <unordered_map>
+
+#include "ladder/semantics/internal/expression_analyzer.h"
+
+namespace stepwright::semantics::internal {
+
+class StatementAnalyzer {
+ public:
+  StatementAnalyzer(Analysis& analysis, Pou& pou) : a_(analysis), pou_(pou), expressions_(analysis, &pou) {}
+
+  // Fills `body` and `label_count` of the POU.
+  void body(const syntax::Statements& statements);
+
+ private:
+  void collect_labels(const syntax::Statements& statements);
+  Block block(const syntax::Statements& statements);
+  std::optional<Statement> statement(const syntax::Statement& statement);
+  std::optional<Statement> assign(const syntax::Statement& statement);
+  std::optional<Statement> branch(const syntax::Statement& statement);
+  std::optional<Statement> select(const syntax::Statement& statement);
+  std::optional<Statement> count(const syntax::Statement& statement);
+  std::optional<Statement> loop(const syntax::Statement& statement, StatementKind kind, const char* what);
+  std::optional<Statement> leave(const syntax::Statement& statement, StatementKind kind);
+  std::optional<Statement> jump(const syntax::Statement& statement, StatementKind kind);
+  void case_ranges(const syntax::Branch& branch, const Type* selector, std::vector<CaseRange>& seen,
+                   Branch& out);
+
+  Analysis& a_;
+  Pou& pou_;
+  ExpressionAnalyzer expressions_;
+  std::unordered_map<std::uint32_t, std::uint32_t> labels_;  // NameId -> label number
+  int loops_ = 0;
+};
+
+}  // namespace stepwright::semantics::internal

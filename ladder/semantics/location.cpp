@@ -1,0 +1,105 @@
+// Variables with addresses of %I, %Q and %M (IEC 61131-3, 6.5.5).
+
+#include <algorithm>
+
+#include "ladder/semantics/internal/declarer.h"
+
+namespace stepwright::semantics::internal {
+
+namespace {
+
+// Grows the area to hold the address and its type; false after a report.
+bool fits_address(Analysis& a, const syntax::VariableDeclaration& line, const Type& type) {
+  const syntax::DirectAddress& address = *line.address;
+  if (type.kind == TypeKind::Instance) {
+    a.error(code::kAddressSize, line.address_where, "a function block has no address");
+    return false;
+  }
+  const unsigned bits = type.is_scalar() ? type.bit_count() : 0;
+  // An array or a structure begins at a byte address; a value has an address of its own size.
+  const bool sound = bits != 0 ? bits == address.bits : address.bits != 1;
+  if (!sound) {
+    a.error(code::kAddressSize, line.address_where,
+            type.name + " does not fit to " + to_string(address) + ", which has " +
+                std::to_string(address.bits) + (address.bits == 1 ? " bit" : " bits"),
+            bits == 1    ? "a BOOL has an address like %IX0.0"
+            : bits == 8  ? "use an address like %IB0"
+            : bits == 16 ? "use an address like %IW0"
+            : bits == 32 ? "use an address like %ID0"
+                         : "use an address like %IL0");
+    return false;
+  }
+  if (std::size_t{address.byte} + type.size > syntax::kAreaLimit) {
+    a.error(code::kBadAddress, line.address_where, "the variable reaches beyond the area's 64 KiB");
+    return false;
+  }
+  return true;
+}
+
+// Bits of the area that a variable takes, as [first, last).
+struct Extent {
+  Base area;
+  std::uint64_t first;
+  std::uint64_t last;
+  const Variable* variable;
+};
+
+Extent extent_of(const Variable& variable) {
+  const Place& place = variable.place;
+  const std::uint64_t first =
+      std::uint64_t{place.offset} * 8 + (place.bit == bytecode::kNoBit ? 0 : place.bit);
+  const std::uint64_t bits = place.bit == bytecode::kNoBit ? std::uint64_t{place.type->size} * 8 : 1;
+  return {place.base, first, first + bits, &variable};
+}
+
+}  // namespace
+
+bool locate(Analysis& a, const syntax::VariableDeclaration& line, Variable& variable,
+            std::span<const std::byte> initial) {
+  const Type& type = *variable.type;
+  if (line.names.size() > 1) {
+    a.error(code::kBadAddress, line.address_where, "an address belongs to one variable",
+            "declare each variable with its own address");
+    return false;
+  }
+  if (!fits_address(a, line, type)) return false;
+  const syntax::DirectAddress& address = *line.address;
+  variable.address = address;
+  variable.place.base = static_cast<Base>(address.area);
+  variable.place.offset = address.byte;
+  variable.place.bit = address.bits == 1 ? address.bit : bytecode::kNoBit;
+  auto& area = a.model.area(variable.place.base);
+  const std::size_t end = std::size_t{address.byte} + type.size;
+  if (area.size() < end) area.resize(end);
+  if (address.bits == 1) {
+    if (initial[0] != std::byte{0}) area[address.byte] |= std::byte{1} << address.bit;
+  } else {
+    std::copy(initial.begin(), initial.end(), area.begin() + address.byte);
+  }
+  return true;
+}
+
+void check_overlaps(Analysis& a) {
+  std::vector<Extent> extents;
+  for (const Variable& each : a.model.globals)
+    if (each.address && each.type != nullptr) extents.push_back(extent_of(each));
+  for (const auto& pou : a.model.pous)
+    for (const Variable& each : pou->variables)
+      if (each.address && each.type != nullptr) extents.push_back(extent_of(each));
+  std::stable_sort(extents.begin(), extents.end(), [](const Extent& l, const Extent& r) {
+    return l.area != r.area ? l.area < r.area : l.first < r.first;
+  });
+  const Extent* reach = nullptr;  // the one that reaches farthest so far
+  for (const Extent& each : extents) {
+    const bool overlaps = reach != nullptr && reach->area == each.area && each.first < reach->last;
+    if (overlaps) {
+      a.error(code::kOverlap, each.variable->where,
+              quote(each.variable->spelling) + " at " + to_string(*each.variable->address) + " overlaps " +
+                  quote(reach->variable->spelling) + " at " + to_string(*reach->variable->address),
+              "declare an address once, in VAR_GLOBAL if several POUs use it");
+    }
+    if (reach == nullptr || reach->area != each.area || each.last > reach->last) reach = &each;
+  }
+}
+
+}  // namespace stepwright::semantics::internal

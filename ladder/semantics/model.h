@@ -1,0 +1,87 @@
+#pragma once
+
+// The semantic model: everything that codegen needs to know of a compilation, resolved and checked.
+//
+// Memory: the areas %I, %Q, %M and Data. Data holds the globals, the instances of programs (with the function
+// blocks in them, contiguous) and what functions keep in memory while they run: functions cannot recurse, so
+// each has its arrays and outputs at a fixed place.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "ladder/semantics/statement.h"
+#include "ladder/syntax/declaration.h"
+
+namespace stepwright::semantics {
+
+using syntax::PouKind;
+using syntax::Section;
+
+struct Variable {
+  source::NameId name;
+  std::string spelling;
+  const Type* type = nullptr;  // null: its declaration is wrong, uses of it stay silent
+  Section section = Section::Local;
+  bool constant = false;
+  bool retain = false;
+  source::Position where;
+  Place place;
+  std::optional<syntax::DirectAddress> address;
+  std::optional<Constant> value;    // of a scalar constant
+  std::optional<Constant> initial;  // of a scalar that is not in an instance
+};
+
+struct Pou {
+  source::NameId name;
+  std::string spelling;
+  PouKind kind = PouKind::Program;
+  source::Position where;
+  const syntax::PouDeclaration* declaration = nullptr;
+  const Type* type = nullptr;    // its instances; null for a function
+  const Type* result = nullptr;  // of a function
+  std::uint32_t result_slot = 0;
+  std::vector<Variable> variables;
+  std::unordered_map<std::uint32_t, std::uint32_t> scope;  // NameId -> index into `variables`
+  std::vector<bytecode::StackType> slots;                  // parameters first
+  std::uint16_t parameter_count = 0;
+  Block entry;  // gives temporary variables their first values; runs before the body
+  Block body;
+  std::uint32_t label_count = 0;
+  source::Position end;
+  std::vector<const Pou*> callees;  // functions called and blocks used, without repetition
+
+  const Variable* find(source::NameId id) const {
+    const auto found = scope.find(id.value);
+    return found == scope.end() ? nullptr : &variables[found->second];
+  }
+};
+
+struct ProgramInstance {
+  std::string name;
+  const Pou* program = nullptr;
+  std::uint32_t offset = 0;  // in Data
+};
+
+struct Task {
+  std::string name;
+  std::uint32_t interval_us = 10'000;
+  std::uint32_t priority = 0;
+  std::vector<ProgramInstance> programs;
+};
+
+struct Model {
+  TypeTable types;
+  std::vector<std::unique_ptr<Pou>> pous;
+  std::vector<Variable> globals;
+  std::vector<Task> tasks;
+  // Initial bytes of %I, %Q, %M and Data (the order of Base).
+  std::array<std::vector<std::byte>, 4> areas;
+
+  std::vector<std::byte>& area(Base base) { return areas[static_cast<std::size_t>(base)]; }
+  const std::vector<std::byte>& area(Base base) const { return areas[static_cast<std::size_t>(base)]; }
+};
+
+}  // namespace stepwright::semantics

@@ -1,0 +1,221 @@
+// Operators (IEC 61131-3, 7.3.2, table 71): operand types, the type of the result, folding of constants.
+
+#include <utility>
+
+#include "ladder/semantics/internal/expression_analyzer.h"
+
+namespace stepwright::semantics::internal {
+
+using syntax::Expression;
+using syntax::Operator;
+
+namespace {
+
+bool is_comparison(Operator op) {
+  return op >= Operator::Equal && op <= Operator::GreaterEqual;
+}
+
+bool is_logic(Operator op) {
+  return op == Operator::And || op == Operator::Or || op == Operator::Xor;
+}
+
+// A literal beyond every integer type.
+bool beyond_64_bits(__int128 value) {
+  const __int128 one = 1;
+  return value > (one << 64) - 1 || value < -(one << 63);
+}
+
+}  // namespace
+
+ValuePtr ExpressionAnalyzer::unary(const Expression& expression) {
+  ValuePtr operand = value(*expression.operands[0]);
+  if (!operand) return nullptr;
+  const Type& type = *operand->type;
+  const bool is_not = expression.op == Operator::Not;
+  const bool negatable = type.is_number() || type.is_time();
+  if (is_not ? !(type.is_bool() || type.is_bits()) : !(negatable && !type.is_unsigned())) {
+    a_.error(code::kBadOperand, expression.where,
+             std::string(to_string(expression.op)) + " cannot be applied to " + type.name,
+             type.is_unsigned() && !is_not ? "convert it to a signed type first" : "");
+    return nullptr;
+  }
+  if (expression.op == Operator::Plus) return operand;
+  if (operand->kind == ValueKind::Constant) {
+    Constant constant = operand->constant;
+    if (is_not) {
+      constant.integer = ~constant.integer;
+    } else {
+      constant = {-constant.integer, -constant.real};
+    }
+    return make_constant(wrapped(constant, type), &type, expression.where);
+  }
+  ValuePtr result = make(ValueKind::Unary, &type, expression.where);
+  result->op = expression.op;
+  result->operands.push_back(std::move(operand));
+  return result;
+}
+
+ValuePtr ExpressionAnalyzer::binary(const Expression& expression) {
+  ValuePtr result = value(*expression.operands[0]);
+  for (std::size_t i = 1; i < expression.operands.size(); ++i) {
+    // The others are analysed even after a mistake: each may have its own.
+    ValuePtr right = value(*expression.operands[i]);
+    result = result && right ? combine(expression.op, std::move(result), std::move(right), expression.where)
+                             : nullptr;
+  }
+  return result;
+}
+
+// The narrowest type that holds every value of both.
+const Type* ExpressionAnalyzer::common_type(const Value& left, const Value& right) const {
+  const Type& l = *left.type;
+  const Type& r = *right.type;
+  if (&l == &r) return &l;
+  const TypeTable& types = a_.type_table();
+  if (l.is_literal() || r.is_literal()) {
+    const Value& literal = l.is_literal() ? left : right;
+    const Type& other = l.is_literal() ? r : l;
+    if (other.is_literal()) return types.any_real();
+    if (literal.type->kind == TypeKind::AnyReal) {
+      if (other.is_real()) return &other;
+      if (!other.is_integer()) return nullptr;
+      return types.elementary(widens(other, *types.elementary(ElementaryType::Real)) ? ElementaryType::Real
+                                                                                     : ElementaryType::Lreal);
+    }
+    if (other.is_real()) return &other;
+    const bool takes_integers = other.is_integer() || other.is_bits() || other.is_bool();
+    if (takes_integers && fits(literal.constant, other)) return &other;
+    if (!other.is_integer()) return nullptr;
+  }
+  for (const auto which :
+       {ElementaryType::Sint, ElementaryType::Usint, ElementaryType::Int, ElementaryType::Uint,
+        ElementaryType::Dint, ElementaryType::Udint, ElementaryType::Lint, ElementaryType::Ulint,
+        ElementaryType::Byte, ElementaryType::Word, ElementaryType::Dword, ElementaryType::Lword,
+        ElementaryType::Real, ElementaryType::Lreal}) {
+    const Type& candidate = *types.elementary(which);
+    const bool takes_left =
+        l.is_literal() ? candidate.is_integer() && fits(left.constant, candidate) : widens(l, candidate);
+    const bool takes_right =
+        r.is_literal() ? candidate.is_integer() && fits(right.constant, candidate) : widens(r, candidate);
+    if (takes_left && takes_right) return &candidate;
+  }
+  return nullptr;
+}
+
+bool ExpressionAnalyzer::operator_applies(Operator op, const Type& type) const {
+  if (!type.is_scalar()) return false;
+  if (op == Operator::Equal || op == Operator::NotEqual) return true;
+  if (is_comparison(op)) return type.kind == TypeKind::Elementary || type.is_literal();
+  if (is_logic(op)) return type.is_bool() || type.is_bits();
+  if (op == Operator::Modulo) return type.is_integer();
+  if (op == Operator::Power) return false;
+  return type.is_number();
+}
+
+ValuePtr ExpressionAnalyzer::bad_operands(Operator op, const Value& left, const Value& right,
+                                          Position where) {
+  std::string hint;
+  if (op == Operator::Power) {
+    hint = "powers are not supported yet; multiply instead";
+  } else if (is_logic(op) && (left.type->is_number() || right.type->is_number())) {
+    hint = "logic works on BOOL and bit strings; compare, or convert with " +
+           (left.type->is_literal() ? std::string("INT") : left.type->name) + "_TO_WORD";
+  } else if (left.type->is_bits() || right.type->is_bits()) {
+    hint = "bit strings do not calculate; convert them to an integer first";
+  } else if (left.type->is_number() && right.type->is_number()) {
+    hint = "no type holds both; convert one of them";
+  }
+  a_.error(
+      code::kBadOperand, where,
+      std::string(to_string(op)) + " cannot be applied to " + left.type->name + " and " + right.type->name,
+      std::move(hint));
+  return nullptr;
+}
+
+ValuePtr ExpressionAnalyzer::combine(Operator op, ValuePtr left, ValuePtr right, Position where) {
+  if (!is_comparison(op) && (left->type->is_time() || right->type->is_time()))
+    return combine_time(op, std::move(left), std::move(right), where);
+  const Type* common = common_type(*left, *right);
+  if (common == nullptr || !operator_applies(op, *common)) return bad_operands(op, *left, *right, where);
+  if (common->is_literal() && common->kind == TypeKind::AnyInteger)
+    return fold_literals(op, *left, *right, where);
+  left = convert(std::move(left), common, where);
+  right = convert(std::move(right), common, where);
+  if (!left || !right) return nullptr;
+  const bool divides = op == Operator::Divide || op == Operator::Modulo;
+  if (divides && !common->is_real() && right->kind == ValueKind::Constant && right->constant.integer == 0) {
+    a_.error(code::kConstantDivision, right->where, "division by zero");
+    return nullptr;
+  }
+  const Type* type = is_comparison(op) ? a_.type_table().boolean() : common;
+  if (left->kind == ValueKind::Constant && right->kind == ValueKind::Constant) {
+    if (const auto folded = evaluate(op, left->constant, right->constant, *common))
+      return make_constant(*folded, type, where);
+  }
+  // A chain stays flat while its type stays the same.
+  if (left->kind == ValueKind::Binary && left->op == op && !is_comparison(op) && left->type == common &&
+      left->operands[0]->type == common) {
+    left->operands.push_back(std::move(right));
+    return left;
+  }
+  ValuePtr result = make(ValueKind::Binary, type, where);
+  result->op = op;
+  result->operands.push_back(std::move(left));
+  result->operands.push_back(std::move(right));
+  return result;
+}
+
+// Literals are computed without a type: 1000 * 1000 is 1000000, whatever it is assigned to.
+ValuePtr ExpressionAnalyzer::fold_literals(Operator op, const Value& left, const Value& right,
+                                           Position where) {
+  const Constant& l = left.constant;
+  const Constant& r = right.constant;
+  if ((op == Operator::Divide || op == Operator::Modulo) && r.integer == 0) {
+    a_.error(code::kConstantDivision, right.where, "division by zero");
+    return nullptr;
+  }
+  __int128 product = 0;
+  const bool overflows = op == Operator::Multiply && __builtin_mul_overflow(l.integer, r.integer, &product);
+  const auto folded = overflows ? std::nullopt : evaluate(op, l, r, *left.type);
+  if (!folded || beyond_64_bits(folded->integer)) {
+    a_.error(code::kLiteralRange, where, "the constant is larger than 64 bits");
+    return nullptr;
+  }
+  const Type* type = is_comparison(op) ? a_.type_table().boolean() : left.type;
+  return make_constant(*folded, type, where);
+}
+
+// TIME + TIME, TIME - TIME, TIME * number, number * TIME, TIME / number (table 30).
+ValuePtr ExpressionAnalyzer::combine_time(Operator op, ValuePtr left, ValuePtr right, Position where) {
+  if (op == Operator::Multiply && right->type->is_time()) std::swap(left, right);
+  const bool sum =
+      (op == Operator::Add || op == Operator::Subtract) && left->type->is_time() && right->type->is_time();
+  const bool scale = (op == Operator::Multiply || op == Operator::Divide) && left->type->is_time() &&
+                     right->type->is_number();
+  if (!sum && !scale) return bad_operands(op, *left, *right, where);
+  const TypeTable& types = a_.type_table();
+  const Type* time = types.elementary(ElementaryType::Time);
+  const Type* factor = right->type->is_real() ? types.elementary(ElementaryType::Lreal)
+                                              : types.elementary(ElementaryType::Lint);
+  if (scale) right = convert(std::move(right), factor, where);
+  if (!right) return nullptr;
+  const bool with_real = scale && factor->is_real();
+  if (with_real) left = convert_exactly(std::move(left), factor);
+  if (op == Operator::Divide && !with_real && right->kind == ValueKind::Constant &&
+      right->constant.integer == 0) {
+    a_.error(code::kConstantDivision, right->where, "division by zero");
+    return nullptr;
+  }
+  const Type* type = with_real ? factor : time;
+  if (!with_real && left->kind == ValueKind::Constant && right->kind == ValueKind::Constant) {
+    if (const auto folded = evaluate(op, left->constant, right->constant, *time))
+      return make_constant(*folded, time, where);
+  }
+  ValuePtr result = make(ValueKind::Binary, type, where);
+  result->op = op;
+  result->operands.push_back(std::move(left));
+  result->operands.push_back(std::move(right));
+  return with_real ? convert_exactly(std::move(result), time) : std::move(result);
+}
+
+}  // namespace stepwright::semantics::internal

@@ -1,0 +1,242 @@
+// Variables and their parts (IEC 61131-3, 6.5).
+
+#include <utility>
+
+#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/source/suggestion.h"
+
+namespace stepwright::semantics::internal {
+
+using syntax::Expression;
+using syntax::ExpressionKind;
+
+const Variable* ExpressionAnalyzer::find_variable(NameId name) const {
+  if (pou_ != nullptr) {
+    if (const Variable* found = pou_->find(name)) return found;
+  }
+  const auto global = a_.globals.find(name.value);
+  return global == a_.globals.end() ? nullptr : &a_.model.globals[global->second];
+}
+
+void ExpressionAnalyzer::report_unknown(const syntax::Name& name) {
+  if (a_.pous.count(name.id.value) != 0) {
+    a_.error(code::kNotAVariable, name.where, quote(name.text) + " is a POU, not a variable",
+             "declare an instance of a function block, or call the function with (...)");
+    return;
+  }
+  std::vector<std::string_view> candidates;
+  if (pou_ != nullptr)
+    for (const Variable& each : pou_->variables) candidates.push_back(each.spelling);
+  for (const Variable& each : a_.model.globals) candidates.push_back(each.spelling);
+  a_.error(code::kUndeclared, name.where, quote(name.text) + " is not declared",
+           source::did_you_mean(name.text, candidates));
+}
+
+std::string ExpressionAnalyzer::why_read_only(const Variable& variable) const {
+  if (variable.constant) return "is a constant";
+  if (variable.place.base == Base::Input) return "is an input of the plant (%I)";
+  if (variable.section == Section::Input) return "is an input (VAR_INPUT)";
+  return {};
+}
+
+std::optional<Place> ExpressionAnalyzer::place(const Expression& expression, Access access) {
+  // Indexes hold expressions of their own, so the state is that of the outer place again afterwards.
+  std::string outer = std::exchange(read_only_, {});
+  const Position outer_where = read_only_where_;
+  std::optional<Place> found = part(expression);
+  if (found && access == Access::Write && !read_only_.empty()) {
+    a_.error(code::kReadOnly, read_only_where_, read_only_ + " and cannot be written");
+    found.reset();
+  }
+  read_only_ = std::move(outer);
+  read_only_where_ = outer_where;
+  return found;
+}
+
+std::optional<Place> ExpressionAnalyzer::part(const Expression& expression) {
+  switch (expression.kind) {
+    case ExpressionKind::Variable:
+      return variable_place(expression.name);
+    case ExpressionKind::Direct:
+      return direct_place(expression);
+    case ExpressionKind::Field:
+      return field_place(expression);
+    case ExpressionKind::Index:
+      return index_place(expression);
+    case ExpressionKind::Error:
+      return std::nullopt;
+    default:
+      a_.error(code::kNeedsVariable, expression.where, "a variable is needed here");
+      return std::nullopt;
+  }
+}
+
+std::optional<Place> ExpressionAnalyzer::variable_place(const syntax::Name& name) {
+  const Variable* found = find_variable(name.id);
+  if (found == nullptr) {
+    report_unknown(name);
+    return std::nullopt;
+  }
+  if (found->type == nullptr) return std::nullopt;
+  const std::string why = why_read_only(*found);
+  if (!why.empty()) {
+    read_only_ = quote(name.text) + " " + why;
+    read_only_where_ = name.where;
+  }
+  return copy_direct(found->place);
+}
+
+std::optional<Place> ExpressionAnalyzer::field_place(const Expression& expression) {
+  std::optional<Place> base = part(*expression.operands[0]);
+  if (!base) return std::nullopt;
+  const Type& type = *base->type;
+  std::optional<Member> member;
+  if (type.kind == TypeKind::Struct) {
+    member = struct_member(type, expression.name);
+  } else if (type.kind == TypeKind::Instance) {
+    member = instance_member(type, expression.name);
+  } else {
+    a_.error(code::kUnknownMember, expression.name.where, type.name + " has no members");
+  }
+  if (!member) return std::nullopt;
+  if (base->is_direct()) {
+    base->offset += member->offset;
+  } else {
+    PlaceStep step;
+    step.offset = member->offset;
+    base->steps.push_back(std::move(step));
+  }
+  base->type = member->type;
+  return base;
+}
+
+std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::struct_member(const Type& type,
+                                                                            const syntax::Name& name) {
+  std::vector<std::string_view> candidates;
+  for (const Field& each : type.fields) {
+    if (each.name == name.id) return Member{each.type, each.offset};
+    candidates.push_back(each.spelling);
+  }
+  a_.error(code::kUnknownMember, name.where, quote(type.name) + " has no member " + quote(name.text),
+           source::did_you_mean(name.text, candidates));
+  return std::nullopt;
+}
+
+std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::instance_member(const Type& type,
+                                                                              const syntax::Name& name) {
+  // Writing a member writes into the block, not to the variable that holds it: t.IN := x, t being an input.
+  read_only_.clear();
+  const Variable* found = type.pou->find(name.id);
+  if (found == nullptr) {
+    std::vector<std::string_view> candidates;
+    for (const Variable& each : type.pou->variables)
+      if (each.section == Section::Input || each.section == Section::Output)
+        candidates.push_back(each.spelling);
+    a_.error(code::kUnknownMember, name.where, quote(type.name) + " has no member " + quote(name.text),
+             source::did_you_mean(name.text, candidates));
+    return std::nullopt;
+  }
+  if (found->type == nullptr) return std::nullopt;
+  const bool visible = found->section == Section::Input || found->section == Section::Output;
+  if (!visible || found->place.base != Base::This) {
+    a_.error(code::kUnknownMember, name.where,
+             quote(name.text) + " is internal to " + type.name + "; only its inputs and outputs can be seen");
+    return std::nullopt;
+  }
+  if (found->section == Section::Output) {
+    read_only_ = quote(name.text) + " is an output of " + type.name;
+    read_only_where_ = name.where;
+  }
+  return Member{found->type, found->place.offset};
+}
+
+std::optional<Place> ExpressionAnalyzer::index_place(const Expression& expression) {
+  std::optional<Place> base = part(*expression.operands[0]);
+  bool sound = base.has_value();
+  const std::size_t given = expression.operands.size() - 1;
+  if (sound && base->type->kind != TypeKind::Array) {
+    a_.error(code::kTypeMismatch, expression.where, base->type->name + " is no array and cannot be indexed");
+    sound = false;
+  }
+  if (sound && given != base->type->dimensions.size()) {
+    a_.error(code::kIndexCount, expression.where,
+             "the array has " + std::to_string(base->type->dimensions.size()) + " dimensions, found " +
+                 std::to_string(given) + " indexes");
+    sound = false;
+  }
+  if (!sound) return std::nullopt;
+  const Type& array = *base->type;
+  std::uint32_t stride = array.size;
+  for (std::size_t i = 0; i < given; ++i) {
+    const Dimension& dimension = array.dimensions[i];
+    stride /= dimension.count();
+    if (!add_index(*base, *expression.operands[i + 1], dimension, stride)) return std::nullopt;
+  }
+  base->type = array.element;
+  return base;
+}
+
+bool ExpressionAnalyzer::add_index(Place& place, const Expression& index, const Dimension& dimension,
+                                   std::uint32_t stride) {
+  ValuePtr value = settled_value(index);
+  if (!value) return false;
+  if (!value->type->is_integer()) {
+    a_.error(code::kTypeMismatch, index.where, "an index must be an integer, not " + value->type->name);
+    return false;
+  }
+  if (value->kind != ValueKind::Constant) {
+    value = convert(std::move(value), a_.type_table().elementary(ElementaryType::Dint), index.where);
+    if (!value) return false;
+    PlaceStep step;
+    step.index = std::move(value);
+    step.lower = dimension.lower;
+    step.upper = dimension.upper;
+    step.stride = stride;
+    place.steps.push_back(std::move(step));
+    return true;
+  }
+  const __int128 number = value->constant.integer;
+  if (number < dimension.lower || number > dimension.upper) {
+    a_.error(code::kConstantIndex, index.where, "the index " + to_string(number) + " is outside of the array",
+             "it goes from " + std::to_string(dimension.lower) + " to " + std::to_string(dimension.upper));
+    return false;
+  }
+  const auto offset = static_cast<std::uint32_t>(number - dimension.lower) * stride;
+  if (place.is_direct()) {
+    place.offset += offset;
+  } else {
+    PlaceStep step;
+    step.offset = offset;
+    place.steps.push_back(std::move(step));
+  }
+  return true;
+}
+
+// %QX0.3 used in place: a BOOL or a bit string of the size that it names.
+std::optional<Place> ExpressionAnalyzer::direct_place(const Expression& expression) {
+  const syntax::DirectAddress& address = expression.address;
+  if (address.area == syntax::Area::Input) {
+    read_only_ = quote(to_string(address)) + " is an input of the plant";
+    read_only_where_ = expression.where;
+  }
+  if (pou_ == nullptr) {
+    a_.error(code::kNotConstant, expression.where, "the value must be known when the program is compiled");
+    return std::nullopt;
+  }
+  Place place;
+  place.base = static_cast<Base>(address.area);
+  place.offset = address.byte;
+  if (address.bits == 1) place.bit = address.bit;
+  const ElementaryType which = address.bits == 1    ? ElementaryType::Bool
+                               : address.bits == 8  ? ElementaryType::Byte
+                               : address.bits == 16 ? ElementaryType::Word
+                               : address.bits == 32 ? ElementaryType::Dword
+                                                    : ElementaryType::Lword;
+  place.type = a_.type_table().elementary(which);
+  auto& area = a_.model.area(place.base);
+  const std::size_t end = std::size_t{address.byte} + place.type->size;
+  if (area.size() < end) area.resize(end);
+  return place;
+}
+
+}  // namespace stepwright::semantics::internal

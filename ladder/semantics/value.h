@@ -1,0 +1,110 @@
+#pragma once
+
+// Expressions after analysis: every name resolved to a place, every type known, every conversion explicit,
+// constants folded. What codegen reads; it reports nothing any more.
+
+#include <memory>
+#include <vector>
+
+#include "ladder/semantics/constant.h"
+#include "ladder/semantics/type.h"
+#include "runtime/bytecode/container_format.h"
+#include "runtime/bytecode/opcode.h"
+
+namespace stepwright::semantics {
+
+struct Value;
+using ValuePtr = std::unique_ptr<Value>;
+
+// Where a variable's memory begins. Addresses of areas are absolute once the areas have their sizes.
+enum class Base : std::uint8_t {
+  Input,  // `offset` in the input area; so for the next three
+  Output,
+  Marker,
+  Data,
+  This,     // `offset` in the running instance
+  Slot,     // local slot `slot` of the running function: a scalar without an address
+  ThisRef,  // the reference stored at `offset` in the running instance (VAR_IN_OUT)
+  SlotRef,  // the reference held by local slot `slot`
+};
+
+// One step from a place to a part of it.
+struct PlaceStep {
+  ValuePtr index;          // null: only `offset` is added
+  std::int32_t lower = 0;  // bounds of the index, checked at run time
+  std::int32_t upper = 0;
+  std::uint32_t stride = 0;
+  std::uint32_t offset = 0;  // added behind the index
+};
+
+// A variable or a part of one.
+struct Place {
+  Base base = Base::This;
+  std::uint32_t offset = 0;
+  std::uint32_t slot = 0;
+  std::uint8_t bit = bytecode::kNoBit;  // located BOOL: a bit of the byte at `offset`
+  const Type* type = nullptr;
+  std::vector<PlaceStep> steps;
+
+  // Has neither an index nor a reference on its way: the address is known when the program is loaded.
+  bool is_direct() const { return steps.empty() && base != Base::ThisRef && base != Base::SlotRef; }
+  // Can be given away as a reference.
+  bool is_addressable() const { return base != Base::Slot && bit == bytecode::kNoBit; }
+};
+
+enum class ValueKind : std::uint8_t {
+  Constant,
+  Load,       // `place`
+  Reference,  // the address of `place`, for VAR_IN_OUT and aggregate parameters
+  Unary,      // Negate, Not
+  Binary,     // chain of `op` over operands of type operands[0]->type
+  Convert,    // operands[0] to `type`, exactly if it widens, else as the standard's X_TO_Y
+  Truncate,   // operands[0], a real, to the integer `type`, towards zero
+  Standard,   // `function` of operands of one type
+  Shift,      // `function` of operands[0], operands[1] (DINT)
+  Select,     // operands[0] ? operands[2] : operands[1], all evaluated
+  Multiplex,  // operands[0] (DINT) chooses among the rest, all evaluated
+  Call,       // user function `pou`; operands in the order of its parameters
+  Now,        // time since the start, TIME
+};
+
+enum class StandardFunction : std::uint8_t { Abs, Sqrt, Min, Max, Shl, Shr, Rol, Ror };
+
+struct Value {
+  ValueKind kind = ValueKind::Constant;
+  const Type* type = nullptr;
+  source::Position where;
+  syntax::Operator op = syntax::Operator::Add;
+  StandardFunction function = StandardFunction::Abs;
+  Constant constant;
+  Place place;
+  const Pou* pou = nullptr;
+  std::vector<ValuePtr> operands;
+  // Call: outputs and in-outs that the caller copies (see CallCopies in statement.h).
+  std::vector<struct CopyBefore> before;
+  std::vector<struct CopyAfter> after;
+
+  Value();
+  ~Value();
+  Value(Value&&) noexcept;
+  Value& operator=(Value&&) noexcept;
+};
+
+// Before a call: `target := value`.
+struct CopyBefore {
+  Place target;
+  ValuePtr value;
+};
+
+// After a call: `target := value`, where value reads what the call left.
+struct CopyAfter {
+  Place target;
+  ValuePtr value;
+};
+
+inline Value::Value() = default;
+inline Value::~Value() = default;
+inline Value::Value(Value&&) noexcept = default;
+inline Value& Value::operator=(Value&&) noexcept = default;
+
+}  // namespace stepwright::semantics

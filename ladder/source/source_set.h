@@ -1,0 +1,63 @@
+#pragma once
+
+// The texts of one compilation and the places in them.
+//
+// A SourceSet owns its texts: views into them stay valid as long as the set lives (also when it is moved).
+// Not thread-safe; one set belongs to one compilation.
+//
+//   SourceSet sources;
+//   FileId file = sources.add("blink.st", text);
+//   sources.location({file, 17});  ->  {"blink.st", 2, 5}
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/base/strong_id.h"
+#include "runtime/result/diagnostic.h"
+
+namespace stepwright::source {
+
+struct FileTag;
+using FileId = base::StrongId<FileTag>;
+
+// A text and the name under which diagnostics speak of it: a path, or the name of a POU of a project.
+struct NamedText {
+  std::string name;
+  std::string text;
+};
+
+// A byte of a text.
+struct Position {
+  FileId file;
+  std::uint32_t offset = 0;
+
+  friend bool operator==(const Position&, const Position&) = default;
+};
+
+class SourceSet {
+ public:
+  // Takes a copy of the text.
+  FileId add(std::string name, std::string text);
+
+  std::size_t size() const { return files_.size(); }
+  const std::string& name(FileId file) const { return files_[file.value]->name; }
+  std::string_view text(FileId file) const { return files_[file.value]->text; }
+
+  // Line, from 1. An offset behind the end gives the last line.
+  std::uint32_t line(Position position) const;
+  // File, line and column; columns count characters (UTF-8), not bytes.
+  result::Location location(Position position) const;
+
+ private:
+  struct File {
+    std::string name;
+    std::string text;
+    std::vector<std::uint32_t> line_starts;
+  };
+  std::vector<std::unique_ptr<File>> files_;
+};
+
+}  // namespace stepwright::source

@@ -1,0 +1,139 @@
+#pragma once
+
+// The recursive-descent parser behind parser.h. One object reads one token list; its members are defined in
+// one source file per language part (expressions, statements, declarations, charts, configurations).
+
+#include <initializer_list>
+#include <string>
+
+#include "ladder/syntax/parser.h"
+
+namespace stepwright::syntax::internal {
+
+class Parser {
+ public:
+  // `tokens` and `context` must outlive the parser.
+  Parser(SyntaxContext& context, const std::vector<Token>& tokens, TextKind kind)
+      : context_(context), tokens_(tokens), kind_(kind) {}
+
+  // parser.cpp
+  void unit(Unit& out);
+  Statements whole_statements();
+  std::vector<VariableDeclaration> whole_variables();
+
+ private:
+  // Cursor (cursor.cpp).
+  const Token& peek(std::size_t ahead = 0) const;
+  const Token& advance();
+  bool at(TokenKind kind) const { return peek().is(kind); }
+  bool at(Keyword keyword) const { return peek().is(keyword); }
+  bool accept(TokenKind kind);
+  bool accept(Keyword keyword);
+  // Reports "expected ..., found ..." unless the token was complained about already.
+  bool expect(TokenKind kind, const char* after);
+  bool expect(Keyword keyword, const char* after);
+  // Closes a block that `open` began: reports the missing END at the place of `open`.
+  bool expect_end(Keyword keyword, const Token& open);
+  std::optional<Name> expect_name(const char* what);
+  void unexpected(const std::string& wanted, const std::string& hint = {});
+  // The end of the token before: where something is missing.
+  source::Position after_previous() const;
+  // Skips to behind the next ';' or before something that begins or ends a block.
+  void skip_statement();
+  void skip_declaration();
+  bool at_pou_start() const;
+  bool at_block_end() const;
+  bool at_statement_keyword() const;
+
+  // Guards against stack exhaustion; reports once.
+  class Nesting;
+  bool too_deep();
+
+  // expression_parser.cpp
+  ExpressionPtr expression();
+  ExpressionPtr binary(int level);
+  ExpressionPtr unary();
+  ExpressionPtr primary();
+  ExpressionPtr literal();
+  ExpressionPtr prefixed_literal();
+  ExpressionPtr name_or_call();
+  ExpressionPtr suffixes(ExpressionPtr base);
+  bool at_path_call(const Expression& base) const;
+  void call_arguments(Expression& call);
+  std::vector<Argument> arguments();
+  Argument argument();
+  ExpressionPtr initial_value();
+  ExpressionPtr array_values();
+  ExpressionPtr struct_values();
+  ExpressionPtr make(ExpressionKind kind) const;
+  ExpressionPtr error_node() const { return make(ExpressionKind::Error); }
+  ExpressionPtr join(Operator op, ExpressionPtr left, ExpressionPtr right, source::Position where,
+                     bool extend);
+
+  // statement_parser.cpp
+  Statements statements();
+  StatementPtr statement();
+  StatementPtr simple_statement();
+  StatementPtr if_statement();
+  StatementPtr case_statement();
+  StatementPtr for_statement();
+  StatementPtr while_statement();
+  StatementPtr repeat_statement();
+  StatementPtr keyword_statement(StatementKind kind);
+  StatementPtr jump_statement();
+  StatementPtr make_statement(StatementKind kind) const;
+  Branch case_branch();
+  bool at_case_label() const;
+  void end_of_statement();
+
+  // declaration_parser.cpp
+  bool at_variable_section() const;
+  void variable_section(std::vector<VariableDeclaration>& out);
+  bool variable_line(const VariableDeclaration& model, std::vector<VariableDeclaration>& out);
+  TypeSpecPtr type();
+  TypeSpecPtr array_type();
+  TypeSpecPtr struct_type();
+  TypeSpecPtr enumeration_type();
+  void type_section(std::vector<TypeDeclaration>& out);
+
+  // pou_parser.cpp
+  PouDeclaration pou();
+  Configuration configuration();
+  void resource(Configuration& out);
+  void resource_item(Configuration& out);
+  void task(Configuration& out);
+  void program_instance(Configuration& out);
+
+  // chart_parser.cpp
+  bool at_chart() const;
+  Chart chart(Keyword end);
+  StepDeclaration step();
+  ActionUse action_use();
+  TransitionDeclaration transition();
+  std::vector<Name> step_list();
+  ActionDeclaration action();
+  // From the cursor to before the given token; `until` is not passed.
+  template <typename Kind>
+  TextSlice slice_until(Kind until);
+
+  SyntaxContext& context_;
+  const std::vector<Token>& tokens_;
+  TextKind kind_;
+  std::size_t at_ = 0;
+  std::size_t reported_at_ = static_cast<std::size_t>(-1);
+  int nesting_ = 0;
+};
+
+// Counts one level of nesting while it lives.
+class Parser::Nesting {
+ public:
+  explicit Nesting(Parser& parser) : parser_(parser) { ++parser_.nesting_; }
+  ~Nesting() { --parser_.nesting_; }
+  Nesting(const Nesting&) = delete;
+  Nesting& operator=(const Nesting&) = delete;
+
+ private:
+  Parser& parser_;
+};
+
+}  // namespace stepwright::syntax::internal

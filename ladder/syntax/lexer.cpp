@@ -1,0 +1,301 @@
+#include "ladder/syntax/lexer.h"
+
+#include <optional>
+#include <string>
+
+#include "ladder/syntax/number.h"
+
+namespace stepwright::syntax {
+
+namespace {
+
+namespace code = source::code;
+using source::Position;
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool starts_name(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+bool continues_name(char c) {
+  return starts_name(c) || is_digit(c);
+}
+
+class Lexer {
+ public:
+  Lexer(const source::SourceSet& sources, source::FileId file, TextKind kind, source::NameTable& names,
+        source::DiagnosticSink& sink)
+      : sources_(sources),
+        file_(file),
+        text_(sources.text(file)),
+        kind_(kind),
+        names_(names),
+        sink_(sink),
+        mapped_file_(file) {}
+
+  std::vector<Token> run() {
+    tokens_.reserve(text_.size() / 4 + 1);
+    while (true) {
+      skip_blank();
+      start_ = at_;
+      if (at_ >= text_.size()) break;
+      next();
+    }
+    push(TokenKind::End);
+    return std::move(tokens_);
+  }
+
+ private:
+  char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+  bool at_text(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
+
+  Position place(std::size_t offset) const {
+    return {mapped_file_, static_cast<std::uint32_t>(offset - map_from_ + map_to_)};
+  }
+
+  Token& push(TokenKind kind) {
+    Token token;
+    token.kind = kind;
+    token.where = place(start_);
+    token.text = text_.substr(start_, at_ - start_);
+    return tokens_.emplace_back(token);
+  }
+
+  void bad(const char* what, std::string message, std::string hint = {}) {
+    sink_.error(what, place(start_), std::move(message), std::move(hint));
+    push(TokenKind::Bad);
+  }
+
+  void skip_blank() {
+    while (at_ < text_.size()) {
+      const char c = peek();
+      if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f') {
+        ++at_;
+      } else if (at_text("(*")) {
+        skip_comment("(*", "*)");
+      } else if (at_text("/*")) {
+        skip_comment("/*", "*/");
+      } else if (at_text("//")) {
+        const std::size_t end = text_.find('\n', at_);
+        at_ = end == std::string_view::npos ? text_.size() : end;
+      } else if (c == '{') {
+        skip_pragma();
+      } else {
+        return;
+      }
+    }
+  }
+
+  // Comments of one kind nest (6.1.5).
+  void skip_comment(std::string_view open, std::string_view close) {
+    start_ = at_;
+    int depth = 0;
+    while (at_ < text_.size()) {
+      if (at_text(open)) {
+        ++depth;
+        at_ += 2;
+      } else if (at_text(close)) {
+        at_ += 2;
+        if (--depth == 0) return;
+      } else {
+        ++at_;
+      }
+    }
+    sink_.error(code::kUnterminated, place(start_), "the comment has no end",
+                "close it with '" + std::string(close) + "'");
+  }
+
+  void skip_pragma() {
+    start_ = at_;
+    const std::size_t end = text_.find('}', at_);
+    if (end == std::string_view::npos) {
+      sink_.error(code::kUnterminated, place(start_), "the pragma has no end", "close it with '}'");
+      at_ = text_.size();
+      return;
+    }
+    const std::string_view inside = text_.substr(at_ + 1, end - at_ - 1);
+    at_ = end + 1;
+    if (kind_ == TextKind::Generated && !inside.empty() && inside.front() == '@')
+      map_source(inside.substr(1));
+  }
+
+  void map_source(std::string_view target) {
+    mapped_file_ = file_;
+    map_from_ = 0;
+    map_to_ = 0;
+    const std::size_t colon = target.find(':');
+    if (colon == std::string_view::npos) return;
+    const auto file = parse_integer(target.substr(0, colon), 10);
+    const auto offset = parse_integer(target.substr(colon + 1), 10);
+    if (!file || !offset || *file >= sources_.size()) return;
+    mapped_file_ = source::FileId(static_cast<std::uint32_t>(*file));
+    map_from_ = at_;
+    map_to_ = static_cast<std::size_t>(*offset);
+  }
+
+  void next() {
+    const char c = peek();
+    if (starts_name(c)) return word();
+    if (is_digit(c)) return number();
+    if (c == '%') return direct();
+    if (c == '\'' || c == '"') return string(c);
+    symbol();
+  }
+
+  void word() {
+    while (continues_name(peek())) ++at_;
+    const std::string_view text = text_.substr(start_, at_ - start_);
+    const source::NameId name = names_.intern(text);
+    if (peek() == '#') return prefixed(name);
+    const Keyword keyword = keyword_of(name);
+    Token& token = push(keyword == Keyword::None ? TokenKind::Identifier : TokenKind::Keyword);
+    token.keyword = keyword;
+    token.name = name;
+  }
+
+  void prefixed(source::NameId name) {
+    const std::string& folded = names_.folded(name);
+    ++at_;
+    if (folded != "T" && folded != "TIME" && folded != "LT" && folded != "LTIME") {
+      Token& token = push(TokenKind::TypePrefix);
+      token.text.remove_suffix(1);
+      token.name = name;
+      return;
+    }
+    const std::size_t from = at_;
+    if (peek() == '-' || peek() == '+') ++at_;
+    while (continues_name(peek()) || (peek() == '.' && is_digit(peek(1)))) ++at_;
+    const auto value = parse_duration(text_.substr(from, at_ - from));
+    if (!value) {
+      return bad(code::kBadLiteral,
+                 "'" + std::string(text_.substr(start_, at_ - start_)) + "' is no duration",
+                 "write it as T#1d2h3m4s5ms, units descending, a fraction only in the last one");
+    }
+    push(TokenKind::Time).time_ns = *value;
+  }
+
+  void digits() {
+    while (is_digit(peek()) || peek() == '_') ++at_;
+  }
+
+  void number() {
+    digits();
+    if (peek() == '#') return based_number();
+    const bool has_fraction = peek() == '.' && is_digit(peek(1));
+    if (has_fraction) {
+      ++at_;
+      digits();
+    }
+    const bool has_exponent =
+        (peek() == 'e' || peek() == 'E') &&
+        (is_digit(peek(1)) || ((peek(1) == '-' || peek(1) == '+') && is_digit(peek(2))));
+    if (has_exponent) {
+      at_ += 2;
+      digits();
+    }
+    if (starts_name(peek())) {
+      while (continues_name(peek())) ++at_;
+      return bad_number();
+    }
+    const std::string_view text = text_.substr(start_, at_ - start_);
+    if (has_fraction || has_exponent) {
+      const auto value = parse_real(text);
+      if (!value) return bad_number();
+      push(TokenKind::Real).real = *value;
+      return;
+    }
+    const auto value = parse_integer(text, 10);
+    if (!value) return bad_number();
+    push(TokenKind::Integer).integer = *value;
+  }
+
+  void based_number() {
+    const auto base = parse_integer(text_.substr(start_, at_ - start_), 10);
+    ++at_;
+    const std::size_t from = at_;
+    while (continues_name(peek())) ++at_;
+    const bool known = base && (*base == 2 || *base == 8 || *base == 10 || *base == 16);
+    const auto value =
+        known ? parse_integer(text_.substr(from, at_ - from), static_cast<unsigned>(*base)) : std::nullopt;
+    if (!value) return bad_number();
+    Token& token = push(TokenKind::Integer);
+    token.integer = *value;
+    token.based = true;
+  }
+
+  void bad_number() {
+    bad(code::kBadLiteral, "'" + std::string(text_.substr(start_, at_ - start_)) + "' is no number",
+        "bases are 2#, 8#, 10# and 16#; an integer has at most 64 bits, underscores stand between digits");
+  }
+
+  void direct() {
+    ++at_;
+    while (continues_name(peek()) || (peek() == '.' && is_digit(peek(1)))) ++at_;
+    push(TokenKind::Direct);
+  }
+
+  void string(char quote) {
+    ++at_;
+    while (at_ < text_.size() && peek() != quote && peek() != '\n') at_ += peek() == '$' ? 2 : 1;
+    if (peek() != quote) {
+      at_ = std::min(at_, text_.size());
+      return bad(code::kUnterminated, "the string has no end on its line",
+                 std::string("close it with ") + quote);
+    }
+    ++at_;
+    push(TokenKind::String);
+  }
+
+  void symbol() {
+    struct Symbol {
+      std::string_view text;
+      TokenKind kind;
+    };
+    static constexpr Symbol kSymbols[] = {
+        {":=", TokenKind::Assign},       {"=>", TokenKind::Output},     {"..", TokenKind::Range},
+        {"**", TokenKind::Power},        {"<>", TokenKind::NotEqual},   {"<=", TokenKind::LessEqual},
+        {">=", TokenKind::GreaterEqual}, {":", TokenKind::Colon},       {";", TokenKind::Semicolon},
+        {",", TokenKind::Comma},         {".", TokenKind::Dot},         {"(", TokenKind::LeftParen},
+        {")", TokenKind::RightParen},    {"[", TokenKind::LeftBracket}, {"]", TokenKind::RightBracket},
+        {"+", TokenKind::Plus},          {"-", TokenKind::Minus},       {"*", TokenKind::Star},
+        {"/", TokenKind::Slash},         {"&", TokenKind::Ampersand},   {"=", TokenKind::Equal},
+        {"<", TokenKind::Less},          {">", TokenKind::Greater},
+    };
+    for (const Symbol& each : kSymbols) {
+      if (!at_text(each.text)) continue;
+      at_ += each.text.size();
+      push(each.kind);
+      return;
+    }
+    ++at_;
+    while ((static_cast<unsigned char>(peek()) & 0xC0u) == 0x80u) ++at_;
+    const std::string shown(text_.substr(start_, at_ - start_));
+    const bool printable = static_cast<unsigned char>(shown[0]) >= 0x20;
+    bad(code::kBadCharacter, printable ? "'" + shown + "' does not belong to ST" : "a control character");
+  }
+
+  const source::SourceSet& sources_;
+  source::FileId file_;
+  std::string_view text_;
+  TextKind kind_;
+  source::NameTable& names_;
+  source::DiagnosticSink& sink_;
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0;
+  std::size_t start_ = 0;
+  source::FileId mapped_file_;
+  std::size_t map_from_ = 0;
+  std::size_t map_to_ = 0;
+};
+
+}  // namespace
+
+std::vector<Token> lex(const source::SourceSet& sources, source::FileId file, TextKind kind,
+                       source::NameTable& names, source::DiagnosticSink& sink) {
+  return Lexer(sources, file, kind, names, sink).run();
+}
+
+}  // namespace stepwright::syntax

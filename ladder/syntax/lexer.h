@@ -1,0 +1,22 @@
+#pragma once
+
+// Text -> tokens. Comments ((* *), /* */ and //) and pragmas ({ }) are skipped; what is not ST is reported
+// once and becomes a Bad token, so that the parser can go on.
+//
+// In a generated text (TextKind::Generated) a pragma {@F:O} says that what follows was copied from offset O
+// of file F, and {@} ends that: diagnostics and traps then name the place the user wrote.
+
+#include <vector>
+
+#include "ladder/source/diagnostic_sink.h"
+#include "ladder/syntax/token.h"
+
+namespace stepwright::syntax {
+
+enum class TextKind : std::uint8_t { Written, Generated };
+
+// All tokens of a text, closed by one End token. `names` begins with the keywords (intern_keywords).
+std::vector<Token> lex(const source::SourceSet& sources, source::FileId file, TextKind kind,
+                       source::NameTable& names, source::DiagnosticSink& sink);
+
+}  // namespace stepwright::syntax

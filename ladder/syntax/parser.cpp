@@ -1,0 +1,73 @@
+#include "ladder/syntax/parser.h"
+
+#include "ladder/syntax/internal/parser.h"
+
+namespace stepwright::syntax {
+
+namespace internal {
+
+void Parser::unit(Unit& out) {
+  while (!at(TokenKind::End)) {
+    if (at(Keyword::Program) || at(Keyword::FunctionBlock) || at(Keyword::Function)) {
+      out.pous.push_back(pou());
+    } else if (at(Keyword::Type)) {
+      type_section(out.types);
+    } else if (at(Keyword::Configuration)) {
+      out.configurations.push_back(configuration());
+    } else if (at(Keyword::VarGlobal)) {
+      variable_section(out.globals);
+    } else if (!accept(TokenKind::Semicolon)) {
+      unexpected("PROGRAM, FUNCTION_BLOCK, FUNCTION, TYPE, VAR_GLOBAL or CONFIGURATION");
+      advance();
+      // Everything up to the next declaration belongs to the same mistake.
+      while (!at(TokenKind::End) &&
+             (!at_pou_start() || at(Keyword::EndProgram) || at(Keyword::EndFunction) ||
+              at(Keyword::EndFunctionBlock) || at(Keyword::EndType) || at(Keyword::EndConfiguration)))
+        advance();
+    }
+  }
+}
+
+Statements Parser::whole_statements() {
+  Statements list;
+  while (!at(TokenKind::End)) {
+    Statements more = statements();
+    for (auto& each : more) list.push_back(std::move(each));
+    if (at(TokenKind::End)) break;
+    unexpected("a statement");
+    advance();
+  }
+  return list;
+}
+
+std::vector<VariableDeclaration> Parser::whole_variables() {
+  std::vector<VariableDeclaration> list;
+  while (!at(TokenKind::End)) {
+    if (at_variable_section()) {
+      variable_section(list);
+    } else {
+      unexpected("a declaration");
+      advance();
+    }
+  }
+  return list;
+}
+
+}  // namespace internal
+
+void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit) {
+  const auto tokens = lex(context.sources, file, TextKind::Written, context.names, context.sink);
+  internal::Parser(context, tokens, TextKind::Written).unit(unit);
+}
+
+Statements parse_statements(SyntaxContext& context, source::FileId file, TextKind kind) {
+  const auto tokens = lex(context.sources, file, kind, context.names, context.sink);
+  return internal::Parser(context, tokens, kind).whole_statements();
+}
+
+std::vector<VariableDeclaration> parse_variables(SyntaxContext& context, source::FileId file, TextKind kind) {
+  const auto tokens = lex(context.sources, file, kind, context.names, context.sink);
+  return internal::Parser(context, tokens, kind).whole_variables();
+}
+
+}  // namespace stepwright::syntax

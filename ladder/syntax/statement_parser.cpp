@@ -1,0 +1,238 @@
+// Statements (IEC 61131-3, 7.3.3).
+
+#include "ladder/syntax/internal/parser.h"
+
+namespace stepwright::syntax::internal {
+
+StatementPtr Parser::make_statement(StatementKind kind) const {
+  auto node = std::make_unique<Statement>();
+  node->kind = kind;
+  node->where = peek().where;
+  return node;
+}
+
+// Up to a word that ends a block or, inside CASE, up to the next label (case_branch looks for it).
+Statements Parser::statements() {
+  Statements list;
+  while (!at_block_end()) {
+    if (accept(TokenKind::Semicolon)) continue;
+    const std::size_t before = at_;
+    if (StatementPtr each = statement()) list.push_back(std::move(each));
+    // Whatever happened, a token was used up.
+    if (at_ == before) {
+      unexpected("a statement");
+      advance();
+    }
+  }
+  return list;
+}
+
+StatementPtr Parser::statement() {
+  const Nesting nesting(*this);
+  if (too_deep()) return nullptr;
+  if (kind_ == TextKind::Generated) {
+    if (StatementPtr jump = jump_statement()) return jump;
+  }
+  switch (peek().is(TokenKind::Keyword) ? peek().keyword : Keyword::None) {
+    case Keyword::If:
+      return if_statement();
+    case Keyword::Case:
+      return case_statement();
+    case Keyword::For:
+      return for_statement();
+    case Keyword::While:
+      return while_statement();
+    case Keyword::Repeat:
+      return repeat_statement();
+    case Keyword::Exit:
+      return keyword_statement(StatementKind::Exit);
+    case Keyword::Continue:
+      return keyword_statement(StatementKind::Continue);
+    case Keyword::Return:
+      return keyword_statement(StatementKind::Return);
+    default:
+      return simple_statement();
+  }
+}
+
+// Behind a statement. A forgotten ';' is reported; if a statement begins on the spot, nothing is skipped.
+void Parser::end_of_statement() {
+  if (accept(TokenKind::Semicolon)) return;
+  expect(TokenKind::Semicolon, "behind the statement");
+  const bool begins_here =
+      at(TokenKind::Identifier) && at_ > 0 &&
+      context_.sources.line(peek().where) > context_.sources.line(tokens_[at_ - 1].where);
+  if (!begins_here) skip_statement();
+}
+
+StatementPtr Parser::simple_statement() {
+  if (!at(TokenKind::Identifier) && !at(TokenKind::Direct)) {
+    unexpected("a statement");
+    advance();
+    skip_statement();
+    return nullptr;
+  }
+  auto node = make_statement(StatementKind::Assign);
+  ExpressionPtr left = primary();
+  if (left->kind == ExpressionKind::Call && !at(TokenKind::Assign)) {
+    node->kind = StatementKind::Call;
+    node->value = std::move(left);
+    end_of_statement();
+    return node;
+  }
+  if (!expect(TokenKind::Assign, "behind the variable")) {
+    // "x = 1;" is read as the assignment that was meant.
+    if (!at(TokenKind::Equal)) {
+      skip_statement();
+      return nullptr;
+    }
+    advance();
+  }
+  node->target = std::move(left);
+  node->value = expression();
+  end_of_statement();
+  return node;
+}
+
+StatementPtr Parser::if_statement() {
+  auto node = make_statement(StatementKind::If);
+  const Token& open = peek();
+  do {
+    advance();  // IF, ELSIF
+    Branch branch;
+    branch.condition = expression();
+    expect(Keyword::Then, "behind the condition");
+    branch.body = statements();
+    node->branches.push_back(std::move(branch));
+  } while (at(Keyword::Elsif));
+  if (accept(Keyword::Else)) {
+    node->has_else = true;
+    node->otherwise = statements();
+  }
+  if (expect_end(Keyword::EndIf, open)) end_of_statement();
+  return node;
+}
+
+// A label list and its ':' stand here. Only called inside CASE, so "name:" cannot be anything else.
+bool Parser::at_case_label() const {
+  for (std::size_t i = 0;; ++i) {
+    const Token& token = peek(i);
+    switch (token.kind) {
+      case TokenKind::Colon:
+        return i > 0;
+      case TokenKind::Integer:
+      case TokenKind::Identifier:
+      case TokenKind::TypePrefix:
+      case TokenKind::Minus:
+      case TokenKind::Plus:
+      case TokenKind::Comma:
+      case TokenKind::Range:
+        continue;
+      default:
+        return false;
+    }
+  }
+}
+
+Branch Parser::case_branch() {
+  Branch branch;
+  do {
+    CaseLabel label;
+    label.low = expression();
+    if (accept(TokenKind::Range)) label.high = expression();
+    branch.labels.push_back(std::move(label));
+  } while (accept(TokenKind::Comma));
+  expect(TokenKind::Colon, "behind the label");
+  while (!at_block_end() && !at_case_label()) {
+    if (accept(TokenKind::Semicolon)) continue;
+    const std::size_t before = at_;
+    if (StatementPtr each = statement()) branch.body.push_back(std::move(each));
+    if (at_ == before) advance();
+  }
+  return branch;
+}
+
+StatementPtr Parser::case_statement() {
+  auto node = make_statement(StatementKind::Case);
+  const Token& open = advance();
+  node->value = expression();
+  expect(Keyword::Of, "behind the selector");
+  while (!at_block_end()) {
+    const std::size_t before = at_;
+    node->branches.push_back(case_branch());
+    if (at_ == before) advance();
+  }
+  if (accept(Keyword::Else)) {
+    node->has_else = true;
+    node->otherwise = statements();
+  }
+  if (expect_end(Keyword::EndCase, open)) end_of_statement();
+  return node;
+}
+
+StatementPtr Parser::for_statement() {
+  auto node = make_statement(StatementKind::For);
+  const Token& open = advance();
+  if (const auto name = expect_name("the variable that counts")) {
+    node->target = make(ExpressionKind::Variable);
+    node->target->name = *name;
+    node->target->where = name->where;
+  } else {
+    node->target = error_node();
+  }
+  expect(TokenKind::Assign, "behind the variable that counts");
+  node->value = expression();
+  expect(Keyword::To, "behind the first value");
+  node->limit = expression();
+  if (accept(Keyword::By)) node->step = expression();
+  expect(Keyword::Do, "before the statements of the loop");
+  node->body = statements();
+  if (expect_end(Keyword::EndFor, open)) end_of_statement();
+  return node;
+}
+
+StatementPtr Parser::while_statement() {
+  auto node = make_statement(StatementKind::While);
+  const Token& open = advance();
+  node->value = expression();
+  expect(Keyword::Do, "behind the condition");
+  node->body = statements();
+  if (expect_end(Keyword::EndWhile, open)) end_of_statement();
+  return node;
+}
+
+StatementPtr Parser::repeat_statement() {
+  auto node = make_statement(StatementKind::Repeat);
+  const Token& open = advance();
+  node->body = statements();
+  if (!expect_end(Keyword::Until, open)) return node;
+  node->value = expression();
+  accept(TokenKind::Semicolon);
+  if (expect_end(Keyword::EndRepeat, open)) end_of_statement();
+  return node;
+}
+
+StatementPtr Parser::keyword_statement(StatementKind kind) {
+  auto node = make_statement(kind);
+  advance();
+  end_of_statement();
+  return node;
+}
+
+StatementPtr Parser::jump_statement() {
+  const bool jumps = at(Keyword::Jmp) && peek(1).is(TokenKind::Identifier);
+  const bool labels = at(TokenKind::Identifier) && peek(1).is(TokenKind::Colon);
+  if (!jumps && !labels) return nullptr;
+  auto node = make_statement(jumps ? StatementKind::Jump : StatementKind::Label);
+  if (jumps) advance();
+  const Token& token = advance();
+  node->label = {token.name, token.text, token.where};
+  if (jumps) {
+    end_of_statement();
+  } else {
+    advance();
+  }
+  return node;
+}
+
+}  // namespace stepwright::syntax::internal

@@ -1,0 +1,84 @@
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "plant_models/assemblies/bench_ports.h"
+#include "plant_models/assemblies/tank_bench.h"
+#include "plant_models/core/names.h"
+
+namespace stepwright::assemblies {
+namespace {
+
+tl::unexpected<result::Diagnostics> no_such_fault(std::string_view name) {
+  return result::fail("C0311", {}, "the tank bench has no fault named '" + std::string(name) + "'",
+                      "known faults: " + core::joined_names(bench_faults()));
+}
+
+std::string number(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+bool allowed(const FaultTarget& target, double value) {
+  if (target.kind == FaultKind::StuckSwitch) return value == 0.0 || value == 1.0;
+  return value >= target.min && value <= target.max;
+}
+
+}  // namespace
+
+result::Result<void> TankBench::inject_fault(std::string_view name, double value) {
+  const auto fault = core::index_of(bench_faults(), name);
+  if (!fault) return no_such_fault(name);
+  const FaultTarget target = bench_fault_target(*fault);
+  if (!allowed(target, value)) {
+    const core::Quantity& quantity = bench_faults()[*fault];
+    const std::string unit = quantity.unit.empty() ? "" : " " + quantity.unit;
+    const std::string range = target.kind == FaultKind::StuckSwitch
+                                  ? "0 or 1"
+                                  : number(target.min) + " to " + number(target.max) + unit;
+    return result::fail("C0312", {}, "fault '" + quantity.name + "' cannot have the value " + number(value),
+                        "allowed: " + range + "; " + quantity.meaning);
+  }
+  apply_fault(*fault, value, true);
+  return {};
+}
+
+result::Result<void> TankBench::clear_fault(std::string_view name) {
+  const auto fault = core::index_of(bench_faults(), name);
+  if (!fault) return no_such_fault(name);
+  apply_fault(*fault, 0.0, false);
+  return {};
+}
+
+void TankBench::apply_fault(std::size_t fault, double value, bool active) {
+  const FaultTarget target = bench_fault_target(fault);
+  const std::size_t i = target.index;
+  BenchModes& modes = equations_.modes;
+  switch (target.kind) {
+    case FaultKind::Leak:
+      modes.leak_m3_s[i] = value / 100.0 * equations_.capacity_m3(static_cast<Tank>(i));
+      fault_changed_ = true;
+      return;
+    case FaultKind::WeakPump:
+      modes.pump_strength[i] = active ? value : 1.0;
+      fault_changed_ = true;
+      return;
+    case FaultKind::StuckSwitch:
+      switch_faults_[i] = {active, value != 0.0};
+      return;
+    case FaultKind::SensorDrift:
+      drift_faults_[i] = {value, now_};
+      return;
+    case FaultKind::ExtraDraw: {
+      const double amount = value / 100.0 * equations_.capacity_m3(client_tank(i));
+      const bool draws = active && amount > 0.0;
+      modes.draw_until_m3[i] = draws ? y_[kDrawn + i] + amount : std::numeric_limits<double>::infinity();
+      fault_changed_ = true;
+      return;
+    }
+  }
+}
+
+}  // namespace stepwright::assemblies

@@ -1,0 +1,69 @@
+#include "plant_models/bridge/plant_driver.h"
+
+#include <chrono>
+#include <utility>
+
+#include "plant_models/bridge/port_map.h"
+
+namespace stepwright::bridge {
+
+std::vector<PortWire> default_bench_wires() {
+  return {{"fc1", "%IX0.0", {}},
+          {"fc2", "%IX0.1", {}},
+          {"fc3", "%IX0.2", {}},
+          {"S1", "%IW1", {}},
+          {"S2", "%IW2", {}},
+          {"S3", "%IW3", {}},
+          {"B1", "%QX0.0", {}},
+          {"B2", "%QX0.1", {}},
+          {"drive_left", "%QX0.2", {}},
+          {"B3", "%QX0.4", {}},
+          {"drive_right", "%QX0.3", {}},
+          {"B4", "%QX0.5", {}}};
+}
+
+result::Result<PlantDriver> PlantDriver::create(core::Plant& plant, std::span<const PortWire> wires,
+                                                AreaSizes sizes) {
+  auto checked = check_wires(plant, wires, sizes);
+  if (!checked) return result::forward(checked);
+  PlantDriver driver(plant, sizes);
+  for (const CheckedWire& wire : *checked) {
+    const std::uint32_t byte = wire.address.byte;
+    const auto mask = std::byte{1} << wire.address.bit;
+    if (wire.is_actuator) {
+      driver.actuators_.push_back({core::ActuatorId(wire.port), byte, mask});
+    } else if (wire.kind == core::PortKind::Bool) {
+      driver.switches_.push_back({core::SensorId(wire.port), byte, mask});
+    } else {
+      driver.counts_.push_back({core::SensorId(wire.port), byte});
+    }
+  }
+  return driver;
+}
+
+image::IoStatus PlantDriver::read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) {
+  if (inputs.size() < sizes_.input_bytes) return image::IoStatus::Lost;
+  status_ = plant_->advance_to(std::chrono::nanoseconds(now_ns));
+  for (const SwitchWire& wire : switches_) {
+    const bool closed = plant_->sensor(wire.sensor) != 0;
+    inputs[wire.byte] = closed ? inputs[wire.byte] | wire.mask : inputs[wire.byte] & ~wire.mask;
+  }
+  for (const CountWire& wire : counts_) {
+    const auto counts = static_cast<std::uint16_t>(plant_->sensor(wire.sensor));
+    inputs[wire.byte] = static_cast<std::byte>(counts & 0xFF);
+    inputs[wire.byte + 1] = static_cast<std::byte>(counts >> 8);
+  }
+  return status_ == core::PlantStatus::Good ? image::IoStatus::Good : image::IoStatus::Lost;
+}
+
+image::IoStatus PlantDriver::write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) {
+  if (outputs.size() < sizes_.output_bytes) return image::IoStatus::Lost;
+  // In simulated time the plant stands there already; in real time a scan takes a moment.
+  status_ = plant_->advance_to(std::chrono::nanoseconds(now_ns));
+  for (const ActuatorWire& wire : actuators_) {
+    plant_->set_actuator(wire.actuator, (outputs[wire.byte] & wire.mask) != std::byte{0});
+  }
+  return status_ == core::PlantStatus::Good ? image::IoStatus::Good : image::IoStatus::Lost;
+}
+
+}  // namespace stepwright::bridge

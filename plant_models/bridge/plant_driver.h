@@ -1,0 +1,78 @@
+#pragma once
+
+// A plant behind the process image: terminals of the plant wired to %I and %Q addresses, in lock-step
+// with the scan. read_inputs(now) runs the plant up to `now` and samples the sensors; write_outputs
+// latches the actuators, which hold from there on. A terminal that no wire names stays off or unread.
+//
+// Thread rule: the scan thread. Neither call allocates, locks or throws. The plant must outlive the driver.
+//
+//   std::vector<PortWire> wires = {{"fc1", "%IX0.0", {file, 12}}, {"B1", "%QX0.0", {file, 13}}};
+//   auto driver = PlantDriver::create(plant, wires, {.input_bytes = 8, .output_bytes = 2});
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "plant_models/core/plant.h"
+#include "runtime/image/io_driver.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::bridge {
+
+// One wire, as a cell file writes it.
+struct PortWire {
+  std::string port;        // actuator or sensor of the plant
+  std::string address;     // "%IX0.0" for a switch, "%IW1" for counts, "%QX0.0" for an actuator
+  result::Location where;  // for diagnostics
+};
+
+// The wiring of the tank bench when a cell file gives none: inputs %IX0.0 to %IX0.2 and %IW1 to %IW3,
+// outputs %QX0.0 to %QX0.5, in the order of paper 6, Tables 1 to 3.
+std::vector<PortWire> default_bench_wires();
+
+// Sizes of the areas that the scan passes to the driver.
+struct AreaSizes {
+  std::size_t input_bytes = 0;
+  std::size_t output_bytes = 0;
+};
+
+class PlantDriver final : public image::IoDriver {
+ public:
+  // Fails with every wrong wire: C0301 (no such port), C0302 (no address), C0303 (outside the area),
+  // C0304 (two wires on the same bits), C0305 (port wired twice), C0306 (wrong area or width for the port).
+  [[nodiscard]] static result::Result<PlantDriver> create(core::Plant& plant, std::span<const PortWire> wires,
+                                                          AreaSizes sizes);
+
+  // Both give IoStatus::Lost when the plant has failed or an area is smaller than create() was told.
+  image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override;
+  image::IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) override;
+
+ private:
+  struct SwitchWire {
+    core::SensorId sensor;
+    std::uint32_t byte;
+    std::byte mask;
+  };
+  struct CountWire {
+    core::SensorId sensor;
+    std::uint32_t byte;
+  };
+  struct ActuatorWire {
+    core::ActuatorId actuator;
+    std::uint32_t byte;
+    std::byte mask;
+  };
+
+  PlantDriver(core::Plant& plant, AreaSizes sizes) : plant_(&plant), sizes_(sizes) {}
+
+  core::Plant* plant_;
+  AreaSizes sizes_;
+  core::PlantStatus status_ = core::PlantStatus::Good;
+  std::vector<SwitchWire> switches_;
+  std::vector<CountWire> counts_;
+  std::vector<ActuatorWire> actuators_;
+};
+
+}  // namespace stepwright::bridge

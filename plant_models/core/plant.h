@@ -1,0 +1,73 @@
+#pragma once
+
+// A simulated plant: terminals, a clock of its own, faults that can be injected, and its true state.
+//
+// Thread rule: one thread at a time; the scan thread while a scan runs. `set_actuator`, `advance_to`,
+// `sensor` and `truth` allocate nothing and never throw, so that a scan may call them; the calls that take
+// a name are for set-up, for faults and for reports.
+// Invariants: time never runs backwards; the lists of ports, truths and faults never change; the same
+// options, seed and calls give bit-identical sensor values.
+//
+//   plant.set_actuator(*find_actuator(plant, "B1"), true);
+//   if (plant.advance(std::chrono::milliseconds(10)) != PlantStatus::Good) ...
+//   std::int16_t counts = plant.sensor(*find_sensor(plant, "S1"));
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "plant_models/core/plant_description.h"
+#include "plant_models/core/port.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::core {
+
+enum class PlantStatus : std::uint8_t {
+  Good,
+  Failed,  // the solver gave up; the state stays where it was, for good
+};
+
+class Plant {
+ public:
+  virtual ~Plant() = default;
+
+  virtual std::span<const Port> actuators() const = 0;
+  virtual std::span<const Port> sensors() const = 0;
+  virtual std::span<const Quantity> truths() const = 0;
+  virtual std::span<const Quantity> faults() const = 0;
+  virtual const PlantDescription& description() const = 0;
+
+  // Simulated time since the plant was made.
+  virtual std::chrono::nanoseconds now() const = 0;
+
+  // Switches an actuator at now(); it holds until the next call.
+  virtual void set_actuator(ActuatorId id, bool on) = 0;
+
+  // Runs the plant up to `time`; a time that has passed already changes nothing.
+  virtual PlantStatus advance_to(std::chrono::nanoseconds time) = 0;
+
+  PlantStatus advance(std::chrono::nanoseconds step) { return advance_to(now() + step); }
+
+  // What the terminal shows at now(): 0 or 1, or raw counts.
+  virtual std::int16_t sensor(SensorId id) const = 0;
+
+  // The true state at now(), which no controller may read: for reports and viewers.
+  virtual double truth(TruthId id) const = 0;
+
+  // Makes the named fault hold from now() on, with a value in the fault's unit; injecting it again replaces
+  // the value. Fails with C0311 (no such fault; the hint lists the known ones) or C0312 (value out of range)
+  // and then changes nothing.
+  [[nodiscard]] virtual result::Result<void> inject_fault(std::string_view name, double value) = 0;
+
+  // Ends the named fault; what it did to the state stays. Fails with C0311.
+  [[nodiscard]] virtual result::Result<void> clear_fault(std::string_view name) = 0;
+};
+
+// Look-up by name, upper and lower case alike; nothing if the plant has no such port or truth.
+std::optional<ActuatorId> find_actuator(const Plant& plant, std::string_view name);
+std::optional<SensorId> find_sensor(const Plant& plant, std::string_view name);
+std::optional<TruthId> find_truth(const Plant& plant, std::string_view name);
+
+}  // namespace stepwright::core

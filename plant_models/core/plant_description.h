@@ -1,0 +1,76 @@
+#pragma once
+
+// What a viewer has to know to draw a plant, without knowing which plant it is. Constant while the plant
+// lives; every name refers to a port or a truth of the same plant, so that live values can be looked up.
+
+#include <string>
+#include <vector>
+
+namespace stepwright::core {
+
+struct TankDescription {
+  std::string name;  // "a1"
+  std::string label;
+  double capacity_l = 0.0;
+  double overflow_percent = 100.0;  // above this level liquid leaves through the overflow
+  double position = 0.0;            // on the track, in its unit; for a tank on a vehicle: at start
+  std::string vehicle;              // name of the vehicle that carries it; empty = it stands still
+  std::string level_truth;          // truth with its level in percent
+  std::string sensor;               // level sensor; empty = none
+};
+
+struct PumpDescription {
+  std::string name;      // "b1"
+  std::string actuator;  // port that switches it on
+  std::string speed_truth;
+  std::string flow_truth;
+};
+
+// A pipe carries liquid from tank to tank. `at_place`: connected only while the vehicle stands there.
+struct PipeDescription {
+  std::string from;  // tank name
+  std::string to;    // tank name
+  std::string pump;  // empty = gravity (return and overflow lines)
+  std::string at_place;
+};
+
+struct PlaceDescription {
+  std::string name;
+  double position = 0.0;
+  double half_width = 0.0;    // the switch is closed within position +- half_width
+  std::string switch_sensor;  // port
+};
+
+struct VehicleDescription {
+  std::string name;
+  std::string position_truth;
+  std::string speed_truth;
+  std::string drive_left;   // actuator
+  std::string drive_right;  // actuator
+  double track_min = 0.0;   // end stops
+  double track_max = 0.0;
+  std::vector<PlaceDescription> places;
+};
+
+// An analogue sensor and its static calibration: counts = counts_at_zero + counts_per_unit * value.
+struct SensorDescription {
+  std::string name;  // port
+  std::string unit;
+  std::string measures;  // truth that it stands for
+  double counts_at_zero = 0.0;
+  double counts_per_unit = 0.0;
+};
+
+struct PlantDescription {
+  std::string name;
+  std::vector<TankDescription> tanks;
+  std::vector<PumpDescription> pumps;
+  std::vector<PipeDescription> pipes;
+  std::vector<VehicleDescription> vehicles;
+  std::vector<SensorDescription> sensors;
+};
+
+// One JSON object with the field names above, for a viewer in another process.
+std::string to_json(const PlantDescription& description);
+
+}  // namespace stepwright::core

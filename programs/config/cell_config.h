@@ -1,0 +1,111 @@
+#pragma once
+
+// The one configuration file of a cell, shared by all its processes (tests/cells/<cell>/cell.toml).
+//
+//   auto config = load_cell_config("tests/cells/bench/cell.toml", {"plant.seed=7"});
+//
+// Relative paths in the file are taken from the file's folder. Every field has a safe default; unknown keys,
+// wrong types and values out of range are diagnostics with their place (C0001 to C0006).
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/result/result.h"
+
+namespace stepwright::config {
+
+enum class ClockMode : std::uint8_t { Simulated, Real };
+enum class LostSupervisorPolicy : std::uint8_t { Continue, Safe };
+enum class SafeAction : std::uint8_t { Zero, Hold, One };
+
+struct ClockConfig {
+  ClockMode mode = ClockMode::Simulated;
+  double speed = 0.0;                 // simulated: times real time; 0 = as fast as possible
+  std::int64_t interval_us = 10'000;  // tick of the scan without a program; a program's tasks bring their own
+};
+
+struct PlantConfig {
+  std::string kind = "tank_bench";  // "tank_bench", or "none": outputs go nowhere, inputs stay 0
+  std::uint64_t seed = 1;           // of all sensor uncertainty
+  bool uncertainty = true;          // sensor bias, drift and noise
+  std::vector<std::pair<std::string, std::string>> ports;  // plant port -> address, "fc1" -> "%IX0.0"
+};
+
+// Something that goes wrong at a given plant time: a fault of the plant by its name ("leak_a1"), or a change
+// of what is asked for, named by its fluent ("(demand c1)"), which the supervisor learns of at its next
+// decision.
+struct ScheduledFault {
+  double at_s = 0.0;
+  std::string name;
+  double value = 0.0;
+};
+
+// True for a change of what is asked for, false for a fault of the plant.
+bool is_goal_change(const ScheduledFault& fault);
+
+struct SafeOutput {
+  std::string address;  // "%QX0.0"
+  SafeAction action = SafeAction::Zero;
+};
+
+struct ImageConfig {
+  std::uint32_t input_bytes = 64;  // sizes of the areas that the I/O driver sees; a program may use less
+  std::uint32_t output_bytes = 64;
+};
+
+// All empty where the cell has no [planning] table: a runtime with hand-written programs only.
+struct PlanningConfig {
+  std::filesystem::path domain;
+  std::filesystem::path problem;
+  std::filesystem::path binding;
+  bool optimal = true;                     // prove the optimum before the start (within `time`)
+  std::chrono::milliseconds time{10'000};  // budget of one planning or replanning
+  bool sequential = false;                 // strictly sequential chart, as in the paper
+};
+
+struct ExecutiveConfig {
+  int max_replans = 8;                      // then the plant is left in its safe state
+  std::string report_fluent;                // what the report follows per action; empty: the metric
+  std::chrono::milliseconds settle{3'000};  // plant time over which sensors are averaged before a decision
+};
+
+struct DdsConfig {
+  std::uint32_t domain_id = 0;
+};
+
+struct HmiConfig {
+  std::string host = "127.0.0.1";
+  std::uint16_t port = 8080;
+};
+
+struct CellConfig {
+  std::filesystem::path file;       // the configuration file itself
+  std::string name = "cell";        // also the id of the cell's runtime on Fast DDS
+  std::filesystem::path state_dir;  // sockets, journals and reports; created on demand (default: a folder of
+                                    // the name in the temporary folder)
+  ClockConfig clock;
+  PlantConfig plant;
+  ImageConfig image;
+  std::vector<ScheduledFault> faults;
+  std::vector<SafeOutput> safe_outputs;  // outputs not listed go to zero
+  LostSupervisorPolicy on_lost_supervisor = LostSupervisorPolicy::Continue;
+  std::chrono::milliseconds supervisor_lost_after{1'000};
+  PlanningConfig planning;
+  ExecutiveConfig executive;
+  DdsConfig dds;
+  HmiConfig hmi;
+
+  std::filesystem::path socket_path() const;   // the runtime's Unix socket
+  std::filesystem::path journal_path() const;  // the executive's journal
+  std::filesystem::path report_path() const;   // what the supervisor leaves at the end of a run
+};
+
+// `overrides` are "dotted.key=value" texts that win over the file (--set).
+[[nodiscard]] result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
+                                                          const std::vector<std::string>& overrides = {});
+
+}  // namespace stepwright::config

@@ -1,0 +1,35 @@
+#pragma once
+
+// What a cell's configuration means for planning and executive: used by supervisor, demo and check alike.
+
+#include "programs/config/cell_config.h"
+#include "supervisor/executive/executive.h"
+#include "supervisor/executive/planning_desk.h"
+
+namespace stepwright::config {
+
+inline executive::DeskOptions desk_options(const CellConfig& config) {
+  return {.domain = config.planning.domain,
+          .problem = config.planning.problem,
+          .binding = config.planning.binding,
+          .optimal = config.planning.optimal,
+          .sequential = config.planning.sequential,
+          .time = config.planning.time,
+          .interval_us = config.clock.interval_us,
+          .report_fluent = config.executive.report_fluent};
+}
+
+inline executive::ExecutiveOptions executive_options(const CellConfig& config) {
+  executive::ExecutiveOptions options;
+  options.cell = config.name;
+  options.max_replans = config.executive.max_replans;
+  options.settle = config.executive.settle;
+  options.barrier = config.clock.mode == ClockMode::Simulated;
+  options.journal = config.journal_path();
+  for (const ScheduledFault& fault : config.faults) {
+    if (is_goal_change(fault)) options.goal_changes.push_back({fault.at_s, fault.name, fault.value});
+  }
+  return options;
+}
+
+}  // namespace stepwright::config

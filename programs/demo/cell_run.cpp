@@ -1,0 +1,104 @@
+#include "programs/demo/cell_run.h"
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <thread>
+#include <utility>
+
+namespace stepwright::demo {
+namespace {
+
+constexpr int kMaxRestarts = 20;  // of one process; more means that it cannot live
+
+std::string content(const std::filesystem::path& file) {
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+CellRun::CellRun(CellRunOptions options)
+    : options_(std::move(options)),
+      programs_(std::filesystem::read_symlink("/proc/self/exe").parent_path()) {}
+
+std::filesystem::path CellRun::log_of(const std::string& name) const {
+  return options_.state_dir / (name + ".log");
+}
+
+result::Result<ChildProcess> CellRun::start(const std::string& name) const {
+  std::vector<std::string> arguments = {(programs_ / ("stepwright-" + name)).string(), name, "--config",
+                                        options_.config.string()};
+  for (const std::string& entry : options_.overrides) {
+    arguments.push_back("--set");
+    arguments.push_back(entry);
+  }
+  if (name == "supervisor" && !options_.page) arguments.push_back("--once");
+  return ChildProcess::start(arguments, log_of(name));
+}
+
+void CellRun::take_report(CellRunResult& result) const {
+  const std::filesystem::path file = options_.state_dir / "report.json";
+  if (result.report || !std::filesystem::exists(file)) return;
+  if (auto report = executive::report_from_json(content(file), file.string())) {
+    result.exit = report->record.exit;
+    result.report = std::move(*report);
+  }
+}
+
+result::Result<bool> CellRun::tend(Member& member, CellRunResult& result) {
+  const auto status = member.process.poll();
+  if (!status) return true;
+  if (member.name == "supervisor" && !status->killed) {
+    take_report(result);
+    if (!result.report) {
+      result.exit = static_cast<result::ExitCode>(status->code);
+      result.message = content(log_of(member.name));
+    }
+    return false;
+  }
+  const bool refused = !status->killed && (status->code == to_int(result::ExitCode::BadInput) ||
+                                           status->code == to_int(result::ExitCode::Usage));
+  if (refused || ++result.restarts[member.name] > kMaxRestarts) {
+    result.exit = refused ? static_cast<result::ExitCode>(status->code) : result::ExitCode::RuntimeFault;
+    result.message =
+        member.name + " ended with " + std::to_string(status->code) + ":\n" + content(log_of(member.name));
+    return false;
+  }
+  auto again = start(member.name);
+  if (!again) return result::forward(again);
+  member.process = std::move(*again);
+  return true;
+}
+
+result::Result<CellRunResult> CellRun::run(const std::atomic<bool>& stop) {
+  CellRunResult result;
+  std::vector<Member> members;
+  // Ended in the reverse order, so that nobody mourns a process that was ended on purpose.
+  for (const char* name : {"runtime", "link", "supervisor", "hmi"}) {
+    if (std::string(name) == "hmi" && !options_.page) continue;
+    auto process = start(name);
+    if (!process) return result::forward(process);
+    result.processes.emplace_back(name);
+    members.push_back({name, std::move(*process)});
+  }
+  bool reported = false;
+  for (bool going = true; going && !stop;) {
+    for (std::size_t i = 0; going && i < members.size(); ++i) {
+      auto tended = tend(members[i], result);
+      if (!tended) return result::forward(tended);
+      going = *tended;
+    }
+    if (options_.page) take_report(result);
+    if (result.report && !std::exchange(reported, true) && options_.page) {
+      std::printf("%s", executive::report_table(result.report->record).c_str());
+      std::fflush(stdout);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  while (!members.empty()) members.pop_back();
+  return result;
+}
+
+}  // namespace stepwright::demo

@@ -1,0 +1,57 @@
+#pragma once
+
+// One run of a cell with all its processes, from start to report. A process that dies is started again, as an
+// init system would do; a process that refuses its input ends the run.
+
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "programs/demo/child_process.h"
+#include "runtime/result/exit_code.h"
+#include "runtime/result/result.h"
+#include "supervisor/executive/report.h"
+
+namespace stepwright::demo {
+
+struct CellRunOptions {
+  std::filesystem::path config;
+  std::vector<std::string> overrides;  // KEY=VALUE
+  std::filesystem::path state_dir;     // of this run; logs go there too
+  bool page = false;                   // with the HMI, until `stop` is set
+};
+
+struct CellRunResult {
+  result::ExitCode exit = result::ExitCode::Done;
+  std::optional<executive::Report> report;
+  std::vector<std::string> processes;   // that took part
+  std::map<std::string, int> restarts;  // by process
+  std::string message;                  // what a process said when it refused
+};
+
+class CellRun {
+ public:
+  explicit CellRun(CellRunOptions options);
+
+  // Blocks until the supervisor has reported (and, with a page, until `stop`).
+  [[nodiscard]] result::Result<CellRunResult> run(const std::atomic<bool>& stop);
+
+ private:
+  struct Member {
+    std::string name;
+    ChildProcess process;
+  };
+  [[nodiscard]] result::Result<ChildProcess> start(const std::string& name) const;
+  // False if the run is over.
+  [[nodiscard]] result::Result<bool> tend(Member& member, CellRunResult& result);
+  void take_report(CellRunResult& result) const;
+  std::filesystem::path log_of(const std::string& name) const;
+
+  CellRunOptions options_;
+  std::filesystem::path programs_;  // the folder of the executables
+};
+
+}  // namespace stepwright::demo

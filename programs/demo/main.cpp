@@ -1,0 +1,233 @@
+// `stepwright demo CELL`: all processes of a cell, its main job, a report. `stepwright check --config
+// CELL.toml`: everything that can be checked without running it.
+
+#include <signal.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "programs/config/cell_options.h"
+#include "programs/config/executive_options.h"
+#include "programs/demo/cell_run.h"
+#include "programs/demo/summary.h"
+#include "supervisor/pddl/describe_run.h"
+
+namespace stepwright::demo {
+namespace {
+
+using result::ExitCode;
+
+std::atomic<bool> stop_requested{false};
+
+struct DemoOptions {
+  std::string cell = "bench";
+  bool headless = false;
+  bool fast = false;
+  bool sequential = false;
+  bool compare = true;
+  std::optional<std::uint64_t> seed;
+  std::optional<int> port;
+  std::string json;
+  std::string pictures;
+  std::string state_dir;
+  std::vector<std::string> faults;
+  std::vector<std::string> overrides;
+};
+
+int fail(const result::Diagnostics& diagnostics, ExitCode code) {
+  std::fprintf(stderr, "%s\n", result::to_string(diagnostics).c_str());
+  return to_int(code);
+}
+
+// A path to a configuration, or the name of a cell of this tree.
+result::Result<std::filesystem::path> find_cell(const std::string& cell) {
+  if (cell.ends_with(".toml")) return std::filesystem::path(cell);
+  const std::filesystem::path root =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "../../..";
+  const std::filesystem::path cells = (root / "tests/cells").lexically_normal();
+  const std::filesystem::path file = cells / cell / "cell.toml";
+  if (std::filesystem::is_regular_file(file)) return file;
+  std::string known;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(cells, error)) {
+    if (!std::filesystem::is_regular_file(entry.path() / "cell.toml")) continue;
+    known += (known.empty() ? "" : ", ") + entry.path().filename().string();
+  }
+  return result::fail("M0002", {}, "there is no cell '" + cell + "'",
+                      "known cells: " + known + "; or give the path of a cell's .toml file");
+}
+
+// "leak_a1=0.5@12" -> {at_s = 12, name = "leak_a1", value = 0.5}
+result::Result<std::string> fault_toml(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::size_t at = text.rfind('@');
+  char* end = nullptr;
+  if (equals != std::string::npos && at != std::string::npos && equals < at) {
+    const std::string value = text.substr(equals + 1, at - equals - 1);
+    const std::string when = text.substr(at + 1);
+    const bool numbers = !value.empty() && !when.empty() &&
+                         (std::strtod(value.c_str(), &end), *end == '\0') &&
+                         (std::strtod(when.c_str(), &end), *end == '\0');
+    if (numbers) return "{at_s=" + when + ",name=\"" + text.substr(0, equals) + "\",value=" + value + "}";
+  }
+  return result::fail("M0003", {}, "'" + text + "' is not NAME=VALUE@SECONDS",
+                      "for example --fault leak_a1=0.5@12");
+}
+
+result::Result<std::vector<std::string>> overrides_of(const DemoOptions& options) {
+  std::vector<std::string> overrides = options.overrides;
+  if (options.fast) overrides.emplace_back("clock.speed=0");
+  if (options.sequential) overrides.emplace_back("planning.sequential=true");
+  if (options.seed) overrides.push_back("plant.seed=" + std::to_string(*options.seed));
+  if (options.port) overrides.push_back("hmi.port=" + std::to_string(*options.port));
+  std::string faults;
+  for (const std::string& text : options.faults) {
+    auto fault = fault_toml(text);
+    if (!fault) return result::forward(fault);
+    faults += (faults.empty() ? "" : ",") + *fault;
+  }
+  if (!faults.empty()) overrides.push_back("faults=[" + faults + "]");
+  return overrides;
+}
+
+std::filesystem::path make_state_dir() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "stepwright-XXXXXX").string();
+  return mkdtemp(pattern.data()) == nullptr ? std::filesystem::path() : std::filesystem::path(pattern);
+}
+
+// Runs in `kept`, or in a temporary folder if that is empty.
+result::Result<CellRunResult> run_once(const std::filesystem::path& cell, std::vector<std::string> overrides,
+                                       const std::filesystem::path& kept, bool page, int domain_offset) {
+  const std::filesystem::path state_dir = kept.empty() ? make_state_dir() : std::filesystem::absolute(kept);
+  std::error_code error;
+  std::filesystem::create_directories(state_dir, error);
+  if (state_dir.empty() || error) {
+    return result::fail("M0004", {state_dir.string(), 0, 0}, "the state folder cannot be made");
+  }
+  overrides.push_back("cell.state_dir=\"" + state_dir.string() + "\"");
+  // Several demos may run on one machine: each has a domain of its own.
+  overrides.push_back("dds.domain_id=" + std::to_string(10 + (getpid() * 2 + domain_offset) % 90));
+  auto result = CellRun({cell, overrides, state_dir, page}).run(stop_requested);
+  if (kept.empty()) std::filesystem::remove_all(state_dir, error);  // a leftover folder does no harm
+  return result;
+}
+
+void write_pictures(const std::filesystem::path& folder, const executive::RunRecord& record) {
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "gantt.svg") << executive::gantt_svg(record);
+  std::ofstream(folder / "cost.svg") << executive::cost_svg(record);
+}
+
+int run_demo(const DemoOptions& options) {
+  auto cell = find_cell(options.cell);
+  if (!cell) return fail(cell.error(), ExitCode::BadInput);
+  auto overrides = overrides_of(options);
+  if (!overrides) return fail(overrides.error(), ExitCode::Usage);
+  auto config = config::load_cell_config(*cell, *overrides);
+  if (!config) return fail(config.error(), ExitCode::BadInput);
+  if (!options.headless) {
+    std::printf("Open http://%s:%u in a browser; Ctrl-C ends the demo.\n", config->hmi.host.c_str(),
+                static_cast<unsigned>(config->hmi.port));
+    std::fflush(stdout);
+  }
+  auto run = run_once(*cell, *overrides, options.state_dir, !options.headless, 0);
+  if (!run) return fail(run.error(), ExitCode::RuntimeFault);
+  std::optional<CellRunResult> sequential;
+  if (run->report && run->exit == ExitCode::Done && options.compare && !options.sequential &&
+      !stop_requested) {
+    std::vector<std::string> strict = *overrides;
+    strict.emplace_back("planning.sequential=true");
+    strict.emplace_back("clock.speed=0");
+    if (auto second = run_once(*cell, strict, {}, false, 1)) sequential = std::move(*second);
+  }
+  if (run->report && options.headless)
+    std::printf("%s", executive::report_table(run->report->record).c_str());
+  std::fprintf(run->report ? stdout : stderr, "%s", summary_text(*run, sequential).c_str());
+  if (!options.json.empty()) {
+    std::ofstream out(options.json);
+    out << summary_json(*run, sequential) << '\n';
+    if (!out) {
+      return fail(result::fail("M0005", {options.json, 0, 0}, "cannot be written").value(),
+                  ExitCode::BadInput);
+    }
+  }
+  if (!options.pictures.empty() && run->report) write_pictures(options.pictures, run->report->record);
+  return to_int(run->exit);
+}
+
+int run_check(const config::CellOptions& options) {
+  const auto config = config::load_or_report(options);
+  if (!config) return to_int(ExitCode::BadInput);
+  if (!config->planning.domain.empty()) {
+    auto desk = executive::PlanningDesk::open(config::desk_options(*config));
+    if (!desk) return fail(desk.error(), ExitCode::BadInput);
+    auto outcome =
+        desk->prepare({.planning = pddl::to_named(desk->task().initial()), .measured = {}, .tare = {}});
+    if (!outcome) return fail(outcome.error(), ExitCode::BadInput);
+    if (outcome->status != executive::PrepareStatus::Ready) {
+      std::fprintf(stderr, "there is no plan: %s\n", outcome->reason.c_str());
+      return to_int(outcome->status == executive::PrepareStatus::Infeasible ? ExitCode::NoPlan
+                                                                            : ExitCode::BudgetExhausted);
+    }
+    std::printf("plan: %zu actions, cost %g; program: %zu bytes\n", outcome->prepared.plan.actions.size(),
+                outcome->prepared.plan.cost, outcome->prepared.container.size());
+  }
+  std::printf("%s: sound\n", config->file.c_str());
+  return to_int(ExitCode::Done);
+}
+
+int usage(CLI::App& app, const CLI::ParseError& error) {
+  return app.exit(error) == 0 ? 0 : to_int(ExitCode::Usage);
+}
+
+int demo_main(int argc, char** argv) {
+  CLI::App app{"Run a cell: all its processes, its main job, a report", "stepwright demo"};
+  DemoOptions options;
+  app.add_option("CELL", options.cell, "name of a cell under tests/cells, or a cell's .toml file");
+  app.add_flag("--headless", options.headless, "without the web page; ends with the run");
+  app.add_flag("--fast", options.fast, "simulated time as fast as the machine allows");
+  app.add_flag("--sequential", options.sequential, "a strictly sequential chart, as in the paper");
+  app.add_flag("!--no-compare", options.compare, "no second, sequential run for comparison");
+  app.add_option("--seed", options.seed, "seed of the sensors' uncertainty");
+  app.add_option("--port", options.port, "port of the web page")->check(CLI::Range(0, 65'535));
+  app.add_option("--json", options.json, "write the figures to this file");
+  app.add_option("--pictures", options.pictures, "write gantt.svg and cost.svg into this folder");
+  app.add_option("--state-dir", options.state_dir, "keep logs, journal and report in this folder");
+  app.add_option("--fault", options.faults, "NAME=VALUE@SECONDS: a fault of the plant, or a changed demand");
+  app.add_option("--set", options.overrides, "KEY=VALUE that wins over the cell's file");
+  try {
+    app.parse(argc - 1, argv + 1);
+  } catch (const CLI::ParseError& error) {
+    return usage(app, error);
+  }
+  return run_demo(options);
+}
+
+int check_main(int argc, char** argv) {
+  CLI::App app{"Check a cell's configuration, planning files and program", "stepwright check"};
+  config::CellOptions options;
+  config::add_cell_options(app, options);
+  try {
+    app.parse(argc - 1, argv + 1);
+  } catch (const CLI::ParseError& error) {
+    return usage(app, error);
+  }
+  return run_check(options);
+}
+
+}  // namespace
+}  // namespace stepwright::demo
+
+int main(int argc, char** argv) {
+  struct sigaction action {};
+  action.sa_handler = [](int) { stepwright::demo::stop_requested = true; };
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  const bool check = argc > 1 && std::string(argv[1]) == "check";
+  return check ? stepwright::demo::check_main(argc, argv) : stepwright::demo::demo_main(argc, argv);
+}

@@ -1,0 +1,80 @@
+#include "programs/exec/exec_run.h"
+
+#include "runtime/image/io_driver.h"
+#include "runtime/image/process_image.h"
+#include "runtime/scan/scan_cycle.h"
+#include "runtime/vm/interpreter.h"
+
+namespace stepwright::exec {
+
+namespace {
+
+// Nothing is wired: inputs stay as they are, outputs go nowhere.
+class NoIo final : public image::IoDriver {
+ public:
+  image::IoStatus read_inputs(std::int64_t, std::span<std::byte>) override { return image::IoStatus::Good; }
+  image::IoStatus write_outputs(std::int64_t, std::span<const std::byte>) override {
+    return image::IoStatus::Good;
+  }
+};
+
+// Nobody asks how long a scan took.
+class NoClock final : public scan::Clock {
+ public:
+  std::int64_t now_ns() override { return 0; }
+};
+
+result::Result<std::vector<reader::Variable>> resolve(const reader::LoadedProgram& loaded,
+                                                      const std::vector<std::string>& names) {
+  std::vector<reader::Variable> variables;
+  if (names.empty()) return variables;
+  auto info = reader::ProgramInfo::read(loaded.bytes());
+  if (!info) return result::forward(info);
+  for (const std::string& name : names) {
+    const reader::Variable* variable = info->find(name);
+    if (variable == nullptr) {
+      return result::fail("B0300", {}, "there is no variable `" + name + "` with a single value",
+                          "variables are named INSTANCE.variable, e.g. MAIN.level or MAIN.table[3]");
+    }
+    variables.push_back(*variable);
+  }
+  return variables;
+}
+
+}  // namespace
+
+result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOptions& options) {
+  const bytecode::Program& program = loaded.program();
+  auto variables = resolve(loaded, options.trace);
+  if (!variables) return result::forward(variables);
+
+  const bytecode::SizesRecord& sizes = program.sizes();
+  std::vector<std::byte> memory(program.image_size());
+  std::vector<std::uint64_t> stack(sizes.stack_slots);
+  image::ProcessImage image(memory,
+                            {sizes.input_bytes, sizes.output_bytes, sizes.marker_bytes, sizes.data_bytes});
+  vm::Interpreter engine(program, stack);
+  NoIo io;
+  NoClock clock;
+  scan::ScanCycle cycle(program, engine, image, io, clock, {});
+  cycle.start({});
+
+  ExecReport report;
+  report.image_hash = image.hash();
+  for (const std::string& name : options.trace) report.trace.emplace_back(name, std::vector<reader::Value>());
+  while (report.scans < options.scans && cycle.state() == scan::ScanState::Running) {
+    const scan::ScanReport scanned = cycle.run_scan();
+    report.scans = scanned.scan;
+    report.image_hash = scanned.image_hash;
+    for (std::size_t i = 0; i < variables->size(); ++i) {
+      report.trace[i].second.push_back(reader::read_value((*variables)[i], image.bytes()));
+    }
+    if (scanned.trap) {
+      report.traps.push_back({scanned.scan, scanned.trap, reader::describe(program, scanned.trap)});
+    }
+  }
+  report.trace_hash = cycle.trace_hash();
+  return report;
+}
+
+}  // namespace stepwright::exec

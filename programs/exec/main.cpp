@@ -1,0 +1,149 @@
+// stepwright exec IMAGE.swb [--scans N] [--engine vm] [--trace VARS] [--json FILE]
+
+#include "programs/exec/exec_run.h"
+#include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/result/exit_code.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using stepwright::result::ExitCode;
+namespace exec = stepwright::exec;
+namespace reader = stepwright::reader;
+namespace result = stepwright::result;
+
+struct Arguments {
+  std::string image;
+  std::string engine = "vm";
+  std::string json_file;
+  std::string trace;
+  exec::ExecOptions options;
+};
+
+// Names between commas; a comma between brackets belongs to the name ("a[1,2],b").
+std::vector<std::string> split_names(const std::string& list) {
+  std::vector<std::string> names;
+  std::string name;
+  int brackets = 0;
+  const auto finish = [&] {
+    if (!name.empty()) names.push_back(std::move(name));
+    name.clear();
+  };
+  for (const char c : list) {
+    brackets += c == '[' ? 1 : c == ']' ? -1 : 0;
+    if (c == ',' && brackets == 0) {
+      finish();
+    } else if (c != ' ') {
+      name += c;
+    }
+  }
+  finish();
+  return names;
+}
+
+// JSON has no infinities: they are written as their names.
+nlohmann::json to_json(const reader::Value& value) {
+  if (const double* number = std::get_if<double>(&value); number != nullptr && !std::isfinite(*number)) {
+    return std::isnan(*number) ? "NaN" : *number > 0 ? "Infinity" : "-Infinity";
+  }
+  return std::visit([](auto plain) { return nlohmann::json(plain); }, value);
+}
+
+std::string hex(std::uint64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+nlohmann::json to_json(const exec::ExecReport& report, const std::string& engine) {
+  nlohmann::json trace = nlohmann::json::object();
+  for (const auto& [name, values] : report.trace) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const reader::Value& value : values) list.push_back(to_json(value));
+    trace[name] = std::move(list);
+  }
+  nlohmann::json traps = nlohmann::json::array();
+  for (const exec::TrapReport& trap : report.traps) {
+    traps.push_back({{"scan", trap.scan},
+                     {"code", stepwright::bytecode::name_of(trap.trap.code)},
+                     {"file", trap.diagnostic.where.file},
+                     {"line", trap.diagnostic.where.line},
+                     {"function", trap.trap.function},
+                     {"pc", trap.trap.pc}});
+  }
+  return {{"engine", engine},
+          {"scans", report.scans},
+          {"trace", std::move(trace)},
+          {"traps", std::move(traps)},
+          {"image_hash", hex(report.image_hash)},
+          {"trace_hash", hex(report.trace_hash)}};
+}
+
+void print(const exec::ExecReport& report) {
+  std::cout << report.scans << " scans, image " << hex(report.image_hash) << "\n";
+  for (const auto& [name, values] : report.trace) {
+    std::cout << name << ":";
+    for (const reader::Value& value : values) std::cout << " " << to_json(value).dump();
+    std::cout << "\n";
+  }
+}
+
+ExitCode fail(const result::Diagnostics& diagnostics) {
+  std::cerr << result::to_string(diagnostics) << "\n";
+  return ExitCode::BadInput;
+}
+
+ExitCode execute(const Arguments& arguments) {
+  auto loaded = reader::LoadedProgram::load_file(arguments.image);
+  if (!loaded) return fail(loaded.error());
+  const auto report = exec::run(*loaded, arguments.options);
+  if (!report) return fail(report.error());
+
+  if (!arguments.json_file.empty()) {
+    std::ofstream file(arguments.json_file);
+    file << to_json(*report, arguments.engine).dump(2) << "\n";
+    if (!file.flush()) {
+      return fail(result::fail("B0006", {arguments.json_file, 0, 0}, "the file cannot be written").value());
+    }
+  } else {
+    print(*report);
+  }
+  for (const exec::TrapReport& trap : report->traps) {
+    std::cerr << result::to_string(trap.diagnostic) << " (scan " << trap.scan << ")\n";
+  }
+  return report->traps.empty() ? ExitCode::Done : ExitCode::RuntimeFault;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // The dispatcher leaves the subcommand's name in front of its arguments.
+  const int skip = argc > 1 && std::string(argv[1]) == "exec" ? 1 : 0;
+  Arguments arguments;
+  CLI::App app("Run a compiled program without a clock: scan k of a task runs at (k-1) x its interval.",
+               "stepwright exec");
+  app.add_option("image", arguments.image, "container written by `stepwright compile`")->required();
+  app.add_option("--scans", arguments.options.scans, "number of scans (default 1)");
+  app.add_option("--engine", arguments.engine, "engine to run it with")->check(CLI::IsMember({"vm"}));
+  app.add_option("--trace", arguments.trace,
+                 "variables to record after every scan, e.g. MAIN.level,MAIN.pump");
+  app.add_option("--json", arguments.json_file, "write the report as JSON");
+  try {
+    app.parse(argc - skip, argv + skip);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : result::to_int(ExitCode::Usage);
+  }
+  arguments.options.trace = split_names(arguments.trace);
+  return result::to_int(execute(arguments));
+}

@@ -1,0 +1,81 @@
+#include "programs/hmi/dds_cell_source.h"
+
+#include <cstdio>
+#include <utility>
+
+namespace stepwright::hmi {
+namespace {
+
+constexpr std::chrono::seconds kFetchPause{1};
+
+const char* word_for(dds::RuntimeState state) {
+  switch (state) {
+    case dds::RuntimeState::Empty:
+      return "empty";
+    case dds::RuntimeState::Stopped:
+      return "stopped";
+    case dds::RuntimeState::Running:
+      return "running";
+    case dds::RuntimeState::Fault:
+      return "fault";
+  }
+  return "";
+}
+
+server::RuntimeReport report_of(const dds::RuntimeStatus& status) {
+  return {
+      word_for(status.state),
+      status.detail,
+      status.waiting_for_supervisor,
+      status.trace_hash,
+      {status.overruns, status.scan_p50_us, status.scan_p99_us, status.scan_max_us, status.realtime_factor}};
+}
+
+server::ImageSnapshot snapshot_of(dds::Snapshot snapshot) {
+  server::ImageSnapshot result{
+      snapshot.scan, static_cast<double>(snapshot.time_ns) * 1e-9, std::move(snapshot.image), {}};
+  for (auto& value : snapshot.plant) result.plant.emplace_back(std::move(value.name), value.value);
+  return result;
+}
+
+}  // namespace
+
+result::Result<std::unique_ptr<DdsCellSource>> DdsCellSource::connect(const config::CellConfig& config) {
+  const dds::ParticipantConfig participant{config.dds.domain_id, "hmi", config.name};
+  auto runtime = dds::RuntimeClient::connect(participant, dds::ClientRole::Viewer);
+  if (!runtime) return result::forward(runtime);
+  auto plans = dds::PlanSubscriber::create(participant);
+  if (!plans) return result::forward(plans);
+  return std::unique_ptr<DdsCellSource>(new DdsCellSource(std::move(*runtime), std::move(*plans)));
+}
+
+server::Observation DdsCellSource::observe() {
+  server::Observation seen;
+  seen.runtime_alive = runtime_->runtime_alive();
+  seen.supervisor_alive = plans_->supervisor_alive();
+  seen.plan = plans_->latest();
+  if (const auto status = runtime_->status()) seen.report = report_of(*status);
+  auto snapshot = runtime_->snapshot();
+  const std::string digest = snapshot ? snapshot->program_digest : std::string();
+  if (seen.runtime_alive && !digest.empty()) fetch_program(digest);
+  if (layout_ && layout_->program.digest == digest) seen.layout = layout_;
+  if (snapshot) seen.snapshot = snapshot_of(std::move(*snapshot));
+  return seen;
+}
+
+void DdsCellSource::fetch_program(const std::string& digest) {
+  const auto now = std::chrono::steady_clock::now();
+  if ((layout_ && layout_->program.digest == digest) || now < next_fetch_) return;
+  next_fetch_ = now + kFetchPause;
+  const auto container = runtime_->program();
+  if (!container) return;  // asked again; the page says meanwhile that it knows no program
+  auto layout = server::read_layout(*container, digest);
+  if (!layout) {
+    std::fprintf(stderr, "%s\n", result::to_string(layout.error()).c_str());
+    return;
+  }
+  next_fetch_ = now;
+  layout_ = std::make_shared<const server::ProgramLayout>(std::move(*layout));
+}
+
+}  // namespace stepwright::hmi

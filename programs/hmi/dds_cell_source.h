@@ -1,0 +1,40 @@
+#pragma once
+
+// The cell behind Fast DDS: the runtime through the link process, and the supervisor's plan document.
+//
+// Thread rule: as server::CellSource, one thread. `observe` blocks only when another program runs than the
+// one last fetched, at most for dds::kRequestTimeout.
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "hmi_web/server/cell_source.h"
+#include "programs/config/cell_config.h"
+#include "runtime/dds/plan_channel.h"
+#include "runtime/dds/runtime_client.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::hmi {
+
+class DdsCellSource : public server::CellSource {
+ public:
+  // Joins the cell's domain; nobody needs to be there yet. Fails with D0005.
+  [[nodiscard]] static result::Result<std::unique_ptr<DdsCellSource>> connect(
+      const config::CellConfig& config);
+
+  server::Observation observe() override;
+
+ private:
+  DdsCellSource(std::unique_ptr<dds::RuntimeClient> runtime, std::unique_ptr<dds::PlanSubscriber> plans)
+      : runtime_(std::move(runtime)), plans_(std::move(plans)) {}
+
+  void fetch_program(const std::string& digest);
+
+  std::unique_ptr<dds::RuntimeClient> runtime_;
+  std::unique_ptr<dds::PlanSubscriber> plans_;
+  std::shared_ptr<const server::ProgramLayout> layout_;  // of the program with its digest; shared with views
+  std::chrono::steady_clock::time_point next_fetch_{};   // a fetch that failed is not repeated at once
+};
+
+}  // namespace stepwright::hmi

@@ -1,0 +1,150 @@
+#include "programs/hmi/plant_picture.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "plant_models/assemblies/bench_ports.h"
+#include "plant_models/core/names.h"
+
+namespace stepwright::hmi {
+namespace {
+
+using core::PlantDescription;
+using server::PointSource;
+using server::PointSourceKind;
+using server::PointSources;
+
+class PictureBuilder {
+ public:
+  PictureBuilder(const PlantDescription& plant, const std::vector<std::pair<std::string, std::string>>& ports)
+      : plant_(plant), ports_(ports) {}
+
+  PlantPicture build() {
+    for (const auto& vehicle : plant_.vehicles) add_vehicle(vehicle);
+    for (const auto& tank : plant_.tanks) add_tank(tank);
+    for (const auto& pump : plant_.pumps) add_pump(pump);
+    for (const auto& pipe : plant_.pipes) add_pipe(pipe);
+    return std::move(picture_);
+  }
+
+ private:
+  // Adds a point and returns its id; without a source there is no point, and the id is empty.
+  std::string point(std::string id, std::string label, std::string unit, bool trend, PointSources sources) {
+    if (sources.empty()) return {};
+    picture_.synoptic.points.push_back({id, std::move(label), std::move(unit), trend});
+    picture_.sources.push_back(std::move(sources));
+    return id;
+  }
+
+  // The terminal of the plant, 0 or 1.
+  std::string terminal(const std::string& id, const std::string& port) {
+    const std::string* address = address_of(port);
+    if (address == nullptr) return {};
+    return point(id, port, "", false, {{PointSourceKind::Address, *address}});
+  }
+
+  std::string truth(const std::string& id, const std::string& label, const std::string& unit, bool trend,
+                    const std::string& name) {
+    if (name.empty()) return {};
+    return point(id, label, unit, trend, {{PointSourceKind::PlantTruth, name}});
+  }
+
+  const std::string* address_of(const std::string& port) const {
+    const auto found = std::find_if(ports_.begin(), ports_.end(),
+                                    [&](const auto& entry) { return core::same_name(entry.first, port); });
+    return found == ports_.end() ? nullptr : &found->second;
+  }
+
+  // The inverse of the static calibration.
+  PointSources measured(const std::string& sensor) const {
+    const auto index = core::index_of(plant_.sensors, sensor);
+    if (sensor.empty() || !index) return {};
+    const core::SensorDescription& found = plant_.sensors[*index];
+    if (found.counts_per_unit == 0) return {};
+    const double factor = 1 / found.counts_per_unit;
+    const double offset = -found.counts_at_zero / found.counts_per_unit;
+    PointSources sources = {{PointSourceKind::Tag, found.name + "_filtered", factor, offset}};
+    if (const std::string* address = address_of(sensor)) {
+      sources.push_back({PointSourceKind::Address, *address, factor, offset});
+    }
+    return sources;
+  }
+
+  void add_vehicle(const core::VehicleDescription& vehicle) {
+    protocol::Vehicle drawn{vehicle.name, vehicle.name, {}, {}, {}};
+    drawn.position_point =
+        truth(vehicle.name + ".position", vehicle.name + " position", "m", false, vehicle.position_truth);
+    drawn.left_point = terminal(vehicle.name + ".left", vehicle.drive_left);
+    drawn.right_point = terminal(vehicle.name + ".right", vehicle.drive_right);
+    picture_.synoptic.vehicles.push_back(std::move(drawn));
+    for (const auto& place : vehicle.places) {
+      picture_.synoptic.places.push_back(
+          {place.name, place.name, place.position, terminal(place.switch_sensor, place.switch_sensor)});
+    }
+  }
+
+  void add_tank(const core::TankDescription& tank) {
+    protocol::Tank drawn{tank.name, tank.label, side_of(tank), place_of(tank), {}, {}, 0, 0};
+    drawn.level_point = point(tank.name + ".level", tank.label, "%", true, measured(tank.sensor));
+    drawn.truth_point =
+        truth(tank.name + ".truth", tank.label + ", true", "%", !drawn.level_point.empty(), tank.level_truth);
+    drawn.high_percent = tank.overflow_percent;
+    picture_.synoptic.tanks.push_back(std::move(drawn));
+  }
+
+  // What fills a vehicle stands above the track.
+  protocol::TankSide side_of(const core::TankDescription& tank) const {
+    if (!tank.vehicle.empty()) return protocol::TankSide::OnVehicle;
+    const bool fills = std::any_of(plant_.pipes.begin(), plant_.pipes.end(), [&](const auto& pipe) {
+      const auto to = core::index_of(plant_.tanks, pipe.to);
+      return pipe.from == tank.name && to && !plant_.tanks[*to].vehicle.empty();
+    });
+    return fills ? protocol::TankSide::Above : protocol::TankSide::Below;
+  }
+
+  // The vehicle that carries it, or the place nearest to it.
+  std::string place_of(const core::TankDescription& tank) const {
+    if (!tank.vehicle.empty()) return tank.vehicle;
+    const protocol::Place* nearest = nullptr;
+    for (const auto& place : picture_.synoptic.places) {
+      const double distance = std::abs(place.position - tank.position);
+      if (nearest == nullptr || distance < std::abs(nearest->position - tank.position)) nearest = &place;
+    }
+    return nearest == nullptr ? std::string() : nearest->id;
+  }
+
+  void add_pump(const core::PumpDescription& pump) {
+    protocol::Pump drawn{pump.actuator, pump.actuator, {}, {}};
+    drawn.running_point = terminal(pump.actuator, pump.actuator);
+    drawn.flow_point = truth(pump.actuator + ".flow", pump.actuator + " flow", "l/s", false, pump.flow_truth);
+    picture_.synoptic.pumps.push_back(std::move(drawn));
+  }
+
+  // Overflow lines carry nothing in normal operation and would hide the others.
+  void add_pipe(const core::PipeDescription& pipe) {
+    const auto pump = core::index_of(plant_.pumps, pipe.pump);
+    if (!pump) return;
+    picture_.synoptic.pipes.push_back({pipe.from, pipe.to, plant_.pumps[*pump].actuator, pipe.at_place});
+  }
+
+  const PlantDescription& plant_;
+  const std::vector<std::pair<std::string, std::string>>& ports_;
+  PlantPicture picture_;
+};
+
+}  // namespace
+
+PlantPicture picture_of(const PlantDescription& plant,
+                        const std::vector<std::pair<std::string, std::string>>& ports) {
+  return PictureBuilder(plant, ports).build();
+}
+
+PlantPicture picture_of(const config::PlantConfig& plant) {
+  if (plant.kind != "tank_bench") return {};
+  return picture_of(assemblies::describe_bench({}), plant.ports);
+}
+
+}  // namespace stepwright::hmi

@@ -1,0 +1,35 @@
+#pragma once
+
+// The plant's description as the page's picture: what to draw, and from which values of the cell each part of
+// it lives.
+//
+//   PlantPicture picture = picture_of(config.plant);
+//   Feed feed(greeting, picture.synoptic);
+//   CellViewer viewer(picture.sources);
+//
+// A level is what the controller measures: the filtered counts of its sensor through the sensor's
+// calibration, or the raw counts while no program filters them. The true state of a simulated plant stands
+// beside it.
+
+#include <vector>
+
+#include "hmi_web/protocol/synoptic.h"
+#include "hmi_web/server/point_reader.h"
+#include "plant_models/core/plant_description.h"
+#include "programs/config/cell_config.h"
+
+namespace stepwright::hmi {
+
+struct PlantPicture {
+  protocol::Synoptic synoptic;
+  std::vector<server::PointSources> sources;  // by the points of the synoptic
+};
+
+// The configured plant; an empty picture for a kind without a description.
+PlantPicture picture_of(const config::PlantConfig& plant);
+
+// `ports` says at which address of the process image each terminal of the plant is.
+PlantPicture picture_of(const core::PlantDescription& plant,
+                        const std::vector<std::pair<std::string, std::string>>& ports);
+
+}  // namespace stepwright::hmi

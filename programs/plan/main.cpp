@@ -1,0 +1,54 @@
+// The process behind `stepwright plan` and `stepwright validate`.
+
+#include <CLI/CLI.hpp>
+
+#include "programs/plan/plan_command.h"
+#include "programs/plan/validate_command.h"
+
+namespace {
+
+using namespace stepwright;
+
+void describe_plan(CLI::App& app, plan::PlanArguments& arguments) {
+  app.add_option("domain", arguments.domain, "the PDDL domain")->required();
+  app.add_option("problem", arguments.problem, "the PDDL problem")->required();
+  app.add_flag("--optimal", arguments.optimal, "prove the optimum; no time limit unless --time");
+  app.add_option("--time", arguments.time_s, "time budget in seconds (default 10)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--memory", arguments.memory_mb, "memory budget in MB (default 4096)");
+  app.add_option("--json", arguments.json_file, "write the outcome and its figures as JSON");
+  app.add_option("--out", arguments.out_file, "write the plan");
+  app.footer(
+      "Exit codes: 0 the plan is proved optimal, 1 wrong input, 3 no plan exists (proved), 4 the budget "
+      "ended "
+      "first (the best plan so far is printed).");
+}
+
+void describe_validate(CLI::App& app, plan::ValidateArguments& arguments) {
+  app.add_option("domain", arguments.domain, "the PDDL domain")->required();
+  app.add_option("problem", arguments.problem, "the PDDL problem")->required();
+  app.add_option("plan", arguments.plan, "the plan, one action per line")->required();
+  app.add_option("--json", arguments.json_file, "write every step as JSON");
+  app.add_flag("--quiet", arguments.quiet, "no table of steps");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Plans PDDL problems and checks plans", "stepwright");
+  app.require_subcommand(1);
+  plan::PlanArguments plan_arguments;
+  plan::ValidateArguments validate_arguments;
+  CLI::App* plan_command = app.add_subcommand("plan", "find a plan, improve it, prove it optimal");
+  CLI::App* validate_command =
+      app.add_subcommand("validate", "execute a plan step by step and say if it holds");
+  describe_plan(*plan_command, plan_arguments);
+  describe_validate(*validate_command, validate_arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : result::to_int(result::ExitCode::Usage);
+  }
+  return result::to_int(plan_command->parsed() ? plan::run_plan(plan_arguments)
+                                               : plan::run_validate(validate_arguments));
+}

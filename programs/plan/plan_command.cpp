@@ -1,0 +1,124 @@
+#include "programs/plan/plan_command.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "programs/plan/output.h"
+#include "supervisor/pddl/plan_file.h"
+#include "supervisor/pddl/solve.h"
+
+namespace stepwright::plan {
+namespace {
+
+using result::ExitCode;
+
+constexpr double default_time_s = 10.0;
+
+const char* name_of(model::OutcomeKind kind) {
+  switch (kind) {
+    case model::OutcomeKind::Solved:
+      return "solved";
+    case model::OutcomeKind::Approximate:
+      return "approximate";
+    case model::OutcomeKind::Infeasible:
+      return "infeasible";
+    case model::OutcomeKind::Exhausted:
+      return "exhausted";
+    case model::OutcomeKind::Cancelled:
+      return "cancelled";
+  }
+  return "exhausted";
+}
+
+nlohmann::json to_json(const model::Outcome& outcome) {
+  nlohmann::json json = {{"outcome", name_of(outcome.kind)},
+                         {"reason", outcome.reason},
+                         {"plan", nlohmann::json::array()},
+                         {"orderings", nlohmann::json::array()},
+                         {"plan_steps", nullptr},
+                         {"plan_cost", nullptr},
+                         {"bound", nullptr},
+                         {"proved_optimal", false},
+                         {"first_plan_ms", nullptr},
+                         {"wall_ms", outcome.wall_ms},
+                         {"expanded", outcome.expanded},
+                         {"peak_mb", outcome.peak_mb}};
+  if (!outcome.plan) return json;
+  const model::Plan& plan = *outcome.plan;
+  for (const model::GroundAction& action : plan.actions) json["plan"].push_back(model::to_string(action));
+  for (const model::Ordering& o : plan.orderings) json["orderings"].push_back({o.before, o.after});
+  json["plan_steps"] = plan.actions.size();
+  json["plan_cost"] = number(plan.cost);
+  json["bound"] = number(plan.bound);
+  json["proved_optimal"] = plan.proved_optimal;
+  json["first_plan_ms"] = outcome.first_plan_ms;
+  return json;
+}
+
+pddl::Options options_of(const PlanArguments& arguments) {
+  pddl::Options options;
+  options.optimal = arguments.optimal;
+  const double time_s = arguments.time_s.value_or(arguments.optimal ? 0.0 : default_time_s);
+  options.budget.time = std::chrono::milliseconds(std::llround(std::ceil(time_s * 1000.0)));
+  options.budget.memory_mb = arguments.memory_mb;
+  options.on_progress = [](const pddl::Progress& progress) {
+    std::string best = "no plan yet";
+    if (progress.best != nullptr) {
+      best = "best " + pddl::number_text(progress.best->cost) + " in " +
+             std::to_string(progress.best->actions.size()) + " steps";
+      if (std::isfinite(progress.bound)) best += ", bound " + pddl::number_text(progress.bound);
+    }
+    std::fprintf(stderr, "%.0f s: %s, %llu states expanded, %.0f MB\n", progress.wall_ms / 1000.0,
+                 best.c_str(), static_cast<unsigned long long>(progress.expanded), progress.peak_mb);
+  };
+  return options;
+}
+
+void print(const model::Outcome& outcome) {
+  if (!outcome.plan) {
+    const bool none = outcome.kind == model::OutcomeKind::Infeasible;
+    std::fprintf(stderr, "%s: %s\n", none ? "no plan exists" : "no plan was found", outcome.reason.c_str());
+    return;
+  }
+  const model::Plan& plan = *outcome.plan;
+  std::fputs(pddl::print_plan(plan).c_str(), stdout);
+  std::string proof = "optimal, proved";
+  if (!plan.proved_optimal) {
+    proof = std::isfinite(plan.bound) ? "bound " + pddl::number_text(plan.bound) : "no bound known";
+  }
+  std::printf("; %zu steps, %s; first plan after %.2f ms, done after %.2f ms, %llu states expanded\n",
+              plan.actions.size(), proof.c_str(), outcome.first_plan_ms, outcome.wall_ms,
+              static_cast<unsigned long long>(outcome.expanded));
+  if (!outcome.reason.empty()) std::fprintf(stderr, "%s\n", outcome.reason.c_str());
+}
+
+ExitCode exit_code(model::OutcomeKind kind) {
+  if (kind == model::OutcomeKind::Solved) return ExitCode::Done;
+  return kind == model::OutcomeKind::Infeasible ? ExitCode::NoPlan : ExitCode::BudgetExhausted;
+}
+
+}  // namespace
+
+ExitCode run_plan(const PlanArguments& arguments) {
+  auto task = pddl::load_task(arguments.domain, arguments.problem);
+  if (!task) {
+    print_diagnostics(task.error());
+    return ExitCode::BadInput;
+  }
+  print_diagnostics(task->warnings());
+  const model::Outcome outcome = pddl::solve(*task, options_of(arguments));
+  print(outcome);
+  if (!arguments.json_file.empty() && !write_file(arguments.json_file, to_json(outcome).dump(2) + "\n")) {
+    return ExitCode::BadInput;
+  }
+  if (!arguments.out_file.empty() && outcome.plan &&
+      !write_file(arguments.out_file, pddl::print_plan(*outcome.plan))) {
+    return ExitCode::BadInput;
+  }
+  return exit_code(outcome.kind);
+}
+
+}  // namespace stepwright::plan

@@ -1,0 +1,24 @@
+#pragma once
+
+// `stepwright plan DOMAIN PROBLEM [--optimal] [--time S] [--json FILE] [--out PLAN]`.
+
+#include <optional>
+#include <string>
+
+#include "runtime/result/exit_code.h"
+
+namespace stepwright::plan {
+
+struct PlanArguments {
+  std::string domain;
+  std::string problem;
+  bool optimal = false;
+  std::optional<double> time_s;  // default: 10 s; none with --optimal
+  std::size_t memory_mb = 0;     // 0: the planner's default
+  std::string json_file;         // empty: none
+  std::string out_file;          // empty: none
+};
+
+result::ExitCode run_plan(const PlanArguments& arguments);
+
+}  // namespace stepwright::plan

@@ -1,0 +1,87 @@
+// `stepwright COMMAND ...`: the one command. It replaces itself by the program of the command, which stands
+// beside it, so that each process links only what it needs (ADR 0001).
+
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/result/exit_code.h"
+#include "runtime/settings/toml_document.h"
+
+namespace {
+
+using stepwright::result::ExitCode;
+using stepwright::result::to_int;
+
+struct Command {
+  const char* name;
+  const char* program;
+  const char* summary;
+};
+
+constexpr std::array kCommands = {
+    Command{"demo", "stepwright-demo", "run a cell: all its processes, its main job, a report"},
+    Command{"plan", "stepwright-plan", "find a plan for a PDDL problem"},
+    Command{"validate", "stepwright-plan", "check a plan step by step"},
+    Command{"translate", "stepwright-translate",
+            "turn a plan into SFC, Ladder, PLCopen XML or Omron mnemonics"},
+    Command{"compile", "stepwright-compile", "compile ST sources to a bytecode image"},
+    Command{"exec", "stepwright-exec", "run an image without a clock"},
+    Command{"check", "stepwright-demo", "check a cell's configuration, planning files and program"},
+    Command{"runtime", "stepwright-runtime", "the scan process"},
+    Command{"link", "stepwright-link", "carry the runtime's service over Fast DDS"},
+    Command{"supervisor", "stepwright-supervisor", "plan, download, watch and replan"},
+    Command{"hmi", "stepwright-hmi", "show the cell in a browser"},
+};
+
+void print_usage(std::FILE* out) {
+  std::fputs("usage: stepwright COMMAND [OPTION ...]\n\n", out);
+  for (const Command& command : kCommands) std::fprintf(out, "  %-11s %s\n", command.name, command.summary);
+  std::fputs("\n`stepwright COMMAND --help` describes a command.\n", out);
+}
+
+int unknown(std::string_view name) {
+  std::vector<std::string> names;
+  for (const Command& command : kCommands) names.emplace_back(command.name);
+  const std::string meant = stepwright::settings::closest(name, names);
+  std::fprintf(stderr, "stepwright: there is no command '%.*s'\n", static_cast<int>(name.size()),
+               name.data());
+  if (!meant.empty()) std::fprintf(stderr, "  hint: did you mean '%s'?\n", meant.c_str());
+  print_usage(stderr);
+  return to_int(ExitCode::Usage);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    print_usage(stderr);
+    return to_int(ExitCode::Usage);
+  }
+  const std::string_view name = argv[1];
+  if (name == "--help" || name == "-h" || name == "help") {
+    print_usage(stdout);
+    return to_int(ExitCode::Done);
+  }
+  if (name == "--version") {
+    std::puts("stepwright " STEPWRIGHT_VERSION);
+    return to_int(ExitCode::Done);
+  }
+  for (const Command& command : kCommands) {
+    if (name != command.name) continue;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
+    const std::string program = (self.parent_path() / command.program).string();
+    execv(program.c_str(), argv);
+    std::fprintf(stderr,
+                 "stepwright: cannot start %s: %s\n  hint: is it built? (scripts/demo builds everything)\n",
+                 program.c_str(), std::strerror(errno));
+    return to_int(ExitCode::RuntimeFault);
+  }
+  return unknown(name);
+}

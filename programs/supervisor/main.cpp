@@ -1,0 +1,125 @@
+// `stepwright supervisor --config CELL.toml`: plans the cell's problem, executes it on the runtime behind
+// Fast DDS, and keeps the plan document up to date for viewers. A supervisor that is killed and started again
+// goes on with the plan that runs.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "programs/config/cell_options.h"
+#include "programs/config/executive_options.h"
+#include "runtime/dds/plan_channel.h"
+#include "runtime/result/exit_code.h"
+#include "supervisor/executive/dds_controller.h"
+#include "supervisor/executive/report.h"
+
+namespace stepwright {
+namespace {
+
+using result::ExitCode;
+using std::chrono::milliseconds;
+
+int fail(const result::Diagnostics& diagnostics, ExitCode code) {
+  std::fprintf(stderr, "%s\n", result::to_string(diagnostics).c_str());
+  return to_int(code);
+}
+
+// An operator's request, as the page sends it: {"request":"abort"} or {"request":"change","fluent":"(demand
+// c1)","value":8}.
+void obey(executive::Executive& executive, const std::string& text) {
+  const auto request = nlohmann::json::parse(text, nullptr, false);
+  if (!request.is_object()) return;
+  const std::string kind = request.value("request", "");
+  if (kind == "abort") executive.request_abort();
+  if (kind != "change" || !request.contains("value") || !request["value"].is_number()) return;
+  if (auto changed = executive.request_change(request.value("fluent", ""), request["value"]); !changed) {
+    std::fprintf(stderr, "operator request refused: %s\n", result::to_string(changed.error()).c_str());
+  }
+}
+
+// One line for each change of phase.
+void narrate(const executive::RunRecord& record, std::string& last) {
+  std::string line = std::string(to_string(record.phase)) + ": " + record.message;
+  if (line == last) return;
+  std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+  last = std::move(line);
+}
+
+// The status after the last scan: the plant is stopped, so its figures come to rest.
+host::RuntimeStatus final_status(const executive::Controller& controller) {
+  host::RuntimeStatus status;
+  for (int i = 0; i < 200; ++i) {
+    if (const auto now = controller.status()) status = *now;
+    if (status.state != host::RuntimeState::Running && status.state != host::RuntimeState::Empty) break;
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+  return status;
+}
+
+void write_file(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path fresh = file.string() + ".new";
+  std::ofstream(fresh) << text;
+  std::error_code ignored;  // a missing report is noticed by whoever waits for it
+  std::filesystem::rename(fresh, file, ignored);
+}
+
+int run(const config::CellConfig& config, bool once) {
+  if (config.planning.domain.empty()) {
+    return fail({{"C0005",
+                  result::Severity::Error,
+                  {config.file.string(), 0, 0},
+                  "there is no [planning] table",
+                  "name domain, problem and binding there"}},
+                ExitCode::BadInput);
+  }
+  auto desk = executive::PlanningDesk::open(config::desk_options(config));
+  if (!desk) return fail(desk.error(), ExitCode::BadInput);
+  const dds::ParticipantConfig participant{config.dds.domain_id, "supervisor", config.name};
+  auto controller = executive::DdsController::connect(participant);
+  if (!controller) return fail(controller.error(), ExitCode::RuntimeFault);
+  auto publisher = dds::PlanPublisher::create(participant);
+  if (!publisher) return fail(publisher.error(), ExitCode::RuntimeFault);
+  std::filesystem::create_directories(config.state_dir);
+
+  std::string last_line;
+  executive::Executive executive(*desk, **controller, config::executive_options(config),
+                                 [&](const executive::RunRecord& record) {
+                                   narrate(record, last_line);
+                                   (void)(*publisher)->publish(to_json(record));  // viewers keep the last one
+                                 });
+  std::jthread requests([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      if (auto request = (*publisher)->wait_request(milliseconds(200))) obey(executive, *request);
+    }
+  });
+  const executive::RunRecord record = executive.run();
+  const executive::Report report{record, final_status(**controller)};
+  write_file(config.report_path(), executive::to_json(report));
+  std::printf("%s", executive::report_table(record).c_str());
+  std::fflush(stdout);
+  while (!once) std::this_thread::sleep_for(std::chrono::hours(1));  // viewers still want the document
+  return to_int(record.exit);
+}
+
+}  // namespace
+}  // namespace stepwright
+
+int main(int argc, char** argv) {
+  CLI::App app{"Plan, download, watch and replan", "stepwright supervisor"};
+  stepwright::config::CellOptions options;
+  bool once = false;
+  stepwright::config::add_cell_options(app, options);
+  app.add_flag("--once", once, "end with the run instead of keeping its result for viewers");
+  try {
+    app.parse(argc - 1, argv + 1);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : stepwright::result::to_int(stepwright::result::ExitCode::Usage);
+  }
+  const auto config = stepwright::config::load_or_report(options);
+  if (!config) return stepwright::result::to_int(stepwright::result::ExitCode::BadInput);
+  return stepwright::run(*config, once);
+}

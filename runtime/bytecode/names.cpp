@@ -1,0 +1,25 @@
+#include "runtime/bytecode/trap.h"
+#include "runtime/bytecode/value_type.h"
+
+namespace stepwright::bytecode {
+
+const char* name_of(ElementaryType type) {
+  constexpr const char* kNames[kElementaryTypeCount] = {"BOOL",  "SINT",  "INT",   "DINT", "LINT", "USINT",
+                                                        "UINT",  "UDINT", "ULINT", "BYTE", "WORD", "DWORD",
+                                                        "LWORD", "REAL",  "LREAL", "TIME"};
+  return kNames[static_cast<std::uint8_t>(type)];
+}
+
+const char* name_of(TrapCode code) {
+  constexpr const char* kNames[kTrapCodeCount] = {"no trap",
+                                                  "division by zero",
+                                                  "conversion out of range",
+                                                  "array index out of bounds",
+                                                  "reference outside the image",
+                                                  "watchdog: the scan's budget is used up",
+                                                  "argument outside the function's domain",
+                                                  "trap raised by the program"};
+  return kNames[static_cast<std::uint8_t>(code)];
+}
+
+}  // namespace stepwright::bytecode

@@ -1,0 +1,176 @@
+#pragma once
+
+// The instruction set as a list: STEPWRIGHT_OPCODES(X) expands X(Name, Operands, pops, pushes) for every
+// opcode, in the order of their numbers (0, 1, 2, ...), which is part of the container format.
+//
+// `pops` and `pushes` name stack types, deepest first: b Bool, i I32, l I64, f F32, d F64, r Ref.
+// "*" = the effect depends on an operand (see the instruction's text in runtime/doc/bytecode_format.md).
+// Binary operations take the left operand first: x y SubI32 gives x - y.
+
+// Load and Store of one memory type in the three address modes. Indirect stores take the Ref below the value.
+#define STEPWRIGHT_LOAD_OPCODES(X, Type, c) \
+  X(Load##Type##Abs, U32, "", c)            \
+  X(Load##Type##This, U32, "", c)           \
+  X(Load##Type##Ind, None, "r", c)
+#define STEPWRIGHT_STORE_OPCODES(X, Type, c) \
+  X(Store##Type##Abs, U32, c, "")            \
+  X(Store##Type##This, U32, c, "")           \
+  X(Store##Type##Ind, None, "r" c, "")
+
+#define STEPWRIGHT_MEMORY_OPCODES(X)     \
+  STEPWRIGHT_LOAD_OPCODES(X, Bool, "b")  \
+  STEPWRIGHT_LOAD_OPCODES(X, I8, "i")    \
+  STEPWRIGHT_LOAD_OPCODES(X, U8, "i")    \
+  STEPWRIGHT_LOAD_OPCODES(X, I16, "i")   \
+  STEPWRIGHT_LOAD_OPCODES(X, U16, "i")   \
+  STEPWRIGHT_LOAD_OPCODES(X, I32, "i")   \
+  STEPWRIGHT_LOAD_OPCODES(X, I64, "l")   \
+  STEPWRIGHT_LOAD_OPCODES(X, F32, "f")   \
+  STEPWRIGHT_LOAD_OPCODES(X, F64, "d")   \
+  STEPWRIGHT_LOAD_OPCODES(X, Ref, "r")   \
+  STEPWRIGHT_STORE_OPCODES(X, Bool, "b") \
+  STEPWRIGHT_STORE_OPCODES(X, I8, "i")   \
+  STEPWRIGHT_STORE_OPCODES(X, U8, "i")   \
+  STEPWRIGHT_STORE_OPCODES(X, I16, "i")  \
+  STEPWRIGHT_STORE_OPCODES(X, U16, "i")  \
+  STEPWRIGHT_STORE_OPCODES(X, I32, "i")  \
+  STEPWRIGHT_STORE_OPCODES(X, I64, "l")  \
+  STEPWRIGHT_STORE_OPCODES(X, F32, "f")  \
+  STEPWRIGHT_STORE_OPCODES(X, F64, "d")  \
+  STEPWRIGHT_STORE_OPCODES(X, Ref, "r")  \
+  X(LoadBit, ByteBit, "", "b")           \
+  X(StoreBit, ByteBit, "b", "")          \
+  X(LocalGet, U32, "*", "*")             \
+  X(LocalSet, U32, "*", "*")             \
+  X(AddrAbs, U32, "", "r")               \
+  X(AddrThis, U32, "", "r")              \
+  X(Index, Range, "ri", "r")             \
+  X(Offset, U32, "r", "r")               \
+  X(MemCopy, U32, "rr", "")
+
+#define STEPWRIGHT_CONSTANT_OPCODES(X) \
+  X(ConstBool, U8, "", "b")            \
+  X(ConstI32, U32, "", "i")            \
+  X(ConstI64, U32, "", "l")            \
+  X(ConstF32, U32, "", "f")            \
+  X(ConstF64, U32, "", "d")
+
+// The four arithmetic types of one operation, and the two more of unsigned integers.
+#define STEPWRIGHT_SIGNED(X, Op) \
+  X(Op##I32, None, "ii", "i")    \
+  X(Op##I64, None, "ll", "l")
+#define STEPWRIGHT_UNSIGNED(X, Op) \
+  X(Op##U32, None, "ii", "i")      \
+  X(Op##U64, None, "ll", "l")
+#define STEPWRIGHT_FLOATING(X, Op) \
+  X(Op##F32, None, "ff", "f")      \
+  X(Op##F64, None, "dd", "d")
+
+#define STEPWRIGHT_ARITHMETIC_OPCODES(X)                                                         \
+  STEPWRIGHT_SIGNED(X, Add)                                                                      \
+  STEPWRIGHT_FLOATING(X, Add)                                                                    \
+  STEPWRIGHT_SIGNED(X, Sub)                                                                      \
+  STEPWRIGHT_FLOATING(X, Sub) STEPWRIGHT_SIGNED(X, Mul) STEPWRIGHT_FLOATING(X, Mul)              \
+      STEPWRIGHT_SIGNED(X, Div) STEPWRIGHT_UNSIGNED(X, Div) STEPWRIGHT_FLOATING(X, Div)          \
+          STEPWRIGHT_SIGNED(X, Mod) STEPWRIGHT_UNSIGNED(X, Mod) X(NegI32, None, "i", "i")        \
+              X(NegI64, None, "l", "l") X(NegF32, None, "f", "f") X(NegF64, None, "d", "d")      \
+                  X(WrapI8, None, "i", "i") X(WrapU8, None, "i", "i") X(WrapI16, None, "i", "i") \
+                      X(WrapU16, None, "i", "i")
+
+#define STEPWRIGHT_BIT_OPCODES(X)                                                                           \
+  X(AndBool, None, "bb", "b")                                                                               \
+  X(OrBool, None, "bb", "b")                                                                                \
+  X(XorBool, None, "bb", "b")                                                                               \
+  X(NotBool, None, "b", "b")                                                                                \
+  STEPWRIGHT_SIGNED(X, And)                                                                                 \
+  STEPWRIGHT_SIGNED(X, Or)                                                                                  \
+  STEPWRIGHT_SIGNED(X, Xor)                                                                                 \
+  X(NotI32, None, "i", "i") X(NotI64, None, "l", "l") X(ShlI32, None, "ii", "i") X(ShlI64, None, "li", "l") \
+      X(ShrI32, None, "ii", "i") X(ShrI64, None, "li", "l") X(RolI32, U8, "ii", "i")                        \
+          X(RolI64, None, "li", "l") X(RorI32, U8, "ii", "i") X(RorI64, None, "li", "l")
+
+#define STEPWRIGHT_EQUALITY(X, Op) \
+  X(Op##I32, None, "ii", "b")      \
+  X(Op##I64, None, "ll", "b")      \
+  X(Op##F32, None, "ff", "b")      \
+  X(Op##F64, None, "dd", "b")
+#define STEPWRIGHT_ORDER(X, Op) \
+  STEPWRIGHT_EQUALITY(X, Op)    \
+  X(Op##U32, None, "ii", "b")   \
+  X(Op##U64, None, "ll", "b")
+
+#define STEPWRIGHT_COMPARISON_OPCODES(X) \
+  STEPWRIGHT_EQUALITY(X, Eq)             \
+  STEPWRIGHT_EQUALITY(X, Ne)             \
+  STEPWRIGHT_ORDER(X, Lt)                \
+  STEPWRIGHT_ORDER(X, Le)                \
+  STEPWRIGHT_ORDER(X, Gt)                \
+  STEPWRIGHT_ORDER(X, Ge)
+
+#define STEPWRIGHT_CONVERSION_OPCODES(X) \
+  X(BoolToI32, None, "b", "i")           \
+  X(I32ToBool, None, "i", "b")           \
+  X(I64ToBool, None, "l", "b")           \
+  X(I32ToI64, None, "i", "l")            \
+  X(U32ToI64, None, "i", "l")            \
+  X(I64ToI32, None, "l", "i")            \
+  X(I32ToF32, None, "i", "f")            \
+  X(U32ToF32, None, "i", "f")            \
+  X(I64ToF32, None, "l", "f")            \
+  X(U64ToF32, None, "l", "f")            \
+  X(I32ToF64, None, "i", "d")            \
+  X(U32ToF64, None, "i", "d")            \
+  X(I64ToF64, None, "l", "d")            \
+  X(U64ToF64, None, "l", "d")            \
+  X(F32ToF64, None, "f", "d")            \
+  X(F64ToF32, None, "d", "f")            \
+  X(RoundF32, U8, "f", "*")              \
+  X(RoundF64, U8, "d", "*")              \
+  X(TruncF32, U8, "f", "*")              \
+  X(TruncF64, U8, "d", "*")
+
+#define STEPWRIGHT_CONTROL_OPCODES(X)          \
+  X(Dup, None, "*", "*")                       \
+  X(Drop, None, "*", "*")                      \
+  X(Select, None, "*", "*")                    \
+  X(Jump, I32, "", "")                         \
+  X(JumpIfFalse, I32, "b", "")                 \
+  X(JumpIfTrue, I32, "b", "")                  \
+  X(Call, U32, "*", "*")                       \
+  X(CallInstanceAbs, FunctionAddress, "", "")  \
+  X(CallInstanceThis, FunctionAddress, "", "") \
+  X(CallInstanceInd, U32, "r", "")             \
+  X(Return, None, "*", "")                     \
+  X(Now, None, "", "l")                        \
+  X(Intrinsic, U8, "*", "*")                   \
+  X(Trap, U8, "", "")
+
+#define STEPWRIGHT_OPCODES(X)      \
+  STEPWRIGHT_MEMORY_OPCODES(X)     \
+  STEPWRIGHT_CONSTANT_OPCODES(X)   \
+  STEPWRIGHT_ARITHMETIC_OPCODES(X) \
+  STEPWRIGHT_BIT_OPCODES(X)        \
+  STEPWRIGHT_COMPARISON_OPCODES(X) \
+  STEPWRIGHT_CONVERSION_OPCODES(X) \
+  STEPWRIGHT_CONTROL_OPCODES(X)
+
+// Exact functions only: each gives the same bits on every machine. X(Name, pops, pushes)
+#define STEPWRIGHT_INTRINSICS(X) \
+  X(AbsI32, "i", "i")            \
+  X(AbsI64, "l", "l")            \
+  X(AbsF32, "f", "f")            \
+  X(AbsF64, "d", "d")            \
+  X(SqrtF32, "f", "f")           \
+  X(SqrtF64, "d", "d")           \
+  X(MinI32, "ii", "i")           \
+  X(MinI64, "ll", "l")           \
+  X(MinU32, "ii", "i")           \
+  X(MinU64, "ll", "l")           \
+  X(MinF32, "ff", "f")           \
+  X(MinF64, "dd", "d")           \
+  X(MaxI32, "ii", "i")           \
+  X(MaxI64, "ll", "l")           \
+  X(MaxU32, "ii", "i")           \
+  X(MaxU64, "ll", "l")           \
+  X(MaxF32, "ff", "f")           \
+  X(MaxF64, "dd", "d")

@@ -1,0 +1,135 @@
+#include "runtime/bytecode/reader/program_info.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "runtime/bytecode/program.h"
+#include "runtime/bytecode/reader/loaded_program.h"
+
+namespace stepwright::reader {
+namespace {
+
+using bytecode::ContainerView;
+using bytecode::Section;
+
+std::string upper(std::string_view name) {
+  std::string result(name);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return result;
+}
+
+// Lists the elementary variables inside symbols. Bounded in depth and size, as a hostile container may nest
+// types without end; a variable of a huge array does not need a name for each element.
+class Flattener {
+ public:
+  Flattener(const ContainerView& view, std::vector<Tag>& tags) : view_(view), tags_(tags) {}
+
+  void add(const std::string& name, std::uint32_t type_index, Variable place, std::uint16_t flags,
+           std::uint32_t depth = 0) {
+    if (++visited_ > kMaxVisits || depth > kMaxDepth) return;
+    const auto type = view_.record<Section::Types>(type_index);
+    switch (static_cast<bytecode::TypeKind>(type.kind)) {
+      case bytecode::TypeKind::Elementary:
+        place.type = static_cast<bytecode::ElementaryType>(type.elementary);
+        tags_.push_back({name, place, flags});
+        return;
+      case bytecode::TypeKind::Array: {
+        const std::uint32_t stride = view_.record<Section::Types>(type.first).size;
+        for (std::uint32_t i = 0; i < type.count && visited_ < kMaxVisits; ++i) {
+          const std::string element = name + "[" + std::to_string(std::int64_t{type.lower} + i) + "]";
+          add(element, type.first, {place.type, place.address + i * stride, bytecode::kNoBit}, flags,
+              depth + 1);
+        }
+        return;
+      }
+      case bytecode::TypeKind::Struct:
+      case bytecode::TypeKind::Instance:
+        for (std::uint32_t i = 0; i < type.count && visited_ < kMaxVisits; ++i) {
+          const auto member = view_.record<Section::Members>(type.first + i);
+          const Variable inside{place.type, place.address + member.offset, bytecode::kNoBit};
+          add(name + "." + text_of(view_, member.name), member.type, inside, flags, depth + 1);
+        }
+        return;
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kMaxVisits = 200'000;
+  static constexpr std::uint32_t kMaxDepth = 32;
+
+  const ContainerView& view_;
+  std::vector<Tag>& tags_;
+  std::uint32_t visited_ = 0;
+};
+
+std::vector<std::uint32_t> links(const ContainerView& view, std::uint32_t first, std::uint32_t count) {
+  std::vector<std::uint32_t> steps;
+  for (std::uint32_t i = 0; i < count; ++i) steps.push_back(view.record<Section::SfcLinks>(first + i));
+  return steps;
+}
+
+ChartInfo chart_info(const ContainerView& view, const bytecode::SfcChartRecord& record) {
+  ChartInfo chart;
+  chart.name = text_of(view, record.name);
+  for (std::uint32_t i = 0; i < record.step_count; ++i) {
+    const auto step = view.record<Section::SfcSteps>(record.first_step + i);
+    chart.steps.push_back({text_of(view, step.name),
+                           text_of(view, step.comment),
+                           (step.flags & bytecode::kStepInitial) != 0,
+                           {bytecode::ElementaryType::Bool, step.address, step.bit}});
+  }
+  for (std::uint32_t i = 0; i < record.transition_count; ++i) {
+    const auto transition = view.record<Section::SfcTransitions>(record.first_transition + i);
+    TransitionInfo info{text_of(view, transition.name), text_of(view, transition.condition),
+                        links(view, transition.first_source, transition.source_count),
+                        links(view, transition.first_target, transition.target_count), std::nullopt};
+    if (transition.address != bytecode::kNoIndex) {
+      info.fires = Variable{bytecode::ElementaryType::Bool, transition.address, transition.bit};
+    }
+    chart.transitions.push_back(std::move(info));
+  }
+  return chart;
+}
+
+}  // namespace
+
+result::Result<ProgramInfo> ProgramInfo::read(std::span<const std::byte> container) {
+  bytecode::Program program;
+  std::vector<std::uint32_t> scratch(bytecode::verify_scratch_words(container));
+  const bytecode::VerifyResult verified = bytecode::verify(container, scratch, program);
+  if (!verified.ok()) return tl::unexpected(result::Diagnostics{refusal(container, verified, {})});
+  const ContainerView& view = program.container();
+  ProgramInfo info;
+  info.sizes_ = program.sizes();
+  Flattener flattener(view, info.tags_);
+  for (std::uint32_t i = 0; i < view.count<Section::Symbols>(); ++i) {
+    const auto symbol = view.record<Section::Symbols>(i);
+    flattener.add(text_of(view, symbol.name), symbol.type,
+                  {bytecode::ElementaryType::Bool, symbol.address, symbol.bit}, symbol.flags);
+  }
+  for (std::size_t i = 0; i < info.tags_.size(); ++i) info.by_name_.emplace(upper(info.tags_[i].name), i);
+  for (std::uint32_t i = 0; i < view.count<Section::SfcCharts>(); ++i) {
+    info.charts_.push_back(chart_info(view, view.record<Section::SfcCharts>(i)));
+  }
+  for (std::uint32_t i = 0; i < view.count<Section::Tasks>(); ++i) {
+    const auto task = view.record<Section::Tasks>(i);
+    info.tasks_.push_back({text_of(view, task.name), task.interval_us, task.priority});
+  }
+  return info;
+}
+
+const Variable* ProgramInfo::find(std::string_view name) const {
+  const auto found = by_name_.find(upper(name));
+  return found == by_name_.end() ? nullptr : &tags_[found->second].variable;
+}
+
+const ChartInfo* ProgramInfo::chart(std::string_view name) const {
+  for (const ChartInfo& chart : charts_) {
+    if (upper(chart.name) == upper(name)) return &chart;
+  }
+  return nullptr;
+}
+
+}  // namespace stepwright::reader

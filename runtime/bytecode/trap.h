@@ -1,0 +1,34 @@
+#pragma once
+
+// What stops a PLC program at run time. A trap is located (function, pc) and leaves the image as it was at
+// the faulting instruction; the scan then puts the outputs into their safe state.
+
+#include <cstdint>
+
+namespace stepwright::bytecode {
+
+// The numeric values are stable: the Trap instruction carries them and reports show them.
+enum class TrapCode : std::uint8_t {
+  None = 0,
+  DivisionByZero = 1,
+  ConversionRange = 2,  // NaN, or a number outside the target's range
+  IndexRange = 3,       // array index outside its bounds
+  BadReference = 4,     // a Ref outside the image (a VAR_IN_OUT that was never bound)
+  Watchdog = 5,         // the budget of the scan is used up
+  BadArgument = 6,      // outside an intrinsic's domain (SQRT of a negative number)
+  UserTrap = 7,         // raised by the program itself
+};
+inline constexpr std::uint8_t kTrapCodeCount = 8;
+
+struct Trap {
+  TrapCode code = TrapCode::None;
+  std::uint32_t function = 0;  // index into the function table
+  std::uint32_t pc = 0;        // byte offset of the faulting instruction in its function
+
+  explicit operator bool() const { return code != TrapCode::None; }
+};
+
+// "division by zero", ...
+const char* name_of(TrapCode code);
+
+}  // namespace stepwright::bytecode

@@ -1,0 +1,12 @@
+#pragma once
+
+// Is this UTF-8? (Unicode 15, table 3-7: no overlong forms, no surrogates, nothing above U+10FFFF.)
+
+#include <cstdint>
+#include <span>
+
+namespace stepwright::bytecode {
+
+bool is_utf8(std::span<const char> text);
+
+}  // namespace stepwright::bytecode

@@ -1,0 +1,170 @@
+#include "runtime/dds/internal/client_session.h"
+
+#include <utility>
+
+#include "runtime/dds/internal/topics.h"
+
+namespace stepwright::dds::internal {
+namespace {
+
+using namespace std::chrono_literals;
+
+// An answer takes well under a millisecond; what takes longer was lost with a process that died.
+constexpr std::chrono::milliseconds kResendPeriod{200};
+// An event that the status already names is usually on its way: give it this long before asking for it.
+constexpr std::chrono::milliseconds kEventGrace{30};
+
+}  // namespace
+
+ClientSession::ClientSession(std::unique_ptr<Participant> participant, ClientRole role, std::uint64_t client,
+                             const std::string& process)
+    : participant_(std::move(participant)),
+      requests_(client),
+      commands_(*participant_, kCommandTopic, Profile::Request),
+      chunks_(*participant_, kChunkTopic, Profile::Request),
+      reply_reader_(*participant_, kReplyTopic, Profile::Request,
+                    [this](idl::Reply& sample) {
+                      if (auto reply = from_reply(sample)) requests_.answer(std::move(*reply));
+                    }),
+      event_reader_(*participant_, kEventTopic, Profile::Event,
+                    [this](idl::Event& sample) { on_event(sample); }),
+      snapshot_reader_(*participant_, kSnapshotTopic, Profile::Snapshot,
+                       [this](idl::Snapshot& sample) { on_snapshot(sample); }),
+      status_reader_(
+          *participant_, kStatusTopic, Profile::Status, [this](idl::Status& sample) { on_status(sample); },
+          [this](bool) { news_.notify_all(); }) {
+  if (role != ClientRole::Supervisor) return;
+  presence_ =
+      std::make_unique<Writer<idl::PresencePubSubType>>(*participant_, kPresenceTopic, Profile::Presence);
+  idl::Presence sample;
+  sample.runtime_id(participant_->runtime_id());
+  sample.process(process);
+  if (presence_->ok()) presence_->write(sample);
+}
+
+bool ClientSession::ok() const {
+  return commands_.ok() && chunks_.ok() && reply_reader_.ok() && event_reader_.ok() &&
+         snapshot_reader_.ok() && status_reader_.ok() && (presence_ == nullptr || presence_->ok());
+}
+
+bool ClientSession::runtime_alive() const {
+  const std::scoped_lock lock(mutex_);
+  return runtime_connected_ && status_reader_.alive();
+}
+
+bool ClientSession::wait_for_runtime(std::chrono::milliseconds timeout) {
+  std::unique_lock lock(mutex_);
+  return news_.wait_for(lock, timeout, [this] {
+    return runtime_connected_ && events_.started() && status_reader_.alive() && commands_.matched();
+  });
+}
+
+result::Result<service::Reply> ClientSession::ask(service::RequestBody body) {
+  const auto deadline = Clock::now() + kRequestTimeout;
+  // Where this client's events start must be known before it causes any.
+  if (!wait_for_runtime(kRequestTimeout)) {
+    return result::fail("D0001", {}, "no runtime '" + participant_->runtime_id() + "' answers on Fast DDS",
+                        "are the processes 'runtime' and 'link' of the cell running?");
+  }
+  const service::Request request = requests_.open(std::move(body));
+  std::optional<service::Reply> reply;
+  while (!reply && Clock::now() < deadline) {
+    send(request);
+    reply = requests_.wait(request.id, kResendPeriod);
+  }
+  requests_.forget(request.id);
+  if (!reply) {
+    return result::fail("D0001", {}, "the runtime '" + participant_->runtime_id() + "' does not answer");
+  }
+  if (!reply->accepted()) return tl::unexpected(std::move(reply->problems));
+  return std::move(*reply);
+}
+
+bool ClientSession::send(const service::Request& request) {
+  if (std::holds_alternative<service::DownloadChunk>(request.body)) {
+    auto sample = to_chunk(participant_->runtime_id(), request);
+    return chunks_.write(sample);
+  }
+  auto sample = to_command(participant_->runtime_id(), request);
+  return commands_.write(sample);
+}
+
+std::optional<StepEvent> ClientSession::wait_event(std::chrono::milliseconds timeout) {
+  const auto deadline = Clock::now() + timeout;
+  std::unique_lock lock(mutex_);
+  while (true) {
+    if (auto event = events_.take()) return event;
+    const auto now = Clock::now();
+    if (now >= deadline) return std::nullopt;
+    auto until = deadline;
+    if (events_.missing()) {
+      if (fetch_at_ == Clock::time_point{}) fetch_at_ = now + kEventGrace;
+      if (now >= fetch_at_) fetch_missing(lock);
+      until = std::min(deadline, fetch_at_);
+    } else {
+      fetch_at_ = {};
+    }
+    news_.wait_until(lock, until);
+  }
+}
+
+void ClientSession::fetch_missing(std::unique_lock<std::mutex>& lock) {
+  const std::uint64_t open = fetch_id_;
+  const std::uint64_t first = events_.missing().value_or(0);
+  lock.unlock();
+  std::optional<service::Reply> reply;
+  if (open != 0) {
+    reply = requests_.wait(open, 0ms);
+    requests_.forget(open);
+  }
+  const service::Request request = requests_.open(service::ResendEvents{first});
+  send(request);
+  lock.lock();
+  fetch_id_ = request.id;
+  fetch_at_ = Clock::now() + kResendPeriod;
+  // The answer's offset is the first event that the runtime still holds.
+  if (reply && reply->accepted()) events_.skip_to(reply->offset);
+}
+
+void ClientSession::on_status(const idl::Status& sample) {
+  auto status = from_status(sample);
+  if (!status) return;
+  {
+    const std::scoped_lock lock(mutex_);
+    runtime_connected_ = sample.runtime_connected();
+    if (runtime_connected_) {
+      events_.observe(*status);
+      status_ = std::move(status);
+    }
+  }
+  news_.notify_all();
+}
+
+void ClientSession::on_event(const idl::Event& sample) {
+  auto event = from_event(sample);
+  if (!event) return;
+  {
+    const std::scoped_lock lock(mutex_);
+    events_.add(sample.incarnation(), std::move(*event));
+  }
+  news_.notify_all();
+}
+
+void ClientSession::on_snapshot(const idl::Snapshot& sample) {
+  auto snapshot = from_snapshot(sample);
+  if (!snapshot) return;
+  const std::scoped_lock lock(mutex_);
+  snapshot_ = std::move(snapshot);
+}
+
+std::optional<RuntimeStatus> ClientSession::status() const {
+  const std::scoped_lock lock(mutex_);
+  return status_;
+}
+
+std::optional<Snapshot> ClientSession::snapshot() const {
+  const std::scoped_lock lock(mutex_);
+  return snapshot_;
+}
+
+}  // namespace stepwright::dds::internal

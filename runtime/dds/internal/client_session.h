@@ -1,0 +1,70 @@
+#pragma once
+
+// What a RuntimeClient holds: the endpoints of one client, its open requests, and the newest news of its
+// runtime.
+//
+// Threads: Fast DDS calls the handlers from its own threads; everything shared is behind `mutex` or a
+// RequestTable.
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "runtime/dds/internal/convert.h"
+#include "runtime/dds/internal/event_order.h"
+#include "runtime/dds/internal/participant.h"
+#include "runtime/dds/internal/request_table.h"
+#include "runtime/dds/runtime_client.h"
+#include "runtime_typesPubSubTypes.h"
+
+namespace stepwright::dds::internal {
+
+class ClientSession {
+ public:
+  ClientSession(std::unique_ptr<Participant> participant, ClientRole role, std::uint64_t client,
+                const std::string& process);
+
+  bool ok() const;
+  bool runtime_alive() const;
+  bool wait_for_runtime(std::chrono::milliseconds timeout);
+  // Sends and resends until answered; a refusal is an error.
+  [[nodiscard]] result::Result<service::Reply> ask(service::RequestBody body);
+  std::optional<StepEvent> wait_event(std::chrono::milliseconds timeout);
+  std::optional<RuntimeStatus> status() const;
+  std::optional<Snapshot> snapshot() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void on_status(const idl::Status& sample);
+  void on_event(const idl::Event& sample);
+  void on_snapshot(const idl::Snapshot& sample);
+  bool send(const service::Request& request);
+  // Asks for missing events, at most every `kResendPeriod`, and learns what the runtime has forgotten.
+  void fetch_missing(std::unique_lock<std::mutex>& lock);
+
+  std::unique_ptr<Participant> participant_;
+  RequestTable requests_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable news_;
+  bool runtime_connected_ = false;
+  std::optional<RuntimeStatus> status_;
+  std::optional<Snapshot> snapshot_;
+  EventOrder events_;
+  std::uint64_t fetch_id_ = 0;  // the open ResendEvents request, 0 = none
+  Clock::time_point fetch_at_{};
+
+  Writer<idl::CommandPubSubType> commands_;
+  Writer<idl::ProgramChunkPubSubType> chunks_;
+  std::unique_ptr<Writer<idl::PresencePubSubType>> presence_;  // a supervisor only
+  // Last, so that they are silent before what their handlers use is gone.
+  Reader<idl::ReplyPubSubType> reply_reader_;
+  Reader<idl::EventPubSubType> event_reader_;
+  Reader<idl::SnapshotPubSubType> snapshot_reader_;
+  Reader<idl::StatusPubSubType> status_reader_;
+};
+
+}  // namespace stepwright::dds::internal

@@ -1,0 +1,180 @@
+#include "runtime/dds/internal/convert.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "runtime/host/limits.h"
+
+namespace stepwright::dds::internal {
+namespace {
+
+std::string cut(const std::string& text, std::size_t bound) {
+  return text.size() <= bound ? text : text.substr(0, bound);
+}
+
+std::vector<std::uint8_t> to_octets(const std::vector<std::byte>& bytes) {
+  const auto* octets = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  return {octets, octets + bytes.size()};
+}
+
+std::vector<std::byte> from_octets(const std::vector<std::uint8_t>& octets) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(octets.data());
+  return {bytes, bytes + octets.size()};
+}
+
+std::vector<idl::NamedValue> to_plant(const std::vector<NamedValue>& plant) {
+  std::vector<idl::NamedValue> out(std::min<std::size_t>(plant.size(), idl::PLANT_BOUND));
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i].name(cut(plant[i].name, idl::NAME_BOUND));
+    out[i].value(plant[i].value);
+  }
+  return out;
+}
+
+std::optional<std::vector<NamedValue>> from_plant(const std::vector<idl::NamedValue>& plant) {
+  if (plant.size() > idl::PLANT_BOUND) return std::nullopt;
+  std::vector<NamedValue> out;
+  out.reserve(plant.size());
+  for (const idl::NamedValue& value : plant) out.push_back({value.name(), value.value()});
+  return out;
+}
+
+}  // namespace
+
+idl::Reply to_reply(const std::string& runtime_id, const service::Reply& reply) {
+  idl::Reply sample;
+  sample.runtime_id(runtime_id);
+  sample.client(reply.client);
+  sample.request(reply.id);
+  const std::size_t problems = std::min<std::size_t>(reply.problems.size(), idl::PROBLEM_BOUND);
+  for (std::size_t i = 0; i < problems; ++i) {
+    const result::Diagnostic& diagnostic = reply.problems[i];
+    idl::Problem problem;
+    problem.code(cut(diagnostic.code, idl::NAME_BOUND));
+    problem.severity(static_cast<std::uint8_t>(diagnostic.severity));
+    problem.file(cut(diagnostic.where.file, idl::TEXT_BOUND));
+    problem.line(diagnostic.where.line);
+    problem.column(diagnostic.where.column);
+    problem.message(cut(diagnostic.message, idl::TEXT_BOUND));
+    problem.hint(cut(diagnostic.hint, idl::TEXT_BOUND));
+    sample.problems().push_back(std::move(problem));
+  }
+  sample.digest(reply.digest);
+  sample.total_bytes(reply.total_bytes);
+  sample.offset(reply.offset);
+  sample.data(to_octets(reply.data));
+  return sample;
+}
+
+std::optional<service::Reply> from_reply(const idl::Reply& sample) {
+  if (sample.problems().size() > idl::PROBLEM_BOUND || sample.data().size() > idl::CHUNK_BOUND) {
+    return std::nullopt;
+  }
+  service::Reply reply{sample.client(),      sample.request(), {}, sample.digest(),
+                       sample.total_bytes(), sample.offset(),  {}};
+  for (const idl::Problem& problem : sample.problems()) {
+    if (problem.severity() > static_cast<std::uint8_t>(result::Severity::Error)) return std::nullopt;
+    reply.problems.push_back({problem.code(),
+                              static_cast<result::Severity>(problem.severity()),
+                              {problem.file(), problem.line(), problem.column()},
+                              problem.message(),
+                              problem.hint()});
+  }
+  reply.data = from_octets(sample.data());
+  return reply;
+}
+
+idl::Event to_event(const std::string& runtime_id, std::uint64_t incarnation, const StepEvent& event) {
+  idl::Event sample;
+  sample.runtime_id(runtime_id);
+  sample.incarnation(incarnation);
+  sample.event(event.sequence);
+  sample.scan(event.scan);
+  sample.time_ns(event.time_ns);
+  sample.kind(static_cast<std::uint8_t>(event.kind));
+  sample.program_digest(event.program_digest);
+  sample.detail(cut(event.detail, idl::TEXT_BOUND));
+  sample.image(to_octets(event.image));
+  sample.plant(to_plant(event.plant));
+  return sample;
+}
+
+std::optional<StepEvent> from_event(const idl::Event& sample) {
+  auto plant = from_plant(sample.plant());
+  if (!plant || sample.image().size() > idl::IMAGE_BOUND ||
+      sample.kind() > static_cast<std::uint8_t>(EventKind::Trap)) {
+    return std::nullopt;
+  }
+  return StepEvent{sample.event(),
+                   sample.scan(),
+                   sample.time_ns(),
+                   static_cast<EventKind>(sample.kind()),
+                   sample.program_digest(),
+                   sample.detail(),
+                   from_octets(sample.image()),
+                   std::move(*plant)};
+}
+
+idl::Status to_status(const std::string& runtime_id, const RuntimeStatus& status, bool runtime_connected) {
+  idl::Status sample;
+  sample.runtime_id(runtime_id);
+  sample.runtime_connected(runtime_connected);
+  sample.incarnation(status.incarnation);
+  sample.state(static_cast<std::uint8_t>(status.state));
+  sample.program_digest(status.program_digest);
+  sample.scan(status.scan);
+  sample.time_ns(status.time_ns);
+  sample.last_event(status.last_event);
+  sample.overruns(status.overruns);
+  sample.scan_p50_us(status.scan_p50_us);
+  sample.scan_p99_us(status.scan_p99_us);
+  sample.scan_max_us(status.scan_max_us);
+  sample.realtime_factor(status.realtime_factor);
+  sample.trace_hash(status.trace_hash);
+  sample.waiting_for_supervisor(status.waiting_for_supervisor);
+  sample.detail(cut(status.detail, idl::TEXT_BOUND));
+  sample.plant(to_plant(status.plant));
+  return sample;
+}
+
+std::optional<RuntimeStatus> from_status(const idl::Status& sample) {
+  auto plant = from_plant(sample.plant());
+  if (!plant || sample.state() > static_cast<std::uint8_t>(RuntimeState::Fault)) return std::nullopt;
+  RuntimeStatus status;
+  status.incarnation = sample.incarnation();
+  status.state = static_cast<RuntimeState>(sample.state());
+  status.program_digest = sample.program_digest();
+  status.scan = sample.scan();
+  status.time_ns = sample.time_ns();
+  status.last_event = sample.last_event();
+  status.overruns = sample.overruns();
+  status.scan_p50_us = sample.scan_p50_us();
+  status.scan_p99_us = sample.scan_p99_us();
+  status.scan_max_us = sample.scan_max_us();
+  status.realtime_factor = sample.realtime_factor();
+  status.trace_hash = sample.trace_hash();
+  status.waiting_for_supervisor = sample.waiting_for_supervisor();
+  status.detail = sample.detail();
+  status.plant = std::move(*plant);
+  return status;
+}
+
+idl::Snapshot to_snapshot(const std::string& runtime_id, const Snapshot& snapshot) {
+  idl::Snapshot sample;
+  sample.runtime_id(runtime_id);
+  sample.scan(snapshot.scan);
+  sample.time_ns(snapshot.time_ns);
+  sample.program_digest(snapshot.program_digest);
+  sample.image(to_octets(snapshot.image));
+  sample.plant(to_plant(snapshot.plant));
+  return sample;
+}
+
+std::optional<Snapshot> from_snapshot(const idl::Snapshot& sample) {
+  auto plant = from_plant(sample.plant());
+  if (!plant || sample.image().size() > idl::IMAGE_BOUND) return std::nullopt;
+  return Snapshot{sample.scan(), sample.time_ns(), sample.program_digest(), from_octets(sample.image()),
+                  std::move(*plant)};
+}
+
+}  // namespace stepwright::dds::internal

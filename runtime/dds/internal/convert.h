@@ -1,0 +1,33 @@
+#pragma once
+
+// Between the generated DDS types and those of service and host. Outwards every text and list is cut to its
+// bound; inwards a sample that exceeds a bound or names an unknown kind is dropped whole (no value).
+
+#include <optional>
+#include <string>
+
+#include "runtime/dds/types.h"
+#include "runtime/service/requests.h"
+#include "runtime_types.h"
+
+namespace stepwright::dds::internal {
+
+// A request other than a DownloadChunk.
+idl::Command to_command(const std::string& runtime_id, const service::Request& request);
+idl::ProgramChunk to_chunk(const std::string& runtime_id, const service::Request& request);
+std::optional<service::Request> from_command(const idl::Command& sample);
+std::optional<service::Request> from_chunk(const idl::ProgramChunk& sample);
+
+idl::Reply to_reply(const std::string& runtime_id, const service::Reply& reply);
+std::optional<service::Reply> from_reply(const idl::Reply& sample);
+
+idl::Event to_event(const std::string& runtime_id, std::uint64_t incarnation, const StepEvent& event);
+std::optional<StepEvent> from_event(const idl::Event& sample);
+
+idl::Status to_status(const std::string& runtime_id, const RuntimeStatus& status, bool runtime_connected);
+std::optional<RuntimeStatus> from_status(const idl::Status& sample);
+
+idl::Snapshot to_snapshot(const std::string& runtime_id, const Snapshot& snapshot);
+std::optional<Snapshot> from_snapshot(const idl::Snapshot& sample);
+
+}  // namespace stepwright::dds::internal

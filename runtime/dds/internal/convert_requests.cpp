@@ -1,0 +1,163 @@
+#include <cstring>
+#include <utility>
+
+#include "runtime/dds/internal/convert.h"
+#include "runtime/host/limits.h"
+
+namespace stepwright::dds::internal {
+namespace {
+
+using namespace service;
+
+idl::Digest to_digest(const Sha256& digest) {
+  idl::Digest bytes;
+  std::memcpy(bytes.data(), digest.data(), digest.size());
+  return bytes;
+}
+
+Sha256 from_digest(const idl::Digest& bytes) {
+  Sha256 digest;
+  std::memcpy(digest.data(), bytes.data(), digest.size());
+  return digest;
+}
+
+idl::BitsCommand to_bits(const host::ImageBits& bits) {
+  idl::BitsCommand out;
+  out.byte_offset(bits.byte_offset);
+  out.mask(bits.mask);
+  out.value(bits.value);
+  return out;
+}
+
+host::ImageBits from_bits(const idl::BitsCommand& bits) {
+  return {bits.byte_offset(), bits.mask(), bits.value()};
+}
+
+// The union sets its discriminator to the first label of a member; where several share one, set it after the
+// member.
+struct BodyWriter {
+  idl::CommandBody& out;
+
+  void operator()(const Start& body) const {
+    idl::StartCommand command;
+    command.barrier(body.barrier);
+    out.start(command);
+  }
+  void operator()(const Stop& body) const {
+    idl::StopCommand command;
+    command.reason(body.reason);
+    out.stop(command);
+  }
+  void operator()(const Acknowledge& body) const { event(body.event, idl::CMD_ACKNOWLEDGE); }
+  void operator()(const ResendEvents& body) const { event(body.first, idl::CMD_RESEND_EVENTS); }
+  void operator()(const Force& body) const { bits(body.bits, idl::CMD_FORCE); }
+  void operator()(const Unforce& body) const { bits(body.bits, idl::CMD_UNFORCE); }
+  void operator()(const Write& body) const { bits(body.bits, idl::CMD_WRITE); }
+  void operator()(const InjectFault& body) const {
+    idl::FaultCommand command;
+    command.name(body.name);
+    command.value(body.value);
+    out.fault(command);
+  }
+  void operator()(const DownloadBegin& body) const {
+    download(body.total_bytes, body.digest, idl::CMD_DOWNLOAD_BEGIN);
+  }
+  void operator()(const DownloadCommit& body) const {
+    download(body.total_bytes, body.digest, idl::CMD_DOWNLOAD_COMMIT);
+  }
+  void operator()(const ReadProgram& body) const {
+    idl::ReadProgramCommand command;
+    command.offset(body.offset);
+    out.read(command);
+  }
+  void operator()(const DownloadChunk&) const {}  // travels as a ProgramChunk
+
+ private:
+  void event(std::uint64_t sequence, idl::CommandKind kind) const {
+    idl::EventCommand command;
+    command.event(sequence);
+    out.event(command);
+    out._d(kind);
+  }
+  void bits(const host::ImageBits& value, idl::CommandKind kind) const {
+    out.bits(to_bits(value));
+    out._d(kind);
+  }
+  void download(std::uint64_t total, const Sha256& digest, idl::CommandKind kind) const {
+    idl::DownloadCommand command;
+    command.total_bytes(total);
+    command.digest(to_digest(digest));
+    out.download(command);
+    out._d(kind);
+  }
+};
+
+std::optional<RequestBody> from_body(const idl::CommandBody& body) {
+  switch (body._d()) {
+    case idl::CMD_START:
+      return Start{body.start().barrier()};
+    case idl::CMD_STOP:
+      if (body.stop().reason().size() > host::kMaxReasonBytes) return std::nullopt;
+      return Stop{body.stop().reason()};
+    case idl::CMD_ACKNOWLEDGE:
+      return Acknowledge{body.event().event()};
+    case idl::CMD_RESEND_EVENTS:
+      return ResendEvents{body.event().event()};
+    case idl::CMD_FORCE:
+      return Force{from_bits(body.bits())};
+    case idl::CMD_UNFORCE:
+      return Unforce{from_bits(body.bits())};
+    case idl::CMD_WRITE:
+      return Write{from_bits(body.bits())};
+    case idl::CMD_INJECT_FAULT:
+      if (body.fault().name().size() > host::kMaxNameBytes) return std::nullopt;
+      return InjectFault{body.fault().name(), body.fault().value()};
+    case idl::CMD_DOWNLOAD_BEGIN:
+      return DownloadBegin{body.download().total_bytes(), from_digest(body.download().digest())};
+    case idl::CMD_DOWNLOAD_COMMIT:
+      return DownloadCommit{body.download().total_bytes(), from_digest(body.download().digest())};
+    case idl::CMD_READ_PROGRAM:
+      return ReadProgram{body.read().offset()};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+idl::Command to_command(const std::string& runtime_id, const Request& request) {
+  idl::Command sample;
+  sample.runtime_id(runtime_id);
+  sample.client(request.client);
+  sample.request(request.id);
+  std::visit(BodyWriter{sample.body()}, request.body);
+  return sample;
+}
+
+idl::ProgramChunk to_chunk(const std::string& runtime_id, const Request& request) {
+  const auto& chunk = std::get<DownloadChunk>(request.body);
+  idl::ProgramChunk sample;
+  sample.runtime_id(runtime_id);
+  sample.client(request.client);
+  sample.request(request.id);
+  sample.offset(chunk.offset);
+  sample.data().resize(chunk.data.size());
+  std::memcpy(sample.data().data(), chunk.data.data(), chunk.data.size());
+  return sample;
+}
+
+std::optional<Request> from_command(const idl::Command& sample) {
+  auto body = from_body(sample.body());
+  if (!body) return std::nullopt;
+  return Request{sample.client(), sample.request(), std::move(*body)};
+}
+
+std::optional<Request> from_chunk(const idl::ProgramChunk& sample) {
+  if (sample.data().size() > host::kMaxChunkBytes) return std::nullopt;
+  DownloadChunk chunk;
+  chunk.offset = sample.offset();
+  const auto* bytes = reinterpret_cast<const std::byte*>(sample.data().data());
+  chunk.data.assign(bytes, bytes + sample.data().size());
+  return Request{sample.client(), sample.request(), std::move(chunk)};
+}
+
+}  // namespace stepwright::dds::internal

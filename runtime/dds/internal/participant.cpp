@@ -1,0 +1,89 @@
+#include "runtime/dds/internal/participant.h"
+
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/log/Log.hpp>
+#include <fastdds/dds/topic/Topic.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "runtime/host/limits.h"
+
+namespace stepwright::dds::internal {
+namespace {
+
+result::Result<std::unique_ptr<Participant>> refuse(const ParticipantConfig& config, const char* what) {
+  return result::fail("D0005", {},
+                      "Fast DDS cannot create " + std::string(what) + " for '" + config.name +
+                          "' in domain " + std::to_string(config.domain_id),
+                      "another domain id may help where too many processes share one");
+}
+
+// The id is the name of a partition, where Fast DDS would take '*' and '?' as a pattern.
+bool valid_id(const std::string& id) {
+  return !id.empty() && id.size() <= host::kMaxNameBytes &&
+         std::all_of(id.begin(), id.end(), [](unsigned char c) {
+           return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+         });
+}
+
+// Left alone, Fast DDS never gives a participant number out twice in one process, so that after some
+// reconnections a process would sit on ports that nobody announces to. Take the lowest number that this
+// process does not use in the domain; where another process has its ports, Fast DDS itself moves on to the
+// next free ones.
+fdds::DomainParticipant* create_lowest(const ParticipantConfig& config) {
+  auto* factory = fdds::DomainParticipantFactory::get_instance();
+  std::set<std::int32_t> used;
+  for (const fdds::DomainParticipant* other : factory->lookup_participants(config.domain_id)) {
+    used.insert(other->get_qos().wire_protocol().participant_id);
+  }
+  fdds::DomainParticipantQos qos = participant_qos(config.name);
+  fdds::DomainParticipant* created = nullptr;
+  for (std::int32_t number = 0; created == nullptr && number < kParticipantsPerDomain; ++number) {
+    if (used.contains(number)) continue;
+    qos.wire_protocol().participant_id = number;
+    created = factory->create_participant(config.domain_id, qos);
+  }
+  return created;
+}
+
+}  // namespace
+
+result::Result<std::unique_ptr<Participant>> Participant::create(const ParticipantConfig& config) {
+  if (config.domain_id > 232) {
+    return result::fail("D0004", {}, "the domain id " + std::to_string(config.domain_id) + " is above 232");
+  }
+  if (!valid_id(config.runtime_id)) {
+    return result::fail("D0004", {}, "'" + config.runtime_id + "' cannot name a runtime",
+                        "1 to 64 letters, digits, '_', '-' and '.'");
+  }
+  std::unique_ptr<Participant> self(new Participant());
+  self->runtime_id_ = config.runtime_id;
+  // A profile file in the working folder must not change how a cell communicates.
+  self->participant_ = create_lowest(config);
+  if (self->participant_ == nullptr) return refuse(config, "a participant");
+  fdds::PublisherQos publisher_qos = fdds::PUBLISHER_QOS_DEFAULT;
+  publisher_qos.partition().push_back(config.runtime_id.c_str());
+  self->publisher_ = self->participant_->create_publisher(publisher_qos);
+  fdds::SubscriberQos subscriber_qos = fdds::SUBSCRIBER_QOS_DEFAULT;
+  subscriber_qos.partition().push_back(config.runtime_id.c_str());
+  self->subscriber_ = self->participant_->create_subscriber(subscriber_qos);
+  if (self->publisher_ == nullptr || self->subscriber_ == nullptr) return refuse(config, "an endpoint");
+  return self;
+}
+
+Participant::~Participant() {
+  if (participant_ == nullptr) return;
+  participant_->delete_contained_entities();
+  fdds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
+}
+
+fdds::Topic* Participant::topic(const char* name, const fdds::TypeSupport& type) {
+  if (auto* existing = dynamic_cast<fdds::Topic*>(participant_->lookup_topicdescription(name)))
+    return existing;
+  if (type.register_type(participant_) != ReturnCode_t::RETCODE_OK) return nullptr;
+  return participant_->create_topic(name, type.get_type_name(), fdds::TOPIC_QOS_DEFAULT);
+}
+
+}  // namespace stepwright::dds::internal

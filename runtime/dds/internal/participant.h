@@ -1,0 +1,137 @@
+#pragma once
+
+// One process in a Fast DDS domain: participant, publisher and subscriber in the partition of a runtime, and
+// typed endpoints on it. Only the .cpp files of runtime/dds include this header.
+//
+// Threads: Fast DDS calls handlers from its own receive threads, one at a time for one reader. An endpoint
+// that is destroyed waits for the handler that runs. Endpoints must be destroyed before their participant.
+
+#include <atomic>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/DataWriterListener.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/dds/topic/TypeSupport.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "runtime/dds/internal/qos.h"
+#include "runtime/dds/types.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::dds::internal {
+
+namespace fdds = eprosima::fastdds::dds;
+
+class Participant {
+ public:
+  // Fails with D0005, for example when every participant number of the domain is taken.
+  [[nodiscard]] static result::Result<std::unique_ptr<Participant>> create(const ParticipantConfig& config);
+  ~Participant();
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+
+  const std::string& runtime_id() const { return runtime_id_; }
+  // The topic, created on first use; null if Fast DDS refuses.
+  fdds::Topic* topic(const char* name, const fdds::TypeSupport& type);
+  fdds::Publisher* publisher() const { return publisher_; }
+  fdds::Subscriber* subscriber() const { return subscriber_; }
+
+ private:
+  Participant() = default;
+  fdds::DomainParticipant* participant_ = nullptr;
+  fdds::Publisher* publisher_ = nullptr;
+  fdds::Subscriber* subscriber_ = nullptr;
+  std::string runtime_id_;
+};
+
+// A writer of samples of the generated type `PubSubType::type`.
+template <typename PubSubType>
+class Writer final : private fdds::DataWriterListener {
+ public:
+  using Sample = typename PubSubType::type;
+
+  Writer(Participant& participant, const char* topic_name, Profile profile) : participant_(participant) {
+    fdds::Topic* topic = participant.topic(topic_name, fdds::TypeSupport(new PubSubType()));
+    if (topic != nullptr) {
+      writer_ = participant.publisher()->create_datawriter(topic, writer_qos(profile), this,
+                                                           fdds::StatusMask::publication_matched());
+    }
+  }
+  ~Writer() override {
+    if (writer_ != nullptr) participant_.publisher()->delete_datawriter(writer_);
+  }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  bool ok() const { return writer_ != nullptr; }
+  // False if the queue stayed full for the blocking time.
+  bool write(Sample& sample) { return writer_->write(&sample); }
+  bool matched() const { return matched_.load(std::memory_order_acquire) > 0; }
+
+ private:
+  void on_publication_matched(fdds::DataWriter*, const fdds::PublicationMatchedStatus& status) override {
+    matched_.store(status.current_count, std::memory_order_release);
+  }
+
+  Participant& participant_;
+  fdds::DataWriter* writer_ = nullptr;
+  std::atomic<int> matched_{0};
+};
+
+// A reader that hands every valid sample to `on_sample` and every change of its writers' life to `on_alive`.
+template <typename PubSubType>
+class Reader final : private fdds::DataReaderListener {
+ public:
+  using Sample = typename PubSubType::type;
+  using OnSample = std::function<void(Sample&)>;
+  using OnAlive = std::function<void(bool)>;
+
+  Reader(Participant& participant, const char* topic_name, Profile profile, OnSample on_sample,
+         OnAlive on_alive = {})
+      : participant_(participant), on_sample_(std::move(on_sample)), on_alive_(std::move(on_alive)) {
+    fdds::Topic* topic = participant.topic(topic_name, fdds::TypeSupport(new PubSubType()));
+    if (topic != nullptr) {
+      reader_ = participant.subscriber()->create_datareader(topic, reader_qos(profile), this,
+                                                            fdds::StatusMask::data_available()
+                                                                << fdds::StatusMask::liveliness_changed());
+    }
+  }
+  ~Reader() override {
+    if (reader_ == nullptr) return;
+    reader_->set_listener(nullptr);
+    participant_.subscriber()->delete_datareader(reader_);
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  bool ok() const { return reader_ != nullptr; }
+  // True while a writer of the topic lives.
+  bool alive() const { return alive_.load(std::memory_order_acquire) > 0; }
+
+ private:
+  void on_data_available(fdds::DataReader* reader) override {
+    Sample sample;
+    fdds::SampleInfo info;
+    while (reader->take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
+      if (info.valid_data) on_sample_(sample);
+    }
+  }
+  void on_liveliness_changed(fdds::DataReader*, const fdds::LivelinessChangedStatus& status) override {
+    const bool before = alive_.exchange(status.alive_count, std::memory_order_acq_rel) > 0;
+    if (on_alive_ && before != (status.alive_count > 0)) on_alive_(status.alive_count > 0);
+  }
+
+  Participant& participant_;
+  OnSample on_sample_;
+  OnAlive on_alive_;
+  fdds::DataReader* reader_ = nullptr;
+  std::atomic<int> alive_{0};
+};
+
+}  // namespace stepwright::dds::internal

@@ -1,0 +1,99 @@
+#include "runtime/dds/internal/qos.h"
+
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
+
+#include <memory>
+
+namespace stepwright::dds::internal {
+namespace {
+
+using namespace eprosima::fastdds::dds;
+using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
+using eprosima::fastrtps::Duration_t;
+using eprosima::fastrtps::rtps::IPLocator;
+using eprosima::fastrtps::rtps::Locator_t;
+
+// A killed process is noticed after this lease; writers assert themselves three times as often.
+const Duration_t kLivelinessLease(0, 300'000'000u);
+const Duration_t kLivelinessAssertion(0, 100'000'000u);
+// Announcing this often makes two processes find each other in well under a second, whoever comes first.
+const Duration_t kAnnouncement(0, 330'000'000u);
+const Duration_t kParticipantLease(1, 0);
+// A sender that is blocked for longer gives up; requests are repeated and events fetched again.
+const Duration_t kMaxBlocking(0, 50'000'000u);
+constexpr std::uint32_t kSocketBufferBytes = 4u << 20;
+constexpr std::int32_t kQueuedSamples = 512;
+
+template <typename Qos>
+void apply(Profile profile, Qos& qos) {
+  const bool best_effort = profile == Profile::Status || profile == Profile::Snapshot;
+  const bool keep_all = profile == Profile::Request || profile == Profile::Event;
+  const bool for_latecomers = profile == Profile::Document || profile == Profile::Presence;
+  qos.reliability().kind = best_effort ? BEST_EFFORT_RELIABILITY_QOS : RELIABLE_RELIABILITY_QOS;
+  qos.reliability().max_blocking_time = kMaxBlocking;
+  qos.history().kind = keep_all ? KEEP_ALL_HISTORY_QOS : KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = 1;
+  qos.durability().kind = for_latecomers ? TRANSIENT_LOCAL_DURABILITY_QOS : VOLATILE_DURABILITY_QOS;
+  // One instance per runtime in a partition of its own; the queue is bounded, so that a reader that stopped
+  // reading costs memory up to here and no further.
+  qos.resource_limits().max_instances = 8;
+  qos.resource_limits().max_samples_per_instance = kQueuedSamples;
+  qos.resource_limits().max_samples = 8 * kQueuedSamples;
+  qos.resource_limits().allocated_samples = 8;
+  qos.liveliness().kind = AUTOMATIC_LIVELINESS_QOS;
+  qos.liveliness().lease_duration = kLivelinessLease;
+  // No memory is shared between processes: one that dies in the middle of a write leaves nothing behind.
+  qos.data_sharing().off();
+  // Bounds are far above the usual size: take memory for what is sent, not for what might be.
+  qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::DYNAMIC_RESERVE_MEMORY_MODE;
+}
+
+}  // namespace
+
+DomainParticipantQos participant_qos(const std::string& name) {
+  DomainParticipantQos qos;
+  qos.name(name);
+  auto udp = std::make_shared<UDPv4TransportDescriptor>();
+  // Loopback only: nothing of a cell is reachable from another machine until security is configured.
+  udp->interfaceWhiteList.emplace_back("127.0.0.1");
+  udp->maxInitialPeersRange = static_cast<std::uint32_t>(kParticipantsPerDomain);
+  udp->sendBufferSize = kSocketBufferBytes;
+  udp->receiveBufferSize = kSocketBufferBytes;
+  udp->non_blocking_send = true;
+  qos.transport().use_builtin_transports = false;
+  qos.transport().user_transports.push_back(udp);
+  // The loopback interface carries no multicast on most machines: announce to each possible process instead.
+  // A listed locator for incoming announcements keeps Fast DDS from adding its multicast one.
+  Locator_t peer;
+  IPLocator::setIPv4(peer, 127, 0, 0, 1);
+  qos.wire_protocol().builtin.initialPeersList.push_back(peer);
+  qos.wire_protocol().builtin.metatrafficUnicastLocatorList.push_back(peer);
+  auto& discovery = qos.wire_protocol().builtin.discovery_config;
+  discovery.leaseDuration = kParticipantLease;
+  discovery.leaseDuration_announcementperiod = kAnnouncement;
+  return qos;
+}
+
+DataWriterQos writer_qos(Profile profile) {
+  DataWriterQos qos = DATAWRITER_QOS_DEFAULT;
+  apply(profile, qos);
+  qos.liveliness().announcement_period = kLivelinessAssertion;
+  // Samples may be larger than a datagram; only the asynchronous publisher splits them. Small answers leave
+  // at once.
+  const bool small = profile == Profile::Presence;
+  qos.publish_mode().kind = small ? SYNCHRONOUS_PUBLISH_MODE : ASYNCHRONOUS_PUBLISH_MODE;
+  // A lost datagram on loopback is rare but costs a whole heartbeat period: keep it short.
+  qos.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0, 50'000'000u);
+  qos.reliable_writer_qos().times.nackResponseDelay = Duration_t(0, 1'000'000u);
+  return qos;
+}
+
+DataReaderQos reader_qos(Profile profile) {
+  DataReaderQos qos = DATAREADER_QOS_DEFAULT;
+  apply(profile, qos);
+  qos.reliable_reader_qos().times.heartbeatResponseDelay = Duration_t(0, 1'000'000u);
+  return qos;
+}
+
+}  // namespace stepwright::dds::internal

@@ -1,0 +1,18 @@
+#pragma once
+
+// The names of the topics. A change of a type's meaning gets a new version in its name: old and new then
+// never meet.
+
+namespace stepwright::dds::internal {
+
+inline constexpr char kCommandTopic[] = "stepwright/command/1";
+inline constexpr char kChunkTopic[] = "stepwright/program_chunk/1";
+inline constexpr char kReplyTopic[] = "stepwright/reply/1";
+inline constexpr char kEventTopic[] = "stepwright/event/1";
+inline constexpr char kStatusTopic[] = "stepwright/status/1";
+inline constexpr char kSnapshotTopic[] = "stepwright/snapshot/1";
+inline constexpr char kPresenceTopic[] = "stepwright/presence/1";
+inline constexpr char kDocumentTopic[] = "stepwright/plan_document/1";
+inline constexpr char kOperatorTopic[] = "stepwright/operator_request/1";
+
+}  // namespace stepwright::dds::internal

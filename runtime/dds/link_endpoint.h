@@ -1,0 +1,50 @@
+#pragma once
+
+// The other end of every RuntimeClient: what the link process publishes for a runtime and receives for it.
+//
+//   auto endpoint = LinkEndpoint::create({61, "link", "bench"});
+//   poll on (*endpoint)->descriptor(), then:
+//   (*endpoint)->clear();
+//   while (auto request = (*endpoint)->take_request()) forward(*request);
+//
+// Threads: any function from any thread; Fast DDS fills the queue from its own. The queue of requests is
+// bounded: what does not fit is dropped, and its sender asks again.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "runtime/dds/types.h"
+#include "runtime/result/result.h"
+#include "runtime/service/requests.h"
+
+namespace stepwright::dds {
+
+class LinkEndpoint {
+ public:
+  [[nodiscard]] static result::Result<std::unique_ptr<LinkEndpoint>> create(const ParticipantConfig& config);
+  ~LinkEndpoint();
+
+  // Readable when there may be requests or when a supervisor came or went.
+  int descriptor() const;
+  // Makes it unreadable until something new happens; call it before looking.
+  void clear();
+  std::optional<service::Request> take_request();
+  // True while a supervisor is present.
+  bool supervisor_alive() const;
+
+  // False if the queue towards slow readers is full: then they fetch the event again.
+  bool publish_event(std::uint64_t incarnation, const StepEvent& event);
+  void publish_reply(const service::Reply& reply);
+  void publish_status(const RuntimeStatus& status, bool runtime_connected);
+  void publish_snapshot(const Snapshot& snapshot);
+  // False while nobody looks at snapshots.
+  bool snapshot_wanted() const;
+
+ private:
+  struct State;
+  explicit LinkEndpoint(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace stepwright::dds

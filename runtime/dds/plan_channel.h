@@ -1,0 +1,65 @@
+#pragma once
+
+// The supervisor's plan document (JSON text) to every viewer, and operator requests (JSON text) from viewers
+// to the supervisor. A viewer that joins late gets the newest document at once. The channel does not look
+// into the text.
+//
+//   auto publisher = PlanPublisher::create({61, "supervisor", "bench"});
+//   (*publisher)->publish(document);
+//   auto request = (*publisher)->wait_request(100ms);
+//
+// Threads: every function from any thread. Fast DDS failing to start is D0005.
+
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "runtime/dds/types.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::dds {
+
+// Bounds of the DDS types; longer texts are refused with D0004.
+inline constexpr std::size_t kMaxPlanDocumentBytes = 4u << 20;
+inline constexpr std::size_t kMaxOperatorRequestBytes = 64u << 10;
+
+class PlanPublisher {
+ public:
+  [[nodiscard]] static result::Result<std::unique_ptr<PlanPublisher>> create(const ParticipantConfig& config);
+  ~PlanPublisher();
+
+  // Replaces the document that viewers see.
+  [[nodiscard]] result::Result<void> publish(const std::string& json);
+  // The next request of any viewer, in order of arrival; none after `timeout`.
+  std::optional<std::string> wait_request(std::chrono::milliseconds timeout);
+
+ private:
+  struct State;
+  explicit PlanPublisher(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+class PlanSubscriber {
+ public:
+  [[nodiscard]] static result::Result<std::unique_ptr<PlanSubscriber>> create(
+      const ParticipantConfig& config);
+  ~PlanSubscriber();
+
+  // The newest document; none before the first arrived. It stays when the supervisor is gone.
+  std::optional<std::string> latest() const;
+  // Waits until a document newer than the one last returned by this function is there; none after `timeout`.
+  std::optional<std::string> wait_newer(std::chrono::milliseconds timeout);
+  // True while a supervisor holds the other end.
+  bool supervisor_alive() const;
+  // Hands a request to the supervisor; fails with D0001 when none is there.
+  [[nodiscard]] result::Result<void> request(const std::string& json);
+
+ private:
+  struct State;
+  explicit PlanSubscriber(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace stepwright::dds

@@ -1,0 +1,137 @@
+#include "runtime/dds/runtime_client.h"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+
+#include "runtime/dds/internal/client_session.h"
+#include "runtime/host/limits.h"
+#include "runtime/service/digest.h"
+
+namespace stepwright::dds {
+namespace {
+
+std::uint64_t random_client() {
+  std::random_device source;
+  const std::uint64_t high = source();
+  return (high << 32 | source()) | 1u;
+}
+
+result::Result<void> done(result::Result<service::Reply> reply) {
+  if (!reply) return result::forward(reply);
+  return {};
+}
+
+}  // namespace
+
+struct RuntimeClient::State {
+  internal::ClientSession session;
+};
+
+RuntimeClient::RuntimeClient(std::unique_ptr<State> state) : state_(std::move(state)) {}
+RuntimeClient::~RuntimeClient() = default;
+
+result::Result<std::unique_ptr<RuntimeClient>> RuntimeClient::connect(const ParticipantConfig& config,
+                                                                      ClientRole role) {
+  auto participant = internal::Participant::create(config);
+  if (!participant) return result::forward(participant);
+  std::unique_ptr<State> state(
+      new State{internal::ClientSession(std::move(*participant), role, random_client(), config.name)});
+  if (!state->session.ok()) {
+    return result::fail("D0005", {}, "Fast DDS cannot create the endpoints of '" + config.name + "'");
+  }
+  return std::unique_ptr<RuntimeClient>(new RuntimeClient(std::move(state)));
+}
+
+bool RuntimeClient::wait_for_runtime(std::chrono::milliseconds timeout) {
+  return state_->session.wait_for_runtime(timeout);
+}
+
+bool RuntimeClient::runtime_alive() const {
+  return state_->session.runtime_alive();
+}
+
+result::Result<std::string> RuntimeClient::download(std::span<const std::byte> container) {
+  if (container.empty() || container.size() > host::kMaxContainerBytes) {
+    return result::fail("D0004", {},
+                        "a container of " + std::to_string(container.size()) + " bytes is refused",
+                        "1 to " + std::to_string(host::kMaxContainerBytes) + " bytes are possible");
+  }
+  const service::Sha256 digest = service::sha256(container);
+  auto begun = state_->session.ask(service::DownloadBegin{container.size(), digest});
+  if (!begun) return result::forward(begun);
+  for (std::size_t offset = 0; offset < container.size(); offset += host::kMaxChunkBytes) {
+    const auto part = container.subspan(offset, std::min(host::kMaxChunkBytes, container.size() - offset));
+    auto sent = state_->session.ask(service::DownloadChunk{offset, {part.begin(), part.end()}});
+    if (!sent) return result::forward(sent);
+  }
+  auto reply = state_->session.ask(service::DownloadCommit{container.size(), digest});
+  if (!reply) return result::forward(reply);
+  return std::move(reply->digest);
+}
+
+result::Result<void> RuntimeClient::start(const StartOptions& options) {
+  return done(state_->session.ask(service::Start{options.barrier}));
+}
+
+result::Result<void> RuntimeClient::stop(const std::string& reason) {
+  return done(state_->session.ask(service::Stop{reason.substr(0, host::kMaxReasonBytes)}));
+}
+
+result::Result<void> RuntimeClient::acknowledge(std::uint64_t event_sequence) {
+  return done(state_->session.ask(service::Acknowledge{event_sequence}));
+}
+
+result::Result<void> RuntimeClient::force(const ForceRequest& request) {
+  return done(state_->session.ask(service::Force{request}));
+}
+
+result::Result<void> RuntimeClient::unforce(const UnforceRequest& request) {
+  return done(state_->session.ask(service::Unforce{request}));
+}
+
+result::Result<void> RuntimeClient::write(const WriteRequest& request) {
+  return done(state_->session.ask(service::Write{request}));
+}
+
+result::Result<void> RuntimeClient::inject_fault(const std::string& name, double value) {
+  if (name.size() > host::kMaxNameBytes)
+    return result::fail("D0004", {}, "the name of the fault is too long");
+  return done(state_->session.ask(service::InjectFault{name, value}));
+}
+
+result::Result<std::vector<std::byte>> RuntimeClient::program() {
+  std::vector<std::byte> container;
+  std::string digest;
+  do {
+    auto part = state_->session.ask(service::ReadProgram{container.size()});
+    if (!part) return result::forward(part);
+    // Another program came in the middle: read that one from its beginning.
+    if (!container.empty() && part->digest != digest) {
+      container.clear();
+      continue;
+    }
+    if (part->data.empty() || part->total_bytes > host::kMaxContainerBytes) break;
+    digest = part->digest;
+    container.insert(container.end(), part->data.begin(), part->data.end());
+    if (container.size() >= part->total_bytes) break;
+  } while (true);
+  if (service::to_hex(service::sha256(container)) != digest) {
+    return result::fail("D0003", {}, "the runtime's program arrived damaged");
+  }
+  return container;
+}
+
+std::optional<StepEvent> RuntimeClient::wait_event(std::chrono::milliseconds timeout) {
+  return state_->session.wait_event(timeout);
+}
+
+std::optional<RuntimeStatus> RuntimeClient::status() const {
+  return state_->session.status();
+}
+
+std::optional<Snapshot> RuntimeClient::snapshot() const {
+  return state_->session.snapshot();
+}
+
+}  // namespace stepwright::dds

@@ -1,0 +1,78 @@
+#pragma once
+
+// A runtime as supervisor and HMI see it, over Fast DDS and the link process.
+//
+//   auto client = RuntimeClient::connect({61, "supervisor", "bench"}, ClientRole::Supervisor);
+//   if (!(*client)->wait_for_runtime(5s)) ...
+//   auto digest = (*client)->download(container);
+//   (*client)->start({.barrier = true});
+//   while (auto event = (*client)->wait_event(1s)) (*client)->acknowledge(event->sequence);
+//
+// Threads: every function may be called from any thread; wait_event from one at a time. Requests block until
+// the runtime answered or `kRequestTimeout` passed; they are resent meanwhile and carry ids, so that a link
+// or a runtime that dies in between never performs one twice. Diagnostics: D0001 no runtime answers, D0002
+// refused by the runtime in its present state, D0003 the container was refused (the verifier's own
+// diagnostics follow), D0004 request out of bounds, D0005 Fast DDS could not start.
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/dds/types.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::dds {
+
+// Longer than a restart of the link process takes.
+inline constexpr std::chrono::milliseconds kRequestTimeout{5'000};
+
+class RuntimeClient {
+ public:
+  // Joins the domain; does not wait for anyone. Fails with D0005.
+  [[nodiscard]] static result::Result<std::unique_ptr<RuntimeClient>> connect(const ParticipantConfig& config,
+                                                                              ClientRole role);
+  ~RuntimeClient();
+
+  // True as soon as link and runtime are there and answer; false after `timeout`.
+  [[nodiscard]] bool wait_for_runtime(std::chrono::milliseconds timeout);
+  // Liveliness of the link and, behind it, of the runtime. Falls within 1 s of the death of either.
+  bool runtime_alive() const;
+
+  // Sends a container in chunks under its SHA-256 and puts it in place of the running program, which is
+  // stopped first; the new one stays stopped. Returns the digest in hexadecimal. A refused or cut download
+  // leaves what ran.
+  [[nodiscard]] result::Result<std::string> download(std::span<const std::byte> container);
+  // Cold start of the loaded program. In simulated time the clock goes on from where it stands.
+  [[nodiscard]] result::Result<void> start(const StartOptions& options);
+  // Outputs to their safe state; `reason` (up to 200 bytes) comes back in the Stopped event.
+  [[nodiscard]] result::Result<void> stop(const std::string& reason);
+  // Lets the simulated clock go on past the barrier of this and every earlier event.
+  [[nodiscard]] result::Result<void> acknowledge(std::uint64_t event_sequence);
+  [[nodiscard]] result::Result<void> force(const ForceRequest& request);
+  [[nodiscard]] result::Result<void> unforce(const UnforceRequest& request);
+  [[nodiscard]] result::Result<void> write(const WriteRequest& request);
+  // A fault of the simulated plant, by the name that its plant model gives it.
+  [[nodiscard]] result::Result<void> inject_fault(const std::string& name, double value);
+  // The container that is loaded now: for a viewer or a restarted supervisor.
+  [[nodiscard]] result::Result<std::vector<std::byte>> program();
+
+  // The next event, in order; what got lost on the way is fetched again. A new client starts after the newest
+  // event, or with it if the runtime waits for its acknowledgement; after a restart of the runtime it starts
+  // anew.
+  std::optional<StepEvent> wait_event(std::chrono::milliseconds timeout);
+  // The newest of each, or none before the first arrived.
+  std::optional<RuntimeStatus> status() const;
+  std::optional<Snapshot> snapshot() const;
+
+ private:
+  struct State;
+  explicit RuntimeClient(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace stepwright::dds

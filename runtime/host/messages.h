@@ -1,0 +1,90 @@
+#pragma once
+
+// What a runtime tells and is told: the values that travel over the service socket and, unchanged in meaning,
+// over Fast DDS. Plain data without behaviour; any thread.
+//
+// Addresses are byte offsets into the process image, whose layout the container describes; a bit of a located
+// BOOL is a one-bit mask. Times are the runtime's scan clock: nanoseconds since the process started it.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/host/runtime_state.h"
+
+namespace stepwright::host {
+
+struct NamedValue {
+  std::string name;  // as the plant names it, with its unit: "level_a1_percent"
+  double value = 0.0;
+
+  friend bool operator==(const NamedValue&, const NamedValue&) = default;
+};
+
+// Something happened between two scans. Sequence numbers count from 1 over the life of one runtime process.
+struct StepEvent {
+  std::uint64_t sequence = 0;
+  std::uint64_t scan = 0;    // the scan after which it happened; counts over program changes
+  std::int64_t time_ns = 0;  // scan clock of that scan
+  EventKind kind = EventKind::StepChange;
+  std::string program_digest;     // hexadecimal SHA-256 of the container
+  std::string detail;             // why it stopped or trapped; empty for a step change
+  std::vector<std::byte> image;   // the complete image after that scan
+  std::vector<NamedValue> plant;  // truth of the simulated plant at that instant, for reports only
+
+  friend bool operator==(const StepEvent&, const StepEvent&) = default;
+};
+
+struct RuntimeStatus {
+  std::uint64_t incarnation =
+      0;  // differs from one runtime process to the next; sequences start again with it
+  RuntimeState state = RuntimeState::Empty;
+  std::string program_digest;  // empty without a program
+  std::uint64_t scan = 0;
+  std::int64_t time_ns = 0;
+  std::uint64_t last_event = 0;  // sequence of the newest event, 0 = none yet
+  std::uint64_t overruns = 0;    // scans that began later than their period allows (real clock only)
+  double scan_p50_us = 0.0;      // duration of a scan, without the wait for the next; within 7 %
+  double scan_p99_us = 0.0;
+  double scan_max_us = 0.0;
+  double realtime_factor = 0.0;         // scan-clock seconds per second of computing; barriers do not count
+  std::uint64_t trace_hash = 0;         // over every scan so far, chained over program changes
+  bool waiting_for_supervisor = false;  // standing still at a barrier until last_event is acknowledged
+  std::string detail;                   // why it is in this state; what it could not get from the system
+  std::vector<NamedValue> plant;        // truth of the simulated plant, for reports
+
+  friend bool operator==(const RuntimeStatus&, const RuntimeStatus&) = default;
+};
+
+// The image between two scans, consistent in itself.
+struct Snapshot {
+  std::uint64_t scan = 0;
+  std::int64_t time_ns = 0;
+  std::string program_digest;
+  std::vector<std::byte> image;
+  std::vector<NamedValue> plant;
+
+  friend bool operator==(const Snapshot&, const Snapshot&) = default;
+};
+
+struct StartOptions {
+  bool barrier = false;  // simulated clock only: stand still at every step change until it is acknowledged
+};
+
+// Up to 64 bits of the image, little-endian from `byte_offset`: the bits set in `mask` take those of `value`.
+// {8, 0x01, 0x01} sets bit 0 of byte 8; {8, 0xFFFF, 1234} a WORD at bytes 8 and 9. A mask that reaches past
+// the image, or is 0, is refused.
+struct ImageBits {
+  std::uint32_t byte_offset = 0;
+  std::uint64_t mask = 0;
+  std::uint64_t value = 0;
+
+  friend bool operator==(const ImageBits&, const ImageBits&) = default;
+};
+
+using ForceRequest = ImageBits;    // holds until unforced, over stop and start, until the next download
+using UnforceRequest = ImageBits;  // releases the bits in `mask`; `value` is ignored
+using WriteRequest = ImageBits;    // written once, before the next scan
+
+}  // namespace stepwright::host

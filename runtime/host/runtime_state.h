@@ -1,0 +1,24 @@
+#pragma once
+
+// The states of a runtime and the kinds of events it reports, shared by host, service and everything behind
+// them. The numbers are part of the service protocol and of the DDS types: append, never renumber.
+
+#include <cstdint>
+
+namespace stepwright::host {
+
+enum class RuntimeState : std::uint8_t {
+  Empty = 0,    // no program loaded
+  Stopped = 1,  // program loaded, not scanned; outputs in their safe state
+  Running = 2,  // scanning (or standing still at a barrier of simulated time)
+  Fault = 3,    // stopped by a trap or by lost I/O; outputs in their safe state; leaves by download or start
+};
+
+enum class EventKind : std::uint8_t {
+  Started = 0,     // a cold start: the image holds its initial values, no scan has run
+  StepChange = 1,  // at least one step bit changed in this scan
+  Stopped = 2,     // by command, by a download or because the supervisor was lost (see the detail)
+  Trap = 3,        // a program fault or lost I/O (see the detail)
+};
+
+}  // namespace stepwright::host

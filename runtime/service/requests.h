@@ -1,0 +1,93 @@
+#pragma once
+
+// What clients ask of a runtime over its service, and what it answers.
+//
+// A request is named by (client, id): the client draws its number at random and counts its ids. Whoever did
+// not get an answer sends the same request again; the service answers a repetition from memory and never
+// performs it twice. That is what lets a link process die and come back unnoticed.
+//
+// Diagnostics of the runtime: R0001 the socket, R0002 refused in the present state, R0003 a download that is
+// broken, R0004 out of bounds, R0005 a malformed message, R0006 too busy, R0007 an unknown name; a refused
+// container brings the diagnostics of the verifier.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "runtime/host/messages.h"
+#include "runtime/result/diagnostic.h"
+
+namespace stepwright::service {
+
+using Sha256 = std::array<std::byte, 32>;
+
+struct Start {
+  bool barrier = false;
+};
+struct Stop {
+  std::string reason;
+};
+struct Acknowledge {
+  std::uint64_t event = 0;
+};
+struct Force {
+  host::ImageBits bits;
+};
+struct Unforce {
+  host::ImageBits bits;
+};
+struct Write {
+  host::ImageBits bits;
+};
+struct InjectFault {
+  std::string name;
+  double value = 0.0;
+};
+// A download is begun, filled chunk by chunk in any order, and committed. A new begin drops what was there.
+struct DownloadBegin {
+  std::uint64_t total_bytes = 0;
+  Sha256 digest{};
+};
+struct DownloadChunk {
+  std::uint64_t offset = 0;
+  std::vector<std::byte> data;
+};
+struct DownloadCommit {
+  std::uint64_t total_bytes = 0;
+  Sha256 digest{};
+};
+// The container that is loaded, up to kMaxChunkBytes from `offset`.
+struct ReadProgram {
+  std::uint64_t offset = 0;
+};
+// Every event from this sequence on that the runtime still holds, sent again as events.
+struct ResendEvents {
+  std::uint64_t first = 1;
+};
+
+using RequestBody = std::variant<Start, Stop, Acknowledge, Force, Unforce, Write, InjectFault, DownloadBegin,
+                                 DownloadChunk, DownloadCommit, ReadProgram, ResendEvents>;
+
+struct Request {
+  std::uint64_t client = 0;
+  std::uint64_t id = 0;
+  RequestBody body;
+};
+
+// Accepted if no problem is an error.
+struct Reply {
+  std::uint64_t client = 0;
+  std::uint64_t id = 0;
+  result::Diagnostics problems;
+  std::string digest;             // of the container committed or read, hexadecimal
+  std::uint64_t total_bytes = 0;  // of the container read
+  std::uint64_t offset = 0;       // of `data` in it
+  std::vector<std::byte> data;
+
+  bool accepted() const { return !result::has_errors(problems); }
+};
+
+}  // namespace stepwright::service

@@ -1,0 +1,36 @@
+#pragma once
+
+// The portable engine: interprets a verified program, instruction by instruction (direct threading).
+// Boolean code has no data-dependent branches: its cost depends on the program, not on the inputs.
+//
+// Thread rule: as bytecode::Engine. Invariant: between two runs the stack holds nothing.
+//
+//   std::vector<std::uint64_t> stack(program.sizes().stack_slots);
+//   vm::Interpreter engine(program, stack);
+//   std::uint64_t budget = 1'000'000;
+//   bytecode::Trap trap = engine.run({.function = 0, .instance = 3, .now_ns = 0}, image, budget);
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "runtime/bytecode/engine.h"
+#include "runtime/bytecode/program.h"
+
+namespace stepwright::vm {
+
+class Interpreter final : public bytecode::Engine {
+ public:
+  // The program's bytes and the stack (sizes().stack_slots at least) must outlive the engine.
+  Interpreter(const bytecode::Program& program, std::span<std::uint64_t> stack);
+
+  // Requires a function that a task calls (ProgramCallRecord): the stack is sized for those.
+  bytecode::Trap run(const bytecode::Invocation& invocation, std::span<std::byte> image,
+                     std::uint64_t& budget) override;
+
+ private:
+  bytecode::Program program_;
+  std::span<std::uint64_t> stack_;
+};
+
+}  // namespace stepwright::vm

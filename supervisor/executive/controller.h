@@ -1,0 +1,45 @@
+#pragma once
+
+// The controller as the executive sees it: a runtime that takes programs and sends step events. Over Fast DDS
+// in the supervisor process (DdsController), in the same process in tests.
+//
+// Threads: one thread uses a controller. Every call blocks until the runtime has answered.
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/host/messages.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::executive {
+
+class Controller {
+ public:
+  virtual ~Controller() = default;
+
+  // Waits until a runtime is there and answers; false after `timeout`.
+  virtual bool wait_for_runtime(std::chrono::milliseconds timeout) = 0;
+  virtual bool alive() const = 0;
+
+  // Puts a verified program in place of the running one, stopped. Returns its digest in hexadecimal.
+  [[nodiscard]] virtual result::Result<std::string> download(std::span<const std::byte> container) = 0;
+  // Starts it; with `barrier` the simulated clock stands still from each event until it is acknowledged.
+  [[nodiscard]] virtual result::Result<void> start(bool barrier) = 0;
+  // Outputs go to their safe state.
+  [[nodiscard]] virtual result::Result<void> stop(const std::string& reason) = 0;
+  [[nodiscard]] virtual result::Result<void> acknowledge(std::uint64_t event_sequence) = 0;
+  // The container that is loaded now.
+  [[nodiscard]] virtual result::Result<std::vector<std::byte>> program() = 0;
+
+  virtual std::optional<host::StepEvent> wait_event(std::chrono::milliseconds timeout) = 0;
+  // The newest of each, or none before the first arrived.
+  virtual std::optional<host::RuntimeStatus> status() const = 0;
+  virtual std::optional<host::Snapshot> snapshot() const = 0;
+};
+
+}  // namespace stepwright::executive

@@ -1,0 +1,34 @@
+#pragma once
+
+// The controller behind Fast DDS: what the supervisor process uses.
+
+#include <memory>
+
+#include "runtime/dds/runtime_client.h"
+#include "supervisor/executive/controller.h"
+
+namespace stepwright::executive {
+
+class DdsController final : public Controller {
+ public:
+  // Joins the domain as the supervisor of one runtime; does not wait for it.
+  [[nodiscard]] static result::Result<std::unique_ptr<DdsController>> connect(
+      const dds::ParticipantConfig& config);
+
+  bool wait_for_runtime(std::chrono::milliseconds timeout) override;
+  bool alive() const override;
+  result::Result<std::string> download(std::span<const std::byte> container) override;
+  result::Result<void> start(bool barrier) override;
+  result::Result<void> stop(const std::string& reason) override;
+  result::Result<void> acknowledge(std::uint64_t event_sequence) override;
+  result::Result<std::vector<std::byte>> program() override;
+  std::optional<host::StepEvent> wait_event(std::chrono::milliseconds timeout) override;
+  std::optional<host::RuntimeStatus> status() const override;
+  std::optional<host::Snapshot> snapshot() const override;
+
+ private:
+  explicit DdsController(std::unique_ptr<dds::RuntimeClient> client);
+  std::unique_ptr<dds::RuntimeClient> client_;
+};
+
+}  // namespace stepwright::executive

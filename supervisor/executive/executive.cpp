@@ -1,0 +1,341 @@
+#include "supervisor/executive/executive.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "supervisor/executive/journal.h"
+#include "supervisor/pddl/describe_run.h"
+
+namespace stepwright::executive {
+namespace {
+
+using std::chrono::milliseconds;
+
+// Longer than any restart that somebody waits for; after it the answer counts as missing.
+constexpr milliseconds kPatience{5'000};
+
+std::vector<std::string> watched_variables(const translate::Binding& binding) {
+  std::vector<std::string> variables;
+  for (const translate::Sensor& sensor : binding.sensors) {
+    variables.push_back(translate::filtered_variable(sensor));
+  }
+  for (const translate::ObservedFact& fact : binding.facts) variables.push_back(fact.tag);
+  return variables;
+}
+
+result::ExitCode exit_code_of(PrepareStatus status) {
+  return status == PrepareStatus::Infeasible ? result::ExitCode::NoPlan : result::ExitCode::BudgetExhausted;
+}
+
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : "; ") + sentence;
+  return text;
+}
+
+}  // namespace
+
+Executive::Executive(const PlanningDesk& desk, Controller& controller, ExecutiveOptions options,
+                     Observer observer)
+    : desk_(desk), controller_(controller), options_(std::move(options)), observer_(std::move(observer)) {
+  record_.cell = options_.cell;
+}
+
+RunRecord Executive::run() {
+  set_phase(Phase::Planning, "looking for a plan");
+  bool going = resume() || (record_.phase == Phase::Planning && start_afresh());
+  while (going) {
+    const Decision decision = follow();
+    switch (decision.verdict) {
+      case Verdict::GoOn:
+        break;
+      case Verdict::Finished:
+        going = finish();
+        break;
+      case Verdict::Replan:
+        going = replan(decision.cause);
+        break;
+      case Verdict::RuntimeLost:
+        going = recover_runtime();
+        break;
+      case Verdict::GiveUp:
+        going = give_up(decision.cause);
+        break;
+    }
+  }
+  return record_;
+}
+
+bool Executive::start_afresh() {
+  const model::NamedState initial = pddl::to_named(desk_.task().initial());
+  auto outcome = desk_.prepare({.planning = initial, .measured = {}, .tare = {}});
+  if (!outcome) return give_up("no program could be made", outcome.error());
+  if (outcome->status != PrepareStatus::Ready) {
+    return give_up("there is no plan: " + outcome->reason, exit_code_of(outcome->status));
+  }
+  current_ = std::move(outcome->prepared);
+  record_.goal = desk_.goal_status(initial);
+  if (!await_runtime() || !observe(false)) return false;
+  auto tare = translate::identify_tare(desk_.binding(), means_, initial);
+  if (!tare) return give_up("the sensors do not fit the initial state", tare.error());
+  tare_ = std::move(*tare);
+  auto estimate = translate::estimate(desk_.binding(), means_, tare_, initial);
+  if (!estimate) return give_up("the initial state cannot be read", estimate.error());
+  seen_ = std::move(*estimate);
+  const auto wrong = translate::deviations(desk_.binding(), initial, seen_.measured);
+  if (!wrong.empty()) return replan("the plant is not in the initial state: " + joined(wrong));
+  auto rebuilt =
+      desk_.rebuild({.planning = initial, .measured = seen_.measured.fluents, .tare = tare_}, current_.plan);
+  if (!rebuilt) return give_up("no program could be made", rebuilt.error());
+  Episode figures = current_.episode;
+  current_ = std::move(*rebuilt);
+  current_.episode = std::move(figures);
+  return launch();
+}
+
+bool Executive::resume() {
+  if (options_.journal.empty()) return false;
+  auto journal = read_journal(options_.journal);
+  if (!journal) return give_up("the journal cannot be read", journal.error());
+  if (!*journal) return false;
+  const Phase phase = (*journal)->record.phase;
+  if (phase == Phase::Done || phase == Phase::Safe || (*journal)->record.episodes.empty()) return false;
+  record_ = std::move((*journal)->record);
+  changed_ = std::move((*journal)->changed);
+  next_change_ = (*journal)->next_change;
+  tare_ = (*journal)->start.tare;
+  auto rebuilt = desk_.rebuild((*journal)->start, (*journal)->plan);
+  if (!rebuilt) return give_up("the running plan cannot be rebuilt", rebuilt.error());
+  current_ = std::move(*rebuilt);
+  current_.episode = record_.episodes.back();
+  progress_ = {};
+  for (const ActionRecord& action : record_.episodes.back().actions) {
+    progress_.actions.push_back(action.state);
+  }
+  digest_ = record_.episodes.back().digest;
+  set_phase(Phase::Waiting, "the supervisor was restarted and looks for its runtime");
+  return await_runtime() && recover_runtime();
+}
+
+// The runtime is there (again): goes on with the plan if the runtime still has it, else replans.
+bool Executive::recover_runtime() {
+  if (!controller_.alive()) {
+    set_phase(Phase::Waiting, "the runtime does not answer; waiting for it");
+    if (!await_runtime()) return false;
+  }
+  const auto program = controller_.program();
+  const auto status = controller_.status();
+  const bool runs = program && *program == current_.container && status &&
+                    status->state == host::RuntimeState::Running && status->program_digest == digest_;
+  if (!runs) return replan("the runtime was restarted or stopped while nobody watched it");
+  auto reader = ImageReader::create(current_.container, current_.translation.program,
+                                    watched_variables(desk_.binding()));
+  if (!reader) return give_up("the program cannot be read", reader.error());
+  reader_ = std::move(*reader);
+  set_phase(Phase::Executing, "following the plan again");
+  // What happened meanwhile shows in the present steps; an event that the runtime waits for comes by itself.
+  const auto snapshot = controller_.snapshot();
+  if (!snapshot || snapshot->program_digest != digest_) return true;
+  take_time(snapshot->time_ns);
+  const Decision decision = judge_steps(snapshot->image, time_s_);
+  if (decision.verdict == Verdict::Finished) return finish();
+  if (decision.verdict == Verdict::Replan) return replan(decision.cause);
+  return decision.verdict == Verdict::GiveUp ? give_up(decision.cause) : true;
+}
+
+bool Executive::replan(const std::string& cause) {
+  std::string last_done;
+  if (!record_.episodes.empty()) {
+    for (ActionRecord& action : record_.episodes.back().actions) {
+      if (action.state == ActionState::Done) last_done = action.text;
+      if (action.state == ActionState::Active) action.state = ActionState::Failed;
+    }
+  }
+  if (static_cast<int>(record_.replans.size()) >= options_.max_replans) {
+    return give_up("after " + std::to_string(record_.replans.size()) + " replans: " + cause);
+  }
+  record_.replans.push_back({time_s_, cause, last_done});
+  set_phase(Phase::Replanning, cause);
+  // A runtime that is gone has stopped already; `observe` waits for the next one.
+  if (auto stopped = controller_.stop(cause.substr(0, 200)); !stopped && controller_.alive()) {
+    return give_up("the runtime does not stop", stopped.error());
+  }
+  const model::NamedState tracked = with_changes(
+      progress_.actions.empty() ? pddl::to_named(desk_.task().initial())
+                                : translate::expected_state(current_.translation, progress_.done()));
+  const std::vector<model::GroundAction> interrupted = begun_actions();
+  if (!observe(true)) return false;
+  auto estimate = translate::estimate(desk_.binding(), means_, tare_, tracked, interrupted);
+  if (!estimate) return give_up("the state cannot be read", estimate.error());
+  if (!estimate->contradictions.empty()) {
+    return give_up("the observed state contradicts itself: " + joined(estimate->contradictions));
+  }
+  seen_ = std::move(*estimate);
+  const StartState start{
+      .planning = with_changes(seen_.planning), .measured = seen_.measured.fluents, .tare = tare_};
+  auto outcome = desk_.prepare(start);
+  if (!outcome) return give_up("no program could be made", outcome.error());
+  if (outcome->status != PrepareStatus::Ready) {
+    return give_up("there is no plan from the observed state: " + outcome->reason);
+  }
+  current_ = std::move(outcome->prepared);
+  if (current_.plan.actions.empty()) return finish();
+  return launch();
+}
+
+bool Executive::observe(bool locate) {
+  auto observer = desk_.observer(locate, options_.settle);
+  if (!observer) return give_up("no program could be made", observer.error());
+  if (record_.phase == Phase::Planning) set_phase(Phase::Observing, "reading the sensors");
+  while (!abort_) {
+    if (!await_runtime()) return false;
+    bool lost = false;
+    if (observe_once(*observer, lost)) return true;
+    if (!lost) return false;
+  }
+  return give_up("aborted by the operator");
+}
+
+// False with `lost` if the runtime went away meanwhile; false without it if the run is over.
+bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
+  if (!install(observer)) {
+    lost = record_.phase != Phase::Safe;
+    return false;
+  }
+  while (true) {
+    if (abort_) return give_up("aborted by the operator");
+    const auto event = controller_.wait_event(milliseconds(200));
+    if (!event) {
+      lost = !controller_.alive();
+      if (lost) return false;
+      continue;
+    }
+    last_event_ = event->sequence;
+    if (event->program_digest == digest_) {
+      take_time(event->time_ns);
+      if (event->kind == host::EventKind::Trap || event->kind == host::EventKind::Stopped) {
+        return give_up("the runtime stopped while the sensors were read: " + event->detail);
+      }
+      const translate::Progress progress =
+          translate::progress(observer.translation, reader_->active_steps(event->image));
+      if (!progress.failed_steps.empty()) {
+        return give_up("the plant cannot be brought to a known place (" +
+                       observer.translation.steps[progress.failed_steps.front()].name + ")");
+      }
+      if (progress.finished) {
+        means_ = reader_->values(event->image);
+        return true;  // not acknowledged: the clock stands still while the plan is made
+      }
+    }
+    (void)controller_.acknowledge(event->sequence);  // a lost runtime shows in the next round
+  }
+}
+
+bool Executive::launch() {
+  record_.episodes.push_back(current_.episode);
+  progress_ = {};
+  progress_.actions.assign(current_.plan.actions.size(), ActionState::Pending);
+  if (record_.episodes.size() == 1) record_.started_s = time_s_;
+  record_.episodes.back().started_s = time_s_;
+  while (!install(current_)) {
+    if (record_.phase == Phase::Safe) return false;
+    if (!await_runtime()) return false;
+  }
+  record_.episodes.back().digest = digest_;
+  set_phase(Phase::Executing,
+            "executing a plan of " + std::to_string(current_.plan.actions.size()) + " actions");
+  return true;
+}
+
+// Downloads and starts a program and waits for the news that it has started. False if the runtime is lost
+// (phase unchanged) or refuses (phase Safe).
+bool Executive::install(const PreparedPlan& prepared) {
+  auto reader = ImageReader::create(prepared.container, prepared.translation.program,
+                                    watched_variables(desk_.binding()));
+  if (!reader) return give_up("the program cannot be read", reader.error());
+  auto digest = controller_.download(prepared.container);
+  if (!digest)
+    return controller_.alive() ? give_up("the runtime refuses the program", digest.error()) : false;
+  reader_ = std::move(*reader);
+  digest_ = std::move(*digest);
+  if (auto started = controller_.start(options_.barrier); !started) {
+    return controller_.alive() ? give_up("the runtime does not start the program", started.error()) : false;
+  }
+  for (const auto deadline = std::chrono::steady_clock::now() + kPatience;
+       std::chrono::steady_clock::now() < deadline && controller_.alive();) {
+    const auto event = controller_.wait_event(milliseconds(200));
+    if (!event) continue;
+    last_event_ = event->sequence;
+    (void)controller_.acknowledge(event->sequence);
+    if (event->kind != host::EventKind::Started || event->program_digest != digest_) continue;
+    take_time(event->time_ns);
+    return true;
+  }
+  return false;
+}
+
+bool Executive::await_runtime() {
+  while (!controller_.wait_for_runtime(milliseconds(1'000))) {
+    if (abort_) return give_up("aborted by the operator");
+    if (record_.phase != Phase::Waiting) set_phase(Phase::Waiting, "waiting for the runtime");
+  }
+  return true;
+}
+
+bool Executive::finish() {
+  record_.goal = desk_.goal_status(with_changes(seen_.planning));
+  const bool met =
+      std::all_of(record_.goal.begin(), record_.goal.end(), [](const GoalRecord& g) { return g.met; });
+  const auto wrong = translate::deviations(desk_.binding(), with_changes(seen_.planning), seen_.measured);
+  if (!met) return give_up("the plan has ended, but the goal is not reached");
+  if (!wrong.empty()) return give_up("the goal is missed by less than a plan can mend: " + joined(wrong));
+  (void)controller_.stop("the plan is done");  // a lost runtime has stopped already
+  set_phase(Phase::Done, "the goal is reached");
+  return false;
+}
+
+bool Executive::give_up(const std::string& reason, result::ExitCode exit) {
+  std::string message = reason;
+  // Before the first program there is nothing to stop.
+  if (reader_ && !controller_.stop(reason.substr(0, 200))) {
+    message += " (the runtime does not answer; its own rules for a lost supervisor hold)";
+  }
+  record_.exit = exit;
+  set_phase(Phase::Safe, std::move(message));
+  return false;
+}
+
+bool Executive::give_up(const std::string& what, const result::Diagnostics& diagnostics) {
+  return give_up(what + ":\n" + result::to_string(diagnostics));
+}
+
+result::Result<void> Executive::request_change(const std::string& fluent, double value) {
+  const std::string name = pddl::canonical_name(fluent);
+  if (!desk_.task().initial().value(name)) {
+    return result::fail("X0003", {}, "there is no fluent " + name,
+                        "name it as in the problem, e.g. (demand c1)");
+  }
+  if (desk_.binding().sensor_of(name) != nullptr) {
+    return result::fail("X0003", {}, name + " is measured; nobody can set it",
+                        "change a demand or a goal instead");
+  }
+  const std::lock_guard lock(requests_mutex_);
+  requests_.push_back({0.0, name, value});
+  return {};
+}
+
+void Executive::set_phase(Phase phase, std::string message) {
+  record_.phase = phase;
+  record_.message = std::move(message);
+  publish();
+}
+
+void Executive::publish() {
+  if (!options_.journal.empty() && !record_.episodes.empty()) {
+    // A journal that cannot be written costs a restart its memory, not this run.
+    (void)write_journal(options_.journal, {record_, current_.start, current_.plan, changed_, next_change_});
+  }
+  if (observer_) observer_(record_);
+}
+
+}  // namespace stepwright::executive

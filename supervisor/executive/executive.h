@@ -1,0 +1,125 @@
+#pragma once
+
+// The executive: takes a plan to its goal on a real controller. Looks at the plant, downloads the plan's
+// program, follows it step by step, compares what it observes with what the plan expects, and replans from
+// the observed state on a deviation, a timeout or a changed goal. Whatever it cannot mend ends in the safe
+// state of the outputs with a report.
+//
+//   Executive executive(desk, controller, {.max_replans = 8}, [&](const RunRecord& record) {
+//   publish(to_json(record)); }); RunRecord record = executive.run();
+//
+// Threads: `run` belongs to one thread; `request_abort` and `request_change` may be called from any.
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/result/result.h"
+#include "supervisor/executive/controller.h"
+#include "supervisor/executive/image_reader.h"
+#include "supervisor/executive/planning_desk.h"
+#include "supervisor/executive/run_record.h"
+#include "supervisor/translate/estimate.h"
+#include "supervisor/translate/progress.h"
+
+namespace stepwright::executive {
+
+// A fluent that somebody outside sets to a new value at a scan-clock time: a client that changes its demand.
+struct GoalChange {
+  double at_s = 0.0;
+  std::string fluent;  // "(demand c1)"
+  double value = 0.0;
+};
+
+struct ExecutiveOptions {
+  std::string cell;
+  int max_replans = 8;
+  std::chrono::milliseconds settle{3'000};  // plant time over which sensors are averaged before a decision
+  bool barrier = true;                      // simulated time waits for every decision
+  std::filesystem::path journal;            // for a restarted supervisor; empty: none is kept
+  std::vector<GoalChange> goal_changes;     // in order of time
+};
+
+class Executive {
+ public:
+  using Observer = std::function<void(const RunRecord&)>;  // after every change, from the thread of `run`
+
+  Executive(const PlanningDesk& desk, Controller& controller, ExecutiveOptions options, Observer observer);
+
+  // Runs until the goal is reached (Phase::Done) or the plant is in its safe state (Phase::Safe), from the
+  // problem's initial state or, if the journal tells of a plan that the controller still executes, from where
+  // it stands.
+  RunRecord run();
+
+  // Stops the plant safely at the next decision and ends the run.
+  void request_abort() { abort_ = true; }
+  // Sets a fluent at the next decision and replans. An unknown fluent or one that the plant decides is
+  // refused (X0003).
+  [[nodiscard]] result::Result<void> request_change(const std::string& fluent, double value);
+
+ private:
+  enum class Verdict : std::uint8_t { GoOn, Replan, Finished, GiveUp, RuntimeLost };
+  struct Decision {
+    Verdict verdict = Verdict::GoOn;
+    std::string cause;
+  };
+
+  // executive.cpp: from start to end. Each returns false when the run is over.
+  bool start_afresh();
+  bool resume();
+  bool replan(const std::string& cause);
+  bool observe(bool locate);
+  bool observe_once(const PreparedPlan& observer, bool& lost);
+  bool launch();
+  bool install(const PreparedPlan& prepared);
+  bool await_runtime();
+  bool recover_runtime();
+  bool finish();
+  bool give_up(const std::string& reason, result::ExitCode exit = result::ExitCode::RuntimeFault);
+  bool give_up(const std::string& what, const result::Diagnostics& diagnostics);
+  void set_phase(Phase phase, std::string message);
+  void publish();
+
+  // executive_follow.cpp: watching one program.
+  Decision follow();
+  Decision judge(const host::StepEvent& event);
+  void take_time(std::int64_t time_ns);
+  Decision judge_steps(std::span<const std::byte> image, double time_s);
+  void note_progress(const translate::Progress& progress, double time_s);
+  void note_done(std::size_t action, double time_s);
+  std::string describe_failure(const translate::Progress& progress) const;
+  std::optional<std::string> due_change(double time_s);
+  std::vector<model::GroundAction> begun_actions() const;
+  model::NamedState with_changes(model::NamedState state) const;
+
+  const PlanningDesk& desk_;
+  Controller& controller_;
+  const ExecutiveOptions options_;
+  const Observer observer_;
+
+  RunRecord record_;
+  PreparedPlan current_;               // the plan that runs
+  std::optional<ImageReader> reader_;  // of the program that runs (the plan's or the observer's)
+  std::string digest_;                 // of that program
+  translate::Tare tare_;
+  std::map<std::string, double> means_;    // of the last observation, by variable
+  translate::Estimate seen_;               // the last estimate
+  translate::Progress progress_;           // of the current plan
+  std::map<std::string, double> changed_;  // fluents set from outside so far
+  std::size_t next_change_ = 0;            // into options_.goal_changes
+  std::uint64_t last_event_ = 0;
+  double time_s_ = 0.0;         // of the record: scan clock, going on over restarts of the runtime
+  double time_offset_s_ = 0.0;  // record time - scan clock
+
+  std::atomic<bool> abort_{false};
+  std::mutex requests_mutex_;
+  std::vector<GoalChange> requests_;  // from other threads, not yet taken
+};
+
+}  // namespace stepwright::executive

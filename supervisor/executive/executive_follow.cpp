@@ -1,0 +1,171 @@
+// Watching one program: events, progress, deviations.
+
+#include <algorithm>
+#include <set>
+
+#include "supervisor/executive/executive.h"
+
+namespace stepwright::executive {
+namespace {
+
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : "; ") + sentence;
+  return text;
+}
+
+}  // namespace
+
+Executive::Decision Executive::follow() {
+  while (true) {
+    if (abort_) return {Verdict::GiveUp, "aborted by the operator"};
+    const auto event = controller_.wait_event(std::chrono::milliseconds(200));
+    if (!event) {
+      if (!controller_.alive()) return {Verdict::RuntimeLost, "the runtime does not answer"};
+      if (auto change = due_change(time_s_)) return {Verdict::Replan, *change};
+      continue;
+    }
+    last_event_ = event->sequence;
+    const Decision decision = judge(*event);
+    if (decision.verdict != Verdict::GoOn) return decision;
+    // A lost runtime shows in the next round.
+    if (auto acknowledged = controller_.acknowledge(event->sequence); !acknowledged) continue;
+  }
+}
+
+Executive::Decision Executive::judge(const host::StepEvent& event) {
+  if (event.program_digest != digest_) return {};  // news of a program that was replaced since
+  take_time(event.time_ns);
+  switch (event.kind) {
+    case host::EventKind::Started:
+      return {};
+    case host::EventKind::StepChange:
+      return judge_steps(event.image, time_s_);
+    case host::EventKind::Trap:
+      return {Verdict::GiveUp, "the program trapped: " + event.detail};
+    case host::EventKind::Stopped:
+      break;
+  }
+  return {Verdict::Replan, "the runtime stopped: " + event.detail};
+}
+
+// A runtime that was restarted counts its time from zero again; the record's time goes on.
+void Executive::take_time(std::int64_t time_ns) {
+  const double time_s = static_cast<double>(time_ns) * 1e-9;
+  if (time_s + time_offset_s_ < time_s_) time_offset_s_ = time_s_;
+  time_s_ = time_s + time_offset_s_;
+}
+
+Executive::Decision Executive::judge_steps(std::span<const std::byte> image, double time_s) {
+  const translate::Progress progress =
+      translate::progress(current_.translation, reader_->active_steps(image));
+  progress_ = progress;
+  const model::NamedState expected =
+      with_changes(translate::expected_state(current_.translation, progress.done()));
+  auto estimate =
+      translate::estimate(desk_.binding(), reader_->values(image), tare_, expected, begun_actions());
+  if (!estimate) return {Verdict::GiveUp, result::to_string(estimate.error())};
+  seen_ = std::move(*estimate);
+  note_progress(progress, time_s);
+  for (const translate::Sensor& sensor : desk_.binding().sensors) {
+    if (auto value = expected.fluents.find(sensor.fluent); value != expected.fluents.end()) {
+      record_.expected[sensor.fluent] = value->second;
+    }
+    record_.observed[sensor.fluent] = seen_.measured.fluents.at(sensor.fluent);
+  }
+  std::set<std::string> moving;
+  for (std::size_t i = 0; i < progress.actions.size(); ++i) {
+    if (progress.actions[i] != ActionState::Active && progress.actions[i] != ActionState::Failed) continue;
+    for (const std::string& atom : translate::changed_atoms(current_.run.actions[i])) moving.insert(atom);
+  }
+  publish();
+  if (!progress.failed_steps.empty()) return {Verdict::Replan, describe_failure(progress)};
+  const auto wrong = translate::deviations(desk_.binding(), expected, seen_.measured, moving);
+  if (!wrong.empty()) return {Verdict::Replan, joined(wrong)};
+  if (auto change = due_change(time_s)) return {Verdict::Replan, *change};
+  return progress.finished ? Decision{Verdict::Finished, {}} : Decision{};
+}
+
+void Executive::note_progress(const translate::Progress& progress, double time_s) {
+  std::vector<ActionRecord>& actions = record_.episodes.back().actions;
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const ActionState state = progress.actions[i];
+    if (state == actions[i].state) continue;
+    const bool began = actions[i].state == ActionState::Pending;
+    actions[i].state = state;
+    if (began) {
+      actions[i].started_s = time_s;
+      // What is not measured stands as it was planned before the action.
+      model::NamedState before = current_.run.actions[i].before;
+      for (const auto& [fluent, value] : seen_.measured.fluents) {
+        if (desk_.binding().sensor_of(fluent) != nullptr) before.fluents[fluent] = value;
+      }
+      actions[i].actual_cost = desk_.cost_of(current_.run.actions[i].action, before);
+    }
+    if (state == ActionState::Done) note_done(i, time_s);
+  }
+}
+
+void Executive::note_done(std::size_t action, double time_s) {
+  ActionRecord& record = record_.episodes.back().actions[action];
+  record.finished_s = time_s;
+  record_.finished_s = time_s;
+  for (const translate::Sensor& sensor : desk_.binding().sensors) {
+    record.observed[sensor.fluent] = seen_.measured.fluents.at(sensor.fluent);
+  }
+}
+
+std::string Executive::describe_failure(const translate::Progress& progress) const {
+  std::vector<std::string> sentences;
+  for (const std::size_t index : progress.failed_steps) {
+    const translate::StepInfo& step = current_.translation.steps[index];
+    const std::string what = step.action ? record_.episodes.back().actions[*step.action].text : step.name;
+    sentences.push_back(what + " could not start or did not end in time");
+  }
+  const model::NamedState expected =
+      with_changes(translate::expected_state(current_.translation, progress.done()));
+  for (const std::string& sentence : translate::deviations(desk_.binding(), expected, seen_.measured)) {
+    sentences.push_back(sentence);
+  }
+  for (const std::string& sentence : seen_.contradictions) sentences.push_back(sentence);
+  return joined(sentences);
+}
+
+std::optional<std::string> Executive::due_change(double time_s) {
+  std::vector<GoalChange> due;
+  {
+    const std::lock_guard lock(requests_mutex_);
+    due.swap(requests_);
+  }
+  for (; next_change_ < options_.goal_changes.size(); ++next_change_) {
+    if (options_.goal_changes[next_change_].at_s > time_s) break;
+    due.push_back(options_.goal_changes[next_change_]);
+  }
+  std::vector<std::string> sentences;
+  for (const GoalChange& change : due) {
+    changed_[change.fluent] = change.value;
+    std::string value = std::to_string(change.value);
+    value.erase(value.find_last_not_of('0') + 1);
+    if (value.back() == '.') value.pop_back();
+    sentences.push_back(change.fluent + " was changed to " + value);
+  }
+  if (sentences.empty()) return std::nullopt;
+  return joined(sentences);
+}
+
+std::vector<model::GroundAction> Executive::begun_actions() const {
+  std::vector<model::GroundAction> actions;
+  for (std::size_t i = 0; i < progress_.actions.size(); ++i) {
+    if (progress_.actions[i] == ActionState::Active || progress_.actions[i] == ActionState::Failed) {
+      actions.push_back(current_.plan.actions[i]);
+    }
+  }
+  return actions;
+}
+
+model::NamedState Executive::with_changes(model::NamedState state) const {
+  for (const auto& [fluent, value] : changed_) state.fluents[fluent] = value;
+  return state;
+}
+
+}  // namespace stepwright::executive

@@ -1,0 +1,33 @@
+#pragma once
+
+// What a restarted supervisor needs to go on with the plan that the controller still executes: the plan,
+// where it started, the tare, what was changed from outside, and the record so far.
+//
+// Written to a new file that then takes the place of the old one, so that a reader never sees half of it.
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "runtime/result/result.h"
+#include "supervisor/executive/planning_desk.h"
+#include "supervisor/executive/run_record.h"
+
+namespace stepwright::executive {
+
+struct Journal {
+  RunRecord record;
+  StartState start;
+  model::Plan plan;
+  std::map<std::string, double> changed;  // fluents set from outside
+  std::size_t next_change = 0;
+};
+
+// Fails with X0004 if the file cannot be written.
+[[nodiscard]] result::Result<void> write_journal(const std::filesystem::path& file, const Journal& journal);
+// Nothing if there is no file; fails with X0001 if there is one that is no journal.
+[[nodiscard]] result::Result<std::optional<Journal>> read_journal(const std::filesystem::path& file);
+
+}  // namespace stepwright::executive

@@ -1,0 +1,98 @@
+#pragma once
+
+// From a state of the plant to a program that runs: plan, translate, lower, compile. Holds what never changes
+// in a run (task, binding, options).
+//
+//   auto desk = PlanningDesk::open({.domain = "domain.pddl", .problem = "problem.pddl", .binding =
+//   "binding.toml"}); auto prepared = desk->prepare(start);
+//
+// Not thread-safe; one executive uses one desk.
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "runtime/result/result.h"
+#include "supervisor/executive/run_record.h"
+#include "supervisor/model/plan.h"
+#include "supervisor/model/planned_run.h"
+#include "supervisor/pddl/task.h"
+#include "supervisor/translate/binding.h"
+#include "supervisor/translate/schedule.h"
+#include "supervisor/translate/translation.h"
+
+namespace stepwright::executive {
+
+struct DeskOptions {
+  std::filesystem::path domain;
+  std::filesystem::path problem;
+  std::filesystem::path binding;
+  bool optimal = true;
+  bool sequential = false;
+  std::chrono::milliseconds time{10'000};  // budget of one planning
+  std::int64_t interval_us = 10'000;
+  std::string report_fluent;  // what the report follows per action, "(transport-cost)"; empty: the metric
+};
+
+// Where a plan starts: what the planner sees, what was measured, the tare of the sensors.
+struct StartState {
+  model::NamedState planning;
+  std::map<std::string, double> measured;  // fluents; empty: as planned
+  translate::Tare tare;
+};
+
+// A program that is ready to download, with all that is needed to follow it.
+struct PreparedPlan {
+  StartState start;
+  model::Plan plan;
+  model::PlannedRun run;
+  translate::Translation translation;
+  std::vector<std::byte> container;
+  Episode episode;  // figures and actions, nothing executed yet
+};
+
+enum class PrepareStatus : std::uint8_t { Ready, Infeasible, Exhausted };
+
+struct PrepareOutcome {
+  PrepareStatus status = PrepareStatus::Ready;
+  std::string reason;     // why there is no plan
+  PreparedPlan prepared;  // Ready only
+};
+
+class PlanningDesk {
+ public:
+  // Reads and checks all three files; every problem of each is reported.
+  [[nodiscard]] static result::Result<PlanningDesk> open(const DeskOptions& options);
+
+  const pddl::Task& task() const { return task_; }
+  const translate::Binding& binding() const { return binding_; }
+  const DeskOptions& options() const { return options_; }
+
+  // Plans from `start` and makes the program. Diagnostics are faults of the binding or of the tools, not of
+  // the plan.
+  [[nodiscard]] result::Result<PrepareOutcome> prepare(const StartState& start) const;
+  // The same program again from a plan that is known (a restarted supervisor); episode figures are left
+  // empty.
+  [[nodiscard]] result::Result<PreparedPlan> rebuild(const StartState& start, const model::Plan& plan) const;
+  // The program that only looks (translate/observe_program.h), compiled.
+  [[nodiscard]] result::Result<PreparedPlan> observer(bool locate, std::chrono::milliseconds settle) const;
+
+  // What the report follows, added by `action` when it starts in `before`; 0 if it cannot be told.
+  double cost_of(const model::GroundAction& action, const model::NamedState& before) const;
+  // The goal's conjuncts in a state.
+  std::vector<GoalRecord> goal_status(const model::NamedState& state) const;
+
+ private:
+  PlanningDesk(DeskOptions options, pddl::Task task, translate::Binding binding);
+  [[nodiscard]] result::Result<void> build(PreparedPlan& prepared, const pddl::Task& task) const;
+
+  DeskOptions options_;
+  pddl::Task task_;
+  translate::Binding binding_;
+};
+
+}  // namespace stepwright::executive

@@ -1,0 +1,33 @@
+#pragma once
+
+// What is left of a run for people and scripts: the record, the runtime's last figures, and pictures of both.
+//
+// Pure functions over values.
+
+#include <string>
+
+#include "runtime/host/messages.h"
+#include "runtime/result/result.h"
+#include "supervisor/executive/run_record.h"
+
+namespace stepwright::executive {
+
+struct Report {
+  RunRecord record;
+  host::RuntimeStatus runtime;  // after the last scan
+};
+
+// One JSON object: "record" as in to_json(RunRecord), "runtime" with the figures of the scan and the plant's
+// truth.
+std::string to_json(const Report& report);
+[[nodiscard]] result::Result<Report> report_from_json(const std::string& text, const std::string& file);
+
+// A table for the terminal: per action planned and actual start, duration, cost and level; replans; goal.
+std::string report_table(const RunRecord& record);
+
+// Gantt of the last plan: planned above actual bars.
+std::string gantt_svg(const RunRecord& record);
+// Planned and actual cost summed up over the actions of the last plan (the paper's Figures 15 and 16).
+std::string cost_svg(const RunRecord& record);
+
+}  // namespace stepwright::executive

@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "supervisor/executive/report.h"
+
+namespace stepwright::executive {
+namespace {
+
+std::string seconds(const std::optional<double>& value, double origin) {
+  return value ? fmt::format("{:8.2f}", *value - origin) : std::string("       -");
+}
+
+void add_episode(const Episode& episode, std::size_t number, std::size_t count, std::string& text) {
+  const auto out = std::back_inserter(text);
+  fmt::format_to(
+      out, "Plan {} of {}: {} actions, cost {:g}{}\n", number, count, episode.actions.size(), episode.cost,
+      episode.proved_optimal ? ", proved optimal" : fmt::format(" (no plan below {:g})", episode.bound));
+  fmt::format_to(out, "   # {:<34} {:<8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "action", "state", "plan s",
+                 "start s", "plan s", "end s", "cost", "actual");
+  for (std::size_t i = 0; i < episode.actions.size(); ++i) {
+    const ActionRecord& action = episode.actions[i];
+    fmt::format_to(out, "  {:2} {:<34} {:<8} {:8.2f} {} {:8.2f} {} {:8.2f} {}\n", i + 1, action.text,
+                   to_string(action.state), action.planned_start_s,
+                   seconds(action.started_s, episode.started_s), action.planned_finish_s,
+                   seconds(action.finished_s, episode.started_s), action.planned_cost,
+                   action.actual_cost ? fmt::format("{:8.2f}", *action.actual_cost) : "       -");
+  }
+}
+
+}  // namespace
+
+std::string report_table(const RunRecord& record) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  for (std::size_t i = 0; i < record.episodes.size(); ++i) {
+    if (i < record.replans.size() + 1 && i > 0) {
+      const Replan& replan = record.replans[i - 1];
+      fmt::format_to(out, "Replanned at {:.2f} s: {}\n", replan.time_s, replan.cause);
+    }
+    add_episode(record.episodes[i], i + 1, record.episodes.size(), text);
+  }
+  fmt::format_to(out, "Goal:\n");
+  for (const GoalRecord& goal : record.goal) {
+    fmt::format_to(out, "  {:<8} {}\n", goal.met ? "met" : "NOT MET", goal.text);
+  }
+  fmt::format_to(out, "{}: {}\n", to_string(record.phase), record.message);
+  return text;
+}
+
+}  // namespace stepwright::executive

@@ -1,0 +1,167 @@
+#include "supervisor/executive/run_record.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+namespace stepwright::executive {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array kActionStates = {"pending", "active", "done", "failed"};
+constexpr std::array kPhases = {"planning", "observing", "executing", "replanning",
+                                "waiting",  "done",      "safe"};
+
+template <typename Enum, std::size_t N>
+Enum enum_from(const json& value, const std::array<const char*, N>& names) {
+  const std::string text = value.get<std::string>();
+  for (std::size_t i = 0; i < N; ++i) {
+    if (text == names[i]) return static_cast<Enum>(i);
+  }
+  throw json::other_error::create(501, "unknown word '" + text + "'", &value);
+}
+
+json optional_json(const std::optional<double>& value) {
+  return value ? json(*value) : json(nullptr);
+}
+
+std::optional<double> optional_from(const json& value) {
+  return value.is_null() ? std::nullopt : std::optional<double>(value.get<double>());
+}
+
+json action_json(const ActionRecord& action, std::size_t index) {
+  return {{"index", index},
+          {"text", action.text},
+          {"step", action.step},
+          {"state", to_string(action.state)},
+          {"planned_start_s", action.planned_start_s},
+          {"planned_finish_s", action.planned_finish_s},
+          {"started_s", optional_json(action.started_s)},
+          {"finished_s", optional_json(action.finished_s)},
+          {"planned_cost", action.planned_cost},
+          {"actual_cost", optional_json(action.actual_cost)},
+          {"expected", action.expected},
+          {"observed", action.observed}};
+}
+
+ActionRecord action_from(const json& value) {
+  ActionRecord action;
+  action.text = value.at("text");
+  action.step = value.at("step");
+  action.state = enum_from<ActionState>(value.at("state"), kActionStates);
+  action.planned_start_s = value.at("planned_start_s");
+  action.planned_finish_s = value.at("planned_finish_s");
+  action.started_s = optional_from(value.at("started_s"));
+  action.finished_s = optional_from(value.at("finished_s"));
+  action.planned_cost = value.at("planned_cost");
+  action.actual_cost = optional_from(value.at("actual_cost"));
+  value.at("expected").get_to(action.expected);
+  value.at("observed").get_to(action.observed);
+  return action;
+}
+
+json episode_json(const Episode& episode) {
+  json actions = json::array();
+  for (std::size_t i = 0; i < episode.actions.size(); ++i)
+    actions.push_back(action_json(episode.actions[i], i));
+  return {{"digest", episode.digest},
+          {"started_s", episode.started_s},
+          {"cost", episode.cost},
+          {"bound", episode.bound},
+          {"proved_optimal", episode.proved_optimal},
+          {"steps", episode.actions.size()},
+          {"first_plan_ms", episode.first_plan_ms},
+          {"optimal_plan_ms", episode.optimal_plan_ms},
+          {"planned_makespan_s", episode.planned_makespan_s},
+          {"planned_sequential_makespan_s", episode.planned_sequential_makespan_s},
+          {"actions", std::move(actions)}};
+}
+
+Episode episode_from(const json& value) {
+  Episode episode;
+  episode.digest = value.at("digest");
+  episode.started_s = value.at("started_s");
+  episode.cost = value.at("cost");
+  episode.bound = value.at("bound");
+  episode.proved_optimal = value.at("proved_optimal");
+  episode.first_plan_ms = value.at("first_plan_ms");
+  episode.optimal_plan_ms = value.at("optimal_plan_ms");
+  episode.planned_makespan_s = value.at("planned_makespan_s");
+  episode.planned_sequential_makespan_s = value.at("planned_sequential_makespan_s");
+  for (const json& action : value.at("actions")) episode.actions.push_back(action_from(action));
+  return episode;
+}
+
+RunRecord record_from(const json& value) {
+  RunRecord record;
+  record.cell = value.at("cell");
+  record.phase = enum_from<Phase>(value.at("phase"), kPhases);
+  record.message = value.at("message");
+  record.exit = static_cast<result::ExitCode>(value.at("exit_code").get<int>());
+  for (const json& episode : value.at("episodes")) record.episodes.push_back(episode_from(episode));
+  for (const json& replan : value.at("replans")) {
+    record.replans.push_back({replan.at("time_s"), replan.at("cause"), replan.at("after_action")});
+  }
+  for (const json& goal : value.at("goal")) record.goal.push_back({goal.at("text"), goal.at("met")});
+  value.at("expected").get_to(record.expected);
+  value.at("observed").get_to(record.observed);
+  record.started_s = value.at("started_s");
+  record.finished_s = value.at("finished_s");
+  return record;
+}
+
+}  // namespace
+
+const char* to_string(ActionState state) {
+  return kActionStates[static_cast<std::size_t>(state)];
+}
+const char* to_string(Phase phase) {
+  return kPhases[static_cast<std::size_t>(phase)];
+}
+
+std::string to_json(const RunRecord& record) {
+  json episodes = json::array();
+  for (const Episode& episode : record.episodes) episodes.push_back(episode_json(episode));
+  json replans = json::array();
+  for (const Replan& replan : record.replans) {
+    replans.push_back(
+        {{"time_s", replan.time_s}, {"cause", replan.cause}, {"after_action", replan.after_action}});
+  }
+  json goal = json::array();
+  for (const GoalRecord& entry : record.goal) goal.push_back({{"text", entry.text}, {"met", entry.met}});
+  json document = {{"cell", record.cell},
+                   {"phase", to_string(record.phase)},
+                   {"message", record.message},
+                   {"exit_code", result::to_int(record.exit)},
+                   {"episodes", std::move(episodes)},
+                   {"replans", std::move(replans)},
+                   {"goal", std::move(goal)},
+                   {"expected", record.expected},
+                   {"observed", record.observed},
+                   {"started_s", record.started_s},
+                   {"finished_s", record.finished_s},
+                   {"makespan_s", record.finished_s - record.started_s}};
+  if (!record.episodes.empty()) {  // viewers show the newest plan
+    const json& newest = document["episodes"].back();
+    document["program_digest"] = newest["digest"];
+    document["plan"] = {{"cost", newest["cost"]},
+                        {"bound", newest["bound"]},
+                        {"proved_optimal", newest["proved_optimal"]},
+                        {"steps", newest["steps"]},
+                        {"first_plan_ms", newest["first_plan_ms"]},
+                        {"optimal_plan_ms", newest["optimal_plan_ms"]}};
+    document["actions"] = newest["actions"];
+  }
+  return document.dump();
+}
+
+result::Result<RunRecord> record_from_json(const std::string& text, const std::string& file) {
+  try {
+    return record_from(json::parse(text));
+  } catch (const json::exception& problem) {
+    return result::fail("X0001", {file, 0, 0}, std::string("not a run record: ") + problem.what(),
+                        "delete the file to start afresh");
+  }
+}
+
+}  // namespace stepwright::executive

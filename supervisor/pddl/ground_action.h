@@ -1,0 +1,71 @@
+#pragma once
+
+// One action of a plan, instantiated: what it requires, changes, reads and writes, by ground names. The
+// translator builds guards from it and the executive compares what it observes with it.
+//
+// Thread rule: plain values, pure function.
+//
+//   auto info = inspect_action(task, {"unload", {"v1", "a1", "level8"}});
+//   for (const Requirement& r : info->preconditions) ...
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "runtime/result/result.h"
+#include "supervisor/model/plan.h"
+#include "supervisor/pddl/task.h"
+
+namespace stepwright::pddl {
+
+enum class NumericKind : std::uint8_t { Constant, Fluent, Add, Subtract, Multiply, Divide, Negate };
+
+// A ground arithmetic expression. Fluents that no action changes are folded into constants.
+struct NumericNode {
+  NumericKind kind = NumericKind::Constant;
+  double constant = 0.0;
+  std::string fluent;                 // "(lev v1)"
+  std::vector<NumericNode> operands;  // one for Negate, two for the other operators
+};
+
+enum class Relation : std::uint8_t { Less, LessEqual, Equal, GreaterEqual, Greater };
+
+enum class RequirementKind : std::uint8_t { Fact, Comparison, Any, All };
+
+// One requirement. What is decided by static facts and objects is left out already; quantifiers are expanded.
+struct Requirement {
+  RequirementKind kind = RequirementKind::Fact;
+  std::string text;                // PDDL, ground
+  std::string fact;                // Fact: "(is-at v1 f1)"
+  bool positive = true;            // Fact: must hold, or must not
+  Relation relation{};             // Comparison: left relation right
+  NumericNode left, right;         // Comparison
+  std::vector<Requirement> parts;  // Any: one suffices (none: impossible); All: inside Any
+};
+
+enum class ChangeKind : std::uint8_t { Add, Delete, Assign, Increase, Decrease, ScaleUp, ScaleDown };
+
+// One change. `when` is empty unless the effect is conditional; the conditions are read before the action.
+struct Change {
+  ChangeKind kind = ChangeKind::Add;
+  std::string target;  // the fact or fluent
+  NumericNode amount;  // numeric changes
+  std::vector<Requirement> when;
+};
+
+struct GroundActionInfo {
+  model::GroundAction action;
+  std::vector<Requirement> preconditions;  // all must hold
+  std::vector<Change> changes;
+  std::set<std::string> reads;   // facts and fluents that conditions and amounts look at
+  std::set<std::string> writes;  // facts and fluents that may change
+  std::set<std::string>
+      counts;  // fluents that only the metric reads and that are only increased or decreased here
+};
+
+// Fails (P03xx) on an unknown action, a wrong number of arguments, an unknown object or a wrong type.
+[[nodiscard]] result::Result<GroundActionInfo> inspect_action(const Task& task,
+                                                              const model::GroundAction& action);
+
+}  // namespace stepwright::pddl

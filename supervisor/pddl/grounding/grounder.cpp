@@ -1,0 +1,108 @@
+#include "supervisor/pddl/grounding/grounder.h"
+
+#include <limits>
+
+#include "supervisor/pddl/grounding/binding_enumerator.h"
+#include "supervisor/pddl/grounding/compiler.h"
+#include "supervisor/pddl/grounding/raw_task.h"
+
+namespace stepwright::pddl {
+namespace {
+
+constexpr std::size_t bindings_between_checks = 1024;
+
+class Grounder {
+ public:
+  Grounder(const Definition& definition, const std::function<bool()>& stop)
+      : definition_(definition), stop_(stop), compiler_(definition) {}
+
+  GroundTask run() {
+    raw_.definition = &definition_;
+    goals();
+    if (definition_.metric) {
+      raw_.metric = compiler_.expression(definition_.metric->expression, {});
+      if (definition_.metric->maximize) raw_.metric = combine(NumericKind::Negate, raw_.metric, {});
+    }
+    if (!operators()) return cancelled();
+    initial_state();
+    RelaxedState start;
+    start.literals.resize(2 * raw_.facts.size());
+    for (std::size_t f = 0; f < raw_.facts.size(); ++f) {
+      start.literals[2 * f + (raw_.initial_facts[f] ? 0 : 1)] = true;
+    }
+    for (const double value : raw_.initial_values) {
+      start.values.push_back(value == value ? Interval::point(value) : Interval{});
+    }
+    raw_.reachable = explore(raw_.operators, std::move(start), stop_);
+    if (raw_.reachable.stopped) return cancelled();
+    return simplify(std::move(raw_));
+  }
+
+ private:
+  GroundTask cancelled() const {
+    GroundTask task;
+    task.definition = &definition_;
+    task.cancelled = true;
+    return task;
+  }
+
+  void goals() {
+    Binding binding(static_cast<std::size_t>(definition_.goal_slots), -1);
+    const Formula& goal = definition_.goal;
+    if (goal.kind != FormulaKind::And) {
+      raw_.goals.push_back({compiler_.condition(goal, binding), &goal});
+      return;
+    }
+    for (const Formula& part : goal.parts) raw_.goals.push_back({compiler_.condition(part, binding), &part});
+  }
+
+  bool operators() {
+    const LiftedState initial = pddl::initial_state(definition_);
+    std::size_t count = 0;
+    for (std::size_t a = 0; a < definition_.actions.size(); ++a) {
+      BindingEnumerator bindings(definition_, definition_.actions[a], initial);
+      const bool finished = bindings.run([&](Binding& binding) {
+        if (++count % bindings_between_checks == 0 && stop_()) return false;
+        if (auto op = compiler_.compile(static_cast<int>(a), binding))
+          raw_.operators.push_back(std::move(*op));
+        return true;
+      });
+      if (!finished) return false;
+    }
+    return true;
+  }
+
+  void initial_state() {
+    raw_.facts = compiler_.facts();
+    raw_.variables = compiler_.variables();
+    for (const Atom& atom : raw_.facts) raw_.initial_facts.push_back(definition_.facts.count(atom) != 0);
+    for (const Atom& atom : raw_.variables) {
+      const auto found = definition_.fluents.find(atom);
+      raw_.initial_values.push_back(found == definition_.fluents.end()
+                                        ? std::numeric_limits<double>::quiet_NaN()
+                                        : snap(found->second));
+    }
+  }
+
+  const Definition& definition_;
+  const std::function<bool()>& stop_;
+  Compiler compiler_;
+  RawTask raw_;
+};
+
+}  // namespace
+
+GroundTask ground_task(const Definition& definition, const std::function<bool()>& stop) {
+  return Grounder(definition, stop).run();
+}
+
+model::GroundAction action_of(const GroundTask& task, const GroundOperator& op) {
+  model::GroundAction action;
+  action.name = task.definition->actions[static_cast<std::size_t>(op.action)].name;
+  for (const int object : op.arguments) {
+    action.arguments.push_back(task.definition->objects[static_cast<std::size_t>(object)].name);
+  }
+  return action;
+}
+
+}  // namespace stepwright::pddl

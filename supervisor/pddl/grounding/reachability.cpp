@@ -1,0 +1,89 @@
+#include "supervisor/pddl/grounding/reachability.h"
+
+namespace stepwright::pddl {
+namespace {
+
+// Rounds of exact growth: enough for the capacities of usual problems to be found by stepping.
+constexpr int exact_rounds = 48;
+
+class Explorer {
+ public:
+  Explorer(const std::vector<GroundOperator>& operators, RelaxedState start) : operators_(operators) {
+    reachable_.state = std::move(start);
+    reachable_.operators.assign(operators.size(), false);
+  }
+
+  Reachable run(const std::function<bool()>& stop) {
+    for (changed_ = true; changed_; ++round_) {
+      changed_ = false;
+      for (std::size_t i = 0; i < operators_.size(); ++i) {
+        if (i % 1024 == 0 && stop()) {
+          reachable_.stopped = true;
+          return std::move(reachable_);
+        }
+        visit(i);
+      }
+    }
+    return std::move(reachable_);
+  }
+
+ private:
+  void visit(std::size_t i) {
+    const GroundOperator& op = operators_[i];
+    if (!reachable_.operators[i]) {
+      if (!can_hold(op.precondition, reachable_.state)) return;
+      reachable_.operators[i] = true;
+      changed_ = true;
+    }
+    for (const GroundEffect& effect : op.effects) {
+      if (!effect.when.always() && !can_hold(effect.when, reachable_.state)) continue;
+      for (const int fact : effect.adds) reach(2 * fact);
+      for (const int fact : effect.deletes) reach(2 * fact + 1);
+      for (const NumericEffect& numeric : effect.numeric) grow(numeric, {&op.precondition, &effect.when});
+    }
+  }
+
+  void reach(int literal) {
+    const auto place = static_cast<std::size_t>(literal);
+    if (reachable_.state.literals[place]) return;
+    reachable_.state.literals[place] = true;
+    changed_ = true;
+  }
+
+  void grow(const NumericEffect& effect, const std::vector<const Condition*>& conditions) {
+    std::vector<Interval>& values = reachable_.state.values;
+    Interval& value = values[static_cast<std::size_t>(effect.variable)];
+    const GroundExpression result = result_of(effect);
+    Interval after = implied_interval(result, conditions, values);
+    if (after.empty()) return;
+    Interval grown = hull(value, after);
+    if (grown == value) return;
+    if (round_ >= exact_rounds && !value.empty()) {
+      const Interval before = value;
+      if (grown.high > before.high) value.high = infinity;
+      if (grown.low < before.low) value.low = -infinity;
+      after = implied_interval(result, conditions, values);
+      value = before;
+      grown = hull(before, after);
+      // Variables that bound each other could go on like this for ever.
+      if (round_ >= 2 * exact_rounds && grown.high > before.high) grown.high = infinity;
+      if (round_ >= 2 * exact_rounds && grown.low < before.low) grown.low = -infinity;
+    }
+    value = {snap(grown.low), snap(grown.high)};
+    changed_ = true;
+  }
+
+  const std::vector<GroundOperator>& operators_;
+  Reachable reachable_;
+  bool changed_ = true;
+  int round_ = 0;
+};
+
+}  // namespace
+
+Reachable explore(const std::vector<GroundOperator>& operators, RelaxedState start,
+                  const std::function<bool()>& stop) {
+  return Explorer(operators, std::move(start)).run(stop);
+}
+
+}  // namespace stepwright::pddl

@@ -1,0 +1,21 @@
+#pragma once
+
+// Which facts and variables decide anything, and which fluents merely add up in the metric.
+//
+// Thread rule: pure function.
+
+#include <vector>
+
+#include "supervisor/pddl/grounding/raw_task.h"
+
+namespace stepwright::pddl {
+
+struct Relevance {
+  std::vector<bool> facts;
+  std::vector<bool> variables;
+  std::vector<double> weights;  // of the accumulated fluents in the metric; 0 for all others
+};
+
+Relevance find_relevance(const RawTask& raw);
+
+}  // namespace stepwright::pddl

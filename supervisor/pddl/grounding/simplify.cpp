@@ -1,0 +1,198 @@
+#include <cmath>
+#include <limits>
+
+#include "supervisor/pddl/grounding/raw_task.h"
+#include "supervisor/pddl/grounding/relevance.h"
+#include "supervisor/pddl/lifted/lifted_state.h"
+#include "supervisor/pddl/syntax/text.h"
+
+namespace stepwright::pddl {
+namespace {
+
+class Simplifier {
+ public:
+  explicit Simplifier(RawTask raw) : raw_(std::move(raw)), relevance_(find_relevance(raw_)) {}
+
+  GroundTask run() {
+    task_.definition = raw_.definition;
+    task_.maximize = raw_.definition->metric && raw_.definition->metric->maximize;
+    number_facts();
+    number_variables();
+    metric();
+    goal();
+    for (std::size_t i = 0; i < raw_.operators.size(); ++i) {
+      if (raw_.reachable.operators[i]) add(raw_.operators[i]);
+    }
+    return std::move(task_);
+  }
+
+ private:
+  bool reachable(std::size_t literal) const { return raw_.reachable.state.literals[literal]; }
+
+  // A fact that always or never holds, or that nothing reads, gets no bit.
+  void number_facts() {
+    for (std::size_t f = 0; f < raw_.facts.size(); ++f) {
+      const bool changes = reachable(2 * f) && reachable(2 * f + 1);
+      facts_.push_back(changes && relevance_.facts[f] ? static_cast<int>(task_.facts.size()) : -1);
+      if (facts_.back() < 0) continue;
+      task_.facts.push_back(raw_.facts[f]);
+      task_.initial_facts.push_back(raw_.initial_facts[f]);
+    }
+  }
+
+  void number_variables() {
+    for (std::size_t v = 0; v < raw_.variables.size(); ++v) {
+      const Interval range = raw_.reachable.state.values[v];
+      const bool changes = !range.empty() && !(range == Interval::point(raw_.initial_values[v]));
+      Replacement place{-1, raw_.initial_values[v]};
+      if (changes && relevance_.variables[v]) {
+        place.variable = static_cast<int>(task_.variables.size());
+        task_.variables.push_back(raw_.variables[v]);
+        task_.bounds.push_back(range);
+        task_.initial_values.push_back(raw_.initial_values[v]);
+      }
+      variables_.push_back(place);
+    }
+  }
+
+  // The accumulated fluents leave the metric here: their initial amount is the base, their changes are costs.
+  void metric() {
+    GroundExpression rest = raw_.metric;
+    for (const LinearTerm& term : raw_.metric.terms) {
+      const auto v = static_cast<std::size_t>(term.variable);
+      if (relevance_.weights[v] == 0.0) continue;
+      task_.base_cost += term.coefficient * raw_.initial_values[v];
+      rest = add_scaled(rest, -term.coefficient, variable_expression(term.variable));
+    }
+    task_.potential = substitute(rest, variables_);
+  }
+
+  void goal() {
+    for (const RawGoal& part : raw_.goals) {
+      append(part.condition, task_.goal);
+      if (!task_.unreachable_goal && !can_hold(part.condition, raw_.reachable.state)) explain(part);
+    }
+  }
+
+  void explain(const RawGoal& goal) {
+    const Definition& definition = *raw_.definition;
+    std::string text = "the goal " + print(definition, *goal.formula) + " cannot be reached";
+    std::string ranges;
+    for (const Comparison& comparison : goal.condition.comparisons) {
+      for_each_variable(comparison.difference, [&](int variable) {
+        const auto v = static_cast<std::size_t>(variable);
+        const Interval range = raw_.reachable.state.values[v];
+        ranges += (ranges.empty() ? ": " : ", ") + fluent_name(definition, raw_.variables[v]);
+        ranges += range.empty()
+                      ? " never gets a value"
+                      : " stays between " + number_text(range.low) + " and " + number_text(range.high);
+      });
+    }
+    if (ranges.empty()) ranges = ": no reachable action makes it true";
+    task_.unreachable_goal = text + ranges;
+  }
+
+  GroundExpression renumber(const GroundExpression& expression) const {
+    return substitute(expression, variables_);
+  }
+
+  // Appends the condition in its new numbering, without what is decided.
+  void append(const Condition& from, Condition& to) const {
+    to.impossible = to.impossible || from.impossible;
+    for (const int literal : from.literals) {
+      const int fact = facts_[static_cast<std::size_t>(literal / 2)];
+      if (fact >= 0) {
+        to.literals.push_back(2 * fact + literal % 2);
+      } else if (!reachable(static_cast<std::size_t>(literal))) {
+        to.impossible = true;
+      }
+    }
+    for (const Comparison& comparison : from.comparisons) {
+      GroundExpression difference = renumber(comparison.difference);
+      if (!difference.is_constant()) {
+        to.comparisons.push_back({std::move(difference), comparison.relation});
+      } else if (!compare(comparison.relation, difference.constant)) {
+        to.impossible = true;
+      }
+    }
+    for (const auto& options : from.choices) append_choice(options, to);
+  }
+
+  void append_choice(const std::vector<Condition>& options, Condition& to) const {
+    std::vector<Condition> rest;
+    for (const Condition& option : options) {
+      Condition renumbered;
+      append(option, renumbered);
+      if (renumbered.always()) return;
+      if (!renumbered.impossible) rest.push_back(std::move(renumbered));
+    }
+    if (rest.empty()) to.impossible = true;
+    if (!rest.empty()) to.choices.push_back(std::move(rest));
+  }
+
+  void add(const GroundOperator& raw) {
+    GroundOperator op;
+    op.action = raw.action;
+    op.arguments = raw.arguments;
+    op.may_conflict = raw.may_conflict;
+    append(raw.precondition, op.precondition);
+    if (op.precondition.impossible) return;
+    op.cost = raw_.definition->metric ? Interval::point(0.0) : Interval::point(1.0);
+    for (const GroundEffect& effect : raw.effects) add_effect(raw, effect, op);
+    if (!raw_.definition->metric) {
+      if (op.effects.empty() || !op.effects.front().when.always()) op.effects.emplace(op.effects.begin());
+      op.effects.front().cost.constant += 1.0;
+    }
+    if (changes_anything(op)) task_.operators.push_back(std::move(op));
+  }
+
+  static bool changes_anything(const GroundOperator& op) {
+    for (const GroundEffect& effect : op.effects) {
+      if (!effect.adds.empty() || !effect.deletes.empty() || !effect.numeric.empty()) return true;
+    }
+    return op.cost.low < 0.0;
+  }
+
+  void add_effect(const GroundOperator& raw, const GroundEffect& effect, GroundOperator& op) {
+    GroundEffect renumbered;
+    append(effect.when, renumbered.when);
+    if (renumbered.when.impossible || !can_hold(effect.when, raw_.reachable.state)) return;
+    for (const int fact : effect.adds) {
+      const int place = facts_[static_cast<std::size_t>(fact)];
+      if (place >= 0) renumbered.adds.push_back(place);
+    }
+    for (const int fact : effect.deletes) {
+      const int place = facts_[static_cast<std::size_t>(fact)];
+      if (place >= 0) renumbered.deletes.push_back(place);
+    }
+    GroundExpression cost;
+    for (const NumericEffect& numeric : effect.numeric) {
+      const auto v = static_cast<std::size_t>(numeric.variable);
+      if (variables_[v].variable >= 0) {
+        renumbered.numeric.push_back({variables_[v].variable, numeric.kind, renumber(numeric.amount)});
+      } else if (relevance_.weights[v] != 0.0) {
+        const double sign = numeric.kind == ChangeKind::Decrease ? -1.0 : 1.0;
+        cost = add_scaled(cost, sign * relevance_.weights[v], numeric.amount);
+      }
+    }
+    Interval range = implied_interval(cost, {&raw.precondition, &effect.when}, raw_.reachable.state.values);
+    if (!renumbered.when.always()) range = hull(range, Interval::point(0.0));
+    op.cost = op.cost + range;
+    renumbered.cost = renumber(cost);
+    op.effects.push_back(std::move(renumbered));
+  }
+
+  RawTask raw_;
+  Relevance relevance_;
+  GroundTask task_;
+  std::vector<int> facts_;              // new number or -1
+  std::vector<Replacement> variables_;  // new number or the constant
+};
+
+}  // namespace
+
+GroundTask simplify(RawTask raw) {
+  return Simplifier(std::move(raw)).run();
+}
+
+}  // namespace stepwright::pddl

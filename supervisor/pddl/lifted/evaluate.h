@@ -1,0 +1,37 @@
+#pragma once
+
+// Conditions and expressions evaluated on the schemas themselves, without grounding.
+//
+// Thread rule: pure functions. Invariant: everything comes from a checked definition, so every index is
+// resolved; a binding has a place for every slot.
+
+#include <functional>
+#include <optional>
+
+#include "supervisor/pddl/lifted/lifted_state.h"
+#include "supervisor/pddl/syntax/text.h"
+
+namespace stepwright::pddl {
+
+Atom ground(const Call& call, const Binding& binding);
+
+// Nothing if a fluent has no value or a divisor is zero.
+std::optional<double> evaluate(const Expression& expression, const Binding& binding,
+                               const LiftedState& state);
+
+// A comparison with an undefined side is false, and so is its negation's inside: PDDL gives it no meaning.
+bool holds(const Definition& definition, const Formula& formula, Binding& binding, const LiftedState& state);
+
+// Calls `visit` for every combination of objects for the variables; stops when it answers false.
+void for_each_binding(const Definition& definition, const std::vector<Typed>& variables, Binding& binding,
+                      const std::function<bool()>& visit);
+
+// The first conjunct that does not hold, as ground text, and the values it met; empty text if all hold.
+struct Violation {
+  std::string condition;
+  std::string values;
+};
+Violation first_violation(const Definition& definition, const Formula& formula, Binding& binding,
+                          const LiftedState& state);
+
+}  // namespace stepwright::pddl

@@ -1,0 +1,17 @@
+#pragma once
+
+// Which functions are read by what.
+//
+// Thread rule: pure functions.
+
+#include <set>
+
+#include "supervisor/pddl/syntax/ast.h"
+
+namespace stepwright::pddl {
+
+// The functions that no condition, no goal and no amount of an effect reads: only the metric can, so that
+// they count but do not decide anything.
+std::set<int> metric_only_functions(const Definition& definition);
+
+}  // namespace stepwright::pddl

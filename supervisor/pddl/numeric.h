@@ -1,0 +1,40 @@
+#pragma once
+
+// The arithmetic of fluents: one meaning of "equal" and "less" for planner and validator.
+//
+// PDDL's numbers are decimals, ours are doubles, so that 0.1 + 0.2 must still equal 0.3. Values are rounded
+// to a grid of 1e-9 when they are stored, and comparisons allow half a grid step; both leave integers
+// untouched.
+
+#include <algorithm>
+#include <cmath>
+
+#include "supervisor/pddl/ground_action.h"
+
+namespace stepwright::pddl {
+
+// The nearest multiple of 1e-9; values above 1e6 in magnitude, where doubles are coarser, stay as they are.
+inline double snap(double value) {
+  if (!(std::abs(value) < 1e6) || value == std::nearbyint(value)) return value + 0.0;
+  return std::nearbyint(value * 1e9) / 1e9 + 0.0;
+}
+
+// left - right, as far from zero as counts.
+inline bool compare(Relation relation, double difference, double magnitude = 1.0) {
+  const double tolerance = 5e-10 * std::max(1.0, magnitude);
+  switch (relation) {
+    case Relation::Less:
+      return difference < -tolerance;
+    case Relation::LessEqual:
+      return difference <= tolerance;
+    case Relation::Equal:
+      return std::abs(difference) <= tolerance;
+    case Relation::GreaterEqual:
+      return difference >= -tolerance;
+    case Relation::Greater:
+      return difference > tolerance;
+  }
+  return false;
+}
+
+}  // namespace stepwright::pddl

@@ -1,0 +1,149 @@
+#include "supervisor/pddl/search/lower_bounds.h"
+
+#include <algorithm>
+#include <set>
+
+namespace stepwright::pddl {
+namespace {
+
+// Small projections take the costs that few variables explain; large ones see how those variables hang
+// together.
+constexpr std::size_t small_states = 200;
+constexpr std::size_t large_states = 1000;
+constexpr std::size_t most_work = 100000;
+
+void add_variables(const Condition& condition, std::set<int>& facts, std::set<int>& variables) {
+  for (const int literal : condition.literals) facts.insert(literal / 2);
+  for (const Comparison& comparison : condition.comparisons) {
+    for_each_variable(comparison.difference, [&](int v) { variables.insert(v); });
+  }
+  for (const auto& options : condition.choices) {
+    for (const Condition& option : options) add_variables(option, facts, variables);
+  }
+}
+
+Pattern pattern_of(const std::set<int>& facts, const std::set<int>& variables) {
+  return {{facts.begin(), facts.end()}, {variables.begin(), variables.end()}};
+}
+
+// One seed per part of the goal.
+std::vector<Pattern> seeds(const Condition& goal) {
+  std::vector<Pattern> list;
+  for (const int literal : goal.literals) list.push_back({{literal / 2}, {}});
+  for (const Comparison& comparison : goal.comparisons) {
+    std::set<int> variables;
+    for_each_variable(comparison.difference, [&](int v) { variables.insert(v); });
+    list.push_back(pattern_of({}, variables));
+  }
+  for (const auto& options : goal.choices) {
+    std::set<int> facts, variables;
+    for (const Condition& option : options) add_variables(option, facts, variables);
+    list.push_back(pattern_of(facts, variables));
+  }
+  return list;
+}
+
+}  // namespace
+
+LowerBounds::LowerBounds(const StateSpace& space, const std::function<bool()>& stop) : space_(space) {
+  // The number of goals may be large; the first ones must do then.
+  constexpr std::size_t most_seeds = 24;
+  std::vector<Pattern> list = seeds(space.task().goal);
+  if (list.size() > most_seeds) list.resize(most_seeds);
+  for (const Pattern& seed : list) {
+    if (stop()) break;
+    grow_patterns(seed);
+  }
+  // Every large projection is first once; the others take what it leaves.
+  std::vector<std::size_t> order = small_;
+  order.insert(order.end(), large_.begin(), large_.end());
+  const std::size_t rotations = std::max<std::size_t>(1, std::min<std::size_t>(large_.size(), 4));
+  for (std::size_t r = 0; r < rotations && !projections_.empty(); ++r) {
+    cost_sums_.push_back(partition(order, false));
+    step_sums_.push_back(partition(order, true));
+    if (!large_.empty()) {
+      std::rotate(order.begin() + static_cast<std::ptrdiff_t>(small_.size()),
+                  order.begin() + static_cast<std::ptrdiff_t>(small_.size()) + 1, order.end());
+    }
+  }
+  places_.resize(projections_.size());
+}
+
+void LowerBounds::keep(Projection projection, std::vector<std::size_t>& group) {
+  for (const Projection& other : projections_) {
+    if (other.pattern() == projection.pattern()) return;
+  }
+  group.push_back(projections_.size());
+  projections_.push_back(std::move(projection));
+}
+
+// The pattern with everything that the operators on it look at.
+Pattern LowerBounds::causes(const Pattern& pattern, const Projection& projection) const {
+  std::set<int> facts(pattern.facts.begin(), pattern.facts.end());
+  std::set<int> variables(pattern.variables.begin(), pattern.variables.end());
+  for (const int i : projection.operators()) {
+    const GroundOperator& op = space_.task().operators[static_cast<std::size_t>(i)];
+    add_variables(op.precondition, facts, variables);
+    for (const GroundEffect& effect : op.effects) {
+      add_variables(effect.when, facts, variables);
+      for (const NumericEffect& numeric : effect.numeric) {
+        for_each_variable(numeric.amount, [&](int v) { variables.insert(v); });
+      }
+      for_each_variable(effect.cost, [&](int v) { variables.insert(v); });
+    }
+  }
+  return pattern_of(facts, variables);
+}
+
+void LowerBounds::grow_patterns(const Pattern& seed) {
+  std::optional<Projection> small, large;
+  Pattern pattern = seed;
+  while (auto next = Projection::build(space_, pattern, large_states, most_work)) {
+    if (next->states() <= small_states) small = next;
+    large = std::move(next);
+    Pattern grown = causes(pattern, *large);
+    if (grown == pattern) break;
+    pattern = std::move(grown);
+  }
+  if (small) keep(std::move(*small), small_);
+  if (large && large->states() > small_states) keep(std::move(*large), large_);
+}
+
+LowerBounds::Sum LowerBounds::partition(const std::vector<std::size_t>& order, bool steps) const {
+  std::vector<bool> taken(space_.task().operators.size(), false);
+  Sum sum;
+  for (const std::size_t p : order) {
+    const Projection& projection = projections_[p];
+    sum.push_back({p, projection.distances([&](int op, double cost) {
+                     if (taken[static_cast<std::size_t>(op)]) return 0.0;
+                     return steps ? 1.0 : std::max(0.0, cost);
+                   })});
+    // An operator without cost may count elsewhere; one with cost counts here only.
+    for (const int op : projection.operators()) {
+      const Interval cost = space_.task().operators[static_cast<std::size_t>(op)].cost;
+      if (steps || cost.high > 0.0) taken[static_cast<std::size_t>(op)] = true;
+    }
+  }
+  return sum;
+}
+
+double LowerBounds::evaluate(const Sum& sum, const std::vector<std::uint32_t>& places) const {
+  double total = 0.0;
+  for (const Table& table : sum) {
+    const std::uint32_t place = places[table.projection];
+    if (place != no_node) total += table.distance[place];
+  }
+  return total;
+}
+
+LowerBound LowerBounds::operator()(const Word* state) const {
+  for (std::size_t i = 0; i < projections_.size(); ++i) places_[i] = projections_[i].find(state);
+  double cost = 0.0;
+  double steps = 0.0;
+  for (const Sum& sum : cost_sums_) cost = std::max(cost, evaluate(sum, places_));
+  for (const Sum& sum : step_sums_) steps = std::max(steps, evaluate(sum, places_));
+  if (cost == infinity || steps == infinity) return {infinity, 0};
+  return {cost, static_cast<std::uint32_t>(steps)};
+}
+
+}  // namespace stepwright::pddl

@@ -1,0 +1,64 @@
+#include "supervisor/pddl/simulate.h"
+
+#include "supervisor/pddl/lifted/executor.h"
+
+namespace stepwright::pddl {
+namespace {
+
+// Fails if the metric has no value in a state: a fluent in it was never given one.
+result::Result<double> cost_of(const Executor& executor, std::size_t step) {
+  const auto cost = executor.cost();
+  if (!cost) {
+    return result::fail("P0309", {"plan", 0, 0}, "the metric is undefined after step " + std::to_string(step),
+                        "a fluent in it has no value in ':init'");
+  }
+  return *cost;
+}
+
+}  // namespace
+
+result::Result<Trace> simulate(const Task& task, const model::Plan& plan) {
+  const Definition& definition = task.definition();
+  Executor executor(definition, initial_state(definition));
+  Trace trace;
+  for (std::size_t step = 0;; ++step) {
+    auto cost = cost_of(executor, step);
+    if (!cost) return result::forward(cost);
+    trace.cost.push_back(*cost);
+    trace.states.push_back(name_state(definition, executor.state()));
+    if (step == plan.actions.size()) return trace;
+    if (auto failure = executor.step(plan.actions[step])) {
+      return result::fail(failure->code, {"plan", 0, 0},
+                          "step " + std::to_string(step + 1) + " " + model::to_string(plan.actions[step]) +
+                              ": " + failure->message,
+                          failure->hint);
+    }
+  }
+}
+
+result::Result<std::vector<GoalStatus>> evaluate_goal(const Task& task, const State& state) {
+  const Definition& definition = task.definition();
+  auto lifted = lift(definition, state);
+  if (!lifted) return result::forward(lifted);
+  std::vector<GoalStatus> goals;
+  const auto add = [&](const Formula& formula) {
+    Binding binding(static_cast<std::size_t>(definition.goal_slots), -1);
+    goals.push_back({print(definition, formula), holds(definition, formula, binding, *lifted)});
+  };
+  if (definition.goal.kind != FormulaKind::And) {
+    add(definition.goal);
+  } else {
+    for (const Formula& part : definition.goal.parts) add(part);
+  }
+  return goals;
+}
+
+result::Result<double> evaluate_metric(const Task& task, const State& state, std::size_t steps) {
+  const Definition& definition = task.definition();
+  if (!definition.metric) return static_cast<double>(steps);
+  auto lifted = lift(definition, state);
+  if (!lifted) return result::forward(lifted);
+  return cost_of(Executor(definition, std::move(*lifted)), steps);
+}
+
+}  // namespace stepwright::pddl

@@ -1,0 +1,136 @@
+#include "supervisor/pddl/solve.h"
+
+#include <memory>
+
+#include "supervisor/pddl/grounding/grounder.h"
+#include "supervisor/pddl/partial_order.h"
+#include "supervisor/pddl/search/improvement.h"
+#include "supervisor/pddl/simulate.h"
+
+namespace stepwright::pddl {
+namespace {
+
+constexpr std::size_t default_memory_mb = 4096;
+
+class Solver {
+ public:
+  Solver(const Task& task, const Options& options)
+      : task_(task),
+        options_(options),
+        control_(options.budget.time,
+                 options.budget.memory_mb == 0 ? default_memory_mb : options.budget.memory_mb,
+                 options.cancel) {}
+
+  model::Outcome run() {
+    ground_ = ground_task(task_.definition(), [this] { return stopped(); });
+    if (ground_.cancelled) return finish();
+    if (ground_.unreachable_goal) return infeasible(*ground_.unreachable_goal);
+    report();
+    const StateSpace space(ground_);
+    {
+      GreedySearch greedy(space, control_);
+      const SearchStatus status = greedy.run(reason_);
+      if (status == SearchStatus::Exhausted) {
+        return infeasible("all states that can be reached were searched (" +
+                          std::to_string(control_.expanded) + "), none of them meets the goal");
+      }
+      if (status == SearchStatus::Stopped) return finish();
+    }
+    if (options_.first_only) return finish(model::OutcomeKind::Solved);
+    const LowerBounds bounds(space, [this] { return stopped(); });
+    Improvement improvement(space, control_, bounds);
+    proved_ = improvement.run(!options_.optimal, reason_);
+    if (improvement.unbounded())
+      outcome_.reason = "the metric can be improved without end: there is no optimum";
+    return finish(proved_ ? model::OutcomeKind::Solved : model::OutcomeKind::Exhausted);
+  }
+
+ private:
+  bool stopped() {
+    if (reason_ == StopReason::None) reason_ = control_.check(0);
+    return reason_ != StopReason::None;
+  }
+
+  // The searches minimize the metric without its base; this is its value.
+  double metric_value(double internal) const {
+    const double value = internal + ground_.base_cost;
+    return ground_.maximize ? -value : value + 0.0;
+  }
+
+  model::Plan plan() const {
+    model::Plan plan;
+    for (const int op : control_.best().operators) {
+      plan.actions.push_back(action_of(ground_, ground_.operators[static_cast<std::size_t>(op)]));
+    }
+    plan.cost = snap(metric_value(control_.best().cost));
+    plan.bound = proved_ ? plan.cost : metric_value(control_.bound);
+    plan.proved_optimal = proved_;
+    return plan;
+  }
+
+  void report() {
+    control_.on_improvement = [this] {
+      if (outcome_.first_plan_ms == 0.0) outcome_.first_plan_ms = control_.elapsed_ms();
+      if (options_.on_improvement) options_.on_improvement(plan());
+    };
+    control_.on_second = [this](double bound) {
+      if (!options_.on_progress) return;
+      const bool found = control_.best().steps != UINT32_MAX;
+      const model::Plan best = found ? plan() : model::Plan{};
+      options_.on_progress({control_.elapsed_ms(), control_.expanded, control_.peak_mb,
+                            found ? &best : nullptr, metric_value(bound)});
+    };
+  }
+
+  void figures() {
+    outcome_.wall_ms = control_.elapsed_ms();
+    outcome_.expanded = control_.expanded;
+    outcome_.peak_mb = control_.peak_mb;
+  }
+
+  model::Outcome infeasible(std::string reason) {
+    figures();
+    outcome_.kind = model::OutcomeKind::Infeasible;
+    outcome_.reason = std::move(reason);
+    return std::move(outcome_);
+  }
+
+  model::Outcome finish(model::OutcomeKind kind = model::OutcomeKind::Exhausted) {
+    if (reason_ == StopReason::Cancelled) kind = model::OutcomeKind::Cancelled;
+    outcome_.kind = kind;
+    if (outcome_.reason.empty() && reason_ == StopReason::Time) outcome_.reason = "the time budget ended";
+    if (outcome_.reason.empty() && reason_ == StopReason::Memory) outcome_.reason = "the memory budget ended";
+    if (control_.best().steps != UINT32_MAX) accept(plan());
+    figures();
+    return std::move(outcome_);
+  }
+
+  // Nothing leaves the planner that the schemas do not confirm.
+  void accept(model::Plan plan) {
+    auto trace = simulate(task_, plan);
+    if (!trace) {
+      outcome_.kind = model::OutcomeKind::Exhausted;
+      outcome_.reason = "the plan found does not pass validation: " + result::to_string(trace.error());
+      return;
+    }
+    auto orderings = lift_partial_order(task_, plan);
+    if (orderings) plan.orderings = std::move(*orderings);
+    outcome_.plan = std::move(plan);
+  }
+
+  const Task& task_;
+  const Options& options_;
+  SearchControl control_;
+  GroundTask ground_;
+  StopReason reason_ = StopReason::None;
+  bool proved_ = false;
+  model::Outcome outcome_;
+};
+
+}  // namespace
+
+model::Outcome solve(const Task& task, const Options& options) {
+  return Solver(task, options).run();
+}
+
+}  // namespace stepwright::pddl

@@ -1,0 +1,213 @@
+#include "supervisor/pddl/syntax/formula_checker.h"
+
+#include <algorithm>
+
+namespace stepwright::pddl {
+
+std::vector<std::string> names_of(const std::map<std::string, int>& ids) {
+  std::vector<std::string> names;
+  names.reserve(ids.size());
+  for (const auto& [name, id] : ids) names.push_back(name);
+  return names;
+}
+
+int FormulaChecker::type(const std::string& name, Place at) {
+  const auto found = definition_.type_ids.find(name);
+  if (found != definition_.type_ids.end()) return found->second;
+  reporter_.error("P0101", at, "unknown type '" + name + "'",
+                  did_you_mean(name, names_of(definition_.type_ids)));
+  return 0;
+}
+
+void FormulaChecker::require(const std::string& flag, Place at) {
+  if (definition_.requirements.count(flag) != 0 || warned_[flag]) return;
+  warned_[flag] = true;
+  reporter_.warning("P0110", at, "this needs the requirement '" + flag + "', which is not declared",
+                    "add it to ':requirements'");
+}
+
+void FormulaChecker::begin(std::vector<Typed>& parameters) {
+  scope_.clear();
+  slots_ = 0;
+  push(parameters);
+}
+
+void FormulaChecker::push(std::vector<Typed>& variables) {
+  for (Typed& variable : variables) {
+    variable.type = type(variable.type_name, variable.type_at);
+    variable.slot = static_cast<int>(scope_.size());
+    const bool twice = std::any_of(scope_.begin(), scope_.end(),
+                                   [&](const Typed& other) { return other.name == variable.name; });
+    if (twice)
+      reporter_.error("P0108", variable.at, "the variable '" + variable.name + "' is declared twice");
+    scope_.push_back(variable);
+  }
+  slots_ = std::max(slots_, static_cast<int>(scope_.size()));
+}
+
+void FormulaChecker::pop(std::size_t count) {
+  scope_.resize(scope_.size() - count);
+}
+
+bool FormulaChecker::unknown_object(const Term& term) {
+  reporter_.error("P0104", term.at, "unknown object '" + term.name + "'",
+                  did_you_mean(term.name, names_of(definition_.object_ids)));
+  return false;
+}
+
+bool FormulaChecker::resolve(Term& term, int& type) {
+  if (!term.variable) {
+    const auto found = definition_.object_ids.find(term.name);
+    if (found == definition_.object_ids.end()) return unknown_object(term);
+    term.index = found->second;
+    type = definition_.objects[static_cast<std::size_t>(term.index)].type;
+    return true;
+  }
+  for (const Typed& variable : scope_) {
+    if (variable.name != term.name) continue;
+    term.index = variable.slot;
+    type = variable.type;
+    return true;
+  }
+  std::vector<std::string> names;
+  for (const Typed& variable : scope_) names.push_back(variable.name);
+  reporter_.error("P0105", term.at, "unknown variable '" + term.name + "'", did_you_mean(term.name, names));
+  return false;
+}
+
+bool FormulaChecker::resolve_symbol(Call& call, bool function) {
+  const auto& ids = function ? definition_.function_ids : definition_.predicate_ids;
+  const auto& others = function ? definition_.predicate_ids : definition_.function_ids;
+  const auto found = ids.find(call.name);
+  if (found != ids.end()) {
+    call.symbol = found->second;
+    return true;
+  }
+  std::string hint = did_you_mean(call.name, names_of(ids));
+  if (others.count(call.name) != 0) {
+    hint = "'" + call.name + (function ? "' is a predicate, it has no value" : "' is a function: compare it");
+  }
+  reporter_.error(function ? "P0103" : "P0102", call.at,
+                  std::string(function ? "unknown function '" : "unknown predicate '") + call.name + "'",
+                  hint);
+  return false;
+}
+
+bool FormulaChecker::resolve(Call& call, bool function) {
+  if (!resolve_symbol(call, function)) return false;
+  const auto& table = function ? definition_.functions : definition_.predicates;
+  const Symbol& symbol = table[static_cast<std::size_t>(call.symbol)];
+  if (call.arguments.size() != symbol.parameters.size()) {
+    reporter_.error("P0106", call.at,
+                    "'" + call.name + "' takes " + std::to_string(symbol.parameters.size()) +
+                        " argument(s), not " + std::to_string(call.arguments.size()));
+    return false;
+  }
+  bool good = true;
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+    int found = 0;
+    if (!resolve(call.arguments[i], found)) {
+      good = false;
+    } else if (!definition_.is_subtype(found, symbol.parameters[i].type)) {
+      const auto name = [&](int id) { return definition_.types[static_cast<std::size_t>(id)].name; };
+      reporter_.error("P0107", call.arguments[i].at,
+                      "'" + call.arguments[i].name + "' is of type '" + name(found) + "', but argument " +
+                          std::to_string(i + 1) + " of '" + call.name + "' is of type '" +
+                          name(symbol.parameters[i].type) + "'");
+      good = false;
+    }
+  }
+  return good;
+}
+
+bool FormulaChecker::ground(Call& call, bool function) {
+  scope_.clear();
+  return resolve(call, function);
+}
+
+void FormulaChecker::quantified(std::vector<Typed>& variables, Place at) {
+  if (variables.empty()) reporter_.error("P0106", at, "a quantifier needs a variable");
+  push(variables);
+}
+
+void FormulaChecker::expression(Expression& expression) {
+  if (expression.kind == NumericKind::Fluent) {
+    require(":numeric-fluents", expression.at);
+    resolve(expression.call, true);
+  }
+  for (Expression& operand : expression.operands) this->expression(operand);
+}
+
+void FormulaChecker::formula(Formula& formula) {
+  int type = 0;
+  switch (formula.kind) {
+    case FormulaKind::Atom:
+      if (negated_) require(":negative-preconditions", formula.at);
+      resolve(formula.call, false);
+      break;
+    case FormulaKind::SameObject:
+      require(":equality", formula.at);
+      for (Term& term : formula.terms) resolve(term, type);
+      break;
+    case FormulaKind::Compare:
+      for (Expression& side : formula.sides) expression(side);
+      break;
+    case FormulaKind::Or:
+    case FormulaKind::Imply:
+      require(":disjunctive-preconditions", formula.at);
+      break;
+    case FormulaKind::Forall:
+      require(":universal-preconditions", formula.at);
+      quantified(formula.variables, formula.at);
+      break;
+    case FormulaKind::Exists:
+      require(":existential-preconditions", formula.at);
+      quantified(formula.variables, formula.at);
+      break;
+    case FormulaKind::And:
+    case FormulaKind::Not:
+      break;
+  }
+  const bool outer = negated_;
+  if (formula.kind == FormulaKind::Not) negated_ = !negated_;
+  for (Formula& part : formula.parts) this->formula(part);
+  negated_ = outer;
+  pop(formula.variables.size());
+}
+
+void FormulaChecker::numeric_effect(Effect& effect) {
+  const bool cost = effect.call.name == "total-cost" && definition_.requirements.count(":action-costs") != 0;
+  if (!cost) require(":numeric-fluents", effect.at);
+  if (resolve(effect.call, true)) {
+    definition_.functions[static_cast<std::size_t>(effect.call.symbol)].changes = true;
+  }
+  for (Expression& amount : effect.amount) expression(amount);
+}
+
+void FormulaChecker::effect(Effect& effect) {
+  switch (effect.kind) {
+    case EffectKind::Add:
+    case EffectKind::Delete:
+      if (resolve(effect.call, false)) {
+        definition_.predicates[static_cast<std::size_t>(effect.call.symbol)].changes = true;
+      }
+      break;
+    case EffectKind::Numeric:
+      numeric_effect(effect);
+      break;
+    case EffectKind::When:
+      require(":conditional-effects", effect.at);
+      formula(effect.condition[0]);
+      break;
+    case EffectKind::Forall:
+      require(":conditional-effects", effect.at);
+      quantified(effect.variables, effect.at);
+      break;
+    case EffectKind::And:
+      break;
+  }
+  for (Effect& part : effect.parts) this->effect(part);
+  pop(effect.variables.size());
+}
+
+}  // namespace stepwright::pddl

@@ -1,0 +1,60 @@
+#pragma once
+
+// Resolves the names inside conditions, expressions and effects.
+//
+// Thread rule: one check, one object. It needs the declarations of the definition to be complete.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "supervisor/pddl/syntax/ast.h"
+#include "supervisor/pddl/syntax/reporter.h"
+
+namespace stepwright::pddl {
+
+class FormulaChecker {
+ public:
+  FormulaChecker(Definition& definition, Reporter& reporter) : definition_(definition), reporter_(reporter) {}
+
+  // The variables of an action; replaces those of the one before.
+  void begin(std::vector<Typed>& parameters);
+
+  void formula(Formula& formula);
+  void effect(Effect& effect);
+  void expression(Expression& expression);
+
+  // A ground fact or fluent of the initial state. False after an error.
+  bool ground(Call& call, bool function);
+
+  // The type named; reports an unknown one (P0101) and answers object.
+  int type(const std::string& name, Place at);
+
+  // Slots needed so far by the current action or goal.
+  int slots() const { return slots_; }
+
+  // Notes that a requirement is used; the first use of an undeclared one is a warning.
+  void require(const std::string& flag, Place at);
+
+ private:
+  void push(std::vector<Typed>& variables);
+  void pop(std::size_t count);
+  bool resolve(Call& call, bool function);
+  bool resolve_symbol(Call& call, bool function);
+  bool resolve(Term& term, int& type);
+  bool unknown_object(const Term& term);
+  void numeric_effect(Effect& effect);
+  void quantified(std::vector<Typed>& variables, Place at);
+
+  Definition& definition_;
+  Reporter& reporter_;
+  std::vector<Typed> scope_;
+  int slots_ = 0;
+  bool negated_ = false;
+  std::map<std::string, bool> warned_;
+};
+
+// The keys of a map of ids: the candidates for a hint.
+std::vector<std::string> names_of(const std::map<std::string, int>& ids);
+
+}  // namespace stepwright::pddl

@@ -1,0 +1,32 @@
+#pragma once
+
+// PDDL text as tokens with their places. Names, variables and keywords are lower case, as PDDL ignores case.
+//
+// Thread rule: pure function.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "supervisor/pddl/syntax/ast.h"
+#include "supervisor/pddl/syntax/reporter.h"
+
+namespace stepwright::pddl {
+
+enum class TokenKind : std::uint8_t { Open, Close, Name, Variable, Keyword, Number, Operator, End };
+
+struct Token {
+  TokenKind kind = TokenKind::End;
+  std::string text;  // variables with '?', keywords with ':'
+  Place at;
+  double number = 0.0;
+};
+
+// The last token is End, placed after the text. A character that PDDL does not know is reported (P0002) and
+// left out.
+std::vector<Token> tokenize(std::string_view text, std::uint32_t file, Reporter& reporter);
+
+// "'move'", "'('" or "the end of the file": how messages name a token.
+std::string quoted(const Token& token);
+
+}  // namespace stepwright::pddl

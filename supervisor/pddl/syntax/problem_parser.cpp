@@ -1,0 +1,110 @@
+#include "supervisor/pddl/syntax/parser.h"
+#include "supervisor/pddl/syntax/section_parser.h"
+
+namespace stepwright::pddl {
+namespace {
+
+class ProblemParser : private SectionParser {
+ public:
+  ProblemParser(std::vector<Token> tokens, Reporter& reporter) : SectionParser(std::move(tokens), reporter) {}
+
+  ParsedProblem run() {
+    if (define("problem", problem_.name, problem_.at)) {
+      sections([this](const std::string& keyword, Place at) { return section(keyword, at); });
+      if (!problem_.has_goal && !goal_tried_) {
+        tokens_.reporter().error("P0113", problem_.at, "the problem has no goal", "add a ':goal' section");
+      }
+    }
+    return std::move(problem_);
+  }
+
+  Formula goal() {
+    Formula formula;
+    if (formulas_.formula(formula) && !tokens_.at(TokenKind::End)) tokens_.unexpected("the end of the goal");
+    return formula;
+  }
+
+ private:
+  bool section(const std::string& keyword, Place at) {
+    if (!once(keyword, at)) return false;
+    if (keyword == ":domain")
+      return tokens_.expect_name("the domain's name", problem_.domain, problem_.domain_at);
+    if (keyword == ":requirements") return requirements(problem_.requirements);
+    if (keyword == ":objects") return formulas_.typed_list(TokenKind::Name, problem_.objects);
+    if (keyword == ":init") return init();
+    if (keyword == ":metric") return metric();
+    if (keyword == ":goal") {
+      goal_tried_ = true;
+      problem_.has_goal = formulas_.formula(problem_.goal);
+      return problem_.has_goal;
+    }
+    return unknown(keyword, at, {":domain", ":requirements", ":objects", ":init", ":goal", ":metric"});
+  }
+
+  // An error in one element of the initial state ends that element only.
+  bool init() {
+    while (tokens_.at(TokenKind::Open)) {
+      const std::size_t depth = tokens_.depth();
+      if (!element()) tokens_.recover(depth);
+    }
+    return tokens_.at(TokenKind::Close) || tokens_.unexpected("'(' or ')'");
+  }
+
+  bool element() {
+    const Token& next = tokens_.peek(1);
+    if (next.kind == TokenKind::Operator && next.text == "=") return fluent();
+    if (next.kind == TokenKind::Name && (next.text == "not" || next.text == "and")) {
+      tokens_.reporter().error("P0008", next.at, "'" + next.text + "' cannot stand in ':init'",
+                               "facts that are not listed do not hold");
+      tokens_.take();
+      return false;
+    }
+    Call fact;
+    if (!formulas_.call(fact)) return false;
+    problem_.facts.push_back(std::move(fact));
+    return true;
+  }
+
+  bool fluent() {
+    tokens_.take();
+    tokens_.take();
+    InitialFluent initial;
+    if (tokens_.at(TokenKind::Name)) {
+      initial.call.at = tokens_.peek().at;
+      initial.call.name = tokens_.take().text;
+    } else if (!formulas_.call(initial.call)) {
+      return false;
+    }
+    if (!tokens_.at(TokenKind::Number)) return tokens_.unexpected("a number");
+    initial.value = tokens_.take().number;
+    problem_.fluents.push_back(std::move(initial));
+    return tokens_.expect(TokenKind::Close, "')'");
+  }
+
+  bool metric() {
+    Metric metric;
+    metric.maximize = tokens_.at(TokenKind::Name, "maximize");
+    if (!metric.maximize && !tokens_.at(TokenKind::Name, "minimize")) {
+      return tokens_.unexpected("'minimize' or 'maximize'");
+    }
+    tokens_.take();
+    if (!formulas_.expression(metric.expression)) return false;
+    problem_.metric = std::move(metric);
+    return true;
+  }
+
+  ParsedProblem problem_;
+  bool goal_tried_ = false;
+};
+
+}  // namespace
+
+ParsedProblem parse_problem(std::vector<Token> tokens, Reporter& reporter) {
+  return ProblemParser(std::move(tokens), reporter).run();
+}
+
+Formula parse_goal(std::vector<Token> tokens, Reporter& reporter) {
+  return ProblemParser(std::move(tokens), reporter).goal();
+}
+
+}  // namespace stepwright::pddl

@@ -1,0 +1,122 @@
+#include "supervisor/translate/action_conditions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace stepwright::translate {
+
+namespace {
+
+result::Result<ActionConditions> problem(const char* code, const Binding& binding, const ActionBinding& entry,
+                                         std::string message, std::string hint = {}) {
+  result::Location where = entry.where;
+  if (where.file.empty()) where.file = binding.file;
+  return result::fail(code, std::move(where), std::move(message), std::move(hint));
+}
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+result::Result<ActionConditions> complete_by_fact(ActionConditions conditions, const std::string& atom,
+                                                  const model::PlannedAction& planned,
+                                                  const Binding& binding) {
+  const ObservedFact* fact = binding.observed(atom);
+  if (fact == nullptr) {
+    return problem("T0003", binding, *conditions.entry,
+                   to_string(planned.action) + " ends with " + atom + ", which no [[facts]] entry observes");
+  }
+  if (!planned.after.facts.contains(atom)) {
+    return problem("T0004", binding, *conditions.entry,
+                   to_string(planned.action) + " ends with " + atom + ", which it does not bring about");
+  }
+  conditions.complete = fact_is(*fact, true);
+  conditions.complete_text = fact->label;
+  return conditions;
+}
+
+result::Result<ActionConditions> complete_by_level(ActionConditions conditions, const std::string& atom,
+                                                   const model::PlannedAction& planned,
+                                                   const Binding& binding, const Tare& tare) {
+  const Sensor* sensor = binding.sensor_of(atom);
+  const auto before = planned.before.fluents.find(atom);
+  const auto after = planned.after.fluents.find(atom);
+  const std::string who = to_string(planned.action);
+  if (sensor == nullptr || before == planned.before.fluents.end() || after == planned.after.fluents.end()) {
+    const char* why = sensor == nullptr ? ", which no sensor measures" : ", which the plan's states lack";
+    return problem("T0003", binding, *conditions.entry, who + " ends with " + atom + why);
+  }
+  const double change = after->second - before->second;
+  if (change == 0.0) {
+    return problem("T0004", binding, *conditions.entry,
+                   who + " ends with " + atom + ", which it does not change");
+  }
+  // A pump that stops half-way at the earliest always runs, whatever its run-out.
+  const double pre_act = std::min(conditions.entry->completion.pre_act, std::abs(change) / 2.0);
+  const double stop_at = after->second - std::copysign(pre_act, change);
+  const std::string& type = binding.tag(sensor->tag)->type;
+  if (threshold(*sensor, type, tare, stop_at).limited) {
+    return problem("T0004", binding, *conditions.entry,
+                   who + " ends with " + atom + " = " + short_number(after->second) + ", which sensor " +
+                       sensor->name + " cannot show",
+                   "the counts at this level lie outside the range of " + type);
+  }
+  conditions.complete =
+      change > 0.0 ? at_least(*sensor, type, tare, stop_at) : at_most(*sensor, type, tare, stop_at);
+  conditions.complete_text =
+      sensor->label + (change > 0.0 ? " rises to " : " falls to ") + short_number(after->second);
+  return conditions;
+}
+
+}  // namespace
+
+result::Result<ActionConditions> action_conditions(const model::PlannedAction& planned,
+                                                   const Binding& binding, const Tare& tare,
+                                                   const Offsets& offsets) {
+  Assignment assignment;
+  ActionConditions conditions;
+  conditions.entry = binding.action_for(planned.action, assignment);
+  if (conditions.entry == nullptr) {
+    return result::fail("T0001", {binding.file, 0, 0},
+                        "no entry of the binding matches " + to_string(planned.action));
+  }
+  auto guard = make_guard(planned, binding, tare, offsets);
+  if (!guard) return result::forward(guard);
+  conditions.guard = std::move(*guard);
+  for (const Pattern& pattern : conditions.entry->hold) {
+    const std::string atom = instantiate(pattern, assignment);
+    const ObservedFact* fact = binding.observed(atom);
+    if (fact == nullptr) {
+      return problem(
+          "T0003", binding, *conditions.entry,
+          to_string(planned.action) + " must hold " + atom + ", which no [[facts]] entry observes");
+    }
+    conditions.hold.push_back(fact_is(*fact, true));
+  }
+  const Completion& completion = conditions.entry->completion;
+  const std::string atom = instantiate(completion.atom, assignment);
+  if (completion.kind == CompletionKind::Fact) {
+    return complete_by_fact(std::move(conditions), atom, planned, binding);
+  }
+  return complete_by_level(std::move(conditions), atom, planned, binding, tare);
+}
+
+graphic::Condition snapshot_condition(const model::NamedState& state, const Binding& binding,
+                                      const Tare& tare) {
+  std::vector<graphic::Condition> parts;
+  for (const ObservedFact& fact : binding.facts) {
+    parts.push_back(fact_is(fact, state.facts.contains(fact.fact)));
+  }
+  for (const Sensor& sensor : binding.sensors) {
+    const auto value = state.fluents.find(sensor.fluent);
+    if (value == state.fluents.end()) continue;
+    parts.push_back(near(sensor, binding.tag(sensor.tag)->type, tare, value->second, sensor.tolerance));
+  }
+  return graphic::all(std::move(parts));
+}
+
+}  // namespace stepwright::translate

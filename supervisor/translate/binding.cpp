@@ -1,0 +1,44 @@
+#include "supervisor/translate/binding.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace stepwright::translate {
+
+namespace {
+
+template <typename Items, typename Test>
+auto* find_in(const Items& items, Test test) {
+  const auto found = std::find_if(items.begin(), items.end(), test);
+  return found == items.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const Tag* Binding::tag(std::string_view name) const {
+  return find_in(tags, [name](const Tag& t) { return t.name == name; });
+}
+
+const Sensor* Binding::sensor_of(std::string_view fluent) const {
+  return find_in(sensors, [fluent](const Sensor& s) { return s.fluent == fluent; });
+}
+
+const ObservedFact* Binding::observed(std::string_view fact) const {
+  return find_in(facts, [fact](const ObservedFact& f) { return f.fact == fact; });
+}
+
+const ActionBinding* Binding::action_for(const model::GroundAction& action, Assignment& assignment) const {
+  for (const ActionBinding& entry : actions) {
+    if (auto bound = match(entry.pattern, action)) {
+      assignment = std::move(*bound);
+      return &entry;
+    }
+  }
+  return nullptr;
+}
+
+std::string filtered_variable(const Sensor& sensor) {
+  return sensor.name + "_filtered";
+}
+
+}  // namespace stepwright::translate

@@ -1,0 +1,183 @@
+#include "supervisor/translate/estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace stepwright::translate {
+
+namespace {
+
+double rounded(double value, double resolution) {
+  if (resolution <= 0.0) return value;
+  return std::round(value / resolution) * resolution + 0.0;  // + 0.0: no negative zero in a planning problem
+}
+
+result::Result<double> read(const Values& values, const std::string& name) {
+  const auto found = values.find(name);
+  if (found != values.end() && std::isfinite(found->second)) return found->second;
+  return result::fail("T0010", {}, "the controller reports no value of '" + name + "'");
+}
+
+// The resolution in which a planner may know `fluent`: a sensor's own, or for the target of transfers that
+// of the sensors at their source. 0 = as it is.
+double resolution_of(const std::string& fluent, const Binding& binding) {
+  if (const Sensor* sensor = binding.sensor_of(fluent)) return sensor->resolution;
+  const auto atom = parse_pattern(fluent);
+  double coarsest = 0.0;
+  for (const ActionBinding& action : binding.actions) {
+    for (const Transfer& transfer : action.transfers) {
+      const bool target =
+          atom && atom->name == transfer.to.name && atom->arguments.size() == transfer.to.arguments.size();
+      for (const Sensor& sensor : binding.sensors) {
+        const auto source = parse_pattern(sensor.fluent);
+        if (!target || !source || source->name != transfer.from.name) continue;
+        coarsest = std::max(coarsest, sensor.resolution * transfer.ratio);
+      }
+    }
+  }
+  return coarsest;
+}
+
+// Adds what running actions have moved so far to the fluents that no sensor sees.
+void add_transfers(const Binding& binding, const model::GroundAction& running,
+                   const model::NamedState& tracked, Estimate& estimate) {
+  Assignment assignment;
+  const ActionBinding* entry = binding.action_for(running, assignment);
+  if (entry == nullptr) return;
+  for (const Transfer& transfer : entry->transfers) {
+    const std::string from = instantiate(transfer.from, assignment);
+    const std::string to = instantiate(transfer.to, assignment);
+    const Sensor* sensor = binding.sensor_of(from);
+    const auto before = tracked.fluents.find(from);
+    if (sensor == nullptr || before == tracked.fluents.end()) continue;
+    const double left = before->second - estimate.measured.fluents[from];
+    const double left_rounded = rounded(before->second, sensor->resolution) - estimate.planning.fluents[from];
+    estimate.measured.fluents[to] += transfer.ratio * std::max(left, 0.0);
+    estimate.planning.fluents[to] += transfer.ratio * std::max(left_rounded, 0.0);
+  }
+}
+
+std::string list_of(const std::vector<std::string>& labels, const char* last_link) {
+  std::string text;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (i != 0) text += i + 1 == labels.size() ? last_link : ", ";
+    text += "'" + labels[i] + "'";
+  }
+  return text;
+}
+
+void check_groups(const Binding& binding, std::span<const model::GroundAction> in_progress,
+                  Estimate& estimate) {
+  std::set<std::string> on_the_way;  // facts that running actions are about to bring about
+  for (const model::GroundAction& running : in_progress) {
+    Assignment assignment;
+    const ActionBinding* entry = binding.action_for(running, assignment);
+    if (entry == nullptr || entry->completion.kind != CompletionKind::Fact) continue;
+    on_the_way.insert(instantiate(entry->completion.atom, assignment));
+  }
+  for (const OneOf& group : binding.one_of) {
+    std::vector<std::string> all;
+    std::vector<std::string> observed;
+    bool in_motion = false;
+    for (const std::string& fact : group.facts) {
+      all.push_back(binding.observed(fact)->label);
+      if (estimate.measured.facts.contains(fact)) observed.push_back(all.back());
+      in_motion = in_motion || on_the_way.contains(fact);
+    }
+    if (observed.size() > 1) {
+      estimate.contradictions.push_back(list_of(observed, " and ") + " are observed together");
+    } else if (observed.empty() && !in_motion) {
+      estimate.contradictions.push_back("none of " + list_of(all, " and ") + " is observed");
+    }
+  }
+}
+
+// Two decimals at most, one at least: "3.9", "4.78".
+std::string level_text(double value) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.2f", value);
+  std::string trimmed = text;
+  if (trimmed.back() == '0') trimmed.pop_back();
+  return trimmed;
+}
+
+}  // namespace
+
+result::Result<Estimate> estimate(const Binding& binding, const Values& values, const Tare& tare,
+                                  const model::NamedState& tracked,
+                                  std::span<const model::GroundAction> in_progress) {
+  Estimate estimate;
+  estimate.measured = tracked;
+  for (const ObservedFact& fact : binding.facts) {
+    auto value = read(values, fact.tag);
+    if (!value) return result::forward(value);
+    if ((*value != 0.0) != fact.inverted) {
+      estimate.measured.facts.insert(fact.fact);
+    } else {
+      estimate.measured.facts.erase(fact.fact);
+    }
+  }
+  for (const Sensor& sensor : binding.sensors) {
+    auto counts = read(values, filtered_variable(sensor));
+    if (!counts) return result::forward(counts);
+    estimate.measured.fluents[sensor.fluent] = sensor.calibration.value_at(*counts - tare_of(tare, sensor));
+  }
+  estimate.planning = estimate.measured;
+  for (auto& [fluent, value] : estimate.planning.fluents) {
+    value = rounded(value, resolution_of(fluent, binding));
+  }
+  for (const model::GroundAction& running : in_progress) add_transfers(binding, running, tracked, estimate);
+  check_groups(binding, in_progress, estimate);
+  return estimate;
+}
+
+std::vector<std::string> deviations(const Binding& binding, const model::NamedState& expected,
+                                    const model::NamedState& measured, const std::set<std::string>& ignored) {
+  std::vector<std::string> sentences;
+  for (const Sensor& sensor : binding.sensors) {
+    const auto should = expected.fluents.find(sensor.fluent);
+    const auto is = measured.fluents.find(sensor.fluent);
+    if (ignored.contains(sensor.fluent)) continue;
+    if (should == expected.fluents.end() || is == measured.fluents.end()) continue;
+    if (std::abs(is->second - should->second) <= sensor.tolerance) continue;
+    sentences.push_back(sensor.label + " is " + level_text(is->second) + ", expected " +
+                        level_text(should->second) + " (tolerance " + level_text(sensor.tolerance) + ")");
+  }
+  for (const ObservedFact& fact : binding.facts) {
+    const bool should = expected.facts.contains(fact.fact);
+    const bool is = measured.facts.contains(fact.fact);
+    if (is == should || ignored.contains(fact.fact)) continue;
+    sentences.push_back("'" + fact.label + "' is " +
+                        (is ? "observed, but not expected" : "not observed, but expected"));
+  }
+  return sentences;
+}
+
+result::Result<Tare> identify_tare(const Binding& binding, const Values& means,
+                                   const model::NamedState& known) {
+  Tare tare;
+  for (const Sensor& sensor : binding.sensors) {
+    auto counts = read(means, filtered_variable(sensor));
+    if (!counts) return result::forward(counts);
+    const auto level = known.fluents.find(sensor.fluent);
+    if (level == known.fluents.end()) {
+      return result::fail(
+          "T0010", {},
+          "the " + sensor.label + " is not known, so sensor " + sensor.name + " cannot be tared");
+    }
+    const double bias = *counts - sensor.calibration.counts_at(level->second);
+    if (std::abs(bias) > sensor.max_bias_counts) {
+      return result::fail("T0011", {},
+                          "sensor " + sensor.name + " shows " + level_text(*counts) + " counts at " +
+                              sensor.label + " = " + level_text(level->second) + ": " + level_text(bias) +
+                              " off, more than the " + level_text(sensor.max_bias_counts) + " allowed",
+                          "check the sensor, and that the plant stands as the problem's initial state says");
+    }
+    tare[sensor.name] = bias;
+  }
+  return tare;
+}
+
+}  // namespace stepwright::translate

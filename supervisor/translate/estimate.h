@@ -1,0 +1,51 @@
+#pragma once
+
+// From the variables of a running program to a named state, and what in it is not as expected.
+//
+// Pure functions; use from any thread.
+//
+//   Estimate now = estimate(binding, values, tare, expected_state(translation, done), in_progress);
+//   for (const std::string& sentence : deviations(binding, expected, now.measured)) report(sentence);
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/result/result.h"
+#include "supervisor/model/planned_run.h"
+#include "supervisor/translate/binding.h"
+#include "supervisor/translate/translation.h"
+
+namespace stepwright::translate {
+
+// Variable -> value: every tag of a fact (0 or 1) and `filtered_variable` of every sensor.
+using Values = std::map<std::string, double>;
+
+struct Estimate {
+  model::NamedState measured;  // sensors as calibrated, the rest as tracked
+  model::NamedState planning;  // the same in multiples of each sensor's resolution: what a planner starts
+                               // from; amounts are kept, so what left a tank has arrived
+  std::vector<std::string> contradictions;  // e.g. a vehicle at two places; sentences for people
+};
+
+// `tracked` is the state expected after the completed actions; `in_progress` are those that have begun and
+// not ended: their transfers count as far as the sensors show. Fails with T0010 if a value is missing.
+[[nodiscard]] result::Result<Estimate> estimate(const Binding& binding, const Values& values,
+                                                const Tare& tare, const model::NamedState& tracked,
+                                                std::span<const model::GroundAction> in_progress = {});
+
+// Sentences such as "level of a1 is 3.9, expected 5.0 (tolerance 0.2)" for every observed fluent outside
+// tolerance and every observed fact that differs. Atoms in `ignored` (see changed_atoms: what running
+// actions change) are not compared.
+std::vector<std::string> deviations(const Binding& binding, const model::NamedState& expected,
+                                    const model::NamedState& measured,
+                                    const std::set<std::string>& ignored = {});
+
+// Bias of each sensor = mean counts - calibration at the known level. Fails with T0010 if a value or level is
+// missing and with T0011 if a bias is larger than the binding allows.
+[[nodiscard]] result::Result<Tare> identify_tare(const Binding& binding, const Values& means,
+                                                 const model::NamedState& known);
+
+}  // namespace stepwright::translate

@@ -1,0 +1,129 @@
+#include "supervisor/translate/plan_graph.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace stepwright::translate {
+
+namespace {
+
+// reach[i] holds a bit for every node that i leads to.
+class Reach {
+ public:
+  explicit Reach(std::size_t size) : words_((size + 63) / 64), bits_(size * words_, 0) {}
+
+  bool has(std::size_t from, std::size_t to) const {
+    return (bits_[from * words_ + to / 64] >> (to % 64) & 1U) != 0;
+  }
+  void add(std::size_t from, std::size_t to) {
+    bits_[from * words_ + to / 64] |= std::uint64_t{1} << to % 64;
+  }
+  void add_all(std::size_t from, std::size_t through) {
+    for (std::size_t w = 0; w < words_; ++w) bits_[from * words_ + w] |= bits_[through * words_ + w];
+  }
+
+ private:
+  std::size_t words_;
+  std::vector<std::uint64_t> bits_;
+};
+
+// What each node reaches over `edges`, which lead to larger indices.
+Reach reach_of(std::size_t size, const std::vector<model::Ordering>& edges) {
+  std::vector<std::vector<std::size_t>> next(size);
+  for (const model::Ordering& edge : edges) next[edge.before].push_back(edge.after);
+  Reach reach(size);
+  for (std::size_t i = size; i-- > 0;) {
+    for (const std::size_t j : next[i]) {
+      reach.add(i, j);
+      reach.add_all(i, j);
+    }
+  }
+  return reach;
+}
+
+std::vector<model::Ordering> chain(std::size_t size) {
+  std::vector<model::Ordering> edges;
+  for (std::size_t i = 1; i < size; ++i) edges.push_back({i - 1, i});
+  return edges;
+}
+
+using Outputs = std::vector<std::string>;
+
+bool contains(const Outputs& outputs, const std::string& name) {
+  return std::find(outputs.begin(), outputs.end(), name) != outputs.end();
+}
+
+bool touches(const Outputs& outputs, const Outputs& group) {
+  return std::any_of(outputs.begin(), outputs.end(), [&](const auto& name) { return contains(group, name); });
+}
+
+// True if `a` and `b` cannot be driven at the same time.
+bool conflict(const Outputs& a, const Outputs& b, const Binding& binding) {
+  if (touches(a, b)) return true;
+  const auto excludes = [&](const Outputs& group) { return touches(a, group) && touches(b, group); };
+  return std::any_of(binding.exclusive.begin(), binding.exclusive.end(), excludes);
+}
+
+}  // namespace
+
+std::vector<model::Ordering> PlanGraph::orderings() const {
+  std::vector<model::Ordering> edges;
+  for (std::size_t i = 0; i < size(); ++i) {
+    for (const std::size_t j : successors[i]) edges.push_back({i, j});
+  }
+  return edges;
+}
+
+PlanGraph reduced_graph(std::size_t size, const std::vector<model::Ordering>& edges) {
+  PlanGraph graph{std::vector<std::vector<std::size_t>>(size), std::vector<std::vector<std::size_t>>(size)};
+  const Reach reach = reach_of(size, edges);
+  for (const model::Ordering& edge : edges) {
+    assert(edge.before < edge.after && edge.after < size);
+    bool direct = true;
+    for (std::size_t k = edge.before + 1; direct && k < edge.after; ++k) {
+      direct = !(reach.has(edge.before, k) && reach.has(k, edge.after));
+    }
+    auto& next = graph.successors[edge.before];
+    if (!direct || std::find(next.begin(), next.end(), edge.after) != next.end()) continue;
+    next.push_back(edge.after);
+    graph.predecessors[edge.after].push_back(edge.before);
+  }
+  for (auto& list : graph.successors) std::sort(list.begin(), list.end());
+  for (auto& list : graph.predecessors) std::sort(list.begin(), list.end());
+  return graph;
+}
+
+result::Result<PlanGraph> plan_graph(const model::PlannedRun& run, const Binding& binding, bool sequential) {
+  const std::size_t size = run.actions.size();
+  std::vector<const ActionBinding*> entries;
+  for (const model::PlannedAction& planned : run.actions) {
+    Assignment assignment;
+    entries.push_back(binding.action_for(planned.action, assignment));
+    if (entries.back() != nullptr) continue;
+    return result::fail("T0001", {binding.file, 0, 0},
+                        "no entry of the binding matches " + to_string(planned.action),
+                        "add an [[actions]] entry whose pattern fits it");
+  }
+  for (const model::Ordering& edge : run.orderings) {
+    if (edge.before < edge.after && edge.after < size) continue;
+    return result::fail("T0002", {},
+                        "the ordering " + std::to_string(edge.before) + " before " +
+                            std::to_string(edge.after) + " contradicts the plan's list of " +
+                            std::to_string(size) + " actions");
+  }
+  if (sequential || run.orderings.empty()) return reduced_graph(size, chain(size));
+  std::vector<model::Ordering> edges = run.orderings;
+  const Reach reach = reach_of(size, edges);
+  for (std::size_t j = 1; j < size; ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      const bool ordered = reach.has(i, j);
+      if (!ordered && conflict(entries[i]->outputs, entries[j]->outputs, binding)) edges.push_back({i, j});
+    }
+  }
+  return reduced_graph(size, edges);
+}
+
+}  // namespace stepwright::translate

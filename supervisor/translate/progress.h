@@ -1,0 +1,31 @@
+#pragma once
+
+// Which actions of a plan are done, from the step bits of its running chart. One snapshot is enough: a token
+// in a step proves that everything ordered before it is done, so a supervisor that was restarted reads on
+// where the old one stopped.
+//
+//   Progress now = progress(translation, active);
+//   now.actions[3] == ActionState::Done
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "supervisor/translate/translation.h"
+
+namespace stepwright::translate {
+
+enum class ActionState : std::uint8_t { Pending, Active, Done, Failed };
+
+struct Progress {
+  std::vector<ActionState> actions;       // Failed: could not start, or began and did not end
+  std::vector<std::size_t> failed_steps;  // indices into Translation::steps
+  bool finished = false;                  // DONE is active
+
+  std::vector<bool> done() const;
+};
+
+// `active[i]` is the bit of translation.steps[i]. Pure function.
+Progress progress(const Translation& translation, const std::vector<bool>& active);
+
+}  // namespace stepwright::translate

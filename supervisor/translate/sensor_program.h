@@ -1,0 +1,45 @@
+#pragma once
+
+// The globals of a cell and the program that runs before the chart in every scan and filters the sensors.
+//
+// Filter: first-order low-pass, y := y + (1 - exp(-interval / filter time)) * (x - y), started at the first
+// sample. It contracts, so rounding does not add up: the error stays below half a count at 16-bit counts.
+// Mean: while `averaging` is true, an exact DINT sum of counts divided by their number; it keeps the last
+// mean afterwards. Both write `filtered_variable(sensor)` in the type of the sensor's tag.
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "ladder/graphic/project.h"
+#include "supervisor/translate/sensor_condition.h"
+
+namespace stepwright::translate {
+
+inline constexpr const char* kSensorProgram = "sensors";
+inline constexpr const char* kPlanProgram = "plan";
+inline constexpr const char* kAveragingVariable = "averaging";
+
+enum class SensorMode : std::uint8_t { Filter, Mean };
+
+struct SensorProgramOptions {
+  SensorMode mode = SensorMode::Filter;
+  std::int64_t interval_us = 10'000;
+  std::set<std::string> values;  // sensors (by name) whose calibrated level `value_variable` is computed too
+  Tare tare;                     // subtracted for `values`
+};
+
+// Tags and generated variables as globals.
+std::vector<graphic::Variable> cell_globals(const Binding& binding, const SensorProgramOptions& options);
+// The names of the variables that are generated for one sensor, in any mode.
+std::vector<std::string> generated_variables(const Sensor& sensor);
+// The names of all variables that a generated program may declare, tags included.
+std::vector<std::string> declared_variables(const Binding& binding);
+// The program, which declares the globals it uses as VAR_EXTERNAL.
+graphic::Pou sensor_program(const Binding& binding, const SensorProgramOptions& options);
+
+// A project of the globals, the sensor program and the chart, in one task in this order.
+graphic::Project make_project(const Binding& binding, const SensorProgramOptions& options,
+                              graphic::SfcChart chart);
+
+}  // namespace stepwright::translate

@@ -1,0 +1,3 @@
+int main() {
+  return 0;
+}  // linking is the test

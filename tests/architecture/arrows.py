@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""Proves the arrows between folders: every #include of the tree against the table below.
+
+A file may include its own folder and the folders that its folder points to, directly or through them.
+Prints each include that breaks an arrow as file:line and exits with 1.
+"""
+
+import pathlib
+import re
+import sys
+
+# folder -> folders it may include (their own arrows come with them)
+ARROWS = {
+    "runtime/base": [],
+    "runtime/bytecode": ["runtime/base"],
+    "runtime/bytecode/writer": ["runtime/bytecode", "runtime/result"],
+    "runtime/bytecode/reader": ["runtime/bytecode", "runtime/result"],
+    "runtime/image": ["runtime/base"],
+    "runtime/vm": ["runtime/bytecode", "runtime/image"],
+    "runtime/scan": ["runtime/vm"],
+    "runtime/result": [],
+    "runtime/settings": ["runtime/result"],
+    "runtime/host": ["runtime/scan", "runtime/bytecode/reader"],
+    "runtime/service": ["runtime/host"],
+    "runtime/dds": ["runtime/service"],
+    "ladder/source": ["runtime/result", "runtime/base"],
+    "ladder/syntax": ["ladder/source"],
+    "ladder/graphic": ["runtime/result", "runtime/base"],
+    "ladder/semantics": ["ladder/syntax", "runtime/bytecode"],
+    "ladder/lowering": ["ladder/syntax", "ladder/graphic"],
+    "ladder/codegen": ["ladder/semantics", "runtime/bytecode/writer"],
+    "ladder/exchange": ["ladder/graphic", "ladder/lowering"],
+    "ladder/driver": ["ladder/lowering", "ladder/codegen"],
+    "supervisor/model": ["runtime/base", "runtime/result"],
+    "supervisor/pddl": ["supervisor/model"],
+    "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
+    "supervisor/executive": [
+        "supervisor/translate", "supervisor/pddl", "ladder/driver", "runtime/dds", "runtime/bytecode/reader",
+    ],
+    "plant_models/core": ["runtime/result", "runtime/base"],
+    "plant_models/ode": ["plant_models/core"],
+    "plant_models/assemblies": ["plant_models/ode"],
+    "plant_models/bridge": ["plant_models/core", "runtime/image"],
+    "hmi_web/protocol": ["runtime/result"],
+    "hmi_web/client": ["hmi_web/protocol"],
+    "hmi_web/server": ["hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
+}
+# Composition roots and tests may include everything; nothing else includes them.
+FREE = ("programs/", "tests/")
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
+SOURCES = {".h", ".cpp"}
+
+
+def folder_of(path: str) -> str:
+    """The deepest folder of the table that holds the path: host-side parts of a portable folder are their own."""
+    parts = path.split("/")
+    inner = "/".join(parts[:3])
+    return inner if inner in ARROWS else "/".join(parts[:2])
+
+
+def reachable() -> dict[str, set[str]]:
+    closure: dict[str, set[str]] = {}
+
+    def visit(folder: str) -> set[str]:
+        if folder not in closure:
+            closure[folder] = {folder}
+            for target in ARROWS[folder]:
+                closure[folder] |= visit(target)
+        return closure[folder]
+
+    for folder in ARROWS:
+        visit(folder)
+    return closure
+
+
+def broken(root: pathlib.Path) -> list[str]:
+    allowed = reachable()
+    problems = []
+    for top in sorted({folder.split("/")[0] for folder in ARROWS}):
+        for file in sorted((root / top).rglob("*")):
+            path = file.relative_to(root).as_posix()
+            if file.suffix not in SOURCES or "node_modules" in path:
+                continue
+            folder = folder_of(path)
+            if folder not in ARROWS:
+                problems.append(f"{path}: the folder {folder} has no entry in the table of arrows")
+                continue
+            for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+                match = INCLUDE.match(line)
+                if not match:
+                    continue
+                target = match.group(1)
+                if "/" not in target or not (root / target).exists():
+                    continue  # generated or third party; the compiler judges those
+                if target.startswith(FREE) or folder_of(target) not in allowed[folder]:
+                    problems.append(f"{path}:{number}: {folder} may not include {target}")
+    return problems
+
+
+def main() -> int:
+    problems = broken(pathlib.Path(sys.argv[1]))
+    print("\n".join(problems) or "all includes follow the arrows")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,126 @@
+// Drives the page as a person would see it, against the real server over a scripted bench, and keeps pictures.
+
+import { join } from 'node:path';
+
+import { check, launchBrowser, openPage, options, startServer, waitFor } from './support.mjs';
+
+const given = options();
+const shot = (page, name, fullPage = true) => page.screenshot({ path: join(given.out, `${name}.png`), fullPage });
+
+async function picksUpTheCell(page) {
+  await waitFor(page, 'the synoptic shows every tank', () => document.querySelectorAll('[data-tank]').length === 4);
+  await waitFor(page, 'a step of the chart is lit', () => document.querySelector('.step.active') !== null);
+  await waitFor(page, 'an action of the plan is active', () => document.querySelector('[data-state=active]') !== null);
+  await waitFor(page, 'the page is live', () => document.querySelector('[data-testid=link]').innerText === 'live');
+  check((await page.title()) === 'bench · Stepwright', 'the title names the cell');
+  check((await page.locator('[data-testid=banner]').count()) === 0, 'nothing is stale');
+}
+
+async function followsTheCell(page) {
+  const before = await page.evaluate(() => ({
+    steps: document.querySelector('[data-testid=active-steps]').innerText,
+    done: document.querySelector('[data-testid=plan-progress]').ariaValueNow,
+    level: document.querySelector('[data-tank=v1]').dataset.level,
+    scan: document.querySelector('[data-scan=scan]').innerText,
+  }));
+  await waitFor(page, 'the active steps change', (old) => {
+    const now = document.querySelector('[data-testid=active-steps]').innerText;
+    return now !== old.steps && document.querySelector('.step.active') !== null;
+  }, before);
+  await waitFor(page, 'the plan makes progress', (old) => {
+    const now = document.querySelector('[data-testid=plan-progress]').ariaValueNow;
+    return Number(now) > Number(old.done);
+  }, before);
+  await waitFor(page, 'levels and scans go on', (old) => {
+    const level = document.querySelector('[data-tank=v1]').dataset.level;
+    return level !== old.level && document.querySelector('[data-scan=scan]').innerText !== old.scan;
+  }, before);
+  await waitFor(page, 'a pump runs', () => document.querySelector('[data-pump].running') !== null);
+  await waitFor(page, 'the vehicle moves', () => {
+    const x = document.querySelector('[data-vehicle=v1]').dataset.x;
+    globalThis.firstX ??= x;
+    return globalThis.firstX !== x;
+  });
+  await waitFor(page, 'a microswitch closes', () => document.querySelector('[data-closed=true]') !== null);
+}
+
+async function drawsTheTrend(page) {
+  await waitFor(page, 'the trend has ink', () => {
+    const canvas = document.querySelector('[data-testid=trend] canvas');
+    if (!canvas) return false;
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    const colours = new Set();
+    for (let i = 0; i < data.length; i += 4) if (data[i + 3] === 255) colours.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+    return colours.size > 5;
+  });
+}
+
+async function drawsTheChartReadably(page) {
+  const clash = await page.evaluate(() => {
+    const boxes = [...document.querySelectorAll('.step')].map((step) => [step.dataset.step, step.getBoundingClientRect()]);
+    for (const [name, a] of boxes) {
+      for (const [other, b] of boxes) {
+        if (name < other && a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) return `${name} ${other}`;
+      }
+    }
+    return boxes.length > 17 ? '' : 'too few steps';
+  });
+  check(clash === '', `no two steps of the chart overlap ${clash}`);
+}
+
+async function fitsEveryWidth(page) {
+  for (const width of [1440, 1000, 768, 360]) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForTimeout(250);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
+    await shot(page, `light-${width}`);
+  }
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await shot(page, 'dark-360');
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.waitForTimeout(250);
+  await shot(page, 'dark-1440');
+  await page.emulateMedia({ colorScheme: 'light' });
+}
+
+async function saysWhenTheRuntimeIsGone(page, server) {
+  server.tell('runtime off');
+  await waitFor(page, 'a banner says that the runtime is gone', () =>
+    document.querySelector('[data-testid=banner]')?.innerText.includes('runtime does not answer'),
+  );
+  server.tell('runtime on');
+  await waitFor(page, 'the banner goes when it is back', () => document.querySelector('[data-testid=banner]') === null);
+}
+
+async function outlivesTheServer(page, server) {
+  await server.kill();
+  await waitFor(page, 'a banner says that the server is gone', () =>
+    document.querySelector('[data-testid=banner]')?.innerText.includes('No connection'),
+  );
+  await shot(page, 'stale-1440', false);
+  const again = await startServer(given.server, server.port, 4, 55);
+  await waitFor(page, 'the page comes back by itself', () =>
+    document.querySelector('[data-testid=banner]') === null &&
+    document.querySelector('[data-testid=link]').innerText === 'live' &&
+    document.querySelector('.step.active') !== null,
+  );
+  return again;
+}
+
+let server = await startServer(given.server, 0, 4, 24);
+const browser = await launchBrowser(given);
+try {
+  const { page, problems } = await openPage(browser.context, server.url);
+  await picksUpTheCell(page);
+  await followsTheCell(page);
+  await drawsTheTrend(page);
+  await drawsTheChartReadably(page);
+  await fitsEveryWidth(page);
+  await saysWhenTheRuntimeIsGone(page, server);
+  server = await outlivesTheServer(page, server);
+  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
+} finally {
+  await browser.close();
+  await server.stop();
+}

@@ -1,0 +1,41 @@
+#pragma once
+
+// A CellSource whose cell follows the bench script at a chosen pace, with an image as a runtime would have
+// it.
+//
+// Threads: observe() from one, set_runtime_alive() from any.
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "hmi_web/server/cell_source.h"
+#include "tests/browser/bench_script.h"
+
+namespace stepwright::browser {
+
+class ScriptedCell : public server::CellSource {
+ public:
+  // `speed`: cell seconds per second; the cell begins at `start_s`.
+  ScriptedCell(double speed, double start_s);
+
+  server::Observation observe() override;
+  void set_runtime_alive(bool alive) { alive_ = alive; }
+
+  // The sources of the points of bench_synoptic().
+  static std::vector<server::PointSources> point_sources();
+
+ private:
+  double now_s() const;
+  server::ImageSnapshot snapshot(double time_s) const;
+
+  BenchScript script_;
+  std::shared_ptr<const server::ProgramLayout> layout_;
+  double speed_;
+  double start_s_;
+  std::chrono::steady_clock::time_point begun_;
+  std::atomic<bool> alive_ = true;
+};
+
+}  // namespace stepwright::browser

@@ -1,0 +1,106 @@
+// What a browser test needs: the server under test as a child process, Chromium, and checks that say what failed.
+
+import { spawn } from 'node:child_process';
+import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { createInterface } from 'node:readline';
+
+export function options() {
+  const given = {};
+  for (let i = 2; i < process.argv.length; i += 2) given[process.argv[i].replace(/^--/, '')] = process.argv[i + 1];
+  for (const name of ['server', 'modules', 'chromium', 'out']) {
+    if (!given[name]) throw new Error(`--${name} is missing`);
+  }
+  mkdirSync(given.out, { recursive: true });
+  return given;
+}
+
+// Starts the scripted cell and waits for its address.
+export async function startServer(program, port, speed, startS) {
+  const child = spawn(program, [port, speed, startS].map(String), { stdio: ['pipe', 'pipe', 'inherit'] });
+  const ended = new Promise((resolve) => child.once('exit', resolve));
+  const url = await new Promise((resolve, reject) => {
+    createInterface({ input: child.stdout }).once('line', resolve);
+    child.once('exit', (code) => reject(new Error(`the server ended with ${code}`)));
+  });
+  return {
+    url,
+    port: Number(new URL(url).port),
+    tell: (line) => child.stdin.write(`${line}\n`),
+    stop: () => {
+      child.stdin.end();
+      return ended;
+    },
+    kill: () => {
+      child.kill('SIGKILL');
+      return ended;
+    },
+  };
+}
+
+export async function launchBrowser({ modules, chromium }) {
+  const { chromium: driver } = createRequire(join(modules, 'playwright-core', 'package.json'))('playwright-core');
+  const profile = mkdtempSync(join(tmpdir(), 'hmi-browser-'));
+  const context = await driver.launchPersistentContext(profile, {
+    executablePath: chromium,
+    headless: true,
+    viewport: { width: 1440, height: 900 },
+    args: [
+      '--no-sandbox',
+      '--disable-gpu',
+      '--no-first-run',
+      '--disable-background-networking',
+      '--disable-component-update',
+      '--disable-sync',
+    ],
+  });
+  return {
+    context,
+    close: async () => {
+      await context.close();
+      rmSync(profile, { recursive: true, force: true });
+    },
+  };
+}
+
+// A page that remembers what it must not do: log errors, break the content policy, call another host.
+export async function openPage(context, url) {
+  const page = await context.newPage();
+  const problems = [];
+  page.on('console', (message) => {
+    // A server that is stopped on purpose is reported by the browser itself.
+    const expected = /ERR_CONNECTION_REFUSED|WebSocket connection to/.test(message.text());
+    if (message.type() === 'error' && !expected) problems.push(`console: ${message.text()}`);
+  });
+  page.on('pageerror', (error) => problems.push(`exception: ${error.message}`));
+  const watch = (address) => {
+    if (new URL(address).host !== new URL(url).host) problems.push(`foreign request: ${address}`);
+  };
+  page.on('request', (request) => watch(request.url()));
+  page.on('websocket', (socket) => watch(socket.url()));
+  await page.addInitScript(() => {
+    document.addEventListener('securitypolicyviolation', (event) =>
+      console.error(`policy: ${event.violatedDirective} ${event.blockedURI}`),
+    );
+  });
+  await page.goto(url);
+  return { page, problems };
+}
+
+export function check(condition, what) {
+  if (!condition) throw new Error(`not so: ${what}`);
+  console.log(`ok: ${what}`);
+}
+
+// Waits for a condition inside the page; fails with its name. Asks again and again from outside: the page's
+// content policy does not let a test evaluate text inside it.
+export async function waitFor(page, what, condition, argument) {
+  const deadline = Date.now() + 30_000;
+  while (!(await page.evaluate(condition, argument))) {
+    if (Date.now() > deadline) throw new Error(`did not happen within 30 s: ${what}`);
+    await new Promise((resolve) => setTimeout(resolve, 40));
+  }
+  console.log(`ok: ${what}`);
+}

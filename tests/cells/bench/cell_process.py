@@ -1,0 +1,97 @@
+"""Starts the demo of a cell as a user would, finds its processes, and reads what it leaves."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+
+BIN = pathlib.Path(os.environ["STEPWRIGHT_BIN_DIR"])
+STEPWRIGHT = BIN / "stepwright"
+TIMEOUT_S = 120
+
+
+def stepwright(*arguments, **options):
+    """Runs a command to its end; stdout and stderr as text."""
+    return subprocess.run([STEPWRIGHT, *map(str, arguments)], capture_output=True, text=True, timeout=TIMEOUT_S,
+                          check=False, **options)
+
+
+class Demo:
+    """`stepwright demo bench --headless` in the background."""
+
+    def __init__(self, *arguments):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="stepwright-test-"))
+        self.state = self.folder / "state"
+        self.json = self.folder / "report.json"
+        self.process = subprocess.Popen(
+            [STEPWRIGHT, "demo", "bench", "--headless", "--json", self.json, "--state-dir", self.state,
+             *map(str, arguments)],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.terminate()
+        self.process.communicate(timeout=TIMEOUT_S)
+
+    def pid_of(self, program):
+        """The process of `stepwright-<program>` among the demo's children, or None."""
+        children = pathlib.Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children").read_text(encoding="ascii")
+        for child in children.split():
+            try:
+                command = pathlib.Path(f"/proc/{child}/cmdline").read_bytes().split(b"\0")
+            except FileNotFoundError:
+                continue
+            if command[0].endswith(b"stepwright-" + program.encode()):
+                return int(child)
+        return None
+
+    def wait_for_line(self, program, text, after=0):
+        """Waits until a program's log holds `text` more than `after` times; returns when it was seen (monotonic)."""
+        log = self.state / f"{program}.log"
+        deadline = time.monotonic() + TIMEOUT_S
+        while time.monotonic() < deadline:
+            if log.exists() and log.read_text(encoding="utf-8").count(text) > after:
+                return time.monotonic()
+            if self.process.poll() is not None:
+                raise AssertionError(f"the demo ended before {program} said '{text}':\n{self.output()}")
+            time.sleep(0.005)
+        raise AssertionError(f"{program} never said '{text}'")
+
+    def wait_for_actions(self, count):
+        """Waits until the journal has at least `count` completed actions."""
+        journal = self.state / "executive.json"
+        deadline = time.monotonic() + TIMEOUT_S
+        while time.monotonic() < deadline:
+            if journal.exists():
+                record = json.loads(journal.read_text(encoding="utf-8"))["record"]
+                done = sum(a["state"] == "done" for e in record["episodes"] for a in e["actions"])
+                if done >= count:
+                    return
+            if self.process.poll() is not None:
+                raise AssertionError(f"the demo ended early:\n{self.output()}")
+            time.sleep(0.005)
+        raise AssertionError(f"fewer than {count} actions were done")
+
+    def kill(self, program, number=signal.SIGKILL):
+        pid = self.pid_of(program)
+        assert pid is not None, f"{program} does not run"
+        os.kill(pid, number)
+        return pid
+
+    def output(self):
+        logs = "".join(f"--- {log.name}\n{log.read_text(encoding='utf-8')}" for log in sorted(self.state.glob("*.log")))
+        return (self.process.stdout.read() if self.process.stdout else "") + logs
+
+    def result(self):
+        """Waits for the end; the report and the exit code."""
+        text, _ = self.process.communicate(timeout=TIMEOUT_S)
+        assert self.json.exists(), f"no report:\n{text}"
+        report = json.loads(self.json.read_text(encoding="utf-8"))
+        report["stdout"] = text
+        return report, self.process.returncode

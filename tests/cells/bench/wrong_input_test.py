@@ -1,0 +1,123 @@
+"""Wrong input: a clear message with its place, the right exit code, nothing half-applied."""
+
+import json
+import pathlib
+import shutil
+import socket
+import tempfile
+import unittest
+
+from cell_process import stepwright
+
+CELL = pathlib.Path(__file__).parent
+
+
+class WrongInput(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="stepwright-test-"))
+        for name in ("cell.toml", "binding.toml", "domain.pddl", "problem.pddl"):
+            shutil.copy(CELL / name, self.folder)
+        shutil.copytree(CELL / "plans", self.folder / "plans")
+
+    def tearDown(self):
+        shutil.rmtree(self.folder)
+
+    def change(self, name, old, new):
+        file = self.folder / name
+        text = file.read_text(encoding="utf-8")
+        self.assertIn(old, text)
+        file.write_text(text.replace(old, new, 1), encoding="utf-8")
+        return file
+
+    def plan(self, *options):
+        return stepwright("plan", self.folder / "domain.pddl", self.folder / "problem.pddl", *options)
+
+    def demo(self, *options):
+        return stepwright("demo", self.folder / "cell.toml", "--headless", "--fast", "--no-compare", *options)
+
+    def test_malformed_pddl(self):
+        self.change("domain.pddl", "(is-at ?v ?f)", "(is-att ?v ?f)")
+        result = self.plan()
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"domain\.pddl:\d+:\d+: P\d+: .*is-att")
+        self.assertIn("is-at", result.stderr.split("hint", 1)[1])
+
+    def test_unsolvable_problem(self):
+        self.change("problem.pddl", "(= (level a1) 5)", "(= (level a1) 11)")
+        for result in (self.plan(), self.demo()):
+            self.assertEqual(result.returncode, 3, result.stderr)
+            self.assertIn("(= (level a1) 11)", result.stdout + result.stderr)
+
+    def test_binding_with_an_unknown_tag(self):
+        self.change("binding.toml", 'outputs = ["B1"]', 'outputs = ["B7"]')
+        result = self.demo()
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"binding\.toml:\d+:\d+: B\d+: .*B7")
+
+    def test_binding_with_an_unknown_action(self):
+        self.change("binding.toml", "(load ?v ?f ?l)", "(lode ?v ?f ?l)")
+        result = stepwright("check", "--config", self.folder / "cell.toml")
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"binding\.toml:\d+:\d+: B\d+: .*lode")
+
+    def test_configuration_with_a_slip(self):
+        self.change("cell.toml", "speed = 10.0", "sped = 10.0")
+        result = self.demo()
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"cell\.toml:\d+:\d+: C0002: .*sped")
+        self.assertIn("did you mean 'speed'", result.stderr)
+
+    def test_configuration_with_a_wrong_wire(self):
+        self.change("cell.toml", 'B1 = "%QX0.0"', 'B1 = "%QX9000.0"')
+        result = self.demo()
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("B1", result.stderr)
+
+    def test_missing_cell(self):
+        result = stepwright("demo", "banch", "--headless")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("there is no cell 'banch'", result.stderr)
+        self.assertIn("bench", result.stderr.split("known cells", 1)[1])
+
+    def test_port_in_use(self):
+        with socket.create_server(("127.0.0.1", 0)) as taken:
+            port = taken.getsockname()[1]
+            result = stepwright("demo", "bench", "--fast", "--no-compare", "--port", port)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(str(port), result.stderr)
+        self.assertIn("in use", result.stderr)
+
+    def test_plan_that_fails_at_a_step(self):
+        result = stepwright("validate", self.folder / "domain.pddl", self.folder / "problem.pddl",
+                            self.folder / "plans" / "sgplan6_printed.plan")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("18", result.stdout + result.stderr)
+
+    def test_damaged_container(self):
+        source = self.folder / "main.st"
+        source.write_text("PROGRAM main VAR x : INT; END_VAR x := x + 1; END_PROGRAM\n", encoding="utf-8")
+        image = self.folder / "main.swb"
+        self.assertEqual(stepwright("compile", source, "-o", image).returncode, 0)
+        good = image.read_bytes()
+        self.assertEqual(stepwright("exec", image, "--scans", 3).returncode, 0)
+        flipped = bytearray(good)
+        flipped[len(good) // 2] ^= 4
+        for bad in (good[: len(good) // 2], bytes(flipped), b"", b"not a container"):
+            image.write_bytes(bad)
+            result = stepwright("exec", image, "--scans", 3)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn("main.swb", result.stderr)
+
+    def test_wrong_command_line(self):
+        for arguments in (["plann"], ["plan"], ["demo", "bench", "--headless", "--fault", "leak"], []):
+            self.assertEqual(stepwright(*arguments).returncode, 2, arguments)
+
+    def test_unknown_fault(self):
+        report = self.folder / "report.json"
+        result = self.demo("--fault", "leek_a1=1@5", "--json", report)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("leak_a1", result.stderr + json.dumps(report.read_text() if report.exists() else ""))
+
+
+if __name__ == "__main__":
+    unittest.main()

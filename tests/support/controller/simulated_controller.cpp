@@ -1,0 +1,200 @@
+#include "tests/support/controller/simulated_controller.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace stepwright::support {
+namespace {
+
+// A test that scans longer than this without news hangs; it fails instead.
+constexpr std::uint64_t kMaxQuietScans = 200'000;
+
+class CountingClock final : public scan::Clock {
+ public:
+  std::int64_t now_ns() override { return ++now_; }
+
+ private:
+  std::int64_t now_ = 0;
+};
+
+template <typename T>
+T taken(result::Result<T> value) {
+  if (!value) throw std::runtime_error(result::to_string(value.error()));
+  return std::move(*value);
+}
+
+image::ImageLayout layout_of(const bytecode::SizesRecord& sizes) {
+  return {sizes.input_bytes, sizes.output_bytes, sizes.marker_bytes, sizes.data_bytes};
+}
+
+}  // namespace
+
+struct SimulatedController::Loaded {
+  Loaded(reader::LoadedProgram program_in, image::IoDriver& driver)
+      : program(std::move(program_in)),
+        info(taken(reader::ProgramInfo::read(program.bytes()))),
+        memory(program.program().image_size()),
+        image(memory, layout_of(program.program().sizes())),
+        stack(program.program().sizes().stack_slots),
+        engine(program.program(), stack),
+        cycle(program.program(), engine, image, driver, clock, {}) {}
+
+  std::vector<bool> steps() const {
+    std::vector<bool> bits;
+    for (const reader::ChartInfo& chart : info.charts()) {
+      for (const reader::StepInfo& step : chart.steps)
+        bits.push_back(reader::read_number(step.active, memory) != 0.0);
+    }
+    return bits;
+  }
+
+  reader::LoadedProgram program;
+  reader::ProgramInfo info;
+  std::vector<std::byte> memory;
+  image::ProcessImage image;
+  std::vector<std::uint64_t> stack;
+  vm::Interpreter engine;
+  CountingClock clock;
+  scan::ScanCycle cycle;
+  std::string digest;
+  std::vector<bool> last_steps;
+};
+
+SimulatedController::SimulatedController(const assemblies::BenchParameters& parameters,
+                                         std::vector<PlantFault> faults)
+    : plant_(taken(assemblies::TankBench::create(parameters))), faults_(std::move(faults)) {
+  driver_ = taken(bridge::PlantDriver::create(*plant_, bridge::default_bench_wires(), {8, 1}));
+}
+
+SimulatedController::~SimulatedController() = default;
+
+double SimulatedController::plant_value(const std::string& name) const {
+  const auto truths = plant_->truths();
+  for (std::uint32_t i = 0; i < truths.size(); ++i) {
+    if (truths[i].name == name) return plant_->truth(core::TruthId(i));
+  }
+  throw std::runtime_error("the plant has no quantity " + name);
+}
+
+bool SimulatedController::any_output() const {
+  if (!loaded_) return false;
+  const auto outputs = loaded_->image.outputs();
+  return std::any_of(outputs.begin(), outputs.end(), [](std::byte b) { return b != std::byte{0}; });
+}
+
+bool SimulatedController::wait_for_runtime(std::chrono::milliseconds) {
+  if (std::exchange(killed_, false)) {
+    loaded_.reset();
+    events_.clear();
+    sequence_ = acknowledged_ = 0;
+  }
+  return true;
+}
+
+result::Result<std::string> SimulatedController::download(std::span<const std::byte> container) {
+  if (killed_) return result::fail("D0001", {}, "no runtime answers");
+  auto program = reader::LoadedProgram::load({container.begin(), container.end()}, "download");
+  if (!program) return result::forward(program);
+  if (loaded_ && loaded_->cycle.state() == scan::ScanState::Running) (void)stop("replaced");
+  loaded_ = std::make_unique<Loaded>(std::move(*program), *driver_);
+  loaded_->digest = std::to_string(base::hash_bytes(container));
+  return loaded_->digest;
+}
+
+result::Result<void> SimulatedController::start(bool) {
+  if (!loaded_ || killed_) return result::fail("D0002", {}, "there is no program");
+  loaded_->cycle.start(next_start_);
+  loaded_->last_steps = loaded_->steps();
+  push_event(host::EventKind::Started, {});
+  return {};
+}
+
+result::Result<void> SimulatedController::stop(const std::string& reason) {
+  if (killed_) return result::fail("D0001", {}, "no runtime answers");
+  if (!loaded_ || loaded_->cycle.state() != scan::ScanState::Running) return {};
+  loaded_->cycle.stop();
+  next_start_ = {loaded_->cycle.next_time_ns(), loaded_->cycle.scan(), loaded_->cycle.trace_hash()};
+  push_event(host::EventKind::Stopped, reason);
+  return {};
+}
+
+result::Result<void> SimulatedController::acknowledge(std::uint64_t event_sequence) {
+  if (killed_) return result::fail("D0001", {}, "no runtime answers");
+  acknowledged_ = std::max(acknowledged_, event_sequence);
+  return {};
+}
+
+result::Result<std::vector<std::byte>> SimulatedController::program() {
+  if (!loaded_) return result::fail("D0002", {}, "there is no program");
+  return std::vector<std::byte>(loaded_->program.bytes().begin(), loaded_->program.bytes().end());
+}
+
+void SimulatedController::push_event(host::EventKind kind, std::string detail) {
+  host::StepEvent event;
+  event.sequence = ++sequence_;
+  event.scan = loaded_->cycle.scan();
+  event.time_ns = plant_->now().count();
+  event.kind = kind;
+  event.program_digest = loaded_->digest;
+  event.detail = std::move(detail);
+  event.image = loaded_->memory;
+  events_.push_back(std::move(event));
+}
+
+// False when the program no longer runs.
+bool SimulatedController::scan_once() {
+  while (!faults_.empty() && plant_->now().count() >= static_cast<std::int64_t>(faults_.front().at_s * 1e9)) {
+    if (auto injected = plant_->inject_fault(faults_.front().name, faults_.front().value); !injected) {
+      throw std::runtime_error(result::to_string(injected.error()));
+    }
+    faults_.erase(faults_.begin());
+  }
+  const scan::ScanReport report = loaded_->cycle.run_scan();
+  if (report.state != scan::ScanState::Running) {
+    push_event(host::EventKind::Trap, "trapped");
+    return false;
+  }
+  std::vector<bool> steps = loaded_->steps();
+  if (steps != loaded_->last_steps) {
+    loaded_->last_steps = std::move(steps);
+    push_event(host::EventKind::StepChange, {});
+  }
+  return true;
+}
+
+std::optional<host::StepEvent> SimulatedController::wait_event(std::chrono::milliseconds) {
+  if (killed_) return std::nullopt;
+  for (std::uint64_t i = 0; events_.empty(); ++i) {
+    const bool running = loaded_ && loaded_->cycle.state() == scan::ScanState::Running;
+    if (!running || acknowledged_ < sequence_) return std::nullopt;
+    if (i > kMaxQuietScans) throw std::runtime_error("no step event for a very long time");
+    scan_once();
+  }
+  host::StepEvent event = std::move(events_.front());
+  events_.pop_front();
+  return event;
+}
+
+std::optional<host::RuntimeStatus> SimulatedController::status() const {
+  host::RuntimeStatus status;
+  if (!loaded_) return status;
+  const bool running = loaded_->cycle.state() == scan::ScanState::Running;
+  status.state = running ? host::RuntimeState::Running : host::RuntimeState::Stopped;
+  status.program_digest = loaded_->digest;
+  status.scan = loaded_->cycle.scan();
+  status.trace_hash = loaded_->cycle.trace_hash();
+  return status;
+}
+
+std::optional<host::Snapshot> SimulatedController::snapshot() const {
+  if (!loaded_) return std::nullopt;
+  host::Snapshot snapshot;
+  snapshot.scan = loaded_->cycle.scan();
+  snapshot.time_ns = plant_->now().count();
+  snapshot.program_digest = loaded_->digest;
+  snapshot.image = loaded_->memory;
+  return snapshot;
+}
+
+}  // namespace stepwright::support

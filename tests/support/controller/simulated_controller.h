@@ -1,0 +1,73 @@
+#pragma once
+
+// A runtime in the test's own process and thread: the real scan, interpreter and plant without the processes
+// around them. A call of wait_event scans until the step bits change. The runtime process itself is tested in
+// tests/cells.
+//
+//   SimulatedController controller({.seed = 7});
+//   Executive(desk, controller, {}, {}).run();
+//   controller.plant_value("level_a1_percent");
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "plant_models/assemblies/tank_bench.h"
+#include "plant_models/bridge/plant_driver.h"
+#include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/bytecode/reader/program_info.h"
+#include "runtime/image/process_image.h"
+#include "runtime/scan/scan_cycle.h"
+#include "runtime/vm/interpreter.h"
+#include "supervisor/executive/controller.h"
+
+namespace stepwright::support {
+
+// A fault of the plant, injected when its time has come.
+struct PlantFault {
+  double at_s = 0.0;
+  std::string name;
+  double value = 0.0;
+};
+
+class SimulatedController final : public executive::Controller {
+ public:
+  explicit SimulatedController(const assemblies::BenchParameters& parameters,
+                               std::vector<PlantFault> faults = {});
+  ~SimulatedController() override;
+
+  double plant_value(const std::string& name) const;
+  bool any_output() const;
+  // The next call finds the runtime gone; a new one, empty, is there after that. The plant stays.
+  void kill_runtime() { killed_ = true; }
+
+  bool wait_for_runtime(std::chrono::milliseconds) override;
+  bool alive() const override { return !killed_; }
+  result::Result<std::string> download(std::span<const std::byte> container) override;
+  result::Result<void> start(bool barrier) override;
+  result::Result<void> stop(const std::string& reason) override;
+  result::Result<void> acknowledge(std::uint64_t event_sequence) override;
+  result::Result<std::vector<std::byte>> program() override;
+  std::optional<host::StepEvent> wait_event(std::chrono::milliseconds timeout) override;
+  std::optional<host::RuntimeStatus> status() const override;
+  std::optional<host::Snapshot> snapshot() const override;
+
+ private:
+  struct Loaded;  // a program with its memory
+  void push_event(host::EventKind kind, std::string detail);
+  bool scan_once();
+
+  std::unique_ptr<assemblies::TankBench> plant_;
+  std::optional<bridge::PlantDriver> driver_;
+  std::unique_ptr<Loaded> loaded_;
+  std::vector<PlantFault> faults_;  // not yet injected, in order of time
+  std::deque<host::StepEvent> events_;
+  std::uint64_t sequence_ = 0;
+  std::uint64_t acknowledged_ = 0;
+  scan::StartPoint next_start_;
+  bool killed_ = false;
+};
+
+}  // namespace stepwright::support

@@ -1,0 +1,158 @@
+#include "hmi_web/protocol/messages.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace stepwright::protocol {
+namespace {
+
+using nlohmann::json;
+
+CellState running_state() {
+  CellState state;
+  state.runtime_alive = true;
+  state.runtime_state = "running";
+  state.program_digest = "ab12";
+  state.scan = 7;
+  state.time_s = 0.06;
+  state.figures.p50_us = 3.5;
+  state.active_steps = {0};
+  state.points = {1.0, std::nullopt, 20.25};
+  state.tags = {0.0, 1.0};
+  return state;
+}
+
+TEST(HelloMessage, WhenThePlantIsDescribed_ThenEveryElementIsInIt) {
+  Synoptic synoptic;
+  synoptic.points = {{"a1.level", "a1", "%", true}};
+  synoptic.places = {{"a1", "Distributor a1", -1, "fc2"}};
+  synoptic.tanks = {{"a1", "Distributor a1", TankSide::Below, "a1", "a1.level", "", 20, 100}};
+  synoptic.pumps = {{"B3", "customer pump", "B3.on", ""}};
+  synoptic.pipes = {{"a1", "f1", "B3", ""}};
+
+  const json message = json::parse(hello_message({"bench", "1.2.3"}, synoptic));
+
+  EXPECT_EQ(message["type"], "hello");
+  EXPECT_EQ(message["protocol"], kProtocolVersion);
+  EXPECT_EQ(message["cell"], "bench");
+  EXPECT_EQ(message["synoptic"]["places"][0]["position"], -1);
+  EXPECT_EQ(message["synoptic"]["tanks"][0]["side"], "below");
+  EXPECT_EQ(message["synoptic"]["tanks"][0]["high_percent"], 100);
+  EXPECT_EQ(message["synoptic"]["pumps"][0]["running"], "B3.on");
+  EXPECT_EQ(message["synoptic"]["pipes"][0]["pump"], "B3");
+  EXPECT_TRUE(message["synoptic"]["vehicles"].empty());
+}
+
+TEST(ProgramMessage, WhenAChartBranches_ThenTransitionsNameAllTheirSteps) {
+  Program program;
+  program.digest = "ab12";
+  program.steps = {{"START", "", true}, {"S01_LOAD", "(load v1 f1 level8)", false}, {"W", "", false}};
+  program.transitions = {{"T0", {0}, {1, 2}, "fc1"}};
+  program.tags = {{"fc1", "BOOL", "%IX0.0"}};
+
+  const json message = json::parse(program_message(program));
+
+  EXPECT_EQ(message["type"], "program");
+  EXPECT_EQ(message["steps"][0]["initial"], true);
+  EXPECT_EQ(message["steps"][1]["comment"], "(load v1 f1 level8)");
+  EXPECT_EQ(message["transitions"][0]["to"], json({1, 2}));
+  EXPECT_EQ(message["tags"][0]["address"], "%IX0.0");
+}
+
+TEST(StateMessage, WhenAValueIsUnknown_ThenItIsNull) {
+  const json message = json::parse(state_message(running_state(), 3));
+
+  EXPECT_EQ(message["type"], "state");
+  EXPECT_EQ(message["seq"], 3);
+  EXPECT_EQ(message["points"], json({1, nullptr, 20.25}));
+  EXPECT_EQ(message["figures"]["p50_us"], 3.5);
+}
+
+TEST(StateMessage, WhenNumbersAreNotFinite_ThenTheyAreNull) {
+  CellState state = running_state();
+  state.points = {std::nan(""), std::numeric_limits<double>::infinity(), 1e300};
+
+  const json message = json::parse(state_message(state, 1));
+
+  EXPECT_TRUE(message["points"][0].is_null());
+  EXPECT_TRUE(message["points"][1].is_null());
+  EXPECT_EQ(message["points"][2], 1e300);
+}
+
+TEST(StateMessage, WhenTextIsNotUtf8_ThenItIsRepaired) {
+  CellState state = running_state();
+  state.runtime_detail = "broken \xff\xfe text";
+
+  const json message = json::parse(state_message(state, 1));
+
+  EXPECT_NE(message["runtime_detail"].get<std::string>().find("broken"), std::string::npos);
+}
+
+TEST(DeltaMessage, WhenOneValueChanges_ThenOnlyThatOneIsInIt) {
+  const CellState before = running_state();
+  CellState now = before;
+  now.scan = 8;
+  now.points[1] = 4.5;
+
+  const json message = json::parse(delta_message(before, now, 4));
+
+  EXPECT_EQ(message, json({{"type", "delta"}, {"seq", 4}, {"scan", 8}, {"points", {{"1", 4.5}}}}));
+}
+
+TEST(DeltaMessage, WhenAValueBecomesUnknown_ThenItIsNull) {
+  const CellState before = running_state();
+  CellState now = before;
+  now.tags[1] = std::nullopt;
+
+  const json message = json::parse(delta_message(before, now, 4));
+
+  ASSERT_TRUE(message["tags"].contains("1"));
+  EXPECT_TRUE(message["tags"]["1"].is_null());
+}
+
+TEST(DeltaMessage, WhenAValueTremblesBehindTheThirdDecimal_ThenItIsNoChange) {
+  const CellState before = running_state();
+  CellState now = before;
+  now.points[2] = 20.25 + 1e-5;
+
+  EXPECT_EQ(json::parse(delta_message(before, now, 4)), json({{"type", "delta"}, {"seq", 4}}));
+}
+
+TEST(TrendMessage, WhenRowsAreGiven_ThenTimeComesFirst) {
+  const std::vector<TrendRow> rows = {{1.5, {20.0, std::nullopt}}, {1.6, {20.5, 3.0}}};
+
+  const json message = json::parse(trend_message(rows, 12, true));
+
+  EXPECT_EQ(message["first"], 12);
+  EXPECT_EQ(message["restart"], true);
+  EXPECT_EQ(message["rows"], json({{1.5, 20, nullptr}, {1.6, 20.5, 3}}));
+}
+
+TEST(PlanMessage, WhenTheDocumentIsAnObject_ThenItIsWrapped) {
+  const auto message = plan_message(R"({"phase":"executing","actions":[]})");
+
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(json::parse(*message)["document"]["phase"], "executing");
+}
+
+TEST(PlanMessage, WhenTheTextIsNoObject_ThenThereIsNone) {
+  for (const char* text : {"", "[]", "7", "{\"phase\":", "{} {}", "\xff", "null"}) {
+    EXPECT_FALSE(plan_message(text).has_value()) << text;
+  }
+}
+
+TEST(PlanMessage, WhenItIsNestedWithoutEnd_ThenTheDepthIsCut) {
+  const std::string deep =
+      "{\"phase\":\"x\",\"deep\":" + std::string(200'000, '[') + std::string(200'000, ']') + "}";
+
+  const auto message = plan_message(deep);
+
+  ASSERT_TRUE(message.has_value());
+  EXPECT_LT(message->size(), 200u);
+}
+
+}  // namespace
+}  // namespace stepwright::protocol

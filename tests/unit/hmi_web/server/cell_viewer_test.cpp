@@ -1,0 +1,115 @@
+#include "hmi_web/server/cell_viewer.h"
+
+#include <gtest/gtest.h>
+
+#include "hmi_web/server/image_value.h"
+#include "runtime/bytecode/value_type.h"
+
+namespace stepwright::server {
+namespace {
+
+using bytecode::ElementaryType;
+using bytecode::kNoBit;
+
+std::vector<std::byte> bytes(std::initializer_list<int> values) {
+  std::vector<std::byte> result;
+  for (const int value : values) result.push_back(static_cast<std::byte>(value));
+  return result;
+}
+
+// Two input bytes, two output bytes, two step bytes, a transition byte.
+std::shared_ptr<ProgramLayout> small_layout() {
+  auto layout = std::make_shared<ProgramLayout>();
+  layout->program.digest = "ab";
+  layout->output_offset = 2;
+  layout->program.steps = {{"START", "", true}, {"S1", "", false}};
+  layout->steps = {{ElementaryType::Bool, 4, kNoBit}, {ElementaryType::Bool, 5, kNoBit}};
+  layout->program.transitions = {{"T0", {0}, {1}, "fc1"}, {"T1", {1}, {0}, "fc1"}};
+  layout->transitions = {reader::Variable{ElementaryType::Bool, 6, kNoBit}, std::nullopt};
+  layout->program.tags = {{"fc1", "BOOL", "%IX0.1"}, {"plan.S1_filtered", "INT", ""}};
+  layout->tags = {{ElementaryType::Bool, 0, 1}, {ElementaryType::Int, 2, kNoBit}};
+  return layout;
+}
+
+Observation running(std::vector<std::byte> image) {
+  Observation seen;
+  seen.runtime_alive = true;
+  seen.layout = small_layout();
+  seen.snapshot = ImageSnapshot{12, 0.11, std::move(image), {{"level_a1_percent", 47.5}}};
+  return seen;
+}
+
+TEST(CellViewer, WhenAnImageIsSeen_ThenStepsTransitionsAndTagsAreReadFromIt) {
+  CellViewer viewer({});
+
+  const auto state = viewer.view(running(bytes({0b10, 0, 0xFE, 0xFF, 0, 1, 1}))).state;
+
+  EXPECT_EQ(state.active_steps, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(state.true_transitions, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(state.tags[0], 1.0);
+  EXPECT_EQ(state.tags[1], -2.0);
+  EXPECT_EQ(state.scan, 12u);
+}
+
+TEST(CellViewer, WhenTheImageIsShorterThanTheProgramSays_ThenTheMissingValuesAreUnknown) {
+  CellViewer viewer({});
+
+  const auto state = viewer.view(running(bytes({0b10, 0, 7}))).state;
+
+  EXPECT_EQ(state.tags[0], 1.0);
+  EXPECT_FALSE(state.tags[1].has_value());
+  EXPECT_TRUE(state.active_steps.empty());
+}
+
+TEST(CellViewer, WhenAPointHasSources_ThenTheFirstWithAValueIsScaled) {
+  CellViewer viewer({{{PointSourceKind::Tag, "no_such_tag"}, {PointSourceKind::Tag, "s1_FILTERED", 0.5, 10}},
+                     {{PointSourceKind::Address, "%QX0.0"}},
+                     {{PointSourceKind::PlantTruth, "level_a1_percent"}},
+                     {{PointSourceKind::PlantTruth, "no such truth"}}});
+
+  const auto state = viewer.view(running(bytes({0, 0, 1, 1, 0, 0, 0}))).state;
+
+  ASSERT_EQ(state.points.size(), 4u);
+  EXPECT_EQ(state.points[0], 0.5 * 257 + 10);
+  EXPECT_EQ(state.points[1], 1.0);
+  EXPECT_EQ(state.points[2], 47.5);
+  EXPECT_FALSE(state.points[3].has_value());
+}
+
+TEST(CellViewer, WhenNothingIsThere_ThenEveryPointIsUnknown) {
+  CellViewer viewer({{{PointSourceKind::Tag, "fc1"}}});
+
+  const auto view = viewer.view({});
+
+  EXPECT_FALSE(view.state.runtime_alive);
+  EXPECT_EQ(view.layout, nullptr);
+  ASSERT_EQ(view.state.points.size(), 1u);
+  EXPECT_FALSE(view.state.points[0].has_value());
+}
+
+TEST(FindTag, WhenTheLastPartIsAmbiguous_ThenOnlyTheWholeNameFinds) {
+  ProgramLayout layout;
+  layout.program.tags = {{"a.x", "BOOL", ""}, {"b.x", "BOOL", ""}, {"c.x", "BOOL", ""}, {"b.y", "BOOL", ""}};
+  for (std::uint32_t i = 0; i < 4; ++i) layout.tags.push_back({ElementaryType::Bool, i, kNoBit});
+
+  EXPECT_FALSE(find_tag(layout, "x").has_value());
+  EXPECT_EQ(find_tag(layout, "B.X")->address, 1u);
+  EXPECT_EQ(find_tag(layout, "Y")->address, 3u);
+}
+
+TEST(VariableAt, WhenTheAddressIsInAnIoArea_ThenItIsFound) {
+  EXPECT_EQ(variable_at("%IX0.2", 64)->bit, 2);
+  EXPECT_EQ(variable_at("%IW1", 64)->address, 2u);
+  EXPECT_EQ(variable_at("%QX1.0", 64)->address, 65u);
+  EXPECT_EQ(variable_at("%QD2", 64)->address, 72u);
+}
+
+TEST(VariableAt, WhenTheAddressIsNone_ThenNothingIsFound) {
+  for (const char* text : {"", "%", "%I", "%IX", "%IX0", "%IX0.", "%IX0.8", "%IX0.1x", "%MX0.0", "%IW",
+                           "%IW1.2", "%IW99999999999999999999", "%IZ1", "IX0.0", "%IX.1", "%IW-1"}) {
+    EXPECT_FALSE(variable_at(text, 64).has_value()) << text;
+  }
+}
+
+}  // namespace
+}  // namespace stepwright::server

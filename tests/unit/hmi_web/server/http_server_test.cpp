@@ -1,0 +1,230 @@
+#include "hmi_web/server/http_server.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "tests/unit/hmi_web/server/raw_connection.h"
+
+namespace stepwright::server {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array kAssets = {
+    protocol::Asset{"/", "text/html; charset=utf-8", "\"e1\"", false, "<html>page</html>", "squeezed"},
+    protocol::Asset{"/assets/a.js", "text/javascript", "\"e2\"", true, "code", "squeezed"},
+};
+
+class HttpServerTest : public testing::Test {
+ protected:
+  HttpServerTest() { start({}); }
+  ~HttpServerTest() override { end(); }
+
+  void start(const ServerLimits& limits) {
+    auto server = HttpServer::listen({"127.0.0.1", 0}, kAssets, feed_, limits);
+    ASSERT_TRUE(server) << result::to_string(server.error());
+    server_ = std::move(*server);
+    network_ = std::thread([this] { server_->run(); });
+  }
+  void end() {
+    server_->stop();
+    network_.join();
+  }
+
+  std::string get(const std::string& target, const std::string& fields = {}) {
+    RawConnection connection(server_->port());
+    connection.send("GET " + target + " HTTP/1.1\r\nHost: localhost:" + std::to_string(server_->port()) +
+                    "\r\nConnection: close\r\n" + fields + "\r\n");
+    return connection.read_all();
+  }
+
+  std::string upgrade_request(const std::string& fields = {}) const {
+    return "GET /live HTTP/1.1\r\nHost: localhost:" + std::to_string(server_->port()) +
+           "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+           "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n" +
+           fields + "\r\n";
+  }
+
+  void publish(std::uint64_t scan, std::size_t tags = 0) {
+    CellView view;
+    view.state.runtime_alive = true;
+    view.state.scan = scan;
+    view.state.tags.assign(tags, static_cast<double>(scan));
+    feed_.update(view, std::chrono::steady_clock::now());
+    server_->notify();
+  }
+
+  Feed feed_{{"bench", "1"}, {}};
+  std::unique_ptr<HttpServer> server_;
+  std::thread network_;
+};
+
+TEST_F(HttpServerTest, WhenThePageIsAskedFor_ThenItComesWithItsSafetyHeaders) {
+  const std::string response = get("/");
+
+  EXPECT_NE(response.find("HTTP/1.1 200"), std::string::npos) << response;
+  EXPECT_NE(response.find("Content-Security-Policy: default-src 'self';"), std::string::npos);
+  EXPECT_NE(response.find("frame-ancestors 'none'"), std::string::npos);
+  EXPECT_NE(response.find("X-Content-Type-Options: nosniff"), std::string::npos);
+  EXPECT_NE(response.find("\r\n\r\n<html>page</html>"), std::string::npos);
+}
+
+TEST_F(HttpServerTest, WhenTheBrowserTakesGzip_ThenItGetsGzip) {
+  const std::string response = get("/assets/a.js", "Accept-Encoding: gzip, br\r\n");
+
+  EXPECT_NE(response.find("Content-Encoding: gzip"), std::string::npos) << response;
+  EXPECT_NE(response.find("immutable"), std::string::npos);
+  EXPECT_NE(response.find("\r\n\r\nsqueezed"), std::string::npos);
+}
+
+TEST_F(HttpServerTest, WhenTheBrowserHasTheFile_ThenNoBodyIsSent) {
+  const std::string response = get("/", "If-None-Match: \"e1\"\r\n");
+
+  EXPECT_NE(response.find("HTTP/1.1 304"), std::string::npos) << response;
+  EXPECT_EQ(response.find("<html>"), std::string::npos);
+}
+
+TEST_F(HttpServerTest, WhenErrorsAreAnswered_ThenTheyCarryTheSafetyHeadersToo) {
+  const std::string response = get("/nothing");
+
+  EXPECT_NE(response.find("HTTP/1.1 404"), std::string::npos) << response;
+  EXPECT_NE(response.find("nosniff"), std::string::npos);
+}
+
+TEST_F(HttpServerTest, WhenThePortIsTaken_ThenListeningFailsWithAHint) {
+  const auto second = HttpServer::listen({"127.0.0.1", server_->port()}, kAssets, feed_);
+
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error()[0].code, "H0001");
+  EXPECT_NE(second.error()[0].message.find(std::to_string(server_->port())), std::string::npos);
+  EXPECT_NE(second.error()[0].hint.find("--port"), std::string::npos);
+}
+
+TEST_F(HttpServerTest, WhenTheAddressIsNotOfThisMachine_ThenListeningFails) {
+  const auto other = HttpServer::listen({"203.0.113.7", 0}, kAssets, feed_);
+
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error()[0].code, "H0002");
+}
+
+TEST_F(HttpServerTest, WhenAViewerConnects_ThenItIsGreetedAndFollowsTheFeed) {
+  publish(1);
+  RawConnection viewer(server_->port());
+  viewer.send(upgrade_request());
+  EXPECT_NE(viewer.read_until("\r\n\r\n").find("101"), std::string::npos);
+
+  EXPECT_EQ(json::parse(*viewer.read_frame())["type"], "hello");
+  EXPECT_EQ(json::parse(*viewer.read_frame())["scan"], 1);
+  publish(2);
+  const json delta = json::parse(*viewer.read_frame());
+  EXPECT_EQ(delta["type"], "delta");
+  EXPECT_EQ(delta["scan"], 2);
+}
+
+TEST_F(HttpServerTest, WhenAForeignPageConnects_ThenItIsRefused) {
+  RawConnection viewer(server_->port());
+  viewer.send(upgrade_request("Origin: http://evil.example\r\n"));
+
+  EXPECT_NE(viewer.read_all().find("HTTP/1.1 403"), std::string::npos);
+}
+
+TEST_F(HttpServerTest, WhenAViewerSpeaks_ThenItIsDisconnected) {
+  RawConnection viewer(server_->port());
+  viewer.send(upgrade_request());
+  viewer.read_until("\r\n\r\n");
+  viewer.send(std::string("\x81\x82\0\0\0\0hi", 8));  // a masked text frame
+
+  std::string last;
+  while (const auto frame = viewer.read_frame()) last = *frame;
+  EXPECT_EQ(last, "close 1008");
+}
+
+TEST_F(HttpServerTest, WhenAViewerSendsTooMuch_ThenItIsDisconnected) {
+  RawConnection viewer(server_->port());
+  viewer.send(upgrade_request());
+  viewer.read_until("\r\n\r\n");
+  viewer.send(std::string("\x81\xff\x7f\xff\xff\xff\xff\xff\xff\xff\0\0\0\0", 14));  // 2^63 bytes announced
+
+  std::string last;
+  while (const auto frame = viewer.read_frame()) last = *frame;
+  EXPECT_EQ(last.rfind("close", 0), 0u) << last;
+}
+
+TEST_F(HttpServerTest, WhenAViewerIsSlow_ThenItSkipsStatesAndEndsUpWithTheNewest) {
+  constexpr std::uint64_t kUpdates = 2'000;
+  RawConnection viewer(server_->port(), 4'096);
+  viewer.send(upgrade_request());
+  viewer.read_until("\r\n\r\n");
+  // 2,000 states of 20 kB are far more than the sockets between them hold.
+  for (std::uint64_t scan = 1; scan <= kUpdates; ++scan) publish(scan, 5'000);
+
+  std::uint64_t received = 0;
+  std::uint64_t newest = 0;
+  while (newest != kUpdates) {
+    const auto frame = viewer.read_frame();
+    ASSERT_TRUE(frame.has_value());
+    const json message = json::parse(*frame);
+    if (!message.contains("scan")) continue;
+    ++received;
+    newest = message["scan"];
+  }
+  EXPECT_LT(received, kUpdates / 2);
+}
+
+TEST_F(HttpServerTest, WhenBytesAreNoRequest_ThenTheServerLivesOn) {
+  const std::string host = "Host: localhost:" + std::to_string(server_->port()) + "\r\n";
+  const std::vector<std::string> corpus = {
+      "\r\n\r\n",
+      "GET\r\n\r\n",
+      "GET / HTTP/9.9\r\n" + host + "\r\n",
+      "GET / HTTP/1.1\r\n\r\n",
+      "GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n",
+      "GET / HTTP/1.1\r\n" + host + "Content-Length: 99999999999999999999\r\n\r\n",
+      "GET / HTTP/1.1\r\n" + host + "Content-Length: -1\r\n\r\n",
+      "GET / HTTP/1.1\r\n" + host + "Content-Length: 5\r\n\r\nhello",
+      "GET / HTTP/1.1\r\n" + host + "Transfer-Encoding: chunked\r\n\r\nfffffffff\r\n",
+      "GET / HTTP/1.1\r\n" + host + "X: " + std::string(20'000, 'x') + "\r\n\r\n",
+      "GET /" + std::string(20'000, 'x') + " HTTP/1.1\r\n" + host + "\r\n",
+      "GET /live HTTP/1.1\r\n" + host + "Upgrade: websocket\r\nConnection: Upgrade\r\n\r\n",
+      "GET /live HTTP/1.1\r\n" + host +
+          "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: "
+          "x\r\n\r\n",
+      std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11),  // a TLS greeting
+      std::string(100, '\0'),
+      std::string(70'000, 'A'),
+  };
+  for (const std::string& bytes : corpus) {
+    RawConnection connection(server_->port());
+    connection.send(bytes);
+    connection.end_of_input();
+    const std::string response = connection.read_all();
+    EXPECT_EQ(response.find("HTTP/1.1 200"), std::string::npos) << bytes.substr(0, 60);
+  }
+  EXPECT_NE(get("/").find("HTTP/1.1 200"), std::string::npos);
+}
+
+TEST_F(HttpServerTest, WhenTooManyConnect_ThenTheSurplusIsClosedAndOthersAreServedAfterwards) {
+  end();
+  start({.connections = 2});
+  {
+    RawConnection first(server_->port());
+    first.send(upgrade_request());
+    first.read_until("\r\n\r\n");
+    RawConnection second(server_->port());
+    second.send(upgrade_request());
+    second.read_until("\r\n\r\n");
+
+    EXPECT_EQ(get("/"), "");
+  }
+  // The two are gone as soon as the server has seen it.
+  std::string response;
+  for (int attempt = 0; attempt < 1'000 && response.empty(); ++attempt) response = get("/");
+  EXPECT_NE(response.find("HTTP/1.1 200"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace stepwright::server

@@ -1,0 +1,144 @@
+#include "plant_models/bridge/plant_driver.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "plant_models/assemblies/tank_bench.h"
+#include "tests/support/malloc_guard.h"
+
+namespace stepwright::bridge {
+namespace {
+
+constexpr AreaSizes kSizes = {.input_bytes = 8, .output_bytes = 1};
+constexpr std::int64_t kScanNs = 10'000'000;
+
+std::unique_ptr<assemblies::TankBench> make_plant() {
+  assemblies::BenchParameters parameters;
+  parameters.uncertainty = assemblies::SensorUncertainty::none();
+  return assemblies::TankBench::create(parameters).value();
+}
+
+int word(std::span<const std::byte> area, std::size_t index) {
+  return static_cast<int>(area[2 * index]) | static_cast<int>(area[2 * index + 1]) << 8;
+}
+
+// A plant whose solver has given up.
+class DeadPlant final : public core::Plant {
+ public:
+  std::span<const core::Port> actuators() const override { return {}; }
+  std::span<const core::Port> sensors() const override { return {}; }
+  std::span<const core::Quantity> truths() const override { return {}; }
+  std::span<const core::Quantity> faults() const override { return {}; }
+  const core::PlantDescription& description() const override { return description_; }
+  std::chrono::nanoseconds now() const override { return std::chrono::nanoseconds(0); }
+  void set_actuator(core::ActuatorId, bool) override {}
+  core::PlantStatus advance_to(std::chrono::nanoseconds) override { return core::PlantStatus::Failed; }
+  std::int16_t sensor(core::SensorId) const override { return 0; }
+  double truth(core::TruthId) const override { return 0.0; }
+  result::Result<void> inject_fault(std::string_view, double) override { return {}; }
+  result::Result<void> clear_fault(std::string_view) override { return {}; }
+
+ private:
+  core::PlantDescription description_;
+};
+
+class PlantDriverTest : public testing::Test {
+ protected:
+  std::unique_ptr<assemblies::TankBench> plant = make_plant();
+  std::array<std::byte, 8> inputs{};
+  std::array<std::byte, 1> outputs{};
+
+  // The codes that these wires are refused with.
+  std::vector<std::string> codes(const std::vector<PortWire>& wires) {
+    const auto driver = PlantDriver::create(*plant, wires, kSizes);
+    std::vector<std::string> found;
+    if (driver) return found;
+    for (const auto& diagnostic : driver.error()) found.push_back(diagnostic.code);
+    return found;
+  }
+};
+
+TEST_F(PlantDriverTest, WhenReadAtTheStart_ThenSwitchesAndCountsStandAtTheirAddresses) {
+  auto driver = PlantDriver::create(*plant, default_bench_wires(), kSizes).value();
+  inputs[0] = std::byte{0x86};  // fc2 and fc3 must be cleared, bit 7 is nobody's
+  ASSERT_EQ(driver.read_inputs(0, inputs), image::IoStatus::Good);
+  EXPECT_EQ(inputs[0], std::byte{0x81});
+  EXPECT_EQ(word(inputs, 1), 1322);
+  EXPECT_EQ(word(inputs, 2), 736);
+  EXPECT_EQ(word(inputs, 3), 1061);
+}
+
+TEST_F(PlantDriverTest, WhenOutputsAreWritten_ThenThePlantFollowsInLockStep) {
+  auto driver = PlantDriver::create(*plant, default_bench_wires(), kSizes).value();
+  for (int scan = 0; scan <= 200; ++scan) {
+    ASSERT_EQ(driver.read_inputs(scan * kScanNs, inputs), image::IoStatus::Good);
+    outputs[0] = std::byte{0x01};  // B1
+    ASSERT_EQ(driver.write_outputs(scan * kScanNs, outputs), image::IoStatus::Good);
+    ASSERT_EQ(plant->now().count(), scan * kScanNs);
+  }
+  EXPECT_GT(word(inputs, 1), 1600);
+  EXPECT_GT(plant->truth(*core::find_truth(*plant, "flow_b1")), 0.2);
+}
+
+TEST_F(PlantDriverTest, WhenDriveBitsAreWritten_ThenTheVehicleMovesTheRightWay) {
+  auto driver = PlantDriver::create(*plant, default_bench_wires(), kSizes).value();
+  outputs[0] = std::byte{0x08};  // drive_right
+  driver.write_outputs(0, outputs);
+  driver.read_inputs(2'000'000'000, inputs);
+  EXPECT_GT(plant->truth(*core::find_truth(*plant, "position")), 0.1);
+  EXPECT_EQ(inputs[0], std::byte{0});
+}
+
+TEST_F(PlantDriverTest, WhenAreaIsSmallerThanPromised_ThenLost) {
+  auto driver = PlantDriver::create(*plant, default_bench_wires(), kSizes).value();
+  EXPECT_EQ(driver.read_inputs(0, std::span(inputs).first(4)), image::IoStatus::Lost);
+  EXPECT_EQ(driver.write_outputs(0, {}), image::IoStatus::Lost);
+}
+
+TEST_F(PlantDriverTest, WhenThePlantHasFailed_ThenLost) {
+  DeadPlant dead;
+  auto driver = PlantDriver::create(dead, {}, kSizes).value();
+  EXPECT_EQ(driver.read_inputs(0, inputs), image::IoStatus::Lost);
+  EXPECT_EQ(driver.write_outputs(0, outputs), image::IoStatus::Lost);
+}
+
+TEST_F(PlantDriverTest, WhenAWireIsWrong_ThenRefusedWithItsCode) {
+  using Codes = std::vector<std::string>;
+  EXPECT_EQ(codes({{"fc9", "%IX0.0", {}}}), Codes{"C0301"});
+  EXPECT_EQ(codes({{"fc1", "%IX0.9", {}}}), Codes{"C0302"});
+  EXPECT_EQ(codes({{"S3", "%IW4", {}}}), Codes{"C0303"});
+  EXPECT_EQ(codes({{"B1", "%QX1.0", {}}}), Codes{"C0303"});
+  EXPECT_EQ(codes({{"fc1", "%IX2.4", {}}, {"S1", "%IW1", {}}}), Codes{"C0304"});
+  EXPECT_EQ(codes({{"fc1", "%IX0.0", {}}, {"FC1", "%IX0.1", {}}}), Codes{"C0305"});
+  EXPECT_EQ(codes({{"fc1", "%QX0.0", {}}}), Codes{"C0306"});
+  EXPECT_EQ(codes({{"S1", "%IX0.0", {}}}), Codes{"C0306"});
+  EXPECT_EQ(codes({{"B1", "%QW0", {}}}), Codes{"C0306"});
+}
+
+TEST_F(PlantDriverTest, WhenSeveralWiresAreWrong_ThenEachIsNamedAtItsPlace) {
+  const std::vector<PortWire> wires = {{"pump", "%QX0.0", {"cell.toml", 4, 1}},
+                                       {"fc1", "%IX0.0", {"cell.toml", 5, 1}},
+                                       {"S1", "IW1", {"cell.toml", 6, 1}}};
+  const auto driver = PlantDriver::create(*plant, wires, kSizes);
+  ASSERT_FALSE(driver);
+  ASSERT_EQ(driver.error().size(), 2u);
+  EXPECT_EQ(driver.error()[0].where.line, 4u);
+  EXPECT_NE(driver.error()[0].hint.find("drive_left"), std::string::npos);
+  EXPECT_EQ(driver.error()[1].where.line, 6u);
+}
+
+TEST_F(PlantDriverTest, WhenScanning_ThenNothingIsAllocated) {
+  if (!support::guard_is_active()) GTEST_SKIP() << "a sanitizer owns the allocator";
+  auto driver = PlantDriver::create(*plant, default_bench_wires(), kSizes).value();
+  const support::GuardCounts before = support::guard_counts();
+  for (int scan = 0; scan < 5000; ++scan) {
+    driver.read_inputs(scan * kScanNs, inputs);
+    outputs[0] = static_cast<std::byte>(scan / 200 * 37 & 0x3F);
+    driver.write_outputs(scan * kScanNs, outputs);
+  }
+  EXPECT_EQ(support::guard_counts(), before);
+}
+
+}  // namespace
+}  // namespace stepwright::bridge

@@ -1,0 +1,69 @@
+#include "programs/config/cell_config.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace stepwright::config {
+namespace {
+
+class CellConfigTest : public testing::Test {
+ protected:
+  CellConfigTest() : folder_(testing::TempDir() + "cell_config") {
+    std::filesystem::create_directories(folder_);
+  }
+
+  std::filesystem::path write(const std::string& text) const {
+    std::ofstream(folder_ / "cell.toml") << text;
+    return folder_ / "cell.toml";
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST(CellConfigBench, WhenTheBenchIsLoaded_ThenItIsSound) {
+  const auto config =
+      load_cell_config(STEPWRIGHT_SOURCE_DIR "/tests/cells/bench/cell.toml", {"plant.seed=7"});
+  ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
+  EXPECT_EQ(config->name, "bench");
+  EXPECT_EQ(config->plant.seed, 7u);
+  EXPECT_EQ(config->plant.ports.size(), 12u);
+}
+
+TEST(CellConfigBench, WhenThereIsNoFile_ThenTheErrorNamesIt) {
+  const auto config = load_cell_config("/nonexistent/cell.toml");
+  ASSERT_FALSE(config.has_value());
+  EXPECT_EQ(config.error()[0].where.file, "/nonexistent/cell.toml");
+}
+
+TEST_F(CellConfigTest, WhenAPlanningFileIsMissing_ThenTheErrorStandsAtItsKey) {
+  const auto config = load_cell_config(write("[planning]\ndomain = \"gone.pddl\"\n"));
+  ASSERT_FALSE(config.has_value());
+  EXPECT_EQ(config.error()[0].where.line, 2u);
+}
+
+TEST_F(CellConfigTest, WhenThereIsNoPlanning_ThenTheCellIsARuntimeOnly) {
+  const auto config = load_cell_config(write("[cell]\nname = \"line\"\n"));
+  ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
+  EXPECT_TRUE(config->planning.domain.empty());
+}
+
+TEST_F(CellConfigTest, WhenSeveralThingsAreWrong_ThenAllAreReported) {
+  const auto config =
+      load_cell_config(write("[clock]\nmode = \"simulatd\"\nspeed = -1\n[hmi]\nport = 70000\n[typo]\n"));
+  ASSERT_FALSE(config.has_value());
+  EXPECT_EQ(config.error().size(), 4u) << result::to_string(config.error());
+}
+
+TEST_F(CellConfigTest, WhenFaultsAreListed_ThenTheyAreReadInOrder) {
+  const auto config =
+      load_cell_config(write("[[faults]]\nat_s = 3.5\nname = \"leak_a1\"\nvalue = 0.2\n[[faults]]\nat_s = "
+                             "9\nname = \"(demand c1)\"\nvalue = 8\n"));
+  ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
+  ASSERT_EQ(config->faults.size(), 2u);
+  EXPECT_EQ(config->faults[1].name, "(demand c1)");
+  EXPECT_DOUBLE_EQ(config->faults[0].at_s, 3.5);
+}
+
+}  // namespace
+}  // namespace stepwright::config

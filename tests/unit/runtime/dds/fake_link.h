@@ -1,0 +1,68 @@
+#pragma once
+
+// Stands in for link and runtime: answers every request with what the test says and publishes a status every
+// 20 ms.
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "runtime/dds/link_endpoint.h"
+
+namespace stepwright::dds {
+
+class FakeLink {
+ public:
+  using Handler = std::function<std::optional<service::Reply>(const service::Request&)>;
+
+  FakeLink(std::uint32_t domain, Handler handler, const std::string& runtime_id = "bench")
+      : handler_(std::move(handler)), endpoint_(*LinkEndpoint::create({domain, "fake_link", runtime_id})) {
+    status_.incarnation = 7;
+    thread_ = std::thread([this] { run(); });
+  }
+  ~FakeLink() {
+    stop_ = true;
+    thread_.join();
+  }
+
+  LinkEndpoint& endpoint() { return *endpoint_; }
+  void set_connected(bool connected) { connected_ = connected; }
+  template <typename Change>
+  void change_status(Change change) {
+    const std::scoped_lock lock(mutex_);
+    change(status_);
+  }
+
+ private:
+  void run() {
+    while (!stop_) {
+      endpoint_->clear();
+      while (auto request = endpoint_->take_request()) {
+        auto reply = handler_(*request);
+        if (!reply) continue;
+        reply->client = request->client;
+        reply->id = request->id;
+        endpoint_->publish_reply(*reply);
+      }
+      {
+        const std::scoped_lock lock(mutex_);
+        endpoint_->publish_status(status_, connected_);
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+
+  Handler handler_;
+  std::mutex mutex_;
+  RuntimeStatus status_;
+  std::atomic<bool> connected_{true};
+  std::atomic<bool> stop_{false};
+  std::unique_ptr<LinkEndpoint> endpoint_;
+  std::thread thread_;
+};
+
+}  // namespace stepwright::dds

@@ -1,0 +1,251 @@
+#include "runtime/dds/runtime_client.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "runtime/host/limits.h"
+#include "runtime/service/digest.h"
+#include "tests/unit/runtime/dds/fake_link.h"
+
+namespace stepwright::dds {
+namespace {
+
+using namespace std::chrono_literals;
+using service::Reply;
+using service::Request;
+
+constexpr auto kPatience = 20s;
+
+std::unique_ptr<RuntimeClient> client_of(std::uint32_t domain, ClientRole role = ClientRole::Supervisor) {
+  auto client = RuntimeClient::connect({domain, "test", "bench"}, role);
+  EXPECT_TRUE(client);
+  return client ? std::move(*client) : nullptr;
+}
+
+Reply refuse(result::Location where, std::string message) {
+  Reply reply;
+  auto failed = result::fail("R0002", std::move(where), std::move(message), "later");
+  reply.problems = std::move(failed.value());
+  return reply;
+}
+
+std::optional<Reply> accept(const Request&) {
+  return Reply{};
+}
+
+StepEvent event(std::uint64_t sequence) {
+  StepEvent event;
+  event.sequence = sequence;
+  event.scan = 100 * sequence;
+  event.time_ns = 5;
+  event.program_digest = "ab";
+  event.detail = "why";
+  event.image = {std::byte{1}, std::byte{2}};
+  event.plant = {{"level", 0.5}};
+  return event;
+}
+
+TEST(RuntimeClient, WhenLinkIsThere_ThenRequestsReachItWithTheirValues) {
+  std::mutex mutex;
+  std::vector<Request> seen;
+  FakeLink link(101, [&](const Request& request) {
+    const std::scoped_lock lock(mutex);
+    seen.push_back(request);
+    return Reply{};
+  });
+  auto client = client_of(101);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  ASSERT_TRUE(client->start({.barrier = true}));
+  ASSERT_TRUE(client->stop("enough"));
+  ASSERT_TRUE(client->acknowledge(42));
+  ASSERT_TRUE(client->force({8, 0xF0, 0x50}));
+  ASSERT_TRUE(client->unforce({9, 0x0F, 0}));
+  ASSERT_TRUE(client->write({10, 0xFFFF, 1234}));
+  ASSERT_TRUE(client->inject_fault("leak_a1", 0.25));
+  const std::scoped_lock lock(mutex);
+  ASSERT_EQ(seen.size(), 7u);
+  EXPECT_TRUE(std::get<service::Start>(seen[0].body).barrier);
+  EXPECT_EQ(std::get<service::Stop>(seen[1].body).reason, "enough");
+  EXPECT_EQ(std::get<service::Acknowledge>(seen[2].body).event, 42u);
+  EXPECT_EQ(std::get<service::Force>(seen[3].body).bits, (ForceRequest{8, 0xF0, 0x50}));
+  EXPECT_EQ(std::get<service::Unforce>(seen[4].body).bits, (UnforceRequest{9, 0x0F, 0}));
+  EXPECT_EQ(std::get<service::Write>(seen[5].body).bits, (WriteRequest{10, 0xFFFF, 1234}));
+  EXPECT_EQ(std::get<service::InjectFault>(seen[6].body).name, "leak_a1");
+  EXPECT_EQ(std::get<service::InjectFault>(seen[6].body).value, 0.25);
+}
+
+TEST(RuntimeClient, WhenAnAnswerIsLost_ThenTheSameRequestIsSentAgain) {
+  std::map<std::uint64_t, int> sent;
+  FakeLink link(102, [&](const Request& request) -> std::optional<Reply> {
+    if (++sent[request.id] < 3) return std::nullopt;
+    return Reply{};
+  });
+  auto client = client_of(102);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  EXPECT_TRUE(client->start({}));
+}
+
+TEST(RuntimeClient, WhenTheRuntimeRefuses_ThenItsDiagnosticsComeBack) {
+  FakeLink link(103, [](const Request&) { return refuse({"f", 3, 4}, "not now"); });
+  auto client = client_of(103);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  const auto refused = client->start({});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(result::to_string(refused.error()), "f:3:4: R0002: not now\n  hint: later");
+}
+
+TEST(RuntimeClient, WhenAContainerIsDownloaded_ThenItArrivesWholeAndCanBeReadBack) {
+  std::vector<std::byte> container(3 * host::kMaxChunkBytes + 17);
+  for (std::size_t i = 0; i < container.size(); ++i) container[i] = static_cast<std::byte>(i * 7 >> 3);
+  const std::string digest = service::to_hex(service::sha256(container));
+  std::vector<std::byte> received;
+  FakeLink link(104, [&](const Request& request) -> std::optional<Reply> {
+    Reply reply;
+    if (const auto* begin = std::get_if<service::DownloadBegin>(&request.body)) {
+      received.resize(begin->total_bytes);
+    } else if (const auto* chunk = std::get_if<service::DownloadChunk>(&request.body)) {
+      std::copy(chunk->data.begin(), chunk->data.end(),
+                received.begin() + static_cast<std::ptrdiff_t>(chunk->offset));
+    } else if (std::holds_alternative<service::DownloadCommit>(request.body)) {
+      reply.digest = service::to_hex(service::sha256(received));
+    } else if (const auto* read = std::get_if<service::ReadProgram>(&request.body)) {
+      reply.digest = digest;
+      reply.total_bytes = received.size();
+      reply.offset = read->offset;
+      const auto first = received.begin() + static_cast<std::ptrdiff_t>(read->offset);
+      reply.data.assign(first,
+                        first + std::min<std::ptrdiff_t>(host::kMaxChunkBytes, received.end() - first));
+    }
+    return reply;
+  });
+  auto client = client_of(104);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  const auto downloaded = client->download(container);
+  ASSERT_TRUE(downloaded) << result::to_string(downloaded.error());
+  EXPECT_EQ(*downloaded, digest);
+  const auto program = client->program();
+  ASSERT_TRUE(program) << result::to_string(program.error());
+  EXPECT_EQ(*program, container);
+}
+
+TEST(RuntimeClient, WhenTheContainerIsTooLarge_ThenNothingIsSent) {
+  FakeLink link(105, accept);
+  auto client = client_of(105);
+  const std::vector<std::byte> container(host::kMaxContainerBytes + 1);
+  EXPECT_FALSE(client->download(container));
+  EXPECT_FALSE(client->download({}));
+}
+
+TEST(RuntimeClient, WhenAnEventIsLost_ThenItIsFetchedAgainAndOrderIsKept) {
+  FakeLink* link_pointer = nullptr;
+  FakeLink link(106, [&](const Request& request) -> std::optional<Reply> {
+    Reply reply;
+    if (const auto* resend = std::get_if<service::ResendEvents>(&request.body)) {
+      reply.offset = resend->first;
+      for (std::uint64_t i = resend->first; i <= 4; ++i) link_pointer->endpoint().publish_event(7, event(i));
+    }
+    return reply;
+  });
+  link_pointer = &link;
+  auto client = client_of(106);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  link.endpoint().publish_event(7, event(1));
+  link.endpoint().publish_event(7, event(4));
+  link.change_status([](RuntimeStatus& status) { status.last_event = 4; });
+  for (std::uint64_t i = 1; i <= 4; ++i) {
+    const auto received = client->wait_event(kPatience);
+    ASSERT_TRUE(received);
+    EXPECT_EQ(*received, event(i));
+  }
+}
+
+TEST(RuntimeClient, WhenTheRuntimeHasForgottenEvents_ThenTheNextOneItHoldsIsDelivered) {
+  FakeLink* link_pointer = nullptr;
+  FakeLink link(107, [&](const Request&) -> std::optional<Reply> {
+    Reply reply;
+    reply.offset = 3;
+    link_pointer->endpoint().publish_event(7, event(3));
+    return reply;
+  });
+  link_pointer = &link;
+  auto client = client_of(107);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  link.change_status([](RuntimeStatus& status) { status.last_event = 3; });
+  const auto received = client->wait_event(kPatience);
+  ASSERT_TRUE(received);
+  EXPECT_EQ(received->sequence, 3u);
+}
+
+TEST(RuntimeClient, WhenTheRuntimeBehindTheLinkIsGone_ThenItIsNotAlive) {
+  FakeLink link(108, accept);
+  auto client = client_of(108);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  EXPECT_TRUE(client->runtime_alive());
+  link.set_connected(false);
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (client->runtime_alive() && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+  EXPECT_FALSE(client->runtime_alive());
+}
+
+TEST(RuntimeClient, WhenNoLinkIsThere_ThenRequestsFailWithAHint) {
+  auto client = client_of(109, ClientRole::Viewer);
+  EXPECT_FALSE(client->wait_for_runtime(10ms));
+  EXPECT_FALSE(client->runtime_alive());
+  const auto refused = client->start({});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().front().code, "D0001");
+}
+
+TEST(RuntimeClient, WhenTwoRuntimesShareADomain_ThenEachClientHearsItsOwn) {
+  FakeLink bench(110, accept);
+  FakeLink other(
+      110, [](const Request&) { return refuse({}, "wrong runtime"); }, "other");
+  other.change_status([](RuntimeStatus& status) { status.scan = 99; });
+  auto client = client_of(110);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  EXPECT_TRUE(client->start({}));
+  EXPECT_EQ(client->status()->scan, 0u);
+}
+
+TEST(LinkEndpoint, WhenASupervisorComesAndGoes_ThenItsPresenceFollows) {
+  FakeLink link(111, accept);
+  const auto wait_for = [&](bool alive) {
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    while (link.endpoint().supervisor_alive() != alive && std::chrono::steady_clock::now() < deadline) {
+      std::this_thread::yield();
+    }
+    return link.endpoint().supervisor_alive() == alive;
+  };
+  auto viewer = client_of(111, ClientRole::Viewer);
+  ASSERT_TRUE(viewer->wait_for_runtime(kPatience));
+  EXPECT_FALSE(link.endpoint().supervisor_alive());
+  auto supervisor = client_of(111);
+  EXPECT_TRUE(wait_for(true));
+  supervisor.reset();
+  EXPECT_TRUE(wait_for(false));
+}
+
+TEST(LinkEndpoint, WhenASnapshotIsPublished_ThenTheClientHasIt) {
+  FakeLink link(112, accept);
+  auto client = client_of(112, ClientRole::Viewer);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  const Snapshot sent{3, 4, "cd", std::vector<std::byte>(200'000, std::byte{9}), {{"level", 1.5}}};
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (!client->snapshot() && std::chrono::steady_clock::now() < deadline) {
+    link.endpoint().publish_snapshot(sent);
+    std::this_thread::sleep_for(5ms);
+  }
+  ASSERT_TRUE(client->snapshot());
+  EXPECT_EQ(*client->snapshot(), sent);
+}
+
+TEST(ParticipantConfig, WhenItIsOutOfBounds_ThenConnectFailsWithItsReason) {
+  EXPECT_EQ(RuntimeClient::connect({233, "test", "bench"}, ClientRole::Viewer).error().front().code, "D0004");
+  EXPECT_EQ(RuntimeClient::connect({1, "test", "b*"}, ClientRole::Viewer).error().front().code, "D0004");
+  EXPECT_EQ(RuntimeClient::connect({1, "test", ""}, ClientRole::Viewer).error().front().code, "D0004");
+}
+
+}  // namespace
+}  // namespace stepwright::dds

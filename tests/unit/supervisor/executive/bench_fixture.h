@@ -1,0 +1,45 @@
+#pragma once
+
+// The tank bench with its real planner, compiler, scan and plant, in one thread.
+
+#include <string>
+#include <vector>
+
+#include "supervisor/executive/executive.h"
+#include "tests/support/controller/simulated_controller.h"
+
+namespace stepwright::executive {
+
+inline DeskOptions bench_desk_options() {
+  const std::string cell = STEPWRIGHT_SOURCE_DIR "/tests/cells/bench/";
+  DeskOptions options;
+  options.domain = cell + "domain.pddl";
+  options.problem = cell + "problem.pddl";
+  options.binding = cell + "binding.toml";
+  return options;
+}
+
+inline const PlanningDesk& bench_desk() {
+  static const PlanningDesk desk = [] {
+    auto opened = PlanningDesk::open(bench_desk_options());
+    if (!opened) throw std::runtime_error(result::to_string(opened.error()));
+    return std::move(*opened);
+  }();
+  return desk;
+}
+
+inline RunRecord run_bench(support::SimulatedController& controller, ExecutiveOptions options = {}) {
+  options.cell = "bench";
+  return Executive(bench_desk(), controller, std::move(options), {}).run();
+}
+
+// For messages of failed tests.
+inline std::string story(const RunRecord& record) {
+  std::string text = std::string(to_string(record.phase)) + ": " + record.message;
+  for (const Replan& replan : record.replans) {
+    text += "\n  " + std::to_string(replan.time_s) + " s after " + replan.after_action + ": " + replan.cause;
+  }
+  return text;
+}
+
+}  // namespace stepwright::executive

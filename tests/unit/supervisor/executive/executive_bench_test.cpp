@@ -1,0 +1,110 @@
+// The main job without the processes around it: seeds, faults, changed goals.
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/supervisor/executive/bench_fixture.h"
+
+namespace stepwright::executive {
+namespace {
+
+using support::PlantFault;
+using support::SimulatedController;
+
+TEST(ExecutiveBench, WhenNothingGoesWrong_ThenTheGoalIsReachedWithoutReplanning) {
+  assemblies::BenchParameters parameters;
+  parameters.seed = 1;
+  SimulatedController controller(parameters);
+  const RunRecord record = run_bench(controller);
+  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  EXPECT_TRUE(record.replans.empty()) << story(record);
+  ASSERT_EQ(record.episodes.size(), 1u);
+  EXPECT_EQ(record.episodes[0].cost, 108.0);
+  EXPECT_TRUE(record.episodes[0].proved_optimal);
+  for (const ActionRecord& action : record.episodes[0].actions) {
+    EXPECT_EQ(action.state, ActionState::Done) << action.text;
+    EXPECT_TRUE(action.started_s && action.finished_s) << action.text;
+  }
+  EXPECT_FALSE(controller.any_output());
+}
+
+// The paper's end levels were 47/34 and 61/43 percent for a goal of 50/50.
+TEST(ExecutiveBench, WhenSensorsAreUncertain_ThenTheLevelsAreWithinTwoPointsForEachOf100Seeds) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    assemblies::BenchParameters parameters;
+    parameters.seed = seed;
+    SimulatedController controller(parameters);
+    const RunRecord record = run_bench(controller);
+    ASSERT_EQ(record.phase, Phase::Done) << "seed " << seed << ": " << story(record);
+    EXPECT_NEAR(controller.plant_value("level_a1_percent"), 50.0, 2.0) << "seed " << seed;
+    EXPECT_NEAR(controller.plant_value("level_a2_percent"), 50.0, 2.0) << "seed " << seed;
+  }
+}
+
+TEST(ExecutiveBench, WhenTheSameSeedRunsTwice_ThenTheTracesAreEqual) {
+  std::uint64_t hashes[2] = {};
+  for (std::uint64_t& hash : hashes) {
+    SimulatedController controller({});
+    EXPECT_EQ(run_bench(controller).phase, Phase::Done);
+    hash = controller.status()->trace_hash;
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+struct FaultCase {
+  const char* name;
+  double value;
+  double at_s;
+};
+
+class FaultTest : public testing::TestWithParam<FaultCase> {};
+
+// Every fault ends at the goal, or in the safe state with a reason.
+TEST_P(FaultTest, WhenItIsInjected_ThenTheRunEndsAtTheGoalOrSafely) {
+  const FaultCase& fault = GetParam();
+  SimulatedController controller({}, {PlantFault{fault.at_s, fault.name, fault.value}});
+  const RunRecord record = run_bench(controller);
+  EXPECT_FALSE(controller.any_output());
+  if (record.phase == Phase::Done) {
+    EXPECT_TRUE(
+        std::all_of(record.goal.begin(), record.goal.end(), [](const GoalRecord& g) { return g.met; }));
+  } else {
+    EXPECT_EQ(record.phase, Phase::Safe);
+    EXPECT_FALSE(record.message.empty());
+  }
+  SCOPED_TRACE(story(record));
+  RecordProperty("story", story(record));
+}
+
+INSTANTIATE_TEST_SUITE_P(Bench, FaultTest,
+                         testing::Values(FaultCase{"leak_a1", 0.3, 30.0}, FaultCase{"leak_a2", 3.0, 20.0},
+                                         FaultCase{"leak_v1", 0.3, 10.0}, FaultCase{"weak_b1", 0.5, 0.0},
+                                         FaultCase{"weak_b2", 0.3, 15.0}, FaultCase{"weak_b3", 0.0, 0.0},
+                                         FaultCase{"stuck_fc1", 0.0, 12.0}, FaultCase{"stuck_fc2", 1.0, 5.0},
+                                         FaultCase{"drift_s2", 2.0, 10.0},
+                                         FaultCase{"draw_c1", 15.0, 30.0}));
+
+TEST(ExecutiveBench, WhenAClientChangesItsDemand_ThenTheNewDemandIsMet) {
+  SimulatedController controller({});
+  ExecutiveOptions options;
+  options.goal_changes = {{20.0, "(demand c1)", 8.0}};
+  const RunRecord record = run_bench(controller, options);
+  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  ASSERT_EQ(record.replans.size(), 1u) << story(record);
+  EXPECT_NEAR(controller.plant_value("level_a1_percent"), 50.0, 2.0);
+}
+
+TEST(ExecutiveBench, WhenTheRuntimeIsKilled_ThenThePlanGoesOnFromTheObservedState) {
+  SimulatedController controller({});
+  ExecutiveOptions options;
+  options.cell = "bench";
+  int published = 0;
+  const Executive::Observer kill_once = [&](const RunRecord& record) {
+    if (record.phase == Phase::Executing && ++published == 12) controller.kill_runtime();
+  };
+  const RunRecord record = Executive(bench_desk(), controller, options, kill_once).run();
+  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  EXPECT_EQ(record.replans.size(), 1u) << story(record);
+}
+
+}  // namespace
+}  // namespace stepwright::executive

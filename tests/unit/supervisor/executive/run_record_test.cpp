@@ -1,0 +1,113 @@
+#include "supervisor/executive/run_record.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "supervisor/executive/journal.h"
+#include "supervisor/executive/report.h"
+
+namespace stepwright::executive {
+namespace {
+
+RunRecord sample() {
+  ActionRecord done;
+  done.text = "(load v1 f1 level8)";
+  done.step = "S01_LOAD";
+  done.state = ActionState::Done;
+  done.planned_finish_s = 9.5;
+  done.started_s = 1.0;
+  done.finished_s = 10.25;
+  done.planned_cost = 1.0;
+  done.actual_cost = 1.5;
+  done.expected = {{"(lev v1)", 10.0}};
+  done.observed = {{"(lev v1)", 9.9}};
+  ActionRecord pending;
+  pending.text = "(move v1 f1 a1) <&>";
+  Episode episode;
+  episode.digest = "abc";
+  episode.cost = 108.0;
+  episode.actions = {done, pending};
+  RunRecord record;
+  record.cell = "bench";
+  record.phase = Phase::Executing;
+  record.episodes = {episode};
+  record.replans = {{3.0, "a level is wrong", "(load v1 f1 level8)"}};
+  record.goal = {{"(= (level a1) 5)", false}};
+  return record;
+}
+
+TEST(RunRecord, WhenWrittenAndRead_ThenItIsTheSame) {
+  const RunRecord record = sample();
+  const auto read = record_from_json(to_json(record), "test");
+  ASSERT_TRUE(read.has_value()) << result::to_string(read.error());
+  EXPECT_EQ(*read, record);
+}
+
+TEST(RunRecord, WhenTheTextIsDamaged_ThenItIsRefused) {
+  const std::string text = to_json(sample());
+  EXPECT_FALSE(record_from_json(text.substr(0, text.size() / 2), "test").has_value());
+  EXPECT_FALSE(record_from_json("{\"cell\": 3}", "test").has_value());
+  std::string odd = text;
+  odd.replace(odd.find("executing"), 9, "exploding");
+  EXPECT_FALSE(record_from_json(odd, "test").has_value());
+}
+
+TEST(Journal, WhenWrittenAndRead_ThenItIsTheSame) {
+  const std::filesystem::path file = testing::TempDir() + "journal.json";
+  Journal journal;
+  journal.record = sample();
+  journal.start.planning.facts = {"(is-at v1 f1)"};
+  journal.start.planning.fluents = {{"(lev v1)", 2.0}};
+  journal.start.tare = {{"S1", 12.5}};
+  journal.plan.actions = {{"load", {"v1", "f1", "level8"}}, {"move", {"v1", "f1", "a1"}}};
+  journal.plan.orderings = {{0, 1}};
+  journal.changed = {{"(demand c1)", 8.0}};
+  ASSERT_TRUE(write_journal(file, journal).has_value());
+  const auto read = read_journal(file);
+  ASSERT_TRUE(read.has_value() && read->has_value());
+  EXPECT_EQ((*read)->record, journal.record);
+  EXPECT_EQ((*read)->start.planning, journal.start.planning);
+  EXPECT_EQ((*read)->plan.actions, journal.plan.actions);
+  EXPECT_EQ((*read)->plan.orderings, journal.plan.orderings);
+  EXPECT_EQ((*read)->changed, journal.changed);
+}
+
+TEST(Journal, WhenThereIsNone_ThenNothingIsRead) {
+  const auto read = read_journal(testing::TempDir() + "no-such-journal.json");
+  ASSERT_TRUE(read.has_value());
+  EXPECT_FALSE(read->has_value());
+}
+
+TEST(Journal, WhenItIsDamaged_ThenTheErrorNamesTheFile) {
+  const std::filesystem::path file = testing::TempDir() + "damaged.json";
+  std::ofstream(file) << "{\"version\": 1, \"record\": ";
+  const auto read = read_journal(file);
+  ASSERT_FALSE(read.has_value());
+  EXPECT_EQ(read.error()[0].where.file, file.string());
+}
+
+TEST(Report, WhenDrawn_ThenEveryActionIsThereAndTextIsEscaped) {
+  const std::string gantt = gantt_svg(sample());
+  EXPECT_NE(gantt.find("(load v1 f1 level8)"), std::string::npos);
+  EXPECT_NE(gantt.find("&lt;&amp;&gt;"), std::string::npos);
+  EXPECT_EQ(gantt.find("<&>"), std::string::npos);
+  EXPECT_NE(cost_svg(sample()).find("polyline"), std::string::npos);
+  EXPECT_NE(report_table(sample()).find("NOT MET"), std::string::npos);
+}
+
+TEST(Report, WhenWrittenAndRead_ThenTheFiguresAreTheSame) {
+  Report report{sample(), {}};
+  report.runtime.scan = 1234;
+  report.runtime.trace_hash = 0xFFFF'FFFF'FFFF'FFFFull;
+  report.runtime.plant = {{"level_a1_percent", 50.25}};
+  const auto read = report_from_json(to_json(report), "test");
+  ASSERT_TRUE(read.has_value());
+  EXPECT_EQ(read->record, report.record);
+  EXPECT_EQ(read->runtime.trace_hash, report.runtime.trace_hash);
+  EXPECT_EQ(read->runtime.plant, report.runtime.plant);
+}
+
+}  // namespace
+}  // namespace stepwright::executive
