@@ -17,13 +17,12 @@ LadderProgram sample() {
   program.rungs.push_back(rung);
   Rung timer;
   timer.condition = contact("q");
-  Block block;
+  Block& block = timer.blocks.emplace_back();
   block.type = "TON";
   block.instance = "t1";
   block.power_input = "IN";
   block.inputs = {{"PT", "T#2s"}};
   block.outputs = {{"Q", "done"}};
-  timer.blocks.push_back(block);
   timer.jump_to = "START";
   program.rungs.push_back(timer);
   return program;
