@@ -8,7 +8,9 @@
 namespace stepwright::graphic {
 namespace {
 
-constexpr int sweeps = 24;
+constexpr int order_sweeps = 24;
+constexpr int place_sweeps = 80;  // of which the first ones look to one side only, to get away from the start
+constexpr int first_sweeps = 8;
 
 std::vector<std::size_t> positions(const LayeredGraph& graph) {
   std::vector<std::size_t> position(graph.nodes.size(), 0);
@@ -93,21 +95,26 @@ class Placement {
 
   void run() {
     for (std::size_t layer = 0; layer < graph_.layers.size(); ++layer) relax(layer, true, false);
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      for (std::size_t layer = 0; layer < graph_.layers.size(); ++layer) relax(layer, true, sweep > 8);
-      for (std::size_t layer = graph_.layers.size(); layer-- > 0;) relax(layer, sweep > 8, true);
+    for (int sweep = 0; sweep < place_sweeps; ++sweep) {
+      for (std::size_t layer = 0; layer < graph_.layers.size(); ++layer)
+        relax(layer, true, sweep > first_sweeps);
+      for (std::size_t layer = graph_.layers.size(); layer-- > 0;) relax(layer, sweep > first_sweeps, true);
     }
     round();
     for (int pass = 0; pass < 3; ++pass) straighten();
+    straighten_upwards();
     shift();
   }
 
  private:
-  // Long lines pull harder, so that they stay straight.
+  // Long lines and those between two nodes only pull harder, so that they stay straight.
   double pull(std::size_t a, std::size_t b) const {
-    const int passes =
-        (graph_.nodes[a].kind == NodeKind::Pass ? 1 : 0) + (graph_.nodes[b].kind == NodeKind::Pass ? 1 : 0);
-    return passes == 2 ? 8 : passes == 1 ? 2 : 1;
+    const LayoutNode& first = graph_.nodes[a];
+    const LayoutNode& second = graph_.nodes[b];
+    if (first.kind == NodeKind::Pass && second.kind == NodeKind::Pass) return 8;
+    const LayoutNode& upper = first.layer < second.layer ? first : second;
+    const LayoutNode& lower = first.layer < second.layer ? second : first;
+    return upper.down.size() == 1 && lower.up.size() == 1 ? 4 : 1;
   }
 
   void relax(std::size_t layer, bool look_up, bool look_down) {
@@ -159,6 +166,19 @@ class Placement {
     }
   }
 
+  // A line whose lower end cannot move follows it, if that is a small step.
+  void straighten_upwards() {
+    for (std::size_t number = graph_.layers.size(); number-- > 0;) {
+      const std::vector<std::size_t>& layer = graph_.layers[number];
+      for (std::size_t i = 0; i < layer.size(); ++i) {
+        LayoutNode& node = graph_.nodes[layer[i]];
+        if (node.down.size() != 1 || graph_.nodes[node.down[0]].up.size() != 1) continue;
+        const int wanted = graph_.nodes[node.down[0]].x;
+        if (std::abs(wanted - node.x) <= gap_ / 2 && fits(layer, i, wanted)) node.x = wanted;
+      }
+    }
+  }
+
   bool fits(const std::vector<std::size_t>& layer, std::size_t i, int x) const {
     const LayoutNode& node = graph_.nodes[layer[i]];
     if (i > 0) {
@@ -188,7 +208,7 @@ class Placement {
 void order_layers(LayeredGraph& graph) {
   std::vector<std::vector<std::size_t>> best = graph.layers;
   std::size_t fewest = crossings(graph);
-  for (int sweep = 0; sweep < sweeps && fewest > 0; ++sweep) {
+  for (int sweep = 0; sweep < order_sweeps && fewest > 0; ++sweep) {
     const bool down = sweep % 2 == 0;
     for (std::size_t i = 1; i < graph.layers.size(); ++i) {
       sort_layer(graph, down ? i : graph.layers.size() - 1 - i, down);
