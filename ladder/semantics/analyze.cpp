@@ -53,7 +53,8 @@ void check_recursion(Analysis& a) {
   std::unordered_map<const Pou*, Visit> visits;
   for (const auto& each : a.model.pous) {
     if (reaches_itself(*each, visits))
-      a.error(code::kRecursion, each->where, quote(each->spelling) + " calls itself, directly or through others",
+      a.error(code::kRecursion, each->where,
+              quote(each->spelling) + " calls itself, directly or through others",
               "PLC programs do not recurse (6.6.1.9); use a loop");
   }
 }

@@ -59,8 +59,8 @@ ValuePtr ExpressionAnalyzer::call(const Expression& expression) {
   bool known = false;
   ValuePtr result = standard_call(expression, folded, known);
   if (known) return result;
-  std::vector<std::string_view> candidates = {"ABS", "SQRT", "MIN", "MAX", "LIMIT", "SEL", "MUX", "SHL", "SHR",
-                                              "ROL", "ROR", "TRUNC", "MOVE"};
+  std::vector<std::string_view> candidates = {"ABS", "SQRT", "MIN", "MAX", "LIMIT", "SEL", "MUX",
+                                              "SHL", "SHR",  "ROL", "ROR", "TRUNC", "MOVE"};
   for (const auto& each : a_.model.pous)
     if (each->kind == PouKind::Function) candidates.push_back(each->spelling);
   a_.error(code::kUndeclared, name.where, "there is no function " + quote(name.text),
@@ -69,7 +69,8 @@ ValuePtr ExpressionAnalyzer::call(const Expression& expression) {
 }
 
 // `out` holds, for each variable of the POU, its argument or null.
-bool ExpressionAnalyzer::match_arguments(const Expression& call, const Pou& pou, std::vector<const Argument*>& out) {
+bool ExpressionAnalyzer::match_arguments(const Expression& call, const Pou& pou,
+                                         std::vector<const Argument*>& out) {
   out.assign(pou.variables.size(), nullptr);
   std::vector<std::size_t> positional;
   std::vector<std::string_view> formals;
@@ -102,8 +103,8 @@ bool ExpressionAnalyzer::match_arguments(const Expression& call, const Pou& pou,
       const bool is_output = pou.variables[index].section == Section::Output;
       if (is_output != each.is_output) {
         a_.error(code::kUnknownParameter, each.formal->where,
-                 quote(each.formal->text) + (is_output ? " is an output: write it with '=>'"
-                                                       : " is no output: write it with ':='"));
+                 quote(each.formal->text) +
+                     (is_output ? " is an output: write it with '=>'" : " is no output: write it with ':='"));
         sound = false;
         continue;
       }
@@ -143,7 +144,8 @@ bool ExpressionAnalyzer::pass_output(const Argument& argument, Place source, std
 
 // The address of a VAR_IN_OUT argument. What has none (a bit, a local slot) goes through a copy.
 ValuePtr ExpressionAnalyzer::reference_argument(const Argument& argument, const Variable& parameter,
-                                                std::vector<CopyBefore>& before, std::vector<CopyAfter>& after) {
+                                                std::vector<CopyBefore>& before,
+                                                std::vector<CopyAfter>& after) {
   if (!argument.value) return nullptr;
   const Position where = argument.value->where;
   auto target = place(*argument.value, Access::Write);
@@ -197,11 +199,11 @@ ValuePtr ExpressionAnalyzer::function_call(const Expression& expression, Pou& fu
   std::vector<const Argument*> arguments;
   if (!match_arguments(expression, function, arguments)) return nullptr;
   if (function.result == nullptr) return nullptr;
-  const bool has_required = std::any_of(function.variables.begin(), function.variables.end(), [](const Variable& v) {
-    return v.section == Section::Input;
-  });
+  const bool has_required = std::any_of(function.variables.begin(), function.variables.end(),
+                                        [](const Variable& v) { return v.section == Section::Input; });
   if (expression.arguments.empty() && has_required) {
-    a_.error(code::kArgumentCount, expression.where, quote(function.spelling) + " is called without arguments");
+    a_.error(code::kArgumentCount, expression.where,
+             quote(function.spelling) + " is called without arguments");
     return nullptr;
   }
   ValuePtr result = make(ValueKind::Call, function.result, expression.where);
@@ -260,8 +262,7 @@ bool ExpressionAnalyzer::block_argument(const Variable& parameter, const Argumen
 }
 
 std::optional<Statement> ExpressionAnalyzer::block_call(const Expression& call, const Expression* path) {
-  std::optional<Place> instance =
-      path != nullptr ? place(*path, Access::Read) : variable_place(call.name);
+  std::optional<Place> instance = path != nullptr ? place(*path, Access::Read) : variable_place(call.name);
   if (!instance) return std::nullopt;
   if (instance->type->kind != TypeKind::Instance) {
     a_.error(code::kNotCallable, call.where, instance->type->name + " cannot be called");
@@ -299,7 +300,8 @@ std::optional<Statement> ExpressionAnalyzer::block_call(const Expression& call, 
     if (arguments[i] != nullptr) {
       sound = block_argument(parameter, *arguments[i], statement) && sound;
     } else if (parameter.section == Section::InOut) {
-      a_.error(code::kMissingInOut, call.where, "the call gives no variable for " + quote(parameter.spelling));
+      a_.error(code::kMissingInOut, call.where,
+               "the call gives no variable for " + quote(parameter.spelling));
       sound = false;
     }
   }

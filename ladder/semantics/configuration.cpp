@@ -12,7 +12,8 @@ namespace {
 // One nanosecond count must become a whole number of microseconds that fits the container.
 constexpr std::int64_t kMaxIntervalUs = 3'600'000'000;
 
-void declare_global(Analysis& a, const syntax::VariableDeclaration& line, const syntax::Name& name, const Type* type) {
+void declare_global(Analysis& a, const syntax::VariableDeclaration& line, const syntax::Name& name,
+                    const Type* type) {
   Variable variable;
   variable.name = name.id;
   variable.spelling = std::string(name.text);
@@ -103,7 +104,8 @@ void declare_program(Analysis& a, const syntax::ProgramDeclaration& declaration)
     a.error(code::kUnknownTask, place.where,
             declaration.task ? "there is no task " + quote(declaration.task->text)
                              : quote(declaration.name.text) + " runs in no task",
-            declaration.task ? source::did_you_mean(declaration.task->text, candidates) : "write WITH and a task");
+            declaration.task ? source::did_you_mean(declaration.task->text, candidates)
+                             : "write WITH and a task");
     return;
   }
   for (const Task& each : a.model.tasks)
@@ -140,7 +142,8 @@ void configure_default(Analysis& a, std::size_t library_pous) {
 
 }  // namespace
 
-void declare_globals(Analysis& a, TypeResolver& types, const std::vector<syntax::VariableDeclaration>& lines) {
+void declare_globals(Analysis& a, TypeResolver& types,
+                     const std::vector<syntax::VariableDeclaration>& lines) {
   for (const syntax::VariableDeclaration& line : lines) {
     const Type* type = types.resolve(*line.type);
     for (const syntax::Name& name : line.names) declare_global(a, line, name, type);
@@ -150,7 +153,8 @@ void declare_globals(Analysis& a, TypeResolver& types, const std::vector<syntax:
 void configure(Analysis& a, const syntax::Unit& unit, std::size_t library_pous) {
   if (unit.configurations.empty()) return configure_default(a, library_pous);
   if (unit.configurations.size() > 1) {
-    a.error(code::kSeveralConfigurations, unit.configurations[1].name.where, "there is more than one configuration");
+    a.error(code::kSeveralConfigurations, unit.configurations[1].name.where,
+            "there is more than one configuration");
     return;
   }
   const syntax::Configuration& configuration = unit.configurations.front();

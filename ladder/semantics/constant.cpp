@@ -17,38 +17,59 @@ __int128 truth(bool value) {
 template <typename T>
 std::optional<Constant> compare(Operator op, T left, T right) {
   switch (op) {
-    case Operator::Equal: return Constant{truth(left == right)};
-    case Operator::NotEqual: return Constant{truth(left != right)};
-    case Operator::Less: return Constant{truth(left < right)};
-    case Operator::LessEqual: return Constant{truth(left <= right)};
-    case Operator::Greater: return Constant{truth(left > right)};
-    case Operator::GreaterEqual: return Constant{truth(left >= right)};
-    default: return std::nullopt;
+    case Operator::Equal:
+      return Constant{truth(left == right)};
+    case Operator::NotEqual:
+      return Constant{truth(left != right)};
+    case Operator::Less:
+      return Constant{truth(left < right)};
+    case Operator::LessEqual:
+      return Constant{truth(left <= right)};
+    case Operator::Greater:
+      return Constant{truth(left > right)};
+    case Operator::GreaterEqual:
+      return Constant{truth(left >= right)};
+    default:
+      return std::nullopt;
   }
 }
 
 std::optional<__int128> integers(Operator op, __int128 left, __int128 right) {
   switch (op) {
-    case Operator::Add: return left + right;
-    case Operator::Subtract: return left - right;
-    case Operator::Multiply: return left * right;
-    case Operator::Divide: return right == 0 ? std::nullopt : std::optional(left / right);
-    case Operator::Modulo: return right == 0 ? std::nullopt : std::optional(left % right);
-    case Operator::And: return left & right;
-    case Operator::Or: return left | right;
-    case Operator::Xor: return left ^ right;
-    default: return std::nullopt;
+    case Operator::Add:
+      return left + right;
+    case Operator::Subtract:
+      return left - right;
+    case Operator::Multiply:
+      return left * right;
+    case Operator::Divide:
+      return right == 0 ? std::nullopt : std::optional(left / right);
+    case Operator::Modulo:
+      return right == 0 ? std::nullopt : std::optional(left % right);
+    case Operator::And:
+      return left & right;
+    case Operator::Or:
+      return left | right;
+    case Operator::Xor:
+      return left ^ right;
+    default:
+      return std::nullopt;
   }
 }
 
 template <typename T>
 std::optional<T> reals(Operator op, T left, T right) {
   switch (op) {
-    case Operator::Add: return left + right;
-    case Operator::Subtract: return left - right;
-    case Operator::Multiply: return left * right;
-    case Operator::Divide: return left / right;
-    default: return std::nullopt;
+    case Operator::Add:
+      return left + right;
+    case Operator::Subtract:
+      return left - right;
+    case Operator::Multiply:
+      return left * right;
+    case Operator::Divide:
+      return left / right;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -71,7 +92,8 @@ Constant wrapped(Constant value, const Type& type) {
   return {rest};
 }
 
-std::optional<Constant> evaluate(Operator op, const Constant& left, const Constant& right, const Type& operands) {
+std::optional<Constant> evaluate(Operator op, const Constant& left, const Constant& right,
+                                 const Type& operands) {
   const bool is_comparison = op >= Operator::Equal && op <= Operator::GreaterEqual;
   if (operands.is_real()) {
     if (is_comparison) return compare(op, left.real, right.real);

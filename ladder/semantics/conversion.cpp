@@ -65,8 +65,7 @@ ValuePtr ExpressionAnalyzer::convert_exactly(ValuePtr value, const Type* type) {
     const Constant constant = value->constant;
     if (is_whole(from) && type->is_real())
       return make_constant(wrapped({0, static_cast<double>(constant.integer)}, *type), type, value->where);
-    if (from.is_real() && type->is_real())
-      return make_constant(wrapped(constant, *type), type, value->where);
+    if (from.is_real() && type->is_real()) return make_constant(wrapped(constant, *type), type, value->where);
     if (is_whole(from) && type->is_bool())
       return make_constant({constant.integer != 0 ? 1 : 0}, type, value->where);
     if (is_whole(from) && is_whole(*type)) return make_constant(wrapped(constant, *type), type, value->where);
@@ -93,11 +92,13 @@ bool ExpressionAnalyzer::is_conversion(const std::string& folded, const Type*& f
   return true;
 }
 
-ValuePtr ExpressionAnalyzer::explicit_conversion(const syntax::Expression& call, const Type* from, const Type* to) {
+ValuePtr ExpressionAnalyzer::explicit_conversion(const syntax::Expression& call, const Type* from,
+                                                 const Type* to) {
   auto arguments = standard_arguments(call, {"IN"}, 1, 1);
   if (!arguments) return nullptr;
-  ValuePtr value = from != nullptr ? convert(std::move(arguments->front()), from, call.arguments[0].value->where)
-                                   : settle(std::move(arguments->front()));
+  ValuePtr value = from != nullptr
+                       ? convert(std::move(arguments->front()), from, call.arguments[0].value->where)
+                       : settle(std::move(arguments->front()));
   if (!value) return nullptr;
   // An enumeration is converted by its number.
   if (value->type->kind == TypeKind::Enumeration) {
@@ -105,7 +106,8 @@ ValuePtr ExpressionAnalyzer::explicit_conversion(const syntax::Expression& call,
     number->operands.push_back(std::move(value));
     value = std::move(number);
   }
-  const bool time_and_bool = (value->type->is_time() && to->is_bool()) || (value->type->is_bool() && to->is_time());
+  const bool time_and_bool =
+      (value->type->is_time() && to->is_bool()) || (value->type->is_bool() && to->is_time());
   if (!value->type->is_scalar() || time_and_bool) return mismatch(*value->type, *to, call.where);
   return convert_exactly(std::move(value), to);
 }

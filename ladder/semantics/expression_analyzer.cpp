@@ -78,7 +78,8 @@ ValuePtr ExpressionAnalyzer::literal(const Expression& expression) {
     case ExpressionKind::Boolean:
       return make_constant({static_cast<__int128>(expression.integer)}, types.boolean(), expression.where);
     case ExpressionKind::Integer:
-      return make_constant({static_cast<__int128>(expression.integer)}, types.any_integer(), expression.where);
+      return make_constant({static_cast<__int128>(expression.integer)}, types.any_integer(),
+                           expression.where);
     case ExpressionKind::Real:
       return make_constant({0, expression.real}, types.any_real(), expression.where);
     default:
@@ -130,7 +131,8 @@ ValuePtr ExpressionAnalyzer::enum_value(const Expression& expression) {
   }
   const auto type = a_.types.find(expression.prefix->id.value);
   if (type == a_.types.end() || (type->second != nullptr && type->second->kind != TypeKind::Enumeration)) {
-    a_.error(code::kUnknownType, expression.prefix->where, quote(expression.prefix->text) + " is no enumeration");
+    a_.error(code::kUnknownType, expression.prefix->where,
+             quote(expression.prefix->text) + " is no enumeration");
     return nullptr;
   }
   if (type->second == nullptr) return nullptr;

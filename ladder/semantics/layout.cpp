@@ -12,8 +12,8 @@ namespace {
 using syntax::VariableDeclaration;
 
 const char* section_name(Section section) {
-  static constexpr const char* kNames[] = {"VAR",          "VAR_TEMP",   "VAR_INPUT", "VAR_OUTPUT",
-                                           "VAR_IN_OUT",   "VAR_EXTERNAL", "VAR_GLOBAL"};
+  static constexpr const char* kNames[] = {"VAR",        "VAR_TEMP",     "VAR_INPUT", "VAR_OUTPUT",
+                                           "VAR_IN_OUT", "VAR_EXTERNAL", "VAR_GLOBAL"};
   return kNames[static_cast<std::size_t>(section)];
 }
 
@@ -64,7 +64,8 @@ class Layout {
     const Type* type = types_.resolve(*declaration.result);
     if (type == nullptr) return;
     if (!type->is_scalar()) {
-      a_.error(code::kNotSupported, declaration.result->where, "the result of a function must be a single value",
+      a_.error(code::kNotSupported, declaration.result->where,
+               "the result of a function must be a single value",
                "return it through VAR_OUTPUT or VAR_IN_OUT");
       return;
     }
@@ -94,7 +95,8 @@ class Layout {
     } else if (line.constant && (line.section == Section::InOut || line.section == Section::Output)) {
       why = std::string(section_name(line.section)) + " cannot be CONSTANT";
     } else if (line.address && (pou_.kind != PouKind::Program || line.section != Section::Local)) {
-      a_.error(code::kAddressNotHere, line.address_where, "an address stands in VAR of a program or in VAR_GLOBAL");
+      a_.error(code::kAddressNotHere, line.address_where,
+               "an address stands in VAR of a program or in VAR_GLOBAL");
       return false;
     } else if (line.initial && (line.section == Section::InOut || line.section == Section::External)) {
       why = std::string(section_name(line.section)) + " takes no first value";
@@ -149,14 +151,16 @@ class Layout {
   bool external(Variable& variable) {
     const auto found = a_.globals.find(variable.name.value);
     if (found == a_.globals.end()) {
-      a_.error(code::kMissingExternal, variable.where, "there is no global variable " + quote(variable.spelling));
+      a_.error(code::kMissingExternal, variable.where,
+               "there is no global variable " + quote(variable.spelling));
       return false;
     }
     const Variable& global = a_.model.globals[found->second];
     if (global.type == nullptr) return false;
     if (global.type != variable.type) {
       a_.error(code::kTypeMismatch, variable.where,
-               "the global " + quote(variable.spelling) + " is " + global.type->name + ", not " + variable.type->name);
+               "the global " + quote(variable.spelling) + " is " + global.type->name + ", not " +
+                   variable.type->name);
       return false;
     }
     variable.place = ExpressionAnalyzer::copy_direct(global.place);
@@ -173,7 +177,8 @@ class Layout {
       return true;
     }
     if (instance_.size() > kMaxData - bytes.size()) {
-      a_.error(code::kTooLarge, variable.where, "the variables of " + quote(pou_.spelling) + " are larger than 32 MiB");
+      a_.error(code::kTooLarge, variable.where,
+               "the variables of " + quote(pou_.spelling) + " are larger than 32 MiB");
       return false;
     }
     variable.place.base = Base::This;
@@ -219,7 +224,8 @@ class Layout {
 
   // At the start of each run: the first value. Slots are zero by themselves.
   void enter(const Variable& variable, const std::vector<std::byte>& bytes) {
-    const bool is_zero = std::all_of(bytes.begin(), bytes.end(), [](std::byte b) { return b == std::byte{0}; });
+    const bool is_zero =
+        std::all_of(bytes.begin(), bytes.end(), [](std::byte b) { return b == std::byte{0}; });
     if (variable.type->is_scalar()) {
       if (!is_zero || variable.place.base != Base::Slot)
         enter_with(variable.place, *variable.initial, variable.where);

@@ -20,8 +20,8 @@ bool fits_address(Analysis& a, const syntax::VariableDeclaration& line, const Ty
   const bool sound = bits != 0 ? bits == address.bits : address.bits != 1;
   if (!sound) {
     a.error(code::kAddressSize, line.address_where,
-            type.name + " does not fit to " + to_string(address) + ", which has " + std::to_string(address.bits) +
-                (address.bits == 1 ? " bit" : " bits"),
+            type.name + " does not fit to " + to_string(address) + ", which has " +
+                std::to_string(address.bits) + (address.bits == 1 ? " bit" : " bits"),
             bits == 1    ? "a BOOL has an address like %IX0.0"
             : bits == 8  ? "use an address like %IB0"
             : bits == 16 ? "use an address like %IW0"
@@ -46,7 +46,8 @@ struct Extent {
 
 Extent extent_of(const Variable& variable) {
   const Place& place = variable.place;
-  const std::uint64_t first = std::uint64_t{place.offset} * 8 + (place.bit == bytecode::kNoBit ? 0 : place.bit);
+  const std::uint64_t first =
+      std::uint64_t{place.offset} * 8 + (place.bit == bytecode::kNoBit ? 0 : place.bit);
   const std::uint64_t bits = place.bit == bytecode::kNoBit ? std::uint64_t{place.type->size} * 8 : 1;
   return {place.base, first, first + bits, &variable};
 }

@@ -30,8 +30,8 @@ struct Variable {
   source::Position where;
   Place place;
   std::optional<syntax::DirectAddress> address;
-  std::optional<Constant> value;      // of a scalar constant
-  std::optional<Constant> initial;    // of a scalar that is not in an instance
+  std::optional<Constant> value;    // of a scalar constant
+  std::optional<Constant> initial;  // of a scalar that is not in an instance
 };
 
 struct Pou {
@@ -45,7 +45,7 @@ struct Pou {
   std::uint32_t result_slot = 0;
   std::vector<Variable> variables;
   std::unordered_map<std::uint32_t, std::uint32_t> scope;  // NameId -> index into `variables`
-  std::vector<bytecode::StackType> slots;                   // parameters first
+  std::vector<bytecode::StackType> slots;                  // parameters first
   std::uint16_t parameter_count = 0;
   Block entry;  // gives temporary variables their first values; runs before the body
   Block body;

@@ -60,7 +60,8 @@ ValuePtr ExpressionAnalyzer::binary(const Expression& expression) {
   for (std::size_t i = 1; i < expression.operands.size(); ++i) {
     // The others are analysed even after a mistake: each may have its own.
     ValuePtr right = value(*expression.operands[i]);
-    result = result && right ? combine(expression.op, std::move(result), std::move(right), expression.where) : nullptr;
+    result = result && right ? combine(expression.op, std::move(result), std::move(right), expression.where)
+                             : nullptr;
   }
   return result;
 }
@@ -79,7 +80,7 @@ const Type* ExpressionAnalyzer::common_type(const Value& left, const Value& righ
       if (other.is_real()) return &other;
       if (!other.is_integer()) return nullptr;
       return types.elementary(widens(other, *types.elementary(ElementaryType::Real)) ? ElementaryType::Real
-                                                                                    : ElementaryType::Lreal);
+                                                                                     : ElementaryType::Lreal);
     }
     if (other.is_real()) return &other;
     const bool takes_integers = other.is_integer() || other.is_bits() || other.is_bool();
@@ -87,11 +88,13 @@ const Type* ExpressionAnalyzer::common_type(const Value& left, const Value& righ
     if (!other.is_integer()) return nullptr;
   }
   for (const auto which :
-       {ElementaryType::Sint, ElementaryType::Usint, ElementaryType::Int, ElementaryType::Uint, ElementaryType::Dint,
-        ElementaryType::Udint, ElementaryType::Lint, ElementaryType::Ulint, ElementaryType::Byte, ElementaryType::Word,
-        ElementaryType::Dword, ElementaryType::Lword, ElementaryType::Real, ElementaryType::Lreal}) {
+       {ElementaryType::Sint, ElementaryType::Usint, ElementaryType::Int, ElementaryType::Uint,
+        ElementaryType::Dint, ElementaryType::Udint, ElementaryType::Lint, ElementaryType::Ulint,
+        ElementaryType::Byte, ElementaryType::Word, ElementaryType::Dword, ElementaryType::Lword,
+        ElementaryType::Real, ElementaryType::Lreal}) {
     const Type& candidate = *types.elementary(which);
-    const bool takes_left = l.is_literal() ? candidate.is_integer() && fits(left.constant, candidate) : widens(l, candidate);
+    const bool takes_left =
+        l.is_literal() ? candidate.is_integer() && fits(left.constant, candidate) : widens(l, candidate);
     const bool takes_right =
         r.is_literal() ? candidate.is_integer() && fits(right.constant, candidate) : widens(r, candidate);
     if (takes_left && takes_right) return &candidate;
@@ -109,7 +112,8 @@ bool ExpressionAnalyzer::operator_applies(Operator op, const Type& type) const {
   return type.is_number();
 }
 
-ValuePtr ExpressionAnalyzer::bad_operands(Operator op, const Value& left, const Value& right, Position where) {
+ValuePtr ExpressionAnalyzer::bad_operands(Operator op, const Value& left, const Value& right,
+                                          Position where) {
   std::string hint;
   if (op == Operator::Power) {
     hint = "powers are not supported yet; multiply instead";
@@ -121,9 +125,10 @@ ValuePtr ExpressionAnalyzer::bad_operands(Operator op, const Value& left, const 
   } else if (left.type->is_number() && right.type->is_number()) {
     hint = "no type holds both; convert one of them";
   }
-  a_.error(code::kBadOperand, where,
-           std::string(to_string(op)) + " cannot be applied to " + left.type->name + " and " + right.type->name,
-           std::move(hint));
+  a_.error(
+      code::kBadOperand, where,
+      std::string(to_string(op)) + " cannot be applied to " + left.type->name + " and " + right.type->name,
+      std::move(hint));
   return nullptr;
 }
 
@@ -132,7 +137,8 @@ ValuePtr ExpressionAnalyzer::combine(Operator op, ValuePtr left, ValuePtr right,
     return combine_time(op, std::move(left), std::move(right), where);
   const Type* common = common_type(*left, *right);
   if (common == nullptr || !operator_applies(op, *common)) return bad_operands(op, *left, *right, where);
-  if (common->is_literal() && common->kind == TypeKind::AnyInteger) return fold_literals(op, *left, *right, where);
+  if (common->is_literal() && common->kind == TypeKind::AnyInteger)
+    return fold_literals(op, *left, *right, where);
   left = convert(std::move(left), common, where);
   right = convert(std::move(right), common, where);
   if (!left || !right) return nullptr;
@@ -160,7 +166,8 @@ ValuePtr ExpressionAnalyzer::combine(Operator op, ValuePtr left, ValuePtr right,
 }
 
 // Literals are computed without a type: 1000 * 1000 is 1000000, whatever it is assigned to.
-ValuePtr ExpressionAnalyzer::fold_literals(Operator op, const Value& left, const Value& right, Position where) {
+ValuePtr ExpressionAnalyzer::fold_literals(Operator op, const Value& left, const Value& right,
+                                           Position where) {
   const Constant& l = left.constant;
   const Constant& r = right.constant;
   if ((op == Operator::Divide || op == Operator::Modulo) && r.integer == 0) {
@@ -181,7 +188,8 @@ ValuePtr ExpressionAnalyzer::fold_literals(Operator op, const Value& left, const
 // TIME + TIME, TIME - TIME, TIME * number, number * TIME, TIME / number (table 30).
 ValuePtr ExpressionAnalyzer::combine_time(Operator op, ValuePtr left, ValuePtr right, Position where) {
   if (op == Operator::Multiply && right->type->is_time()) std::swap(left, right);
-  const bool sum = (op == Operator::Add || op == Operator::Subtract) && left->type->is_time() && right->type->is_time();
+  const bool sum =
+      (op == Operator::Add || op == Operator::Subtract) && left->type->is_time() && right->type->is_time();
   const bool scale = (op == Operator::Multiply || op == Operator::Divide) && left->type->is_time() &&
                      right->type->is_number();
   if (!sum && !scale) return bad_operands(op, *left, *right, where);
@@ -193,7 +201,8 @@ ValuePtr ExpressionAnalyzer::combine_time(Operator op, ValuePtr left, ValuePtr r
   if (!right) return nullptr;
   const bool with_real = scale && factor->is_real();
   if (with_real) left = convert_exactly(std::move(left), factor);
-  if (op == Operator::Divide && !with_real && right->kind == ValueKind::Constant && right->constant.integer == 0) {
+  if (op == Operator::Divide && !with_real && right->kind == ValueKind::Constant &&
+      right->constant.integer == 0) {
     a_.error(code::kConstantDivision, right->where, "division by zero");
     return nullptr;
   }

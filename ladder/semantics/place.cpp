@@ -130,7 +130,8 @@ std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::instance_member(co
   if (found == nullptr) {
     std::vector<std::string_view> candidates;
     for (const Variable& each : type.pou->variables)
-      if (each.section == Section::Input || each.section == Section::Output) candidates.push_back(each.spelling);
+      if (each.section == Section::Input || each.section == Section::Output)
+        candidates.push_back(each.spelling);
     a_.error(code::kUnknownMember, name.where, quote(type.name) + " has no member " + quote(name.text),
              source::did_you_mean(name.text, candidates));
     return std::nullopt;

@@ -19,11 +19,11 @@ struct OperatorFunction {
 
 // Functions that are operators under another name (tables 28 to 33).
 constexpr OperatorFunction kOperatorFunctions[] = {
-    {"ADD", Operator::Add, 32},      {"SUB", Operator::Subtract, 2},     {"MUL", Operator::Multiply, 32},
-    {"DIV", Operator::Divide, 2},    {"MOD", Operator::Modulo, 2},       {"AND", Operator::And, 32},
-    {"OR", Operator::Or, 32},        {"XOR", Operator::Xor, 32},         {"EQ", Operator::Equal, 2},
-    {"NE", Operator::NotEqual, 2},   {"LT", Operator::Less, 2},          {"LE", Operator::LessEqual, 2},
-    {"GT", Operator::Greater, 2},    {"GE", Operator::GreaterEqual, 2},
+    {"ADD", Operator::Add, 32},    {"SUB", Operator::Subtract, 2},    {"MUL", Operator::Multiply, 32},
+    {"DIV", Operator::Divide, 2},  {"MOD", Operator::Modulo, 2},      {"AND", Operator::And, 32},
+    {"OR", Operator::Or, 32},      {"XOR", Operator::Xor, 32},        {"EQ", Operator::Equal, 2},
+    {"NE", Operator::NotEqual, 2}, {"LT", Operator::Less, 2},         {"LE", Operator::LessEqual, 2},
+    {"GT", Operator::Greater, 2},  {"GE", Operator::GreaterEqual, 2},
 };
 
 }  // namespace
@@ -47,7 +47,8 @@ ValuePtr ExpressionAnalyzer::standard_call(const Expression& call, const std::st
     return arguments ? std::move(arguments->front()) : nullptr;
   }
   // The clock that the standard's timers are built from; no name that a user's source can hold by accident.
-  if (folded == "__NOW") return make(ValueKind::Now, a_.type_table().elementary(ElementaryType::Time), call.where);
+  if (folded == "__NOW")
+    return make(ValueKind::Now, a_.type_table().elementary(ElementaryType::Time), call.where);
   for (const OperatorFunction& each : kOperatorFunctions)
     if (folded == each.name) return operator_call(call, each.op, each.most);
   known = false;
@@ -62,8 +63,10 @@ std::optional<std::vector<ValuePtr>> ExpressionAnalyzer::standard_arguments(
   if (call.arguments.size() < least || call.arguments.size() > most) {
     a_.error(code::kArgumentCount, call.where,
              quote(call.name.text) + " takes " + std::to_string(least) +
-                 (most == least ? "" : most >= 32 ? " or more" : " to " + std::to_string(most)) + " arguments, found " +
-                 std::to_string(call.arguments.size()));
+                 (most == least ? ""
+                  : most >= 32  ? " or more"
+                                : " to " + std::to_string(most)) +
+                 " arguments, found " + std::to_string(call.arguments.size()));
     return std::nullopt;
   }
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
@@ -78,8 +81,9 @@ std::optional<std::vector<ValuePtr>> ExpressionAnalyzer::standard_arguments(
         ++position;
       }
       // IN1, IN2, ... of the functions that take any number.
-      if (target == values.size() && most > formals.size() && wanted.size() <= 4 && wanted.rfind("IN", 0) == 0 &&
-          wanted.find_first_not_of("0123456789", 2) == std::string::npos && wanted.size() > 2) {
+      if (target == values.size() && most > formals.size() && wanted.size() <= 4 &&
+          wanted.rfind("IN", 0) == 0 && wanted.find_first_not_of("0123456789", 2) == std::string::npos &&
+          wanted.size() > 2) {
         const std::size_t first = formals.size() == 0 ? 1 : 0;  // MUX counts from IN0 behind K
         target = static_cast<std::size_t>(std::stoul(wanted.substr(2))) - first + formals.size();
       }
@@ -120,7 +124,8 @@ const Type* ExpressionAnalyzer::unify(std::vector<ValuePtr>& values, std::size_t
     }
   }
   for (std::size_t i = first; i < values.size(); ++i) {
-    values[i] = common->is_literal() ? settle(std::move(values[i])) : convert(std::move(values[i]), common, where);
+    values[i] =
+        common->is_literal() ? settle(std::move(values[i])) : convert(std::move(values[i]), common, where);
     if (!values[i]) return nullptr;
   }
   if (!common->is_literal()) return common;
@@ -134,7 +139,8 @@ ValuePtr ExpressionAnalyzer::numeric(const Expression& call, StandardFunction fu
   ValuePtr operand = settle(std::move(arguments->front()));
   if (!operand) return nullptr;
   if (!operand->type->is_number()) {
-    a_.error(code::kBadOperand, call.where, quote(call.name.text) + " cannot be applied to " + operand->type->name);
+    a_.error(code::kBadOperand, call.where,
+             quote(call.name.text) + " cannot be applied to " + operand->type->name);
     return nullptr;
   }
   if (function == StandardFunction::Sqrt && !operand->type->is_real()) {
@@ -191,7 +197,8 @@ ValuePtr ExpressionAnalyzer::shift(const Expression& call, StandardFunction func
   if (!arguments) return nullptr;
   ValuePtr& operand = (*arguments)[0];
   if (!operand->type->is_bits()) {
-    a_.error(code::kBadOperand, call.where, quote(call.name.text) + " cannot be applied to " + operand->type->name,
+    a_.error(code::kBadOperand, call.where,
+             quote(call.name.text) + " cannot be applied to " + operand->type->name,
              "it works on BYTE, WORD, DWORD and LWORD; a literal needs a type: WORD#16#1");
     return nullptr;
   }
@@ -224,7 +231,8 @@ ValuePtr ExpressionAnalyzer::select(const Expression& call) {
 ValuePtr ExpressionAnalyzer::multiplex(const Expression& call) {
   auto arguments = standard_arguments(call, {"K"}, 2, 33);
   if (!arguments) return nullptr;
-  (*arguments)[0] = convert(std::move((*arguments)[0]), a_.type_table().elementary(ElementaryType::Dint), call.where);
+  (*arguments)[0] =
+      convert(std::move((*arguments)[0]), a_.type_table().elementary(ElementaryType::Dint), call.where);
   if (!(*arguments)[0]) return nullptr;
   const Type* type = unify(*arguments, 1, call.where);
   if (type == nullptr) return nullptr;

@@ -15,12 +15,12 @@ enum class StatementKind : std::uint8_t {
   If,        // branches with conditions; the last one without a condition is ELSE
   Case,      // value; branches with ranges; the last one without ranges is ELSE
   For,
-  While,     // value, body
-  Repeat,    // body, value
+  While,   // value, body
+  Repeat,  // body, value
   Exit,
   Continue,
   Return,
-  Jump,      // to `label`
+  Jump,  // to `label`
   Label,
 };
 

@@ -30,9 +30,11 @@ void StatementAnalyzer::body(const syntax::Statements& statements) {
 void StatementAnalyzer::collect_labels(const syntax::Statements& statements) {
   for (const auto& each : statements) {
     if (each->kind != syntax::StatementKind::Label) continue;
-    const bool is_new = labels_.try_emplace(each->label.id.value, static_cast<std::uint32_t>(labels_.size())).second;
+    const bool is_new =
+        labels_.try_emplace(each->label.id.value, static_cast<std::uint32_t>(labels_.size())).second;
     if (!is_new)
-      a_.error(code::kDuplicate, each->where, "the label " + quote(each->label.text) + " stands here a second time");
+      a_.error(code::kDuplicate, each->where,
+               "the label " + quote(each->label.text) + " stands here a second time");
   }
 }
 
@@ -115,8 +117,8 @@ std::optional<Statement> StatementAnalyzer::branch(const syntax::Statement& stat
   return result;
 }
 
-void StatementAnalyzer::case_ranges(const syntax::Branch& branch, const Type* selector, std::vector<CaseRange>& seen,
-                                    Branch& out) {
+void StatementAnalyzer::case_ranges(const syntax::Branch& branch, const Type* selector,
+                                    std::vector<CaseRange>& seen, Branch& out) {
   for (const syntax::CaseLabel& label : branch.labels) {
     const auto low = expressions_.constant(*label.low, selector);
     const auto high = label.high ? expressions_.constant(*label.high, selector) : low;
@@ -175,7 +177,8 @@ std::optional<Statement> StatementAnalyzer::count(const syntax::Statement& state
   result.limit = expressions_.value_as(*statement.limit, type);
   if (statement.step) {
     result.step = expressions_.value_as(*statement.step, type);
-    const bool is_zero = result.step && result.step->kind == ValueKind::Constant && result.step->constant.integer == 0;
+    const bool is_zero =
+        result.step && result.step->kind == ValueKind::Constant && result.step->constant.integer == 0;
     if (is_zero) a_.error(code::kOutOfRange, statement.step->where, "a step of 0 never ends");
   } else if (type != nullptr) {
     result.step = ExpressionAnalyzer::make_constant({1}, type, statement.where);

@@ -15,15 +15,28 @@ bool between(ElementaryType type, ElementaryType first, ElementaryType last) {
 // Value bits without the sign.
 unsigned magnitude_bits(ElementaryType type) {
   switch (type) {
-    case Sint: return 7;
-    case Int: return 15;
-    case Dint: return 31;
-    case Lint: return 63;
-    case Usint: case Byte: return 8;
-    case Uint: case Word: return 16;
-    case Udint: case Dword: return 32;
-    case Ulint: case Lword: return 64;
-    default: return 1;
+    case Sint:
+      return 7;
+    case Int:
+      return 15;
+    case Dint:
+      return 31;
+    case Lint:
+      return 63;
+    case Usint:
+    case Byte:
+      return 8;
+    case Uint:
+    case Word:
+      return 16;
+    case Udint:
+    case Dword:
+      return 32;
+    case Ulint:
+    case Lword:
+      return 64;
+    default:
+      return 1;
   }
 }
 
@@ -73,7 +86,8 @@ const Type* TypeTable::array(const Type* element, std::vector<Dimension> dimensi
   std::string name = "ARRAY[";
   std::uint32_t count = 1;
   for (std::size_t i = 0; i < dimensions.size(); ++i) {
-    name += (i > 0 ? "," : "") + std::to_string(dimensions[i].lower) + ".." + std::to_string(dimensions[i].upper);
+    name +=
+        (i > 0 ? "," : "") + std::to_string(dimensions[i].lower) + ".." + std::to_string(dimensions[i].upper);
     count *= dimensions[i].count();
   }
   name += "] OF " + element->name;
@@ -111,8 +125,7 @@ bool widens(const Type& from, const Type& to) {
     if (!from.is_unsigned() && to.is_unsigned()) return false;
     return magnitude_bits(from.elementary) <= magnitude_bits(to.elementary);
   }
-  if (from.is_integer() && to.is_real())
-    return magnitude_bits(from.elementary) <= (to.is(Real) ? 16u : 32u);
+  if (from.is_integer() && to.is_real()) return magnitude_bits(from.elementary) <= (to.is(Real) ? 16u : 32u);
   if (from.is_real() && to.is_real()) return to.is(Lreal);
   if ((from.is_bool() || from.is_bits()) && to.is_bits()) return from.bit_count() <= to.bit_count();
   return false;

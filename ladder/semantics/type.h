@@ -29,7 +29,7 @@ enum class TypeKind : std::uint8_t {
   Array,
   Struct,
   Enumeration,
-  Instance,    // of a function block or a program
+  Instance,  // of a function block or a program
 };
 
 struct Dimension {
@@ -62,7 +62,7 @@ struct Type {
   std::vector<Field> fields;                         // Struct
   std::vector<Enumerator> enumerators;               // Enumeration
   const Pou* pou = nullptr;                          // Instance
-  std::vector<std::byte> initial;                    // `size` bytes: what a variable starts with; empty = zero
+  std::vector<std::byte> initial;  // `size` bytes: what a variable starts with; empty = zero
 
   bool is(ElementaryType type) const { return kind == TypeKind::Elementary && elementary == type; }
   // One value in a slot: not an array, structure or instance.
@@ -72,7 +72,7 @@ struct Type {
   bool is_real() const;      // REAL, LREAL or a real literal
   bool is_number() const { return is_integer() || is_real(); }
   bool is_bool() const { return is(ElementaryType::Bool); }
-  bool is_bits() const;      // BYTE..LWORD
+  bool is_bits() const;  // BYTE..LWORD
   bool is_time() const { return is(ElementaryType::Time); }
   bool is_literal() const { return kind == TypeKind::AnyInteger || kind == TypeKind::AnyReal; }
   unsigned bit_count() const { return is_bool() ? 1 : size * 8; }

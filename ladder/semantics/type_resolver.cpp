@@ -15,7 +15,8 @@ TypeResolver::TypeResolver(Analysis& analysis, const syntax::Unit& unit) : a_(an
                        a_.pous.count(each.name.id.value) != 0 ||
                        !known_.try_emplace(each.name.id.value, Known{&each, State::Open}).second;
     if (taken)
-      a_.error(code::kDuplicate, each.name.where, "there is another type or POU named " + quote(each.name.text));
+      a_.error(code::kDuplicate, each.name.where,
+               "there is another type or POU named " + quote(each.name.text));
   }
 }
 
@@ -57,8 +58,9 @@ const Type* TypeResolver::named(const syntax::Name& name) {
   }
   if (const auto pou = a_.pous.find(name.id.value); pou != a_.pous.end()) {
     if (pou->second->kind != PouKind::FunctionBlock) {
-      a_.error(code::kUnknownType, name.where, quote(name.text) + " is no type but a " +
-                                                   (pou->second->kind == PouKind::Program ? "program" : "function"));
+      a_.error(code::kUnknownType, name.where,
+               quote(name.text) + " is no type but a " +
+                   (pou->second->kind == PouKind::Program ? "program" : "function"));
       return nullptr;
     }
     if (layouts_[name.id.value] == State::Running) {
@@ -68,8 +70,9 @@ const Type* TypeResolver::named(const syntax::Name& name) {
     lay_out(*pou->second);
     return pou->second->type;
   }
-  static constexpr std::string_view kLater[] = {"STRING", "WSTRING", "CHAR", "WCHAR", "DATE", "LDATE", "TOD",
-                                                "TIME_OF_DAY", "LTOD", "DT", "DATE_AND_TIME", "LDT"};
+  static constexpr std::string_view kLater[] = {"STRING", "WSTRING", "CHAR",          "WCHAR",
+                                                "DATE",   "LDATE",   "TOD",           "TIME_OF_DAY",
+                                                "LTOD",   "DT",      "DATE_AND_TIME", "LDT"};
   for (const std::string_view each : kLater) {
     if (a_.names.folded(name.id) != each) continue;
     a_.error(code::kNotSupported, name.where, "the type " + quote(name.text) + " is not supported yet");
@@ -81,8 +84,9 @@ const Type* TypeResolver::named(const syntax::Name& name) {
   for (const auto& each : unit_.types) spellings.emplace_back(each.name.text);
   for (const auto& each : a_.model.pous)
     if (each->kind == PouKind::FunctionBlock) spellings.push_back(each->spelling);
-  a_.error(code::kUnknownType, name.where, "there is no type " + quote(name.text),
-           source::did_you_mean(name.text, std::vector<std::string_view>(spellings.begin(), spellings.end())));
+  a_.error(
+      code::kUnknownType, name.where, "there is no type " + quote(name.text),
+      source::did_you_mean(name.text, std::vector<std::string_view>(spellings.begin(), spellings.end())));
   return nullptr;
 }
 

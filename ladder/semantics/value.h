@@ -8,6 +8,7 @@
 
 #include "ladder/semantics/constant.h"
 #include "ladder/semantics/type.h"
+#include "runtime/bytecode/container_format.h"
 #include "runtime/bytecode/opcode.h"
 
 namespace stepwright::semantics {
@@ -17,23 +18,23 @@ using ValuePtr = std::unique_ptr<Value>;
 
 // Where a variable's memory begins. Addresses of areas are absolute once the areas have their sizes.
 enum class Base : std::uint8_t {
-  Input,      // `offset` in the input area; so for the next three
+  Input,  // `offset` in the input area; so for the next three
   Output,
   Marker,
   Data,
-  This,       // `offset` in the running instance
-  Slot,       // local slot `slot` of the running function: a scalar without an address
-  ThisRef,    // the reference stored at `offset` in the running instance (VAR_IN_OUT)
-  SlotRef,    // the reference held by local slot `slot`
+  This,     // `offset` in the running instance
+  Slot,     // local slot `slot` of the running function: a scalar without an address
+  ThisRef,  // the reference stored at `offset` in the running instance (VAR_IN_OUT)
+  SlotRef,  // the reference held by local slot `slot`
 };
 
 // One step from a place to a part of it.
 struct PlaceStep {
-  ValuePtr index;             // null: only `offset` is added
-  std::int32_t lower = 0;     // bounds of the index, checked at run time
+  ValuePtr index;          // null: only `offset` is added
+  std::int32_t lower = 0;  // bounds of the index, checked at run time
   std::int32_t upper = 0;
   std::uint32_t stride = 0;
-  std::uint32_t offset = 0;   // added behind the index
+  std::uint32_t offset = 0;  // added behind the index
 };
 
 // A variable or a part of one.

@@ -61,7 +61,6 @@ inline constexpr const char* kSeveralConfigurations = "E0605";
 inline constexpr const char* kUnknownLabel = "E0701";
 inline constexpr const char* kEdgeInFunction = "E0702";
 inline constexpr const char* kBadChart = "E0703";
-inline constexpr const char* kEmptyRung = "E0704";
 
 inline constexpr const char* kUnreachable = "W0001";
 inline constexpr const char* kUnusedResult = "W0002";

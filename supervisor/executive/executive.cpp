@@ -128,7 +128,7 @@ bool Executive::recover_runtime() {
   const bool runs = program && *program == current_.container && status &&
                     status->state == host::RuntimeState::Running && status->program_digest == digest_;
   if (!runs) return replan("the runtime was restarted or stopped while nobody watched it");
-  auto reader = ImageReader::create(current_.container, current_.translation.program,
+  auto reader = ImageReader::create(current_.container, current_.translation.instance,
                                     watched_variables(desk_.binding()));
   if (!reader) return give_up("the program cannot be read", reader.error());
   reader_ = std::move(*reader);
@@ -250,7 +250,7 @@ bool Executive::launch() {
 // Downloads and starts a program and waits for the news that it has started. False if the runtime is lost
 // (phase unchanged) or refuses (phase Safe).
 bool Executive::install(const PreparedPlan& prepared) {
-  auto reader = ImageReader::create(prepared.container, prepared.translation.program,
+  auto reader = ImageReader::create(prepared.container, prepared.translation.instance,
                                     watched_variables(desk_.binding()));
   if (!reader) return give_up("the program cannot be read", reader.error());
   auto digest = controller_.download(prepared.container);

@@ -265,6 +265,7 @@ result::Result<Translation> translate(const model::PlannedRun& run, const Bindin
   chart.build();
   if (!chart.writer().problems().empty()) return tl::unexpected(chart.writer().problems());
   translation.program = kPlanProgram;
+  translation.instance = kPlanInstance;
   translation.steps = chart.writer().take_steps();
   translation.orderings = graph->orderings();
   translation.changes = std::move(changes.of_action);

@@ -37,12 +37,14 @@ class TypeResolver {
   std::unordered_map<std::uint32_t, State> layouts_;  // of POUs
 };
 
-// Writes the value of an initialiser at `out`, which holds the type's own initial value. False after a report.
-bool initialise(Analysis& analysis, ExpressionAnalyzer& expressions, const syntax::Expression& initial, const Type& type,
-                std::span<std::byte> out);
+// Writes the value of an initialiser at `out`, which holds the type's own initial value. False after a
+// report.
+bool initialise(Analysis& analysis, ExpressionAnalyzer& expressions, const syntax::Expression& initial,
+                const Type& type, std::span<std::byte> out);
 
 // Globals of the unit and of its configurations. Appends to the model.
-void declare_globals(Analysis& analysis, TypeResolver& types, const std::vector<syntax::VariableDeclaration>& lines);
+void declare_globals(Analysis& analysis, TypeResolver& types,
+                     const std::vector<syntax::VariableDeclaration>& lines);
 
 // Two located variables that share bits, whatever POU or configuration declares them.
 void check_overlaps(Analysis& analysis);

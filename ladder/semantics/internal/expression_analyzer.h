@@ -65,7 +65,8 @@ class ExpressionAnalyzer {
   };
   std::optional<Member> struct_member(const Type& type, const syntax::Name& name);
   std::optional<Member> instance_member(const Type& type, const syntax::Name& name);
-  bool add_index(Place& place, const syntax::Expression& index, const Dimension& dimension, std::uint32_t stride);
+  bool add_index(Place& place, const syntax::Expression& index, const Dimension& dimension,
+                 std::uint32_t stride);
   const Variable* find_variable(NameId name) const;
   void report_unknown(const syntax::Name& name);
   std::string why_read_only(const Variable& variable) const;
@@ -93,7 +94,8 @@ class ExpressionAnalyzer {
   ValuePtr function_call(const syntax::Expression& expression, Pou& function);
   std::optional<Statement> block_call(const syntax::Expression& call, const syntax::Expression* path);
   // Which parameter each argument means; false after a report.
-  bool match_arguments(const syntax::Expression& call, const Pou& pou, std::vector<const syntax::Argument*>& out);
+  bool match_arguments(const syntax::Expression& call, const Pou& pou,
+                       std::vector<const syntax::Argument*>& out);
   bool pass_output(const syntax::Argument& argument, Place source, std::vector<CopyAfter>& after);
   ValuePtr reference_argument(const syntax::Argument& argument, const Variable& parameter,
                               std::vector<CopyBefore>& before, std::vector<CopyAfter>& after);

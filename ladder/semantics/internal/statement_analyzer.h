@@ -27,7 +27,8 @@ class StatementAnalyzer {
   std::optional<Statement> loop(const syntax::Statement& statement, StatementKind kind, const char* what);
   std::optional<Statement> leave(const syntax::Statement& statement, StatementKind kind);
   std::optional<Statement> jump(const syntax::Statement& statement, StatementKind kind);
-  void case_ranges(const syntax::Branch& branch, const Type* selector, std::vector<CaseRange>& seen, Branch& out);
+  void case_ranges(const syntax::Branch& branch, const Type* selector, std::vector<CaseRange>& seen,
+                   Branch& out);
 
   Analysis& a_;
   Pou& pou_;

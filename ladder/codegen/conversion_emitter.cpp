@@ -1,0 +1,109 @@
+// Conversions between elementary types (IEC 61131-3, 6.6.2.5.3). Reals round to the nearest, ties to even, and
+// trap outside of the target; integers wrap; durations count as milliseconds.
+
+#include "ladder/codegen/expression_emitter.h"
+#include "ladder/codegen/machine_type.h"
+
+namespace stepwright::codegen {
+
+using bytecode::Opcode;
+using semantics::Type;
+
+namespace {
+
+constexpr std::int64_t kNsPerMs = 1'000'000;
+
+}  // namespace
+
+void ExpressionEmitter::convert(const Type& from, const Type& to) {
+  if (from.is_time() || to.is_time()) return time_conversion(from, to);
+  if (to.is_bool()) {
+    if (from.is_bool()) return;
+    if (from.is_real()) {
+      constant({}, from);
+      return b_.emit(from.size == 4 ? Opcode::NeF32 : Opcode::NeF64);
+    }
+    return b_.emit(from.size == 8 ? Opcode::I64ToBool : Opcode::I32ToBool);
+  }
+  if (to.is_real()) return to_real(from, to);
+  to_integer(from, to);
+}
+
+void ExpressionEmitter::to_real(const Type& from, const Type& to) {
+  const bool single = to.size == 4;
+  switch (machine_type(from)) {
+    case Machine::Bool:
+      b_.emit(Opcode::BoolToI32);
+      return b_.emit(single ? Opcode::I32ToF32 : Opcode::I32ToF64);
+    case Machine::I32:
+      return b_.emit(single ? Opcode::I32ToF32 : Opcode::I32ToF64);
+    case Machine::U32:
+      return b_.emit(single ? Opcode::U32ToF32 : Opcode::U32ToF64);
+    case Machine::I64:
+      return b_.emit(single ? Opcode::I64ToF32 : Opcode::I64ToF64);
+    case Machine::U64:
+      return b_.emit(single ? Opcode::U64ToF32 : Opcode::U64ToF64);
+    case Machine::F32:
+      if (!single) b_.emit(Opcode::F32ToF64);
+      return;
+    case Machine::F64:
+      if (single) b_.emit(Opcode::F64ToF32);
+      return;
+  }
+}
+
+void ExpressionEmitter::to_integer(const Type& from, const Type& to) {
+  const bool wide = to.size == 8;
+  switch (machine_type(from)) {
+    case Machine::F32:
+      return b_.to_int(Opcode::RoundF32, int_type(to));
+    case Machine::F64:
+      return b_.to_int(Opcode::RoundF64, int_type(to));
+    case Machine::Bool:
+      b_.emit(Opcode::BoolToI32);
+      if (wide) b_.emit(Opcode::U32ToI64);
+      return;
+    case Machine::I32:
+      if (wide) return b_.emit(Opcode::I32ToI64);
+      break;
+    case Machine::U32:
+      if (wide) return b_.emit(Opcode::U32ToI64);
+      break;
+    case Machine::I64:
+    case Machine::U64:
+      if (wide) return;
+      b_.emit(Opcode::I64ToI32);
+      break;
+  }
+  // Cut off what the target cannot hold; a conversion that widens changes nothing.
+  if (!semantics::widens(from, to)) wrap(to);
+}
+
+void ExpressionEmitter::time_conversion(const Type& from, const Type& to) {
+  if (from.is_time() && to.is_time()) return;
+  if (from.is_time()) {
+    if (!to.is_real()) {
+      b_.const_i64(kNsPerMs);
+      b_.emit(Opcode::DivI64);
+      if (to.size == 8) return;
+      b_.emit(Opcode::I64ToI32);
+      return wrap(to);
+    }
+    b_.emit(Opcode::I64ToF64);
+    b_.const_f64(static_cast<double>(kNsPerMs));
+    b_.emit(Opcode::DivF64);
+    if (to.size == 4) b_.emit(Opcode::F64ToF32);
+    return;
+  }
+  if (from.is_real()) {
+    if (from.size == 4) b_.emit(Opcode::F32ToF64);
+    b_.const_f64(static_cast<double>(kNsPerMs));
+    b_.emit(Opcode::MulF64);
+    return b_.to_int(Opcode::RoundF64, bytecode::IntType::I64);
+  }
+  if (from.size != 8) b_.emit(from.is_unsigned() ? Opcode::U32ToI64 : Opcode::I32ToI64);
+  b_.const_i64(kNsPerMs);
+  b_.emit(Opcode::MulI64);
+}
+
+}  // namespace stepwright::codegen

@@ -1,0 +1,98 @@
+#pragma once
+
+// Values and places as instructions. Internal to this folder.
+//
+// On the operand stack narrow integers are exact: INT -1 is the I32 -1, UINT 65535 the I32 65535. Where the
+// upper bits do not matter (below + - *, before a store to memory) the wrap is left out: `Width::Any`.
+
+#include <array>
+#include <unordered_map>
+
+#include "ladder/semantics/model.h"
+#include "runtime/bytecode/writer/function_builder.h"
+
+namespace stepwright::codegen {
+
+// What all functions of a program share.
+struct ProgramLayout {
+  std::array<std::uint32_t, 4> bases{};  // absolute address of %I, %Q, %M, Data
+  std::unordered_map<const semantics::Pou*, std::uint32_t> functions;
+};
+
+enum class Width : std::uint8_t { Exact, Any };
+
+class ExpressionEmitter {
+ public:
+  ExpressionEmitter(const ProgramLayout& layout, writer::FunctionBuilder& builder)
+      : layout_(layout), b_(builder) {}
+
+  void value(const semantics::Value& value, Width width = Width::Exact);
+  void constant(const semantics::Constant& constant, const semantics::Type& type);
+  void load(const semantics::Place& place);
+  // place := value; also aggregates.
+  void assign(const semantics::Place& place, const semantics::Value& value);
+  // The address of a place as a Ref.
+  void reference(const semantics::Place& place);
+  // Stores what `emit` pushes.
+  template <typename Emit>
+  void store(const semantics::Place& place, Emit emit);
+  void copies_before(const std::vector<semantics::CopyBefore>& copies);
+  void copies_after(const std::vector<semantics::CopyAfter>& copies);
+
+  // One binary operation on operands of a type that lie on the stack; no wrap.
+  void operation(syntax::Operator op, const semantics::Type& operands);
+  // Cuts an I32 to the type, if it is narrower.
+  void wrap(const semantics::Type& type);
+
+  std::uint32_t address(const semantics::Place& place) const {
+    return layout_.bases[static_cast<std::size_t>(place.base)] + place.offset;
+  }
+  std::uint32_t function_of(const semantics::Pou& pou) const { return layout_.functions.at(&pou); }
+  bool in_area(const semantics::Place& place) const { return place.base <= semantics::Base::Data; }
+
+ private:
+  void unary(const semantics::Value& value, Width width);
+  void binary(const semantics::Value& value, Width width);
+  void bool_order(const semantics::Value& value);
+  void convert(const semantics::Type& from, const semantics::Type& to);
+  void to_integer(const semantics::Type& from, const semantics::Type& to);
+  void to_real(const semantics::Type& from, const semantics::Type& to);
+  void time_conversion(const semantics::Type& from, const semantics::Type& to);
+  void standard(const semantics::Value& value);
+  void shift(const semantics::Value& value);
+  void select(const semantics::Value& value);
+  void multiplex(const semantics::Value& value);
+
+  const ProgramLayout& layout_;
+  writer::FunctionBuilder& b_;
+};
+
+template <typename Emit>
+void ExpressionEmitter::store(const semantics::Place& place, Emit emit) {
+  using bytecode::AddressMode;
+  if (place.base == semantics::Base::Slot) {
+    emit(Width::Exact);
+    b_.local_set(writer::LocalId(place.slot));
+    return;
+  }
+  if (place.bit != bytecode::kNoBit) {
+    emit(Width::Exact);
+    b_.store_bit(address(place), place.bit);
+    return;
+  }
+  const bytecode::MemType type = bytecode::mem_type(place.type->elementary);
+  if (place.is_direct()) {
+    emit(Width::Any);
+    if (in_area(place)) {
+      b_.store(type, AddressMode::Abs, address(place));
+    } else {
+      b_.store(type, AddressMode::This, place.offset);
+    }
+    return;
+  }
+  reference(place);
+  emit(Width::Any);
+  b_.store(type, AddressMode::Ind);
+}
+
+}  // namespace stepwright::codegen

@@ -1,0 +1,334 @@
+#include "ladder/codegen/function_emitter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ladder/codegen/machine_type.h"
+
+namespace stepwright::codegen {
+
+using bytecode::Opcode;
+using semantics::Statement;
+using semantics::StatementKind;
+using semantics::Type;
+using semantics::ValueKind;
+using syntax::Operator;
+using writer::Label;
+using writer::LocalId;
+
+namespace {
+
+bytecode::FunctionKind kind_of(semantics::PouKind kind) {
+  switch (kind) {
+    case semantics::PouKind::Program:
+      return bytecode::FunctionKind::Program;
+    case semantics::PouKind::FunctionBlock:
+      return bytecode::FunctionKind::FunctionBlock;
+    default:
+      return bytecode::FunctionKind::Function;
+  }
+}
+
+bytecode::StackType slot_of(const Type& type) {
+  return bytecode::stack_type(bytecode::mem_type(type.elementary));
+}
+
+}  // namespace
+
+std::uint32_t FileTable::index_of(source::FileId file) {
+  const auto known = std::find(files_.begin(), files_.end(), file);
+  if (known == files_.end()) {
+    files_.push_back(file);
+    return static_cast<std::uint32_t>(files_.size() - 1);
+  }
+  return static_cast<std::uint32_t>(known - files_.begin());
+}
+
+FunctionEmitter::FunctionEmitter(const ProgramLayout& layout, FileTable& files, const semantics::Pou& pou)
+    : pou_(pou),
+      files_(files),
+      b_(pou.spelling, kind_of(pou.kind), pou.type != nullptr ? pou.type->size : 0),
+      e_(layout, b_) {
+  for (std::size_t i = 0; i < pou.slots.size(); ++i) {
+    if (i < pou.parameter_count) {
+      b_.add_param(pou.slots[i]);
+    } else {
+      b_.add_local(pou.slots[i]);
+    }
+  }
+  if (pou.result != nullptr) b_.set_result(slot_of(*pou.result));
+  for (std::uint32_t i = 0; i < pou.label_count; ++i) labels_.push_back(b_.new_label());
+}
+
+writer::Function FunctionEmitter::run() && {
+  block(pou_.entry);
+  block(pou_.body);
+  line(pou_.end);
+  leave();
+  return std::move(b_).take();
+}
+
+void FunctionEmitter::line(source::Position where) {
+  b_.line(files_.index_of(where.file), files_.sources().line(where));
+}
+
+void FunctionEmitter::leave() {
+  if (pou_.result != nullptr) b_.local_get(LocalId(pou_.result_slot));
+  b_.emit(Opcode::Return);
+}
+
+void FunctionEmitter::block(const semantics::Block& statements) {
+  for (const Statement& each : statements) statement(each);
+}
+
+void FunctionEmitter::statement(const Statement& statement) {
+  line(statement.where);
+  switch (statement.kind) {
+    case StatementKind::Assign:
+      return e_.assign(statement.target, *statement.value);
+    case StatementKind::Evaluate:
+      e_.value(*statement.value);
+      return b_.emit(Opcode::Drop);
+    case StatementKind::Instance:
+      return instance(statement);
+    case StatementKind::If:
+      return branches(statement);
+    case StatementKind::Case:
+      return select(statement);
+    case StatementKind::For:
+      return count(statement);
+    case StatementKind::While:
+      return while_loop(statement);
+    case StatementKind::Repeat:
+      return repeat_loop(statement);
+    case StatementKind::Exit:
+      return b_.jump(loops_.back().exit);
+    case StatementKind::Continue:
+      return b_.jump(loops_.back().next);
+    case StatementKind::Return:
+      return leave();
+    case StatementKind::Jump:
+      return b_.jump(labels_[statement.label]);
+    case StatementKind::Label:
+      return b_.bind(labels_[statement.label]);
+  }
+}
+
+void FunctionEmitter::instance(const Statement& statement) {
+  e_.copies_before(statement.before);
+  const semantics::Place& target = statement.target;
+  const std::uint32_t function = e_.function_of(*target.type->pou);
+  if (!target.is_direct()) {
+    e_.reference(target);
+    b_.call_instance(bytecode::AddressMode::Ind, function);
+  } else if (e_.in_area(target)) {
+    b_.call_instance(bytecode::AddressMode::Abs, function, e_.address(target));
+  } else {
+    b_.call_instance(bytecode::AddressMode::This, function, target.offset);
+  }
+  e_.copies_after(statement.after);
+}
+
+void FunctionEmitter::branches(const Statement& statement) {
+  const Label end = b_.new_label();
+  for (const semantics::Branch& each : statement.branches) {
+    if (!each.condition) {
+      block(each.body);
+      break;
+    }
+    const Label next = b_.new_label();
+    line(each.condition->where);
+    e_.value(*each.condition);
+    b_.jump_if_false(next);
+    block(each.body);
+    if (&each != &statement.branches.back()) b_.jump(end);
+    b_.bind(next);
+  }
+  b_.bind(end);
+}
+
+void FunctionEmitter::case_test(const semantics::CaseRange& range, LocalId selector, const Type& type) {
+  b_.local_get(selector);
+  e_.constant(range.low, type);
+  if (range.low.integer == range.high.integer) return e_.operation(Operator::Equal, type);
+  e_.operation(Operator::GreaterEqual, type);
+  b_.local_get(selector);
+  e_.constant(range.high, type);
+  e_.operation(Operator::LessEqual, type);
+  b_.emit(Opcode::AndBool);
+}
+
+void FunctionEmitter::select(const Statement& statement) {
+  const Type& type = *statement.value->type;
+  const LocalId selector = b_.add_local(slot_of(type));
+  e_.value(*statement.value);
+  b_.local_set(selector);
+  const Label end = b_.new_label();
+  for (const semantics::Branch& each : statement.branches) {
+    if (each.ranges.empty()) {
+      block(each.body);
+      break;
+    }
+    const Label body = b_.new_label();
+    const Label next = b_.new_label();
+    for (const semantics::CaseRange& range : each.ranges) {
+      case_test(range, selector, type);
+      if (&range == &each.ranges.back()) {
+        b_.jump_if_false(next);
+      } else {
+        b_.jump_if_true(body);
+      }
+    }
+    b_.bind(body);
+    block(each.body);
+    if (&each != &statement.branches.back()) b_.jump(end);
+    b_.bind(next);
+  }
+  b_.bind(end);
+}
+
+void FunctionEmitter::body(const Statement& statement, Loop loop) {
+  loops_.push_back(loop);
+  block(statement.body);
+  loops_.pop_back();
+}
+
+void FunctionEmitter::while_loop(const Statement& statement) {
+  const Loop loop{b_.new_label(), b_.new_label()};
+  b_.bind(loop.next);
+  e_.value(*statement.value);
+  b_.jump_if_false(loop.exit);
+  body(statement, loop);
+  b_.jump(loop.next);
+  b_.bind(loop.exit);
+}
+
+void FunctionEmitter::repeat_loop(const Statement& statement) {
+  const Loop loop{b_.new_label(), b_.new_label()};
+  const Label start = b_.new_label();
+  b_.bind(start);
+  body(statement, loop);
+  b_.bind(loop.next);
+  line(statement.value->where);
+  e_.value(*statement.value);
+  b_.jump_if_false(start);
+  b_.bind(loop.exit);
+}
+
+// The limit and the step are evaluated once (7.3.3.4.2). Behind the loop the variable holds the first value
+// that was out of range, wrapped to its type.
+void FunctionEmitter::count(const Statement& statement) {
+  e_.assign(statement.target, *statement.value);
+  const bool constant_step = statement.step->kind == ValueKind::Constant;
+  const __int128 step = constant_step ? statement.step->constant.integer : 0;
+  const bool constant_limit = statement.limit->kind == ValueKind::Constant;
+  if (constant_step && (constant_limit || step == 1 || step == -1)) return count_by_constant(statement);
+  count_by_value(statement);
+}
+
+void FunctionEmitter::count_by_constant(const Statement& statement) {
+  const Type& type = *statement.target.type;
+  const bool upwards = statement.step->constant.integer > 0;
+  const LocalId limit = b_.add_local(slot_of(type));
+  if (statement.limit->kind != ValueKind::Constant) {
+    e_.value(*statement.limit);
+    b_.local_set(limit);
+  }
+  const Loop loop{b_.new_label(), b_.new_label()};
+  const Label start = b_.new_label();
+  e_.load(statement.target);
+  if (statement.limit->kind == ValueKind::Constant) {
+    e_.constant(statement.limit->constant, type);
+  } else {
+    b_.local_get(limit);
+  }
+  e_.operation(upwards ? Operator::LessEqual : Operator::GreaterEqual, type);
+  b_.jump_if_false(loop.exit);
+  b_.bind(start);
+  body(statement, loop);
+  b_.bind(loop.next);
+  line(statement.where);
+  push_last(statement, limit);
+  e_.store(statement.target, [&](Width width) {
+    e_.load(statement.target);
+    e_.constant(statement.step->constant, type);
+    e_.operation(Operator::Add, type);
+    if (width == Width::Exact) e_.wrap(type);
+  });
+  b_.jump_if_false(start);
+  b_.bind(loop.exit);
+}
+
+// The test stands before the step, on the old value, so that it cannot be fooled by a wrap.
+void FunctionEmitter::push_last(const Statement& statement, LocalId limit) {
+  const Type& type = *statement.target.type;
+  const __int128 step = statement.step->constant.integer;
+  if (statement.limit->kind != ValueKind::Constant) {
+    // Step 1 or -1: the last value is the limit itself.
+    e_.load(statement.target);
+    b_.local_get(limit);
+    return e_.operation(step > 0 ? Operator::GreaterEqual : Operator::LessEqual, type);
+  }
+  const semantics::Constant last{statement.limit->constant.integer - step};
+  if (!semantics::fits(last, type)) return b_.const_bool(true);
+  e_.load(statement.target);
+  e_.constant(last, type);
+  e_.operation(step > 0 ? Operator::Greater : Operator::Less, type);
+}
+
+// Limit and step are variables: the sign of the step decides at run time, and up to 32 bits the next value is
+// computed in 64, where it cannot wrap.
+void FunctionEmitter::count_by_value(const Statement& statement) {
+  const Type& type = *statement.target.type;
+  const LocalId limit = b_.add_local(slot_of(type));
+  const LocalId step = b_.add_local(slot_of(type));
+  e_.value(*statement.limit);
+  b_.local_set(limit);
+  e_.value(*statement.step);
+  b_.local_set(step);
+  const Loop loop{b_.new_label(), b_.new_label()};
+  const bool wide = type.size == 8;
+  const auto within = [&](bool next) {
+    for (const Operator op : {Operator::GreaterEqual, Operator::LessEqual}) {
+      const auto widened = [&](auto push) {
+        push();
+        if (!wide) b_.emit(type.is_unsigned() ? Opcode::U32ToI64 : Opcode::I32ToI64);
+      };
+      widened([&] { e_.load(statement.target); });
+      if (next) {
+        widened([&] { b_.local_get(step); });
+        b_.emit(Opcode::AddI64);
+      }
+      widened([&] { b_.local_get(limit); });
+      const bool unsigned_order = wide && type.is_unsigned();
+      b_.emit(binary_opcode(op, unsigned_order ? Machine::U64 : Machine::I64));
+    }
+    b_.local_get(step);
+    e_.constant({}, type);
+    e_.operation(Operator::GreaterEqual, type);
+    b_.emit(Opcode::Select);
+  };
+  within(false);
+  b_.jump_if_false(loop.exit);
+  const Label start = b_.new_label();
+  b_.bind(start);
+  body(statement, loop);
+  b_.bind(loop.next);
+  line(statement.where);
+  within(true);
+  advance(statement, step);
+  b_.jump_if_true(start);
+  b_.bind(loop.exit);
+}
+
+void FunctionEmitter::advance(const Statement& statement, LocalId step) {
+  const Type& type = *statement.target.type;
+  e_.store(statement.target, [&](Width width) {
+    e_.load(statement.target);
+    b_.local_get(step);
+    e_.operation(Operator::Add, type);
+    if (width == Width::Exact) e_.wrap(type);
+  });
+}
+
+}  // namespace stepwright::codegen

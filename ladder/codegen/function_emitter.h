@@ -1,0 +1,65 @@
+#pragma once
+
+// The statements of one POU as a function. Internal to this folder.
+
+#include <vector>
+
+#include "ladder/codegen/expression_emitter.h"
+#include "ladder/source/source_set.h"
+
+namespace stepwright::codegen {
+
+// Source files in the order in which code first comes from them.
+class FileTable {
+ public:
+  explicit FileTable(const source::SourceSet& sources) : sources_(sources) {}
+
+  std::uint32_t index_of(source::FileId file);
+  const source::SourceSet& sources() const { return sources_; }
+  const std::vector<source::FileId>& files() const { return files_; }
+
+ private:
+  const source::SourceSet& sources_;
+  std::vector<source::FileId> files_;
+};
+
+class FunctionEmitter {
+ public:
+  FunctionEmitter(const ProgramLayout& layout, FileTable& files, const semantics::Pou& pou);
+
+  // The finished function; the emitter is used up.
+  writer::Function run() &&;
+
+ private:
+  struct Loop {
+    writer::Label exit;
+    writer::Label next;
+  };
+
+  void block(const semantics::Block& statements);
+  void statement(const semantics::Statement& statement);
+  void instance(const semantics::Statement& statement);
+  void branches(const semantics::Statement& statement);
+  void select(const semantics::Statement& statement);
+  void case_test(const semantics::CaseRange& range, writer::LocalId selector, const semantics::Type& type);
+  void count(const semantics::Statement& statement);
+  void count_by_constant(const semantics::Statement& statement);
+  void count_by_value(const semantics::Statement& statement);
+  // Pushes whether the constant step leads past the limit. `limit` is the local that holds it.
+  void push_last(const semantics::Statement& statement, writer::LocalId limit);
+  void advance(const semantics::Statement& statement, writer::LocalId step);
+  void while_loop(const semantics::Statement& statement);
+  void repeat_loop(const semantics::Statement& statement);
+  void body(const semantics::Statement& statement, Loop loop);
+  void leave();
+  void line(source::Position where);
+
+  const semantics::Pou& pou_;
+  FileTable& files_;
+  writer::FunctionBuilder b_;
+  ExpressionEmitter e_;
+  std::vector<Loop> loops_;
+  std::vector<writer::Label> labels_;
+};
+
+}  // namespace stepwright::codegen

@@ -1,0 +1,85 @@
+#include "ladder/codegen/generate.h"
+
+#include <unordered_set>
+#include <utility>
+
+#include "ladder/codegen/function_emitter.h"
+#include "ladder/codegen/symbol_table.h"
+#include "runtime/bytecode/writer/container_writer.h"
+
+namespace stepwright::codegen {
+
+namespace {
+
+using semantics::Base;
+using semantics::Model;
+using semantics::Pou;
+
+void reach(const Pou& pou, std::unordered_set<const Pou*>& reached) {
+  if (!reached.insert(&pou).second) return;
+  for (const Pou* each : pou.callees) reach(*each, reached);
+}
+
+// Only what a task runs becomes code, in the order of the declarations.
+std::vector<const Pou*> functions_of(const Model& model) {
+  std::unordered_set<const Pou*> reached;
+  for (const semantics::Task& task : model.tasks)
+    for (const semantics::ProgramInstance& each : task.programs) reach(*each.program, reached);
+  std::vector<const Pou*> functions;
+  for (const auto& pou : model.pous)
+    if (reached.count(pou.get()) != 0) functions.push_back(pou.get());
+  return functions;
+}
+
+ProgramLayout lay_out(const Model& model, const std::vector<const Pou*>& functions) {
+  ProgramLayout layout;
+  std::uint32_t address = 0;
+  for (std::size_t i = 0; i < layout.bases.size(); ++i) {
+    layout.bases[i] = address;
+    address += static_cast<std::uint32_t>(model.areas[i].size());
+  }
+  for (const Pou* each : functions)
+    layout.functions.emplace(each, static_cast<std::uint32_t>(layout.functions.size()));
+  return layout;
+}
+
+void add_memory(const Model& model, writer::ContainerModel& out) {
+  const auto size = [&](Base base) { return static_cast<std::uint32_t>(model.area(base).size()); };
+  out.sizes = {size(Base::Input), size(Base::Output), size(Base::Marker), size(Base::Data)};
+  for (const auto& area : model.areas) out.initial_data.insert(out.initial_data.end(), area.begin(), area.end());
+}
+
+void add_tasks(const Model& model, const ProgramLayout& layout, writer::ContainerModel& out) {
+  for (const semantics::Task& task : model.tasks) {
+    writer::Task each;
+    each.name = task.name;
+    each.interval_us = task.interval_us;
+    each.priority = task.priority;
+    for (const semantics::ProgramInstance& instance : task.programs)
+      each.calls.push_back({instance.name, layout.functions.at(instance.program),
+                            layout.bases[static_cast<std::size_t>(Base::Data)] + instance.offset});
+    out.tasks.push_back(std::move(each));
+  }
+}
+
+}  // namespace
+
+result::Result<std::vector<std::byte>> generate(const Model& model, const std::vector<ChartOrigin>& charts,
+                                                const source::SourceSet& sources) {
+  writer::ContainerModel out;
+  const std::vector<const Pou*> functions = functions_of(model);
+  const ProgramLayout layout = lay_out(model, functions);
+  add_memory(model, out);
+  FileTable files(sources);
+  for (const Pou* each : functions) out.functions.push_back(FunctionEmitter(layout, files, *each).run());
+  for (const source::FileId file : files.files()) out.source_files.push_back(sources.name(file));
+  SymbolTable symbols(model, layout, out);
+  symbols.globals();
+  for (const semantics::Task& task : model.tasks)
+    for (const semantics::ProgramInstance& instance : task.programs) symbols.instance(instance, charts);
+  symbols.finish();
+  add_tasks(model, layout, out);
+  return writer::write_container(out);
+}
+
+}  // namespace stepwright::codegen

@@ -1,0 +1,177 @@
+#include "ladder/codegen/symbol_table.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ladder/source/name_table.h"
+
+namespace stepwright::codegen {
+
+using bytecode::SymbolSection;
+using semantics::Base;
+using semantics::Pou;
+using semantics::Type;
+using semantics::TypeKind;
+using semantics::Variable;
+
+namespace {
+
+std::uint16_t flags_of(const Variable& variable) {
+  std::uint16_t flags = 0;
+  if (variable.retain) flags |= bytecode::kSymbolRetain;
+  if (variable.address) flags |= bytecode::kSymbolLocated;
+  if (variable.constant) flags |= bytecode::kSymbolConstant;
+  return flags;
+}
+
+const Variable* find(const Pou& pou, const std::string& name) {
+  const std::string folded = source::upper(name);
+  for (const Variable& each : pou.variables)
+    if (source::upper(each.spelling) == folded) return &each;
+  return nullptr;
+}
+
+}  // namespace
+
+// Two types of one name (structures without a name) get different ones.
+std::uint32_t SymbolTable::add(writer::Type type) {
+  const std::uint32_t same = names_[type.name]++;
+  if (same > 0) type.name += "#" + std::to_string(same + 1);
+  out_.types.push_back(std::move(type));
+  return static_cast<std::uint32_t>(out_.types.size() - 1);
+}
+
+std::uint32_t SymbolTable::type(const Type& type) {
+  if (const auto known = types_.find(&type); known != types_.end()) return known->second;
+  std::uint32_t index = 0;
+  if (type.kind == TypeKind::Array) {
+    index = array_type(type, 0);
+  } else if (type.kind == TypeKind::Struct || type.kind == TypeKind::Instance) {
+    index = member_type(type);
+  } else if (type.kind == TypeKind::Enumeration) {
+    index = this->type(*model_.types.elementary(type.elementary));
+  } else {
+    index = add(writer::elementary(type.elementary));
+  }
+  types_.emplace(&type, index);
+  return index;
+}
+
+// Several dimensions are arrays of arrays, the last dimension innermost.
+std::uint32_t SymbolTable::array_type(const Type& type, std::size_t dimension) {
+  const bool innermost = dimension + 1 == type.dimensions.size();
+  writer::Type out;
+  out.element = innermost ? this->type(*type.element) : array_type(type, dimension + 1);
+  const semantics::Dimension& bounds = type.dimensions[dimension];
+  out.kind = bytecode::TypeKind::Array;
+  out.count = bounds.count();
+  out.lower = bounds.lower;
+  out.size = out.count * out_.types[out.element].size;
+  out.name = "ARRAY[" + std::to_string(bounds.lower) + ".." + std::to_string(bounds.upper) + "] OF " +
+             out_.types[out.element].name;
+  return add(std::move(out));
+}
+
+std::uint32_t SymbolTable::member_type(const Type& type) {
+  writer::Type out;
+  out.name = type.name;
+  out.size = type.size;
+  out.kind = type.kind == TypeKind::Struct ? bytecode::TypeKind::Struct : bytecode::TypeKind::Instance;
+  for (const semantics::Field& each : type.fields)
+    out.members.push_back({each.spelling, this->type(*each.type), each.offset});
+  if (type.pou != nullptr) {
+    for (const Variable& each : type.pou->variables)
+      if (each.place.base == Base::This && each.section != semantics::Section::External)
+        out.members.push_back({each.spelling, this->type(*each.type), each.place.offset});
+  }
+  return add(std::move(out));
+}
+
+void SymbolTable::variable(const Variable& variable, const std::string& path, SymbolSection section) {
+  writer::Symbol symbol;
+  symbol.name = path;
+  symbol.type = type(*variable.type);
+  symbol.address = layout_.bases[static_cast<std::size_t>(variable.place.base)] + variable.place.offset;
+  symbol.bit = variable.place.bit;
+  symbol.section = section;
+  symbol.flags = flags_of(variable);
+  if (variable.address) symbol.direct_address = to_string(*variable.address);
+  if (variable.retain && variable.place.base != Base::Input)
+    out_.retain.push_back({symbol.address, variable.type->size});
+  out_.symbols.push_back(std::move(symbol));
+}
+
+void SymbolTable::globals() {
+  for (const Variable& each : model_.globals) variable(each, each.spelling, SymbolSection::Global);
+}
+
+void SymbolTable::instance(const semantics::ProgramInstance& instance, const std::vector<ChartOrigin>& charts) {
+  const Pou& pou = *instance.program;
+  const std::uint32_t address = layout_.bases[static_cast<std::size_t>(Base::Data)] + instance.offset;
+  writer::Symbol symbol;
+  symbol.name = instance.name;
+  symbol.type = type(*pou.type);
+  symbol.address = address;
+  out_.symbols.push_back(std::move(symbol));
+  for (const Variable& each : pou.variables) {
+    const bool located = each.address.has_value();
+    if (located) variable(each, instance.name + "." + each.spelling, SymbolSection::Local);
+  }
+  walk(instance.name, pou, address, charts);
+}
+
+void SymbolTable::walk(const std::string& path, const Pou& pou, std::uint32_t address,
+                       const std::vector<ChartOrigin>& charts) {
+  for (const ChartOrigin& each : charts)
+    if (each.pou == &pou) chart(path, each, address);
+  for (const Variable& each : pou.variables) {
+    if (each.place.base != Base::This || each.section == semantics::Section::External) continue;
+    if (each.retain) out_.retain.push_back({address + each.place.offset, each.type->size});
+    if (each.type->kind == TypeKind::Instance)
+      walk(path + "." + each.spelling, *each.type->pou, address + each.place.offset, charts);
+  }
+}
+
+void SymbolTable::chart(const std::string& path, const ChartOrigin& origin, std::uint32_t address) {
+  writer::SfcChart out;
+  out.name = path;
+  const auto place = [&](const std::string& name) {
+    const Variable* found = find(*origin.pou, name);
+    return found != nullptr && found->place.base == Base::This ? address + found->place.offset : bytecode::kNoIndex;
+  };
+  for (std::size_t i = 0; i < origin.chart.steps.size(); ++i) {
+    const graphic::Step& step = origin.chart.steps[i];
+    writer::SfcStep each{step.name, step.comment, bytecode::kNoIndex, bytecode::kNoBit, step.initial};
+    if (i < origin.step_variables.size()) each.address = place(origin.step_variables[i]);
+    if (each.address == bytecode::kNoIndex) return;
+    out.steps.push_back(std::move(each));
+  }
+  for (std::size_t i = 0; i < origin.chart.transitions.size(); ++i) {
+    const graphic::Transition& transition = origin.chart.transitions[i];
+    writer::SfcTransition each;
+    each.name = transition.name;
+    each.condition = to_st(transition.condition);
+    for (const graphic::StepId step : transition.sources) each.sources.push_back(step.value);
+    for (const graphic::StepId step : transition.targets) each.targets.push_back(step.value);
+    if (i < origin.transition_variables.size()) each.address = place(origin.transition_variables[i]);
+    out.transitions.push_back(std::move(each));
+  }
+  out_.charts.push_back(std::move(out));
+}
+
+void SymbolTable::finish() {
+  auto& retain = out_.retain;
+  std::sort(retain.begin(), retain.end(), [](const auto& l, const auto& r) { return l.address < r.address; });
+  std::vector<bytecode::RetainRecord> joined;
+  for (const bytecode::RetainRecord& each : retain) {
+    if (!joined.empty() && each.address <= joined.back().address + joined.back().size) {
+      const std::uint32_t end = std::max(joined.back().address + joined.back().size, each.address + each.size);
+      joined.back().size = end - joined.back().address;
+    } else {
+      joined.push_back(each);
+    }
+  }
+  retain = std::move(joined);
+}
+
+}  // namespace stepwright::codegen

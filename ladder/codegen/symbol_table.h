@@ -1,0 +1,43 @@
+#pragma once
+
+// Types, symbols, retain map and charts of the container. Internal to this folder.
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "ladder/codegen/expression_emitter.h"
+#include "ladder/codegen/generate.h"
+#include "runtime/bytecode/writer/container_model.h"
+
+namespace stepwright::codegen {
+
+class SymbolTable {
+ public:
+  SymbolTable(const semantics::Model& model, const ProgramLayout& layout, writer::ContainerModel& out)
+      : model_(model), layout_(layout), out_(out) {}
+
+  void globals();
+  // A program instance: itself, its located variables, what it retains, the charts in it.
+  void instance(const semantics::ProgramInstance& instance, const std::vector<ChartOrigin>& charts);
+  // Joins neighbouring pieces of the retain map.
+  void finish();
+
+ private:
+  std::uint32_t type(const semantics::Type& type);
+  std::uint32_t array_type(const semantics::Type& type, std::size_t dimension);
+  std::uint32_t member_type(const semantics::Type& type);
+  std::uint32_t add(writer::Type type);
+  void variable(const semantics::Variable& variable, const std::string& path, bytecode::SymbolSection section);
+  void walk(const std::string& path, const semantics::Pou& pou, std::uint32_t address,
+            const std::vector<ChartOrigin>& charts);
+  void chart(const std::string& path, const ChartOrigin& origin, std::uint32_t address);
+
+  const semantics::Model& model_;
+  const ProgramLayout& layout_;
+  writer::ContainerModel& out_;
+  std::unordered_map<const semantics::Type*, std::uint32_t> types_;
+  std::unordered_map<std::string, std::uint32_t> names_;
+};
+
+}  // namespace stepwright::codegen

@@ -1,0 +1,119 @@
+#include "ladder/driver/chart_conversion.h"
+
+#include <utility>
+
+#include "ladder/source/suggestion.h"
+
+namespace stepwright::driver {
+
+namespace {
+
+namespace code = source::code;
+
+std::string marked(const syntax::TextSlice& slice, Marks marks) {
+  const std::string text(slice.text);
+  if (marks == Marks::None) return text;
+  return "{@" + std::to_string(slice.where.file.value) + ":" + std::to_string(slice.where.offset) + "}" + text + "{@}";
+}
+
+bool is_identifier(std::string_view text) {
+  for (const char c : text) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    if (!letter && !(c >= '0' && c <= '9')) return false;
+  }
+  return !text.empty() && !(text.front() >= '0' && text.front() <= '9');
+}
+
+graphic::Condition condition_of(const syntax::TextSlice& slice, Marks marks) {
+  const std::string folded = source::upper(slice.text);
+  if (folded == "TRUE") return graphic::always();
+  graphic::Condition condition;
+  const bool plain = is_identifier(slice.text) && folded != "FALSE";
+  if (plain && marks == Marks::None) return graphic::contact(std::string(slice.text));
+  condition.kind = graphic::ConditionKind::Expression;
+  condition.name = marked(slice, marks);
+  return condition;
+}
+
+class Conversion {
+ public:
+  Conversion(const syntax::Chart& chart, Marks marks, source::DiagnosticSink& sink)
+      : chart_(chart), marks_(marks), sink_(sink) {}
+
+  graphic::SfcChart run() {
+    graphic::SfcChart result;
+    for (const syntax::StepDeclaration& each : chart_.steps) result.steps.push_back(step(each));
+    for (const syntax::TransitionDeclaration& each : chart_.transitions)
+      result.transitions.push_back(transition(each));
+    for (const syntax::ActionDeclaration& each : chart_.actions)
+      result.actions.push_back({std::string(each.name.text), marked(each.body, marks_)});
+    return result;
+  }
+
+ private:
+  graphic::Step step(const syntax::StepDeclaration& declaration) {
+    graphic::Step result;
+    result.name = std::string(declaration.name.text);
+    result.initial = declaration.initial;
+    for (const syntax::ActionUse& use : declaration.actions) {
+      graphic::ActionBlock block;
+      block.target = std::string(use.action.text);
+      block.duration = std::string(use.duration);
+      block.indicator = std::string(use.indicator);
+      const std::string qualifier = use.qualifier.empty() ? "N" : source::upper(use.qualifier);
+      const auto known = graphic::qualifier_from(qualifier);
+      if (known) {
+        block.qualifier = *known;
+        if (graphic::needs_duration(*known) && use.duration.empty())
+          sink_.error(code::kBadChart, use.qualifier_where, "the qualifier " + qualifier + " needs a duration",
+                      "write " + block.target + "(" + qualifier + ", T#5s)");
+      } else {
+        sink_.error(code::kBadChart, use.qualifier_where, "there is no qualifier '" + qualifier + "'",
+                    "qualifiers are N, S, R, L, D, P, P0, P1, SD, DS and SL");
+      }
+      result.actions.push_back(std::move(block));
+    }
+    return result;
+  }
+
+  std::vector<graphic::StepId> steps(const std::vector<syntax::Name>& names) {
+    std::vector<graphic::StepId> ids;
+    for (const syntax::Name& name : names) {
+      std::size_t found = chart_.steps.size();
+      std::vector<std::string_view> candidates;
+      for (std::size_t i = 0; i < chart_.steps.size(); ++i) {
+        candidates.push_back(chart_.steps[i].name.text);
+        if (chart_.steps[i].name.id == name.id) found = i;
+      }
+      if (found < chart_.steps.size()) {
+        ids.emplace_back(static_cast<std::uint32_t>(found));
+      } else {
+        sink_.error(code::kBadChart, name.where, "there is no step '" + std::string(name.text) + "'",
+                    source::did_you_mean(name.text, candidates));
+      }
+    }
+    return ids;
+  }
+
+  graphic::Transition transition(const syntax::TransitionDeclaration& declaration) {
+    graphic::Transition result;
+    if (declaration.name) result.name = std::string(declaration.name->text);
+    if (declaration.priority) result.priority = static_cast<int>(*declaration.priority & 0xFFFF);
+    result.sources = steps(declaration.sources);
+    result.targets = steps(declaration.targets);
+    result.condition = condition_of(declaration.condition, marks_);
+    return result;
+  }
+
+  const syntax::Chart& chart_;
+  Marks marks_;
+  source::DiagnosticSink& sink_;
+};
+
+}  // namespace
+
+graphic::SfcChart to_graphic(const syntax::Chart& chart, Marks marks, source::DiagnosticSink& sink) {
+  return Conversion(chart, marks, sink).run();
+}
+
+}  // namespace stepwright::driver

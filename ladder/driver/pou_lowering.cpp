@@ -1,0 +1,150 @@
+#include "ladder/driver/pou_lowering.h"
+
+#include <utility>
+
+#include "ladder/driver/chart_conversion.h"
+#include "ladder/driver/declaration_text.h"
+#include "ladder/lowering/ladder_to_syntax.h"
+#include "ladder/lowering/sfc_to_ladder.h"
+#include "ladder/source/codes.h"
+
+namespace stepwright::driver {
+
+namespace {
+
+syntax::PouKind kind_of(graphic::PouKind kind) {
+  switch (kind) {
+    case graphic::PouKind::Program:
+      return syntax::PouKind::Program;
+    case graphic::PouKind::FunctionBlock:
+      return syntax::PouKind::FunctionBlock;
+    default:
+      return syntax::PouKind::Function;
+  }
+}
+
+graphic::PouKind kind_of(syntax::PouKind kind) {
+  switch (kind) {
+    case syntax::PouKind::Program:
+      return graphic::PouKind::Program;
+    case syntax::PouKind::FunctionBlock:
+      return graphic::PouKind::FunctionBlock;
+    default:
+      return graphic::PouKind::Function;
+  }
+}
+
+}  // namespace
+
+// Diagnostics of the chart modules have no place of their own: they speak of the POU.
+void PouLowering::report(result::Diagnostics diagnostics, source::Position where) {
+  for (result::Diagnostic& each : diagnostics)
+    if (each.where.file.empty()) each.where = context_.sources.location(where);
+  context_.sink.add(std::move(diagnostics));
+}
+
+void PouLowering::add_declarations(const std::string& file, const std::string& text, syntax::PouDeclaration& pou) {
+  const source::FileId id = context_.sources.add(file, text);
+  auto lines = syntax::parse_variables(context_, id, syntax::TextKind::Generated);
+  for (auto& each : lines) pou.variables.push_back(std::move(each));
+}
+
+void PouLowering::set_ladder(const graphic::LadderProgram& ladder, const std::string& file,
+                             syntax::PouDeclaration& pou) {
+  const bool keeps_state = pou.kind != syntax::PouKind::Function;
+  auto lowered = lowering::ladder_to_syntax(ladder, file, keeps_state, context_);
+  pou.body = std::move(lowered.body);
+  for (auto& each : lowered.variables) pou.variables.push_back(std::move(each));
+}
+
+// What the chart's lowering needs to know of the POU: names and types.
+graphic::Pou PouLowering::with_chart(const syntax::PouDeclaration& pou) const {
+  graphic::Pou result;
+  result.name = std::string(pou.name.text);
+  result.kind = kind_of(pou.kind);
+  for (const syntax::VariableDeclaration& line : pou.variables) {
+    const bool named = line.type->kind == syntax::TypeKind::Named;
+    for (const syntax::Name& name : line.names) {
+      graphic::Variable variable;
+      variable.name = std::string(name.text);
+      variable.type = named ? std::string(line.type->name.text) : "STRUCT";
+      result.variables.push_back(std::move(variable));
+    }
+  }
+  return result;
+}
+
+void PouLowering::set_lowered(const graphic::Pou& lowered, std::size_t known_variables, graphic::SfcChart origin,
+                              std::size_t index) {
+  syntax::PouDeclaration& pou = unit_.pous[index];
+  std::string added;
+  for (std::size_t i = known_variables; i < lowered.variables.size(); ++i)
+    added += declaration_text(lowered.variables[i]) + "\n";
+  add_declarations(lowered.name + ".sfc", added, pou);
+  set_ladder(std::get<graphic::LadderProgram>(lowered.body), lowered.name + ".sfc", pou);
+  charts_.push_back({index, std::move(origin), lowered.step_variables, lowered.transition_variables});
+}
+
+void PouLowering::lower_charts() {
+  for (std::size_t i = 0; i < unit_.pous.size(); ++i) {
+    if (!unit_.pous[i].chart) continue;
+    const source::Position where = unit_.pous[i].name.where;
+    if (unit_.pous[i].kind == syntax::PouKind::Function) {
+      context_.sink.error(source::code::kBadChart, where, "a function keeps no state and cannot be a chart",
+                          "use a function block");
+      continue;
+    }
+    const std::size_t errors = context_.sink.error_count();
+    graphic::Pou pou = with_chart(unit_.pous[i]);
+    pou.body = to_graphic(*unit_.pous[i].chart, Marks::Source, context_.sink);
+    if (context_.sink.error_count() != errors) continue;
+    auto lowered = lowering::lower_sfc(pou);
+    if (!lowered) {
+      report(std::move(lowered.error()), where);
+      continue;
+    }
+    set_lowered(*lowered, pou.variables.size(), to_graphic(*unit_.pous[i].chart, Marks::None, context_.sink), i);
+  }
+}
+
+void PouLowering::add_pou(const graphic::Pou& pou) {
+  const std::string& name = texts_.emplace_back(pou.name);
+  const source::FileId header = context_.sources.add(name, name + "\n");
+  syntax::PouDeclaration declaration;
+  declaration.kind = kind_of(pou.kind);
+  declaration.name = {context_.names.intern(name), name, {header, 0}};
+  declaration.end = {header, 0};
+  if (declaration.kind == syntax::PouKind::Function) {
+    const std::string& result = texts_.emplace_back(pou.result_type);
+    declaration.result = std::make_unique<syntax::TypeSpec>();
+    declaration.result->kind = syntax::TypeKind::Named;
+    declaration.result->where = {header, 0};
+    declaration.result->name = {context_.names.intern(result), result, {header, 0}};
+  }
+  std::string variables;
+  for (const graphic::Variable& each : pou.variables) variables += declaration_text(each) + "\n";
+  add_declarations(name + ".var", variables, declaration);
+  if (const auto* text = std::get_if<graphic::StBody>(&pou.body)) {
+    const source::FileId body = context_.sources.add(name + ".st", text->text);
+    declaration.body = syntax::parse_statements(context_, body, syntax::TextKind::Written);
+  } else if (const auto* ladder = std::get_if<graphic::LadderProgram>(&pou.body)) {
+    set_ladder(*ladder, name + ".ld", declaration);
+    if (!pou.origin.steps.empty())
+      charts_.push_back({unit_.pous.size(), pou.origin, pou.step_variables, pou.transition_variables});
+  }
+  unit_.pous.push_back(std::move(declaration));
+  if (!std::holds_alternative<graphic::SfcChart>(pou.body)) return;
+  auto lowered = lowering::lower_sfc(pou);
+  if (!lowered) return report(std::move(lowered.error()), {header, 0});
+  set_lowered(*lowered, pou.variables.size(), std::get<graphic::SfcChart>(pou.body), unit_.pous.size() - 1);
+}
+
+void PouLowering::add_project(const graphic::Project& project) {
+  for (const graphic::Pou& each : project.pous) add_pou(each);
+  const std::string text = configuration_text(project);
+  if (text.empty()) return;
+  const source::FileId file = context_.sources.add((project.name.empty() ? "project" : project.name) + ".cfg", text);
+  syntax::parse_unit(context_, file, unit_);
+}
+
+}  // namespace stepwright::driver

@@ -1,0 +1,49 @@
+#pragma once
+
+// POUs of every language as POU declarations of the syntax tree. Internal to this folder.
+
+#include <deque>
+#include <vector>
+
+#include "ladder/graphic/project.h"
+#include "ladder/syntax/parser.h"
+
+namespace stepwright::driver {
+
+// A chart that a POU was lowered from.
+struct LoweredChart {
+  std::size_t pou = 0;  // index into Unit::pous
+  graphic::SfcChart chart;
+  std::vector<std::string> step_variables;
+  std::vector<std::string> transition_variables;
+};
+
+// Brings charts and graphic POUs into a unit. Texts that the tree views live in this object.
+class PouLowering {
+ public:
+  // All must outlive the lowering and the unit.
+  PouLowering(syntax::SyntaxContext& context, syntax::Unit& unit) : context_(context), unit_(unit) {}
+
+  // Every POU of the unit that holds a chart (textual SFC).
+  void lower_charts();
+  // Everything of a project: POUs, globals, tasks, instances.
+  void add_project(const graphic::Project& project);
+
+  const std::vector<LoweredChart>& charts() const { return charts_; }
+
+ private:
+  void add_pou(const graphic::Pou& pou);
+  void add_declarations(const std::string& file, const std::string& text, syntax::PouDeclaration& pou);
+  void set_ladder(const graphic::LadderProgram& ladder, const std::string& file, syntax::PouDeclaration& pou);
+  graphic::Pou with_chart(const syntax::PouDeclaration& pou) const;
+  void set_lowered(const graphic::Pou& lowered, std::size_t known_variables, graphic::SfcChart origin,
+                   std::size_t index);
+  void report(result::Diagnostics diagnostics, source::Position where);
+
+  syntax::SyntaxContext& context_;
+  syntax::Unit& unit_;
+  std::vector<LoweredChart> charts_;
+  std::deque<std::string> texts_;
+};
+
+}  // namespace stepwright::driver

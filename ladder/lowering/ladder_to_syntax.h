@@ -1,0 +1,28 @@
+#pragma once
+
+// A ladder diagram as statements: the compiler has one tree for every language.
+//
+// Each rung becomes one line of ST in a generated source named after the POU, so that line 3 of a diagnostic
+// or of a trap is rung 3 (a rung that copies a piece of a written source names the places of that source).
+// Power flows without branches: a set coil is `v := v OR power`, a reset coil `v := v AND NOT power`. Blocks run
+// before the coils of their rung.
+//
+// Contacts and coils that sense an edge keep the last state in a generated variable `__EDGE<n>`, FALSE at the
+// start (as R_TRIG and F_TRIG). Jumps and labels become statements of their own.
+
+#include "ladder/graphic/ladder_program.h"
+#include "ladder/syntax/parser.h"
+
+namespace stepwright::lowering {
+
+struct LadderStatements {
+  syntax::Statements body;
+  std::vector<syntax::VariableDeclaration> variables;  // that the body needs beside those of the POU
+};
+
+// `file_name` is what diagnostics call the diagram. `keeps_state` is false for functions: an edge is reported
+// there (E0702). Everything else that is wrong is reported when it is parsed and analysed.
+LadderStatements ladder_to_syntax(const graphic::LadderProgram& ladder, const std::string& file_name,
+                                  bool keeps_state, syntax::SyntaxContext& context);
+
+}  // namespace stepwright::lowering

@@ -1,0 +1,128 @@
+#include "programs/compile/compile_command.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "ladder/driver/compile.h"
+#include "ladder/source/render.h"
+#include "runtime/result/exit_code.h"
+
+namespace stepwright::compile_program {
+
+namespace {
+
+using result::ExitCode;
+
+struct Arguments {
+  std::vector<std::string> sources;
+  std::string image;
+  std::string json_file;
+};
+
+result::Result<source::NamedText> read(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path)) return result::fail("E0001", {path, 0, 0}, "cannot read the file");
+  return source::NamedText{path, {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}};
+}
+
+// Written beside its place and moved there, so that nobody meets half an image.
+bool write(const std::string& path, const char* bytes, std::size_t size) {
+  const std::string partial = path + ".part";
+  {
+    std::ofstream file(partial, std::ios::binary | std::ios::trunc);
+    file.write(bytes, static_cast<std::streamsize>(size));
+    if (!file.flush()) {
+      std::remove(partial.c_str());
+      return false;
+    }
+  }
+  std::error_code failed;
+  std::filesystem::rename(partial, path, failed);
+  return !failed;
+}
+
+const char* word(result::Severity severity) {
+  return severity == result::Severity::Error ? "error" : severity == result::Severity::Warning ? "warning" : "note";
+}
+
+nlohmann::json to_json(const result::Diagnostics& diagnostics) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const result::Diagnostic& each : diagnostics) {
+    list.push_back({{"file", each.where.file},
+                    {"line", each.where.line},
+                    {"column", each.where.column},
+                    {"code", each.code},
+                    {"severity", word(each.severity)},
+                    {"message", each.message},
+                    {"hint", each.hint}});
+  }
+  return list;
+}
+
+ExitCode compile(const Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  driver::CompileInput input;
+  result::Diagnostics diagnostics;
+  for (const std::string& path : arguments.sources) {
+    auto text = read(path);
+    if (text) {
+      input.texts.push_back(std::move(*text));
+    } else {
+      diagnostics.insert(diagnostics.end(), text.error().begin(), text.error().end());
+    }
+  }
+  std::size_t bytes = 0;
+  if (diagnostics.empty()) {
+    const auto output = driver::compile(input);
+    diagnostics = output ? output->warnings : output.error();
+    if (output) {
+      bytes = output->container.size();
+      if (!write(arguments.image, reinterpret_cast<const char*>(output->container.data()), bytes)) {
+        result::Diagnostic& failure = diagnostics.emplace_back();
+        failure.code = "E0002";
+        failure.where.file = arguments.image;
+        failure.message = "cannot write the file";
+      }
+    }
+  }
+  const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
+  for (const result::Diagnostic& each : diagnostics) std::cerr << source::render(each, input.texts);
+  const bool failed = result::has_errors(diagnostics);
+  if (!arguments.json_file.empty()) {
+    const nlohmann::json report = {
+        {"diagnostics", to_json(diagnostics)}, {"bytes", failed ? 0 : bytes}, {"wall_ms", wall.count()}};
+    const std::string text = report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    if (!write(arguments.json_file, text.data(), text.size())) {
+      std::cerr << arguments.json_file << ": error E0002: cannot write the file\n";
+      return ExitCode::BadInput;
+    }
+  }
+  return failed ? ExitCode::BadInput : ExitCode::Done;
+}
+
+}  // namespace
+
+int run_compile(int argc, char** argv) {
+  CLI::App app("Compiles IEC 61131-3 sources to a bytecode image", "stepwright compile");
+  Arguments arguments;
+  app.add_option("sources", arguments.sources, "ST source files")->required();
+  app.add_option("-o,--output", arguments.image, "image file to write (.swb)")->required();
+  app.add_option("--json", arguments.json_file, "file for the report");
+  try {
+    app.parse(argc - 1, argv + 1);
+  } catch (const CLI::ParseError& error) {
+    const bool is_help = app.exit(error) == 0;
+    return result::to_int(is_help ? ExitCode::Done : ExitCode::Usage);
+  }
+  return result::to_int(compile(arguments));
+}
+
+}  // namespace stepwright::compile_program
