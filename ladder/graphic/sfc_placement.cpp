@@ -8,9 +8,7 @@
 namespace stepwright::graphic {
 namespace {
 
-constexpr int order_sweeps = 24;
-constexpr int place_sweeps = 80;  // of which the first ones look to one side only, to get away from the start
-constexpr int first_sweeps = 8;
+constexpr int sweeps = 24;
 
 std::vector<std::size_t> positions(const LayeredGraph& graph) {
   std::vector<std::size_t> position(graph.nodes.size(), 0);
@@ -91,30 +89,37 @@ class LayerSolver {
 
 class Placement {
  public:
-  Placement(LayeredGraph& graph, int gap) : graph_(graph), gap_(gap), x_(graph.nodes.size(), 0) {}
+  Placement(LayeredGraph& graph, int gap)
+      : graph_(graph), gap_(gap), x_(graph.nodes.size(), 0), height_(graph.nodes.size(), 0) {
+    for (std::size_t layer = graph_.layers.size(); layer-- > 0;) {
+      for (const std::size_t node : graph_.layers[layer]) {
+        for (const std::size_t lower : graph_.nodes[node].down) {
+          height_[node] = std::max(height_[node], height_[lower] + 1);
+        }
+      }
+    }
+  }
 
   void run() {
     for (std::size_t layer = 0; layer < graph_.layers.size(); ++layer) relax(layer, true, false);
-    for (int sweep = 0; sweep < place_sweeps; ++sweep) {
-      for (std::size_t layer = 0; layer < graph_.layers.size(); ++layer)
-        relax(layer, true, sweep > first_sweeps);
-      for (std::size_t layer = graph_.layers.size(); layer-- > 0;) relax(layer, sweep > first_sweeps, true);
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      for (std::size_t layer = 0; layer < graph_.layers.size(); ++layer) relax(layer, true, sweep > 8);
+      for (std::size_t layer = graph_.layers.size(); layer-- > 0;) relax(layer, sweep > 8, true);
     }
     round();
     for (int pass = 0; pass < 3; ++pass) straighten();
-    straighten_upwards();
     shift();
   }
 
  private:
-  // Long lines and those between two nodes only pull harder, so that they stay straight.
-  double pull(std::size_t a, std::size_t b) const {
-    const LayoutNode& first = graph_.nodes[a];
-    const LayoutNode& second = graph_.nodes[b];
-    if (first.kind == NodeKind::Pass && second.kind == NodeKind::Pass) return 8;
-    const LayoutNode& upper = first.layer < second.layer ? first : second;
-    const LayoutNode& lower = first.layer < second.layer ? second : first;
-    return upper.down.size() == 1 && lower.up.size() == 1 ? 4 : 1;
+  // Long lines pull harder, so that they stay straight; and so does a branch that goes on for long, so that
+  // side branches (failures, short waits) do not push the main sequence aside.
+  double pull(std::size_t upper, std::size_t lower) const {
+    const int passes = (graph_.nodes[upper].kind == NodeKind::Pass ? 1 : 0) +
+                       (graph_.nodes[lower].kind == NodeKind::Pass ? 1 : 0);
+    const double straight = passes == 2 ? 8 : passes == 1 ? 2 : 1;
+    const double goes_on = 1.0 + static_cast<double>(height_[lower]);
+    return straight * goes_on * goes_on;
   }
 
   void relax(std::size_t layer, bool look_up, bool look_down) {
@@ -124,14 +129,16 @@ class Placement {
     for (const std::size_t node : nodes) {
       double sum = 0;
       double total = 0;
-      const auto add = [&](const std::vector<std::size_t>& others) {
-        for (const std::size_t other : others) {
-          sum += pull(node, other) * x_[other];
-          total += pull(node, other);
-        }
+      const auto add = [&](std::size_t other, double force) {
+        sum += force * x_[other];
+        total += force;
       };
-      if (look_up) add(graph_.nodes[node].up);
-      if (look_down) add(graph_.nodes[node].down);
+      if (look_up) {
+        for (const std::size_t other : graph_.nodes[node].up) add(other, pull(other, node));
+      }
+      if (look_down) {
+        for (const std::size_t other : graph_.nodes[node].down) add(other, pull(node, other));
+      }
       wanted.push_back(total > 0 ? sum / total : x_[node]);
       weight.push_back(total > 0 ? total : 0.1);
     }
@@ -166,19 +173,6 @@ class Placement {
     }
   }
 
-  // A line whose lower end cannot move follows it, if that is a small step.
-  void straighten_upwards() {
-    for (std::size_t number = graph_.layers.size(); number-- > 0;) {
-      const std::vector<std::size_t>& layer = graph_.layers[number];
-      for (std::size_t i = 0; i < layer.size(); ++i) {
-        LayoutNode& node = graph_.nodes[layer[i]];
-        if (node.down.size() != 1 || graph_.nodes[node.down[0]].up.size() != 1) continue;
-        const int wanted = graph_.nodes[node.down[0]].x;
-        if (std::abs(wanted - node.x) <= gap_ / 2 && fits(layer, i, wanted)) node.x = wanted;
-      }
-    }
-  }
-
   bool fits(const std::vector<std::size_t>& layer, std::size_t i, int x) const {
     const LayoutNode& node = graph_.nodes[layer[i]];
     if (i > 0) {
@@ -201,6 +195,7 @@ class Placement {
   LayeredGraph& graph_;
   int gap_;
   std::vector<double> x_;
+  std::vector<std::size_t> height_;  // layers of the longest way down
 };
 
 }  // namespace
@@ -208,7 +203,7 @@ class Placement {
 void order_layers(LayeredGraph& graph) {
   std::vector<std::vector<std::size_t>> best = graph.layers;
   std::size_t fewest = crossings(graph);
-  for (int sweep = 0; sweep < order_sweeps && fewest > 0; ++sweep) {
+  for (int sweep = 0; sweep < sweeps && fewest > 0; ++sweep) {
     const bool down = sweep % 2 == 0;
     for (std::size_t i = 1; i < graph.layers.size(); ++i) {
       sort_layer(graph, down ? i : graph.layers.size() - 1 - i, down);
