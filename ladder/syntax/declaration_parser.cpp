@@ -47,19 +47,18 @@ void Parser::variable_section(std::vector<VariableDeclaration>& out) {
       break;
     }
   }
-  while (at(TokenKind::Identifier) || at(TokenKind::Semicolon) || at(TokenKind::Bad) ||
-         !(at(TokenKind::Keyword) || at(TokenKind::End))) {
+  while (!at(TokenKind::End) && (!at(TokenKind::Keyword) || at_reserved_name())) {
     if (accept(TokenKind::Semicolon)) continue;
     if (!variable_line(model, out)) skip_declaration();
   }
-  if (!expect_end(Keyword::EndVar, open)) {
-    // "VAR if : INT;" uses a reserved word as a name: go on behind the section if it has an end.
-    if (!at_pou_start() && !at_variable_section() && !at_statement_keyword()) {
-      while (!at(TokenKind::End) && !at_pou_start() && !at_variable_section() && !at(Keyword::EndVar))
-        advance();
-      accept(Keyword::EndVar);
-    }
-  }
+  expect_end(Keyword::EndVar, open);
+}
+
+// "VAR step : INT;": a reserved word where only a name can be meant.
+bool Parser::at_reserved_name() const {
+  const Token& next = peek(1);
+  return at(TokenKind::Keyword) && !at(Keyword::EndVar) &&
+         (next.is(TokenKind::Colon) || next.is(TokenKind::Comma) || next.is(Keyword::At));
 }
 
 bool Parser::variable_line(const VariableDeclaration& model, std::vector<VariableDeclaration>& out) {
@@ -68,10 +67,14 @@ bool Parser::variable_line(const VariableDeclaration& model, std::vector<Variabl
   line.constant = model.constant;
   line.retain = model.retain;
   do {
+    const bool reserved = at_reserved_name();
     const auto name = expect_name("the name of a variable");
-    if (!name) return false;
-    line.names.push_back(*name);
+    if (!name && !reserved) return false;
+    if (name) line.names.push_back(*name);
+    // The other names of the line are good ones.
+    if (reserved) advance();
   } while (accept(TokenKind::Comma));
+  if (line.names.empty()) return false;
   if (accept(Keyword::At)) {
     line.address_where = peek().where;
     const std::string text(peek().text);

@@ -197,7 +197,8 @@ ExpressionPtr Parser::literal() {
     advance();
     return error_node();
   } else {
-    unexpected("an expression");
+    unexpected("an expression",
+               at(TokenKind::Keyword) ? "'" + std::string(token.text) + "' is a reserved word" : std::string());
     return error_node();
   }
   advance();

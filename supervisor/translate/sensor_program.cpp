@@ -194,7 +194,7 @@ graphic::Project make_project(const Binding& binding, const SensorProgramOptions
   project.pous = {sensor_program(binding, options), std::move(plan)};
   project.tasks = {{"main", options.interval_us, 0}};
   // Instances of one task run in this order: the chart sees the counts of its own scan.
-  project.instances = {{"sensing", kSensorProgram, "main"}, {"planned", kPlanProgram, "main"}};
+  project.instances = {{"sensing", kSensorProgram, "main"}, {kPlanInstance, kPlanProgram, "main"}};
   return project;
 }
 

@@ -88,6 +88,7 @@ class Parser {
 
   // declaration_parser.cpp
   bool at_variable_section() const;
+  bool at_reserved_name() const;
   void variable_section(std::vector<VariableDeclaration>& out);
   bool variable_line(const VariableDeclaration& model, std::vector<VariableDeclaration>& out);
   TypeSpecPtr type();
