@@ -1,9 +1,9 @@
 #include "runtime/dds/internal/participant.h"
 
+#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 
 #include <algorithm>
 #include <cctype>
@@ -29,8 +29,9 @@ bool valid_id(const std::string& id) {
          });
 }
 
-// Two participants of one process (a client and a plan channel) would hand samples to each other directly. Their
-// threads then assert liveliness into each other under their own locks, in opposite orders, and stop for ever.
+// Two participants of one process (a client and a plan channel) would hand samples to each other directly.
+// Their threads then assert liveliness into each other under their own locks, in opposite orders, and stop
+// for ever.
 void deliver_by_transport_only() {
   namespace xml = eprosima::fastrtps::xmlparser;
   eprosima::fastrtps::LibrarySettingsAttributes settings = xml::XMLProfileManager::library_settings();
@@ -39,11 +40,24 @@ void deliver_by_transport_only() {
   xml::XMLProfileManager::library_settings(settings);
 }
 
+// Fast DDS 2.9 delivers between participants of one process by calling the other one's reader directly, under
+// locks that two participants which assert their liveliness take in opposite orders: they deadlock. Once,
+// before the first participant.
+void keep_to_sockets() {
+  [[maybe_unused]] static const bool done = [] {
+    eprosima::fastrtps::LibrarySettingsAttributes settings;
+    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+    return true;
+  }();
+}
+
 // Left alone, Fast DDS never gives a participant number out twice in one process, so that after some
 // reconnections a process would sit on ports that nobody announces to. Take the lowest number that this
 // process does not use in the domain; where another process has its ports, Fast DDS itself moves on to the
 // next free ones.
 fdds::DomainParticipant* create_lowest(const ParticipantConfig& config) {
+  keep_to_sockets();
   auto* factory = fdds::DomainParticipantFactory::get_instance();
   std::set<std::int32_t> used;
   for (const fdds::DomainParticipant* other : factory->lookup_participants(config.domain_id)) {

@@ -8,6 +8,7 @@
 #include "runtime/host/limits.h"
 #include "runtime/service/digest.h"
 #include "tests/unit/runtime/dds/fake_link.h"
+#include "tests/unit/runtime/dds/test_runtime_id.h"
 
 namespace stepwright::dds {
 namespace {
@@ -19,7 +20,7 @@ using service::Request;
 constexpr auto kPatience = 20s;
 
 std::unique_ptr<RuntimeClient> client_of(std::uint32_t domain, ClientRole role = ClientRole::Supervisor) {
-  auto client = RuntimeClient::connect({domain, "test", "bench"}, role);
+  auto client = RuntimeClient::connect({domain, "test", test_runtime_id()}, role);
   EXPECT_TRUE(client);
   return client ? std::move(*client) : nullptr;
 }
@@ -201,7 +202,7 @@ TEST(RuntimeClient, WhenNoLinkIsThere_ThenRequestsFailWithAHint) {
 TEST(RuntimeClient, WhenTwoRuntimesShareADomain_ThenEachClientHearsItsOwn) {
   FakeLink bench(40, accept);
   FakeLink other(
-      40, [](const Request&) { return refuse({}, "wrong runtime"); }, "other");
+      40, [](const Request&) { return refuse({}, "wrong runtime"); }, test_runtime_id() + "-other");
   other.change_status([](RuntimeStatus& status) { status.scan = 99; });
   auto client = client_of(40);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
