@@ -20,7 +20,8 @@
 
 namespace stepwright::codegen {
 
-// The chart that a POU was lowered from, for viewers: its steps and transitions are BOOL variables of the POU.
+// The chart that a POU was lowered from, for viewers: its steps and transitions are BOOL variables of the
+// POU.
 struct ChartOrigin {
   const semantics::Pou* pou = nullptr;
   graphic::SfcChart chart;

@@ -105,7 +105,8 @@ void SymbolTable::globals() {
   for (const Variable& each : model_.globals) variable(each, each.spelling, SymbolSection::Global);
 }
 
-void SymbolTable::instance(const semantics::ProgramInstance& instance, const std::vector<ChartOrigin>& charts) {
+void SymbolTable::instance(const semantics::ProgramInstance& instance,
+                           const std::vector<ChartOrigin>& charts) {
   const Pou& pou = *instance.program;
   const std::uint32_t address = layout_.bases[static_cast<std::size_t>(Base::Data)] + instance.offset;
   writer::Symbol symbol;
@@ -137,7 +138,8 @@ void SymbolTable::chart(const std::string& path, const ChartOrigin& origin, std:
   out.name = path;
   const auto place = [&](const std::string& name) {
     const Variable* found = find(*origin.pou, name);
-    return found != nullptr && found->place.base == Base::This ? address + found->place.offset : bytecode::kNoIndex;
+    return found != nullptr && found->place.base == Base::This ? address + found->place.offset
+                                                               : bytecode::kNoIndex;
   };
   for (std::size_t i = 0; i < origin.chart.steps.size(); ++i) {
     const graphic::Step& step = origin.chart.steps[i];
@@ -165,7 +167,8 @@ void SymbolTable::finish() {
   std::vector<bytecode::RetainRecord> joined;
   for (const bytecode::RetainRecord& each : retain) {
     if (!joined.empty() && each.address <= joined.back().address + joined.back().size) {
-      const std::uint32_t end = std::max(joined.back().address + joined.back().size, each.address + each.size);
+      const std::uint32_t end =
+          std::max(joined.back().address + joined.back().size, each.address + each.size);
       joined.back().size = end - joined.back().address;
     } else {
       joined.push_back(each);

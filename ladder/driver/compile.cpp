@@ -26,7 +26,8 @@ std::string digest_of(const std::vector<std::byte>& container) {
 std::vector<codegen::ChartOrigin> chart_origins(const PouLowering& lowering, const semantics::Model& model) {
   std::vector<codegen::ChartOrigin> origins;
   for (const LoweredChart& each : lowering.charts())
-    origins.push_back({model.pous[each.pou].get(), each.chart, each.step_variables, each.transition_variables});
+    origins.push_back(
+        {model.pous[each.pou].get(), each.chart, each.step_variables, each.transition_variables});
   return origins;
 }
 
