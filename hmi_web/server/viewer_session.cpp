@@ -34,6 +34,7 @@ void ViewerSession::start(HttpRequest request, std::chrono::seconds silent_viewe
   socket_.set_option(timeouts(silent_viewer));
   socket_.read_message_max(kMaxMessageBytes);
   socket_.text(true);
+  socket_.auto_fragment(false);  // one message, one frame
   // The request outlives the call: it is moved into the handler.
   auto kept = std::make_shared<HttpRequest>(std::move(request));
   socket_.async_accept(*kept, [self = shared_from_this(), kept](beast::error_code error) {

@@ -89,7 +89,16 @@ class LayerSolver {
 
 class Placement {
  public:
-  Placement(LayeredGraph& graph, int gap) : graph_(graph), gap_(gap), x_(graph.nodes.size(), 0) {}
+  Placement(LayeredGraph& graph, int gap)
+      : graph_(graph), gap_(gap), x_(graph.nodes.size(), 0), height_(graph.nodes.size(), 0) {
+    for (std::size_t layer = graph_.layers.size(); layer-- > 0;) {
+      for (const std::size_t node : graph_.layers[layer]) {
+        for (const std::size_t lower : graph_.nodes[node].down) {
+          height_[node] = std::max(height_[node], height_[lower] + 1);
+        }
+      }
+    }
+  }
 
   void run() {
     for (std::size_t layer = 0; layer < graph_.layers.size(); ++layer) relax(layer, true, false);
@@ -103,11 +112,14 @@ class Placement {
   }
 
  private:
-  // Long lines pull harder, so that they stay straight.
-  double pull(std::size_t a, std::size_t b) const {
-    const int passes =
-        (graph_.nodes[a].kind == NodeKind::Pass ? 1 : 0) + (graph_.nodes[b].kind == NodeKind::Pass ? 1 : 0);
-    return passes == 2 ? 8 : passes == 1 ? 2 : 1;
+  // Long lines pull harder, so that they stay straight; and so does a branch that goes on for long, so that
+  // side branches (failures, short waits) do not push the main sequence aside.
+  double pull(std::size_t upper, std::size_t lower) const {
+    const int passes = (graph_.nodes[upper].kind == NodeKind::Pass ? 1 : 0) +
+                       (graph_.nodes[lower].kind == NodeKind::Pass ? 1 : 0);
+    const double straight = passes == 2 ? 8 : passes == 1 ? 2 : 1;
+    const double goes_on = 1.0 + static_cast<double>(height_[lower]);
+    return straight * goes_on * goes_on;
   }
 
   void relax(std::size_t layer, bool look_up, bool look_down) {
@@ -117,14 +129,16 @@ class Placement {
     for (const std::size_t node : nodes) {
       double sum = 0;
       double total = 0;
-      const auto add = [&](const std::vector<std::size_t>& others) {
-        for (const std::size_t other : others) {
-          sum += pull(node, other) * x_[other];
-          total += pull(node, other);
-        }
+      const auto add = [&](std::size_t other, double force) {
+        sum += force * x_[other];
+        total += force;
       };
-      if (look_up) add(graph_.nodes[node].up);
-      if (look_down) add(graph_.nodes[node].down);
+      if (look_up) {
+        for (const std::size_t other : graph_.nodes[node].up) add(other, pull(other, node));
+      }
+      if (look_down) {
+        for (const std::size_t other : graph_.nodes[node].down) add(other, pull(node, other));
+      }
       wanted.push_back(total > 0 ? sum / total : x_[node]);
       weight.push_back(total > 0 ? total : 0.1);
     }
@@ -181,6 +195,7 @@ class Placement {
   LayeredGraph& graph_;
   int gap_;
   std::vector<double> x_;
+  std::vector<std::size_t> height_;  // layers of the longest way down
 };
 
 }  // namespace

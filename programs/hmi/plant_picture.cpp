@@ -17,6 +17,9 @@ using server::PointSource;
 using server::PointSourceKind;
 using server::PointSources;
 
+// A full tank whose sensor is uncertain by this much does not overflow.
+constexpr double kSensorNoisePercent = 3;
+
 class PictureBuilder {
  public:
   PictureBuilder(const PlantDescription& plant, const std::vector<std::pair<std::string, std::string>>& ports)
@@ -91,7 +94,7 @@ class PictureBuilder {
     drawn.level_point = point(tank.name + ".level", tank.label, "%", true, measured(tank.sensor));
     drawn.truth_point =
         truth(tank.name + ".truth", tank.label + ", true", "%", !drawn.level_point.empty(), tank.level_truth);
-    drawn.high_percent = tank.overflow_percent;
+    drawn.high_percent = tank.overflow_percent + kSensorNoisePercent;
     picture_.synoptic.tanks.push_back(std::move(drawn));
   }
 

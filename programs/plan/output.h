@@ -16,7 +16,7 @@ void print_diagnostics(const result::Diagnostics& diagnostics);
 // False after saying on stderr why the file could not be written.
 bool write_file(const std::string& path, const std::string& text);
 
-// JSON has no infinity: null.
+// JSON has no kInfinity: null.
 nlohmann::json number(double value);
 
 nlohmann::json diagnostics_json(const result::Diagnostics& diagnostics);

@@ -15,7 +15,7 @@ namespace {
 
 using result::ExitCode;
 
-constexpr double default_time_s = 10.0;
+constexpr double kDefaultTimeS = 10.0;
 
 const char* name_of(model::OutcomeKind kind) {
   switch (kind) {
@@ -61,7 +61,7 @@ nlohmann::json to_json(const model::Outcome& outcome) {
 pddl::Options options_of(const PlanArguments& arguments) {
   pddl::Options options;
   options.optimal = arguments.optimal;
-  const double time_s = arguments.time_s.value_or(arguments.optimal ? 0.0 : default_time_s);
+  const double time_s = arguments.time_s.value_or(arguments.optimal ? 0.0 : kDefaultTimeS);
   options.budget.time = std::chrono::milliseconds(std::llround(std::ceil(time_s * 1000.0)));
   options.budget.memory_mb = arguments.memory_mb;
   options.on_progress = [](const pddl::Progress& progress) {

@@ -214,8 +214,9 @@ class CodeChecker {
     const std::int64_t target = std::int64_t{pc_} + in.size + in.signed_a();
     if (target < 0 || target >= static_cast<std::int64_t>(code_.size())) return Status::BadJump;
     State& there = states_at_[static_cast<std::uint32_t>(target)];
-    const bool backward = target <= std::int64_t{pc_};
-    if (backward && there == StackStates::kNone) return Status::BadJump;
+    // What lies before the next instruction has been passed: only its instructions' starts are marked.
+    const bool passed = target < std::int64_t{pc_} + in.size;
+    if (passed && there == StackStates::kNone) return Status::BadJump;
     if (there != StackStates::kNone && there != state_) return Status::StackJoin;
     there = state_;
     reachable_ = in.opcode != Opcode::Jump;
@@ -269,7 +270,7 @@ CodeCheck check_code(const ContainerView& view, std::uint32_t function, std::spa
   if (scratch.size() < code_check_words(code_size)) {
     return {{VerifyStatus::ScratchTooSmall, Section::Functions, function, 0}, 0};
   }
-  CodeChecker checker(view, function, scratch.first(code_check_words(code_size)));
+  CodeChecker checker(view, function, scratch.first(static_cast<std::size_t>(code_check_words(code_size))));
   const VerifyStatus status = checker.run();
   return {{status, Section::Functions, function, status == VerifyStatus::Ok ? 0 : checker.pc()},
           checker.max_depth()};

@@ -61,10 +61,6 @@ bool all_zero(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-std::uint32_t record_size(Section section) {
-  return kRecordSizes[static_cast<std::uint32_t>(section)];
-}
-
 std::uint64_t container_checksum(std::span<const std::byte> bytes) {
   return base::hash_bytes(bytes.subspan(sizeof(FileHeader)),
                           base::hash_bytes(bytes.first(kChecksummedHeader)));
@@ -85,7 +81,8 @@ VerifyResult parse_container(std::span<const std::byte> bytes, ContainerView& vi
     const std::uint64_t start = aligned(end);
     if (entry.id != i || entry.reserved != 0 || entry.offset != start) return bad;
     if (start + entry.size > bytes.size() || entry.size % kRecordSizes[i] != 0) return bad;
-    if (!all_zero(bytes.subspan(end, start - end))) return bad;
+    if (!all_zero(bytes.subspan(static_cast<std::size_t>(end), static_cast<std::size_t>(start - end))))
+      return bad;
     end = start + entry.size;
   }
   if (end != bytes.size()) return file_error(VerifyStatus::BadSectionTable, end);

@@ -45,7 +45,7 @@ struct RuntimeStatus {
   std::int64_t time_ns = 0;
   std::uint64_t last_event = 0;  // sequence of the newest event, 0 = none yet
   std::uint64_t overruns = 0;    // scans that began later than their period allows (real clock only)
-  double scan_p50_us = 0.0;      // duration of a scan, without the wait for the next; within 7 %
+  double scan_p50_us = 0.0;      // duration of a scan, without the wait for the next; right to 1/32
   double scan_p99_us = 0.0;
   double scan_max_us = 0.0;
   double realtime_factor = 0.0;         // scan-clock seconds per second of computing; barriers do not count

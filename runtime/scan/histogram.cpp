@@ -17,6 +17,16 @@ void Histogram::record(std::int64_t duration_ns) {
   ++count_;
 }
 
+void Histogram::add(const Histogram& other) {
+  constexpr std::uint32_t kFull = std::numeric_limits<std::uint32_t>::max();
+  for (std::uint32_t i = 0; i < kBuckets; ++i) {
+    const std::uint32_t room = kFull - buckets_[i];
+    buckets_[i] += other.buckets_[i] < room ? other.buckets_[i] : room;
+  }
+  count_ += other.count_;
+  if (other.max_ns_ > max_ns_) max_ns_ = other.max_ns_;
+}
+
 std::int64_t Histogram::percentile_ns(std::uint32_t per_100000) const {
   if (count_ == 0) return 0;
   std::uint64_t total = 0;

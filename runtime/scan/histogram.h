@@ -14,6 +14,9 @@ class Histogram {
   // Counts one duration; a negative one as 0, one beyond the range in the last bucket.
   void record(std::int64_t duration_ns);
 
+  // Counts everything that `other` has counted.
+  void add(const Histogram& other);
+
   // The upper edge of the bucket that holds the `per_100000`-th of 100000 parts, never above the maximum:
   // 50000 is the median, 99900 the 99.9th percentile. 0 if nothing was recorded.
   std::int64_t percentile_ns(std::uint32_t per_100000) const;

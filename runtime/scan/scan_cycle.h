@@ -28,8 +28,8 @@
 namespace stepwright::scan {
 
 struct ScanConfig {
-  std::uint64_t budget = 100'000'000;        // per scan, in bytes of code (bytecode::Engine); beyond it: Trap
-  std::span<const SafeOutput> safe_outputs;  // must outlive the cycle; empty: all outputs to zero
+  std::uint64_t budget = 100'000'000;  // per scan, in bytes of code (bytecode::Engine); beyond it: Trap
+  std::span<const SafeOutput> safe_outputs = {};  // must outlive the cycle; empty: all outputs to zero
 };
 
 enum class ScanState : std::uint8_t { Stopped, Running, Trapped, IoLost };

@@ -128,7 +128,7 @@ bool Executive::recover_runtime() {
   const bool runs = program && *program == current_.container && status &&
                     status->state == host::RuntimeState::Running && status->program_digest == digest_;
   if (!runs) return replan("the runtime was restarted or stopped while nobody watched it");
-  auto reader = ImageReader::create(current_.container, current_.translation.program,
+  auto reader = ImageReader::create(current_.container, current_.translation.instance,
                                     watched_variables(desk_.binding()));
   if (!reader) return give_up("the program cannot be read", reader.error());
   reader_ = std::move(*reader);
@@ -171,8 +171,12 @@ bool Executive::replan(const std::string& cause) {
     return give_up("the observed state contradicts itself: " + joined(estimate->contradictions));
   }
   seen_ = std::move(*estimate);
-  const StartState start{
-      .planning = with_changes(seen_.planning), .measured = seen_.measured.fluents, .tare = tare_};
+  const model::NamedState planning = with_changes(seen_.planning);
+  if (!interrupted.empty() && planning == stuck_at_) {
+    return give_up("the plant does not follow: for the second time in the same state, " + cause);
+  }
+  stuck_at_ = planning;
+  const StartState start{.planning = planning, .measured = seen_.measured.fluents, .tare = tare_};
   auto outcome = desk_.prepare(start);
   if (!outcome) return give_up("no program could be made", outcome.error());
   if (outcome->status != PrepareStatus::Ready) {
@@ -250,7 +254,7 @@ bool Executive::launch() {
 // Downloads and starts a program and waits for the news that it has started. False if the runtime is lost
 // (phase unchanged) or refuses (phase Safe).
 bool Executive::install(const PreparedPlan& prepared) {
-  auto reader = ImageReader::create(prepared.container, prepared.translation.program,
+  auto reader = ImageReader::create(prepared.container, prepared.translation.instance,
                                     watched_variables(desk_.binding()));
   if (!reader) return give_up("the program cannot be read", reader.error());
   auto digest = controller_.download(prepared.container);
@@ -282,11 +286,24 @@ bool Executive::await_runtime() {
   return true;
 }
 
+// Measured fluents that the goal does not speak of.
+std::set<std::string> Executive::beside_goal() const {
+  std::set<std::string> fluents;
+  for (const translate::Sensor& sensor : desk_.binding().sensors) {
+    const bool named = std::any_of(record_.goal.begin(), record_.goal.end(), [&](const GoalRecord& goal) {
+      return goal.text.find(sensor.fluent) != std::string::npos;
+    });
+    if (!named) fluents.insert(sensor.fluent);
+  }
+  return fluents;
+}
+
 bool Executive::finish() {
   record_.goal = desk_.goal_status(with_changes(seen_.planning));
   const bool met =
       std::all_of(record_.goal.begin(), record_.goal.end(), [](const GoalRecord& g) { return g.met; });
-  const auto wrong = translate::deviations(desk_.binding(), with_changes(seen_.planning), seen_.measured);
+  const auto wrong =
+      translate::deviations(desk_.binding(), with_changes(seen_.planning), seen_.measured, beside_goal());
   if (!met) return give_up("the plan has ended, but the goal is not reached");
   if (!wrong.empty()) return give_up("the goal is missed by less than a plan can mend: " + joined(wrong));
   (void)controller_.stop("the plan is done");  // a lost runtime has stopped already

@@ -17,6 +17,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,7 @@ class Executive {
   bool await_runtime();
   bool recover_runtime();
   bool finish();
+  std::set<std::string> beside_goal() const;
   bool give_up(const std::string& reason, result::ExitCode exit = result::ExitCode::RuntimeFault);
   bool give_up(const std::string& what, const result::Diagnostics& diagnostics);
   void set_phase(Phase phase, std::string message);
@@ -91,6 +93,7 @@ class Executive {
   Decision judge(const host::StepEvent& event);
   void take_time(std::int64_t time_ns);
   Decision judge_steps(std::span<const std::byte> image, double time_s);
+  bool settled(const std::vector<bool>& active) const;
   void note_progress(const translate::Progress& progress, double time_s);
   void note_done(std::size_t action, double time_s);
   std::string describe_failure(const translate::Progress& progress) const;
@@ -111,6 +114,7 @@ class Executive {
   std::map<std::string, double> means_;    // of the last observation, by variable
   translate::Estimate seen_;               // the last estimate
   translate::Progress progress_;           // of the current plan
+  model::NamedState stuck_at_;             // the planner's state at the last replan
   std::map<std::string, double> changed_;  // fluents set from outside so far
   std::size_t next_change_ = 0;            // into options_.goal_changes
   std::uint64_t last_event_ = 0;

@@ -57,8 +57,8 @@ void Executive::take_time(std::int64_t time_ns) {
 }
 
 Executive::Decision Executive::judge_steps(std::span<const std::byte> image, double time_s) {
-  const translate::Progress progress =
-      translate::progress(current_.translation, reader_->active_steps(image));
+  const std::vector<bool> active = reader_->active_steps(image);
+  const translate::Progress progress = translate::progress(current_.translation, active);
   progress_ = progress;
   const model::NamedState expected =
       with_changes(translate::expected_state(current_.translation, progress.done()));
@@ -80,10 +80,20 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
   }
   publish();
   if (!progress.failed_steps.empty()) return {Verdict::Replan, describe_failure(progress)};
-  const auto wrong = translate::deviations(desk_.binding(), expected, seen_.measured, moving);
-  if (!wrong.empty()) return {Verdict::Replan, joined(wrong)};
+  if (settled(active)) {
+    const auto wrong = translate::deviations(desk_.binding(), expected, seen_.measured, moving);
+    if (!wrong.empty()) return {Verdict::Replan, joined(wrong)};
+  }
   if (auto change = due_change(time_s)) return {Verdict::Replan, *change};
   return progress.finished ? Decision{Verdict::Finished, {}} : Decision{};
+}
+
+// In START the filters still swing in; the chart itself checks the initial state when it leaves that step.
+bool Executive::settled(const std::vector<bool>& active) const {
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    if (active[i] && current_.translation.steps[i].kind == translate::StepKind::Start) return false;
+  }
+  return true;
 }
 
 void Executive::note_progress(const translate::Progress& progress, double time_s) {
@@ -119,8 +129,9 @@ std::string Executive::describe_failure(const translate::Progress& progress) con
   std::vector<std::string> sentences;
   for (const std::size_t index : progress.failed_steps) {
     const translate::StepInfo& step = current_.translation.steps[index];
-    const std::string what = step.action ? record_.episodes.back().actions[*step.action].text : step.name;
-    sentences.push_back(what + " could not start or did not end in time");
+    sentences.push_back(step.action ? record_.episodes.back().actions[*step.action].text +
+                                          " could not start or did not end in time"
+                                    : "the plant is not in the state in which the plan starts");
   }
   const model::NamedState expected =
       with_changes(translate::expected_state(current_.translation, progress.done()));

@@ -10,7 +10,7 @@
 namespace stepwright::pddl {
 namespace {
 
-constexpr std::size_t default_memory_mb = 4096;
+constexpr std::size_t kDefaultMemoryMb = 4096;
 
 class Solver {
  public:
@@ -18,7 +18,7 @@ class Solver {
       : task_(task),
         options_(options),
         control_(options.budget.time,
-                 options.budget.memory_mb == 0 ? default_memory_mb : options.budget.memory_mb,
+                 options.budget.memory_mb == 0 ? kDefaultMemoryMb : options.budget.memory_mb,
                  options.cancel) {}
 
   model::Outcome run() {

@@ -84,6 +84,7 @@ class ObserveChart {
     assert(writer_.problems().empty());  // read_binding keeps these names free
     Translation translation;
     translation.program = kPlanProgram;
+    translation.instance = kPlanInstance;
     translation.steps = writer_.take_steps();
     translation.project = make_project(binding_, sensing, writer_.take_chart());
     return translation;

@@ -70,6 +70,18 @@ Condition fact_is(const ObservedFact& fact, bool expected) {
   return graphic::contact(fact.tag, fact.inverted == expected);
 }
 
+Condition without(const Condition& condition, const Condition& known) {
+  const auto parts = [](const Condition& whole) {
+    return whole.kind == ConditionKind::All ? whole.children : std::vector<Condition>{whole};
+  };
+  const std::vector<Condition> given = parts(known);
+  std::vector<Condition> left;
+  for (const Condition& part : parts(condition)) {
+    if (std::find(given.begin(), given.end(), part) == given.end()) left.push_back(part);
+  }
+  return graphic::all(std::move(left));
+}
+
 std::optional<Condition> negation(const Condition& condition) {
   assert(condition.edge == graphic::Edge::None);
   Condition opposed = condition;

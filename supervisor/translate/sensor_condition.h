@@ -36,6 +36,9 @@ graphic::Condition near(const Sensor& sensor, const std::string& type, const Tar
 // "The fact is observed as `expected`."
 graphic::Condition fact_is(const ObservedFact& fact, bool expected);
 
+// `condition` without the parts that are also parts of `known`: what is left to check where `known` holds.
+graphic::Condition without(const graphic::Condition& condition, const graphic::Condition& known);
+
 // The opposite, by De Morgan. Nullopt for True, whose opposite never holds. Requires contacts without edges.
 std::optional<graphic::Condition> negation(const graphic::Condition& condition);
 

@@ -1,5 +1,6 @@
 #include "supervisor/translate/sensor_program.h"
 
+#include <cctype>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -84,13 +85,41 @@ std::string mean_text(const Binding& binding) {
   return text + "END_IF;\n";
 }
 
-// Where the chart and the sensor program share the globals.
-std::vector<Variable> externals(const Binding& binding, const SensorProgramOptions& options) {
-  std::vector<Variable> declared = cell_globals(binding, options);
-  for (Variable& shared : declared) {
+bool is_name_character(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+// True if `name` stands in `text` as a word.
+bool mentions(const std::string& text, const std::string& name) {
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    const bool starts = at == 0 || !is_name_character(text[at - 1]);
+    if (starts && (end == text.size() || !is_name_character(text[end]))) return true;
+  }
+  return false;
+}
+
+// Everything that a chart reads and drives, as text.
+std::string text_of(const graphic::SfcChart& chart) {
+  std::string text;
+  for (const graphic::Step& step : chart.steps) {
+    for (const graphic::ActionBlock& block : step.actions) text += block.target + "\n";
+  }
+  for (const graphic::Transition& transition : chart.transitions) {
+    text += graphic::to_st(transition.condition) + "\n";
+  }
+  return text;
+}
+
+// The globals that `text` mentions, as VAR_EXTERNAL.
+std::vector<Variable> externals(const std::vector<Variable>& globals, const std::string& text) {
+  std::vector<Variable> declared;
+  for (Variable shared : globals) {
+    if (!mentions(text, shared.name)) continue;
     shared.section = VariableSection::External;
     shared.address.clear();
     shared.initial.clear();
+    declared.push_back(std::move(shared));
   }
   return declared;
 }
@@ -137,8 +166,9 @@ std::vector<std::string> declared_variables(const Binding& binding) {
 graphic::Pou sensor_program(const Binding& binding, const SensorProgramOptions& options) {
   graphic::Pou pou;
   pou.name = kSensorProgram;
-  pou.variables = externals(binding, options);
   const bool mean = options.mode == SensorMode::Mean;
+  const std::string text = mean ? mean_text(binding) : filter_text(binding, options);
+  pou.variables = externals(cell_globals(binding, options), text);
   if (mean) {
     pou.variables.push_back(variable("samples", "DINT", VariableSection::Local));
   } else {
@@ -148,7 +178,7 @@ graphic::Pou sensor_program(const Binding& binding, const SensorProgramOptions& 
     pou.variables.push_back(mean ? variable(sum_variable(sensor), "DINT", VariableSection::Local)
                                  : variable(state_variable(sensor), "REAL", VariableSection::Local));
   }
-  pou.body = graphic::StBody{mean ? mean_text(binding) : filter_text(binding, options)};
+  pou.body = graphic::StBody{text};
   return pou;
 }
 
@@ -159,12 +189,12 @@ graphic::Project make_project(const Binding& binding, const SensorProgramOptions
   project.globals = cell_globals(binding, options);
   graphic::Pou plan;
   plan.name = kPlanProgram;
-  plan.variables = externals(binding, options);
+  plan.variables = externals(project.globals, text_of(chart));
   plan.body = std::move(chart);
   project.pous = {sensor_program(binding, options), std::move(plan)};
   project.tasks = {{"main", options.interval_us, 0}};
   // Instances of one task run in this order: the chart sees the counts of its own scan.
-  project.instances = {{"sensing", kSensorProgram, "main"}, {"planned", kPlanProgram, "main"}};
+  project.instances = {{"sensing", kSensorProgram, "main"}, {kPlanInstance, kPlanProgram, "main"}};
   return project;
 }
 

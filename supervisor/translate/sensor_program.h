@@ -18,6 +18,7 @@ namespace stepwright::translate {
 
 inline constexpr const char* kSensorProgram = "sensors";
 inline constexpr const char* kPlanProgram = "plan";
+inline constexpr const char* kPlanInstance = "planned";
 inline constexpr const char* kAveragingVariable = "averaging";
 
 enum class SensorMode : std::uint8_t { Filter, Mean };

@@ -174,7 +174,7 @@ class PlanChart {
       writer_.transition(sources, {nodes_[node].step}, condition, std::move(text));
       return;
     }
-    const Condition& guard = of(node).guard.condition;
+    const Condition guard = without(of(node).guard.condition, condition);
     writer_.transition(sources, {nodes_[node].step}, graphic::all({condition, guard}), std::move(text));
     if (const auto refused = negation(guard)) {
       writer_.transition(sources, {nodes_[node].failed}, graphic::all({condition, *refused}),
@@ -192,11 +192,14 @@ class PlanChart {
       }
       return;
     }
+    std::vector<Condition> reasons;
+    std::string text;
     for (const Condition& hold : of(node).hold) {
-      writer_.transition({here.step}, {here.failed}, *negation(hold), "lost " + graphic::to_st(hold));
+      reasons.push_back(*negation(hold));
+      text += "lost " + graphic::to_st(hold) + " or ";
     }
-    writer_.transition({here.step}, {here.failed}, writer_.after(here.step, of(node).entry->timeout),
-                       "timeout");
+    reasons.push_back(writer_.after(here.step, of(node).entry->timeout));
+    writer_.transition({here.step}, {here.failed}, graphic::any(std::move(reasons)), text + "timeout");
   }
 
   const model::PlannedRun& run_;
@@ -262,6 +265,7 @@ result::Result<Translation> translate(const model::PlannedRun& run, const Bindin
   chart.build();
   if (!chart.writer().problems().empty()) return tl::unexpected(chart.writer().problems());
   translation.program = kPlanProgram;
+  translation.instance = kPlanInstance;
   translation.steps = chart.writer().take_steps();
   translation.orderings = graph->orderings();
   translation.changes = std::move(changes.of_action);

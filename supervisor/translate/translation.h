@@ -57,7 +57,8 @@ struct StepInfo {
 
 struct Translation {
   graphic::Project project;                // globals, PROGRAM sensors, PROGRAM plan with the chart, one task
-  std::string program;                     // name of the POU with the chart, also of its instance
+  std::string program;                     // name of the POU with the chart
+  std::string instance;                    // and of its instance, under which the container lists the chart
   std::vector<StepInfo> steps;             // in the order of the chart's steps
   std::vector<model::Ordering> orderings;  // the reduced order that the chart realises
   model::NamedState initial;               // measured where measured values were given

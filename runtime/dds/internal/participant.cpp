@@ -3,6 +3,7 @@
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
+#include <fastrtps/xmlparser/XMLProfileManager.h>
 
 #include <algorithm>
 #include <cctype>
@@ -26,6 +27,16 @@ bool valid_id(const std::string& id) {
          std::all_of(id.begin(), id.end(), [](unsigned char c) {
            return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
          });
+}
+
+// Two participants of one process (a client and a plan channel) would hand samples to each other directly. Their
+// threads then assert liveliness into each other under their own locks, in opposite orders, and stop for ever.
+void deliver_by_transport_only() {
+  namespace xml = eprosima::fastrtps::xmlparser;
+  eprosima::fastrtps::LibrarySettingsAttributes settings = xml::XMLProfileManager::library_settings();
+  if (settings.intraprocess_delivery == eprosima::fastrtps::INTRAPROCESS_OFF) return;
+  settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+  xml::XMLProfileManager::library_settings(settings);
 }
 
 // Left alone, Fast DDS never gives a participant number out twice in one process, so that after some
@@ -58,6 +69,7 @@ result::Result<std::unique_ptr<Participant>> Participant::create(const Participa
     return result::fail("D0004", {}, "'" + config.runtime_id + "' cannot name a runtime",
                         "1 to 64 letters, digits, '_', '-' and '.'");
   }
+  deliver_by_transport_only();
   std::unique_ptr<Participant> self(new Participant());
   self->runtime_id_ = config.runtime_id;
   // A profile file in the working folder must not change how a cell communicates.

@@ -9,7 +9,7 @@
 namespace stepwright::pddl {
 namespace {
 
-constexpr std::size_t bindings_between_checks = 1024;
+constexpr std::size_t kBindingsBetweenChecks = 1024;
 
 class Grounder {
  public:
@@ -62,7 +62,7 @@ class Grounder {
     for (std::size_t a = 0; a < definition_.actions.size(); ++a) {
       BindingEnumerator bindings(definition_, definition_.actions[a], initial);
       const bool finished = bindings.run([&](Binding& binding) {
-        if (++count % bindings_between_checks == 0 && stop_()) return false;
+        if (++count % kBindingsBetweenChecks == 0 && stop_()) return false;
         if (auto op = compiler_.compile(static_cast<int>(a), binding))
           raw_.operators.push_back(std::move(*op));
         return true;

@@ -11,14 +11,14 @@
 
 namespace stepwright::pddl {
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Interval {
-  double low = infinity;
-  double high = -infinity;
+  double low = kInfinity;
+  double high = -kInfinity;
 
   static Interval point(double value) { return {value, value}; }
-  static Interval everything() { return {-infinity, infinity}; }
+  static Interval everything() { return {-kInfinity, kInfinity}; }
   bool empty() const { return low > high; }
   friend bool operator==(const Interval&, const Interval&) = default;
 };
@@ -40,7 +40,7 @@ inline Interval operator-(Interval a, Interval b) {
   return a + -b;
 }
 
-// 0 x infinity is 0 here: the infinite end is never reached.
+// 0 x kInfinity is 0 here: the infinite end is never reached.
 inline double bounded_product(double a, double b) {
   return a == 0.0 || b == 0.0 ? 0.0 : a * b;
 }

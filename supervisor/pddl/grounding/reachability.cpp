@@ -4,7 +4,7 @@ namespace stepwright::pddl {
 namespace {
 
 // Rounds of exact growth: enough for the capacities of usual problems to be found by stepping.
-constexpr int exact_rounds = 48;
+constexpr int kExactRounds = 48;
 
 class Explorer {
  public:
@@ -58,16 +58,16 @@ class Explorer {
     if (after.empty()) return;
     Interval grown = hull(value, after);
     if (grown == value) return;
-    if (round_ >= exact_rounds && !value.empty()) {
+    if (round_ >= kExactRounds && !value.empty()) {
       const Interval before = value;
-      if (grown.high > before.high) value.high = infinity;
-      if (grown.low < before.low) value.low = -infinity;
+      if (grown.high > before.high) value.high = kInfinity;
+      if (grown.low < before.low) value.low = -kInfinity;
       after = implied_interval(result, conditions, values);
       value = before;
       grown = hull(before, after);
       // Variables that bound each other could go on like this for ever.
-      if (round_ >= 2 * exact_rounds && grown.high > before.high) grown.high = infinity;
-      if (round_ >= 2 * exact_rounds && grown.low < before.low) grown.low = -infinity;
+      if (round_ >= 2 * kExactRounds && grown.high > before.high) grown.high = kInfinity;
+      if (round_ >= 2 * kExactRounds && grown.low < before.low) grown.low = -kInfinity;
     }
     value = {snap(grown.low), snap(grown.high)};
     changed_ = true;

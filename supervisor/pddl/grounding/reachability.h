@@ -20,7 +20,7 @@ struct Reachable {
 };
 
 // `start`: the initial state as points. Ends because intervals that grow for long are widened to the end that
-// the preconditions imply, or to infinity.
+// the preconditions imply, or to kInfinity.
 Reachable explore(const std::vector<GroundOperator>& operators, RelaxedState start,
                   const std::function<bool()>& stop);
 

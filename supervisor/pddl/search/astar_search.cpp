@@ -21,7 +21,7 @@ AStarSearch::AStarSearch(const StateSpace& space, SearchControl& control, const 
   negative_ = std::any_of(operators.begin(), operators.end(),
                           [](const GroundOperator& op) { return !(op.cost.low >= 0.0); });
   const Incumbent& best = control.best();
-  if (best.cost < infinity && best.steps > 0) {
+  if (best.cost < kInfinity && best.steps > 0) {
     step_price_ = std::max(1e-3, std::abs(best.cost) / (10.0 * static_cast<double>(best.steps)));
   }
 }
@@ -38,9 +38,9 @@ bool AStarSearch::worth(double cost_bound, double steps_bound) const {
 
 void AStarSearch::push(std::uint32_t node) {
   const LowerBound rest = bounds_(nodes_.state(node));
-  if (rest.cost == infinity) return;
+  if (rest.cost == kInfinity) return;
   const Node& n = nodes_[node];
-  const double cost_bound = negative_ ? -infinity : comparable(n.cost + rest.cost + least_potential_);
+  const double cost_bound = negative_ ? -kInfinity : comparable(n.cost + rest.cost + least_potential_);
   const double steps_bound = static_cast<double>(n.steps + rest.steps);
   if (!worth(cost_bound, steps_bound)) return;
   Entry entry{cost_bound, steps_bound, cost_bound, node, n.steps, n.cost};
@@ -61,7 +61,7 @@ void AStarSearch::push_goal(std::uint32_t node) {
 }
 
 bool AStarSearch::on_path(std::uint32_t node, std::uint32_t ancestor) const {
-  for (; node != no_node; node = nodes_[node].parent) {
+  for (; node != kNoNode; node = nodes_[node].parent) {
     if (node == ancestor) return true;
   }
   return false;
@@ -107,8 +107,8 @@ void AStarSearch::start() {
 
 double AStarSearch::bound() const {
   const double best = control_.best().cost;
-  if (weight_ > 0.0) return -infinity;
-  if (!started_) return -infinity;
+  if (weight_ > 0.0) return -kInfinity;
+  if (!started_) return -kInfinity;
   return open_.empty() ? best : std::min(best, open_.front().cost_bound);
 }
 

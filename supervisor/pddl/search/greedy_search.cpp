@@ -7,7 +7,7 @@ namespace stepwright::pddl {
 namespace {
 
 // Turns that the helpful queue gains when the estimate improves.
-constexpr int boost = 1000;
+constexpr int kBoost = 1000;
 
 }  // namespace
 
@@ -42,13 +42,13 @@ bool GreedySearch::reached(std::uint32_t node) {
   return true;
 }
 
-// The state after the entry's operator, or no_node if it is known already or the operator is undefined there.
+// The state after the entry's operator, or kNoNode if it is known already or the operator is undefined there.
 std::uint32_t GreedySearch::generate(const Entry& entry) {
   double cost = 0.0;
   const GroundOperator& op = space_.task().operators[static_cast<std::size_t>(entry.op)];
-  if (!space_.apply(op, nodes_.state(entry.parent), scratch_.data(), cost)) return no_node;
+  if (!space_.apply(op, nodes_.state(entry.parent), scratch_.data(), cost)) return kNoNode;
   const auto [node, added] = nodes_.insert(scratch_.data());
-  if (!added) return no_node;
+  if (!added) return kNoNode;
   nodes_[node] = {snap(nodes_[entry.parent].cost + cost), entry.parent, entry.op,
                   nodes_[entry.parent].steps + 1, false};
   return node;
@@ -60,7 +60,7 @@ void GreedySearch::expand(std::uint32_t node) {
   const int estimate = heuristic_.steps();
   if (estimate < best_estimate_) {
     best_estimate_ = estimate;
-    helpful_turns_ -= boost;
+    helpful_turns_ -= kBoost;
   }
   space_.applicable(nodes_.state(node), applicable_);
   const std::vector<int>& helpful = heuristic_.helpful();
@@ -82,7 +82,7 @@ SearchStatus GreedySearch::run(StopReason& reason) {
     if (turn % 16 == 0 && (reason = control_.check(memory())) != StopReason::None)
       return SearchStatus::Stopped;
     const std::uint32_t node = generate(entry);
-    if (node == no_node) continue;
+    if (node == kNoNode) continue;
     if (reached(node)) return SearchStatus::Found;
     expand(node);
   }

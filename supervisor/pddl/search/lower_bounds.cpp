@@ -8,9 +8,9 @@ namespace {
 
 // Small projections take the costs that few variables explain; large ones see how those variables hang
 // together.
-constexpr std::size_t small_states = 200;
-constexpr std::size_t large_states = 1000;
-constexpr std::size_t most_work = 100000;
+constexpr std::size_t kSmallStates = 200;
+constexpr std::size_t kLargeStates = 1000;
+constexpr std::size_t kMostWork = 100000;
 
 void add_variables(const Condition& condition, std::set<int>& facts, std::set<int>& variables) {
   for (const int literal : condition.literals) facts.insert(literal / 2);
@@ -47,33 +47,46 @@ std::vector<Pattern> seeds(const Condition& goal) {
 
 LowerBounds::LowerBounds(const StateSpace& space, const std::function<bool()>& stop) : space_(space) {
   // The number of goals may be large; the first ones must do then.
-  constexpr std::size_t most_seeds = 24;
+  constexpr std::size_t kMostSeeds = 24;
   std::vector<Pattern> list = seeds(space.task().goal);
-  if (list.size() > most_seeds) list.resize(most_seeds);
+  if (list.size() > kMostSeeds) list.resize(kMostSeeds);
   for (const Pattern& seed : list) {
     if (stop()) break;
     grow_patterns(seed);
   }
-  // Every large projection is first once; the others take what it leaves.
-  std::vector<std::size_t> order = small_;
-  order.insert(order.end(), large_.begin(), large_.end());
-  const std::size_t rotations = std::max<std::size_t>(1, std::min<std::size_t>(large_.size(), 4));
-  for (std::size_t r = 0; r < rotations && !projections_.empty(); ++r) {
-    cost_sums_.push_back(partition(order, false));
-    step_sums_.push_back(partition(order, true));
-    if (!large_.empty()) {
-      std::rotate(order.begin() + static_cast<std::ptrdiff_t>(small_.size()),
-                  order.begin() + static_cast<std::ptrdiff_t>(small_.size()) + 1, order.end());
-    }
-  }
   places_.resize(projections_.size());
+  add_sums(false, cost_sums_);
+  add_sums(true, step_sums_);
 }
 
-void LowerBounds::keep(Projection projection, std::vector<std::size_t>& group) {
+// Projections that explain much go first, so that they get the operators they need; the best ones are first
+// once each.
+void LowerBounds::add_sums(bool steps, std::vector<Sum>& sums) const {
+  constexpr std::size_t kMostSums = 4;
+  const std::vector<Word> initial = space_.initial();
+  std::vector<std::pair<double, std::size_t>> ranking;
+  for (std::size_t p = 0; p < projections_.size(); ++p) {
+    const Sum alone = partition({p}, steps);
+    const std::uint32_t place = projections_[p].find(initial.data());
+    ranking.emplace_back(-alone.front().distance[place], p);
+  }
+  std::sort(ranking.begin(), ranking.end());
+  std::vector<std::size_t> order;
+  for (const auto& [value, p] : ranking) {
+    if (value < 0.0) order.push_back(p);
+  }
+  for (std::size_t first = 0; first < std::min(order.size(), kMostSums); ++first) {
+    std::vector<std::size_t> rotated = order;
+    std::rotate(rotated.begin(), rotated.begin() + static_cast<std::ptrdiff_t>(first),
+                rotated.begin() + static_cast<std::ptrdiff_t>(first) + 1);
+    sums.push_back(partition(rotated, steps));
+  }
+}
+
+void LowerBounds::keep(Projection projection) {
   for (const Projection& other : projections_) {
     if (other.pattern() == projection.pattern()) return;
   }
-  group.push_back(projections_.size());
   projections_.push_back(std::move(projection));
 }
 
@@ -98,15 +111,15 @@ Pattern LowerBounds::causes(const Pattern& pattern, const Projection& projection
 void LowerBounds::grow_patterns(const Pattern& seed) {
   std::optional<Projection> small, large;
   Pattern pattern = seed;
-  while (auto next = Projection::build(space_, pattern, large_states, most_work)) {
-    if (next->states() <= small_states) small = next;
+  while (auto next = Projection::build(space_, pattern, kLargeStates, kMostWork)) {
+    if (next->states() <= kSmallStates) small = next;
     large = std::move(next);
     Pattern grown = causes(pattern, *large);
     if (grown == pattern) break;
     pattern = std::move(grown);
   }
-  if (small) keep(std::move(*small), small_);
-  if (large && large->states() > small_states) keep(std::move(*large), large_);
+  if (small) keep(std::move(*small));
+  if (large) keep(std::move(*large));
 }
 
 LowerBounds::Sum LowerBounds::partition(const std::vector<std::size_t>& order, bool steps) const {
@@ -131,7 +144,7 @@ double LowerBounds::evaluate(const Sum& sum, const std::vector<std::uint32_t>& p
   double total = 0.0;
   for (const Table& table : sum) {
     const std::uint32_t place = places[table.projection];
-    if (place != no_node) total += table.distance[place];
+    if (place != kNoNode) total += table.distance[place];
   }
   return total;
 }
@@ -142,7 +155,7 @@ LowerBound LowerBounds::operator()(const Word* state) const {
   double steps = 0.0;
   for (const Sum& sum : cost_sums_) cost = std::max(cost, evaluate(sum, places_));
   for (const Sum& sum : step_sums_) steps = std::max(steps, evaluate(sum, places_));
-  if (cost == infinity || steps == infinity) return {infinity, 0};
+  if (cost == kInfinity || steps == kInfinity) return {kInfinity, 0};
   return {cost, static_cast<std::uint32_t>(steps)};
 }
 

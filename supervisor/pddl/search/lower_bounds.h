@@ -13,7 +13,7 @@
 namespace stepwright::pddl {
 
 struct LowerBound {
-  double cost = 0.0;  // infinity: no plan from here
+  double cost = 0.0;  // kInfinity: no plan from here
   std::uint32_t steps = 0;
 };
 
@@ -33,14 +33,14 @@ class LowerBounds {
   using Sum = std::vector<Table>;
 
   void grow_patterns(const Pattern& seed);
-  void keep(Projection projection, std::vector<std::size_t>& group);
+  void keep(Projection projection);
+  void add_sums(bool steps, std::vector<Sum>& sums) const;
   Pattern causes(const Pattern& pattern, const Projection& projection) const;
   Sum partition(const std::vector<std::size_t>& order, bool steps) const;
   double evaluate(const Sum& sum, const std::vector<std::uint32_t>& places) const;
 
   const StateSpace& space_;
   std::vector<Projection> projections_;
-  std::vector<std::size_t> small_, large_;
   std::vector<Sum> cost_sums_, step_sums_;
   mutable std::vector<std::uint32_t> places_;
 };

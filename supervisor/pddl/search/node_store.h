@@ -12,11 +12,11 @@
 
 namespace stepwright::pddl {
 
-inline constexpr std::uint32_t no_node = UINT32_MAX;
+inline constexpr std::uint32_t kNoNode = UINT32_MAX;
 
 struct Node {
   double cost = 0.0;  // accumulated
-  std::uint32_t parent = no_node;
+  std::uint32_t parent = kNoNode;
   std::int32_t op = -1;
   std::uint32_t steps = 0;
   bool closed = false;
@@ -26,7 +26,7 @@ class NodeStore {
  public:
   explicit NodeStore(std::size_t words);
 
-  // The number of a known state, or no_node.
+  // The number of a known state, or kNoNode.
   std::uint32_t find(const Word* state) const;
 
   // The number of the state and whether it is new.
@@ -50,7 +50,7 @@ class NodeStore {
   std::size_t words_;
   std::vector<Word> states_;
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> table_;  // open addressing; no_node = free
+  std::vector<std::uint32_t> table_;  // open addressing; kNoNode = free
 };
 
 }  // namespace stepwright::pddl

@@ -164,7 +164,7 @@ std::vector<double> Projection::distances(const std::function<double(int, double
   std::vector<std::uint32_t> incoming(transitions_.size());
   for (std::uint32_t t = 0; t < transitions_.size(); ++t) incoming[first[transitions_[t].to + 1]++] = t;
 
-  std::vector<double> distance(nodes_.size(), infinity);
+  std::vector<double> distance(nodes_.size(), kInfinity);
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   for (const std::uint32_t goal : goals_) {

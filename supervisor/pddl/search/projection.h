@@ -35,11 +35,11 @@ class Projection {
   // The operators that change the pattern.
   const std::vector<int>& operators() const { return operators_; }
 
-  // Least sum of weights from every projected state to a projected goal; infinity without a way. `weight` is
+  // Least sum of weights from every projected state to a projected goal; kInfinity without a way. `weight` is
   // asked with an operator and the least that it costs there, and must not be negative.
   std::vector<double> distances(const std::function<double(int op, double cost)>& weight) const;
 
-  // The number of the projected state; no_node if it is not known.
+  // The number of the projected state; kNoNode if it is not known.
   std::uint32_t find(const Word* state) const;
 
  private:

@@ -50,9 +50,9 @@ bool RelaxedLayers::can_hold_now(const Condition& condition) const {
 
 void RelaxedLayers::start(const Word* state) {
   const GroundTask& task = space_.task();
-  literal_layer_.assign(2 * task.facts.size(), never);
+  literal_layer_.assign(2 * task.facts.size(), kNever);
   achiever_.assign(2 * task.facts.size(), -1);
-  unit_layer_.assign(units_.size(), never);
+  unit_layer_.assign(units_.size(), kNever);
   missing_.resize(units_.size());
   candidates_.clear();
   numeric_units_.clear();
@@ -75,7 +75,7 @@ void RelaxedLayers::start(const Word* state) {
 
 void RelaxedLayers::reach(int literal, int unit, int layer) {
   const auto place = static_cast<std::size_t>(literal);
-  if (literal_layer_[place] != never) return;
+  if (literal_layer_[place] != kNever) return;
   literal_layer_[place] = layer;
   achiever_[place] = unit;
   fresh_.push_back(literal);
@@ -173,9 +173,9 @@ bool RelaxedLayers::build(const Word* state) {
   start(state);
   // Ranges may grow in ever smaller steps; a goal that so many layers do not reach counts as far, not as
   // impossible.
-  constexpr int most_layers = 2000;
+  constexpr int kMostLayers = 2000;
   std::size_t idle_since = 0;
-  for (last_ = 0; last_ < most_layers; ++last_) {
+  for (last_ = 0; last_ < kMostLayers; ++last_) {
     if (can_hold_now(space_.task().goal)) return true;
     const std::size_t before = candidates_.size();
     if (!step(last_)) return can_hold_now(space_.task().goal);

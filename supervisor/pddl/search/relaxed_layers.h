@@ -37,7 +37,7 @@ class RelaxedLayers {
   const std::vector<Interval>& values(int layer) const { return values_[static_cast<std::size_t>(layer)]; }
   const std::vector<Unit>& units() const { return units_; }
 
-  static constexpr int never = INT32_MAX;
+  static constexpr int kNever = INT32_MAX;
 
  private:
   bool can_hold_now(const Condition& condition) const;

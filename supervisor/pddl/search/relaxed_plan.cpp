@@ -11,7 +11,7 @@ double gap(Relation relation, Interval difference, bool& upwards) {
   const bool wants_up = relation == Relation::Greater || relation == Relation::GreaterEqual ||
                         (relation == Relation::Equal && difference.high < 0.0);
   upwards = wants_up;
-  if (difference.empty()) return infinity;
+  if (difference.empty()) return kInfinity;
   const double distance = wants_up ? -difference.high : difference.low;
   const bool strict = relation == Relation::Greater || relation == Relation::Less;
   return std::max(0.0, distance) + (strict && distance >= 0.0 ? 1e-9 : 0.0);
@@ -74,14 +74,14 @@ int RelaxedPlan::first_layer(const GroundExpression& difference, Relation relati
 }
 
 int RelaxedPlan::first_layer(const Condition& condition, int limit) const {
-  if (condition.impossible) return RelaxedLayers::never;
+  if (condition.impossible) return RelaxedLayers::kNever;
   int layer = 0;
   for (const int literal : condition.literals) layer = std::max(layer, layers_.literal_layer(literal));
   for (const Comparison& comparison : condition.comparisons) {
     layer = std::max(layer, first_layer(comparison.difference, comparison.relation, limit));
   }
   for (const auto& options : condition.choices) {
-    int best = RelaxedLayers::never;
+    int best = RelaxedLayers::kNever;
     for (const Condition& option : options) best = std::min(best, first_layer(option, limit));
     layer = std::max(layer, best);
   }
@@ -185,7 +185,7 @@ void RelaxedPlan::achieve(NumericGoal goal, int layer) {
     select(pick->second, layer - 1);
     units.erase(pick);
   }
-  if (total == 0.0 || total == infinity) return;
+  if (total == 0.0 || total == kInfinity) return;
   goal.difference.constant += upwards ? total : -total;
   require_number(std::move(goal.difference), goal.relation, layer - 1);
 }

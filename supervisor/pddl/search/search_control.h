@@ -19,7 +19,7 @@ enum class StopReason : std::uint8_t { None, Time, Memory, Cancelled };
 // A plan of the search: the operators, the accumulated cost with the potential, the number of steps.
 struct Incumbent {
   std::vector<int> operators;
-  double cost = infinity;
+  double cost = kInfinity;
   std::uint32_t steps = UINT32_MAX;
 
   // Lexicographic: cost first. Costs that differ by rounding only count as equal.
@@ -48,7 +48,7 @@ class SearchControl {
   std::function<void(double bound)> on_second;  // about once a second
   std::uint64_t expanded = 0;
   double peak_mb = 0.0;
-  double bound = -infinity;      // of the accumulated cost with the potential
+  double bound = -kInfinity;     // of the accumulated cost with the potential
   std::size_t other_memory = 0;  // bytes that suspended searches hold
 
  private:

@@ -159,6 +159,6 @@ struct Definition {
 
 // The function that PDDL 2.1 predefines for metrics: the number of actions here, where nothing has a
 // duration.
-inline constexpr const char* total_time_name = "total-time";
+inline constexpr const char* kTotalTimeName = "total-time";
 
 }  // namespace stepwright::pddl

@@ -7,7 +7,7 @@
 namespace stepwright::pddl {
 namespace {
 
-const std::vector<std::string> known_requirements = {":strips",
+const std::vector<std::string> kKnownRequirements = {":strips",
                                                      ":typing",
                                                      ":negative-preconditions",
                                                      ":disjunctive-preconditions",
@@ -81,10 +81,10 @@ class Checker {
 void Checker::requirements(const std::vector<RequirementFlag>& flags) {
   std::set<std::string>& set = definition_.requirements;
   for (const RequirementFlag& flag : flags) {
-    if (std::find(known_requirements.begin(), known_requirements.end(), flag.name) ==
-        known_requirements.end()) {
+    if (std::find(kKnownRequirements.begin(), kKnownRequirements.end(), flag.name) ==
+        kKnownRequirements.end()) {
       reporter_.warning("P0112", flag.at, "the requirement '" + flag.name + "' is not supported",
-                        did_you_mean(flag.name, known_requirements));
+                        did_you_mean(flag.name, kKnownRequirements));
     }
     set.insert(flag.name);
   }
@@ -217,11 +217,11 @@ bool mentions(const Expression& expression, const std::string& name) {
 
 void Checker::metric() {
   if (!problem_.metric) return;
-  const bool declared = definition_.function_ids.count(total_time_name) != 0;
-  if (!declared && mentions(problem_.metric->expression, total_time_name)) {
+  const bool declared = definition_.function_ids.count(kTotalTimeName) != 0;
+  if (!declared && mentions(problem_.metric->expression, kTotalTimeName)) {
     definition_.total_time = static_cast<int>(definition_.functions.size());
-    definition_.function_ids.emplace(total_time_name, definition_.total_time);
-    definition_.functions.push_back({total_time_name, problem_.metric->expression.at, {}, true});
+    definition_.function_ids.emplace(kTotalTimeName, definition_.total_time);
+    definition_.functions.push_back({kTotalTimeName, problem_.metric->expression.at, {}, true});
     definition_.fluents[Atom{definition_.total_time, {}}] = 0.0;
   }
   std::vector<Typed> none;

@@ -4,12 +4,12 @@ namespace stepwright::pddl {
 namespace {
 
 // Deeper than any real file, shallow enough for the stack.
-constexpr std::size_t max_depth = 250;
+constexpr std::size_t kMaxDepth = 250;
 
 bool too_deep(TokenStream& tokens) {
-  if (tokens.depth() < max_depth) return false;
+  if (tokens.depth() < kMaxDepth) return false;
   tokens.reporter().error("P0006", tokens.peek().at, "nested too deeply",
-                          "at most " + std::to_string(max_depth) + " parentheses may be open");
+                          "at most " + std::to_string(kMaxDepth) + " parentheses may be open");
   return true;
 }
 

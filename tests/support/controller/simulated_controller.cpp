@@ -85,7 +85,10 @@ bool SimulatedController::any_output() const {
 
 bool SimulatedController::wait_for_runtime(std::chrono::milliseconds) {
   if (std::exchange(killed_, false)) {
+    for (std::uint32_t i = 0; i < plant_->actuators().size(); ++i)
+      plant_->set_actuator(core::ActuatorId(i), false);
     loaded_.reset();
+    next_start_ = {.time_ns = plant_->now().count(), .scan = 0, .trace_hash = 0};
     events_.clear();
     sequence_ = acknowledged_ = 0;
   }

@@ -1,0 +1,100 @@
+#include "programs/link/bridge.h"
+
+#include <poll.h>
+
+#include <array>
+#include <cstdio>
+
+namespace stepwright::link {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kTurn = 20ms;            // of the loop, when nothing happens
+constexpr auto kAlivePeriod = 50ms;     // of the signs of life in both directions
+constexpr auto kSnapshotPeriod = 50ms;  // of the image on Fast DDS: often enough for an eye
+constexpr auto kConnectPeriod = 50ms;
+// The service sends its status every 100 ms: a runtime that is silent for so long hangs.
+constexpr auto kSilence = 600ms;
+
+}  // namespace
+
+void Bridge::run(int stop_descriptor) {
+  pollfd stop{stop_descriptor, POLLIN, 0};
+  while (poll(&stop, 1, 0) == 0) turn(stop_descriptor);
+}
+
+void Bridge::turn(int stop_descriptor) {
+  if (!connection_ && Clock::now() >= connect_at_) connect();
+  std::array<pollfd, 3> entries{
+      {{stop_descriptor, POLLIN, 0}, {endpoint_->descriptor(), POLLIN, 0}, {-1, POLLIN, 0}}};
+  if (connection_) entries[2].fd = connection_->descriptor();
+  poll(entries.data(), entries.size(), static_cast<int>(std::chrono::milliseconds(kTurn).count()));
+  pass_requests();
+  pass_messages();
+  keep_alive();
+  publish_snapshot();
+}
+
+void Bridge::connect() {
+  connect_at_ = Clock::now() + kConnectPeriod;
+  auto connection = service::Connection::open(socket_, {service::Role::Controller, "link", 0});
+  if (!connection) return;
+  connection_ = std::move(*connection);
+  heard_ = Clock::now();
+  std::printf("connected to %s\n", socket_.c_str());
+  std::fflush(stdout);
+}
+
+// Without a runtime requests are dropped: their senders repeat them.
+void Bridge::pass_requests() {
+  endpoint_->clear();
+  while (auto request = endpoint_->take_request()) {
+    if (connection_) connection_->send(*request);
+  }
+}
+
+void Bridge::pass_messages() {
+  if (!connection_) return;
+  while (auto message = connection_->receive(0ms)) pass(*message);
+  if (!connection_->closed()) return;
+  connection_.reset();
+  std::printf("the runtime at %s is gone\n", socket_.c_str());
+  std::fflush(stdout);
+}
+
+void Bridge::pass(const service::Message& message) {
+  if (const auto* reply = std::get_if<service::Reply>(&message)) {
+    endpoint_->publish_reply(*reply);
+  } else if (const auto* event = std::get_if<host::StepEvent>(&message)) {
+    endpoint_->publish_event(status_.incarnation, *event);
+  } else if (const auto* status = std::get_if<host::RuntimeStatus>(&message)) {
+    status_ = *status;
+    heard_ = Clock::now();
+    was_answering_ = true;
+    endpoint_->publish_status(status_, true);
+  }
+}
+
+bool Bridge::runtime_answers() const {
+  return connection_ && Clock::now() - heard_ <= kSilence;
+}
+
+void Bridge::keep_alive() {
+  const bool answers = runtime_answers();
+  const bool news = was_answering_ && !answers;
+  if (!news && Clock::now() - alive_at_ < kAlivePeriod) return;
+  alive_at_ = Clock::now();
+  was_answering_ = answers;
+  if (!answers) endpoint_->publish_status(status_, false);
+  if (connection_) connection_->send(service::SupervisorLife{endpoint_->supervisor_alive()});
+}
+
+void Bridge::publish_snapshot() {
+  if (!connection_ || Clock::now() - snapshot_at_ < kSnapshotPeriod || !endpoint_->snapshot_wanted()) return;
+  snapshot_at_ = Clock::now();
+  // Repeated even when nothing moved: samples are best effort, and a viewer may just have come.
+  if (auto snapshot = connection_->snapshot()) endpoint_->publish_snapshot(*snapshot);
+}
+
+}  // namespace stepwright::link

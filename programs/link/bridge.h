@@ -1,0 +1,50 @@
+#pragma once
+
+// Carries what the service of a runtime says and is told over Fast DDS. It keeps nothing that matters: killed
+// and started again, clients repeat their requests, fetch the events they missed, and the runtime has gone on
+// meanwhile.
+//
+// Threads: one, beside those of Fast DDS inside the endpoint.
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "runtime/dds/link_endpoint.h"
+#include "runtime/service/connection.h"
+
+namespace stepwright::link {
+
+class Bridge {
+ public:
+  Bridge(std::unique_ptr<dds::LinkEndpoint> endpoint, std::filesystem::path socket)
+      : endpoint_(std::move(endpoint)), socket_(std::move(socket)) {}
+
+  // Until `stop_descriptor` is readable.
+  void run(int stop_descriptor);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void turn(int stop_descriptor);
+  void connect();
+  void pass_requests();
+  void pass_messages();
+  void pass(const service::Message& message);
+  void keep_alive();
+  void publish_snapshot();
+  bool runtime_answers() const;
+
+  std::unique_ptr<dds::LinkEndpoint> endpoint_;
+  std::filesystem::path socket_;
+  std::unique_ptr<service::Connection> connection_;  // null while no runtime serves the socket
+  host::RuntimeStatus status_;                       // the newest
+  bool was_answering_ = false;
+  Clock::time_point heard_{};  // a status of the runtime
+  Clock::time_point alive_at_{};
+  Clock::time_point snapshot_at_{};
+  Clock::time_point connect_at_{};
+};
+
+}  // namespace stepwright::link

@@ -1,0 +1,22 @@
+#pragma once
+
+// SIGTERM and SIGINT as a descriptor to poll, so that a process ends between two turns of its loop and never
+// in the middle of one. Make it before any thread is started: threads inherit the blocked signals.
+
+namespace stepwright::process {
+
+class StopSignal {
+ public:
+  StopSignal();
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+
+  // Readable, for good, once one of the signals came.
+  int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace stepwright::process

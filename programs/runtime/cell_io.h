@@ -1,0 +1,26 @@
+#pragma once
+
+// What stands behind the I/O of a cell's runtime: its simulated plant with the driver wired to it, or
+// nothing.
+
+#include <memory>
+
+#include "programs/config/cell_config.h"
+#include "runtime/host/plant_access.h"
+#include "runtime/image/io_driver.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::cell_runtime {
+
+class CellIo {
+ public:
+  virtual ~CellIo() = default;
+  virtual image::IoDriver& driver() = 0;
+  // Null without a simulated plant.
+  virtual host::PlantAccess* plant() = 0;
+
+  // Fails with what is wrong in [plant], its ports and its scheduled faults (C0301 to C0331).
+  [[nodiscard]] static result::Result<std::unique_ptr<CellIo>> create(const config::CellConfig& config);
+};
+
+}  // namespace stepwright::cell_runtime

@@ -1,0 +1,86 @@
+// `stepwright runtime --config CELL.toml`: the scan process of a cell. It runs whatever program is downloaded
+// through its socket, against the cell's plant, and depends on no other process. SIGTERM ends it with safe
+// outputs.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "programs/config/cell_options.h"
+#include "programs/process/stop_signal.h"
+#include "programs/runtime/cell_io.h"
+#include "programs/runtime/host_options.h"
+#include "runtime/host/host_runtime.h"
+#include "runtime/result/exit_code.h"
+#include "runtime/service/server.h"
+
+namespace stepwright::cell_runtime {
+namespace {
+
+using result::ExitCode;
+
+int fail(const result::Diagnostics& diagnostics, ExitCode code) {
+  std::fprintf(stderr, "%s\n", result::to_string(diagnostics).c_str());
+  return to_int(code);
+}
+
+std::string describe(const config::ClockConfig& clock) {
+  if (clock.mode == config::ClockMode::Real) return "real clock";
+  if (clock.speed == 0.0) return "simulated clock, as fast as possible";
+  char text[64];
+  std::snprintf(text, sizeof text, "simulated clock, %g times real time", clock.speed);
+  return text;
+}
+
+// The folder of the socket, for this user only where it is made here.
+result::Result<void> make_state_dir(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (std::filesystem::create_directories(folder, error)) {
+    std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
+  }
+  if (!error) return {};
+  return result::fail("R0001", {folder.string(), 0, 0},
+                      "the state folder cannot be made: " + error.message());
+}
+
+int run(const config::CellConfig& config) {
+  const process::StopSignal stop;
+  auto options = host_options(config);
+  if (!options) return fail(options.error(), ExitCode::BadInput);
+  auto io = CellIo::create(config);
+  if (!io) return fail(io.error(), ExitCode::BadInput);
+  if (auto made = make_state_dir(config.state_dir); !made) return fail(made.error(), ExitCode::BadInput);
+
+  auto runtime = host::HostRuntime::create(*options, (*io)->driver(), (*io)->plant());
+  if (!runtime) return fail(runtime.error(), ExitCode::RuntimeFault);
+  auto server = service::Server::create({config.socket_path(), config.supervisor_lost_after}, **runtime);
+  if (!server) return fail(server.error(), ExitCode::BadInput);
+  std::printf("runtime '%s' listens on %s (%s)\n", config.name.c_str(), config.socket_path().c_str(),
+              describe(config.clock).c_str());
+  if (const std::string detail = (*runtime)->status().detail; !detail.empty()) {
+    std::printf("note: %s\n", detail.c_str());
+  }
+  std::fflush(stdout);
+  (*server)->run(stop.descriptor());
+  std::printf("runtime '%s' ends\n", config.name.c_str());
+  return to_int(ExitCode::Done);
+}
+
+}  // namespace
+}  // namespace stepwright::cell_runtime
+
+int main(int argc, char** argv) {
+  namespace result = stepwright::result;
+  CLI::App app{"The scan process of a cell", "stepwright runtime"};
+  stepwright::config::CellOptions options;
+  stepwright::config::add_cell_options(app, options);
+  try {
+    app.parse(argc - 1, argv + 1);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : result::to_int(result::ExitCode::Usage);
+  }
+  const auto config = stepwright::config::load_or_report(options);
+  if (!config) return result::to_int(result::ExitCode::BadInput);
+  return stepwright::cell_runtime::run(*config);
+}

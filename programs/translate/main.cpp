@@ -1,0 +1,61 @@
+// stepwright translate PLAN --binding B.toml [--domain D --problem P] [--to sfc|ladder|plcopen|omron]
+//                      [--sequential] [--svg] [--lowered] [-o FILE]
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <string>
+
+#include "programs/translate/translate_command.h"
+#include "runtime/result/exit_code.h"
+
+namespace {
+
+using stepwright::result::ExitCode;
+using stepwright::result::to_int;
+namespace command = stepwright::translate_command;
+
+ExitCode fail(const stepwright::result::Diagnostics& diagnostics) {
+  std::cerr << to_string(diagnostics) << "\n";
+  return ExitCode::BadInput;
+}
+
+ExitCode run(const command::Arguments& arguments) {
+  const auto output = command::translate_files(arguments);
+  if (!output) return fail(output.error());
+  if (arguments.output.empty()) {
+    std::cout << output->document;
+    std::cerr << output->summary;
+    return ExitCode::Done;
+  }
+  const auto written = command::write_document(arguments.output, output->document);
+  if (!written) return fail(written.error());
+  std::cout << output->summary << "written: " << arguments.output.string() << "\n";
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // The dispatcher leaves the subcommand's name in front of its arguments.
+  const int skip = argc > 1 && std::string(argv[1]) == "translate" ? 1 : 0;
+  command::Arguments arguments;
+  CLI::App app("Turn a PDDL plan into a sequential function chart, or what follows from it.",
+               "stepwright translate");
+  app.add_option("plan", arguments.plan, "plan file, one action a line")->required();
+  app.add_option("--binding", arguments.binding, "the cell's binding (TOML)")->required();
+  app.add_option("--domain", arguments.domain, "PDDL domain (default: domain.pddl beside the binding)");
+  app.add_option("--problem", arguments.problem, "PDDL problem (default: problem.pddl beside the binding)");
+  app.add_option("--to", arguments.to, "what to write: sfc, ladder, plcopen, omron")
+      ->check(CLI::IsMember({"sfc", "ladder", "plcopen", "omron"}));
+  app.add_flag("--sequential", arguments.sequential, "one action after the other, as in the paper");
+  app.add_flag("--svg", arguments.svg, "draw sfc or ladder as SVG (also if FILE ends in .svg)");
+  app.add_flag("--lowered", arguments.lowered, "plcopen: write the ladder diagram instead of the chart");
+  app.add_option("-o,--output", arguments.output, "file to write (default: standard output)");
+  try {
+    app.parse(argc - skip, argv + skip);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : to_int(ExitCode::Usage);
+  }
+  return to_int(run(arguments));
+}

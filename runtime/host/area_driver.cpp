@@ -1,0 +1,22 @@
+#include "runtime/host/area_driver.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace stepwright::host {
+
+image::IoStatus AreaDriver::read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) {
+  assert(inputs.size() <= inputs_.size());
+  const image::IoStatus status = driver_.read_inputs(now_ns, inputs_);
+  std::copy_n(inputs_.begin(), inputs.size(), inputs.begin());
+  return status;
+}
+
+image::IoStatus AreaDriver::write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) {
+  assert(outputs.size() <= outputs_.size());
+  const auto rest = std::copy(outputs.begin(), outputs.end(), outputs_.begin());
+  std::fill(rest, outputs_.end(), std::byte{0});
+  return driver_.write_outputs(now_ns, outputs_);
+}
+
+}  // namespace stepwright::host

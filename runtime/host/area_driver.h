@@ -1,0 +1,36 @@
+#pragma once
+
+// Fits the I/O areas of the cell, which the driver was wired for, to those of a program, which may be
+// smaller. What the program does not have reads from nowhere and is written as zero.
+//
+// Threads: the scan thread. Memory is taken once.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/image/io_driver.h"
+
+namespace stepwright::host {
+
+class AreaDriver final : public image::IoDriver {
+ public:
+  // The driver must outlive this one.
+  AreaDriver(image::IoDriver& driver, std::size_t input_bytes, std::size_t output_bytes)
+      : driver_(driver), inputs_(input_bytes), outputs_(output_bytes) {}
+
+  // Requires areas no larger than the cell's.
+  image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override;
+  image::IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) override;
+
+  std::size_t input_bytes() const { return inputs_.size(); }
+  std::size_t output_bytes() const { return outputs_.size(); }
+
+ private:
+  image::IoDriver& driver_;
+  std::vector<std::byte> inputs_;
+  std::vector<std::byte> outputs_;
+};
+
+}  // namespace stepwright::host

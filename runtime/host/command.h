@@ -1,0 +1,59 @@
+#pragma once
+
+// What the service thread tells the scan thread between two scans, and what comes back. Commands are plain
+// values; a completion carries heap only where a plant refused a fault, which never happens in real
+// operation.
+
+#include <cstdint>
+
+#include "runtime/host/fixed_text.h"
+#include "runtime/host/limits.h"
+#include "runtime/host/messages.h"
+#include "runtime/result/diagnostic.h"
+
+namespace stepwright::host {
+
+class PreparedProgram;
+
+enum class CommandKind : std::uint8_t {
+  Load,             // program
+  Start,            // barrier
+  Stop,             // text: the reason
+  Acknowledge,      // event
+  Force,            // bits
+  Unforce,          // bits
+  Write,            // bits
+  InjectFault,      // text: the name; value
+  SupervisorAlive,  // barriers hold again
+  SupervisorLost,   // the policy of the configuration applies
+};
+
+struct Command {
+  CommandKind kind = CommandKind::Stop;
+  bool barrier = false;
+  std::uint64_t ticket = 0;  // comes back in the completion
+  std::uint64_t event = 0;
+  double value = 0.0;
+  ImageBits bits;
+  FixedText<kMaxReasonBytes> text;
+  PreparedProgram* program = nullptr;
+};
+
+enum class Outcome : std::uint8_t {
+  Done,
+  NoProgram,       // nothing is loaded
+  AlreadyRunning,  // start while running
+  OutOfBounds,     // bits beyond the image, or a mask that names no value
+  ForcesFull,      // no room for another force
+  NotForced,       // unforce of what is not forced
+  NoPlant,         // a fault without a simulated plant
+  PlantRefused,    // see the problems
+};
+
+struct Completion {
+  std::uint64_t ticket = 0;
+  Outcome outcome = Outcome::Done;
+  result::Diagnostics problems;
+};
+
+}  // namespace stepwright::host

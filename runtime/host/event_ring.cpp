@@ -1,0 +1,49 @@
+#include "runtime/host/event_ring.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace stepwright::host {
+namespace {
+
+constexpr std::size_t kRingBytes = 8u << 20;
+constexpr std::size_t kMinSlots = 4;
+constexpr std::size_t kMaxSlots = 256;
+
+}  // namespace
+
+EventRing::EventRing(std::size_t image_bytes, std::size_t plant_values) {
+  const std::size_t slot_bytes = sizeof(Slot) + image_bytes + plant_values * sizeof(double);
+  slots_.resize(std::clamp(kRingBytes / slot_bytes, kMinSlots, kMaxSlots));
+  for (Slot& slot : slots_) {
+    slot.image.resize(image_bytes);
+    slot.plant.resize(plant_values);
+  }
+}
+
+bool EventRing::full() const {
+  return after(tail_.load(std::memory_order_relaxed)) == head_.load(std::memory_order_acquire);
+}
+
+bool EventRing::push(const EventNote& note, std::span<const std::byte> image, std::span<const double> plant) {
+  if (full()) return false;
+  const std::size_t tail = tail_.load(std::memory_order_relaxed);
+  Slot& slot = slots_[tail];
+  assert(image.size() == slot.image.size() && plant.size() == slot.plant.size());
+  slot.note = note;
+  std::copy(image.begin(), image.end(), slot.image.begin());
+  std::copy(plant.begin(), plant.end(), slot.plant.begin());
+  tail_.store(after(tail), std::memory_order_release);
+  return true;
+}
+
+const EventRing::Slot* EventRing::front() const {
+  const std::size_t head = head_.load(std::memory_order_relaxed);
+  return head == tail_.load(std::memory_order_acquire) ? nullptr : &slots_[head];
+}
+
+void EventRing::pop() {
+  head_.store(after(head_.load(std::memory_order_relaxed)), std::memory_order_release);
+}
+
+}  // namespace stepwright::host

@@ -1,0 +1,58 @@
+#pragma once
+
+// The events of one program on their way from the scan thread to the service thread: a bounded ring of slots
+// that are large enough for the program's image, taken when the program is loaded.
+//
+// Threads: one producer (scan), one consumer (service), no locks.
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/bytecode/trap.h"
+#include "runtime/host/fixed_text.h"
+#include "runtime/host/limits.h"
+#include "runtime/host/runtime_state.h"
+
+namespace stepwright::host {
+
+// What the scan thread says about an event beside the image.
+struct EventNote {
+  std::uint64_t sequence = 0;
+  std::uint64_t scan = 0;
+  std::int64_t time_ns = 0;
+  EventKind kind = EventKind::StepChange;
+  bytecode::Trap trap;                // EventKind::Trap; without a code: I/O was lost
+  FixedText<kMaxReasonBytes> reason;  // EventKind::Stopped
+};
+
+class EventRing {
+ public:
+  struct Slot {
+    EventNote note;
+    std::vector<std::byte> image;
+    std::vector<double> plant;
+  };
+
+  EventRing(std::size_t image_bytes, std::size_t plant_values);
+
+  // Producer.
+  bool full() const;
+  // False if the ring is full. Requires the sizes of the constructor.
+  bool push(const EventNote& note, std::span<const std::byte> image, std::span<const double> plant);
+
+  // Consumer: the oldest event, valid until `pop`; null if there is none.
+  const Slot* front() const;
+  void pop();
+
+ private:
+  std::size_t after(std::size_t index) const { return index + 1 == slots_.size() ? 0 : index + 1; }
+
+  std::vector<Slot> slots_;  // one stays empty
+  std::atomic<std::size_t> head_{0};
+  std::atomic<std::size_t> tail_{0};
+};
+
+}  // namespace stepwright::host

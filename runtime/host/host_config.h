@@ -1,0 +1,42 @@
+#pragma once
+
+// How a runtime runs: the part of a cell's configuration that concerns the scan.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/scan/safe_state.h"
+
+namespace stepwright::host {
+
+enum class ClockMode : std::uint8_t {
+  Simulated,  // the scan clock advances with the scans, as fast as `speed` allows
+  Real,       // the scan waits for the machine's clock
+};
+
+enum class LostSupervisor : std::uint8_t {
+  Continue,  // the program goes on; barriers no longer hold
+  Safe,      // the program is stopped, outputs go to their safe state
+};
+
+// A fault of the simulated plant that happens by itself, before the first scan at or after its instant.
+struct ScheduledFault {
+  std::int64_t at_ns = 0;
+  std::string name;
+  double value = 0.0;
+};
+
+struct HostConfig {
+  ClockMode clock = ClockMode::Simulated;
+  double speed = 0.0;                          // simulated: times real time; 0 = as fast as possible
+  std::int64_t idle_interval_ns = 10'000'000;  // real clock: period of the I/O while no program runs
+  std::size_t input_bytes = 64;                // of the areas that the I/O driver serves
+  std::size_t output_bytes = 64;
+  std::vector<scan::SafeOutput> safe_outputs;  // outputs without a rule go to zero
+  LostSupervisor on_lost_supervisor = LostSupervisor::Continue;
+  std::vector<ScheduledFault> faults;
+};
+
+}  // namespace stepwright::host

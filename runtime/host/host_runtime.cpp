@@ -1,0 +1,179 @@
+#include "runtime/host/host_runtime.h"
+
+#include <algorithm>
+#include <future>
+#include <random>
+#include <utility>
+
+namespace stepwright::host {
+namespace {
+
+// Fewer than the queues of the scan loop hold.
+constexpr std::size_t kMaxUnderWay = 200;
+constexpr double kNsPerUs = 1'000.0;
+
+std::uint64_t random_incarnation() {
+  std::random_device source;
+  const std::uint64_t high = source();
+  return (high << 32 | source()) | 1u;
+}
+
+}  // namespace
+
+result::Result<std::unique_ptr<HostRuntime>> HostRuntime::create(const HostConfig& config,
+                                                                 image::IoDriver& driver,
+                                                                 PlantAccess* plant) {
+  const auto names = plant == nullptr ? std::span<const std::string>{} : plant->value_names();
+  auto snapshots = SnapshotWriter::create(names);
+  if (!snapshots) return result::forward(snapshots);
+  auto reader = SnapshotReader::open((*snapshots)->descriptor());
+  if (!reader) return result::forward(reader);
+  std::unique_ptr<HostRuntime> self(
+      new HostRuntime(config, driver, plant, std::move(*snapshots), std::move(*reader)));
+  if (!self->loop_->ok()) return result::fail("R0001", {}, "the system gives no more descriptors");
+  std::promise<std::string> entered;
+  std::future<std::string> refused = entered.get_future();
+  self->thread_ = std::thread([loop = self->loop_.get(), real = config.clock == ClockMode::Real,
+                               entered = std::move(entered)]() mutable {
+    entered.set_value(real ? enter_real_time() : std::string());
+    loop->run();
+  });
+  self->refused_ = refused.get();
+  return self;
+}
+
+HostRuntime::HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
+                         std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader)
+    : config_(config),
+      io_(driver, config.input_bytes, config.output_bytes),
+      plant_names_(plant == nullptr ? std::span<const std::string>{} : plant->value_names()),
+      snapshots_(std::move(snapshots)),
+      reader_(std::move(reader)),
+      incarnation_(random_incarnation()),
+      loop_(std::make_unique<ScanLoop>(config_, io_, plant, *snapshots_)) {}
+
+HostRuntime::~HostRuntime() {
+  if (!thread_.joinable()) return;
+  loop_->quit();
+  thread_.join();
+}
+
+result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::byte> container,
+                                       std::string digest) {
+  auto program = PreparedProgram::create(std::move(container), std::move(digest), io_, loop_->clock(),
+                                         {.safe_outputs = config_.safe_outputs}, plant_names_.size());
+  if (!program) return result::forward(program);
+  Command command;
+  command.kind = CommandKind::Load;
+  command.ticket = ticket;
+  command.program = program->get();
+  if (!send(command)) return result::fail("R0006", {}, "the runtime is busy", "try again");
+  programs_.push_back(std::move(*program));
+  load_tickets_.push_back(ticket);
+  return {};
+}
+
+bool HostRuntime::submit(const Command& command) {
+  return send(command);
+}
+
+bool HostRuntime::send(const Command& command) {
+  if (commands_under_way_ >= kMaxUnderWay || !loop_->submit(command)) return false;
+  ++commands_under_way_;
+  return true;
+}
+
+std::optional<Completion> HostRuntime::take_completion() {
+  auto completion = loop_->take_completion();
+  if (!completion) return std::nullopt;
+  --commands_under_way_;
+  if (!load_tickets_.empty() && load_tickets_.front() == completion->ticket) {
+    // Commands are performed in order, so that this is the oldest program that was not current yet.
+    const std::size_t index = programs_.size() - load_tickets_.size();
+    current_ = programs_[index].get();
+    load_tickets_.pop_front();
+  }
+  return completion;
+}
+
+std::optional<StepEvent> HostRuntime::take_event() {
+  while (!programs_.empty()) {
+    PreparedProgram& oldest = *programs_.front();
+    if (const EventRing::Slot* slot = oldest.events().front()) {
+      const bool was_full = oldest.events().full();
+      StepEvent event = to_event(oldest, *slot);
+      oldest.events().pop();
+      if (was_full) loop_->events_taken();
+      detail_ = event.detail;
+      return event;
+    }
+    // Only a program that another one has replaced can have no further events.
+    const bool ended = current_ != nullptr && &oldest != current_ &&
+                       std::any_of(programs_.begin() + 1, programs_.end(),
+                                   [this](const auto& program) { return program.get() == current_; });
+    if (!ended) return std::nullopt;
+    programs_.pop_front();
+  }
+  return std::nullopt;
+}
+
+StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing::Slot& slot) const {
+  StepEvent event;
+  event.sequence = slot.note.sequence;
+  event.scan = slot.note.scan;
+  event.time_ns = slot.note.time_ns;
+  event.kind = slot.note.kind;
+  event.program_digest = program.digest();
+  event.detail = slot.note.reason.str();
+  if (slot.note.kind == EventKind::Trap) {
+    event.detail = slot.note.trap
+                       ? result::to_string(reader::describe(program.loaded().program(), slot.note.trap))
+                       : "the I/O driver does not answer";
+  }
+  event.image = slot.image;
+  for (std::size_t i = 0; i < slot.plant.size(); ++i) event.plant.push_back({plant_names_[i], slot.plant[i]});
+  return event;
+}
+
+RuntimeStatus HostRuntime::status() const {
+  const ScanFigures figures = loop_->figures();
+  RuntimeStatus status;
+  status.incarnation = incarnation_;
+  status.state = figures.state;
+  if (current_ != nullptr) status.program_digest = current_->digest();
+  status.scan = figures.scan;
+  status.time_ns = figures.time_ns;
+  status.last_event = figures.last_event;
+  status.overruns = figures.overruns;
+  status.scan_p50_us = static_cast<double>(figures.scan_p50_ns) / kNsPerUs;
+  status.scan_p99_us = static_cast<double>(figures.scan_p99_ns) / kNsPerUs;
+  status.scan_max_us = static_cast<double>(figures.scan_max_ns) / kNsPerUs;
+  status.realtime_factor = figures.realtime_factor;
+  status.trace_hash = figures.trace_hash;
+  status.waiting_for_supervisor = figures.waiting_for_supervisor;
+  status.detail = detail_;
+  const auto note = [&](const std::string& text) {
+    if (!status.detail.empty()) status.detail += "; ";
+    status.detail += text;
+  };
+  if (!refused_.empty()) note(refused_);
+  if (figures.lost_events > 0) note(std::to_string(figures.lost_events) + " events were lost");
+  if (auto snapshot = reader_->read()) status.plant = std::move(snapshot->plant);
+  return status;
+}
+
+std::span<const std::byte> HostRuntime::program() const {
+  return current_ == nullptr ? std::span<const std::byte>{} : current_->loaded().bytes();
+}
+
+int HostRuntime::descriptor() const {
+  return loop_->news().descriptor();
+}
+void HostRuntime::clear() {
+  loop_->news().clear();
+}
+int HostRuntime::snapshot_descriptor() const {
+  return snapshots_->descriptor();
+}
+
+}  // namespace stepwright::host

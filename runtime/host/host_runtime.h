@@ -1,0 +1,77 @@
+#pragma once
+
+// A runtime: loads containers, runs them in its scan thread, keeps its state machine, and reports.
+//
+//   HostConfig config;                                           // simulated clock, as fast as possible
+//   auto runtime = HostRuntime::create(config, driver, &plant);
+//   (*runtime)->load(1, container, digest);                      // refusals come back at once
+//   (*runtime)->submit({.kind = CommandKind::Start, .barrier = true, .ticket = 2});
+//   poll((*runtime)->descriptor()), then:
+//   (*runtime)->clear();
+//   while (auto completion = (*runtime)->take_completion()) ...
+//   while (auto event = (*runtime)->take_event()) ...
+//
+// Threads: create, use and destroy it on one thread (the service's); it brings its own for the scan. Driver
+// and plant are called by the scan thread only and must outlive the runtime. States: Empty -load-> Stopped
+// -start-> Running -stop, load, lost supervisor-> Stopped; Running -trap, lost I/O-> Fault -start-> Running;
+// Fault -load-> Stopped.
+
+#include <deque>
+#include <memory>
+#include <thread>
+
+#include "runtime/host/host_config.h"
+#include "runtime/host/plant_access.h"
+#include "runtime/host/runtime_port.h"
+#include "runtime/host/scan_loop.h"
+#include "runtime/image/io_driver.h"
+
+namespace stepwright::host {
+
+class HostRuntime final : public RuntimePort {
+ public:
+  // Starts the scan thread with nothing loaded. Fails with R0001 (system) or R0004 (a plant with too many
+  // values).
+  [[nodiscard]] static result::Result<std::unique_ptr<HostRuntime>> create(const HostConfig& config,
+                                                                           image::IoDriver& driver,
+                                                                           PlantAccess* plant);
+  // Stops the program, outputs to their safe state, and joins the scan thread.
+  ~HostRuntime() override;
+
+  [[nodiscard]] result::Result<void> load(std::uint64_t ticket, std::vector<std::byte> container,
+                                          std::string digest) override;
+  [[nodiscard]] bool submit(const Command& command) override;
+  std::optional<Completion> take_completion() override;
+  std::optional<StepEvent> take_event() override;
+  RuntimeStatus status() const override;
+  std::span<const std::byte> program() const override;
+  int descriptor() const override;
+  void clear() override;
+  int snapshot_descriptor() const override;
+
+ private:
+  HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
+              std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader);
+
+  bool send(const Command& command);
+  StepEvent to_event(const PreparedProgram& program, const EventRing::Slot& slot) const;
+
+  HostConfig config_;
+  AreaDriver io_;
+  std::span<const std::string> plant_names_;
+  std::unique_ptr<SnapshotWriter> snapshots_;
+  std::unique_ptr<SnapshotReader> reader_;
+  std::uint64_t incarnation_;
+  std::unique_ptr<ScanLoop> loop_;
+  std::string refused_;  // what the system refused to the scan thread
+  std::string detail_;   // of the newest event that has one
+  // In the order of loading. Those before `current_` have ended but may hold events that nobody has taken
+  // yet.
+  std::deque<std::unique_ptr<PreparedProgram>> programs_;
+  std::size_t commands_under_way_ = 0;
+  PreparedProgram* current_ = nullptr;
+  std::deque<std::uint64_t> load_tickets_;
+  std::thread thread_;
+};
+
+}  // namespace stepwright::host

@@ -1,0 +1,24 @@
+#pragma once
+
+// What the host wants of a simulated plant beside its terminals: the true state for reports, and faults.
+
+#include <span>
+#include <string>
+
+#include "runtime/result/result.h"
+
+namespace stepwright::host {
+
+class PlantAccess {
+ public:
+  virtual ~PlantAccess() = default;
+
+  // Names of the values, with their units; constant. At most kMaxPlantValues of at most kMaxNameBytes.
+  virtual std::span<const std::string> value_names() const = 0;
+  // Scan thread; no heap, lock or log. Requires as many places as names.
+  virtual void read_values(std::span<double> values) const = 0;
+  // Scan thread, between two scans; a fault is set up, not simulated, so it may allocate.
+  [[nodiscard]] virtual result::Result<void> inject_fault(const std::string& name, double value) = 0;
+};
+
+}  // namespace stepwright::host

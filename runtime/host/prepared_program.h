@@ -1,0 +1,61 @@
+#pragma once
+
+// A verified program with all the memory that running it takes: image, stack, engine, scan, step watch, event
+// ring. Built by the service thread; handed to the scan thread, which runs it until the next one comes;
+// destroyed by the service thread again.
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/host/area_driver.h"
+#include "runtime/host/event_ring.h"
+#include "runtime/host/step_watch.h"
+#include "runtime/image/process_image.h"
+#include "runtime/result/result.h"
+#include "runtime/scan/scan_cycle.h"
+#include "runtime/vm/interpreter.h"
+
+namespace stepwright::host {
+
+class PreparedProgram {
+ public:
+  // Verifies the container and takes its memory. Fails with the diagnostics of the verifier, or with R0004
+  // where the program needs more than a cell or a message can carry. What is passed by reference must outlive
+  // the program.
+  [[nodiscard]] static result::Result<std::unique_ptr<PreparedProgram>> create(
+      std::vector<std::byte> container, std::string digest, AreaDriver& io, scan::Clock& clock,
+      const scan::ScanConfig& config, std::size_t plant_values);
+
+  PreparedProgram(const PreparedProgram&) = delete;
+  PreparedProgram& operator=(const PreparedProgram&) = delete;
+
+  const std::string& digest() const { return digest_; }
+  const reader::LoadedProgram& loaded() const { return loaded_; }
+
+  // Scan thread only.
+  image::ProcessImage& image() { return image_; }
+  scan::ScanCycle& cycle() { return cycle_; }
+  StepWatch& steps() { return steps_; }
+  // Pushed by the scan thread, popped by the service thread.
+  EventRing& events() { return events_; }
+
+ private:
+  PreparedProgram(reader::LoadedProgram loaded, std::string digest, AreaDriver& io, scan::Clock& clock,
+                  const scan::ScanConfig& config, std::size_t plant_values);
+
+  std::string digest_;
+  reader::LoadedProgram loaded_;
+  std::vector<std::byte> memory_;
+  std::vector<std::uint64_t> stack_;
+  image::ProcessImage image_;
+  vm::Interpreter engine_;
+  scan::ScanCycle cycle_;
+  StepWatch steps_;
+  EventRing events_;
+};
+
+}  // namespace stepwright::host

@@ -1,0 +1,45 @@
+#pragma once
+
+// What the service needs of a runtime. HostRuntime implements it; the service's tests have one of their own.
+//
+// Threads: all of it belongs to one thread, the service's. Nothing blocks.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/host/command.h"
+#include "runtime/host/messages.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::host {
+
+class RuntimePort {
+ public:
+  virtual ~RuntimePort() = default;
+
+  // Verifies the container and has it take the place of the loaded one between two scans; the completion
+  // carries `ticket`. Refused containers fail at once and change nothing.
+  [[nodiscard]] virtual result::Result<void> load(std::uint64_t ticket, std::vector<std::byte> container,
+                                                  std::string digest) = 0;
+  // Any command but Load. False if too many are under way; then nothing happens.
+  [[nodiscard]] virtual bool submit(const Command& command) = 0;
+  virtual std::optional<Completion> take_completion() = 0;
+  // Events in the order of their sequence.
+  virtual std::optional<StepEvent> take_event() = 0;
+
+  virtual RuntimeStatus status() const = 0;
+  // The container that is loaded; empty without one. Valid until the next completion is taken.
+  virtual std::span<const std::byte> program() const = 0;
+
+  // Readable when completions or events may be there; `clear` makes it unreadable until there are new ones.
+  virtual int descriptor() const = 0;
+  virtual void clear() = 0;
+  // Of the shared snapshot memory, read-only.
+  virtual int snapshot_descriptor() const = 0;
+};
+
+}  // namespace stepwright::host

@@ -1,0 +1,200 @@
+#include "runtime/host/scan_loop.h"
+
+#include <algorithm>
+
+namespace stepwright::host {
+namespace {
+
+constexpr std::size_t kQueue = 256;
+// How often image and figures are published while nothing happens. Events publish at once.
+constexpr std::int64_t kPublishPeriodNs = 5'000'000;
+// Simulated with a speed: what the simulation lags behind more than this is not caught up.
+constexpr std::int64_t kMaxLagNs = 100'000'000;
+
+}  // namespace
+
+ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots)
+    : config_(config),
+      io_(io),
+      plant_(plant),
+      snapshots_(snapshots),
+      commands_(kQueue),
+      completions_(kQueue),
+      faults_(config.faults),
+      truths_(plant == nullptr ? 0 : plant->value_names().size()) {
+  std::stable_sort(faults_.begin(), faults_.end(),
+                   [](const ScheduledFault& a, const ScheduledFault& b) { return a.at_ns < b.at_ns; });
+  origin_ns_ = clock_.now_ns();
+  publish();
+}
+
+void ScanLoop::run() {
+  while (!quit_.load(std::memory_order_acquire)) {
+    take_commands();
+    if (real()) {
+      turn_real();
+    } else {
+      turn_simulated();
+    }
+  }
+  stop("the runtime ends");
+}
+
+void ScanLoop::quit() {
+  quit_.store(true, std::memory_order_release);
+  wake_.ring();
+}
+
+bool ScanLoop::submit(Command command) {
+  if (!commands_.push(std::move(command))) return false;
+  wake_.ring();
+  return true;
+}
+
+void ScanLoop::turn_real() {
+  if (program_ == nullptr) return wake_.wait(-1);
+  const bool running = now_.state == RuntimeState::Running;
+  const std::int64_t due_ns = running ? program_->cycle().next_time_ns() : idle_due_ns_;
+  sleep_until(origin_ns_ + due_ns);
+  const std::int64_t late_ns = clock_.now_ns() - origin_ns_ - due_ns;
+  if (!running) {
+    idle_io(due_ns + late_ns);
+    idle_due_ns_ = due_ns + late_ns + config_.idle_interval_ns;
+    return publish_if_due();
+  }
+  if (late_ns >= period_ns_) {
+    now_.overruns += static_cast<std::uint64_t>(late_ns / period_ns_);
+    // The newest of the missed scans runs now, the others are left out.
+    program_->cycle().skip_to(due_ns + late_ns - period_ns_ + 1);
+  }
+  scan_once();
+}
+
+void ScanLoop::turn_simulated() {
+  const bool held = now_.state != RuntimeState::Running || now_.waiting_for_supervisor;
+  // A full ring holds the clock too: no event is lost in simulated time.
+  if (held || program_->events().full()) return wake_.wait(-1);
+  if (config_.speed > 0.0 && early(program_->cycle().next_time_ns())) return;
+  scan_once();
+}
+
+// True if the scan at `next_ns` must wait for the clock on the wall; then some waiting was done.
+bool ScanLoop::early(std::int64_t next_ns) {
+  const double ahead_ns = static_cast<double>(next_ns - pace_scan_ns_) / config_.speed;
+  const std::int64_t wait_ns = pace_wall_ns_ + static_cast<std::int64_t>(ahead_ns) - clock_.now_ns();
+  if (wait_ns > 0) {
+    wake_.wait(wait_ns);
+    return true;
+  }
+  if (-wait_ns > kMaxLagNs) {
+    pace_scan_ns_ = next_ns;
+    pace_wall_ns_ = clock_.now_ns();
+  }
+  return false;
+}
+
+void ScanLoop::scan_once() {
+  inject_scheduled(program_->cycle().next_time_ns());
+  const scan::ScanReport report = program_->cycle().run_scan();
+  now_.scan = report.scan;
+  now_.time_ns = report.time_ns;
+  now_.trace_hash = program_->cycle().trace_hash();
+  const bool changed = program_->steps().changed(program_->image().bytes());
+  if (report.state != scan::ScanState::Running) {
+    end_stretch();
+    now_.state = RuntimeState::Fault;
+    next_start_ns_ = program_->cycle().next_time_ns();
+    emit(EventKind::Trap, report.trap, {});
+  } else if (changed) {
+    if (barrier_ && !supervisor_lost_ && !real()) {
+      now_.waiting_for_supervisor = true;
+      end_stretch();
+    }
+    emit(EventKind::StepChange, {}, {});
+  } else {
+    publish_if_due();
+  }
+}
+
+// Inputs stay fresh and outputs safe while no program runs. A driver that does not answer is no news then.
+void ScanLoop::idle_io(std::int64_t time_ns) {
+  image::ProcessImage& image = program_->image();
+  static_cast<void>(io_.read_inputs(time_ns, image.inputs()));
+  scan::apply_safe_state(config_.safe_outputs, image.outputs());
+  static_cast<void>(io_.write_outputs(time_ns, image.outputs()));
+  now_.time_ns = time_ns;
+}
+
+void ScanLoop::inject_scheduled(std::int64_t time_ns) {
+  for (; next_fault_ < faults_.size() && faults_[next_fault_].at_ns <= time_ns; ++next_fault_) {
+    if (plant_ == nullptr) continue;
+    const ScheduledFault& fault = faults_[next_fault_];
+    // What the plant refuses was refused when the configuration was read, too.
+    static_cast<void>(plant_->inject_fault(fault.name, fault.value));
+  }
+}
+
+void ScanLoop::emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason) {
+  EventNote note;
+  note.sequence = ++now_.last_event;
+  note.scan = now_.scan;
+  note.time_ns = now_.time_ns;
+  note.kind = kind;
+  note.trap = trap;
+  note.reason = FixedText<kMaxReasonBytes>(reason);
+  if (plant_ != nullptr) plant_->read_values(truths_);
+  if (!program_->events().push(note, program_->image().bytes(), truths_)) ++now_.lost_events;
+  publish();
+  news_.ring();
+}
+
+void ScanLoop::release_barrier() {
+  if (!now_.waiting_for_supervisor) return;
+  now_.waiting_for_supervisor = false;
+  begin_stretch();
+}
+
+void ScanLoop::begin_stretch() {
+  stretch_wall_ns_ = clock_.now_ns();
+  stretch_scan_ns_ = now_.time_ns;
+  pace_wall_ns_ = stretch_wall_ns_;
+  pace_scan_ns_ = next_time_ns();
+}
+
+void ScanLoop::end_stretch() {
+  if (stretch_wall_ns_ == 0) return;
+  ran_wall_ns_ += clock_.now_ns() - stretch_wall_ns_;
+  ran_scan_ns_ += now_.time_ns - stretch_scan_ns_;
+  stretch_wall_ns_ = 0;
+}
+
+void ScanLoop::publish_if_due() {
+  if (clock_.now_ns() - published_ns_ >= kPublishPeriodNs) publish();
+}
+
+void ScanLoop::publish() {
+  published_ns_ = clock_.now_ns();
+  std::int64_t wall_ns = ran_wall_ns_;
+  std::int64_t scan_ns = ran_scan_ns_;
+  if (stretch_wall_ns_ != 0) {
+    wall_ns += published_ns_ - stretch_wall_ns_;
+    scan_ns += now_.time_ns - stretch_scan_ns_;
+  }
+  if (wall_ns > 0) now_.realtime_factor = static_cast<double>(scan_ns) / static_cast<double>(wall_ns);
+  if (program_ != nullptr) {
+    scan::Histogram all = earlier_scans_;
+    all.add(program_->cycle().statistics().scan_time);
+    now_.scan_p50_ns = all.percentile_ns(50'000);
+    now_.scan_p99_ns = all.percentile_ns(99'000);
+    now_.scan_max_ns = all.max_ns();
+    if (plant_ != nullptr) plant_->read_values(truths_);
+    snapshots_.publish(now_.scan, now_.time_ns, program_->digest(), program_->image().bytes(), truths_);
+  }
+  figures_.store(now_);
+}
+
+std::int64_t ScanLoop::next_time_ns() const {
+  return now_.state == RuntimeState::Running ? program_->cycle().next_time_ns() : next_start_ns_;
+}
+
+}  // namespace stepwright::host

@@ -1,0 +1,136 @@
+#pragma once
+
+// The scan thread: takes commands between two scans, waits for the next one (or, in simulated time, does
+// not), runs it, compares the steps, and publishes events, figures and the image. Nothing that the service,
+// the link or a supervisor does or fails to do delays a scan in real time.
+//
+// Threads: `run` is the body of the scan thread; the functions under "service thread" belong to that one
+// thread; `quit` may be called from any. No heap, lock or log on the path of a scan; a doorbell is rung (one
+// system call) only when there is news for the service. Invariants: in any state but Running the outputs are
+// in their safe state; in simulated time the clock moves only while the state is Running and no barrier
+// holds.
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/host/area_driver.h"
+#include "runtime/host/command.h"
+#include "runtime/host/doorbell.h"
+#include "runtime/host/host_config.h"
+#include "runtime/host/plant_access.h"
+#include "runtime/host/prepared_program.h"
+#include "runtime/host/real_time.h"
+#include "runtime/host/seq_cell.h"
+#include "runtime/host/snapshot_memory.h"
+#include "runtime/host/spsc_queue.h"
+#include "runtime/scan/histogram.h"
+
+namespace stepwright::host {
+
+// What the scan thread publishes about itself.
+struct ScanFigures {
+  RuntimeState state = RuntimeState::Empty;
+  bool waiting_for_supervisor = false;
+  std::uint64_t scan = 0;
+  std::int64_t time_ns = 0;
+  std::uint64_t last_event = 0;
+  std::uint64_t lost_events = 0;  // the service did not take them in time (real clock only)
+  std::uint64_t overruns = 0;
+  std::uint64_t trace_hash = 0;
+  std::int64_t scan_p50_ns = 0;
+  std::int64_t scan_p99_ns = 0;
+  std::int64_t scan_max_ns = 0;
+  double realtime_factor = 0.0;
+};
+
+class ScanLoop {
+ public:
+  // What is passed by reference must outlive the loop; `plant` may be null.
+  ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots);
+
+  // Until `quit`; then the outputs are in their safe state.
+  void run();
+  void quit();
+
+  // Service thread.
+  bool submit(Command command);
+  std::optional<Completion> take_completion() { return completions_.pop(); }
+  ScanFigures figures() const { return figures_.load(); }
+  // Rings when completions or events are there.
+  Doorbell& news() { return news_; }
+  // The event ring of the program that runs was full and has room again.
+  void events_taken() { wake_.ring(); }
+
+  // Measures scans and, in real time, sets them off. Any thread.
+  scan::Clock& clock() { return clock_; }
+  bool ok() const { return wake_.ok() && news_.ok(); }
+
+ private:
+  // Commands (scan_loop_commands.cpp).
+  void take_commands();
+  Completion apply(const Command& command);
+  Outcome load(PreparedProgram* program);
+  Outcome start(bool barrier);
+  Outcome stop(std::string_view reason);
+  Outcome force(const ImageBits& bits);
+  Outcome unforce(const ImageBits& bits);
+  Outcome write(const ImageBits& bits);
+  Completion inject_fault(const Command& command);
+  void supervisor_lost();
+
+  // One turn of the loop (scan_loop.cpp).
+  void turn_real();
+  void turn_simulated();
+  void scan_once();
+  void idle_io(std::int64_t time_ns);
+  bool early(std::int64_t next_ns);
+  void inject_scheduled(std::int64_t time_ns);
+  void emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason);
+  void release_barrier();
+  void begin_stretch();
+  void end_stretch();
+  void publish_if_due();
+  void publish();
+  std::int64_t next_time_ns() const;
+  bool real() const { return config_.clock == ClockMode::Real; }
+
+  const HostConfig& config_;
+  AreaDriver& io_;
+  PlantAccess* plant_;
+  SnapshotWriter& snapshots_;
+  MonotonicClock clock_;
+
+  SpscQueue<Command> commands_;
+  SpscQueue<Completion> completions_;
+  Doorbell wake_;
+  Doorbell news_;
+  SeqCell<ScanFigures> figures_;
+  std::atomic<bool> quit_{false};
+
+  // The rest belongs to the scan thread.
+  PreparedProgram* program_ = nullptr;
+  ScanFigures now_;
+  std::int64_t origin_ns_ = 0;      // real clock: monotonic time at scan time 0
+  std::int64_t next_start_ns_ = 0;  // scan time at which a start takes over
+  std::int64_t idle_due_ns_ = 0;    // real clock: scan time of the next I/O while no program runs
+  std::int64_t period_ns_ = 0;      // shortest interval of the program's tasks
+  bool barrier_ = false;
+  bool supervisor_lost_ = false;
+  std::size_t next_fault_ = 0;  // into config_.faults, which are sorted by time
+  std::vector<ScheduledFault> faults_;
+  std::vector<double> truths_;
+  scan::Histogram earlier_scans_;  // of the programs before
+  std::int64_t pace_wall_ns_ = 0;  // simulated with a speed: where clock and scan clock were even
+  std::int64_t pace_scan_ns_ = 0;
+  std::int64_t stretch_wall_ns_ =
+      0;  // when and at which scan time the present stretch of running began; 0 = none
+  std::int64_t stretch_scan_ns_ = 0;
+  std::int64_t ran_wall_ns_ = 0;  // sums over all stretches that ended
+  std::int64_t ran_scan_ns_ = 0;
+  std::int64_t published_ns_ = 0;
+};
+
+}  // namespace stepwright::host

@@ -1,0 +1,177 @@
+// Commands, as the scan thread performs them between two scans.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cstring>
+#include <utility>
+
+#include "runtime/host/scan_loop.h"
+
+namespace stepwright::host {
+namespace {
+
+using bytecode::Section;
+
+std::int64_t shortest_interval_ns(const bytecode::Program& program) {
+  const bytecode::ContainerView& view = program.container();
+  std::int64_t shortest_us = view.record<Section::Tasks>(0).interval_us;
+  for (std::uint32_t i = 1; i < view.count<Section::Tasks>(); ++i) {
+    shortest_us = std::min<std::int64_t>(shortest_us, view.record<Section::Tasks>(i).interval_us);
+  }
+  return shortest_us * 1'000;
+}
+
+// The force that bits stand for: one bit, or 1, 2, 4 or 8 whole bytes. None for any other mask.
+std::optional<image::Force> to_force(const ImageBits& bits) {
+  if (std::popcount(bits.mask) == 1) {
+    const auto place = static_cast<std::uint32_t>(std::countr_zero(bits.mask));
+    if (bits.byte_offset > kMaxImageBytes) return std::nullopt;
+    const std::uint64_t value = (bits.value >> place) & 1u;
+    return image::Force{bits.byte_offset + place / 8, static_cast<std::uint8_t>(place % 8), 1, value};
+  }
+  for (const std::uint8_t size : std::array<std::uint8_t, 4>{1, 2, 4, 8}) {
+    const std::uint64_t whole = size == 8 ? ~std::uint64_t{0} : (std::uint64_t{1} << 8 * size) - 1;
+    if (bits.mask == whole)
+      return image::Force{bits.byte_offset, image::kWholeBytes, size, bits.value & whole};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void ScanLoop::take_commands() {
+  bool any = false;
+  while (auto command = commands_.pop()) {
+    // There is room: the service has no more commands under way than either queue holds.
+    [[maybe_unused]] const bool pushed = completions_.push(apply(*command));
+    assert(pushed);
+    any = true;
+  }
+  if (!any) return;
+  publish();
+  news_.ring();
+}
+
+Completion ScanLoop::apply(const Command& command) {
+  const auto done = [&](Outcome outcome) { return Completion{command.ticket, outcome, {}}; };
+  switch (command.kind) {
+    case CommandKind::Load:
+      return done(load(command.program));
+    case CommandKind::Start:
+      return done(start(command.barrier));
+    case CommandKind::Stop:
+      return done(stop(command.text.view()));
+    case CommandKind::Acknowledge:
+      if (command.event >= now_.last_event) release_barrier();
+      return done(Outcome::Done);
+    case CommandKind::Force:
+      return done(force(command.bits));
+    case CommandKind::Unforce:
+      return done(unforce(command.bits));
+    case CommandKind::Write:
+      return done(write(command.bits));
+    case CommandKind::InjectFault:
+      return inject_fault(command);
+    case CommandKind::SupervisorAlive:
+      supervisor_lost_ = false;
+      return done(Outcome::Done);
+    case CommandKind::SupervisorLost:
+      supervisor_lost();
+      return done(Outcome::Done);
+  }
+  return done(Outcome::Done);
+}
+
+Outcome ScanLoop::load(PreparedProgram* program) {
+  stop("another program was loaded");
+  if (program_ != nullptr) earlier_scans_.add(program_->cycle().statistics().scan_time);
+  program_ = program;
+  period_ns_ = shortest_interval_ns(program->loaded().program());
+  now_.state = RuntimeState::Stopped;
+  return Outcome::Done;
+}
+
+Outcome ScanLoop::start(bool barrier) {
+  if (program_ == nullptr) return Outcome::NoProgram;
+  if (now_.state == RuntimeState::Running) return Outcome::AlreadyRunning;
+  if (real()) next_start_ns_ = clock_.now_ns() - origin_ns_;
+  // A cold start of the variables; what somebody forced stays forced.
+  const image::ForceTable forces = program_->cycle().forces();
+  program_->cycle().start({next_start_ns_, now_.scan, now_.trace_hash});
+  program_->cycle().forces() = forces;
+  program_->steps().reset(program_->image().bytes());
+  barrier_ = barrier;
+  now_.state = RuntimeState::Running;
+  emit(EventKind::Started, {}, {});
+  begin_stretch();
+  return Outcome::Done;
+}
+
+// Without effect unless it runs: what is stopped or trapped has its outputs in their safe state already.
+Outcome ScanLoop::stop(std::string_view reason) {
+  if (now_.state != RuntimeState::Running) return program_ == nullptr ? Outcome::NoProgram : Outcome::Done;
+  end_stretch();
+  next_start_ns_ = program_->cycle().next_time_ns();
+  idle_due_ns_ = next_start_ns_;
+  program_->cycle().stop();
+  now_.state = RuntimeState::Stopped;
+  now_.waiting_for_supervisor = false;
+  emit(EventKind::Stopped, {}, reason);
+  return Outcome::Done;
+}
+
+Outcome ScanLoop::force(const ImageBits& bits) {
+  if (program_ == nullptr) return Outcome::NoProgram;
+  const auto wanted = to_force(bits);
+  if (!wanted) return Outcome::OutOfBounds;
+  image::ForceTable& forces = program_->cycle().forces();
+  if (forces.set(*wanted, program_->image().bytes().size())) return Outcome::Done;
+  const bool full = forces.forces().size() == image::ForceTable::kCapacity;
+  const bool inside = wanted->address + std::size_t{wanted->size} <= program_->image().bytes().size();
+  return full && inside ? Outcome::ForcesFull : Outcome::OutOfBounds;
+}
+
+Outcome ScanLoop::unforce(const ImageBits& bits) {
+  if (program_ == nullptr) return Outcome::NoProgram;
+  const auto wanted = to_force(bits);
+  if (!wanted) return Outcome::OutOfBounds;
+  return program_->cycle().forces().clear(wanted->address, wanted->bit) ? Outcome::Done : Outcome::NotForced;
+}
+
+Outcome ScanLoop::write(const ImageBits& bits) {
+  if (program_ == nullptr) return Outcome::NoProgram;
+  const std::span<std::byte> image = program_->image().bytes();
+  const auto bytes = static_cast<std::size_t>(std::bit_width(bits.mask) + 7) / 8;
+  if (bytes == 0 || bits.byte_offset > image.size() || bytes > image.size() - bits.byte_offset) {
+    return Outcome::OutOfBounds;
+  }
+  std::uint64_t value = 0;
+  std::memcpy(&value, image.data() + bits.byte_offset, bytes);
+  value = (value & ~bits.mask) | (bits.value & bits.mask);
+  std::memcpy(image.data() + bits.byte_offset, &value, bytes);
+  return Outcome::Done;
+}
+
+Completion ScanLoop::inject_fault(const Command& command) {
+  Completion completion{command.ticket, Outcome::Done, {}};
+  if (plant_ == nullptr) {
+    completion.outcome = Outcome::NoPlant;
+  } else if (auto injected = plant_->inject_fault(command.text.str(), command.value); !injected) {
+    completion.outcome = Outcome::PlantRefused;
+    completion.problems = std::move(injected.error());
+  }
+  return completion;
+}
+
+void ScanLoop::supervisor_lost() {
+  supervisor_lost_ = true;
+  if (config_.on_lost_supervisor == LostSupervisor::Safe) {
+    stop("the supervisor was lost");
+  } else {
+    release_barrier();
+  }
+}
+
+}  // namespace stepwright::host

@@ -1,0 +1,186 @@
+#include "runtime/host/snapshot_memory.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cassert>
+#include <cerrno>
+#include <cstring>
+
+#include "runtime/host/limits.h"
+
+namespace stepwright::host {
+namespace {
+
+constexpr std::uint64_t kMagic =
+    0x31504E5357535453u;  // "STSWSNP1", which also names the version of the layout
+constexpr std::size_t kDigestBytes = 64;
+constexpr int kAttempts = 1'000;
+
+// All of it is copied in words of 8 bytes.
+struct Fixed {
+  std::uint64_t scan;
+  std::int64_t time_ns;
+  std::uint64_t image_bytes;
+  std::array<char, kDigestBytes> digest;
+  std::array<double, kMaxPlantValues> plant;
+};
+static_assert(sizeof(Fixed) % 8 == 0);
+
+struct Layout {
+  std::uint64_t magic;
+  std::uint64_t plant_count;
+  std::array<std::array<char, kMaxNameBytes>, kMaxPlantValues> names;  // constant, padded with zeros
+  std::uint64_t sequence;                                              // odd while it is written
+  Fixed fixed;
+  std::array<std::byte, kMaxImageBytes> image;
+};
+static_assert(offsetof(Layout, sequence) % 8 == 0 && offsetof(Layout, image) % 8 == 0);
+
+using Word = std::uint64_t;
+
+// Whole words only: the source may end within one.
+void store_words(std::byte* to, const void* from, std::size_t bytes) {
+  auto* words = reinterpret_cast<Word*>(to);
+  for (std::size_t i = 0; i < bytes; i += sizeof(Word)) {
+    Word word = 0;
+    std::memcpy(&word, static_cast<const std::byte*>(from) + i, std::min(sizeof(Word), bytes - i));
+    std::atomic_ref(words[i / sizeof(Word)]).store(word, std::memory_order_relaxed);
+  }
+}
+
+// The memory is mapped for reading only; an atomic load does not write.
+Word load_word(const std::byte* from, std::memory_order order) {
+  auto* word = reinterpret_cast<Word*>(const_cast<std::byte*>(from));
+  return std::atomic_ref(*word).load(order);
+}
+
+void load_words(void* to, const std::byte* from, std::size_t bytes) {
+  for (std::size_t i = 0; i < bytes; i += sizeof(Word)) {
+    const Word word = load_word(from + i, std::memory_order_relaxed);
+    std::memcpy(static_cast<std::byte*>(to) + i, &word, std::min(sizeof(Word), bytes - i));
+  }
+}
+
+tl::unexpected<result::Diagnostics> refused(const std::string& what) {
+  return result::fail("R0001", {}, what + ": " + std::strerror(errno));
+}
+
+}  // namespace
+
+result::Result<std::unique_ptr<SnapshotWriter>> SnapshotWriter::create(
+    std::span<const std::string> plant_names) {
+  const auto too_long = [](const std::string& name) { return name.size() > kMaxNameBytes; };
+  if (plant_names.size() > kMaxPlantValues || std::any_of(plant_names.begin(), plant_names.end(), too_long)) {
+    return result::fail("R0004", {}, "the plant has too many values, or one with too long a name");
+  }
+  std::unique_ptr<SnapshotWriter> self(new SnapshotWriter());
+  const int writable = memfd_create("stepwright-snapshot", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+  if (writable < 0) return refused("no shared memory for snapshots");
+  void* memory = MAP_FAILED;
+  if (ftruncate(writable, sizeof(Layout)) == 0) {
+    memory = mmap(nullptr, sizeof(Layout), PROT_READ | PROT_WRITE, MAP_SHARED, writable, 0);
+  }
+  // After this the mapping just made is the only one that can ever write.
+  const bool sealed =
+      memory != MAP_FAILED &&
+      fcntl(writable, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_FUTURE_WRITE | F_SEAL_SEAL) == 0;
+  if (sealed) {
+    self->shared_ = ::open(("/proc/self/fd/" + std::to_string(writable)).c_str(), O_RDONLY | O_CLOEXEC);
+  }
+  const int error = errno;
+  close(writable);
+  if (memory != MAP_FAILED) self->memory_ = static_cast<std::byte*>(memory);
+  errno = error;
+  if (self->shared_ < 0) return refused("the memory for snapshots cannot be shared");
+  auto* layout = reinterpret_cast<Layout*>(self->memory_);
+  layout->plant_count = plant_names.size();
+  for (std::size_t i = 0; i < plant_names.size(); ++i) {
+    std::copy(plant_names[i].begin(), plant_names[i].end(), layout->names[i].begin());
+  }
+  layout->magic = kMagic;
+  return self;
+}
+
+SnapshotWriter::~SnapshotWriter() {
+  if (memory_ != nullptr) munmap(memory_, sizeof(Layout));
+  if (shared_ >= 0) close(shared_);
+}
+
+void SnapshotWriter::publish(std::uint64_t scan, std::int64_t time_ns, std::string_view digest,
+                             std::span<const std::byte> image, std::span<const double> plant) {
+  assert(image.size() <= kMaxImageBytes && plant.size() <= kMaxPlantValues);
+  Fixed fixed;
+  fixed.scan = scan;
+  fixed.time_ns = time_ns;
+  fixed.image_bytes = image.size();
+  fixed.digest.fill(0);
+  std::copy_n(digest.begin(), std::min(digest.size(), kDigestBytes), fixed.digest.begin());
+  std::copy(plant.begin(), plant.end(), fixed.plant.begin());
+  const std::size_t fixed_bytes = offsetof(Fixed, plant) + plant.size() * sizeof(double);
+
+  auto* const word = reinterpret_cast<Word*>(memory_ + offsetof(Layout, sequence));
+  const std::atomic_ref sequence(*word);
+  const Word begin = sequence.load(std::memory_order_relaxed) + 1;
+  sequence.store(begin, std::memory_order_relaxed);
+  std::atomic_thread_fence(std::memory_order_release);
+  store_words(memory_ + offsetof(Layout, fixed), &fixed, fixed_bytes);
+  store_words(memory_ + offsetof(Layout, image), image.data(), image.size());
+  sequence.store(begin + 1, std::memory_order_release);
+}
+
+result::Result<std::unique_ptr<SnapshotReader>> SnapshotReader::open(int descriptor) {
+  struct stat info {};
+  if (fstat(descriptor, &info) != 0 || info.st_size != static_cast<off_t>(sizeof(Layout))) {
+    return result::fail("R0005", {}, "the shared memory is not that of a snapshot");
+  }
+  void* memory = mmap(nullptr, sizeof(Layout), PROT_READ, MAP_SHARED, descriptor, 0);
+  if (memory == MAP_FAILED) return refused("the snapshot cannot be mapped");
+  std::unique_ptr<SnapshotReader> self(new SnapshotReader());
+  self->memory_ = static_cast<const std::byte*>(memory);
+  const auto* layout = reinterpret_cast<const Layout*>(memory);
+  if (layout->magic != kMagic || layout->plant_count > kMaxPlantValues) {
+    return result::fail("R0005", {}, "the shared memory has another version of the snapshot's layout");
+  }
+  for (std::size_t i = 0; i < layout->plant_count; ++i) {
+    const auto& name = layout->names[i];
+    self->names_.emplace_back(name.begin(), std::find(name.begin(), name.end(), '\0'));
+  }
+  return self;
+}
+
+SnapshotReader::~SnapshotReader() {
+  if (memory_ != nullptr) munmap(const_cast<std::byte*>(memory_), sizeof(Layout));
+}
+
+std::optional<Snapshot> SnapshotReader::read() const {
+  Fixed fixed;
+  Snapshot snapshot;
+  const std::size_t fixed_bytes = offsetof(Fixed, plant) + names_.size() * sizeof(double);
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const Word before = load_word(memory_ + offsetof(Layout, sequence), std::memory_order_acquire);
+    if (before == 0) return std::nullopt;
+    if (before % 2 != 0) continue;
+    load_words(&fixed, memory_ + offsetof(Layout, fixed), fixed_bytes);
+    // Half-written sizes are possible here; they are thrown away below but must not be followed.
+    if (fixed.image_bytes > kMaxImageBytes) continue;
+    snapshot.image.resize(fixed.image_bytes);
+    load_words(snapshot.image.data(), memory_ + offsetof(Layout, image), snapshot.image.size());
+    std::atomic_thread_fence(std::memory_order_acquire);
+    if (load_word(memory_ + offsetof(Layout, sequence), std::memory_order_relaxed) != before) continue;
+    snapshot.scan = fixed.scan;
+    snapshot.time_ns = fixed.time_ns;
+    snapshot.program_digest.assign(fixed.digest.begin(),
+                                   std::find(fixed.digest.begin(), fixed.digest.end(), '\0'));
+    for (std::size_t i = 0; i < names_.size(); ++i) snapshot.plant.push_back({names_[i], fixed.plant[i]});
+    return snapshot;
+  }
+  return std::nullopt;
+}
+
+}  // namespace stepwright::host

@@ -1,0 +1,39 @@
+#pragma once
+
+// Messages as bytes: little-endian numbers, texts and lists behind their length. A frame is the length of the
+// message (32 bits), then the message: its kind (8 bits), then its fields in the order of their declaration.
+//
+// Whatever bytes come in, decode returns a message or a diagnostic; it never reads beyond them and never
+// takes more memory than they can stand for. Any thread.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/result/result.h"
+#include "runtime/service/messages.h"
+
+namespace stepwright::service {
+
+// Appends the frame of `message` to `out`. False, and nothing is appended, if it exceeds kMaxMessageBytes.
+[[nodiscard]] bool encode_frame(const Message& message, std::vector<std::byte>& out);
+
+// The message of a frame's body. Fails with R0005.
+[[nodiscard]] result::Result<Message> decode(std::span<const std::byte> body);
+
+// Cuts a stream of bytes into frame bodies.
+class FrameBuffer {
+ public:
+  // Appends what was received.
+  void append(std::span<const std::byte> bytes);
+  // The next whole body, valid until the next call of any function; none if it is not there yet. Fails with
+  // R0005 for a frame that is longer than a message can be: the stream is lost then.
+  [[nodiscard]] result::Result<std::optional<std::span<const std::byte>>> next();
+
+ private:
+  std::vector<std::byte> bytes_;
+  std::size_t used_ = 0;  // of bytes_, handed out already
+};
+
+}  // namespace stepwright::service

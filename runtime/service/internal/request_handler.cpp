@@ -1,0 +1,187 @@
+#include "runtime/service/internal/request_handler.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/host/limits.h"
+#include "runtime/service/digest.h"
+
+namespace stepwright::service::internal {
+namespace {
+
+using host::CommandKind;
+using host::Outcome;
+
+template <typename... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+
+result::Diagnostics explain(const host::Completion& completion) {
+  const auto one = [](const char* code, const char* message, const char* hint) {
+    auto failed = result::fail(code, {}, message, hint);
+    return std::move(failed.value());
+  };
+  switch (completion.outcome) {
+    case Outcome::Done:
+      return {};
+    case Outcome::NoProgram:
+      return one("R0002", "no program is loaded", "download one first");
+    case Outcome::AlreadyRunning:
+      return one("R0002", "the program is running already", "stop it first");
+    case Outcome::OutOfBounds:
+      return one("R0004",
+                 "the bits are not within the process image, or are neither one bit nor 1, 2, 4 or 8 bytes",
+                 "the container's symbols say where each variable lies");
+    case Outcome::ForcesFull:
+      return one("R0004", "too many variables are forced already", "release some");
+    case Outcome::NotForced:
+      return one("R0002", "nothing is forced there", "");
+    case Outcome::NoPlant:
+      return one("R0002", "this runtime has no simulated plant", "");
+    case Outcome::PlantRefused:
+      return completion.problems;
+  }
+  return {};
+}
+
+// The command of a request that the scan thread performs; none for the others.
+std::optional<host::Command> to_command(const RequestBody& body) {
+  host::Command command;
+  const auto bits = [&](CommandKind kind, const host::ImageBits& value) {
+    command.kind = kind;
+    command.bits = value;
+    return true;
+  };
+  const bool any =
+      std::visit(Overloaded{
+                     [&](const Start& start) {
+                       command.kind = CommandKind::Start;
+                       command.barrier = start.barrier;
+                       return true;
+                     },
+                     [&](const Stop& stop) {
+                       command.kind = CommandKind::Stop;
+                       command.text = host::FixedText<host::kMaxReasonBytes>(stop.reason);
+                       return true;
+                     },
+                     [&](const Acknowledge& acknowledge) {
+                       command.kind = CommandKind::Acknowledge;
+                       command.event = acknowledge.event;
+                       return true;
+                     },
+                     [&](const Force& force) { return bits(CommandKind::Force, force.bits); },
+                     [&](const Unforce& unforce) { return bits(CommandKind::Unforce, unforce.bits); },
+                     [&](const Write& write) { return bits(CommandKind::Write, write.bits); },
+                     [&](const InjectFault& fault) {
+                       command.kind = CommandKind::InjectFault;
+                       command.text = host::FixedText<host::kMaxReasonBytes>(fault.name);
+                       command.value = fault.value;
+                       return true;
+                     },
+                     [](const auto&) { return false; },
+                 },
+                 body);
+  return any ? std::optional(command) : std::nullopt;
+}
+
+// What only reads is performed again instead of remembered: its answer is large, or the events themselves.
+bool remembered(const RequestBody& body) {
+  return !std::holds_alternative<ReadProgram>(body) && !std::holds_alternative<ResendEvents>(body);
+}
+
+}  // namespace
+
+std::optional<Reply> RequestHandler::handle(std::uint64_t session, const Request& request) {
+  if (const Reply* known = replies_.find(request.client, request.id)) return *known;
+  for (auto& [ticket, pending] : pending_) {
+    if (pending.reply.client != request.client || pending.reply.id != request.id) continue;
+    pending.session = session;  // it asks again over a new connection
+    return std::nullopt;
+  }
+  Reply reply;
+  reply.client = request.client;
+  reply.id = request.id;
+  const std::uint64_t ticket = ++last_ticket_;
+  auto performed = perform(request, ticket, reply);
+  if (performed && !*performed) {
+    pending_.emplace(ticket, Pending{session, std::move(reply)});
+    return std::nullopt;
+  }
+  if (!performed) reply.problems = std::move(performed.error());
+  if (remembered(request.body)) replies_.add(reply);
+  return reply;
+}
+
+std::optional<Answer> RequestHandler::complete(const host::Completion& completion) {
+  const auto found = pending_.find(completion.ticket);
+  if (found == pending_.end()) return std::nullopt;
+  Answer answer{found->second.session, std::move(found->second.reply)};
+  pending_.erase(found);
+  answer.reply.problems = explain(completion);
+  replies_.add(answer.reply);
+  return answer;
+}
+
+result::Result<bool> RequestHandler::perform(const Request& request, std::uint64_t ticket, Reply& reply) {
+  const auto at_once = [](result::Result<void> done) -> result::Result<bool> {
+    if (!done) return result::forward(done);
+    return true;
+  };
+  if (const auto* begin = std::get_if<DownloadBegin>(&request.body)) {
+    return at_once(downloads_.begin(request.client, *begin));
+  }
+  if (const auto* chunk = std::get_if<DownloadChunk>(&request.body)) {
+    return at_once(downloads_.add(request.client, *chunk));
+  }
+  if (const auto* body = std::get_if<DownloadCommit>(&request.body))
+    return commit(request, *body, ticket, reply);
+  if (const auto* body = std::get_if<ReadProgram>(&request.body)) return read_program(*body, reply);
+  if (const auto* resend = std::get_if<ResendEvents>(&request.body)) {
+    // The server sends the events; the reply says with which they begin.
+    const host::StepEvent* first = events_.at_or_after(resend->first);
+    reply.offset = first == nullptr ? events_.last() + 1 : first->sequence;
+    return true;
+  }
+  return submit(request.body, ticket);
+}
+
+result::Result<bool> RequestHandler::submit(const RequestBody& body, std::uint64_t ticket) {
+  const auto* stop = std::get_if<Stop>(&body);
+  const auto* fault = std::get_if<InjectFault>(&body);
+  if ((stop != nullptr && stop->reason.size() > host::kMaxReasonBytes) ||
+      (fault != nullptr && fault->name.size() > host::kMaxNameBytes)) {
+    return result::fail("R0004", {}, "the text of the request is too long");
+  }
+  auto command = to_command(body);
+  command->ticket = ticket;
+  if (!port_.submit(*command)) return result::fail("R0006", {}, "the runtime is busy", "try again");
+  return false;
+}
+
+result::Result<bool> RequestHandler::commit(const Request& request, const DownloadCommit& body,
+                                            std::uint64_t ticket, Reply& reply) {
+  auto container = downloads_.commit(request.client, body);
+  if (!container) return result::forward(container);
+  reply.digest = to_hex(body.digest);
+  auto loading = port_.load(ticket, std::move(*container), reply.digest);
+  if (!loading) return result::forward(loading);
+  return false;
+}
+
+result::Result<bool> RequestHandler::read_program(const ReadProgram& body, Reply& reply) const {
+  const std::span<const std::byte> program = port_.program();
+  if (program.empty()) return result::fail("R0002", {}, "no program is loaded");
+  if (body.offset >= program.size()) {
+    return result::fail("R0004", {}, "the program ends at " + std::to_string(program.size()) + " bytes");
+  }
+  const auto part =
+      program.subspan(body.offset, std::min(host::kMaxChunkBytes, program.size() - body.offset));
+  reply.digest = port_.status().program_digest;
+  reply.total_bytes = program.size();
+  reply.offset = body.offset;
+  reply.data.assign(part.begin(), part.end());
+  return true;
+}
+
+}  // namespace stepwright::service::internal

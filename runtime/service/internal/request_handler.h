@@ -1,0 +1,60 @@
+#pragma once
+
+// Performs the requests of all clients on a runtime, each once.
+//
+// Threads: the service's. A request is answered at once, or, if the scan thread has to act, when its
+// completion comes.
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "runtime/host/runtime_port.h"
+#include "runtime/service/internal/downloads.h"
+#include "runtime/service/internal/event_history.h"
+#include "runtime/service/internal/reply_cache.h"
+#include "runtime/service/requests.h"
+
+namespace stepwright::service::internal {
+
+// Who waits for a reply.
+struct Answer {
+  std::uint64_t session = 0;
+  Reply reply;
+};
+
+class RequestHandler {
+ public:
+  // Both must outlive the handler.
+  RequestHandler(host::RuntimePort& port, const EventHistory& events) : port_(port), events_(events) {}
+
+  // The reply, if it is known now.
+  std::optional<Reply> handle(std::uint64_t session, const Request& request);
+  // The reply that the scan thread's completion makes possible, and whom it is for; none for commands that
+  // the service itself gave.
+  std::optional<Answer> complete(const host::Completion& completion);
+
+ private:
+  struct Pending {
+    std::uint64_t session = 0;
+    Reply reply;  // as it will be if the outcome is good
+  };
+
+  // An error, a reply that is known at once (true), or one that waits for a completion (false).
+  [[nodiscard]] result::Result<bool> perform(const Request& request, std::uint64_t ticket, Reply& reply);
+  [[nodiscard]] result::Result<bool> submit(const RequestBody& body, std::uint64_t ticket);
+  [[nodiscard]] result::Result<bool> commit(const Request& request, const DownloadCommit& body,
+                                            std::uint64_t ticket, Reply& reply);
+  [[nodiscard]] result::Result<bool> read_program(const ReadProgram& body, Reply& reply) const;
+
+  host::RuntimePort& port_;
+  const EventHistory& events_;
+  Downloads downloads_;
+  ReplyCache replies_;
+  std::map<std::uint64_t, Pending> pending_;  // by ticket
+  std::uint64_t last_ticket_ = 0;
+};
+
+}  // namespace stepwright::service::internal

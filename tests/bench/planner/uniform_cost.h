@@ -1,0 +1,22 @@
+#pragma once
+
+// The baseline: uniform-cost search on the same grounded task, the same packed states and the same hash
+// table, but with no estimate of the way that is left and no incumbent to prune by.
+
+#include <cstdint>
+
+#include "supervisor/pddl/task.h"
+
+namespace stepwright::bench {
+
+struct UniformCost {
+  bool found = false;
+  double cost = 0.0;
+  std::uint32_t steps = 0;
+  std::uint64_t expanded = 0;
+};
+
+// The least cost and, for it, the least number of steps. Costs must not fall along a plan.
+UniformCost uniform_cost(const pddl::Task& task);
+
+}  // namespace stepwright::bench

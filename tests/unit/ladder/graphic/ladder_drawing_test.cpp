@@ -1,0 +1,59 @@
+#include "ladder/graphic/ladder_drawing.h"
+
+#include <gtest/gtest.h>
+
+#include <pugixml.hpp>
+
+namespace stepwright::graphic {
+namespace {
+
+LadderProgram sample() {
+  LadderProgram program;
+  Rung rung;
+  rung.label = "START";
+  rung.comment = "Fill";
+  rung.condition = all({contact("a"), any({contact("b", true), compare("S1", CompareOp::Less, "10")})});
+  rung.coils = {{CoilKind::Normal, "q"}, {CoilKind::Set, "r"}};
+  program.rungs.push_back(rung);
+  Rung timer;
+  timer.condition = contact("q");
+  Block& block = timer.blocks.emplace_back();
+  block.type = "TON";
+  block.instance = "t1";
+  block.power_input = "IN";
+  block.inputs = {{"PT", "T#2s"}};
+  block.outputs = {{"Q", "done"}};
+  timer.jump_to = "START";
+  program.rungs.push_back(timer);
+  return program;
+}
+
+TEST(LadderDrawing, WhenProgramIsDrawnAsText_ThenSymbolsStandOnTheirWires) {
+  const std::string text = draw_ladder_text(sample());
+  EXPECT_NE(text.find("┤ ├"), std::string::npos) << text;
+  EXPECT_NE(text.find("┤/├"), std::string::npos) << text;
+  EXPECT_NE(text.find("[S1 < 10]"), std::string::npos) << text;
+  EXPECT_NE(text.find("(S)"), std::string::npos) << text;
+  EXPECT_NE(text.find("T#2s─│PT"), std::string::npos) << text;
+  EXPECT_NE(text.find(">> START"), std::string::npos) << text;
+  EXPECT_NE(text.find("─done"), std::string::npos) << text;
+}
+
+TEST(LadderDrawing, WhenProgramIsDrawnAsSvg_ThenRungsAndVariablesCanBeFound) {
+  const std::string svg = draw_ladder_svg(sample());
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(svg.c_str())) << svg;
+  EXPECT_EQ(document.select_nodes("//g[@data-rung]").size(), 2U);
+  EXPECT_EQ(document.select_nodes("//g[@class='sw-contact'][@data-variable='b']").size(), 1U);
+  EXPECT_EQ(document.select_nodes("//g[@class='sw-coil'][@data-variable='r']").size(), 1U);
+  EXPECT_EQ(document.select_nodes("//g[@class='sw-block'][@data-variable='t1']").size(), 1U);
+  EXPECT_EQ(svg, draw_ladder_svg(sample()));
+}
+
+TEST(LadderDrawing, WhenProgramIsEmpty_ThenOnlyTheRailsAreDrawn) {
+  EXPECT_NE(draw_ladder_svg({}).find("sw-rail"), std::string::npos);
+  EXPECT_FALSE(draw_ladder_text({}).empty());
+}
+
+}  // namespace
+}  // namespace stepwright::graphic

@@ -1,0 +1,86 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "ladder/graphic/sfc_chart.h"
+#include "tests/support/sample_charts.h"
+
+namespace stepwright::graphic {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Fault {
+  const char* code;
+  const char* message;
+  std::function<void(SfcChart&)> make;
+};
+
+class SfcCheckFault : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(SfcCheckFault, WhenInvariantIsBroken_ThenTheDiagnosticNamesThePlace) {
+  SfcChart chart = support::sequence_chart();
+  GetParam().make(chart);
+  const result::Diagnostics found = check(chart);
+  ASSERT_EQ(found.size(), 1U) << result::to_string(found);
+  EXPECT_EQ(found[0].code, GetParam().code);
+  EXPECT_THAT(found[0].message, HasSubstr(GetParam().message));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, SfcCheckFault,
+    ::testing::Values(
+        Fault{"E0501", "no initial step", [](SfcChart& c) { c.steps[0].initial = false; }},
+        Fault{"E0502", "step 'a b'", [](SfcChart& c) { c.steps[1].name = "a b"; }},
+        Fault{"E0502", "step number 2", [](SfcChart& c) { c.steps[1].name.clear(); }},
+        Fault{"E0502", "transition 'IF'", [](SfcChart& c) { c.transitions[1].name = "IF"; }},
+        Fault{"E0503", "two steps have the name 's00_start'",
+              [](SfcChart& c) { c.steps[1].name = "s00_start"; }},
+        Fault{"E0503", "two transitions have the name 'T00'",
+              [](SfcChart& c) { c.transitions[1].name = "T00"; }},
+        Fault{"E0504", "action block N '' of step 'S01_LOAD'",
+              [](SfcChart& c) { c.steps[1].actions[0].target.clear(); }},
+        Fault{"E0505", "action block L 'B1' of step 'S01_LOAD'",
+              [](SfcChart& c) { c.steps[1].actions[0].qualifier = Qualifier::L; }},
+        Fault{"E0506", "duration 'T#1s'", [](SfcChart& c) { c.steps[1].actions[0].duration = "T#1s"; }},
+        Fault{"E0507", "transition 'T01' has no source",
+              [](SfcChart& c) { c.transitions[1].sources.clear(); }},
+        Fault{"E0507", "transition 'T01' has no target",
+              [](SfcChart& c) { c.transitions[1].targets.clear(); }},
+        Fault{"E0508", "target step number 100",
+              [](SfcChart& c) { c.transitions[1].targets[0] = StepId(99); }},
+        Fault{"E0509", "transition 'T01' names step 'S02_MOVE' twice",
+              [](SfcChart& c) { c.transitions[1].targets.push_back(c.transitions[1].targets[0]); }},
+        Fault{"E0510", "compares 'S1' with nothing",
+              [](SfcChart& c) { c.transitions[1].condition.operand.clear(); }},
+        Fault{"E0510", "transition 'T02' tests nothing",
+              [](SfcChart& c) { c.transitions[2].condition.name.clear(); }}));
+
+TEST(SfcCheck, WhenChartIsSound_ThenNothingIsFound) {
+  for (const SfcChart& chart : {support::sequence_chart(), support::nested_chart(),
+                                support::partial_order_chart(), support::rich_chart()}) {
+    EXPECT_TRUE(check(chart).empty()) << result::to_string(check(chart));
+  }
+}
+
+TEST(SfcCheck, WhenStepCannotBeReached_ThenItIsAWarning) {
+  SfcChart chart = support::sequence_chart();
+  chart.transitions[1].sources.push_back(StepId(4));  // waits for a step that only comes after it
+  const result::Diagnostics found = check(chart);
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_FALSE(result::has_errors(found));
+  EXPECT_THAT(found[0].message, HasSubstr("step 'S02_MOVE' can never become active"));
+}
+
+TEST(SfcCheck, WhenQualifierIsWritten_ThenItReadsBack) {
+  for (int i = 0; i < 11; ++i) {
+    const auto qualifier = static_cast<Qualifier>(i);
+    EXPECT_EQ(qualifier_from(to_string(qualifier)), qualifier);
+  }
+  EXPECT_EQ(qualifier_from("sd"), Qualifier::SD);
+  EXPECT_EQ(qualifier_from("X"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace stepwright::graphic

@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+#include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/bytecode/reader/program_info.h"
+#include "runtime/bytecode/reader/read_value.h"
+#include "runtime/bytecode/writer/container_writer.h"
+#include "tests/support/sample_model.h"
+#include "tests/support/test_program.h"
+
+namespace stepwright::reader {
+namespace {
+
+using L = support::SampleLayout;
+
+std::vector<std::byte> sample_bytes() {
+  return writer::write_container(support::sample_model()).value();
+}
+
+std::string code_for(std::vector<std::byte> bytes) {
+  const auto loaded = LoadedProgram::load(std::move(bytes), "x.swb");
+  return loaded ? "" : loaded.error()[0].code;
+}
+
+TEST(LoadedProgram, Bytes_WhenWrong_ThenTheCodeSaysWhatIsWrong) {
+  std::vector<std::byte> bytes = sample_bytes();
+  EXPECT_EQ(code_for(bytes), "");
+  EXPECT_EQ(code_for({}), "B0001");
+  EXPECT_EQ(code_for(std::vector<std::byte>(100, std::byte{'x'})), "B0001");
+  EXPECT_EQ(code_for({bytes.begin(), bytes.begin() + 200}), "B0003");
+  EXPECT_EQ(code_for({bytes.begin(), bytes.begin() + 10}), "B0003");
+  std::vector<std::byte> flipped = bytes;
+  flipped[300] ^= std::byte{4};
+  EXPECT_EQ(code_for(flipped), "B0004");
+  std::vector<std::byte> newer = bytes;
+  newer[4] = std::byte{77};
+  EXPECT_EQ(code_for(newer), "B0002");
+}
+
+TEST(LoadedProgram, File_WhenMissing_ThenNamesIt) {
+  const auto loaded = LoadedProgram::load_file("/nonexistent/x.swb");
+  ASSERT_FALSE(loaded);
+  EXPECT_EQ(loaded.error()[0].code, "B0006");
+  EXPECT_EQ(loaded.error()[0].where.file, "/nonexistent/x.swb");
+}
+
+TEST(LoadedProgram, File_WhenADirectory_ThenIsRefused) {
+  EXPECT_FALSE(LoadedProgram::load_file("/"));
+}
+
+TEST(LoadedProgram, Trap_WhenDescribed_ThenNamesLineAndFunction) {
+  const auto loaded = LoadedProgram::load(sample_bytes(), "x.swb").value();
+  const auto diagnostic = describe(loaded.program(), {bytecode::TrapCode::IndexRange, 1, 7});
+  EXPECT_EQ(result::to_string(diagnostic), "library.st:2: B0400: array index out of bounds in TON");
+}
+
+TEST(ProgramInfo, Variables_WhenAskedByPath_ThenAreFoundInsideInstancesAndArrays) {
+  const ProgramInfo info = ProgramInfo::read(sample_bytes()).value();
+  const Variable* element = info.find("main.History[3]");
+  ASSERT_NE(element, nullptr);
+  EXPECT_EQ(element->address, L::kMain + L::kHistory + 4);
+  EXPECT_EQ(element->type, bytecode::ElementaryType::Int);
+  const Variable* pump = info.find("PUMP");
+  ASSERT_NE(pump, nullptr);
+  EXPECT_EQ(pump->bit, 0);
+  EXPECT_EQ(info.find("MAIN.timer.PT")->address, L::kMain + 2);
+  EXPECT_EQ(info.find("MAIN.history[9]"), nullptr);
+  EXPECT_EQ(info.find("MAIN.timer"), nullptr);
+}
+
+TEST(ProgramInfo, Charts_WhenRead_ThenHaveStepsAndLinks) {
+  const ProgramInfo info = ProgramInfo::read(sample_bytes()).value();
+  const ChartInfo* chart = info.chart("main");
+  ASSERT_NE(chart, nullptr);
+  EXPECT_TRUE(chart->steps[0].initial);
+  EXPECT_EQ(chart->steps[1].comment, "(load v1 f1)");
+  EXPECT_EQ(chart->transitions[1].targets, std::vector<std::uint32_t>{0});
+}
+
+// A type that nests hundreds of levels deep is valid, but no reader may follow it without end.
+TEST(ProgramInfo, Types_WhenTheyNestVeryDeep_ThenReadingEnds) {
+  writer::ContainerModel model = support::one_program(8, [](auto&) {});
+  std::uint32_t type = model.add_type(writer::elementary(bytecode::ElementaryType::Bool));
+  for (int i = 0; i < 5000; ++i) {
+    type = model.add_type({.name = "T" + std::to_string(i),
+                           .kind = bytecode::TypeKind::Array,
+                           .size = 1,
+                           .element = type,
+                           .count = 1,
+                           .members = {}});
+  }
+  model.symbols.push_back({.name = "deep", .type = type, .address = 0, .direct_address = {}});
+  EXPECT_TRUE(ProgramInfo::read(writer::write_container(model).value()));
+}
+
+TEST(ReadValue, Variables_WhenOfAnyElementaryType_ThenAreReadExactly) {
+  using bytecode::ElementaryType;
+  std::vector<std::byte> image(16);
+  const auto put = [&](auto value) { std::memcpy(image.data(), &value, sizeof(value)); };
+  put(std::uint64_t{0xFFFFFFFFFFFFFFFF});
+  EXPECT_EQ(read_value({ElementaryType::Bool, 0}, image), Value(true));
+  EXPECT_EQ(read_value({ElementaryType::Bool, 0, 3}, image), Value(true));
+  EXPECT_EQ(read_value({ElementaryType::Bool, 8, 3}, image), Value(false));
+  EXPECT_EQ(read_value({ElementaryType::Sint, 0}, image), Value(std::int64_t{-1}));
+  EXPECT_EQ(read_value({ElementaryType::Byte, 0}, image), Value(std::uint64_t{255}));
+  EXPECT_EQ(read_value({ElementaryType::Int, 0}, image), Value(std::int64_t{-1}));
+  EXPECT_EQ(read_value({ElementaryType::Word, 0}, image), Value(std::uint64_t{65535}));
+  EXPECT_EQ(read_value({ElementaryType::Dint, 0}, image), Value(std::int64_t{-1}));
+  EXPECT_EQ(read_value({ElementaryType::Udint, 0}, image), Value(std::uint64_t{4294967295}));
+  EXPECT_EQ(read_value({ElementaryType::Time, 0}, image), Value(std::int64_t{-1}));
+  EXPECT_EQ(read_value({ElementaryType::Ulint, 0}, image), Value(std::uint64_t{0xFFFFFFFFFFFFFFFF}));
+  put(0.1f);
+  EXPECT_EQ(read_value({ElementaryType::Real, 0}, image), Value(0.1));
+  put(0.1);
+  EXPECT_EQ(read_value({ElementaryType::Lreal, 0}, image), Value(0.1));
+}
+
+}  // namespace
+}  // namespace stepwright::reader

@@ -1,0 +1,177 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "runtime/bytecode/container_parse.h"
+#include "runtime/bytecode/program.h"
+#include "runtime/bytecode/writer/container_writer.h"
+#include "tests/support/sample_model.h"
+#include "tests/support/test_program.h"
+
+namespace stepwright::bytecode {
+namespace {
+
+VerifyResult verify_bytes(std::span<const std::byte> bytes) {
+  // A copy in its own allocation, so that a sanitizer sees every read beyond the end.
+  const std::vector<std::byte> exact(bytes.begin(), bytes.end());
+  std::vector<std::uint32_t> scratch(verify_scratch_words(exact));
+  Program program;
+  return verify(exact, scratch, program);
+}
+
+std::vector<std::byte> sample_bytes() {
+  return writer::write_container(support::sample_model()).value();
+}
+
+void fix_checksum(std::vector<std::byte>& bytes) {
+  if (bytes.size() < sizeof(FileHeader)) return;
+  const std::uint64_t checksum = container_checksum(bytes);
+  std::memcpy(bytes.data() + 16, &checksum, sizeof(checksum));
+}
+
+SectionEntry entry_of(const std::vector<std::byte>& bytes, Section section) {
+  SectionEntry entry;
+  std::memcpy(&entry, bytes.data() + sizeof(FileHeader) + static_cast<std::size_t>(section) * sizeof(entry),
+              sizeof(entry));
+  return entry;
+}
+
+// The sample with one record changed and the checksum put right: what a faulty compiler could write.
+template <Section S>
+VerifyResult with_record(std::uint32_t index, const std::function<void(Record<S>&)>& change) {
+  std::vector<std::byte> bytes = sample_bytes();
+  std::byte* const at = bytes.data() + entry_of(bytes, S).offset + index * sizeof(Record<S>);
+  Record<S> record;
+  std::memcpy(&record, at, sizeof(record));
+  change(record);
+  std::memcpy(at, &record, sizeof(record));
+  fix_checksum(bytes);
+  return verify_bytes(bytes);
+}
+
+TEST(Verify, Sample_WhenUntouched_ThenIsAccepted) {
+  EXPECT_EQ(verify_bytes(sample_bytes()).status, VerifyStatus::Ok);
+}
+
+TEST(Verify, Sample_WhenAnySingleBitIsFlipped_ThenIsRefused) {
+  std::vector<std::byte> bytes = sample_bytes();
+  for (std::size_t bit = 0; bit < bytes.size() * 8; ++bit) {
+    bytes[bit / 8] ^= std::byte{1} << (bit % 8);
+    ASSERT_FALSE(verify_bytes(bytes).ok()) << "bit " << bit;
+    bytes[bit / 8] ^= std::byte{1} << (bit % 8);
+  }
+}
+
+TEST(Verify, Sample_WhenCutAnywhere_ThenIsRefusedAsTruncated) {
+  const std::vector<std::byte> bytes = sample_bytes();
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    const VerifyResult result = verify_bytes(std::span(bytes).first(size));
+    ASSERT_EQ(result.status, size < 4 ? VerifyStatus::NotAContainer : VerifyStatus::Truncated)
+        << size << " bytes";
+  }
+}
+
+TEST(Verify, Sample_WhenBytesFollow_ThenIsRefused) {
+  std::vector<std::byte> bytes = sample_bytes();
+  bytes.push_back(std::byte{0});
+  EXPECT_EQ(verify_bytes(bytes).status, VerifyStatus::TrailingBytes);
+}
+
+TEST(Verify, Sample_WhenVersionIsNewer_ThenSaysSo) {
+  std::vector<std::byte> bytes = sample_bytes();
+  bytes[4] = std::byte{kVersion + 1};
+  fix_checksum(bytes);
+  EXPECT_EQ(verify_bytes(bytes).status, VerifyStatus::WrongVersion);
+}
+
+TEST(Verify, Sample_WhenScratchIsTooSmall_ThenSaysSo) {
+  const std::vector<std::byte> bytes = sample_bytes();
+  std::vector<std::uint32_t> scratch(verify_scratch_words(bytes) - 1);
+  Program program;
+  EXPECT_EQ(verify(bytes, scratch, program).status, VerifyStatus::ScratchTooSmall);
+}
+
+// Bits of a record that no checksum can vouch for: each change must be found by the rule it breaks.
+TEST(Verify, Records_WhenOneIsInconsistent_ThenItIsNamed) {
+  const auto expect = [](const VerifyResult& result, VerifyStatus status, Section section) {
+    EXPECT_EQ(result.status, status) << explain(result.status);
+    EXPECT_EQ(result.section, section);
+  };
+  using S = Section;
+  using V = VerifyStatus;
+  expect(with_record<S::Sizes>(0, [](auto& r) { r.data_bytes = 0xFFFFFFF0; }), V::TooLarge, S::Sizes);
+  expect(with_record<S::Sizes>(0, [](auto& r) { r.stack_slots -= 1; }), V::WrongSizes, S::Sizes);
+  expect(with_record<S::Sizes>(0, [](auto& r) { r.data_bytes -= 1; }), V::BadAddress, S::Symbols);
+  expect(with_record<S::Types>(0, [](auto& r) { r.kind = 9; }), V::BadType, S::Types);
+  expect(with_record<S::Types>(5, [](auto& r) { r.first = 5; }), V::BadType, S::Types);
+  expect(with_record<S::Types>(5, [](auto& r) { r.count = 9; }), V::BadType, S::Types);
+  expect(with_record<S::Members>(0, [](auto& r) { r.name.offset = 1u << 30; }), V::BadString, S::Members);
+  expect(with_record<S::Members>(0, [](auto& r) { r.offset = 18; }), V::BadType, S::Types);
+  expect(with_record<S::Symbols>(0, [](auto& r) { r.type = 99; }), V::BadType, S::Symbols);
+  expect(with_record<S::Symbols>(0, [](auto& r) { r.bit = 8; }), V::BadRecord, S::Symbols);
+  expect(with_record<S::Symbols>(1, [](auto& r) { r.bit = 1; }), V::BadRecord, S::Symbols);
+  expect(with_record<S::Symbols>(4, [](auto& r) { r.address += 1; }), V::BadAddress, S::Symbols);
+  expect(with_record<S::Tasks>(0, [](auto& r) { r.interval_us = 0; }), V::BadRecord, S::Tasks);
+  expect(with_record<S::Tasks>(1, [](auto& r) { r.call_count = 2; }), V::BadRecord, S::Tasks);
+  expect(with_record<S::ProgramCalls>(0, [](auto& r) { r.function = 1; }), V::BadRecord, S::ProgramCalls);
+  expect(with_record<S::ProgramCalls>(0, [](auto& r) { r.instance += 1; }), V::BadAddress, S::ProgramCalls);
+  expect(with_record<S::Functions>(2, [](auto& r) { r.result = 6; }), V::BadRecord, S::Functions);
+  expect(with_record<S::Functions>(0, [](auto& r) { r.max_stack += 1; }), V::WrongSizes, S::Functions);
+  expect(with_record<S::Functions>(3, [](auto& r) { r.code_size += 1; }), V::BadRecord, S::Functions);
+  expect(with_record<S::Locals>(0, [](auto& r) { r = 6; }), V::BadRecord, S::Locals);
+  expect(with_record<S::IoMap>(0, [](auto& r) { r.symbol = 3; }), V::BadRecord, S::IoMap);
+  expect(with_record<S::RetainMap>(0, [](auto& r) { r.size += 1; }), V::BadAddress, S::RetainMap);
+  expect(with_record<S::SfcCharts>(0, [](auto& r) { r.step_count = 3; }), V::BadRecord, S::SfcCharts);
+  expect(with_record<S::SfcSteps>(1, [](auto& r) { r.address = 4000; }), V::BadAddress, S::SfcSteps);
+  expect(with_record<S::SfcTransitions>(1, [](auto& r) { r.bit = 0; }), V::BadRecord, S::SfcTransitions);
+  expect(with_record<S::SfcLinks>(0, [](auto& r) { r = 2; }), V::BadRecord, S::SfcCharts);
+  expect(with_record<S::SourceMap>(1, [](auto& r) { r.pc = 0; }), V::BadRecord, S::SourceMap);
+  expect(with_record<S::SourceMap>(0, [](auto& r) { r.line = 0; }), V::BadRecord, S::SourceMap);
+  expect(with_record<S::Strings>(0, [](auto& r) { r = 0xFF; }), V::BadString, S::Types);
+}
+
+// Damage behind a correct checksum must never crash the verifier or, where it is accepted, the engine.
+TEST(Verify, Container_WhenMutatedWithAValidChecksum_ThenIsRefusedOrRunsSafely) {
+  const std::vector<std::byte> original = sample_bytes();
+  std::mt19937 random(20240607);
+  const auto below = [&](std::size_t limit) { return static_cast<std::size_t>(random() % limit); };
+  int accepted = 0;
+  int refused = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    std::vector<std::byte> bytes = original;
+    // Half of the rounds aim at the code, where most of the verifier's rules are.
+    const SectionEntry code = entry_of(original, Section::Code);
+    for (std::size_t n = 1 + below(3); n > 0; --n) {
+      const std::size_t at = round % 2 == 0 ? code.offset + below(code.size) : below(bytes.size());
+      bytes[at] = static_cast<std::byte>(random());
+    }
+    if (round % 16 == 1) bytes.resize(below(bytes.size() + 1));
+    fix_checksum(bytes);
+
+    std::vector<std::uint32_t> scratch(verify_scratch_words(bytes));
+    Program program;
+    if (!verify(bytes, scratch, program).ok()) {
+      ++refused;
+      continue;
+    }
+    ++accepted;
+    std::vector<std::byte> image(program.image_size());
+    std::vector<std::uint64_t> stack(program.sizes().stack_slots);
+    vm::Interpreter engine(program, stack);
+    for (std::uint32_t i = 0; i < program.container().count<Section::ProgramCalls>(); ++i) {
+      const auto call = program.container().record<Section::ProgramCalls>(i);
+      std::uint64_t budget = 100'000;
+      const Trap trap = engine.run({call.function, call.instance, round}, image, budget);
+      ASSERT_LE(static_cast<std::uint8_t>(trap.code), kTrapCodeCount);
+    }
+  }
+  EXPECT_GT(accepted, 100);
+  EXPECT_GT(refused, 1000);
+}
+
+}  // namespace
+}  // namespace stepwright::bytecode

@@ -1,0 +1,21 @@
+#pragma once
+
+// The plainest optimal planner: uniform-cost search over the action schemas through the validator's executor.
+// Slow, and without a line in common with the planner's grounding and search: the oracle of the tests.
+
+#include <optional>
+
+#include "supervisor/pddl/task.h"
+
+namespace stepwright::pddl::testing {
+
+struct Optimum {
+  double cost = 0.0;
+  std::size_t steps = 0;
+};
+
+// The least cost and, for it, the least number of steps; nothing if no plan exists. Costs must not fall along
+// a plan. `most_states` guards against tasks that are too large: then it throws.
+std::optional<Optimum> exhaustive_optimum(const Task& task, std::size_t most_states);
+
+}  // namespace stepwright::pddl::testing

@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "supervisor/pddl/grounding/binding_enumerator.h"
+#include "supervisor/pddl/grounding/grounder.h"
+#include "supervisor/pddl/lifted/lifted_state.h"
+#include "tests/unit/supervisor/pddl/sample_tasks.h"
+
+namespace stepwright::pddl {
+namespace {
+
+GroundTask ground_all(const Task& task) {
+  return ground_task(task.definition(), [] { return false; });
+}
+
+TEST(Grounding, WhenTheBenchIsGrounded_ThenOnlyWhatDecidesIsInTheState) {
+  const Task task = testing::bench_task();
+  const GroundTask ground = ground_all(task);
+  EXPECT_EQ(ground.facts.size(), 3u);  // where the vehicle is
+  std::set<std::string> variables;
+  for (const Atom& atom : ground.variables) variables.insert(fluent_name(task.definition(), atom));
+  EXPECT_EQ(variables, (std::set<std::string>{"(lev v1)", "(level a1)", "(level a2)", "(received c1)",
+                                              "(received c2)"}));
+  EXPECT_TRUE(ground.potential.is_constant());
+  EXPECT_EQ(ground.base_cost, 0.0);
+}
+
+TEST(Grounding, WhenPreconditionsLimitALevel_ThenItsBoundsAreTheCapacities) {
+  const Task task = testing::bench_task();
+  const GroundTask ground = ground_all(task);
+  for (std::size_t v = 0; v < ground.variables.size(); ++v) {
+    const std::string name = fluent_name(task.definition(), ground.variables[v]);
+    if (name == "(level a1)" || name == "(lev v1)") {
+      EXPECT_EQ(ground.bounds[v].low, 2.0) << name;
+      EXPECT_EQ(ground.bounds[v].high, 10.0) << name;
+    }
+  }
+}
+
+TEST(Grounding, WhenAnActionCanNeverRun_ThenItIsLeftOut) {
+  // a2 can release 8 at most, so the complete order of 10 is impossible; c1's order of 7 is the only complete
+  // one.
+  const Task task = testing::bench_task();
+  const GroundTask ground = ground_all(task);
+  std::vector<std::string> complete;
+  for (const GroundOperator& op : ground.operators) {
+    const model::GroundAction action = action_of(ground, op);
+    if (action.name == "complete_order") complete.push_back(model::to_string(action));
+  }
+  EXPECT_EQ(complete, std::vector<std::string>{"(complete_order a1 c1 level7)"});
+}
+
+TEST(Grounding, WhenCostsDependOnTheState_ThenTheirRangeIsKnown) {
+  const Task task = testing::bench_task();
+  const GroundTask ground = ground_all(task);
+  for (const GroundOperator& op : ground.operators) {
+    EXPECT_GE(op.cost.low, 0.0);  // what a partial order postpones is positive by its precondition
+  }
+  const Task load_task = testing::bench_task("_load");
+  const GroundTask load = ground_all(load_task);
+  for (const GroundOperator& op : load.operators) {
+    if (action_of(load, op).name == "move") {
+      EXPECT_GE(op.cost.low, 2.0);  // the vehicle is never empty
+      EXPECT_LE(op.cost.high, 20.0);
+    }
+  }
+}
+
+TEST(Grounding, WhenStaticFactsRelateParameters_ThenTheyAreJoined) {
+  const Task task = testing::logistics_task(40);
+  const Definition& definition = task.definition();
+  const LiftedState initial = initial_state(definition);
+  BindingEnumerator bindings(definition, definition.actions[0], initial);
+  std::size_t count = 0;
+  bindings.run([&](Binding&) {
+    ++count;
+    return true;
+  });
+  EXPECT_EQ(count, 78u);  // the roads, not 40 x 40 pairs
+}
+
+TEST(Grounding, WhenAFluentOnlyCounts_ThenItIsNoVariable) {
+  const Task plain = testing::counter_task("(= (n) 10)");
+  const GroundTask counting = ground_all(plain);
+  EXPECT_EQ(counting.variables.size(), 1u);
+  const Task limited = testing::counter_task("(and (= (n) 10) (<= (effort) 8))");
+  const GroundTask reading = ground_all(limited);
+  EXPECT_EQ(reading.variables.size(), 2u);
+}
+
+TEST(Grounding, WhenNumbersGrowForEver_ThenExplorationEnds) {
+  const Task task =
+      testing::make_task(R"((define (domain d) (:requirements :numeric-fluents) (:functions (x) (y))
+    (:action a :parameters () :precondition (<= (x) (+ (y) 1)) :effect (increase (x) 1))
+    (:action b :parameters () :precondition (<= (y) (+ (x) 1)) :effect (increase (y) 1))))",
+                         R"((define (problem p) (:domain d) (:init (= (x) 0) (= (y) 0))
+    (:goal (and (= (x) 100) (= (y) -1)))))");
+  const GroundTask ground = ground_all(task);
+  ASSERT_TRUE(ground.unreachable_goal.has_value());
+  EXPECT_NE(ground.unreachable_goal->find("(= (y) -1)"), std::string::npos);
+}
+
+TEST(Grounding, WhenStopped_ThenCancelled) {
+  const Task task = testing::logistics_task(60);
+  EXPECT_TRUE(ground_task(task.definition(), [] { return true; }).cancelled);
+}
+
+}  // namespace
+}  // namespace stepwright::pddl
