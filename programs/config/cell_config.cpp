@@ -66,6 +66,10 @@ bool is_goal_change(const ScheduledFault& fault) {
 std::filesystem::path CellConfig::socket_path() const {
   return state_dir / "runtime.sock";
 }
+std::filesystem::path CellConfig::report_path() const {
+  return state_dir / "report.json";
+}
+
 std::filesystem::path CellConfig::journal_path() const {
   return state_dir / "executive.json";
 }

@@ -61,10 +61,6 @@ bool all_zero(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-std::uint32_t record_size(Section section) {
-  return kRecordSizes[static_cast<std::uint32_t>(section)];
-}
-
 std::uint64_t container_checksum(std::span<const std::byte> bytes) {
   return base::hash_bytes(bytes.subspan(sizeof(FileHeader)),
                           base::hash_bytes(bytes.first(kChecksummedHeader)));

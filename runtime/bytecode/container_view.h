@@ -24,9 +24,6 @@ static_assert(std::endian::native == std::endian::little, "records are read as t
 template <Section S>
 using Record = typename RecordOf<S>::Type;
 
-// Bytes of one record of a section.
-std::uint32_t record_size(Section section);
-
 class ContainerView {
  public:
   ContainerView() = default;

@@ -66,28 +66,47 @@
   X(Op##F32, None, "ff", "f")      \
   X(Op##F64, None, "dd", "d")
 
-#define STEPWRIGHT_ARITHMETIC_OPCODES(X)                                                         \
-  STEPWRIGHT_SIGNED(X, Add)                                                                      \
-  STEPWRIGHT_FLOATING(X, Add)                                                                    \
-  STEPWRIGHT_SIGNED(X, Sub)                                                                      \
-  STEPWRIGHT_FLOATING(X, Sub) STEPWRIGHT_SIGNED(X, Mul) STEPWRIGHT_FLOATING(X, Mul)              \
-      STEPWRIGHT_SIGNED(X, Div) STEPWRIGHT_UNSIGNED(X, Div) STEPWRIGHT_FLOATING(X, Div)          \
-          STEPWRIGHT_SIGNED(X, Mod) STEPWRIGHT_UNSIGNED(X, Mod) X(NegI32, None, "i", "i")        \
-              X(NegI64, None, "l", "l") X(NegF32, None, "f", "f") X(NegF64, None, "d", "d")      \
-                  X(WrapI8, None, "i", "i") X(WrapU8, None, "i", "i") X(WrapI16, None, "i", "i") \
-                      X(WrapU16, None, "i", "i")
+// clang-format off: one opcode a line, although nothing separates the macros of a list
+#define STEPWRIGHT_ARITHMETIC_OPCODES(X) \
+  STEPWRIGHT_SIGNED(X, Add)              \
+  STEPWRIGHT_FLOATING(X, Add)            \
+  STEPWRIGHT_SIGNED(X, Sub)              \
+  STEPWRIGHT_FLOATING(X, Sub)            \
+  STEPWRIGHT_SIGNED(X, Mul)              \
+  STEPWRIGHT_FLOATING(X, Mul)            \
+  STEPWRIGHT_SIGNED(X, Div)              \
+  STEPWRIGHT_UNSIGNED(X, Div)            \
+  STEPWRIGHT_FLOATING(X, Div)            \
+  STEPWRIGHT_SIGNED(X, Mod)              \
+  STEPWRIGHT_UNSIGNED(X, Mod)            \
+  X(NegI32, None, "i", "i")              \
+  X(NegI64, None, "l", "l")              \
+  X(NegF32, None, "f", "f")              \
+  X(NegF64, None, "d", "d")              \
+  X(WrapI8, None, "i", "i")              \
+  X(WrapU8, None, "i", "i")              \
+  X(WrapI16, None, "i", "i")             \
+  X(WrapU16, None, "i", "i")
 
-#define STEPWRIGHT_BIT_OPCODES(X)                                                                           \
-  X(AndBool, None, "bb", "b")                                                                               \
-  X(OrBool, None, "bb", "b")                                                                                \
-  X(XorBool, None, "bb", "b")                                                                               \
-  X(NotBool, None, "b", "b")                                                                                \
-  STEPWRIGHT_SIGNED(X, And)                                                                                 \
-  STEPWRIGHT_SIGNED(X, Or)                                                                                  \
-  STEPWRIGHT_SIGNED(X, Xor)                                                                                 \
-  X(NotI32, None, "i", "i") X(NotI64, None, "l", "l") X(ShlI32, None, "ii", "i") X(ShlI64, None, "li", "l") \
-      X(ShrI32, None, "ii", "i") X(ShrI64, None, "li", "l") X(RolI32, U8, "ii", "i")                        \
-          X(RolI64, None, "li", "l") X(RorI32, U8, "ii", "i") X(RorI64, None, "li", "l")
+#define STEPWRIGHT_BIT_OPCODES(X) \
+  X(AndBool, None, "bb", "b")     \
+  X(OrBool, None, "bb", "b")      \
+  X(XorBool, None, "bb", "b")     \
+  X(NotBool, None, "b", "b")      \
+  STEPWRIGHT_SIGNED(X, And)       \
+  STEPWRIGHT_SIGNED(X, Or)        \
+  STEPWRIGHT_SIGNED(X, Xor)       \
+  X(NotI32, None, "i", "i")       \
+  X(NotI64, None, "l", "l")       \
+  X(ShlI32, None, "ii", "i")      \
+  X(ShlI64, None, "li", "l")      \
+  X(ShrI32, None, "ii", "i")      \
+  X(ShrI64, None, "li", "l")      \
+  X(RolI32, U8, "ii", "i")        \
+  X(RolI64, None, "li", "l")      \
+  X(RorI32, U8, "ii", "i")        \
+  X(RorI64, None, "li", "l")
+// clang-format on
 
 #define STEPWRIGHT_EQUALITY(X, Op) \
   X(Op##I32, None, "ii", "b")      \

@@ -33,7 +33,6 @@ enum class VerifyStatus : std::uint8_t {
   WrongSizes,
   ScratchTooSmall,
 };
-inline constexpr std::uint8_t kVerifyStatusCount = 23;
 
 // For code `section` is Functions, `index` the function and `offset` the instruction's byte offset in it.
 // For tables `index` is the record. For the file as a whole `offset` is a byte of the file.
