@@ -74,10 +74,6 @@ std::filesystem::path CellConfig::journal_path() const {
   return state_dir / "executive.json";
 }
 
-std::filesystem::path CellConfig::report_path() const {
-  return state_dir / "report.json";
-}
-
 result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
                                             const std::vector<std::string>& overrides) {
   auto document = settings::TomlDocument::load(file);
