@@ -1,9 +1,9 @@
 #include "runtime/dds/internal/participant.h"
 
+#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 
 #include <algorithm>
 #include <cctype>
@@ -29,8 +29,9 @@ bool valid_id(const std::string& id) {
          });
 }
 
-// Two participants of one process (a client and a plan channel) would hand samples to each other directly. Their
-// threads then assert liveliness into each other under their own locks, in opposite orders, and stop for ever.
+// Two participants of one process (a client and a plan channel) would hand samples to each other directly.
+// Their threads then assert liveliness into each other under their own locks, in opposite orders, and stop
+// for ever.
 void deliver_by_transport_only() {
   namespace xml = eprosima::fastrtps::xmlparser;
   eprosima::fastrtps::LibrarySettingsAttributes settings = xml::XMLProfileManager::library_settings();
