@@ -10,11 +10,11 @@ using namespace std::chrono_literals;
 constexpr auto kPatience = 20s;
 
 TEST(PlanChannel, WhenAViewerJoinsLate_ThenItGetsTheNewestDocument) {
-  auto publisher = *PlanPublisher::create({121, "supervisor", "bench"});
+  auto publisher = *PlanPublisher::create({51, "supervisor", "bench"});
   ASSERT_TRUE(publisher->publish(R"({"revision":1})"));
   const std::string large = "{\"text\":\"" + std::string(300'000, 'x') + "\"}";
   ASSERT_TRUE(publisher->publish(large));
-  auto subscriber = *PlanSubscriber::create({121, "hmi", "bench"});
+  auto subscriber = *PlanSubscriber::create({51, "hmi", "bench"});
   const auto document = subscriber->wait_newer(kPatience);
   ASSERT_TRUE(document);
   EXPECT_EQ(*document, large);
@@ -23,8 +23,8 @@ TEST(PlanChannel, WhenAViewerJoinsLate_ThenItGetsTheNewestDocument) {
 }
 
 TEST(PlanChannel, WhenADocumentIsReplaced_ThenViewersSeeTheNewOne) {
-  auto publisher = *PlanPublisher::create({122, "supervisor", "bench"});
-  auto subscriber = *PlanSubscriber::create({122, "hmi", "bench"});
+  auto publisher = *PlanPublisher::create({52, "supervisor", "bench"});
+  auto subscriber = *PlanSubscriber::create({52, "hmi", "bench"});
   ASSERT_TRUE(publisher->publish("first"));
   ASSERT_EQ(subscriber->wait_newer(kPatience), "first");
   ASSERT_TRUE(publisher->publish("second"));
@@ -32,10 +32,12 @@ TEST(PlanChannel, WhenADocumentIsReplaced_ThenViewersSeeTheNewOne) {
 }
 
 TEST(PlanChannel, WhenAViewerAsks_ThenTheSupervisorGetsEveryRequestInOrder) {
-  auto publisher = *PlanPublisher::create({123, "supervisor", "bench"});
-  auto subscriber = *PlanSubscriber::create({123, "hmi", "bench"});
+  auto publisher = *PlanPublisher::create({53, "supervisor", "bench"});
+  auto subscriber = *PlanSubscriber::create({53, "hmi", "bench"});
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
   while (!subscriber->request("0") && std::chrono::steady_clock::now() < deadline) {
+  }
+  while (!subscriber->supervisor_alive() && std::chrono::steady_clock::now() < deadline) {
   }
   EXPECT_TRUE(subscriber->supervisor_alive());
   for (int i = 1; i < 10; ++i) ASSERT_TRUE(subscriber->request(std::to_string(i)));
@@ -44,7 +46,7 @@ TEST(PlanChannel, WhenAViewerAsks_ThenTheSupervisorGetsEveryRequestInOrder) {
 }
 
 TEST(PlanChannel, WhenNoSupervisorIsThere_ThenARequestFails) {
-  auto subscriber = *PlanSubscriber::create({124, "hmi", "bench"});
+  auto subscriber = *PlanSubscriber::create({54, "hmi", "bench"});
   const auto refused = subscriber->request("{}");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().front().code, "D0001");
@@ -52,8 +54,8 @@ TEST(PlanChannel, WhenNoSupervisorIsThere_ThenARequestFails) {
 }
 
 TEST(PlanChannel, WhenATextIsTooLong_ThenItIsRefused) {
-  auto publisher = *PlanPublisher::create({125, "supervisor", "bench"});
-  auto subscriber = *PlanSubscriber::create({125, "hmi", "bench"});
+  auto publisher = *PlanPublisher::create({55, "supervisor", "bench"});
+  auto subscriber = *PlanSubscriber::create({55, "hmi", "bench"});
   EXPECT_EQ(publisher->publish(std::string(kMaxPlanDocumentBytes + 1, ' ')).error().front().code, "D0004");
   EXPECT_EQ(subscriber->request(std::string(kMaxOperatorRequestBytes + 1, ' ')).error().front().code,
             "D0004");

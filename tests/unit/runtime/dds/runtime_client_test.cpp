@@ -50,12 +50,12 @@ StepEvent event(std::uint64_t sequence) {
 TEST(RuntimeClient, WhenLinkIsThere_ThenRequestsReachItWithTheirValues) {
   std::mutex mutex;
   std::vector<Request> seen;
-  FakeLink link(101, [&](const Request& request) {
+  FakeLink link(31, [&](const Request& request) {
     const std::scoped_lock lock(mutex);
     seen.push_back(request);
     return Reply{};
   });
-  auto client = client_of(101);
+  auto client = client_of(31);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
   ASSERT_TRUE(client->start({.barrier = true}));
   ASSERT_TRUE(client->stop("enough"));
@@ -78,18 +78,18 @@ TEST(RuntimeClient, WhenLinkIsThere_ThenRequestsReachItWithTheirValues) {
 
 TEST(RuntimeClient, WhenAnAnswerIsLost_ThenTheSameRequestIsSentAgain) {
   std::map<std::uint64_t, int> sent;
-  FakeLink link(102, [&](const Request& request) -> std::optional<Reply> {
+  FakeLink link(32, [&](const Request& request) -> std::optional<Reply> {
     if (++sent[request.id] < 3) return std::nullopt;
     return Reply{};
   });
-  auto client = client_of(102);
+  auto client = client_of(32);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
   EXPECT_TRUE(client->start({}));
 }
 
 TEST(RuntimeClient, WhenTheRuntimeRefuses_ThenItsDiagnosticsComeBack) {
-  FakeLink link(103, [](const Request&) { return refuse({"f", 3, 4}, "not now"); });
-  auto client = client_of(103);
+  FakeLink link(33, [](const Request&) { return refuse({"f", 3, 4}, "not now"); });
+  auto client = client_of(33);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
   const auto refused = client->start({});
   ASSERT_FALSE(refused);
@@ -101,7 +101,7 @@ TEST(RuntimeClient, WhenAContainerIsDownloaded_ThenItArrivesWholeAndCanBeReadBac
   for (std::size_t i = 0; i < container.size(); ++i) container[i] = static_cast<std::byte>(i * 7 >> 3);
   const std::string digest = service::to_hex(service::sha256(container));
   std::vector<std::byte> received;
-  FakeLink link(104, [&](const Request& request) -> std::optional<Reply> {
+  FakeLink link(34, [&](const Request& request) -> std::optional<Reply> {
     Reply reply;
     if (const auto* begin = std::get_if<service::DownloadBegin>(&request.body)) {
       received.resize(begin->total_bytes);
@@ -120,7 +120,7 @@ TEST(RuntimeClient, WhenAContainerIsDownloaded_ThenItArrivesWholeAndCanBeReadBac
     }
     return reply;
   });
-  auto client = client_of(104);
+  auto client = client_of(34);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
   const auto downloaded = client->download(container);
   ASSERT_TRUE(downloaded) << result::to_string(downloaded.error());
@@ -131,8 +131,8 @@ TEST(RuntimeClient, WhenAContainerIsDownloaded_ThenItArrivesWholeAndCanBeReadBac
 }
 
 TEST(RuntimeClient, WhenTheContainerIsTooLarge_ThenNothingIsSent) {
-  FakeLink link(105, accept);
-  auto client = client_of(105);
+  FakeLink link(35, accept);
+  auto client = client_of(35);
   const std::vector<std::byte> container(host::kMaxContainerBytes + 1);
   EXPECT_FALSE(client->download(container));
   EXPECT_FALSE(client->download({}));
@@ -140,7 +140,7 @@ TEST(RuntimeClient, WhenTheContainerIsTooLarge_ThenNothingIsSent) {
 
 TEST(RuntimeClient, WhenAnEventIsLost_ThenItIsFetchedAgainAndOrderIsKept) {
   FakeLink* link_pointer = nullptr;
-  FakeLink link(106, [&](const Request& request) -> std::optional<Reply> {
+  FakeLink link(36, [&](const Request& request) -> std::optional<Reply> {
     Reply reply;
     if (const auto* resend = std::get_if<service::ResendEvents>(&request.body)) {
       reply.offset = resend->first;
@@ -149,7 +149,7 @@ TEST(RuntimeClient, WhenAnEventIsLost_ThenItIsFetchedAgainAndOrderIsKept) {
     return reply;
   });
   link_pointer = &link;
-  auto client = client_of(106);
+  auto client = client_of(36);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
   link.endpoint().publish_event(7, event(1));
   link.endpoint().publish_event(7, event(4));
@@ -163,14 +163,14 @@ TEST(RuntimeClient, WhenAnEventIsLost_ThenItIsFetchedAgainAndOrderIsKept) {
 
 TEST(RuntimeClient, WhenTheRuntimeHasForgottenEvents_ThenTheNextOneItHoldsIsDelivered) {
   FakeLink* link_pointer = nullptr;
-  FakeLink link(107, [&](const Request&) -> std::optional<Reply> {
+  FakeLink link(37, [&](const Request&) -> std::optional<Reply> {
     Reply reply;
     reply.offset = 3;
     link_pointer->endpoint().publish_event(7, event(3));
     return reply;
   });
   link_pointer = &link;
-  auto client = client_of(107);
+  auto client = client_of(37);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
   link.change_status([](RuntimeStatus& status) { status.last_event = 3; });
   const auto received = client->wait_event(kPatience);
@@ -179,8 +179,8 @@ TEST(RuntimeClient, WhenTheRuntimeHasForgottenEvents_ThenTheNextOneItHoldsIsDeli
 }
 
 TEST(RuntimeClient, WhenTheRuntimeBehindTheLinkIsGone_ThenItIsNotAlive) {
-  FakeLink link(108, accept);
-  auto client = client_of(108);
+  FakeLink link(38, accept);
+  auto client = client_of(38);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
   EXPECT_TRUE(client->runtime_alive());
   link.set_connected(false);
@@ -190,7 +190,7 @@ TEST(RuntimeClient, WhenTheRuntimeBehindTheLinkIsGone_ThenItIsNotAlive) {
 }
 
 TEST(RuntimeClient, WhenNoLinkIsThere_ThenRequestsFailWithAHint) {
-  auto client = client_of(109, ClientRole::Viewer);
+  auto client = client_of(39, ClientRole::Viewer);
   EXPECT_FALSE(client->wait_for_runtime(10ms));
   EXPECT_FALSE(client->runtime_alive());
   const auto refused = client->start({});
@@ -199,18 +199,18 @@ TEST(RuntimeClient, WhenNoLinkIsThere_ThenRequestsFailWithAHint) {
 }
 
 TEST(RuntimeClient, WhenTwoRuntimesShareADomain_ThenEachClientHearsItsOwn) {
-  FakeLink bench(110, accept);
+  FakeLink bench(40, accept);
   FakeLink other(
-      110, [](const Request&) { return refuse({}, "wrong runtime"); }, "other");
+      40, [](const Request&) { return refuse({}, "wrong runtime"); }, "other");
   other.change_status([](RuntimeStatus& status) { status.scan = 99; });
-  auto client = client_of(110);
+  auto client = client_of(40);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
   EXPECT_TRUE(client->start({}));
   EXPECT_EQ(client->status()->scan, 0u);
 }
 
 TEST(LinkEndpoint, WhenASupervisorComesAndGoes_ThenItsPresenceFollows) {
-  FakeLink link(111, accept);
+  FakeLink link(41, accept);
   const auto wait_for = [&](bool alive) {
     const auto deadline = std::chrono::steady_clock::now() + kPatience;
     while (link.endpoint().supervisor_alive() != alive && std::chrono::steady_clock::now() < deadline) {
@@ -218,18 +218,18 @@ TEST(LinkEndpoint, WhenASupervisorComesAndGoes_ThenItsPresenceFollows) {
     }
     return link.endpoint().supervisor_alive() == alive;
   };
-  auto viewer = client_of(111, ClientRole::Viewer);
+  auto viewer = client_of(41, ClientRole::Viewer);
   ASSERT_TRUE(viewer->wait_for_runtime(kPatience));
   EXPECT_FALSE(link.endpoint().supervisor_alive());
-  auto supervisor = client_of(111);
+  auto supervisor = client_of(41);
   EXPECT_TRUE(wait_for(true));
   supervisor.reset();
   EXPECT_TRUE(wait_for(false));
 }
 
 TEST(LinkEndpoint, WhenASnapshotIsPublished_ThenTheClientHasIt) {
-  FakeLink link(112, accept);
-  auto client = client_of(112, ClientRole::Viewer);
+  FakeLink link(42, accept);
+  auto client = client_of(42, ClientRole::Viewer);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
   const Snapshot sent{3, 4, "cd", std::vector<std::byte>(200'000, std::byte{9}), {{"level", 1.5}}};
   const auto deadline = std::chrono::steady_clock::now() + kPatience;

@@ -1,0 +1,138 @@
+// What crosses between threads and processes: queue, cell, shared snapshot.
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <thread>
+
+#include "runtime/host/limits.h"
+#include "runtime/host/seq_cell.h"
+#include "runtime/host/snapshot_memory.h"
+#include "runtime/host/spsc_queue.h"
+
+namespace stepwright::host {
+namespace {
+
+TEST(SpscQueue, WhenFull_ThenItRefusesAndKeepsOrder) {
+  SpscQueue<int> queue(3);
+  for (int i = 1; i <= 3; ++i) EXPECT_TRUE(queue.push(int{i}));
+  EXPECT_FALSE(queue.push(4));
+  EXPECT_EQ(queue.pop(), 1);
+  EXPECT_TRUE(queue.push(5));
+  for (const int expected : {2, 3, 5}) EXPECT_EQ(queue.pop(), expected);
+  EXPECT_FALSE(queue.pop());
+}
+
+TEST(SpscQueue, WhenTwoThreadsUseIt_ThenEveryValueArrivesOnceInOrder) {
+  constexpr int kCount = 20'000;
+  SpscQueue<int> queue(16);
+  std::thread producer([&] {
+    for (int i = 0; i < kCount; ++i) {
+      while (!queue.push(int{i})) std::this_thread::yield();
+    }
+  });
+  for (int i = 0; i < kCount; ++i) {
+    std::optional<int> value;
+    while (!(value = queue.pop())) std::this_thread::yield();
+    ASSERT_EQ(*value, i);
+  }
+  producer.join();
+}
+
+TEST(SeqCell, WhenWrittenMeanwhile_ThenReadersSeeWholeValues) {
+  SeqCell<std::array<std::uint64_t, 16>> cell;
+  std::atomic<bool> stop{false};
+  std::thread writer([&] {
+    std::array<std::uint64_t, 16> value{};
+    while (!stop) {
+      value.fill(value[0] + 1);
+      cell.store(value);
+      std::this_thread::yield();
+    }
+  });
+  for (int i = 0; i < 2'000; ++i) {
+    const auto value = cell.load();
+    for (const std::uint64_t word : value) ASSERT_EQ(word, value[0]);
+  }
+  stop = true;
+  writer.join();
+}
+
+std::unique_ptr<SnapshotWriter> writer_of(const std::vector<std::string>& names) {
+  auto writer = SnapshotWriter::create(names);
+  EXPECT_TRUE(writer);
+  return writer ? std::move(*writer) : nullptr;
+}
+
+TEST(SnapshotMemory, WhenPublished_ThenReadersSeeExactlyThat) {
+  const auto writer = writer_of({"level", "speed"});
+  const auto reader = *SnapshotReader::open(writer->descriptor());
+  EXPECT_FALSE(reader->read());
+  std::vector<std::byte> image(13);
+  for (std::size_t i = 0; i < image.size(); ++i) image[i] = static_cast<std::byte>(i + 1);
+  const std::array<double, 2> plant{1.5, -2.0};
+  writer->publish(7, 60, std::string(64, 'a'), image, plant);
+  const Snapshot expected{7, 60, std::string(64, 'a'), image, {{"level", 1.5}, {"speed", -2.0}}};
+  EXPECT_EQ(reader->read(), expected);
+  // Smaller after larger.
+  writer->publish(8, 70, "b", std::span(image).first(1), plant);
+  EXPECT_EQ(reader->read()->image.size(), 1u);
+  EXPECT_EQ(reader->read()->program_digest, "b");
+}
+
+TEST(SnapshotMemory, WhenWrittenMeanwhile_ThenReadersSeeWholeSnapshots) {
+  const auto writer = writer_of({});
+  const auto reader = *SnapshotReader::open(writer->descriptor());
+  std::atomic<bool> stop{false};
+  std::thread publisher([&] {
+    std::vector<std::byte> image(333);
+    for (std::uint64_t scan = 1; !stop; ++scan) {
+      std::fill(image.begin(), image.end(), static_cast<std::byte>(scan));
+      writer->publish(scan, 0, "", image, {});
+      std::this_thread::yield();
+    }
+  });
+  int whole = 0;
+  while (whole < 500) {
+    const auto snapshot = reader->read();
+    if (!snapshot) continue;
+    ++whole;
+    for (const std::byte byte : snapshot->image) ASSERT_EQ(byte, static_cast<std::byte>(snapshot->scan));
+  }
+  stop = true;
+  publisher.join();
+}
+
+TEST(SnapshotMemory, WhenAClientTriesToWriteOrShrinkIt_ThenTheSystemRefuses) {
+  const auto writer = writer_of({});
+  const int descriptor = writer->descriptor();
+  EXPECT_LT(::ftruncate(descriptor, 0), 0);
+  EXPECT_EQ(mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0), MAP_FAILED);
+  const int again = ::open(("/proc/self/fd/" + std::to_string(descriptor)).c_str(), O_RDWR);
+  if (again >= 0) {
+    EXPECT_EQ(mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED, again, 0), MAP_FAILED);
+    EXPECT_LT(::ftruncate(again, 0), 0);
+    ::close(again);
+  }
+}
+
+TEST(SnapshotMemory, WhenTheDescriptorIsSomethingElse_ThenItIsRefused) {
+  const int descriptor = memfd_create("other", MFD_CLOEXEC);
+  EXPECT_EQ(SnapshotReader::open(descriptor).error().front().code, "R0005");
+  EXPECT_EQ(SnapshotReader::open(-1).error().front().code, "R0005");
+  ::close(descriptor);
+}
+
+TEST(SnapshotMemory, WhenThePlantHasTooManyValues_ThenItIsRefused) {
+  const std::vector<std::string> many(kMaxPlantValues + 1, "x");
+  EXPECT_EQ(SnapshotWriter::create(many).error().front().code, "R0004");
+  const std::vector<std::string> name{std::string(kMaxNameBytes + 1, 'x')};
+  EXPECT_EQ(SnapshotWriter::create(name).error().front().code, "R0004");
+}
+
+}  // namespace
+}  // namespace stepwright::host

@@ -1,0 +1,155 @@
+#pragma once
+
+// A host runtime on a driver and a plant of the test's own.
+
+#include <gtest/gtest.h>
+#include <poll.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/host/host_runtime.h"
+#include "tests/support/step_program.h"
+
+namespace stepwright::host {
+
+// Remembers the newest outputs; may be lost; calls `on_read` on the scan thread.
+class FakeDriver final : public image::IoDriver {
+ public:
+  image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override {
+    if (on_read) on_read(now_ns);
+    inputs[0] = std::byte{0x5A};
+    reads.fetch_add(1);
+    return lost ? image::IoStatus::Lost : image::IoStatus::Good;
+  }
+  image::IoStatus write_outputs(std::int64_t, std::span<const std::byte> outputs) override {
+    output.store(std::to_integer<int>(outputs[0]));
+    return image::IoStatus::Good;
+  }
+
+  std::function<void(std::int64_t)> on_read;
+  std::atomic<bool> lost{false};
+  std::atomic<int> output{-1};
+  std::atomic<std::uint64_t> reads{0};
+};
+
+// One value, which counts the faults injected.
+class FakePlant final : public PlantAccess {
+ public:
+  std::span<const std::string> value_names() const override { return names_; }
+  void read_values(std::span<double> values) const override { values[0] = faults_; }
+  result::Result<void> inject_fault(const std::string& name, double) override {
+    if (name != "leak") return result::fail("C0311", {}, "no fault is called '" + name + "'", "known: leak");
+    faults_ = faults_ + 1;
+    return {};
+  }
+
+ private:
+  std::vector<std::string> names_{"faults"};
+  double faults_ = 0;
+};
+
+class Harness {
+ public:
+  explicit Harness(const HostConfig& config = {}, bool with_plant = true) : config_(config) {
+    auto created = HostRuntime::create(config_, driver, with_plant ? &plant : nullptr);
+    EXPECT_TRUE(created);
+    if (created) runtime = std::move(*created);
+  }
+
+  // The outcome of one command.
+  Completion command(Command command) {
+    command.ticket = ++ticket_;
+    EXPECT_TRUE(runtime->submit(command));
+    return completion();
+  }
+  Outcome command(CommandKind kind) {
+    Command command;
+    command.kind = kind;
+    return this->command(command).outcome;
+  }
+  Outcome load(std::vector<std::byte> container, const std::string& digest = "program") {
+    auto loading = runtime->load(++ticket_, std::move(container), digest);
+    EXPECT_TRUE(loading) << (loading ? "" : result::to_string(loading.error()));
+    return completion().outcome;
+  }
+  Outcome start(bool barrier = false) {
+    Command command;
+    command.kind = CommandKind::Start;
+    command.barrier = barrier;
+    return this->command(command).outcome;
+  }
+  Outcome stop(const char* reason = "test") {
+    Command command;
+    command.kind = CommandKind::Stop;
+    command.text = FixedText<kMaxReasonBytes>(reason);
+    return this->command(command).outcome;
+  }
+  Outcome acknowledge(std::uint64_t event) {
+    Command command;
+    command.kind = CommandKind::Acknowledge;
+    command.event = event;
+    return this->command(command).outcome;
+  }
+  Outcome bits(CommandKind kind, const ImageBits& bits) {
+    Command command;
+    command.kind = kind;
+    command.bits = bits;
+    return this->command(command).outcome;
+  }
+
+  // The next event; a failure of the test if none comes.
+  StepEvent event() {
+    StepEvent event;
+    const bool came = wait([&] {
+      if (auto next = runtime->take_event()) {
+        event = std::move(*next);
+        return true;
+      }
+      return false;
+    });
+    EXPECT_TRUE(came) << "no event came";
+    return event;
+  }
+
+  // Waits until `condition` holds; it is asked again whenever the runtime has news, and every millisecond.
+  bool wait(const std::function<bool()>& condition) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (std::chrono::steady_clock::now() < deadline) {
+      runtime->clear();
+      if (condition()) return true;
+      pollfd entry{runtime->descriptor(), POLLIN, 0};
+      poll(&entry, 1, 1);
+    }
+    return false;
+  }
+
+  FakeDriver driver;
+  FakePlant plant;
+  std::unique_ptr<HostRuntime> runtime;
+
+ private:
+  Completion completion() {
+    Completion completion;
+    const bool came = wait([&] {
+      if (auto next = runtime->take_completion()) {
+        completion = std::move(*next);
+        return true;
+      }
+      return false;
+    });
+    EXPECT_TRUE(came) << "no completion came";
+    EXPECT_EQ(completion.ticket, ticket_);
+    return completion;
+  }
+
+  HostConfig config_;
+  std::uint64_t ticket_ = 0;
+};
+
+}  // namespace stepwright::host

@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/support/malloc_guard.h"
+#include "tests/unit/runtime/host/harness.h"
+
+namespace stepwright::host {
+namespace {
+
+// Counts on the scan thread from one read of the inputs to the next: the whole path of a scan, events
+// included.
+void expect_quiet_scans(const HostConfig& config, std::uint32_t interval_us) {
+  if (!support::guard_is_active()) GTEST_SKIP() << "a sanitizer owns malloc";
+  Harness harness(config);
+  support::GuardCounts before;
+  std::uint64_t scans = 0;
+  std::uint64_t noisy = 0;
+  harness.driver.on_read = [&](std::int64_t) {
+    const support::GuardCounts now = support::guard_counts();
+    // The first scan comes after commands, which may allocate.
+    if (++scans > 1 && !(now == before)) ++noisy;
+    before = now;
+  };
+  harness.load(support::step_program({.steps = 20, .scans_per_step = 3, .interval_us = interval_us}));
+  harness.start();
+  for (int i = 0; i < 21; ++i) harness.event();
+  harness.runtime.reset();  // joins the scan thread
+  EXPECT_GT(scans, 50u);
+  EXPECT_EQ(noisy, 0u);
+}
+
+TEST(ScanPath, WhenSimulated_ThenScansNeitherAllocateNorLock) {
+  expect_quiet_scans({}, 10'000);
+}
+
+TEST(ScanPath, WhenReal_ThenScansNeitherAllocateNorLock) {
+  HostConfig config;
+  config.clock = ClockMode::Real;
+  expect_quiet_scans(config, 500);
+}
+
+}  // namespace
+}  // namespace stepwright::host

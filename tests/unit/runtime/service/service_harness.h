@@ -1,0 +1,114 @@
+#pragma once
+
+// A runtime with its service on a thread of its own, in a folder of the test's own.
+
+#include <gtest/gtest.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "runtime/host/host_runtime.h"
+#include "runtime/service/connection.h"
+#include "runtime/service/server.h"
+
+namespace stepwright::service {
+
+inline constexpr std::chrono::milliseconds kPatience{20'000};
+
+// Inputs stay zero, outputs go nowhere.
+class NoDriver final : public image::IoDriver {
+ public:
+  image::IoStatus read_inputs(std::int64_t, std::span<std::byte>) override { return image::IoStatus::Good; }
+  image::IoStatus write_outputs(std::int64_t, std::span<const std::byte>) override {
+    return image::IoStatus::Good;
+  }
+};
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string path = (std::filesystem::temp_directory_path() / "stepwright-test-XXXXXX").string();
+    if (mkdtemp(path.data()) == nullptr) ADD_FAILURE() << "no temporary folder";
+    path_ = path;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;  // a leftover in the temporary folder harms nobody
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+class ServiceHarness {
+ public:
+  explicit ServiceHarness(const host::HostConfig& config = {},
+                          std::chrono::milliseconds supervisor_lost_after = std::chrono::seconds(60))
+      : stop_(eventfd(0, 0)) {
+    runtime_ = std::move(*host::HostRuntime::create(config, driver_, nullptr));
+    auto server = Server::create({socket(), supervisor_lost_after}, *runtime_);
+    EXPECT_TRUE(server) << (server ? "" : result::to_string(server.error()));
+    server_ = std::move(*server);
+    thread_ = std::thread([this] { server_->run(stop_); });
+  }
+  ~ServiceHarness() { end(); }
+
+  std::filesystem::path socket() const { return folder_.path() / "runtime.sock"; }
+
+  void end() {
+    if (!thread_.joinable()) return;
+    const std::uint64_t one = 1;
+    EXPECT_EQ(::write(stop_, &one, sizeof one), static_cast<ssize_t>(sizeof one));
+    thread_.join();
+    server_.reset();
+    ::close(stop_);
+  }
+
+  std::unique_ptr<Connection> connect(Role role = Role::Controller, std::uint64_t first_event = 0) const {
+    auto connection = Connection::open(socket(), {role, "test", first_event});
+    EXPECT_TRUE(connection) << (connection ? "" : result::to_string(connection.error()));
+    return connection ? std::move(*connection) : nullptr;
+  }
+
+ private:
+  TemporaryFolder folder_;
+  NoDriver driver_;
+  int stop_;
+  std::unique_ptr<host::HostRuntime> runtime_;
+  std::unique_ptr<Server> server_;
+  std::thread thread_;
+};
+
+// The next message of a kind, others skipped.
+template <typename T>
+std::optional<T> next(Connection& connection, std::chrono::milliseconds timeout = kPatience) {
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
+  while (std::chrono::steady_clock::now() < deadline && !connection.closed()) {
+    auto message = connection.receive(timeout);
+    if (!message) continue;
+    if (auto* wanted = std::get_if<T>(&*message)) return std::move(*wanted);
+  }
+  return std::nullopt;
+}
+
+// The next status for which `condition` holds.
+template <typename Condition>
+std::optional<host::RuntimeStatus> status_when(Connection& connection, Condition condition) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (std::chrono::steady_clock::now() < deadline) {
+    auto status = next<host::RuntimeStatus>(connection);
+    if (!status) return std::nullopt;
+    if (condition(*status)) return status;
+  }
+  return std::nullopt;
+}
+
+}  // namespace stepwright::service
