@@ -19,7 +19,8 @@ void read_plant(const TomlTable& table, PlantConfig& plant) {
   plant.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 1e15}));
   plant.uncertainty = table.boolean("uncertainty", plant.uncertainty);
   const TomlTable ports = table.table("ports");
-  for (const std::string& port : ports.keys()) plant.ports.emplace_back(port, ports.text(port, {}));
+  for (const std::string& port : ports.keys())
+    plant.ports.push_back({port, ports.text(port, {}), ports.where(port)});
 }
 
 void read_safe_state(const TomlTable& table, CellConfig& config) {

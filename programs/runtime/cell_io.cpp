@@ -30,8 +30,8 @@ class PlantIo final : public CellIo, private host::PlantAccess {
 
   [[nodiscard]] result::Result<void> wire(const config::CellConfig& config) {
     std::vector<bridge::PortWire> wires;
-    for (const auto& [port, address] : config.plant.ports) {
-      wires.push_back({port, address, {config.file.string(), 0, 0}});
+    for (const config::PortAddress& wire : config.plant.ports) {
+      wires.push_back({wire.port, wire.address, wire.where});
     }
     if (wires.empty()) wires = bridge::default_bench_wires();
     auto driver =

@@ -158,10 +158,9 @@ bool Executive::replan(const std::string& cause) {
   }
   record_.replans.push_back({time_s_, cause, last_done});
   set_phase(Phase::Replanning, cause);
-  // A runtime that is gone has stopped already; `observe` waits for the next one.
-  if (auto stopped = controller_.stop(cause.substr(0, 200)); !stopped && controller_.alive()) {
-    return give_up("the runtime does not stop", stopped.error());
-  }
+  // At once, not only with the download that follows; a runtime that is gone or was restarted has nothing to
+  // stop.
+  (void)controller_.stop(cause.substr(0, 200));
   const model::NamedState tracked = with_changes(
       progress_.actions.empty() ? pddl::to_named(desk_.task().initial())
                                 : translate::expected_state(current_.translation, progress_.done()));

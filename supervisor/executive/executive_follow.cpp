@@ -76,6 +76,7 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
     }
     record_.observed[sensor.fluent] = seen_.measured.fluents.at(sensor.fluent);
   }
+  record_.goal = desk_.goal_status(with_changes(seen_.planning));
   std::set<std::string> moving;
   for (std::size_t i = 0; i < progress.actions.size(); ++i) {
     if (progress.actions[i] != ActionState::Active && progress.actions[i] != ActionState::Failed) continue;
