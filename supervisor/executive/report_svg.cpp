@@ -75,7 +75,7 @@ void add_bar(std::string& svg, const char* style, double from, double to, double
       escaped(hint));
 }
 
-// One action of one plan.
+// One action of one plan; what a replaced plan never began is left out.
 struct Row {
   const ActionRecord* action;
   double origin_s;  // of its plan's times, from the start of the run
@@ -89,6 +89,7 @@ std::vector<Row> rows_of(const RunRecord& record) {
     const bool last = i + 1 == record.episodes.size();
     const double ended_s = last ? record.finished_s : record.episodes[i + 1].started_s;
     for (const ActionRecord& action : episode.actions) {
+      if (!last && !action.started_s) continue;
       rows.push_back({&action, episode.started_s - record.started_s, ended_s});
     }
   }
