@@ -1,5 +1,5 @@
-// Conversions between elementary types (IEC 61131-3, 6.6.2.5.3). Reals round to the nearest, ties to even, and
-// trap outside of the target; integers wrap; durations count as milliseconds.
+// Conversions between elementary types (IEC 61131-3, 6.6.2.5.3). Reals round to the nearest, ties to even,
+// and trap outside of the target; integers wrap; durations count as milliseconds.
 
 #include "ladder/codegen/expression_emitter.h"
 #include "ladder/codegen/machine_type.h"

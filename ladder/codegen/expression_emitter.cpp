@@ -31,8 +31,9 @@ void ExpressionEmitter::value(const Value& value, Width width) {
       return convert(*value.operands[0]->type, *value.type);
     case ValueKind::Truncate:
       this->value(*value.operands[0]);
-      return b_.to_int(machine_type(*value.operands[0]->type) == Machine::F32 ? Opcode::TruncF32 : Opcode::TruncF64,
-                       int_type(*value.type));
+      return b_.to_int(
+          machine_type(*value.operands[0]->type) == Machine::F32 ? Opcode::TruncF32 : Opcode::TruncF64,
+          int_type(*value.type));
     case ValueKind::Standard:
       return standard(value);
     case ValueKind::Shift:
@@ -180,7 +181,8 @@ void ExpressionEmitter::binary(const Value& value, Width width) {
   const Type& operands = *value.operands[0]->type;
   if (operands.is_bool() && value.op >= Operator::Less && value.op <= Operator::GreaterEqual)
     return bool_order(value);
-  const bool modular = value.op == Operator::Add || value.op == Operator::Subtract || value.op == Operator::Multiply;
+  const bool modular =
+      value.op == Operator::Add || value.op == Operator::Subtract || value.op == Operator::Multiply;
   const bool logic = value.op == Operator::And || value.op == Operator::Or || value.op == Operator::Xor;
   const Width inner = modular || (logic && width == Width::Any) ? Width::Any : Width::Exact;
   const bool divides = value.op == Operator::Divide;
@@ -204,7 +206,8 @@ void ExpressionEmitter::standard(const Value& value) {
     return wrap(*value.type);
   }
   if (value.function == StandardFunction::Sqrt) {
-    return b_.intrinsic(machine == Machine::F32 ? bytecode::IntrinsicId::SqrtF32 : bytecode::IntrinsicId::SqrtF64);
+    return b_.intrinsic(machine == Machine::F32 ? bytecode::IntrinsicId::SqrtF32
+                                                : bytecode::IntrinsicId::SqrtF64);
   }
   for (std::size_t i = 1; i < value.operands.size(); ++i) {
     this->value(*value.operands[i]);

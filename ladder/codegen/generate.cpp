@@ -46,7 +46,8 @@ ProgramLayout lay_out(const Model& model, const std::vector<const Pou*>& functio
 void add_memory(const Model& model, writer::ContainerModel& out) {
   const auto size = [&](Base base) { return static_cast<std::uint32_t>(model.area(base).size()); };
   out.sizes = {size(Base::Input), size(Base::Output), size(Base::Marker), size(Base::Data)};
-  for (const auto& area : model.areas) out.initial_data.insert(out.initial_data.end(), area.begin(), area.end());
+  for (const auto& area : model.areas)
+    out.initial_data.insert(out.initial_data.end(), area.begin(), area.end());
 }
 
 void add_tasks(const Model& model, const ProgramLayout& layout, writer::ContainerModel& out) {

@@ -10,22 +10,36 @@
 // Pure; equal models give equal bytes.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "ladder/graphic/sfc_chart.h"
 #include "ladder/semantics/model.h"
 #include "ladder/source/source_set.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::codegen {
 
-// The chart that a POU was lowered from, for viewers: its steps and transitions are BOOL variables of the POU.
+struct ChartStep {
+  std::string name;
+  std::string comment;
+  bool initial = false;
+  std::string variable;  // BOOL variable of the POU: the step is active
+};
+
+struct ChartTransition {
+  std::string name;
+  std::string condition;               // as ST, for people
+  std::vector<std::uint32_t> sources;  // indexes of steps
+  std::vector<std::uint32_t> targets;
+  std::string variable;  // BOOL variable of the POU: the transition fires; may be empty
+};
+
+// The chart that a POU was lowered from, for viewers.
 struct ChartOrigin {
   const semantics::Pou* pou = nullptr;
-  graphic::SfcChart chart;
-  std::vector<std::string> step_variables;        // in the order of chart.steps
-  std::vector<std::string> transition_variables;  // in the order of chart.transitions; may be empty
+  std::vector<ChartStep> steps;
+  std::vector<ChartTransition> transitions;
 };
 
 // Requires a model without errors. Fails (B0100) only if the writer's verifier rejects the result.

@@ -48,25 +48,37 @@ bytecode::Opcode binary_opcode(Operator op, Machine machine) {
     Operator op;
     Opcode opcodes[7];
   };
-#define STEPWRIGHT_ROW(op, name)                                                                          \
-  {Operator::op, {kNone, Opcode::name##I32, Opcode::name##I64, Opcode::name##F32, Opcode::name##F64,      \
-                  Opcode::name##U32, Opcode::name##U64}}
+#define STEPWRIGHT_ROW(op, name)                                                                            \
+  {                                                                                                         \
+    Operator::op, {                                                                                         \
+      kNone, Opcode::name##I32, Opcode::name##I64, Opcode::name##F32, Opcode::name##F64, Opcode::name##U32, \
+          Opcode::name##U64                                                                                 \
+    }                                                                                                       \
+  }
   static constexpr Row kRows[] = {
-      {Operator::Or, {Opcode::OrBool, Opcode::OrI32, Opcode::OrI64, kNone, kNone, Opcode::OrI32, Opcode::OrI64}},
-      {Operator::Xor, {Opcode::XorBool, Opcode::XorI32, Opcode::XorI64, kNone, kNone, Opcode::XorI32, Opcode::XorI64}},
-      {Operator::And, {Opcode::AndBool, Opcode::AndI32, Opcode::AndI64, kNone, kNone, Opcode::AndI32, Opcode::AndI64}},
+      {Operator::Or,
+       {Opcode::OrBool, Opcode::OrI32, Opcode::OrI64, kNone, kNone, Opcode::OrI32, Opcode::OrI64}},
+      {Operator::Xor,
+       {Opcode::XorBool, Opcode::XorI32, Opcode::XorI64, kNone, kNone, Opcode::XorI32, Opcode::XorI64}},
+      {Operator::And,
+       {Opcode::AndBool, Opcode::AndI32, Opcode::AndI64, kNone, kNone, Opcode::AndI32, Opcode::AndI64}},
       {Operator::Add,
-       {kNone, Opcode::AddI32, Opcode::AddI64, Opcode::AddF32, Opcode::AddF64, Opcode::AddI32, Opcode::AddI64}},
+       {kNone, Opcode::AddI32, Opcode::AddI64, Opcode::AddF32, Opcode::AddF64, Opcode::AddI32,
+        Opcode::AddI64}},
       {Operator::Subtract,
-       {kNone, Opcode::SubI32, Opcode::SubI64, Opcode::SubF32, Opcode::SubF64, Opcode::SubI32, Opcode::SubI64}},
+       {kNone, Opcode::SubI32, Opcode::SubI64, Opcode::SubF32, Opcode::SubF64, Opcode::SubI32,
+        Opcode::SubI64}},
       {Operator::Multiply,
-       {kNone, Opcode::MulI32, Opcode::MulI64, Opcode::MulF32, Opcode::MulF64, Opcode::MulI32, Opcode::MulI64}},
+       {kNone, Opcode::MulI32, Opcode::MulI64, Opcode::MulF32, Opcode::MulF64, Opcode::MulI32,
+        Opcode::MulI64}},
       STEPWRIGHT_ROW(Divide, Div),
-      {Operator::Modulo, {kNone, Opcode::ModI32, Opcode::ModI64, kNone, kNone, Opcode::ModU32, Opcode::ModU64}},
+      {Operator::Modulo,
+       {kNone, Opcode::ModI32, Opcode::ModI64, kNone, kNone, Opcode::ModU32, Opcode::ModU64}},
       {Operator::Equal,
        {kNone, Opcode::EqI32, Opcode::EqI64, Opcode::EqF32, Opcode::EqF64, Opcode::EqI32, Opcode::EqI64}},
       {Operator::NotEqual,
-       {Opcode::XorBool, Opcode::NeI32, Opcode::NeI64, Opcode::NeF32, Opcode::NeF64, Opcode::NeI32, Opcode::NeI64}},
+       {Opcode::XorBool, Opcode::NeI32, Opcode::NeI64, Opcode::NeF32, Opcode::NeF64, Opcode::NeI32,
+        Opcode::NeI64}},
       STEPWRIGHT_ROW(Less, Lt),
       STEPWRIGHT_ROW(LessEqual, Le),
       STEPWRIGHT_ROW(Greater, Gt),

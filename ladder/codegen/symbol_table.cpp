@@ -105,7 +105,8 @@ void SymbolTable::globals() {
   for (const Variable& each : model_.globals) variable(each, each.spelling, SymbolSection::Global);
 }
 
-void SymbolTable::instance(const semantics::ProgramInstance& instance, const std::vector<ChartOrigin>& charts) {
+void SymbolTable::instance(const semantics::ProgramInstance& instance,
+                           const std::vector<ChartOrigin>& charts) {
   const Pou& pou = *instance.program;
   const std::uint32_t address = layout_.bases[static_cast<std::size_t>(Base::Data)] + instance.offset;
   writer::Symbol symbol;
@@ -137,25 +138,18 @@ void SymbolTable::chart(const std::string& path, const ChartOrigin& origin, std:
   out.name = path;
   const auto place = [&](const std::string& name) {
     const Variable* found = find(*origin.pou, name);
-    return found != nullptr && found->place.base == Base::This ? address + found->place.offset : bytecode::kNoIndex;
+    return found != nullptr && found->place.base == Base::This ? address + found->place.offset
+                                                               : bytecode::kNoIndex;
   };
-  for (std::size_t i = 0; i < origin.chart.steps.size(); ++i) {
-    const graphic::Step& step = origin.chart.steps[i];
-    writer::SfcStep each{step.name, step.comment, bytecode::kNoIndex, bytecode::kNoBit, step.initial};
-    if (i < origin.step_variables.size()) each.address = place(origin.step_variables[i]);
-    if (each.address == bytecode::kNoIndex) return;
-    out.steps.push_back(std::move(each));
+  for (const ChartStep& step : origin.steps) {
+    const std::uint32_t active = place(step.variable);
+    // A chart whose steps cannot be found in the image would mislead a viewer.
+    if (active == bytecode::kNoIndex) return;
+    out.steps.push_back({step.name, step.comment, active, bytecode::kNoBit, step.initial});
   }
-  for (std::size_t i = 0; i < origin.chart.transitions.size(); ++i) {
-    const graphic::Transition& transition = origin.chart.transitions[i];
-    writer::SfcTransition each;
-    each.name = transition.name;
-    each.condition = to_st(transition.condition);
-    for (const graphic::StepId step : transition.sources) each.sources.push_back(step.value);
-    for (const graphic::StepId step : transition.targets) each.targets.push_back(step.value);
-    if (i < origin.transition_variables.size()) each.address = place(origin.transition_variables[i]);
-    out.transitions.push_back(std::move(each));
-  }
+  for (const ChartTransition& each : origin.transitions)
+    out.transitions.push_back(
+        {each.name, each.condition, each.sources, each.targets, place(each.variable), bytecode::kNoBit});
   out_.charts.push_back(std::move(out));
 }
 
@@ -165,7 +159,8 @@ void SymbolTable::finish() {
   std::vector<bytecode::RetainRecord> joined;
   for (const bytecode::RetainRecord& each : retain) {
     if (!joined.empty() && each.address <= joined.back().address + joined.back().size) {
-      const std::uint32_t end = std::max(joined.back().address + joined.back().size, each.address + each.size);
+      const std::uint32_t end =
+          std::max(joined.back().address + joined.back().size, each.address + each.size);
       joined.back().size = end - joined.back().address;
     } else {
       joined.push_back(each);

@@ -28,7 +28,8 @@ class SymbolTable {
   std::uint32_t array_type(const semantics::Type& type, std::size_t dimension);
   std::uint32_t member_type(const semantics::Type& type);
   std::uint32_t add(writer::Type type);
-  void variable(const semantics::Variable& variable, const std::string& path, bytecode::SymbolSection section);
+  void variable(const semantics::Variable& variable, const std::string& path,
+                bytecode::SymbolSection section);
   void walk(const std::string& path, const semantics::Pou& pou, std::uint32_t address,
             const std::vector<ChartOrigin>& charts);
   void chart(const std::string& path, const ChartOrigin& origin, std::uint32_t address);

@@ -13,7 +13,8 @@ namespace code = source::code;
 std::string marked(const syntax::TextSlice& slice, Marks marks) {
   const std::string text(slice.text);
   if (marks == Marks::None) return text;
-  return "{@" + std::to_string(slice.where.file.value) + ":" + std::to_string(slice.where.offset) + "}" + text + "{@}";
+  return "{@" + std::to_string(slice.where.file.value) + ":" + std::to_string(slice.where.offset) + "}" +
+         text + "{@}";
 }
 
 bool is_identifier(std::string_view text) {
@@ -65,7 +66,8 @@ class Conversion {
       if (known) {
         block.qualifier = *known;
         if (graphic::needs_duration(*known) && use.duration.empty())
-          sink_.error(code::kBadChart, use.qualifier_where, "the qualifier " + qualifier + " needs a duration",
+          sink_.error(code::kBadChart, use.qualifier_where,
+                      "the qualifier " + qualifier + " needs a duration",
                       "write " + block.target + "(" + qualifier + ", T#5s)");
       } else {
         sink_.error(code::kBadChart, use.qualifier_where, "there is no qualifier '" + qualifier + "'",

@@ -23,10 +23,30 @@ std::string digest_of(const std::vector<std::byte>& container) {
   return text;
 }
 
+codegen::ChartOrigin chart_origin(const LoweredChart& lowered, const semantics::Model& model) {
+  codegen::ChartOrigin origin;
+  origin.pou = model.pous[lowered.pou].get();
+  const auto variable = [](const std::vector<std::string>& names, std::size_t i) {
+    return i < names.size() ? names[i] : std::string();
+  };
+  const auto indexes = [](const std::vector<graphic::StepId>& steps) {
+    std::vector<std::uint32_t> list;
+    for (const graphic::StepId each : steps) list.push_back(each.value);
+    return list;
+  };
+  for (const graphic::Step& each : lowered.chart.steps)
+    origin.steps.push_back(
+        {each.name, each.comment, each.initial, variable(lowered.step_variables, origin.steps.size())});
+  for (const graphic::Transition& each : lowered.chart.transitions)
+    origin.transitions.push_back({each.name, to_st(each.condition), indexes(each.sources),
+                                  indexes(each.targets),
+                                  variable(lowered.transition_variables, origin.transitions.size())});
+  return origin;
+}
+
 std::vector<codegen::ChartOrigin> chart_origins(const PouLowering& lowering, const semantics::Model& model) {
   std::vector<codegen::ChartOrigin> origins;
-  for (const LoweredChart& each : lowering.charts())
-    origins.push_back({model.pous[each.pou].get(), each.chart, each.step_variables, each.transition_variables});
+  for (const LoweredChart& each : lowering.charts()) origins.push_back(chart_origin(each, model));
   return origins;
 }
 

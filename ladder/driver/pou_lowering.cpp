@@ -43,7 +43,8 @@ void PouLowering::report(result::Diagnostics diagnostics, source::Position where
   context_.sink.add(std::move(diagnostics));
 }
 
-void PouLowering::add_declarations(const std::string& file, const std::string& text, syntax::PouDeclaration& pou) {
+void PouLowering::add_declarations(const std::string& file, const std::string& text,
+                                   syntax::PouDeclaration& pou) {
   const source::FileId id = context_.sources.add(file, text);
   auto lines = syntax::parse_variables(context_, id, syntax::TextKind::Generated);
   for (auto& each : lines) pou.variables.push_back(std::move(each));
@@ -74,8 +75,8 @@ graphic::Pou PouLowering::with_chart(const syntax::PouDeclaration& pou) const {
   return result;
 }
 
-void PouLowering::set_lowered(const graphic::Pou& lowered, std::size_t known_variables, graphic::SfcChart origin,
-                              std::size_t index) {
+void PouLowering::set_lowered(const graphic::Pou& lowered, std::size_t known_variables,
+                              graphic::SfcChart origin, std::size_t index) {
   syntax::PouDeclaration& pou = unit_.pous[index];
   std::string added;
   for (std::size_t i = known_variables; i < lowered.variables.size(); ++i)
@@ -103,7 +104,8 @@ void PouLowering::lower_charts() {
       report(std::move(lowered.error()), where);
       continue;
     }
-    set_lowered(*lowered, pou.variables.size(), to_graphic(*unit_.pous[i].chart, Marks::None, context_.sink), i);
+    set_lowered(*lowered, pou.variables.size(), to_graphic(*unit_.pous[i].chart, Marks::None, context_.sink),
+                i);
   }
 }
 
@@ -143,7 +145,8 @@ void PouLowering::add_project(const graphic::Project& project) {
   for (const graphic::Pou& each : project.pous) add_pou(each);
   const std::string text = configuration_text(project);
   if (text.empty()) return;
-  const source::FileId file = context_.sources.add((project.name.empty() ? "project" : project.name) + ".cfg", text);
+  const source::FileId file =
+      context_.sources.add((project.name.empty() ? "project" : project.name) + ".cfg", text);
   syntax::parse_unit(context_, file, unit_);
 }
 

@@ -54,7 +54,8 @@ class Writer {
   std::string declarations() const {
     std::string all;
     for (std::size_t i = 0; i < edges_; ++i) all += "VAR __EDGE" + std::to_string(i) + " : BOOL; END_VAR\n";
-    for (std::size_t i = 0; i < pulses_; ++i) all += "VAR_TEMP __PULSE" + std::to_string(i) + " : BOOL; END_VAR\n";
+    for (std::size_t i = 0; i < pulses_; ++i)
+      all += "VAR_TEMP __PULSE" + std::to_string(i) + " : BOOL; END_VAR\n";
     if (needs_power_) all += "VAR_TEMP __POWER : BOOL; END_VAR\n";
     return all;
   }
@@ -68,7 +69,8 @@ class Writer {
     const bool only_coil =
         rung.coils.size() == 1 && rung.blocks.empty() && rung.jump_to.empty() && !rung.is_return;
     if (only_coil && direct_coil(rung.coils.front(), condition)) return;
-    const bool drives = !rung.coils.empty() || !rung.blocks.empty() || !rung.jump_to.empty() || rung.is_return;
+    const bool drives =
+        !rung.coils.empty() || !rung.blocks.empty() || !rung.jump_to.empty() || rung.is_return;
     if (!drives) return;
     needs_power_ = true;
     line_ += "__POWER := " + condition + "; ";
@@ -85,8 +87,9 @@ class Writer {
       const std::string pulse = "__PULSE" + std::to_string(pulses_++);
       const std::string state = "__EDGE" + std::to_string(edges_++);
       const bool rising = condition.edge == Edge::Rising;
-      line_ += pulse + " := " + (rising ? condition.name + " AND NOT " + state : state + " AND NOT " + condition.name) +
-               "; " + state + " := " + condition.name + "; ";
+      line_ += pulse + " := " +
+               (rising ? condition.name + " AND NOT " + state : state + " AND NOT " + condition.name) + "; " +
+               state + " := " + condition.name + "; ";
       return graphic::contact(pulse, condition.negated);
     }
     for (Condition& child : result.children) child = sensed(child);
@@ -116,8 +119,8 @@ class Writer {
     if (direct_coil(coil, "__POWER")) return;
     const std::string state = "__EDGE" + std::to_string(edges_++);
     const bool rising = coil.kind == CoilKind::RisingEdge;
-    line_ += coil.variable + " := " + (rising ? "__POWER AND NOT " + state : state + " AND NOT __POWER") + "; " + state +
-             " := __POWER; ";
+    line_ += coil.variable + " := " + (rising ? "__POWER AND NOT " + state : state + " AND NOT __POWER") +
+             "; " + state + " := __POWER; ";
   }
 
   void block(const Block& block) {

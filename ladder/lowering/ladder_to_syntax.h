@@ -4,8 +4,8 @@
 //
 // Each rung becomes one line of ST in a generated source named after the POU, so that line 3 of a diagnostic
 // or of a trap is rung 3 (a rung that copies a piece of a written source names the places of that source).
-// Power flows without branches: a set coil is `v := v OR power`, a reset coil `v := v AND NOT power`. Blocks run
-// before the coils of their rung.
+// Power flows without branches: a set coil is `v := v OR power`, a reset coil `v := v AND NOT power`. Blocks
+// run before the coils of their rung.
 //
 // Contacts and coils that sense an edge keep the last state in a generated variable `__EDGE<n>`, FALSE at the
 // start (as R_TRIG and F_TRIG). Jumps and labels become statements of their own.

@@ -119,6 +119,8 @@ void declare_program(Analysis& a, const syntax::ProgramDeclaration& declaration)
 
 // Without a configuration the only program runs every 10 ms.
 void configure_default(Analysis& a, std::size_t library_pous) {
+  // A POU that could not be read may be the missing one, a second one of a name the one too many.
+  if (a.sink.has_errors()) return;
   const Pou* only = nullptr;
   for (std::size_t i = library_pous; i < a.model.pous.size(); ++i) {
     const Pou& each = *a.model.pous[i];

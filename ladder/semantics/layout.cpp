@@ -139,7 +139,8 @@ class Layout {
     if (line.initial && !initialise(a_, expressions_, *line.initial, type, bytes)) return false;
     if (type.is_scalar()) {
       const Constant value = semantics::load(type, bytes);
-      if (variable.constant) variable.value = value;
+      // An input that is CONSTANT has the value of its argument: it cannot be folded.
+      if (variable.constant && line.section != Section::Input) variable.value = value;
       variable.initial = value;
     }
     if (line.address) return locate(a_, line, variable, bytes);

@@ -114,6 +114,12 @@ bool ExpressionAnalyzer::operator_applies(Operator op, const Type& type) const {
 
 ValuePtr ExpressionAnalyzer::bad_operands(Operator op, const Value& left, const Value& right,
                                           Position where) {
+  if (is_logic(op) && left.type->is_bool() != right.type->is_bool()) {
+    const Value& wrong = left.type->is_bool() ? right : left;
+    a_.error(code::kTypeMismatch, wrong.where, "expected BOOL, found " + wrong.type->name,
+             wrong.type->is_number() ? "compare it, for instance with '<> 0'" : "");
+    return nullptr;
+  }
   std::string hint;
   if (op == Operator::Power) {
     hint = "powers are not supported yet; multiply instead";

@@ -85,8 +85,10 @@ bool Parser::expect(Keyword keyword, const char* after) {
 
 bool Parser::expect_end(Keyword keyword, const Token& open) {
   if (accept(keyword)) return true;
+  // A comment without an end has swallowed the END.
+  const bool swallowed = at(TokenKind::End) && at_ > 0 && tokens_[at_ - 1].is(TokenKind::Bad);
   // A block that is not closed is one mistake, whatever follows.
-  if (reported_at_ != at_) {
+  if (reported_at_ != at_ && !swallowed) {
     reported_at_ = at_;
     context_.sink.error(code::kMissingEnd, open.where,
                         "'" + std::string(open.text) + "' is not closed: '" + to_string(keyword) +

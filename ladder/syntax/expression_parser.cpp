@@ -197,8 +197,9 @@ ExpressionPtr Parser::literal() {
     advance();
     return error_node();
   } else {
-    unexpected("an expression",
-               at(TokenKind::Keyword) ? "'" + std::string(token.text) + "' is a reserved word" : std::string());
+    unexpected("an expression", at(TokenKind::Keyword)
+                                    ? "'" + std::string(token.text) + "' is a reserved word"
+                                    : std::string());
     return error_node();
   }
   advance();
@@ -246,7 +247,8 @@ ExpressionPtr Parser::name_or_call() {
 
 // "timers[3](IN := x)": a call of a block that is a part of a variable.
 bool Parser::at_path_call(const Expression& base) const {
-  return at(TokenKind::LeftParen) && (base.kind == ExpressionKind::Field || base.kind == ExpressionKind::Index);
+  return at(TokenKind::LeftParen) &&
+         (base.kind == ExpressionKind::Field || base.kind == ExpressionKind::Index);
 }
 
 void Parser::call_arguments(Expression& call) {

@@ -106,6 +106,7 @@ class Lexer {
     }
     sink_.error(code::kUnterminated, place(start_), "the comment has no end",
                 "close it with '" + std::string(close) + "'");
+    push(TokenKind::Bad);
   }
 
   void skip_pragma() {
@@ -114,6 +115,7 @@ class Lexer {
     if (end == std::string_view::npos) {
       sink_.error(code::kUnterminated, place(start_), "the pragma has no end", "close it with '}'");
       at_ = text_.size();
+      push(TokenKind::Bad);
       return;
     }
     const std::string_view inside = text_.substr(at_ + 1, end - at_ - 1);

@@ -29,7 +29,8 @@ struct Arguments {
 
 result::Result<source::NamedText> read(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) return result::fail("E0001", {path, 0, 0}, "cannot read the file");
+  if (!file || std::filesystem::is_directory(path))
+    return result::fail("E0001", {path, 0, 0}, "cannot read the file");
   return source::NamedText{path, {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}};
 }
 
@@ -50,7 +51,9 @@ bool write(const std::string& path, const char* bytes, std::size_t size) {
 }
 
 const char* word(result::Severity severity) {
-  return severity == result::Severity::Error ? "error" : severity == result::Severity::Warning ? "warning" : "note";
+  return severity == result::Severity::Error     ? "error"
+         : severity == result::Severity::Warning ? "warning"
+                                                 : "note";
 }
 
 nlohmann::json to_json(const result::Diagnostics& diagnostics) {

@@ -19,7 +19,8 @@ void read_plant(const TomlTable& table, PlantConfig& plant) {
   plant.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 1e15}));
   plant.uncertainty = table.boolean("uncertainty", plant.uncertainty);
   const TomlTable ports = table.table("ports");
-  for (const std::string& port : ports.keys()) plant.ports.emplace_back(port, ports.text(port, {}));
+  for (const std::string& port : ports.keys())
+    plant.ports.push_back({port, ports.text(port, {}), ports.where(port)});
 }
 
 void read_safe_state(const TomlTable& table, CellConfig& config) {
@@ -66,6 +67,10 @@ bool is_goal_change(const ScheduledFault& fault) {
 std::filesystem::path CellConfig::socket_path() const {
   return state_dir / "runtime.sock";
 }
+std::filesystem::path CellConfig::plant_memory_path() const {
+  return state_dir / "plant.state";
+}
+
 std::filesystem::path CellConfig::report_path() const {
   return state_dir / "report.json";
 }

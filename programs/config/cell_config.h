@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "runtime/result/result.h"
@@ -28,11 +27,18 @@ struct ClockConfig {
   std::int64_t interval_us = 10'000;  // tick of the scan without a program; a program's tasks bring their own
 };
 
+// Where a terminal of the plant is in the process image.
+struct PortAddress {
+  std::string port;     // "fc1"
+  std::string address;  // "%IX0.0"
+  result::Location where;
+};
+
 struct PlantConfig {
   std::string kind = "tank_bench";  // "tank_bench", or "none": outputs go nowhere, inputs stay 0
   std::uint64_t seed = 1;           // of all sensor uncertainty
   bool uncertainty = true;          // sensor bias, drift and noise
-  std::vector<std::pair<std::string, std::string>> ports;  // plant port -> address, "fc1" -> "%IX0.0"
+  std::vector<PortAddress> ports;
 };
 
 // Something that goes wrong at a given plant time: a fault of the plant by its name ("leak_a1"), or a change
@@ -101,7 +107,9 @@ struct CellConfig {
 
   std::filesystem::path socket_path() const;   // the runtime's Unix socket
   std::filesystem::path journal_path() const;  // the executive's journal
-  std::filesystem::path report_path() const;   // what the supervisor leaves at the end of a run
+  std::filesystem::path plant_memory_path()
+      const;                                  // what the simulated plant leaves when its process is killed
+  std::filesystem::path report_path() const;  // what the supervisor leaves at the end of a run
 };
 
 // `overrides` are "dotted.key=value" texts that win over the file (--set).

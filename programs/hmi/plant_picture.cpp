@@ -22,7 +22,7 @@ constexpr double kSensorNoisePercent = 3;
 
 class PictureBuilder {
  public:
-  PictureBuilder(const PlantDescription& plant, const std::vector<std::pair<std::string, std::string>>& ports)
+  PictureBuilder(const PlantDescription& plant, const std::vector<config::PortAddress>& ports)
       : plant_(plant), ports_(ports) {}
 
   PlantPicture build() {
@@ -57,8 +57,8 @@ class PictureBuilder {
 
   const std::string* address_of(const std::string& port) const {
     const auto found = std::find_if(ports_.begin(), ports_.end(),
-                                    [&](const auto& entry) { return core::same_name(entry.first, port); });
-    return found == ports_.end() ? nullptr : &found->second;
+                                    [&](const auto& entry) { return core::same_name(entry.port, port); });
+    return found == ports_.end() ? nullptr : &found->address;
   }
 
   // The inverse of the static calibration.
@@ -134,14 +134,13 @@ class PictureBuilder {
   }
 
   const PlantDescription& plant_;
-  const std::vector<std::pair<std::string, std::string>>& ports_;
+  const std::vector<config::PortAddress>& ports_;
   PlantPicture picture_;
 };
 
 }  // namespace
 
-PlantPicture picture_of(const PlantDescription& plant,
-                        const std::vector<std::pair<std::string, std::string>>& ports) {
+PlantPicture picture_of(const PlantDescription& plant, const std::vector<config::PortAddress>& ports) {
   return PictureBuilder(plant, ports).build();
 }
 

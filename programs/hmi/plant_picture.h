@@ -29,7 +29,6 @@ struct PlantPicture {
 PlantPicture picture_of(const config::PlantConfig& plant);
 
 // `ports` says at which address of the process image each terminal of the plant is.
-PlantPicture picture_of(const core::PlantDescription& plant,
-                        const std::vector<std::pair<std::string, std::string>>& ports);
+PlantPicture picture_of(const core::PlantDescription& plant, const std::vector<config::PortAddress>& ports);
 
 }  // namespace stepwright::hmi

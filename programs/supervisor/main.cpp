@@ -69,12 +69,9 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
 
 int run(const config::CellConfig& config, bool once) {
   if (config.planning.domain.empty()) {
-    return fail({{"C0005",
-                  result::Severity::Error,
-                  {config.file.string(), 0, 0},
-                  "there is no [planning] table",
-                  "name domain, problem and binding there"}},
-                ExitCode::BadInput);
+    const auto missing = result::fail("C0005", {config.file.string(), 0, 0}, "there is no [planning] table",
+                                      "name domain, problem and binding there");
+    return fail(missing.value(), ExitCode::BadInput);
   }
   auto desk = executive::PlanningDesk::open(config::desk_options(config));
   if (!desk) return fail(desk.error(), ExitCode::BadInput);

@@ -21,4 +21,7 @@ enum class EventKind : std::uint8_t {
   Trap = 3,        // a program fault or lost I/O (see the detail)
 };
 
+// The detail of a Stopped event after the policy for a lost supervisor stopped the program.
+inline constexpr const char* kSupervisorLost = "the supervisor was lost";
+
 }  // namespace stepwright::host

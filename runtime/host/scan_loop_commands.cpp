@@ -168,7 +168,7 @@ Completion ScanLoop::inject_fault(const Command& command) {
 void ScanLoop::supervisor_lost() {
   supervisor_lost_ = true;
   if (config_.on_lost_supervisor == LostSupervisor::Safe) {
-    stop("the supervisor was lost");
+    stop(kSupervisorLost);
   } else {
     release_barrier();
   }

@@ -13,6 +13,7 @@ using std::chrono::milliseconds;
 
 // Longer than any restart that somebody waits for; after it the answer counts as missing.
 constexpr milliseconds kPatience{5'000};
+constexpr int kMaxSilentRounds = 5;
 
 std::vector<std::string> watched_variables(const translate::Binding& binding) {
   std::vector<std::string> variables;
@@ -132,6 +133,7 @@ bool Executive::recover_runtime() {
                                     watched_variables(desk_.binding()));
   if (!reader) return give_up("the program cannot be read", reader.error());
   reader_ = std::move(*reader);
+  confirmed_ = true;
   set_phase(Phase::Executing, "following the plan again");
   // What happened meanwhile shows in the present steps; an event that the runtime waits for comes by itself.
   const auto snapshot = controller_.snapshot();
@@ -156,10 +158,9 @@ bool Executive::replan(const std::string& cause) {
   }
   record_.replans.push_back({time_s_, cause, last_done});
   set_phase(Phase::Replanning, cause);
-  // A runtime that is gone has stopped already; `observe` waits for the next one.
-  if (auto stopped = controller_.stop(cause.substr(0, 200)); !stopped && controller_.alive()) {
-    return give_up("the runtime does not stop", stopped.error());
-  }
+  // At once, not only with the download that follows; a runtime that is gone or was restarted has nothing to
+  // stop.
+  (void)controller_.stop(cause.substr(0, 200));
   const model::NamedState tracked = with_changes(
       progress_.actions.empty() ? pddl::to_named(desk_.task().initial())
                                 : translate::expected_state(current_.translation, progress_.done()));
@@ -210,7 +211,7 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
     if (abort_) return give_up("aborted by the operator");
     const auto event = controller_.wait_event(milliseconds(200));
     if (!event) {
-      lost = !controller_.alive();
+      lost = runtime_lost();
       if (lost) return false;
       continue;
     }
@@ -262,6 +263,8 @@ bool Executive::install(const PreparedPlan& prepared) {
     return controller_.alive() ? give_up("the runtime refuses the program", digest.error()) : false;
   reader_ = std::move(*reader);
   digest_ = std::move(*digest);
+  confirmed_ = false;
+  silent_rounds_ = 0;
   if (auto started = controller_.start(options_.barrier); !started) {
     return controller_.alive() ? give_up("the runtime does not start the program", started.error()) : false;
   }
@@ -276,6 +279,20 @@ bool Executive::install(const PreparedPlan& prepared) {
     return true;
   }
   return false;
+}
+
+// Asked after a while without news. Gone, or back so quickly that it was never missed: then it has not our
+// program any more.
+bool Executive::runtime_lost() {
+  if (!controller_.alive()) return true;
+  const auto status = controller_.status();
+  if (status && status->program_digest == digest_) {
+    confirmed_ = true;
+    silent_rounds_ = 0;
+    return false;
+  }
+  // Right after a download the newest status may still be an old one.
+  return confirmed_ || ++silent_rounds_ > kMaxSilentRounds;
 }
 
 bool Executive::await_runtime() {

@@ -80,6 +80,7 @@ class Executive {
   bool launch();
   bool install(const PreparedPlan& prepared);
   bool await_runtime();
+  bool runtime_lost();
   bool recover_runtime();
   bool finish();
   std::set<std::string> beside_goal() const;
@@ -110,6 +111,8 @@ class Executive {
   PreparedPlan current_;               // the plan that runs
   std::optional<ImageReader> reader_;  // of the program that runs (the plan's or the observer's)
   std::string digest_;                 // of that program
+  bool confirmed_ = false;             // a status has said that the runtime has that program
+  int silent_rounds_ = 0;              // without news and without that status
   translate::Tare tare_;
   std::map<std::string, double> means_;    // of the last observation, by variable
   translate::Estimate seen_;               // the last estimate

@@ -21,7 +21,7 @@ Executive::Decision Executive::follow() {
     if (abort_) return {Verdict::GiveUp, "aborted by the operator"};
     const auto event = controller_.wait_event(std::chrono::milliseconds(200));
     if (!event) {
-      if (!controller_.alive()) return {Verdict::RuntimeLost, "the runtime does not answer"};
+      if (runtime_lost()) return {Verdict::RuntimeLost, "the runtime does not answer"};
       if (auto change = due_change(time_s_)) return {Verdict::Replan, *change};
       continue;
     }
@@ -46,6 +46,9 @@ Executive::Decision Executive::judge(const host::StepEvent& event) {
     case host::EventKind::Stopped:
       break;
   }
+  // Whoever stopped the plant on purpose does not want it to go on by itself.
+  if (event.detail != host::kSupervisorLost)
+    return {Verdict::GiveUp, "stopped from outside: " + event.detail};
   return {Verdict::Replan, "the runtime stopped: " + event.detail};
 }
 
@@ -73,6 +76,7 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
     }
     record_.observed[sensor.fluent] = seen_.measured.fluents.at(sensor.fluent);
   }
+  record_.goal = desk_.goal_status(with_changes(seen_.planning));
   std::set<std::string> moving;
   for (std::size_t i = 0; i < progress.actions.size(); ++i) {
     if (progress.actions[i] != ActionState::Active && progress.actions[i] != ActionState::Failed) continue;

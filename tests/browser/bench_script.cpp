@@ -112,6 +112,11 @@ void BenchScript::add_steps_and_transitions() {
     program_.transitions.push_back(
         {"T_START_" + std::to_string(i + 1), inputs[i], {static_cast<std::uint32_t>(i + 1)}, "TRUE"});
   }
+  // Where the third action would end if it could not go on.
+  program_.transitions.push_back(
+      {"X_S03_UNLOAD", {3}, {static_cast<std::uint32_t>(program_.steps.size())}, "NOT fc2"});
+  program_.steps.push_back({"FAILED_S03_UNLOAD", "not possible: (unload v1 a1 level8)", false});
+  active_.emplace_back(kForever, kForever);
 }
 
 BenchInstant BenchScript::at(double time_s) const {

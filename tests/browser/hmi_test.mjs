@@ -68,6 +68,23 @@ async function drawsTheChartReadably(page) {
   check(clash === '', `no two steps of the chart overlap ${clash}`);
 }
 
+async function showsExitsWhenAsked(page) {
+  const exit = page.locator('[data-step=FAILED_S03_UNLOAD]');
+  check((await exit.count()) === 0, 'the ways out of the chart are left out');
+  await page.getByRole('button', { name: 'Exits' }).click();
+  await waitFor(page, 'they are drawn when asked for', () => document.querySelector('[data-step=FAILED_S03_UNLOAD]') !== null);
+  await drawsTheChartReadably(page);
+  await page.getByRole('button', { name: 'Exits' }).click();
+}
+
+async function findsTags(page) {
+  await page.getByLabel('Search tags by name or address').fill('%QX0.1');
+  const rows = page.locator('[data-panel=tags] tbody tr');
+  await waitFor(page, 'the search leaves one tag', () => document.querySelectorAll('[data-panel=tags] tbody tr').length === 1);
+  check((await rows.first().innerText()).startsWith('B2'), 'a tag is found by its address');
+  await page.getByLabel('Search tags by name or address').fill('');
+}
+
 async function fitsEveryWidth(page) {
   for (const width of [1440, 1000, 768, 360]) {
     await page.setViewportSize({ width, height: 900 });
@@ -116,6 +133,8 @@ try {
   await followsTheCell(page);
   await drawsTheTrend(page);
   await drawsTheChartReadably(page);
+  await showsExitsWhenAsked(page);
+  await findsTags(page);
   await fitsEveryWidth(page);
   await saysWhenTheRuntimeIsGone(page, server);
   server = await outlivesTheServer(page, server);

@@ -1,33 +1,15 @@
 #include "tests/st/check_program.h"
 
 #include <algorithm>
-#include <cstring>
 #include <sstream>
 #include <stdexcept>
 
-#include "ladder/driver/compile.h"
 #include "ladder/syntax/number.h"
-#include "runtime/bytecode/reader/loaded_program.h"
-#include "runtime/bytecode/reader/program_info.h"
-#include "runtime/bytecode/reader/read_value.h"
-#include "runtime/image/process_image.h"
-#include "runtime/scan/scan_cycle.h"
-#include "runtime/vm/interpreter.h"
+#include "tests/support/compiled_program.h"
 
 namespace stepwright::st_test {
 
 namespace {
-
-class NoIo final : public image::IoDriver {
- public:
-  image::IoStatus read_inputs(std::int64_t, std::span<std::byte>) override { return image::IoStatus::Good; }
-  image::IoStatus write_outputs(std::int64_t, std::span<const std::byte>) override { return image::IoStatus::Good; }
-};
-
-class NoClock final : public scan::Clock {
- public:
-  std::int64_t now_ns() override { return 0; }
-};
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\n");
@@ -72,44 +54,38 @@ bool equals(const reader::Value& value, const std::string& expected) {
   if (const bool* flag = std::get_if<bool>(&value)) return expected == (*flag ? "TRUE" : "FALSE");
   if (const double* real = std::get_if<double>(&value)) return *real == std::stod(expected);
   if (const auto* whole = std::get_if<std::uint64_t>(&value)) return *whole == std::stoull(expected);
-  if (expected.rfind("T#", 0) == 0) return std::get<std::int64_t>(value) == syntax::parse_duration(expected.substr(2));
+  if (expected.rfind("T#", 0) == 0)
+    return std::get<std::int64_t>(value) == syntax::parse_duration(expected.substr(2));
   return std::get<std::int64_t>(value) == std::stoll(expected);
+}
+
+driver::CompileInput input_of(const std::string& name, const std::string& text) {
+  driver::CompileInput input;
+  input.texts.push_back({name, text});
+  return input;
 }
 
 // A program that is being run.
 class Run {
  public:
-  Run(const std::string& name, const std::string& text) : name_(name), loaded_(compile(name, text)) {
-    auto info = reader::ProgramInfo::read(loaded_.bytes());
-    if (!info) throw std::runtime_error(result::to_string(info.error()));
-    info_.emplace(std::move(*info));
-  }
+  Run(const std::string& name, const std::string& text) : name_(name), program_(input_of(name, text)) {}
 
   std::vector<std::string> check(const std::vector<Directive>& directives) {
-    const bytecode::Program& program = loaded_.program();
-    const bytecode::SizesRecord& sizes = program.sizes();
-    std::vector<std::byte> memory(program.image_size());
-    std::vector<std::uint64_t> stack(sizes.stack_slots);
-    image::ProcessImage image(memory, {sizes.input_bytes, sizes.output_bytes, sizes.marker_bytes, sizes.data_bytes});
-    vm::Interpreter engine(program, stack);
-    NoIo io;
-    NoClock clock;
-    scan::ScanCycle cycle(program, engine, image, io, clock, {});
-    cycle.start({});
     std::uint64_t last = 0;
     for (const Directive& each : directives) last = std::max(last, each.scan);
     for (std::uint64_t scan = 1; scan <= last; ++scan) {
       for (const Directive& each : directives)
-        if (each.kind == DirectiveKind::Set && each.scan == scan) set(each, memory);
-      const scan::ScanReport report = cycle.run_scan();
-      for (const Directive& each : directives)
-        if (each.kind != DirectiveKind::Set && each.scan == scan) compare(each, report, image.bytes());
-      const bool expected =
-          std::any_of(directives.begin(), directives.end(), [&](const Directive& each) {
-            return each.kind == DirectiveKind::Trap && each.scan == scan;
-          });
-      if (report.trap && !expected) {
-        failures_.push_back("unexpected trap: " + result::to_string(reader::describe(program, report.trap)));
+        if (each.kind == DirectiveKind::Set && each.scan == scan) set(each);
+      const scan::ScanReport report = program_.scan();
+      bool trap_expected = false;
+      for (const Directive& each : directives) {
+        if (each.kind == DirectiveKind::Set || each.scan != scan) continue;
+        trap_expected = trap_expected || each.kind == DirectiveKind::Trap;
+        compare(each, report);
+      }
+      if (report.trap && !trap_expected) {
+        const result::Diagnostic trap = reader::describe(program_.loaded().program(), report.trap);
+        failures_.push_back("unexpected trap: " + result::to_string(trap));
         break;
       }
     }
@@ -117,63 +93,35 @@ class Run {
   }
 
  private:
-  static reader::LoadedProgram compile(const std::string& name, const std::string& text) {
-    driver::CompileInput input;
-    input.texts.push_back({name, text});
-    auto output = driver::compile(input);
-    if (!output) throw std::runtime_error(result::to_string(output.error()));
-    auto loaded = reader::LoadedProgram::load(std::move(output->container), name);
-    if (!loaded) throw std::runtime_error(result::to_string(loaded.error()));
-    return std::move(*loaded);
-  }
-
   void fail(const Directive& directive, const std::string& message) {
     failures_.push_back(name_ + ":" + std::to_string(directive.line) + ": " + message);
   }
 
-  void compare(const Directive& directive, const scan::ScanReport& report, std::span<const std::byte> image) {
+  void compare(const Directive& directive, const scan::ScanReport& report) {
     if (directive.kind == DirectiveKind::Trap) {
-      const result::Location where = reader::source_location(loaded_.program(), report.trap.function, report.trap.pc);
-      const std::string found = std::string(bytecode::name_of(report.trap.code)) + " at " + std::to_string(where.line);
+      const result::Location where =
+          reader::source_location(program_.loaded().program(), report.trap.function, report.trap.pc);
+      const std::string found =
+          std::string(bytecode::name_of(report.trap.code)) + " at " + std::to_string(where.line);
       if (found != directive.variable + " at " + directive.value || where.file != name_)
         fail(directive, "found trap '" + found + "' in " + where.file);
       return;
     }
-    const reader::Variable* variable = info_->find(directive.variable);
-    if (variable == nullptr) return fail(directive, "no variable " + directive.variable);
-    const reader::Value value = reader::read_value(*variable, image);
+    const reader::Value value = program_.value(directive.variable);
     if (!equals(value, directive.value))
       fail(directive, directive.variable + " is " + shown(value) + ", not " + directive.value);
   }
 
-  void set(const Directive& directive, std::vector<std::byte>& memory) {
-    const reader::Variable* variable = info_->find(directive.variable);
-    if (variable == nullptr) return fail(directive, "no variable " + directive.variable);
-    std::byte* target = memory.data() + variable->address;
-    if (directive.value == "TRUE" || directive.value == "FALSE") {
-      const bool value = directive.value == "TRUE";
-      if (variable->bit == bytecode::kNoBit) {
-        *target = std::byte{value};
-      } else {
-        const std::byte mask = std::byte{1} << variable->bit;
-        *target = value ? *target | mask : *target & ~mask;
-      }
-      return;
-    }
-    if (variable->type == bytecode::ElementaryType::Real) {
-      const float real = std::stof(directive.value);
-      std::memcpy(target, &real, sizeof(real));
-      return;
-    }
+  void set(const Directive& directive) {
     const bool is_time = directive.value.rfind("T#", 0) == 0;
-    const std::int64_t value =
-        is_time ? syntax::parse_duration(directive.value.substr(2)).value() : std::stoll(directive.value);
-    std::memcpy(target, &value, bytecode::size_of(bytecode::mem_type(variable->type)));
+    const bool is_bool = directive.value == "TRUE" || directive.value == "FALSE";
+    program_.set(directive.variable, is_bool   ? directive.value == "TRUE"
+                                     : is_time ? syntax::parse_duration(directive.value.substr(2)).value()
+                                               : std::stoll(directive.value));
   }
 
   std::string name_;
-  reader::LoadedProgram loaded_;
-  std::optional<reader::ProgramInfo> info_;
+  support::CompiledProgram program_;
   std::vector<std::string> failures_;
 };
 

@@ -37,18 +37,18 @@ TEST_P(StProgram, Language_WhenProgramRuns_ThenEveryCheckHolds) {
     return each.kind != st_test::DirectiveKind::Set;
   });
   EXPECT_GT(checks, 0) << "the program checks nothing";
-  for (const std::string& failure : st_test::run_checks(GetParam().filename().string(), text)) ADD_FAILURE() << failure;
+  for (const std::string& failure : st_test::run_checks(GetParam().filename().string(), text))
+    ADD_FAILURE() << failure;
 }
 
-
-INSTANTIATE_TEST_SUITE_P(Programs, StProgram, testing::ValuesIn(programs()), [](const auto& each) {
-  return each.param.stem().string();
-});
+INSTANTIATE_TEST_SUITE_P(Programs, StProgram, testing::ValuesIn(programs()),
+                         [](const auto& each) { return each.param.stem().string(); });
 
 // The driver itself can fail: a wrong expectation is reported with its line.
 TEST(CheckProgram, Checks_WhenAValueIsWrong_ThenTheLineIsReported) {
   const auto failures = st_test::run_checks(
-      "wrong.st", "PROGRAM main\nVAR x : INT; END_VAR\nx := 4; (* CHECK scan 1: main.x = 5 *)\nEND_PROGRAM\n");
+      "wrong.st",
+      "PROGRAM main\nVAR x : INT; END_VAR\nx := 4; (* CHECK scan 1: main.x = 5 *)\nEND_PROGRAM\n");
   ASSERT_EQ(failures.size(), 1u);
   EXPECT_EQ(failures[0], "wrong.st:3: main.x is 4, not 5");
 }

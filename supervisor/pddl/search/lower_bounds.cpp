@@ -8,9 +8,9 @@ namespace {
 
 // Small projections take the costs that few variables explain; large ones see how those variables hang
 // together.
-constexpr std::size_t kSmallStates = 200;
-constexpr std::size_t kLargeStates = 1000;
-constexpr std::size_t kMostWork = 100000;
+constexpr std::size_t kSmallStates = 60;
+constexpr std::size_t kLargeStates = 150;
+constexpr std::size_t kMostWork = 20000;
 
 void add_variables(const Condition& condition, std::set<int>& facts, std::set<int>& variables) {
   for (const int literal : condition.literals) facts.insert(literal / 2);

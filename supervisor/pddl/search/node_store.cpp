@@ -6,7 +6,7 @@
 
 namespace stepwright::pddl {
 
-NodeStore::NodeStore(std::size_t words) : words_(words), table_(1024, kNoNode) {}
+NodeStore::NodeStore(std::size_t words) : words_(words), table_(1024) {}
 
 std::uint64_t NodeStore::hash(const Word* state) const {
   std::uint64_t value = 0;
@@ -14,44 +14,48 @@ std::uint64_t NodeStore::hash(const Word* state) const {
   return value;
 }
 
+// The slot of the state, or the free one where it belongs. Comparing the tags first keeps most wrong states
+// untouched.
+std::size_t NodeStore::locate(const Word* state, std::uint64_t hash) const {
+  const std::size_t mask = table_.size() - 1;
+  const auto tag = static_cast<std::uint32_t>(hash >> 32);
+  for (std::size_t place = hash & mask;; place = (place + 1) & mask) {
+    const Slot& slot = table_[place];
+    if (slot.node == kNoNode) return place;
+    if (slot.tag == tag && std::equal(state, state + words_, this->state(slot.node))) return place;
+  }
+}
+
 std::pair<std::uint32_t, bool> NodeStore::insert(const Word* state) {
   if (2 * (nodes_.size() + 1) > table_.size()) grow();
-  const std::size_t mask = table_.size() - 1;
-  for (std::size_t place = hash(state) & mask;; place = (place + 1) & mask) {
-    const std::uint32_t node = table_[place];
-    if (node == kNoNode) {
-      const auto added = static_cast<std::uint32_t>(nodes_.size());
-      table_[place] = added;
-      nodes_.emplace_back();
-      states_.insert(states_.end(), state, state + words_);
-      return {added, true};
-    }
-    if (std::equal(state, state + words_, this->state(node))) return {node, false};
-  }
+  const std::uint64_t key = hash(state);
+  Slot& slot = table_[locate(state, key)];
+  if (slot.node != kNoNode) return {slot.node, false};
+  slot = {static_cast<std::uint32_t>(nodes_.size()), static_cast<std::uint32_t>(key >> 32)};
+  nodes_.emplace_back();
+  states_.insert(states_.end(), state, state + words_);
+  return {slot.node, true};
 }
 
 std::uint32_t NodeStore::find(const Word* state) const {
-  const std::size_t mask = table_.size() - 1;
-  for (std::size_t place = hash(state) & mask;; place = (place + 1) & mask) {
-    const std::uint32_t node = table_[place];
-    if (node == kNoNode || std::equal(state, state + words_, this->state(node))) return node;
-  }
+  return table_[locate(state, hash(state))].node;
 }
 
 void NodeStore::grow() {
-  std::vector<std::uint32_t> table(2 * table_.size(), kNoNode);
+  std::vector<Slot> table(2 * table_.size());
   const std::size_t mask = table.size() - 1;
   for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
-    std::size_t place = hash(state(node)) & mask;
-    while (table[place] != kNoNode) place = (place + 1) & mask;
-    table[place] = node;
+    const std::uint64_t key = hash(state(node));
+    std::size_t place = key & mask;
+    while (table[place].node != kNoNode) place = (place + 1) & mask;
+    table[place] = {node, static_cast<std::uint32_t>(key >> 32)};
   }
   table_ = std::move(table);
 }
 
 std::size_t NodeStore::memory() const {
   return states_.capacity() * sizeof(Word) + nodes_.capacity() * sizeof(Node) +
-         table_.capacity() * sizeof(std::uint32_t);
+         table_.capacity() * sizeof(Slot);
 }
 
 std::vector<int> NodeStore::path(std::uint32_t node) const {

@@ -44,13 +44,19 @@ class NodeStore {
   std::vector<int> path(std::uint32_t node) const;
 
  private:
+  struct Slot {
+    std::uint32_t node = kNoNode;  // kNoNode: free
+    std::uint32_t tag = 0;         // upper half of the hash
+  };
+
   std::uint64_t hash(const Word* state) const;
+  std::size_t locate(const Word* state, std::uint64_t hash) const;
   void grow();
 
   std::size_t words_;
   std::vector<Word> states_;
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> table_;  // open addressing; kNoNode = free
+  std::vector<Slot> table_;  // open addressing
 };
 
 }  // namespace stepwright::pddl

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import tempfile
@@ -51,17 +52,17 @@ class Demo:
                 return int(child)
         return None
 
-    def wait_for_line(self, program, text, after=0):
-        """Waits until a program's log holds `text` more than `after` times; returns when it was seen (monotonic)."""
+    def wait_for_line(self, program, pattern):
+        """Waits until a program's log matches `pattern`; returns when it was seen (monotonic)."""
         log = self.state / f"{program}.log"
         deadline = time.monotonic() + TIMEOUT_S
         while time.monotonic() < deadline:
-            if log.exists() and log.read_text(encoding="utf-8").count(text) > after:
+            if log.exists() and re.search(pattern, log.read_text(encoding="utf-8")):
                 return time.monotonic()
             if self.process.poll() is not None:
-                raise AssertionError(f"the demo ended before {program} said '{text}':\n{self.output()}")
+                raise AssertionError(f"the demo ended before {program} said '{pattern}':\n{self.output()}")
             time.sleep(0.005)
-        raise AssertionError(f"{program} never said '{text}'")
+        raise AssertionError(f"{program} never said '{pattern}'")
 
     def wait_for_actions(self, count):
         """Waits until the journal has at least `count` completed actions."""

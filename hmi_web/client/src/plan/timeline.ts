@@ -13,6 +13,8 @@ export interface Bar {
   width: number;
 }
 
+const ROUND_SECONDS = [0.5, 1, 2, 5, 10, 15, 20, 30, 60, 120, 300, 600, 900, 1_800, 3_600];
+
 export function timelineOf(actions: PlanAction[], now: number): Timeline {
   const starts: number[] = [];
   const ends: number[] = [];
@@ -33,11 +35,10 @@ export function barOf(timeline: Timeline, start: Value | undefined, end: Value |
   return { left, width: Math.max(0.4, ((end - start) / length) * 100) };
 }
 
-// Four to eight round times.
+// A few round times.
 function ticksOf(from: number, to: number): number[] {
-  const rough = (to - from) / 5;
-  const magnitude = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((factor) => factor * magnitude).find((candidate) => candidate >= rough) ?? rough;
+  const rough = (to - from) / 7;
+  const step = ROUND_SECONDS.find((candidate) => candidate >= rough) ?? Math.ceil(rough / 3_600) * 3_600;
   const ticks: number[] = [];
   for (let tick = Math.ceil(from / step) * step; tick <= to; tick += step) ticks.push(tick);
   return ticks;

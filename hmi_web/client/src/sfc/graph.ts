@@ -7,6 +7,8 @@ export interface GraphNode {
   kind: 'step' | 'transition' | 'bend';
   // Of the step or transition in the program; of a bend: none.
   index: number;
+  // Not drawn, and without edges.
+  hidden: boolean;
   rank: number;
   above: number[];
   below: number[];
@@ -24,25 +26,29 @@ export interface Graph {
   jumps: Jump[];
 }
 
-export function graphOf(program: ProgramMessage): Graph {
+// Without the `hidden` steps and the transitions that lead to them alone.
+export function graphOf(program: ProgramMessage, hidden: ReadonlySet<number>): Graph {
   const stepCount = program.steps.length;
   const nodes: GraphNode[] = [
-    ...program.steps.map((_, index) => node('step', index)),
-    ...program.transitions.map((_, index) => node('transition', index)),
+    ...program.steps.map((_, index) => node('step', index, hidden.has(index))),
+    ...program.transitions.map((transition, index) =>
+      node('transition', index, transition.to.length > 0 && transition.to.every((step) => hidden.has(step))),
+    ),
   ];
   const graph: Graph = { nodes, stepCount, jumps: [] };
   const targets = nodes.map((): number[] => []);
   program.transitions.forEach((transition, index) => {
+    if (nodes[stepCount + index]?.hidden) return;
     for (const step of transition.from) targets[step]?.push(stepCount + index);
-    targets[stepCount + index]?.push(...transition.to.filter((step) => step < stepCount));
+    targets[stepCount + index]?.push(...transition.to.filter((step) => step < stepCount && !hidden.has(step)));
   });
   const starts = program.steps.flatMap((step, index) => (step.initial ? [index] : []));
   connectForward(graph, targets, [...starts, ...nodes.keys()]);
   return graph;
 }
 
-function node(kind: GraphNode['kind'], index: number): GraphNode {
-  return { kind, index, rank: 0, above: [], below: [] };
+function node(kind: GraphNode['kind'], index: number, hidden: boolean): GraphNode {
+  return { kind, index, hidden, rank: 0, above: [], below: [] };
 }
 
 // Depth first from `starts`, on a stack of its own: charts may be longer than the call stack is deep.

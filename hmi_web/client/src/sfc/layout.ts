@@ -34,7 +34,7 @@ export interface SfcDrawing {
   lines: string[]; // SVG path data
 }
 
-export const STEP_WIDTH = 176;
+export const STEP_WIDTH = 190;
 export const STEP_HEIGHT = 42;
 export const LABEL_WIDTH = 150;
 const LABEL_GAP = 16;
@@ -42,13 +42,14 @@ const BAR_HEIGHT = 10;
 const ROW_GAP = 22;
 const MARGIN = 14;
 
-export function layOut(program: ProgramMessage): SfcDrawing {
-  const graph = graphOf(program);
+export function layOut(program: ProgramMessage, hidden: ReadonlySet<number>): SfcDrawing {
+  const graph = graphOf(program, hidden);
+  const shown = () => graph.nodes.filter((node) => !node.hidden);
   const rows = rank(graph);
   const x = placeColumns(graph, rows, extentOf);
   const tops = rowTops(rows);
-  const leftmost = Math.min(...graph.nodes.map((node) => x.get(node)! - extentOf(node).left));
-  const rightmost = Math.max(...graph.nodes.map((node) => x.get(node)! + extentOf(node).right));
+  const leftmost = Math.min(...shown().map((node) => x.get(node)! - extentOf(node).left));
+  const rightmost = Math.max(...shown().map((node) => x.get(node)! + extentOf(node).right));
   const shift = MARGIN - leftmost;
   const at = (node: GraphNode) => x.get(node)! + shift;
 
@@ -60,7 +61,7 @@ export function layOut(program: ProgramMessage): SfcDrawing {
     doubles: [],
     lines: [],
   };
-  for (const node of graph.nodes) {
+  for (const node of shown()) {
     const y = tops[node.rank]!;
     if (node.kind === 'step') drawing.steps.push({ index: node.index, x: at(node), y });
     if (node.kind === 'transition') addTransition(drawing, graph, node, at(node), y, at);

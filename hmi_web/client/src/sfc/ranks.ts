@@ -7,7 +7,7 @@ export function rank(graph: Graph): GraphNode[][] {
   longestPaths(graph);
   addBends(graph);
   const rows: GraphNode[][] = [];
-  for (const node of graph.nodes) (rows[node.rank] ??= []).push(node);
+  for (const node of graph.nodes) if (!node.hidden) (rows[node.rank] ??= []).push(node);
   return rows;
 }
 
@@ -41,7 +41,7 @@ function chain(graph: Graph, from: number, to: number): number {
   let previous = from;
   for (let row = graph.nodes[from]!.rank + 1; row < target.rank; row++) {
     const id = graph.nodes.length;
-    graph.nodes.push({ kind: 'bend', index: -1, rank: row, above: [previous], below: [] });
+    graph.nodes.push({ kind: 'bend', index: -1, hidden: false, rank: row, above: [previous], below: [] });
     if (previous === from) first = id;
     else graph.nodes[previous]!.below.push(id);
     previous = id;

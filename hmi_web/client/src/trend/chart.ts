@@ -38,7 +38,7 @@ export function makeChart(host: HTMLElement, lines: Line[], height: number): uPl
     {
       width: Math.max(host.clientWidth, 200),
       height,
-      scales: { x: { time: false }, y: { range: (_, low, high) => [Math.min(0, low), Math.max(100, high)] } },
+      scales: { x: { time: false }, y: { range: (_, _low, high) => [0, Math.max(100, high)] } },
       axes: [
         { ...axis, values: (_, ticks) => ticks.map((tick) => clock(tick).replace('.0', '')) },
         { ...axis, size: 38 },

@@ -1,0 +1,227 @@
+// Every diagnostic of the compiler: a source that provokes it, the code and the place.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "ladder/driver/compile.h"
+
+namespace {
+
+using stepwright::driver::compile;
+using stepwright::driver::CompileInput;
+using stepwright::result::Diagnostics;
+
+struct ErrorCase {
+  const char* name;
+  const char* code;
+  std::uint32_t line;
+  std::uint32_t column;
+  const char* text;
+  const char* hint = nullptr;  // a part of it
+};
+
+void PrintTo(const ErrorCase& error_case, std::ostream* out) {
+  *out << error_case.name;
+}
+
+Diagnostics diagnostics_of(const std::string& text) {
+  CompileInput input;
+  input.texts.push_back({"t.st", text});
+  const auto output = compile(input);
+  return output ? output->warnings : output.error();
+}
+
+// The body of a program with some variables.
+#define BODY(statements) \
+  "PROGRAM main\nVAR i, j : INT; b : BOOL; r : REAL; t : TON; a : ARRAY[1..3] OF INT; w : WORD; d : DINT; \
+tm : TIME; lamp : BOOL; END_VAR\n" statements "\nEND_PROGRAM\n"
+
+const ErrorCase kCases[] = {
+    {"BadCharacter", "E0101", 3, 8, BODY("i := i ? 1;")},
+    {"UnterminatedComment", "E0102", 3, 9, BODY("i := 1; (* never")},
+    {"BadNumber", "E0103", 3, 6, BODY("i := 2#12;")},
+    {"BadDuration", "E0103", 3, 7, BODY("tm := T#5x;")},
+    {"MissingSemicolon", "E0104", 3, 7, BODY("i := 1\nj := 2;")},
+    {"EqualForAssign", "E0104", 3, 3, BODY("i = 1;"), ":="},
+    {"ReservedName", "E0104", 2, 5, "PROGRAM main\nVAR step : INT; END_VAR\nEND_PROGRAM", "reserved"},
+    {"MissingEndIf", "E0105", 3, 1, BODY("IF b THEN i := 1;")},
+    {"Strings", "E0107", 3, 6, BODY("i := 'text';")},
+    {"LiteralTooLarge", "E0108", 3, 27, BODY("i := 18446744073709551615 * 18446744073709551615;")},
+    {"Undeclared", "E0201", 3, 1, BODY("lmp := TRUE;"), "'lamp'"},
+    {"UnknownFunction", "E0201", 3, 6, BODY("r := SQRTT(r);"), "'SQRT'"},
+    {"DuplicateVariable", "E0202", 2, 14, "PROGRAM main\nVAR x : INT; x : BOOL; END_VAR\nEND_PROGRAM"},
+    {"DuplicatePou", "E0202", 3, 9, "PROGRAM main\nEND_PROGRAM\nPROGRAM MAIN\nEND_PROGRAM"},
+    {"StandardBlockTaken", "E0202", 1, 16,
+     "FUNCTION_BLOCK TON\nEND_FUNCTION_BLOCK\nPROGRAM main\nEND_PROGRAM"},
+    {"UnknownType", "E0203", 2, 9, "PROGRAM main\nVAR x : BOL; END_VAR\nEND_PROGRAM", "'BOOL'"},
+    {"UnknownMember", "E0204", 3, 8, BODY("b := t.X;")},
+    {"InternalMember", "E0204", 3, 8, BODY("b := t.M;")},
+    {"PouAsVariable", "E0205", 3, 6, BODY("i := TON;")},
+    {"BlockInItself", "E0206", 2, 9,
+     "FUNCTION_BLOCK f\nVAR x : f; END_VAR\nEND_FUNCTION_BLOCK\nPROGRAM main\nEND_PROGRAM"},
+    {"FunctionRecursion", "E0206", 1, 10,
+     "FUNCTION f : INT\nVAR_INPUT n : INT; END_VAR\nf := f(n - 1);\nEND_FUNCTION\nPROGRAM main\nVAR x : INT; "
+     "END_VAR\nx := f(3);\nEND_PROGRAM"},
+    {"MissingGlobal", "E0207", 2, 14, "PROGRAM main\nVAR_EXTERNAL x : INT; END_VAR\nEND_PROGRAM"},
+    {"BlockInFunction", "E0208", 2, 5,
+     "FUNCTION f : INT\nVAR x : TON; END_VAR\nf := 1;\nEND_FUNCTION\nPROGRAM main\nEND_PROGRAM"},
+    {"TooLarge", "E0209", 2, 9, "PROGRAM main\nVAR x : ARRAY[0..100000000] OF LREAL; END_VAR\nEND_PROGRAM"},
+    {"RealToInt", "E0301", 3, 6, BODY("i := r;"), "REAL_TO_INT"},
+    {"DintToInt", "E0301", 3, 6, BODY("i := d;"), "DINT_TO_INT"},
+    {"IntCondition", "E0301", 3, 4, BODY("IF i THEN j := 1; END_IF;"), "<> 0"},
+    {"NumberForTime", "E0301", 3, 13, BODY("t(IN:=b,PT:=5);"), "T#"},
+    {"IntAnd", "E0302", 3, 8, BODY("i := i AND j;")},
+    {"BoolPlus", "E0302", 3, 8, BODY("b := b + b;")},
+    {"Power", "E0302", 3, 8, BODY("r := r ** 2;")},
+    {"BoundNotConstant", "E0303", 2, 44,
+     "PROGRAM main\nVAR n : INT; x : ARRAY[1..3] OF INT := [1, n]; END_VAR\nEND_PROGRAM"},
+    {"OutOfRange", "E0304", 3, 6, BODY("i := 40000;"), "-32768"},
+    {"ConstantDivision", "E0305", 3, 10, BODY("i := j / 0;")},
+    {"BadBounds", "E0306", 2, 15, "PROGRAM main\nVAR x : ARRAY[3..1] OF INT; END_VAR\nEND_PROGRAM"},
+    {"IndexCount", "E0307", 3, 6, BODY("i := a[1, 2];")},
+    {"ConstantIndex", "E0308", 3, 8, BODY("i := a[4];"), "1 to 3"},
+    {"TooManyValues", "E0309", 2, 38,
+     "PROGRAM main\nVAR x : ARRAY[1..2] OF INT := [1, 2, 3]; END_VAR\nEND_PROGRAM"},
+    {"WriteConstant", "E0401", 3, 1,
+     "PROGRAM main\nVAR CONSTANT c : INT := 1; END_VAR\nc := 2;\nEND_PROGRAM"},
+    {"WriteInput", "E0401", 3, 1,
+     "FUNCTION_BLOCK f\nVAR_INPUT x : INT; END_VAR\nx := 2;\nEND_FUNCTION_BLOCK\nPROGRAM main\nEND_PROGRAM"},
+    {"WritePlantInput", "E0401", 3, 1,
+     "PROGRAM main\nVAR x AT %IX0.0 : BOOL; END_VAR\nx := TRUE;\nEND_PROGRAM"},
+    {"WriteOutputFromOutside", "E0401", 3, 3, BODY("t.Q := TRUE;")},
+    {"UnknownParameter", "E0402", 3, 3, BODY("t(INN := b);"), "'IN'"},
+    {"OutputWithAssign", "E0402", 3, 3, BODY("t(Q := b);"), ""},
+    {"ArgumentCount", "E0403", 3, 6, BODY("r := SQRT(r, r);")},
+    {"NotCallable", "E0404", 3, 1, BODY("i(3);")},
+    {"DuplicateArgument", "E0405", 3, 12, BODY("t(IN := b, IN := b);")},
+    {"ForReal", "E0406", 3, 5, BODY("FOR r := 1 TO 3 DO i := 1; END_FOR;")},
+    {"DuplicateCase", "E0407", 5, 1, BODY("CASE i OF\n1..3: j := 1;\n2: j := 2;\nEND_CASE;")},
+    {"ExitOutside", "E0408", 3, 1, BODY("EXIT;")},
+    {"NeedsVariable", "E0409", 3, 12,
+     "FUNCTION_BLOCK f\nVAR_IN_OUT x : INT; END_VAR END_FUNCTION_BLOCK PROGRAM main VAR y : f; END_VAR\n y(x "
+     ":= (1 + "
+     "2));\nEND_PROGRAM"},
+    {"BlockResult", "E0410", 3, 6, BODY("b := t(IN := b);")},
+    {"MissingInOut", "E0411", 4, 1,
+     "FUNCTION_BLOCK f\nVAR_IN_OUT x : INT; END_VAR END_FUNCTION_BLOCK\nPROGRAM main VAR y : f; "
+     "END_VAR\ny();\nEND_PROGRAM"},
+    {"BadAddress", "E0501", 2, 10, "PROGRAM main\nVAR x AT %IX0.9 : BOOL; END_VAR\nEND_PROGRAM"},
+    {"AddressSize", "E0502", 2, 10, "PROGRAM main\nVAR x AT %IW0 : BOOL; END_VAR\nEND_PROGRAM", "%IX"},
+    {"Overlap", "E0503", 2, 37,
+     "PROGRAM main\nVAR x AT %IX2.0 : BOOL; END_VAR VAR y AT %IW1 : INT; END_VAR\nEND_PROGRAM"},
+    {"AddressInBlock", "E0504", 2, 10,
+     "FUNCTION_BLOCK f\nVAR x AT %QX0.0 : BOOL; END_VAR\nEND_FUNCTION_BLOCK\nPROGRAM main\nEND_PROGRAM"},
+    {"TwoPrograms", "E0601", 3, 9, "PROGRAM a\nEND_PROGRAM\nPROGRAM b\nEND_PROGRAM"},
+    {"UnknownTask", "E0602", 5, 16,
+     "PROGRAM a\nEND_PROGRAM\nCONFIGURATION c\nTASK fast(INTERVAL := T#1ms);\nPROGRAM p WITH fst : "
+     "a;\nEND_CONFIGURATION",
+     "'fast'"},
+    {"UnknownProgram", "E0603", 5, 22,
+     "PROGRAM a\nEND_PROGRAM\nCONFIGURATION c\nTASK fast(INTERVAL := T#1ms);\nPROGRAM p WITH fast: "
+     "b;\nEND_CONFIGURATION"},
+    {"TaskWithoutInterval", "E0604", 4, 6,
+     "PROGRAM a\nEND_PROGRAM\nCONFIGURATION c\nTASK fast(PRIORITY := 1);\nPROGRAM p WITH fast: "
+     "a;\nEND_CONFIGURATION"},
+    {"TwoConfigurations", "E0605", 8, 15,
+     "PROGRAM a\nEND_PROGRAM\nCONFIGURATION c\nTASK f(INTERVAL := T#1ms);\nPROGRAM p WITH f: "
+     "a;\nEND_CONFIGURATION\n\nCONFIGURATION d\nEND_CONFIGURATION"},
+    {"UnknownStep", "E0703", 4, 23,
+     "PROGRAM main\nVAR b : BOOL; END_VAR\nINITIAL_STEP S1: END_STEP\nTRANSITION FROM S1 TO S3 := b; "
+     "END_TRANSITION\nEND_PROGRAM"},
+    {"UnknownQualifier", "E0703", 3, 20,
+     "PROGRAM main\nVAR b : BOOL; END_VAR\nINITIAL_STEP S1: b(Q); END_STEP\nTRANSITION FROM S1 TO S1 := b; "
+     "END_TRANSITION\nEND_PROGRAM"},
+    {"ErrorInChartAction", "E0201", 6, 3,
+     "PROGRAM main\nVAR b : BOOL; END_VAR\nINITIAL_STEP S1: act(N); END_STEP\nTRANSITION FROM S1 TO S1 := b; "
+     "END_TRANSITION\nACTION act:\n  missing := 1;\nEND_ACTION\nEND_PROGRAM"},
+    {"ErrorInTransition", "E0301", 4, 29,
+     "PROGRAM main\nVAR n : INT; END_VAR\nINITIAL_STEP S1: END_STEP\nTRANSITION FROM S1 TO S1 := n; "
+     "END_TRANSITION\nEND_PROGRAM"},
+    {"Unreachable", "W0001", 4, 1, BODY("RETURN;\ni := 1;")},
+    {"UnusedResult", "W0002", 3, 1, BODY("ABS(i);")},
+};
+
+class CompileError : public testing::TestWithParam<ErrorCase> {};
+
+TEST_P(CompileError, Compile_WhenSourceIsWrong_ThenOneDiagnosticSaysWhere) {
+  const ErrorCase& expected = GetParam();
+  const Diagnostics found = diagnostics_of(expected.text);
+  ASSERT_EQ(found.size(), 1u) << to_string(found);
+  EXPECT_EQ(found[0].code, expected.code) << to_string(found);
+  EXPECT_EQ(found[0].where.file, "t.st");
+  EXPECT_EQ(found[0].where.line, expected.line) << to_string(found);
+  EXPECT_EQ(found[0].where.column, expected.column) << to_string(found);
+  EXPECT_FALSE(found[0].message.empty());
+  if (expected.hint != nullptr) {
+    EXPECT_NE(found[0].hint.find(expected.hint), std::string::npos) << to_string(found);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, CompileError, testing::ValuesIn(kCases),
+                         [](const auto& each) { return each.param.name; });
+
+std::string read(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::set<std::string> codes_in(const std::string& text, const std::string& before) {
+  std::set<std::string> codes;
+  for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at + 1))
+    codes.insert(text.substr(at + before.size(), 5));
+  return codes;
+}
+
+TEST(Diagnostics, Document_WhenComparedWithTheCodes_ThenEveryCodeIsExplained) {
+  const std::string root = STEPWRIGHT_SOURCE_DIR;
+  const std::set<std::string> codes = codes_in(read(root + "/ladder/source/codes.h"), "= \"");
+  const std::string document = read(root + "/ladder/doc/diagnostics.md");
+  ASSERT_GT(codes.size(), 40u);
+  for (const std::string& code : codes) EXPECT_NE(document.find("### " + code), std::string::npos) << code;
+}
+
+TEST(Diagnostics, Codes_WhenComparedWithTheCases_ThenNearlyEveryCodeHasACase) {
+  std::set<std::string> codes =
+      codes_in(read(std::string(STEPWRIGHT_SOURCE_DIR) + "/ladder/source/codes.h"), "= \"");
+  for (const ErrorCase& each : kCases) codes.erase(each.code);
+  // Tested elsewhere: nesting (syntax), labels and edges of diagrams (lowering).
+  EXPECT_EQ(codes, (std::set<std::string>{"E0106", "E0701", "E0702"}));
+}
+
+TEST(Recovery, Compile_WhenSeveralMistakes_ThenEachIsReportedOnce) {
+  const Diagnostics found = diagnostics_of(
+      "PROGRAM main\nVAR x : INT; y : BOL; END_VAR\n"
+      "x := ;\nIF x > THEN x := 1; END_IF;\ny := 3;\ny := y + 1;\nFOR x := 1 TO DO x := 2; END_FOR;\n"
+      "zz := 1;\nx := x + zz;\nEND_PROGRAM\n");
+  std::vector<std::uint32_t> lines;
+  for (const auto& each : found) lines.push_back(each.where.line);
+  EXPECT_EQ(lines, (std::vector<std::uint32_t>{2, 3, 4, 7, 8, 9})) << to_string(found);
+}
+
+TEST(Recovery, Compile_WhenAPouIsBroken_ThenTheOthersAreStillChecked) {
+  const Diagnostics found = diagnostics_of(
+      "FUNCTION_BLOCK a\nVAR x : INT END_VAR\nx := 1;\nEND_FUNCTION_BLOCK\n"
+      "PROGRAM main\nVAR b : BOOL; END_VAR\nb := 5;\nEND_PROGRAM\n");
+  ASSERT_EQ(found.size(), 2u) << to_string(found);
+  EXPECT_EQ(found[0].where.line, 2u);
+  EXPECT_EQ(found[1].where.line, 7u);
+}
+
+TEST(Recovery, Compile_WhenTheTextIsCutAnywhere_ThenItEndsWithDiagnostics) {
+  const std::string text =
+      "TYPE C : (A, B); S : STRUCT x : INT; END_STRUCT END_TYPE\nFUNCTION f : INT VAR_INPUT a : INT; END_VAR "
+      "f := a; "
+      "END_FUNCTION\nPROGRAM main VAR t : TON; s : S; b : BOOL; i : INT; END_VAR t(IN := b, PT := T#1s); "
+      "CASE i OF 1: b := TRUE; "
+      "ELSE i := f(2); END_CASE; FOR i := 1 TO 3 BY 1 DO s.x := i; END_FOR; REPEAT i := 1; UNTIL b "
+      "END_REPEAT; "
+      "END_PROGRAM";
+  ASSERT_TRUE(diagnostics_of(text).empty()) << to_string(diagnostics_of(text));
+  for (std::size_t length = 0; length + 12 < text.size(); ++length)
+    EXPECT_FALSE(diagnostics_of(text.substr(0, length)).empty()) << text.substr(0, length);
+}
+
+}  // namespace

@@ -1,0 +1,109 @@
+#include "ladder/syntax/lexer.h"
+
+#include <gtest/gtest.h>
+
+#include "ladder/syntax/direct_address.h"
+#include "ladder/syntax/number.h"
+
+namespace {
+
+using namespace stepwright;
+using syntax::TokenKind;
+
+struct Lexed {
+  source::SourceSet sources;
+  source::NameTable names;
+  std::vector<syntax::Token> tokens;
+  result::Diagnostics diagnostics;
+};
+
+std::unique_ptr<Lexed> lex(const std::string& text, syntax::TextKind kind = syntax::TextKind::Written) {
+  auto lexed = std::make_unique<Lexed>();
+  syntax::intern_keywords(lexed->names);
+  const source::FileId file = lexed->sources.add("t.st", text);
+  source::DiagnosticSink sink(lexed->sources);
+  lexed->tokens = syntax::lex(lexed->sources, file, kind, lexed->names, sink);
+  lexed->diagnostics = sink.take();
+  return lexed;
+}
+
+std::vector<TokenKind> kinds(const std::string& text) {
+  std::vector<TokenKind> result;
+  const auto lexed = lex(text);
+  for (const auto& token : lexed->tokens) result.push_back(token.kind);
+  return result;
+}
+
+TEST(Lexer, Symbols_WhenLongerOnesMatch_ThenTheLongestWins) {
+  using enum TokenKind;
+  EXPECT_EQ(kinds(":= => .. ** <> <= >= : = . * < >"),
+            (std::vector<TokenKind>{Assign, Output, Range, Power, NotEqual, LessEqual, GreaterEqual, Colon,
+                                    Equal, Dot, Star, Less, Greater, End}));
+}
+
+TEST(Lexer, Keywords_WhenWrittenInAnyCase_ThenAreReserved) {
+  const auto lexed = lex("If END_IF iffy");
+  EXPECT_TRUE(lexed->tokens[0].is(syntax::Keyword::If));
+  EXPECT_TRUE(lexed->tokens[1].is(syntax::Keyword::EndIf));
+  EXPECT_TRUE(lexed->tokens[2].is(TokenKind::Identifier));
+}
+
+TEST(Lexer, Numbers_WhenARangeFollows_ThenTheDotsAreNoFraction) {
+  using enum TokenKind;
+  EXPECT_EQ(kinds("1..3"), (std::vector<TokenKind>{Integer, Range, Integer, End}));
+  EXPECT_EQ(kinds("1.5 2E3 1e-2"), (std::vector<TokenKind>{Real, Real, Real, End}));
+}
+
+TEST(Lexer, Comments_WhenNested_ThenAreSkippedAsAWhole) {
+  EXPECT_EQ(kinds("a (* x (* y *) z *) b // c\n/* d */ e").size(), 4u);
+  EXPECT_EQ(lex("(* (* *)")->diagnostics.size(), 1u);
+}
+
+TEST(Lexer, Pragma_WhenGenerated_ThenPositionsAreMapped) {
+  const auto lexed = lex("a {@0:100}b c{@} d", syntax::TextKind::Generated);
+  EXPECT_EQ(lexed->tokens[0].where.offset, 0u);
+  EXPECT_EQ(lexed->tokens[1].where.offset, 100u);
+  EXPECT_EQ(lexed->tokens[2].where.offset, 102u);
+  EXPECT_EQ(lexed->tokens[3].where.offset, 17u);
+  EXPECT_EQ(lex("a {@0:100}b")->tokens[1].where.offset, 10u);
+}
+
+TEST(Lexer, Bytes_WhenNotSt_ThenOneReportEachAndNoCrash) {
+  const auto lexed = lex("a \x01 ? \xC3\xA4 b");
+  EXPECT_EQ(lexed->diagnostics.size(), 3u);
+  EXPECT_EQ(lexed->tokens.back().kind, TokenKind::End);
+}
+
+TEST(Number, Duration_WhenWellFormed_ThenIsExact) {
+  EXPECT_EQ(syntax::parse_duration("1d2h3m4s5ms6us7ns"), 93784005006007);
+  EXPECT_EQ(syntax::parse_duration("-1.5s"), -1500000000);
+  EXPECT_EQ(syntax::parse_duration("1h_30m"), 5400000000000);
+  EXPECT_EQ(syntax::parse_duration("0.000000001s"), 1);
+}
+
+TEST(Number, Duration_WhenIllFormed_ThenIsNone) {
+  for (const char* text : {"", "5", "1s2h", "1.5m2s", "1x", "1s1s", "99999999999d", "-"})
+    EXPECT_FALSE(syntax::parse_duration(text)) << text;
+}
+
+TEST(Number, Integer_WhenOutOf64BitsOrBadlyGrouped_ThenIsNone) {
+  EXPECT_EQ(syntax::parse_integer("FFFF_FFFF_FFFF_FFFF", 16), 0xFFFFFFFFFFFFFFFFu);
+  for (const char* text : {"18446744073709551616", "1__0", "_1", "1_", ""})
+    EXPECT_FALSE(syntax::parse_integer(text, 10)) << text;
+}
+
+TEST(DirectAddress, Parse_WhenWellFormed_ThenCountsInItsOwnSize) {
+  EXPECT_EQ(syntax::parse_address("%IW1")->byte, 2u);
+  EXPECT_EQ(syntax::parse_address("%md3")->byte, 12u);
+  EXPECT_EQ(syntax::parse_address("%Q4.7")->bit, 7u);
+  EXPECT_EQ(syntax::to_string(*syntax::parse_address("%qx4.7")), "%QX4.7");
+  EXPECT_EQ(syntax::to_string(*syntax::parse_address("%ML2")), "%ML2");
+}
+
+TEST(DirectAddress, Parse_WhenIllFormed_ThenIsNone) {
+  for (const char* text :
+       {"%", "%I", "%X1", "%IX0", "%IX0.8", "%IW1.2", "%IW", "%IW32768", "%IX65536.0", "%IB-1"})
+    EXPECT_FALSE(syntax::parse_address(text)) << text;
+}
+
+}  // namespace
