@@ -33,6 +33,15 @@ function keepHistory() {
 async function takePictures(page, moment) {
   for (const width of [360, 1440]) {
     await page.setViewportSize({ width, height: 900 });
+    await waitFor(page, `the newest active step is in view at ${width} px`, () => {
+      const frame = document.querySelector('[aria-label="program chart"]').getBoundingClientRect();
+      const lit = [...document.querySelectorAll('.step.active')].map((step) => step.getBoundingClientRect());
+      const inside = (box) =>
+        box.left >= frame.left && box.right <= frame.right && box.top >= frame.top && box.bottom <= frame.bottom;
+      return lit.length > 0 && inside(lit.reduce((lowest, box) => (box.bottom > lowest.bottom ? box : lowest)));
+    });
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
     await page.screenshot({ path: join(given.out, `chain-${moment}-${width}.png`), fullPage: true });
   }
 }
@@ -66,6 +75,20 @@ async function reachesTheGoal(page) {
     document.querySelector('[data-testid=message]').textContent.includes('the goal is reached'));
 }
 
+async function showsTheResult(page) {
+  const levels = await page.evaluate(() =>
+    [...document.querySelectorAll('[data-testid=final-levels] tbody tr')].map((row) =>
+      [...row.cells].map((cell) => cell.innerText)));
+  for (const tank of ['a1', 'a2']) {
+    const [, goal, measured] = levels.find(([fluent]) => fluent === `level ${tank}`) ?? [];
+    check(goal === '5.00' && Math.abs(Number(measured) - 5) <= 0.5, `${tank} ends at ${measured}, wanted ${goal}`);
+  }
+  for (const makespan of ['actual', 'planned']) {
+    const text = await page.locator(`[data-testid=makespan-${makespan}]`).innerText();
+    check(/^\d+:\d\d\.\d$/.test(text), `the makespan is shown, ${makespan} ${text}`);
+  }
+}
+
 async function sawEverythingMove(page) {
   const seen = await page.evaluate(() => globalThis.seen);
   for (const tank of ['v1', 'a1', 'a2', 'f1']) {
@@ -86,6 +109,7 @@ try {
   await outlivesTheServer(page, demo);
   await takePictures(page, 'during');
   await reachesTheGoal(page);
+  await showsTheResult(page);
   await sawEverythingMove(page);
   await takePictures(page, 'after');
   check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
