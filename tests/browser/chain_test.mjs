@@ -8,6 +8,7 @@ import { check, launchBrowser, openPage, options, until, waitFor } from './suppo
 
 const SPEED = 30;
 const KILL_AFTER_ACTIONS = 3;
+const WHOLE_TEST_MS = 180_000;
 
 const given = options();
 
@@ -42,7 +43,7 @@ async function takePictures(page, moment) {
     });
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
-    await page.screenshot({ path: join(given.out, `chain-${moment}-${width}.png`), fullPage: true });
+    await page.screenshot({ path: join(given.out, `chain-${moment}-${width}.png`), fullPage: true, animations: 'disabled' });
   }
 }
 
@@ -98,6 +99,11 @@ async function sawEverythingMove(page) {
   check(seen.steps.length > 5, `the active steps changed (${seen.steps.length} times)`);
   check(seen.progress.length > 3, `the progress went ${seen.progress.join(' ')}`);
 }
+
+setTimeout(() => {
+  console.error('not so: the whole test ends in time');
+  process.exit(1);
+}, WHOLE_TEST_MS).unref();
 
 const browser = await launchBrowser(given);
 let demo;

@@ -30,7 +30,7 @@ function processesWith(text) {
   return readdirSync('/proc')
     .filter((name) => /^\d+$/.test(name))
     .map((name) => ({ pid: Number(name), command: commandLine(name) }))
-    .filter((process) => process.command.includes(text));
+    .filter(({ command }) => command.includes(text));
 }
 
 // Starts `stepwright demo bench` at `speed` times real time and waits until its page can be fetched.
@@ -42,6 +42,8 @@ export async function startDemo(program, speed) {
     ['demo', 'bench', '--port', port, '--no-compare', '--set', `clock.speed=${speed}`, '--state-dir', stateDir].map(String),
     { stdio: ['ignore', 'pipe', 'inherit'] },
   );
+  // Whatever ends the test ends the demo, and the demo's death ends its processes.
+  process.on('exit', () => demo.kill('SIGKILL'));
   let output = '';
   demo.stdout.on('data', (data) => (output += data));
   let code = null;
@@ -54,7 +56,7 @@ export async function startDemo(program, speed) {
     url: `http://127.0.0.1:${port}/`,
     output: () => output,
     processes,
-    pidOf: (name) => processes().find((process) => process.command.includes(`stepwright-${name} `))?.pid,
+    pidOf: (name) => processes().find(({ command }) => command.includes(`stepwright-${name} `))?.pid,
     end: () => {
       demo.kill('SIGTERM');
       return ended;
