@@ -15,9 +15,12 @@
 
 #include "runtime/dds/runtime_client.h"
 #include "runtime/service/connection.h"
-#include "tests/cells/link/test_process.h"
+#include "tests/support/test_process.h"
 
 namespace stepwright::cells {
+
+using support::kPatience;
+using support::TestProcess;
 
 class TestCell {
  public:

@@ -162,6 +162,21 @@ TEST(RuntimeClient, WhenAnEventIsLost_ThenItIsFetchedAgainAndOrderIsKept) {
   }
 }
 
+TEST(RuntimeClient, WhenImagesAreAsLargeAsTheyCanBe_ThenEventsArriveWhole) {
+  FakeLink link(43, accept);
+  auto client = client_of(43);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    StepEvent large = event(i);
+    large.image.resize(host::kMaxImageBytes);
+    large.image.back() = static_cast<std::byte>(i);
+    EXPECT_TRUE(link.endpoint().publish_event(7, large));
+    const auto received = client->wait_event(kPatience);
+    ASSERT_TRUE(received);
+    EXPECT_EQ(*received, large);
+  }
+}
+
 TEST(RuntimeClient, WhenTheRuntimeHasForgottenEvents_ThenTheNextOneItHoldsIsDelivered) {
   FakeLink* link_pointer = nullptr;
   FakeLink link(37, [&](const Request&) -> std::optional<Reply> {
