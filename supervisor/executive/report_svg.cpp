@@ -4,10 +4,13 @@
 #include <cmath>
 #include <iterator>
 
+#include "ladder/graphic/svg_writer.h"
 #include "supervisor/executive/report.h"
 
 namespace stepwright::executive {
 namespace {
+
+using graphic::xml_escaped;
 
 constexpr int kLeft = 230;
 constexpr int kWidth = 960;
@@ -18,31 +21,11 @@ constexpr const char* kStyle =
     ".p{fill:#b8bec6}.a{fill:#2f6f9f}.f{fill:#b4472f}.lp{fill:none;stroke:#8a9099;stroke-width:2}"
     ".la{fill:none;stroke:#2f6f9f;stroke-width:2}.m{text-anchor:middle}.e{text-anchor:end}</style>\n";
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 std::string opening(int height, const std::string& title) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" role=\"img\">\n{}"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<text class=\"t\" x=\"16\" y=\"24\">{}</text>\n",
-      kWidth, height, kStyle, escaped(title));
+      kWidth, height, kStyle, xml_escaped(title));
 }
 
 // 1, 2 or 5 times a power of ten, so that about eight fit.
@@ -71,7 +54,7 @@ void add_bar(std::string& svg, const char* style, double from, double to, double
       std::back_inserter(svg),
       "<rect class=\"{}\" x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"8\"><title>{}</title></rect>\n",
       style, kLeft + from / span * kPlotWidth, y, std::max(1.0, (to - from) / span * kPlotWidth),
-      escaped(hint));
+      xml_escaped(hint));
 }
 
 }  // namespace
@@ -91,7 +74,7 @@ std::string gantt_svg(const RunRecord& record) {
     const ActionRecord& action = episode.actions[i];
     const int y = kTop + 24 * static_cast<int>(i);
     fmt::format_to(std::back_inserter(svg), "<text class=\"e\" x=\"{}\" y=\"{}\">{}</text>\n", kLeft - 8,
-                   y + 13, escaped(action.text));
+                   y + 13, xml_escaped(action.text));
     add_bar(svg, "p", action.planned_start_s, action.planned_finish_s, span, y + 1, "planned");
     if (!action.started_s) continue;
     const double end = action.finished_s.value_or(record.finished_s);
