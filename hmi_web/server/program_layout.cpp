@@ -1,25 +1,19 @@
 #include "hmi_web/server/program_layout.h"
 
-#include <algorithm>
-#include <cctype>
 #include <set>
 #include <utility>
 
+#include "runtime/base/ascii_names.h"
 #include "runtime/bytecode/value_type.h"
 
 namespace stepwright::server {
 namespace {
 
+using base::same_name;
 using Place = std::pair<std::uint32_t, std::uint8_t>;  // byte and bit
 
 Place place_of(const reader::Variable& variable) {
   return {variable.address, variable.bit};
-}
-
-bool same_name(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char left, char right) {
-    return std::toupper(static_cast<unsigned char>(left)) == std::toupper(static_cast<unsigned char>(right));
-  });
 }
 
 std::string_view last_part(std::string_view name) {

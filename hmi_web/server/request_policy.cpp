@@ -1,15 +1,15 @@
 #include "hmi_web/server/request_policy.h"
 
 #include <algorithm>
-#include <cctype>
+
+#include "runtime/base/ascii_names.h"
 
 namespace stepwright::server {
 namespace {
 
 std::string lower(std::string_view text) {
   std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (char& c : result) c = base::to_lower(c);
   return result;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ladder/source/name_table.h"
+#include "runtime/base/ascii_names.h"
 
 namespace stepwright::codegen {
 
@@ -25,9 +25,8 @@ std::uint16_t flags_of(const Variable& variable) {
 }
 
 const Variable* find(const Pou& pou, const std::string& name) {
-  const std::string folded = source::upper(name);
   for (const Variable& each : pou.variables)
-    if (source::upper(each.spelling) == folded) return &each;
+    if (base::same_name(each.spelling, name)) return &each;
   return nullptr;
 }
 

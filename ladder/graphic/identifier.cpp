@@ -47,12 +47,8 @@ bool is_keyword(std::string_view text) {
 
 std::string upper(std::string_view text) {
   std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  for (char& c : result) c = base::to_upper(c);
   return result;
-}
-
-bool same_name(std::string_view a, std::string_view b) {
-  return a.size() == b.size() && upper(a) == upper(b);
 }
 
 std::string make_identifier(std::string_view text) {

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "runtime/base/ascii_names.h"
+
 namespace stepwright::graphic {
 
 // IEC 61131-3, 6.1.2: a letter or underscore, then letters, digits and single underscores, none at the end.
@@ -21,7 +23,7 @@ bool is_keyword(std::string_view text);
 
 // Identifiers are case-insensitive.
 std::string upper(std::string_view text);
-bool same_name(std::string_view a, std::string_view b);
+using base::same_name;
 
 // The nearest legal identifier: other characters become one underscore; never empty.
 std::string make_identifier(std::string_view text);

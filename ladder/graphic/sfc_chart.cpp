@@ -17,9 +17,8 @@ const char* to_string(Qualifier qualifier) {
 }
 
 std::optional<Qualifier> qualifier_from(const std::string& text) {
-  const std::string wanted = upper(text);
   for (std::size_t i = 0; i < qualifier_names.size(); ++i) {
-    if (wanted == qualifier_names[i]) return static_cast<Qualifier>(i);
+    if (same_name(text, qualifier_names[i])) return static_cast<Qualifier>(i);
   }
   return std::nullopt;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Writes the elements of an SVG. Internal to this folder.
+// Writes the elements of an SVG: the writer for the drawings of this folder, the escaping for everyone.
 
 #include <string>
 

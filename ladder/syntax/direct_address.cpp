@@ -1,14 +1,13 @@
 #include "ladder/syntax/direct_address.h"
 
 #include "ladder/syntax/number.h"
+#include "runtime/base/ascii_names.h"
 
 namespace stepwright::syntax {
 
 namespace {
 
-char upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
+using base::to_upper;
 
 std::optional<Area> area_of(char letter) {
   switch (letter) {
@@ -45,12 +44,12 @@ std::uint8_t bits_of(char letter) {
 
 std::optional<DirectAddress> parse_address(std::string_view text) {
   if (text.size() < 3 || text[0] != '%') return std::nullopt;
-  const auto area = area_of(upper(text[1]));
+  const auto area = area_of(to_upper(text[1]));
   if (!area) return std::nullopt;
   text.remove_prefix(2);
   DirectAddress address;
   address.area = *area;
-  if (const std::uint8_t bits = bits_of(upper(text[0])); bits != 0) {
+  if (const std::uint8_t bits = bits_of(to_upper(text[0])); bits != 0) {
     address.bits = bits;
     text.remove_prefix(1);
   }

@@ -1,10 +1,11 @@
 #include "ladder/syntax/number.h"
 
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <limits>
 #include <string>
+
+#include "runtime/base/ascii_names.h"
 
 namespace stepwright::syntax {
 
@@ -40,7 +41,7 @@ const Unit* take_unit(std::string_view& text) {
     if (text.size() < unit.name.size()) continue;
     bool equal = true;
     for (std::size_t i = 0; i < unit.name.size(); ++i)
-      equal = equal && std::tolower(static_cast<unsigned char>(text[i])) == unit.name[i];
+      equal = equal && base::to_lower(text[i]) == unit.name[i];
     if (!equal) continue;
     text.remove_prefix(unit.name.size());
     return &unit;

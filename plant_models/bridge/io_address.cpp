@@ -4,15 +4,13 @@
 #include <optional>
 #include <utility>
 
+#include "runtime/base/ascii_names.h"
+
 namespace stepwright::bridge {
 namespace {
 
 // Far above any image, far below an overflow of byte * 8.
 constexpr std::uint32_t kMaxIndex = 1'000'000;
-
-char upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
 
 // Takes a decimal number off the front of `text`.
 std::optional<std::uint32_t> take_number(std::string_view& text) {
@@ -24,7 +22,7 @@ std::optional<std::uint32_t> take_number(std::string_view& text) {
 }
 
 bool take(std::string_view& text, char wanted) {
-  if (text.empty() || upper(text.front()) != wanted) return false;
+  if (text.empty() || base::to_upper(text.front()) != wanted) return false;
   text.remove_prefix(1);
   return true;
 }

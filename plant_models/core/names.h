@@ -8,10 +8,11 @@
 #include <string>
 #include <string_view>
 
+#include "runtime/base/ascii_names.h"
+
 namespace stepwright::core {
 
-// Equal when upper and lower case are one, as identifiers are in IEC 61131-3 (2.1.2).
-bool same_name(std::string_view a, std::string_view b);
+using base::same_name;
 
 // The index of the entry with that `name`, or nothing. `List` is a range of things with a `name`.
 template <typename List>

@@ -5,10 +5,6 @@
 namespace stepwright::core {
 namespace {
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 template <typename Id, typename List>
 std::optional<Id> find_id(const List& list, std::string_view name) {
   const auto index = index_of(list, name);
@@ -17,14 +13,6 @@ std::optional<Id> find_id(const List& list, std::string_view name) {
 }
 
 }  // namespace
-
-bool same_name(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (lower(a[i]) != lower(b[i])) return false;
-  }
-  return true;
-}
 
 std::optional<ActuatorId> find_actuator(const Plant& plant, std::string_view name) {
   return find_id<ActuatorId>(plant.actuators(), name);

@@ -13,6 +13,8 @@
 
 #include "ladder/driver/compile.h"
 #include "ladder/source/render.h"
+#include "programs/process/command_line.h"
+#include "programs/process/diagnostics_json.h"
 #include "runtime/result/exit_code.h"
 
 namespace stepwright::compile_program {
@@ -50,26 +52,6 @@ bool write(const std::string& path, const char* bytes, std::size_t size) {
   return !failed;
 }
 
-const char* word(result::Severity severity) {
-  return severity == result::Severity::Error     ? "error"
-         : severity == result::Severity::Warning ? "warning"
-                                                 : "note";
-}
-
-nlohmann::json to_json(const result::Diagnostics& diagnostics) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const result::Diagnostic& each : diagnostics) {
-    list.push_back({{"file", each.where.file},
-                    {"line", each.where.line},
-                    {"column", each.where.column},
-                    {"code", each.code},
-                    {"severity", word(each.severity)},
-                    {"message", each.message},
-                    {"hint", each.hint}});
-  }
-  return list;
-}
-
 ExitCode compile(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   driver::CompileInput input;
@@ -100,8 +82,9 @@ ExitCode compile(const Arguments& arguments) {
   for (const result::Diagnostic& each : diagnostics) std::cerr << source::render(each, input.texts);
   const bool failed = result::has_errors(diagnostics);
   if (!arguments.json_file.empty()) {
-    const nlohmann::json report = {
-        {"diagnostics", to_json(diagnostics)}, {"bytes", failed ? 0 : bytes}, {"wall_ms", wall.count()}};
+    const nlohmann::json report = {{"diagnostics", process::diagnostics_json(diagnostics)},
+                                   {"bytes", failed ? 0 : bytes},
+                                   {"wall_ms", wall.count()}};
     const std::string text = report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     if (!write(arguments.json_file, text.data(), text.size())) {
       std::cerr << arguments.json_file << ": error E0002: cannot write the file\n";
@@ -119,12 +102,7 @@ int run_compile(int argc, char** argv) {
   app.add_option("sources", arguments.sources, "ST source files")->required();
   app.add_option("-o,--output", arguments.image, "image file to write (.swb)")->required();
   app.add_option("--json", arguments.json_file, "file for the report");
-  try {
-    app.parse(argc - 1, argv + 1);
-  } catch (const CLI::ParseError& error) {
-    const bool is_help = app.exit(error) == 0;
-    return result::to_int(is_help ? ExitCode::Done : ExitCode::Usage);
-  }
+  if (const auto exit = process::parse(app, argc, argv)) return *exit;
   return result::to_int(compile(arguments));
 }
 

@@ -1,14 +1,22 @@
 #pragma once
 
 // The options that every process of a cell shares on its command line: --config FILE and --set KEY=VALUE.
+//
+//   CLI::App app{"The scan process of a cell", "stepwright runtime"};
+//   config::CellOptions options;
+//   config::add_cell_options(app, options);
+//   const auto config = config::parse_cell(app, options, argc, argv);
+//   return config ? run(*config) : config.error();
 
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "programs/config/cell_config.h"
+
+namespace CLI {
+class App;
+}
 
 namespace stepwright::config {
 
@@ -17,17 +25,12 @@ struct CellOptions {
   std::vector<std::string> overrides;
 };
 
-inline void add_cell_options(CLI::App& app, CellOptions& options) {
-  app.add_option("--config", options.config, "configuration file of the cell")->required();
-  app.add_option("--set", options.overrides, "KEY=VALUE that wins over the file, e.g. plant.seed=7");
-}
+// `options` is filled when `app` parses and must live until then.
+void add_cell_options(CLI::App& app, CellOptions& options);
 
-// The configuration, or nothing after its diagnostics went to stderr (exit with ExitCode::BadInput).
-inline std::optional<CellConfig> load_or_report(const CellOptions& options) {
-  auto config = load_cell_config(options.config, options.overrides);
-  if (config) return std::move(*config);
-  std::fprintf(stderr, "%s\n", result::to_string(config.error()).c_str());
-  return std::nullopt;
-}
+// Parses the command line and loads the cell that it names; or the exit code with which the process is to end
+// now, after what is wrong went to stderr.
+[[nodiscard]] tl::expected<CellConfig, int> parse_cell(CLI::App& app, const CellOptions& options, int argc,
+                                                       char** argv);
 
 }  // namespace stepwright::config

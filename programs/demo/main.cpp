@@ -15,11 +15,13 @@
 #include "programs/config/executive_options.h"
 #include "programs/demo/cell_run.h"
 #include "programs/demo/summary.h"
+#include "programs/process/command_line.h"
 #include "supervisor/pddl/describe_run.h"
 
 namespace stepwright::demo {
 namespace {
 
+using process::fail;
 using result::ExitCode;
 
 std::atomic<bool> stop_requested{false};
@@ -38,11 +40,6 @@ struct DemoOptions {
   std::vector<std::string> faults;
   std::vector<std::string> overrides;
 };
-
-int fail(const result::Diagnostics& diagnostics, ExitCode code) {
-  std::fprintf(stderr, "%s\n", result::to_string(diagnostics).c_str());
-  return to_int(code);
-}
 
 // A path to a configuration, or the name of a cell of this tree.
 result::Result<std::filesystem::path> find_cell(const std::string& cell) {
@@ -160,11 +157,9 @@ int run_demo(const DemoOptions& options) {
   return to_int(run->exit);
 }
 
-int run_check(const config::CellOptions& options) {
-  const auto config = config::load_or_report(options);
-  if (!config) return to_int(ExitCode::BadInput);
-  if (!config->planning.domain.empty()) {
-    auto desk = executive::PlanningDesk::open(config::desk_options(*config));
+int run_check(const config::CellConfig& config) {
+  if (!config.planning.domain.empty()) {
+    auto desk = executive::PlanningDesk::open(config::desk_options(config));
     if (!desk) return fail(desk.error(), ExitCode::BadInput);
     auto outcome =
         desk->prepare({.planning = pddl::to_named(desk->task().initial()), .measured = {}, .tare = {}});
@@ -177,12 +172,8 @@ int run_check(const config::CellOptions& options) {
     std::printf("plan: %zu actions, cost %g; program: %zu bytes\n", outcome->prepared.plan.actions.size(),
                 outcome->prepared.plan.cost, outcome->prepared.container.size());
   }
-  std::printf("%s: sound\n", config->file.c_str());
+  std::printf("%s: sound\n", config.file.c_str());
   return to_int(ExitCode::Done);
-}
-
-int usage(CLI::App& app, const CLI::ParseError& error) {
-  return app.exit(error) == 0 ? 0 : to_int(ExitCode::Usage);
 }
 
 int demo_main(int argc, char** argv) {
@@ -200,11 +191,7 @@ int demo_main(int argc, char** argv) {
   app.add_option("--state-dir", options.state_dir, "keep logs, journal and report in this folder");
   app.add_option("--fault", options.faults, "NAME=VALUE@SECONDS: a fault of the plant, or a changed demand");
   app.add_option("--set", options.overrides, "KEY=VALUE that wins over the cell's file");
-  try {
-    app.parse(argc - 1, argv + 1);
-  } catch (const CLI::ParseError& error) {
-    return usage(app, error);
-  }
+  if (const auto exit = process::parse(app, argc, argv)) return *exit;
   return run_demo(options);
 }
 
@@ -212,12 +199,8 @@ int check_main(int argc, char** argv) {
   CLI::App app{"Check a cell's configuration, planning files and program", "stepwright check"};
   config::CellOptions options;
   config::add_cell_options(app, options);
-  try {
-    app.parse(argc - 1, argv + 1);
-  } catch (const CLI::ParseError& error) {
-    return usage(app, error);
-  }
-  return run_check(options);
+  const auto config = config::parse_cell(app, options, argc, argv);
+  return config ? run_check(*config) : config.error();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // stepwright exec IMAGE.swb [--scans N] [--engine vm] [--trace VARS] [--json FILE]
 
 #include "programs/exec/exec_run.h"
+#include "programs/process/command_line.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/result/exit_code.h"
 
@@ -19,6 +20,7 @@ namespace {
 
 using stepwright::result::ExitCode;
 namespace exec = stepwright::exec;
+namespace process = stepwright::process;
 namespace reader = stepwright::reader;
 namespace result = stepwright::result;
 
@@ -98,22 +100,18 @@ void print(const exec::ExecReport& report) {
   }
 }
 
-ExitCode fail(const result::Diagnostics& diagnostics) {
-  std::cerr << result::to_string(diagnostics) << "\n";
-  return ExitCode::BadInput;
-}
-
-ExitCode execute(const Arguments& arguments) {
+int execute(const Arguments& arguments) {
   auto loaded = reader::LoadedProgram::load_file(arguments.image);
-  if (!loaded) return fail(loaded.error());
+  if (!loaded) return process::fail(loaded.error(), ExitCode::BadInput);
   const auto report = exec::run(*loaded, arguments.options);
-  if (!report) return fail(report.error());
+  if (!report) return process::fail(report.error(), ExitCode::BadInput);
 
   if (!arguments.json_file.empty()) {
     std::ofstream file(arguments.json_file);
     file << to_json(*report, arguments.engine).dump(2) << "\n";
     if (!file.flush()) {
-      return fail(result::fail("B0006", {arguments.json_file, 0, 0}, "the file cannot be written").value());
+      const auto failed = result::fail("B0006", {arguments.json_file, 0, 0}, "the file cannot be written");
+      return process::fail(failed.value(), ExitCode::BadInput);
     }
   } else {
     print(*report);
@@ -121,14 +119,12 @@ ExitCode execute(const Arguments& arguments) {
   for (const exec::TrapReport& trap : report->traps) {
     std::cerr << result::to_string(trap.diagnostic) << " (scan " << trap.scan << ")\n";
   }
-  return report->traps.empty() ? ExitCode::Done : ExitCode::RuntimeFault;
+  return to_int(report->traps.empty() ? ExitCode::Done : ExitCode::RuntimeFault);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  // The dispatcher leaves the subcommand's name in front of its arguments.
-  const int skip = argc > 1 && std::string(argv[1]) == "exec" ? 1 : 0;
   Arguments arguments;
   CLI::App app("Run a compiled program without a clock: scan k of a task runs at (k-1) x its interval.",
                "stepwright exec");
@@ -138,12 +134,7 @@ int main(int argc, char** argv) {
   app.add_option("--trace", arguments.trace,
                  "variables to record after every scan, e.g. MAIN.level,MAIN.pump");
   app.add_option("--json", arguments.json_file, "write the report as JSON");
-  try {
-    app.parse(argc - skip, argv + skip);
-  } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? 0 : result::to_int(ExitCode::Usage);
-  }
+  if (const auto exit = process::parse(app, argc, argv)) return *exit;
   arguments.options.trace = split_names(arguments.trace);
-  return result::to_int(execute(arguments));
+  return execute(arguments);
 }

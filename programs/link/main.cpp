@@ -6,6 +6,7 @@
 
 #include "programs/config/cell_options.h"
 #include "programs/link/bridge.h"
+#include "programs/process/command_line.h"
 #include "programs/process/stop_signal.h"
 #include "runtime/result/exit_code.h"
 
@@ -17,10 +18,7 @@ using result::ExitCode;
 int run(const config::CellConfig& config) {
   const process::StopSignal stop;
   auto endpoint = dds::LinkEndpoint::create({config.dds.domain_id, "link", config.name});
-  if (!endpoint) {
-    std::fprintf(stderr, "%s\n", result::to_string(endpoint.error()).c_str());
-    return to_int(ExitCode::BadInput);
-  }
+  if (!endpoint) return process::fail(endpoint.error(), ExitCode::BadInput);
   std::printf("link of '%s' between %s and Fast DDS domain %u\n", config.name.c_str(),
               config.socket_path().c_str(), config.dds.domain_id);
   std::fflush(stdout);
@@ -33,16 +31,9 @@ int run(const config::CellConfig& config) {
 }  // namespace stepwright::link
 
 int main(int argc, char** argv) {
-  namespace result = stepwright::result;
   CLI::App app{"Carry the service of a runtime over Fast DDS", "stepwright link"};
   stepwright::config::CellOptions options;
   stepwright::config::add_cell_options(app, options);
-  try {
-    app.parse(argc - 1, argv + 1);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : result::to_int(result::ExitCode::Usage);
-  }
-  const auto config = stepwright::config::load_or_report(options);
-  if (!config) return result::to_int(result::ExitCode::BadInput);
-  return stepwright::link::run(*config);
+  const auto config = stepwright::config::parse_cell(app, options, argc, argv);
+  return config ? stepwright::link::run(*config) : config.error();
 }

@@ -4,6 +4,7 @@
 
 #include "programs/plan/plan_command.h"
 #include "programs/plan/validate_command.h"
+#include "programs/process/command_line.h"
 
 namespace {
 
@@ -44,11 +45,7 @@ int main(int argc, char** argv) {
       app.add_subcommand("validate", "execute a plan step by step and say if it holds");
   describe_plan(*plan_command, plan_arguments);
   describe_validate(*validate_command, validate_arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : result::to_int(result::ExitCode::Usage);
-  }
+  if (const auto exit = process::parse(app, argc, argv)) return *exit;
   return result::to_int(plan_command->parsed() ? plan::run_plan(plan_arguments)
                                                : plan::run_validate(validate_arguments));
 }

@@ -30,21 +30,4 @@ nlohmann::json number(double value) {
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
 }
 
-nlohmann::json diagnostics_json(const result::Diagnostics& diagnostics) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const result::Diagnostic& d : diagnostics) {
-    const char* severity = d.severity == result::Severity::Error     ? "error"
-                           : d.severity == result::Severity::Warning ? "warning"
-                                                                     : "note";
-    list.push_back({{"file", d.where.file},
-                    {"line", d.where.line},
-                    {"column", d.where.column},
-                    {"code", d.code},
-                    {"severity", severity},
-                    {"message", d.message},
-                    {"hint", d.hint}});
-  }
-  return list;
-}
-
 }  // namespace stepwright::plan

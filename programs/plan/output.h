@@ -19,6 +19,4 @@ bool write_file(const std::string& path, const std::string& text);
 // JSON has no kInfinity: null.
 nlohmann::json number(double value);
 
-nlohmann::json diagnostics_json(const result::Diagnostics& diagnostics);
-
 }  // namespace stepwright::plan

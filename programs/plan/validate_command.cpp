@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "programs/plan/output.h"
+#include "programs/process/diagnostics_json.h"
 #include "supervisor/pddl/validate.h"
 
 namespace stepwright::plan {
@@ -32,7 +33,7 @@ nlohmann::json to_json(const pddl::PlanText& plan, const pddl::Validation& valid
           {"failed_step", validation.failed_step},
           {"failed_condition", validation.failed_condition},
           {"failed_values", validation.failed_values},
-          {"diagnostics", diagnostics_json(validation.diagnostics)},
+          {"diagnostics", process::diagnostics_json(validation.diagnostics)},
           {"goals", std::move(goals)},
           {"steps", std::move(steps)}};
 }

@@ -1,8 +1,11 @@
 #include "programs/process/stop_signal.h"
 
+#include <poll.h>
 #include <signal.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
+
+#include <cerrno>
 
 namespace stepwright::process {
 
@@ -17,6 +20,13 @@ StopSignal::StopSignal() {
 
 StopSignal::~StopSignal() {
   if (descriptor_ >= 0) close(descriptor_);
+}
+
+void StopSignal::wait() const {
+  pollfd ready{descriptor_, POLLIN, 0};
+  while (poll(&ready, 1, -1) < 0 && errno == EINTR) {
+    // A signal that is not ours came between.
+  }
 }
 
 }  // namespace stepwright::process

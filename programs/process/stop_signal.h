@@ -14,6 +14,8 @@ class StopSignal {
 
   // Readable, for good, once one of the signals came.
   int descriptor() const { return descriptor_; }
+  // Returns once one of the signals came.
+  void wait() const;
 
  private:
   int descriptor_;

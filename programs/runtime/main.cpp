@@ -8,6 +8,7 @@
 #include <string>
 
 #include "programs/config/cell_options.h"
+#include "programs/process/command_line.h"
 #include "programs/process/stop_signal.h"
 #include "programs/runtime/cell_io.h"
 #include "programs/runtime/host_options.h"
@@ -18,12 +19,8 @@
 namespace stepwright::cell_runtime {
 namespace {
 
+using process::fail;
 using result::ExitCode;
-
-int fail(const result::Diagnostics& diagnostics, ExitCode code) {
-  std::fprintf(stderr, "%s\n", result::to_string(diagnostics).c_str());
-  return to_int(code);
-}
 
 std::string describe(const config::ClockConfig& clock) {
   if (clock.mode == config::ClockMode::Real) return "real clock";
@@ -71,16 +68,9 @@ int run(const config::CellConfig& config) {
 }  // namespace stepwright::cell_runtime
 
 int main(int argc, char** argv) {
-  namespace result = stepwright::result;
   CLI::App app{"The scan process of a cell", "stepwright runtime"};
   stepwright::config::CellOptions options;
   stepwright::config::add_cell_options(app, options);
-  try {
-    app.parse(argc - 1, argv + 1);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : result::to_int(result::ExitCode::Usage);
-  }
-  const auto config = stepwright::config::load_or_report(options);
-  if (!config) return result::to_int(result::ExitCode::BadInput);
-  return stepwright::cell_runtime::run(*config);
+  const auto config = stepwright::config::parse_cell(app, options, argc, argv);
+  return config ? stepwright::cell_runtime::run(*config) : config.error();
 }

@@ -11,6 +11,7 @@
 
 #include "programs/config/cell_options.h"
 #include "programs/config/executive_options.h"
+#include "programs/process/command_line.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/result/exit_code.h"
 #include "supervisor/executive/dds_controller.h"
@@ -19,13 +20,9 @@
 namespace stepwright {
 namespace {
 
+using process::fail;
 using result::ExitCode;
 using std::chrono::milliseconds;
-
-int fail(const result::Diagnostics& diagnostics, ExitCode code) {
-  std::fprintf(stderr, "%s\n", result::to_string(diagnostics).c_str());
-  return to_int(code);
-}
 
 // An operator's request, as the page sends it: {"request":"abort"} or {"request":"change","fluent":"(demand
 // c1)","value":8}.
@@ -111,12 +108,6 @@ int main(int argc, char** argv) {
   bool once = false;
   stepwright::config::add_cell_options(app, options);
   app.add_flag("--once", once, "end with the run instead of keeping its result for viewers");
-  try {
-    app.parse(argc - 1, argv + 1);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : stepwright::result::to_int(stepwright::result::ExitCode::Usage);
-  }
-  const auto config = stepwright::config::load_or_report(options);
-  if (!config) return stepwright::result::to_int(stepwright::result::ExitCode::BadInput);
-  return stepwright::run(*config, once);
+  const auto config = stepwright::config::parse_cell(app, options, argc, argv);
+  return config ? stepwright::run(*config, once) : config.error();
 }

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <string>
 
+#include "programs/process/command_line.h"
 #include "programs/translate/translate_command.h"
 #include "runtime/result/exit_code.h"
 
@@ -12,32 +13,26 @@ namespace {
 
 using stepwright::result::ExitCode;
 using stepwright::result::to_int;
+namespace process = stepwright::process;
 namespace command = stepwright::translate_command;
 
-ExitCode fail(const stepwright::result::Diagnostics& diagnostics) {
-  std::cerr << to_string(diagnostics) << "\n";
-  return ExitCode::BadInput;
-}
-
-ExitCode run(const command::Arguments& arguments) {
+int run(const command::Arguments& arguments) {
   const auto output = command::translate_files(arguments);
-  if (!output) return fail(output.error());
+  if (!output) return process::fail(output.error(), ExitCode::BadInput);
   if (arguments.output.empty()) {
     std::cout << output->document;
     std::cerr << output->summary;
-    return ExitCode::Done;
+    return to_int(ExitCode::Done);
   }
   const auto written = command::write_document(arguments.output, output->document);
-  if (!written) return fail(written.error());
+  if (!written) return process::fail(written.error(), ExitCode::BadInput);
   std::cout << output->summary << "written: " << arguments.output.string() << "\n";
-  return ExitCode::Done;
+  return to_int(ExitCode::Done);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  // The dispatcher leaves the subcommand's name in front of its arguments.
-  const int skip = argc > 1 && std::string(argv[1]) == "translate" ? 1 : 0;
   command::Arguments arguments;
   CLI::App app("Turn a PDDL plan into a sequential function chart, or what follows from it.",
                "stepwright translate");
@@ -51,11 +46,6 @@ int main(int argc, char** argv) {
   app.add_flag("--svg", arguments.svg, "draw sfc or ladder as SVG (also if FILE ends in .svg)");
   app.add_flag("--lowered", arguments.lowered, "plcopen: write the ladder diagram instead of the chart");
   app.add_option("-o,--output", arguments.output, "file to write (default: standard output)");
-  try {
-    app.parse(argc - skip, argv + skip);
-  } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? 0 : to_int(ExitCode::Usage);
-  }
-  return to_int(run(arguments));
+  if (const auto exit = process::parse(app, argc, argv)) return *exit;
+  return run(arguments);
 }

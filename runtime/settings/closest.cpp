@@ -1,40 +1,13 @@
-#include <algorithm>
-#include <cstddef>
-#include <numeric>
+#include "runtime/result/closest.h"
 
 #include "runtime/settings/toml_document.h"
 
 namespace stepwright::settings {
-namespace {
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
 
 std::string closest(std::string_view word, const std::vector<std::string>& candidates) {
-  std::string best;
-  std::size_t best_distance = (word.size() + 2) / 3 + 1;  // one slip in three letters
-  for (const std::string& candidate : candidates) {
-    const std::size_t distance = edit_distance(word, candidate);
-    if (distance < best_distance) {
-      best_distance = distance;
-      best = candidate;
-    }
-  }
-  return best;
+  // One slip in three letters, rounded up.
+  const std::string* found = result::closest(word, candidates, (word.size() + 2) / 3);
+  return found == nullptr ? std::string() : *found;
 }
 
 }  // namespace stepwright::settings

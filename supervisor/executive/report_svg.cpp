@@ -4,10 +4,13 @@
 #include <cmath>
 #include <iterator>
 
+#include "ladder/graphic/svg_writer.h"
 #include "supervisor/executive/report.h"
 
 namespace stepwright::executive {
 namespace {
+
+using graphic::xml_escaped;
 
 constexpr int kLeft = 230;
 constexpr int kWidth = 960;
@@ -19,31 +22,11 @@ constexpr const char* kStyle =
     ".la{fill:none;stroke:#2f6f9f;stroke-width:2}.r{stroke:#b4472f;stroke-dasharray:4 "
     "3}.m{text-anchor:middle}.e{text-anchor:end}</style>\n";
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 std::string opening(int height, const std::string& title) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" role=\"img\">\n{}"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<text class=\"t\" x=\"16\" y=\"24\">{}</text>\n",
-      kWidth, height, kStyle, escaped(title));
+      kWidth, height, kStyle, xml_escaped(title));
 }
 
 // 1, 2 or 5 times a power of ten, so that about eight fit.
@@ -72,7 +55,7 @@ void add_bar(std::string& svg, const char* style, double from, double to, double
       std::back_inserter(svg),
       "<rect class=\"{}\" x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"8\"><title>{}</title></rect>\n",
       style, kLeft + from / span * kPlotWidth, y, std::max(1.0, (to - from) / span * kPlotWidth),
-      escaped(hint));
+      xml_escaped(hint));
 }
 
 // One action of one plan; what a replaced plan never began is left out.
@@ -114,7 +97,7 @@ std::string gantt_svg(const RunRecord& record) {
     const ActionRecord& action = *rows[i].action;
     const int y = kTop + 24 * static_cast<int>(i);
     fmt::format_to(std::back_inserter(svg), "<text class=\"e\" x=\"{}\" y=\"{}\">{}</text>\n", kLeft - 8,
-                   y + 13, escaped(action.text));
+                   y + 13, xml_escaped(action.text));
     add_bar(svg, "p", rows[i].origin_s + action.planned_start_s, rows[i].origin_s + action.planned_finish_s,
             span, y + 1, "planned");
     if (!action.started_s) continue;
@@ -127,7 +110,7 @@ std::string gantt_svg(const RunRecord& record) {
         std::back_inserter(svg),
         "<line class=\"r\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"><title>{3}</title></line>\n",
         kLeft + std::clamp((replan.time_s - record.started_s) / span, 0.0, 1.0) * kPlotWidth, kTop - 6,
-        bottom, escaped(replan.cause));
+        bottom, xml_escaped(replan.cause));
   }
   return svg + "</svg>\n";
 }

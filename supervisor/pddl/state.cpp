@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cstdio>
 
+#include "runtime/base/ascii_names.h"
+
 namespace stepwright::pddl {
 
 std::string canonical_name(std::string_view text) {
@@ -15,7 +17,7 @@ std::string canonical_name(std::string_view text) {
     } else {
       if (gap) name += ' ';
       gap = false;
-      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      name += base::to_lower(c);
     }
   }
   return name + ")";

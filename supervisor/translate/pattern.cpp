@@ -4,6 +4,8 @@
 #include <cctype>
 #include <utility>
 
+#include "runtime/base/ascii_names.h"
+
 namespace stepwright::translate {
 
 namespace {
@@ -30,7 +32,7 @@ std::optional<Pattern> parse_pattern(std::string_view text) {
   for (const char c : text.substr(1, text.size() - 2)) {
     if (c == '(' || c == ')') return std::nullopt;
     if (!is_space(c)) {
-      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      words.back() += base::to_lower(c);
     } else if (!words.back().empty()) {
       words.emplace_back();
     }

@@ -1,9 +1,8 @@
 #include "runtime/bytecode/reader/program_info.h"
 
-#include <algorithm>
-#include <cctype>
 #include <utility>
 
+#include "runtime/base/ascii_names.h"
 #include "runtime/bytecode/program.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 
@@ -15,8 +14,7 @@ using bytecode::Section;
 
 std::string upper(std::string_view name) {
   std::string result(name);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  for (char& c : result) c = base::to_upper(c);
   return result;
 }
 
@@ -127,7 +125,7 @@ const Variable* ProgramInfo::find(std::string_view name) const {
 
 const ChartInfo* ProgramInfo::chart(std::string_view name) const {
   for (const ChartInfo& chart : charts_) {
-    if (upper(chart.name) == upper(name)) return &chart;
+    if (base::same_name(chart.name, name)) return &chart;
   }
   return nullptr;
 }

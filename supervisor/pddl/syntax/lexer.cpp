@@ -3,6 +3,8 @@
 #include <cctype>
 #include <charconv>
 
+#include "runtime/base/ascii_names.h"
+
 namespace stepwright::pddl {
 namespace {
 
@@ -14,9 +16,6 @@ bool is_letter(char c) {
 }
 bool is_word(char c) {
   return is_letter(c) || is_digit(c) || c == '_' || c == '-' || c == '@' || c == '#' || c == '.';
-}
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 class Lexer {
@@ -62,7 +61,7 @@ class Lexer {
 
   std::string word() {
     std::string text;
-    while (position_ < text_.size() && is_word(peek())) text += lower(advance());
+    while (position_ < text_.size() && is_word(peek())) text += base::to_lower(advance());
     return text;
   }
 

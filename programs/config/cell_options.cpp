@@ -1,0 +1,22 @@
+#include "programs/config/cell_options.h"
+
+#include <CLI/CLI.hpp>
+#include <utility>
+
+#include "programs/process/command_line.h"
+
+namespace stepwright::config {
+
+void add_cell_options(CLI::App& app, CellOptions& options) {
+  app.add_option("--config", options.config, "configuration file of the cell")->required();
+  app.add_option("--set", options.overrides, "KEY=VALUE that wins over the file, e.g. plant.seed=7");
+}
+
+tl::expected<CellConfig, int> parse_cell(CLI::App& app, const CellOptions& options, int argc, char** argv) {
+  if (const auto exit = process::parse(app, argc, argv)) return tl::unexpected(*exit);
+  auto config = load_cell_config(options.config, options.overrides);
+  if (!config) return tl::unexpected(process::fail(config.error(), result::ExitCode::BadInput));
+  return std::move(*config);
+}
+
+}  // namespace stepwright::config

@@ -1,0 +1,28 @@
+#pragma once
+
+// What every process does around its command line: parse it, report what is wrong, choose the exit code.
+//
+//   CLI::App app{"Carry the service of a runtime over Fast DDS", "stepwright link"};
+//   ...
+//   if (const auto exit = process::parse(app, argc, argv)) return *exit;
+
+#include <optional>
+
+#include "runtime/result/diagnostic.h"
+#include "runtime/result/exit_code.h"
+
+namespace CLI {
+class App;
+}
+
+namespace stepwright::process {
+
+// Parses the arguments. The name of the command, which `stepwright` leaves in front of its arguments, is
+// skipped: it is the last word of the app's name. Returns the exit code with which the process is to end now:
+// Done after --help, Usage after a wrong command line (its message went to stderr); nothing if it goes on.
+[[nodiscard]] std::optional<int> parse(CLI::App& app, int argc, char** argv);
+
+// Writes the diagnostics to stderr, one per line, and returns `code` for the process to end with.
+[[nodiscard]] int fail(const result::Diagnostics& diagnostics, result::ExitCode code);
+
+}  // namespace stepwright::process
