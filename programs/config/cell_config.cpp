@@ -67,6 +67,10 @@ bool is_goal_change(const ScheduledFault& fault) {
 std::filesystem::path CellConfig::socket_path() const {
   return state_dir / "runtime.sock";
 }
+std::filesystem::path CellConfig::plant_memory_path() const {
+  return state_dir / "plant.state";
+}
+
 std::filesystem::path CellConfig::report_path() const {
   return state_dir / "report.json";
 }

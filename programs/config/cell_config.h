@@ -107,7 +107,9 @@ struct CellConfig {
 
   std::filesystem::path socket_path() const;   // the runtime's Unix socket
   std::filesystem::path journal_path() const;  // the executive's journal
-  std::filesystem::path report_path() const;   // what the supervisor leaves at the end of a run
+  std::filesystem::path plant_memory_path()
+      const;                                  // what the simulated plant leaves when its process is killed
+  std::filesystem::path report_path() const;  // what the supervisor leaves at the end of a run
 };
 
 // `overrides` are "dotted.key=value" texts that win over the file (--set).

@@ -1,10 +1,13 @@
 #include "programs/runtime/cell_io.h"
 
+#include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "plant_models/assemblies/tank_bench.h"
 #include "plant_models/bridge/plant_driver.h"
+#include "programs/runtime/plant_memory.h"
 
 namespace stepwright::cell_runtime {
 namespace {
@@ -22,9 +25,40 @@ class NoIo final : public CellIo, private image::IoDriver {
   }
 };
 
+// What PlantMemory keeps, by the names of the bench's truths.
+constexpr std::array kKeptTruths = {"position", "level_f1_percent", "level_v1_percent", "level_a1_percent",
+                                    "level_a2_percent"};
+
+// Keeps the plant's state after each of its steps.
+class KeptDriver final : public image::IoDriver {
+ public:
+  KeptDriver(bridge::PlantDriver driver, const core::Plant& plant, PlantMemory& memory)
+      : driver_(std::move(driver)), plant_(plant), memory_(memory) {
+    for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] = *core::find_truth(plant, kKeptTruths[i]);
+  }
+
+  image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override {
+    const image::IoStatus status = driver_.read_inputs(now_ns, inputs);
+    PlantMemory::State state;
+    for (std::size_t i = 0; i < kept_.size(); ++i) state[i] = plant_.truth(kept_[i]);
+    memory_.keep(state);
+    return status;
+  }
+  image::IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) override {
+    return driver_.write_outputs(now_ns, outputs);
+  }
+
+ private:
+  bridge::PlantDriver driver_;
+  const core::Plant& plant_;
+  PlantMemory& memory_;
+  std::array<core::TruthId, kKeptTruths.size()> kept_;
+};
+
 class PlantIo final : public CellIo, private host::PlantAccess {
  public:
-  explicit PlantIo(std::unique_ptr<core::Plant> plant) : plant_(std::move(plant)) {
+  PlantIo(std::unique_ptr<core::Plant> plant, std::unique_ptr<PlantMemory> memory)
+      : plant_(std::move(plant)), memory_(std::move(memory)) {
     for (const core::Quantity& truth : plant_->truths()) names_.push_back(truth.name);
   }
 
@@ -37,7 +71,7 @@ class PlantIo final : public CellIo, private host::PlantAccess {
     auto driver =
         bridge::PlantDriver::create(*plant_, wires, {config.image.input_bytes, config.image.output_bytes});
     if (!driver) return result::forward(driver);
-    driver_ = std::make_unique<bridge::PlantDriver>(std::move(*driver));
+    driver_ = std::make_unique<KeptDriver>(std::move(*driver), *plant_, *memory_);
     return {};
   }
 
@@ -54,12 +88,21 @@ class PlantIo final : public CellIo, private host::PlantAccess {
   }
 
   std::unique_ptr<core::Plant> plant_;
+  std::unique_ptr<PlantMemory> memory_;
   std::vector<std::string> names_;
-  std::unique_ptr<bridge::PlantDriver> driver_;
+  std::unique_ptr<KeptDriver> driver_;
 };
 
-result::Result<std::unique_ptr<core::Plant>> make_bench(const config::PlantConfig& plant) {
+// As configured, or as a killed runtime left it.
+result::Result<std::unique_ptr<core::Plant>> make_bench(const config::PlantConfig& plant,
+                                                        const std::optional<PlantMemory::State>& left) {
   assemblies::BenchParameters parameters;
+  if (left) {
+    parameters.vehicle.initial_position_m = (*left)[0];
+    for (std::size_t tank = 0; tank < parameters.tanks.size(); ++tank) {
+      parameters.tanks[tank].initial_percent = (*left)[tank + 1];
+    }
+  }
   parameters.seed = plant.seed;
   if (!plant.uncertainty) parameters.uncertainty = assemblies::SensorUncertainty::none();
   auto bench = assemblies::TankBench::create(parameters);
@@ -70,7 +113,7 @@ result::Result<std::unique_ptr<core::Plant>> make_bench(const config::PlantConfi
 // Tries every scheduled fault on a plant that is thrown away, so that a misspelt one is found now and not an
 // hour on.
 result::Result<void> check_faults(const config::CellConfig& config) {
-  auto trial = make_bench(config.plant);
+  auto trial = make_bench(config.plant, std::nullopt);
   if (!trial) return result::forward(trial);
   result::Diagnostics problems;
   for (const config::ScheduledFault& fault : config.faults) {
@@ -91,9 +134,11 @@ result::Result<void> check_faults(const config::CellConfig& config) {
 result::Result<std::unique_ptr<CellIo>> CellIo::create(const config::CellConfig& config) {
   if (config.plant.kind == "none") return std::make_unique<NoIo>();
   if (auto faults = check_faults(config); !faults) return result::forward(faults);
-  auto plant = make_bench(config.plant);
+  auto memory = PlantMemory::open(config.plant_memory_path());
+  if (!memory) return result::forward(memory);
+  auto plant = make_bench(config.plant, (*memory)->left_behind());
   if (!plant) return result::forward(plant);
-  auto io = std::make_unique<PlantIo>(std::move(*plant));
+  auto io = std::make_unique<PlantIo>(std::move(*plant), std::move(*memory));
   if (auto wired = io->wire(config); !wired) return result::forward(wired);
   return io;
 }

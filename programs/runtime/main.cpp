@@ -45,9 +45,9 @@ int run(const config::CellConfig& config) {
   const process::StopSignal stop;
   auto options = host_options(config);
   if (!options) return fail(options.error(), ExitCode::BadInput);
+  if (auto made = make_state_dir(config.state_dir); !made) return fail(made.error(), ExitCode::BadInput);
   auto io = CellIo::create(config);
   if (!io) return fail(io.error(), ExitCode::BadInput);
-  if (auto made = make_state_dir(config.state_dir); !made) return fail(made.error(), ExitCode::BadInput);
 
   auto runtime = host::HostRuntime::create(*options, (*io)->driver(), (*io)->plant());
   if (!runtime) return fail(runtime.error(), ExitCode::RuntimeFault);

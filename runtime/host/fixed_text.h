@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -16,7 +15,7 @@ class FixedText {
  public:
   FixedText() = default;
   explicit FixedText(std::string_view text) : size_(std::min(text.size(), Capacity)) {
-    std::memcpy(chars_.data(), text.data(), size_);
+    std::copy_n(text.begin(), size_, chars_.begin());
   }
 
   std::string_view view() const { return {chars_.data(), size_}; }

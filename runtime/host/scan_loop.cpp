@@ -143,8 +143,9 @@ void ScanLoop::emit(EventKind kind, const bytecode::Trap& trap, std::string_view
   note.trap = trap;
   note.reason = FixedText<kMaxReasonBytes>(reason);
   if (plant_ != nullptr) plant_->read_values(truths_);
-  if (!program_->events().push(note, program_->image().bytes(), truths_)) ++now_.lost_events;
+  // The figures first: who sees the event must find a status that is at least as new.
   publish();
+  if (!program_->events().push(note, program_->image().bytes(), truths_)) ++now_.lost_events;
   news_.ring();
 }
 

@@ -23,8 +23,8 @@ class SeqCell {
     std::memcpy(words.data(), &value, sizeof(T));
     const std::uint64_t begin = sequence_.load(std::memory_order_relaxed) + 1;
     sequence_.store(begin, std::memory_order_relaxed);
-    std::atomic_thread_fence(std::memory_order_release);
-    for (std::size_t i = 0; i < kWords; ++i) words_[i].store(words[i], std::memory_order_relaxed);
+    // Each word is a release: whoever sees one of them sees that a write has begun.
+    for (std::size_t i = 0; i < kWords; ++i) words_[i].store(words[i], std::memory_order_release);
     sequence_.store(begin + 1, std::memory_order_release);
   }
 
@@ -32,8 +32,7 @@ class SeqCell {
     std::array<std::uint64_t, kWords> words{};
     while (true) {
       const std::uint64_t before = sequence_.load(std::memory_order_acquire);
-      for (std::size_t i = 0; i < kWords; ++i) words[i] = words_[i].load(std::memory_order_relaxed);
-      std::atomic_thread_fence(std::memory_order_acquire);
+      for (std::size_t i = 0; i < kWords; ++i) words[i] = words_[i].load(std::memory_order_acquire);
       if (before % 2 == 0 && sequence_.load(std::memory_order_relaxed) == before) break;
     }
     T value;

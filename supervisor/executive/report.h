@@ -25,9 +25,9 @@ std::string to_json(const Report& report);
 // A table for the terminal: per action planned and actual start, duration, cost and level; replans; goal.
 std::string report_table(const RunRecord& record);
 
-// Gantt of the last plan: planned above actual bars.
+// Gantt of all plans: planned above actual bars, a dashed line at each replan.
 std::string gantt_svg(const RunRecord& record);
-// Planned and actual cost summed up over the actions of the last plan (the paper's Figures 15 and 16).
+// Planned and actual cost summed up over the actions that were begun (the paper's Figures 15 and 16).
 std::string cost_svg(const RunRecord& record);
 
 }  // namespace stepwright::executive

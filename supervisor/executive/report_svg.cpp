@@ -19,7 +19,8 @@ constexpr int kTop = 44;
 constexpr const char* kStyle =
     "<style>text{font:12px system-ui,sans-serif;fill:#222}.t{font-weight:600;font-size:14px}.g{stroke:#ddd}"
     ".p{fill:#b8bec6}.a{fill:#2f6f9f}.f{fill:#b4472f}.lp{fill:none;stroke:#8a9099;stroke-width:2}"
-    ".la{fill:none;stroke:#2f6f9f;stroke-width:2}.m{text-anchor:middle}.e{text-anchor:end}</style>\n";
+    ".la{fill:none;stroke:#2f6f9f;stroke-width:2}.r{stroke:#b4472f;stroke-dasharray:4 "
+    "3}.m{text-anchor:middle}.e{text-anchor:end}</style>\n";
 
 std::string opening(int height, const std::string& title) {
   return fmt::format(
@@ -57,47 +58,79 @@ void add_bar(std::string& svg, const char* style, double from, double to, double
       xml_escaped(hint));
 }
 
+// One action of one plan; what a replaced plan never began is left out.
+struct Row {
+  const ActionRecord* action;
+  double origin_s;  // of its plan's times, from the start of the run
+  double ended_s;   // when its plan ended or was replaced
+};
+
+std::vector<Row> rows_of(const RunRecord& record) {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < record.episodes.size(); ++i) {
+    const Episode& episode = record.episodes[i];
+    const bool last = i + 1 == record.episodes.size();
+    const double ended_s = last ? record.finished_s : record.episodes[i + 1].started_s;
+    for (const ActionRecord& action : episode.actions) {
+      if (!last && !action.started_s) continue;
+      rows.push_back({&action, episode.started_s - record.started_s, ended_s});
+    }
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::string gantt_svg(const RunRecord& record) {
-  if (record.episodes.empty()) return opening(60, "no plan") + "</svg>\n";
-  const Episode& episode = record.episodes.back();
-  double span = episode.planned_makespan_s;
-  for (const ActionRecord& action : episode.actions) {
-    span = std::max({span, action.planned_finish_s, action.finished_s.value_or(0.0) - episode.started_s});
+  const std::vector<Row> rows = rows_of(record);
+  if (rows.empty()) return opening(60, "no plan") + "</svg>\n";
+  double span = 1e-3;
+  for (const Row& row : rows) {
+    span = std::max({span, row.origin_s + row.action->planned_finish_s,
+                     row.action->finished_s.value_or(record.started_s) - record.started_s});
   }
-  span = std::max(span, 1e-3);
-  const int bottom = kTop + 24 * static_cast<int>(episode.actions.size());
-  std::string svg = opening(bottom + 28, "Plan and execution (grey: planned, blue: actual)");
+  const int bottom = kTop + 24 * static_cast<int>(rows.size());
+  std::string svg =
+      opening(bottom + 28, "Plan and execution (grey: planned, blue: actual, red: failed; dashed: replan)");
   add_time_axis(svg, span, bottom);
-  for (std::size_t i = 0; i < episode.actions.size(); ++i) {
-    const ActionRecord& action = episode.actions[i];
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ActionRecord& action = *rows[i].action;
     const int y = kTop + 24 * static_cast<int>(i);
     fmt::format_to(std::back_inserter(svg), "<text class=\"e\" x=\"{}\" y=\"{}\">{}</text>\n", kLeft - 8,
                    y + 13, xml_escaped(action.text));
-    add_bar(svg, "p", action.planned_start_s, action.planned_finish_s, span, y + 1, "planned");
+    add_bar(svg, "p", rows[i].origin_s + action.planned_start_s, rows[i].origin_s + action.planned_finish_s,
+            span, y + 1, "planned");
     if (!action.started_s) continue;
-    const double end = action.finished_s.value_or(record.finished_s);
-    add_bar(svg, action.state == ActionState::Failed ? "f" : "a", *action.started_s - episode.started_s,
-            end - episode.started_s, span, y + 10, to_string(action.state));
+    const double end = action.finished_s.value_or(rows[i].ended_s);
+    add_bar(svg, action.state == ActionState::Failed ? "f" : "a", *action.started_s - record.started_s,
+            end - record.started_s, span, y + 10, to_string(action.state));
+  }
+  for (const Replan& replan : record.replans) {
+    fmt::format_to(
+        std::back_inserter(svg),
+        "<line class=\"r\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"><title>{3}</title></line>\n",
+        kLeft + std::clamp((replan.time_s - record.started_s) / span, 0.0, 1.0) * kPlotWidth, kTop - 6,
+        bottom, xml_escaped(replan.cause));
   }
   return svg + "</svg>\n";
 }
 
 std::string cost_svg(const RunRecord& record) {
-  if (record.episodes.empty()) return opening(60, "no plan") + "</svg>\n";
-  const std::vector<ActionRecord>& actions = record.episodes.back().actions;
+  const std::vector<Row> rows = rows_of(record);
+  if (rows.empty()) return opening(60, "no plan") + "</svg>\n";
   double planned = 0.0, actual = 0.0, top = 1e-9;
   std::vector<std::pair<double, double>> sums;  // planned, actual
-  for (const ActionRecord& action : actions) {
-    planned += action.planned_cost;
-    actual += action.actual_cost.value_or(0.0);
+  for (const Row& row : rows) {
+    if (!row.action->started_s) continue;  // of a plan that was replaced
+    planned += row.action->planned_cost;
+    actual += row.action->actual_cost.value_or(0.0);
     sums.emplace_back(planned, actual);
     top = std::max({top, planned, actual});
   }
   constexpr int kHeight = 260;
   constexpr int kBottom = kTop + kHeight;
-  std::string svg = opening(kBottom + 36, "Cost summed over the steps (grey: planned, blue: actual)");
+  std::string svg =
+      opening(kBottom + 36, "Cost summed over the steps that were begun (grey: planned, blue: actual)");
   const auto out = std::back_inserter(svg);
   const auto x_of = [&](std::size_t i) {
     return 60 + static_cast<double>(i + 1) / static_cast<double>(sums.size() + 1) * (kWidth - 80);
@@ -112,9 +145,7 @@ std::string cost_svg(const RunRecord& record) {
   std::string planned_points, actual_points;
   for (std::size_t i = 0; i < sums.size(); ++i) {
     fmt::format_to(std::back_inserter(planned_points), "{:.1f},{:.1f} ", x_of(i), y_of(sums[i].first));
-    if (actions[i].actual_cost) {
-      fmt::format_to(std::back_inserter(actual_points), "{:.1f},{:.1f} ", x_of(i), y_of(sums[i].second));
-    }
+    fmt::format_to(std::back_inserter(actual_points), "{:.1f},{:.1f} ", x_of(i), y_of(sums[i].second));
     fmt::format_to(out, "<text class=\"m\" x=\"{:.1f}\" y=\"{}\">{}</text>\n", x_of(i), kBottom + 18, i + 1);
   }
   fmt::format_to(out, "<polyline class=\"lp\" points=\"{}\"/>\n<polyline class=\"la\" points=\"{}\"/>\n",

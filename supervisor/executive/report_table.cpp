@@ -40,6 +40,13 @@ std::string report_table(const RunRecord& record) {
     }
     add_episode(record.episodes[i], i + 1, record.episodes.size(), text);
   }
+  fmt::format_to(out, "Levels at the end (planned, observed):\n");
+  for (const auto& [fluent, expected] : record.expected) {
+    const auto observed = record.observed.find(fluent);
+    if (observed != record.observed.end()) {
+      fmt::format_to(out, "  {:<16} {:8.2f} {:8.2f}\n", fluent, expected, observed->second);
+    }
+  }
   fmt::format_to(out, "Goal:\n");
   for (const GoalRecord& goal : record.goal) {
     fmt::format_to(out, "  {:<8} {}\n", goal.met ? "met" : "NOT MET", goal.text);

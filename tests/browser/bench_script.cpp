@@ -54,6 +54,19 @@ nlohmann::json known_from(double moment, double time_s) {
   return time_s >= moment ? nlohmann::json(moment) : nlohmann::json(nullptr);
 }
 
+nlohmann::json levels_of(const BenchInstant& bench) {
+  return {{"(lev v1)", bench.level_v1 / 10},
+          {"(level a1)", bench.level_a1 / 10},
+          {"(level a2)", bench.level_a2 / 10}};
+}
+
+// After that many actions, one after the other.
+nlohmann::json levels_after(std::size_t count) {
+  BenchInstant bench;
+  for (std::size_t i = 0; i < count; ++i) apply(scripted_actions()[i], kForever, bench);
+  return levels_of(bench);
+}
+
 }  // namespace
 
 BenchScript::BenchScript() {
@@ -139,7 +152,8 @@ std::string BenchScript::plan_document(double time_s) const {
                        {"started_s", known_from(action.start_s, time_s)},
                        {"finished_s", known_from(action.finish_s, time_s)},
                        {"planned_start_s", action.planned_start_s},
-                       {"planned_finish_s", action.planned_finish_s}});
+                       {"planned_finish_s", action.planned_finish_s},
+                       {"expected", levels_after(i + 1)}});
   }
   // Both are of the newest completion: that is when the supervisor compares.
   double compared_s = 0;
@@ -168,10 +182,7 @@ std::string BenchScript::plan_document(double time_s) const {
         {"optimal_plan_ms", 30.1}}},
       {"actions", actions},
       {"replans", replans},
-      {"expected",
-       {{"(lev v1)", now.level_v1 / 10},
-        {"(level a1)", now.level_a1 / 10},
-        {"(level a2)", now.level_a2 / 10}}},
+      {"expected", levels_of(now)},
       {"observed",
        {{"(lev v1)", now.level_v1 / 10 + 0.03},
         {"(level a1)", now.level_a1 / 10 - 0.04},

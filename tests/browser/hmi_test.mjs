@@ -41,6 +41,11 @@ async function followsTheCell(page) {
     globalThis.firstX ??= x;
     return globalThis.firstX !== x;
   });
+  await waitFor(page, 'a level that an action changes is not compared', () => {
+    const row = document.querySelector('[data-fluent="(lev v1)"]');
+    return row?.cells[3].innerText === 'moving' && row.cells[1].innerText.includes('→');
+  });
+  check(await page.evaluate(() => document.querySelectorAll('[data-fluent]:not(.moving)').length > 0), 'the others are');
   await waitFor(page, 'a microswitch closes', () => document.querySelector('[data-closed=true]') !== null);
 }
 

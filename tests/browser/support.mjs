@@ -7,6 +7,9 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 
+// Far more than anything here takes, on a machine that is busy with other tests too.
+const PATIENCE_MS = 60_000;
+
 export function options() {
   const given = {};
   for (let i = 2; i < process.argv.length; i += 2) given[process.argv[i].replace(/^--/, '')] = process.argv[i + 1];
@@ -94,13 +97,18 @@ export function check(condition, what) {
   console.log(`ok: ${what}`);
 }
 
-// Waits for a condition inside the page; fails with its name. Asks again and again from outside: the page's
-// content policy does not let a test evaluate text inside it.
-export async function waitFor(page, what, condition, argument) {
-  const deadline = Date.now() + 30_000;
-  while (!(await page.evaluate(condition, argument))) {
-    if (Date.now() > deadline) throw new Error(`did not happen within 30 s: ${what}`);
+// Asks again and again until the answer is yes; fails with the name of what did not happen.
+export async function until(what, condition) {
+  const deadline = Date.now() + PATIENCE_MS;
+  while (!(await condition())) {
+    if (Date.now() > deadline) throw new Error(`did not happen within ${PATIENCE_MS / 1_000} s: ${what}`);
     await new Promise((resolve) => setTimeout(resolve, 40));
   }
   console.log(`ok: ${what}`);
+}
+
+// Waits for a condition inside the page. Asks from outside: the page's content policy does not let a test
+// evaluate text inside it.
+export function waitFor(page, what, condition, argument) {
+  return until(what, () => page.evaluate(condition, argument));
 }

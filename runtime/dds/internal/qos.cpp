@@ -79,10 +79,10 @@ DataWriterQos writer_qos(Profile profile) {
   DataWriterQos qos = DATAWRITER_QOS_DEFAULT;
   apply(profile, qos);
   qos.liveliness().announcement_period = kLivelinessAssertion;
-  // Samples may be larger than a datagram; only the asynchronous publisher splits them. Small answers leave
-  // at once.
-  const bool small = profile == Profile::Presence;
-  qos.publish_mode().kind = small ? SYNCHRONOUS_PUBLISH_MODE : ASYNCHRONOUS_PUBLISH_MODE;
+  // What somebody waits for leaves on the caller's thread; pictures for people leave when Fast DDS has time,
+  // so that a large one does not hold up an answer.
+  const bool picture = profile == Profile::Snapshot || profile == Profile::Document;
+  qos.publish_mode().kind = picture ? ASYNCHRONOUS_PUBLISH_MODE : SYNCHRONOUS_PUBLISH_MODE;
   // A lost datagram on loopback is rare but costs a whole heartbeat period: keep it short.
   qos.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0, 50'000'000u);
   qos.reliable_writer_qos().times.nackResponseDelay = Duration_t(0, 1'000'000u);

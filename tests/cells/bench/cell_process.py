@@ -42,11 +42,15 @@ class Demo:
 
     def pid_of(self, program):
         """The process of `stepwright-<program>` among the demo's children, or None."""
-        children = pathlib.Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children").read_text(encoding="ascii")
+        own = pathlib.Path(f"/proc/{self.process.pid}")
+        try:
+            children = (own / f"task/{self.process.pid}/children").read_text(encoding="ascii")
+        except OSError:  # the demo has ended
+            return None
         for child in children.split():
             try:
                 command = pathlib.Path(f"/proc/{child}/cmdline").read_bytes().split(b"\0")
-            except FileNotFoundError:
+            except OSError:  # it ended since the list was read
                 continue
             if command[0].endswith(b"stepwright-" + program.encode()):
                 return int(child)

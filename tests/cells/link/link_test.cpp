@@ -117,7 +117,8 @@ TEST(Link, WhenTheSupervisorIsKilledAndPolicyIsContinue_ThenTheRunGoesOnAndANewS
   const TestProcess runtime = cell.start_runtime();
   const TestProcess link = cell.start("link");
   const auto witness = cell.connect(dds::ClientRole::Viewer);
-  TestProcess victim({STEPWRIGHT_TEST_DIR "/link_supervisor", "73", "2000"}, cell.folder() / "victim.log");
+  TestProcess victim({STEPWRIGHT_TEST_DIR "/link_supervisor", "73", TestCell::name(), "2000"},
+                     cell.folder() / "victim.log");
   ASSERT_TRUE(victim.wait_for("waiting")) << victim.output();
   EXPECT_TRUE(eventually([&] { return witness->status()->waiting_for_supervisor; }));
   victim.kill();
@@ -144,7 +145,8 @@ TEST(Link, WhenTheSupervisorIsKilledAtABarrier_ThenItsSuccessorGetsTheEventThatI
   TestCell cell(74, std::string(kNoPlant) + "[safe_state]\nsupervisor_lost_after_ms = 60000\n");
   const TestProcess runtime = cell.start_runtime();
   const TestProcess link = cell.start("link");
-  TestProcess victim({STEPWRIGHT_TEST_DIR "/link_supervisor", "74", "5"}, cell.folder() / "victim.log");
+  TestProcess victim({STEPWRIGHT_TEST_DIR "/link_supervisor", "74", TestCell::name(), "5"},
+                     cell.folder() / "victim.log");
   ASSERT_TRUE(victim.wait_for("waiting")) << victim.output();
   victim.kill();
   const auto successor = cell.connect();
@@ -162,7 +164,8 @@ TEST(Link, WhenTheSupervisorIsKilledAndPolicyIsSafe_ThenTheProgramIsStopped) {
   const TestProcess runtime = cell.start_runtime();
   const TestProcess link = cell.start("link");
   const auto witness = cell.connect(dds::ClientRole::Viewer);
-  TestProcess victim({STEPWRIGHT_TEST_DIR "/link_supervisor", "75", "5"}, cell.folder() / "victim.log");
+  TestProcess victim({STEPWRIGHT_TEST_DIR "/link_supervisor", "75", TestCell::name(), "5"},
+                     cell.folder() / "victim.log");
   ASSERT_TRUE(victim.wait_for("waiting")) << victim.output();
   victim.kill();
   std::optional<StepEvent> event;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -14,9 +15,12 @@
 
 #include "runtime/dds/runtime_client.h"
 #include "runtime/service/connection.h"
-#include "tests/cells/link/test_process.h"
+#include "tests/support/test_process.h"
 
 namespace stepwright::cells {
+
+using support::kPatience;
+using support::TestProcess;
 
 class TestCell {
  public:
@@ -25,8 +29,8 @@ class TestCell {
     std::string path = (std::filesystem::temp_directory_path() / "stepwright-link-XXXXXX").string();
     if (mkdtemp(path.data()) == nullptr) ADD_FAILURE() << "no temporary folder";
     folder_ = path;
-    std::ofstream(config()) << "[cell]\nname = \"linktest\"\nstate_dir = \"state\"\n[dds]\ndomain_id = "
-                            << domain_id << "\n"
+    std::ofstream(config()) << "[cell]\nname = \"" << name()
+                            << "\"\nstate_dir = \"state\"\n[dds]\ndomain_id = " << domain_id << "\n"
                             << more;
   }
   ~TestCell() {
@@ -36,6 +40,8 @@ class TestCell {
   TestCell(const TestCell&) = delete;
   TestCell& operator=(const TestCell&) = delete;
 
+  // No other process has it: whatever else runs in the domain is not heard.
+  static std::string name() { return "linktest-" + std::to_string(::getpid()); }
   std::filesystem::path folder() const { return folder_; }
   std::filesystem::path config() const { return folder_ / "cell.toml"; }
   std::filesystem::path socket() const { return folder_ / "state" / "runtime.sock"; }
@@ -54,7 +60,7 @@ class TestCell {
 
   // A client that has found the runtime.
   std::unique_ptr<dds::RuntimeClient> connect(dds::ClientRole role = dds::ClientRole::Supervisor) const {
-    auto client = dds::RuntimeClient::connect({domain_id_, "test", "linktest"}, role);
+    auto client = dds::RuntimeClient::connect({domain_id_, "test", name()}, role);
     EXPECT_TRUE(client) << (client ? "" : result::to_string(client.error()));
     if (!client) return nullptr;
     EXPECT_TRUE((*client)->wait_for_runtime(kPatience));

@@ -8,6 +8,12 @@ export function fixed(value: Value | undefined, digits: number): string {
   return value === null || value === undefined ? UNKNOWN : value.toFixed(digits);
 }
 
+// Of a difference: "+0.03", "−0.20", "0".
+export function signed(value: number, digits: number): string {
+  const size = Math.abs(value).toFixed(digits);
+  return Number(size) === 0 ? '0' : `${value > 0 ? '+' : '−'}${size}`;
+}
+
 // As many digits as carry meaning: 0.42, 7.3, 128.
 export function short(value: Value | undefined): string {
   if (value === null || value === undefined) return UNKNOWN;

@@ -149,6 +149,8 @@ export interface PlanAction {
   planned_finish_s?: Value;
   planned_cost?: Value;
   actual_cost?: Value;
+  // Measured fluents after it, counted in the order of the plan.
+  expected?: Record<string, Value>;
 }
 
 export interface Replan {
@@ -172,7 +174,7 @@ export interface PlanDocument {
   } | null;
   actions?: PlanAction[];
   // Every plan of the run, the newest last; planned times count from its start.
-  episodes?: { started_s: number }[];
+  episodes?: { started_s: number; planned_makespan_s?: Value; planned_sequential_makespan_s?: Value }[];
   replans?: Replan[];
   expected?: Record<string, Value>;
   observed?: Record<string, Value>;

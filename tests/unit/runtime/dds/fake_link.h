@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runtime/dds/link_endpoint.h"
+#include "tests/unit/runtime/dds/test_runtime_id.h"
 
 namespace stepwright::dds {
 
@@ -19,7 +20,7 @@ class FakeLink {
  public:
   using Handler = std::function<std::optional<service::Reply>(const service::Request&)>;
 
-  FakeLink(std::uint32_t domain, Handler handler, const std::string& runtime_id = "bench")
+  FakeLink(std::uint32_t domain, Handler handler, const std::string& runtime_id = test_runtime_id())
       : handler_(std::move(handler)), endpoint_(*LinkEndpoint::create({domain, "fake_link", runtime_id})) {
     status_.incarnation = 7;
     thread_ = std::thread([this] { run(); });

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/runtime/dds/test_runtime_id.h"
+
 namespace stepwright::dds {
 namespace {
 
@@ -10,11 +12,11 @@ using namespace std::chrono_literals;
 constexpr auto kPatience = 20s;
 
 TEST(PlanChannel, WhenAViewerJoinsLate_ThenItGetsTheNewestDocument) {
-  auto publisher = *PlanPublisher::create({51, "supervisor", "bench"});
+  auto publisher = *PlanPublisher::create({51, "supervisor", test_runtime_id()});
   ASSERT_TRUE(publisher->publish(R"({"revision":1})"));
   const std::string large = "{\"text\":\"" + std::string(300'000, 'x') + "\"}";
   ASSERT_TRUE(publisher->publish(large));
-  auto subscriber = *PlanSubscriber::create({51, "hmi", "bench"});
+  auto subscriber = *PlanSubscriber::create({51, "hmi", test_runtime_id()});
   const auto document = subscriber->wait_newer(kPatience);
   ASSERT_TRUE(document);
   EXPECT_EQ(*document, large);
@@ -23,8 +25,8 @@ TEST(PlanChannel, WhenAViewerJoinsLate_ThenItGetsTheNewestDocument) {
 }
 
 TEST(PlanChannel, WhenADocumentIsReplaced_ThenViewersSeeTheNewOne) {
-  auto publisher = *PlanPublisher::create({52, "supervisor", "bench"});
-  auto subscriber = *PlanSubscriber::create({52, "hmi", "bench"});
+  auto publisher = *PlanPublisher::create({52, "supervisor", test_runtime_id()});
+  auto subscriber = *PlanSubscriber::create({52, "hmi", test_runtime_id()});
   ASSERT_TRUE(publisher->publish("first"));
   ASSERT_EQ(subscriber->wait_newer(kPatience), "first");
   ASSERT_TRUE(publisher->publish("second"));
@@ -32,8 +34,8 @@ TEST(PlanChannel, WhenADocumentIsReplaced_ThenViewersSeeTheNewOne) {
 }
 
 TEST(PlanChannel, WhenAViewerAsks_ThenTheSupervisorGetsEveryRequestInOrder) {
-  auto publisher = *PlanPublisher::create({53, "supervisor", "bench"});
-  auto subscriber = *PlanSubscriber::create({53, "hmi", "bench"});
+  auto publisher = *PlanPublisher::create({53, "supervisor", test_runtime_id()});
+  auto subscriber = *PlanSubscriber::create({53, "hmi", test_runtime_id()});
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
   while (!subscriber->request("0") && std::chrono::steady_clock::now() < deadline) {
   }
@@ -46,7 +48,7 @@ TEST(PlanChannel, WhenAViewerAsks_ThenTheSupervisorGetsEveryRequestInOrder) {
 }
 
 TEST(PlanChannel, WhenNoSupervisorIsThere_ThenARequestFails) {
-  auto subscriber = *PlanSubscriber::create({54, "hmi", "bench"});
+  auto subscriber = *PlanSubscriber::create({54, "hmi", test_runtime_id()});
   const auto refused = subscriber->request("{}");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().front().code, "D0001");
@@ -54,8 +56,8 @@ TEST(PlanChannel, WhenNoSupervisorIsThere_ThenARequestFails) {
 }
 
 TEST(PlanChannel, WhenATextIsTooLong_ThenItIsRefused) {
-  auto publisher = *PlanPublisher::create({55, "supervisor", "bench"});
-  auto subscriber = *PlanSubscriber::create({55, "hmi", "bench"});
+  auto publisher = *PlanPublisher::create({55, "supervisor", test_runtime_id()});
+  auto subscriber = *PlanSubscriber::create({55, "hmi", test_runtime_id()});
   EXPECT_EQ(publisher->publish(std::string(kMaxPlanDocumentBytes + 1, ' ')).error().front().code, "D0004");
   EXPECT_EQ(subscriber->request(std::string(kMaxOperatorRequestBytes + 1, ' ')).error().front().code,
             "D0004");

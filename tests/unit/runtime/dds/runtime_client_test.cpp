@@ -8,6 +8,7 @@
 #include "runtime/host/limits.h"
 #include "runtime/service/digest.h"
 #include "tests/unit/runtime/dds/fake_link.h"
+#include "tests/unit/runtime/dds/test_runtime_id.h"
 
 namespace stepwright::dds {
 namespace {
@@ -19,7 +20,7 @@ using service::Request;
 constexpr auto kPatience = 20s;
 
 std::unique_ptr<RuntimeClient> client_of(std::uint32_t domain, ClientRole role = ClientRole::Supervisor) {
-  auto client = RuntimeClient::connect({domain, "test", "bench"}, role);
+  auto client = RuntimeClient::connect({domain, "test", test_runtime_id()}, role);
   EXPECT_TRUE(client);
   return client ? std::move(*client) : nullptr;
 }
@@ -161,6 +162,21 @@ TEST(RuntimeClient, WhenAnEventIsLost_ThenItIsFetchedAgainAndOrderIsKept) {
   }
 }
 
+TEST(RuntimeClient, WhenImagesAreAsLargeAsTheyCanBe_ThenEventsArriveWhole) {
+  FakeLink link(43, accept);
+  auto client = client_of(43);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    StepEvent large = event(i);
+    large.image.resize(host::kMaxImageBytes);
+    large.image.back() = static_cast<std::byte>(i);
+    EXPECT_TRUE(link.endpoint().publish_event(7, large));
+    const auto received = client->wait_event(kPatience);
+    ASSERT_TRUE(received);
+    EXPECT_EQ(*received, large);
+  }
+}
+
 TEST(RuntimeClient, WhenTheRuntimeHasForgottenEvents_ThenTheNextOneItHoldsIsDelivered) {
   FakeLink* link_pointer = nullptr;
   FakeLink link(37, [&](const Request&) -> std::optional<Reply> {
@@ -201,7 +217,7 @@ TEST(RuntimeClient, WhenNoLinkIsThere_ThenRequestsFailWithAHint) {
 TEST(RuntimeClient, WhenTwoRuntimesShareADomain_ThenEachClientHearsItsOwn) {
   FakeLink bench(40, accept);
   FakeLink other(
-      40, [](const Request&) { return refuse({}, "wrong runtime"); }, "other");
+      40, [](const Request&) { return refuse({}, "wrong runtime"); }, test_runtime_id() + "-other");
   other.change_status([](RuntimeStatus& status) { status.scan = 99; });
   auto client = client_of(40);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace stepwright::cells {
+namespace stepwright::support {
 
 inline constexpr std::chrono::seconds kPatience{30};
 
@@ -41,4 +41,4 @@ class TestProcess {
   std::filesystem::path log_;
 };
 
-}  // namespace stepwright::cells
+}  // namespace stepwright::support

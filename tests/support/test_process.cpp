@@ -1,4 +1,4 @@
-#include "tests/cells/link/test_process.h"
+#include "tests/support/test_process.h"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-namespace stepwright::cells {
+namespace stepwright::support {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -90,4 +90,4 @@ double TestProcess::cpu_seconds() const {
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-}  // namespace stepwright::cells
+}  // namespace stepwright::support

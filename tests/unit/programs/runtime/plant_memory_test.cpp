@@ -1,0 +1,60 @@
+#include "programs/runtime/plant_memory.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+
+namespace stepwright::cell_runtime {
+namespace {
+
+class PlantMemoryTest : public testing::Test {
+ protected:
+  PlantMemoryTest() { std::filesystem::remove(file_); }
+  const std::filesystem::path file_ = testing::TempDir() + "plant.state";
+};
+
+TEST_F(PlantMemoryTest, WhenTheFileIsNew_ThenNothingWasLeft) {
+  auto memory = PlantMemory::open(file_);
+  ASSERT_TRUE(memory.has_value());
+  EXPECT_FALSE((*memory)->left_behind().has_value());
+}
+
+TEST_F(PlantMemoryTest, WhenTheProcessIsKilled_ThenTheNextOneFindsACompleteState) {
+  const pid_t child = fork();
+  if (child == 0) {
+    auto memory = PlantMemory::open(file_);
+    for (double v = 0.0;; v = v < 99.0 ? v + 1.0 : 0.0) (*memory)->keep({0.5, v, v, v, v});
+  }
+  while (!std::filesystem::exists(file_) || std::filesystem::file_size(file_) == 0) usleep(1'000);
+  usleep(20'000);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  auto memory = PlantMemory::open(file_);
+  ASSERT_TRUE(memory.has_value());
+  const auto left = (*memory)->left_behind();
+  ASSERT_TRUE(left.has_value());
+  EXPECT_EQ((*left)[0], 0.5);
+  for (std::size_t i = 2; i < left->size(); ++i) EXPECT_EQ((*left)[i], (*left)[1]);
+}
+
+TEST_F(PlantMemoryTest, WhenItEndsCleanly_ThenNothingIsLeft) {
+  (*PlantMemory::open(file_))->keep({0.0, 1.0, 2.0, 3.0, 4.0});
+  EXPECT_FALSE(std::filesystem::exists(file_));
+}
+
+TEST_F(PlantMemoryTest, WhenTheFileIsGarbage_ThenNothingWasLeft) {
+  std::ofstream(file_) << std::string(200, 'x');
+  EXPECT_FALSE((*PlantMemory::open(file_))->left_behind().has_value());
+}
+
+TEST_F(PlantMemoryTest, WhenTheFolderIsMissing_ThenTheErrorNamesTheFile) {
+  const auto memory = PlantMemory::open("/nonexistent/plant.state");
+  ASSERT_FALSE(memory.has_value());
+  EXPECT_EQ(memory.error()[0].where.file, "/nonexistent/plant.state");
+}
+
+}  // namespace
+}  // namespace stepwright::cell_runtime
