@@ -94,7 +94,7 @@ void SymbolTable::variable(const Variable& variable, const std::string& path, Sy
   symbol.bit = variable.place.bit;
   symbol.section = section;
   symbol.flags = flags_of(variable);
-  if (variable.address) symbol.direct_address = to_string(*variable.address);
+  if (variable.address) symbol.direct_address = syntax::to_string(*variable.address);
   if (variable.retain && variable.place.base != Base::Input)
     out_.retain.push_back({symbol.address, variable.type->size});
   out_.symbols.push_back(std::move(symbol));

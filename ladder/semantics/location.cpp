@@ -20,7 +20,7 @@ bool fits_address(Analysis& a, const syntax::VariableDeclaration& line, const Ty
   const bool sound = bits != 0 ? bits == address.bits : address.bits != 1;
   if (!sound) {
     a.error(code::kAddressSize, line.address_where,
-            type.name + " does not fit to " + to_string(address) + ", which has " +
+            type.name + " does not fit to " + syntax::to_string(address) + ", which has " +
                 std::to_string(address.bits) + (address.bits == 1 ? " bit" : " bits"),
             bits == 1    ? "a BOOL has an address like %IX0.0"
             : bits == 8  ? "use an address like %IB0"
@@ -94,8 +94,9 @@ void check_overlaps(Analysis& a) {
     const bool overlaps = reach != nullptr && reach->area == each.area && each.first < reach->last;
     if (overlaps) {
       a.error(code::kOverlap, each.variable->where,
-              quote(each.variable->spelling) + " at " + to_string(*each.variable->address) + " overlaps " +
-                  quote(reach->variable->spelling) + " at " + to_string(*reach->variable->address),
+              quote(each.variable->spelling) + " at " + syntax::to_string(*each.variable->address) +
+                  " overlaps " + quote(reach->variable->spelling) + " at " +
+                  syntax::to_string(*reach->variable->address),
               "declare an address once, in VAR_GLOBAL if several POUs use it");
     }
     if (reach == nullptr || reach->area != each.area || each.last > reach->last) reach = &each;

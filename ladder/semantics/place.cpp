@@ -216,7 +216,7 @@ bool ExpressionAnalyzer::add_index(Place& place, const Expression& index, const 
 std::optional<Place> ExpressionAnalyzer::direct_place(const Expression& expression) {
   const syntax::DirectAddress& address = expression.address;
   if (address.area == syntax::Area::Input) {
-    read_only_ = quote(to_string(address)) + " is an input of the plant";
+    read_only_ = quote(syntax::to_string(address)) + " is an input of the plant";
     read_only_where_ = expression.where;
   }
   if (pou_ == nullptr) {

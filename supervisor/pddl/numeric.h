@@ -19,6 +19,23 @@ inline double snap(double value) {
   return std::nearbyint(value * 1e9) / 1e9 + 0.0;
 }
 
+// What holds where `relation` does not. 'Not equal' is no relation: Equal stays, its callers split it in two.
+inline Relation opposite(Relation relation) {
+  switch (relation) {
+    case Relation::Less:
+      return Relation::GreaterEqual;
+    case Relation::LessEqual:
+      return Relation::Greater;
+    case Relation::GreaterEqual:
+      return Relation::Less;
+    case Relation::Greater:
+      return Relation::LessEqual;
+    case Relation::Equal:
+      break;
+  }
+  return Relation::Equal;
+}
+
 // left - right, as far from zero as counts.
 inline bool compare(Relation relation, double difference, double magnitude = 1.0) {
   const double tolerance = 5e-10 * std::max(1.0, magnitude);

@@ -5,25 +5,10 @@
 #include <limits>
 
 #include "supervisor/pddl/lifted/evaluate.h"
+#include "supervisor/pddl/numeric.h"
 
 namespace stepwright::pddl {
 namespace {
-
-Relation opposite(Relation relation) {
-  switch (relation) {
-    case Relation::Less:
-      return Relation::GreaterEqual;
-    case Relation::LessEqual:
-      return Relation::Greater;
-    case Relation::GreaterEqual:
-      return Relation::Less;
-    case Relation::Greater:
-      return Relation::LessEqual;
-    case Relation::Equal:
-      break;
-  }
-  return Relation::Equal;
-}
 
 int intern(const Atom& atom, std::vector<Atom>& table, std::map<Atom, int>& ids) {
   const auto [place, added] = ids.emplace(atom, static_cast<int>(table.size()));

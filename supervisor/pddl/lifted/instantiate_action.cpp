@@ -1,5 +1,7 @@
 #include "supervisor/pddl/lifted/instantiate_action.h"
 
+#include "supervisor/pddl/numeric.h"
+
 namespace stepwright::pddl {
 namespace {
 
@@ -8,22 +10,6 @@ Requirement impossible(std::string text) {
   requirement.kind = RequirementKind::Any;
   requirement.text = std::move(text);
   return requirement;
-}
-
-Relation negate(Relation relation) {
-  switch (relation) {
-    case Relation::Less:
-      return Relation::GreaterEqual;
-    case Relation::LessEqual:
-      return Relation::Greater;
-    case Relation::GreaterEqual:
-      return Relation::Less;
-    case Relation::Greater:
-      return Relation::LessEqual;
-    case Relation::Equal:
-      break;
-  }
-  return Relation::Equal;
 }
 
 bool constant(const NumericNode& node) {
@@ -87,7 +73,7 @@ void ActionInstantiator::comparison(const Formula& formula, Binding& binding, bo
   requirement.kind = RequirementKind::Comparison;
   requirement.left = number(formula.sides[0], binding);
   requirement.right = number(formula.sides[1], binding);
-  requirement.relation = positive ? formula.relation : negate(formula.relation);
+  requirement.relation = positive ? formula.relation : opposite(formula.relation);
   requirement.text = print(definition_, formula, binding);
   if (!positive) requirement.text = "(not " + requirement.text + ")";
   if (constant(requirement.left) && constant(requirement.right)) {
