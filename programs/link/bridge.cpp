@@ -41,7 +41,7 @@ void Bridge::connect() {
   auto connection = service::Connection::open(socket_, {service::Role::Controller, "link", 0});
   if (!connection) return;
   connection_ = std::move(*connection);
-  heard_ = Clock::now();
+  heard_ = {};  // until this runtime's own status is here
   std::printf("connected to %s\n", socket_.c_str());
   std::fflush(stdout);
 }
@@ -71,8 +71,7 @@ void Bridge::pass(const service::Message& message) {
   } else if (const auto* status = std::get_if<host::RuntimeStatus>(&message)) {
     status_ = *status;
     heard_ = Clock::now();
-    was_answering_ = true;
-    endpoint_->publish_status(status_, true);
+    publish_status();
   }
 }
 
@@ -81,13 +80,19 @@ bool Bridge::runtime_answers() const {
 }
 
 void Bridge::keep_alive() {
-  const bool answers = runtime_answers();
-  const bool news = was_answering_ && !answers;
-  if (!news && Clock::now() - alive_at_ < kAlivePeriod) return;
+  const bool supervised = endpoint_->supervisor_alive();
+  const bool changed = supervised != was_supervised_ || (was_answering_ && !runtime_answers());
+  if (!changed && Clock::now() - alive_at_ < kAlivePeriod) return;
   alive_at_ = Clock::now();
-  was_answering_ = answers;
-  if (!answers) endpoint_->publish_status(status_, false);
-  if (connection_) connection_->send(service::SupervisorLife{endpoint_->supervisor_alive()});
+  was_supervised_ = supervised;
+  publish_status();
+  if (connection_) connection_->send(service::SupervisorLife{supervised});
+}
+
+// Each is also the link's heartbeat.
+void Bridge::publish_status() {
+  was_answering_ = runtime_answers();
+  endpoint_->publish_status(status_, was_answering_);
 }
 
 void Bridge::publish_snapshot() {

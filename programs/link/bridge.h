@@ -33,6 +33,7 @@ class Bridge {
   void pass_messages();
   void pass(const service::Message& message);
   void keep_alive();
+  void publish_status();
   void publish_snapshot();
   bool runtime_answers() const;
 
@@ -41,6 +42,7 @@ class Bridge {
   std::unique_ptr<service::Connection> connection_;  // null while no runtime serves the socket
   host::RuntimeStatus status_;                       // the newest
   bool was_answering_ = false;
+  bool was_supervised_ = false;
   Clock::time_point heard_{};  // a status of the runtime
   Clock::time_point alive_at_{};
   Clock::time_point snapshot_at_{};

@@ -25,16 +25,16 @@ struct LinkEndpoint::State {
   explicit State(std::unique_ptr<Participant> p)
       : participant(std::move(p)),
         wake(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)),
-        replies(*participant, kReplyTopic, Profile::Request),
-        events(*participant, kEventTopic, Profile::Event),
-        statuses(*participant, kStatusTopic, Profile::Status),
-        snapshots(*participant, kSnapshotTopic, Profile::Snapshot),
+        replies(*participant, kReplyTopic, Profile::Queue),
+        events(*participant, kEventTopic, Profile::Queue),
+        statuses(*participant, kStatusTopic, Profile::Heartbeat),
+        snapshots(*participant, kSnapshotTopic, Profile::Picture),
         presence(
-            *participant, kPresenceTopic, Profile::Presence, [](idl::Presence&) {},
+            *participant, kPresenceTopic, Profile::Heartbeat, [](idl::Presence&) {},
             [this](bool) { notify(); }),
-        commands(*participant, kCommandTopic, Profile::Request,
+        commands(*participant, kCommandTopic, Profile::Queue,
                  [this](idl::Command& sample) { push(from_command(sample)); }),
-        chunks(*participant, kChunkTopic, Profile::Request,
+        chunks(*participant, kChunkTopic, Profile::Queue,
                [this](idl::ProgramChunk& sample) { push(from_chunk(sample)); }) {}
 
   ~State() {

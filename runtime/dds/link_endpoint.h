@@ -36,6 +36,7 @@ class LinkEndpoint {
   // False if the queue towards slow readers is full: then they fetch the event again.
   bool publish_event(std::uint64_t incarnation, const StepEvent& event);
   void publish_reply(const service::Reply& reply);
+  // Also the heartbeat of the link: call it at least every 80 ms, or clients take the link for dead.
   void publish_status(const RuntimeStatus& status, bool runtime_connected);
   void publish_snapshot(const Snapshot& snapshot);
   // False while nobody looks at snapshots.

@@ -30,7 +30,7 @@ struct PlanPublisher::State {
   explicit State(std::unique_ptr<Participant> p)
       : participant(std::move(p)),
         documents(*participant, kDocumentTopic, Profile::Document),
-        requests(*participant, kOperatorTopic, Profile::Request,
+        requests(*participant, kOperatorTopic, Profile::Queue,
                  [this](idl::OperatorRequest& sample) { on_request(sample); }) {}
 
   void on_request(idl::OperatorRequest& sample) {
@@ -91,7 +91,7 @@ std::optional<std::string> PlanPublisher::wait_request(std::chrono::milliseconds
 struct PlanSubscriber::State {
   explicit State(std::unique_ptr<Participant> p)
       : participant(std::move(p)),
-        requests(*participant, kOperatorTopic, Profile::Request),
+        requests(*participant, kOperatorTopic, Profile::Queue),
         documents(*participant, kDocumentTopic, Profile::Document,
                   [this](idl::PlanDocument& sample) { on_document(sample); }) {}
 
@@ -143,7 +143,7 @@ std::optional<std::string> PlanSubscriber::wait_newer(std::chrono::milliseconds 
 }
 
 bool PlanSubscriber::supervisor_alive() const {
-  return state_->documents.alive();
+  return state_->documents.matched();
 }
 
 result::Result<void> PlanSubscriber::request(const std::string& json) {

@@ -51,7 +51,7 @@ class PlanSubscriber {
   std::optional<std::string> latest() const;
   // Waits until a document newer than the one last returned by this function is there; none after `timeout`.
   std::optional<std::string> wait_newer(std::chrono::milliseconds timeout);
-  // True while a supervisor holds the other end.
+  // True while a supervisor holds the other end, and up to a second longer if it was killed.
   bool supervisor_alive() const;
   // Hands a request to the supervisor; fails with D0001 when none is there.
   [[nodiscard]] result::Result<void> request(const std::string& json);

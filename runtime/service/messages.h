@@ -40,7 +40,8 @@ struct Welcome {
 };
 
 // From a Controller: whether a supervisor is alive behind it. Repeated at least every kStatusPeriod; its
-// silence, or the end of its connection, counts as the supervisor's loss after the configured time.
+// silence, or the end of its connection, counts as the supervisor's loss after the configured time. A start
+// with a barrier and an acknowledgement are signs of life too.
 struct SupervisorLife {
   bool alive = false;
 };

@@ -164,6 +164,12 @@ void Server::State::request(Session& session, const Request& request) {
     reply.problems = std::move(failed.value());
     return session.send(reply);
   }
+  // Who starts with a barrier or acknowledges an event is a supervisor, even if it dies before its first
+  // heartbeat.
+  const auto* start = std::get_if<Start>(&request.body);
+  if ((start != nullptr && start->barrier) || std::holds_alternative<Acknowledge>(request.body)) {
+    supervisor.heard(Clock::now());
+  }
   auto reply = handler.handle(session.number(), request);
   if (!reply) return;
   if (std::holds_alternative<ResendEvents>(request.body) && reply->accepted()) {

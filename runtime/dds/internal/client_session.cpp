@@ -20,26 +20,37 @@ ClientSession::ClientSession(std::unique_ptr<Participant> participant, ClientRol
                              const std::string& process)
     : participant_(std::move(participant)),
       requests_(client),
-      commands_(*participant_, kCommandTopic, Profile::Request),
-      chunks_(*participant_, kChunkTopic, Profile::Request),
-      reply_reader_(*participant_, kReplyTopic, Profile::Request,
+      commands_(*participant_, kCommandTopic, Profile::Queue),
+      chunks_(*participant_, kChunkTopic, Profile::Queue),
+      reply_reader_(*participant_, kReplyTopic, Profile::Queue,
                     [this](idl::Reply& sample) {
                       if (auto reply = from_reply(sample)) requests_.answer(std::move(*reply));
                     }),
-      event_reader_(*participant_, kEventTopic, Profile::Event,
+      event_reader_(*participant_, kEventTopic, Profile::Queue,
                     [this](idl::Event& sample) { on_event(sample); }),
-      snapshot_reader_(*participant_, kSnapshotTopic, Profile::Snapshot,
+      snapshot_reader_(*participant_, kSnapshotTopic, Profile::Picture,
                        [this](idl::Snapshot& sample) { on_snapshot(sample); }),
       status_reader_(
-          *participant_, kStatusTopic, Profile::Status, [this](idl::Status& sample) { on_status(sample); },
+          *participant_, kStatusTopic, Profile::Heartbeat, [this](idl::Status& sample) { on_status(sample); },
           [this](bool) { news_.notify_all(); }) {
   if (role != ClientRole::Supervisor) return;
   presence_ =
-      std::make_unique<Writer<idl::PresencePubSubType>>(*participant_, kPresenceTopic, Profile::Presence);
+      std::make_unique<Writer<idl::PresencePubSubType>>(*participant_, kPresenceTopic, Profile::Heartbeat);
+  if (!presence_->ok()) return;
+  heart_ = std::jthread([this, process](const std::stop_token& stop) { beat(stop, process); });
+}
+
+void ClientSession::beat(const std::stop_token& stop, const std::string& process) {
   idl::Presence sample;
   sample.runtime_id(participant_->runtime_id());
   sample.process(process);
-  if (presence_->ok()) presence_->write(sample);
+  std::mutex mutex;
+  std::condition_variable_any never;
+  std::unique_lock lock(mutex);
+  while (!stop.stop_requested()) {
+    presence_->write(sample);
+    never.wait_for(lock, stop, kHeartbeatPeriod, [] { return false; });
+  }
 }
 
 bool ClientSession::ok() const {

@@ -11,6 +11,9 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
 
 #include "runtime/dds/internal/convert.h"
 #include "runtime/dds/internal/event_order.h"
@@ -42,6 +45,8 @@ class ClientSession {
   void on_event(const idl::Event& sample);
   void on_snapshot(const idl::Snapshot& sample);
   bool send(const service::Request& request);
+  // Says until it is stopped that this supervisor lives.
+  void beat(const std::stop_token& stop, const std::string& process);
   // Asks for missing events, at most every `kResendPeriod`, and learns what the runtime has forgotten.
   void fetch_missing(std::unique_lock<std::mutex>& lock);
 
@@ -60,6 +65,7 @@ class ClientSession {
   Writer<idl::CommandPubSubType> commands_;
   Writer<idl::ProgramChunkPubSubType> chunks_;
   std::unique_ptr<Writer<idl::PresencePubSubType>> presence_;  // a supervisor only
+  std::jthread heart_;                                         // writes it
   // Last, so that they are silent before what their handlers use is gone.
   Reader<idl::ReplyPubSubType> reply_reader_;
   Reader<idl::EventPubSubType> event_reader_;

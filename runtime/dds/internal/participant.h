@@ -84,7 +84,8 @@ class Writer final : private fdds::DataWriterListener {
   std::atomic<int> matched_{0};
 };
 
-// A reader that hands every valid sample to `on_sample` and every change of its writers' life to `on_alive`.
+// A reader that hands every valid sample to `on_sample` and, of heartbeats, every change of life to
+// `on_alive`.
 template <typename PubSubType>
 class Reader final : private fdds::DataReaderListener {
  public:
@@ -99,7 +100,8 @@ class Reader final : private fdds::DataReaderListener {
     if (topic != nullptr) {
       reader_ = participant.subscriber()->create_datareader(topic, reader_qos(profile), this,
                                                             fdds::StatusMask::data_available()
-                                                                << fdds::StatusMask::liveliness_changed());
+                                                                << fdds::StatusMask::liveliness_changed()
+                                                                << fdds::StatusMask::subscription_matched());
     }
   }
   ~Reader() override {
@@ -111,7 +113,9 @@ class Reader final : private fdds::DataReaderListener {
   Reader& operator=(const Reader&) = delete;
 
   bool ok() const { return reader_ != nullptr; }
-  // True while a writer of the topic lives.
+  // True while a writer of the topic is known: up to a second longer than it lives.
+  bool matched() const { return matched_.load(std::memory_order_acquire) > 0; }
+  // True while a writer of heartbeats lives; for Profile::Heartbeat only.
   bool alive() const { return alive_.load(std::memory_order_acquire) > 0; }
 
  private:
@@ -127,10 +131,15 @@ class Reader final : private fdds::DataReaderListener {
     if (on_alive_ && before != (status.alive_count > 0)) on_alive_(status.alive_count > 0);
   }
 
+  void on_subscription_matched(fdds::DataReader*, const fdds::SubscriptionMatchedStatus& status) override {
+    matched_.store(status.current_count, std::memory_order_release);
+  }
+
   Participant& participant_;
   OnSample on_sample_;
   OnAlive on_alive_;
   fdds::DataReader* reader_ = nullptr;
+  std::atomic<int> matched_{0};
   std::atomic<int> alive_{0};
 };
 

@@ -14,9 +14,6 @@ using eprosima::fastrtps::Duration_t;
 using eprosima::fastrtps::rtps::IPLocator;
 using eprosima::fastrtps::rtps::Locator_t;
 
-// A killed process is noticed after this lease; writers assert themselves three times as often.
-const Duration_t kLivelinessLease(0, 300'000'000u);
-const Duration_t kLivelinessAssertion(0, 100'000'000u);
 // Announcing this often makes two processes find each other in well under a second, whoever comes first.
 const Duration_t kAnnouncement(0, 330'000'000u);
 const Duration_t kParticipantLease(1, 0);
@@ -27,22 +24,25 @@ constexpr std::int32_t kQueuedSamples = 512;
 
 template <typename Qos>
 void apply(Profile profile, Qos& qos) {
-  const bool best_effort = profile == Profile::Status || profile == Profile::Snapshot;
-  const bool keep_all = profile == Profile::Request || profile == Profile::Event;
-  const bool for_latecomers = profile == Profile::Document || profile == Profile::Presence;
+  const bool best_effort = profile == Profile::Heartbeat || profile == Profile::Picture;
   qos.reliability().kind = best_effort ? BEST_EFFORT_RELIABILITY_QOS : RELIABLE_RELIABILITY_QOS;
   qos.reliability().max_blocking_time = kMaxBlocking;
-  qos.history().kind = keep_all ? KEEP_ALL_HISTORY_QOS : KEEP_LAST_HISTORY_QOS;
+  qos.history().kind = profile == Profile::Queue ? KEEP_ALL_HISTORY_QOS : KEEP_LAST_HISTORY_QOS;
   qos.history().depth = 1;
-  qos.durability().kind = for_latecomers ? TRANSIENT_LOCAL_DURABILITY_QOS : VOLATILE_DURABILITY_QOS;
+  qos.durability().kind =
+      profile == Profile::Document ? TRANSIENT_LOCAL_DURABILITY_QOS : VOLATILE_DURABILITY_QOS;
   // One instance per runtime in a partition of its own; the queue is bounded, so that a reader that stopped
   // reading costs memory up to here and no further.
   qos.resource_limits().max_instances = 8;
   qos.resource_limits().max_samples_per_instance = kQueuedSamples;
   qos.resource_limits().max_samples = 8 * kQueuedSamples;
   qos.resource_limits().allocated_samples = 8;
-  qos.liveliness().kind = AUTOMATIC_LIVELINESS_QOS;
-  qos.liveliness().lease_duration = kLivelinessLease;
+  if (profile == Profile::Heartbeat) {
+    // Not automatic: there any living participant keeps all dead writers of a domain alive (Fast DDS issue
+    // 4373, in 2.9). And a process that hangs is as good as dead, which only samples of its own show.
+    qos.liveliness().kind = MANUAL_BY_TOPIC_LIVELINESS_QOS;
+    qos.liveliness().lease_duration = Duration_t(0, std::chrono::nanoseconds(kHeartbeatLease).count());
+  }
   // No memory is shared between processes: one that dies in the middle of a write leaves nothing behind.
   qos.data_sharing().off();
   // Bounds are far above the usual size: take memory for what is sent, not for what might be.
@@ -78,10 +78,9 @@ DomainParticipantQos participant_qos(const std::string& name) {
 DataWriterQos writer_qos(Profile profile) {
   DataWriterQos qos = DATAWRITER_QOS_DEFAULT;
   apply(profile, qos);
-  qos.liveliness().announcement_period = kLivelinessAssertion;
   // What somebody waits for leaves on the caller's thread; pictures for people leave when Fast DDS has time,
   // so that a large one does not hold up an answer.
-  const bool picture = profile == Profile::Snapshot || profile == Profile::Document;
+  const bool picture = profile == Profile::Picture || profile == Profile::Document;
   qos.publish_mode().kind = picture ? ASYNCHRONOUS_PUBLISH_MODE : SYNCHRONOUS_PUBLISH_MODE;
   // A lost datagram on loopback is rare but costs a whole heartbeat period: keep it short.
   qos.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0, 50'000'000u);

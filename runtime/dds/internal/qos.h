@@ -2,6 +2,7 @@
 
 // Every quality-of-service choice of Stepwright, in one place (qos.cpp says why each).
 
+#include <chrono>
 #include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
@@ -12,13 +13,15 @@ namespace stepwright::dds::internal {
 // How many processes of one domain find each other on this machine.
 inline constexpr std::int32_t kParticipantsPerDomain = 24;
 
+// A writer of heartbeats must write this often; who is silent for the lease is dead.
+inline constexpr std::chrono::milliseconds kHeartbeatPeriod{80};
+inline constexpr std::chrono::milliseconds kHeartbeatLease{300};
+
 enum class Profile {
-  Request,   // Command, ProgramChunk, Reply, OperatorRequest: reliable, kept until delivered
-  Event,     // Event: reliable, a bounded queue
-  Status,    // Status: best effort, newest only
-  Snapshot,  // Snapshot: best effort, newest only, large
-  Document,  // PlanDocument: reliable, the newest one also for those who join late
-  Presence,  // Presence: reliable, newest, for those who join late; watched for liveliness
+  Queue,      // Command, ProgramChunk, Reply, Event, OperatorRequest: reliable, a bounded queue
+  Heartbeat,  // Status, Presence: best effort, newest only; each sample says that its writer lives
+  Picture,    // Snapshot: best effort, newest only, large
+  Document,   // PlanDocument: reliable, the newest one also for those who join late
 };
 
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(const std::string& name);

@@ -65,7 +65,7 @@ TEST(RuntimeProcess, WhenTheConfigurationIsWrong_ThenItSaysWhatAndEnds) {
 }
 
 TEST(RuntimeProcess, WhenItWaitsAtABarrier_ThenItUsesNoProcessorTime) {
-  TestCell cell(87, kNoPlant);
+  TestCell cell(87, std::string(kNoPlant) + "[safe_state]\nsupervisor_lost_after_ms = 60000\n");
   const TestProcess runtime = cell.start_runtime();
   const auto client = cell.attach(service::Role::Controller);
   ASSERT_TRUE(ok(client->download(support::step_program(), kPatience)));

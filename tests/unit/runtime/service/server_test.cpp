@@ -146,6 +146,15 @@ TEST(Server, WhenTheSupervisorFallsSilent_ThenThePolicyApplies) {
   EXPECT_EQ(stopped->detail, "the supervisor was lost");
 }
 
+TEST(Server, WhenASupervisorDiesBeforeItsFirstHeartbeat_ThenItsStartWasASignOfLife) {
+  ServiceHarness harness({}, 300ms);
+  const auto client = harness.connect();
+  ASSERT_TRUE(client->download(step_program(), kPatience));
+  ASSERT_TRUE(client->call(Start{true}, kPatience));
+  EXPECT_EQ(next<StepEvent>(*client)->kind, EventKind::Started);
+  for (const std::uint64_t scan : {1u, 11u, 21u}) EXPECT_EQ(next<StepEvent>(*client)->scan, scan);
+}
+
 TEST(Server, WhenTheSocketIsInUse_ThenTheSecondRuntimeSaysSo) {
   ServiceHarness harness;
   NoDriver driver;
