@@ -1,7 +1,7 @@
 #include "hmi_web/server/image_value.h"
 
-#include "runtime/base/direct_address.h"
 #include "runtime/bytecode/value_type.h"
+#include "runtime/naming/direct_address.h"
 
 namespace stepwright::server {
 
@@ -14,9 +14,9 @@ std::optional<double> read(const reader::Variable& variable, std::span<const std
 }
 
 std::optional<reader::Variable> variable_at(std::string_view address, std::uint32_t output_offset) {
-  const auto place = base::parse_direct_address(address);
-  if (!place || place->area == base::Area::Marker) return std::nullopt;
-  const std::uint32_t byte = place->byte + (place->area == base::Area::Output ? output_offset : 0);
+  const auto place = naming::parse_direct_address(address);
+  if (!place || place->area == naming::Area::Marker) return std::nullopt;
+  const std::uint32_t byte = place->byte + (place->area == naming::Area::Output ? output_offset : 0);
   switch (place->bits) {
     case 1:
       return reader::Variable{ElementaryType::Bool, byte, place->bit};

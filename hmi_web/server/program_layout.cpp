@@ -3,13 +3,13 @@
 #include <set>
 #include <utility>
 
-#include "runtime/base/ascii_names.h"
 #include "runtime/bytecode/value_type.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::server {
 namespace {
 
-using base::same_name;
+using naming::same_name;
 using Place = std::pair<std::uint32_t, std::uint8_t>;  // byte and bit
 
 Place place_of(const reader::Variable& variable) {

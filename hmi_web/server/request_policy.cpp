@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "runtime/base/ascii_names.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::server {
 namespace {
 
 std::string lower(std::string_view text) {
   std::string result(text);
-  for (char& c : result) c = base::to_lower(c);
+  for (char& c : result) c = naming::to_lower(c);
   return result;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/base/ascii_names.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::codegen {
 
@@ -26,7 +26,7 @@ std::uint16_t flags_of(const Variable& variable) {
 
 const Variable* find(const Pou& pou, const std::string& name) {
   for (const Variable& each : pou.variables)
-    if (base::same_name(each.spelling, name)) return &each;
+    if (naming::same_name(each.spelling, name)) return &each;
   return nullptr;
 }
 

@@ -47,7 +47,7 @@ bool is_keyword(std::string_view text) {
 
 std::string upper(std::string_view text) {
   std::string result(text);
-  for (char& c : result) c = base::to_upper(c);
+  for (char& c : result) c = naming::to_upper(c);
   return result;
 }
 

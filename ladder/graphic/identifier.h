@@ -11,7 +11,7 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "runtime/base/ascii_names.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::graphic {
 
@@ -23,7 +23,7 @@ bool is_keyword(std::string_view text);
 
 // Identifiers are case-insensitive.
 std::string upper(std::string_view text);
-using base::same_name;
+using naming::same_name;
 
 // The nearest legal identifier: other characters become one underscore; never empty.
 std::string make_identifier(std::string_view text);

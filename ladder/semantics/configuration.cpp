@@ -4,7 +4,7 @@
 
 #include "ladder/semantics/internal/declarer.h"
 #include "ladder/source/suggestion.h"
-#include "runtime/base/ascii_names.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::semantics::internal {
 
@@ -69,7 +69,7 @@ void declare_task(Analysis& a, const syntax::TaskDeclaration& declaration) {
   Task task;
   task.name = std::string(declaration.name.text);
   for (const Task& other : a.model.tasks)
-    if (base::same_name(other.name, task.name))
+    if (naming::same_name(other.name, task.name))
       a.error(code::kDuplicate, declaration.name.where, "there is another task " + quote(task.name));
   if (!declaration.interval) {
     a.error(code::kBadTask, declaration.name.where, "the task has no INTERVAL", "write (INTERVAL := T#10ms)");
@@ -96,7 +96,7 @@ void declare_program(Analysis& a, const syntax::ProgramDeclaration& declaration)
   Task* task = nullptr;
   if (declaration.task) {
     for (Task& each : a.model.tasks)
-      if (base::same_name(each.name, declaration.task->text)) task = &each;
+      if (naming::same_name(each.name, declaration.task->text)) task = &each;
   }
   if (task == nullptr) {
     std::vector<std::string_view> candidates;
@@ -111,7 +111,7 @@ void declare_program(Analysis& a, const syntax::ProgramDeclaration& declaration)
   }
   for (const Task& each : a.model.tasks)
     for (const ProgramInstance& other : each.programs)
-      if (base::same_name(other.name, declaration.name.text))
+      if (naming::same_name(other.name, declaration.name.text))
         a.error(code::kDuplicate, declaration.name.where,
                 "there is another program instance " + quote(declaration.name.text));
   if (program != nullptr)

@@ -1,12 +1,12 @@
 #include "ladder/source/name_table.h"
 
-#include "runtime/base/ascii_names.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::source {
 
 std::string upper(std::string_view text) {
   std::string folded(text);
-  for (char& c : folded) c = base::to_upper(c);
+  for (char& c : folded) c = naming::to_upper(c);
   return folded;
 }
 

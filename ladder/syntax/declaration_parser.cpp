@@ -79,7 +79,7 @@ bool Parser::variable_line(const VariableDeclaration& model, std::vector<Variabl
     line.address_where = peek().where;
     const std::string text(peek().text);
     if (!expect(TokenKind::Direct, "behind AT")) return false;
-    line.address = base::parse_direct_address(text);
+    line.address = naming::parse_direct_address(text);
     if (!line.address)
       context_.sink.error(source::code::kBadAddress, line.address_where, "'" + text + "' is no address",
                           "addresses look like %IX0.0, %QB1, %MW2, %ID3 or %ML4");

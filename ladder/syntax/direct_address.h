@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "runtime/base/direct_address.h"
+#include "runtime/naming/direct_address.h"
 
 namespace stepwright::syntax {
 
-using base::Area;
-using base::DirectAddress;
-using base::kAreaLimit;
+using naming::Area;
+using naming::DirectAddress;
+using naming::kAreaLimit;
 
 // "%IX0.0"
 std::string to_string(const DirectAddress& address);

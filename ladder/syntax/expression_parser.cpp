@@ -156,7 +156,7 @@ ExpressionPtr Parser::primary() {
     case TokenKind::Direct: {
       auto node = make(ExpressionKind::Direct);
       const Token& token = advance();
-      const auto address = base::parse_direct_address(token.text);
+      const auto address = naming::parse_direct_address(token.text);
       if (!address) {
         context_.sink.error(source::code::kBadAddress, token.where,
                             "'" + std::string(token.text) + "' is no address",

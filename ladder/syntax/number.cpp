@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "runtime/base/ascii_names.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::syntax {
 
@@ -41,7 +41,7 @@ const Unit* take_unit(std::string_view& text) {
     if (text.size() < unit.name.size()) continue;
     bool equal = true;
     for (std::size_t i = 0; i < unit.name.size(); ++i)
-      equal = equal && base::to_lower(text[i]) == unit.name[i];
+      equal = equal && naming::to_lower(text[i]) == unit.name[i];
     if (!equal) continue;
     text.remove_prefix(unit.name.size());
     return &unit;

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "runtime/base/direct_address.h"
+#include "runtime/naming/direct_address.h"
 
 namespace stepwright::bridge {
 namespace {
@@ -31,10 +31,10 @@ std::uint32_t IoAddress::size_bits() const {
 }
 
 result::Result<IoAddress> parse_io_address(std::string_view text, const result::Location& where) {
-  const auto address = base::parse_direct_address(text);
+  const auto address = naming::parse_direct_address(text);
   const auto width = address ? width_of(address->bits) : std::nullopt;
-  if (width && address->area != base::Area::Marker) {
-    const IoArea area = address->area == base::Area::Input ? IoArea::Input : IoArea::Output;
+  if (width && address->area != naming::Area::Marker) {
+    const IoArea area = address->area == naming::Area::Input ? IoArea::Input : IoArea::Output;
     return IoAddress{area, *width, address->byte, address->bit};
   }
   return result::fail("C0302", where, "'" + std::string(text) + "' is no input or output address",

@@ -8,11 +8,11 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/base/ascii_names.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::core {
 
-using base::same_name;
+using naming::same_name;
 
 // The index of the entry with that `name`, or nothing. `List` is a range of things with a `name`.
 template <typename List>

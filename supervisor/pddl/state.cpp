@@ -4,7 +4,7 @@
 #include <cctype>
 #include <cstdio>
 
-#include "runtime/base/ascii_names.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::pddl {
 
@@ -17,7 +17,7 @@ std::string canonical_name(std::string_view text) {
     } else {
       if (gap) name += ' ';
       gap = false;
-      name += base::to_lower(c);
+      name += naming::to_lower(c);
     }
   }
   return name + ")";

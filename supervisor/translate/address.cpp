@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "runtime/base/direct_address.h"
+#include "runtime/naming/direct_address.h"
 
 namespace stepwright::translate {
 
@@ -22,7 +22,7 @@ constexpr std::array kTypes = {SizedType{"BOOL", 'X'},  SizedType{"BYTE", 'B'}, 
 }  // namespace
 
 std::optional<Address> parse_address(std::string_view text) {
-  const auto found = base::parse_direct_address(text);
+  const auto found = naming::parse_direct_address(text);
   if (!found) return std::nullopt;
   const char area = "IQM"[static_cast<std::size_t>(found->area)];
   const char size = found->bits == 1    ? 'X'

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <utility>
 
-#include "runtime/base/ascii_names.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::translate {
 
@@ -32,7 +32,7 @@ std::optional<Pattern> parse_pattern(std::string_view text) {
   for (const char c : text.substr(1, text.size() - 2)) {
     if (c == '(' || c == ')') return std::nullopt;
     if (!is_space(c)) {
-      words.back() += base::to_lower(c);
+      words.back() += naming::to_lower(c);
     } else if (!words.back().empty()) {
       words.emplace_back();
     }

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "runtime/base/ascii_names.h"
 #include "runtime/bytecode/program.h"
 #include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::reader {
 namespace {
@@ -14,7 +14,7 @@ using bytecode::Section;
 
 std::string upper(std::string_view name) {
   std::string result(name);
-  for (char& c : result) c = base::to_upper(c);
+  for (char& c : result) c = naming::to_upper(c);
   return result;
 }
 
@@ -125,7 +125,7 @@ const Variable* ProgramInfo::find(std::string_view name) const {
 
 const ChartInfo* ProgramInfo::chart(std::string_view name) const {
   for (const ChartInfo& chart : charts_) {
-    if (base::same_name(chart.name, name)) return &chart;
+    if (naming::same_name(chart.name, name)) return &chart;
   }
   return nullptr;
 }

@@ -3,7 +3,7 @@
 #include <cctype>
 #include <charconv>
 
-#include "runtime/base/ascii_names.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -61,7 +61,7 @@ class Lexer {
 
   std::string word() {
     std::string text;
-    while (position_ < text_.size() && is_word(peek())) text += base::to_lower(advance());
+    while (position_ < text_.size() && is_word(peek())) text += naming::to_lower(advance());
     return text;
   }
 

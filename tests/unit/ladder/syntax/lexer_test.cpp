@@ -93,17 +93,17 @@ TEST(Number, Integer_WhenOutOf64BitsOrBadlyGrouped_ThenIsNone) {
 }
 
 TEST(DirectAddress, Parse_WhenWellFormed_ThenCountsInItsOwnSize) {
-  EXPECT_EQ(base::parse_direct_address("%IW1")->byte, 2u);
-  EXPECT_EQ(base::parse_direct_address("%md3")->byte, 12u);
-  EXPECT_EQ(base::parse_direct_address("%Q4.7")->bit, 7u);
-  EXPECT_EQ(syntax::to_string(*base::parse_direct_address("%qx4.7")), "%QX4.7");
-  EXPECT_EQ(syntax::to_string(*base::parse_direct_address("%ML2")), "%ML2");
+  EXPECT_EQ(naming::parse_direct_address("%IW1")->byte, 2u);
+  EXPECT_EQ(naming::parse_direct_address("%md3")->byte, 12u);
+  EXPECT_EQ(naming::parse_direct_address("%Q4.7")->bit, 7u);
+  EXPECT_EQ(syntax::to_string(*naming::parse_direct_address("%qx4.7")), "%QX4.7");
+  EXPECT_EQ(syntax::to_string(*naming::parse_direct_address("%ML2")), "%ML2");
 }
 
 TEST(DirectAddress, Parse_WhenIllFormed_ThenIsNone) {
   for (const char* text :
        {"%", "%I", "%X1", "%IX0", "%IX0.8", "%IW1.2", "%IW", "%IW32768", "%IX65536.0", "%IB-1"})
-    EXPECT_FALSE(base::parse_direct_address(text)) << text;
+    EXPECT_FALSE(naming::parse_direct_address(text)) << text;
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-#include "runtime/base/direct_address.h"
+#include "runtime/naming/direct_address.h"
 
 #include <gtest/gtest.h>
 
-namespace stepwright::base {
+namespace stepwright::naming {
 namespace {
 
 TEST(DirectAddress, WhenWellFormed_ThenAreaSizeAndPlaceAreRead) {
@@ -40,4 +40,4 @@ TEST(DirectAddress, WhenIllFormed_ThenThereIsNone) {
 }
 
 }  // namespace
-}  // namespace stepwright::base
+}  // namespace stepwright::naming

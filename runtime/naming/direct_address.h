@@ -11,9 +11,9 @@
 #include <optional>
 #include <string_view>
 
-#include "runtime/base/ascii_names.h"
+#include "runtime/naming/ascii_names.h"
 
-namespace stepwright::base {
+namespace stepwright::naming {
 
 enum class Area : std::uint8_t { Input, Output, Marker };
 
@@ -87,4 +87,4 @@ constexpr std::optional<DirectAddress> parse_direct_address(std::string_view tex
   return address;
 }
 
-}  // namespace stepwright::base
+}  // namespace stepwright::naming

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace stepwright::base {
+namespace stepwright::naming {
 
 constexpr char to_upper(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
@@ -26,4 +26,4 @@ constexpr bool same_name(std::string_view a, std::string_view b) {
   return true;
 }
 
-}  // namespace stepwright::base
+}  // namespace stepwright::naming

@@ -1,8 +1,8 @@
-#include "runtime/base/ascii_names.h"
+#include "runtime/naming/ascii_names.h"
 
 #include <gtest/gtest.h>
 
-namespace stepwright::base {
+namespace stepwright::naming {
 namespace {
 
 TEST(AsciiNames, WhenOnlyTheCaseDiffers_ThenTheNamesAreTheSame) {
@@ -29,4 +29,4 @@ TEST(AsciiNames, WhenACharacterIsALetter_ThenItHasBothCases) {
 }
 
 }  // namespace
-}  // namespace stepwright::base
+}  // namespace stepwright::naming
