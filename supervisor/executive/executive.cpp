@@ -28,12 +28,6 @@ result::ExitCode exit_code_of(PrepareStatus status) {
   return status == PrepareStatus::Infeasible ? result::ExitCode::NoPlan : result::ExitCode::BudgetExhausted;
 }
 
-std::string joined(const std::vector<std::string>& sentences) {
-  std::string text;
-  for (const std::string& sentence : sentences) text += (text.empty() ? "" : "; ") + sentence;
-  return text;
-}
-
 }  // namespace
 
 Executive::Executive(const PlanningDesk& desk, Controller& controller, ExecutiveOptions options,
@@ -84,7 +78,7 @@ bool Executive::start_afresh() {
   if (!estimate) return give_up("the initial state cannot be read", estimate.error());
   seen_ = std::move(*estimate);
   const auto wrong = translate::deviations(desk_.binding(), initial, seen_.measured);
-  if (!wrong.empty()) return replan("the plant is not in the initial state: " + joined(wrong));
+  if (!wrong.empty()) return replan("the plant is not in the initial state: " + sentence_of(wrong));
   auto rebuilt =
       desk_.rebuild({.planning = initial, .measured = seen_.measured.fluents, .tare = tare_}, current_.plan);
   if (!rebuilt) return give_up("no program could be made", rebuilt.error());
@@ -169,7 +163,7 @@ bool Executive::replan(const std::string& cause) {
   auto estimate = translate::estimate(desk_.binding(), means_, tare_, tracked, interrupted);
   if (!estimate) return give_up("the state cannot be read", estimate.error());
   if (!estimate->contradictions.empty()) {
-    return give_up("the observed state contradicts itself: " + joined(estimate->contradictions));
+    return give_up("the observed state contradicts itself: " + sentence_of(estimate->contradictions));
   }
   seen_ = std::move(*estimate);
   const model::NamedState planning = with_changes(seen_.planning);
@@ -215,7 +209,6 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
       if (lost) return false;
       continue;
     }
-    last_event_ = event->sequence;
     if (event->program_digest == digest_) {
       take_time(event->time_ns);
       if (event->kind == host::EventKind::Trap || event->kind == host::EventKind::Stopped) {
@@ -272,7 +265,6 @@ bool Executive::install(const PreparedPlan& prepared) {
        std::chrono::steady_clock::now() < deadline && controller_.alive();) {
     const auto event = controller_.wait_event(milliseconds(200));
     if (!event) continue;
-    last_event_ = event->sequence;
     (void)controller_.acknowledge(event->sequence);
     if (event->kind != host::EventKind::Started || event->program_digest != digest_) continue;
     take_time(event->time_ns);
@@ -322,7 +314,8 @@ bool Executive::finish() {
   const auto wrong =
       translate::deviations(desk_.binding(), with_changes(seen_.planning), seen_.measured, beside_goal());
   if (!met) return give_up("the plan has ended, but the goal is not reached");
-  if (!wrong.empty()) return give_up("the goal is missed by less than a plan can mend: " + joined(wrong));
+  if (!wrong.empty())
+    return give_up("the goal is missed by less than a plan can mend: " + sentence_of(wrong));
   (void)controller_.stop("the plan is done");  // a lost runtime has stopped already
   set_phase(Phase::Done, "the goal is reached");
   return false;

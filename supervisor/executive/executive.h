@@ -47,6 +47,9 @@ struct ExecutiveOptions {
   std::vector<GoalChange> goal_changes;     // in order of time
 };
 
+// Several causes as one sentence: "a; b".
+std::string sentence_of(const std::vector<std::string>& causes);
+
 class Executive {
  public:
   using Observer = std::function<void(const RunRecord&)>;  // after every change, from the thread of `run`
@@ -120,9 +123,8 @@ class Executive {
   model::NamedState stuck_at_;             // the planner's state at the last replan
   std::map<std::string, double> changed_;  // fluents set from outside so far
   std::size_t next_change_ = 0;            // into options_.goal_changes
-  std::uint64_t last_event_ = 0;
-  double time_s_ = 0.0;         // of the record: scan clock, going on over restarts of the runtime
-  double time_offset_s_ = 0.0;  // record time - scan clock
+  double time_s_ = 0.0;                    // of the record: scan clock, going on over restarts of the runtime
+  double time_offset_s_ = 0.0;             // record time - scan clock
 
   std::atomic<bool> abort_{false};
   std::mutex requests_mutex_;

@@ -1,20 +1,16 @@
 // Watching one program: events, progress, deviations.
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <set>
 
 #include "supervisor/executive/executive.h"
+#include "supervisor/pddl/state.h"
 
 namespace stepwright::executive {
-namespace {
-
-std::string joined(const std::vector<std::string>& sentences) {
-  std::string text;
-  for (const std::string& sentence : sentences) text += (text.empty() ? "" : "; ") + sentence;
-  return text;
+std::string sentence_of(const std::vector<std::string>& causes) {
+  return fmt::format("{}", fmt::join(causes, "; "));
 }
-
-}  // namespace
 
 Executive::Decision Executive::follow() {
   while (true) {
@@ -25,11 +21,9 @@ Executive::Decision Executive::follow() {
       if (auto change = due_change(time_s_)) return {Verdict::Replan, *change};
       continue;
     }
-    last_event_ = event->sequence;
     const Decision decision = judge(*event);
     if (decision.verdict != Verdict::GoOn) return decision;
-    // A lost runtime shows in the next round.
-    if (auto acknowledged = controller_.acknowledge(event->sequence); !acknowledged) continue;
+    (void)controller_.acknowledge(event->sequence);  // a lost runtime shows in the next round
   }
 }
 
@@ -86,7 +80,7 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
   if (!progress.failed_steps.empty()) return {Verdict::Replan, describe_failure(progress)};
   if (settled(active)) {
     const auto wrong = translate::deviations(desk_.binding(), expected, seen_.measured, moving);
-    if (!wrong.empty()) return {Verdict::Replan, joined(wrong)};
+    if (!wrong.empty()) return {Verdict::Replan, sentence_of(wrong)};
   }
   if (auto change = due_change(time_s)) return {Verdict::Replan, *change};
   return progress.finished ? Decision{Verdict::Finished, {}} : Decision{};
@@ -143,7 +137,7 @@ std::string Executive::describe_failure(const translate::Progress& progress) con
     sentences.push_back(sentence);
   }
   for (const std::string& sentence : seen_.contradictions) sentences.push_back(sentence);
-  return joined(sentences);
+  return sentence_of(sentences);
 }
 
 std::optional<std::string> Executive::due_change(double time_s) {
@@ -159,13 +153,10 @@ std::optional<std::string> Executive::due_change(double time_s) {
   std::vector<std::string> sentences;
   for (const GoalChange& change : due) {
     changed_[change.fluent] = change.value;
-    std::string value = std::to_string(change.value);
-    value.erase(value.find_last_not_of('0') + 1);
-    if (value.back() == '.') value.pop_back();
-    sentences.push_back(change.fluent + " was changed to " + value);
+    sentences.push_back(change.fluent + " was changed to " + pddl::number_text(change.value));
   }
   if (sentences.empty()) return std::nullopt;
-  return joined(sentences);
+  return sentence_of(sentences);
 }
 
 std::vector<model::GroundAction> Executive::begun_actions() const {
