@@ -24,7 +24,8 @@ ValuePtr ExpressionAnalyzer::array_bound(const Expression& call, bool upper) {
   }
   const auto which = static_cast<std::size_t>(*dimension - 1);
   const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
-  if (array->open != nullptr) return load(copy_direct(array->open->bounds[2 * which + (upper ? 1 : 0)]), call.where);
+  if (array->open != nullptr)
+    return load(copy_direct(array->open->bounds[2 * which + (upper ? 1 : 0)]), call.where);
   return make_constant({upper ? dimensions[which].upper : dimensions[which].lower}, dint, call.where);
 }
 

@@ -86,6 +86,7 @@ ValuePtr ExpressionAnalyzer::function_call(const Expression& expression, Pou& fu
     return nullptr;
   }
   const Type* type = function.has_result ? function.result : a_.type_table().nothing();
+  if (type->kind == TypeKind::Subrange) type = type->base;
   ValuePtr result = make(ValueKind::Call, type, expression.where);
   result->pou = &function;
   const bool may_alias = has(Section::InOut);
@@ -119,9 +120,7 @@ std::optional<Statement> ExpressionAnalyzer::call_statement(const Expression& ca
   const Variable* variable = find_variable(call.name.id);
   if (variable != nullptr && variable->type == nullptr) return std::nullopt;
   if (variable != nullptr && variable->type->kind == TypeKind::Instance) return block_call(call, nullptr);
-  allow_nothing_ = true;
   ValuePtr value = this->call(call);
-  allow_nothing_ = false;
   if (!value) return std::nullopt;
   Statement statement;
   statement.kind = StatementKind::Evaluate;
@@ -198,8 +197,7 @@ bool ExpressionAnalyzer::block_argument(const Variable& parameter, const Argumen
       auto bounds = bounds_of(address->place, argument.value->where);
       for (std::size_t i = 0; i < bounds.size(); ++i) {
         const Place& bound = parameter.bounds[i];
-        out.before.push_back(
-            {part_of_target(out.target, bound.offset, bound.type), std::move(bounds[i])});
+        out.before.push_back({part_of_target(out.target, bound.offset, bound.type), std::move(bounds[i])});
       }
     }
     Place member = part_of_target(out.target, offset, address->type);

@@ -103,8 +103,7 @@ const Type* TypeResolver::base_type(const syntax::Name& name, const char* what) 
   const Type* base = named(name);
   if (base == nullptr) return nullptr;
   if (base->kind == TypeKind::Elementary && (base->is_integer() || base->is_bits())) return base;
-  a_.error(code::kTypeMismatch, name.where,
-           std::string(what) + " needs an integer type, not " + base->name);
+  a_.error(code::kTypeMismatch, name.where, std::string(what) + " needs an integer type, not " + base->name);
   return nullptr;
 }
 
@@ -136,8 +135,8 @@ const Type* TypeResolver::enumeration(const syntax::TypeSpec& spec, std::string 
 bool TypeResolver::add_enumerator(Type& type, const syntax::Name& name, __int128 value) {
   const IntegerRange range = range_of(type.elementary);
   const __int128 low = std::max(range.low, range_of(ElementaryType::Dint).low);
-  const __int128 high = std::min(
-      range.high, range_of(type.is_unsigned() ? ElementaryType::Udint : ElementaryType::Dint).high);
+  const __int128 high =
+      std::min(range.high, range_of(type.is_unsigned() ? ElementaryType::Udint : ElementaryType::Dint).high);
   if (value < low || value > high) {
     a_.error(code::kOutOfRange, name.where,
              "the value " + to_string(value) + " of " + quote(name.text) + " is out of range",
@@ -179,8 +178,9 @@ const Type* TypeResolver::text(const syntax::TypeSpec& spec) {
   if (!length) return nullptr;
   constexpr std::int64_t kMost = bytecode::kMaxStringCapacity;
   if (*length < 1 || *length > kMost) {
-    a_.error(code::kOutOfRange, spec.length->where, "a string holds from 1 to " + std::to_string(kMost) +
-                                                        " characters, not " + std::to_string(*length));
+    a_.error(
+        code::kOutOfRange, spec.length->where,
+        "a string holds from 1 to " + std::to_string(kMost) + " characters, not " + std::to_string(*length));
     return nullptr;
   }
   const bool wide = a_.names.folded(spec.name.id) == "WSTRING";

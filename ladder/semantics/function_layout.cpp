@@ -20,8 +20,7 @@ void Layout::number_parameters() {
           outputs ? section == Section::Output : section == Section::Input || section == Section::InOut;
       if (!wanted) continue;
       const Type* type = line_types_[i];
-      const bool by_value =
-          section == Section::Input && type != nullptr && type->is_scalar();
+      const bool by_value = section == Section::Input && type != nullptr && type->is_scalar();
       for (std::size_t name = 0; name < lines[i].names.size(); ++name) {
         pou_.slots.push_back(by_value ? slot_type(*type) : bytecode::StackType::Ref);
         if (type != nullptr && type->open)
@@ -38,7 +37,8 @@ void Layout::declare_result() {
   const syntax::PouDeclaration& declaration = *pou_.declaration;
   const Type* type = declaration.result ? types_.resolve(*declaration.result) : nullptr;
   if (type != nullptr && type->kind == TypeKind::Instance) {
-    a_.error(code::kBadSection, declaration.result->where, "a function cannot have a function block as result");
+    a_.error(code::kBadSection, declaration.result->where,
+             "a function cannot have a function block as result");
     type = nullptr;
   }
   const bool in_memory = type != nullptr && !type->is_scalar();

@@ -12,7 +12,6 @@ std::optional<Place> ExpressionAnalyzer::index_place(const Expression& expressio
   std::optional<Place> base = part(*expression.operands[0]);
   bool sound = base.has_value();
   const std::size_t given = expression.operands.size() - 1;
-  if (sound && base->type->is_string()) return character_place(std::move(*base), expression);
   if (sound && base->type->kind != TypeKind::Array) {
     a_.error(code::kTypeMismatch, expression.where, base->type->name + " is no array and cannot be indexed");
     sound = false;

@@ -28,8 +28,8 @@ void Layout::run() {
 }
 
 const Type* Layout::type_of(const VariableDeclaration& line) {
-  const bool is_parameter = line.section == Section::InOut ||
-                            (line.section == Section::Input && pou_.kind == PouKind::Function);
+  const bool is_parameter =
+      line.section == Section::InOut || (line.section == Section::Input && pou_.kind == PouKind::Function);
   const Type* type = is_parameter ? types_.resolve_parameter(*line.type) : types_.resolve(*line.type);
   return type != nullptr && allowed(line, *type) ? type : nullptr;
 }

@@ -8,7 +8,8 @@
 //
 // A function's slots are its parameters: inputs (the address, if the value is in memory) and in-outs (the
 // address) in the order of their declaration, each variable-length array followed by its bounds, then the
-// addresses of the outputs, then the address of the result, if that is in memory. Then come its own variables.
+// addresses of the outputs, then the address of the result, if that is in memory. Then come its own
+// variables.
 
 #include <array>
 #include <memory>
@@ -35,9 +36,9 @@ struct Variable {
   syntax::Edge edge = syntax::Edge::None;
   source::Position where;
   Place place;
-  Place edge_place;             // of an input with R_EDGE or F_EDGE: what the body reads
-  Place first;                  // function input in memory: a constant with its first value
-  std::vector<Place> bounds;    // variable-length array: lower and upper bound of each dimension, DINT
+  Place edge_place;           // of an input with R_EDGE or F_EDGE: what the body reads
+  Place first;                // function input in memory: a constant with its first value
+  std::vector<Place> bounds;  // variable-length array: lower and upper bound of each dimension, DINT
   std::optional<syntax::Area> open_address;  // AT %I*
   std::optional<syntax::DirectAddress> address;
   std::optional<Constant> value;    // of a scalar constant
@@ -59,7 +60,7 @@ struct Pou {
   std::vector<bytecode::StackType> slots;                  // parameters first
   std::uint16_t parameter_count = 0;
   std::uint32_t frame_size = 0;  // bytes
-  Block entry;  // gives temporary variables their first values; runs before the body
+  Block entry;                   // gives temporary variables their first values; runs before the body
   Block body;
   std::uint32_t label_count = 0;
   source::Position end;

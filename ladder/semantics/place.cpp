@@ -115,8 +115,9 @@ std::optional<Place> ExpressionAnalyzer::field_place(const Expression& expressio
   } else if (type.kind == TypeKind::Instance) {
     member = instance_member(type, expression.name);
   } else {
-    a_.error(code::kUnknownMember, expression.name.where, type.name + " has no members",
-             type.is_reference() ? "follow the reference first: ref^." + std::string(expression.name.text) : "");
+    a_.error(
+        code::kUnknownMember, expression.name.where, type.name + " has no members",
+        type.is_reference() ? "follow the reference first: ref^." + std::string(expression.name.text) : "");
   }
   if (!member) return std::nullopt;
   advance(*base, member->offset);

@@ -41,8 +41,8 @@ std::string Layout::forbidden_block(const VariableDeclaration& line) const {
 std::string Layout::forbidden_qualifier(const VariableDeclaration& line, const Type& type) const {
   const std::string section = section_name(line.section);
   const bool passed = line.section == Section::InOut || line.section == Section::External;
-  const bool kept = line.section == Section::Local || line.section == Section::Input ||
-                    line.section == Section::Output;
+  const bool kept =
+      line.section == Section::Local || line.section == Section::Input || line.section == Section::Output;
   if (line.constant && (line.section == Section::InOut || line.section == Section::Output))
     return section + " cannot be CONSTANT";
   if (line.initial && passed) return section + " takes no first value";
@@ -61,9 +61,9 @@ bool Layout::address_allowed(const VariableDeclaration& line) {
   const bool is_program = pou_.kind == PouKind::Program;
   const bool is_local = line.section == Section::Local;
   if (line.address && !(is_program && is_local)) {
-    a_.error(code::kAddressNotHere, line.address_where,
-             "an address stands in VAR of a program or in VAR_GLOBAL",
-             pou_.kind == PouKind::FunctionBlock ? "write AT %I*, %Q* or %M*, and the address in VAR_CONFIG" : "");
+    a_.error(
+        code::kAddressNotHere, line.address_where, "an address stands in VAR of a program or in VAR_GLOBAL",
+        pou_.kind == PouKind::FunctionBlock ? "write AT %I*, %Q* or %M*, and the address in VAR_CONFIG" : "");
     return false;
   }
   if (line.open_address && (pou_.kind == PouKind::Function || !is_local)) {

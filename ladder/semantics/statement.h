@@ -42,9 +42,9 @@ struct Statement {
   StatementKind kind = StatementKind::Return;
   source::Position where;
   bool initial = false;  // Assign: the bytes are copied as they are, the target holds nothing yet
-  Place target;    // Assign, For: what counts, Instance: the instance
-  ValuePtr value;  // For: the first value
-  ValuePtr limit;  // For; of the type of the target, as `step`
+  Place target;          // Assign, For: what counts, Instance: the instance
+  ValuePtr value;        // For: the first value
+  ValuePtr limit;        // For; of the type of the target, as `step`
   ValuePtr step;
   std::vector<CopyBefore> before;
   std::vector<CopyAfter> after;

@@ -204,9 +204,9 @@ bool elementary_from(const std::string& folded, ElementaryType& out) {
     const char* name;
     ElementaryType type;
   };
-  static constexpr Synonym kSynonyms[] = {
-      {"LTIME", Time}, {"LDATE", Date}, {"TIME_OF_DAY", Tod},  {"LTOD", Tod}, {"LTIME_OF_DAY", Tod},
-      {"LDT", Dt},     {"LDATE_AND_TIME", Dt}, {"DATE_AND_TIME", Dt}};
+  static constexpr Synonym kSynonyms[] = {{"LTIME", Time},        {"LDATE", Date},       {"TIME_OF_DAY", Tod},
+                                          {"LTOD", Tod},          {"LTIME_OF_DAY", Tod}, {"LDT", Dt},
+                                          {"LDATE_AND_TIME", Dt}, {"DATE_AND_TIME", Dt}};
   for (const Synonym& each : kSynonyms) {
     if (folded != each.name) continue;
     out = each.type;

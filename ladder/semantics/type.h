@@ -70,17 +70,17 @@ struct Type {
   std::string name;
   // Elementary; of an Enumeration and a Subrange that of `base`; String or Wstring of a String.
   ElementaryType elementary = ElementaryType::Bool;
-  std::uint32_t size = 1;                            // bytes in the image
-  const Type* base = nullptr;                        // Enumeration, Subrange: what it is stored as
-  const Type* element = nullptr;                     // Array; Reference: what it leads to
-  std::vector<Dimension> dimensions;                 // Array
-  bool open = false;                                 // Array: ARRAY[*], only the number of dimensions counts
-  IntegerRange range;                                // Subrange
-  std::uint32_t capacity = 0;                        // String: characters
-  std::vector<Field> fields;                         // Struct
-  std::vector<Enumerator> enumerators;               // Enumeration
-  const Pou* pou = nullptr;                          // Instance
-  std::vector<std::byte> initial;  // `size` bytes: what a variable starts with; empty = zero
+  std::uint32_t size = 1;               // bytes in the image
+  const Type* base = nullptr;           // Enumeration, Subrange: what it is stored as
+  const Type* element = nullptr;        // Array; Reference: what it leads to
+  std::vector<Dimension> dimensions;    // Array
+  bool open = false;                    // Array: ARRAY[*], only the number of dimensions counts
+  IntegerRange range;                   // Subrange
+  std::uint32_t capacity = 0;           // String: characters
+  std::vector<Field> fields;            // Struct
+  std::vector<Enumerator> enumerators;  // Enumeration
+  const Pou* pou = nullptr;             // Instance
+  std::vector<std::byte> initial;       // `size` bytes: what a variable starts with; empty = zero
 
   bool is(ElementaryType type) const { return kind == TypeKind::Elementary && elementary == type; }
   // One value in a slot: not an array, structure, string or instance.
@@ -95,6 +95,7 @@ struct Type {
   bool is_date() const;  // DATE, TOD, DT
   bool is_reference() const { return kind == TypeKind::Reference; }
   bool is_string() const { return kind == TypeKind::String; }
+  // Takes its type from where it stands.
   bool is_literal() const { return kind == TypeKind::AnyInteger || kind == TypeKind::AnyReal; }
   unsigned bit_count() const { return is_bool() ? 1 : size * 8; }
 };

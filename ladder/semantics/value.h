@@ -38,10 +38,10 @@ struct OpenIndex {
 
 // One step from a place to a part of it, or along the reference that it holds.
 struct PlaceStep {
-  bool follow = false;           // the place holds a reference: go where it leads
-  std::vector<OpenIndex> open;   // all indexes of a variable-length array; `stride` is that of an element
-  ValuePtr index;          // null: only `offset` is added
-  std::int32_t lower = 0;  // bounds of the index, checked at run time
+  bool follow = false;          // the place holds a reference: go where it leads
+  std::vector<OpenIndex> open;  // all indexes of a variable-length array; `stride` is that of an element
+  ValuePtr index;               // null: only `offset` is added
+  std::int32_t lower = 0;       // bounds of the index, checked at run time
   std::int32_t upper = 0;
   std::uint32_t stride = 0;
   std::uint32_t offset = 0;  // added behind the index
@@ -66,9 +66,7 @@ struct Place {
   // Has neither an index nor a reference on its way: the address is known when the program is loaded.
   bool is_direct() const { return steps.empty() && base != Base::ThisRef && base != Base::SlotRef; }
   // Can be given away as a reference.
-  bool is_addressable() const {
-    return (base != Base::Slot || !steps.empty()) && bit == bytecode::kNoBit;
-  }
+  bool is_addressable() const { return (base != Base::Slot || !steps.empty()) && bit == bytecode::kNoBit; }
 };
 
 enum class ValueKind : std::uint8_t {
