@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "tests/unit/supervisor/executive/bench_fixture.h"
 
 namespace stepwright::executive {
@@ -105,6 +107,35 @@ TEST(ExecutiveBench, WhenTheRuntimeIsKilled_ThenThePlanGoesOnFromTheObservedStat
   const RunRecord record = Executive(bench_desk(), controller, options, kill_once).run();
   EXPECT_EQ(record.phase, Phase::Done) << story(record);
   EXPECT_EQ(record.replans.size(), 1u) << story(record);
+}
+
+// The journal carries the record's clock: what a restarted supervisor notes comes after what was noted
+// before.
+TEST(ExecutiveBench, WhenSupervisorAndRuntimeAreRestarted_ThenTheTimeOfTheRecordGoesOn) {
+  const std::filesystem::path journal = testing::TempDir() + "resumed_executive.json";
+  std::filesystem::remove(journal);
+  ExecutiveOptions options;
+  options.cell = "bench";
+  options.journal = journal;
+  const std::filesystem::path kept = testing::TempDir() + "kept_executive.json";
+  SimulatedController first({});
+  int published = 0;
+  Executive(bench_desk(), first, options, [&](const RunRecord& record) {
+    if (record.phase == Phase::Executing && ++published == 12) {
+      std::filesystem::copy_file(journal, kept, std::filesystem::copy_options::overwrite_existing);
+    }
+  }).run();
+  options.journal = kept;
+  SimulatedController second({});
+  Executive* running = nullptr;
+  Executive resumed(bench_desk(), second, options, [&](const RunRecord& record) {
+    if (record.phase == Phase::Replanning) running->request_abort();
+  });
+  running = &resumed;
+  const RunRecord record = resumed.run();
+  ASSERT_EQ(record.replans.size(), 1u) << story(record);
+  EXPECT_GT(record.finished_s, 0.0);
+  EXPECT_GE(record.replans[0].time_s, record.finished_s);
 }
 
 }  // namespace
