@@ -135,7 +135,9 @@ bool Executive::recover_runtime() {
   const auto snapshot = controller_.snapshot();
   if (!snapshot || snapshot->program_digest != digest_) return true;
   take_time(snapshot->time_ns);
+  unwatched_ = true;
   const Decision decision = judge_steps(snapshot->image, time_s_);
+  unwatched_ = false;
   if (decision.verdict == Verdict::Finished) return finish();
   if (decision.verdict == Verdict::Replan) return replan(decision.cause);
   return decision.verdict == Verdict::GiveUp ? give_up(decision.cause) : true;

@@ -171,6 +171,12 @@ TEST(Load, WhenFileIsMissing_ThenDiagnosticNamesItAndIsP0001) {
   EXPECT_EQ(task.error()[0].where.file, "/nowhere/domain.pddl");
 }
 
+TEST(Load, WhenThePathIsAFolder_ThenP0001) {
+  const auto source = read_source(::testing::TempDir());
+  ASSERT_FALSE(source.has_value());
+  EXPECT_EQ(source.error()[0].code, "P0001");
+}
+
 TEST(Task, WhenInitialStateNamesUnknown_ThenRejectedWithHint) {
   const Task task = testing::bench_task();
   State state = task.initial();
