@@ -17,8 +17,9 @@ json plan_json(const model::Plan& plan) {
   for (const model::GroundAction& action : plan.actions) {
     actions.push_back({{"name", action.name}, {"arguments", action.arguments}});
   }
-  json orderings = json::array();
-  for (const model::Ordering& ordering : plan.orderings) {
+  json orderings;  // null: not known
+  if (plan.orderings) orderings = json::array();
+  for (const model::Ordering& ordering : plan.orderings.value_or(std::vector<model::Ordering>())) {
     orderings.push_back({ordering.before, ordering.after});
   }
   return {{"actions", std::move(actions)}, {"orderings", std::move(orderings)}};
@@ -29,8 +30,9 @@ model::Plan plan_from(const json& value) {
   for (const json& action : value.at("actions")) {
     plan.actions.push_back({action.at("name"), action.at("arguments").get<std::vector<std::string>>()});
   }
+  if (!value.at("orderings").is_null()) plan.orderings.emplace();
   for (const json& ordering : value.at("orderings")) {
-    plan.orderings.push_back({ordering.at(0).get<std::size_t>(), ordering.at(1).get<std::size_t>()});
+    plan.orderings->push_back({ordering.at(0).get<std::size_t>(), ordering.at(1).get<std::size_t>()});
   }
   return plan;
 }

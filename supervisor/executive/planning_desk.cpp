@@ -90,7 +90,7 @@ result::Result<PreparedPlan> PlanningDesk::rebuild(const StartState& start, cons
 }
 
 result::Result<void> PlanningDesk::build(PreparedPlan& prepared, const pddl::Task& task) const {
-  if (prepared.plan.orderings.empty()) {
+  if (!prepared.plan.orderings) {
     auto orderings = pddl::lift_partial_order(task, prepared.plan);
     if (!orderings) return tl::unexpected(std::move(orderings.error()));
     prepared.plan.orderings = std::move(*orderings);

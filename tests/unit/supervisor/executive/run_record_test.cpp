@@ -62,7 +62,7 @@ TEST(Journal, WhenWrittenAndRead_ThenItIsTheSame) {
   journal.start.planning.fluents = {{"(lev v1)", 2.0}};
   journal.start.tare = {{"S1", 12.5}};
   journal.plan.actions = {{"load", {"v1", "f1", "level8"}}, {"move", {"v1", "f1", "a1"}}};
-  journal.plan.orderings = {{0, 1}};
+  journal.plan.orderings = std::vector<model::Ordering>{{0, 1}};
   journal.changed = {{"(demand c1)", 8.0}};
   journal.time_s = 42.5;
   journal.time_offset_s = 12.5;
