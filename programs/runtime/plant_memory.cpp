@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -46,7 +47,11 @@ PlantMemory::~PlantMemory() {
 result::Result<std::unique_ptr<PlantMemory>> PlantMemory::open(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
   void* memory = MAP_FAILED;
-  if (descriptor >= 0 && ftruncate(descriptor, sizeof(Record)) == 0) {
+  struct stat info {};
+  // The folder of shared memory is everyone's: somebody may have put a file of their own in this place.
+  const bool foreign = descriptor >= 0 && fstat(descriptor, &info) == 0 && info.st_uid != geteuid();
+  if (foreign) errno = EPERM;
+  if (descriptor >= 0 && !foreign && ftruncate(descriptor, sizeof(Record)) == 0) {
     memory = mmap(nullptr, sizeof(Record), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
   }
   const int error = errno;

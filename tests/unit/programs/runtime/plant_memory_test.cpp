@@ -13,7 +13,9 @@ namespace {
 class PlantMemoryTest : public testing::Test {
  protected:
   PlantMemoryTest() { std::filesystem::remove(file_); }
-  const std::filesystem::path file_ = testing::TempDir() + "plant.state";
+  ~PlantMemoryTest() override { std::filesystem::remove(file_); }
+  // Of this process alone: each case runs in its own, several at a time.
+  const std::filesystem::path file_ = testing::TempDir() + "plant.state." + std::to_string(getpid());
 };
 
 TEST_F(PlantMemoryTest, WhenTheFileIsNew_ThenNothingWasLeft) {
