@@ -1,6 +1,7 @@
 #include "programs/runtime/plant_memory.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -34,14 +35,17 @@ bool makes_sense(const PlantMemory::State& state) {
 
 }  // namespace
 
-PlantMemory::PlantMemory(std::filesystem::path file, Record* record)
-    : file_(std::move(file)), record_(record) {}
+PlantMemory::PlantMemory(std::filesystem::path file, int descriptor, Record* record)
+    : file_(std::move(file)), descriptor_(descriptor), record_(record) {
+  // Goes with its process, however that ends.
+  owned_ = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+}
 
 PlantMemory::~PlantMemory() {
   munmap(record_, sizeof(Record));
-  if (!kept_) return;       // the file may be another runtime's
   std::error_code ignored;  // left behind, it is one more start from where the plant stands
-  std::filesystem::remove(file_, ignored);
+  if (owned_) std::filesystem::remove(file_, ignored);
+  close(descriptor_);
 }
 
 result::Result<std::unique_ptr<PlantMemory>> PlantMemory::open(const std::filesystem::path& file) {
@@ -55,12 +59,12 @@ result::Result<std::unique_ptr<PlantMemory>> PlantMemory::open(const std::filesy
     memory = mmap(nullptr, sizeof(Record), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
   }
   const int error = errno;
-  if (descriptor >= 0) close(descriptor);
   if (memory == MAP_FAILED) {
+    if (descriptor >= 0) close(descriptor);
     return result::fail("R0001", {file.string(), 0, 0},
                         std::string("the plant's state cannot be kept: ") + std::strerror(error));
   }
-  return std::unique_ptr<PlantMemory>(new PlantMemory(file, static_cast<Record*>(memory)));
+  return std::unique_ptr<PlantMemory>(new PlantMemory(file, descriptor, static_cast<Record*>(memory)));
 }
 
 std::optional<PlantMemory::State> PlantMemory::left_behind() const {
@@ -74,7 +78,6 @@ void PlantMemory::keep(const State& state) {
   record_->slots[next] = state;
   record_->newest.store(next, std::memory_order_release);
   record_->magic = Record::kMagic;
-  kept_ = true;
 }
 
 }  // namespace stepwright::cell_runtime

@@ -36,11 +36,12 @@ class PlantMemory {
 
  private:
   struct Record;
-  PlantMemory(std::filesystem::path file, Record* record);
+  PlantMemory(std::filesystem::path file, int descriptor, Record* record);
 
   std::filesystem::path file_;
-  Record* record_;  // mapped
-  bool kept_ = false;
+  int descriptor_;
+  Record* record_;      // mapped
+  bool owned_ = false;  // no other runtime had the file before
 };
 
 }  // namespace stepwright::cell_runtime

@@ -47,6 +47,20 @@ TEST_F(PlantMemoryTest, WhenItEndsCleanly_ThenNothingIsLeft) {
   EXPECT_FALSE(std::filesystem::exists(file_));
 }
 
+TEST_F(PlantMemoryTest, WhenItEndsBeforeTheFirstScan_ThenNothingIsLeft) {
+  ASSERT_TRUE(PlantMemory::open(file_).has_value());
+  EXPECT_FALSE(std::filesystem::exists(file_));
+}
+
+TEST_F(PlantMemoryTest, WhenAnotherRuntimeHasTheFile_ThenItStaysUntilThatOneEnds) {
+  auto first = PlantMemory::open(file_);
+  ASSERT_TRUE(first.has_value());
+  ASSERT_TRUE(PlantMemory::open(file_).has_value());
+  EXPECT_TRUE(std::filesystem::exists(file_));
+  first->reset();
+  EXPECT_FALSE(std::filesystem::exists(file_));
+}
+
 TEST_F(PlantMemoryTest, WhenTheFileIsGarbage_ThenNothingWasLeft) {
   std::ofstream(file_) << std::string(200, 'x');
   EXPECT_FALSE((*PlantMemory::open(file_))->left_behind().has_value());
