@@ -63,7 +63,8 @@ ActionUse Parser::action_use() {
   if (qualified) {
     result.qualifier = peek().text;
     result.qualifier_where = advance().where;
-    if (takes_duration(result.qualifier) && accept(TokenKind::Comma)) result.duration = action_argument("a duration");
+    if (takes_duration(result.qualifier) && accept(TokenKind::Comma))
+      result.duration = action_argument("a duration");
     while (accept(TokenKind::Comma)) {
       // Where none belongs it is kept, for a diagnostic that says so.
       if (at(TokenKind::Time)) {
