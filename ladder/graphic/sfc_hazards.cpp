@@ -142,7 +142,7 @@ class Findings {
 Diagnostics find_hazards(const SfcChart& chart, const HazardOptions& options) {
   Diagnostics found;
   TokenNet net = token_net(chart);
-  MarkingGraph graph = explore(net, options.marking_limit);
+  MarkingGraph graph = explore(net, std::max<std::size_t>(options.marking_limit / 4, 1));
   find_unreachable(chart, net, graph, found);
   if (!graph.complete) {
     net = reduced(std::move(net));
