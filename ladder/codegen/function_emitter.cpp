@@ -117,6 +117,7 @@ void FunctionEmitter::statement(const Statement& statement) {
 
 void FunctionEmitter::instance(const Statement& statement) {
   e_.copies_before(statement.before);
+  if (statement.passes_only) return e_.copies_after(statement.after);
   const semantics::Place& target = statement.target;
   const std::uint32_t function = e_.function_of(*target.type->pou);
   if (!target.is_direct()) {

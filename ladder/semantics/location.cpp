@@ -83,6 +83,7 @@ void check_overlaps(Analysis& a) {
   std::vector<Extent> extents;
   for (const Variable& each : a.model.globals)
     if (each.address && each.type != nullptr) extents.push_back(extent_of(each));
+  for (const Variable& each : a.model.configured) extents.push_back(extent_of(each));
   for (const auto& pou : a.model.pous)
     for (const Variable& each : pou->variables)
       if (each.address && each.type != nullptr) extents.push_back(extent_of(each));

@@ -52,12 +52,14 @@ inline constexpr const char* kBadAddress = "E0501";
 inline constexpr const char* kAddressSize = "E0502";
 inline constexpr const char* kOverlap = "E0503";
 inline constexpr const char* kAddressNotHere = "E0504";
+inline constexpr const char* kMissingAddress = "E0505";
 
 inline constexpr const char* kNoProgram = "E0601";
 inline constexpr const char* kUnknownTask = "E0602";
 inline constexpr const char* kUnknownProgram = "E0603";
 inline constexpr const char* kBadTask = "E0604";
 inline constexpr const char* kSeveralConfigurations = "E0605";
+inline constexpr const char* kBadConnection = "E0606";
 
 inline constexpr const char* kUnknownLabel = "E0701";
 inline constexpr const char* kEdgeInFunction = "E0702";

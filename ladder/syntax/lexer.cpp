@@ -5,6 +5,7 @@
 
 #include "ladder/syntax/date_literal.h"
 #include "ladder/syntax/number.h"
+#include "ladder/syntax/soft_words.h"
 
 namespace stepwright::syntax {
 
@@ -84,6 +85,7 @@ class Lexer {
       next();
     }
     push(TokenKind::End);
+    soften(tokens_);
     return std::move(tokens_);
   }
 
