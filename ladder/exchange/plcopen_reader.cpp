@@ -144,8 +144,6 @@ class ProjectReader {
                        "POU '" + pou.name + "' has several bodies (worksheets)", "join them into one");
       }
     }
-    if (bodies == 0)
-      context_.error(node, code::kNotPlcopen, "POU '" + pou.name + "' has no body", "add an empty <ST> body");
     pou.body = std::move(drawn);
     project_.pous.push_back(std::move(pou));
   }
