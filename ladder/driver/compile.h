@@ -24,7 +24,7 @@
 namespace stepwright::driver {
 
 struct CompileInput {
-  std::vector<source::NamedText> texts;  // ST, in the order in which diagnostics name them
+  std::vector<source::NamedText> texts;             // ST, in the order in which diagnostics name them
   std::vector<const graphic::Project*> projects{};  // LD, SFC, ST POUs of exchange files or a plan
 };
 

@@ -156,7 +156,8 @@ void PouLowering::add_drawn(const graphic::Pou& pou, source::FileId file) {
   }
   if (body.language == graphic::BodyLanguage::InstructionList) {
     context_.sink.error(source::code::kExchangeUnsupported, {file, body.where},
-                        "POU '" + pou.name + "': instruction lists are not supported", "write the body in ST");
+                        "POU '" + pou.name + "': instruction lists are not supported",
+                        "write the body in ST");
     return;
   }
   if (body.diagram.language == graphic::DiagramLanguage::Chart) return add_chart(pou, file);
@@ -205,7 +206,8 @@ void PouLowering::add_project(const graphic::Project& project) {
   for (const graphic::Pou& each : project.pous) add_pou(each, origin);
   const std::string text = configuration_text(project, mark);
   if (!text.empty())
-    syntax::parse_unit(context_, context_.sources.add(name + ".cfg", text), unit_, syntax::TextKind::Generated);
+    syntax::parse_unit(context_, context_.sources.add(name + ".cfg", text), unit_,
+                       syntax::TextKind::Generated);
 }
 
 }  // namespace stepwright::driver

@@ -29,9 +29,12 @@ std::string type_text(const syntax::TypeSpec& type) {
 }
 
 void add_parameter(lowering::Signature& signature, syntax::Section section, lowering::Parameter parameter) {
-  if (section == syntax::Section::Input) signature.inputs.push_back(std::move(parameter));
-  else if (section == syntax::Section::Output) signature.outputs.push_back(std::move(parameter));
-  else if (section == syntax::Section::InOut) signature.in_outs.push_back(std::move(parameter));
+  if (section == syntax::Section::Input)
+    signature.inputs.push_back(std::move(parameter));
+  else if (section == syntax::Section::Output)
+    signature.outputs.push_back(std::move(parameter));
+  else if (section == syntax::Section::InOut)
+    signature.in_outs.push_back(std::move(parameter));
 }
 
 // Type of `field` in "STRUCT a : INT; b : T := 3; END_STRUCT".
@@ -72,7 +75,8 @@ void ProgramInterfaces::add(const syntax::Unit& unit) {
         add_parameter(signature, line.section, {std::string(name.text), type_text(*line.type)});
   }
   for (const syntax::VariableDeclaration& line : unit.globals)
-    for (const syntax::Name& name : line.names) globals_[upper(std::string(name.text))] = type_text(*line.type);
+    for (const syntax::Name& name : line.names)
+      globals_[upper(std::string(name.text))] = type_text(*line.type);
 }
 
 void ProgramInterfaces::add(const graphic::Project& project) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a diagram of a project sees of the program: types of variables, interfaces of POUs, places in the file.
-// Internal to this folder.
+// What a diagram of a project sees of the program: types of variables, interfaces of POUs, places in the
+// file. Internal to this folder.
 
 #include <map>
 #include <string>

@@ -32,7 +32,8 @@ std::string enumeration_type(ReadContext& context, pugi::xml_node enumeration) {
   for (const pugi::xml_node each : child(enumeration, "values").children()) {
     if (local_name(each) != "value") continue;
     values += (values.empty() ? "" : ", ") + context.required(each, "name");
-    if (const pugi::xml_attribute value = each.attribute("value")) values += std::string(" := ") + value.value();
+    if (const pugi::xml_attribute value = each.attribute("value"))
+      values += std::string(" := ") + value.value();
   }
   const pugi::xml_node base = child(enumeration, "baseType");
   return (base ? read_type(context, base) + " " : "") + "(" + values + ")";
@@ -117,8 +118,8 @@ std::string read_value(ReadContext& context, pugi::xml_node node, const std::str
 
 void read_variables(ReadContext& context, pugi::xml_node list, graphic::VariableSection section,
                     std::vector<graphic::Variable>& variables, std::vector<graphic::VariableList>& lists) {
-  lists.push_back({context.documentation(list),
-                   extra_of(list, {"constant", "retain"}, {"variable", "documentation"})});
+  lists.push_back(
+      {context.documentation(list), extra_of(list, {"constant", "retain"}, {"variable", "documentation"})});
   for (const pugi::xml_node node : list.children()) {
     if (local_name(node) != "variable") continue;
     graphic::Variable variable;

@@ -55,17 +55,17 @@ class DiagramReader {
     element.documentation = context_.documentation(node);
     element.extra = extra_of(
         node,
-        {"localId", "width", "height", "executionOrderId", "negated", "edge", "storage", "negatedIn", "edgeIn",
-         "storageIn", "negatedOut", "edgeOut", "storageOut", "name", "label", "targetName", "typeName",
-         "instanceName", "initialStep", "priority"},
+        {"localId",   "width",      "height",    "executionOrderId", "negated",     "edge",       "storage",
+         "negatedIn", "edgeIn",     "storageIn", "negatedOut",       "edgeOut",     "storageOut", "name",
+         "label",     "targetName", "typeName",  "instanceName",     "initialStep", "priority"},
         {"position", "connectionPointIn", "connectionPointOut", "connectionPointOutAction", "inputVariables",
          "inOutVariables", "outputVariables", "variable", "expression", "content", "alternativeText",
          "condition", "action", "documentation", element.kind == ElementKind::MacroStep ? "" : "body"});
     if (element.kind == ElementKind::MacroStep) {
       // Its name and body stay with what is not read; lowering refuses it.
-      element.extra.children = extra_of(node, {}, {"position", "connectionPointIn", "connectionPointOut",
-                                                   "documentation"})
-                                   .children;
+      element.extra.children =
+          extra_of(node, {}, {"position", "connectionPointIn", "connectionPointOut", "documentation"})
+              .children;
     }
     diagram_.elements.push_back(std::move(element));
   }
@@ -138,10 +138,10 @@ class DiagramReader {
       pin.name = node.attribute("formalParameter").value();
       pin.modifier = modifier(node);
       pin.documentation = context_.documentation(node);
-      pin.extra = extra_of(node, {"formalParameter", "negated", "edge", "storage"},
-                           input ? std::initializer_list<std::string_view>{"connectionPointIn", "documentation"}
-                                 : std::initializer_list<std::string_view>{"connectionPointOut",
-                                                                           "documentation"});
+      pin.extra =
+          extra_of(node, {"formalParameter", "negated", "edge", "storage"},
+                   input ? std::initializer_list<std::string_view>{"connectionPointIn", "documentation"}
+                         : std::initializer_list<std::string_view>{"connectionPointOut", "documentation"});
       pins.push_back(std::move(pin));
     }
   }

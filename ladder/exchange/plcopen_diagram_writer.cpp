@@ -175,7 +175,8 @@ void add_element(pugi::xml_node body, const Element& element) {
   pugi::xml_node node = body.append_child(graphic::to_string(kind));
   add_attributes(node, element);
   add_place(node, "position", element.position);
-  if (kind == ElementKind::Comment || kind == ElementKind::Error) add_text(node, "content", element.name.text);
+  if (kind == ElementKind::Comment || kind == ElementKind::Error)
+    add_text(node, "content", element.name.text);
   if (kind == ElementKind::VendorElement) add_text(node, "alternativeText", element.name.text);
   if (kind == ElementKind::Block || kind == ElementKind::VendorElement) {
     add_variables(node, "inputVariables", element.inputs, true);
@@ -213,7 +214,8 @@ void write_body(pugi::xml_node node, const graphic::DiagramBody& body) {
 }
 
 void write_drawn(pugi::xml_node pou, const graphic::DrawnBody& drawn) {
-  const auto list = [&](const char* name, const char* element, const std::vector<graphic::NamedBody>& bodies) {
+  const auto list = [&](const char* name, const char* element,
+                        const std::vector<graphic::NamedBody>& bodies) {
     if (bodies.empty()) return;
     pugi::xml_node parent = pou.append_child(name);
     for (const graphic::NamedBody& each : bodies) {

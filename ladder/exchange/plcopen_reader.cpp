@@ -52,8 +52,8 @@ std::optional<std::uint64_t> ReadContext::number(pugi::xml_node node, const char
   const pugi::xml_attribute found = node.attribute(attribute);
   if (!found) return std::nullopt;
   const std::string_view text = found.value();
-  const bool digits = !text.empty() && text.size() < 20 &&
-                      text.find_first_not_of("0123456789") == std::string_view::npos;
+  const bool digits =
+      !text.empty() && text.size() < 20 && text.find_first_not_of("0123456789") == std::string_view::npos;
   if (!digits)
     error(node, code::kNotPlcopen, std::string(attribute) + "=\"" + found.value() + "\" is no number");
   return digits ? std::strtoull(found.value(), nullptr, 10) : 0;
@@ -129,8 +129,8 @@ class ProjectReader {
                      "pouType is function, functionBlock or program");
     interface(child(node, "interface"), pou);
     pou.comment = context_.documentation(node);
-    pou.extra = extra_of(node, {"name", "pouType"},
-                         {"interface", "actions", "transitions", "body", "documentation"});
+    pou.extra =
+        extra_of(node, {"name", "pouType"}, {"interface", "actions", "transitions", "body", "documentation"});
     graphic::DrawnBody drawn;
     named_bodies(child(node, "actions"), "action", drawn.actions);
     named_bodies(child(node, "transitions"), "transition", drawn.transitions);
@@ -154,8 +154,9 @@ class ProjectReader {
     for (const pugi::xml_node list : node.children())
       if (const auto section = section_of(local_name(list)))
         read_variables(context_, list, *section, pou.variables, pou.lists);
-    pou.interface_extra = extra_of(node, {}, {"returnType", "localVars", "tempVars", "inputVars", "outputVars",
-                                              "inOutVars", "externalVars", "globalVars"});
+    pou.interface_extra = extra_of(node, {},
+                                   {"returnType", "localVars", "tempVars", "inputVars", "outputVars",
+                                    "inOutVars", "externalVars", "globalVars"});
   }
 
   void named_bodies(pugi::xml_node list, std::string_view element, std::vector<graphic::NamedBody>& out) {
@@ -224,8 +225,8 @@ class ProjectReader {
       if (us) {
         task.interval_us = *us;
       } else {
-        context_.error(node, code::kNotPlcopen, "the interval '" + interval + "' of task '" + task.name +
-                                                    "' is no duration",
+        context_.error(node, code::kNotPlcopen,
+                       "the interval '" + interval + "' of task '" + task.name + "' is no duration",
                        "write it as T#20ms, in whole microseconds");
       }
     }

@@ -13,10 +13,11 @@ namespace stepwright::exchange::plcopen {
 namespace {
 
 constexpr std::array<const char*, 30> elementary{
-    "BOOL",    "BYTE",        "WORD",         "DWORD",         "LWORD",   "SINT",     "INT",     "DINT",
-    "LINT",    "USINT",       "UINT",         "UDINT",         "ULINT",   "REAL",     "LREAL",   "TIME",
-    "DATE",    "DT",          "TOD",          "ANY",           "ANY_DERIVED", "ANY_ELEMENTARY", "ANY_MAGNITUDE",
-    "ANY_NUM", "ANY_REAL",    "ANY_INT",      "ANY_BIT",       "ANY_STRING",  "ANY_DATE",       ""};
+    "BOOL",     "BYTE",    "WORD",        "DWORD",          "LWORD",         "SINT",
+    "INT",      "DINT",    "LINT",        "USINT",          "UINT",          "UDINT",
+    "ULINT",    "REAL",    "LREAL",       "TIME",           "DATE",          "DT",
+    "TOD",      "ANY",     "ANY_DERIVED", "ANY_ELEMENTARY", "ANY_MAGNITUDE", "ANY_NUM",
+    "ANY_REAL", "ANY_INT", "ANY_BIT",     "ANY_STRING",     "ANY_DATE",      ""};
 
 std::string trimmed(std::string_view text) {
   const char* blank = " \t\r\n";
@@ -114,7 +115,8 @@ bool add_enumeration(pugi::xml_node parent, const std::string& type) {
     const std::size_t assign = each.find(":=");
     pugi::xml_node value = values.append_child("value");
     value.append_attribute("name") = trimmed(each.substr(0, assign)).c_str();
-    if (assign != std::string::npos) value.append_attribute("value") = trimmed(each.substr(assign + 2)).c_str();
+    if (assign != std::string::npos)
+      value.append_attribute("value") = trimmed(each.substr(assign + 2)).c_str();
   }
   const std::string base = trimmed(type.substr(0, open));
   if (!base.empty()) add_type(enumeration.append_child("baseType"), base);
@@ -150,7 +152,8 @@ void add_type(pugi::xml_node parent, const std::string& type) {
   if (name.empty()) return;
   if (starts(name, "STRUCT") && name.size() > 6 && std::isspace(static_cast<unsigned char>(name[6])) != 0)
     return add_structure(parent, name);
-  if (starts(name, "REF_TO ")) return add_type(parent.append_child("pointer").append_child("baseType"), name.substr(7));
+  if (starts(name, "REF_TO "))
+    return add_type(parent.append_child("pointer").append_child("baseType"), name.substr(7));
   if (add_array(parent, name) || add_subrange(parent, name) || add_enumeration(parent, name) ||
       add_string(parent, name))
     return;
@@ -167,8 +170,8 @@ void add_type(pugi::xml_node parent, const std::string& type) {
 void add_value(pugi::xml_node parent, const std::string& value) {
   const std::string text = trimmed(value);
   const bool array = !text.empty() && text.front() == '[' && text.back() == ']';
-  const bool structure = !text.empty() && text.front() == '(' && text.back() == ')' &&
-                         text.find(":=") != std::string::npos;
+  const bool structure =
+      !text.empty() && text.front() == '(' && text.back() == ')' && text.find(":=") != std::string::npos;
   if (!array && !structure) {
     parent.append_child("simpleValue").append_attribute("value") = text.c_str();
     return;
@@ -181,9 +184,9 @@ void add_value(pugi::xml_node parent, const std::string& value) {
       const std::size_t assign = std::min(part.find(":="), part.size());
       node.append_attribute("member") = trimmed(part.substr(0, assign)).c_str();
       own = part.substr(std::min(assign + 2, part.size()));
-    } else if (const std::size_t open = part.find('(');
-               open != std::string::npos && open > 0 && part.back() == ')' &&
-               part.find_first_not_of("0123456789_") == open) {
+    } else if (const std::size_t open = part.find('('); open != std::string::npos && open > 0 &&
+                                                        part.back() == ')' &&
+                                                        part.find_first_not_of("0123456789_") == open) {
       node.append_attribute("repetitionValue") = part.substr(0, open).c_str();
       own = part.substr(open + 1, part.size() - open - 2);
     }

@@ -79,17 +79,15 @@ result::Result<XmlFile> XmlFile::parse(std::string name, std::string text) {
     where.file = name;
     return result::fail(source::code::kBadXml, where, std::move(message), std::move(hint));
   };
-  if (text.size() > kMaxBytes)
-    return fail({}, "the file is larger than 64 MiB", "split the project");
+  if (text.size() > kMaxBytes) return fail({}, "the file is larger than 64 MiB", "split the project");
   XmlFile file;
   file.name_ = name;
   file.text_ = std::move(text);
   if (file.text_.rfind("\xEF\xBB\xBF", 0) == 0) file.skipped_ = 3;
   if (file.text_.rfind("\xFF\xFE", 0) == 0 || file.text_.rfind("\xFE\xFF", 0) == 0)
     return fail({{}, 1, 1}, "the file is not UTF-8", "save it with the encoding UTF-8");
-  const pugi::xml_parse_result parsed =
-      file.document_.load_buffer(file.text_.data() + file.skipped_, file.text_.size() - file.skipped_, kParse,
-                                 pugi::encoding_utf8);
+  const pugi::xml_parse_result parsed = file.document_.load_buffer(
+      file.text_.data() + file.skipped_, file.text_.size() - file.skipped_, kParse, pugi::encoding_utf8);
   if (!parsed) {
     const auto offset = static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(parsed.offset, 0));
     return fail(file.location(offset + file.skipped_),
@@ -114,12 +112,13 @@ std::uint32_t XmlFile::offset(pugi::xml_node node) const {
 }
 
 result::Location XmlFile::location(std::uint32_t offset) const {
-  const auto end = text_.begin() + std::min<std::ptrdiff_t>(offset, static_cast<std::ptrdiff_t>(text_.size()));
+  const auto end =
+      text_.begin() + std::min<std::ptrdiff_t>(offset, static_cast<std::ptrdiff_t>(text_.size()));
   const auto line = static_cast<std::uint32_t>(std::count(text_.begin(), end, '\n'));
   auto start = end;
   while (start != text_.begin() && *(start - 1) != '\n') --start;
-  const auto column = std::count_if(
-      start, end, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+  const auto column =
+      std::count_if(start, end, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
   return {name_, line + 1, static_cast<std::uint32_t>(column) + 1};
 }
 
@@ -128,7 +127,8 @@ void XmlFile::append(pugi::xml_node node, graphic::SourceText& out) const {
     const bool cdata = each.type() == pugi::node_cdata;
     if (cdata || each.type() == pugi::node_pcdata) {
       // Space between elements is layout of the file, not of the text.
-      const bool layout = !cdata && is_space(each.value()) && (each.next_sibling() || each.previous_sibling());
+      const bool layout =
+          !cdata && is_space(each.value()) && (each.next_sibling() || each.previous_sibling());
       if (layout) continue;
       anchor_text(text_, offset(each), each.value(), !cdata, static_cast<std::uint32_t>(out.text.size()),
                   out.anchors);

@@ -5,20 +5,31 @@
 namespace stepwright::graphic {
 
 const char* to_string(ElementKind kind) {
-  constexpr std::array<const char*, 25> names{
-      "comment",       "error",
-      "connector",     "continuation",
-      "actionBlock",   "vendorElement",
-      "block",         "inVariable",
-      "outVariable",   "inOutVariable",
-      "label",         "jump",
-      "return",        "leftPowerRail",
-      "rightPowerRail", "coil",
-      "contact",       "step",
-      "macroStep",     "jumpStep",
-      "transition",    "selectionDivergence",
-      "selectionConvergence", "simultaneousDivergence",
-      "simultaneousConvergence"};
+  constexpr std::array<const char*, 25> names{"comment",
+                                              "error",
+                                              "connector",
+                                              "continuation",
+                                              "actionBlock",
+                                              "vendorElement",
+                                              "block",
+                                              "inVariable",
+                                              "outVariable",
+                                              "inOutVariable",
+                                              "label",
+                                              "jump",
+                                              "return",
+                                              "leftPowerRail",
+                                              "rightPowerRail",
+                                              "coil",
+                                              "contact",
+                                              "step",
+                                              "macroStep",
+                                              "jumpStep",
+                                              "transition",
+                                              "selectionDivergence",
+                                              "selectionConvergence",
+                                              "simultaneousDivergence",
+                                              "simultaneousConvergence"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -4,9 +4,9 @@
 // what editors draw and files hold. Nothing is interpreted here; ladder/lowering reads programs and charts
 // out of it, ladder/exchange writes it back as it is, with everything that it did not understand.
 //
-// An element names the elements that its inputs come from (as TC6 does): a connection belongs to the consumer.
-// Identifiers are those of the file and unique in a diagram. Coordinates are those of the file; y grows
-// downwards. Values; use from any thread.
+// An element names the elements that its inputs come from (as TC6 does): a connection belongs to the
+// consumer. Identifiers are those of the file and unique in a diagram. Coordinates are those of the file; y
+// grows downwards. Values; use from any thread.
 
 #include <cstdint>
 #include <optional>
@@ -51,9 +51,9 @@ struct Modifier {
 };
 
 struct Connection {
-  std::uint64_t from = 0;     // identifier of an element
-  std::string output;         // name of its output; empty = its only or first one
-  std::vector<Place> path;    // from the consumer to the producer; may be empty
+  std::uint64_t from = 0;   // identifier of an element
+  std::string output;       // name of its output; empty = its only or first one
+  std::vector<Place> path;  // from the consumer to the producer; may be empty
   Extra extra;
 };
 
@@ -105,9 +105,9 @@ struct DiagramAction {
   std::string qualifier;  // empty = N
   std::string duration;
   std::string indicator;
-  std::string reference;            // name of an action or variable; empty if `body` holds it
-  std::vector<DiagramBody> body;    // none or one
-  std::optional<Place> position;    // relative to the block
+  std::string reference;          // name of an action or variable; empty if `body` holds it
+  std::vector<DiagramBody> body;  // none or one
+  std::optional<Place> position;  // relative to the block
   std::string documentation;
   Extra extra;
   std::uint32_t where = 0;
@@ -133,11 +133,11 @@ struct Element {
   // Contact, Coil: variable; In/Out/InOutVariable: expression; Block: type; Label, Jump: label; Connector,
   // Continuation: name; Step: name; JumpStep: target; Comment, Error: content.
   SourceText name;
-  std::string instance;                   // Block
-  Modifier modifier;                      // of contacts, coils and variables (InOutVariable: its input)
-  Modifier output_modifier;               // InOutVariable
+  std::string instance;      // Block
+  Modifier modifier;         // of contacts, coils and variables (InOutVariable: its input)
+  Modifier output_modifier;  // InOutVariable
   std::vector<Pin> inputs;
-  std::vector<Pin> in_outs;               // Block; connections are those of its input side
+  std::vector<Pin> in_outs;  // Block; connections are those of its input side
   std::vector<Pin> outputs;
   bool initial = false;                   // Step
   std::optional<Pin> action_output;       // Step

@@ -26,7 +26,7 @@ struct Variable {
   bool constant = false;
   bool retain = false;
   std::string comment{};
-  std::uint32_t list = 0;   // which of the POU's lists it stands in; neighbours with the same share one
+  std::uint32_t list = 0;  // which of the POU's lists it stands in; neighbours with the same share one
   Extra extra{};
   std::uint32_t where = 0;  // byte of Project::file_text, 0 = none
 };
@@ -85,8 +85,8 @@ struct Pou {
 struct Task {
   std::string name;
   std::int64_t interval_us = 10'000;
-  int priority = 0;         // 0 is the highest
-  std::string single{};     // BOOL variable whose rising edge starts it; empty = periodic
+  int priority = 0;      // 0 is the highest
+  std::string single{};  // BOOL variable whose rising edge starts it; empty = periodic
   std::uint32_t resource = 0;
   std::string comment{};
   Extra extra{};

@@ -83,8 +83,7 @@ void DiagramGraph::index() {
       scope_.error(source::code::kBadDiagram, element.where,
                    "the localId " + std::to_string(element.id) + " is used twice",
                    "every element of a body has a number of its own");
-    if (element.kind == ElementKind::Connector)
-      connectors_[graphic::upper(element.name.text)] = &element;
+    if (element.kind == ElementKind::Connector) connectors_[graphic::upper(element.name.text)] = &element;
   }
 }
 
@@ -127,7 +126,8 @@ void DiagramGraph::connect(std::size_t element, const Pin& pin) {
     if (found == index_.end()) {
       scope_.error(source::code::kBadDiagram, consumer.where,
                    std::string("an input of this ") + graphic::to_string(consumer.kind) +
-                       " is connected to element " + std::to_string(connection.from) + ", which is not there");
+                       " is connected to element " + std::to_string(connection.from) +
+                       ", which is not there");
       continue;
     }
     if (origin.element == nullptr) {

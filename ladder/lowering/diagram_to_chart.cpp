@@ -112,8 +112,8 @@ class ChartReader {
     if (element.kind == ElementKind::Step) return step_ids_.at(&element);
     const auto found = by_name_.find(graphic::upper(element.name.text));
     if (found != by_name_.end()) return found->second;
-    scope_.error(code::kBadDiagram, element.where, "the jump leads to '" + element.name.text +
-                                                       "', which is no step of this chart");
+    scope_.error(code::kBadDiagram, element.where,
+                 "the jump leads to '" + element.name.text + "', which is no step of this chart");
     return std::nullopt;
   }
 
@@ -150,7 +150,8 @@ class ChartReader {
         return texts_.condition(condition.body.front(), condition.reference);
       case ConditionSource::Reference: {
         for (const graphic::NamedBody& each : body_.transitions)
-          if (graphic::same_name(each.name, condition.reference)) return texts_.condition(each.body, each.name);
+          if (graphic::same_name(each.name, condition.reference))
+            return texts_.condition(each.body, each.name);
         return graphic::contact(condition.reference);
       }
       case ConditionSource::None:

@@ -38,8 +38,8 @@ std::pair<std::string, std::size_t> expression_of(const std::string& text, const
 
 bool DrawnBodyText::refuse(const graphic::DiagramBody& body) {
   const bool list = body.language == BodyLanguage::InstructionList;
-  const bool chart = body.language == BodyLanguage::Diagram &&
-                     body.diagram.language == graphic::DiagramLanguage::Chart;
+  const bool chart =
+      body.language == BodyLanguage::Diagram && body.diagram.language == graphic::DiagramLanguage::Chart;
   if (list)
     scope_.error(code::kExchangeUnsupported, body.where, "instruction lists are not supported",
                  "write the body in ST");
@@ -104,7 +104,8 @@ Condition DrawnBodyText::condition(const graphic::DiagramBody& body, const std::
     };
     const auto found = std::find_if(others.doers.begin(), others.doers.end(), is_output);
     if (found != others.doers.end()) output = *found;
-    others.doers.erase(std::remove_if(others.doers.begin(), others.doers.end(), is_output), others.doers.end());
+    others.doers.erase(std::remove_if(others.doers.begin(), others.doers.end(), is_output),
+                       others.doers.end());
     lowering.lower(others);
   }
   if (output == nullptr || output->inputs.empty()) {

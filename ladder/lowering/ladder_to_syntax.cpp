@@ -66,7 +66,8 @@ class Writer {
   // The state of an edge: FALSE at the start.
   std::string new_edge() {
     const std::string& name =
-        variables_.emplace_back(graphic::Wire{prefix_ + "EDGE" + std::to_string(edges_++), "BOOL", true}).name;
+        variables_.emplace_back(graphic::Wire{prefix_ + "EDGE" + std::to_string(edges_++), "BOOL", true})
+            .name;
     return name;
   }
 
@@ -144,8 +145,9 @@ class Writer {
     if (direct_coil(coil, power())) return;
     const std::string state = new_edge();
     const bool rising = coil.kind == CoilKind::RisingEdge;
-    line_ += coil.variable + " := " + (rising ? power() + " AND NOT " + state : state + " AND NOT " + power()) +
-             "; " + state + " := " + power() + "; ";
+    line_ += coil.variable +
+             " := " + (rising ? power() + " AND NOT " + state : state + " AND NOT " + power()) + "; " +
+             state + " := " + power() + "; ";
   }
 
   void block(const Block& block) {
@@ -222,8 +224,7 @@ LadderStatements ladder_to_syntax(const graphic::LadderProgram& ladder, const st
   }
   result.body = syntax::parse_statements(context, file, syntax::TextKind::Generated);
   std::string declarations;
-  for (const graphic::Wire& each : writer.variables())
-    declarations += declaration_of(each, keeps_state);
+  for (const graphic::Wire& each : writer.variables()) declarations += declaration_of(each, keeps_state);
   if (declarations.empty()) return result;
   const source::FileId variables = context.sources.add(file_name, declarations);
   result.variables = syntax::parse_variables(context, variables, syntax::TextKind::Generated);

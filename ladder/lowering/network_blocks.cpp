@@ -36,10 +36,9 @@ Origin NetworkLowering::result_of(const Element& block) const {
   const Signature* signature = scope_.signature(block.name.text);
   for (const Pin& pin : block.outputs) {
     const bool own = same_name(pin.name, "OUT") || pin.name.empty() || same_name(pin.name, block.name.text);
-    const bool declared =
-        signature != nullptr &&
-        std::any_of(signature->outputs.begin(), signature->outputs.end(),
-                    [&](const Parameter& each) { return same_name(each.name, pin.name); });
+    const bool declared = signature != nullptr &&
+                          std::any_of(signature->outputs.begin(), signature->outputs.end(),
+                                      [&](const Parameter& each) { return same_name(each.name, pin.name); });
     if (own && !declared) return {&block, pin.name};
   }
   for (const Pin& pin : block.outputs)
@@ -160,7 +159,8 @@ bool NetworkLowering::writes_variable(const Element& element, const Origin& orig
   const Element& variable = *readers.front();
   const graphic::Modifier& m = variable.modifier;
   const bool plain = !m.negated && m.edge == graphic::Edge::None && m.storage == graphic::Storage::None;
-  if (!plain || variable.inputs.front().connections.size() != 1 || wires_.count({&element, origin.output}) != 0)
+  if (!plain || variable.inputs.front().connections.size() != 1 ||
+      wires_.count({&element, origin.output}) != 0)
     return false;
   for (const Pin& pin : element.outputs)
     if (same_name(pin.name, origin.output) && pin.modifier.negated) return false;
@@ -176,10 +176,10 @@ std::string NetworkLowering::result_wire(const Origin& origin, bool keeps) {
   name = scope_.new_wire();
   std::string type = type_of(origin, graph_, scope_);
   if (type.empty()) {
-    scope_.error(source::code::kBadDiagram, origin.element->where,
-                 "the type of output " + origin.output + " of " + origin.element->name.text +
-                     " cannot be told",
-                 "connect it to a variable and read that");
+    scope_.error(
+        source::code::kBadDiagram, origin.element->where,
+        "the type of output " + origin.output + " of " + origin.element->name.text + " cannot be told",
+        "connect it to a variable and read that");
     type = "BOOL";
   }
   ladder_.wires.push_back({name, type, keeps});

@@ -49,10 +49,9 @@ Condition inverted(const Condition& condition) {
 }
 
 bool same_sources(const Pin& a, const Pin& b) {
-  return std::equal(a.connections.begin(), a.connections.end(), b.connections.begin(), b.connections.end(),
-                    [](const Connection& x, const Connection& y) {
-                      return x.from == y.from && x.output == y.output;
-                    });
+  return std::equal(
+      a.connections.begin(), a.connections.end(), b.connections.begin(), b.connections.end(),
+      [](const Connection& x, const Connection& y) { return x.from == y.from && x.output == y.output; });
 }
 
 const Pin& input_of(const Element& element) {
@@ -105,8 +104,7 @@ void NetworkLowering::demand(const Pin& pin, int depth) {
     const Element* source = graph_.from(connection).element;
     if (source == nullptr || done_.count(source) != 0) continue;
     const bool own_time = graph_.has_order() && source->order.value_or(0) != 0;
-    const bool runs =
-        source->kind == ElementKind::Block || source->kind == ElementKind::InOutVariable;
+    const bool runs = source->kind == ElementKind::Block || source->kind == ElementKind::InOutVariable;
     if (runs && !own_time) run(*source, depth + 1);
     // The path to a contact goes on through it.
     if (source->kind == ElementKind::Contact || source->kind == ElementKind::Coil) {

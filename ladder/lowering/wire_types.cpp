@@ -17,8 +17,8 @@ using graphic::same_name;
 constexpr int kMaxDepth = 200;
 
 // Wider types later; types of different families are not compared, the later one wins.
-constexpr std::array<const char*, 20> ranks{"BOOL", "SINT",  "USINT", "BYTE",  "INT",   "UINT",    "WORD",
-                                            "DINT", "UDINT", "DWORD", "LINT",  "ULINT", "LWORD",   "REAL",
+constexpr std::array<const char*, 20> ranks{"BOOL",  "SINT",   "USINT",   "BYTE", "INT",   "UINT",  "WORD",
+                                            "DINT",  "UDINT",  "DWORD",   "LINT", "ULINT", "LWORD", "REAL",
                                             "LREAL", "STRING", "WSTRING", "TIME", "LTIME", "DATE"};
 
 std::size_t rank_of(const std::string& type) {
@@ -70,8 +70,9 @@ class Inference {
     std::string widest;
     std::string literal;
     for (const Pin& pin : block.inputs) {
-      const bool selects = same_name(pin.name, "EN") || same_name(pin.name, "G") || same_name(pin.name, "K") ||
-                           same_name(pin.name, "N") || same_name(pin.name, "L") || same_name(pin.name, "P");
+      const bool selects = same_name(pin.name, "EN") || same_name(pin.name, "G") ||
+                           same_name(pin.name, "K") || same_name(pin.name, "N") || same_name(pin.name, "L") ||
+                           same_name(pin.name, "P");
       const std::string type = selects ? "" : of_pin(pin, depth);
       if (type.empty()) continue;
       std::string& best = is_literal(pin) ? literal : widest;

@@ -8,8 +8,8 @@
 
 namespace stepwright::lowering {
 
-// ST type of an output; empty if it cannot be told. Standard functions have the type of their widest input, or
-// the one that their name says (6.6.2.5).
+// ST type of an output; empty if it cannot be told. Standard functions have the type of their widest input,
+// or the one that their name says (6.6.2.5).
 std::string type_of(const Origin& origin, const DiagramGraph& graph, const DiagramScope& scope);
 
 // ST type of a literal or variable; empty if it is an expression or unknown. "INT" for 5, "REAL" for 1.5.

@@ -26,8 +26,9 @@ FileId SourceSet::add_piece(std::string text, FileId file, std::vector<Anchor> a
 Position SourceSet::home(Position position) const {
   const File& file = *files_[position.file.value];
   if (file.anchors.empty()) return position;
-  auto next = std::upper_bound(file.anchors.begin(), file.anchors.end(), position.offset,
-                               [](std::uint32_t offset, const Anchor& anchor) { return offset < anchor.text; });
+  auto next =
+      std::upper_bound(file.anchors.begin(), file.anchors.end(), position.offset,
+                       [](std::uint32_t offset, const Anchor& anchor) { return offset < anchor.text; });
   if (next != file.anchors.begin()) --next;
   return {file.origin, next->file + (position.offset - next->text)};
 }
