@@ -66,7 +66,8 @@ DiagramGraph::DiagramGraph(const graphic::Diagram& diagram, DiagramScope& scope)
   index();
   join();
   add_notes();
-  find_circles();
+  circles_ = find_circles(true);
+  value_circles_ = find_circles(false);
 }
 
 template <typename Visit>
@@ -207,39 +208,43 @@ const std::vector<const Element*>& DiagramGraph::readers_of(const Origin& origin
 
 // Takes away what has no inputs left, then what has no readers left: the circles stay, and what lies between
 // two of them.
-void DiagramGraph::find_circles() {
+std::set<const Element*> DiagramGraph::find_circles(bool through_variables) const {
+  std::set<const Element*> circles;
   std::map<const Element*, std::vector<const Element*>> forward;
   std::map<const Element*, std::vector<const Element*>> backward;
   for (const auto& [origin, readers] : readers_) {
+    const bool holds = origin.first->kind == ElementKind::InOutVariable || !origin.first->instance.empty();
+    if (holds && !through_variables) continue;
     for (const Element* reader : readers) {
       forward[origin.first].push_back(reader);
       backward[reader].push_back(origin.first);
     }
   }
-  for (const Element& element : diagram_.elements) circles_.insert(&element);
-  const auto peel = [this](const auto& in, const auto& out) {
+  for (const Element& element : diagram_.elements) circles.insert(&element);
+  const auto peel = [&circles](const auto& in, const auto& out) {
     std::map<const Element*, std::size_t> left;
     std::vector<const Element*> free;
-    for (const Element* element : circles_) {
+    for (const Element* element : circles) {
       const auto found = in.find(element);
       std::size_t count = 0;
       if (found != in.end())
-        for (const Element* other : found->second) count += circles_.count(other);
+        for (const Element* other : found->second) count += circles.count(other);
       left[element] = count;
       if (count == 0) free.push_back(element);
     }
     while (!free.empty()) {
       const Element* element = free.back();
       free.pop_back();
-      circles_.erase(element);
+      circles.erase(element);
       const auto found = out.find(element);
       if (found == out.end()) continue;
       for (const Element* other : found->second)
-        if (circles_.count(other) != 0 && --left[other] == 0) free.push_back(other);
+        if (circles.count(other) != 0 && --left[other] == 0) free.push_back(other);
     }
   };
   peel(backward, forward);
   peel(forward, backward);
+  return circles;
 }
 
 }  // namespace stepwright::lowering

@@ -47,6 +47,9 @@ class DiagramGraph {
   const std::vector<const graphic::Element*>& readers_of(const Origin& origin) const;
   // True for elements that may depend on themselves.
   bool in_circle(const graphic::Element& element) const { return circles_.count(&element) != 0; }
+  // The same where no variable and no instance of a function block lies on the way: what is read before it is
+  // computed.
+  bool in_value_circle(const graphic::Element& element) const { return value_circles_.count(&element) != 0; }
   // Numbers in the order given by the file take part in the order of evaluation.
   bool has_order() const { return has_order_; }
 
@@ -54,7 +57,7 @@ class DiagramGraph {
   void index();
   void join();
   void add_notes();
-  void find_circles();
+  std::set<const graphic::Element*> find_circles(bool through_variables) const;
   // The output that a connection without a name means: the first one that is not ENO.
   static std::string output_name(const graphic::Element& element, const std::string& wanted);
   std::size_t root_of(std::size_t element) const;
@@ -69,6 +72,7 @@ class DiagramGraph {
   mutable std::vector<std::size_t> parents_;                   // union-find
   std::map<std::pair<const graphic::Element*, std::string>, std::vector<const graphic::Element*>> readers_;
   std::set<const graphic::Element*> circles_;
+  std::set<const graphic::Element*> value_circles_;
   std::vector<Network> networks_;
   bool has_order_ = false;
 };

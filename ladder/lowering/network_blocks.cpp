@@ -48,7 +48,8 @@ Origin NetworkLowering::result_of(const Element& block) const {
 
 // A function that is read once stands where it is read.
 bool NetworkLowering::is_inline(const Element& element) const {
-  if (!element.instance.empty() || enable_of(element) != nullptr || graph_.in_circle(element)) return false;
+  if (!element.instance.empty() || enable_of(element) != nullptr || graph_.in_value_circle(element))
+    return false;
   if (graph_.has_order() && element.order.value_or(0) != 0) return false;
   std::size_t readers = 0;
   for (const Pin& pin : element.outputs) readers += graph_.readers_of({&element, pin.name}).size();
@@ -148,7 +149,8 @@ void NetworkLowering::call_outputs(const Element& element, Rung&, graphic::Block
     if (graph_.readers_of(origin).empty() && !is_result) continue;
     if (graph_.readers_of(origin).empty() && wires_.count({&element, pin.name}) == 0) continue;
     if (writes_variable(element, origin, block)) continue;
-    block.outputs.emplace_back(is_result ? "" : pin.name, result_wire(origin, graph_.in_circle(element)));
+    block.outputs.emplace_back(is_result ? "" : pin.name,
+                               result_wire(origin, graph_.in_value_circle(element)));
   }
 }
 
@@ -209,7 +211,7 @@ Condition NetworkLowering::block_output(const Origin& origin, const Element& own
     value.kind = ConditionKind::Expression;
     value.name = scope_.mark(element.where) + inline_call(element) + scope_.mark(owner.where);
   } else {
-    value = graphic::contact(result_wire(origin, graph_.in_circle(element)));
+    value = graphic::contact(result_wire(origin, graph_.in_value_circle(element)));
   }
   if (pin->modifier.negated) value.negated = !value.negated;
   return value;

@@ -94,22 +94,25 @@ void NetworkLowering::lower(const Network& network) {
 }
 
 Condition NetworkLowering::evaluate(const Pin& pin, const Element& owner) {
-  demand(pin, 0);
+  demand(pin, owner, 0);
   return power(pin, owner);
 }
 
-void NetworkLowering::demand(const Pin& pin, int depth) {
+void NetworkLowering::demand(const Pin& pin, const Element& owner, int depth) {
   if (depth > kMaxDepth) return;
   for (const Connection& connection : pin.connections) {
     const Element* source = graph_.from(connection).element;
     if (source == nullptr || done_.count(source) != 0) continue;
     const bool own_time = graph_.has_order() && source->order.value_or(0) != 0;
     const bool runs = source->kind == ElementKind::Block || source->kind == ElementKind::InOutVariable;
-    if (runs && !own_time) run(*source, depth + 1);
+    // Inside a circle a variable is read as it is: it is written at its own place.
+    const bool feeds_back =
+        source->kind == ElementKind::InOutVariable && graph_.in_circle(*source) && graph_.in_circle(owner);
+    if (runs && !own_time && !feeds_back) run(*source, depth + 1);
     // The path to a contact goes on through it.
     if (source->kind == ElementKind::Contact || source->kind == ElementKind::Coil) {
       if (!running_.insert(source).second) continue;
-      demand(input_of(*source), depth + 1);
+      demand(input_of(*source), *source, depth + 1);
       running_.erase(source);
     }
   }
@@ -122,8 +125,8 @@ void NetworkLowering::run(const Element& element, int depth) {
     return;
   }
   if (done_.count(&element) != 0 || !running_.insert(&element).second) return;
-  for (const Pin& pin : element.inputs) demand(pin, depth);
-  for (const Pin& pin : element.in_outs) demand(pin, depth);
+  for (const Pin& pin : element.inputs) demand(pin, element, depth);
+  for (const Pin& pin : element.in_outs) demand(pin, element, depth);
   running_.erase(&element);
   if (!done_.insert(&element).second) return;
   if (element.kind == ElementKind::Block) block(element);
@@ -141,7 +144,7 @@ Rung& NetworkLowering::add(const Element& element, Condition condition) {
 
 void NetworkLowering::coils(const std::vector<const Element*>& group) {
   for (const Element* each : group) {
-    demand(input_of(*each), 0);
+    demand(input_of(*each), *each, 0);
     group_.insert(each);
     done_.insert(each);
   }

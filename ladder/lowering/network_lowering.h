@@ -26,7 +26,7 @@ class NetworkLowering {
 
  private:
   // Evaluation of what must be there before an input is read.
-  void demand(const graphic::Pin& pin, int depth);
+  void demand(const graphic::Pin& pin, const graphic::Element& owner, int depth);
   void run(const graphic::Element& element, int depth);
 
   void coils(const std::vector<const graphic::Element*>& group);

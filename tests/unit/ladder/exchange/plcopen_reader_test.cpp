@@ -28,9 +28,9 @@ driver::CompileInput input_of(const graphic::Project& project) {
 }
 
 // Runs `scans` scans: sets inputs before, then notes the values of `outputs`.
-class Run {
+class Running {
  public:
-  explicit Run(const std::string& xml) : project_(read(xml)), program_(input_of(project_)) {}
+  explicit Running(const std::string& xml) : project_(read(xml)), program_(input_of(project_)) {}
 
   std::string scan(const std::string& inputs, const std::string& outputs) {
     std::istringstream in(inputs);
@@ -50,7 +50,7 @@ class Run {
 };
 
 TEST(PlcopenReader, WhenLadderOfAnEditorRuns_ThenRungsTimersAndConnectorsWork) {
-  Run run(editor_ladder());
+  Running run(editor_ladder());
   EXPECT_EQ(run.scan("start", "lamp late pulse"), "1 0 0");
   EXPECT_EQ(run.scan("!start armed", "lamp late pulse"), "1 0 0");
   EXPECT_EQ(run.scan("!armed", "lamp late pulse"), "1 0 0");
@@ -60,7 +60,7 @@ TEST(PlcopenReader, WhenLadderOfAnEditorRuns_ThenRungsTimersAndConnectorsWork) {
 }
 
 TEST(PlcopenReader, WhenBlocksFeedBack_ThenTheVariableCarriesTheValue) {
-  Run run(editor_blocks());
+  Running run(editor_blocks());
   EXPECT_EQ(run.scan("up", "count full"), "2 0");
   EXPECT_EQ(run.scan("!up", "count full"), "2 0");
   EXPECT_EQ(run.scan("up", "count full"), "4 0");
@@ -68,11 +68,11 @@ TEST(PlcopenReader, WhenBlocksFeedBack_ThenTheVariableCarriesTheValue) {
 }
 
 TEST(PlcopenReader, WhenChartOfAnEditorRuns_ThenBranchesActionsAndDrawnConditionsWork) {
-  Run run(editor_chart());
+  Running run(editor_chart());
   const std::string outputs = "left_on lefts noted slow";
   EXPECT_EQ(run.scan("", outputs), "0 0 0 0");
-  EXPECT_EQ(run.scan("go left", outputs), "1 1 0 0");  // both conditions hold: the left branch goes first
-  EXPECT_EQ(run.scan("!left", outputs), "1 1 0 0");
+  EXPECT_EQ(run.scan("go west", outputs), "1 1 0 0");  // both conditions hold: the left branch goes first
+  EXPECT_EQ(run.scan("!west", outputs), "1 1 0 0");
   EXPECT_EQ(run.scan("done", outputs), "0 1 0 0");
   EXPECT_EQ(run.scan("!go", outputs), "0 1 0 0");
   EXPECT_EQ(run.scan("go", outputs), "0 1 1 0");

@@ -243,12 +243,12 @@ std::string editor_chart() {
   const std::string transitions =
       "        <transitions>\n<transition name=\"to_left\">\n<body>\n<FBD>\n" +
       block(1, 100, 10, "AND", pin_in("IN1", "2") + pin_in("IN2", "3"), pin_out("OUT")) +
-      in_variable(2, 10, 10, "go") + in_variable(3, 10, 50, "left") +
+      in_variable(2, 10, 10, "go") + in_variable(3, 10, 50, "west") +
       out_variable(4, 200, 10, "1", "OUT", "to_left") +
       "</FBD>\n</body>\n</transition>\n        </transitions>\n";
   const std::string pou =
       "      <pou name=\"main\" pouType=\"program\">\n        <interface>\n          <localVars>\n" +
-      bools("go left done left_on slow noted") + variable("lefts", "<INT/>") +
+      bools("go west done left_on slow noted") + variable("lefts", "<INT/>") +
       "          </localVars>\n        </interface>\n" + actions + transitions +
       "        <body>\n          <SFC>\n" + body + "          </SFC>\n        </body>\n      </pou>\n";
   return editor_project(pou);
