@@ -54,7 +54,7 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
     syntax::parse_unit(context, sources.add(each.name, each.text), unit);
   PouLowering lowering(context, unit);
   lowering.lower_charts();
-  if (input.project != nullptr) lowering.add_project(*input.project);
+  for (const graphic::Project* each : input.projects) lowering.add_project(*each);
   const auto model = semantics::analyze(unit, library_pous, names, sink);
   if (sink.has_errors()) return tl::unexpected(sink.take());
   auto container = codegen::generate(*model, chart_origins(lowering, *model), sources);
