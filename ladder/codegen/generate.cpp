@@ -78,8 +78,8 @@ result::Result<std::vector<std::byte>> generate(const Model& model, const std::v
   for (const source::FileId file : files.files()) out.source_files.push_back(sources.name(file));
   SymbolTable symbols(model, layout, out);
   symbols.globals();
-  for (const semantics::ProgramInstance& each : model.instances) symbols.instance(each, charts);
   symbols.configured();
+  for (const semantics::ProgramInstance& each : model.instances) symbols.instance(each, charts);
   add_tasks(model, layout, symbols, out);
   symbols.finish();
   return writer::write_container(out);

@@ -131,7 +131,9 @@ std::uint32_t SymbolTable::member_type(const Type& type) {
     out.members.push_back({each.spelling, this->type(*each.type), each.offset});
   if (type.pou != nullptr) {
     for (const Variable& each : type.pou->variables)
-      if (is_member(each)) out.members.push_back({each.spelling, this->type(*each.type), each.place.offset});
+      // VAR_CONFIG gives an open address a symbol of its own.
+      if (is_member(each) && !each.open_address)
+        out.members.push_back({each.spelling, this->type(*each.type), each.place.offset});
   }
   return add(std::move(out));
 }

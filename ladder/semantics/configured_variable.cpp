@@ -49,7 +49,7 @@ std::optional<Configurer::Member> Configurer::find_member(const syntax::Configur
   const std::size_t first = qualified ? 1 : 0;
   Member member;
   for (Instance& each : instances_) {
-    if (qualified && !naming::same_name(each.resource, path[0].text)) continue;
+    if (qualified && !naming::same_name(name_of(each), path[0].text)) continue;
     if (naming::same_name(a_.model.instances[each.index].name, path[first].text)) member.instance = &each;
   }
   if (member.instance == nullptr) return unknown(path[first], "the configuration");

@@ -29,27 +29,19 @@ std::string path_of(const Expression& source) {
 
 void Configurer::run() {
   for (const syntax::Resource& resource : configuration_.resources) {
-    first_task_ = a_.model.tasks.size();
+    const std::size_t first = a_.model.tasks.size();
     for (const syntax::TaskDeclaration& each : resource.tasks) declare_task(each);
-    for (const syntax::ProgramDeclaration& each : resource.programs)
-      declare_program(each, resource.name.text);
+    resource_tasks_ = tasks_.emplace_back(TaskRange{first, a_.model.tasks.size()});
+    for (const syntax::ProgramDeclaration& each : resource.programs) declare_program(each, tasks_.size() - 1);
   }
   for (const syntax::ConfiguredVariable& each : configuration_.configured) configure(each);
-  first_task_ = 0;
-  for (const syntax::Resource& resource : configuration_.resources) {
+  for (std::size_t r = 0; r < tasks_.size(); ++r) {
+    const syntax::Resource& resource = configuration_.resources[r];
+    resource_tasks_ = tasks_[r];
     for (std::size_t i = 0; i < resource.tasks.size(); ++i)
-      if (resource.tasks[i].single) set_trigger(resource.tasks[i], a_.model.tasks[first_task_ + i]);
-    first_task_ += resource.tasks.size();
-  }
-  first_task_ = 0;
-  for (const syntax::Resource& resource : configuration_.resources) {
-    for (Instance& each : instances_) {
-      const auto& programs = resource.programs;
-      const bool here = std::any_of(programs.begin(), programs.end(),
-                                    [&](const auto& program) { return &program == each.declaration; });
-      if (here) add_calls(each);
-    }
-    first_task_ += resource.tasks.size();
+      if (resource.tasks[i].single) set_trigger(resource.tasks[i], a_.model.tasks[resource_tasks_.first + i]);
+    for (Instance& each : instances_)
+      if (each.resource == r) add_calls(each);
   }
   check_clock();
 }
@@ -144,7 +136,7 @@ std::optional<Place> Configurer::program_output(const Expression& source) {
   for (const Instance& each : instances_) {
     const ProgramInstance& instance = a_.model.instances[each.index];
     if (!naming::same_name(instance.name, owner.name.text)) continue;
-    if (qualified && !naming::same_name(each.resource, owner.operands[0]->name.text)) continue;
+    if (qualified && !naming::same_name(name_of(each), owner.operands[0]->name.text)) continue;
     const Variable* output = instance.program->find(source.name.id);
     if (output == nullptr || output->section != Section::Output || output->type == nullptr)
       return std::nullopt;

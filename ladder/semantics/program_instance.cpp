@@ -1,6 +1,7 @@
 // Instances of programs, their connections, and function blocks with tasks of their own (6.8.2).
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "ladder/semantics/internal/configurer.h"
@@ -56,7 +57,7 @@ void note_block_tasks(Analysis& a, const syntax::Unit& unit) {
 std::optional<std::size_t> Configurer::find_task(const syntax::Name& name) const {
   const auto& tasks = a_.model.tasks;
   std::vector<std::string_view> candidates;
-  for (std::size_t i = first_task_; i < tasks.size(); ++i) {
+  for (std::size_t i = resource_tasks_.first; i < resource_tasks_.end; ++i) {
     if (naming::same_name(tasks[i].name, name.text)) return i;
     candidates.push_back(tasks[i].name);
   }
@@ -65,14 +66,19 @@ std::optional<std::size_t> Configurer::find_task(const syntax::Name& name) const
   return std::nullopt;
 }
 
-void Configurer::declare_program(const syntax::ProgramDeclaration& declaration, std::string_view resource) {
+// A program without a task runs behind all others (6.8.2): here every 10 ms, in a task of its own.
+std::size_t Configurer::background_task(const syntax::Name& program) {
+  Task task;
+  task.name = std::string(program.text) + ".background";
+  task.priority = std::numeric_limits<std::uint32_t>::max();
+  a_.model.tasks.push_back(std::move(task));
+  return a_.model.tasks.size() - 1;
+}
+
+void Configurer::declare_program(const syntax::ProgramDeclaration& declaration, std::size_t resource) {
   const syntax::Name& name = declaration.name;
   const Pou* program = find_program(a_, declaration.type);
-  if (!declaration.task) {
-    a_.error(code::kUnknownTask, name.where, quote(name.text) + " runs in no task", "write WITH and a task");
-    return;
-  }
-  const auto task = find_task(*declaration.task);
+  const auto task = declaration.task ? find_task(*declaration.task) : std::optional(background_task(name));
   if (!task) return;
   for (const ProgramInstance& other : a_.model.instances)
     if (naming::same_name(other.name, name.text))

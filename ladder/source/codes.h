@@ -51,7 +51,6 @@ inline constexpr const char* kShortLived = "E0412";
 
 inline constexpr const char* kBadAddress = "E0501";
 inline constexpr const char* kAddressSize = "E0502";
-inline constexpr const char* kOverlap = "E0503";
 inline constexpr const char* kAddressNotHere = "E0504";
 inline constexpr const char* kMissingAddress = "E0505";
 
@@ -73,5 +72,6 @@ inline constexpr const char* kExchangeUnsupported = "E0804";
 
 inline constexpr const char* kUnreachable = "W0001";
 inline constexpr const char* kUnusedResult = "W0002";
+inline constexpr const char* kOverlap = "W0016";
 
 }  // namespace stepwright::source::code

@@ -31,10 +31,15 @@ class Configurer {
   };
   struct Instance {
     const syntax::ProgramDeclaration* declaration = nullptr;  // null without a configuration
-    std::string_view resource;
+    std::size_t resource = 0;                                 // index into configuration.resources
     std::size_t task = 0;
     std::size_t index = 0;  // into model.instances
     std::vector<Located> located;
+  };
+  // Indexes into model.tasks.
+  struct TaskRange {
+    std::size_t first = 0;
+    std::size_t end = 0;
   };
   // What a path of VAR_CONFIG leads to.
   struct Member {
@@ -43,6 +48,11 @@ class Configurer {
     std::uint32_t offset = 0;
     std::string path;
   };
+
+  // The name of its resource.
+  std::string_view name_of(const Instance& instance) const {
+    return configuration_.resources[instance.resource].name.text;
+  }
 
   // configurer.cpp
   void declare_task(const syntax::TaskDeclaration& declaration);
@@ -54,7 +64,8 @@ class Configurer {
 
   // program_instance.cpp
   std::optional<std::size_t> find_task(const syntax::Name& name) const;
-  void declare_program(const syntax::ProgramDeclaration& declaration, std::string_view resource);
+  std::size_t background_task(const syntax::Name& program);
+  void declare_program(const syntax::ProgramDeclaration& declaration, std::size_t resource);
   Instance& add_instance(const std::string& name, const Pou& program, std::size_t task, Position where);
   void add_calls(Instance& instance);
   void add_block_call(const Instance& instance, const syntax::BlockTask& given);
@@ -75,7 +86,8 @@ class Configurer {
   TypeResolver& types_;
   const syntax::Configuration& configuration_;
   std::vector<Instance> instances_;
-  std::size_t first_task_ = 0;  // of the resource
+  std::vector<TaskRange> tasks_;  // of each resource
+  TaskRange resource_tasks_;      // of the resource that is being read
 };
 
 }  // namespace stepwright::semantics::internal

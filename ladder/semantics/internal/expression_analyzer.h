@@ -79,6 +79,7 @@ class ExpressionAnalyzer {
   std::optional<Place> index_place(const syntax::Expression& expression);
   bool add_index(Place& place, const syntax::Expression& index, const Dimension& dimension,
                  std::uint32_t stride);
+  ValuePtr narrow_index(ValuePtr value, const Dimension& bounds);
   std::optional<Place> open_index(Place base, const syntax::Expression& expression);
   // partial_access.cpp
   std::optional<Place> partial_place(const syntax::Expression& expression);
