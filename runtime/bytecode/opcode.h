@@ -84,6 +84,21 @@ constexpr const OpcodeInfo& info(Opcode opcode) {
   return kOpcodes[static_cast<std::uint8_t>(opcode)];
 }
 
+// True for the instructions whose first operand is a function.
+constexpr bool is_call(Opcode opcode) {
+  return opcode >= Opcode::Call && opcode <= Opcode::CallInstanceInd;
+}
+static_assert(static_cast<int>(Opcode::CallInstanceInd) - static_cast<int>(Opcode::Call) == 3);
+
+// True for AndBoolAbs and its kind, which come in pairs: Abs, then This.
+constexpr bool is_fused_boolean(Opcode opcode) {
+  return opcode >= Opcode::LoadNotBoolAbs && opcode <= Opcode::XorBoolThis;
+}
+constexpr bool is_this_boolean(Opcode opcode) {
+  return (static_cast<std::uint8_t>(opcode) - static_cast<std::uint8_t>(Opcode::LoadNotBoolAbs)) % 2 == 1;
+}
+static_assert(!is_this_boolean(Opcode::XorBoolAbs) && is_this_boolean(Opcode::XorBoolThis));
+
 // Bytes of operands after the opcode byte.
 constexpr std::uint32_t size_of(Operands operands) {
   constexpr std::uint8_t kSizes[] = {0, 1, 4, 4, 5, 8, 12, 8, 8};

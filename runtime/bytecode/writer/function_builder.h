@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -137,17 +138,20 @@ class FunctionBuilder {
   };
 
   bool begin(bytecode::Opcode opcode);
+  bool fuse(bytecode::Opcode operation);
   template <typename T>
   void append(T value);
   void emit_u32(bytecode::Opcode opcode, std::uint32_t operand);
   void emit_u8(bytecode::Opcode opcode, std::uint8_t operand);
-  void emit_constant(bytecode::Opcode opcode, std::uint64_t bits);
+  void append_constant(std::uint64_t bits);
+  void emit_constants(bytecode::Opcode opcode, std::uint64_t lower, std::uint64_t upper);
   void emit_jump(bytecode::Opcode opcode, Label label);
   std::uint32_t position() const { return static_cast<std::uint32_t>(function_.code.size()); }
 
   Function function_;
   std::vector<LabelState> labels_;
   std::vector<Fixup> fixups_;
+  std::optional<std::uint32_t> last_;  // the instruction before, if nothing jumps behind it
   bool reachable_ = true;
 };
 
