@@ -96,7 +96,7 @@ void ExpressionEmitter::chain(const Value& value) {
   const Type& type = *value.operands[0]->type;
   std::vector<writer::LocalId> locals;
   for (const auto& each : value.operands) {
-    locals.push_back(b_.add_local(bytecode::stack_type(bytecode::mem_type(each->type->elementary))));
+    locals.push_back(b_.add_local(semantics::slot_type(*each->type)));
     this->value(*each);
     b_.local_set(locals.back());
   }
