@@ -26,7 +26,8 @@ IntrinsicId real_intrinsic(StandardFunction function, bool single) {
     IntrinsicId single;
     IntrinsicId twice;
   };
-#define STEPWRIGHT_ROW(name) {StandardFunction::name, IntrinsicId::name##F32, IntrinsicId::name##F64}
+#define STEPWRIGHT_ROW(name) \
+  { StandardFunction::name, IntrinsicId::name##F32, IntrinsicId::name##F64 }
   static constexpr Row kRows[] = {
       STEPWRIGHT_ROW(Sqrt), STEPWRIGHT_ROW(Sin),
       STEPWRIGHT_ROW(Cos),  STEPWRIGHT_ROW(Tan),

@@ -158,8 +158,9 @@ ValuePtr ExpressionAnalyzer::explicit_conversion(const syntax::Expression& call,
   auto arguments = StandardAnalyzer(a_, *this).arguments(call, "IN", 1);
   if (!arguments) return nullptr;
   ValuePtr value = std::move(arguments->front());
-  value = conversion.from != nullptr ? convert(std::move(value), conversion.from, call.arguments[0].value->where)
-                                     : settle(std::move(value));
+  value = conversion.from != nullptr
+              ? convert(std::move(value), conversion.from, call.arguments[0].value->where)
+              : settle(std::move(value));
   if (!value) return nullptr;
   // An enumeration is converted by its number.
   if (value->type->kind == TypeKind::Enumeration)
@@ -194,9 +195,9 @@ ValuePtr ExpressionAnalyzer::bcd_conversion(ValuePtr value, const NamedConversio
   }
   std::vector<ValuePtr> operands;
   operands.push_back(std::move(value));
-  return StandardAnalyzer(a_, *this)
-      .make_standard(reads ? StandardFunction::FromBcd : StandardFunction::ToBcd, conversion.to,
-                     std::move(operands), call.where);
+  return StandardAnalyzer(a_, *this).make_standard(
+      reads ? StandardFunction::FromBcd : StandardFunction::ToBcd, conversion.to, std::move(operands),
+      call.where);
 }
 
 }  // namespace stepwright::semantics::internal

@@ -56,8 +56,7 @@ ValuePtr ExpressionAnalyzer::unary(Operator op, ValuePtr operand, Position where
   const bool is_not = op == Operator::Not;
   const bool negatable = type.is_number() || type.is_time();
   if (is_not ? !(type.is_bool() || type.is_bits()) : !(negatable && !type.is_unsigned())) {
-    a_.error(code::kBadOperand, where,
-             std::string(to_string(op)) + " cannot be applied to " + type.name,
+    a_.error(code::kBadOperand, where, std::string(to_string(op)) + " cannot be applied to " + type.name,
              type.is_unsigned() && !is_not ? "convert it to a signed type first" : "");
     return nullptr;
   }

@@ -106,10 +106,10 @@ ValuePtr ExpressionAnalyzer::power(ValuePtr base, ValuePtr exponent, Position wh
   const TypeTable& types = a_.type_table();
   const bool literals = b.is_literal() && e.is_literal() && base->kind == ValueKind::Constant &&
                         exponent->kind == ValueKind::Constant;
-  const bool single = (b.is(ElementaryType::Real) || b.kind == TypeKind::AnyReal) &&
-                      !e.is(ElementaryType::Lreal);
-  const Type* type = literals ? types.any_real()
-                              : types.elementary(single ? ElementaryType::Real : ElementaryType::Lreal);
+  const bool single =
+      (b.is(ElementaryType::Real) || b.kind == TypeKind::AnyReal) && !e.is(ElementaryType::Lreal);
+  const Type* type =
+      literals ? types.any_real() : types.elementary(single ? ElementaryType::Real : ElementaryType::Lreal);
   std::vector<ValuePtr> operands;
   operands.push_back(std::move(base));
   operands.push_back(std::move(exponent));
@@ -119,8 +119,8 @@ ValuePtr ExpressionAnalyzer::power(ValuePtr base, ValuePtr exponent, Position wh
     if (!each) return nullptr;
   }
   StandardAnalyzer standard(a_, *this);
-  return standard.defined(
-      standard.make_standard(StandardFunction::Power, type, std::move(operands), where), where);
+  return standard.defined(standard.make_standard(StandardFunction::Power, type, std::move(operands), where),
+                          where);
 }
 
 ValuePtr StandardAnalyzer::truncate(const Expression& call, Values values, int) {

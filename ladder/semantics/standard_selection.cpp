@@ -75,8 +75,7 @@ ValuePtr StandardAnalyzer::multiplex(const Expression& call, Values values, int)
   if (values[0]->kind == ValueKind::Constant) {
     const __int128 number = values[0]->constant.integer;
     if (number < 0 || number > static_cast<__int128>(values.size()) - 2) {
-      a_.error(code::kConstantIndex, values[0]->where,
-               "MUX has no input IN" + to_string(number),
+      a_.error(code::kConstantIndex, values[0]->where, "MUX has no input IN" + to_string(number),
                "K goes from 0 to " + std::to_string(values.size() - 2));
       return nullptr;
     }

@@ -61,7 +61,8 @@ ValuePtr ExpressionAnalyzer::scale_time(Operator op, ValuePtr left, ValuePtr rig
   const Type* factor = types.elementary(with_real ? Lreal : Lint);
   right = convert(std::move(right), factor, where);
   if (!right) return nullptr;
-  if (op == Operator::Divide && !with_real && right->kind == ValueKind::Constant && right->constant.integer == 0) {
+  if (op == Operator::Divide && !with_real && right->kind == ValueKind::Constant &&
+      right->constant.integer == 0) {
     a_.error(code::kConstantDivision, right->where, "division by zero");
     return nullptr;
   }
@@ -86,8 +87,8 @@ ValuePtr ExpressionAnalyzer::within_day(ValuePtr value) {
   const Position where = value->where;
   std::vector<ValuePtr> operands;
   operands.push_back(std::move(value));
-  return StandardAnalyzer(a_, *this)
-      .make_standard(StandardFunction::TimeOfDay, type, std::move(operands), where);
+  return StandardAnalyzer(a_, *this).make_standard(StandardFunction::TimeOfDay, type, std::move(operands),
+                                                   where);
 }
 
 }  // namespace stepwright::semantics::internal

@@ -132,8 +132,7 @@ class ExpressionAnalyzer {
   // X_TO_Y and its like; nothing if the name is none of them.
   std::optional<NamedConversion> named_conversion(const std::string& folded) const;
   ValuePtr explicit_conversion(const syntax::Expression& call, const NamedConversion& conversion);
-  ValuePtr bcd_conversion(ValuePtr value, const NamedConversion& conversion,
-                          const syntax::Expression& call);
+  ValuePtr bcd_conversion(ValuePtr value, const NamedConversion& conversion, const syntax::Expression& call);
 
   // call.cpp
   ValuePtr call(const syntax::Expression& expression);
