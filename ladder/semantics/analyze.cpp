@@ -61,7 +61,7 @@ void check_recursion(Analysis& a) {
 
 }  // namespace
 
-std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t library_pous, source::NameTable& names,
+std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, source::NameTable& names,
                                source::DiagnosticSink& sink) {
   auto model = std::make_unique<Model>();
   Analysis a{*model, names, sink, {}, {}, {}, {}, {}, {}};
@@ -78,7 +78,7 @@ std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t library_pou
   for (const auto& pou : model->pous) StatementAnalyzer(a, *pou).body(pou->declaration->body);
   check_recursion(a);
   protect_inputs(a);
-  configure(a, types, unit, library_pous);
+  configure(a, types, unit, user_pous);
   check_overlaps(a);
   return model;
 }

@@ -45,11 +45,11 @@ void declare_global(Analysis& a, const syntax::VariableDeclaration& line, const 
 }
 
 // Without a configuration the only program runs every 10 ms.
-void configure_default(Analysis& a, TypeResolver& types, std::size_t library_pous) {
+void configure_default(Analysis& a, TypeResolver& types, std::size_t user_pous) {
   // A POU that could not be read may be the missing one, a second one of a name the one too many.
   if (a.sink.has_errors()) return;
   const Pou* only = nullptr;
-  for (std::size_t i = library_pous; i < a.model.pous.size(); ++i) {
+  for (std::size_t i = 0; i < user_pous; ++i) {
     const Pou& each = *a.model.pous[i];
     if (each.kind != PouKind::Program) continue;
     if (only != nullptr) {
@@ -77,8 +77,8 @@ void declare_globals(Analysis& a, TypeResolver& types,
   }
 }
 
-void configure(Analysis& a, TypeResolver& types, const syntax::Unit& unit, std::size_t library_pous) {
-  if (unit.configurations.empty()) return configure_default(a, types, library_pous);
+void configure(Analysis& a, TypeResolver& types, const syntax::Unit& unit, std::size_t user_pous) {
+  if (unit.configurations.empty()) return configure_default(a, types, user_pous);
   if (unit.configurations.size() > 1) {
     a.error(code::kSeveralConfigurations, unit.configurations[1].name.where,
             "there is more than one configuration");

@@ -67,17 +67,18 @@ const char* hint_of(TokenKind kind) {
 class Lexer {
  public:
   Lexer(const source::SourceSet& sources, source::FileId file, TextKind kind, source::NameTable& names,
-        source::DiagnosticSink& sink)
+        source::DiagnosticSink& sink, Extent extent)
       : sources_(sources),
         file_(file),
-        text_(sources.text(file)),
+        text_(sources.text(file).substr(0, extent.end)),
         kind_(kind),
         names_(names),
         sink_(sink),
+        at_(extent.begin),
         mapped_file_(file) {}
 
   std::vector<Token> run() {
-    tokens_.reserve(text_.size() / 4 + 1);
+    tokens_.reserve((text_.size() - at_) / 4 + 1);
     while (true) {
       skip_blank();
       start_ = at_;
@@ -361,8 +362,8 @@ class Lexer {
 }  // namespace
 
 std::vector<Token> lex(const source::SourceSet& sources, source::FileId file, TextKind kind,
-                       source::NameTable& names, source::DiagnosticSink& sink) {
-  return Lexer(sources, file, kind, names, sink).run();
+                       source::NameTable& names, source::DiagnosticSink& sink, Extent extent) {
+  return Lexer(sources, file, kind, names, sink, extent).run();
 }
 
 }  // namespace stepwright::syntax

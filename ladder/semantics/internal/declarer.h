@@ -77,6 +77,6 @@ void protect_inputs(Analysis& analysis);
 void note_block_tasks(Analysis& analysis, const syntax::Unit& unit);
 
 // Tasks and program instances, with their memory.
-void configure(Analysis& analysis, TypeResolver& types, const syntax::Unit& unit, std::size_t library_pous);
+void configure(Analysis& analysis, TypeResolver& types, const syntax::Unit& unit, std::size_t user_pous);
 
 }  // namespace stepwright::semantics::internal
