@@ -33,6 +33,7 @@ std::vector<const Pou*> functions_of(const Model& model) {
 
 ProgramLayout lay_out(const Model& model, const std::vector<const Pou*>& functions) {
   ProgramLayout layout;
+  layout.model = &model;
   std::uint32_t address = 0;
   for (std::size_t i = 0; i < layout.bases.size(); ++i) {
     layout.bases[i] = address;

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/internal/declarer.h"
 #include "ladder/source/suggestion.h"
 
 namespace stepwright::semantics::internal {
@@ -200,6 +200,10 @@ std::optional<Place> ExpressionAnalyzer::direct_place(const Expression& expressi
   place.type = a_.type_table().elementary(which);
   for (const auto& [declared, type] : a_.direct_types)
     if (declared == address) place.type = type;
+  if (address.byte >= syntax::kHierarchical) {
+    place.offset = hierarchical_offset(a_, address, place.type->size, expression.where);
+    return place;
+  }
   auto& area = a_.model.area(place.base);
   const std::size_t end = std::size_t{address.byte} + place.type->size;
   if (area.size() < end) area.resize(end);
