@@ -21,7 +21,8 @@ struct Extent {
   std::uint32_t end = 0xFFFFFFFF;  // cut to the text
 };
 
-// All tokens of a text or of a part of it, closed by one End token. `names` begins with the keywords (intern_keywords).
+// All tokens of a text or of a part of it, closed by one End token. `names` begins with the keywords
+// (intern_keywords).
 std::vector<Token> lex(const source::SourceSet& sources, source::FileId file, TextKind kind,
                        source::NameTable& names, source::DiagnosticSink& sink, Extent extent = {});
 
