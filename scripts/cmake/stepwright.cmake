@@ -1,7 +1,7 @@
 # How every target of Stepwright is declared: folder = layer = namespace = target.
 #
 #   stepwright_library(runtime/vm PORTABLE SOURCES interpreter.cpp DEPENDS runtime/bytecode runtime/image)
-#   stepwright_program(exec FOLDER programs/exec SOURCES main.cpp DEPENDS runtime/host)
+#   stepwright_program(stepwright-link SOURCES main.cpp bridge.cpp DEPENDS programs/config runtime/dds)
 #   stepwright_test(runtime/vm SOURCES interpreter_test.cpp)
 
 set(CMAKE_CXX_STANDARD 20)

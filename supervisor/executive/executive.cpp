@@ -74,6 +74,7 @@ bool Executive::start_afresh() {
   auto tare = translate::identify_tare(desk_.binding(), means_, initial);
   if (!tare) return give_up("the sensors do not fit the initial state", tare.error());
   tare_ = std::move(*tare);
+  record_.tare = tare_;  // viewers calibrate with it, too
   auto estimate = translate::estimate(desk_.binding(), means_, tare_, initial);
   if (!estimate) return give_up("the initial state cannot be read", estimate.error());
   seen_ = std::move(*estimate);

@@ -137,6 +137,7 @@ json record_json(const RunRecord& record) {
                    {"goal", std::move(goal)},
                    {"expected", record.expected},
                    {"observed", record.observed},
+                   {"tare", record.tare},
                    {"started_s", record.started_s},
                    {"finished_s", record.finished_s},
                    {"makespan_s", record.finished_s - record.started_s}};
@@ -167,6 +168,7 @@ RunRecord record_from(const json& value) {
   for (const json& goal : value.at("goal")) record.goal.push_back({goal.at("text"), goal.at("met")});
   value.at("expected").get_to(record.expected);
   value.at("observed").get_to(record.observed);
+  value.at("tare").get_to(record.tare);
   record.started_s = value.at("started_s");
   record.finished_s = value.at("finished_s");
   return record;

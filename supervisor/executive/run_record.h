@@ -89,6 +89,7 @@ struct RunRecord {
   std::vector<GoalRecord> goal;
   std::map<std::string, double> expected;  // now
   std::map<std::string, double> observed;  // now
+  std::map<std::string, double> tare;      // bias of each sensor in raw counts; empty until it is identified
   double started_s = 0.0;                  // first action of the first episode
   double finished_s = 0.0;                 // last action of the last episode
 

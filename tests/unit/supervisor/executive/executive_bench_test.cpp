@@ -17,6 +17,7 @@ TEST(ExecutiveBench, WhenNothingGoesWrong_ThenTheGoalIsReachedWithoutReplanning)
   parameters.seed = 1;
   SimulatedController controller(parameters);
   const RunRecord record = run_bench(controller);
+  EXPECT_EQ(record.tare.size(), 3u);
   EXPECT_EQ(record.phase, Phase::Done) << story(record);
   EXPECT_TRUE(record.replans.empty()) << story(record);
   ASSERT_EQ(record.episodes.size(), 1u);

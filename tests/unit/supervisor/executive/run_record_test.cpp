@@ -35,6 +35,7 @@ RunRecord sample() {
   record.episodes = {episode};
   record.replans = {{3.0, "a level is wrong", "(load v1 f1 level8)"}};
   record.goal = {{"(= (level a1) 5)", false}};
+  record.tare = {{"S3", 41.5}};
   return record;
 }
 
