@@ -53,8 +53,10 @@ double real(const std::string& text) {
   return value;
 }
 
-bool equals_real(double found, const std::string& expected) {
-  const double wanted = real(expected);
+// A REAL equals what its decimal form rounds to.
+bool equals_real(double found, const std::string& expected, bool is_single) {
+  const double wanted = is_single ? static_cast<float>(real(expected)) : real(expected);
+  if (is_single) found = static_cast<float>(found);
   if (std::isnan(wanted)) return std::isnan(found);
   return found == wanted && std::signbit(found) == std::signbit(wanted);
 }
@@ -101,7 +103,8 @@ bool equals_literal(const reader::Variable& variable, const std::string& expecte
     if (expected != "TRUE" && expected != "FALSE") throw std::runtime_error("not a BOOL: " + expected);
     return *flag == (expected == "TRUE");
   }
-  if (const double* found = std::get_if<double>(&value)) return equals_real(*found, expected);
+  if (const double* found = std::get_if<double>(&value))
+    return equals_real(*found, expected, variable.type == ElementaryType::Real);
   if (const auto* text = std::get_if<std::string>(&value)) return *text == unquoted(expected);
   if (expected.rfind("T#", 0) != 0 && is_written(expected))
     return upper(reader::read_text(variable, image)) == upper(expected);
