@@ -1,8 +1,9 @@
-"""Writes one generated language test."""
+"""Writes one generated language test, into tests/st/programs or below STEPWRIGHT_PROGRAMS."""
 
+import os
 import pathlib
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent / "programs"
+ROOT = pathlib.Path(os.environ.get("STEPWRIGHT_PROGRAMS", pathlib.Path(__file__).resolve().parent.parent / "programs"))
 
 
 class Program:
