@@ -28,7 +28,6 @@ VAR
   acc : DINT;
   buffer : ARRAY[0..7] OF DINT;
   point : Lib_Point;
-  name : STRING[20];
 END_VAR
   acc := value + @I;
   FOR i := 0 TO 7 DO
@@ -50,8 +49,7 @@ END_VAR
   WHILE point.x > 100000 DO
     point.x := point.x / 2;
   END_WHILE;
-  name := CONCAT('f', DINT_TO_STRING(@I));
-  Lib_F@I := point.x + point.y MOD 97 + INT_TO_DINT(LEN(name)) + @C;
+  Lib_F@I := point.x + point.y MOD 97 + @C;
 END_FUNCTION
 )ST";
 
@@ -64,9 +62,8 @@ std::int32_t run_function(int number, std::int32_t value) {
   }
   std::int32_t x = wrapped(std::int64_t{acc} + 5);
   while (x > 100000) x /= 2;
-  const auto length = static_cast<std::int64_t>(std::to_string(number).size()) + 1;
   const std::int64_t called = number > 1 ? run_function(number / 2, value % 50) : 0;
-  return wrapped(std::int64_t{x} + buffer[3] % 97 + length + called);
+  return wrapped(std::int64_t{x} + buffer[3] % 97 + called);
 }
 
 // @I: the number of the block, @V and @B: declaration and call of the one at half its number.

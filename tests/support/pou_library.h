@@ -1,7 +1,7 @@
 #pragma once
 
 // A library as large as one wants: functions and function blocks of 20 to 60 lines with structures, arrays,
-// enumerations, strings, loops and calls among each other, and a program that uses them all. What its
+// enumerations, loops and calls among each other, and a program that uses them all. What its
 // functions give is known, because the same is computed here in C++.
 //
 //   const support::PouLibrary library = support::pou_library(500);
