@@ -79,6 +79,10 @@ bool Configurer::give_address(const syntax::ConfiguredVariable& line, const Memb
              declared.open_address ? quote(member.path) + " is declared at another area"
                                    : quote(member.path) + " is not declared with an open address",
              "declare it AT %I*, AT %Q* or AT %M*, and give it an address of that area");
+    // What is wrong is not missing too.
+    Place place;
+    place.type = declared.type;
+    member.instance->located.push_back({member.offset, std::move(place)});
     return false;
   }
   syntax::VariableDeclaration whole;
