@@ -136,6 +136,11 @@ bool Layout::place_in_instance(Variable& variable, const std::vector<std::byte>&
     place_reference(variable);
     return true;
   }
+  if (variable.is_referred()) {
+    variable.first = a_.allocate_place(variable.type, bytes, variable.where);
+    place_reference(variable);
+    return true;
+  }
   if (instance_.size() > kMaxData - bytes.size()) {
     a_.error(code::kTooLarge, variable.where,
              "the variables of " + quote(pou_.spelling) + " are larger than 32 MiB");

@@ -37,12 +37,15 @@ struct Variable {
   source::Position where;
   Place place;
   Place edge_place;           // of an input with R_EDGE or F_EDGE: what the body reads
-  Place first;                // function input in memory: a constant with its first value
+  Place first;                // function input in memory, AT %I*: a constant with its first value
   std::vector<Place> bounds;  // variable-length array: lower and upper bound of each dimension, DINT
   std::optional<syntax::Area> open_address;  // AT %I*
   std::optional<syntax::DirectAddress> address;
   std::optional<Constant> value;    // of a scalar constant
   std::optional<Constant> initial;  // of a scalar that is not in an instance
+
+  // AT %I*: the instance holds the address. A bit has none: the instance holds its value.
+  bool is_referred() const { return open_address && type != nullptr && !type->is_bool(); }
 };
 
 struct Pou {
@@ -116,6 +119,12 @@ struct HierarchicalPlace {
 inline constexpr std::uint32_t kHierarchicalPlace = 0x4000'0000;
 inline constexpr std::uint32_t kHierarchicalStride = 0x1'0000;
 
+// A reference in Data that is known when the areas have their addresses.
+struct FirstReference {
+  std::uint32_t offset = 0;  // in Data
+  Place target;
+};
+
 struct Model {
   TypeTable types;
   std::vector<std::unique_ptr<Pou>> pous;
@@ -127,6 +136,7 @@ struct Model {
   std::array<std::vector<std::byte>, 4> areas;
 
   std::vector<HierarchicalPlace> hierarchical;
+  std::vector<FirstReference> references;
 
   // Where the offset of a place lies in its area.
   std::uint32_t offset_in_area(std::uint32_t offset, Base base) const {

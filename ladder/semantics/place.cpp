@@ -45,7 +45,8 @@ void ExpressionAnalyzer::report_unknown(const syntax::Name& name) {
 
 std::string ExpressionAnalyzer::why_read_only(const Variable& variable) const {
   if (variable.constant) return "is a constant";
-  if (variable.place.base == Base::Input) return "is an input of the plant (%I)";
+  const bool at_input = variable.open_address == syntax::Area::Input;
+  if (at_input || variable.place.base == Base::Input) return "is an input of the plant (%I)";
   if (variable.section == Section::Input) return "is an input (VAR_INPUT)";
   return {};
 }
