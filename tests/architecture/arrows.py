@@ -17,6 +17,7 @@ ARROWS = {
     "runtime/bytecode/reader": ["runtime/bytecode", "runtime/result"],
     "runtime/image": ["runtime/base"],
     "runtime/vm": ["runtime/bytecode", "runtime/image"],
+    "runtime/native": ["runtime/bytecode", "runtime/image", "runtime/result"],
     "runtime/scan": ["runtime/vm"],
     "runtime/naming": [],
     "runtime/result": ["runtime/naming"],
