@@ -65,6 +65,20 @@ constexpr std::uint32_t rotate_right(std::uint32_t x, std::uint32_t count, std::
   return rotate_left(x, bits - (count & (bits - 1)), bits);
 }
 
+// What an operation on x and y gave; if that is a NaN, the same NaN on every machine: that of x, else that of
+// y, made quiet, else a negative one without a payload. (Which operand's NaN comes out is the compiler's
+// choice.)
+template <std::floating_point T>
+constexpr T settle_nan(T result, T x, T y) {
+  using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+  if (result == result) [[likely]] return result;
+  constexpr Bits kQuiet = Bits{1} << (std::numeric_limits<T>::digits - 2);
+  if (x != x) return std::bit_cast<T>(std::bit_cast<Bits>(x) | kQuiet);
+  if (y != y) return std::bit_cast<T>(std::bit_cast<Bits>(y) | kQuiet);
+  return std::bit_cast<T>(std::bit_cast<Bits>(std::numeric_limits<T>::infinity()) | kQuiet |
+                          Bits{1} << (sizeof(T) * 8 - 1));
+}
+
 // To the nearest integer, ties to even (IEC 61131-3 refers to IEC 60559). Independent of library and
 // instruction set: adding 2^52 leaves no room for a fraction.
 constexpr double round_to_even(double x) {

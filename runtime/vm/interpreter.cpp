@@ -138,11 +138,11 @@ Interpreter::Interpreter(const bytecode::Program& program, std::span<std::uint64
   COMPARISONS(op, sign)                    \
   BINARY(op##U32, std::uint32_t, x sign y) \
   BINARY(op##U64, std::uint64_t, x sign y)
-#define ARITHMETIC(op, sign)               \
-  BINARY(op##I32, std::uint32_t, x sign y) \
-  BINARY(op##I64, std::uint64_t, x sign y) \
-  BINARY(op##F32, float, x sign y)         \
-  BINARY(op##F64, double, x sign y)
+#define ARITHMETIC(op, sign)                                \
+  BINARY(op##I32, std::uint32_t, x sign y)                  \
+  BINARY(op##I64, std::uint64_t, x sign y)                  \
+  BINARY(op##F32, float, settle_nan<float>(x sign y, x, y)) \
+  BINARY(op##F64, double, settle_nan<double>(x sign y, x, y))
 #define BITWISE(op, sign)                   \
   BINARY(op##Bool, std::uint64_t, x sign y) \
   BINARY(op##I32, std::uint32_t, x sign y)  \
@@ -258,8 +258,8 @@ op_ConstF64:
   DIVISION(DivI64, std::int64_t, divide(x, y))
   DIVISION(DivU32, std::uint32_t, divide(x, y))
   DIVISION(DivU64, std::uint64_t, divide(x, y))
-  DIVISION(DivF32, float, x / y)
-  DIVISION(DivF64, double, x / y)
+  DIVISION(DivF32, float, settle_nan<float>(x / y, x, y))
+  DIVISION(DivF64, double, settle_nan<double>(x / y, x, y))
   BINARY(ModI32, std::int32_t, modulo(x, y))
   BINARY(ModI64, std::int64_t, modulo(x, y))
   BINARY(ModU32, std::uint32_t, modulo(x, y))

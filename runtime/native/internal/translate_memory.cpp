@@ -30,12 +30,12 @@ void load(FunctionWork& work, MemoryAccess access, const Instruction& in) {
 
 void store_access(FunctionWork& work, MemoryAccess access, const Instruction& in) {
   Operands& operands = work.operands();
-  Value value = operands.pop_settled();
+  Value value = operands.pop_settled_beside_flags();
   if (access.mode != AddressMode::Ind) {
     return store(work, access.mode == AddressMode::Abs ? work.absolute(in.a) : work.of_self(in.a),
                  access.type, value);
   }
-  Value address = operands.pop_settled();
+  Value address = operands.pop_settled_beside_flags();
   const Location to = checked(work, address, size_of(access.type));
   store(work, to, access.type, value);
   if (!to.fixed()) operands.release(Value::of_load(MemType::U8, to));
@@ -256,7 +256,7 @@ bool translate_memory(FunctionWork& work, const Instruction& in) {
     }
     case Opcode::LocalSet: {
       const StackType type = work.view().local_type(work.code().record, in.a);
-      Value value = operands.pop_settled();
+      Value value = operands.pop_settled_beside_flags();
       store(work, work.local(in.a), slot_memory(type), value);
       return true;
     }

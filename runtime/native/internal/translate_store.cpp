@@ -60,18 +60,11 @@ void store_constant(FunctionWork& work, const Location& to, std::uint32_t bytes,
 // A Ref that ran out of 32 bits points nowhere.
 void store_ref(FunctionWork& work, const Location& to, Value& value) {
   Operands& operands = work.operands();
-  const bool inside = value.is(Value::Kind::Address) && work.within_bounds(value.location, 0);
-  const RegisterId reg = operands.in_register(value);
-  const x86::Mem target = operands.memory(to, 4);
-  if (inside) {
-    work.out().mov(target, gp32(reg));
-  } else {
-    operands.settle_flags();
-    work.out().mov(gp32(kScratch), bytecode::kNullRef);
-    work.out().cmp(gp64(reg), gp64(kScratch));
-    work.out().cmovb(gp64(kScratch), gp64(reg));
-    work.out().mov(target, gp32(kScratch));
-  }
+  operands.settle_flags();
+  work.out().mov(gp32(kScratch), bytecode::kNullRef);
+  work.out().cmp(gp64(value.reg), gp64(kScratch));
+  work.out().cmovb(gp64(kScratch), gp64(value.reg));
+  work.out().mov(operands.memory(to, 4), gp32(kScratch));
   operands.release(value);
 }
 
@@ -84,14 +77,18 @@ void store(FunctionWork& work, const Location& to, MemType type, Value& value) {
   if (const Pinned* const variable = to.fixed() ? work.pinned(where, type) : nullptr) {
     return store_pinned(work, *variable, value);
   }
+  // The value is read first: what it remembers may be what the store changes.
+  const bool constant = value.is(Value::Kind::Constant);
+  const bool inside = value.is(Value::Kind::Address) && work.within_bounds(value.location, 0);
+  if (!constant) operands.in_register(value);
   operands.before_write(where);
-  if (type == MemType::Ref && !value.is(Value::Kind::Constant)) return store_ref(work, to, value);
-  if (value.is(Value::Kind::Constant)) return store_constant(work, to, bytes, value.constant);
-  const RegisterId reg = operands.in_register(value);
+  if (constant) return store_constant(work, to, bytes, value.constant);
+  if (type == MemType::Ref && !inside) return store_ref(work, to, value);
+  const RegisterId reg = value.reg;
   operands.store_register(to, bytes, reg);
   operands.release(value);
-  const bool narrow = bytes < 4 && type != MemType::Bool;
-  if (to.fixed() && (!narrow || wrapped(work, type))) operands.registers().remember(reg, where, type);
+  const bool whole = (bytes >= 4 && type != MemType::Ref) || type == MemType::Bool || wrapped(work, type);
+  if (to.fixed() && whole) operands.registers().remember(reg, where, type);
 }
 
 }  // namespace stepwright::native

@@ -27,7 +27,7 @@ TEST(NativeEngine_Differential, RandomPrograms_WhenRunInBothEngines_ThenImageTra
   const std::uint32_t first = from_environment("STEPWRIGHT_FUZZ_SEED", 1);
   const std::uint32_t count = from_environment("STEPWRIGHT_FUZZ_PROGRAMS", kPrograms);
   std::uint32_t trapped = 0;
-  for (std::uint32_t seed = first; seed < first + count; ++seed) {
+  for (std::uint32_t seed = first; seed - first < count; ++seed) {
     EnginePair pair(random_program(seed));
     std::mt19937 random(seed);
     for (int scan = 0; scan < kScans; ++scan) {

@@ -149,18 +149,18 @@ void ExpressionWriter::constant(StackType type) {
 void ExpressionWriter::push_address(std::uint32_t bytes) {
   const std::uint32_t stride = below(3) == 0 ? 1 + below(12) : 1u << below(4);
   const std::int32_t lower = below(3) == 0 ? static_cast<std::int32_t>(below(5)) - 2 : 0;
-  const std::uint32_t span = 8 * stride + bytes;
+  const std::uint32_t span = 20 * stride + 2 * bytes;
   const bool own = around_.instance_size > span && below(3) != 0;
   const std::uint32_t size = own ? around_.instance_size : around_.image_size;
   const std::uint32_t base = size > span ? below(size - span) : 0;
-  if (below(30) == 0) {
+  if (rash(30)) {
     load(StackType::Ref);  // nowhere, or what was stored there
   } else {
     own ? b_.addr_this(base) : b_.addr_abs(base);
   }
   const auto index = [&](std::int32_t count) {
     push(StackType::I32, 1);
-    if (below(25) != 0) {
+    if (!rash(25)) {
       b_.const_i32(count - 1);
       b_.emit(Opcode::AndI32);
       b_.const_i32(lower);
@@ -171,7 +171,7 @@ void ExpressionWriter::push_address(std::uint32_t bytes) {
     case 0:
       break;
     case 1:
-      b_.offset(below(30) == 0 ? around_.image_size : below(stride + 1));
+      b_.offset(rash(30) ? around_.image_size : below(stride + 1));
       break;
     case 2:
       index(4);
@@ -255,11 +255,13 @@ void ExpressionWriter::binary(StackType type, int depth) {
 void ExpressionWriter::divide(StackType type, int depth) {
   push(type, depth);
   push(type, depth);
-  const bool guarded = below(12) != 0;
+  const bool guarded = !rash(12);
   if (type == StackType::F32 || type == StackType::F64) {
     if (guarded) {
-      constant(type);
-      b_.intrinsic(type == StackType::F32 ? IntrinsicId::MaxF32 : IntrinsicId::MaxF64);
+      const bool wide = type == StackType::F64;
+      b_.intrinsic(wide ? IntrinsicId::AbsF64 : IntrinsicId::AbsF32);
+      wide ? b_.const_f64(0.5) : b_.const_f32(0.5f);
+      b_.intrinsic(wide ? IntrinsicId::MaxF64 : IntrinsicId::MaxF32);
     }
     return b_.emit(type == StackType::F32 ? Opcode::DivF32 : Opcode::DivF64);
   }
@@ -303,14 +305,14 @@ void ExpressionWriter::conversion(StackType type, int depth) {
         push(StackType::I64, depth);
         return b_.emit(Opcode::I64ToI32);
       }
-      if (which == 2 && below(4) == 0) {
+      if (which == 2 && rash(4)) {
         push(StackType::F64, depth);
         return b_.to_int(below(2) == 0 ? Opcode::RoundF64 : Opcode::TruncF64, static_cast<IntType>(below(6)));
       }
       push(StackType::I32, depth);
       return b_.emit(opcode_at(Opcode::WrapI8, static_cast<int>(below(4))));
     case StackType::I64:
-      if (which == 0 && below(3) == 0) {
+      if (which == 0 && rash(3)) {
         push(StackType::F32, depth);
         return b_.to_int(below(2) == 0 ? Opcode::RoundF32 : Opcode::TruncF32,
                          below(2) == 0 ? IntType::I64 : IntType::U64);
@@ -318,7 +320,7 @@ void ExpressionWriter::conversion(StackType type, int depth) {
       push(StackType::I32, depth);
       return b_.emit(below(2) == 0 ? Opcode::I32ToI64 : Opcode::U32ToI64);
     case StackType::F32:
-      if (which == 0 && below(2) == 0) {
+      if (which == 0 && rash(2)) {
         push(StackType::F64, depth);
         return b_.emit(Opcode::F64ToF32);
       }
@@ -362,7 +364,7 @@ void ExpressionWriter::intrinsic(StackType type, int depth) {
   const std::uint32_t which = below(5);
   if (which == 0) return b_.intrinsic(at(IntrinsicId::AbsI32));
   if (which == 1 && floating) {
-    if (below(6) != 0) b_.intrinsic(at(IntrinsicId::AbsI32));
+    if (!rash(6)) b_.intrinsic(at(IntrinsicId::AbsF32));
     return b_.intrinsic(type == StackType::F32 ? IntrinsicId::SqrtF32 : IntrinsicId::SqrtF64);
   }
   push(type, depth);

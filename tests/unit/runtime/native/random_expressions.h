@@ -32,6 +32,7 @@ struct Surroundings {
   bool has_result = false;
   bytecode::StackType result = bytecode::StackType::I32;
   std::vector<Callee> callees;
+  bool careful = false;  // does what traps only behind a guard
 };
 
 class ExpressionWriter {
@@ -49,6 +50,7 @@ class ExpressionWriter {
 
  private:
   std::uint32_t below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
+  bool rash(std::uint32_t one_in) { return below(one_in) == 0 && !around_.careful; }
   bytecode::MemType memory_type(bytecode::StackType type);
   std::uint32_t place(bytecode::MemType type, std::uint32_t size);
   void leaf(bytecode::StackType type);

@@ -86,7 +86,7 @@ class StatementWriter {
       case 1:
         return b_.call_instance(AddressMode::Abs, callee.index, base);
       default:
-        below(8) == 0 ? expressions_.push_address(callee.size) : b_.addr_abs(base);
+        below(8) == 0 && !around_.careful ? expressions_.push_address(callee.size) : b_.addr_abs(base);
         return b_.call_instance(AddressMode::Ind, callee.index);
     }
   }
@@ -122,7 +122,7 @@ class StatementWriter {
     const bool early = below(2) == 0;
     const auto test = [&] {
       b_.load(MemType::I32, AddressMode::This, counter);
-      b_.const_i32(static_cast<std::int32_t>(below(12)));
+      b_.const_i32(static_cast<std::int32_t>(below(6)));
       b_.emit(Opcode::GeI32);
     };
     if (early) test();
@@ -144,7 +144,7 @@ class StatementWriter {
     const auto stay = b_.new_label();
     expressions_.push(StackType::Bool, 2);
     b_.jump_if_false(stay);
-    if (below(3) == 0) {
+    if (below(3) == 0 && !around_.careful) {
       b_.trap(static_cast<std::uint8_t>(bytecode::TrapCode::UserTrap));
     } else {
       if (around_.has_result) expressions_.push(around_.result, 2);
@@ -213,6 +213,7 @@ writer::ContainerModel random_program(std::uint32_t seed) {
   around.image_size = kAreas + model.sizes.data_bytes;
   around.bit_bytes = kAreas;
   around.counters = {0, 4, 8};
+  around.careful = random() % 3 != 0;
   std::vector<writer::Function> functions(1);
   if (random() % 2 == 0) {
     Callee callee;
