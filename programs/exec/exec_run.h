@@ -14,7 +14,10 @@
 
 namespace stepwright::exec {
 
+enum class EngineKind : std::uint8_t { Vm, Native };
+
 struct ExecOptions {
+  EngineKind engine = EngineKind::Vm;
   std::uint64_t scans = 1;
   std::vector<std::string> trace;  // names of variables
 };
