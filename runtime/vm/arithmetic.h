@@ -71,7 +71,8 @@ constexpr std::uint32_t rotate_right(std::uint32_t x, std::uint32_t count, std::
 template <std::floating_point T>
 constexpr T settle_nan(T result, T x, T y) {
   using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-  if (result == result) [[likely]] return result;
+  if (result == result) [[likely]]
+    return result;
   constexpr Bits kQuiet = Bits{1} << (std::numeric_limits<T>::digits - 2);
   if (x != x) return std::bit_cast<T>(std::bit_cast<Bits>(x) | kQuiet);
   if (y != y) return std::bit_cast<T>(std::bit_cast<Bits>(y) | kQuiet);
