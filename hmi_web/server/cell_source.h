@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +36,9 @@ struct ImageSnapshot {
   std::vector<std::pair<std::string, double>> plant;  // truth of a simulated plant, by name
 };
 
+// The bias of each sensor in raw counts, by the sensor's name.
+using Tare = std::map<std::string, double>;
+
 struct Observation {
   bool runtime_alive = false;
   bool supervisor_alive = false;
@@ -43,6 +47,7 @@ struct Observation {
   std::optional<ImageSnapshot> snapshot;
   std::shared_ptr<const ProgramLayout> layout;  // shared: it stays the same for thousands of observations
   std::optional<std::string> plan;              // the supervisor's newest plan document, JSON text
+  Tare tare;                                    // empty while no supervisor has identified it
 };
 
 class CellSource {

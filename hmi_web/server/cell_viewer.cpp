@@ -63,7 +63,7 @@ CellView CellViewer::view(const Observation& observation) {
   const ImageSnapshot& snapshot = *observation.snapshot;
   state.scan = snapshot.scan;
   state.time_s = snapshot.time_s;
-  state.points = reader_.read(snapshot);
+  state.points = reader_.read(snapshot, observation.tare);
   if (!layout_) return view;
   state.active_steps = indices_of_true(layout_->steps, snapshot.image);
   state.true_transitions = indices_of_true(layout_->transitions, snapshot.image);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hmi_web/server/image_value.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::server {
 namespace {
@@ -20,6 +21,14 @@ std::optional<double> truth(const ImageSnapshot& snapshot, const std::string& na
   return found->second;
 }
 
+// Names are those of the plant here and those of the binding there: upper and lower case alike.
+double bias(const Tare& tare, const std::string& sensor) {
+  const auto found = std::find_if(tare.begin(), tare.end(), [&](const auto& entry) {
+    return !sensor.empty() && naming::same_name(entry.first, sensor);
+  });
+  return found == tare.end() ? 0 : found->second;
+}
+
 }  // namespace
 
 PointReader::PointReader(const std::vector<PointSources>& points, const ProgramLayout* layout) {
@@ -27,16 +36,16 @@ PointReader::PointReader(const std::vector<PointSources>& points, const ProgramL
     std::vector<Resolved> resolved;
     for (const PointSource& source : sources) {
       if (source.kind == PointSourceKind::PlantTruth) {
-        resolved.push_back({source.name, source.factor, source.offset});
+        resolved.push_back({source.name, source.factor, source.offset, source.sensor});
       } else if (const auto variable = resolve(source, layout)) {
-        resolved.push_back({*variable, source.factor, source.offset});
+        resolved.push_back({*variable, source.factor, source.offset, source.sensor});
       }
     }
     points_.push_back(std::move(resolved));
   }
 }
 
-std::vector<std::optional<double>> PointReader::read(const ImageSnapshot& snapshot) const {
+std::vector<std::optional<double>> PointReader::read(const ImageSnapshot& snapshot, const Tare& tare) const {
   std::vector<std::optional<double>> values(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) {
     for (const Resolved& source : points_[i]) {
@@ -44,7 +53,7 @@ std::vector<std::optional<double>> PointReader::read(const ImageSnapshot& snapsh
       const auto value = variable != nullptr ? server::read(*variable, snapshot.image)
                                              : truth(snapshot, std::get<std::string>(source.where));
       if (!value) continue;
-      values[i] = source.factor * *value + source.offset;
+      values[i] = source.factor * (*value - bias(tare, source.sensor)) + source.offset;
       break;
     }
   }

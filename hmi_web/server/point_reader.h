@@ -3,8 +3,8 @@
 // Computes the live points of the synoptic from a snapshot: each from the first of its sources that has a
 // value, scaled to the point's unit.
 //
-//   PointReader reader({{{PointSourceKind::Tag, "S1_FILTERED", 0.0325, -23}}}, layout);
-//   reader.read(snapshot)  ->  one value per binding
+//   PointReader reader({{{PointSourceKind::Tag, "S1_FILTERED", 0.0325, -23, "S1"}}}, layout);
+//   reader.read(snapshot, {{"S1", 12.5}})  ->  one value per binding
 //
 // Thread rule: immutable after construction.
 
@@ -27,8 +27,9 @@ enum class PointSourceKind : std::uint8_t {
 struct PointSource {
   PointSourceKind kind = PointSourceKind::Tag;
   std::string name;
-  double factor = 1;  // point = factor * value + offset
+  double factor = 1;  // point = factor * (value - tare of `sensor`) + offset
   double offset = 0;
+  std::string sensor = {};  // whose raw counts the value is; empty: nothing is to be subtracted
 };
 
 // Of one point; in the order in which they are tried.
@@ -39,13 +40,15 @@ class PointReader {
   // Resolves tags and addresses against `layout`, which may be null: then only plant truth has values.
   PointReader(const std::vector<PointSources>& points, const ProgramLayout* layout);
 
-  std::vector<std::optional<double>> read(const ImageSnapshot& snapshot) const;
+  // A sensor without a tare counts as unbiased.
+  std::vector<std::optional<double>> read(const ImageSnapshot& snapshot, const Tare& tare) const;
 
  private:
   struct Resolved {
     std::variant<reader::Variable, std::string> where;  // in the image, or the name of a plant truth
     double factor;
     double offset;
+    std::string sensor;
   };
   std::vector<std::vector<Resolved>> points_;
 };

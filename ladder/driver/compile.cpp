@@ -1,27 +1,15 @@
 #include "ladder/driver/compile.h"
 
-#include <cstdint>
-#include <cstring>
 #include <utility>
 
 #include "ladder/codegen/generate.h"
 #include "ladder/driver/pou_lowering.h"
 #include "ladder/driver/standard_blocks.h"
 #include "ladder/semantics/analyze.h"
-#include "runtime/bytecode/container_format.h"
 
 namespace stepwright::driver {
 
 namespace {
-
-std::string digest_of(const std::vector<std::byte>& container) {
-  std::uint64_t checksum = 0;
-  std::memcpy(&checksum, container.data() + offsetof(bytecode::FileHeader, checksum), sizeof(checksum));
-  static constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(checksum >> shift) & 0xF];
-  return text;
-}
 
 codegen::ChartOrigin chart_origin(const LoweredChart& lowered, const semantics::Model& model) {
   codegen::ChartOrigin origin;
@@ -66,13 +54,12 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
     syntax::parse_unit(context, sources.add(each.name, each.text), unit);
   PouLowering lowering(context, unit);
   lowering.lower_charts();
-  if (input.project != nullptr) lowering.add_project(*input.project);
+  for (const graphic::Project* each : input.projects) lowering.add_project(*each);
   const auto model = semantics::analyze(unit, library_pous, names, sink);
   if (sink.has_errors()) return tl::unexpected(sink.take());
   auto container = codegen::generate(*model, chart_origins(lowering, *model), sources);
   if (!container) return result::forward(container);
   CompileOutput output;
-  output.digest = digest_of(*container);
   output.container = std::move(*container);
   output.warnings = sink.take();
   return output;

@@ -64,12 +64,15 @@ void check_recursion(Analysis& a) {
 std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t library_pous, source::NameTable& names,
                                source::DiagnosticSink& sink) {
   auto model = std::make_unique<Model>();
-  Analysis a{*model, names, sink, {}, {}, {}, {}};
+  Analysis a{*model, names, sink, {}, {}, {}, {}, {}};
   register_pous(a, unit);
   TypeResolver types(a, unit);
   types.declare_all();
   declare_globals(a, types, unit.globals);
-  for (const syntax::Configuration& each : unit.configurations) declare_globals(a, types, each.globals);
+  for (const syntax::Configuration& each : unit.configurations) {
+    declare_globals(a, types, each.globals);
+    for (const syntax::Resource& resource : each.resources) declare_globals(a, types, resource.globals);
+  }
   for (const auto& pou : model->pous) types.lay_out(*pou);
   for (const auto& pou : model->pous) StatementAnalyzer(a, *pou).body(pou->declaration->body);
   check_recursion(a);

@@ -161,9 +161,13 @@ void configure(Analysis& a, const syntax::Unit& unit, std::size_t library_pous) 
     return;
   }
   const syntax::Configuration& configuration = unit.configurations.front();
-  for (const syntax::TaskDeclaration& each : configuration.tasks) declare_task(a, each);
-  for (const syntax::ProgramDeclaration& each : configuration.programs) declare_program(a, each);
-  if (configuration.programs.empty())
+  bool has_programs = false;
+  for (const syntax::Resource& resource : configuration.resources) {
+    for (const syntax::TaskDeclaration& each : resource.tasks) declare_task(a, each);
+    for (const syntax::ProgramDeclaration& each : resource.programs) declare_program(a, each);
+    has_programs = has_programs || !resource.programs.empty();
+  }
+  if (!has_programs)
     a.error(code::kNoProgram, configuration.name.where, "the configuration runs no program",
             "write PROGRAM name WITH task : type;");
 }

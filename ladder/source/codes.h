@@ -2,7 +2,8 @@
 
 // The code of every diagnostic of the compiler. Stable: scripts and ladder/doc/diagnostics.md name them; a
 // test holds both lists together. E01xx text and syntax, E02xx names and declarations, E03xx types,
-// E04xx statements and calls, E05xx addresses, E06xx configuration, E07xx charts and rungs, W0xxx warnings.
+// E04xx statements and calls, E05xx addresses, E06xx configuration, E07xx charts and rungs, E08xx exchange
+// files, W0xxx warnings.
 
 namespace stepwright::source::code {
 
@@ -46,6 +47,7 @@ inline constexpr const char* kExitOutsideLoop = "E0408";
 inline constexpr const char* kNeedsVariable = "E0409";
 inline constexpr const char* kNoResult = "E0410";
 inline constexpr const char* kMissingInOut = "E0411";
+inline constexpr const char* kShortLived = "E0412";
 
 inline constexpr const char* kBadAddress = "E0501";
 inline constexpr const char* kAddressSize = "E0502";
@@ -61,6 +63,11 @@ inline constexpr const char* kSeveralConfigurations = "E0605";
 inline constexpr const char* kUnknownLabel = "E0701";
 inline constexpr const char* kEdgeInFunction = "E0702";
 inline constexpr const char* kBadChart = "E0703";
+
+inline constexpr const char* kBadXml = "E0801";
+inline constexpr const char* kNotPlcopen = "E0802";
+inline constexpr const char* kBadDiagram = "E0803";
+inline constexpr const char* kExchangeUnsupported = "E0804";
 
 inline constexpr const char* kUnreachable = "W0001";
 inline constexpr const char* kUnusedResult = "W0002";

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "ladder/syntax/date_literal.h"
 #include "ladder/syntax/number.h"
 
 namespace stepwright::syntax {
@@ -22,6 +23,44 @@ bool starts_name(char c) {
 
 bool continues_name(char c) {
   return starts_name(c) || is_digit(c);
+}
+
+// Literals whose value is a time: what stands before '#', how the value is read, what a wrong one is told.
+struct TimeLiteral {
+  std::string_view prefix;
+  TokenKind kind;
+  std::optional<std::int64_t> (*parse)(std::string_view);
+};
+constexpr TimeLiteral kTimeLiterals[] = {
+    {"T", TokenKind::Time, parse_duration},
+    {"TIME", TokenKind::Time, parse_duration},
+    {"LT", TokenKind::Time, parse_duration},
+    {"LTIME", TokenKind::Time, parse_duration},
+    {"D", TokenKind::Date, parse_date},
+    {"DATE", TokenKind::Date, parse_date},
+    {"LD", TokenKind::Date, parse_date},
+    {"LDATE", TokenKind::Date, parse_date},
+    {"TOD", TokenKind::TimeOfDay, parse_time_of_day},
+    {"TIME_OF_DAY", TokenKind::TimeOfDay, parse_time_of_day},
+    {"LTOD", TokenKind::TimeOfDay, parse_time_of_day},
+    {"LTIME_OF_DAY", TokenKind::TimeOfDay, parse_time_of_day},
+    {"DT", TokenKind::DateAndTime, parse_date_and_time},
+    {"DATE_AND_TIME", TokenKind::DateAndTime, parse_date_and_time},
+    {"LDT", TokenKind::DateAndTime, parse_date_and_time},
+    {"LDATE_AND_TIME", TokenKind::DateAndTime, parse_date_and_time},
+};
+
+const char* hint_of(TokenKind kind) {
+  switch (kind) {
+    case TokenKind::Date:
+      return "write it as D#2026-11-21, from 1678 to 2261";
+    case TokenKind::TimeOfDay:
+      return "write it as TOD#15:36:55.36";
+    case TokenKind::DateAndTime:
+      return "write it as DT#2026-11-21-15:36:55.36";
+    default:
+      return "write it as T#1d2h3m4s5ms, units descending, a fraction only in the last one";
+  }
 }
 
 class Lexer {
@@ -53,6 +92,7 @@ class Lexer {
   bool at_text(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
 
   Position place(std::size_t offset) const {
+    if (map_fixed_) return {mapped_file_, static_cast<std::uint32_t>(map_to_)};
     return {mapped_file_, static_cast<std::uint32_t>(offset - map_from_ + map_to_)};
   }
 
@@ -82,7 +122,7 @@ class Lexer {
         const std::size_t end = text_.find('\n', at_);
         at_ = end == std::string_view::npos ? text_.size() : end;
       } else if (c == '{') {
-        skip_pragma();
+        pragma();
       } else {
         return;
       }
@@ -109,7 +149,8 @@ class Lexer {
     push(TokenKind::Bad);
   }
 
-  void skip_pragma() {
+  // A pragma that means something to the parser becomes a token, any other one is skipped (6.2).
+  void pragma() {
     start_ = at_;
     const std::size_t end = text_.find('}', at_);
     if (end == std::string_view::npos) {
@@ -122,17 +163,24 @@ class Lexer {
     at_ = end + 1;
     if (kind_ == TextKind::Generated && !inside.empty() && inside.front() == '@')
       map_source(inside.substr(1));
+    if (source::upper(text_.substr(start_, at_ - start_)) == to_string(Keyword::FinalScan))
+      push(TokenKind::Keyword).keyword = Keyword::FinalScan;
   }
 
   void map_source(std::string_view target) {
     mapped_file_ = file_;
     map_from_ = 0;
     map_to_ = 0;
+    map_fixed_ = !target.empty() && target.back() == '!';
+    if (map_fixed_) target.remove_suffix(1);
     const std::size_t colon = target.find(':');
     if (colon == std::string_view::npos) return;
     const auto file = parse_integer(target.substr(0, colon), 10);
     const auto offset = parse_integer(target.substr(colon + 1), 10);
-    if (!file || !offset || *file >= sources_.size()) return;
+    if (!file || !offset || *file >= sources_.size()) {
+      map_fixed_ = false;
+      return;
+    }
     mapped_file_ = source::FileId(static_cast<std::uint32_t>(*file));
     map_from_ = at_;
     map_to_ = static_cast<std::size_t>(*offset);
@@ -161,22 +209,28 @@ class Lexer {
   void prefixed(source::NameId name) {
     const std::string& folded = names_.folded(name);
     ++at_;
-    if (folded != "T" && folded != "TIME" && folded != "LT" && folded != "LTIME") {
-      Token& token = push(TokenKind::TypePrefix);
-      token.text.remove_suffix(1);
-      token.name = name;
-      return;
-    }
+    for (const TimeLiteral& each : kTimeLiterals)
+      if (folded == each.prefix) return time_literal(each);
+    Token& token = push(TokenKind::TypePrefix);
+    token.text.remove_suffix(1);
+    token.name = name;
+  }
+
+  void time_literal(const TimeLiteral& form) {
     const std::size_t from = at_;
-    if (peek() == '-' || peek() == '+') ++at_;
-    while (continues_name(peek()) || (peek() == '.' && is_digit(peek(1)))) ++at_;
-    const auto value = parse_duration(text_.substr(from, at_ - from));
+    const bool is_duration = form.kind == TokenKind::Time;
+    if (is_duration && (peek() == '-' || peek() == '+')) ++at_;
+    // The marks of dates and times of day belong to the literal only between digits.
+    while (continues_name(peek()) ||
+           (is_digit(peek(1)) && (peek() == '.' || (!is_duration && (peek() == '-' || peek() == ':')))))
+      ++at_;
+    const auto value = form.parse(text_.substr(from, at_ - from));
     if (!value) {
       return bad(code::kBadLiteral,
-                 "'" + std::string(text_.substr(start_, at_ - start_)) + "' is no duration",
-                 "write it as T#1d2h3m4s5ms, units descending, a fraction only in the last one");
+                 "'" + std::string(text_.substr(start_, at_ - start_)) + "' is not " + describe(form.kind),
+                 hint_of(form.kind));
     }
-    push(TokenKind::Time).time_ns = *value;
+    push(form.kind).time_ns = *value;
   }
 
   void digits() {
@@ -236,6 +290,8 @@ class Lexer {
   void direct() {
     ++at_;
     while (continues_name(peek()) || (peek() == '.' && is_digit(peek(1)))) ++at_;
+    // "%I*", "%QW*": a place that VAR_CONFIG gives.
+    if (peek() == '*' && at_ - start_ > 1 && !is_digit(text_[at_ - 1])) ++at_;
     push(TokenKind::Direct);
   }
 
@@ -248,7 +304,7 @@ class Lexer {
                  std::string("close it with ") + quote);
     }
     ++at_;
-    push(TokenKind::String);
+    push(quote == '"' ? TokenKind::WideString : TokenKind::String);
   }
 
   void symbol() {
@@ -257,14 +313,15 @@ class Lexer {
       TokenKind kind;
     };
     static constexpr Symbol kSymbols[] = {
-        {":=", TokenKind::Assign},       {"=>", TokenKind::Output},     {"..", TokenKind::Range},
-        {"**", TokenKind::Power},        {"<>", TokenKind::NotEqual},   {"<=", TokenKind::LessEqual},
-        {">=", TokenKind::GreaterEqual}, {":", TokenKind::Colon},       {";", TokenKind::Semicolon},
-        {",", TokenKind::Comma},         {".", TokenKind::Dot},         {"(", TokenKind::LeftParen},
-        {")", TokenKind::RightParen},    {"[", TokenKind::LeftBracket}, {"]", TokenKind::RightBracket},
-        {"+", TokenKind::Plus},          {"-", TokenKind::Minus},       {"*", TokenKind::Star},
-        {"/", TokenKind::Slash},         {"&", TokenKind::Ampersand},   {"=", TokenKind::Equal},
-        {"<", TokenKind::Less},          {">", TokenKind::Greater},
+        {":=", TokenKind::Assign},     {"=>", TokenKind::Output},      {"?=", TokenKind::AttemptAssign},
+        {"..", TokenKind::Range},      {"^", TokenKind::Caret},        {"**", TokenKind::Power},
+        {"<>", TokenKind::NotEqual},   {"<=", TokenKind::LessEqual},   {">=", TokenKind::GreaterEqual},
+        {":", TokenKind::Colon},       {";", TokenKind::Semicolon},    {",", TokenKind::Comma},
+        {".", TokenKind::Dot},         {"(", TokenKind::LeftParen},    {")", TokenKind::RightParen},
+        {"[", TokenKind::LeftBracket}, {"]", TokenKind::RightBracket}, {"+", TokenKind::Plus},
+        {"-", TokenKind::Minus},       {"*", TokenKind::Star},         {"/", TokenKind::Slash},
+        {"&", TokenKind::Ampersand},   {"=", TokenKind::Equal},        {"<", TokenKind::Less},
+        {">", TokenKind::Greater},
     };
     for (const Symbol& each : kSymbols) {
       if (!at_text(each.text)) continue;
@@ -291,6 +348,7 @@ class Lexer {
   source::FileId mapped_file_;
   std::size_t map_from_ = 0;
   std::size_t map_to_ = 0;
+  bool map_fixed_ = false;
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ struct SyntaxContext {
 };
 
 // Appends everything that a source file declares to `unit`.
-void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit);
+void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit, TextKind kind = TextKind::Written);
 
 // A whole text that is one statement list. In a Generated text "JMP name;" and "name:" are statements too.
 Statements parse_statements(SyntaxContext& context, source::FileId file, TextKind kind);

@@ -1,5 +1,10 @@
 #include "programs/config/cell_config.h"
 
+#include <array>
+#include <cstdio>
+#include <span>
+
+#include "runtime/base/hash64.h"
 #include "runtime/settings/toml_document.h"
 
 namespace stepwright::config {
@@ -60,6 +65,12 @@ void read_planning(const TomlTable& table, const std::filesystem::path& folder, 
 
 }  // namespace
 
+std::filesystem::path temporary_folder() {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  return error ? std::filesystem::path("/tmp") : folder;
+}
+
 bool is_goal_change(const ScheduledFault& fault) {
   return fault.name.starts_with('(');
 }
@@ -67,8 +78,18 @@ bool is_goal_change(const ScheduledFault& fault) {
 std::filesystem::path CellConfig::socket_path() const {
   return state_dir / "runtime.sock";
 }
+
+// Not on a disk: pages of a file are written back now and then, and a scan that changes one meanwhile waits.
 std::filesystem::path CellConfig::plant_memory_path() const {
-  return state_dir / "plant.state";
+  const std::filesystem::path memory = "/dev/shm";
+  std::error_code error;
+  if (!std::filesystem::is_directory(memory, error)) return state_dir / "plant.state";
+  auto whole = std::filesystem::weakly_canonical(state_dir, error);
+  const std::string folder = error ? state_dir.string() : whole.string();
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016llx",
+                static_cast<unsigned long long>(base::hash_bytes(std::as_bytes(std::span(folder)))));
+  return memory / ("stepwright-plant-" + std::string(digits.data()));
 }
 
 std::filesystem::path CellConfig::report_path() const {
@@ -97,9 +118,8 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   const TomlTable cell = root.table("cell");
   config.name = cell.text("name", config.name);
   const std::string state_dir = cell.text("state_dir", {});
-  config.state_dir = state_dir.empty()
-                         ? std::filesystem::temp_directory_path() / ("stepwright-" + config.name)
-                         : folder / state_dir;
+  config.state_dir =
+      state_dir.empty() ? temporary_folder() / ("stepwright-" + config.name) : folder / state_dir;
   read_clock(root.table("clock"), config.clock);
   read_plant(root.table("plant"), config.plant);
   const TomlTable image = root.table("image");
@@ -115,7 +135,9 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   config.executive.max_replans = static_cast<int>(executive.integer("max_replans", 8, {0, 1'000}));
   config.executive.report_fluent = executive.text("report_fluent", {});
   config.executive.settle = std::chrono::milliseconds(executive.integer("settle_ms", 3'000, {0, 600'000}));
-  config.dds.domain_id = static_cast<std::uint32_t>(root.table("dds").integer("domain_id", 0, {0, 232}));
+  const TomlTable dds = root.table("dds");
+  config.dds.domain_id = static_cast<std::uint32_t>(dds.integer("domain_id", 0, {0, 232}));
+  config.dds.runtime_id = dds.text("runtime_id", config.name);
   const TomlTable hmi = root.table("hmi");
   config.hmi.host = hmi.text("host", config.hmi.host);
   config.hmi.port = static_cast<std::uint16_t>(hmi.integer("port", 8080, {0, 65'535}));

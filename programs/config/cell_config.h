@@ -81,6 +81,7 @@ struct ExecutiveConfig {
 
 struct DdsConfig {
   std::uint32_t domain_id = 0;
+  std::string runtime_id;  // this cell's runtime in the domain, which no other may share; default: the cell's name
 };
 
 struct HmiConfig {
@@ -107,10 +108,13 @@ struct CellConfig {
 
   std::filesystem::path socket_path() const;   // the runtime's Unix socket
   std::filesystem::path journal_path() const;  // the executive's journal
-  std::filesystem::path plant_memory_path()
-      const;                                  // what the simulated plant leaves when its process is killed
+  // What the simulated plant leaves when its process is killed; of this state folder, kept in memory.
+  std::filesystem::path plant_memory_path() const;
   std::filesystem::path report_path() const;  // what the supervisor leaves at the end of a run
 };
+
+// That of the environment or, if it names none that exists, /tmp.
+std::filesystem::path temporary_folder();
 
 // `overrides` are "dotted.key=value" texts that win over the file (--set).
 [[nodiscard]] result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,

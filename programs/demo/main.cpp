@@ -93,31 +93,51 @@ result::Result<std::vector<std::string>> overrides_of(const DemoOptions& options
 }
 
 std::filesystem::path make_state_dir() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "stepwright-XXXXXX").string();
+  std::string pattern = (config::temporary_folder() / "stepwright-XXXXXX").string();
   return mkdtemp(pattern.data()) == nullptr ? std::filesystem::path() : std::filesystem::path(pattern);
 }
 
 // Runs in `kept`, or in a temporary folder if that is empty.
 result::Result<CellRunResult> run_once(const std::filesystem::path& cell, std::vector<std::string> overrides,
-                                       const std::filesystem::path& kept, bool page, int domain_offset) {
-  const std::filesystem::path state_dir = kept.empty() ? make_state_dir() : std::filesystem::absolute(kept);
+                                       const std::filesystem::path& kept, bool page, int run_number) {
   std::error_code error;
+  const std::filesystem::path state_dir =
+      kept.empty() ? make_state_dir() : std::filesystem::absolute(kept, error);
   std::filesystem::create_directories(state_dir, error);
+  // The report of an earlier run in this folder must not pass for one of this run.
+  if (!error) std::filesystem::remove(state_dir / "report.json", error);
   if (state_dir.empty() || error) {
-    return result::fail("M0004", {state_dir.string(), 0, 0}, "the state folder cannot be made");
+    return result::fail("M0004", {state_dir.string(), 0, 0}, "the state folder cannot be made or used");
   }
   overrides.push_back("cell.state_dir=\"" + state_dir.string() + "\"");
-  // Several demos may run on one machine: each has a domain of its own.
-  overrides.push_back("dds.domain_id=" + std::to_string(10 + (getpid() * 2 + domain_offset) % 90));
+  // Several demos may run on one machine, and there are fewer domains than processes: what one sends must not
+  // reach the runtime of another. Whoever sets these values himself comes later in the list and wins.
+  const std::string run = std::to_string(getpid()) + "-" + std::to_string(run_number);
+  overrides.insert(overrides.begin(), {"dds.runtime_id=demo-" + run,
+                                       "dds.domain_id=" + std::to_string(10 + (getpid() * 2 + run_number) % 90)});
   auto result = CellRun({cell, overrides, state_dir, page}).run(stop_requested);
-  if (kept.empty()) std::filesystem::remove_all(state_dir, error);  // a leftover folder does no harm
+  if (kept.empty()) {  // what is left over does no harm
+    config::CellConfig ended;
+    ended.state_dir = state_dir;
+    std::filesystem::remove(ended.plant_memory_path(), error);
+    std::filesystem::remove_all(state_dir, error);
+  }
   return result;
 }
 
-void write_pictures(const std::filesystem::path& folder, const executive::RunRecord& record) {
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "gantt.svg") << executive::gantt_svg(record);
-  std::ofstream(folder / "cost.svg") << executive::cost_svg(record);
+result::Result<void> write_file(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  out.close();
+  if (!out) return result::fail("M0005", {file.string(), 0, 0}, "cannot be written");
+  return {};
+}
+
+result::Result<void> write_pictures(const std::filesystem::path& folder, const executive::RunRecord& record) {
+  std::error_code ignored;  // a missing folder is noticed by the first picture
+  std::filesystem::create_directories(folder, ignored);
+  if (auto written = write_file(folder / "gantt.svg", executive::gantt_svg(record)); !written) return written;
+  return write_file(folder / "cost.svg", executive::cost_svg(record));
 }
 
 int run_demo(const DemoOptions& options) {
@@ -146,14 +166,13 @@ int run_demo(const DemoOptions& options) {
     std::printf("%s", executive::report_table(run->report->record).c_str());
   std::fprintf(run->report ? stdout : stderr, "%s", summary_text(*run, sequential).c_str());
   if (!options.json.empty()) {
-    std::ofstream out(options.json);
-    out << summary_json(*run, sequential) << '\n';
-    if (!out) {
-      return fail(result::fail("M0005", {options.json, 0, 0}, "cannot be written").value(),
-                  ExitCode::BadInput);
-    }
+    auto written = write_file(options.json, summary_json(*run, sequential) + "\n");
+    if (!written) return fail(written.error(), ExitCode::BadInput);
   }
-  if (!options.pictures.empty() && run->report) write_pictures(options.pictures, run->report->record);
+  if (!options.pictures.empty() && run->report) {
+    auto written = write_pictures(options.pictures, run->report->record);
+    if (!written) return fail(written.error(), ExitCode::BadInput);
+  }
   return to_int(run->exit);
 }
 

@@ -3,6 +3,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "programs/hmi/sensor_tare.h"
+#include "runtime/service/digest.h"
+
 namespace stepwright::hmi {
 namespace {
 
@@ -41,7 +44,7 @@ server::ImageSnapshot snapshot_of(dds::Snapshot snapshot) {
 }  // namespace
 
 result::Result<std::unique_ptr<DdsCellSource>> DdsCellSource::connect(const config::CellConfig& config) {
-  const dds::ParticipantConfig participant{config.dds.domain_id, "hmi", config.name};
+  const dds::ParticipantConfig participant{config.dds.domain_id, "hmi", config.dds.runtime_id};
   auto runtime = dds::RuntimeClient::connect(participant, dds::ClientRole::Viewer);
   if (!runtime) return result::forward(runtime);
   auto plans = dds::PlanSubscriber::create(participant);
@@ -54,6 +57,11 @@ server::Observation DdsCellSource::observe() {
   seen.runtime_alive = runtime_->runtime_alive();
   seen.supervisor_alive = plans_->supervisor_alive();
   seen.plan = plans_->latest();
+  if (seen.plan && *seen.plan != tare_source_) {
+    tare_source_ = *seen.plan;
+    tare_ = tare_of(tare_source_);
+  }
+  seen.tare = tare_;
   if (const auto status = runtime_->status()) seen.report = report_of(*status);
   auto snapshot = runtime_->snapshot();
   const std::string digest = snapshot ? snapshot->program_digest : std::string();
@@ -69,12 +77,15 @@ void DdsCellSource::fetch_program(const std::string& digest) {
   next_fetch_ = now + kFetchPause;
   const auto container = runtime_->program();
   if (!container) return;  // asked again; the page says meanwhile that it knows no program
+  next_fetch_ = now;
+  // Another program may have come since the image was taken; its own images follow.
+  if (service::to_hex(service::sha256(*container)) != digest) return;
   auto layout = server::read_layout(*container, digest);
   if (!layout) {
+    next_fetch_ = now + kFetchPause;
     std::fprintf(stderr, "%s\n", result::to_string(layout.error()).c_str());
     return;
   }
-  next_fetch_ = now;
   layout_ = std::make_shared<const server::ProgramLayout>(std::move(*layout));
 }
 

@@ -35,6 +35,8 @@ class DdsCellSource : public server::CellSource {
   std::unique_ptr<dds::PlanSubscriber> plans_;
   std::shared_ptr<const server::ProgramLayout> layout_;  // of the program with its digest; shared with views
   std::chrono::steady_clock::time_point next_fetch_{};   // a fetch that failed is not repeated at once
+  std::string tare_source_;                              // the plan document that `tare_` was read from
+  server::Tare tare_;
 };
 
 }  // namespace stepwright::hmi

@@ -61,7 +61,7 @@ class PictureBuilder {
     return found == ports_.end() ? nullptr : &found->address;
   }
 
-  // The inverse of the static calibration.
+  // The inverse of the static calibration, from counts without their tare.
   PointSources measured(const std::string& sensor) const {
     const auto index = core::index_of(plant_.sensors, sensor);
     if (sensor.empty() || !index) return {};
@@ -69,9 +69,9 @@ class PictureBuilder {
     if (found.counts_per_unit == 0) return {};
     const double factor = 1 / found.counts_per_unit;
     const double offset = -found.counts_at_zero / found.counts_per_unit;
-    PointSources sources = {{PointSourceKind::Tag, found.name + "_filtered", factor, offset}};
+    PointSources sources = {{PointSourceKind::Tag, found.name + "_filtered", factor, offset, sensor}};
     if (const std::string* address = address_of(sensor)) {
-      sources.push_back({PointSourceKind::Address, *address, factor, offset});
+      sources.push_back({PointSourceKind::Address, *address, factor, offset, sensor});
     }
     return sources;
   }

@@ -7,8 +7,9 @@
 //   Feed feed(greeting, picture.synoptic);
 //   CellViewer viewer(picture.sources);
 //
-// A level is what the controller measures: the filtered counts of its sensor through the sensor's
-// calibration, or the raw counts while no program filters them. The true state of a simulated plant stands
+// A level is what the controller measures: the filtered counts of its sensor, less the tare that the
+// supervisor has identified, through the sensor's calibration; or the raw counts while no program filters
+// them. The true state of a simulated plant stands
 // beside it.
 
 #include <vector>

@@ -49,7 +49,9 @@ nlohmann::json to_json(const model::Outcome& outcome) {
   if (!outcome.plan) return json;
   const model::Plan& plan = *outcome.plan;
   for (const model::GroundAction& action : plan.actions) json["plan"].push_back(model::to_string(action));
-  for (const model::Ordering& o : plan.orderings) json["orderings"].push_back({o.before, o.after});
+  for (const model::Ordering& o : plan.orderings.value_or(std::vector<model::Ordering>())) {
+    json["orderings"].push_back({o.before, o.after});
+  }
   json["plan_steps"] = plan.actions.size();
   json["plan_cost"] = number(plan.cost);
   json["bound"] = number(plan.bound);

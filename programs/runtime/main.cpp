@@ -30,11 +30,15 @@ std::string describe(const config::ClockConfig& clock) {
   return text;
 }
 
-// The folder of the socket, for this user only where it is made here.
-result::Result<void> make_state_dir(const std::filesystem::path& folder) {
+// The folder of the socket, for this user only where it is made here. A plant that was kept for an earlier
+// folder of the name is not this one's.
+result::Result<void> make_state_dir(const config::CellConfig& config) {
+  const std::filesystem::path& folder = config.state_dir;
   std::error_code error;
   if (std::filesystem::create_directories(folder, error)) {
     std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
+    std::error_code ignored;  // what cannot be removed cannot be opened either
+    std::filesystem::remove(config.plant_memory_path(), ignored);
   }
   if (!error) return {};
   return result::fail("R0001", {folder.string(), 0, 0},
@@ -45,7 +49,7 @@ int run(const config::CellConfig& config) {
   const process::StopSignal stop;
   auto options = host_options(config);
   if (!options) return fail(options.error(), ExitCode::BadInput);
-  if (auto made = make_state_dir(config.state_dir); !made) return fail(made.error(), ExitCode::BadInput);
+  if (auto made = make_state_dir(config); !made) return fail(made.error(), ExitCode::BadInput);
   auto io = CellIo::create(config);
   if (!io) return fail(io.error(), ExitCode::BadInput);
 

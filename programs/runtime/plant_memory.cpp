@@ -1,7 +1,9 @@
 #include "programs/runtime/plant_memory.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,29 +35,36 @@ bool makes_sense(const PlantMemory::State& state) {
 
 }  // namespace
 
-PlantMemory::PlantMemory(std::filesystem::path file, Record* record)
-    : file_(std::move(file)), record_(record) {}
+PlantMemory::PlantMemory(std::filesystem::path file, int descriptor, Record* record)
+    : file_(std::move(file)), descriptor_(descriptor), record_(record) {
+  // Goes with its process, however that ends.
+  owned_ = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+}
 
 PlantMemory::~PlantMemory() {
   munmap(record_, sizeof(Record));
-  if (!kept_) return;       // the file may be another runtime's
   std::error_code ignored;  // left behind, it is one more start from where the plant stands
-  std::filesystem::remove(file_, ignored);
+  if (owned_) std::filesystem::remove(file_, ignored);
+  close(descriptor_);
 }
 
 result::Result<std::unique_ptr<PlantMemory>> PlantMemory::open(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
   void* memory = MAP_FAILED;
-  if (descriptor >= 0 && ftruncate(descriptor, sizeof(Record)) == 0) {
+  struct stat info {};
+  // The folder of shared memory is everyone's: somebody may have put a file of their own in this place.
+  const bool foreign = descriptor >= 0 && fstat(descriptor, &info) == 0 && info.st_uid != geteuid();
+  if (foreign) errno = EPERM;
+  if (descriptor >= 0 && !foreign && ftruncate(descriptor, sizeof(Record)) == 0) {
     memory = mmap(nullptr, sizeof(Record), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
   }
   const int error = errno;
-  if (descriptor >= 0) close(descriptor);
   if (memory == MAP_FAILED) {
+    if (descriptor >= 0) close(descriptor);
     return result::fail("R0001", {file.string(), 0, 0},
                         std::string("the plant's state cannot be kept: ") + std::strerror(error));
   }
-  return std::unique_ptr<PlantMemory>(new PlantMemory(file, static_cast<Record*>(memory)));
+  return std::unique_ptr<PlantMemory>(new PlantMemory(file, descriptor, static_cast<Record*>(memory)));
 }
 
 std::optional<PlantMemory::State> PlantMemory::left_behind() const {
@@ -69,7 +78,6 @@ void PlantMemory::keep(const State& state) {
   record_->slots[next] = state;
   record_->newest.store(next, std::memory_order_release);
   record_->magic = Record::kMagic;
-  kept_ = true;
 }
 
 }  // namespace stepwright::cell_runtime

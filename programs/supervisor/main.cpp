@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "programs/config/cell_options.h"
 #include "programs/config/executive_options.h"
 #include "programs/process/command_line.h"
+#include "programs/supervisor/operator_request.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/result/exit_code.h"
 #include "supervisor/executive/dds_controller.h"
@@ -24,17 +24,15 @@ using process::fail;
 using result::ExitCode;
 using std::chrono::milliseconds;
 
-// An operator's request, as the page sends it: {"request":"abort"} or {"request":"change","fluent":"(demand
-// c1)","value":8}.
 void obey(executive::Executive& executive, const std::string& text) {
-  const auto request = nlohmann::json::parse(text, nullptr, false);
-  if (!request.is_object()) return;
-  const std::string kind = request.value("request", "");
-  if (kind == "abort") executive.request_abort();
-  if (kind != "change" || !request.contains("value") || !request["value"].is_number()) return;
-  if (auto changed = executive.request_change(request.value("fluent", ""), request["value"]); !changed) {
-    std::fprintf(stderr, "operator request refused: %s\n", result::to_string(changed.error()).c_str());
-  }
+  const auto refuse = [](const result::Diagnostics& why) {
+    std::fprintf(stderr, "operator request refused: %s\n", result::to_string(why).c_str());
+  };
+  auto request = supervisor_program::parse_operator_request(text);
+  if (!request) return refuse(request.error());
+  if (std::holds_alternative<supervisor_program::AbortRequest>(*request)) return executive.request_abort();
+  const auto& change = std::get<supervisor_program::ChangeRequest>(*request);
+  if (auto changed = executive.request_change(change.fluent, change.value); !changed) refuse(changed.error());
 }
 
 // One line for each change of phase.
@@ -70,14 +68,20 @@ int run(const config::CellConfig& config, bool once) {
                                       "name domain, problem and binding there");
     return fail(missing.value(), ExitCode::BadInput);
   }
+  std::error_code error;
+  std::filesystem::create_directories(config.state_dir, error);
+  if (error) {
+    const auto failed = result::fail("R0001", {config.state_dir.string(), 0, 0},
+                                     "the state folder cannot be made: " + error.message());
+    return fail(failed.value(), ExitCode::BadInput);
+  }
   auto desk = executive::PlanningDesk::open(config::desk_options(config));
   if (!desk) return fail(desk.error(), ExitCode::BadInput);
-  const dds::ParticipantConfig participant{config.dds.domain_id, "supervisor", config.name};
+  const dds::ParticipantConfig participant{config.dds.domain_id, "supervisor", config.dds.runtime_id};
   auto controller = executive::DdsController::connect(participant);
   if (!controller) return fail(controller.error(), ExitCode::RuntimeFault);
   auto publisher = dds::PlanPublisher::create(participant);
   if (!publisher) return fail(publisher.error(), ExitCode::RuntimeFault);
-  std::filesystem::create_directories(config.state_dir);
 
   std::string last_line;
   executive::Executive executive(*desk, **controller, config::executive_options(config),

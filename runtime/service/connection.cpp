@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kGreetingTimeout{1'000};
-// A service that does not take a message for so long is taken for dead.
+// A service that does not take a connection or a message for so long is taken for dead.
 constexpr timeval kSendTimeout{1, 0};
 constexpr std::size_t kReadBytes = 64u << 10;
 
@@ -85,11 +85,12 @@ result::Result<std::unique_ptr<Connection>> Connection::open(const std::filesyst
   std::random_device random;
   state->client = (std::uint64_t{random()} << 32 | random()) | 1u;
   state->socket = Descriptor(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  // It bounds the wait for a service that hangs with a full queue of connections, too.
+  ::setsockopt(state->socket.get(), SOL_SOCKET, SO_SNDTIMEO, &kSendTimeout, sizeof kSendTimeout);
   if (!state->socket.ok() ||
       ::connect(state->socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     return failed(path, std::string("nobody serves the socket: ") + std::strerror(errno));
   }
-  ::setsockopt(state->socket.get(), SOL_SOCKET, SO_SNDTIMEO, &kSendTimeout, sizeof kSendTimeout);
   std::unique_ptr<Connection> self(new Connection(std::move(state)));
   Hello hello;
   hello.role = options.role;

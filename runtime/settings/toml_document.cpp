@@ -44,6 +44,30 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
+namespace {
+
+tl::unexpected<result::Diagnostics> not_an_override(const std::string& code, const std::string& dotted_key,
+                                                    const std::string& value) {
+  return result::fail(code + "0001", {"--set " + dotted_key + "=" + value, 0, 0},
+                      "this is not KEY=VALUE with a dotted key", "for example --set plant.seed=7");
+}
+
+// Everything in `source` wins over what `target` has; tables are merged key by key.
+void merge(const toml::table& source, toml::table& target) {
+  for (const auto& [key, value] : source) {
+    const toml::table* inner = value.as_table();
+    if (inner == nullptr) {
+      target.insert_or_assign(key, value);
+      continue;
+    }
+    const toml::node* present = target.get(key);
+    if (present == nullptr || !present->is_table()) target.insert_or_assign(key, toml::table{});
+    merge(*inner, *target.get(key)->as_table());
+  }
+}
+
+}  // namespace
+
 TomlDocument::TomlDocument() : state_(std::make_unique<State>()) {}
 TomlDocument::~TomlDocument() = default;
 
@@ -88,27 +112,13 @@ result::Result<void> TomlDocument::override_value(const std::string& dotted_key,
     try {
       parsed = toml::parse(dotted_key + " = \"" + value + "\"");
     } catch (const toml::parse_error&) {
-      return result::fail(state_->code + "0001", {"--set " + dotted_key + "=" + value, 0, 0},
-                          "this is not KEY=VALUE with a dotted key", "for example --set plant.seed=7");
+      return not_an_override(state_->code, dotted_key, value);
     }
   }
-  toml::table* target = &state_->root;
-  toml::table* source = &parsed;
-  while (true) {  // each level of a dotted key holds one entry
-    const auto entry = source->begin();
-    const std::string key(entry->first.str());
-    if (!entry->second.is_table()) {
-      target->insert_or_assign(key, entry->second);
-      return {};
-    }
-    toml::node* next = target->get(key);
-    if (next == nullptr || !next->is_table()) {
-      target->insert_or_assign(key, toml::table{});
-      next = target->get(key);
-    }
-    target = next->as_table();
-    source = entry->second.as_table();
-  }
+  // A key that begins a comment, or a value that begins another line.
+  if (parsed.size() != 1) return not_an_override(state_->code, dotted_key, value);
+  merge(parsed, state_->root);
+  return {};
 }
 
 TomlTable TomlDocument::root() {

@@ -87,7 +87,7 @@ class TomlDocument {
   ~TomlDocument();
 
   // Sets a dotted key ("plant.seed") to a TOML value text ("7"; bare words are taken as strings), before
-  // values are read.
+  // values are read. An inline table changes the keys that it names and leaves the others.
   [[nodiscard]] result::Result<void> override_value(const std::string& dotted_key, const std::string& value);
 
   TomlTable root();

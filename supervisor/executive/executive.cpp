@@ -74,6 +74,7 @@ bool Executive::start_afresh() {
   auto tare = translate::identify_tare(desk_.binding(), means_, initial);
   if (!tare) return give_up("the sensors do not fit the initial state", tare.error());
   tare_ = std::move(*tare);
+  record_.tare = tare_;  // viewers calibrate with it, too
   auto estimate = translate::estimate(desk_.binding(), means_, tare_, initial);
   if (!estimate) return give_up("the initial state cannot be read", estimate.error());
   seen_ = std::move(*estimate);
@@ -98,6 +99,8 @@ bool Executive::resume() {
   record_ = std::move((*journal)->record);
   changed_ = std::move((*journal)->changed);
   next_change_ = (*journal)->next_change;
+  time_s_ = (*journal)->time_s;
+  time_offset_s_ = (*journal)->time_offset_s;
   tare_ = (*journal)->start.tare;
   auto rebuilt = desk_.rebuild((*journal)->start, (*journal)->plan);
   if (!rebuilt) return give_up("the running plan cannot be rebuilt", rebuilt.error());
@@ -133,7 +136,9 @@ bool Executive::recover_runtime() {
   const auto snapshot = controller_.snapshot();
   if (!snapshot || snapshot->program_digest != digest_) return true;
   take_time(snapshot->time_ns);
+  unwatched_ = true;
   const Decision decision = judge_steps(snapshot->image, time_s_);
+  unwatched_ = false;
   if (decision.verdict == Verdict::Finished) return finish();
   if (decision.verdict == Verdict::Replan) return replan(decision.cause);
   return decision.verdict == Verdict::GiveUp ? give_up(decision.cause) : true;
@@ -360,7 +365,8 @@ void Executive::set_phase(Phase phase, std::string message) {
 void Executive::publish() {
   if (!options_.journal.empty() && !record_.episodes.empty()) {
     // A journal that cannot be written costs a restart its memory, not this run.
-    (void)write_journal(options_.journal, {record_, current_.start, current_.plan, changed_, next_change_});
+    (void)write_journal(options_.journal, {record_, current_.start, current_.plan, changed_, next_change_,
+                                           time_s_, time_offset_s_});
   }
   if (observer_) observer_(record_);
 }

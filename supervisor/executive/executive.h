@@ -5,8 +5,8 @@
 // the observed state on a deviation, a timeout or a changed goal. Whatever it cannot mend ends in the safe
 // state of the outputs with a report.
 //
-//   Executive executive(desk, controller, {.max_replans = 8}, [&](const RunRecord& record) {
-//   publish(to_json(record)); }); RunRecord record = executive.run();
+//   Executive executive(desk, controller, {.max_replans = 8}, publish);
+//   RunRecord record = executive.run();
 //
 // Threads: `run` belongs to one thread; `request_abort` and `request_change` may be called from any.
 
@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -100,7 +101,8 @@ class Executive {
   bool settled(const std::vector<bool>& active) const;
   void note_progress(const translate::Progress& progress, double time_s);
   void note_done(std::size_t action, double time_s);
-  std::string describe_failure(const translate::Progress& progress) const;
+  std::string describe_failure(const translate::Progress& progress, double time_s) const;
+  std::string failure_of(std::size_t action, double time_s) const;
   std::optional<std::string> due_change(double time_s);
   std::vector<model::GroundAction> begun_actions() const;
   model::NamedState with_changes(model::NamedState state) const;
@@ -115,6 +117,7 @@ class Executive {
   std::optional<ImageReader> reader_;  // of the program that runs (the plan's or the observer's)
   std::string digest_;                 // of that program
   bool confirmed_ = false;             // a status has said that the runtime has that program
+  bool unwatched_ = false;             // steps may have come and gone since the last event
   int silent_rounds_ = 0;              // without news and without that status
   translate::Tare tare_;
   std::map<std::string, double> means_;    // of the last observation, by variable

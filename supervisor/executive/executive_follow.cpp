@@ -77,7 +77,7 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
     for (const std::string& atom : translate::changed_atoms(current_.run.actions[i])) moving.insert(atom);
   }
   publish();
-  if (!progress.failed_steps.empty()) return {Verdict::Replan, describe_failure(progress)};
+  if (!progress.failed_steps.empty()) return {Verdict::Replan, describe_failure(progress, time_s)};
   if (settled(active)) {
     const auto wrong = translate::deviations(desk_.binding(), expected, seen_.measured, moving);
     if (!wrong.empty()) return {Verdict::Replan, sentence_of(wrong)};
@@ -99,7 +99,8 @@ void Executive::note_progress(const translate::Progress& progress, double time_s
   for (std::size_t i = 0; i < actions.size(); ++i) {
     const ActionState state = progress.actions[i];
     if (state == actions[i].state) continue;
-    const bool began = actions[i].state == ActionState::Pending;
+    // An action that could not start never began.
+    const bool began = actions[i].state == ActionState::Pending && state != ActionState::Failed;
     actions[i].state = state;
     if (began) {
       actions[i].started_s = time_s;
@@ -123,12 +124,37 @@ void Executive::note_done(std::size_t action, double time_s) {
   }
 }
 
-std::string Executive::describe_failure(const translate::Progress& progress) const {
+// Why the chart left an action for its FAILED step. It does so when the precondition is not observed before
+// the start, when the timeout has passed, or when a fact that must hold is lost; the record tells which.
+std::string Executive::failure_of(std::size_t action, double time_s) const {
+  const ActionRecord& record = record_.episodes.back().actions[action];
+  if (!record.started_s) {
+    return record.text + (unwatched_ ? " could not start or did not end while nobody watched"
+                                     : " could not start: its precondition is not observed");
+  }
+  translate::Assignment assignment;
+  const translate::ActionBinding* entry =
+      desk_.binding().action_for(current_.plan.actions[action], assignment);
+  const double timeout_s = std::chrono::duration<double>(entry->timeout).count();
+  // The chart's clock of a step and the events' times agree to a scan.
+  const double scan_s = static_cast<double>(desk_.options().interval_us) * 1e-6;
+  if (time_s - *record.started_s >= timeout_s - scan_s) {
+    return fmt::format("{} did not end within {:g} s", record.text, timeout_s);
+  }
+  std::vector<std::string> lost;
+  for (const translate::Pattern& pattern : entry->hold) {
+    const translate::ObservedFact* fact = desk_.binding().observed(instantiate(pattern, assignment));
+    if (!seen_.measured.facts.contains(fact->fact)) lost.push_back("'" + fact->label + "'");
+  }
+  if (lost.empty()) return record.text + " was stopped before its end";  // lost and back within a scan
+  return fmt::format("{} was stopped: {} was lost while it ran", record.text, fmt::join(lost, " and "));
+}
+
+std::string Executive::describe_failure(const translate::Progress& progress, double time_s) const {
   std::vector<std::string> sentences;
   for (const std::size_t index : progress.failed_steps) {
     const translate::StepInfo& step = current_.translation.steps[index];
-    sentences.push_back(step.action ? record_.episodes.back().actions[*step.action].text +
-                                          " could not start or did not end in time"
+    sentences.push_back(step.action ? failure_of(*step.action, time_s)
                                     : "the plant is not in the state in which the plan starts");
   }
   const model::NamedState expected =

@@ -2,19 +2,17 @@
 
 // Reads a program's variables and step bits out of an image, by the symbols of its container.
 //
-//   auto reader = ImageReader::create(container, "plan");
+//   auto reader = ImageReader::create(container, "planned", {"S1_filtered"});
 //   std::vector<bool> active = reader->active_steps(event.image);   // in the order of the chart's steps
-//   double counts = reader->value(event.image, "S1_filtered");
+//   double counts = reader->values(event.image).at("S1_filtered");
 //
 // Immutable; images may be shorter than the program's (a foreign or cut sample): what lies outside reads as
 // 0.
 
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "runtime/bytecode/reader/program_info.h"

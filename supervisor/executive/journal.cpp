@@ -1,30 +1,28 @@
 #include "supervisor/executive/journal.h"
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
+
+#include "supervisor/executive/internal/record_json.h"
 
 namespace stepwright::executive {
 namespace {
 
-using nlohmann::json;
+using internal::json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 json plan_json(const model::Plan& plan) {
   json actions = json::array();
   for (const model::GroundAction& action : plan.actions) {
     actions.push_back({{"name", action.name}, {"arguments", action.arguments}});
   }
-  json orderings = json::array();
-  for (const model::Ordering& ordering : plan.orderings) {
+  json orderings;  // null: not known
+  if (plan.orderings) orderings = json::array();
+  for (const model::Ordering& ordering : plan.orderings.value_or(std::vector<model::Ordering>())) {
     orderings.push_back({ordering.before, ordering.after});
   }
-  return {{"actions", std::move(actions)},
-          {"orderings", std::move(orderings)},
-          {"cost", plan.cost},
-          {"bound", plan.bound},
-          {"proved_optimal", plan.proved_optimal}};
+  return {{"actions", std::move(actions)}, {"orderings", std::move(orderings)}};
 }
 
 model::Plan plan_from(const json& value) {
@@ -32,12 +30,10 @@ model::Plan plan_from(const json& value) {
   for (const json& action : value.at("actions")) {
     plan.actions.push_back({action.at("name"), action.at("arguments").get<std::vector<std::string>>()});
   }
+  if (!value.at("orderings").is_null()) plan.orderings.emplace();
   for (const json& ordering : value.at("orderings")) {
-    plan.orderings.push_back({ordering.at(0).get<std::size_t>(), ordering.at(1).get<std::size_t>()});
+    plan.orderings->push_back({ordering.at(0).get<std::size_t>(), ordering.at(1).get<std::size_t>()});
   }
-  plan.cost = value.at("cost");
-  plan.bound = value.at("bound");
-  plan.proved_optimal = value.at("proved_optimal");
   return plan;
 }
 
@@ -57,18 +53,43 @@ StartState start_from(const json& value) {
   return start;
 }
 
+// A journal of one plan and a record of another would send everything that follows astray.
+bool consistent(const Journal& journal) {
+  const std::vector<Episode>& episodes = journal.record.episodes;
+  return episodes.empty() || episodes.back().actions.size() == journal.plan.actions.size();
+}
+
+result::Result<std::optional<Journal>> journal_from(const json& document, const std::filesystem::path& file) {
+  const auto refuse = [&](const char* why) {
+    return result::fail("X0001", {file.string(), 0, 0}, why, "delete the file to start afresh");
+  };
+  if (document.at("version") != kVersion) return refuse("a journal of another version");
+  Journal journal;
+  journal.record = internal::record_from(document.at("record"));
+  journal.start = start_from(document.at("start"));
+  journal.plan = plan_from(document.at("plan"));
+  document.at("changed").get_to(journal.changed);
+  journal.next_change = document.at("next_change");
+  journal.time_s = document.at("time_s");
+  journal.time_offset_s = document.at("time_offset_s");
+  if (!consistent(journal)) return refuse("a journal whose record does not fit its plan");
+  return std::optional<Journal>(std::move(journal));
+}
+
 }  // namespace
 
 result::Result<void> write_journal(const std::filesystem::path& file, const Journal& journal) {
   const json document = {{"version", kVersion},
-                         {"record", json::parse(to_json(journal.record))},
+                         {"record", internal::record_json(journal.record)},
                          {"start", start_json(journal.start)},
                          {"plan", plan_json(journal.plan)},
                          {"changed", journal.changed},
-                         {"next_change", journal.next_change}};
+                         {"next_change", journal.next_change},
+                         {"time_s", journal.time_s},
+                         {"time_offset_s", journal.time_offset_s}};
   const std::filesystem::path fresh = file.string() + ".new";
   std::ofstream out(fresh, std::ios::trunc);
-  out << document.dump() << '\n';
+  out << internal::text_of(document) << '\n';
   out.close();
   std::error_code error;
   if (out) std::filesystem::rename(fresh, file, error);
@@ -84,25 +105,8 @@ result::Result<std::optional<Journal>> read_journal(const std::filesystem::path&
   if (!in) return std::optional<Journal>();
   std::stringstream text;
   text << in.rdbuf();
-  try {
-    const json document = json::parse(text.str());
-    if (document.at("version") != kVersion) {
-      return result::fail("X0001", {file.string(), 0, 0}, "a journal of another version",
-                          "delete the file to start afresh");
-    }
-    auto record = record_from_json(document.at("record").dump(), file.string());
-    if (!record) return result::forward(record);
-    Journal journal;
-    journal.record = std::move(*record);
-    journal.start = start_from(document.at("start"));
-    journal.plan = plan_from(document.at("plan"));
-    document.at("changed").get_to(journal.changed);
-    journal.next_change = document.at("next_change");
-    return std::optional<Journal>(std::move(journal));
-  } catch (const json::exception& problem) {
-    return result::fail("X0001", {file.string(), 0, 0}, std::string("not a journal: ") + problem.what(),
-                        "delete the file to start afresh");
-  }
+  return internal::read_text(text.str(), file.string(), "journal",
+                             [&](const json& document) { return journal_from(document, file); });
 }
 
 }  // namespace stepwright::executive

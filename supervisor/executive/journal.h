@@ -20,14 +20,16 @@ namespace stepwright::executive {
 struct Journal {
   RunRecord record;
   StartState start;
-  model::Plan plan;
+  model::Plan plan;                       // actions and orderings only
   std::map<std::string, double> changed;  // fluents set from outside
   std::size_t next_change = 0;
+  double time_s = 0.0;         // of the record, when the journal was written
+  double time_offset_s = 0.0;  // record time - scan clock of the runtime
 };
 
 // Fails with X0004 if the file cannot be written.
 [[nodiscard]] result::Result<void> write_journal(const std::filesystem::path& file, const Journal& journal);
-// Nothing if there is no file; fails with X0001 if there is one that is no journal.
+// Nothing if there is no file; fails with X0001 if there is one that is no journal or contradicts itself.
 [[nodiscard]] result::Result<std::optional<Journal>> read_journal(const std::filesystem::path& file);
 
 }  // namespace stepwright::executive

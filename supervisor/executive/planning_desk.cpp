@@ -1,5 +1,6 @@
 #include "supervisor/executive/planning_desk.h"
 
+#include <cmath>
 #include <utility>
 
 #include "ladder/driver/compile.h"
@@ -15,7 +16,7 @@ namespace stepwright::executive {
 namespace {
 
 result::Result<void> compile_project(const graphic::Project& project, PreparedPlan& prepared) {
-  auto output = driver::compile({.texts = {}, .project = &project});
+  auto output = driver::compile({.texts = {}, .projects = {&project}});
   if (!output) return tl::unexpected(std::move(output.error()));
   prepared.container = std::move(output->container);
   return {};
@@ -71,7 +72,7 @@ result::Result<PrepareOutcome> PlanningDesk::prepare(const StartState& start) co
   prepared.plan = *solved.plan;
   if (auto built = build(prepared, *task); !built) return tl::unexpected(std::move(built.error()));
   prepared.episode.cost = solved.plan->cost;
-  prepared.episode.bound = solved.plan->bound;
+  if (std::isfinite(solved.plan->bound)) prepared.episode.bound = solved.plan->bound;
   prepared.episode.proved_optimal = solved.plan->proved_optimal;
   prepared.episode.first_plan_ms = solved.first_plan_ms;
   prepared.episode.optimal_plan_ms = solved.wall_ms;
@@ -89,7 +90,7 @@ result::Result<PreparedPlan> PlanningDesk::rebuild(const StartState& start, cons
 }
 
 result::Result<void> PlanningDesk::build(PreparedPlan& prepared, const pddl::Task& task) const {
-  if (prepared.plan.orderings.empty()) {
+  if (!prepared.plan.orderings) {
     auto orderings = pddl::lift_partial_order(task, prepared.plan);
     if (!orderings) return tl::unexpected(std::move(orderings.error()));
     prepared.plan.orderings = std::move(*orderings);

@@ -3,8 +3,8 @@
 // From a state of the plant to a program that runs: plan, translate, lower, compile. Holds what never changes
 // in a run (task, binding, options).
 //
-//   auto desk = PlanningDesk::open({.domain = "domain.pddl", .problem = "problem.pddl", .binding =
-//   "binding.toml"}); auto prepared = desk->prepare(start);
+//   auto desk = PlanningDesk::open({"domain.pddl", "problem.pddl", "binding.toml"});
+//   auto prepared = desk->prepare(start);
 //
 // Not thread-safe; one executive uses one desk.
 

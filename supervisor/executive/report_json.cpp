@@ -1,11 +1,10 @@
-#include <nlohmann/json.hpp>
-
+#include "supervisor/executive/internal/record_json.h"
 #include "supervisor/executive/report.h"
 
 namespace stepwright::executive {
 namespace {
 
-using nlohmann::json;
+using internal::json;
 
 json runtime_json(const host::RuntimeStatus& status) {
   json plant = json::object();
@@ -42,19 +41,14 @@ host::RuntimeStatus runtime_from(const json& value) {
 }  // namespace
 
 std::string to_json(const Report& report) {
-  return json{{"record", json::parse(to_json(report.record))}, {"runtime", runtime_json(report.runtime)}}
-      .dump();
+  return internal::text_of(
+      {{"record", internal::record_json(report.record)}, {"runtime", runtime_json(report.runtime)}});
 }
 
 result::Result<Report> report_from_json(const std::string& text, const std::string& file) {
-  try {
-    const json document = json::parse(text);
-    auto record = record_from_json(document.at("record").dump(), file);
-    if (!record) return result::forward(record);
-    return Report{std::move(*record), runtime_from(document.at("runtime"))};
-  } catch (const json::exception& problem) {
-    return result::fail("X0001", {file, 0, 0}, std::string("not a report: ") + problem.what());
-  }
+  return internal::read_text(text, file, "report", [](const json& document) -> result::Result<Report> {
+    return Report{internal::record_from(document.at("record")), runtime_from(document.at("runtime"))};
+  });
 }
 
 }  // namespace stepwright::executive

@@ -65,12 +65,18 @@ struct Row {
   double ended_s;   // when its plan ended or was replaced
 };
 
+double end_of(const Row& row) {
+  return row.action->finished_s.value_or(row.ended_s);
+}
+
 std::vector<Row> rows_of(const RunRecord& record) {
   std::vector<Row> rows;
+  // What failed last has no plan after it, but mostly a replan that found none.
+  const double stopped_s = record.replans.empty() ? 0.0 : record.replans.back().time_s;
   for (std::size_t i = 0; i < record.episodes.size(); ++i) {
     const Episode& episode = record.episodes[i];
     const bool last = i + 1 == record.episodes.size();
-    const double ended_s = last ? record.finished_s : record.episodes[i + 1].started_s;
+    const double ended_s = last ? std::max(record.finished_s, stopped_s) : record.episodes[i + 1].started_s;
     for (const ActionRecord& action : episode.actions) {
       if (!last && !action.started_s) continue;
       rows.push_back({&action, episode.started_s - record.started_s, ended_s});
@@ -87,7 +93,7 @@ std::string gantt_svg(const RunRecord& record) {
   double span = 1e-3;
   for (const Row& row : rows) {
     span = std::max({span, row.origin_s + row.action->planned_finish_s,
-                     row.action->finished_s.value_or(record.started_s) - record.started_s});
+                     row.action->started_s ? end_of(row) - record.started_s : 0.0});
   }
   const int bottom = kTop + 24 * static_cast<int>(rows.size());
   std::string svg =
@@ -101,9 +107,8 @@ std::string gantt_svg(const RunRecord& record) {
     add_bar(svg, "p", rows[i].origin_s + action.planned_start_s, rows[i].origin_s + action.planned_finish_s,
             span, y + 1, "planned");
     if (!action.started_s) continue;
-    const double end = action.finished_s.value_or(rows[i].ended_s);
     add_bar(svg, action.state == ActionState::Failed ? "f" : "a", *action.started_s - record.started_s,
-            end - record.started_s, span, y + 10, to_string(action.state));
+            end_of(rows[i]) - record.started_s, span, y + 10, to_string(action.state));
   }
   for (const Replan& replan : record.replans) {
     fmt::format_to(

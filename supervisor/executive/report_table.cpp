@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "supervisor/executive/report.h"
@@ -11,11 +12,15 @@ std::string seconds(const std::optional<double>& value, double origin) {
   return value ? fmt::format("{:8.2f}", *value - origin) : std::string("       -");
 }
 
+std::string proof_of(const Episode& episode) {
+  if (episode.proved_optimal) return ", proved optimal";
+  return episode.bound ? fmt::format(" (no plan below {:g})", *episode.bound) : " (no bound known)";
+}
+
 void add_episode(const Episode& episode, std::size_t number, std::size_t count, std::string& text) {
   const auto out = std::back_inserter(text);
-  fmt::format_to(
-      out, "Plan {} of {}: {} actions, cost {:g}{}\n", number, count, episode.actions.size(), episode.cost,
-      episode.proved_optimal ? ", proved optimal" : fmt::format(" (no plan below {:g})", episode.bound));
+  fmt::format_to(out, "Plan {} of {}: {} actions, cost {:g}{}\n", number, count, episode.actions.size(),
+                 episode.cost, proof_of(episode));
   fmt::format_to(out, "   # {:<34} {:<8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "action", "state", "plan s",
                  "start s", "plan s", "end s", "cost", "actual");
   for (std::size_t i = 0; i < episode.actions.size(); ++i) {
@@ -28,18 +33,33 @@ void add_episode(const Episode& episode, std::size_t number, std::size_t count, 
   }
 }
 
+// Every plan but the first comes from one replan; the first does if the plant was not in its initial state.
+std::size_t replans_before_first_plan(const RunRecord& record) {
+  if (record.episodes.empty()) return 0;
+  const double started_s = record.episodes.front().started_s;
+  return static_cast<std::size_t>(
+      std::count_if(record.replans.begin(), record.replans.end(),
+                    [started_s](const Replan& replan) { return replan.time_s < started_s; }));
+}
+
 }  // namespace
 
 std::string report_table(const RunRecord& record) {
   std::string text;
   const auto out = std::back_inserter(text);
-  for (std::size_t i = 0; i < record.episodes.size(); ++i) {
-    if (i < record.replans.size() + 1 && i > 0) {
-      const Replan& replan = record.replans[i - 1];
-      fmt::format_to(out, "Replanned at {:.2f} s: {}\n", replan.time_s, replan.cause);
+  std::size_t told = 0;
+  const auto tell_replans = [&](std::size_t end) {
+    for (; told < std::min(end, record.replans.size()); ++told) {
+      fmt::format_to(out, "Replanned at {:.2f} s: {}\n", record.replans[told].time_s,
+                     record.replans[told].cause);
     }
+  };
+  const std::size_t before_first = replans_before_first_plan(record);
+  for (std::size_t i = 0; i < record.episodes.size(); ++i) {
+    tell_replans(before_first + i);
     add_episode(record.episodes[i], i + 1, record.episodes.size(), text);
   }
+  tell_replans(record.replans.size());  // the last one may have found no plan
   fmt::format_to(out, "Levels at the end (planned, observed):\n");
   for (const auto& [fluent, expected] : record.expected) {
     const auto observed = record.observed.find(fluent);

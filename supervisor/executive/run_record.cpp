@@ -1,12 +1,13 @@
 #include "supervisor/executive/run_record.h"
 
 #include <array>
-#include <nlohmann/json.hpp>
+
+#include "supervisor/executive/internal/record_json.h"
 
 namespace stepwright::executive {
 namespace {
 
-using nlohmann::json;
+using internal::json;
 
 constexpr std::array kActionStates = {"pending", "active", "done", "failed"};
 constexpr std::array kPhases = {"planning", "observing", "executing", "replanning",
@@ -67,7 +68,7 @@ json episode_json(const Episode& episode) {
   return {{"digest", episode.digest},
           {"started_s", episode.started_s},
           {"cost", episode.cost},
-          {"bound", episode.bound},
+          {"bound", optional_json(episode.bound)},
           {"proved_optimal", episode.proved_optimal},
           {"steps", episode.actions.size()},
           {"first_plan_ms", episode.first_plan_ms},
@@ -82,7 +83,7 @@ Episode episode_from(const json& value) {
   episode.digest = value.at("digest");
   episode.started_s = value.at("started_s");
   episode.cost = value.at("cost");
-  episode.bound = value.at("bound");
+  episode.bound = optional_from(value.at("bound"));
   episode.proved_optimal = value.at("proved_optimal");
   episode.first_plan_ms = value.at("first_plan_ms");
   episode.optimal_plan_ms = value.at("optimal_plan_ms");
@@ -90,24 +91,6 @@ Episode episode_from(const json& value) {
   episode.planned_sequential_makespan_s = value.at("planned_sequential_makespan_s");
   for (const json& action : value.at("actions")) episode.actions.push_back(action_from(action));
   return episode;
-}
-
-RunRecord record_from(const json& value) {
-  RunRecord record;
-  record.cell = value.at("cell");
-  record.phase = enum_from<Phase>(value.at("phase"), kPhases);
-  record.message = value.at("message");
-  record.exit = static_cast<result::ExitCode>(value.at("exit_code").get<int>());
-  for (const json& episode : value.at("episodes")) record.episodes.push_back(episode_from(episode));
-  for (const json& replan : value.at("replans")) {
-    record.replans.push_back({replan.at("time_s"), replan.at("cause"), replan.at("after_action")});
-  }
-  for (const json& goal : value.at("goal")) record.goal.push_back({goal.at("text"), goal.at("met")});
-  value.at("expected").get_to(record.expected);
-  value.at("observed").get_to(record.observed);
-  record.started_s = value.at("started_s");
-  record.finished_s = value.at("finished_s");
-  return record;
 }
 
 }  // namespace
@@ -120,6 +103,22 @@ const char* to_string(Phase phase) {
 }
 
 std::string to_json(const RunRecord& record) {
+  return internal::text_of(internal::record_json(record));
+}
+
+result::Result<RunRecord> record_from_json(const std::string& text, const std::string& file) {
+  return internal::read_text(text, file, "run record", [](const json& value) {
+    return result::Result<RunRecord>(internal::record_from(value));
+  });
+}
+
+namespace internal {
+
+std::string text_of(const json& value) {
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+json record_json(const RunRecord& record) {
   json episodes = json::array();
   for (const Episode& episode : record.episodes) episodes.push_back(episode_json(episode));
   json replans = json::array();
@@ -138,6 +137,7 @@ std::string to_json(const RunRecord& record) {
                    {"goal", std::move(goal)},
                    {"expected", record.expected},
                    {"observed", record.observed},
+                   {"tare", record.tare},
                    {"started_s", record.started_s},
                    {"finished_s", record.finished_s},
                    {"makespan_s", record.finished_s - record.started_s}};
@@ -152,16 +152,27 @@ std::string to_json(const RunRecord& record) {
                         {"optimal_plan_ms", newest["optimal_plan_ms"]}};
     document["actions"] = newest["actions"];
   }
-  return document.dump();
+  return document;
 }
 
-result::Result<RunRecord> record_from_json(const std::string& text, const std::string& file) {
-  try {
-    return record_from(json::parse(text));
-  } catch (const json::exception& problem) {
-    return result::fail("X0001", {file, 0, 0}, std::string("not a run record: ") + problem.what(),
-                        "delete the file to start afresh");
+RunRecord record_from(const json& value) {
+  RunRecord record;
+  record.cell = value.at("cell");
+  record.phase = enum_from<Phase>(value.at("phase"), kPhases);
+  record.message = value.at("message");
+  record.exit = static_cast<result::ExitCode>(value.at("exit_code").get<int>());
+  for (const json& episode : value.at("episodes")) record.episodes.push_back(episode_from(episode));
+  for (const json& replan : value.at("replans")) {
+    record.replans.push_back({replan.at("time_s"), replan.at("cause"), replan.at("after_action")});
   }
+  for (const json& goal : value.at("goal")) record.goal.push_back({goal.at("text"), goal.at("met")});
+  value.at("expected").get_to(record.expected);
+  value.at("observed").get_to(record.observed);
+  value.at("tare").get_to(record.tare);
+  record.started_s = value.at("started_s");
+  record.finished_s = value.at("finished_s");
+  return record;
 }
 
+}  // namespace internal
 }  // namespace stepwright::executive

@@ -43,7 +43,7 @@ struct Episode {
   std::string digest;  // of the program that executes it
   double started_s = 0.0;
   double cost = 0.0;
-  double bound = 0.0;
+  std::optional<double> bound;  // no plan can cost less; nothing if the search ended before it knew one
   bool proved_optimal = false;
   double first_plan_ms = 0.0;
   double optimal_plan_ms = 0.0;
@@ -89,6 +89,7 @@ struct RunRecord {
   std::vector<GoalRecord> goal;
   std::map<std::string, double> expected;  // now
   std::map<std::string, double> observed;  // now
+  std::map<std::string, double> tare;      // bias of each sensor in raw counts; empty until it is identified
   double started_s = 0.0;                  // first action of the first episode
   double finished_s = 0.0;                 // last action of the last episode
 

@@ -32,8 +32,8 @@ struct Ordering {
 
 struct Plan {
   std::vector<GroundAction> actions;  // in an order in which they can be executed
-  std::vector<Ordering>
-      orderings;                // a partial order that suffices; empty = only the list's order is known good
+  // A partial order that suffices (empty: any order does); nothing = only the list's order is known good.
+  std::optional<std::vector<Ordering>> orderings;
   double cost = 0.0;            // value of the metric after the plan; number of actions without a metric
   double bound = 0.0;           // no plan can cost less
   bool proved_optimal = false;  // cost == bound, and no plan of that cost is shorter

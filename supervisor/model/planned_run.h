@@ -73,9 +73,9 @@ struct PlannedAction {
 struct PlannedRun {
   NamedState initial;
   std::vector<PlannedAction> actions;
-  // A partial order that suffices; `before` is smaller than `after` in each. Empty = only the list's order is
-  // known good (as in Plan).
-  std::vector<Ordering> orderings;
+  // A partial order that suffices; `before` is smaller than `after` in each. Nothing = only the list's order
+  // is known good (as in Plan).
+  std::optional<std::vector<Ordering>> orderings;
 };
 
 Expression constant(double value);

@@ -6,7 +6,6 @@
 // to a grid of 1e-9 when they are stored, and comparisons allow half a grid step; both leave integers
 // untouched.
 
-#include <algorithm>
 #include <cmath>
 
 #include "supervisor/pddl/ground_action.h"
@@ -36,20 +35,20 @@ inline Relation opposite(Relation relation) {
   return Relation::Equal;
 }
 
-// left - right, as far from zero as counts.
-inline bool compare(Relation relation, double difference, double magnitude = 1.0) {
-  const double tolerance = 5e-10 * std::max(1.0, magnitude);
+// `difference` is left - right.
+inline bool compare(Relation relation, double difference) {
+  constexpr double kTolerance = 5e-10;
   switch (relation) {
     case Relation::Less:
-      return difference < -tolerance;
+      return difference < -kTolerance;
     case Relation::LessEqual:
-      return difference <= tolerance;
+      return difference <= kTolerance;
     case Relation::Equal:
-      return std::abs(difference) <= tolerance;
+      return std::abs(difference) <= kTolerance;
     case Relation::GreaterEqual:
-      return difference >= -tolerance;
+      return difference >= -kTolerance;
     case Relation::Greater:
-      return difference > tolerance;
+      return difference > kTolerance;
   }
   return false;
 }

@@ -24,7 +24,7 @@ std::string strip(std::string line) {
   return line;
 }
 
-bool action(TokenStream& tokens, model::GroundAction& action, std::uint32_t line) {
+bool action(TokenStream& tokens, model::GroundAction& action) {
   Place at;
   if (!tokens.expect(TokenKind::Open, "an action in parentheses") ||
       !tokens.expect_name("the name of an action", action.name, at)) {
@@ -33,7 +33,7 @@ bool action(TokenStream& tokens, model::GroundAction& action, std::uint32_t line
   while (!tokens.at(TokenKind::Close)) {
     std::string argument;
     if (tokens.at(TokenKind::End)) {
-      tokens.reporter().error("P0404", {line, tokens.peek().at.column, 0}, "the parenthesis is not closed");
+      tokens.reporter().error("P0404", tokens.peek().at, "the parenthesis is not closed");
       return false;
     }
     if (!tokens.expect_name("an object or ')'", argument, at)) return false;
@@ -52,12 +52,11 @@ result::Result<PlanText> parse_plan(const Source& source) {
   std::istringstream lines(source.text);
   std::string line;
   for (std::uint32_t number = 1; std::getline(lines, line); ++number) {
-    std::vector<Token> tokens = tokenize(strip(line), 0, reporter);
-    for (Token& token : tokens) token.at.line = number;
+    std::vector<Token> tokens = tokenize(strip(line), 0, reporter, number);
     if (tokens.front().kind == TokenKind::End) continue;
     TokenStream stream(std::move(tokens), reporter);
     model::GroundAction step;
-    if (!action(stream, step, number)) continue;
+    if (!action(stream, step)) continue;
     plan.actions.push_back(std::move(step));
     plan.lines.push_back(number);
   }

@@ -105,13 +105,19 @@ class Solver {
     return std::move(outcome_);
   }
 
+  void refuse(const std::string& why) {
+    outcome_.kind = model::OutcomeKind::Exhausted;
+    outcome_.reason = "the plan found does not pass validation: " + why;
+  }
+
   // Nothing leaves the planner that the schemas do not confirm.
   void accept(model::Plan plan) {
     auto trace = simulate(task_, plan);
-    if (!trace) {
-      outcome_.kind = model::OutcomeKind::Exhausted;
-      outcome_.reason = "the plan found does not pass validation: " + result::to_string(trace.error());
-      return;
+    if (!trace) return refuse(result::to_string(trace.error()));
+    const auto goals = evaluate_goal(task_, trace->states.back());
+    if (!goals) return refuse(result::to_string(goals.error()));
+    for (const GoalStatus& goal : *goals) {
+      if (!goal.met) return refuse("the goal " + goal.text + " does not hold after it");
     }
     auto orderings = lift_partial_order(task_, plan);
     if (orderings) plan.orderings = std::move(*orderings);

@@ -74,8 +74,9 @@ result::Result<Task> parse_task(const Source& domain, const Source& problem) {
 result::Result<Source> read_source(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
+  file.peek();  // a folder can be opened; only reading shows it
   if (file) text << file.rdbuf();
-  if (!file || file.bad()) {
+  if (!file.is_open() || file.bad()) {
     return result::fail("P0001", {path, 0, 0}, "the file cannot be read", "does it exist, and is it a file?");
   }
   return Source{path, text.str()};

@@ -37,6 +37,10 @@ const ActionBinding* Binding::action_for(const model::GroundAction& action, Assi
   return nullptr;
 }
 
+std::string search_step(std::size_t group, std::size_t search) {
+  return "SEARCH_" + std::to_string(group + 1) + "_" + std::to_string(search + 1);
+}
+
 std::string filtered_variable(const Sensor& sensor) {
   return sensor.name + "_filtered";
 }

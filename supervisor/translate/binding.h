@@ -14,6 +14,7 @@
 //   const Sensor* sensor = binding->sensor_of("(lev v1)");
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -140,6 +141,8 @@ struct Binding {
 [[nodiscard]] result::Result<Binding> load_binding(const std::filesystem::path& file,
                                                    const model::Vocabulary* vocabulary = nullptr);
 
+// Steps of the generated programs: "SEARCH_1_2" is the second search of the first OneOf group (both from 0).
+std::string search_step(std::size_t group, std::size_t search);
 // Variables of the generated programs: "S1_filtered" holds a sensor's filtered counts.
 std::string filtered_variable(const Sensor& sensor);
 

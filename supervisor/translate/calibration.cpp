@@ -1,6 +1,7 @@
 #include "supervisor/translate/calibration.h"
 
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -45,6 +46,7 @@ bool is_calibration(const std::vector<CalibrationPoint>& points) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     const CalibrationPoint& a = points[i - 1];
     const CalibrationPoint& b = points[i];
+    if (!std::isfinite(b.value - a.value) || !std::isfinite(b.counts - a.counts)) return false;
     if (!(b.value > a.value) || !(rising ? b.counts > a.counts : b.counts < a.counts)) return false;
   }
   return true;

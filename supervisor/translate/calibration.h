@@ -33,7 +33,7 @@ class Calibration {
   std::vector<CalibrationPoint> points_{{0.0, 0.0}, {1.0, 1.0}};
 };
 
-// Two points at least, values strictly rising, counts strictly rising or strictly falling.
+// Two points at least, all finite, values strictly rising, counts strictly rising or strictly falling.
 bool is_calibration(const std::vector<CalibrationPoint>& points);
 
 }  // namespace stepwright::translate

@@ -66,8 +66,7 @@ class ObserveChart {
       Condition go = graphic::all({writer_.after(at_rest_, options_.rest), *negation(found)});
       for (std::size_t s = 0; s < group.searches.size(); ++s) {
         const Search& search = group.searches[s];
-        const std::string name = "SEARCH_" + std::to_string(g + 1) + "_" + std::to_string(s + 1);
-        const StepId step = add(name, StepKind::Search, "search", search.output, search.timeout);
+        const StepId step = add(search_step(g, s), StepKind::Search, "search", search.output, search.timeout);
         writer_.transition({from}, {step}, std::move(go), "nothing observed");
         writer_.transition({step}, {at_rest_}, found, "found");
         go = graphic::all({writer_.after(step, search.timeout), *negation(found)});

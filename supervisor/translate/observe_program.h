@@ -19,8 +19,8 @@ struct ObserveOptions {
   std::int64_t interval_us = 10'000;
 };
 
-// Requires positive times. Steps: AT_REST (Start), SEARCH_1_1.. (Search), AVERAGE (Settle), OBSERVED (Done),
-// LOST (Failed).
+// Requires positive times. Steps: AT_REST (Start), SEARCH_1_1.. (Search; `search_step`), AVERAGE (Settle),
+// OBSERVED (Done), LOST (Failed).
 Translation observe_program(const Binding& binding, const ObserveOptions& options = {});
 
 }  // namespace stepwright::translate

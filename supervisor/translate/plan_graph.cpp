@@ -107,15 +107,15 @@ result::Result<PlanGraph> plan_graph(const model::PlannedRun& run, const Binding
                         "no entry of the binding matches " + to_string(planned.action),
                         "add an [[actions]] entry whose pattern fits it");
   }
-  for (const model::Ordering& edge : run.orderings) {
+  std::vector<model::Ordering> edges = run.orderings.value_or(chain(size));
+  for (const model::Ordering& edge : edges) {
     if (edge.before < edge.after && edge.after < size) continue;
     return result::fail("T0002", {},
                         "the ordering " + std::to_string(edge.before) + " before " +
                             std::to_string(edge.after) + " contradicts the plan's list of " +
                             std::to_string(size) + " actions");
   }
-  if (sequential || run.orderings.empty()) return reduced_graph(size, chain(size));
-  std::vector<model::Ordering> edges = run.orderings;
+  if (sequential) return reduced_graph(size, chain(size));
   const Reach reach = reach_of(size, edges);
   for (std::size_t j = 1; j < size; ++j) {
     for (std::size_t i = 0; i < j; ++i) {

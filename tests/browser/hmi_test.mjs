@@ -60,6 +60,27 @@ async function drawsTheTrend(page) {
   });
 }
 
+// From when the history is, in seconds of the cell.
+async function trendBegin(page) {
+  await waitFor(page, 'the trend says from when it is', () =>
+    document.querySelector('[data-panel=trend] .note')?.innerText.startsWith('recorded since '));
+  const [, minutes, seconds] = /(\d+):(\d\d\.\d)$/.exec(await page.locator('[data-panel=trend] .note').innerText()) ?? [];
+  return Number(minutes) * 60 + Number(seconds);
+}
+
+// S03 is followed by two steps that only wait: a tick behind them says that the run has left them.
+async function ticksWhatIsPassed(page) {
+  await waitFor(page, 'a wait step that was passed is ticked', () =>
+    document.querySelector('[data-step=W3_5].done .tick') !== null);
+  const wrong = await page.evaluate(() => {
+    const has = (name, word) => document.querySelector(`[data-step=${name}]`).classList.contains(word);
+    if (!has('START', 'done')) return 'START';
+    if (has('W15_16', 'done') && !has('S16_UNLOAD', 'done') && !has('S16_UNLOAD', 'active')) return 'W15_16';
+    return document.querySelector('.step.done.active')?.dataset.step ?? '';
+  });
+  check(wrong === '', `and no step that is to come or active ${wrong}`);
+}
+
 async function drawsTheChartReadably(page) {
   const clash = await page.evaluate(() => {
     const boxes = [...document.querySelectorAll('.step')].map((step) => [step.dataset.step, step.getBoundingClientRect()]);
@@ -137,12 +158,18 @@ try {
   await picksUpTheCell(page);
   await followsTheCell(page);
   await drawsTheTrend(page);
+  const first = await trendBegin(page);
+  check(first >= 24 && first < 55, `it begins with the server (${first})`);
+  await ticksWhatIsPassed(page);
   await drawsTheChartReadably(page);
   await showsExitsWhenAsked(page);
   await findsTags(page);
   await fitsEveryWidth(page);
   await saysWhenTheRuntimeIsGone(page, server);
   server = await outlivesTheServer(page, server);
+  await drawsTheTrend(page);
+  const again = await trendBegin(page);
+  check(again >= 55, `the history begins with the new server and says so (${again})`);
   check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
 } finally {
   await browser.close();

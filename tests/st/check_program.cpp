@@ -1,6 +1,7 @@
 #include "tests/st/check_program.h"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <stdexcept>
 
@@ -46,11 +47,12 @@ std::string shown(const reader::Value& value) {
   std::ostringstream out;
   out.precision(17);
   out << std::boolalpha;
-  std::visit([&](auto plain) { out << plain; }, value);
+  std::visit([&](const auto& plain) { out << plain; }, value);
   return out.str();
 }
 
 bool equals(const reader::Value& value, const std::string& expected) {
+  if (const auto* text = std::get_if<std::string>(&value)) return "'" + *text + "'" == expected;
   if (const bool* flag = std::get_if<bool>(&value)) return expected == (*flag ? "TRUE" : "FALSE");
   if (const double* real = std::get_if<double>(&value)) return *real == std::stod(expected);
   if (const auto* whole = std::get_if<std::uint64_t>(&value)) return *whole == std::stoull(expected);
@@ -107,7 +109,13 @@ class Run {
         fail(directive, "found trap '" + found + "' in " + where.file);
       return;
     }
+    const std::string text = program_.text(directive.variable);
+    if (text == directive.value) return;
     const reader::Value value = program_.value(directive.variable);
+    const bool is_word = std::isalpha(static_cast<unsigned char>(directive.value.front())) != 0;
+    const bool is_plain = !is_word || directive.value == "TRUE" || directive.value == "FALSE";
+    if (!is_plain && directive.value.rfind("T#", 0) != 0)
+      return fail(directive, directive.variable + " is " + text + ", not " + directive.value);
     if (!equals(value, directive.value))
       fail(directive, directive.variable + " is " + shown(value) + ", not " + directive.value);
   }

@@ -12,6 +12,19 @@ std::string cut(const std::string& text, std::size_t bound) {
   return text.size() <= bound ? text : text.substr(0, bound);
 }
 
+// Hexadecimal; empty without a program.
+bool fits_digest(const std::string& text) {
+  constexpr std::size_t kDigits = 64;
+  return text.size() <= kDigits;
+}
+
+bool within_bounds(const idl::Problem& problem) {
+  const auto fits = [](const std::string& text) { return text.size() <= idl::TEXT_BOUND; };
+  return problem.severity() <= static_cast<std::uint8_t>(result::Severity::Error) &&
+         problem.code().size() <= idl::NAME_BOUND && fits(problem.file()) && fits(problem.message()) &&
+         fits(problem.hint());
+}
+
 std::vector<std::uint8_t> to_octets(const std::vector<std::byte>& bytes) {
   const auto* octets = reinterpret_cast<const std::uint8_t*>(bytes.data());
   return {octets, octets + bytes.size()};
@@ -32,7 +45,11 @@ std::vector<idl::NamedValue> to_plant(const std::vector<NamedValue>& plant) {
 }
 
 std::optional<std::vector<NamedValue>> from_plant(const std::vector<idl::NamedValue>& plant) {
-  if (plant.size() > idl::PLANT_BOUND) return std::nullopt;
+  const bool bounded = plant.size() <= idl::PLANT_BOUND &&
+                       std::all_of(plant.begin(), plant.end(), [](const idl::NamedValue& value) {
+                         return value.name().size() <= idl::NAME_BOUND;
+                       });
+  if (!bounded) return std::nullopt;
   std::vector<NamedValue> out;
   out.reserve(plant.size());
   for (const idl::NamedValue& value : plant) out.push_back({value.name(), value.value()});
@@ -67,13 +84,14 @@ idl::Reply to_reply(const std::string& runtime_id, const service::Reply& reply) 
 }
 
 std::optional<service::Reply> from_reply(const idl::Reply& sample) {
-  if (sample.problems().size() > idl::PROBLEM_BOUND || sample.data().size() > idl::CHUNK_BOUND) {
+  if (sample.problems().size() > idl::PROBLEM_BOUND || sample.data().size() > idl::CHUNK_BOUND ||
+      !fits_digest(sample.digest())) {
     return std::nullopt;
   }
   service::Reply reply{sample.client(),      sample.request(), {}, sample.digest(),
                        sample.total_bytes(), sample.offset(),  {}};
   for (const idl::Problem& problem : sample.problems()) {
-    if (problem.severity() > static_cast<std::uint8_t>(result::Severity::Error)) return std::nullopt;
+    if (!within_bounds(problem)) return std::nullopt;
     reply.problems.push_back({problem.code(),
                               static_cast<result::Severity>(problem.severity()),
                               {problem.file(), problem.line(), problem.column()},
@@ -101,7 +119,8 @@ idl::Event to_event(const std::string& runtime_id, std::uint64_t incarnation, co
 
 std::optional<StepEvent> from_event(const idl::Event& sample) {
   auto plant = from_plant(sample.plant());
-  if (!plant || sample.image().size() > idl::IMAGE_BOUND ||
+  if (!plant || sample.image().size() > idl::IMAGE_BOUND || !fits_digest(sample.program_digest()) ||
+      sample.detail().size() > idl::TEXT_BOUND ||
       sample.kind() > static_cast<std::uint8_t>(EventKind::Trap)) {
     return std::nullopt;
   }
@@ -139,7 +158,10 @@ idl::Status to_status(const std::string& runtime_id, const RuntimeStatus& status
 
 std::optional<RuntimeStatus> from_status(const idl::Status& sample) {
   auto plant = from_plant(sample.plant());
-  if (!plant || sample.state() > static_cast<std::uint8_t>(RuntimeState::Fault)) return std::nullopt;
+  if (!plant || !fits_digest(sample.program_digest()) || sample.detail().size() > idl::TEXT_BOUND ||
+      sample.state() > static_cast<std::uint8_t>(RuntimeState::Fault)) {
+    return std::nullopt;
+  }
   RuntimeStatus status;
   status.incarnation = sample.incarnation();
   status.state = static_cast<RuntimeState>(sample.state());
@@ -172,7 +194,9 @@ idl::Snapshot to_snapshot(const std::string& runtime_id, const Snapshot& snapsho
 
 std::optional<Snapshot> from_snapshot(const idl::Snapshot& sample) {
   auto plant = from_plant(sample.plant());
-  if (!plant || sample.image().size() > idl::IMAGE_BOUND) return std::nullopt;
+  if (!plant || sample.image().size() > idl::IMAGE_BOUND || !fits_digest(sample.program_digest())) {
+    return std::nullopt;
+  }
   return Snapshot{sample.scan(), sample.time_ns(), sample.program_digest(), from_octets(sample.image()),
                   std::move(*plant)};
 }

@@ -37,17 +37,6 @@ bool valid_id(const std::string& id) {
          });
 }
 
-// Two participants of one process (a client and a plan channel) would hand samples to each other directly.
-// Their threads then assert liveliness into each other under their own locks, in opposite orders, and stop
-// for ever.
-void deliver_by_transport_only() {
-  namespace xml = eprosima::fastrtps::xmlparser;
-  eprosima::fastrtps::LibrarySettingsAttributes settings = xml::XMLProfileManager::library_settings();
-  if (settings.intraprocess_delivery == eprosima::fastrtps::INTRAPROCESS_OFF) return;
-  settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-  xml::XMLProfileManager::library_settings(settings);
-}
-
 // Fast DDS 2.9 delivers between participants of one process by calling the other one's reader directly, under
 // locks that two participants which assert their liveliness take in opposite orders: they deadlock. Once,
 // before the first participant.
@@ -91,7 +80,6 @@ result::Result<std::unique_ptr<Participant>> Participant::create(const Participa
     return result::fail("D0004", {}, "'" + config.runtime_id + "' cannot name a runtime",
                         "1 to 64 letters, digits, '_', '-' and '.'");
   }
-  deliver_by_transport_only();
   std::unique_ptr<Participant> self(new Participant());
   self->runtime_id_ = config.runtime_id;
   // A profile file in the working folder must not change how a cell communicates.

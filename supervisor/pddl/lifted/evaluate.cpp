@@ -1,8 +1,5 @@
 #include "supervisor/pddl/lifted/evaluate.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "supervisor/pddl/numeric.h"
 
 namespace stepwright::pddl {
@@ -25,11 +22,46 @@ bool visit_from(const Definition& definition, const std::vector<Typed>& variable
   return true;
 }
 
-bool compare_sides(const Formula& formula, const Binding& binding, const LiftedState& state) {
+// Whether the comparison holds, or its negation unless `positive`; with an undefined side neither does.
+bool compare_sides(const Formula& formula, const Binding& binding, const LiftedState& state, bool positive) {
   const auto left = evaluate(formula.sides[0], binding, state);
   const auto right = evaluate(formula.sides[1], binding, state);
-  return left && right &&
-         compare(formula.relation, *left - *right, std::max(std::abs(*left), std::abs(*right)));
+  return left && right && compare(formula.relation, *left - *right) == positive;
+}
+
+// Whether the formula holds, or its negation unless `positive`. Negations are pushed inwards, because "not"
+// around an undefined comparison must not make it true.
+bool decide(const Definition& definition, const Formula& formula, bool positive, Binding& binding,
+            const LiftedState& state) {
+  const auto part = [&](std::size_t i, bool sign) {
+    return decide(definition, formula.parts[i], sign, binding, state);
+  };
+  switch (formula.kind) {
+    case FormulaKind::Atom:
+      return (state.facts.count(ground(formula.call, binding)) != 0) == positive;
+    case FormulaKind::SameObject:
+      return (object_of(formula.terms[0], binding) == object_of(formula.terms[1], binding)) == positive;
+    case FormulaKind::Compare:
+      return compare_sides(formula, binding, state, positive);
+    case FormulaKind::Not:
+      return part(0, !positive);
+    default:
+      break;
+  }
+  // What is left is a conjunction or a disjunction of its parts; one part of the deciding sign settles it.
+  const bool conjunction = formula.kind == FormulaKind::And || formula.kind == FormulaKind::Forall;
+  const bool all = conjunction == positive;
+  bool settled = false;
+  if (!formula.variables.empty()) {
+    for_each_binding(definition, formula.variables, binding, [&] {
+      settled = part(0, positive) != all;
+      return !settled;
+    });
+  }
+  for (std::size_t i = 0; formula.variables.empty() && !settled && i < formula.parts.size(); ++i) {
+    settled = part(i, positive != (formula.kind == FormulaKind::Imply && i == 0)) != all;
+  }
+  return settled != all;
 }
 
 void collect_values(const Definition& definition, const Expression& expression, const Binding& binding,
@@ -85,33 +117,7 @@ void for_each_binding(const Definition& definition, const std::vector<Typed>& va
 }
 
 bool holds(const Definition& definition, const Formula& formula, Binding& binding, const LiftedState& state) {
-  const auto part = [&](const Formula& f) { return holds(definition, f, binding, state); };
-  switch (formula.kind) {
-    case FormulaKind::Atom:
-      return state.facts.count(ground(formula.call, binding)) != 0;
-    case FormulaKind::SameObject:
-      return object_of(formula.terms[0], binding) == object_of(formula.terms[1], binding);
-    case FormulaKind::Compare:
-      return compare_sides(formula, binding, state);
-    case FormulaKind::And:
-      return std::all_of(formula.parts.begin(), formula.parts.end(), part);
-    case FormulaKind::Or:
-      return std::any_of(formula.parts.begin(), formula.parts.end(), part);
-    case FormulaKind::Not:
-      return !part(formula.parts[0]);
-    case FormulaKind::Imply:
-      return !part(formula.parts[0]) || part(formula.parts[1]);
-    case FormulaKind::Forall:
-    case FormulaKind::Exists:
-      break;
-  }
-  const bool exists = formula.kind == FormulaKind::Exists;
-  bool found = false;
-  for_each_binding(definition, formula.variables, binding, [&] {
-    found = part(formula.parts[0]) == exists;
-    return !found;
-  });
-  return found == exists;
+  return decide(definition, formula, true, binding, state);
 }
 
 Violation first_violation(const Definition& definition, const Formula& formula, Binding& binding,
@@ -133,7 +139,9 @@ Violation first_violation(const Definition& definition, const Formula& formula, 
   }
   if (holds(definition, formula, binding, state)) return {};
   Violation violation{print(definition, formula, binding), {}};
-  for (const Expression& side : formula.sides) {
+  const Formula* compared = &formula;
+  while (compared->kind == FormulaKind::Not) compared = &compared->parts[0];
+  for (const Expression& side : compared->sides) {
     collect_values(definition, side, binding, state, violation.values);
   }
   return violation;

@@ -19,7 +19,9 @@ Atom ground(const Call& call, const Binding& binding);
 std::optional<double> evaluate(const Expression& expression, const Binding& binding,
                                const LiftedState& state);
 
-// A comparison with an undefined side is false, and so is its negation's inside: PDDL gives it no meaning.
+// A comparison with an undefined side does not hold, and neither does its negation: in PDDL 2.1 (Fox, Long
+// 2003, section 6) a fluent without a value is undefined, not some number, so an action that asks for it is
+// not applicable, however it asks. The planner's grounded conditions, negations pushed inwards, say the same.
 bool holds(const Definition& definition, const Formula& formula, Binding& binding, const LiftedState& state);
 
 // Calls `visit` for every combination of objects for the variables; stops when it answers false.

@@ -5,11 +5,8 @@
 namespace stepwright::pddl {
 
 bool FormulaParser::effect(Effect& effect) {
+  if (too_deep()) return false;
   effect.at = tokens_.peek().at;
-  if (tokens_.depth() > 200) {
-    tokens_.reporter().error("P0006", effect.at, "nested too deeply");
-    return false;
-  }
   if (!tokens_.expect(TokenKind::Open, "an effect in parentheses")) return false;
   if (tokens_.accept(TokenKind::Close)) return true;
   std::string head;

@@ -1,27 +1,29 @@
 #include "supervisor/pddl/syntax/formula_parser.h"
 
+#include <optional>
+
 namespace stepwright::pddl {
 namespace {
 
-// Deeper than any real file, shallow enough for the stack.
-constexpr std::size_t kMaxDepth = 250;
-
-bool too_deep(TokenStream& tokens) {
-  if (tokens.depth() < kMaxDepth) return false;
-  tokens.reporter().error("P0006", tokens.peek().at, "nested too deeply",
-                          "at most " + std::to_string(kMaxDepth) + " parentheses may be open");
-  return true;
-}
-
-Relation relation_of(const std::string& symbol) {
+std::optional<Relation> relation_of(const std::string& symbol) {
   if (symbol == "<") return Relation::Less;
   if (symbol == "<=") return Relation::LessEqual;
+  if (symbol == "=") return Relation::Equal;
   if (symbol == ">") return Relation::Greater;
   if (symbol == ">=") return Relation::GreaterEqual;
-  return Relation::Equal;
+  return std::nullopt;
 }
 
 }  // namespace
+
+bool FormulaParser::too_deep() {
+  // Deeper than any real file, shallow enough for the stack.
+  constexpr std::size_t kMaxDepth = 250;
+  if (tokens_.depth() < kMaxDepth) return false;
+  tokens_.reporter().error("P0006", tokens_.peek().at, "nested too deeply",
+                           "at most " + std::to_string(kMaxDepth) + " parentheses may be open");
+  return true;
+}
 
 bool FormulaParser::typed_list(TokenKind kind, std::vector<Typed>& list) {
   std::size_t untyped = list.size();
@@ -82,7 +84,7 @@ bool FormulaParser::call(Call& call) {
 }
 
 bool FormulaParser::expression(Expression& expression) {
-  if (too_deep(tokens_)) return false;
+  if (too_deep()) return false;
   expression.at = tokens_.peek().at;
   if (tokens_.at(TokenKind::Number)) {
     expression.number = tokens_.take().number;
@@ -132,8 +134,11 @@ bool FormulaParser::operation(Expression& expression, const std::string& symbol)
 }
 
 bool FormulaParser::compare(Formula& formula) {
+  const auto relation = relation_of(tokens_.peek().text);
+  if (!relation) return tokens_.unexpected("a predicate, a comparison or a connective");
+  tokens_.take();
   formula.kind = FormulaKind::Compare;
-  formula.relation = relation_of(tokens_.take().text);
+  formula.relation = *relation;
   formula.sides.resize(2);
   return expression(formula.sides[0]) && expression(formula.sides[1]) && close();
 }
@@ -171,7 +176,7 @@ bool FormulaParser::connective(Formula& formula, FormulaKind kind) {
 }
 
 bool FormulaParser::formula(Formula& formula) {
-  if (too_deep(tokens_)) return false;
+  if (too_deep()) return false;
   formula.at = tokens_.peek().at;
   if (!tokens_.expect(TokenKind::Open, "a condition in parentheses")) return false;
   if (tokens_.accept(TokenKind::Close)) return true;

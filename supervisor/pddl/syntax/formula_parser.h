@@ -28,8 +28,8 @@ class FormulaParser {
   bool call(Call& call);
 
  private:
-  class Nesting;
-
+  // Reports P0006 where parentheses are nested beyond what recursion may follow.
+  bool too_deep();
   bool arguments(Call& call);
   bool term(Term& term);
   bool compare(Formula& formula);

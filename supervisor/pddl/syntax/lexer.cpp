@@ -20,8 +20,8 @@ bool is_word(char c) {
 
 class Lexer {
  public:
-  Lexer(std::string_view text, std::uint32_t file, Reporter& reporter)
-      : text_(text), at_{1, 1, file}, reporter_(reporter) {}
+  Lexer(std::string_view text, std::uint32_t file, std::uint32_t first_line, Reporter& reporter)
+      : text_(text), at_{first_line, 1, file}, reporter_(reporter) {}
 
   std::vector<Token> run() {
     while (skip_blank()) next();
@@ -124,8 +124,9 @@ class Lexer {
 
 }  // namespace
 
-std::vector<Token> tokenize(std::string_view text, std::uint32_t file, Reporter& reporter) {
-  return Lexer(text, file, reporter).run();
+std::vector<Token> tokenize(std::string_view text, std::uint32_t file, Reporter& reporter,
+                            std::uint32_t first_line) {
+  return Lexer(text, file, first_line, reporter).run();
 }
 
 std::string quoted(const Token& token) {

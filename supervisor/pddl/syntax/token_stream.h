@@ -5,7 +5,6 @@
 // Thread rule: one parse, one stream. The parser fails by returning false after reporting; whoever opened a
 // section closes it with `recover`, so that one file can show several errors.
 
-#include <initializer_list>
 #include <string_view>
 #include <vector>
 

@@ -44,9 +44,9 @@ void BindingReader::read(const TomlTable& root) {
   binding_.settle = to_ms(times.number("settle_s", 3.0, kPositiveDuration));
   read_tags(root.table("tags"));
   read_sensors(root.table("sensors"));
-  check_names(root);
   read_facts(root);
   read_groups(root);
+  check_names(root);
   for (const TomlTable& entry : root.tables("actions")) read_action(entry);
   check_every_action_is_bound(root);
 }
@@ -144,6 +144,9 @@ void BindingReader::check_names(const TomlTable& root) {
        {kSensorProgram, kPlanProgram, kAveragingVariable, "first", "samples", "main", "sensing", "planned",
         "START", "SETTLE", "DONE", "AT_REST", "AVERAGE", "OBSERVED", "LOST"}) {
     names.insert(taken);
+  }
+  for (std::size_t g = 0; g < binding_.one_of.size(); ++g) {
+    for (std::size_t s = 0; s < binding_.one_of[g].searches.size(); ++s) names.insert(search_step(g, s));
   }
   const TomlTable tags = root.table("tags");
   for (const Tag& tag : binding_.tags) {

@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -39,6 +40,7 @@ class Demo:
         if self.process.poll() is None:
             self.process.terminate()
         self.process.communicate(timeout=TIMEOUT_S)
+        shutil.rmtree(self.folder)
 
     def pid_of(self, program):
         """The process of `stepwright-<program>` among the demo's children, or None."""
@@ -57,12 +59,22 @@ class Demo:
         return None
 
     def wait_for_line(self, program, pattern):
-        """Waits until a program's log matches `pattern`; returns when it was seen (monotonic)."""
+        """Waits until a program's log matches `pattern`."""
+        self.time_of_line(program, pattern)
+
+    def log_bytes(self, program):
+        """How much a program has written so far."""
+        log = self.state / f"{program}.log"
+        return log.stat().st_size if log.exists() else 0
+
+    def time_of_line(self, program, pattern, behind=0):
+        """Waits until what a program's log holds behind that many bytes matches `pattern`. Returns when the program
+        wrote last, as the system noted it: this test may look late without measuring more."""
         log = self.state / f"{program}.log"
         deadline = time.monotonic() + TIMEOUT_S
         while time.monotonic() < deadline:
-            if log.exists() and re.search(pattern, log.read_text(encoding="utf-8")):
-                return time.monotonic()
+            if log.exists() and re.search(pattern, log.read_bytes()[behind:].decode()):
+                return log.stat().st_mtime
             if self.process.poll() is not None:
                 raise AssertionError(f"the demo ended before {program} said '{pattern}':\n{self.output()}")
             time.sleep(0.005)

@@ -112,6 +112,24 @@ class WrongInput(unittest.TestCase):
         for arguments in (["plann"], ["plan"], ["demo", "bench", "--headless", "--fault", "leak"], []):
             self.assertEqual(stepwright(*arguments).returncode, 2, arguments)
 
+    def test_override_that_is_none(self):
+        for text in ("#plant.seed=1", "=1"):
+            result = self.demo("--set", text)
+            self.assertEqual(result.returncode, 1, text)
+            self.assertIn("C0001", result.stderr)
+
+    def test_pictures_that_cannot_be_written(self):
+        result = self.demo("--pictures", "/proc/pictures")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("/proc/pictures/gantt.svg: M0005", result.stderr)
+
+    def test_report_of_an_earlier_run_is_not_taken_for_this_one(self):
+        kept = ("--state-dir", self.folder / "state", "--json", self.folder / "report.json")
+        self.assertEqual(self.demo(*kept).returncode, 0)
+        self.change("binding.toml", 'outputs = ["B1"]', 'outputs = ["B7"]')
+        self.assertEqual(self.demo(*kept).returncode, 1)
+        self.assertNotIn("goal_reached", json.loads((self.folder / "report.json").read_text(encoding="utf-8")))
+
     def test_unknown_fault(self):
         report = self.folder / "report.json"
         result = self.demo("--fault", "leek_a1=1@5", "--json", report)

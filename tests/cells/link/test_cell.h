@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 
+#include "programs/config/cell_config.h"
 #include "runtime/dds/runtime_client.h"
 #include "runtime/service/connection.h"
 #include "tests/support/test_process.h"
@@ -35,6 +36,9 @@ class TestCell {
   }
   ~TestCell() {
     std::error_code ignored;  // a leftover in the temporary folder harms nobody
+    config::CellConfig ended;
+    ended.state_dir = folder_ / "state";
+    std::filesystem::remove(ended.plant_memory_path(), ignored);  // of a runtime that was killed
     std::filesystem::remove_all(folder_, ignored);
   }
   TestCell(const TestCell&) = delete;

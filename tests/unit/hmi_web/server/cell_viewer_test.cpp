@@ -76,6 +76,20 @@ TEST(CellViewer, WhenAPointHasSources_ThenTheFirstWithAValueIsScaled) {
   EXPECT_FALSE(state.points[3].has_value());
 }
 
+TEST(CellViewer, WhenASensorHasATare_ThenItIsSubtractedFromItsCounts) {
+  CellViewer viewer({{{PointSourceKind::Tag, "S1_filtered", 0.5, 10, "S1"}},
+                     {{PointSourceKind::Tag, "S1_filtered", 0.5, 10, "S2"}},
+                     {{PointSourceKind::Tag, "S1_filtered", 0.5, 10}}});
+  Observation seen = running(bytes({0, 0, 1, 1, 0, 0, 0}));
+  seen.tare = {{"", 1000}, {"s1", 57}};
+
+  const auto state = viewer.view(seen).state;
+
+  EXPECT_EQ(state.points[0], 0.5 * 200 + 10);
+  EXPECT_EQ(state.points[1], 0.5 * 257 + 10);
+  EXPECT_EQ(state.points[2], 0.5 * 257 + 10);
+}
+
 TEST(CellViewer, WhenNothingIsThere_ThenEveryPointIsUnknown) {
   CellViewer viewer({{{PointSourceKind::Tag, "fc1"}}});
 

@@ -7,25 +7,14 @@
 #include <set>
 
 #include "ladder/driver/compile.h"
+#include "tests/unit/ladder/driver/error_case.h"
 
 namespace {
 
 using stepwright::driver::compile;
 using stepwright::driver::CompileInput;
+using stepwright::driver_test::ErrorCase;
 using stepwright::result::Diagnostics;
-
-struct ErrorCase {
-  const char* name;
-  const char* code;
-  std::uint32_t line;
-  std::uint32_t column;
-  const char* text;
-  const char* hint = nullptr;  // a part of it
-};
-
-void PrintTo(const ErrorCase& error_case, std::ostream* out) {
-  *out << error_case.name;
-}
 
 Diagnostics diagnostics_of(const std::string& text) {
   CompileInput input;
@@ -33,11 +22,6 @@ Diagnostics diagnostics_of(const std::string& text) {
   const auto output = compile(input);
   return output ? output->warnings : output.error();
 }
-
-// The body of a program with some variables.
-#define BODY(statements) \
-  "PROGRAM main\nVAR i, j : INT; b : BOOL; r : REAL; t : TON; a : ARRAY[1..3] OF INT; w : WORD; d : DINT; \
-tm : TIME; lamp : BOOL; END_VAR\n" statements "\nEND_PROGRAM\n"
 
 const ErrorCase kCases[] = {
     {"BadCharacter", "E0101", 3, 8, BODY("i := i ? 1;")},
@@ -144,6 +128,13 @@ const ErrorCase kCases[] = {
     {"UnusedResult", "W0002", 3, 1, BODY("ABS(i);")},
 };
 
+std::vector<ErrorCase> all_cases() {
+  std::vector<ErrorCase> cases(std::begin(kCases), std::end(kCases));
+  const auto types = stepwright::driver_test::type_error_cases();
+  cases.insert(cases.end(), types.begin(), types.end());
+  return cases;
+}
+
 class CompileError : public testing::TestWithParam<ErrorCase> {};
 
 TEST_P(CompileError, Compile_WhenSourceIsWrong_ThenOneDiagnosticSaysWhere) {
@@ -160,7 +151,7 @@ TEST_P(CompileError, Compile_WhenSourceIsWrong_ThenOneDiagnosticSaysWhere) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, CompileError, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Cases, CompileError, testing::ValuesIn(all_cases()),
                          [](const auto& each) { return each.param.name; });
 
 std::string read(const std::string& path) {
@@ -186,9 +177,9 @@ TEST(Diagnostics, Document_WhenComparedWithTheCodes_ThenEveryCodeIsExplained) {
 TEST(Diagnostics, Codes_WhenComparedWithTheCases_ThenNearlyEveryCodeHasACase) {
   std::set<std::string> codes =
       codes_in(read(std::string(STEPWRIGHT_SOURCE_DIR) + "/ladder/source/codes.h"), "= \"");
-  for (const ErrorCase& each : kCases) codes.erase(each.code);
-  // Tested elsewhere: nesting (syntax), labels and edges of diagrams (lowering).
-  EXPECT_EQ(codes, (std::set<std::string>{"E0106", "E0701", "E0702"}));
+  for (const ErrorCase& each : all_cases()) codes.erase(each.code);
+  // Tested elsewhere: nesting (syntax), labels and edges of diagrams (lowering), XML files (exchange).
+  EXPECT_EQ(codes, (std::set<std::string>{"E0106", "E0701", "E0702", "E0801", "E0802", "E0803", "E0804"}));
 }
 
 TEST(Recovery, Compile_WhenSeveralMistakes_ThenEachIsReportedOnce) {

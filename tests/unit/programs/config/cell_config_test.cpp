@@ -1,7 +1,11 @@
 #include "programs/config/cell_config.h"
 
 #include <gtest/gtest.h>
+#include <linux/magic.h>
+#include <sys/vfs.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <fstream>
 
 namespace stepwright::config {
@@ -9,9 +13,11 @@ namespace {
 
 class CellConfigTest : public testing::Test {
  protected:
-  CellConfigTest() : folder_(testing::TempDir() + "cell_config") {
+  // Of this process alone: each case runs in its own, several at a time.
+  CellConfigTest() : folder_(testing::TempDir() + "cell_config." + std::to_string(getpid())) {
     std::filesystem::create_directories(folder_);
   }
+  ~CellConfigTest() override { std::filesystem::remove_all(folder_); }
 
   std::filesystem::path write(const std::string& text) const {
     std::ofstream(folder_ / "cell.toml") << text;
@@ -53,6 +59,28 @@ TEST_F(CellConfigTest, WhenSeveralThingsAreWrong_ThenAllAreReported) {
       load_cell_config(write("[clock]\nmode = \"simulatd\"\nspeed = -1\n[hmi]\nport = 70000\n[typo]\n"));
   ASSERT_FALSE(config.has_value());
   EXPECT_EQ(config.error().size(), 4u) << result::to_string(config.error());
+}
+
+TEST_F(CellConfigTest, WhenThePlantIsKept_ThenItIsInMemoryUnderItsStateFolder) {
+  const auto path = [&](const std::string& state_dir) {
+    return load_cell_config(write("[cell]\nstate_dir = \"" + state_dir + "\"\n"))->plant_memory_path();
+  };
+  struct statfs system {};
+  ASSERT_EQ(statfs(path("a").parent_path().c_str(), &system), 0);
+  EXPECT_EQ(system.f_type, TMPFS_MAGIC);
+  EXPECT_EQ(path("a"), path("b/../a"));
+  EXPECT_EQ(path("a"), path(folder_ / "a"));
+  EXPECT_NE(path("a"), path("b"));
+}
+
+TEST_F(CellConfigTest, WhenTheTemporaryFolderIsGone_ThenThereIsStillAStateFolder) {
+  const char* const before = getenv("TMPDIR");
+  const std::string kept = before == nullptr ? "" : before;
+  setenv("TMPDIR", "/nonexistent", 1);
+  const auto config = load_cell_config(write("[cell]\nname = \"line\"\n"));
+  before == nullptr ? unsetenv("TMPDIR") : setenv("TMPDIR", kept.c_str(), 1);
+  ASSERT_TRUE(config.has_value());
+  EXPECT_EQ(config->state_dir, "/tmp/stepwright-line");
 }
 
 TEST_F(CellConfigTest, WhenFaultsAreListed_ThenTheyAreReadInOrder) {

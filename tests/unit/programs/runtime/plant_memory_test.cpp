@@ -13,7 +13,9 @@ namespace {
 class PlantMemoryTest : public testing::Test {
  protected:
   PlantMemoryTest() { std::filesystem::remove(file_); }
-  const std::filesystem::path file_ = testing::TempDir() + "plant.state";
+  ~PlantMemoryTest() override { std::filesystem::remove(file_); }
+  // Of this process alone: each case runs in its own, several at a time.
+  const std::filesystem::path file_ = testing::TempDir() + "plant.state." + std::to_string(getpid());
 };
 
 TEST_F(PlantMemoryTest, WhenTheFileIsNew_ThenNothingWasLeft) {
@@ -42,6 +44,20 @@ TEST_F(PlantMemoryTest, WhenTheProcessIsKilled_ThenTheNextOneFindsACompleteState
 
 TEST_F(PlantMemoryTest, WhenItEndsCleanly_ThenNothingIsLeft) {
   (*PlantMemory::open(file_))->keep({0.0, 1.0, 2.0, 3.0, 4.0});
+  EXPECT_FALSE(std::filesystem::exists(file_));
+}
+
+TEST_F(PlantMemoryTest, WhenItEndsBeforeTheFirstScan_ThenNothingIsLeft) {
+  ASSERT_TRUE(PlantMemory::open(file_).has_value());
+  EXPECT_FALSE(std::filesystem::exists(file_));
+}
+
+TEST_F(PlantMemoryTest, WhenAnotherRuntimeHasTheFile_ThenItStaysUntilThatOneEnds) {
+  auto first = PlantMemory::open(file_);
+  ASSERT_TRUE(first.has_value());
+  ASSERT_TRUE(PlantMemory::open(file_).has_value());
+  EXPECT_TRUE(std::filesystem::exists(file_));
+  first->reset();
   EXPECT_FALSE(std::filesystem::exists(file_));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Stands in for link and runtime: answers every request with what the test says and publishes a status every
-// 20 ms.
+// 2 ms.
 
 #include <atomic>
 #include <functional>

@@ -200,6 +200,29 @@ TEST(Server, WhenNobodyServes_ThenConnectingFailsWithAHint) {
   EXPECT_FALSE(refused.error().front().hint.empty());
 }
 
+// Nobody accepts, and the queue of those who wait is full: a plain connect would wait for ever.
+TEST(Server, WhenAServiceHangs_ThenConnectingGivesUp) {
+  TemporaryFolder folder;
+  const auto path = folder.path() / "hangs.sock";
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
+  const auto* const where = reinterpret_cast<const sockaddr*>(&address);
+  std::vector<int> sockets{::socket(AF_UNIX, SOCK_STREAM, 0)};
+  ASSERT_EQ(::bind(sockets[0], where, sizeof address), 0);
+  ASSERT_EQ(::listen(sockets[0], 0), 0);
+  do {
+    sockets.push_back(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0));
+  } while (::connect(sockets.back(), where, sizeof address) == 0 && sockets.size() < 100);
+  ASSERT_LT(sockets.size(), 100u);
+
+  const auto refused = Connection::open(path, {});
+
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().front().code, "R0001");
+  for (const int socket : sockets) ::close(socket);
+}
+
 TEST(Server, WhenTheServiceEnds_ThenConnectionsAreClosed) {
   ServiceHarness harness;
   const auto client = harness.connect();

@@ -55,8 +55,25 @@ TEST(TomlDocument, WhenAKeyIsOverridden_ThenTheOverrideWins) {
   EXPECT_TRUE(document->finish().empty());
 }
 
+TEST(TomlDocument, WhenATableIsOverridden_ThenEachOfItsKeysWinsAndTheOthersStay) {
+  const auto document = parsed("[plant]\nseed = 1\nkind = \"none\"\n");
+  ASSERT_TRUE(document->override_value("plant", "{}").has_value());
+  ASSERT_TRUE(document->override_value("plant", "{uncertainty = false, seed = 7}").has_value());
+  const TomlTable plant = document->root().table("plant");
+  EXPECT_EQ(plant.integer("seed", 0), 7);
+  EXPECT_FALSE(plant.boolean("uncertainty", true));
+  EXPECT_EQ(plant.text("kind", ""), "none");
+}
+
 TEST(TomlDocument, WhenAnOverrideIsNoKeyValue_ThenItIsRefused) {
   EXPECT_FALSE(parsed("")->override_value("a b", "1\n2").has_value());
+  for (const auto& [key, value] :
+       {std::pair{"#plant.seed", "1"}, {"", "1"}, {"#", ""}, {"a", "1\nb = 2"}, {"[a]", "1"}}) {
+    const auto document = parsed("seed = 1\n");
+    EXPECT_FALSE(document->override_value(key, value).has_value()) << key << "=" << value;
+    EXPECT_EQ(document->root().integer("seed", 0), 1);
+    EXPECT_TRUE(document->finish().empty());
+  }
 }
 
 TEST(TomlDocument, WhenRowsHaveTheWrongWidth_ThenTheyAreRefused) {

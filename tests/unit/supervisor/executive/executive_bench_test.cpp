@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "tests/unit/supervisor/executive/bench_fixture.h"
 
 namespace stepwright::executive {
@@ -15,6 +17,7 @@ TEST(ExecutiveBench, WhenNothingGoesWrong_ThenTheGoalIsReachedWithoutReplanning)
   parameters.seed = 1;
   SimulatedController controller(parameters);
   const RunRecord record = run_bench(controller);
+  EXPECT_EQ(record.tare.size(), 3u);
   EXPECT_EQ(record.phase, Phase::Done) << story(record);
   EXPECT_TRUE(record.replans.empty()) << story(record);
   ASSERT_EQ(record.episodes.size(), 1u);
@@ -84,6 +87,22 @@ INSTANTIATE_TEST_SUITE_P(Bench, FaultTest,
                                          FaultCase{"stuck_fc1", 0.0, 12.0}, FaultCase{"stuck_fc2", 1.0, 5.0},
                                          FaultCase{"drift_s2", 2.0, 10.0}, FaultCase{"draw_c1", 15.0, 30.0}));
 
+// The chart has one FAILED step per action; the cause tells which of its reasons it was.
+TEST(ExecutiveBench, WhenAnActionFails_ThenTheCauseTellsTimeoutLostHoldAndRefusedStartApart) {
+  const auto first_cause = [](const PlantFault& fault) {
+    SimulatedController controller({}, {fault});
+    const RunRecord record = run_bench(controller);
+    return record.replans.empty() ? story(record) : record.replans.front().cause;
+  };
+  const auto expect = [&](const PlantFault& fault, const std::string& part) {
+    const std::string cause = first_cause(fault);
+    EXPECT_NE(cause.find(part), std::string::npos) << cause;
+  };
+  expect({0.0, "weak_b3", 0.0}, "(complete_order a1 c1 level7) did not end within 60 s");
+  expect({8.0, "stuck_fc1", 0.0}, "(load v1 f1 level7) was stopped: 'vehicle at f1' was lost while it ran");
+  expect({15.5, "leak_v1", 3.0}, "(unload v1 a1 level7) could not start: its precondition is not observed");
+}
+
 TEST(ExecutiveBench, WhenAClientChangesItsDemand_ThenTheNewDemandIsMet) {
   SimulatedController controller({});
   ExecutiveOptions options;
@@ -105,6 +124,35 @@ TEST(ExecutiveBench, WhenTheRuntimeIsKilled_ThenThePlanGoesOnFromTheObservedStat
   const RunRecord record = Executive(bench_desk(), controller, options, kill_once).run();
   EXPECT_EQ(record.phase, Phase::Done) << story(record);
   EXPECT_EQ(record.replans.size(), 1u) << story(record);
+}
+
+// The journal carries the record's clock: what a restarted supervisor notes comes after what was noted
+// before.
+TEST(ExecutiveBench, WhenSupervisorAndRuntimeAreRestarted_ThenTheTimeOfTheRecordGoesOn) {
+  const std::filesystem::path journal = testing::TempDir() + "resumed_executive.json";
+  std::filesystem::remove(journal);
+  ExecutiveOptions options;
+  options.cell = "bench";
+  options.journal = journal;
+  const std::filesystem::path kept = testing::TempDir() + "kept_executive.json";
+  SimulatedController first({});
+  int published = 0;
+  Executive(bench_desk(), first, options, [&](const RunRecord& record) {
+    if (record.phase == Phase::Executing && ++published == 12) {
+      std::filesystem::copy_file(journal, kept, std::filesystem::copy_options::overwrite_existing);
+    }
+  }).run();
+  options.journal = kept;
+  SimulatedController second({});
+  Executive* running = nullptr;
+  Executive resumed(bench_desk(), second, options, [&](const RunRecord& record) {
+    if (record.phase == Phase::Replanning) running->request_abort();
+  });
+  running = &resumed;
+  const RunRecord record = resumed.run();
+  ASSERT_EQ(record.replans.size(), 1u) << story(record);
+  EXPECT_GT(record.finished_s, 0.0);
+  EXPECT_GE(record.replans[0].time_s, record.finished_s);
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ RunRecord sample() {
   record.episodes = {episode};
   record.replans = {{3.0, "a level is wrong", "(load v1 f1 level8)"}};
   record.goal = {{"(= (level a1) 5)", false}};
+  record.tare = {{"S3", 41.5}};
   return record;
 }
 
@@ -62,8 +63,10 @@ TEST(Journal, WhenWrittenAndRead_ThenItIsTheSame) {
   journal.start.planning.fluents = {{"(lev v1)", 2.0}};
   journal.start.tare = {{"S1", 12.5}};
   journal.plan.actions = {{"load", {"v1", "f1", "level8"}}, {"move", {"v1", "f1", "a1"}}};
-  journal.plan.orderings = {{0, 1}};
+  journal.plan.orderings = std::vector<model::Ordering>{{0, 1}};
   journal.changed = {{"(demand c1)", 8.0}};
+  journal.time_s = 42.5;
+  journal.time_offset_s = 12.5;
   ASSERT_TRUE(write_journal(file, journal).has_value());
   const auto read = read_journal(file);
   ASSERT_TRUE(read.has_value() && read->has_value());
@@ -72,6 +75,38 @@ TEST(Journal, WhenWrittenAndRead_ThenItIsTheSame) {
   EXPECT_EQ((*read)->plan.actions, journal.plan.actions);
   EXPECT_EQ((*read)->plan.orderings, journal.plan.orderings);
   EXPECT_EQ((*read)->changed, journal.changed);
+  EXPECT_EQ((*read)->time_s, journal.time_s);
+  EXPECT_EQ((*read)->time_offset_s, journal.time_offset_s);
+}
+
+// A search that its budget ended knows no bound; JSON has no infinity.
+TEST(RunRecord, WhenNoBoundIsKnown_ThenItIsReadBackAndTheReportSaysSo) {
+  RunRecord record = sample();
+  record.episodes[0].bound.reset();
+  const auto read = record_from_json(to_json(record), "test");
+  ASSERT_TRUE(read.has_value()) << result::to_string(read.error());
+  EXPECT_EQ(*read, record);
+  EXPECT_NE(report_table(record).find("no bound known"), std::string::npos);
+}
+
+TEST(RunRecord, WhenAMessageIsNoUtf8_ThenItIsWrittenAllTheSame) {
+  RunRecord record = sample();
+  record.message = "stopped from outside: \xFF";
+  const auto read = record_from_json(to_json(record), "test");
+  ASSERT_TRUE(read.has_value()) << result::to_string(read.error());
+  EXPECT_EQ(read->message, "stopped from outside: \xEF\xBF\xBD");
+}
+
+TEST(Journal, WhenItsRecordIsOfAnotherPlan_ThenItIsRefused) {
+  const std::filesystem::path file = testing::TempDir() + "other_plan.json";
+  Journal journal;
+  journal.record = sample();  // two actions
+  journal.plan.actions = {{"load", {"v1", "f1", "level8"}}};
+  ASSERT_TRUE(write_journal(file, journal).has_value());
+  const auto read = read_journal(file);
+  ASSERT_FALSE(read.has_value());
+  EXPECT_EQ(read.error()[0].code, "X0001");
+  EXPECT_EQ(read.error()[0].where.file, file.string());
 }
 
 TEST(Journal, WhenThereIsNone_ThenNothingIsRead) {
@@ -82,7 +117,7 @@ TEST(Journal, WhenThereIsNone_ThenNothingIsRead) {
 
 TEST(Journal, WhenItIsDamaged_ThenTheErrorNamesTheFile) {
   const std::filesystem::path file = testing::TempDir() + "damaged.json";
-  std::ofstream(file) << "{\"version\": 1, \"record\": ";
+  std::ofstream(file) << "{\"version\": 2, \"record\": ";
   const auto read = read_journal(file);
   ASSERT_FALSE(read.has_value());
   EXPECT_EQ(read.error()[0].where.file, file.string());
@@ -95,6 +130,33 @@ TEST(Report, WhenDrawn_ThenEveryActionIsThereAndTextIsEscaped) {
   EXPECT_EQ(gantt.find("<&>"), std::string::npos);
   EXPECT_NE(cost_svg(sample()).find("polyline"), std::string::npos);
   EXPECT_NE(report_table(sample()).find("NOT MET"), std::string::npos);
+}
+
+// The plan of the first episode came from a replan already, and the last replan found none.
+TEST(Report, WhenReplansAndPlansDoNotPair_ThenEveryCauseStandsBeforeThePlanThatItLedTo) {
+  RunRecord record = sample();
+  record.episodes[0].started_s = 5.0;
+  record.replans = {{3.0, "FIRST", ""}, {8.0, "LAST", ""}};
+  const std::string table = report_table(record);
+  const std::size_t plan = table.find("Plan 1 of 1");
+  ASSERT_NE(plan, std::string::npos);
+  EXPECT_LT(table.find("FIRST"), plan);
+  EXPECT_GT(table.find("LAST"), plan);
+  EXPECT_NE(table.find("LAST"), std::string::npos);
+}
+
+TEST(Report, WhenTheLastActionFails_ThenItsBarEndsAtTheReplan) {
+  RunRecord record = sample();
+  ActionRecord& failed = record.episodes[0].actions[1];
+  failed.state = ActionState::Failed;
+  failed.started_s = 11.0;
+  record.finished_s = 10.25;
+  record.started_s = 1.0;
+  record.replans = {{101.0, "it never ended", ""}};
+  // 90 of the 100 s of the picture, whose plot is 710 wide.
+  EXPECT_NE(gantt_svg(record).find("<rect class=\"f\" x=\"301.0\" y=\"78\" width=\"639.0\""),
+            std::string::npos)
+      << gantt_svg(record);
 }
 
 TEST(Report, WhenWrittenAndRead_ThenTheFiguresAreTheSame) {

@@ -75,6 +75,7 @@ const Case kCases[] = {
     {"TypeMismatch", true, "(and (at ?c ?a)", "(and (at ?a ?c)", 8, 28, "P0107", "'place'"},
     {"TypeTwice", true, "(:types car place)", "(:types car place car)", 3, 21, "P0108", "car"},
     {"TypeCycle", true, "(:types car place)", "(:types car - place place - car)", 3, 11, "P0109", "ancestor"},
+    {"SumAsCondition", true, "(>= (fuel ?c) 1)", "(+ (fuel ?c) 1)", 8, 36, "P0003", "a comparison"},
     {"OtherDomain", false, "(:domain d)", "(:domain e)", 2, 12, "P0111", "'e'"},
     {"NoGoal", false, "(:goal (at c y))", "", 1, 18, "P0113", "goal"},
     {"UnknownObject", false, "(at c x)", "(at c xx)", 4, 16, "P0104", "'x'"},
@@ -168,6 +169,12 @@ TEST(Load, WhenFileIsMissing_ThenDiagnosticNamesItAndIsP0001) {
   ASSERT_FALSE(task.has_value());
   EXPECT_EQ(task.error()[0].code, "P0001");
   EXPECT_EQ(task.error()[0].where.file, "/nowhere/domain.pddl");
+}
+
+TEST(Load, WhenThePathIsAFolder_ThenP0001) {
+  const auto source = read_source(::testing::TempDir());
+  ASSERT_FALSE(source.has_value());
+  EXPECT_EQ(source.error()[0].code, "P0001");
 }
 
 TEST(Task, WhenInitialStateNamesUnknown_ThenRejectedWithHint) {

@@ -61,7 +61,7 @@ TEST(PartialOrder, WhenLinearizedAnyWay_ThenTheSameEndAndCost) {
   const auto end = simulate(task, plan);
   bool reordered = false;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const model::Plan other = linearize(plan, plan.orderings, seed);
+    const model::Plan other = linearize(plan, *plan.orderings, seed);
     reordered = reordered || other.actions != plan.actions;
     const auto trace = simulate(task, other);
     ASSERT_TRUE(trace.has_value()) << result::to_string(trace.error());
@@ -92,13 +92,15 @@ TEST(PartialOrder, WhenACustomerIsServed_ThenBesideTheVehicle) {
 
 TEST(PartialOrder, WhenReduced_ThenNoOrderingFollowsFromOthers) {
   const model::Plan plan = bench_plan();
-  const auto whole = closure(plan.actions.size(), plan.orderings);
-  for (std::size_t i = 0; i < plan.orderings.size(); ++i) {
-    std::vector<model::Ordering> rest = plan.orderings;
+  ASSERT_TRUE(plan.orderings.has_value());
+  const std::vector<model::Ordering>& orderings = *plan.orderings;
+  const auto whole = closure(plan.actions.size(), orderings);
+  for (std::size_t i = 0; i < orderings.size(); ++i) {
+    std::vector<model::Ordering> rest = orderings;
     rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
     const auto without = closure(plan.actions.size(), rest);
-    EXPECT_FALSE(without[plan.orderings[i].before][plan.orderings[i].after]);
-    EXPECT_TRUE(whole[plan.orderings[i].before][plan.orderings[i].after]);
+    EXPECT_FALSE(without[orderings[i].before][orderings[i].after]);
+    EXPECT_TRUE(whole[orderings[i].before][orderings[i].after]);
   }
 }
 

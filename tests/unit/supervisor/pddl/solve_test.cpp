@@ -39,7 +39,8 @@ TEST(Solve, WhenBenchIsOptimized_Then108In17StepsIsProved) {
   EXPECT_EQ(outcome.plan->actions.size(), 17u);
   EXPECT_TRUE(outcome.plan->proved_optimal);
   EXPECT_TRUE(valid(task, *outcome.plan));
-  EXPECT_FALSE(outcome.plan->orderings.empty());
+  ASSERT_TRUE(outcome.plan->orderings.has_value());
+  EXPECT_FALSE(outcome.plan->orderings->empty());
 }
 
 TEST(Solve, WhenCostDependsOnTheLoad_Then139IsProved) {

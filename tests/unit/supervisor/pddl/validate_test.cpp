@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "supervisor/pddl/solve.h"
 #include "tests/unit/supervisor/pddl/sample_tasks.h"
 
 namespace stepwright::pddl {
@@ -94,6 +95,49 @@ TEST(Validate, WhenTheGoalIsMissed_ThenEachUnmetConjunctIsNamed) {
   EXPECT_FALSE(validation.goals[1].met);
 }
 
+// One action whose precondition reads (gauge): static, or changed by another action.
+Task gauge_task(const std::string& condition, bool changes, const std::string& value = {}) {
+  const std::string other = changes ? "(:action set :precondition (ready) :effect (assign (gauge) 1))" : "";
+  return testing::make_task(
+      "(define (domain d) (:requirements :adl :numeric-fluents) (:predicates (done) (ready))"
+      " (:functions (gauge)) (:action act :precondition " +
+          condition + " :effect (done)) " + other + ")",
+      "(define (problem p) (:domain d) (:init " + value + ") (:goal (done)))");
+}
+
+TEST(Validate, WhenAConditionReadsAnUndefinedFluent_ThenNeitherItNorItsNegationHoldsForValidatorAndPlanner) {
+  for (const std::string condition :
+       {"(> (gauge) 3)", "(not (> (gauge) 3))", "(not (= (gauge) 3))", "(not (not (< (gauge) 3)))",
+        "(imply (> (gauge) 3) (done))", "(not (and (not (done)) (> (gauge) 3)))",
+        "(or (done) (not (< (gauge) 3)))"}) {
+    for (const bool changes : {false, true}) {
+      const Task task = gauge_task(condition, changes);
+      const Validation validation = validate(task, {"p", {{"act", {}}}, {1}});
+      EXPECT_EQ(validation.failed_step, 1u) << condition << changes;
+      EXPECT_EQ(solve(task).kind, model::OutcomeKind::Infeasible) << condition << changes;
+    }
+  }
+  const Validation shown = validate(gauge_task("(not (> (gauge) 3))", true), {"p", {{"act", {}}}, {1}});
+  EXPECT_EQ(shown.failed_condition, "(not (> (gauge) 3))");
+  EXPECT_EQ(shown.failed_values, "(gauge) = undefined");
+}
+
+TEST(Validate, WhenOtherPartsSuffice_ThenAnUndefinedFluentDoesNotMatter) {
+  for (const std::string condition :
+       {"(or (> (gauge) 3) (not (done)))", "(not (and (> (gauge) 3) (done)))", "(imply (done) (> (gauge) 3))",
+        "(forall (?o - object) (> (gauge) 3))"}) {
+    const Task task = gauge_task(condition, true);
+    EXPECT_TRUE(validate(task, {"p", {{"act", {}}}, {1}}).valid) << condition;
+    EXPECT_EQ(solve(task).kind, model::OutcomeKind::Solved) << condition;
+  }
+}
+
+TEST(Validate, WhenNumbersAreLarge_ThenIntegersAreStillToldApart) {
+  const Task task = gauge_task("(> (gauge) 3000000000)", true, "(= (gauge) 3000000001)");
+  EXPECT_TRUE(validate(task, {"p", {{"act", {}}}, {1}}).valid);
+  EXPECT_EQ(solve(task).kind, model::OutcomeKind::Solved);
+}
+
 TEST(Validate, WhenActionsAreUnknown_ThenTheReasonIsSpecific) {
   const Task task = bench_task();
   const auto code = [&](const model::GroundAction& action) {
@@ -131,6 +175,14 @@ TEST(PlanFile, WhenLinesAreMalformed_ThenEachIsLocated) {
     EXPECT_EQ(plan.error()[i].where.line, i + 1);
     EXPECT_EQ(plan.error()[i].code.substr(0, 3), "P04");
   }
+}
+
+TEST(PlanFile, WhenACharacterIsWrong_ThenItsLineIsNamed) {
+  const auto plan = parse_plan({"p", "(ok)\n; comment\n(move v1 $f1)\n"});
+  ASSERT_FALSE(plan.has_value());
+  EXPECT_EQ(plan.error()[0].code, "P0402");
+  EXPECT_EQ(plan.error()[0].where.line, 3u);
+  EXPECT_EQ(plan.error()[0].where.column, 10u);
 }
 
 TEST(PlanFile, WhenPrintedAndParsed_ThenTheSamePlan) {

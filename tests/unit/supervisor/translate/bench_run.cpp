@@ -139,6 +139,7 @@ model::Vocabulary bench_vocabulary() {
 model::PlannedRun bench_run(const std::vector<std::string>& plan, model::NamedState start) {
   model::PlannedRun run;
   run.initial = start;
+  run.orderings.emplace();
   std::vector<Effect> effects;
   for (const std::string& text : plan) {
     const auto atom = parse_pattern(text);
@@ -150,7 +151,7 @@ model::PlannedRun bench_run(const std::vector<std::string>& plan, model::NamedSt
     planned.precondition = effect.precondition;
     planned.after = start;
     for (std::size_t i = 0; i < effects.size(); ++i) {
-      if (depend(effects[i], effect)) run.orderings.push_back({i, effects.size()});
+      if (depend(effects[i], effect)) run.orderings->push_back({i, effects.size()});
     }
     effects.push_back(std::move(effect));
     run.actions.push_back(std::move(planned));

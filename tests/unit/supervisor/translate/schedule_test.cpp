@@ -29,7 +29,7 @@ TEST(Schedule, WhenPlanHasParallelParts_ThenItIsShorterThanTheSequence) {
   double sum = 1.5 + 2.0;
   for (const ScheduledAction& action : sequential->actions) sum += action.finish_s - action.start_s;
   EXPECT_NEAR(sequential->makespan_s, sum, 1e-9);
-  for (const model::Ordering& edge : run.orderings) {
+  for (const model::Ordering& edge : *run.orderings) {
     EXPECT_LE(parallel->actions[edge.before].finish_s, parallel->actions[edge.after].start_s);
   }
 }

@@ -222,9 +222,9 @@ TEST_F(TranslateBench, WhenActionIsNotBound_ThenSaysWhich) {
 
 TEST_F(TranslateBench, WhenOrderingContradictsTheList_ThenFails) {
   model::PlannedRun run = testing::bench_run({"(load v1 f1 level8)", "(move v1 f1 a1)"});
-  run.orderings.push_back({1, 0});
+  run.orderings->push_back({1, 0});
   EXPECT_EQ(translate(run, binding_).error().front().code, "T0002");
-  run.orderings.back() = {1, 7};
+  run.orderings->back() = {1, 7};
   EXPECT_EQ(translate(run, binding_).error().front().code, "T0002");
 }
 

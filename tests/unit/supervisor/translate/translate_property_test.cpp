@@ -39,6 +39,7 @@ Binding task_binding(std::size_t size, std::size_t shared) {
 model::PlannedRun random_run(std::size_t size, double density, std::mt19937& random) {
   std::uniform_real_distribution<double> chance(0.0, 1.0);
   model::PlannedRun run;
+  run.orderings.emplace();
   model::NamedState state;
   for (std::size_t j = 0; j < size; ++j) {
     model::PlannedAction planned;
@@ -46,15 +47,13 @@ model::PlannedRun random_run(std::size_t size, double density, std::mt19937& ran
     planned.before = state;
     for (std::size_t i = 0; i < j; ++i) {
       if (chance(random) >= density) continue;
-      run.orderings.push_back({i, j});
+      run.orderings->push_back({i, j});
       planned.precondition.children.push_back(model::fact("(finished t" + number(i) + ")"));
     }
     state.facts.insert("(finished t" + number(j) + ")");
     planned.after = state;
     run.actions.push_back(std::move(planned));
   }
-  // No ordering at all would mean a strict sequence.
-  if (run.orderings.empty() && size > 1) run.orderings.push_back({0, size - 1});
   return run;
 }
 
@@ -147,7 +146,7 @@ TEST_P(RandomOrder, WhenPlayed_ThenEveryActionRunsOnceInOrderAndDoneIsReached) {
   ASSERT_TRUE(game.play());
   const auto& spans = game.spans();
   for (const Span& span : spans) EXPECT_EQ(span.begins, 1);
-  for (const model::Ordering& edge : run.orderings) {
+  for (const model::Ordering& edge : *run.orderings) {
     EXPECT_LT(spans[edge.before].last, spans[edge.after].first) << edge.before << " before " << edge.after;
   }
   for (std::size_t j = 1; j < size; ++j) {
@@ -157,6 +156,16 @@ TEST_P(RandomOrder, WhenPlayed_ThenEveryActionRunsOnceInOrderAndDoneIsReached) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomOrder, ::testing::Range(1U, 201U));
+
+TEST(PlanGraph, WhenNothingIsOrdered_ThenActionsAreParallelUnlessNoOrderIsKnown) {
+  const Binding binding = task_binding(3, 0);
+  std::mt19937 random(1);
+  model::PlannedRun run = random_run(3, 0.0, random);
+  ASSERT_TRUE(run.orderings && run.orderings->empty());
+  EXPECT_TRUE(plan_graph(run, binding, false)->orderings().empty());
+  run.orderings.reset();
+  EXPECT_EQ(plan_graph(run, binding, false)->orderings(), (std::vector<model::Ordering>{{0, 1}, {1, 2}}));
+}
 
 TEST(ReducedGraph, WhenAnEdgeIsImplied_ThenItIsLeftOut) {
   const PlanGraph graph = reduced_graph(4, {{0, 1}, {1, 2}, {0, 2}, {2, 3}, {0, 3}, {0, 1}});

@@ -1,0 +1,39 @@
+#include "programs/supervisor/operator_request.h"
+
+#include <gtest/gtest.h>
+
+namespace stepwright::supervisor_program {
+namespace {
+
+TEST(OperatorRequest, WhenItAborts_ThenItIsAnAbort) {
+  const auto request = parse_operator_request(R"_({"request": "abort"})_");
+  ASSERT_TRUE(request.has_value());
+  EXPECT_TRUE(std::holds_alternative<AbortRequest>(*request));
+}
+
+TEST(OperatorRequest, WhenItChangesADemand_ThenFluentAndValueAreRead) {
+  const auto request =
+      parse_operator_request(R"_({"request": "change", "fluent": "(demand c1)", "value": 8.5})_");
+  ASSERT_TRUE(request.has_value());
+  const auto& change = std::get<ChangeRequest>(*request);
+  EXPECT_EQ(change.fluent, "(demand c1)");
+  EXPECT_EQ(change.value, 8.5);
+}
+
+TEST(OperatorRequest, WhenTheTextIsAnythingElse_ThenItIsRefused) {
+  for (const char* text :
+       {"", "{", "7", "null", "[]", "{}", R"_({"request": 7})_", R"_({"request": null})_",
+        R"_({"request": ["abort"]})_", R"_({"request": "halt"})_", R"_({"request": "change"})_",
+        R"_({"request": "change", "fluent": "(demand c1)"})_",
+        R"_({"request": "change", "fluent": 3, "value": 8})_",
+        R"_({"request": "change", "fluent": [], "value": 8})_",
+        R"_({"request": "change", "fluent": "(demand c1)", "value": "8"})_",
+        R"_({"request": "change", "fluent": "(demand c1)", "value": 1e999})_", "{\"request\": \"\xff\"}"}) {
+    const auto request = parse_operator_request(text);
+    ASSERT_FALSE(request.has_value()) << text;
+    EXPECT_EQ(request.error()[0].code, "X0005");
+  }
+}
+
+}  // namespace
+}  // namespace stepwright::supervisor_program

@@ -1,0 +1,117 @@
+#include "runtime/dds/internal/convert.h"
+
+#include <gtest/gtest.h>
+
+namespace stepwright::dds::internal {
+namespace {
+
+const std::string kLong(5'000, 'x');  // beyond every bound of a text
+
+StepEvent some_event() {
+  StepEvent event;
+  event.sequence = 3;
+  event.scan = 41;
+  event.time_ns = 400'000'000;
+  event.kind = EventKind::Trap;
+  event.program_digest = std::string(64, 'a');
+  event.detail = "main.st:3: division by zero";
+  event.image = {std::byte{1}, std::byte{255}};
+  event.plant = {{"level_a1_percent", 49.5}};
+  return event;
+}
+
+TEST(Convert, WhenAnEventTravels_ThenNothingIsLost) {
+  const auto back = from_event(to_event("bench", 7, some_event()));
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(*back, some_event());
+}
+
+TEST(Convert, WhenTextsAreTooLongOutwards_ThenTheyAreCut) {
+  StepEvent event = some_event();
+  event.detail = kLong;
+  event.plant[0].name = kLong;
+  const auto back = from_event(to_event("bench", 7, event));
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->detail.size(), idl::TEXT_BOUND);
+  EXPECT_EQ(back->plant[0].name.size(), idl::NAME_BOUND);
+}
+
+TEST(Convert, WhenAnEventBreaksABound_ThenItIsDropped) {
+  const idl::Event good = to_event("bench", 7, some_event());
+  idl::Event bad = good;
+  bad.detail(kLong);
+  EXPECT_FALSE(from_event(bad).has_value());
+  bad = good;
+  bad.program_digest(kLong);
+  EXPECT_FALSE(from_event(bad).has_value());
+  bad = good;
+  bad.kind(4);
+  EXPECT_FALSE(from_event(bad).has_value());
+  bad = good;
+  bad.plant()[0].name(kLong);
+  EXPECT_FALSE(from_event(bad).has_value());
+  bad = good;
+  bad.plant().resize(idl::PLANT_BOUND + 1);
+  EXPECT_FALSE(from_event(bad).has_value());
+  bad = good;
+  bad.image().resize(idl::IMAGE_BOUND + 1);
+  EXPECT_FALSE(from_event(bad).has_value());
+}
+
+TEST(Convert, WhenAStatusBreaksABound_ThenItIsDropped) {
+  const idl::Status good = to_status("bench", {}, true);
+  ASSERT_TRUE(from_status(good).has_value());
+  idl::Status bad = good;
+  bad.detail(kLong);
+  EXPECT_FALSE(from_status(bad).has_value());
+  bad = good;
+  bad.program_digest(kLong);
+  EXPECT_FALSE(from_status(bad).has_value());
+  bad = good;
+  bad.state(4);
+  EXPECT_FALSE(from_status(bad).has_value());
+}
+
+TEST(Convert, WhenASnapshotBreaksABound_ThenItIsDropped) {
+  const idl::Snapshot good = to_snapshot("bench", {});
+  ASSERT_TRUE(from_snapshot(good).has_value());
+  idl::Snapshot bad = good;
+  bad.program_digest(kLong);
+  EXPECT_FALSE(from_snapshot(bad).has_value());
+  bad = good;
+  bad.image().resize(idl::IMAGE_BOUND + 1);
+  EXPECT_FALSE(from_snapshot(bad).has_value());
+}
+
+TEST(Convert, WhenAReplyBreaksABound_ThenItIsDropped) {
+  service::Reply reply;
+  reply.problems.push_back(
+      {"R0002", result::Severity::Error, {"download", 0, 0}, "no program is loaded", "load one"});
+  const idl::Reply good = to_reply("bench", reply);
+  ASSERT_TRUE(from_reply(good).has_value());
+  const auto refused = [&](auto&& change) {
+    idl::Reply bad = good;
+    change(bad);
+    return !from_reply(bad).has_value();
+  };
+  EXPECT_TRUE(refused([](idl::Reply& r) { r.digest(kLong); }));
+  EXPECT_TRUE(refused([](idl::Reply& r) { r.data().resize(idl::CHUNK_BOUND + 1); }));
+  EXPECT_TRUE(refused([](idl::Reply& r) { r.problems().resize(idl::PROBLEM_BOUND + 1); }));
+  EXPECT_TRUE(refused([](idl::Reply& r) { r.problems()[0].code(kLong); }));
+  EXPECT_TRUE(refused([](idl::Reply& r) { r.problems()[0].file(kLong); }));
+  EXPECT_TRUE(refused([](idl::Reply& r) { r.problems()[0].message(kLong); }));
+  EXPECT_TRUE(refused([](idl::Reply& r) { r.problems()[0].hint(kLong); }));
+  EXPECT_TRUE(refused([](idl::Reply& r) { r.problems()[0].severity(3); }));
+}
+
+TEST(Convert, WhenARequestIsTooLong_ThenItIsDropped) {
+  const auto command = [](service::RequestBody body) { return to_command("bench", {1, 2, std::move(body)}); };
+  EXPECT_TRUE(from_command(command(service::Stop{"enough"})).has_value());
+  EXPECT_FALSE(from_command(command(service::Stop{kLong})).has_value());
+  EXPECT_FALSE(from_command(command(service::InjectFault{kLong, 1.0})).has_value());
+  const service::DownloadChunk chunk{0, std::vector<std::byte>(idl::CHUNK_BOUND + 1)};
+  EXPECT_FALSE(from_chunk(to_chunk("bench", {1, 2, chunk})).has_value());
+}
+
+}  // namespace
+}  // namespace stepwright::dds::internal
