@@ -13,13 +13,13 @@
 
 #include "runtime/bytecode/opcode.h"
 #include "runtime/bytecode/trap.h"
-#include "runtime/vm/slot.h"
+#include "runtime/operations/slot.h"
 
-namespace stepwright::vm {
+namespace stepwright::operations {
 
 // Replaces the operands below `sp` by the result, if there is one, and takes one unit per character from
 // `budget` before it starts. With a trap nothing has changed.
 bytecode::TrapCode call_string_op(bytecode::StringOpId id, Slot*& sp, std::span<std::byte> memory,
                                   std::uint64_t& budget);
 
-}  // namespace stepwright::vm
+}  // namespace stepwright::operations

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace stepwright::vm {
+namespace stepwright::operations {
 
 enum class Elementary : std::uint8_t { Sin, Cos, Tan, Asin, Acos, Atan, Exp, Ln, Log };
 
@@ -20,4 +20,4 @@ double arc_tangent(double y, double x);
 // a power that is no integer.
 bool power(double x, double y, double& result);
 
-}  // namespace stepwright::vm
+}  // namespace stepwright::operations

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace stepwright::vm {
+namespace stepwright::operations {
 
 using Slot = std::uint64_t;
 
@@ -77,4 +77,4 @@ inline void write_as(std::byte* at, T value) {
   std::memcpy(at, &value, sizeof(T));
 }
 
-}  // namespace stepwright::vm
+}  // namespace stepwright::operations

@@ -6,9 +6,9 @@
 
 #include "runtime/bytecode/trap.h"
 #include "runtime/bytecode/value_type.h"
-#include "runtime/vm/slot.h"
+#include "runtime/operations/slot.h"
 
-namespace stepwright::vm {
+namespace stepwright::operations {
 
 // True if `size` bytes at `ref` lie within a memory of `memory_size` bytes.
 constexpr bool within(Slot ref, std::uint64_t size, std::uint64_t memory_size) {
@@ -20,4 +20,4 @@ constexpr bytecode::TrapCode reference_fault(Slot ref) {
   return ref >= bytecode::kNullRef ? bytecode::TrapCode::NullReference : bytecode::TrapCode::BadReference;
 }
 
-}  // namespace stepwright::vm
+}  // namespace stepwright::operations

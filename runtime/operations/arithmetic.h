@@ -12,7 +12,7 @@
 
 #include "runtime/bytecode/value_type.h"
 
-namespace stepwright::vm {
+namespace stepwright::operations {
 
 // Two's complement wrap-around.
 template <std::unsigned_integral U>
@@ -112,4 +112,4 @@ constexpr bool to_integer(double x, bytecode::IntType type, std::uint64_t& slot)
   return true;
 }
 
-}  // namespace stepwright::vm
+}  // namespace stepwright::operations

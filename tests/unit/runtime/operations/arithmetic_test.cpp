@@ -1,4 +1,4 @@
-#include "runtime/vm/arithmetic.h"
+#include "runtime/operations/arithmetic.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace stepwright::vm {
+namespace stepwright::operations {
 namespace {
 
 using bytecode::IntType;
@@ -78,4 +78,4 @@ TEST(Arithmetic, ToInteger_WhenAtTheEdgesOfARange_ThenAcceptsExactlyTheRange) {
 }
 
 }  // namespace
-}  // namespace stepwright::vm
+}  // namespace stepwright::operations

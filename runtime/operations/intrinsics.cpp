@@ -1,9 +1,9 @@
-#include "runtime/vm/intrinsics.h"
+#include "runtime/operations/intrinsics.h"
 
-#include "runtime/vm/arithmetic.h"
-#include "runtime/vm/elementary.h"
+#include "runtime/operations/arithmetic.h"
+#include "runtime/operations/elementary.h"
 
-namespace stepwright::vm {
+namespace stepwright::operations {
 
 namespace {
 
@@ -171,4 +171,4 @@ bool call_intrinsic(bytecode::IntrinsicId id, Slot*& sp) {
   return false;
 }
 
-}  // namespace stepwright::vm
+}  // namespace stepwright::operations

@@ -1,13 +1,13 @@
-#include "runtime/vm/string_ops.h"
+#include "runtime/operations/string_ops.h"
 
 #include <array>
 #include <type_traits>
 
 #include "runtime/base/number_text.h"
 #include "runtime/base/time_text.h"
-#include "runtime/vm/string_text.h"
+#include "runtime/operations/string_text.h"
 
-namespace stepwright::vm {
+namespace stepwright::operations {
 
 namespace {
 
@@ -374,4 +374,4 @@ TrapCode call_string_op(StringOpId id, Slot*& sp, std::span<std::byte> memory, s
   return wide ? run_as<std::uint16_t>(id, sp, memory, budget) : run_as<std::uint8_t>(id, sp, memory, budget);
 }
 
-}  // namespace stepwright::vm
+}  // namespace stepwright::operations

@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/vm/reference.h"
-#include "runtime/vm/slot.h"
+#include "runtime/operations/reference.h"
+#include "runtime/operations/slot.h"
 
-namespace stepwright::vm {
+namespace stepwright::operations {
 
 template <typename Char>
 class StringText {
@@ -68,4 +68,4 @@ class StringText {
   std::uint32_t length_ = 0;
 };
 
-}  // namespace stepwright::vm
+}  // namespace stepwright::operations

@@ -1,6 +1,6 @@
-#include "runtime/vm/elementary.h"
+#include "runtime/operations/elementary.h"
 
-namespace stepwright::vm {
+namespace stepwright::operations {
 
 namespace {
 
@@ -65,4 +65,4 @@ bool power(double x, double y, double& result) {
   return true;
 }
 
-}  // namespace stepwright::vm
+}  // namespace stepwright::operations

@@ -3,9 +3,9 @@
 // Loads and stores between the image and the stack, one pair per memory type.
 
 #include "runtime/bytecode/value_type.h"
-#include "runtime/vm/slot.h"
+#include "runtime/operations/slot.h"
 
-namespace stepwright::vm {
+namespace stepwright::operations {
 
 template <bytecode::MemType M>
 inline Slot load(const std::byte* at) {
@@ -38,4 +38,4 @@ inline void store(std::byte* at, Slot slot) {
   }
 }
 
-}  // namespace stepwright::vm
+}  // namespace stepwright::operations

@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "runtime/bytecode/opcode.h"
-#include "runtime/vm/slot.h"
+#include "runtime/operations/slot.h"
 
-namespace stepwright::vm {
+namespace stepwright::operations {
 
 inline bool is_infinite(float x) {
   return (std::bit_cast<std::uint32_t>(x) & 0x7FFFFFFFu) == 0x7F800000u;
@@ -21,4 +21,4 @@ inline bool is_infinite(double x) {
 // function's domain.
 bool call_intrinsic(bytecode::IntrinsicId id, Slot*& sp);
 
-}  // namespace stepwright::vm
+}  // namespace stepwright::operations
