@@ -13,7 +13,7 @@ struct NativeEngine::Parts {
   ProgramCode code;
   std::vector<std::uint32_t> entry_costs;  // of each function: the bytes of its bytecode
   std::vector<std::uint64_t> memory;       // the context and all slots
-  std::uint32_t image_size = 0;
+  std::uint32_t memory_size = 0;
 
   Context& context() { return *reinterpret_cast<Context*>(memory.data()); }
 };
@@ -45,23 +45,28 @@ result::Result<std::unique_ptr<NativeEngine>> NativeEngine::compile(const byteco
   }
   parts->memory.resize((facts.context_bytes() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
   new (parts->memory.data()) Context{};
-  parts->image_size = program.image_size();
+  parts->memory_size = program.memory_size();
   return std::unique_ptr<NativeEngine>(new NativeEngine(std::move(parts)));
 }
 
-bytecode::Trap NativeEngine::run(const bytecode::Invocation& invocation, std::span<std::byte> image,
+bytecode::Trap NativeEngine::run(const bytecode::Invocation& invocation, std::span<std::byte> memory,
                                  std::uint64_t& budget) {
-  assert(image.size() == parts_->image_size);
+  assert(memory.size() == parts_->memory_size);
   const std::uint32_t cost = parts_->entry_costs[invocation.function];
   if (cost > budget) return {bytecode::TrapCode::Watchdog, invocation.function, 0};
   Context& context = parts_->context();
   context.now_ns = invocation.now_ns;
   context.budget = budget - cost;
-  context.image = image.data();
-  context.self = image.data() + invocation.instance;
+  context.memory = memory.data();
+  context.memory_size = memory.size();
+  context.self = memory.data() + invocation.instance;
+  context.frames = invocation.frames;
   const std::uint32_t site = parts_->code.enter(&context, parts_->code.functions[invocation.function]);
   budget = context.budget;
-  return site == 0 ? bytecode::Trap{} : parts_->code.sites[site - 1];
+  if (site == 0) return {};
+  bytecode::Trap trap = parts_->code.sites[site - 1];
+  if (!trap) trap.code = static_cast<bytecode::TrapCode>(context.trap_code);
+  return trap;
 }
 
 std::size_t NativeEngine::code_bytes() const {

@@ -9,7 +9,8 @@
 //
 //   auto engine = native::NativeEngine::compile(program);
 //   if (!engine) ...  // use the interpreter
-//   bytecode::Trap trap = (*engine)->run({.function = 0, .instance = 3, .now_ns = 0}, image, budget);
+//   bytecode::Trap trap = (*engine)->run({.function = 0, .instance = 3, .now_ns = 0, .frames = 64},
+//                                           memory, budget);
 
 #include <cstddef>
 #include <cstdint>
@@ -34,8 +35,8 @@ class NativeEngine final : public bytecode::Engine {
 
   ~NativeEngine() override;
 
-  // Requires a program call of the program: function and instance as a task names them.
-  bytecode::Trap run(const bytecode::Invocation& invocation, std::span<std::byte> image,
+  // Requires a program call of the program: function, instance and frames as a task has them.
+  bytecode::Trap run(const bytecode::Invocation& invocation, std::span<std::byte> memory,
                      std::uint64_t& budget) override;
 
   // Bytes of machine code, constants included.

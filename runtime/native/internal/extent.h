@@ -6,8 +6,8 @@
 
 namespace stepwright::native {
 
-// What an address counts from. Slots are the context and the functions' locals and operands: no Ref reaches
-// them.
+// What an address counts from; the image is all of the memory here, frames included. Slots are the context
+// and the functions' locals and operands: no Ref reaches them.
 enum class Space : std::uint8_t { Image, Instance, Slot, Unknown };
 
 // Beyond this no address is followed: sums of it stay far from wrapping around.
@@ -28,7 +28,7 @@ struct Extent {
   friend bool operator==(const Extent&, const Extent&) = default;
 };
 
-// Where the instances that a function runs on lie in the image: from the lowest to the highest.
+// Where the instances that a function runs on lie in the memory: from the lowest to the highest.
 struct InstanceRange {
   std::uint64_t lowest = ~std::uint64_t{0};
   std::uint64_t highest = 0;
@@ -44,12 +44,19 @@ struct InstanceRange {
 // Where a function finds its slots and its instance.
 struct FunctionPlaces {
   InstanceRange instances;       // empty: nothing calls it, or it has no instance
+  InstanceRange frames;          // where its own frames lie in the memory, one for each task that reaches it
   std::uint32_t first_slot = 0;  // locals, then operands, then the saved instance; bytes behind the context
 
   // Bytes of the running instance; of the image, where it is always the same one.
   constexpr Extent own(std::uint32_t offset, std::uint32_t bytes) const {
     if (!instances.single()) return {Space::Instance, offset, std::uint64_t{offset} + bytes};
     return {Space::Image, instances.lowest + offset, instances.lowest + offset + bytes};
+  }
+
+  // The byte of the function's frame, whichever task runs it.
+  constexpr Extent framed(std::uint32_t offset) const {
+    if (frames.empty()) return {Space::Image, offset, offset};
+    return {Space::Image, frames.lowest + offset, frames.highest + offset};
   }
 };
 

@@ -9,6 +9,16 @@ using bytecode::Instruction;
 using bytecode::Opcode;
 using bytecode::Section;
 
+namespace {
+
+template <typename Info>
+StackEffect effect_of(const Info& info) {
+  return {static_cast<std::uint32_t>(std::strlen(info.pops)),
+          static_cast<std::uint32_t>(std::strlen(info.pushes))};
+}
+
+}  // namespace
+
 FunctionCode decode_function(const bytecode::ContainerView& view, std::uint32_t function) {
   FunctionCode out;
   out.record = view.record<Section::Functions>(function);
@@ -49,16 +59,12 @@ StackEffect stack_effect(const bytecode::ContainerView& view, const FunctionReco
     }
     case Opcode::Return:
       return {function.result == bytecode::kNoResult ? 0u : 1u, 0};
-    case Opcode::Intrinsic: {
-      const bytecode::IntrinsicInfo& intrinsic = bytecode::kIntrinsics[in.a];
-      return {static_cast<std::uint32_t>(std::strlen(intrinsic.pops)),
-              static_cast<std::uint32_t>(std::strlen(intrinsic.pushes))};
-    }
-    default: {
-      const bytecode::OpcodeInfo& opcode = bytecode::info(in.opcode);
-      return {static_cast<std::uint32_t>(std::strlen(opcode.pops)),
-              static_cast<std::uint32_t>(std::strlen(opcode.pushes))};
-    }
+    case Opcode::Intrinsic:
+      return effect_of(bytecode::kIntrinsics[in.a]);
+    case Opcode::StringOp:
+      return effect_of(bytecode::kStringOps[in.a]);
+    default:
+      return effect_of(bytecode::info(in.opcode));
   }
 }
 

@@ -10,6 +10,7 @@
 
 namespace stepwright::native {
 
+inline constexpr bytecode::IntrinsicId kFirstElementary = bytecode::IntrinsicId::SinF32;
 inline constexpr std::uint32_t kNoInstruction = 0xFFFFFFFF;
 
 struct FunctionCode {
@@ -40,17 +41,20 @@ constexpr bool is_jump(bytecode::Opcode opcode) {
   return opcode == Opcode::Jump || opcode == Opcode::JumpIfFalse || opcode == Opcode::JumpIfTrue;
 }
 
+// The work is done by a function of the library.
+constexpr bool calls_library(const bytecode::Instruction& in) {
+  using bytecode::Opcode;
+  return in.opcode == Opcode::StringOp ||
+         (in.opcode == Opcode::Intrinsic && static_cast<bytecode::IntrinsicId>(in.a) >= kFirstElementary);
+}
+
 // Nothing runs on from here to the next instruction.
 constexpr bool ends_block(bytecode::Opcode opcode) {
   using bytecode::Opcode;
   return opcode == Opcode::Jump || opcode == Opcode::Return || opcode == Opcode::Trap;
 }
 
-constexpr bool is_call(bytecode::Opcode opcode) {
-  using bytecode::Opcode;
-  return opcode == Opcode::Call || opcode == Opcode::CallInstanceAbs || opcode == Opcode::CallInstanceThis ||
-         opcode == Opcode::CallInstanceInd;
-}
+using bytecode::is_call;
 
 // A load or store of one of the memory types in one of the address modes.
 struct MemoryAccess {

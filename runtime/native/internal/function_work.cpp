@@ -69,6 +69,13 @@ asmjit::Label FunctionWork::trap(bytecode::TrapCode code, std::uint32_t refund) 
   return cold.label;
 }
 
+asmjit::Label FunctionWork::reference_trap(RegisterId reference) {
+  const asmjit::Label label = trap(bytecode::TrapCode::BadReference);
+  program_.sites.push_back({bytecode::TrapCode::NullReference, function_, current().pc});
+  cold_.back().reference = reference;
+  return label;
+}
+
 asmjit::Label FunctionWork::leaving(asmjit::Label target) {
   Cold cold;
   cold.label = out().newLabel();
@@ -87,7 +94,15 @@ void FunctionWork::emit_cold() {
       continue;
     }
     if (cold.refund != 0) out().add(kBudget, cold.refund);
+    if (cold.reference != kNoRegister) {
+      out().mov(gp32(kScratch), bytecode::kNullRef);
+      out().cmp(gp64(cold.reference), gp64(kScratch));
+    }
     out().mov(asmjit::x86::eax, cold.site);
+    if (cold.reference != kNoRegister) {
+      out().jb(program_.trapped);
+      out().mov(asmjit::x86::eax, cold.site + 1);
+    }
     out().jmp(program_.trapped);
   }
   cold_.clear();
@@ -110,7 +125,7 @@ bool FunctionWork::within_bounds(const Location& location, std::uint32_t bytes) 
   const std::uint64_t end = location.offset + location.reach + bytes;
   switch (location.space) {
     case Space::Image:
-      return end <= image_size();
+      return end <= memory_size();
     case Space::Instance:
       return end <= code().record.instance_size;
     default:

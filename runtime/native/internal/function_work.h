@@ -35,7 +35,7 @@ class FunctionWork {
   const FunctionFacts& own() const { return program_.facts.facts(function_); }
   const FunctionCode& code() const { return program_.facts.code(function_); }
   std::uint32_t function() const { return function_; }
-  std::uint64_t image_size() const { return program_.facts.program().image_size(); }
+  std::uint64_t memory_size() const { return program_.facts.program().memory_size(); }
 
   // The instruction that is being translated.
   std::uint32_t item() const { return item_; }
@@ -54,6 +54,8 @@ class FunctionWork {
 
   // Where to go for a trap of the current instruction, after giving back `refund` of the budget.
   asmjit::Label trap(bytecode::TrapCode code, std::uint32_t refund = 0);
+  // The same for a reference, in a general register, that leads out of the memory.
+  asmjit::Label reference_trap(RegisterId reference);
   // Where to go to leave the loop for that label.
   asmjit::Label leaving(asmjit::Label target);
   // The code of all those, behind the function.
@@ -79,6 +81,7 @@ class FunctionWork {
     asmjit::Label target;  // or a trap, if it is not valid
     std::uint32_t site = 0;
     std::uint32_t refund = 0;
+    RegisterId reference = kNoRegister;  // decides between this site and the next
   };
 
   void write_back(const Loop& loop);

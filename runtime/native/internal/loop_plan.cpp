@@ -59,7 +59,7 @@ class LoopPlanner {
   bool closed(const Loop& loop) const {
     for (std::uint32_t i = loop.first; i <= loop.last; ++i) {
       const bytecode::Instruction& in = items_[i].instruction;
-      if (is_call(in.opcode)) return false;
+      if (is_call(in.opcode) || calls_library(in)) return false;
       if (in.opcode == Opcode::MemCopy && in.a > kLargestInlineCopy) return false;
       const bool entered =
           items_[i].is_target && (sources_[i].first < loop.first || sources_[i].second > loop.last);

@@ -15,15 +15,18 @@ namespace stepwright::native {
 struct Context {
   std::int64_t now_ns;
   std::uint64_t budget;
-  std::byte* image;
+  std::byte* memory;
+  std::uint64_t memory_size;
   std::byte* self;
+  std::uint64_t frames;         // the Ref of the task's frames
   std::uint64_t stack_pointer;  // where the entry was called, what a trap returns to
+  std::uint32_t trap_code;      // of a trap whose site does not say why
 };
 
 inline constexpr std::uint32_t kSlotBytes = 8;
 inline constexpr std::uint32_t kFirstSlot = sizeof(Context);
 
-// The image, the running instance, what is left of the budget, the context.
+// The memory, the running instance, what is left of the budget, the context.
 inline constexpr asmjit::x86::Gp kImage = asmjit::x86::rbx;
 inline constexpr asmjit::x86::Gp kSelf = asmjit::x86::rbp;
 inline constexpr asmjit::x86::Gp kBudget = asmjit::x86::r12;

@@ -1,5 +1,7 @@
 #include "runtime/native/internal/memory_effects.h"
 
+#include <cstring>
+
 #include "runtime/native/internal/value.h"
 
 namespace stepwright::native {
@@ -39,6 +41,12 @@ class EffectScan {
  private:
   void step(const Instruction& in) {
     if (is_memory_access(in.opcode)) return access(in);
+    if (bytecode::is_fused_boolean(in.opcode)) {
+      add(bytecode::is_this_boolean(in.opcode) ? places_.own(in.a, 1)
+                                               : Extent{Space::Image, in.a, std::uint64_t{in.a} + 1},
+          MemType::Bool, true, false);
+      return effect(in);
+    }
     switch (in.opcode) {
       case Opcode::LoadBit:
       case Opcode::StoreBit:
@@ -57,6 +65,12 @@ class EffectScan {
       case Opcode::AddrThis:
         stack_.push_back(places_.own(in.a, 0));
         return;
+      case Opcode::AddrFrame:
+        stack_.push_back(places_.framed(in.a));
+        return;
+      case Opcode::StringOp:
+        string_op(static_cast<bytecode::StringOpId>(in.a));
+        return effect(in);
       case Opcode::Index: {
         stack_.pop_back();
         const auto elements = static_cast<std::uint64_t>(std::int64_t{in.signed_b()} - in.signed_a());
@@ -88,6 +102,15 @@ class EffectScan {
       add(base.moved(0, bytes), access.type, base.first == base.end, access.store);
     }
     effect(in);
+  }
+
+  // What gives no result writes to its deepest operand, as much as the largest string has. (Reads matter in
+  // loops only, and a loop that works on strings keeps nothing in registers.)
+  void string_op(bytecode::StringOpId id) {
+    constexpr std::uint64_t kLongest = bytecode::kStringHeaderBytes + bytecode::kMaxStringCapacity * 2;
+    const bytecode::OperationInfo& info = bytecode::kStringOps[static_cast<std::uint8_t>(id)];
+    if (*info.pushes != '\0') return;
+    add(stack_[stack_.size() - std::strlen(info.pops)].moved(0, kLongest), MemType::U8, false, true);
   }
 
   void effect(const Instruction& in) {

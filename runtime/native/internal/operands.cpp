@@ -363,12 +363,32 @@ void Operands::begin_block(const std::vector<StackType>& types) {
   for (const Value& value : stack_) release(value);
   stack_.clear();
   registers_.forget_all();
-  for (std::uint32_t i = 0; i < types.size(); ++i) {
-    Value value = Value::of_load(slot_memory(types[i]), slot(i));
-    value.type = types[i];
-    push(value);
-  }
+  for (const StackType type : types) push_slot(type);
   flags_pending_ = false;
+}
+
+void Operands::pop_to_slot() {
+  Value value = pop_settled();
+  const RegisterId from = in_register(value);
+  x86::Mem target = slot_memory_at(depth());
+  if (value.type == StackType::Bool) {
+    out_.movzx(gp32(kScratch), gp8(from));
+    out_.mov(target, gp64(kScratch));
+  } else if (value.type == StackType::F32) {
+    out_.movd(gp32(kScratch), xmm(from));
+    out_.mov(target, gp64(kScratch));
+  } else if (is_xmm(from)) {
+    out_.movsd(target, xmm(from));
+  } else {
+    out_.mov(target, gp64(from));
+  }
+  release(value);
+}
+
+void Operands::push_slot(StackType type) {
+  Value value = Value::of_load(slot_memory(type), slot(depth()));
+  value.type = type;
+  push(value);
 }
 
 std::vector<StackType> Operands::types() const {

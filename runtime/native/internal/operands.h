@@ -86,6 +86,12 @@ class Operands {
   void begin_block(const std::vector<bytecode::StackType>& types);
   std::vector<bytecode::StackType> types() const;
 
+  // For library calls: the top operand goes to its slot, as a slot of the interpreter; a result comes from
+  // the slot that is next.
+  void pop_to_slot();
+  void push_slot(bytecode::StackType type);
+  asmjit::x86::Mem slot_memory_at(std::uint32_t index) const { return memory(slot(index), kSlotBytes); }
+
  private:
   void read(Value& value);
   void read_into(RegisterId target, Value& value);

@@ -20,7 +20,7 @@ void emit_entry(x86::Assembler& out, asmjit::Label entry, asmjit::Label trapped)
   for (const x86::Gp& saved : kSaved) out.push(saved);
   out.sub(x86::rsp, 8);  // the stack is aligned where functions are called
   out.mov(kContext, x86::rdi);
-  out.mov(kImage, field(offsetof(Context, image)));
+  out.mov(kImage, field(offsetof(Context, memory)));
   out.mov(kSelf, field(offsetof(Context, self)));
   out.mov(kBudget, field(offsetof(Context, budget)));
   out.mov(field(offsetof(Context, stack_pointer)), x86::rsp);

@@ -32,6 +32,15 @@ ProgramFacts::ProgramFacts(const bytecode::Program& program)
     const auto call = view().record<Section::ProgramCalls>(i);
     add_instance(call.function, call.instance);
   }
+  for (std::uint32_t i = 0; i < view().count<Section::Tasks>(); ++i) {
+    const auto task = view().record<Section::Tasks>(i);
+    const std::uint64_t frames = program.frames_of(i);
+    for (std::uint32_t call = 0; call < task.call_count; ++call) {
+      const auto function = view().record<Section::ProgramCalls>(task.first_call + call).function;
+      const std::uint64_t own = frames + codes_[function].record.frame_offset;
+      functions_[function].places.frames.add(own, own);
+    }
+  }
   const std::vector<std::uint32_t> order = callers_first();
   for (FunctionFacts& facts : functions_) facts.places.first_slot = kFirstSlot;
   for (const std::uint32_t function : order) {
@@ -92,7 +101,7 @@ void ProgramFacts::find_instances(std::uint32_t function) {
       }
     }
     if (in.opcode == Opcode::CallInstanceInd) {
-      functions_[in.a].places.instances.add(0, program_.image_size());
+      functions_[in.a].places.instances.add(0, program_.memory_size());
       functions_[in.a].listed = false;
     }
   }
@@ -105,6 +114,11 @@ void ProgramFacts::place_slots(std::uint32_t function) {
     if (!is_call(item.instruction.opcode)) continue;
     FunctionFacts& callee = functions_[item.instruction.a];
     callee.places.first_slot = std::max(callee.places.first_slot, behind);
+    const InstanceRange& frames = functions_[function].places.frames;
+    if (frames.empty()) continue;
+    const std::uint64_t distance =
+        std::uint64_t{codes_[item.instruction.a].record.frame_offset} - codes_[function].record.frame_offset;
+    callee.places.frames.add(frames.lowest + distance, frames.highest + distance);
   }
 }
 
@@ -123,7 +137,7 @@ void ProgramFacts::find_spoilers(const std::vector<std::uint32_t>& order) {
 // Visits the parts of the image that an access of this function can lie in.
 template <typename Visit>
 void ProgramFacts::each_place(std::uint32_t function, const Extent& extent, Visit visit) const {
-  const std::uint64_t size = program_.image_size();
+  const std::uint64_t size = program_.memory_size();
   const auto visit_part = [&](std::uint64_t first, std::uint64_t end) {
     end = std::min(end, size);
     visit(std::min(first, end), end);
@@ -141,14 +155,14 @@ void ProgramFacts::each_place(std::uint32_t function, const Extent& extent, Visi
 
 void ProgramFacts::mark_bytes() {
   const bytecode::SizesRecord& sizes = program_.sizes();
-  std::vector<std::uint8_t> other(program_.image_size(), 0);
+  std::vector<std::uint8_t> other(program_.memory_size(), 0);
   const auto mark = [&](std::uint64_t first, std::uint64_t end) {
     std::fill(other.begin() + static_cast<std::ptrdiff_t>(first),
               other.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t{1});
   };
   // Devices write inputs, and outputs are set to safe states, byte by byte.
   mark(0, std::uint64_t{sizes.input_bytes} + sizes.output_bytes);
-  const auto initial = view().section(Section::InitialData);
+  const auto initial = view().section(Section::InitialData);  // nothing else is anything but zero
   for (std::size_t i = 0; i < initial.size(); ++i) {
     if (static_cast<std::uint8_t>(initial[i]) > 1) other[i] = 1;
   }

@@ -18,6 +18,11 @@ bool translate_conversion(FunctionWork& work, const bytecode::Instruction& in);
 bool translate_intrinsic(FunctionWork& work, const bytecode::Instruction& in);
 bool translate_stack(FunctionWork& work, const bytecode::Instruction& in);
 bool translate_call(FunctionWork& work, const bytecode::Instruction& in);
+// Instructions whose work is done by a function of the library; intrinsics only if no instructions do it.
+bool translate_library(FunctionWork& work, const bytecode::Instruction& in);
+
+// A call with the stack as the platform wants it; the arguments are in their registers.
+void call_aligned(asmjit::x86::Assembler& out, std::uint64_t function);
 
 // Makes the code of a whole function, at its label.
 void translate_function(ProgramWork& program, std::uint32_t function);

@@ -91,8 +91,8 @@ void call_instance(FunctionWork& work, const Instruction& in) {
     operands.into_claimed(kRax, value);
     ref = kRax;
     work.out().cmp(gp64(ref),
-                   work.image_size() - std::min<std::uint64_t>(record.instance_size, work.image_size()));
-    work.out().ja(work.trap(TrapCode::BadReference));
+                   work.memory_size() - std::min<std::uint64_t>(record.instance_size, work.memory_size()));
+    work.out().ja(work.reference_trap(ref));
   }
   operands.save_for_call();
   charge_entry(work, record);
@@ -105,20 +105,13 @@ void call_instance(FunctionWork& work, const Instruction& in) {
 
 using CopyFunction = void* (*)(void*, const void*, std::size_t);
 
-// Calls the C library with the stack as it wants it.
 void call_library_copy(FunctionWork& work, x86::Mem to, x86::Mem from, std::uint32_t bytes) {
   x86::Assembler& out = work.out();
   out.lea(gp64(kScratch), to);
   out.lea(x86::rsi, from);
   out.mov(x86::rdi, gp64(kScratch));
   out.mov(x86::edx, bytes);
-  out.mov(gp64(kScratch), x86::rsp);
-  out.and_(x86::rsp, -16);
-  out.sub(x86::rsp, 16);
-  out.mov(x86::ptr(x86::rsp), gp64(kScratch));
-  out.mov(x86::rax, reinterpret_cast<std::uint64_t>(static_cast<CopyFunction>(&std::memmove)));
-  out.call(x86::rax);
-  out.mov(x86::rsp, x86::ptr(x86::rsp));
+  call_aligned(out, reinterpret_cast<std::uint64_t>(static_cast<CopyFunction>(&std::memmove)));
 }
 
 // Everything is read before anything is written, as the two may overlap.

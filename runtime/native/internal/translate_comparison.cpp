@@ -6,7 +6,9 @@ namespace stepwright::native {
 
 using bytecode::Instruction;
 using bytecode::Opcode;
+using bytecode::Section;
 using bytecode::StackType;
+using bytecode::TrapCode;
 using x86_Cond = asmjit::x86::CondCode;
 namespace x86 = asmjit::x86;
 
@@ -31,6 +33,32 @@ void compare(FunctionWork& work, StackType type, x86_Cond condition) {
   operands.release(x);
   operands.release(y);
   operands.push_flags(condition);
+}
+
+// The value stays on the stack if it lies within the bounds.
+void check_range(FunctionWork& work, StackType type, bool is_signed, std::uint64_t lower,
+                 std::uint64_t upper) {
+  Operands& operands = work.operands();
+  x86::Assembler& out = work.out();
+  Value x = operands.pop_settled();
+  operands.settle_flags();
+  const std::uint32_t bytes = width_of(type);
+  const x86::Gp reg = general(operands.in_register(x), bytes);
+  const auto compare_with = [&](std::uint64_t bound) {
+    const auto wide = static_cast<std::int64_t>(bound);
+    if (bytes == 4 || wide == static_cast<std::int32_t>(wide)) {
+      out.cmp(reg, static_cast<std::int32_t>(bound));
+    } else {
+      out.mov(gp64(kScratch), bound);
+      out.cmp(reg, gp64(kScratch));
+    }
+  };
+  const asmjit::Label outside = work.trap(TrapCode::SubrangeRange);
+  compare_with(lower);
+  is_signed ? out.jl(outside) : out.jb(outside);
+  compare_with(upper);
+  is_signed ? out.jg(outside) : out.ja(outside);
+  operands.push(x);
 }
 
 x86::Inst::Id ordered_compare(StackType type) {
@@ -118,7 +146,18 @@ bool translate_comparison(FunctionWork& work, const Instruction& in) {
   if (integer.type != StackType::Bool) return compare(work, integer.type, integer.condition), true;
   constexpr auto kAbove = x86_Cond::kUnsignedGT;
   constexpr auto kAboveOrEqual = x86_Cond::kUnsignedGE;
+  const auto constant = [&](std::uint32_t index) { return work.view().record<Section::Constants>(index); };
   switch (in.opcode) {
+    case Opcode::EqRef:
+      return compare(work, StackType::Ref, x86_Cond::kEqual), true;
+    case Opcode::NeRef:
+      return compare(work, StackType::Ref, x86_Cond::kNotEqual), true;
+    case Opcode::CheckI32:
+      return check_range(work, StackType::I32, true, in.a, in.b), true;
+    case Opcode::CheckI64:
+      return check_range(work, StackType::I64, true, constant(in.a), constant(in.b)), true;
+    case Opcode::CheckU64:
+      return check_range(work, StackType::I64, false, constant(in.a), constant(in.b)), true;
     case Opcode::EqF32:
       return equal_float(work, StackType::F32, true), true;
     case Opcode::EqF64:

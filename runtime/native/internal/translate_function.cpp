@@ -64,11 +64,11 @@ class FunctionTranslator {
 
   void step(const Instruction& in) {
     if (is_jump(in.opcode)) return jump(in);
-    const bool known = translate_memory(work_, in) || translate_stack(work_, in) ||
-                       translate_integer(work_, in) || translate_comparison(work_, in) ||
-                       translate_float(work_, in) || translate_conversion(work_, in) ||
-                       translate_shift(work_, in) || translate_division(work_, in) ||
-                       translate_intrinsic(work_, in) || translate_call(work_, in);
+    const bool known =
+        translate_memory(work_, in) || translate_stack(work_, in) || translate_integer(work_, in) ||
+        translate_comparison(work_, in) || translate_float(work_, in) || translate_conversion(work_, in) ||
+        translate_shift(work_, in) || translate_division(work_, in) || translate_intrinsic(work_, in) ||
+        translate_call(work_, in) || translate_library(work_, in);
     assert(known);
     static_cast<void>(known);
   }

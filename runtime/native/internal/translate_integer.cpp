@@ -152,10 +152,38 @@ void not_bool(FunctionWork& work) {
   }
 }
 
+// A load, perhaps inverted, and the operation behind it.
+void fused(FunctionWork& work, const Instruction& in) {
+  const bool own = bytecode::is_this_boolean(in.opcode);
+  push_load(work, own ? work.of_self(in.a) : work.absolute(in.a), bytecode::MemType::Bool, StackType::Bool);
+  switch (in.opcode) {
+    case Opcode::LoadNotBoolAbs:
+    case Opcode::LoadNotBoolThis:
+      return not_bool(work);
+    case Opcode::AndNotBoolAbs:
+    case Opcode::AndNotBoolThis:
+      not_bool(work);
+      [[fallthrough]];
+    case Opcode::AndBoolAbs:
+    case Opcode::AndBoolThis:
+      return binary(work, x86::Inst::kIdAnd, StackType::Bool, true);
+    case Opcode::OrNotBoolAbs:
+    case Opcode::OrNotBoolThis:
+      not_bool(work);
+      [[fallthrough]];
+    case Opcode::OrBoolAbs:
+    case Opcode::OrBoolThis:
+      return binary(work, x86::Inst::kIdOr, StackType::Bool, true);
+    default:
+      return binary(work, x86::Inst::kIdXor, StackType::Bool, true);
+  }
+}
+
 }  // namespace
 
 bool translate_integer(FunctionWork& work, const Instruction& in) {
   namespace Inst = x86::Inst;
+  if (bytecode::is_fused_boolean(in.opcode)) return fused(work, in), true;
   switch (in.opcode) {
     case Opcode::AddI32:
       return add(work, StackType::I32), true;

@@ -125,8 +125,9 @@ bool translate_intrinsic(FunctionWork& work, const Instruction& in) {
       return select_float(work, StackType::F32, Inst::kIdMaxss), true;
     case IntrinsicId::MaxF64:
       return select_float(work, StackType::F64, Inst::kIdMaxsd), true;
+    default:
+      return false;
   }
-  return false;
 }
 
 }  // namespace stepwright::native

@@ -207,6 +207,52 @@ void index(FunctionWork& work, const Instruction& in) {
   }
 }
 
+// Base, index, lower and upper bound, all known only when the program runs.
+void index_between(FunctionWork& work, std::uint32_t stride) {
+  Operands& operands = work.operands();
+  x86::Assembler& out = work.out();
+  Value upper = operands.pop_settled();
+  Value lower = operands.pop_settled();
+  Value number = operands.pop_settled();
+  Value base = operands.pop_settled();
+  operands.settle_flags();
+  const asmjit::Label outside = work.trap(TrapCode::IndexRange);
+  const RegisterId least = operands.in_register(lower);
+  const RegisterId most = operands.in_register(upper);
+  const RegisterId reg = operands.in_own_register(number);
+  out.cmp(gp32(reg), gp32(most));
+  out.jg(outside);
+  out.sub(gp32(reg), gp32(least));
+  out.jl(outside);
+  operands.release(lower);
+  operands.release(upper);
+  if (stride != 1) {
+    out.mov(gp32(kScratch), stride);
+    out.imul(gp64(reg), gp64(kScratch));
+  }
+  const RegisterId sum = operands.in_own_register(base);
+  out.add(gp64(sum), gp64(reg));
+  operands.release(number);
+  operands.push(base);
+}
+
+// The frames of the one task that runs the function, or those of the task that runs it now.
+void address_of_frame(FunctionWork& work, std::uint32_t offset) {
+  Operands& operands = work.operands();
+  const FunctionPlaces& places = work.own().places;
+  Location location = work.absolute(static_cast<std::uint32_t>(places.framed(offset).first));
+  if (!places.frames.empty() && !places.frames.single()) {
+    const std::uint64_t lowest_frames = places.frames.lowest - work.code().record.frame_offset;
+    operands.settle_flags();
+    location.index = operands.allocate(false);
+    location.reach = places.frames.highest - places.frames.lowest;
+    const x86::Mem frames = x86::ptr(kContext, static_cast<std::int32_t>(offsetof(Context, frames)), 8);
+    work.out().mov(gp64(location.index), frames);
+    work.out().sub(gp64(location.index), static_cast<std::int32_t>(lowest_frames));
+  }
+  operands.push(Value::of_address(location));
+}
+
 }  // namespace
 
 Location checked(FunctionWork& work, Value& address, std::uint32_t bytes) {
@@ -216,13 +262,13 @@ Location checked(FunctionWork& work, Value& address, std::uint32_t bytes) {
   }
   operands.settle_flags();
   const RegisterId reg = operands.in_register(address);
-  if (bytes > work.image_size()) {
-    work.out().jmp(work.trap(TrapCode::BadReference));
+  if (bytes > work.memory_size()) {
+    work.out().jmp(work.reference_trap(reg));
   } else {
-    work.out().cmp(gp64(reg), work.image_size() - bytes);
-    work.out().ja(work.trap(TrapCode::BadReference));
+    work.out().cmp(gp64(reg), work.memory_size() - bytes);
+    work.out().ja(work.reference_trap(reg));
   }
-  return {Space::Image, 0, reg, 0, work.image_size() - std::min<std::uint64_t>(bytes, work.image_size())};
+  return {Space::Image, 0, reg, 0, work.memory_size() - std::min<std::uint64_t>(bytes, work.memory_size())};
 }
 
 void push_load(FunctionWork& work, const Location& from, MemType type, StackType slot) {
@@ -266,8 +312,14 @@ bool translate_memory(FunctionWork& work, const Instruction& in) {
     case Opcode::AddrThis:
       operands.push(Value::of_address(work.of_self(in.a)));
       return true;
+    case Opcode::AddrFrame:
+      address_of_frame(work, in.a);
+      return true;
     case Opcode::Index:
       index(work, in);
+      return true;
+    case Opcode::IndexDyn:
+      index_between(work, in.a);
       return true;
     case Opcode::Offset:
       offset(work, in.a);

@@ -88,6 +88,8 @@ bool translate_stack(FunctionWork& work, const Instruction& in) {
       return operands.push(Value::of_constant(StackType::I64, wide_constant(work, in.a))), true;
     case Opcode::ConstF64:
       return operands.push(Value::of_constant(StackType::F64, wide_constant(work, in.a))), true;
+    case Opcode::ConstNull:
+      return operands.push(Value::of_constant(StackType::Ref, bytecode::kNullRef)), true;
     case Opcode::Now: {
       const Location now{Space::Slot, offsetof(Context, now_ns), kNoRegister, 0, 0};
       return operands.push(Value::of_load(MemType::I64, now)), true;

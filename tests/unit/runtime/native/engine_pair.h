@@ -27,8 +27,8 @@ class EnginePair {
       : loaded_(support::TestProgram::load(model)),
         stack_(loaded_.program().sizes().stack_slots),
         interpreter_(loaded_.program(), stack_),
-        images_{std::vector<std::byte>(loaded_.program().image_size()),
-                std::vector<std::byte>(loaded_.program().image_size())} {
+        images_{std::vector<std::byte>(loaded_.program().memory_size()),
+                std::vector<std::byte>(loaded_.program().memory_size())} {
     auto compiled = NativeEngine::compile(loaded_.program());
     if (!compiled) throw std::runtime_error(result::to_string(compiled.error()));
     native_ = std::move(*compiled);
@@ -39,7 +39,8 @@ class EnginePair {
   // Runs the first program call in both; what differs, or nothing.
   std::string run(std::int64_t now_ns = 0, std::uint64_t budget = 10'000'000) {
     const auto call = loaded_.program().container().record<bytecode::Section::ProgramCalls>(0);
-    const bytecode::Invocation invocation{call.function, call.instance, now_ns};
+    const bytecode::Invocation invocation{call.function, call.instance, now_ns,
+                                          loaded_.program().frames_of(0)};
     std::uint64_t left[2] = {budget, budget};
     trap_ = interpreter_.run(invocation, images_[0], left[0]);
     const bytecode::Trap trap = native_->run(invocation, images_[1], left[1]);

@@ -55,7 +55,7 @@ TEST(NativeEngine, WhenItRuns_ThenItNeitherAllocatesNorLocks) {
     EnginePair pair(random_program(seed));
     std::uint64_t budget = 100'000;
     const support::GuardCounts before = support::guard_counts();
-    pair.native().run({0, 32, 0}, pair.native_image(), budget);
+    pair.native().run({0, 32, 0, pair.loaded().program().frames_of(0)}, pair.native_image(), budget);
     ASSERT_EQ(support::guard_counts(), before) << "seed " << seed;
   }
 }
