@@ -33,7 +33,9 @@ TEST(NativeEngine_Differential, RandomPrograms_WhenRunInBothEngines_ThenImageTra
     for (int scan = 0; scan < kScans; ++scan) {
       write_inputs(pair, random);
       const std::uint64_t budget = random() % 4 == 0 ? random() % 3000 : 60'000;
-      const std::string difference = pair.run(scan * 10'000'000LL, budget);
+      const auto tasks = pair.loaded().program().container().count<bytecode::Section::Tasks>();
+      const std::string difference =
+          pair.run(scan * 10'000'000LL, budget, static_cast<std::uint32_t>(scan) % tasks);
       ASSERT_EQ(difference, "") << "seed " << seed << ", scan " << scan;
       if (pair.trap()) ++trapped;
     }

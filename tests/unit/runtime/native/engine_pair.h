@@ -36,11 +36,13 @@ class EnginePair {
     for (auto& image : images_) std::copy(initial.begin(), initial.end(), image.begin());
   }
 
-  // Runs the first program call in both; what differs, or nothing.
-  std::string run(std::int64_t now_ns = 0, std::uint64_t budget = 10'000'000) {
-    const auto call = loaded_.program().container().record<bytecode::Section::ProgramCalls>(0);
+  // Runs the first program call of a task in both; what differs, or nothing.
+  std::string run(std::int64_t now_ns = 0, std::uint64_t budget = 10'000'000, std::uint32_t task = 0) {
+    const auto& view = loaded_.program().container();
+    const auto call =
+        view.record<bytecode::Section::ProgramCalls>(view.record<bytecode::Section::Tasks>(task).first_call);
     const bytecode::Invocation invocation{call.function, call.instance, now_ns,
-                                          loaded_.program().frames_of(0)};
+                                          loaded_.program().frames_of(task)};
     std::uint64_t left[2] = {budget, budget};
     trap_ = interpreter_.run(invocation, images_[0], left[0]);
     const bytecode::Trap trap = native_->run(invocation, images_[1], left[1]);

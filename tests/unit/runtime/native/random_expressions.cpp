@@ -76,10 +76,17 @@ std::uint32_t ExpressionWriter::place(MemType type, std::uint32_t size) {
 
 void ExpressionWriter::push(StackType type, int depth) {
   if (depth <= 0) return leaf(type);
-  switch (below(12)) {
+  switch (below(15)) {
     case 0:
     case 1:
       return leaf(type);
+    case 12:
+      return check(type, depth - 1);
+    case 13:
+      return elementary(type, depth - 1);
+    case 14:
+      if (!read_string(type)) leaf(type);
+      return;
     case 2:
       return choice(type, depth - 1);
     case 3:
@@ -111,6 +118,7 @@ void ExpressionWriter::leaf(StackType type) {
     return b_.load_bit(below(around_.bit_bytes), static_cast<std::uint8_t>(below(8)));
   }
   if (type == StackType::I64 && kind == 3) return b_.emit(Opcode::Now);
+  if (type == StackType::Ref && kind == 0 && rash(8)) return b_.emit(Opcode::ConstNull);
   if (type == StackType::Ref && kind != 0) return push_address(16);
   load(type);
 }
@@ -155,6 +163,8 @@ void ExpressionWriter::push_address(std::uint32_t bytes) {
   const std::uint32_t base = size > span ? below(size - span) : 0;
   if (rash(30)) {
     load(StackType::Ref);  // nowhere, or what was stored there
+  } else if (around_.frame_size != 0 && below(4) == 0) {
+    b_.addr_frame(below(kFrameScalars));
   } else {
     own ? b_.addr_this(base) : b_.addr_abs(base);
   }
@@ -167,8 +177,13 @@ void ExpressionWriter::push_address(std::uint32_t bytes) {
       b_.emit(Opcode::AddI32);
     }
   };
-  switch (below(4)) {
+  switch (below(5)) {
     case 0:
+      break;
+    case 4:
+      index(4);
+      b_.const_i32(lower);
+      index_between(stride);
       break;
     case 1:
       b_.offset(rash(30) ? around_.image_size : below(stride + 1));
@@ -275,6 +290,7 @@ void ExpressionWriter::divide(StackType type, int depth) {
 }
 
 void ExpressionWriter::comparison(int depth) {
+  if (below(10) == 0) return compare_references();
   if (below(4) == 0) {
     push(StackType::Bool, depth);
     return b_.emit(Opcode::NotBool);

@@ -23,8 +23,9 @@ struct Callee {
 // Where code stands and what is there.
 struct Surroundings {
   std::uint32_t image_size = 0;
-  std::uint32_t instance_size = 0;      // 0: no instance
-  std::uint32_t bit_bytes = 0;          // bits lie in the first so many bytes of the image
+  std::uint32_t instance_size = 0;  // 0: no instance
+  std::uint32_t bit_bytes = 0;      // bits lie in the first so many bytes of the image
+  std::uint32_t frame_size = 0;     // of the function; strings are kept behind its first kFrameScalars bytes
   std::uint32_t nested_instance = 0;    // offset of an instance within the own one; 0: none
   std::vector<std::uint32_t> counters;  // offsets in the instance that loops count in
   std::vector<bytecode::StackType> locals;
@@ -34,6 +35,11 @@ struct Surroundings {
   std::vector<Callee> callees;
   bool careful = false;  // does what traps only behind a guard
 };
+
+inline constexpr std::uint32_t kFrameScalars = 32;
+inline constexpr std::uint32_t kStringBytes = 32;  // room for one string
+inline constexpr std::uint32_t kStrings = 3;       // of each function's frame
+inline constexpr std::uint32_t kFrameBytes = kFrameScalars + kStrings * kStringBytes;
 
 class ExpressionWriter {
  public:
@@ -47,6 +53,10 @@ class ExpressionWriter {
   void store_variable();
   void store_indirect();
   void call(const Callee& callee);
+  // An operation on strings that leaves nothing.
+  void change_string();
+  // Gives every string of the frame a capacity.
+  void init_strings();
 
  private:
   std::uint32_t below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
@@ -63,6 +73,13 @@ class ExpressionWriter {
   void choice(bytecode::StackType type, int depth);
   void shift(bytecode::StackType type, int depth);
   void intrinsic(bytecode::StackType type, int depth);
+  void push_string();
+  void string_operands(const bytecode::OperationInfo& info);
+  bool read_string(bytecode::StackType type);
+  void check(bytecode::StackType type, int depth);
+  void elementary(bytecode::StackType type, int depth);
+  void compare_references();
+  void index_between(std::uint32_t stride);
   bytecode::Opcode typed(bytecode::Opcode first, bytecode::StackType type) const;
 
   writer::FunctionBuilder& b_;

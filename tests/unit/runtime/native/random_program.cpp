@@ -41,6 +41,8 @@ class StatementWriter {
         return copy();
       case 3:
         return call();
+      case 4:
+        return expressions_.change_string();
       case 8:
       case 9:
         return choice(depth);
@@ -172,7 +174,10 @@ std::vector<StackType> random_locals(std::mt19937& random) {
 }
 
 void write_body(FunctionBuilder& builder, Surroundings& around, std::mt19937& random, int statements) {
+  around.frame_size = random() % 2 == 0 ? kFrameBytes : 0;
+  if (around.frame_size != 0) builder.allocate_frame(kFrameBytes, 4);
   for (std::size_t i = around.parameters; i < around.locals.size(); ++i) builder.add_local(around.locals[i]);
+  ExpressionWriter(builder, around, random).init_strings();
   StatementWriter(builder, around, random).statements(statements, 3);
   if (around.has_result) ExpressionWriter(builder, around, random).push(around.result, 3);
   builder.emit(Opcode::Return);
@@ -196,7 +201,10 @@ writer::Function random_function(std::uint32_t index, std::mt19937& random, Surr
   around.result = callee.result;
   // A function has no instance: it counts nowhere and takes addresses of the image only.
   for (std::size_t i = around.parameters; i < around.locals.size(); ++i) builder.add_local(around.locals[i]);
+  around.frame_size = random() % 2 == 0 ? kFrameBytes : 0;
+  if (around.frame_size != 0) builder.allocate_frame(kFrameBytes, 4);
   ExpressionWriter expressions(builder, around, random);
+  expressions.init_strings();
   for (int i = 0; i < 3; ++i) expressions.store_indirect();
   expressions.push(around.result, 4);
   builder.emit(Opcode::Return);
@@ -248,6 +256,14 @@ writer::ContainerModel random_program(std::uint32_t seed) {
   }
   model.tasks.push_back(
       {.name = "task", .interval_us = 10'000, .priority = 0, .calls = {{"MAIN", 0, kAreas}}});
+  // The same program in a second task: on another instance, with other frames.
+  if (random() % 3 == 0) {
+    const auto second = kAreas + model.sizes.data_bytes;
+    model.sizes.data_bytes += kMainBytes;
+    model.initial_data.resize(kAreas + model.sizes.data_bytes);
+    model.tasks.push_back(
+        {.name = "second", .interval_us = 10'000, .priority = 1, .calls = {{"AGAIN", 0, second}}});
+  }
   return model;
 }
 
