@@ -25,7 +25,7 @@ std::string each(const char* pattern) {
   std::string text;
   for (int k = 0; k < kBlocks; ++k) {
     for (const char* c = pattern; *c != '\0'; ++c) {
-      if (*c == '#') {
+      if (*c == '@') {
         text += std::to_string(k);
       } else {
         text += *c;
@@ -38,14 +38,14 @@ std::string each(const char* pattern) {
 std::string st() {
   return std::string(kController) + "PROGRAM main\nVAR\n" +
          each(
-             "  in# : BOOL; pv# : REAL; timer# : TON; counter# : CTU; control# : CONTROLLER; lamp# : "
+             "  in@ : BOOL; pv@ : REAL; timer@ : TON; counter@ : CTU; control@ : CONTROLLER; lamp@ : "
              "BOOL;\n") +
          "END_VAR\n" +
          each(
-             "timer#(IN := in#, PT := T#30ms);\n"
-             "counter#(CU := in#, R := timer#.Q, PV := 3);\n"
-             "control#(PV := pv#, SP := 50.0, KP := 2.0, KI := 0.5, KD := 0.125, DT := 0.0078125);\n"
-             "lamp# := timer#.Q OR counter#.Q;\n") +
+             "timer@(IN := in@, PT := T#30ms);\n"
+             "counter@(CU := in@, R := timer@.Q, PV := 3);\n"
+             "control@(PV := pv@, SP := 50.0, KP := 2.0, KI := 0.5, KD := 0.125, DT := 0.0078125);\n"
+             "lamp@ := timer@.Q OR counter@.Q;\n") +
          "END_PROGRAM\n";
 }
 
@@ -145,24 +145,24 @@ static void PID_body(PID *data) {
 std::string matiec_style_c() {
   std::string text =
       kMatiecStyle + std::string(kMatiecBlocks) + "typedef struct {\n" +
-      each("VAR(BOOL) in#; VAR(REAL) pv#; TON timer#; CTU counter#; PID control#; VAR(BOOL) lamp#;\n") +
+      each("VAR(BOOL) in@; VAR(REAL) pv@; TON timer@; CTU counter@; PID control@; VAR(BOOL) lamp@;\n") +
       "} MAIN;\nstatic MAIN instance;\nstatic MAIN *volatile where = &instance;\n" +
       "void set(const unsigned char *bools, const float *reals) {\n" +
-      each("instance.in#.value = bools[#]; instance.pv#.value = reals[#];\n") +
+      each("instance.in@.value = bools[@]; instance.pv@.value = reals[@];\n") +
       "}\nvoid get(double *results) {\n" +
       each(
-          "*results++ = instance.lamp#.value; *results++ = instance.counter#.cv.value;\n"
-          "*results++ = instance.control#.out.value;\n");
+          "*results++ = instance.lamp@.value; *results++ = instance.counter@.cv.value;\n"
+          "*results++ = instance.control@.out.value;\n");
   return text + "}\nvoid scan(long long now_ns) {\nMAIN *data = where;\ncurrent_time = now_ns;\n" +
          each(
-             "SET(data->timer#.in, GET(data->in#)); SET(data->timer#.pt, 30000000); "
-             "TON_body(&data->timer#);\n"
-             "SET(data->counter#.cu, GET(data->in#)); SET(data->counter#.r, GET(data->timer#.q));\n"
-             "SET(data->counter#.pv, 3); CTU_body(&data->counter#);\n"
-             "SET(data->control#.pv, GET(data->pv#)); SET(data->control#.sp, 50.0);\n"
-             "SET(data->control#.kp, 2.0); SET(data->control#.ki, 0.5); SET(data->control#.kd, 0.125);\n"
-             "SET(data->control#.dt, 0.0078125); PID_body(&data->control#);\n"
-             "SET(data->lamp#, GET(data->timer#.q) || GET(data->counter#.q));\n") +
+             "SET(data->timer@.in, GET(data->in@)); SET(data->timer@.pt, 30000000); "
+             "TON_body(&data->timer@);\n"
+             "SET(data->counter@.cu, GET(data->in@)); SET(data->counter@.r, GET(data->timer@.q));\n"
+             "SET(data->counter@.pv, 3); CTU_body(&data->counter@);\n"
+             "SET(data->control@.pv, GET(data->pv@)); SET(data->control@.sp, 50.0);\n"
+             "SET(data->control@.kp, 2.0); SET(data->control@.ki, 0.5); SET(data->control@.kd, 0.125);\n"
+             "SET(data->control@.dt, 0.0078125); PID_body(&data->control@);\n"
+             "SET(data->lamp@, GET(data->timer@.q) || GET(data->counter@.q));\n") +
          "}\n";
 }
 

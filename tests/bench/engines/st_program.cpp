@@ -77,7 +77,8 @@ std::vector<double> StProgram::results() {
     values.push_back(std::visit(
         [](const auto& value) {
           if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>) {
-            return static_cast<double>(value);
+            // A REAL is read as the shortest decimal number that it stands for.
+            return static_cast<double>(static_cast<float>(value));
           } else {
             return 0.0;
           }
