@@ -2,9 +2,7 @@
 
 #include "runtime/image/io_driver.h"
 #include "runtime/image/process_image.h"
-#include "runtime/native/native_engine.h"
 #include "runtime/scan/scan_cycle.h"
-#include "runtime/vm/interpreter.h"
 
 namespace stepwright::exec {
 
@@ -42,15 +40,6 @@ result::Result<std::vector<reader::Variable>> resolve(const reader::LoadedProgra
   return variables;
 }
 
-result::Result<std::unique_ptr<bytecode::Engine>> make_engine(EngineKind kind,
-                                                              const bytecode::Program& program,
-                                                              std::span<std::uint64_t> stack) {
-  if (kind == EngineKind::Vm) return std::make_unique<vm::Interpreter>(program, stack);
-  auto compiled = native::NativeEngine::compile(program);
-  if (!compiled) return result::forward(compiled);
-  return std::unique_ptr<bytecode::Engine>(std::move(*compiled));
-}
-
 }  // namespace
 
 result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOptions& options) {
@@ -61,7 +50,7 @@ result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOp
   std::vector<std::byte> memory(program.memory_size());
   std::vector<std::uint64_t> stack(program.sizes().stack_slots);
   image::ProcessImage image(memory, scan::layout_of(program));
-  auto engine = make_engine(options.engine, program, stack);
+  auto engine = host::make_engine(options.engine, program, stack);
   if (!engine) return result::forward(engine);
   NoIo io;
   NoClock clock;

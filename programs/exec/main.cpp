@@ -136,7 +136,7 @@ int main(int argc, char** argv) {
                  "variables to record after every scan, e.g. MAIN.level,MAIN.pump");
   app.add_option("--json", arguments.json_file, "write the report as JSON");
   if (const auto exit = process::parse(app, argc, argv)) return *exit;
-  if (arguments.engine == "native") arguments.options.engine = exec::EngineKind::Native;
+  if (arguments.engine == "native") arguments.options.engine = stepwright::host::EngineKind::Native;
   arguments.options.trace = split_names(arguments.trace);
   return execute(arguments);
 }
