@@ -8,6 +8,7 @@
 #include <array>
 #include <unordered_map>
 
+#include "ladder/codegen/literal_pool.h"
 #include "ladder/semantics/model.h"
 #include "runtime/bytecode/trap.h"
 #include "runtime/bytecode/writer/function_builder.h"
@@ -18,6 +19,7 @@ namespace stepwright::codegen {
 struct ProgramLayout {
   std::array<std::uint32_t, 4> bases{};  // absolute address of %I, %Q, %M, Data
   std::unordered_map<const semantics::Pou*, std::uint32_t> functions;
+  LiteralPool* literals = nullptr;
 };
 
 enum class Width : std::uint8_t { Exact, Any };
@@ -27,6 +29,8 @@ class ExpressionEmitter {
   ExpressionEmitter(const ProgramLayout& layout, writer::FunctionBuilder& builder)
       : layout_(layout), b_(builder) {}
 
+  // The temporaries of the statement before are free again.
+  void begin_statement();
   void value(const semantics::Value& value, Width width = Width::Exact);
   void constant(const semantics::Constant& constant, const semantics::Type& type);
   void load(const semantics::Place& place);
@@ -96,12 +100,31 @@ class ExpressionEmitter {
   void widen(const semantics::Type& type);
   void trap_unless(bytecode::TrapCode code);
 
+  // text_emitter.cpp
+  std::uint32_t temporary(std::uint32_t bytes);
+  void literal(const std::u16string& text, const semantics::Type& type);
+  void text(const semantics::Value& value);
+  void text_behind_target(const semantics::Value& value, std::uint32_t at);
+  void assign_text(const semantics::Place& place, const semantics::Value& value);
+  void narrow_number(const semantics::Value& value);
+  void compare_texts(syntax::Operator op, const semantics::Type& type);
+  void extreme_text(const semantics::Value& value, bool maximum);
+  void load_character(const semantics::Place& place);
+  static bytecode::StringOpId set_character(const semantics::Type& type);
+
   void shift(const semantics::Value& value);
   void select(const semantics::Value& value);
   void multiplex(const semantics::Value& value);
 
+  struct Temporary {
+    std::uint32_t offset = 0;
+    std::uint32_t bytes = 0;
+    bool in_use = false;
+  };
+
   const ProgramLayout& layout_;
   writer::FunctionBuilder& b_;
+  std::vector<Temporary> temporaries_;
 };
 
 template <typename Emit>
@@ -109,6 +132,12 @@ void ExpressionEmitter::store(const semantics::Place& place, Emit emit) {
   using bytecode::AddressMode;
   if (place.bit != bytecode::kNoBit) return store_bit(place, [&] { emit(Width::Exact); });
   if (place.whole != nullptr) return store_part(place, [&] { emit(Width::Exact); });
+  if (place.character) {
+    reference(place);
+    value(*place.character);
+    emit(Width::Exact);
+    return b_.string_op(set_character(*place.type));
+  }
   if (is_slot(place)) {
     emit(Width::Exact);
     b_.local_set(writer::LocalId(place.slot));

@@ -110,6 +110,11 @@ ValuePtr ExpressionAnalyzer::reference_argument(const Argument& argument, const 
   if (!target) return nullptr;
   if (!matches_parameter(*target->type, *parameter.type))
     return mismatch(*target->type, *parameter.type, where);
+  if (target->character) {
+    a_.error(code::kNeedsVariable, where, "a character of a string has no address",
+             "copy it into a variable and back");
+    return nullptr;
+  }
   if (!target->is_addressable()) {
     const Place scratch = frame_place(*pou_, parameter.type);
     before.push_back({copy_direct(scratch), load(copy_direct(*target), where)});
@@ -129,7 +134,11 @@ ValuePtr ExpressionAnalyzer::address_of(Place place, Position where) {
 // capacity carries it along.
 bool ExpressionAnalyzer::matches_parameter(const Type& argument, const Type& parameter) const {
   if (&argument == &parameter) return true;
-  if (parameter.is_string()) return argument.is_string() && argument.elementary == parameter.elementary;
+  if (parameter.is_string()) {
+    // The length of a short string is INT: a long one cannot stand for it.
+    const bool fits = argument.capacity <= 0x7FFF || parameter.capacity > 0x7FFF;
+    return argument.is_string() && argument.elementary == parameter.elementary && fits;
+  }
   return parameter.open && argument.kind == TypeKind::Array && argument.element == parameter.element &&
          argument.dimensions.size() == parameter.dimensions.size();
 }
@@ -186,8 +195,14 @@ bool ExpressionAnalyzer::input_argument(const Variable& parameter, const Argumen
   }
   if (!value) return false;
   const bool is_variable = value->kind == ValueKind::Load && argument != nullptr;
-  if (!parameter.type->is_scalar() && is_variable && may_alias && !parameter.type->is_string()) {
+  if (!parameter.type->is_scalar() && is_variable && may_alias) {
     // The function changes other variables, perhaps this one: an input keeps its value.
+    if (value->type->is_string()) {
+      const Type* type = value->type;
+      out.operands.push_back(
+          text_operation(bytecode::StringOpId::CopyS, type, std::move(value), call.where));
+      return true;
+    }
     Place copy = frame_place(*pou_, value->type);
     out.before.push_back({copy_direct(copy), std::move(value)});
     value = load(std::move(copy), call.where);
