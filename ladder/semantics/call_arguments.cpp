@@ -199,8 +199,7 @@ bool ExpressionAnalyzer::input_argument(const Variable& parameter, const Argumen
     // The function changes other variables, perhaps this one: an input keeps its value.
     if (value->type->is_string()) {
       const Type* type = value->type;
-      out.operands.push_back(
-          text_operation(bytecode::StringOpId::CopyS, type, std::move(value), call.where));
+      out.operands.push_back(text_operation(bytecode::StringOpId::CopyS, type, std::move(value), call.where));
       return true;
     }
     Place copy = frame_place(*pou_, value->type);

@@ -72,7 +72,8 @@ std::optional<Text> edited(StringOpId op, Operands operands) {
       return first;
     case StringOpId::WstringToString: {
       Text narrow = first;
-      std::ranges::replace_if(narrow, [](char16_t c) { return c > 0xFF; }, u'?');
+      std::ranges::replace_if(
+          narrow, [](char16_t c) { return c > 0xFF; }, u'?');
       return narrow;
     }
     default:

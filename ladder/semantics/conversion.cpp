@@ -51,7 +51,8 @@ ValuePtr ExpressionAnalyzer::mismatch(const Type& from, const Type& to, Position
   std::string hint = conversion_hint(from, to);
   if (to.is_time() && from.is_literal()) hint = "durations are written T#1s500ms";
   if (from.kind == TypeKind::AnyReal && to.is_integer()) hint = "round it, or declare the variable as REAL";
-  a_.error(code::kTypeMismatch, where, "expected " + plain_name(to) + ", found " + plain_name(from), std::move(hint));
+  a_.error(code::kTypeMismatch, where, "expected " + plain_name(to) + ", found " + plain_name(from),
+           std::move(hint));
   return nullptr;
 }
 
@@ -137,7 +138,8 @@ ValuePtr ExpressionAnalyzer::truncated(ValuePtr value, const Type* type, const s
 // An elementary type, or a string of any length; null if the name is none of them.
 const Type* ExpressionAnalyzer::named_type(const std::string& folded) const {
   for (const auto which : {ElementaryType::String, ElementaryType::Wstring})
-    if (folded == bytecode::name_of(which)) return a_.type_table().string(which, bytecode::kMaxStringCapacity);
+    if (folded == bytecode::name_of(which))
+      return a_.type_table().string(which, bytecode::kMaxStringCapacity);
   ElementaryType which{};
   return elementary_from(folded, which) ? a_.type_table().elementary(which) : nullptr;
 }

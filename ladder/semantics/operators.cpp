@@ -157,10 +157,10 @@ ValuePtr ExpressionAnalyzer::bad_operands(Operator op, const Value& left, const 
   } else if (left.type->is_number() && right.type->is_number()) {
     hint = "no type holds both; convert one of them";
   }
-  a_.error(
-      code::kBadOperand, where,
-      std::string(to_string(op)) + " cannot be applied to " + plain_name(*left.type) + " and " + plain_name(*right.type),
-      std::move(hint));
+  a_.error(code::kBadOperand, where,
+           std::string(to_string(op)) + " cannot be applied to " + plain_name(*left.type) + " and " +
+               plain_name(*right.type),
+           std::move(hint));
   return nullptr;
 }
 

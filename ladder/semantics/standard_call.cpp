@@ -46,18 +46,16 @@ constexpr std::size_t kMostArguments = 1000;
 }  // namespace
 
 const StandardAnalyzer::Entry* StandardAnalyzer::find(std::string_view folded) {
-  for (const auto family :
-       {numeric_entries(), operator_entries(), selection_entries(), bit_entries(), time_entries(),
-        text_entries()})
+  for (const auto family : {numeric_entries(), operator_entries(), selection_entries(), bit_entries(),
+                            time_entries(), text_entries()})
     for (const Entry& each : family)
       if (each.name == folded) return &each;
   return nullptr;
 }
 
 void StandardAnalyzer::add_names(std::vector<std::string_view>& names) {
-  for (const auto family :
-       {numeric_entries(), operator_entries(), selection_entries(), bit_entries(), time_entries(),
-        text_entries()})
+  for (const auto family : {numeric_entries(), operator_entries(), selection_entries(), bit_entries(),
+                            time_entries(), text_entries()})
     for (const Entry& each : family)
       if (each.name.front() != '_') names.push_back(each.name);
 }

@@ -58,7 +58,8 @@ std::optional<Statement> StatementAnalyzer::statement(const syntax::Statement& s
       return attempt(statement);
     case syntax::StatementKind::Call: {
       auto call = expressions_.call_statement(*statement.value);
-      if (call && call->kind == StatementKind::Evaluate && call->value->kind != ValueKind::Call)
+      if (call && call->kind == StatementKind::Evaluate && call->value->kind != ValueKind::Call &&
+          call->value->kind != ValueKind::Fail)
         a_.sink.warning(code::kUnusedResult, statement.where, "the result of the function is not used");
       return call;
     }

@@ -124,9 +124,8 @@ std::optional<Place> ExpressionAnalyzer::character_place(Place text, const Expre
     return std::nullopt;
   }
   text.character = std::move(position);
-  text.type =
-      a_.type_table().elementary(width_of(*text.type) == ElementaryType::Wstring ? ElementaryType::Wchar
-                                                                                 : ElementaryType::Char);
+  text.type = a_.type_table().elementary(
+      width_of(*text.type) == ElementaryType::Wstring ? ElementaryType::Wchar : ElementaryType::Char);
   return text;
 }
 

@@ -32,7 +32,6 @@ const ErrorCase kCases[] = {
     {"EqualForAssign", "E0104", 3, 3, BODY("i = 1;"), ":="},
     {"ReservedName", "E0104", 2, 5, "PROGRAM main\nVAR step : INT; END_VAR\nEND_PROGRAM", "reserved"},
     {"MissingEndIf", "E0105", 3, 1, BODY("IF b THEN i := 1;")},
-    {"Strings", "E0107", 3, 6, BODY("i := 'text';")},
     {"LiteralTooLarge", "E0108", 3, 27, BODY("i := 18446744073709551615 * 18446744073709551615;")},
     {"Undeclared", "E0201", 3, 1, BODY("lmp := TRUE;"), "'lamp'"},
     {"UnknownFunction", "E0201", 3, 6, BODY("r := SQRTT(r);"), "'SQRT'"},
@@ -153,6 +152,8 @@ std::vector<ErrorCase> all_cases() {
   std::vector<ErrorCase> cases(std::begin(kCases), std::end(kCases));
   const auto types = stepwright::driver_test::type_error_cases();
   cases.insert(cases.end(), types.begin(), types.end());
+  const auto texts = stepwright::driver_test::text_error_cases();
+  cases.insert(cases.end(), texts.begin(), texts.end());
   return cases;
 }
 
@@ -200,7 +201,7 @@ TEST(Diagnostics, Codes_WhenComparedWithTheCases_ThenNearlyEveryCodeHasACase) {
       codes_in(read(std::string(STEPWRIGHT_SOURCE_DIR) + "/ladder/source/codes.h"), "= \"");
   for (const ErrorCase& each : all_cases()) codes.erase(each.code);
   // Tested elsewhere: nesting (syntax), labels and edges of diagrams (lowering).
-  EXPECT_EQ(codes, (std::set<std::string>{"E0106", "E0701", "E0702"}));
+  EXPECT_EQ(codes, (std::set<std::string>{"E0106", "E0107", "E0701", "E0702"}));
 }
 
 TEST(Recovery, Compile_WhenSeveralMistakes_ThenEachIsReportedOnce) {
