@@ -10,10 +10,25 @@
 
 #include "ladder/codegen/literal_pool.h"
 #include "ladder/semantics/model.h"
+#include "ladder/source/source_set.h"
 #include "runtime/bytecode/trap.h"
 #include "runtime/bytecode/writer/function_builder.h"
 
 namespace stepwright::codegen {
+
+// Source files in the order in which code first comes from them.
+class FileTable {
+ public:
+  explicit FileTable(const source::SourceSet& sources) : sources_(sources) {}
+
+  std::uint32_t index_of(source::FileId file);
+  const source::SourceSet& sources() const { return sources_; }
+  const std::vector<source::FileId>& files() const { return files_; }
+
+ private:
+  const source::SourceSet& sources_;
+  std::vector<source::FileId> files_;
+};
 
 // What all functions of a program share.
 struct ProgramLayout {
@@ -26,8 +41,11 @@ enum class Width : std::uint8_t { Exact, Any };
 
 class ExpressionEmitter {
  public:
-  ExpressionEmitter(const ProgramLayout& layout, writer::FunctionBuilder& builder)
-      : layout_(layout), b_(builder) {}
+  ExpressionEmitter(const ProgramLayout& layout, FileTable& files, writer::FunctionBuilder& builder)
+      : layout_(layout), files_(files), b_(builder) {}
+
+  // What follows comes from here.
+  void line(source::Position where);
 
   // The temporaries of the statement before are free again.
   void begin_statement();
@@ -75,6 +93,8 @@ class ExpressionEmitter {
   void merge_bit(std::uint8_t bit);
   void merge_part(const semantics::Place& place);
 
+  // Before an instruction that may trap: an expression may go over several lines.
+  void locate(source::Position where);
   void call(const semantics::Value& value);
   void enabled(const semantics::Value& value);
   void check(const semantics::Value& value);
@@ -84,6 +104,7 @@ class ExpressionEmitter {
   void binary(const semantics::Value& value, Width width);
   void bool_order(const semantics::Value& value);
   void convert(const semantics::Type& from, const semantics::Type& to);
+  void transfer_bits(const semantics::Type& from, const semantics::Type& to);
   void to_integer(const semantics::Type& from, const semantics::Type& to);
   void to_real(const semantics::Type& from, const semantics::Type& to);
   void time_conversion(const semantics::Type& from, const semantics::Type& to);
@@ -123,6 +144,8 @@ class ExpressionEmitter {
   };
 
   const ProgramLayout& layout_;
+  FileTable& files_;
+  source::Position here_;  // what was marked last
   writer::FunctionBuilder& b_;
   std::vector<Temporary> temporaries_;
 };

@@ -5,6 +5,7 @@
 #include <deque>
 #include <vector>
 
+#include "ladder/driver/project_scope.h"
 #include "ladder/graphic/project.h"
 #include "ladder/syntax/parser.h"
 
@@ -32,19 +33,25 @@ class PouLowering {
   const std::vector<LoweredChart>& charts() const { return charts_; }
 
  private:
-  void add_pou(const graphic::Pou& pou);
+  void add_pou(const graphic::Pou& pou, source::FileId file);
+  // The body of a POU that was drawn, into the last POU of the unit.
+  void add_drawn(const graphic::Pou& pou, source::FileId file);
+  void add_chart(const graphic::Pou& pou, source::FileId file);
   void add_declarations(const std::string& file, const std::string& text, syntax::PouDeclaration& pou);
   void set_ladder(const graphic::LadderProgram& ladder, const std::string& file, syntax::PouDeclaration& pou);
   std::string type_name(syntax::Name name) const;
   graphic::Pou with_chart(const syntax::PouDeclaration& pou) const;
   void set_lowered(const graphic::Pou& lowered, std::size_t known_variables, graphic::SfcChart origin,
                    std::size_t index);
+  // The mark of a byte of a file; nothing for 0.
+  static std::string mark_text(source::FileId file, std::uint32_t where);
   void report(result::Diagnostics diagnostics, source::Position where);
 
   syntax::SyntaxContext& context_;
   syntax::Unit& unit_;
   std::vector<LoweredChart> charts_;
   std::deque<std::string> texts_;
+  ProgramInterfaces interfaces_;
 };
 
 }  // namespace stepwright::driver

@@ -35,6 +35,8 @@ bool convertible(const Type& from, const Type& to) {
   if (&from == &to) return true;
   const auto is_count = [](const Type& type) { return type.is_number() || type.is_bits(); };
   const auto is_plain = [&](const Type& type) { return is_count(type) || type.is_bool(); };
+  const bool real_and_bits = (from.is_real() && to.is_bits()) || (from.is_bits() && to.is_real());
+  if (real_and_bits) return transfers_bits(from, to);
   if (is_plain(from) && is_plain(to)) return true;
   const auto is_time = [](const Type& type) { return type.is_time() || is_date(type); };
   if (is_time(from) && is_time(to))

@@ -2,7 +2,8 @@
 
 // The code of every diagnostic of the compiler. Stable: scripts and ladder/doc/diagnostics.md name them; a
 // test holds both lists together. E01xx text and syntax, E02xx names and declarations, E03xx types,
-// E04xx statements and calls, E05xx addresses, E06xx configuration, E07xx charts and rungs, W0xxx warnings.
+// E04xx statements and calls, E05xx addresses, E06xx configuration, E07xx charts and rungs, E08xx exchange
+// files, W0xxx warnings.
 
 namespace stepwright::source::code {
 
@@ -50,20 +51,27 @@ inline constexpr const char* kShortLived = "E0412";
 
 inline constexpr const char* kBadAddress = "E0501";
 inline constexpr const char* kAddressSize = "E0502";
-inline constexpr const char* kOverlap = "E0503";
 inline constexpr const char* kAddressNotHere = "E0504";
+inline constexpr const char* kMissingAddress = "E0505";
 
 inline constexpr const char* kNoProgram = "E0601";
 inline constexpr const char* kUnknownTask = "E0602";
 inline constexpr const char* kUnknownProgram = "E0603";
 inline constexpr const char* kBadTask = "E0604";
 inline constexpr const char* kSeveralConfigurations = "E0605";
+inline constexpr const char* kBadConnection = "E0606";
 
 inline constexpr const char* kUnknownLabel = "E0701";
 inline constexpr const char* kEdgeInFunction = "E0702";
 inline constexpr const char* kBadChart = "E0703";
 
+inline constexpr const char* kBadXml = "E0801";
+inline constexpr const char* kNotPlcopen = "E0802";
+inline constexpr const char* kBadDiagram = "E0803";
+inline constexpr const char* kExchangeUnsupported = "E0804";
+
 inline constexpr const char* kUnreachable = "W0001";
 inline constexpr const char* kUnusedResult = "W0002";
+inline constexpr const char* kOverlap = "W0016";
 
 }  // namespace stepwright::source::code

@@ -4,7 +4,8 @@
 // once and becomes a Bad token, so that the parser can go on.
 //
 // In a generated text (TextKind::Generated) a pragma {@F:O} says that what follows was copied from offset O
-// of file F, and {@} ends that: diagnostics and traps then name the place the user wrote.
+// of file F, and {@} ends that: diagnostics and traps then name the place the user wrote. {@F:O!} says that
+// all of what follows stands for that one place.
 
 #include <vector>
 
