@@ -107,7 +107,7 @@ void ExpressionEmitter::assign_text(const Place& place, const Value& value) {
   b_.string_op(for_width(StringOpId::CopyS, *place.type));
 }
 
-// A number that was read from a text as 64 bits, in a narrower type: one that does not fit is no text of it.
+// A number that was read from a text as 64 bits, in a narrower type.
 void ExpressionEmitter::narrow_number(const Value& value) {
   const StringOpId op = value.text_op;
   const bool is_signed = op == StringOpId::ToI64S || op == StringOpId::ToI64W;
@@ -125,7 +125,7 @@ void ExpressionEmitter::narrow_number(const Value& value) {
     b_.emit(Opcode::GeI64);
     b_.emit(Opcode::AndBool);
   }
-  trap_unless(bytecode::TrapCode::BadArgument);
+  trap_unless(bytecode::TrapCode::ConversionRange);
   b_.local_get(number);
   b_.emit(Opcode::I64ToI32);
 }
