@@ -230,7 +230,7 @@ TEST(CodeCheck, Calls_WhenTheyNest_ThenDepthAndStackAreSummedUp) {
       std::move(more)));
   const SizesRecord sizes = program.loaded().program().sizes();
   EXPECT_EQ(sizes.call_depth, 3u);
-  // MAIN: 2 operands; MIDDLE: 1; LEAF: 1 local and 1 operand; 2 saved slots each.
+  // MAIN: 2 operands; MIDDLE: 1; LEAF: 1 local and 1 operand; 3 slots of the engine each.
   EXPECT_EQ(sizes.stack_slots, (2u + 3) + (1u + 3) + (1u + 1 + 3));
 }
 
