@@ -22,18 +22,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kRoundsPerProgram = 4000;
+constexpr int kRoundsPerProgram = 2000;
 
 struct Seed {
   std::string name;
   std::vector<std::byte> bytes;
 };
 
-// The language tests and a model with every kind of record.
-std::vector<Seed> seeds() {
-  std::vector<Seed> out{{"sample", writer::write_container(support::sample_model()).value()}};
+// The containers of a folder of language tests.
+void append_programs(const std::string& folder, std::vector<Seed>& out) {
   std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(STEPWRIGHT_SOURCE_DIR "/tests/st/programs")) {
+  for (const auto& entry : fs::directory_iterator(STEPWRIGHT_SOURCE_DIR "/tests/st/programs/" + folder)) {
     if (entry.path().extension() == ".st") paths.push_back(entry.path());
   }
   std::sort(paths.begin(), paths.end());
@@ -43,8 +42,14 @@ std::vector<Seed> seeds() {
     input.texts.push_back({path.filename().string(), {std::istreambuf_iterator<char>(file), {}}});
     auto compiled = driver::compile(input);
     if (!compiled) throw std::runtime_error(result::to_string(compiled.error()));
-    out.push_back({path.stem().string(), std::move(compiled->container)});
+    out.push_back({folder + "_" + path.stem().string(), std::move(compiled->container)});
   }
+}
+
+// Language tests, and a model with every kind of record.
+std::vector<Seed> seeds() {
+  std::vector<Seed> out{{"sample", writer::write_container(support::sample_model()).value()}};
+  for (const char* const folder : {"tour", "functions", "library"}) append_programs(folder, out);
   return out;
 }
 
