@@ -38,7 +38,8 @@ class Layouter {
     if (node.kind == NodeKind::Transition) measure_transition(node);
     if (node.kind == NodeKind::Jump) {
       node.left = m_.bar;
-      node.right = m_.bar + m_.text_gap + width_of(chart_.steps[node.index].name, m_.character);
+      node.right = m_.bar + m_.text_gap + width_of(chart_.steps[node.index].name, m_.character) +
+                   m_.reference * m_.character;
       node.height = m_.arrow;
     }
   }
@@ -67,7 +68,9 @@ class Layouter {
     }
     if (placed.jumps.empty()) return;
     node.height += 2 * m_.line;
-    node.left = std::max(node.left, 2 * m_.arrow + m_.text_gap + width_of(placed.jumps, m_.small_character));
+    const int references = static_cast<int>(graph_.jumps_into[node.index].size()) * m_.reference;
+    node.left = std::max(node.left, 2 * m_.arrow + m_.text_gap + width_of(placed.jumps, m_.small_character) +
+                                        references * m_.small_character);
   }
 
   void measure_transition(LayoutNode& node) {

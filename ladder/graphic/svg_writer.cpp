@@ -1,5 +1,7 @@
 #include "ladder/graphic/svg_writer.h"
 
+#include <cassert>
+
 namespace stepwright::graphic {
 namespace {
 
@@ -32,18 +34,28 @@ std::string xml_escaped(const std::string& text) {
   return result;
 }
 
-SvgWriter::SvgWriter(int width, int height, const std::string& title, const std::string& style) {
+SvgWriter::SvgWriter(int width, int height, const std::string& title, const std::string& style, int width_mm,
+                     int height_mm) {
   const std::string size = std::to_string(width) + " " + std::to_string(height);
-  out_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\" width=" + number(width) +
-         " height=" + number(height) + " class=\"sw-drawing\" role=\"img\">\n<title>" + xml_escaped(title) +
-         "</title>\n<style>\n" + style + "</style>\n<rect class=\"sw-paper\" width=" + number(width) +
-         " height=" + number(height) + "/>\n";
+  const std::string unit = width_mm > 0 ? "mm" : "";
+  const std::string outer = " width=\"" + std::to_string(width_mm > 0 ? width_mm : width) + unit +
+                            "\" height=\"" + std::to_string(width_mm > 0 ? height_mm : height) + unit + "\"";
+  out_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\"" + outer +
+         " class=\"sw-drawing\" role=\"img\">\n<title>" + xml_escaped(title) + "</title>\n<style>\n" + style +
+         "</style>\n<rect class=\"sw-paper\" width=" + number(width) + " height=" + number(height) + "/>\n";
 }
 
 void SvgWriter::open_group(const std::string& css, const std::string& attribute, const std::string& value) {
   out_ += "<g class=\"" + css + "\"";
   if (!attribute.empty()) out_ += " " + attribute + "=\"" + xml_escaped(value) + "\"";
   out_ += ">\n";
+}
+
+void SvgWriter::open_moved(int x, int y, int percent) {
+  out_ += "<g transform=\"translate(" + std::to_string(x) + "," + std::to_string(y) + ")";
+  assert(0 < percent && percent <= 100);
+  if (percent < 100) out_ += " scale(0." + std::to_string(100 + percent).substr(1) + ")";
+  out_ += "\">\n";
 }
 
 void SvgWriter::close_group() {
