@@ -23,13 +23,13 @@ const char* kind_of(graphic::PouKind kind) {
                                                    : "FUNCTION";
 }
 
-graphic::Listing listing_of(const std::string& text) {
+graphic::Listing whole_listing(const std::string& text) {
   return listing_of(text, 0, text.size());
 }
 
 // A text of a file is numbered as the file is, if its lines are lines of the file.
-graphic::Listing listing_of(const graphic::SourceText& text, const std::string& file_text) {
-  graphic::Listing listing = listing_of(text.text);
+graphic::Listing file_listing(const graphic::SourceText& text, const std::string& file_text) {
+  graphic::Listing listing = whole_listing(text.text);
   if (text.anchors.size() != 1) return listing;
   const auto end = file_text.begin() +
                    static_cast<std::ptrdiff_t>(std::min<std::size_t>(text.anchors[0].file, file_text.size()));
@@ -51,7 +51,11 @@ class ProjectSheets {
     const auto no_mark = [](std::uint32_t) { return std::string(); };
     add_text("TYPE", "", types_text(project_, no_mark));
     for (const graphic::Pou& pou : project_.pous) add(pou);
-    add_text("CONFIGURATION", project_.configuration, configuration_text(project_, no_mark));
+    add_globals();
+    graphic::Project tasks = project_;
+    tasks.globals.clear();
+    for (graphic::Resource& each : tasks.resources) each.globals.clear();
+    add_text("CONFIGURATION", project_.configuration, configuration_text(tasks, no_mark));
     for (Sheet& each : sheets_) each.file = context_.sources.name(file_);
     return std::move(sheets_);
   }
@@ -60,7 +64,16 @@ class ProjectSheets {
   void add_text(const char* kind, const std::string& name, const std::string& text) {
     if (text.empty()) return;
     Sheet& sheet = sheets_.emplace_back(Sheet{kind, name});
-    sheet.body = listing_of(text);
+    sheet.body = whole_listing(text);
+  }
+
+  void add_globals() {
+    Sheet sheet{"VAR_GLOBAL", ""};
+    sheet.variables = project_.globals;
+    for (const graphic::Resource& each : project_.resources)
+      sheet.variables.insert(sheet.variables.end(), each.globals.begin(), each.globals.end());
+    for (graphic::Variable& each : sheet.variables) each.section = graphic::VariableSection::Global;
+    if (!sheet.variables.empty()) sheets_.push_back(std::move(sheet));
   }
 
   void add(const graphic::Pou& pou) {
@@ -68,7 +81,7 @@ class ProjectSheets {
     sheet.result_type = pou.result_type;
     sheet.comment = pou.comment;
     sheet.variables = pou.variables;
-    if (const auto* text = std::get_if<graphic::StBody>(&pou.body)) sheet.body = listing_of(text->text);
+    if (const auto* text = std::get_if<graphic::StBody>(&pou.body)) sheet.body = whole_listing(text->text);
     if (const auto* ladder = std::get_if<graphic::LadderProgram>(&pou.body)) sheet.body = *ladder;
     if (const auto* chart = std::get_if<graphic::SfcChart>(&pou.body)) sheet.body = *chart;
     if (std::holds_alternative<graphic::DrawnBody>(pou.body)) draw(pou, sheet);
@@ -84,7 +97,7 @@ class ProjectSheets {
   void draw(const graphic::Pou& pou, Sheet& sheet) {
     const auto& drawn = std::get<graphic::DrawnBody>(pou.body);
     if (drawn.body.language != graphic::BodyLanguage::Diagram) {
-      sheet.body = listing_of(drawn.body.text, project_.file_text);
+      sheet.body = file_listing(drawn.body.text, project_.file_text);
       return;
     }
     ProjectScope scope(pou, interfaces_, file_, context_);

@@ -69,9 +69,14 @@ class TextSheets {
 
   std::vector<Sheet> run(const syntax::Unit& unit) {
     for (const syntax::PouDeclaration& pou : unit.pous) add(pou);
-    for (const syntax::Configuration& each : unit.configurations)
+    for (const syntax::Configuration& each : unit.configurations) {
       add_section("CONFIGURATION", std::string(each.name.text), before(each.name.where.offset),
                   Keyword::EndConfiguration);
+      std::vector<graphic::Variable>& variables = sheets_.back().second.variables;
+      for (const syntax::VariableDeclaration& line : each.globals) add(line, variables);
+      for (const syntax::Resource& resource : each.resources)
+        for (const syntax::VariableDeclaration& line : resource.globals) add(line, variables);
+    }
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (tokens_[i].is(Keyword::Type)) add_section("TYPE", "", i, Keyword::EndType);
     }
@@ -102,7 +107,7 @@ class TextSheets {
 
   void add(const syntax::PouDeclaration& pou) {
     Sheet sheet{kind_of(pou.kind), std::string(pou.name.text)};
-    if (pou.result) sheet.result_type = until(at(pou.result->where.offset), at(body_start(pou)));
+    if (pou.result) sheet.result_type = until(at(pou.result->where.offset), result_end(pou));
     for (const syntax::VariableDeclaration& line : pou.variables) add(line, sheet.variables);
     if (pou.chart) {
       auto chart = to_graphic(*pou.chart, Marks::None, context_.sources, context_.sink);
@@ -117,19 +122,19 @@ class TextSheets {
     sheets_.emplace_back(pou.name.where.offset, std::move(sheet));
   }
 
+  // Behind the type of a function's result: BOOL, STRING[20].
+  std::size_t result_end(const syntax::PouDeclaration& pou) const {
+    std::size_t i = at(pou.result->where.offset) + 1;
+    if (!tokens_[i].is(TokenKind::LeftBracket)) return i;
+    while (!tokens_[i].is(TokenKind::RightBracket) && !tokens_[i].is(TokenKind::End)) ++i;
+    return i + 1;
+  }
+
   // Behind the last declaration, or behind the head of a POU without any.
   std::size_t body_start(const syntax::PouDeclaration& pou) const {
     const std::size_t name = at(pou.name.where.offset);
     std::size_t start = end_of(tokens_[name]);
-    if (pou.result) {
-      std::size_t i = at(pou.result->where.offset);
-      // STRING[20], BOOL
-      start = end_of(tokens_[i++]);
-      if (tokens_[i].is(TokenKind::LeftBracket)) {
-        while (!tokens_[i].is(TokenKind::RightBracket) && !tokens_[i].is(TokenKind::End)) ++i;
-        start = end_of(tokens_[i]);
-      }
-    }
+    if (pou.result) start = end_of(tokens_[result_end(pou) - 1]);
     for (std::size_t i = name; i < tokens_.size() && tokens_[i].where.offset < pou.end.offset; ++i)
       if (tokens_[i].is(Keyword::EndVar)) start = end_of(tokens_[i]);
     const std::size_t next = at(start);

@@ -22,13 +22,15 @@ class SvgWriter {
   void path(const std::string& data, const std::string& css);
   // `css` decides size and anchor.
   void text(int x, int y, const std::string& text, const std::string& css);
+  // The same with all its blanks.
+  void code(int x, int y, const std::string& text, const std::string& css);
   std::string finish();
 
  private:
   std::string out_;
 };
 
-// Escapes what XML reserves; control characters become spaces.
+// Escapes what XML reserves; control characters become spaces, bytes that are no UTF-8 U+FFFD.
 std::string xml_escaped(const std::string& text);
 
 }  // namespace stepwright::graphic
