@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "ladder/driver/declaration_text.h"
+#include "ladder/driver/library.h"
 #include "ladder/driver/project_scope.h"
-#include "ladder/driver/standard_blocks.h"
 #include "ladder/driver/text_sheets.h"
 #include "ladder/lowering/diagram_to_chart.h"
 #include "ladder/lowering/diagram_to_ladder.h"
@@ -126,7 +126,9 @@ result::Result<std::vector<Sheet>> sheets_of(const CompileInput& input) {
   syntax::SyntaxContext context{sources, names, sink};
   ProgramInterfaces interfaces;
   syntax::Unit library;
-  syntax::parse_unit(context, sources.add("standard_blocks.st", std::string(standard_blocks())), library);
+  // Drawn blocks name their types in files that are not lexed: all of the library.
+  for (const LibraryDeclaration& each : library_declarations()) names.intern(each.name);
+  add_library(context, library);
   interfaces.add(library);
   std::vector<Sheet> sheets;
   const auto append = [&sheets](std::vector<Sheet> more) {

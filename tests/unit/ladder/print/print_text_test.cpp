@@ -121,7 +121,7 @@ TEST(PrintText, WhenGlobalsAreShared_ThenTheirUsesAreListedOnce) {
       "VAR_GLOBAL stop AT %IX0.1 : BOOL; END_VAR\n"
       "PROGRAM a\nVAR_EXTERNAL stop : BOOL; END_VAR VAR x : BOOL; END_VAR\nx := stop;\nEND_PROGRAM\n"
       "PROGRAM b\nVAR_EXTERNAL stop : BOOL; END_VAR\nstop := FALSE;\nEND_PROGRAM\n");
-  EXPECT_NE(text.find("  stop      BOOL  %IX0.1   b: 7     a: 4\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  stop      BOOL  %IX0.1   b: 8     a: 4\n"), std::string::npos) << text;
 }
 
 }  // namespace
