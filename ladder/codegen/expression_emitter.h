@@ -31,8 +31,14 @@ class FileTable {
 
 // What all functions of a program share.
 struct ProgramLayout {
+  const semantics::Model* model = nullptr;
   std::array<std::uint32_t, 4> bases{};  // absolute address of %I, %Q, %M, Data
   std::unordered_map<const semantics::Pou*, std::uint32_t> functions;
+
+  // Of a place in an area.
+  std::uint32_t address(const semantics::Place& place) const {
+    return bases[static_cast<std::size_t>(place.base)] + model->offset_in_area(place.offset, place.base);
+  }
 };
 
 enum class Width : std::uint8_t { Exact, Any };
@@ -65,9 +71,7 @@ class ExpressionEmitter {
   // Cuts an I32 to the type, if it is narrower.
   void wrap(const semantics::Type& type);
 
-  std::uint32_t address(const semantics::Place& place) const {
-    return layout_.bases[static_cast<std::size_t>(place.base)] + place.offset;
-  }
+  std::uint32_t address(const semantics::Place& place) const { return layout_.address(place); }
   std::uint32_t function_of(const semantics::Pou& pou) const { return layout_.functions.at(&pou); }
   bool in_area(const semantics::Place& place) const { return place.base <= semantics::Base::Data; }
   // The whole of a local slot.
