@@ -78,10 +78,14 @@ result::Result<std::vector<std::byte>> generate(const Model& model, const std::v
                                                 const source::SourceSet& sources) {
   writer::ContainerModel out;
   const std::vector<const Pou*> functions = functions_of(model);
-  const ProgramLayout layout = lay_out(model, functions);
+  ProgramLayout layout = lay_out(model, functions);
   add_memory(model, layout, out);
+  LiteralPool literals(static_cast<std::uint32_t>(out.initial_data.size()));
+  layout.literals = &literals;
   FileTable files(sources);
   for (const Pou* each : functions) out.functions.push_back(FunctionEmitter(layout, files, *each).run());
+  out.initial_data.insert(out.initial_data.end(), literals.bytes().begin(), literals.bytes().end());
+  out.sizes.data_bytes += static_cast<std::uint32_t>(literals.bytes().size());
   for (const source::FileId file : files.files()) out.source_files.push_back(sources.name(file));
   SymbolTable symbols(model, layout, out);
   symbols.globals();

@@ -33,7 +33,6 @@ const ErrorCase kCases[] = {
     {"ReservedName", "E0104", 2, 5, "PROGRAM main\nVAR then : INT; END_VAR\nEND_PROGRAM", "reserved"},
     {"DoubledUnderscore", "E0101", 2, 6, "PROGRAM main\nVAR a__b : INT; END_VAR\nEND_PROGRAM", "leave"},
     {"MissingEndIf", "E0105", 3, 1, BODY("IF b THEN i := 1;")},
-    {"Strings", "E0107", 3, 6, BODY("i := 'text';")},
     {"LiteralTooLarge", "E0108", 3, 27, BODY("i := 18446744073709551615 * 18446744073709551615;")},
     {"Undeclared", "E0201", 3, 1, BODY("lmp := TRUE;"), "'lamp'"},
     {"UnknownFunction", "E0201", 3, 6, BODY("r := SQRTT(r);"), "'SQRT'"},
@@ -153,7 +152,8 @@ const ErrorCase kCases[] = {
 std::vector<ErrorCase> all_cases() {
   std::vector<ErrorCase> cases(std::begin(kCases), std::end(kCases));
   for (const auto more :
-       {stepwright::driver_test::type_error_cases(), stepwright::driver_test::configuration_error_cases()})
+       {stepwright::driver_test::type_error_cases(), stepwright::driver_test::configuration_error_cases(),
+        stepwright::driver_test::text_error_cases()})
     cases.insert(cases.end(), more.begin(), more.end());
   return cases;
 }
@@ -202,7 +202,8 @@ TEST(Diagnostics, Codes_WhenComparedWithTheCases_ThenNearlyEveryCodeHasACase) {
       codes_in(read(std::string(STEPWRIGHT_SOURCE_DIR) + "/ladder/source/codes.h"), "= \"");
   for (const ErrorCase& each : all_cases()) codes.erase(each.code);
   // Tested elsewhere: nesting (syntax), labels and edges of diagrams (lowering), XML files (exchange).
-  EXPECT_EQ(codes, (std::set<std::string>{"E0106", "E0701", "E0702", "E0801", "E0802", "E0803", "E0804"}));
+  EXPECT_EQ(codes,
+            (std::set<std::string>{"E0106", "E0107", "E0701", "E0702", "E0801", "E0802", "E0803", "E0804"}));
 }
 
 TEST(Recovery, Compile_WhenSeveralMistakes_ThenEachIsReportedOnce) {
