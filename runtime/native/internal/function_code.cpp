@@ -1,5 +1,7 @@
 #include "runtime/native/internal/function_code.h"
 
+#include "runtime/bytecode/boolean_pair.h"
+
 #include <cstring>
 
 namespace stepwright::native {
@@ -30,7 +32,11 @@ FunctionCode decode_function(const bytecode::ContainerView& view, std::uint32_t 
     item.pc = pc;
     index_at[pc] = static_cast<std::uint32_t>(out.items.size());
     pc += item.instruction.size;
-    out.items.push_back(item);
+    if (bytecode::is_boolean_pair(item.instruction.opcode)) {
+      for (const Instruction& each : bytecode::unfold(item.instruction)) out.items.push_back({each, item.pc});
+    } else {
+      out.items.push_back(item);
+    }
   }
   for (FunctionCode::Item& item : out.items) {
     if (!is_jump(item.instruction.opcode)) continue;
