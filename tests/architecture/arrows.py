@@ -29,6 +29,7 @@ ARROWS = {
     "ladder/source": ["runtime/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
     "ladder/graphic": ["runtime/result", "runtime/base"],
+    "ladder/print": ["ladder/graphic", "ladder/syntax"],
     "ladder/semantics": ["ladder/syntax", "runtime/bytecode"],
     "ladder/lowering": ["ladder/syntax", "ladder/graphic"],
     "ladder/codegen": ["ladder/semantics", "runtime/bytecode/writer"],
