@@ -31,13 +31,13 @@ bytecode::FunctionKind kind_of(semantics::PouKind kind) {
 
 }  // namespace
 
-std::uint32_t FileTable::index_of(source::FileId file) {
-  const auto known = std::find(files_.begin(), files_.end(), file);
-  if (known == files_.end()) {
-    files_.push_back(file);
-    return static_cast<std::uint32_t>(files_.size() - 1);
-  }
-  return static_cast<std::uint32_t>(known - files_.begin());
+std::uint32_t FileTable::index_of(source::Position where) {
+  std::string name = sources_.name(where.file);
+  const std::string note = sources_.note(where);
+  if (!note.empty()) name += " (" + note + ")";
+  const auto [found, added] = index_.try_emplace(std::move(name), static_cast<std::uint32_t>(names_.size()));
+  if (added) names_.push_back(found->first);
+  return found->second;
 }
 
 FunctionEmitter::FunctionEmitter(const ProgramLayout& layout, FileTable& files, const semantics::Pou& pou)
@@ -68,7 +68,7 @@ writer::Function FunctionEmitter::run() && {
 
 void FunctionEmitter::line(source::Position where) {
   const result::Location place = files_.sources().location(where);
-  b_.line(files_.index_of(where.file), place.line, place.column);
+  b_.line(files_.index_of(where), place.line, place.column);
 }
 
 void FunctionEmitter::leave() {

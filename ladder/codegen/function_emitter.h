@@ -2,6 +2,8 @@
 
 // The statements of one POU as a function. Internal to this folder.
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "ladder/codegen/expression_emitter.h"
@@ -14,13 +16,15 @@ class FileTable {
  public:
   explicit FileTable(const source::SourceSet& sources) : sources_(sources) {}
 
-  std::uint32_t index_of(source::FileId file);
+  // In a drawing the name goes on with the element: "plc.xml (POU 'main', network 2, coil 'lamp')".
+  std::uint32_t index_of(source::Position where);
   const source::SourceSet& sources() const { return sources_; }
-  const std::vector<source::FileId>& files() const { return files_; }
+  const std::vector<std::string>& names() const { return names_; }
 
  private:
   const source::SourceSet& sources_;
-  std::vector<source::FileId> files_;
+  std::vector<std::string> names_;
+  std::map<std::string, std::uint32_t> index_;
 };
 
 class FunctionEmitter {

@@ -73,7 +73,7 @@ result::Result<std::vector<std::byte>> generate(const Model& model, const std::v
   add_memory(model, out);
   FileTable files(sources);
   for (const Pou* each : functions) out.functions.push_back(FunctionEmitter(layout, files, *each).run());
-  for (const source::FileId file : files.files()) out.source_files.push_back(sources.name(file));
+  out.source_files = files.names();
   SymbolTable symbols(model, layout, out);
   symbols.globals();
   for (const semantics::Task& task : model.tasks)

@@ -36,7 +36,8 @@ class ChartReader {
     steps();
     transitions();
     for (const graphic::NamedBody& action : body_.actions)
-      result_.chart.actions.push_back({action.name, texts_.statements(action.body, action.name)});
+      result_.chart.actions.push_back(
+          {action.name, texts_.statements(action.body, action.name), scope_.location(action.where)});
     action_blocks();
     result_.networks = networks_.take();
     graphic::LadderProgram more = texts_.take_networks();
@@ -65,6 +66,7 @@ class ChartReader {
       step.name = element.name.text;
       step.initial = element.initial;
       step.comment = element.documentation;
+      step.where = scope_.location(element.where);
       step_ids_[&element] = StepId(static_cast<std::uint32_t>(result_.chart.steps.size()));
       by_name_.emplace(graphic::upper(step.name), step_ids_[&element]);
       result_.chart.steps.push_back(std::move(step));
@@ -153,6 +155,7 @@ class ChartReader {
     graphic::Transition transition;
     transition.priority = static_cast<int>(std::min<std::uint64_t>(element.priority.value_or(0), 0xFFFF));
     transition.comment = element.documentation;
+    transition.where = scope_.location(element.where);
     for (const Element* step : tracer_.steps_above(element)) transition.sources.push_back(step_ids_.at(step));
     if (transition.sources.empty())
       scope_.error(code::kBadDiagram, element.where, "no step leads to this transition");
@@ -219,6 +222,7 @@ class ChartReader {
       return;
     }
     block.qualifier = *known;
+    block.where = scope_.location(row.where);
     block.duration = row.duration;
     block.indicator = row.indicator;
     block.target = row.reference;
@@ -227,7 +231,8 @@ class ChartReader {
                    "give the action a duration such as T#5s");
     if (!row.body.empty()) {
       block.target = step.name + "_INLINE" + std::to_string(++inline_actions_);
-      result_.chart.actions.push_back({block.target, texts_.statements(row.body.front(), block.target)});
+      result_.chart.actions.push_back(
+          {block.target, texts_.statements(row.body.front(), block.target), block.where});
     } else if (block.target.empty()) {
       scope_.error(code::kBadDiagram, row.where, "the action of step '" + step.name + "' is missing",
                    "name an action or a BOOL variable");
