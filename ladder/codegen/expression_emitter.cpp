@@ -19,6 +19,7 @@ void ExpressionEmitter::value(const Value& value, Width width) {
     case ValueKind::Constant:
       return constant(value.constant, *value.type);
     case ValueKind::Load:
+      if (!value.place.steps.empty()) locate(value.where);
       return value.place.type->is_scalar() ? load(value.place) : reference(value.place);
     case ValueKind::Reference:
       return reference(value.place);
@@ -28,9 +29,11 @@ void ExpressionEmitter::value(const Value& value, Width width) {
       return binary(value, width);
     case ValueKind::Convert:
       this->value(*value.operands[0]);
+      if (value.operands[0]->type->is_real()) locate(value.where);
       return convert(*value.operands[0]->type, *value.type);
     case ValueKind::Truncate:
       this->value(*value.operands[0]);
+      locate(value.where);
       return b_.to_int(
           machine_type(*value.operands[0]->type) == Machine::F32 ? Opcode::TruncF32 : Opcode::TruncF64,
           int_type(*value.type));
@@ -48,6 +51,10 @@ void ExpressionEmitter::value(const Value& value, Width width) {
       return call(value);
     case ValueKind::Enabled:
       return enabled(value);
+    case ValueKind::Chain:
+      return chain(value);
+    case ValueKind::Fail:
+      return b_.trap(static_cast<std::uint8_t>(bytecode::TrapCode::BadArgument));
     case ValueKind::Now:
       return b_.emit(Opcode::Now);
   }
@@ -99,6 +106,7 @@ void ExpressionEmitter::copies_after(const std::vector<semantics::CopyAfter>& co
 void ExpressionEmitter::call(const Value& value) {
   copies_before(value.before);
   for (const auto& each : value.operands) this->value(*each);
+  locate(value.where);
   b_.call(layout_.functions.at(value.pou));
   copies_after(value.after);
   const bool in_memory = !value.type->is_scalar() && value.type->kind != semantics::TypeKind::Nothing;
@@ -135,6 +143,7 @@ void ExpressionEmitter::enabled(const Value& value) {
 
 void ExpressionEmitter::check(const Value& value) {
   this->value(*value.operands[0]);
+  locate(value.where);
   const semantics::IntegerRange& range = value.type->range;
   switch (machine_type(*value.type)) {
     case Machine::U64:
@@ -228,30 +237,12 @@ void ExpressionEmitter::binary(const Value& value, Width width) {
   this->value(*value.operands[0], inner);
   for (std::size_t i = 1; i < value.operands.size(); ++i) {
     this->value(*value.operands[i], inner);
+    if (divides || value.op == Operator::Modulo) locate(value.operands[i]->where);
     operation(value.op, operands);
     // A quotient is an operand of the next division: it must be exact (-128 / -1 is not).
     if (divides && i + 1 < value.operands.size()) wrap(operands);
   }
   if ((modular || divides) && width == Width::Exact) wrap(*value.type);
-}
-
-void ExpressionEmitter::standard(const Value& value) {
-  using semantics::StandardFunction;
-  const Machine machine = machine_type(*value.type);
-  this->value(*value.operands[0]);
-  if (value.function == StandardFunction::Abs) {
-    if (value.type->is_unsigned()) return;
-    b_.intrinsic(abs_intrinsic(machine));
-    return wrap(*value.type);
-  }
-  if (value.function == StandardFunction::Sqrt) {
-    return b_.intrinsic(machine == Machine::F32 ? bytecode::IntrinsicId::SqrtF32
-                                                : bytecode::IntrinsicId::SqrtF64);
-  }
-  for (std::size_t i = 1; i < value.operands.size(); ++i) {
-    this->value(*value.operands[i]);
-    b_.intrinsic(extremum_intrinsic(value.function == StandardFunction::Max, machine));
-  }
 }
 
 void ExpressionEmitter::shift(const Value& value) {

@@ -6,25 +6,54 @@
 // upper bits do not matter (below + - *, before a store to memory) the wrap is left out: `Width::Any`.
 
 #include <array>
+#include <map>
+#include <string>
 #include <unordered_map>
 
 #include "ladder/semantics/model.h"
+#include "ladder/source/source_set.h"
+#include "runtime/bytecode/trap.h"
 #include "runtime/bytecode/writer/function_builder.h"
 
 namespace stepwright::codegen {
 
+// Source files in the order in which code first comes from them.
+class FileTable {
+ public:
+  explicit FileTable(const source::SourceSet& sources) : sources_(sources) {}
+
+  // In a drawing the name goes on with the element: "plc.xml (POU 'main', network 2, coil 'lamp')".
+  std::uint32_t index_of(source::Position where);
+  const source::SourceSet& sources() const { return sources_; }
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  const source::SourceSet& sources_;
+  std::vector<std::string> names_;
+  std::map<std::string, std::uint32_t> index_;
+};
+
 // What all functions of a program share.
 struct ProgramLayout {
+  const semantics::Model* model = nullptr;
   std::array<std::uint32_t, 4> bases{};  // absolute address of %I, %Q, %M, Data
   std::unordered_map<const semantics::Pou*, std::uint32_t> functions;
+
+  // Of a place in an area.
+  std::uint32_t address(const semantics::Place& place) const {
+    return bases[static_cast<std::size_t>(place.base)] + model->offset_in_area(place.offset, place.base);
+  }
 };
 
 enum class Width : std::uint8_t { Exact, Any };
 
 class ExpressionEmitter {
  public:
-  ExpressionEmitter(const ProgramLayout& layout, writer::FunctionBuilder& builder)
-      : layout_(layout), b_(builder) {}
+  ExpressionEmitter(const ProgramLayout& layout, FileTable& files, writer::FunctionBuilder& builder)
+      : layout_(layout), files_(files), b_(builder) {}
+
+  // What follows comes from here.
+  void line(source::Position where);
 
   void value(const semantics::Value& value, Width width = Width::Exact);
   void constant(const semantics::Constant& constant, const semantics::Type& type);
@@ -46,9 +75,7 @@ class ExpressionEmitter {
   // Cuts an I32 to the type, if it is narrower.
   void wrap(const semantics::Type& type);
 
-  std::uint32_t address(const semantics::Place& place) const {
-    return layout_.bases[static_cast<std::size_t>(place.base)] + place.offset;
-  }
+  std::uint32_t address(const semantics::Place& place) const { return layout_.address(place); }
   std::uint32_t function_of(const semantics::Pou& pou) const { return layout_.functions.at(&pou); }
   bool in_area(const semantics::Place& place) const { return place.base <= semantics::Base::Data; }
   // The whole of a local slot.
@@ -70,6 +97,8 @@ class ExpressionEmitter {
   void merge_bit(std::uint8_t bit);
   void merge_part(const semantics::Place& place);
 
+  // Before an instruction that may trap: an expression may go over several lines.
+  void locate(source::Position where);
   void call(const semantics::Value& value);
   void enabled(const semantics::Value& value);
   void check(const semantics::Value& value);
@@ -82,12 +111,26 @@ class ExpressionEmitter {
   void to_integer(const semantics::Type& from, const semantics::Type& to);
   void to_real(const semantics::Type& from, const semantics::Type& to);
   void time_conversion(const semantics::Type& from, const semantics::Type& to);
+  // standard_emitter.cpp
   void standard(const semantics::Value& value);
+  void extremum(const semantics::Value& value);
+  void chain(const semantics::Value& value);
+  void swap_bytes(const semantics::Type& type);
+  void swap_groups(unsigned bits, bool wide);
+  void from_bcd(const semantics::Type& from, const semantics::Type& to);
+  void to_bcd(const semantics::Type& from, const semantics::Type& to);
+  void is_valid_bcd();
+  void time_of_day();
+  void widen(const semantics::Type& type);
+  void trap_unless(bytecode::TrapCode code);
+
   void shift(const semantics::Value& value);
   void select(const semantics::Value& value);
   void multiplex(const semantics::Value& value);
 
   const ProgramLayout& layout_;
+  FileTable& files_;
+  source::Position here_;  // what was marked last
   writer::FunctionBuilder& b_;
 };
 

@@ -2,30 +2,11 @@
 
 // The statements of one POU as a function. Internal to this folder.
 
-#include <map>
-#include <string>
 #include <vector>
 
 #include "ladder/codegen/expression_emitter.h"
-#include "ladder/source/source_set.h"
 
 namespace stepwright::codegen {
-
-// Source files in the order in which code first comes from them.
-class FileTable {
- public:
-  explicit FileTable(const source::SourceSet& sources) : sources_(sources) {}
-
-  // In a drawing the name goes on with the element: "plc.xml (POU 'main', network 2, coil 'lamp')".
-  std::uint32_t index_of(source::Position where);
-  const source::SourceSet& sources() const { return sources_; }
-  const std::vector<std::string>& names() const { return names_; }
-
- private:
-  const source::SourceSet& sources_;
-  std::vector<std::string> names_;
-  std::map<std::string, std::uint32_t> index_;
-};
 
 class FunctionEmitter {
  public:
@@ -57,10 +38,8 @@ class FunctionEmitter {
   void body(const semantics::Statement& statement, Loop loop);
   void leave();
   bool has_slot_result() const { return pou_.result != nullptr && pou_.result->is_scalar(); }
-  void line(source::Position where);
 
   const semantics::Pou& pou_;
-  FileTable& files_;
   writer::FunctionBuilder b_;
   ExpressionEmitter e_;
   std::vector<Loop> loops_;

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "ladder/codegen/generate.h"
+#include "ladder/driver/library.h"
 #include "ladder/driver/pou_lowering.h"
-#include "ladder/driver/standard_blocks.h"
 #include "ladder/semantics/analyze.h"
 
 namespace stepwright::driver {
@@ -47,15 +47,14 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
   source::DiagnosticSink sink(sources);
   syntax::SyntaxContext context{sources, names, sink};
   syntax::Unit unit;
-  const source::FileId library = sources.add("standard_blocks.st", std::string(standard_blocks()));
-  syntax::parse_unit(context, library, unit);
-  const std::size_t library_pous = unit.pous.size();
   for (const source::NamedText& each : input.texts)
     syntax::parse_unit(context, sources.add(each.name, each.text), unit);
   PouLowering lowering(context, unit);
   lowering.lower_charts();
   for (const graphic::Project* each : input.projects) lowering.add_project(*each);
-  const auto model = semantics::analyze(unit, library_pous, names, sink);
+  const std::size_t user_pous = unit.pous.size();
+  add_library(context, unit);
+  const auto model = semantics::analyze(unit, user_pous, names, sink);
   if (sink.has_errors()) return tl::unexpected(sink.take());
   auto container = codegen::generate(*model, chart_origins(lowering, *model), sources);
   if (!container) return result::forward(container);

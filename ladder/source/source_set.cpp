@@ -52,6 +52,8 @@ std::uint32_t SourceSet::line(Position place) const {
 }
 
 result::Location SourceSet::location(Position place) const {
+  // Something that is missing from an empty compilation has no place.
+  if (place.file.value >= files_.size()) return {};
   const Position position = home(place);
   const File& file = *files_[position.file.value];
   const std::uint32_t line_number = line(position);

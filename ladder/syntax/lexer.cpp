@@ -5,6 +5,7 @@
 
 #include "ladder/syntax/date_literal.h"
 #include "ladder/syntax/number.h"
+#include "ladder/syntax/soft_words.h"
 
 namespace stepwright::syntax {
 
@@ -66,17 +67,18 @@ const char* hint_of(TokenKind kind) {
 class Lexer {
  public:
   Lexer(const source::SourceSet& sources, source::FileId file, TextKind kind, source::NameTable& names,
-        source::DiagnosticSink& sink)
+        source::DiagnosticSink& sink, Extent extent)
       : sources_(sources),
         file_(file),
-        text_(sources.text(file)),
+        text_(sources.text(file).substr(0, extent.end)),
         kind_(kind),
         names_(names),
         sink_(sink),
+        at_(extent.begin),
         mapped_file_(file) {}
 
   std::vector<Token> run() {
-    tokens_.reserve(text_.size() / 4 + 1);
+    tokens_.reserve((text_.size() - at_) / 4 + 1);
     while (true) {
       skip_blank();
       start_ = at_;
@@ -84,6 +86,7 @@ class Lexer {
       next();
     }
     push(TokenKind::End);
+    soften(tokens_);
     return std::move(tokens_);
   }
 
@@ -200,6 +203,11 @@ class Lexer {
     const std::string_view text = text_.substr(start_, at_ - start_);
     const source::NameId name = names_.intern(text);
     if (peek() == '#') return prefixed(name);
+    // The library's own names begin with two.
+    const std::size_t doubled = text.find("__", 1);
+    if (kind_ == TextKind::Written && doubled != std::string_view::npos)
+      sink_.error(code::kBadCharacter, place(start_ + doubled),
+                  "a name has no two underscores in a row: '" + std::string(text) + "'", "leave one out");
     const Keyword keyword = keyword_of(name);
     Token& token = push(keyword == Keyword::None ? TokenKind::Identifier : TokenKind::Keyword);
     token.keyword = keyword;
@@ -354,8 +362,8 @@ class Lexer {
 }  // namespace
 
 std::vector<Token> lex(const source::SourceSet& sources, source::FileId file, TextKind kind,
-                       source::NameTable& names, source::DiagnosticSink& sink) {
-  return Lexer(sources, file, kind, names, sink).run();
+                       source::NameTable& names, source::DiagnosticSink& sink, Extent extent) {
+  return Lexer(sources, file, kind, names, sink, extent).run();
 }
 
 }  // namespace stepwright::syntax

@@ -19,6 +19,7 @@ namespace stepwright::config {
 
 enum class ClockMode : std::uint8_t { Simulated, Real };
 enum class LostSupervisorPolicy : std::uint8_t { Continue, Safe };
+enum class EngineKind : std::uint8_t { Auto, Native, Vm };
 enum class SafeAction : std::uint8_t { Zero, Hold, One };
 
 struct ClockConfig {
@@ -81,7 +82,8 @@ struct ExecutiveConfig {
 
 struct DdsConfig {
   std::uint32_t domain_id = 0;
-  std::string runtime_id;  // this cell's runtime in the domain, which no other may share; default: the cell's name
+  std::string
+      runtime_id;  // this cell's runtime in the domain, which no other may share; default: the cell's name
 };
 
 struct HmiConfig {
@@ -95,6 +97,7 @@ struct CellConfig {
   std::filesystem::path state_dir;  // sockets, journals and reports; created on demand (default: a folder of
                                     // the name in the temporary folder)
   ClockConfig clock;
+  EngineKind engine = EngineKind::Auto;  // [runtime] engine: "auto" is native where the machine can
   PlantConfig plant;
   ImageConfig image;
   std::vector<ScheduledFault> faults;

@@ -113,8 +113,9 @@ result::Result<CellRunResult> run_once(const std::filesystem::path& cell, std::v
   // Several demos may run on one machine, and there are fewer domains than processes: what one sends must not
   // reach the runtime of another. Whoever sets these values himself comes later in the list and wins.
   const std::string run = std::to_string(getpid()) + "-" + std::to_string(run_number);
-  overrides.insert(overrides.begin(), {"dds.runtime_id=demo-" + run,
-                                       "dds.domain_id=" + std::to_string(10 + (getpid() * 2 + run_number) % 90)});
+  overrides.insert(overrides.begin(),
+                   {"dds.runtime_id=demo-" + run,
+                    "dds.domain_id=" + std::to_string(10 + (getpid() * 2 + run_number) % 90)});
   auto result = CellRun({cell, overrides, state_dir, page}).run(stop_requested);
   if (kept.empty()) {  // what is left over does no harm
     config::CellConfig ended;

@@ -99,11 +99,11 @@
   COMPARISONS(op, sign)                    \
   BINARY(op##U32, std::uint32_t, x sign y) \
   BINARY(op##U64, std::uint64_t, x sign y)
-#define ARITHMETIC(op, sign)               \
-  BINARY(op##I32, std::uint32_t, x sign y) \
-  BINARY(op##I64, std::uint64_t, x sign y) \
-  BINARY(op##F32, float, x sign y)         \
-  BINARY(op##F64, double, x sign y)
+#define ARITHMETIC(op, sign)                                \
+  BINARY(op##I32, std::uint32_t, x sign y)                  \
+  BINARY(op##I64, std::uint64_t, x sign y)                  \
+  BINARY(op##F32, float, settle_nan<float>(x sign y, x, y)) \
+  BINARY(op##F64, double, settle_nan<double>(x sign y, x, y))
 #define BITWISE(op, sign)                   \
   BINARY(op##Bool, std::uint64_t, x sign y) \
   BINARY(op##I32, std::uint32_t, x sign y)  \

@@ -3,18 +3,20 @@
 #include <cassert>
 
 #include "runtime/bytecode/stack_need.h"
-#include "runtime/vm/arithmetic.h"
+#include "runtime/operations/arithmetic.h"
+#include "runtime/operations/intrinsics.h"
+#include "runtime/operations/memory_access.h"
+#include "runtime/operations/reference.h"
+#include "runtime/operations/slot.h"
+#include "runtime/operations/string_ops.h"
 #include "runtime/vm/handler_macros.h"
-#include "runtime/vm/intrinsics.h"
-#include "runtime/vm/memory_access.h"
-#include "runtime/vm/reference.h"
-#include "runtime/vm/slot.h"
-#include "runtime/vm/string_ops.h"
 
 // Computed goto: every handler jumps to the next one itself, which branch predictors like better than one
 // shared switch. The families of handlers that differ in type and operator only are in handler_macros.h.
 
 namespace stepwright::vm {
+
+using namespace operations;  // what the instructions mean
 
 using bytecode::FunctionRecord;
 using bytecode::kFrameSlots;
@@ -183,8 +185,8 @@ op_ConstNull:
   DIVISION(DivI64, std::int64_t, divide(x, y))
   DIVISION(DivU32, std::uint32_t, divide(x, y))
   DIVISION(DivU64, std::uint64_t, divide(x, y))
-  DIVISION(DivF32, float, x / y)
-  DIVISION(DivF64, double, x / y)
+  DIVISION(DivF32, float, settle_nan<float>(x / y, x, y))
+  DIVISION(DivF64, double, settle_nan<double>(x / y, x, y))
   BINARY(ModI32, std::int32_t, modulo(x, y))
   BINARY(ModI64, std::int64_t, modulo(x, y))
   BINARY(ModU32, std::uint32_t, modulo(x, y))

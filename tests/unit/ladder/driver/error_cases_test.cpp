@@ -30,7 +30,8 @@ const ErrorCase kCases[] = {
     {"BadDuration", "E0103", 3, 7, BODY("tm := T#5x;")},
     {"MissingSemicolon", "E0104", 3, 7, BODY("i := 1\nj := 2;")},
     {"EqualForAssign", "E0104", 3, 3, BODY("i = 1;"), ":="},
-    {"ReservedName", "E0104", 2, 5, "PROGRAM main\nVAR step : INT; END_VAR\nEND_PROGRAM", "reserved"},
+    {"ReservedName", "E0104", 2, 5, "PROGRAM main\nVAR then : INT; END_VAR\nEND_PROGRAM", "reserved"},
+    {"DoubledUnderscore", "E0101", 2, 6, "PROGRAM main\nVAR a__b : INT; END_VAR\nEND_PROGRAM", "leave"},
     {"MissingEndIf", "E0105", 3, 1, BODY("IF b THEN i := 1;")},
     {"Strings", "E0107", 3, 6, BODY("i := 'text';")},
     {"LiteralTooLarge", "E0108", 3, 27, BODY("i := 18446744073709551615 * 18446744073709551615;")},
@@ -59,10 +60,31 @@ const ErrorCase kCases[] = {
     {"NumberForTime", "E0301", 3, 13, BODY("t(IN:=b,PT:=5);"), "T#"},
     {"IntAnd", "E0302", 3, 8, BODY("i := i AND j;")},
     {"BoolPlus", "E0302", 3, 8, BODY("b := b + b;")},
-    {"Power", "E0302", 3, 8, BODY("r := r ** 2;")},
+    {"PowerOfBool", "E0302", 3, 8, BODY("r := b ** 2;")},
+    {"PowerToInt", "E0301", 3, 8, BODY("i := i ** 2;"), "LREAL_TO_INT"},
+    {"NegativeShift", "E0304", 3, 13, BODY("w := SHL(w, -1);"), "other way"},
+    {"ShiftOfInt", "E0302", 3, 6, BODY("w := SHL(i, 1);"), "WORD#16#1"},
+    {"MuxConstant", "E0308", 3, 10, BODY("i := MUX(2, i, j);"), "0 to 1"},
+    {"SelOfBlock", "E0302", 3, 6, BODY("i := SEL(b, t, t);")},
+    {"MaxMixed", "E0301", 3, 13, BODY("i := MAX(i, tm);")},
+    {"UnknownFormal", "E0402", 3, 12, BODY("i := LIMIT(MNN := 1, IN := i, MX := 3);"), "'MN'"},
+    {"OutputOfFunction", "E0402", 3, 10, BODY("i := ABS(IN => j);"), ""},
+    {"UnknownConversion", "E0201", 3, 6, BODY("r := INT_TO_REEL(i);"), "'REAL'"},
+    {"NoConversion", "E0301", 3, 7, BODY("tm := BOOL_TO_TIME(b);")},
+    {"TruncOfInt", "E0302", 3, 6, BODY("i := TRUNC_INT(i);")},
+    {"BcdOfInt", "E0302", 3, 6, BODY("i := INT_BCD_TO_INT(i);"), "LWORD"},
+    {"TypedFunction", "E0301", 3, 17, BODY("i := ADD_INT(i, r);"), "REAL_TO_INT"},
+    {"ChainOfTypes", "E0301", 3, 15, BODY("b := GT(3, i, tm);")},
+    {"EndianOfReal", "E0302", 3, 6, BODY("r := TO_BIG_ENDIAN(r);")},
+    {"ValidOfInt", "E0302", 3, 6, BODY("b := IS_VALID(i);")},
+    {"TimeTimesTime", "E0302", 3, 10, BODY("tm := tm * tm;")},
+    {"TypedTime", "E0301", 3, 20, BODY("tm := ADD_TIME(tm, i);")},
+    {"MulTimeFactor", "E0302", 3, 7, BODY("tm := MUL_TIME(tm, tm);")},
     {"BoundNotConstant", "E0303", 2, 44,
      "PROGRAM main\nVAR n : INT; x : ARRAY[1..3] OF INT := [1, n]; END_VAR\nEND_PROGRAM"},
     {"OutOfRange", "E0304", 3, 6, BODY("i := 40000;"), "-32768"},
+    {"LogOfZero", "E0304", 3, 9, BODY("r := LN(0);")},
+    {"RealDivision", "E0305", 3, 10, BODY("r := r / 0.0;")},
     {"ConstantDivision", "E0305", 3, 10, BODY("i := j / 0;")},
     {"BadBounds", "E0306", 2, 15, "PROGRAM main\nVAR x : ARRAY[3..1] OF INT; END_VAR\nEND_PROGRAM"},
     {"IndexCount", "E0307", 3, 6, BODY("i := a[1, 2];")},
@@ -94,7 +116,7 @@ const ErrorCase kCases[] = {
      "END_VAR\ny();\nEND_PROGRAM"},
     {"BadAddress", "E0501", 2, 10, "PROGRAM main\nVAR x AT %IX0.9 : BOOL; END_VAR\nEND_PROGRAM"},
     {"AddressSize", "E0502", 2, 10, "PROGRAM main\nVAR x AT %IW0 : BOOL; END_VAR\nEND_PROGRAM", "%IX"},
-    {"Overlap", "E0503", 2, 37,
+    {"Overlap", "W0016", 2, 37,
      "PROGRAM main\nVAR x AT %IX2.0 : BOOL; END_VAR VAR y AT %IW1 : INT; END_VAR\nEND_PROGRAM"},
     {"AddressInBlock", "E0504", 2, 10,
      "FUNCTION_BLOCK f\nVAR x AT %QX0.0 : BOOL; END_VAR\nEND_FUNCTION_BLOCK\nPROGRAM main\nEND_PROGRAM"},
@@ -130,8 +152,9 @@ const ErrorCase kCases[] = {
 
 std::vector<ErrorCase> all_cases() {
   std::vector<ErrorCase> cases(std::begin(kCases), std::end(kCases));
-  const auto types = stepwright::driver_test::type_error_cases();
-  cases.insert(cases.end(), types.begin(), types.end());
+  for (const auto more :
+       {stepwright::driver_test::type_error_cases(), stepwright::driver_test::configuration_error_cases()})
+    cases.insert(cases.end(), more.begin(), more.end());
   return cases;
 }
 

@@ -52,15 +52,20 @@ class Rungs {
 // ... and compiled and run by the VM, whose scans are 10 ms apart.
 class Machine {
  public:
-  explicit Machine(const graphic::Pou& pou) : project_{"", {}, {pou}, {}, {}}, program_(input(project_)) {}
+  explicit Machine(const graphic::Pou& pou) : project_(project_of(pou)), program_(input(project_)) {}
   void set(const std::string& name, std::int64_t value) { program_.set("main." + name, value); }
   void scan(std::int64_t) { program_.scan(); }
   std::int64_t get(const std::string& name) const { return program_.get("main." + name); }
 
  private:
+  static graphic::Project project_of(const graphic::Pou& pou) {
+    graphic::Project project;
+    project.pous = {pou};
+    return project;
+  }
   static driver::CompileInput input(const graphic::Project& project) {
     driver::CompileInput input;
-    input.project = &project;
+    input.projects = {&project};
     return input;
   }
 

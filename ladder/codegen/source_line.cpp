@@ -1,0 +1,30 @@
+// Which line instructions come from.
+
+#include <algorithm>
+
+#include "ladder/codegen/expression_emitter.h"
+
+namespace stepwright::codegen {
+
+std::uint32_t FileTable::index_of(source::Position where) {
+  std::string name = sources_.name(where.file);
+  const std::string note = sources_.note(where);
+  if (!note.empty()) name += " (" + note + ")";
+  const auto [found, added] = index_.try_emplace(std::move(name), static_cast<std::uint32_t>(names_.size()));
+  if (added) names_.push_back(found->first);
+  return found->second;
+}
+
+void ExpressionEmitter::line(source::Position where) {
+  here_ = where;
+  const result::Location place = files_.sources().location(where);
+  b_.line(files_.index_of(where), place.line, place.column);
+}
+
+// Only where another line begins: the statement's place does for the rest.
+void ExpressionEmitter::locate(source::Position where) {
+  const source::SourceSet& sources = files_.sources();
+  if (where.file != here_.file || sources.line(where) != sources.line(here_)) line(where);
+}
+
+}  // namespace stepwright::codegen
