@@ -315,6 +315,7 @@ void Operands::before_write(const Extent& extent) {
 }
 
 void Operands::before_pinned_write(RegisterId id) {
+  registers_.forget(id);
   for (Value& value : stack_) {
     if (value.held() != id) continue;
     if (value.is(Value::Kind::Register)) {

@@ -29,7 +29,7 @@ void Registers::take_exactly(RegisterId id) {
   State& state = states_[id];
   assert(state.usable && !state.pinned && state.uses == 0);
   state.uses = 1;
-  state.remembers = false;
+  forget(id);
 }
 
 void Registers::retain(RegisterId id) {
@@ -44,7 +44,7 @@ void Registers::release(RegisterId id) {
 void Registers::pin(RegisterId id) {
   assert(states_[id].uses == 0);
   states_[id].pinned = true;
-  states_[id].remembers = false;
+  forget(id);
 }
 
 void Registers::unpin(RegisterId id) {
@@ -61,7 +61,7 @@ void Registers::remember(RegisterId id, const Extent& where, bytecode::MemType t
 }
 
 void Registers::forget_all() {
-  for (State& state : states_) state.remembers = false;
+  for (RegisterId id = 0; id < kRegisterCount; ++id) forget(id);
 }
 
 void Registers::forget_overlapping(const Extent& written, const InstanceRange& instances) {

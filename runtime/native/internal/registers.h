@@ -6,12 +6,19 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "runtime/bytecode/value_type.h"
 #include "runtime/native/internal/extent.h"
 #include "runtime/native/internal/machine.h"
 
 namespace stepwright::native {
+
+// What an I32 can be, as a signed number; at first anything.
+struct Bounds {
+  std::int32_t lower = std::numeric_limits<std::int32_t>::min();
+  std::int32_t upper = std::numeric_limits<std::int32_t>::max();
+};
 
 class Registers {
  public:
@@ -33,11 +40,21 @@ class Registers {
 
   // The register now holds what a load of this type from these bytes would give.
   void remember(RegisterId id, const Extent& where, bytecode::MemType type);
-  void forget(RegisterId id) { states_[id].remembers = false; }
+  // Before the register changes.
+  void forget(RegisterId id) {
+    states_[id].remembers = false;
+    states_[id].bounds = {};
+  }
   void forget_all();
   void forget_overlapping(const Extent& written, const InstanceRange& instances);
   // kNoRegister if no register holds it.
   RegisterId find(const Extent& where, bytecode::MemType type) const;
+
+  // The code has seen to it that the number in the register lies within the bounds.
+  void bound(RegisterId id, const Bounds& bounds) { states_[id].bounds = bounds; }
+  bool within(RegisterId id, const Bounds& bounds) const {
+    return bounds.lower <= states_[id].bounds.lower && states_[id].bounds.upper <= bounds.upper;
+  }
 
  private:
   struct State {
@@ -48,6 +65,7 @@ class Registers {
     std::uint32_t uses = 0;
     std::uint32_t stamp = 0;
     Extent where;
+    Bounds bounds;
   };
 
   std::array<State, kRegisterCount> states_{};

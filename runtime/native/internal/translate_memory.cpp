@@ -91,11 +91,16 @@ std::uint8_t shift_of(std::uint32_t stride) {
   return static_cast<std::uint8_t>(std::countr_zero(stride));
 }
 
-// The number of the element in a register: index - lower, at most `last`, or a trap.
-void check_index(FunctionWork& work, Value& index, std::int32_t lower, std::uint32_t last) {
+// The number of the element in a register: index - lower, within the bounds or a trap. What an instruction
+// before has checked for the same register is not checked again.
+void check_index(FunctionWork& work, Value& index, const Bounds& bounds) {
   Operands& operands = work.operands();
+  const std::int32_t lower = bounds.lower;
+  const auto last = static_cast<std::uint32_t>(bounds.upper) - static_cast<std::uint32_t>(lower);
   operands.settle_flags();
   RegisterId reg = operands.in_register(index);
+  const bool known = operands.registers().within(reg, bounds);
+  if (!known) operands.registers().bound(reg, bounds);
   if (lower != 0) {
     const RegisterId number = operands.allocate(false);
     work.out().lea(gp32(number),
@@ -104,7 +109,7 @@ void check_index(FunctionWork& work, Value& index, std::int32_t lower, std::uint
     index = Value::of_register(StackType::I32, number);
     reg = number;
   }
-  if (last == std::numeric_limits<std::uint32_t>::max()) return;
+  if (known) return;
   work.out().cmp(gp32(reg), last);
   work.out().ja(work.trap(TrapCode::IndexRange));
 }
@@ -190,7 +195,7 @@ void index(FunctionWork& work, const Instruction& in) {
   if (number.is(Value::Kind::Constant) && constant_index(work, number, base, in)) {
     return operands.push(base);
   }
-  check_index(work, number, in.signed_a(), last);
+  check_index(work, number, {in.signed_a(), in.signed_b()});
   const std::uint64_t reach = std::uint64_t{last} * in.c;
   if (in.c == 0) {
     operands.release(number);

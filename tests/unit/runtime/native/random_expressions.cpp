@@ -74,6 +74,12 @@ std::uint32_t ExpressionWriter::place(MemType type, std::uint32_t size) {
   return at + bytes <= size ? at : size - bytes;
 }
 
+// Where the instance may be written. Counters of loops are mostly left alone.
+std::uint32_t ExpressionWriter::own_place(MemType type) {
+  const std::uint32_t at = place(type, around_.instance_size);
+  return at < 12 && below(10) != 0 ? at + 200 % (around_.instance_size - 20) : at;
+}
+
 void ExpressionWriter::push(StackType type, int depth) {
   if (depth <= 0) return leaf(type);
   switch (below(15)) {
@@ -161,13 +167,6 @@ void ExpressionWriter::push_address(std::uint32_t bytes) {
   const bool own = around_.instance_size > span && below(3) != 0;
   const std::uint32_t size = own ? around_.instance_size : around_.image_size;
   const std::uint32_t base = size > span ? below(size - span) : 0;
-  if (rash(30)) {
-    load(StackType::Ref);  // nowhere, or what was stored there
-  } else if (around_.frame_size != 0 && below(4) == 0) {
-    b_.addr_frame(below(kFrameScalars));
-  } else {
-    own ? b_.addr_this(base) : b_.addr_abs(base);
-  }
   const auto index = [&](std::int32_t count) {
     push(StackType::I32, 1);
     if (!rash(25)) {
@@ -177,6 +176,34 @@ void ExpressionWriter::push_address(std::uint32_t bytes) {
       b_.emit(Opcode::AddI32);
     }
   };
+  // One variable for several indexes: checks that repeat one before.
+  const bool repeated = around_.instance_size != 0 && below(6) == 0;
+  const std::uint32_t variable = repeated ? own_place(MemType::I32) : 0;
+  if (repeated) {
+    index(4);
+    b_.store(MemType::I32, AddressMode::This, variable);
+  }
+  if (rash(30)) {
+    load(StackType::Ref);  // nowhere, or what was stored there
+  } else if (around_.frame_size != 0 && below(4) == 0) {
+    b_.addr_frame(below(kFrameScalars));
+  } else {
+    own ? b_.addr_this(base) : b_.addr_abs(base);
+  }
+  if (repeated) {
+    for (std::uint32_t i = 1 + below(3); i > 0; --i) {
+      b_.load(MemType::I32, AddressMode::This, variable);
+      if (rash(12)) {
+        b_.const_i32(1);
+        b_.emit(Opcode::AddI32);
+        b_.store(MemType::I32, AddressMode::This, variable);
+        b_.load(MemType::I32, AddressMode::This, variable);
+      }
+      const auto wider = static_cast<std::int32_t>(below(4));
+      b_.index(lower - (wider & 1), lower + 3 + (wider >> 1), below(2) == 0 ? stride : 1);
+    }
+    return;
+  }
   switch (below(5)) {
     case 0:
       break;
@@ -212,10 +239,7 @@ void ExpressionWriter::store_variable() {
   if (below(4) == 0 || around_.instance_size == 0) {
     return b_.store(memory, AddressMode::Abs, place(memory, around_.image_size));
   }
-  // Counters of loops are mostly left alone.
-  std::uint32_t at = place(memory, around_.instance_size);
-  if (at < 12 && below(10) != 0) at += 200 % (around_.instance_size - 20);
-  b_.store(memory, AddressMode::This, at);
+  b_.store(memory, AddressMode::This, own_place(memory));
 }
 
 void ExpressionWriter::store_indirect() {

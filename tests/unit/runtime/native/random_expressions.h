@@ -63,6 +63,7 @@ class ExpressionWriter {
   bool rash(std::uint32_t one_in) { return below(one_in) == 0 && !around_.careful; }
   bytecode::MemType memory_type(bytecode::StackType type);
   std::uint32_t place(bytecode::MemType type, std::uint32_t size);
+  std::uint32_t own_place(bytecode::MemType type);
   void leaf(bytecode::StackType type);
   void load(bytecode::StackType type);
   void constant(bytecode::StackType type);
