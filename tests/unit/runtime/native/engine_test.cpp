@@ -94,5 +94,52 @@ TEST(NativeEngine, WhenALoopTraps_ThenItsVariablesAreInTheImage) {
   EXPECT_EQ(pair.read<float>(4), 10.0f);
 }
 
+// The loop keeps the index in a register: one that was checked before it changed is checked again.
+TEST(NativeEngine, WhenACheckedIndexChanges_ThenItIsCheckedAgain) {
+  EnginePair pair(support::one_program(64, [](FunctionBuilder& f) {
+    const auto start = f.new_label();
+    const auto element = [&f](std::int32_t lower, std::int32_t upper) {
+      f.addr_this(16);
+      f.load(MemType::I32, AddressMode::This, 0);
+      f.index(lower, upper, 4);
+    };
+    f.bind(start);
+    element(0, 9);
+    f.const_i32(7);
+    f.store(MemType::I32, AddressMode::Ind);
+    element(-1, 9);
+    f.const_i32(8);
+    f.store(MemType::I32, AddressMode::Ind);
+    f.load(MemType::I32, AddressMode::This, 0);
+    f.const_i32(1);
+    f.emit(Opcode::AddI32);
+    f.store(MemType::I32, AddressMode::This, 0);
+    element(-1, 9);
+    f.const_i32(9);
+    f.store(MemType::I32, AddressMode::Ind);
+    f.jump(start);
+  }));
+  EXPECT_EQ(pair.run(), "");
+  EXPECT_EQ(pair.trap().code, bytecode::TrapCode::IndexRange);
+  EXPECT_EQ(pair.read<std::int32_t>(0), 10);
+}
+
+// The first check lets more pass than the second.
+TEST(NativeEngine, WhenAnIndexMeetsNarrowerBounds_ThenItIsCheckedAgain) {
+  EnginePair pair(support::one_program(64, [](FunctionBuilder& f) {
+    for (const std::int32_t upper : {9, 5}) {
+      f.addr_this(16);
+      f.load(MemType::I32, AddressMode::This, 0);
+      f.index(0, upper, 4);
+      f.const_i32(upper);
+      f.store(MemType::I32, AddressMode::Ind);
+    }
+  }));
+  pair.write<std::int32_t>(0, 6);
+  EXPECT_EQ(pair.run(), "");
+  EXPECT_EQ(pair.trap().code, bytecode::TrapCode::IndexRange);
+  EXPECT_EQ(pair.read<std::int32_t>(40), 9);
+}
+
 }  // namespace
 }  // namespace stepwright::native
