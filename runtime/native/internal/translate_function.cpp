@@ -10,6 +10,43 @@ namespace x86 = asmjit::x86;
 
 namespace {
 
+// A constant, or the time, that the next two instructions store: without a branch, which random inputs would
+// make the processor guess wrong. Where `kept` holds, what is there is stored again.
+bool store_unless(FunctionWork& work, x86::CondCode kept) {
+  const auto& items = work.code().items;
+  const FunctionCode::Item& push = items[work.item() + 1];
+  const FunctionCode::Item& store = items[work.item() + 2];
+  const Opcode opcode = push.instruction.opcode;
+  const bool constant =
+      opcode == Opcode::ConstBool || opcode == Opcode::ConstI32 || opcode == Opcode::ConstF32;
+  if ((!constant && opcode != Opcode::Now) || push.is_target || store.is_target) return false;
+  if (!is_memory_access(store.instruction.opcode)) return false;
+  const MemoryAccess access = memory_access(store.instruction.opcode);
+  if (!access.store || access.mode == bytecode::AddressMode::Ind) return false;
+  const bool own = access.mode == bytecode::AddressMode::This;
+  const Location to = own ? work.of_self(store.instruction.a) : work.absolute(store.instruction.a);
+  const std::uint32_t bytes = size_of(access.type);
+  const Extent where = to.extent(bytes);
+  if (work.pinned(where, access.type) != nullptr) return false;
+
+  // Nothing here changes the flags.
+  Operands& operands = work.operands();
+  x86::Assembler& out = work.out();
+  const RegisterId value = operands.allocate(false);
+  const x86::Mem memory = operands.memory(to, bytes);
+  if (constant) {
+    out.mov(gp32(value), push.instruction.a);
+  } else {
+    out.mov(gp64(value), x86::ptr(kContext, static_cast<std::int32_t>(offsetof(Context, now_ns)), 8));
+  }
+  bytes < 4 ? out.movzx(gp32(kScratch), memory) : out.mov(general(kScratch, bytes), memory);
+  out.emit(x86::Inst::cmovccFromCond(kept), gp64(value), gp64(kScratch));
+  operands.before_write(where);
+  out.mov(memory, general(value, bytes));
+  operands.registers().release(value);
+  return true;
+}
+
 class FunctionTranslator {
  public:
   FunctionTranslator(ProgramWork& program, std::uint32_t function)
@@ -26,6 +63,7 @@ class FunctionTranslator {
       work_.out().mov(work_.operands().memory(work_.local(i), 8), 0);
     }
     for (std::uint32_t i = 0; i < code.items.size(); ++i) {
+      if (i < resume_) continue;
       work_.set_item(i);
       begin(i);
       step(code.items[i].instruction);
@@ -102,6 +140,10 @@ class FunctionTranslator {
     prepare(target);
     x86::CondCode taken = test(condition);
     if (!if_true) taken = x86::negateCond(taken);
+    if (target == work_.item() + 3 && store_unless(work_, taken)) {
+      resume_ = target;
+      return;
+    }
     if (cost == 0) {
       work_.out().j(taken, edge(target));
     } else {
@@ -151,6 +193,7 @@ class FunctionTranslator {
   asmjit::Label loop_start_;
   std::vector<asmjit::Label> labels_;
   std::vector<std::vector<StackType>> entry_types_;
+  std::uint32_t resume_ = 0;  // instructions before this one are translated
   bool reachable_ = true;
 };
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "tests/support/malloc_guard.h"
@@ -139,6 +140,35 @@ TEST(NativeEngine, WhenAnIndexMeetsNarrowerBounds_ThenItIsCheckedAgain) {
   EXPECT_EQ(pair.run(), "");
   EXPECT_EQ(pair.trap().code, bytecode::TrapCode::IndexRange);
   EXPECT_EQ(pair.read<std::int32_t>(40), 9);
+}
+
+// IF x > 100 THEN x := 100: without a branch in native code. Of a NaN the comparison is FALSE.
+TEST(NativeEngine, WhenAConditionalStoreIsBranchFree_ThenItStoresOnlyWhereTheConditionHolds) {
+  EnginePair pair(support::one_program(32, [](FunctionBuilder& f) {
+    const auto store_if_above = [&f](MemType type, std::uint32_t at, const auto& push) {
+      const auto behind = f.new_label();
+      f.load(MemType::F32, AddressMode::This, 0);
+      f.const_f32(100.0f);
+      f.emit(Opcode::GtF32);
+      f.jump_if_false(behind);
+      push();
+      f.store(type, AddressMode::This, at);
+      f.bind(behind);
+    };
+    store_if_above(MemType::I16, 4, [&f] { f.const_i32(-2); });
+    store_if_above(MemType::Bool, 6, [&f] { f.const_bool(true); });
+    store_if_above(MemType::I64, 8, [&f] { f.emit(Opcode::Now); });
+    store_if_above(MemType::F32, 0, [&f] { f.const_f32(100.0f); });
+  }));
+  for (const float x : {99.0f, std::numeric_limits<float>::quiet_NaN(), 101.0f}) {
+    pair.write<float>(0, x);
+    EXPECT_EQ(pair.run(77), "");
+    const bool stored = x > 100.0f;
+    EXPECT_EQ(pair.read<std::int16_t>(4), stored ? -2 : 0);
+    EXPECT_EQ(pair.read<std::uint8_t>(6), stored ? 1 : 0);
+    EXPECT_EQ(pair.read<std::int64_t>(8), stored ? 77 : 0);
+  }
+  EXPECT_EQ(pair.read<float>(0), 100.0f);
 }
 
 }  // namespace
