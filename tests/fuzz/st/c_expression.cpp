@@ -22,6 +22,8 @@ const char* helper(Operation operation) {
       return "div";
     case Operation::Modulo:
       return "mod";
+    case Operation::Power:
+      return "pow";
     case Operation::Shl:
       return "shl";
     case Operation::Shr:

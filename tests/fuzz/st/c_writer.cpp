@@ -91,8 +91,8 @@ class Writer {
     if (pou.kind == PouKind::Function) {
       function_head(pou);
     } else {
-      line("static void " + prefix_ + pou.name + "(" + prefix_ +
-           (pou.kind == PouKind::Program ? "state" : pou.name + "") + "* self) {");
+      line("static void " + prefix_ + "run_" + pou.name + "(" + prefix_ +
+           (pou.kind == PouKind::Program ? "state" : pou.name) + "* self) {");
       for (const Variable& each : pou.variables)
         if (each.section == Section::Temp) local(each);
     }
@@ -175,7 +175,7 @@ class Writer {
         line(instance + parameter + " = &" + e_.place(argument.place) + ";");
       }
     }
-    line(prefix_ + callee.name + "(&" + e_.place(each.target) + ");");
+    line(prefix_ + "run_" + callee.name + "(&" + e_.place(each.target) + ");");
     for (const Argument& argument : each.arguments) {
       if (argument.parameter->section != Section::Output) continue;
       const std::string target = e_.place(argument.place);
@@ -208,7 +208,7 @@ class Writer {
 
   void branches(const Statement& statement) {
     for (const Branch& each : statement.branches) {
-      line(each.condition ? "if (" + e_.value(*each.condition) + ") {" : "{");
+      line("if (" + (each.condition ? e_.value(*each.condition) : "1") + ") {");
       block(each.body);
       line("} else {");
     }
@@ -227,7 +227,7 @@ class Writer {
         test += (test.empty() ? "" : " || ") + ("(" + selector + " >= " + bound(label.low)) + " && " +
                 selector + " <= " + bound(label.high) + ")";
       }
-      line(each.labels.empty() ? "{" : "if (" + test + ") {");
+      line("if (" + (each.labels.empty() ? "1" : test) + ") {");
       block(each.body);
       line("} else {");
     }
@@ -277,7 +277,7 @@ class Writer {
     const std::vector<Leaf> leaves = leaves_of(program_);
     for (const Leaf& each : leaves) line(instance + each.expression + " = " + initial(*each.type) + ";");
     line("}\nstatic int " + prefix_ + "scan(void) {\nconst int code = setjmp(trapped);");
-    line("if (code == 0) " + prefix_ + "main(&" + instance + ");\nreturn code;\n}");
+    line("if (code == 0) " + prefix_ + "run_main(&" + instance + ");\nreturn code;\n}");
     line("static const struct leaf " + prefix_ + "leaves[] = {");
     for (const Leaf& each : leaves) {
       const std::string name = instance + each.expression;

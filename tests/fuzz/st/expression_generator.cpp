@@ -90,10 +90,11 @@ ExpressionPtr ExpressionGenerator::varying(Scalar type, int depth) {
 
 ExpressionPtr ExpressionGenerator::divisor(Scalar type, int depth) {
   ExpressionPtr out = random_.chance(45) ? varying(type, depth) : nullptr;
-  if (out && random_.chance(85)) {
+  if (out && random_.chance(95)) {
     // Made unlikely to be zero.
-    if (is_real(type)) return out;
-    return node(Operation::Max, type, list(std::move(out), small_literal(type, 1, 7)));
+    if (is_real(type)) out = node(Operation::Abs, type, list(std::move(out)));
+    const Operation operation = is_real(type) ? Operation::Add : Operation::Max;
+    return node(operation, type, list(std::move(out), small_literal(type, 1, 7)));
   }
   if (out) return out;
   out = literal(type);
@@ -119,7 +120,7 @@ ExpressionPtr ExpressionGenerator::index(const Bounds& bounds, int depth) {
                           : random_.pick({Scalar::Usint, Scalar::Uint});
   ExpressionPtr out = random_.chance(75) ? varying(type, depth) : nullptr;
   if (!out) return small_literal(type, bounds.low, bounds.high);
-  if (random_.chance(3)) return out;
+  if (random_.chance(1)) return out;
   return clamped(std::move(out), bounds.low, bounds.high);
 }
 
@@ -139,8 +140,12 @@ Place ExpressionGenerator::place(const Way& way, int depth) {
 }
 
 Place ExpressionGenerator::maybe_bit(Place place) {
-  if (is_bits(place.type->scalar) && place.type->kind == TypeKind::Elementary && random_.chance(30))
-    place.bit = static_cast<int>(random_.below(bits_of(place.type->scalar)));
+  const bool has_bits = place.type->is_scalar() && is_bits(place.type->scalar);
+  return has_bits && random_.chance(30) ? bit(std::move(place)) : std::move(place);
+}
+
+Place ExpressionGenerator::bit(Place place) {
+  place.bit = static_cast<int>(random_.below(bits_of(place.type->scalar)));
   return place;
 }
 
@@ -228,7 +233,7 @@ ExpressionPtr ExpressionGenerator::selection(Scalar type, int depth) {
   ExpressionPtr number = varying(Scalar::Int, depth);
   if (!number) {
     number = small_literal(Scalar::Int, 0, count - 1);
-  } else if (random_.chance(96)) {
+  } else if (random_.chance(99)) {
     number = clamped(std::move(number), 0, count - 1);
   }
   std::vector<ExpressionPtr> operands = list(std::move(number));

@@ -26,8 +26,10 @@ class ExpressionGenerator {
   ExpressionPtr of_enumeration(const Type& type, int depth);
 
   Place place(const Way& way, int depth);
-  // A bit of a bit string that can be written, or what is given.
+  // Of a bit string one of its bits, now and then.
   Place maybe_bit(Place place);
+  // Requires a bit string.
+  Place bit(Place place);
 
   const Type* elementary(Scalar type) const { return &program_.types[static_cast<unsigned>(type)]; }
 

@@ -55,7 +55,7 @@ ExpressionPtr ExpressionGenerator::boolean(int depth) {
       return logic(random_.pick({Operation::AndThen, Operation::OrElse}));
     case 5: {
       const auto& ways = scope_.readable[static_cast<unsigned>(any_bits(random_))];
-      return ways.empty() ? comparison(depth) : load(maybe_bit(place(random_.pick(ways), depth)));
+      return ways.empty() ? comparison(depth) : load(bit(place(random_.pick(ways), depth)));
     }
     case 6:
       return convert(exact(any_integer(random_), depth), Scalar::Bool);
@@ -140,6 +140,10 @@ ExpressionPtr ExpressionGenerator::real(Scalar type, int depth) {
         operand = node(Operation::Add, type, list(std::move(operand), small_literal(type, 1, 8)));
       return node(which, type, list(std::move(operand)));
     }
+    case 9:
+      if (random_.chance(50))
+        return node(Operation::Power, type, list(exact(type, depth), value(type, depth)));
+      [[fallthrough]];
     default:
       return node(random_.pick({Operation::Sin, Operation::Atan, Operation::Exp, Operation::Abs}), type,
                   list(exact(type, depth)));

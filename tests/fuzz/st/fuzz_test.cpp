@@ -31,7 +31,8 @@ void report(const Program& program, const char* kind, Outcome (*attempt)(const P
   const std::string text = reduced(program, attempt);
   const std::string file = std::string("st_fuzz_") + kind + "_" + std::to_string(program.seed) + ".st";
   std::ofstream(file) << text;
-  ADD_FAILURE() << "seed " << program.seed << " differs (" << file << "):\n" << text;
+  ADD_FAILURE() << "seed " << program.seed << " differs (" << file << "):\n"
+                << text.substr(0, text.find("*)"));
 }
 
 constexpr int kMostReports = 5;

@@ -40,10 +40,11 @@ class Generator {
 
   const Type* array_of(const Type* element) {
     Type type{.kind = TypeKind::Array, .name = "A" + std::to_string(out_->types.size()), .element = element};
-    const int dimensions = random_.chance(30) ? 2 : 1;
+    const bool large = element->kind == TypeKind::Block;
+    const int dimensions = !large && random_.chance(30) ? 2 : 1;
     for (int i = 0; i < dimensions; ++i) {
       const std::int64_t low = random_.between(-3, 4);
-      type.bounds.push_back({low, low + random_.between(1, dimensions == 1 ? 7 : 3)});
+      type.bounds.push_back({low, low + random_.between(1, large || dimensions == 2 ? 3 : 7)});
     }
     out_->types.push_back(std::move(type));
     return &out_->types.back();

@@ -11,11 +11,9 @@ bool holds_block(const Type& type) {
 }
 
 Scope::Scope(const Pou& pou) {
-  const bool is_function = pou.kind == PouKind::Function;
   for (const Variable& each : pou.variables) {
-    // The inputs of a function are its own; those of a block are the caller's to set.
-    const bool settable = each.section != Section::Input || is_function;
-    walk({&each, {}, each.type, each.writable && settable});
+    // Inputs are the caller's to set.
+    walk({&each, {}, each.type, each.writable && each.section != Section::Input});
   }
 }
 

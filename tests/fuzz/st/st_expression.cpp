@@ -48,6 +48,8 @@ const char* symbol(Operation operation) {
       return "/";
     case Operation::Modulo:
       return "MOD";
+    case Operation::Power:
+      return "**";
     case Operation::Equal:
       return "=";
     case Operation::NotEqual:

@@ -25,7 +25,7 @@ static _Noreturn void trap(int code) {
   longjmp(trapped, code);
 }
 
-/* Integers wrap; S is the unsigned 64-bit image of the operand. */
+/* Integers wrap. */
 #define INTEGER(NAME, T)                                         \
   static inline T add_##NAME(T a, T b) {                         \
     return (T)((uint64_t)a + (uint64_t)b);                       \
@@ -76,43 +76,49 @@ static _Noreturn void trap(int code) {
   }                                                                  \
   ORDERED(NAME, T)
 
-#define REALS(NAME, T)                   \
-  static inline T add_##NAME(T a, T b) { \
-    return a + b;                        \
-  }                                      \
-  static inline T sub_##NAME(T a, T b) { \
-    return a - b;                        \
-  }                                      \
-  static inline T mul_##NAME(T a, T b) { \
-    return a * b;                        \
-  }                                      \
-  static inline T neg_##NAME(T a) {      \
-    return -a;                           \
-  }                                      \
-  static inline T abs_##NAME(T a) {      \
-    return (T)fabs(a);                   \
-  }                                      \
-  static inline T div_##NAME(T a, T b) { \
-    if (b == 0) trap(DIVISION_BY_ZERO);  \
-    return a / b;                        \
-  }                                      \
-  static inline T sqrt_##NAME(T a) {     \
-    if (a < 0) trap(BAD_ARGUMENT);       \
-    return (T)sqrt(a);                   \
-  }                                      \
-  static inline T ln_##NAME(T a) {       \
-    if (a <= 0) trap(BAD_ARGUMENT);      \
-    return (T)log(a);                    \
-  }                                      \
-  static inline T exp_##NAME(T a) {      \
-    return (T)exp(a);                    \
-  }                                      \
-  static inline T sin_##NAME(T a) {      \
-    return (T)sin(a);                    \
-  }                                      \
-  static inline T atan_##NAME(T a) {     \
-    return (T)atan(a);                   \
-  }                                      \
+#define REALS(NAME, T)                                          \
+  static inline T add_##NAME(T a, T b) {                        \
+    return a + b;                                               \
+  }                                                             \
+  static inline T sub_##NAME(T a, T b) {                        \
+    return a - b;                                               \
+  }                                                             \
+  static inline T mul_##NAME(T a, T b) {                        \
+    return a * b;                                               \
+  }                                                             \
+  static inline T neg_##NAME(T a) {                             \
+    return -a;                                                  \
+  }                                                             \
+  static inline T abs_##NAME(T a) {                             \
+    return (T)fabs(a);                                          \
+  }                                                             \
+  static inline T div_##NAME(T a, T b) {                        \
+    if (b == 0) trap(DIVISION_BY_ZERO);                         \
+    return a / b;                                               \
+  }                                                             \
+  static inline T sqrt_##NAME(T a) {                            \
+    if (a < 0) trap(BAD_ARGUMENT);                              \
+    return (T)sqrt(a);                                          \
+  }                                                             \
+  static inline T ln_##NAME(T a) {                              \
+    if (a <= 0) trap(BAD_ARGUMENT);                             \
+    return (T)log(a);                                           \
+  }                                                             \
+  static inline T pow_##NAME(T a, T b) {                        \
+    const double y = pow(a, b);                                 \
+    if (a == 0 && b < 0) trap(BAD_ARGUMENT);                    \
+    if (isnan(y) && !isnan(a) && !isnan(b)) trap(BAD_ARGUMENT); \
+    return (T)y;                                                \
+  }                                                             \
+  static inline T exp_##NAME(T a) {                             \
+    return (T)exp(a);                                           \
+  }                                                             \
+  static inline T sin_##NAME(T a) {                             \
+    return (T)sin(a);                                           \
+  }                                                             \
+  static inline T atan_##NAME(T a) {                            \
+    return (T)atan(a);                                          \
+  }                                                             \
   ORDERED(NAME, T)
 
 /* Of reals: to the nearest, ties to even, and towards zero. */
