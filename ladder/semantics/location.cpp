@@ -29,7 +29,8 @@ bool fits_address(Analysis& a, const syntax::VariableDeclaration& line, const Ty
                          : "use an address like %IL0");
     return false;
   }
-  if (std::size_t{address.byte} + type.size > syntax::kAreaLimit) {
+  const std::size_t first = address.byte < syntax::kHierarchical ? address.byte : 0;
+  if (first + type.size > syntax::kAreaLimit) {
     a.error(code::kBadAddress, line.address_where, "the variable reaches beyond the area's 64 KiB");
     return false;
   }
@@ -66,8 +67,15 @@ bool locate(Analysis& a, const syntax::VariableDeclaration& line, Variable& vari
   const syntax::DirectAddress& address = *line.address;
   variable.address = address;
   variable.place.base = static_cast<Base>(address.area);
-  variable.place.offset = address.byte;
   variable.place.bit = address.bits == 1 ? address.bit : bytecode::kNoBit;
+  if (address.byte >= syntax::kHierarchical) {
+    variable.place.offset = hierarchical_offset(a, address, type.size, line.address_where);
+    auto& first =
+        a.model.hierarchical[(variable.place.offset - kHierarchicalPlace) / kHierarchicalStride].first;
+    std::copy(initial.begin(), initial.end(), first.begin());
+    return true;
+  }
+  variable.place.offset = address.byte;
   auto& area = a.model.area(variable.place.base);
   const std::size_t end = std::size_t{address.byte} + type.size;
   if (area.size() < end) area.resize(end);
@@ -83,6 +91,7 @@ void check_overlaps(Analysis& a) {
   std::vector<Extent> extents;
   for (const Variable& each : a.model.globals)
     if (each.address && each.type != nullptr) extents.push_back(extent_of(each));
+  for (const Variable& each : a.model.configured) extents.push_back(extent_of(each));
   for (const auto& pou : a.model.pous)
     for (const Variable& each : pou->variables)
       if (each.address && each.type != nullptr) extents.push_back(extent_of(each));
@@ -93,11 +102,13 @@ void check_overlaps(Analysis& a) {
   for (const Extent& each : extents) {
     const bool overlaps = reach != nullptr && reach->area == each.area && each.first < reach->last;
     if (overlaps) {
-      a.error(code::kOverlap, each.variable->where,
-              quote(each.variable->spelling) + " at " + syntax::to_string(*each.variable->address) +
-                  " overlaps " + quote(reach->variable->spelling) + " at " +
-                  syntax::to_string(*reach->variable->address),
-              "declare an address once, in VAR_GLOBAL if several POUs use it");
+      const bool written = each.area == Base::Output;
+      a.sink.warning(code::kOverlap, each.variable->where,
+                     quote(each.variable->spelling) + " at " + syntax::to_string(*each.variable->address) +
+                         " overlaps " + quote(reach->variable->spelling) + " at " +
+                         syntax::to_string(*reach->variable->address) +
+                         (written ? ": both write the same byte" : ""),
+                     "if that is not meant, declare an address once, in VAR_GLOBAL if several POUs use it");
     }
     if (reach == nullptr || reach->area != each.area || each.last > reach->last) reach = &each;
   }

@@ -37,12 +37,15 @@ struct Variable {
   source::Position where;
   Place place;
   Place edge_place;           // of an input with R_EDGE or F_EDGE: what the body reads
-  Place first;                // function input in memory: a constant with its first value
+  Place first;                // function input in memory, AT %I*: a constant with its first value
   std::vector<Place> bounds;  // variable-length array: lower and upper bound of each dimension, DINT
   std::optional<syntax::Area> open_address;  // AT %I*
   std::optional<syntax::DirectAddress> address;
   std::optional<Constant> value;    // of a scalar constant
   std::optional<Constant> initial;  // of a scalar that is not in an instance
+
+  // AT %I*: the instance holds the address. A bit has none: the instance holds its value.
+  bool is_referred() const { return open_address && type != nullptr && !type->is_bool(); }
 };
 
 struct Pou {
@@ -64,6 +67,7 @@ struct Pou {
   Block body;
   std::uint32_t label_count = 0;
   source::Position end;
+  bool writes_outside = false;      // a global, an address, what a reference leads to; itself, not by calls
   std::vector<const Pou*> callees;  // functions called and blocks used, without repetition
 
   const Variable* find(source::NameId id) const {
@@ -72,26 +76,74 @@ struct Pou {
   }
 };
 
+// RETAIN, NON_RETAIN: what a declaration says of the variables inside that say nothing themselves.
+enum class Retention : std::uint8_t { Unsaid, Kept, Lost };
+
 struct ProgramInstance {
   std::string name;
   const Pou* program = nullptr;
   std::uint32_t offset = 0;  // in Data
+  Retention retention = Retention::Unsaid;
+};
+
+// What a task runs: a program, or one that the analysis made to run it with its connections.
+struct TaskCall {
+  std::string name;
+  const Pou* pou = nullptr;
+  std::uint32_t offset = 0;  // in Data
+};
+
+// SINGLE: the BOOL whose rising edge runs a task.
+struct Trigger {
+  std::string name;
+  Place place;  // direct
 };
 
 struct Task {
   std::string name;
-  std::uint32_t interval_us = 10'000;
+  std::uint32_t interval_us = 10'000;  // 0: runs by its trigger only
   std::uint32_t priority = 0;
-  std::vector<ProgramInstance> programs;
+  std::optional<Trigger> trigger;
+  std::vector<TaskCall> calls;
+};
+
+// A hierarchical address that the program uses: a place behind the flat addresses of its area (6.5.5.2 leaves
+// the mapping open). Places in it have offsets from kHierarchicalPlace + its index * kHierarchicalStride on.
+struct HierarchicalPlace {
+  syntax::HierarchicalAddress address;
+  source::NameId text;
+  source::Position where;
+  std::vector<std::byte> first;  // as large as what is declared there
+  std::uint32_t start = 0;       // in the area
+};
+inline constexpr std::uint32_t kHierarchicalPlace = 0x4000'0000;
+inline constexpr std::uint32_t kHierarchicalStride = 0x1'0000;
+
+// A reference in Data that is known when the areas have their addresses.
+struct FirstReference {
+  std::uint32_t offset = 0;  // in Data
+  Place target;
 };
 
 struct Model {
   TypeTable types;
   std::vector<std::unique_ptr<Pou>> pous;
   std::vector<Variable> globals;
+  std::vector<ProgramInstance> instances;
+  std::vector<Variable> configured;  // what VAR_CONFIG gives an address: `spelling` is its path
   std::vector<Task> tasks;
   // Initial bytes of %I, %Q, %M and Data (the order of Base).
   std::array<std::vector<std::byte>, 4> areas;
+
+  std::vector<HierarchicalPlace> hierarchical;
+  std::vector<FirstReference> references;
+
+  // Where the offset of a place lies in its area.
+  std::uint32_t offset_in_area(std::uint32_t offset, Base base) const {
+    if (base >= Base::Data || offset < kHierarchicalPlace) return offset;
+    const std::uint32_t behind = offset - kHierarchicalPlace;
+    return hierarchical[behind / kHierarchicalStride].start + behind % kHierarchicalStride;
+  }
 
   std::vector<std::byte>& area(Base base) { return areas[static_cast<std::size_t>(base)]; }
   const std::vector<std::byte>& area(Base base) const { return areas[static_cast<std::size_t>(base)]; }

@@ -51,14 +51,15 @@ inline constexpr const char* kShortLived = "E0412";
 
 inline constexpr const char* kBadAddress = "E0501";
 inline constexpr const char* kAddressSize = "E0502";
-inline constexpr const char* kOverlap = "E0503";
 inline constexpr const char* kAddressNotHere = "E0504";
+inline constexpr const char* kMissingAddress = "E0505";
 
 inline constexpr const char* kNoProgram = "E0601";
 inline constexpr const char* kUnknownTask = "E0602";
 inline constexpr const char* kUnknownProgram = "E0603";
 inline constexpr const char* kBadTask = "E0604";
 inline constexpr const char* kSeveralConfigurations = "E0605";
+inline constexpr const char* kBadConnection = "E0606";
 
 inline constexpr const char* kUnknownLabel = "E0701";
 inline constexpr const char* kEdgeInFunction = "E0702";
@@ -71,5 +72,6 @@ inline constexpr const char* kExchangeUnsupported = "E0804";
 
 inline constexpr const char* kUnreachable = "W0001";
 inline constexpr const char* kUnusedResult = "W0002";
+inline constexpr const char* kOverlap = "W0016";
 
 }  // namespace stepwright::source::code

@@ -33,6 +33,7 @@ constexpr std::array kCommands = {
     Command{"translate", "stepwright-translate",
             "turn a plan into SFC, Ladder, PLCopen XML or Omron mnemonics"},
     Command{"compile", "stepwright-compile", "compile ST sources to a bytecode image"},
+    Command{"show", "stepwright-show", "print programs as text or as pages (SVG)"},
     Command{"exec", "stepwright-exec", "run an image without a clock"},
     Command{"check", "stepwright-demo", "check a cell's configuration, planning files and program"},
     Command{"runtime", "stepwright-runtime", "the scan process"},

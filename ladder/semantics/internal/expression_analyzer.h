@@ -47,6 +47,8 @@ class ExpressionAnalyzer {
 
   // Conversion as the standard's X_TO_Y; requires one that the language has. Folds constants.
   ValuePtr convert_exactly(ValuePtr value, const Type* type);
+  // An elementary type by its name in upper case, or a string of any length; null if it names none.
+  const Type* named_type(const std::string& folded) const;
   // "expected X, found Y"; null.
   ValuePtr mismatch(const Type& from, const Type& to, Position where);
   // A literal gets the type that it has without a context: INT, DINT, LINT, REAL.
@@ -59,11 +61,21 @@ class ExpressionAnalyzer {
   ValuePtr power(ValuePtr base, ValuePtr exponent, Position where);
   // A number as REAL, or as LREAL if REAL does not hold all values of its type.
   ValuePtr as_real(ValuePtr value);
+  // An operation on strings, or one that makes one; folded if the operands are constants and it has a value.
+  // `narrow` is the operation on STRING. A string as result has the capacity of `type`.
+  ValuePtr text_operation(bytecode::StringOpId narrow, const Type* type, std::vector<ValuePtr> operands,
+                          Position where);
+  ValuePtr text_operation(bytecode::StringOpId narrow, const Type* type, ValuePtr operand, Position where);
   // A real as an integer, towards zero.
   ValuePtr truncated(ValuePtr value, const Type* type, const syntax::Expression& call);
 
   // A call as a statement; of a function or of a block.
   std::optional<Statement> call_statement(const syntax::Expression& call);
+
+  // The arguments of a call of the block at out.target, into its copies before and after; false after a
+  // report at `where` or in an argument.
+  bool pass_arguments(const std::vector<syntax::Argument>& given, const Pou& block, Position where,
+                      Statement& out);
 
   // Makes values.
   static ValuePtr make(ValueKind kind, const Type* type, Position where);
@@ -100,6 +112,7 @@ class ExpressionAnalyzer {
   std::optional<Place> index_place(const syntax::Expression& expression);
   bool add_index(Place& place, const syntax::Expression& index, const Dimension& dimension,
                  std::uint32_t stride);
+  ValuePtr narrow_index(ValuePtr value, const Dimension& bounds);
   std::optional<Place> open_index(Place base, const syntax::Expression& expression);
   // partial_access.cpp
   std::optional<Place> partial_place(const syntax::Expression& expression);
@@ -115,6 +128,17 @@ class ExpressionAnalyzer {
   ValuePtr convert_derived(ValuePtr value, const Type* type, Position where, bool& known);
   ValuePtr convert_enumerator(ValuePtr value, const Type* type, Position where);
   ValuePtr convert_to_subrange(ValuePtr value, const Type* type, Position where);
+
+  // text.cpp
+  ValuePtr text_literal(const syntax::Expression& expression);
+  const Type* common_text(const Value& left, const Value& right) const;
+  ValuePtr compare_texts(syntax::Operator op, ValuePtr left, ValuePtr right, Position where);
+  ValuePtr convert_text(ValuePtr value, const Type* type, Position where);
+  std::optional<Place> character_place(Place text, const syntax::Expression& expression);
+  // text_conversion.cpp
+  ValuePtr text_conversion(ValuePtr value, const Type* to, const syntax::Expression& call);
+  ValuePtr to_text(ValuePtr value, const Type* to, const syntax::Expression& call);
+  ValuePtr no_conversion(const Type& from, const Type& to, const syntax::Expression& call);
 
   // operators.cpp
   ValuePtr unary(const syntax::Expression& expression);
@@ -141,6 +165,8 @@ class ExpressionAnalyzer {
   std::optional<Statement> block_call(const syntax::Expression& call, const syntax::Expression* path);
   Place part_of_target(const Place& instance, std::uint32_t offset, const Type* type);
   bool block_argument(const Variable& parameter, const syntax::Argument& argument, Statement& out);
+  bool pass(const std::vector<const syntax::Argument*>& arguments, const Pou& block, Position where,
+            Statement& out);
   void note_callee(const Pou& callee);
   // enabled_call.cpp
   std::optional<Place> enable_slot(const syntax::Expression& call, std::vector<CopyBefore>& before,
@@ -151,6 +177,8 @@ class ExpressionAnalyzer {
   // Which parameter each argument means; false after a report.
   bool match_arguments(const syntax::Expression& call, const Pou& pou,
                        std::vector<const syntax::Argument*>& out);
+  bool match_given(const std::vector<syntax::Argument>& given, const Pou& pou,
+                   std::vector<const syntax::Argument*>& out);
   bool pass_output(const syntax::Argument& argument, Place source, std::vector<CopyAfter>& after);
   ValuePtr reference_argument(const syntax::Argument& argument, const Variable& parameter,
                               std::vector<CopyBefore>& before, std::vector<CopyAfter>& after);
@@ -160,7 +188,7 @@ class ExpressionAnalyzer {
   bool in_out_argument(const Variable& parameter, const syntax::Argument* argument,
                        const syntax::Expression& call, Value& out);
   bool input_argument(const Variable& parameter, const syntax::Argument* argument,
-                      const syntax::Expression& call, bool may_alias, Value& out);
+                      const syntax::Expression& call, Value& out);
   bool output_argument(const Variable& parameter, const syntax::Argument* argument,
                        const syntax::Expression& call, Value& out);
 
