@@ -118,7 +118,8 @@ ExpressionPtr ExpressionGenerator::index(const Bounds& bounds, int depth) {
   const Scalar type = bounds.low < 0 || random_.chance(60)
                           ? random_.pick({Scalar::Sint, Scalar::Int, Scalar::Dint})
                           : random_.pick({Scalar::Usint, Scalar::Uint});
-  ExpressionPtr out = random_.chance(75) ? varying(type, depth) : nullptr;
+  // An index may have indexes; deeper down they are plain.
+  ExpressionPtr out = depth > -2 && random_.chance(75) ? varying(type, depth) : nullptr;
   if (!out) return small_literal(type, bounds.low, bounds.high);
   if (random_.chance(1)) return out;
   return clamped(std::move(out), bounds.low, bounds.high);

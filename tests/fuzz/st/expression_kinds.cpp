@@ -76,7 +76,11 @@ ExpressionPtr ExpressionGenerator::integer(Scalar type, int depth) {
     case 4:
       return arithmetic(Operation::Divide, type, depth);
     case 5:
-      return arithmetic(Operation::Modulo, type, depth);
+      // Modulo zero has a value.
+      if (random_.chance(50)) return arithmetic(Operation::Modulo, type, depth);
+      if (ExpressionPtr right = varying(type, depth))
+        return node(Operation::Modulo, type, list(exact(type, depth), std::move(right)));
+      return leaf(type);
     case 6:
       return is_signed(type) ? node(Operation::Negate, type, list(exact(type, depth)))
                              : arithmetic(Operation::Subtract, type, depth);
@@ -141,8 +145,13 @@ ExpressionPtr ExpressionGenerator::real(Scalar type, int depth) {
       return node(which, type, list(std::move(operand)));
     }
     case 9:
-      if (random_.chance(50))
-        return node(Operation::Power, type, list(exact(type, depth), value(type, depth)));
+      if (random_.chance(50)) {
+        ExpressionPtr base = exact(type, depth);
+        if (random_.chance(90))
+          base = node(Operation::Add, type,
+                      list(node(Operation::Abs, type, list(std::move(base))), small_literal(type, 1, 8)));
+        return node(Operation::Power, type, list(std::move(base), value(type, depth)));
+      }
       [[fallthrough]];
     default:
       return node(random_.pick({Operation::Sin, Operation::Atan, Operation::Exp, Operation::Abs}), type,
