@@ -20,6 +20,8 @@ void DiagnosticSink::report(result::Severity severity, const char* code, Positio
   if (reports_.size() >= kLimit) return;
   for (const Report& earlier : reports_)
     if (earlier.where == where && earlier.diagnostic.code == code) return;
+  const std::string note = sources_.note(where);
+  if (!note.empty()) message = note + ": " + message;
   reports_.push_back(
       {where, {code, severity, sources_.location(where), std::move(message), std::move(hint)}});
 }
