@@ -74,9 +74,9 @@ ExpressionPtr ExpressionGenerator::literal(Scalar type) {
   return out;
 }
 
-ExpressionPtr ExpressionGenerator::leaf(Scalar type) {
+ExpressionPtr ExpressionGenerator::leaf(Scalar type, int depth) {
   const auto& ways = scope_.readable[static_cast<unsigned>(type)];
-  if (!ways.empty() && random_.chance(75)) return load(place(random_.pick(ways), 0));
+  if (!ways.empty() && random_.chance(75)) return load(place(random_.pick(ways), std::min(depth, 0)));
   return literal(type);
 }
 
@@ -84,7 +84,7 @@ ExpressionPtr ExpressionGenerator::varying(Scalar type, int depth) {
   ExpressionPtr out = exact(type, depth);
   if (!out->constant) return out;
   const auto& ways = scope_.readable[static_cast<unsigned>(type)];
-  if (!ways.empty()) return load(place(random_.pick(ways), 0));
+  if (!ways.empty()) return load(place(random_.pick(ways), std::min(depth, 0)));
   return nullptr;
 }
 
@@ -191,7 +191,7 @@ ExpressionPtr ExpressionGenerator::value(Scalar type, int depth) {
 }
 
 ExpressionPtr ExpressionGenerator::exact(Scalar type, int depth) {
-  if (depth <= 0 || random_.chance(15)) return leaf(type);
+  if (depth <= 0 || random_.chance(15)) return leaf(type, depth);
   if (random_.chance(12)) return selection(type, depth - 1);
   if (random_.chance(10)) return call(type, depth - 1);
   if (type != Scalar::Bool && random_.chance(15)) return conversion(type, depth - 1);
@@ -218,7 +218,7 @@ ExpressionPtr ExpressionGenerator::call(Scalar type, int depth) {
         each.result->kind != TypeKind::Enumeration)
       known.push_back(&each);
   }
-  if (known.empty()) return leaf(type);
+  if (known.empty()) return leaf(type, depth);
   ExpressionPtr out = make(Operation::Call, type);
   out->callee = random_.pick(known);
   for (const Variable& each : out->callee->variables)

@@ -37,7 +37,7 @@ class ExpressionGenerator {
   ExpressionPtr make(Operation operation, Scalar type);
   ExpressionPtr node(Operation operation, Scalar type, std::vector<ExpressionPtr> operands);
   ExpressionPtr load(Place place);
-  ExpressionPtr leaf(Scalar type);
+  ExpressionPtr leaf(Scalar type, int depth);
   ExpressionPtr varying(Scalar type, int depth);  // not constant
   ExpressionPtr divisor(Scalar type, int depth);
   ExpressionPtr index(const Bounds& bounds, int depth);

@@ -80,7 +80,7 @@ ExpressionPtr ExpressionGenerator::integer(Scalar type, int depth) {
       if (random_.chance(50)) return arithmetic(Operation::Modulo, type, depth);
       if (ExpressionPtr right = varying(type, depth))
         return node(Operation::Modulo, type, list(exact(type, depth), std::move(right)));
-      return leaf(type);
+      return leaf(type, depth);
     case 6:
       return is_signed(type) ? node(Operation::Negate, type, list(exact(type, depth)))
                              : arithmetic(Operation::Subtract, type, depth);
@@ -206,7 +206,7 @@ ExpressionPtr ExpressionGenerator::conversion(Scalar type, int depth) {
     return out;
   }
   const Scalar from = random_.chance(50) ? any_integer(random_) : any_bits(random_);
-  return from == type ? leaf(type) : convert(exact(from, depth), type);
+  return from == type ? leaf(type, depth) : convert(exact(from, depth), type);
 }
 
 }  // namespace stepwright::st_fuzz
