@@ -1,27 +1,15 @@
 #include "ladder/driver/compile.h"
 
-#include <cstdint>
-#include <cstring>
 #include <utility>
 
 #include "ladder/codegen/generate.h"
+#include "ladder/driver/library.h"
 #include "ladder/driver/pou_lowering.h"
-#include "ladder/driver/standard_blocks.h"
 #include "ladder/semantics/analyze.h"
-#include "runtime/bytecode/container_format.h"
 
 namespace stepwright::driver {
 
 namespace {
-
-std::string digest_of(const std::vector<std::byte>& container) {
-  std::uint64_t checksum = 0;
-  std::memcpy(&checksum, container.data() + offsetof(bytecode::FileHeader, checksum), sizeof(checksum));
-  static constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(checksum >> shift) & 0xF];
-  return text;
-}
 
 codegen::ChartOrigin chart_origin(const LoweredChart& lowered, const semantics::Model& model) {
   codegen::ChartOrigin origin;
@@ -59,20 +47,18 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
   source::DiagnosticSink sink(sources);
   syntax::SyntaxContext context{sources, names, sink};
   syntax::Unit unit;
-  const source::FileId library = sources.add("standard_blocks.st", std::string(standard_blocks()));
-  syntax::parse_unit(context, library, unit);
-  const std::size_t library_pous = unit.pous.size();
   for (const source::NamedText& each : input.texts)
     syntax::parse_unit(context, sources.add(each.name, each.text), unit);
   PouLowering lowering(context, unit);
   lowering.lower_charts();
   if (input.project != nullptr) lowering.add_project(*input.project);
-  const auto model = semantics::analyze(unit, library_pous, names, sink);
+  const std::size_t user_pous = unit.pous.size();
+  add_library(context, unit);
+  const auto model = semantics::analyze(unit, user_pous, names, sink);
   if (sink.has_errors()) return tl::unexpected(sink.take());
   auto container = codegen::generate(*model, chart_origins(lowering, *model), sources);
   if (!container) return result::forward(container);
   CompileOutput output;
-  output.digest = digest_of(*container);
   output.container = std::move(*container);
   output.warnings = sink.take();
   return output;

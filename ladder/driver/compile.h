@@ -31,7 +31,6 @@ struct CompileInput {
 
 struct CompileOutput {
   std::vector<std::byte> container;  // ready for the verifier (runtime/bytecode)
-  std::string digest;                // of the container, as its header holds it, in hexadecimal
   result::Diagnostics warnings;      // nothing of severity Error
 };
 

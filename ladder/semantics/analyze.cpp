@@ -61,7 +61,7 @@ void check_recursion(Analysis& a) {
 
 }  // namespace
 
-std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t library_pous, source::NameTable& names,
+std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, source::NameTable& names,
                                source::DiagnosticSink& sink) {
   auto model = std::make_unique<Model>();
   Analysis a{*model, names, sink, {}, {}, {}, {}};
@@ -69,12 +69,15 @@ std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t library_pou
   TypeResolver types(a, unit);
   types.declare_all();
   declare_globals(a, types, unit.globals);
-  for (const syntax::Configuration& each : unit.configurations) declare_globals(a, types, each.globals);
+  for (const syntax::Configuration& each : unit.configurations) {
+    declare_globals(a, types, each.globals);
+    for (const syntax::Resource& resource : each.resources) declare_globals(a, types, resource.globals);
+  }
   for (const auto& pou : model->pous) types.lay_out(*pou);
   for (const auto& pou : model->pous) StatementAnalyzer(a, *pou).body(pou->declaration->body);
   check_recursion(a);
   check_overlaps(a);
-  configure(a, unit, library_pous);
+  configure(a, unit, user_pous);
   return model;
 }
 

@@ -12,9 +12,9 @@
 
 namespace stepwright::semantics {
 
-// `unit` must outlive the model. POUs up to `library_pous` are the standard library: not searched for a main
-// program. If the sink has errors afterwards, the model must not be given to codegen.
-std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t library_pous, source::NameTable& names,
+// `unit` must outlive the model. The first `user_pous` POUs are the user's: one of them is the main program,
+// if no configuration says so. If the sink has errors afterwards, the model must not be given to codegen.
+std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, source::NameTable& names,
                                source::DiagnosticSink& sink);
 
 }  // namespace stepwright::semantics

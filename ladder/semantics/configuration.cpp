@@ -119,11 +119,11 @@ void declare_program(Analysis& a, const syntax::ProgramDeclaration& declaration)
 }
 
 // Without a configuration the only program runs every 10 ms.
-void configure_default(Analysis& a, std::size_t library_pous) {
+void configure_default(Analysis& a, std::size_t user_pous) {
   // A POU that could not be read may be the missing one, a second one of a name the one too many.
   if (a.sink.has_errors()) return;
   const Pou* only = nullptr;
-  for (std::size_t i = library_pous; i < a.model.pous.size(); ++i) {
+  for (std::size_t i = 0; i < user_pous; ++i) {
     const Pou& each = *a.model.pous[i];
     if (each.kind != PouKind::Program) continue;
     if (only != nullptr) {
@@ -153,17 +153,21 @@ void declare_globals(Analysis& a, TypeResolver& types,
   }
 }
 
-void configure(Analysis& a, const syntax::Unit& unit, std::size_t library_pous) {
-  if (unit.configurations.empty()) return configure_default(a, library_pous);
+void configure(Analysis& a, const syntax::Unit& unit, std::size_t user_pous) {
+  if (unit.configurations.empty()) return configure_default(a, user_pous);
   if (unit.configurations.size() > 1) {
     a.error(code::kSeveralConfigurations, unit.configurations[1].name.where,
             "there is more than one configuration");
     return;
   }
   const syntax::Configuration& configuration = unit.configurations.front();
-  for (const syntax::TaskDeclaration& each : configuration.tasks) declare_task(a, each);
-  for (const syntax::ProgramDeclaration& each : configuration.programs) declare_program(a, each);
-  if (configuration.programs.empty())
+  bool has_programs = false;
+  for (const syntax::Resource& resource : configuration.resources) {
+    for (const syntax::TaskDeclaration& each : resource.tasks) declare_task(a, each);
+    for (const syntax::ProgramDeclaration& each : resource.programs) declare_program(a, each);
+    has_programs = has_programs || !resource.programs.empty();
+  }
+  if (!has_programs)
     a.error(code::kNoProgram, configuration.name.where, "the configuration runs no program",
             "write PROGRAM name WITH task : type;");
 }

@@ -66,6 +66,16 @@ ValuePtr ExpressionAnalyzer::value(const Expression& expression) {
     case ExpressionKind::Repeat:
       a_.error(code::kBadInitializer, expression.where, "a list of values can only initialise a variable");
       return nullptr;
+    case ExpressionKind::Date:
+    case ExpressionKind::TimeOfDay:
+    case ExpressionKind::DateAndTime:
+    case ExpressionKind::String:
+    case ExpressionKind::WideString:
+    case ExpressionKind::Null:
+    case ExpressionKind::Dereference:
+    case ExpressionKind::Part:
+      a_.error(code::kNotSupported, expression.where, "this is not supported yet");
+      return nullptr;
     case ExpressionKind::Error:
       break;
   }

@@ -54,6 +54,9 @@ std::optional<Statement> StatementAnalyzer::statement(const syntax::Statement& s
   switch (statement.kind) {
     case syntax::StatementKind::Assign:
       return assign(statement);
+    case syntax::StatementKind::Attempt:
+      a_.error(code::kNotSupported, statement.where, "?= is not supported yet");
+      return std::nullopt;
     case syntax::StatementKind::Call: {
       auto call = expressions_.call_statement(*statement.value);
       if (call && call->kind == StatementKind::Evaluate && call->value->kind != ValueKind::Call)

@@ -34,6 +34,11 @@ const Type* TypeResolver::resolve(const syntax::TypeSpec& spec) {
       return structure(spec, "STRUCT");
     case syntax::TypeKind::Enumeration:
       return enumeration(spec, "enumeration");
+    case syntax::TypeKind::Subrange:
+    case syntax::TypeKind::Text:
+    case syntax::TypeKind::Reference:
+      a_.error(code::kNotSupported, spec.where, "this type is not supported yet");
+      return nullptr;
     case syntax::TypeKind::Error:
       break;
   }

@@ -17,4 +17,9 @@ NameId NameTable::intern(std::string_view name) {
   return entry->second;
 }
 
+std::optional<NameId> NameTable::find(std::string_view name) const {
+  const auto found = ids_.find(upper(name));
+  return found == ids_.end() ? std::nullopt : std::optional(found->second);
+}
+
 }  // namespace stepwright::source

@@ -23,6 +23,8 @@ std::uint32_t SourceSet::line(Position position) const {
 }
 
 result::Location SourceSet::location(Position position) const {
+  // Something that is missing from an empty compilation has no place.
+  if (position.file.value >= files_.size()) return {};
   const File& file = *files_[position.file.value];
   const std::uint32_t line_number = line(position);
   const std::size_t end = std::min<std::size_t>(position.offset, file.text.size());

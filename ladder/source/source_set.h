@@ -48,7 +48,7 @@ class SourceSet {
 
   // Line, from 1. An offset behind the end gives the last line.
   std::uint32_t line(Position position) const;
-  // File, line and column; columns count characters (UTF-8), not bytes.
+  // File, line and column; columns count characters (UTF-8), not bytes. No location without the file.
   result::Location location(Position position) const;
 
  private:

@@ -13,6 +13,8 @@ namespace stepwright::syntax {
 struct TypeSpec;
 using TypeSpecPtr = std::unique_ptr<TypeSpec>;
 
+enum class Edge : std::uint8_t { None, Rising, Falling };
+
 enum class Section : std::uint8_t { Local, Temp, Input, Output, InOut, External, Global };
 
 // One line of a VAR section; several names share it.
@@ -21,14 +23,18 @@ struct VariableDeclaration {
   Section section = Section::Local;
   bool constant = false;
   bool retain = false;
+  bool non_retain = false;
+  Edge edge = Edge::None;  // R_EDGE, F_EDGE of an input
   std::optional<DirectAddress> address;
+  std::optional<Area> open_address;  // AT %I*: VAR_CONFIG gives the address
   source::Position address_where;
   TypeSpecPtr type;
   ExpressionPtr initial;  // may be null
 };
 
-enum class TypeKind : std::uint8_t { Error, Named, Array, Struct, Enumeration };
+enum class TypeKind : std::uint8_t { Error, Named, Array, Struct, Enumeration, Subrange, Text, Reference };
 
+// Both null: '*', the bounds are those of the argument.
 struct ArrayRange {
   ExpressionPtr low;
   ExpressionPtr high;
@@ -42,9 +48,10 @@ struct Enumerator {
 struct TypeSpec {
   TypeKind kind = TypeKind::Error;
   source::Position where;
-  Name name;                                // Named
-  std::vector<ArrayRange> ranges;           // Array
-  TypeSpecPtr element;                      // Array
+  Name name;                                // Named; Subrange, Enumeration: the base; Text: (W)STRING
+  std::vector<ArrayRange> ranges;           // Array; Subrange: one
+  TypeSpecPtr element;                      // Array; Reference: what it leads to
+  ExpressionPtr length;                     // Text: characters
   std::vector<VariableDeclaration> fields;  // Struct
   std::vector<Enumerator> enumerators;      // Enumeration
 };
@@ -110,21 +117,49 @@ struct PouDeclaration {
 
 struct TaskDeclaration {
   Name name;
+  ExpressionPtr single;    // null = none given
   ExpressionPtr interval;  // null = none given
   ExpressionPtr priority;
+};
+
+// PROGRAM p WITH t : type (block WITH task)
+struct BlockTask {
+  Name block;
+  Name task;
 };
 
 struct ProgramDeclaration {
   Name name;
   std::optional<Name> task;
   Name type;
+  bool retain = false;
+  bool non_retain = false;
+  std::vector<Argument> connections;  // in := global, out => global
+  std::vector<BlockTask> block_tasks;
+};
+
+// Tasks and programs that stand in no RESOURCE belong to one without a name.
+struct Resource {
+  Name name;
+  std::vector<VariableDeclaration> globals;
+  std::vector<TaskDeclaration> tasks;
+  std::vector<ProgramDeclaration> programs;
+};
+
+// A line of VAR_CONFIG: the address or the first value of a variable inside of an instance.
+struct ConfiguredVariable {
+  std::vector<Name> path;  // [resource,] program instance, block instances, variable
+  std::optional<DirectAddress> address;
+  source::Position address_where;
+  TypeSpecPtr type;
+  ExpressionPtr initial;  // may be null
 };
 
 struct Configuration {
   Name name;
-  std::vector<VariableDeclaration> globals;  // its own and those of its resources
-  std::vector<TaskDeclaration> tasks;
-  std::vector<ProgramDeclaration> programs;
+  std::vector<VariableDeclaration> globals;
+  std::vector<Resource> resources;
+  std::vector<ConfiguredVariable> configured;
 };
 
 // All declarations of a compilation, in the order of the sources.

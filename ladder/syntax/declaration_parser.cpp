@@ -1,4 +1,4 @@
-// Variables and types (IEC 61131-3, 6.4 and 6.5).
+// Variables (IEC 61131-3, 6.5).
 
 #include "ladder/syntax/internal/parser.h"
 
@@ -43,11 +43,13 @@ void Parser::variable_section(std::vector<VariableDeclaration>& out) {
       model.constant = true;
     } else if (accept(Keyword::Retain)) {
       model.retain = true;
-    } else if (!accept(Keyword::NonRetain)) {
+    } else if (accept(Keyword::NonRetain)) {
+      model.non_retain = true;
+    } else {
       break;
     }
   }
-  while (!at(TokenKind::End) && (!at(TokenKind::Keyword) || at_reserved_name())) {
+  while (!at(TokenKind::End) && (!at(TokenKind::Keyword) || at(Keyword::At) || at_reserved_name())) {
     if (accept(TokenKind::Semicolon)) continue;
     if (!variable_line(model, out)) skip_declaration();
   }
@@ -66,6 +68,22 @@ bool Parser::variable_line(const VariableDeclaration& model, std::vector<Variabl
   line.section = model.section;
   line.constant = model.constant;
   line.retain = model.retain;
+  line.non_retain = model.non_retain;
+  if (!at(Keyword::At) && !variable_names(line)) return false;
+  if (accept(Keyword::At) && !variable_address(line)) return false;
+  if (!expect(TokenKind::Colon, "behind the name of the variable")) return false;
+  line.type = type();
+  const bool understood = line.type->kind != TypeKind::Error;
+  if (accept(Keyword::RisingEdge)) line.edge = Edge::Rising;
+  if (accept(Keyword::FallingEdge)) line.edge = Edge::Falling;
+  if (understood && accept(TokenKind::Assign)) line.initial = initial_value();
+  // Declared in any case, so that its uses are not reported too.
+  out.push_back(std::move(line));
+  if (!understood) return false;
+  return expect(TokenKind::Semicolon, "behind the declaration");
+}
+
+bool Parser::variable_names(VariableDeclaration& line) {
   do {
     const bool reserved = at_reserved_name();
     const auto name = expect_name("the name of a variable");
@@ -74,107 +92,23 @@ bool Parser::variable_line(const VariableDeclaration& model, std::vector<Variabl
     // The other names of the line are good ones.
     if (reserved) advance();
   } while (accept(TokenKind::Comma));
-  if (line.names.empty()) return false;
-  if (accept(Keyword::At)) {
-    line.address_where = peek().where;
-    const std::string text(peek().text);
-    if (!expect(TokenKind::Direct, "behind AT")) return false;
-    line.address = naming::parse_direct_address(text);
-    if (!line.address)
-      context_.sink.error(source::code::kBadAddress, line.address_where, "'" + text + "' is no address",
-                          "addresses look like %IX0.0, %QB1, %MW2, %ID3 or %ML4");
+  return !line.names.empty();
+}
+
+// Behind AT: an address, or one that VAR_CONFIG completes ("%I*", "%QW*").
+bool Parser::variable_address(VariableDeclaration& line) {
+  line.address_where = peek().where;
+  if (!at(TokenKind::Direct)) return expect(TokenKind::Direct, "behind AT");
+  const std::string text = source::upper(peek().text);
+  const std::size_t area = text.size() > 1 ? std::string_view("IQM").find(text[1]) : std::string::npos;
+  const bool sized = text.size() == 4 && std::string_view("XBWDL").find(text[2]) != std::string::npos;
+  if (text.back() == '*' && area != std::string::npos && (text.size() == 3 || sized)) {
+    advance();
+    line.open_address = static_cast<Area>(area);
+    return true;
   }
-  if (!expect(TokenKind::Colon, "behind the name of the variable")) return false;
-  line.type = type();
-  const bool understood = line.type->kind != TypeKind::Error;
-  if (understood && accept(TokenKind::Assign)) line.initial = initial_value();
-  // Declared in any case, so that its uses are not reported too.
-  out.push_back(std::move(line));
-  if (!understood) return false;
-  return expect(TokenKind::Semicolon, "behind the declaration");
-}
-
-TypeSpecPtr Parser::type() {
-  const Nesting nesting(*this);
-  if (!too_deep()) {
-    if (at(Keyword::Array)) return array_type();
-    if (at(Keyword::Struct)) return struct_type();
-    if (at(TokenKind::LeftParen)) return enumeration_type();
-  }
-  auto spec = std::make_unique<TypeSpec>();
-  spec->where = peek().where;
-  const auto name = expect_name("a type");
-  if (!name) return spec;
-  spec->kind = TypeKind::Named;
-  spec->name = *name;
-  return spec;
-}
-
-TypeSpecPtr Parser::array_type() {
-  auto spec = std::make_unique<TypeSpec>();
-  spec->where = advance().where;
-  if (!expect(TokenKind::LeftBracket, "behind ARRAY")) return spec;
-  do {
-    ArrayRange range;
-    range.low = expression();
-    if (!expect(TokenKind::Range, "between the bounds of the array")) return spec;
-    range.high = expression();
-    spec->ranges.push_back(std::move(range));
-  } while (accept(TokenKind::Comma));
-  if (!expect(TokenKind::RightBracket, "behind the bounds of the array")) return spec;
-  if (!expect(Keyword::Of, "before the type of the elements")) return spec;
-  spec->element = type();
-  if (spec->element->kind != TypeKind::Error) spec->kind = TypeKind::Array;
-  return spec;
-}
-
-TypeSpecPtr Parser::struct_type() {
-  auto spec = std::make_unique<TypeSpec>();
-  const Token& open = advance();
-  spec->where = open.where;
-  spec->kind = TypeKind::Struct;
-  const VariableDeclaration model;
-  while (at(TokenKind::Identifier)) {
-    if (!variable_line(model, spec->fields)) skip_declaration();
-  }
-  expect_end(Keyword::EndStruct, open);
-  return spec;
-}
-
-TypeSpecPtr Parser::enumeration_type() {
-  auto spec = std::make_unique<TypeSpec>();
-  spec->where = advance().where;
-  do {
-    const auto name = expect_name("the name of a value");
-    if (!name) return spec;
-    Enumerator value;
-    value.name = *name;
-    if (accept(TokenKind::Assign)) value.value = expression();
-    spec->enumerators.push_back(std::move(value));
-  } while (accept(TokenKind::Comma));
-  if (expect(TokenKind::RightParen, "behind the values")) spec->kind = TypeKind::Enumeration;
-  return spec;
-}
-
-void Parser::type_section(std::vector<TypeDeclaration>& out) {
-  const Token& open = advance();
-  while (at(TokenKind::Identifier)) {
-    TypeDeclaration declaration;
-    declaration.name = *expect_name("the name of the type");
-    bool understood = expect(TokenKind::Colon, "behind the name of the type");
-    if (understood) {
-      declaration.type = type();
-      understood = declaration.type->kind != TypeKind::Error;
-      if (understood && accept(TokenKind::Assign)) declaration.initial = initial_value();
-      out.push_back(std::move(declaration));
-      // END_STRUCT may stand without ';'.
-      const bool is_struct = out.back().type->kind == TypeKind::Struct;
-      if (understood && !(is_struct && !at(TokenKind::Semicolon)))
-        understood = expect(TokenKind::Semicolon, "behind the type");
-    }
-    if (!understood) skip_declaration();
-  }
-  if (!expect_end(Keyword::EndType, open)) skip_declaration();
+  line.address = direct_address();
+  return true;
 }
 
 }  // namespace stepwright::syntax::internal

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,12 +32,20 @@ enum class ExpressionKind : std::uint8_t {
   Boolean,       // `integer` is 0 or 1
   Integer,       // `integer`
   Real,          // `real`
-  Time,          // `time_ns`
+  Time,          // `time_ns`, as in the next three
+  Date,          // since 1970-01-01
+  TimeOfDay,     // since midnight
+  DateAndTime,   // since 1970-01-01
+  String,        // `characters`, each below 256
+  WideString,    // `characters`
+  Null,          // the reference to nothing
   Variable,      // `name`
   EnumValue,     // `prefix`#`name`
   Direct,        // `address`
   Field,         // operands[0] . `name`
   Index,         // operands[0] [ operands[1], ... ]
+  Dereference,   // operands[0] ^
+  Part,          // operands[0] . %X3: the `integer`th group of `part_bits` bits
   Unary,         // `op` operands[0]
   Binary,        // operands[0] `op` operands[1] `op` ...: a chain of one operator, evaluated from the left
   Call,          // `name` ( arguments ), or operands[0] ( arguments )
@@ -49,6 +58,8 @@ enum class Operator : std::uint8_t {
   Or,
   Xor,
   And,
+  OrElse,
+  AndThen,
   Equal,
   NotEqual,
   Less,
@@ -77,12 +88,14 @@ struct Argument {
 struct Expression {
   ExpressionKind kind = ExpressionKind::Error;
   Operator op = Operator::Or;
-  bool based = false;       // Integer: written with a base, may fill all bits of a bit string
-  std::uint16_t depth = 1;  // of the tree below, bounded by the parser
+  bool based = false;          // Integer: written with a base, may fill all bits of a bit string
+  std::uint8_t part_bits = 1;  // Part: 1, 8, 16, 32 or 64
+  std::uint16_t depth = 1;     // of the tree below, bounded by the parser
   source::Position where;
   std::uint64_t integer = 0;
   double real = 0;
   std::int64_t time_ns = 0;
+  std::u16string characters;
   Name name;
   std::optional<Name> prefix;  // literals: "INT" of INT#5
   DirectAddress address;

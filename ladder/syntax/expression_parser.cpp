@@ -5,12 +5,15 @@
 #include <cassert>
 
 #include "ladder/syntax/internal/parser.h"
+#include "ladder/syntax/number.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::syntax {
 
 const char* to_string(Operator op) {
-  static constexpr std::array kWords = {
-      "OR", "XOR", "AND", "=", "<>", "<", "<=", ">", ">=", "+", "-", "*", "/", "MOD", "**", "-", "+", "NOT"};
+  static constexpr std::array kWords = {"OR", "XOR", "AND", "OR_ELSE", "AND_THEN", "=",  "<>",
+                                        "<",  "<=",  ">",   ">=",      "+",        "-",  "*",
+                                        "/",  "MOD", "**",  "-",       "+",        "NOT"};
   return kWords[static_cast<std::size_t>(op)];
 }
 
@@ -63,10 +66,14 @@ Binary binary_operator(const Token& token) {
   switch (token.keyword) {
     case Keyword::Or:
       return {0, Operator::Or};
+    case Keyword::OrElse:
+      return {0, Operator::OrElse};
     case Keyword::Xor:
       return {1, Operator::Xor};
     case Keyword::And:
       return {2, Operator::And};
+    case Keyword::AndThen:
+      return {2, Operator::AndThen};
     case Keyword::Mod:
       return {6, Operator::Modulo};
     default:
@@ -74,12 +81,12 @@ Binary binary_operator(const Token& token) {
   }
 }
 
-void adopt(Expression& parent, ExpressionPtr child) {
+}  // namespace
+
+void Parser::adopt(Expression& parent, ExpressionPtr child) {
   parent.depth = std::max<std::uint16_t>(parent.depth, static_cast<std::uint16_t>(child->depth + 1));
   parent.operands.push_back(std::move(child));
 }
-
-}  // namespace
 
 ExpressionPtr Parser::make(ExpressionKind kind) const {
   auto node = std::make_unique<Expression>();
@@ -155,14 +162,8 @@ ExpressionPtr Parser::primary() {
       return prefixed_literal();
     case TokenKind::Direct: {
       auto node = make(ExpressionKind::Direct);
-      const Token& token = advance();
-      const auto address = naming::parse_direct_address(token.text);
-      if (!address) {
-        context_.sink.error(source::code::kBadAddress, token.where,
-                            "'" + std::string(token.text) + "' is no address",
-                            "addresses look like %IX0.0, %QB1, %MW2, %ID3 or %ML4");
-        return error_node();
-      }
+      const auto address = direct_address();
+      if (!address) return error_node();
       node->address = *address;
       return node;
     }
@@ -175,63 +176,6 @@ ExpressionPtr Parser::primary() {
     default:
       return literal();
   }
-}
-
-ExpressionPtr Parser::literal() {
-  auto node = make(ExpressionKind::Integer);
-  const Token& token = peek();
-  if (at(Keyword::True) || at(Keyword::False)) {
-    node->kind = ExpressionKind::Boolean;
-    node->integer = at(Keyword::True) ? 1 : 0;
-  } else if (at(TokenKind::Integer)) {
-    node->integer = token.integer;
-    node->based = token.based;
-  } else if (at(TokenKind::Real)) {
-    node->kind = ExpressionKind::Real;
-    node->real = token.real;
-  } else if (at(TokenKind::Time)) {
-    node->kind = ExpressionKind::Time;
-    node->time_ns = token.time_ns;
-  } else if (at(TokenKind::String)) {
-    context_.sink.error(source::code::kNotSupported, token.where, "strings are not supported yet");
-    advance();
-    return error_node();
-  } else {
-    unexpected("an expression", at(TokenKind::Keyword)
-                                    ? "'" + std::string(token.text) + "' is a reserved word"
-                                    : std::string());
-    return error_node();
-  }
-  advance();
-  return node;
-}
-
-// "INT#-5", "BOOL#TRUE", "WORD#16#FF", "Color#Red"
-ExpressionPtr Parser::prefixed_literal() {
-  const Token& prefix = advance();
-  const Name type{prefix.name, prefix.text, prefix.where};
-  ExpressionPtr node;
-  if (at(TokenKind::Identifier)) {
-    node = make(ExpressionKind::EnumValue);
-    const Token& token = advance();
-    node->name = {token.name, token.text, token.where};
-  } else if (at(TokenKind::Minus) || at(TokenKind::Plus)) {
-    const bool negative = advance().is(TokenKind::Minus);
-    ExpressionPtr value = literal();
-    if (negative) {
-      // The sign belongs to the literal: INT#-32768 is in range although 32768 is not.
-      node = make(ExpressionKind::Unary);
-      node->op = Operator::Negate;
-      adopt(*node, std::move(value));
-    } else {
-      node = std::move(value);
-    }
-  } else {
-    node = literal();
-  }
-  node->prefix = type;
-  node->where = prefix.where;
-  return node;
 }
 
 ExpressionPtr Parser::name_or_call() {
@@ -248,7 +192,8 @@ ExpressionPtr Parser::name_or_call() {
 // "timers[3](IN := x)": a call of a block that is a part of a variable.
 bool Parser::at_path_call(const Expression& base) const {
   return at(TokenKind::LeftParen) &&
-         (base.kind == ExpressionKind::Field || base.kind == ExpressionKind::Index);
+         (base.kind == ExpressionKind::Field || base.kind == ExpressionKind::Index ||
+          base.kind == ExpressionKind::Dereference);
 }
 
 void Parser::call_arguments(Expression& call) {
@@ -259,25 +204,24 @@ void Parser::call_arguments(Expression& call) {
 }
 
 ExpressionPtr Parser::suffixes(ExpressionPtr base) {
-  while (at(TokenKind::Dot) || at(TokenKind::LeftBracket) || at_path_call(*base)) {
+  while (at(TokenKind::Dot) || at(TokenKind::LeftBracket) || at(TokenKind::Caret) || at_path_call(*base)) {
     if (base->depth >= kMaxDepth) {
       nesting_ += 1000;
       too_deep();
       nesting_ -= 1000;
       return error_node();
     }
-    auto node = make(at(TokenKind::Dot) ? ExpressionKind::Field : ExpressionKind::Index);
+    auto node = make(at(TokenKind::Caret)         ? ExpressionKind::Dereference
+                     : at(TokenKind::LeftBracket) ? ExpressionKind::Index
+                                                  : ExpressionKind::Field);
     node->where = base->where;
     adopt(*node, std::move(base));
     if (at(TokenKind::LeftParen)) {
       node->kind = ExpressionKind::Call;
       call_arguments(*node);
     } else if (accept(TokenKind::Dot)) {
-      const auto name = expect_name("the name of a member");
-      if (!name) return error_node();
-      node->name = *name;
-    } else {
-      advance();
+      if (!member(*node)) return error_node();
+    } else if (advance().is(TokenKind::LeftBracket)) {
       do adopt(*node, expression());
       while (accept(TokenKind::Comma));
       expect(TokenKind::RightBracket, "to close the index");
@@ -287,76 +231,49 @@ ExpressionPtr Parser::suffixes(ExpressionPtr base) {
   return base;
 }
 
-std::vector<Argument> Parser::arguments() {
-  std::vector<Argument> list;
-  advance();  // '('
-  if (accept(TokenKind::RightParen)) return list;
-  do list.push_back(argument());
-  while (accept(TokenKind::Comma));
-  expect(TokenKind::RightParen, "to close the argument list");
-  return list;
-}
-
-Argument Parser::argument() {
-  Argument result;
-  const std::size_t name_at = at(Keyword::Not) ? 1 : 0;
-  const Token& after = peek(name_at + 1);
-  const bool formal = peek(name_at).is(TokenKind::Identifier) &&
-                      (after.is(TokenKind::Output) || (name_at == 0 && after.is(TokenKind::Assign)));
-  if (formal) {
-    result.negated = accept(Keyword::Not);
-    const Token& token = advance();
-    result.formal = Name{token.name, token.text, token.where};
-    result.is_output = advance().is(TokenKind::Output);
-    // "Q =>" alone: the output is not wanted.
-    if (result.is_output && (at(TokenKind::Comma) || at(TokenKind::RightParen))) return result;
+// Behind the '.': the name of a member, or a part of a bit string: %X3, %B1, %W0, %D1, or 3 for %X3 (table
+// 17).
+bool Parser::member(Expression& node) {
+  const Token& token = peek();
+  if (at(TokenKind::Integer) && !token.based) {
+    node.kind = ExpressionKind::Part;
+    node.integer = advance().integer;
+    return true;
   }
-  result.value = expression();
-  return result;
-}
-
-ExpressionPtr Parser::initial_value() {
-  const Nesting nesting(*this);
-  if (too_deep()) return error_node();
-  if (at(TokenKind::LeftBracket)) return array_values();
-  const bool names_field = peek(1).is(TokenKind::Identifier) && peek(2).is(TokenKind::Assign);
-  if (at(TokenKind::LeftParen) && names_field) return struct_values();
-  return expression();
-}
-
-ExpressionPtr Parser::array_values() {
-  auto node = make(ExpressionKind::ArrayValues);
-  advance();
-  do {
-    if (at(TokenKind::RightBracket)) break;
-    if (at(TokenKind::Integer) && peek(1).is(TokenKind::LeftParen)) {
-      auto repeat = make(ExpressionKind::Repeat);
-      adopt(*repeat, literal());
-      advance();
-      if (!at(TokenKind::RightParen)) adopt(*repeat, initial_value());
-      expect(TokenKind::RightParen, "to close the repeated value");
-      adopt(*node, std::move(repeat));
-    } else {
-      adopt(*node, initial_value());
+  if (at(TokenKind::Direct)) {
+    static constexpr std::string_view kSizes = "XBWDL";
+    static constexpr std::uint8_t kBits[] = {1, 8, 16, 32, 64};
+    const std::size_t size = kSizes.find(naming::to_upper(token.text.size() > 1 ? token.text[1] : ' '));
+    const auto number = parse_integer(token.text.substr(std::min<std::size_t>(token.text.size(), 2)), 10);
+    advance();
+    if (size == std::string_view::npos || !number) {
+      context_.sink.error(source::code::kBadAddress, token.where,
+                          "'" + std::string(token.text) + "' is no part of a variable",
+                          "parts of bit strings are written .%X7, .%B1, .%W0 or .%D1");
+      return false;
     }
-  } while (accept(TokenKind::Comma));
-  expect(TokenKind::RightBracket, "to close the list of values");
-  return node;
+    node.kind = ExpressionKind::Part;
+    node.part_bits = kBits[size];
+    node.integer = *number;
+    return true;
+  }
+  const auto name = expect_name("the name of a member");
+  if (name) node.name = *name;
+  return name.has_value();
 }
 
-ExpressionPtr Parser::struct_values() {
-  auto node = make(ExpressionKind::StructValues);
-  advance();
-  do {
-    const auto name = expect_name("the name of a member");
-    if (!name || !expect(TokenKind::Assign, "behind the name of the member")) break;
-    Argument value;
-    value.formal = *name;
-    value.value = initial_value();
-    node->arguments.push_back(std::move(value));
-  } while (accept(TokenKind::Comma));
-  expect(TokenKind::RightParen, "to close the list of values");
-  return node;
+// The address that stands here, reported if it is none.
+std::optional<DirectAddress> Parser::direct_address() {
+  const Token& token = advance();
+  const auto address = naming::parse_direct_address(token.text);
+  if (!address) {
+    const bool is_open = !token.text.empty() && token.text.back() == '*';
+    context_.sink.error(source::code::kBadAddress, token.where,
+                        "'" + std::string(token.text) + "' is no address",
+                        is_open ? "an address with '*' stands behind AT in VAR of a program or function block"
+                                : "addresses look like %IX0.0, %QB1, %MW2, %ID3 or %ML4");
+  }
+  return address;
 }
 
 }  // namespace stepwright::syntax::internal

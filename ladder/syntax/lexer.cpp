@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "ladder/syntax/date_literal.h"
 #include "ladder/syntax/number.h"
 
 namespace stepwright::syntax {
@@ -24,20 +25,59 @@ bool continues_name(char c) {
   return starts_name(c) || is_digit(c);
 }
 
+// Literals whose value is a time: what stands before '#', how the value is read, what a wrong one is told.
+struct TimeLiteral {
+  std::string_view prefix;
+  TokenKind kind;
+  std::optional<std::int64_t> (*parse)(std::string_view);
+};
+constexpr TimeLiteral kTimeLiterals[] = {
+    {"T", TokenKind::Time, parse_duration},
+    {"TIME", TokenKind::Time, parse_duration},
+    {"LT", TokenKind::Time, parse_duration},
+    {"LTIME", TokenKind::Time, parse_duration},
+    {"D", TokenKind::Date, parse_date},
+    {"DATE", TokenKind::Date, parse_date},
+    {"LD", TokenKind::Date, parse_date},
+    {"LDATE", TokenKind::Date, parse_date},
+    {"TOD", TokenKind::TimeOfDay, parse_time_of_day},
+    {"TIME_OF_DAY", TokenKind::TimeOfDay, parse_time_of_day},
+    {"LTOD", TokenKind::TimeOfDay, parse_time_of_day},
+    {"LTIME_OF_DAY", TokenKind::TimeOfDay, parse_time_of_day},
+    {"DT", TokenKind::DateAndTime, parse_date_and_time},
+    {"DATE_AND_TIME", TokenKind::DateAndTime, parse_date_and_time},
+    {"LDT", TokenKind::DateAndTime, parse_date_and_time},
+    {"LDATE_AND_TIME", TokenKind::DateAndTime, parse_date_and_time},
+};
+
+const char* hint_of(TokenKind kind) {
+  switch (kind) {
+    case TokenKind::Date:
+      return "write it as D#2026-11-21, from 1678 to 2261";
+    case TokenKind::TimeOfDay:
+      return "write it as TOD#15:36:55.36";
+    case TokenKind::DateAndTime:
+      return "write it as DT#2026-11-21-15:36:55.36";
+    default:
+      return "write it as T#1d2h3m4s5ms, units descending, a fraction only in the last one";
+  }
+}
+
 class Lexer {
  public:
   Lexer(const source::SourceSet& sources, source::FileId file, TextKind kind, source::NameTable& names,
-        source::DiagnosticSink& sink)
+        source::DiagnosticSink& sink, Extent extent)
       : sources_(sources),
         file_(file),
-        text_(sources.text(file)),
+        text_(sources.text(file).substr(0, extent.end)),
         kind_(kind),
         names_(names),
         sink_(sink),
+        at_(extent.begin),
         mapped_file_(file) {}
 
   std::vector<Token> run() {
-    tokens_.reserve(text_.size() / 4 + 1);
+    tokens_.reserve((text_.size() - at_) / 4 + 1);
     while (true) {
       skip_blank();
       start_ = at_;
@@ -161,22 +201,28 @@ class Lexer {
   void prefixed(source::NameId name) {
     const std::string& folded = names_.folded(name);
     ++at_;
-    if (folded != "T" && folded != "TIME" && folded != "LT" && folded != "LTIME") {
-      Token& token = push(TokenKind::TypePrefix);
-      token.text.remove_suffix(1);
-      token.name = name;
-      return;
-    }
+    for (const TimeLiteral& each : kTimeLiterals)
+      if (folded == each.prefix) return time_literal(each);
+    Token& token = push(TokenKind::TypePrefix);
+    token.text.remove_suffix(1);
+    token.name = name;
+  }
+
+  void time_literal(const TimeLiteral& form) {
     const std::size_t from = at_;
-    if (peek() == '-' || peek() == '+') ++at_;
-    while (continues_name(peek()) || (peek() == '.' && is_digit(peek(1)))) ++at_;
-    const auto value = parse_duration(text_.substr(from, at_ - from));
+    const bool is_duration = form.kind == TokenKind::Time;
+    if (is_duration && (peek() == '-' || peek() == '+')) ++at_;
+    // The marks of dates and times of day belong to the literal only between digits.
+    while (continues_name(peek()) ||
+           (is_digit(peek(1)) && (peek() == '.' || (!is_duration && (peek() == '-' || peek() == ':')))))
+      ++at_;
+    const auto value = form.parse(text_.substr(from, at_ - from));
     if (!value) {
       return bad(code::kBadLiteral,
-                 "'" + std::string(text_.substr(start_, at_ - start_)) + "' is no duration",
-                 "write it as T#1d2h3m4s5ms, units descending, a fraction only in the last one");
+                 "'" + std::string(text_.substr(start_, at_ - start_)) + "' is not " + describe(form.kind),
+                 hint_of(form.kind));
     }
-    push(TokenKind::Time).time_ns = *value;
+    push(form.kind).time_ns = *value;
   }
 
   void digits() {
@@ -236,6 +282,8 @@ class Lexer {
   void direct() {
     ++at_;
     while (continues_name(peek()) || (peek() == '.' && is_digit(peek(1)))) ++at_;
+    // "%I*", "%QW*": a place that VAR_CONFIG gives.
+    if (peek() == '*' && at_ - start_ > 1 && !is_digit(text_[at_ - 1])) ++at_;
     push(TokenKind::Direct);
   }
 
@@ -248,7 +296,7 @@ class Lexer {
                  std::string("close it with ") + quote);
     }
     ++at_;
-    push(TokenKind::String);
+    push(quote == '"' ? TokenKind::WideString : TokenKind::String);
   }
 
   void symbol() {
@@ -257,14 +305,15 @@ class Lexer {
       TokenKind kind;
     };
     static constexpr Symbol kSymbols[] = {
-        {":=", TokenKind::Assign},       {"=>", TokenKind::Output},     {"..", TokenKind::Range},
-        {"**", TokenKind::Power},        {"<>", TokenKind::NotEqual},   {"<=", TokenKind::LessEqual},
-        {">=", TokenKind::GreaterEqual}, {":", TokenKind::Colon},       {";", TokenKind::Semicolon},
-        {",", TokenKind::Comma},         {".", TokenKind::Dot},         {"(", TokenKind::LeftParen},
-        {")", TokenKind::RightParen},    {"[", TokenKind::LeftBracket}, {"]", TokenKind::RightBracket},
-        {"+", TokenKind::Plus},          {"-", TokenKind::Minus},       {"*", TokenKind::Star},
-        {"/", TokenKind::Slash},         {"&", TokenKind::Ampersand},   {"=", TokenKind::Equal},
-        {"<", TokenKind::Less},          {">", TokenKind::Greater},
+        {":=", TokenKind::Assign},     {"=>", TokenKind::Output},      {"?=", TokenKind::AttemptAssign},
+        {"..", TokenKind::Range},      {"^", TokenKind::Caret},        {"**", TokenKind::Power},
+        {"<>", TokenKind::NotEqual},   {"<=", TokenKind::LessEqual},   {">=", TokenKind::GreaterEqual},
+        {":", TokenKind::Colon},       {";", TokenKind::Semicolon},    {",", TokenKind::Comma},
+        {".", TokenKind::Dot},         {"(", TokenKind::LeftParen},    {")", TokenKind::RightParen},
+        {"[", TokenKind::LeftBracket}, {"]", TokenKind::RightBracket}, {"+", TokenKind::Plus},
+        {"-", TokenKind::Minus},       {"*", TokenKind::Star},         {"/", TokenKind::Slash},
+        {"&", TokenKind::Ampersand},   {"=", TokenKind::Equal},        {"<", TokenKind::Less},
+        {">", TokenKind::Greater},
     };
     for (const Symbol& each : kSymbols) {
       if (!at_text(each.text)) continue;
@@ -296,8 +345,8 @@ class Lexer {
 }  // namespace
 
 std::vector<Token> lex(const source::SourceSet& sources, source::FileId file, TextKind kind,
-                       source::NameTable& names, source::DiagnosticSink& sink) {
-  return Lexer(sources, file, kind, names, sink).run();
+                       source::NameTable& names, source::DiagnosticSink& sink, Extent extent) {
+  return Lexer(sources, file, kind, names, sink, extent).run();
 }
 
 }  // namespace stepwright::syntax

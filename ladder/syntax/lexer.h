@@ -15,8 +15,14 @@ namespace stepwright::syntax {
 
 enum class TextKind : std::uint8_t { Written, Generated };
 
-// All tokens of a text, closed by one End token. `names` begins with the keywords (intern_keywords).
+// A part of a text, in bytes.
+struct Extent {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0xFFFFFFFF;  // cut to the text
+};
+
+// All tokens of a text or of a part of it, closed by one End token. `names` begins with the keywords (intern_keywords).
 std::vector<Token> lex(const source::SourceSet& sources, source::FileId file, TextKind kind,
-                       source::NameTable& names, source::DiagnosticSink& sink);
+                       source::NameTable& names, source::DiagnosticSink& sink, Extent extent = {});
 
 }  // namespace stepwright::syntax

@@ -55,8 +55,8 @@ std::vector<VariableDeclaration> Parser::whole_variables() {
 
 }  // namespace internal
 
-void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit) {
-  const auto tokens = lex(context.sources, file, TextKind::Written, context.names, context.sink);
+void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit, Extent extent) {
+  const auto tokens = lex(context.sources, file, TextKind::Written, context.names, context.sink, extent);
   internal::Parser(context, tokens, TextKind::Written).unit(unit);
 }
 

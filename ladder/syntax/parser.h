@@ -22,8 +22,8 @@ struct SyntaxContext {
   source::DiagnosticSink& sink;
 };
 
-// Appends everything that a source file declares to `unit`.
-void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit);
+// Appends everything that a source file, or a part of it, declares to `unit`.
+void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit, Extent extent = {});
 
 // A whole text that is one statement list. In a Generated text "JMP name;" and "name:" are statements too.
 Statements parse_statements(SyntaxContext& context, source::FileId file, TextKind kind);

@@ -14,13 +14,14 @@ using StatementPtr = std::unique_ptr<Statement>;
 using Statements = std::vector<StatementPtr>;
 
 enum class StatementKind : std::uint8_t {
-  Assign,  // target := value
-  Call,    // value (an expression of kind Call)
-  If,      // branches with conditions, otherwise
-  Case,    // value; branches with labels, otherwise
-  For,     // target := value TO limit BY step DO body
-  While,   // value DO body
-  Repeat,  // body UNTIL value
+  Assign,   // target := value
+  Attempt,  // target ?= value
+  Call,     // value (an expression of kind Call)
+  If,       // branches with conditions, otherwise
+  Case,     // value; branches with labels, otherwise
+  For,      // target := value TO limit BY step DO body
+  While,    // value DO body
+  Repeat,   // body UNTIL value
   Exit,
   Continue,
   Return,

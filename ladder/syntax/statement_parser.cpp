@@ -80,7 +80,9 @@ StatementPtr Parser::simple_statement() {
     end_of_statement();
     return node;
   }
-  if (!expect(TokenKind::Assign, "behind the variable")) {
+  if (accept(TokenKind::AttemptAssign)) {
+    node->kind = StatementKind::Attempt;
+  } else if (!expect(TokenKind::Assign, "behind the variable")) {
     // "x = 1;" is read as the assignment that was meant.
     if (!at(TokenKind::Equal)) {
       skip_statement();
@@ -113,23 +115,26 @@ StatementPtr Parser::if_statement() {
   return node;
 }
 
-// A label list and its ':' stand here. Only called inside CASE, so "name:" cannot be anything else.
+// A label list and its ':' stand here. Only called inside CASE, so what reaches a ':' before it becomes a
+// statement is one.
 bool Parser::at_case_label() const {
   for (std::size_t i = 0;; ++i) {
     const Token& token = peek(i);
     switch (token.kind) {
       case TokenKind::Colon:
         return i > 0;
-      case TokenKind::Integer:
-      case TokenKind::Identifier:
-      case TokenKind::TypePrefix:
-      case TokenKind::Minus:
-      case TokenKind::Plus:
-      case TokenKind::Comma:
-      case TokenKind::Range:
+      case TokenKind::End:
+      case TokenKind::Bad:
+      case TokenKind::Semicolon:
+      case TokenKind::Assign:
+      case TokenKind::AttemptAssign:
+      case TokenKind::Output:
+        return false;
+      case TokenKind::Keyword:
+        if (!token.is(Keyword::True) && !token.is(Keyword::False)) return false;
         continue;
       default:
-        return false;
+        continue;
     }
   }
 }

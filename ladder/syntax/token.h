@@ -13,14 +13,19 @@ namespace stepwright::syntax {
 enum class TokenKind : std::uint8_t {
   End,
   Identifier,
-  TypePrefix,  // "INT#", "Color#": the name before '#'
-  Integer,     // value in `integer`
-  Real,        // value in `real`
-  Time,        // value in `time_ns`
-  String,      // with its quotes
-  Direct,      // "%IX0.0"
-  Assign,      // :=
-  Output,      // =>
+  TypePrefix,     // "INT#", "Color#": the name before '#'
+  Integer,        // value in `integer`
+  Real,           // value in `real`
+  Time,           // value in `time_ns`, as in the next three
+  Date,           // D#..., since 1970-01-01
+  TimeOfDay,      // TOD#..., since midnight
+  DateAndTime,    // DT#..., since 1970-01-01
+  String,         // '...', with its quotes
+  WideString,     // "...", with its quotes
+  Direct,         // "%IX0.0", "%I*"
+  Assign,         // :=
+  AttemptAssign,  // ?=
+  Output,         // =>
   Colon,
   Semicolon,
   Comma,
@@ -36,6 +41,7 @@ enum class TokenKind : std::uint8_t {
   Power,  // **
   Slash,
   Ampersand,
+  Caret,  // ^
   Equal,
   NotEqual,
   Less,
@@ -46,7 +52,7 @@ enum class TokenKind : std::uint8_t {
   Keyword,
 };
 
-// Reserved words; the order is that of `kKeywords` in keyword.cpp.
+// Reserved words; the order is that of `kKeywords` in token.cpp.
 enum class Keyword : std::uint8_t {
   None,
   Program,
@@ -62,10 +68,13 @@ enum class Keyword : std::uint8_t {
   VarTemp,
   VarExternal,
   VarGlobal,
+  VarConfig,
   EndVar,
   Constant,
   Retain,
   NonRetain,
+  RisingEdge,
+  FallingEdge,
   At,
   Type,
   EndType,
@@ -73,6 +82,7 @@ enum class Keyword : std::uint8_t {
   EndStruct,
   Array,
   Of,
+  RefTo,
   Configuration,
   EndConfiguration,
   Resource,
@@ -103,8 +113,11 @@ enum class Keyword : std::uint8_t {
   Jmp,
   True,
   False,
+  Null,
   And,
+  AndThen,
   Or,
+  OrElse,
   Xor,
   Not,
   Mod,

@@ -48,11 +48,9 @@ result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOp
   auto variables = resolve(loaded, options.trace);
   if (!variables) return result::forward(variables);
 
-  const bytecode::SizesRecord& sizes = program.sizes();
-  std::vector<std::byte> memory(program.image_size());
-  std::vector<std::uint64_t> stack(sizes.stack_slots);
-  image::ProcessImage image(memory,
-                            {sizes.input_bytes, sizes.output_bytes, sizes.marker_bytes, sizes.data_bytes});
+  std::vector<std::byte> memory(program.memory_size());
+  std::vector<std::uint64_t> stack(program.sizes().stack_slots);
+  image::ProcessImage image(memory, scan::layout_of(program));
   vm::Interpreter engine(program, stack);
   NoIo io;
   NoClock clock;

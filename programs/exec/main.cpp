@@ -58,7 +58,7 @@ nlohmann::json to_json(const reader::Value& value) {
   if (const double* number = std::get_if<double>(&value); number != nullptr && !std::isfinite(*number)) {
     return std::isnan(*number) ? "NaN" : *number > 0 ? "Infinity" : "-Infinity";
   }
-  return std::visit([](auto plain) { return nlohmann::json(plain); }, value);
+  return std::visit([](const auto& plain) { return nlohmann::json(plain); }, value);
 }
 
 std::string hex(std::uint64_t value) {

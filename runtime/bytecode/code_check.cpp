@@ -80,6 +80,10 @@ class CodeChecker {
   // What the operands name must exist; memory accesses lie within the image or the instance.
   Status operands(const Instruction& in) const {
     if (in.opcode >= Opcode::LoadBoolAbs && in.opcode <= Opcode::StoreRefInd) return memory_operand(in);
+    if (is_fused_boolean(in.opcode)) {
+      return in.a < (is_this_boolean(in.opcode) ? function_.instance_size : image_size_) ? Status::Ok
+                                                                                         : Status::BadAddress;
+    }
     switch (in.opcode) {
       case Opcode::LoadBit:
       case Opcode::StoreBit:
@@ -88,6 +92,9 @@ class CodeChecker {
         return in.a < image_size_ ? Status::Ok : Status::BadAddress;
       case Opcode::AddrThis:
         return in.a < function_.instance_size ? Status::Ok : Status::BadAddress;
+      case Opcode::AddrFrame:
+        return in.a < function_.frame_size ? Status::Ok : Status::BadAddress;
+      case Opcode::IndexDyn:
       case Opcode::Offset:
       case Opcode::MemCopy:
         return in.a <= image_size_ ? Status::Ok : Status::BadAddress;
@@ -95,6 +102,13 @@ class CodeChecker {
         return operand(in.signed_a() <= in.signed_b() && in.c <= image_size_);
       case Opcode::ConstBool:
         return operand(in.a <= 1);
+      case Opcode::CheckI32:
+        return operand(in.signed_a() <= in.signed_b());
+      case Opcode::CheckI64:
+      case Opcode::CheckU64:
+        return operand(bounds_in_order(in));
+      case Opcode::StringOp:
+        return operand(in.a < kStringOpCount);
       case Opcode::ConstI64:
       case Opcode::ConstF64:
         return operand(in.a < view_.count<Section::Constants>());
@@ -120,6 +134,15 @@ class CodeChecker {
 
   static Status operand(bool good) { return good ? Status::Ok : Status::BadOperand; }
 
+  bool bounds_in_order(const Instruction& in) const {
+    if (in.a >= view_.count<Section::Constants>() || in.b >= view_.count<Section::Constants>()) return false;
+    const std::uint64_t lower = view_.record<Section::Constants>(in.a);
+    const std::uint64_t upper = view_.record<Section::Constants>(in.b);
+    return in.opcode == Opcode::CheckU64
+               ? lower <= upper
+               : static_cast<std::int64_t>(lower) <= static_cast<std::int64_t>(upper);
+  }
+
   Status memory_operand(const Instruction& in) const {
     const auto number =
         static_cast<std::uint32_t>(in.opcode) - static_cast<std::uint32_t>(Opcode::LoadBoolAbs);
@@ -144,6 +167,8 @@ class CodeChecker {
         return select();
       case Opcode::Intrinsic:
         return simple(kIntrinsics[in.a].pops, kIntrinsics[in.a].pushes);
+      case Opcode::StringOp:
+        return simple(kStringOps[in.a].pops, kStringOps[in.a].pushes);
       case Opcode::RoundF32:
       case Opcode::TruncF32:
         return to_int(StackType::F32, static_cast<IntType>(in.a));
@@ -227,6 +252,7 @@ class CodeChecker {
     if (in.a >= view_.count<Section::Functions>()) return Status::BadCall;
     const FunctionRecord callee = view_.record<Section::Functions>(in.a);
     if (callee.kind != static_cast<std::uint8_t>(FunctionKind::Function)) return Status::BadCall;
+    if (!frame_is_behind(callee)) return Status::BadFrame;
     for (std::uint32_t i = callee.param_count; i > 0; --i) {
       if (const Status status = pop(view_.local_type(callee, i - 1)); status != Status::Ok) return status;
     }
@@ -237,9 +263,15 @@ class CodeChecker {
     if (in.a >= view_.count<Section::Functions>()) return Status::BadCall;
     const FunctionRecord callee = view_.record<Section::Functions>(in.a);
     if (callee.kind == static_cast<std::uint8_t>(FunctionKind::Function)) return Status::BadCall;
+    if (!frame_is_behind(callee)) return Status::BadFrame;
     if (in.opcode == Opcode::CallInstanceInd) return pop(StackType::Ref);
     const std::uint64_t size = in.opcode == Opcode::CallInstanceAbs ? image_size_ : function_.instance_size;
     return fits(in.b, callee.instance_size, size) ? Status::Ok : Status::BadAddress;
+  }
+
+  // What is active together must not share memory; check_tables has seen that no sum overflows.
+  bool frame_is_behind(const FunctionRecord& callee) const {
+    return callee.frame_offset >= function_.frame_offset + function_.frame_size;
   }
 
   Status leave() {

@@ -15,7 +15,7 @@
 namespace stepwright::bytecode {
 
 inline constexpr std::uint32_t kMagic = 0x31425753;  // "SWB1"
-inline constexpr std::uint16_t kVersion = 1;
+inline constexpr std::uint16_t kVersion = 2;
 inline constexpr std::uint8_t kNoBit = 0xFF;  // an address that is a byte address, not a bit
 inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFF;
 
@@ -68,7 +68,9 @@ struct SectionEntry {
   std::uint32_t reserved;  // 0
 };
 
-// The section Sizes: exactly one. The image is [inputs][outputs][markers][data] in one block.
+// The section Sizes: exactly one. The memory is one block: the image [inputs][outputs][markers][data], then
+// the frames, `frame_bytes` for each task in the order of the table. Frames hold the locals of functions that
+// need an address; they have no value between scans.
 struct SizesRecord {
   std::uint32_t input_bytes;
   std::uint32_t output_bytes;
@@ -76,6 +78,7 @@ struct SizesRecord {
   std::uint32_t data_bytes;
   std::uint32_t stack_slots;  // 64-bit slots that the deepest call chain of any task needs
   std::uint32_t call_depth;   // functions in that chain's longest path
+  std::uint32_t frame_bytes;  // of one task
 };
 
 // A piece of the section Strings; UTF-8, not terminated.
@@ -88,26 +91,32 @@ enum class TypeKind : std::uint8_t {
   Elementary = 0,
   Array = 1,  // one dimension; more dimensions are arrays of arrays
   Struct = 2,
-  Instance = 3,  // the data of a program or function block
+  Instance = 3,     // the data of a program or function block
+  String = 4,       // STRING[n] or WSTRING[n]
+  Enumeration = 5,  // an integer with names
+  Reference = 6,    // REF_TO
+  Subrange = 7,     // an integer with bounds
 };
-inline constexpr std::uint8_t kTypeKindCount = 4;
+inline constexpr std::uint8_t kTypeKindCount = 8;
 
 struct TypeRecord {
   StringRef name;
-  std::uint8_t kind;        // TypeKind
-  std::uint8_t elementary;  // ElementaryType; 0 for the other kinds
-  std::uint16_t reserved;   // 0
-  std::uint32_t size;       // bytes in the image
-  std::uint32_t first;      // Array: element type. Struct, Instance: first member
-  std::uint32_t count;      // Array: elements. Struct, Instance: members
-  std::int32_t lower;       // Array: index of the first element
-  std::uint32_t reserved2;  // 0
+  std::uint8_t kind;  // TypeKind
+  std::uint8_t
+      elementary;  // ElementaryType; String or Wstring; the base of an enumeration or a subrange; else 0
+  std::uint16_t reserved;  // 0
+  std::uint32_t size;      // bytes in the image
+  std::uint32_t first;  // Array: element type. Struct, Instance, Enumeration: first member. Reference: target
+  std::uint32_t count;  // Array: elements. Struct, Instance, Enumeration: members. String: capacity
+  std::int64_t lower;   // Array: index of the first element. Subrange: lower bound (unsigned base: its bits)
+  std::int64_t upper;   // Array: index of the last element. Subrange: upper bound
 };
 
 struct MemberRecord {
   StringRef name;
-  std::uint32_t type;
-  std::uint32_t offset;  // from the start of the struct or instance
+  std::uint32_t type;  // kNoIndex for an enumerator
+  std::uint32_t
+      offset;  // from the start of the struct or instance; the value of an enumerator (signed: as i32)
 };
 
 // VAR_IN_OUT, VAR_TEMP and the variables of functions are not listed: they have no value between scans.
@@ -133,10 +142,11 @@ struct SymbolRecord {
 
 struct TaskRecord {
   StringRef name;
-  std::uint32_t interval_us;  // > 0
+  std::uint32_t interval_us;  // 0: runs on its trigger only
   std::uint32_t priority;     // 0 is the highest
   std::uint32_t first_call;
   std::uint32_t call_count;
+  std::uint32_t trigger;  // symbol of the BOOL whose rising edge runs it (SINGLE); kNoIndex: none
 };
 
 // One program instance that a task runs, in the order of the table.
@@ -160,6 +170,8 @@ struct FunctionRecord {
   std::uint32_t code_size;
   std::uint32_t max_stack;      // operand slots, as the verifier computes them
   std::uint32_t instance_size;  // bytes of the instance; 0 if kind is Function
+  std::uint32_t frame_offset;   // of its memory locals within the task's frame; behind those of every caller
+  std::uint32_t frame_size;     // bytes of them
 };
 
 struct IoRecord {
@@ -207,16 +219,17 @@ struct SfcTransitionRecord {
 struct SourceMapRecord {
   std::uint32_t function;
   std::uint32_t pc;
-  std::uint32_t file;  // into SourceFiles (StringRef each)
-  std::uint32_t line;  // from 1
+  std::uint32_t file;    // into SourceFiles (StringRef each)
+  std::uint32_t line;    // from 1
+  std::uint32_t column;  // from 1; 0: not known
 };
 
-static_assert(sizeof(FileHeader) == 24 && sizeof(SectionEntry) == 16 && sizeof(SizesRecord) == 24);
-static_assert(sizeof(StringRef) == 8 && sizeof(TypeRecord) == 32 && sizeof(MemberRecord) == 16);
-static_assert(sizeof(SymbolRecord) == 20 && sizeof(TaskRecord) == 24 && sizeof(ProgramCallRecord) == 16);
-static_assert(sizeof(FunctionRecord) == 36 && sizeof(IoRecord) == 12 && sizeof(RetainRecord) == 8);
+static_assert(sizeof(FileHeader) == 24 && sizeof(SectionEntry) == 16 && sizeof(SizesRecord) == 28);
+static_assert(sizeof(StringRef) == 8 && sizeof(TypeRecord) == 40 && sizeof(MemberRecord) == 16);
+static_assert(sizeof(SymbolRecord) == 20 && sizeof(TaskRecord) == 28 && sizeof(ProgramCallRecord) == 16);
+static_assert(sizeof(FunctionRecord) == 44 && sizeof(IoRecord) == 12 && sizeof(RetainRecord) == 8);
 static_assert(sizeof(SfcChartRecord) == 24 && sizeof(SfcStepRecord) == 24);
-static_assert(sizeof(SfcTransitionRecord) == 40 && sizeof(SourceMapRecord) == 16);
+static_assert(sizeof(SfcTransitionRecord) == 40 && sizeof(SourceMapRecord) == 20);
 
 // The record that a section is made of.
 template <Section>

@@ -77,4 +77,9 @@ constexpr std::uint64_t image_bytes(const SizesRecord& sizes) {
   return std::uint64_t{sizes.input_bytes} + sizes.output_bytes + sizes.marker_bytes + sizes.data_bytes;
 }
 
+// The image and the frames of `tasks` tasks behind it.
+constexpr std::uint64_t memory_bytes(const SizesRecord& sizes, std::uint32_t tasks) {
+  return image_bytes(sizes) + std::uint64_t{sizes.frame_bytes} * tasks;
+}
+
 }  // namespace stepwright::bytecode

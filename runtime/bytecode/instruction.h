@@ -46,6 +46,8 @@ inline bool decode(std::span<const std::byte> code, std::uint32_t pc, Instructio
       out.b = static_cast<std::uint8_t>(at[4]);
       break;
     case Operands::FunctionAddress:
+    case Operands::Bounds:
+    case Operands::Constants:
       std::memcpy(&out.a, at, 4);
       std::memcpy(&out.b, at + 4, 4);
       break;

@@ -4,9 +4,10 @@
 namespace stepwright::bytecode {
 
 const char* name_of(ElementaryType type) {
-  constexpr const char* kNames[kElementaryTypeCount] = {"BOOL",  "SINT",  "INT",   "DINT", "LINT", "USINT",
-                                                        "UINT",  "UDINT", "ULINT", "BYTE", "WORD", "DWORD",
-                                                        "LWORD", "REAL",  "LREAL", "TIME"};
+  constexpr const char* kNames[kElementaryTypeCount] = {
+      "BOOL",  "SINT", "INT",  "DINT",  "LINT",  "USINT",  "UINT",   "UDINT",
+      "ULINT", "BYTE", "WORD", "DWORD", "LWORD", "REAL",   "LREAL",  "TIME",
+      "DATE",  "TOD",  "DT",   "CHAR",  "WCHAR", "STRING", "WSTRING"};
   return kNames[static_cast<std::uint8_t>(type)];
 }
 
@@ -18,7 +19,9 @@ const char* name_of(TrapCode code) {
                                                   "reference outside the image",
                                                   "watchdog: the scan's budget is used up",
                                                   "argument outside the function's domain",
-                                                  "trap raised by the program"};
+                                                  "trap raised by the program",
+                                                  "value outside its subrange",
+                                                  "a NULL reference is followed"};
   return kNames[static_cast<std::uint8_t>(code)];
 }
 

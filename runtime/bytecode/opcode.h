@@ -23,6 +23,12 @@ enum class IntrinsicId : std::uint8_t {
 #undef STEPWRIGHT_X
 };
 
+enum class StringOpId : std::uint8_t {
+#define STEPWRIGHT_X(name, pops, pushes) name,
+  STEPWRIGHT_STRING_OPS(STEPWRIGHT_X)
+#undef STEPWRIGHT_X
+};
+
 // The operand bytes after an opcode.
 enum class Operands : std::uint8_t {
   None,             // -
@@ -32,6 +38,8 @@ enum class Operands : std::uint8_t {
   ByteBit,          // u32 byte offset into the image, u8 bit 0..7
   FunctionAddress,  // u32 function, u32 byte offset of the instance
   Range,            // i32 lower, i32 upper, u32 stride in bytes
+  Bounds,           // i32 lower, i32 upper
+  Constants,        // u32 constant of the lower bound, u32 constant of the upper bound
 };
 
 struct OpcodeInfo {
@@ -41,7 +49,8 @@ struct OpcodeInfo {
   const char* pushes;
 };
 
-struct IntrinsicInfo {
+// An entry of a second-level list: an intrinsic, or an operation of StringOp.
+struct OperationInfo {
   const char* name;
   const char* pops;
   const char* pushes;
@@ -53,14 +62,21 @@ inline constexpr auto kOpcodes = std::to_array<OpcodeInfo>({
 #undef STEPWRIGHT_X
 });
 
-inline constexpr auto kIntrinsics = std::to_array<IntrinsicInfo>({
+inline constexpr auto kIntrinsics = std::to_array<OperationInfo>({
 #define STEPWRIGHT_X(name, pops, pushes) {#name, pops, pushes},
     STEPWRIGHT_INTRINSICS(STEPWRIGHT_X)
 #undef STEPWRIGHT_X
 });
 
+inline constexpr auto kStringOps = std::to_array<OperationInfo>({
+#define STEPWRIGHT_X(name, pops, pushes) {#name, pops, pushes},
+    STEPWRIGHT_STRING_OPS(STEPWRIGHT_X)
+#undef STEPWRIGHT_X
+});
+
 inline constexpr std::uint32_t kOpcodeCount = kOpcodes.size();
 inline constexpr std::uint32_t kIntrinsicCount = kIntrinsics.size();
+inline constexpr std::uint32_t kStringOpCount = kStringOps.size();
 static_assert(kOpcodeCount <= 256, "an opcode is one byte");
 
 // Requires a valid opcode (< kOpcodeCount).
@@ -68,9 +84,24 @@ constexpr const OpcodeInfo& info(Opcode opcode) {
   return kOpcodes[static_cast<std::uint8_t>(opcode)];
 }
 
+// True for the instructions whose first operand is a function.
+constexpr bool is_call(Opcode opcode) {
+  return opcode >= Opcode::Call && opcode <= Opcode::CallInstanceInd;
+}
+static_assert(static_cast<int>(Opcode::CallInstanceInd) - static_cast<int>(Opcode::Call) == 3);
+
+// True for AndBoolAbs and its kind, which come in pairs: Abs, then This.
+constexpr bool is_fused_boolean(Opcode opcode) {
+  return opcode >= Opcode::LoadNotBoolAbs && opcode <= Opcode::XorBoolThis;
+}
+constexpr bool is_this_boolean(Opcode opcode) {
+  return (static_cast<std::uint8_t>(opcode) - static_cast<std::uint8_t>(Opcode::LoadNotBoolAbs)) % 2 == 1;
+}
+static_assert(!is_this_boolean(Opcode::XorBoolAbs) && is_this_boolean(Opcode::XorBoolThis));
+
 // Bytes of operands after the opcode byte.
 constexpr std::uint32_t size_of(Operands operands) {
-  constexpr std::uint8_t kSizes[] = {0, 1, 4, 4, 5, 8, 12};
+  constexpr std::uint8_t kSizes[] = {0, 1, 4, 4, 5, 8, 12, 8, 8};
   return kSizes[static_cast<std::uint8_t>(operands)];
 }
 

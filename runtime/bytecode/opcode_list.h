@@ -44,16 +44,20 @@
   X(LocalSet, U32, "*", "*")             \
   X(AddrAbs, U32, "", "r")               \
   X(AddrThis, U32, "", "r")              \
+  X(AddrFrame, U32, "", "r")             \
   X(Index, Range, "ri", "r")             \
+  X(IndexDyn, U32, "riii", "r")          \
   X(Offset, U32, "r", "r")               \
-  X(MemCopy, U32, "rr", "")
+  X(MemCopy, U32, "rr", "")              \
+  X(StringOp, U8, "*", "*")
 
 #define STEPWRIGHT_CONSTANT_OPCODES(X) \
   X(ConstBool, U8, "", "b")            \
   X(ConstI32, U32, "", "i")            \
   X(ConstI64, U32, "", "l")            \
   X(ConstF32, U32, "", "f")            \
-  X(ConstF64, U32, "", "d")
+  X(ConstF64, U32, "", "d")            \
+  X(ConstNull, None, "", "r")
 
 // The four arithmetic types of one operation, and the two more of unsigned integers.
 #define STEPWRIGHT_SIGNED(X, Op) \
@@ -87,6 +91,20 @@
   X(WrapU8, None, "i", "i")              \
   X(WrapI16, None, "i", "i")             \
   X(WrapU16, None, "i", "i")
+
+// A boolean operation whose right operand is a BOOL in memory (one byte): what contacts compile to. The
+// writer forms them from a load and the operation behind it; compilers need not know them.
+#define STEPWRIGHT_FUSED_BOOLEAN(X, Name, pops) \
+  X(Name##Abs, U32, pops, "b")                  \
+  X(Name##This, U32, pops, "b")
+
+#define STEPWRIGHT_FUSED_OPCODES(X)            \
+  STEPWRIGHT_FUSED_BOOLEAN(X, LoadNotBool, "") \
+  STEPWRIGHT_FUSED_BOOLEAN(X, AndBool, "b")    \
+  STEPWRIGHT_FUSED_BOOLEAN(X, OrBool, "b")     \
+  STEPWRIGHT_FUSED_BOOLEAN(X, AndNotBool, "b") \
+  STEPWRIGHT_FUSED_BOOLEAN(X, OrNotBool, "b")  \
+  STEPWRIGHT_FUSED_BOOLEAN(X, XorBool, "b")
 
 #define STEPWRIGHT_BIT_OPCODES(X) \
   X(AndBool, None, "bb", "b")     \
@@ -124,7 +142,12 @@
   STEPWRIGHT_ORDER(X, Lt)                \
   STEPWRIGHT_ORDER(X, Le)                \
   STEPWRIGHT_ORDER(X, Gt)                \
-  STEPWRIGHT_ORDER(X, Ge)
+  STEPWRIGHT_ORDER(X, Ge)                \
+  X(EqRef, None, "rr", "b")              \
+  X(NeRef, None, "rr", "b")              \
+  X(CheckI32, Bounds, "i", "i")          \
+  X(CheckI64, Constants, "l", "l")       \
+  X(CheckU64, Constants, "l", "l")
 
 #define STEPWRIGHT_CONVERSION_OPCODES(X) \
   X(BoolToI32, None, "b", "i")           \
@@ -168,12 +191,34 @@
   STEPWRIGHT_MEMORY_OPCODES(X)     \
   STEPWRIGHT_CONSTANT_OPCODES(X)   \
   STEPWRIGHT_ARITHMETIC_OPCODES(X) \
+  STEPWRIGHT_FUSED_OPCODES(X)      \
   STEPWRIGHT_BIT_OPCODES(X)        \
   STEPWRIGHT_COMPARISON_OPCODES(X) \
   STEPWRIGHT_CONVERSION_OPCODES(X) \
   STEPWRIGHT_CONTROL_OPCODES(X)
 
-// Exact functions only: each gives the same bits on every machine. X(Name, pops, pushes)
+// Functions that are not worth an opcode of their own: X(Name, pops, pushes). Abs to Max are exact: each
+// gives the same bits on every machine. The elementary functions behind them are those of the platform's C
+// library, F32 computed in double and rounded once; both engines call the same ones.
+#define STEPWRIGHT_REAL_INTRINSIC(X, Op) \
+  X(Op##F32, "f", "f")                   \
+  X(Op##F64, "d", "d")
+
+#define STEPWRIGHT_ELEMENTARY_FUNCTIONS(X) \
+  STEPWRIGHT_REAL_INTRINSIC(X, Sin)        \
+  STEPWRIGHT_REAL_INTRINSIC(X, Cos)        \
+  STEPWRIGHT_REAL_INTRINSIC(X, Tan)        \
+  STEPWRIGHT_REAL_INTRINSIC(X, Asin)       \
+  STEPWRIGHT_REAL_INTRINSIC(X, Acos)       \
+  STEPWRIGHT_REAL_INTRINSIC(X, Atan)       \
+  X(Atan2F32, "ff", "f")                   \
+  X(Atan2F64, "dd", "d")                   \
+  STEPWRIGHT_REAL_INTRINSIC(X, Exp)        \
+  STEPWRIGHT_REAL_INTRINSIC(X, Ln)         \
+  STEPWRIGHT_REAL_INTRINSIC(X, Log)        \
+  X(PowF32, "ff", "f")                     \
+  X(PowF64, "dd", "d")
+
 #define STEPWRIGHT_INTRINSICS(X) \
   X(AbsI32, "i", "i")            \
   X(AbsI64, "l", "l")            \
@@ -192,4 +237,50 @@
   X(MaxU32, "ii", "i")           \
   X(MaxU64, "ll", "l")           \
   X(MaxF32, "ff", "f")           \
-  X(MaxF64, "dd", "d")
+  X(MaxF64, "dd", "d")           \
+  STEPWRIGHT_ELEMENTARY_FUNCTIONS(X)
+
+// What StringOp does, each for STRING (S) and WSTRING (W): X(Name, pops, pushes). The Ref of a destination
+// lies below the sources. Positions count from 1. The meaning of each is in runtime/doc/bytecode_format.md.
+#define STEPWRIGHT_BOTH_STRINGS(X, Op, pops, pushes) \
+  X(Op##S, pops, pushes)                             \
+  X(Op##W, pops, pushes)
+
+#define STEPWRIGHT_STRING_EDITS(X)                 \
+  STEPWRIGHT_BOTH_STRINGS(X, Init, "ri", "")       \
+  STEPWRIGHT_BOTH_STRINGS(X, Clear, "r", "")       \
+  STEPWRIGHT_BOTH_STRINGS(X, Length, "r", "i")     \
+  STEPWRIGHT_BOTH_STRINGS(X, Copy, "rr", "")       \
+  STEPWRIGHT_BOTH_STRINGS(X, Concat, "rrr", "")    \
+  STEPWRIGHT_BOTH_STRINGS(X, Left, "rri", "")      \
+  STEPWRIGHT_BOTH_STRINGS(X, Right, "rri", "")     \
+  STEPWRIGHT_BOTH_STRINGS(X, Mid, "rrii", "")      \
+  STEPWRIGHT_BOTH_STRINGS(X, Insert, "rrri", "")   \
+  STEPWRIGHT_BOTH_STRINGS(X, Delete, "rrii", "")   \
+  STEPWRIGHT_BOTH_STRINGS(X, Replace, "rrrii", "") \
+  STEPWRIGHT_BOTH_STRINGS(X, Find, "rr", "i")      \
+  STEPWRIGHT_BOTH_STRINGS(X, Compare, "rr", "i")   \
+  STEPWRIGHT_BOTH_STRINGS(X, CharAt, "ri", "i")    \
+  STEPWRIGHT_BOTH_STRINGS(X, SetCharAt, "rii", "")
+
+// The destination below the value; the value of a text, or trap BadArgument.
+#define STEPWRIGHT_STRING_CONVERSION(X, Type, c)    \
+  STEPWRIGHT_BOTH_STRINGS(X, From##Type, "r" c, "") \
+  STEPWRIGHT_BOTH_STRINGS(X, To##Type, "r", c)
+
+#define STEPWRIGHT_STRING_CONVERSIONS(X)     \
+  STEPWRIGHT_STRING_CONVERSION(X, Bool, "b") \
+  STEPWRIGHT_STRING_CONVERSION(X, I64, "l")  \
+  STEPWRIGHT_STRING_CONVERSION(X, U64, "l")  \
+  STEPWRIGHT_STRING_CONVERSION(X, F32, "f")  \
+  STEPWRIGHT_STRING_CONVERSION(X, F64, "d")  \
+  STEPWRIGHT_STRING_CONVERSION(X, Time, "l") \
+  STEPWRIGHT_STRING_CONVERSION(X, Date, "l") \
+  STEPWRIGHT_STRING_CONVERSION(X, Tod, "l")  \
+  STEPWRIGHT_STRING_CONVERSION(X, Dt, "l")   \
+  X(StringToWstring, "rr", "")               \
+  X(WstringToString, "rr", "")
+
+#define STEPWRIGHT_STRING_OPS(X) \
+  STEPWRIGHT_STRING_EDITS(X)     \
+  STEPWRIGHT_STRING_CONVERSIONS(X)

@@ -23,7 +23,16 @@ class Program {
 
   const ContainerView& container() const { return view_; }
   const SizesRecord& sizes() const { return sizes_; }
+  // Bytes of the image: the state between two scans.
   std::uint32_t image_size() const { return static_cast<std::uint32_t>(image_bytes(sizes_)); }
+
+  // Bytes of the image and the frames behind it: what an engine runs on.
+  std::uint32_t memory_size() const {
+    return static_cast<std::uint32_t>(memory_bytes(sizes_, view_.count<Section::Tasks>()));
+  }
+
+  // Where the frames of a task (its index in the table) start.
+  std::uint32_t frames_of(std::uint32_t task) const { return image_size() + task * sizes_.frame_bytes; }
 
  private:
   friend VerifyResult verify(std::span<const std::byte>, std::span<std::uint32_t>, Program&);

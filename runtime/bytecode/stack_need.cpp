@@ -15,11 +15,6 @@ std::uint32_t larger(std::uint32_t a, std::uint32_t b) {
   return a > b ? a : b;
 }
 
-bool is_call(Opcode opcode) {
-  return opcode >= Opcode::Call && opcode <= Opcode::CallInstanceInd;
-}
-static_assert(static_cast<int>(Opcode::CallInstanceInd) - static_cast<int>(Opcode::Call) == 3);
-
 // The largest need of the functions that this one calls, as far as known.
 Need callees(const ContainerView& view, const FunctionRecord& function,
              std::span<const std::uint32_t> known) {

@@ -81,30 +81,65 @@ class TableChecker {
     if (view_.count<Section::Sizes>() != 1) return {Status::BadRecord, Section::Sizes, 0, 0};
     const SizesRecord sizes = view_.sizes();
     image_size_ = image_bytes(sizes);
-    if (image_size_ > kMaxImageBytes || sizes.stack_slots > kMaxStackSlots ||
-        sizes.call_depth > kMaxCallDepth) {
+    if (memory_bytes(sizes, view_.count<Section::Tasks>()) > kMaxImageBytes ||
+        sizes.stack_slots > kMaxStackSlots || sizes.call_depth > kMaxCallDepth) {
       return {Status::TooLarge, Section::Sizes, 0, 0};
     }
     return {};
   }
 
   Status type(const TypeRecord& r, std::uint32_t index) {
-    const bool aggregate = r.kind == static_cast<std::uint8_t>(TypeKind::Struct) ||
-                           r.kind == static_cast<std::uint8_t>(TypeKind::Instance);
-    if (r.kind >= kTypeKindCount || r.reserved != 0 || r.reserved2 != 0) return Status::BadType;
-    if (r.size > kMaxImageBytes) return Status::BadType;
-    bool ok = true;
-    if (r.kind == static_cast<std::uint8_t>(TypeKind::Elementary)) {
-      ok = r.elementary < kElementaryTypeCount &&
-           r.size == size_of(mem_type(static_cast<ElementaryType>(r.elementary)));
-    } else if (aggregate) {
-      ok = members(r, index);
-    } else {
-      // Types refer to earlier ones only, so that no type contains itself.
-      ok = r.first < index && r.count > 0 &&
-           std::uint64_t{r.count} * view_.record<Section::Types>(r.first).size == r.size;
-    }
+    const bool ok = r.kind < kTypeKindCount && r.elementary < kElementaryTypeCount && r.reserved == 0 &&
+                    r.size <= kMaxImageBytes && kind(r, index);
     return first_of(ok ? Status::Ok : Status::BadType, string(r.name));
+  }
+
+  // The rules of each kind. Types contain earlier ones only, so that no type contains itself; a reference may
+  // lead to any.
+  bool kind(const TypeRecord& r, std::uint32_t index) {
+    const auto elementary = static_cast<ElementaryType>(r.elementary);
+    const bool scalar = !is_string(elementary) && r.size == size_of(mem_type(elementary));
+    const bool no_parts = r.first == 0 && r.count == 0;
+    const bool no_bounds = r.lower == 0 && r.upper == 0;
+    switch (static_cast<TypeKind>(r.kind)) {
+      case TypeKind::Elementary:
+        return scalar && no_parts && no_bounds;
+      case TypeKind::Array:
+        return r.elementary == 0 && r.first < index && r.count > 0 && is_i32(r.lower) && is_i32(r.upper) &&
+               r.upper - r.lower + 1 == std::int64_t{r.count} &&
+               std::uint64_t{r.count} * view_.record<Section::Types>(r.first).size == r.size;
+      case TypeKind::Struct:
+      case TypeKind::Instance:
+        return r.elementary == 0 && no_bounds && members(r, index);
+      case TypeKind::String:
+        return is_string(elementary) && r.first == 0 && no_bounds && r.count <= kMaxStringCapacity &&
+               r.size == string_bytes(elementary, r.count);
+      case TypeKind::Enumeration:
+        return scalar && is_integer(elementary) && no_bounds && enumerators(r);
+      case TypeKind::Reference:
+        return r.elementary == 0 && r.size == size_of(MemType::Ref) && r.count == 0 && no_bounds &&
+               r.first < view_.count<Section::Types>();
+      case TypeKind::Subrange:
+        return scalar && is_integer(elementary) && no_parts &&
+               (is_unsigned(elementary)
+                    ? static_cast<std::uint64_t>(r.lower) <= static_cast<std::uint64_t>(r.upper)
+                    : r.lower <= r.upper);
+    }
+    return false;
+  }
+
+  static bool is_i32(std::int64_t value) { return value == static_cast<std::int32_t>(value); }
+
+  static bool is_integer(ElementaryType type) {
+    return type >= ElementaryType::Sint && type <= ElementaryType::Lword;
+  }
+
+  bool enumerators(const TypeRecord& r) {
+    if (!next_range(next_member_, r.first, r.count, view_.count<Section::Members>())) return false;
+    for (std::uint32_t m = r.first; m < r.first + r.count; ++m) {
+      if (view_.record<Section::Members>(m).type != kNoIndex) return false;
+    }
+    return true;
   }
 
   bool members(const TypeRecord& r, std::uint32_t index) {
@@ -120,11 +155,15 @@ class TableChecker {
   Status symbol(const SymbolRecord& r) const {
     if (r.type >= view_.count<Section::Types>()) return Status::BadType;
     const TypeRecord type = view_.record<Section::Types>(r.type);
-    const bool is_bool = type.kind == static_cast<std::uint8_t>(TypeKind::Elementary) &&
-                         type.elementary == static_cast<std::uint8_t>(ElementaryType::Bool);
+    const bool is_bool = is_bool_type(type);
     if (r.section >= kSymbolSectionCount || (r.flags & ~kSymbolFlagMask) != 0) return Status::BadRecord;
     if (r.bit != kNoBit && (r.bit > 7 || !is_bool)) return Status::BadRecord;
     return first_of(string(r.name), address(r.address, type.size));
+  }
+
+  static bool is_bool_type(const TypeRecord& type) {
+    return type.kind == static_cast<std::uint8_t>(TypeKind::Elementary) &&
+           type.elementary == static_cast<std::uint8_t>(ElementaryType::Bool);
   }
 
   Status function(const FunctionRecord& r) {
@@ -137,7 +176,10 @@ class TableChecker {
         r.param_count <= r.local_count && r.local_count <= kMaxLocals &&
         next_range(next_local_, r.first_local, r.local_count, view_.count<Section::Locals>()) &&
         next_range(next_code_, r.code_offset, r.code_size, view_.count<Section::Code>());
-    return first_of(valid(signature && ranges), first_of(string(r.name), address(0, r.instance_size)));
+    const Status frame =
+        in_range(r.frame_offset, r.frame_size, view_.sizes().frame_bytes) ? Status::Ok : Status::BadFrame;
+    return first_of(first_of(valid(signature && ranges), frame),
+                    first_of(string(r.name), address(0, r.instance_size)));
   }
 
   Status program_call(const ProgramCallRecord& r) const {
@@ -149,12 +191,24 @@ class TableChecker {
 
   Status task(const TaskRecord& r) const {
     const bool calls = in_range(r.first_call, r.call_count, view_.count<Section::ProgramCalls>());
-    return first_of(valid(calls && r.interval_us > 0), string(r.name));
+    return first_of(valid(calls && (r.interval_us > 0 || r.trigger != kNoIndex) && trigger(r)),
+                    string(r.name));
   }
 
+  bool trigger(const TaskRecord& r) const {
+    if (r.trigger == kNoIndex) return true;
+    if (r.trigger >= view_.count<Section::Symbols>()) return false;
+    return is_bool_type(view_.record<Section::Types>(view_.record<Section::Symbols>(r.trigger).type));
+  }
+
+  // Triggers are looked at in the scans of the periodic tasks: without one nothing would ever run.
   VerifyResult task_count() const {
     const std::uint32_t count = view_.count<Section::Tasks>();
-    if (count >= 1 && count <= kMaxTasks) return {};
+    bool periodic = false;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      periodic = periodic || view_.record<Section::Tasks>(i).interval_us > 0;
+    }
+    if (periodic && count <= kMaxTasks) return {};
     return {Status::BadRecord, Section::Tasks, count, 0};
   }
 

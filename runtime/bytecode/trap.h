@@ -13,12 +13,14 @@ enum class TrapCode : std::uint8_t {
   DivisionByZero = 1,
   ConversionRange = 2,  // NaN, or a number outside the target's range
   IndexRange = 3,       // array index outside its bounds
-  BadReference = 4,     // a Ref outside the image (a VAR_IN_OUT that was never bound)
+  BadReference = 4,     // a Ref outside the memory of the program
   Watchdog = 5,         // the budget of the scan is used up
-  BadArgument = 6,      // outside an intrinsic's domain (SQRT of a negative number)
+  BadArgument = 6,      // outside a function's domain (SQRT of a negative number, a text that is no number)
   UserTrap = 7,         // raised by the program itself
+  SubrangeRange = 8,    // a value outside the subrange type that it is assigned to
+  NullReference = 9,    // a reference that is NULL is followed (or a VAR_IN_OUT that was never bound)
 };
-inline constexpr std::uint8_t kTrapCodeCount = 8;
+inline constexpr std::uint8_t kTrapCodeCount = 10;
 
 struct Trap {
   TrapCode code = TrapCode::None;

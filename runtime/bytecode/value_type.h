@@ -29,7 +29,8 @@ enum class MemType : std::uint8_t {
 };
 inline constexpr std::uint8_t kMemTypeCount = 10;
 
-// A Ref in memory that points nowhere: following it is a Trap. Initialise VAR_IN_OUT slots with it.
+// The Ref that points nowhere, NULL: following it is a Trap. Initialise VAR_IN_OUT slots with it. What lies
+// at or behind it (NULL and an offset) is no address of any image either and traps alike.
 inline constexpr std::uint32_t kNullRef = 0xFFFFFFFF;
 
 enum class AddressMode : std::uint8_t {
@@ -42,7 +43,9 @@ enum class AddressMode : std::uint8_t {
 enum class IntType : std::uint8_t { I8 = 0, U8 = 1, I16 = 2, U16 = 3, I32 = 4, U32 = 5, I64 = 6, U64 = 7 };
 inline constexpr std::uint8_t kIntTypeCount = 8;
 
-// Elementary types of IEC 61131-3 (table 10), for symbols and viewers. TIME and LTIME are both Time.
+// Elementary types of IEC 61131-3 (table 10), for symbols and viewers. The long types of time are the same as
+// the short ones: LTIME is Time, LDATE is Date, LTOD is Tod, LDT is Dt. All are int64 nanoseconds: of a
+// duration, since 1970-01-01 (Date, Dt), since midnight (Tod).
 enum class ElementaryType : std::uint8_t {
   Bool = 0,
   Sint = 1,
@@ -60,8 +63,33 @@ enum class ElementaryType : std::uint8_t {
   Real = 13,
   Lreal = 14,
   Time = 15,
+  Date = 16,
+  Tod = 17,
+  Dt = 18,
+  Char = 19,
+  Wchar = 20,
+  String = 21,  // from here on: not a scalar, TypeKind::String
+  Wstring = 22,
 };
-inline constexpr std::uint8_t kElementaryTypeCount = 16;
+inline constexpr std::uint8_t kElementaryTypeCount = 23;
+inline constexpr std::uint8_t kScalarTypeCount = 21;
+
+constexpr bool is_string(ElementaryType type) {
+  return type >= ElementaryType::String;
+}
+
+// A STRING or WSTRING lies in memory as u16 capacity, u16 length, then `capacity` characters of u8 or u16;
+// both count characters. Its value on the stack is the Ref to this header.
+inline constexpr std::uint32_t kStringHeaderBytes = 4;
+inline constexpr std::uint32_t kMaxStringCapacity = 0xFFFF;
+
+// Bytes of one character of STRING or WSTRING.
+constexpr std::uint32_t character_bytes(ElementaryType type) {
+  return type == ElementaryType::Wstring ? 2 : 1;
+}
+constexpr std::uint32_t string_bytes(ElementaryType type, std::uint32_t capacity) {
+  return kStringHeaderBytes + capacity * character_bytes(type);
+}
 
 // Bytes in the image: 1, 2, 4 or 8.
 constexpr std::uint32_t size_of(MemType type) {
@@ -82,17 +110,20 @@ constexpr StackType stack_type(IntType type) {
   return type < IntType::I64 ? StackType::I32 : StackType::I64;
 }
 
+// How a scalar lies in the image. Of a string it is what an operation takes: the Ref to its header.
 constexpr MemType mem_type(ElementaryType type) {
-  constexpr MemType kTypes[kElementaryTypeCount] = {MemType::Bool, MemType::I8,  MemType::I16, MemType::I32,
-                                                    MemType::I64,  MemType::U8,  MemType::U16, MemType::I32,
-                                                    MemType::I64,  MemType::U8,  MemType::U16, MemType::I32,
-                                                    MemType::I64,  MemType::F32, MemType::F64, MemType::I64};
+  constexpr MemType kTypes[kElementaryTypeCount] = {
+      MemType::Bool, MemType::I8,  MemType::I16, MemType::I32, MemType::I64, MemType::U8,
+      MemType::U16,  MemType::I32, MemType::I64, MemType::U8,  MemType::U16, MemType::I32,
+      MemType::I64,  MemType::F32, MemType::F64, MemType::I64, MemType::I64, MemType::I64,
+      MemType::I64,  MemType::U8,  MemType::U16, MemType::Ref, MemType::Ref};
   return kTypes[static_cast<std::uint8_t>(type)];
 }
 
-// True for USINT..ULINT and BYTE..LWORD.
+// True for USINT..ULINT, BYTE..LWORD and the characters.
 constexpr bool is_unsigned(ElementaryType type) {
-  return type >= ElementaryType::Usint && type <= ElementaryType::Lword;
+  return (type >= ElementaryType::Usint && type <= ElementaryType::Lword) || type == ElementaryType::Char ||
+         type == ElementaryType::Wchar;
 }
 
 // "BOOL", "SINT", ...

@@ -44,6 +44,8 @@ const char* explain(VerifyStatus status) {
       return "the function's code runs over its end";
     case VerifyStatus::BadCall:
       return "a call names no such function, or one of another kind";
+    case VerifyStatus::BadFrame:
+      return "a function's frame overlaps that of a caller or lies outside the task's frames";
     case VerifyStatus::Recursion:
       return "a function calls itself, directly or through others, or calls nest too deep";
     case VerifyStatus::WrongSizes:

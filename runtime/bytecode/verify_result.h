@@ -29,6 +29,7 @@ enum class VerifyStatus : std::uint8_t {
   StackJoin,
   MissingReturn,
   BadCall,
+  BadFrame,
   Recursion,
   WrongSizes,
   ScratchTooSmall,

@@ -7,11 +7,6 @@
 namespace stepwright::host {
 namespace {
 
-image::ImageLayout layout_of(const bytecode::Program& program) {
-  const bytecode::SizesRecord& sizes = program.sizes();
-  return {sizes.input_bytes, sizes.output_bytes, sizes.marker_bytes, sizes.data_bytes};
-}
-
 tl::unexpected<result::Diagnostics> too_large(const char* what, std::size_t needed, std::size_t possible,
                                               const char* hint) {
   return result::fail("R0004", {"download", 0, 0},
@@ -47,13 +42,13 @@ PreparedProgram::PreparedProgram(reader::LoadedProgram loaded, std::string diges
                                  scan::Clock& clock, const scan::ScanConfig& config, std::size_t plant_values)
     : digest_(std::move(digest)),
       loaded_(std::move(loaded)),
-      memory_(loaded_.program().image_size()),
+      memory_(loaded_.program().memory_size()),
       stack_(loaded_.program().sizes().stack_slots),
-      image_(memory_, layout_of(loaded_.program())),
+      image_(memory_, scan::layout_of(loaded_.program())),
       engine_(loaded_.program(), stack_),
       cycle_(loaded_.program(), engine_, image_, io, clock, config),
       steps_(loaded_.program()),
-      events_(memory_.size(), plant_values) {
+      events_(loaded_.program().image_size(), plant_values) {
   image_.reset(loaded_.program().container().section(bytecode::Section::InitialData));
 }
 

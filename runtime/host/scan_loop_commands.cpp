@@ -5,6 +5,7 @@
 #include <bit>
 #include <cassert>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "runtime/host/scan_loop.h"
@@ -16,9 +17,10 @@ using bytecode::Section;
 
 std::int64_t shortest_interval_ns(const bytecode::Program& program) {
   const bytecode::ContainerView& view = program.container();
-  std::int64_t shortest_us = view.record<Section::Tasks>(0).interval_us;
-  for (std::uint32_t i = 1; i < view.count<Section::Tasks>(); ++i) {
-    shortest_us = std::min<std::int64_t>(shortest_us, view.record<Section::Tasks>(i).interval_us);
+  std::int64_t shortest_us = std::numeric_limits<std::uint32_t>::max();
+  for (std::uint32_t i = 0; i < view.count<Section::Tasks>(); ++i) {
+    const std::int64_t interval_us = view.record<Section::Tasks>(i).interval_us;
+    if (interval_us > 0) shortest_us = std::min(shortest_us, interval_us);  // else it waits for its trigger
   }
   return shortest_us * 1'000;
 }

@@ -11,8 +11,14 @@ using bytecode::Section;
 ScanCycle::ScanCycle(const bytecode::Program& program, bytecode::Engine& engine, image::ProcessImage& image,
                      image::IoDriver& io, Clock& clock, const ScanConfig& config)
     : program_(program), engine_(engine), image_(image), io_(io), clock_(clock), config_(config) {
-  assert(image.bytes().size() == program.image_size());
+  assert(image.memory().size() == program.memory_size());
   load_tasks();
+}
+
+image::ImageLayout layout_of(const bytecode::Program& program) {
+  const bytecode::SizesRecord& sizes = program.sizes();
+  return {sizes.input_bytes, sizes.output_bytes, sizes.marker_bytes, sizes.data_bytes,
+          program.memory_size() - program.image_size()};
 }
 
 // Sorts the tasks by priority; tasks of equal priority keep the order of the table.
@@ -22,15 +28,27 @@ void ScanCycle::load_tasks() {
     const bytecode::TaskRecord record = view.record<Section::Tasks>(i);
     std::size_t at = task_count_++;
     for (; at > 0 && tasks_[at - 1].priority > record.priority; --at) tasks_[at] = tasks_[at - 1];
-    tasks_[at] = {std::int64_t{record.interval_us} * 1000, 0, record.priority, record.first_call,
-                  record.call_count};
+    TaskState& task = tasks_[at];
+    task = {};
+    task.interval_ns = std::int64_t{record.interval_us} * 1000;
+    task.priority = record.priority;
+    task.first_call = record.first_call;
+    task.call_count = record.call_count;
+    task.frames = program_.frames_of(i);
+    if (record.trigger == bytecode::kNoIndex) continue;
+    const bytecode::SymbolRecord symbol = view.record<Section::Symbols>(record.trigger);
+    task.trigger = symbol.address;
+    task.trigger_bit = symbol.bit;
   }
 }
 
 void ScanCycle::start(const StartPoint& at) {
   image_.reset(program_.container().section(Section::InitialData));
   forces_.clear_all();
-  for (TaskState& task : tasks()) task.due_ns = at.time_ns;
+  for (TaskState& task : tasks()) {
+    task.due_ns = task.interval_ns > 0 ? at.time_ns : kNever;
+    task.triggered = false;
+  }
   scan_ = at.scan;
   last_time_ns_ = at.time_ns;
   trace_hash_ = at.trace_hash;
@@ -53,7 +71,7 @@ std::int64_t ScanCycle::next_time_ns() const {
 
 void ScanCycle::skip_to(std::int64_t time_ns) {
   for (TaskState& task : tasks()) {
-    if (task.due_ns >= time_ns) continue;
+    if (task.due_ns >= time_ns) continue;  // also what waits for its trigger only
     const std::int64_t missed = (time_ns - task.due_ns + task.interval_ns - 1) / task.interval_ns;
     task.due_ns += missed * task.interval_ns;
   }
@@ -83,13 +101,25 @@ ScanReport ScanCycle::run_scan() {
   return report;
 }
 
+// A rising edge of the trigger runs the task; while the trigger is TRUE its interval does not (IEC 61131-3,
+// table 63: SINGLE and INTERVAL).
+bool ScanCycle::is_to_run(TaskState& task, std::int64_t time_ns) const {
+  const bool due = task.due_ns == time_ns;
+  if (task.trigger == bytecode::kNoIndex) return due;
+  const auto byte = std::to_integer<unsigned>(image_.bytes()[task.trigger]);
+  const bool now = task.trigger_bit == bytecode::kNoBit ? byte != 0 : ((byte >> task.trigger_bit) & 1u) != 0;
+  const bool edge = now && !task.triggered;
+  task.triggered = now;
+  return edge || (due && !now);
+}
+
 // The tasks that are due, forces before and after them. A trap ends the scan's tasks.
 void ScanCycle::run_tasks(std::int64_t time_ns) {
   const std::int64_t begin_ns = clock_.now_ns();
   forces_.apply(image_.bytes());
   std::uint64_t budget = config_.budget;
-  for (const TaskState& task : tasks()) {
-    if (task.due_ns == time_ns && !run_calls(task, time_ns, budget)) break;
+  for (TaskState& task : tasks()) {
+    if (is_to_run(task, time_ns) && !run_calls(task, time_ns, budget)) break;
   }
   forces_.apply(image_.bytes());
   statistics_.program_time.record(clock_.now_ns() - begin_ns);
@@ -98,7 +128,8 @@ void ScanCycle::run_tasks(std::int64_t time_ns) {
 bool ScanCycle::run_calls(const TaskState& task, std::int64_t time_ns, std::uint64_t& budget) {
   for (std::uint32_t i = 0; i < task.call_count; ++i) {
     const auto call = program_.container().record<Section::ProgramCalls>(task.first_call + i);
-    const bytecode::Trap trap = engine_.run({call.function, call.instance, time_ns}, image_.bytes(), budget);
+    const bytecode::Trap trap =
+        engine_.run({call.function, call.instance, time_ns, task.frames}, image_.memory(), budget);
     if (!trap) continue;
     last_trap_ = trap;
     state_ = ScanState::Trapped;

@@ -1,8 +1,10 @@
 #pragma once
 
 // The scan: read inputs, force, run the tasks that are due, force, write outputs, account.
-// Time is the scan's own: task k-th scan runs at start + (k-1) x interval, whatever a clock on the wall says;
-// who calls run_scan decides whether to wait for that instant (real time) or not (simulated time).
+// A task with a trigger (SINGLE) runs in the first scan that finds it risen, when its turn by priority comes;
+// an edge that rises and falls between two scans is not seen. Time is the scan's own: task k-th scan runs at
+// start + (k-1) x interval, whatever a clock on the wall says; who calls run_scan decides whether to wait for
+// that instant (real time) or not (simulated time).
 //
 // Thread rule: one thread. No heap, lock, exception or log inside; memory is sized before the first scan.
 // Invariants: while the state is not Running no task runs and every scan leaves the outputs in their safe
@@ -14,6 +16,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "runtime/bytecode/engine.h"
@@ -26,6 +29,9 @@
 #include "runtime/scan/safe_state.h"
 
 namespace stepwright::scan {
+
+// The layout of the memory that a program runs on.
+image::ImageLayout layout_of(const bytecode::Program& program);
 
 struct ScanConfig {
   std::uint64_t budget = 100'000'000;  // per scan, in bytes of code (bytecode::Engine); beyond it: Trap
@@ -60,7 +66,7 @@ struct ScanStatistics {
 
 class ScanCycle {
  public:
-  // Everything passed in must outlive the cycle. Requires an image of the program's layout.
+  // Everything passed in must outlive the cycle. Requires an image of layout_of(program).
   ScanCycle(const bytecode::Program& program, bytecode::Engine& engine, image::ProcessImage& image,
             image::IoDriver& io, Clock& clock, const ScanConfig& config);
 
@@ -96,11 +102,17 @@ class ScanCycle {
     std::uint32_t priority = 0;
     std::uint32_t first_call = 0;
     std::uint32_t call_count = 0;
+    std::uint32_t frames = 0;                    // absolute address
+    std::uint32_t trigger = bytecode::kNoIndex;  // absolute address of the BOOL; kNoIndex: none
+    std::uint8_t trigger_bit = bytecode::kNoBit;
+    bool triggered = false;  // the trigger as it was last seen
   };
+  static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
   std::span<TaskState> tasks() { return std::span(tasks_).first(task_count_); }
   void load_tasks();
   void run_tasks(std::int64_t time_ns);
+  bool is_to_run(TaskState& task, std::int64_t time_ns) const;
   bool run_calls(const TaskState& task, std::int64_t time_ns, std::uint64_t& budget);
   void advance(std::int64_t time_ns);
   void write_outputs(std::int64_t time_ns);

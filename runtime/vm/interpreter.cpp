@@ -4,12 +4,15 @@
 
 #include "runtime/bytecode/stack_need.h"
 #include "runtime/vm/arithmetic.h"
+#include "runtime/vm/handler_macros.h"
 #include "runtime/vm/intrinsics.h"
 #include "runtime/vm/memory_access.h"
+#include "runtime/vm/reference.h"
 #include "runtime/vm/slot.h"
+#include "runtime/vm/string_ops.h"
 
 // Computed goto: every handler jumps to the next one itself, which branch predictors like better than one
-// shared switch. The macros below exist in this file only and expand to handlers.
+// shared switch. The families of handlers that differ in type and operator only are in handler_macros.h.
 
 namespace stepwright::vm {
 
@@ -26,11 +29,6 @@ constexpr Slot pack(std::uint32_t high, std::uint64_t low) {
   return (Slot{high} << 32) | static_cast<std::uint32_t>(low);
 }
 
-// True if `size` bytes at `ref` lie within the image.
-inline bool within(Slot ref, std::uint64_t size, std::uint64_t image_size) {
-  return ref <= image_size && size <= image_size - ref;
-}
-
 constexpr std::uint32_t operand_bytes(Opcode opcode) {
   return bytecode::size_of(bytecode::info(opcode).operands);
 }
@@ -42,124 +40,19 @@ Interpreter::Interpreter(const bytecode::Program& program, std::span<std::uint64
   assert(stack.size() >= program.sizes().stack_slots);
 }
 
-#define NEXT goto* kHandlers[static_cast<std::uint8_t>(*pc++)]
-#define OPERAND(T, at) read_as<T>(pc + (at))
-#define FAULT(trap_code)                                  \
-  do {                                                    \
-    fault = trap_code;                                    \
-    pc -= 1; /* the opcode of the faulting instruction */ \
-    goto trapped;                                         \
-  } while (false)
-// A handler reads its operands at pc and steps over them at its end.
-#define DONE(op)                   \
-  pc += operand_bytes(Opcode::op); \
-  NEXT
-#define UNARY(op, T, expression)      \
-  op_##op : {                         \
-    const T x = from_slot<T>(sp[-1]); \
-    sp[-1] = to_slot(expression);     \
-    NEXT;                             \
-  }
-#define BINARY(op, T, expression)     \
-  op_##op : {                         \
-    const T y = from_slot<T>(sp[-1]); \
-    const T x = from_slot<T>(sp[-2]); \
-    --sp;                             \
-    sp[-1] = to_slot(expression);     \
-    NEXT;                             \
-  }
-#define DIVISION(op, T, expression)              \
-  op_##op : {                                    \
-    const T y = from_slot<T>(sp[-1]);            \
-    const T x = from_slot<T>(sp[-2]);            \
-    if (y == 0) FAULT(TrapCode::DivisionByZero); \
-    --sp;                                        \
-    sp[-1] = to_slot(expression);                \
-    NEXT;                                        \
-  }
-// A shift or rotation: the value below, an I32 count on top.
-#define SHIFT(op, T, expression)                         \
-  op_##op : {                                            \
-    const auto count = from_slot<std::uint32_t>(sp[-1]); \
-    const T x = from_slot<T>(sp[-2]);                    \
-    --sp;                                                \
-    sp[-1] = to_slot(expression);                        \
-    DONE(op);                                            \
-  }
-#define TO_INTEGER(op, T, rounding)                                                             \
-  op_##op : {                                                                                   \
-    Slot whole = 0;                                                                             \
-    const double x = rounding(static_cast<double>(from_slot<T>(sp[-1])));                       \
-    if (!to_integer(x, OPERAND(bytecode::IntType, 0), whole)) FAULT(TrapCode::ConversionRange); \
-    sp[-1] = whole;                                                                             \
-    DONE(op);                                                                                   \
-  }
-#define LOADS(M)                                                                             \
-  op_Load##M##Abs : * sp++ = load<bytecode::MemType::M>(memory + OPERAND(std::uint32_t, 0)); \
-  DONE(Load##M##Abs);                                                                        \
-  op_Load##M##This : * sp++ = load<bytecode::MemType::M>(self + OPERAND(std::uint32_t, 0));  \
-  DONE(Load##M##This);                                                                       \
-  op_Load##M##Ind : if (!within(sp[-1], size_of(bytecode::MemType::M), image.size()))        \
-                        FAULT(TrapCode::BadReference);                                       \
-  sp[-1] = load<bytecode::MemType::M>(memory + sp[-1]);                                      \
-  NEXT;
-#define STORES(M)                                                                      \
-  op_Store##M##Abs : --sp;                                                             \
-  store<bytecode::MemType::M>(memory + OPERAND(std::uint32_t, 0), *sp);                \
-  DONE(Store##M##Abs);                                                                 \
-  op_Store##M##This : --sp;                                                            \
-  store<bytecode::MemType::M>(self + OPERAND(std::uint32_t, 0), *sp);                  \
-  DONE(Store##M##This);                                                                \
-  op_Store##M##Ind : if (!within(sp[-2], size_of(bytecode::MemType::M), image.size())) \
-                         FAULT(TrapCode::BadReference);                                \
-  sp -= 2;                                                                             \
-  store<bytecode::MemType::M>(memory + sp[0], sp[1]);                                  \
-  NEXT;
-// A jump whose target lies behind it costs the distance, so that every loop ends.
-#define JUMP(op, condition)                                                                    \
-  {                                                                                            \
-    const auto distance = OPERAND(std::int32_t, 0);                                            \
-    if (condition) {                                                                           \
-      if (distance < 0) {                                                                      \
-        const std::uint64_t cost = negate(static_cast<std::uint64_t>(std::int64_t{distance})); \
-        if (cost > budget_left) FAULT(TrapCode::Watchdog);                                     \
-        budget_left -= cost;                                                                   \
-      }                                                                                        \
-      pc += distance;                                                                          \
-    }                                                                                          \
-    DONE(op);                                                                                  \
-  }
-#define COMPARISONS(op, sign)             \
-  BINARY(op##I32, std::int32_t, x sign y) \
-  BINARY(op##I64, std::int64_t, x sign y) \
-  BINARY(op##F32, float, x sign y)        \
-  BINARY(op##F64, double, x sign y)
-#define ORDERED(op, sign)                  \
-  COMPARISONS(op, sign)                    \
-  BINARY(op##U32, std::uint32_t, x sign y) \
-  BINARY(op##U64, std::uint64_t, x sign y)
-#define ARITHMETIC(op, sign)               \
-  BINARY(op##I32, std::uint32_t, x sign y) \
-  BINARY(op##I64, std::uint64_t, x sign y) \
-  BINARY(op##F32, float, x sign y)         \
-  BINARY(op##F64, double, x sign y)
-#define BITWISE(op, sign)                   \
-  BINARY(op##Bool, std::uint64_t, x sign y) \
-  BINARY(op##I32, std::uint32_t, x sign y)  \
-  BINARY(op##I64, std::uint64_t, x sign y)
-
-Trap Interpreter::run(const bytecode::Invocation& invocation, std::span<std::byte> image,
+Trap Interpreter::run(const bytecode::Invocation& invocation, std::span<std::byte> memory_block,
                       std::uint64_t& budget) {
   static const void* const kHandlers[] = {
 #define STEPWRIGHT_X(name, operands, pops, pushes) &&op_##name,
       STEPWRIGHT_OPCODES(STEPWRIGHT_X)
 #undef STEPWRIGHT_X
   };
-  assert(image.size() == program_.image_size());
+  assert(memory_block.size() == program_.memory_size());
   const bytecode::ContainerView& view = program_.container();
   const std::byte* const all_code = view.section(Section::Code).data();
   const std::byte* const constants = view.section(Section::Constants).data();
-  std::byte* const memory = image.data();
+  std::byte* const memory = memory_block.data();
+  const std::uint64_t memory_size = memory_block.size();
   Slot* const bottom = stack_.data();
   std::uint64_t budget_left = budget;
 
@@ -216,6 +109,10 @@ op_AddrAbs:
 op_AddrThis:
   *sp++ = static_cast<Slot>(self - memory) + OPERAND(std::uint32_t, 0);
   DONE(AddrThis);
+op_AddrFrame:
+  *sp++ = Slot{invocation.frames} + view.record<Section::Functions>(function).frame_offset +
+          OPERAND(std::uint32_t, 0);
+  DONE(AddrFrame);
 op_Index : {
   const std::int64_t index = from_slot<std::int32_t>(sp[-1]);
   const std::int64_t lower = OPERAND(std::int32_t, 0);
@@ -224,19 +121,36 @@ op_Index : {
   sp[-1] += static_cast<Slot>(index - lower) * OPERAND(std::uint32_t, 8);
   DONE(Index);
 }
+op_IndexDyn : {
+  const std::int64_t index = from_slot<std::int32_t>(sp[-3]);
+  const std::int64_t lower = from_slot<std::int32_t>(sp[-2]);
+  if (index < lower || index > from_slot<std::int32_t>(sp[-1])) FAULT(TrapCode::IndexRange);
+  sp -= 3;
+  sp[-1] += static_cast<Slot>(index - lower) * OPERAND(std::uint32_t, 0);
+  DONE(IndexDyn);
+}
 op_Offset:
   sp[-1] += OPERAND(std::uint32_t, 0);
   DONE(Offset);
 op_MemCopy : {
   const auto size = OPERAND(std::uint32_t, 0);
-  if (!within(sp[-1], size, image.size()) || !within(sp[-2], size, image.size())) {
-    FAULT(TrapCode::BadReference);
-  }
+  if (!within(sp[-1], size, memory_size)) FAULT(reference_fault(sp[-1]));
+  if (!within(sp[-2], size, memory_size)) FAULT(reference_fault(sp[-2]));
   if (size / 16 > budget_left) FAULT(TrapCode::Watchdog);
   budget_left -= size / 16;
   sp -= 2;
   std::memmove(memory + sp[0], memory + sp[1], size);
   DONE(MemCopy);
+}
+
+op_StringOp : {
+  Slot* top = sp;  // a copy, so that sp itself may live in a register
+  std::uint64_t left = budget_left;
+  const TrapCode code = call_string_op(OPERAND(bytecode::StringOpId, 0), top, memory_block, left);
+  if (code != TrapCode::None) FAULT(code);
+  budget_left = left;
+  sp = top;
+  DONE(StringOp);
 }
 
 op_ConstBool:
@@ -250,6 +164,17 @@ op_ConstI64:
 op_ConstF64:
   *sp++ = read_as<Slot>(constants + std::size_t{OPERAND(std::uint32_t, 0)} * sizeof(Slot));
   DONE(ConstI64);
+
+op_ConstNull:
+  *sp++ = bytecode::kNullRef;
+  NEXT;
+
+  FUSED_BOOLEAN(LoadNotBool, *sp++ = y ^ 1)
+  FUSED_BOOLEAN(AndBool, sp[-1] &= y)
+  FUSED_BOOLEAN(OrBool, sp[-1] |= y)
+  FUSED_BOOLEAN(AndNotBool, sp[-1] &= y ^ 1)
+  FUSED_BOOLEAN(OrNotBool, sp[-1] |= y ^ 1)
+  FUSED_BOOLEAN(XorBool, sp[-1] ^= y)
 
   ARITHMETIC(Add, +)
   ARITHMETIC(Sub, -)
@@ -294,6 +219,11 @@ op_ConstF64:
   ORDERED(Le, <=)
   ORDERED(Gt, >)
   ORDERED(Ge, >=)
+  BINARY(EqRef, std::uint64_t, x == y)
+  BINARY(NeRef, std::uint64_t, x != y)
+  CHECK(CheckI32, std::int32_t, OPERAND(std::int32_t, 0), OPERAND(std::int32_t, 4))
+  CHECK(CheckI64, std::int64_t, CONSTANT(std::int64_t, 0), CONSTANT(std::int64_t, 4))
+  CHECK(CheckU64, std::uint64_t, CONSTANT(std::uint64_t, 0), CONSTANT(std::uint64_t, 4))
 
   UNARY(I32ToBool, std::uint32_t, x != 0)
   UNARY(I64ToBool, std::uint64_t, x != 0)
@@ -363,7 +293,7 @@ op_CallInstanceThis:
 op_CallInstanceInd : {
   callee = OPERAND(std::uint32_t, 0);
   const FunctionRecord target = view.record<Section::Functions>(callee);
-  if (!within(sp[-1], target.instance_size, image.size())) FAULT(TrapCode::BadReference);
+  if (!within(sp[-1], target.instance_size, memory_size)) FAULT(reference_fault(sp[-1]));
   callee_self = memory + *--sp;
   call_bytes = bytecode::instruction_size(Opcode::CallInstanceInd);
   goto enter;
@@ -421,9 +351,12 @@ op_Return : {
 op_Now:
   *sp++ = to_slot(invocation.now_ns);
   NEXT;
-op_Intrinsic:
-  if (!call_intrinsic(OPERAND(bytecode::IntrinsicId, 0), sp)) FAULT(TrapCode::BadArgument);
+op_Intrinsic : {
+  Slot* top = sp;
+  if (!call_intrinsic(OPERAND(bytecode::IntrinsicId, 0), top)) FAULT(TrapCode::BadArgument);
+  sp = top;
   DONE(Intrinsic);
+}
 op_Trap:
   FAULT(OPERAND(TrapCode, 0));
 

@@ -8,7 +8,8 @@
 //   std::vector<std::uint64_t> stack(program.sizes().stack_slots);
 //   vm::Interpreter engine(program, stack);
 //   std::uint64_t budget = 1'000'000;
-//   bytecode::Trap trap = engine.run({.function = 0, .instance = 3, .now_ns = 0}, image, budget);
+//   bytecode::Trap trap = engine.run({.function = 0, .instance = 3, .frames = program.frames_of(0)}, memory,
+//   budget);
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +26,7 @@ class Interpreter final : public bytecode::Engine {
   Interpreter(const bytecode::Program& program, std::span<std::uint64_t> stack);
 
   // Requires a function that a task calls (ProgramCallRecord): the stack is sized for those.
-  bytecode::Trap run(const bytecode::Invocation& invocation, std::span<std::byte> image,
+  bytecode::Trap run(const bytecode::Invocation& invocation, std::span<std::byte> memory,
                      std::uint64_t& budget) override;
 
  private:

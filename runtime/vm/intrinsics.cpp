@@ -1,6 +1,7 @@
 #include "runtime/vm/intrinsics.h"
 
 #include "runtime/vm/arithmetic.h"
+#include "runtime/vm/elementary.h"
 
 namespace stepwright::vm {
 
@@ -39,6 +40,30 @@ template <typename T>
 void replace_by_larger(Slot*& sp) {
   --sp;
   if (from_slot<T>(sp[-1]) < from_slot<T>(sp[0])) sp[-1] = sp[0];
+}
+
+template <typename T>
+bool replace_by(Elementary function, Slot* sp) {
+  double result = 0;
+  if (!elementary(function, static_cast<double>(from_slot<T>(sp[-1])), result)) return false;
+  sp[-1] = to_slot(static_cast<T>(result));
+  return true;
+}
+
+template <typename T>
+bool replace_by_angle(Slot*& sp) {
+  --sp;
+  sp[-1] = to_slot(static_cast<T>(arc_tangent(from_slot<T>(sp[-1]), from_slot<T>(sp[0]))));
+  return true;
+}
+
+template <typename T>
+bool replace_by_power(Slot*& sp) {
+  double result = 0;
+  if (!power(from_slot<T>(sp[-2]), from_slot<T>(sp[-1]), result)) return false;
+  --sp;
+  sp[-1] = to_slot(static_cast<T>(result));
+  return true;
 }
 
 }  // namespace
@@ -98,6 +123,50 @@ bool call_intrinsic(bytecode::IntrinsicId id, Slot*& sp) {
     case Id::MaxF64:
       replace_by_larger<double>(sp);
       return true;
+    case Id::SinF32:
+      return replace_by<float>(Elementary::Sin, sp);
+    case Id::SinF64:
+      return replace_by<double>(Elementary::Sin, sp);
+    case Id::CosF32:
+      return replace_by<float>(Elementary::Cos, sp);
+    case Id::CosF64:
+      return replace_by<double>(Elementary::Cos, sp);
+    case Id::TanF32:
+      return replace_by<float>(Elementary::Tan, sp);
+    case Id::TanF64:
+      return replace_by<double>(Elementary::Tan, sp);
+    case Id::AsinF32:
+      return replace_by<float>(Elementary::Asin, sp);
+    case Id::AsinF64:
+      return replace_by<double>(Elementary::Asin, sp);
+    case Id::AcosF32:
+      return replace_by<float>(Elementary::Acos, sp);
+    case Id::AcosF64:
+      return replace_by<double>(Elementary::Acos, sp);
+    case Id::AtanF32:
+      return replace_by<float>(Elementary::Atan, sp);
+    case Id::AtanF64:
+      return replace_by<double>(Elementary::Atan, sp);
+    case Id::ExpF32:
+      return replace_by<float>(Elementary::Exp, sp);
+    case Id::ExpF64:
+      return replace_by<double>(Elementary::Exp, sp);
+    case Id::LnF32:
+      return replace_by<float>(Elementary::Ln, sp);
+    case Id::LnF64:
+      return replace_by<double>(Elementary::Ln, sp);
+    case Id::LogF32:
+      return replace_by<float>(Elementary::Log, sp);
+    case Id::LogF64:
+      return replace_by<double>(Elementary::Log, sp);
+    case Id::Atan2F32:
+      return replace_by_angle<float>(sp);
+    case Id::Atan2F64:
+      return replace_by_angle<double>(sp);
+    case Id::PowF32:
+      return replace_by_power<float>(sp);
+    case Id::PowF64:
+      return replace_by_power<double>(sp);
   }
   return false;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Standard functions that are not worth an opcode of their own. All are exact: IEEE 754 defines every bit.
+// Standard functions that are not worth an opcode of their own. All but the elementary ones are exact.
 
 #include <bit>
 #include <cstdint>

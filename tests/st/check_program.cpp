@@ -46,11 +46,12 @@ std::string shown(const reader::Value& value) {
   std::ostringstream out;
   out.precision(17);
   out << std::boolalpha;
-  std::visit([&](auto plain) { out << plain; }, value);
+  std::visit([&](const auto& plain) { out << plain; }, value);
   return out.str();
 }
 
 bool equals(const reader::Value& value, const std::string& expected) {
+  if (const auto* text = std::get_if<std::string>(&value)) return "'" + *text + "'" == expected;
   if (const bool* flag = std::get_if<bool>(&value)) return expected == (*flag ? "TRUE" : "FALSE");
   if (const double* real = std::get_if<double>(&value)) return *real == std::stod(expected);
   if (const auto* whole = std::get_if<std::uint64_t>(&value)) return *whole == std::stoull(expected);

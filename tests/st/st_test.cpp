@@ -1,4 +1,4 @@
-// One test for every program in tests/st/programs.
+// One test for every program in tests/st/programs and its folders; library/pid.st is the test "library_pid".
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ std::string read(const fs::path& path) {
 
 std::vector<fs::path> programs() {
   std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(STEPWRIGHT_SOURCE_DIR "/tests/st/programs"))
+  for (const auto& entry : fs::recursive_directory_iterator(STEPWRIGHT_SOURCE_DIR "/tests/st/programs"))
     if (entry.path().extension() == ".st") paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   return paths;
@@ -42,7 +42,11 @@ TEST_P(StProgram, Language_WhenProgramRuns_ThenEveryCheckHolds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, StProgram, testing::ValuesIn(programs()),
-                         [](const auto& each) { return each.param.stem().string(); });
+                         [](const auto& each) {
+                           const fs::path folder = each.param.parent_path().filename();
+                           const std::string prefix = folder == "programs" ? "" : folder.string() + "_";
+                           return prefix + each.param.stem().string();
+                         });
 
 // The driver itself can fail: a wrong expectation is reported with its line.
 TEST(CheckProgram, Checks_WhenAValueIsWrong_ThenTheLineIsReported) {

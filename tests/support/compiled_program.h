@@ -29,9 +29,9 @@ class CompiledProgram {
   explicit CompiledProgram(const driver::CompileInput& input)
       : loaded_(load(input)),
         info_(reader::ProgramInfo::read(loaded_.bytes()).value()),
-        memory_(loaded_.program().image_size()),
+        memory_(loaded_.program().memory_size()),
         stack_(loaded_.program().sizes().stack_slots),
-        image_(memory_, layout(loaded_.program().sizes())),
+        image_(memory_, scan::layout_of(loaded_.program())),
         engine_(loaded_.program(), stack_),
         cycle_(loaded_.program(), engine_, image_, io_, clock_, {}) {
     cycle_.start({});
@@ -43,9 +43,17 @@ class CompiledProgram {
 
   reader::Value value(const std::string& path) const { return reader::read_value(find(path), memory_); }
 
-  // Integers, BOOL as 0 and 1.
+  // Integers, BOOL as 0 and 1. Throws for a string.
   std::int64_t get(const std::string& path) const {
-    return std::visit([](auto plain) { return static_cast<std::int64_t>(plain); }, value(path));
+    return std::visit(
+        [](const auto& plain) -> std::int64_t {
+          if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, std::string>) {
+            throw std::runtime_error("not a number: " + plain);
+          } else {
+            return static_cast<std::int64_t>(plain);
+          }
+        },
+        value(path));
   }
 
   // The low bytes of the value; a located BOOL as its bit.
@@ -87,9 +95,6 @@ class CompiledProgram {
     auto loaded = reader::LoadedProgram::load(std::move(output->container), "test");
     if (!loaded) throw std::runtime_error(result::to_string(loaded.error()));
     return std::move(*loaded);
-  }
-  static image::ImageLayout layout(const bytecode::SizesRecord& sizes) {
-    return {sizes.input_bytes, sizes.output_bytes, sizes.marker_bytes, sizes.data_bytes};
   }
 
   reader::LoadedProgram loaded_;

@@ -17,6 +17,7 @@
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/writer/container_writer.h"
 #include "runtime/image/process_image.h"
+#include "runtime/scan/scan_cycle.h"
 #include "runtime/vm/interpreter.h"
 
 namespace stepwright::support {
@@ -41,8 +42,8 @@ class TestProgram {
  public:
   explicit TestProgram(const writer::ContainerModel& model)
       : loaded_(load(model)),
-        memory_(loaded_.program().image_size()),
-        image_(memory_, layout_of(loaded_.program())),
+        memory_(loaded_.program().memory_size()),
+        image_(memory_, scan::layout_of(loaded_.program())),
         stack_(loaded_.program().sizes().stack_slots),
         engine_(loaded_.program(), stack_) {
     image_.reset(loaded_.program().container().section(bytecode::Section::InitialData));
@@ -58,11 +59,6 @@ class TestProgram {
     return std::move(*loaded);
   }
 
-  static image::ImageLayout layout_of(const bytecode::Program& program) {
-    const bytecode::SizesRecord& sizes = program.sizes();
-    return {sizes.input_bytes, sizes.output_bytes, sizes.marker_bytes, sizes.data_bytes};
-  }
-
   // One call of the first program call, with a budget that only an endless loop exceeds.
   bytecode::Trap run(std::int64_t now_ns = 0) {
     std::uint64_t budget = 10'000'000;
@@ -70,7 +66,8 @@ class TestProgram {
   }
   bytecode::Trap run(std::int64_t now_ns, std::uint64_t& budget) {
     const auto call = loaded_.program().container().record<bytecode::Section::ProgramCalls>(0);
-    return engine_.run({call.function, call.instance, now_ns}, image_.bytes(), budget);
+    return engine_.run({call.function, call.instance, now_ns, loaded_.program().frames_of(0)},
+                       image_.memory(), budget);
   }
 
   template <typename T>

@@ -55,6 +55,6 @@ bool locate(Analysis& analysis, const syntax::VariableDeclaration& line, Variabl
             std::span<const std::byte> initial);
 
 // Tasks and program instances, with their memory.
-void configure(Analysis& analysis, const syntax::Unit& unit, std::size_t library_pous);
+void configure(Analysis& analysis, const syntax::Unit& unit, std::size_t user_pous);
 
 }  // namespace stepwright::semantics::internal

@@ -54,21 +54,29 @@ class Parser {
   ExpressionPtr binary(int level);
   ExpressionPtr unary();
   ExpressionPtr primary();
-  ExpressionPtr literal();
-  ExpressionPtr prefixed_literal();
   ExpressionPtr name_or_call();
   ExpressionPtr suffixes(ExpressionPtr base);
+  bool member(Expression& node);
+  std::optional<DirectAddress> direct_address();
   bool at_path_call(const Expression& base) const;
   void call_arguments(Expression& call);
+  ExpressionPtr make(ExpressionKind kind) const;
+  ExpressionPtr error_node() const { return make(ExpressionKind::Error); }
+  ExpressionPtr join(Operator op, ExpressionPtr left, ExpressionPtr right, source::Position where,
+                     bool extend);
+  static void adopt(Expression& parent, ExpressionPtr child);
+
+  // literal_parser.cpp
+  ExpressionPtr literal();
+  ExpressionPtr text_literal();
+  ExpressionPtr prefixed_literal();
+
+  // argument_parser.cpp
   std::vector<Argument> arguments();
   Argument argument();
   ExpressionPtr initial_value();
   ExpressionPtr array_values();
   ExpressionPtr struct_values();
-  ExpressionPtr make(ExpressionKind kind) const;
-  ExpressionPtr error_node() const { return make(ExpressionKind::Error); }
-  ExpressionPtr join(Operator op, ExpressionPtr left, ExpressionPtr right, source::Position where,
-                     bool extend);
 
   // statement_parser.cpp
   Statements statements();
@@ -91,19 +99,35 @@ class Parser {
   bool at_reserved_name() const;
   void variable_section(std::vector<VariableDeclaration>& out);
   bool variable_line(const VariableDeclaration& model, std::vector<VariableDeclaration>& out);
+  bool variable_names(VariableDeclaration& line);
+  bool variable_address(VariableDeclaration& line);
+
+  // type_parser.cpp
   TypeSpecPtr type();
+  TypeSpecPtr named_type();
   TypeSpecPtr array_type();
+  bool array_range(TypeSpec& spec);
   TypeSpecPtr struct_type();
   TypeSpecPtr enumeration_type();
+  void enumerators(TypeSpec& spec);
+  void subrange(TypeSpec& spec);
+  void text_length(TypeSpec& spec);
+  TypeSpecPtr reference_type();
   void type_section(std::vector<TypeDeclaration>& out);
 
   // pou_parser.cpp
   PouDeclaration pou();
+
+  // configuration_parser.cpp
   Configuration configuration();
-  void resource(Configuration& out);
-  void resource_item(Configuration& out);
-  void task(Configuration& out);
-  void program_instance(Configuration& out);
+  Resource resource();
+  void resource_item(Resource& out);
+  void task(Resource& out);
+  bool task_argument(const Argument& argument, const char* name);
+  void program_instance(Resource& out);
+  void program_elements(ProgramDeclaration& out);
+  void configured_section(std::vector<ConfiguredVariable>& out);
+  bool configured_line(std::vector<ConfiguredVariable>& out);
 
   // chart_parser.cpp
   bool at_chart() const;

@@ -118,7 +118,7 @@ result::Location source_location(const bytecode::Program& program, std::uint32_t
     const auto record = view.record<Section::SourceMap>(i);
     if (record.function > function || (record.function == function && record.pc > pc)) break;
     if (record.function < function) continue;
-    where = {text_of(view, view.record<Section::SourceFiles>(record.file)), record.line, 0};
+    where = {text_of(view, view.record<Section::SourceFiles>(record.file)), record.line, record.column};
   }
   return where;
 }

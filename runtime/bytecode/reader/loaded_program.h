@@ -46,7 +46,8 @@ class LoadedProgram {
   bytecode::Program program_;
 };
 
-// The source line that an instruction was compiled from; an empty location if the container has none.
+// The place in the sources that an instruction was compiled from; an empty location if the container has
+// none.
 result::Location source_location(const bytecode::Program& program, std::uint32_t function, std::uint32_t pc);
 
 // The trap as an error at its source line (code "B0400").

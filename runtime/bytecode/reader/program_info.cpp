@@ -29,9 +29,16 @@ class Flattener {
     if (++visited_ > kMaxVisits || depth > kMaxDepth) return;
     const auto type = view_.record<Section::Types>(type_index);
     switch (static_cast<bytecode::TypeKind>(type.kind)) {
+      case bytecode::TypeKind::Enumeration:
+        place.enumerators = enumerators(type_index, type);
+        [[fallthrough]];
       case bytecode::TypeKind::Elementary:
+      case bytecode::TypeKind::String:
+      case bytecode::TypeKind::Subrange:
         place.type = static_cast<bytecode::ElementaryType>(type.elementary);
         tags_.push_back({name, place, flags});
+        return;
+      case bytecode::TypeKind::Reference:
         return;
       case bytecode::TypeKind::Array: {
         const std::uint32_t stride = view_.record<Section::Types>(type.first).size;
@@ -54,11 +61,28 @@ class Flattener {
   }
 
  private:
+  // Of one type, read once.
+  std::shared_ptr<const Enumerators> enumerators(std::uint32_t index, const bytecode::TypeRecord& type) {
+    std::shared_ptr<const Enumerators>& known = enumerators_[index];
+    if (known != nullptr) return known;
+    const bool is_unsigned = bytecode::is_unsigned(static_cast<bytecode::ElementaryType>(type.elementary));
+    Enumerators names;
+    for (std::uint32_t i = 0; i < type.count; ++i) {
+      const auto member = view_.record<Section::Members>(type.first + i);
+      const std::int64_t value =
+          is_unsigned ? std::int64_t{member.offset} : std::int64_t{static_cast<std::int32_t>(member.offset)};
+      names.try_emplace(value, text_of(view_, member.name));
+    }
+    known = std::make_shared<const Enumerators>(std::move(names));
+    return known;
+  }
+
   static constexpr std::uint32_t kMaxVisits = 200'000;
   static constexpr std::uint32_t kMaxDepth = 32;
 
   const ContainerView& view_;
   std::vector<Tag>& tags_;
+  std::map<std::uint32_t, std::shared_ptr<const Enumerators>> enumerators_;  // by type
   std::uint32_t visited_ = 0;
 };
 
@@ -113,7 +137,9 @@ result::Result<ProgramInfo> ProgramInfo::read(std::span<const std::byte> contain
   }
   for (std::uint32_t i = 0; i < view.count<Section::Tasks>(); ++i) {
     const auto task = view.record<Section::Tasks>(i);
-    info.tasks_.push_back({text_of(view, task.name), task.interval_us, task.priority});
+    info.tasks_.push_back({text_of(view, task.name), task.interval_us, task.priority, {}});
+    if (task.trigger == bytecode::kNoIndex) continue;
+    info.tasks_.back().trigger = text_of(view, view.record<Section::Symbols>(task.trigger).name);
   }
   return info;
 }

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,15 +25,20 @@
 
 namespace stepwright::reader {
 
-// Where a value of an elementary type lies in the image.
+// The names of an enumeration's values.
+using Enumerators = std::map<std::int64_t, std::string>;
+
+// Where a single value lies in the image. Of an enumeration or a subrange the type is its base.
 struct Variable {
   bytecode::ElementaryType type = bytecode::ElementaryType::Bool;
-  std::uint32_t address = 0;  // byte
+  std::uint32_t address = 0;  // byte; of a string: of its header
   std::uint8_t bit = bytecode::kNoBit;
+  // Null if it is no enumeration. Shared, as variables are copied out of the ProgramInfo and outlive it.
+  std::shared_ptr<const Enumerators> enumerators = nullptr;
 };
 
 struct Tag {
-  std::string name;  // path of an elementary variable: "plan.START_X", "main.table[3].speed"
+  std::string name;  // path of a single value: "plan.START_X", "main.table[3].speed"
   Variable variable;
   std::uint16_t flags = 0;  // bytecode::SymbolFlag
 };
@@ -60,8 +66,9 @@ struct ChartInfo {
 
 struct TaskInfo {
   std::string name;
-  std::uint32_t interval_us = 0;
+  std::uint32_t interval_us = 0;  // 0: runs on its trigger only
   std::uint32_t priority = 0;
+  std::string trigger;  // path of the BOOL whose rising edge runs it; empty: none
 };
 
 class ProgramInfo {
@@ -69,7 +76,8 @@ class ProgramInfo {
   // Fails with the `refusal` (loaded_program.h) if the verifier refuses the bytes.
   [[nodiscard]] static result::Result<ProgramInfo> read(std::span<const std::byte> container);
 
-  // By path, upper and lower case alike; null if there is none or if it is not elementary.
+  // By path, upper and lower case alike; null if there is none or if it is not a single value (a reference is
+  // none: what it refers to is found under its own name).
   const Variable* find(std::string_view name) const;
   const ChartInfo* chart(std::string_view name) const;
 
@@ -87,7 +95,7 @@ class ProgramInfo {
 };
 
 // BOOLs as 0 or 1, TIME in nanoseconds; 64-bit integers beyond 2^53 lose their last digits. 0 if the variable
-// lies outside `image`.
+// lies outside `image` or is a string.
 double read_number(const Variable& variable, std::span<const std::byte> image);
 
 }  // namespace stepwright::reader

@@ -25,6 +25,7 @@ double integer(std::span<const std::byte> image, const Variable& variable) {
 
 double read_number(const Variable& variable, std::span<const std::byte> image) {
   using bytecode::MemType;
+  if (bytecode::is_string(variable.type)) return 0.0;
   const MemType memory = bytecode::mem_type(variable.type);
   if (std::size_t{variable.address} + bytecode::size_of(memory) > image.size()) return 0.0;
   switch (memory) {

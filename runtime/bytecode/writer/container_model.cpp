@@ -12,6 +12,16 @@ Type elementary(bytecode::ElementaryType type) {
   return out;
 }
 
+Type string_type(bytecode::ElementaryType type, std::uint32_t capacity) {
+  Type out;
+  out.name = std::string(bytecode::name_of(type)) + "[" + std::to_string(capacity) + "]";
+  out.kind = bytecode::TypeKind::String;
+  out.elementary = type;
+  out.size = bytecode::string_bytes(type, capacity);
+  out.count = capacity;
+  return out;
+}
+
 std::uint32_t ContainerModel::add_type(Type type) {
   for (std::size_t i = 0; i < types.size(); ++i) {
     if (types[i].name == type.name) return static_cast<std::uint32_t>(i);

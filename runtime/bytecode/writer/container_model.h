@@ -35,7 +35,7 @@ struct AreaSizes {
 struct Member {
   std::string name;
   std::uint32_t type = 0;
-  std::uint32_t offset = 0;
+  std::uint32_t offset = 0;  // an enumerator's value
 };
 
 // One data type; references to other types are indexes into ContainerModel::types and must point backwards.
@@ -44,13 +44,19 @@ struct Type {
   bytecode::TypeKind kind = bytecode::TypeKind::Elementary;
   bytecode::ElementaryType elementary = bytecode::ElementaryType::Bool;
   std::uint32_t size = 1;
-  std::uint32_t element = 0;    // Array: its element's type
-  std::uint32_t count = 0;      // Array: number of elements
-  std::int32_t lower = 0;       // Array: index of the first
-  std::vector<Member> members;  // Struct, Instance
+  std::uint32_t element = 0;  // Array: its element's type. Reference: the target's type, which may come later
+  std::uint32_t count = 0;    // Array: number of elements. String: capacity
+  std::int64_t lower = 0;     // Array: index of the first element. Subrange: lower bound
+  std::int64_t upper = 0;     // Subrange: upper bound
+  std::vector<Member>
+      members;  // Struct, Instance; Enumeration: its enumerators (the member's type is ignored)
 };
 
+// A scalar type under its own name.
 Type elementary(bytecode::ElementaryType type);
+
+// STRING[capacity] or WSTRING[capacity]; requires 0..65535 characters.
+Type string_type(bytecode::ElementaryType type, std::uint32_t capacity);
 
 // A variable by its path. List instances' leaves or the instance itself with a type of kind Instance: lookups
 // walk through arrays, structs and instances, so that one symbol per instance is enough.
@@ -75,6 +81,7 @@ struct Task {
   std::uint32_t interval_us = 10'000;
   std::uint32_t priority = 0;
   std::vector<ProgramCall> calls;
+  std::uint32_t trigger = bytecode::kNoIndex;  // symbol: its rising edge runs the task; interval 0: only then
 };
 
 struct SfcStep {

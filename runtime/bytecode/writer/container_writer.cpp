@@ -1,8 +1,8 @@
 #include "runtime/bytecode/writer/container_writer.h"
 
-#include <algorithm>
 #include <cstring>
 #include <string>
+#include <unordered_map>
 
 #include "runtime/bytecode/code_check.h"
 #include "runtime/bytecode/container_parse.h"
@@ -10,6 +10,7 @@
 #include "runtime/bytecode/program.h"
 #include "runtime/bytecode/stack_need.h"
 #include "runtime/bytecode/table_check.h"
+#include "runtime/bytecode/writer/frame_layout.h"
 #include "runtime/bytecode/writer/section_buffers.h"
 
 namespace stepwright::writer {
@@ -22,6 +23,22 @@ std::uint32_t size32(std::size_t size) {
   return static_cast<std::uint32_t>(size);
 }
 
+// What a type is made of: elements, members, enumerators, a target.
+void add_parts(const Type& type, bytecode::TypeRecord& record, SectionBuffers& out) {
+  using bytecode::TypeKind;
+  const bool enumeration = type.kind == TypeKind::Enumeration;
+  if (type.kind == TypeKind::Array || type.kind == TypeKind::Reference) record.first = type.element;
+  if (type.kind == TypeKind::Array || type.kind == TypeKind::String) record.count = type.count;
+  if (type.kind == TypeKind::Array) record.upper = type.lower + type.count - 1;
+  if (type.kind != TypeKind::Struct && type.kind != TypeKind::Instance && !enumeration) return;
+  record.first = out.count<Section::Members>();
+  record.count = size32(type.members.size());
+  for (const Member& member : type.members) {
+    const std::uint32_t member_type = enumeration ? bytecode::kNoIndex : member.type;
+    out.add<Section::Members>({out.string(member.name), member_type, member.offset});
+  }
+}
+
 void add_types(const ContainerModel& model, SectionBuffers& out) {
   for (const Type& type : model.types) {
     bytecode::TypeRecord record{};
@@ -30,13 +47,8 @@ void add_types(const ContainerModel& model, SectionBuffers& out) {
     record.elementary = static_cast<std::uint8_t>(type.elementary);
     record.size = type.size;
     record.lower = type.lower;
-    const bool array = type.kind == bytecode::TypeKind::Array;
-    const bool plain = type.kind == bytecode::TypeKind::Elementary;
-    record.first = array ? type.element : plain ? 0 : out.count<Section::Members>();
-    record.count = array ? type.count : size32(type.members.size());
-    for (const Member& member : type.members) {
-      out.add<Section::Members>({out.string(member.name), member.type, member.offset});
-    }
+    record.upper = type.upper;
+    add_parts(type, record, out);
     out.add<Section::Types>(record);
   }
 }
@@ -59,33 +71,49 @@ void add_symbols(const ContainerModel& model, SectionBuffers& out) {
 void add_tasks(const ContainerModel& model, SectionBuffers& out) {
   for (const Task& task : model.tasks) {
     out.add<Section::Tasks>({out.string(task.name), task.interval_us, task.priority,
-                             out.count<Section::ProgramCalls>(), size32(task.calls.size())});
+                             out.count<Section::ProgramCalls>(), size32(task.calls.size()), task.trigger});
     for (const ProgramCall& call : task.calls) {
       out.add<Section::ProgramCalls>({out.string(call.name), call.function, call.instance});
     }
   }
 }
 
-// Moves the function's own constants into the container's pool and points the code there.
-std::vector<std::byte> pooled_code(const Function& function, std::vector<std::uint64_t>& pool) {
-  std::vector<std::byte> code = function.code;
-  bytecode::Instruction in;
-  for (std::uint32_t pc = 0; pc < code.size() && bytecode::decode(code, pc, in); pc += in.size) {
-    if (in.opcode != bytecode::Opcode::ConstI64 && in.opcode != bytecode::Opcode::ConstF64) continue;
-    if (in.a >= function.constants.size()) continue;  // left to the verifier
-    const std::uint64_t value = function.constants[in.a];
-    const auto found = std::find(pool.begin(), pool.end(), value);
-    const std::uint32_t index = size32(static_cast<std::size_t>(found - pool.begin()));
-    if (found == pool.end()) pool.push_back(value);
-    std::memcpy(code.data() + pc + 1, &index, sizeof(index));
+// The constants of all functions, each value once.
+class ConstantPool {
+ public:
+  explicit ConstantPool(SectionBuffers& out) : out_(out) {}
+
+  // Points the constant operands of one function's code into the pool.
+  std::vector<std::byte> pooled_code(const Function& function) {
+    using bytecode::Opcode;
+    std::vector<std::byte> code = function.code;
+    bytecode::Instruction in;
+    for (std::uint32_t pc = 0; pc < code.size() && bytecode::decode(code, pc, in); pc += in.size) {
+      const bool two = in.opcode == Opcode::CheckI64 || in.opcode == Opcode::CheckU64;
+      if (!two && in.opcode != Opcode::ConstI64 && in.opcode != Opcode::ConstF64) continue;
+      point(function, code.data() + pc + 1, in.a);
+      if (two) point(function, code.data() + pc + 5, in.b);
+    }
+    return code;
   }
-  return code;
-}
+
+ private:
+  void point(const Function& function, std::byte* operand, std::uint32_t own_index) {
+    if (own_index >= function.constants.size()) return;  // left to the verifier
+    const std::uint64_t value = function.constants[own_index];
+    const auto [entry, inserted] = index_of_.try_emplace(value, out_.count<Section::Constants>());
+    if (inserted) out_.add<Section::Constants>(value);
+    std::memcpy(operand, &entry->second, sizeof(entry->second));
+  }
+
+  SectionBuffers& out_;
+  std::unordered_map<std::uint64_t, std::uint32_t> index_of_;
+};
 
 void add_functions(const ContainerModel& model, SectionBuffers& out) {
-  std::vector<std::uint64_t> pool;
+  ConstantPool pool(out);
   for (const Function& function : model.functions) {
-    const std::vector<std::byte> code = pooled_code(function, pool);
+    const std::vector<std::byte> code = pool.pooled_code(function);
     std::vector<std::byte>& all_code = out.buffer(Section::Code);
     bytecode::FunctionRecord record{};
     record.name = out.string(function.name);
@@ -97,16 +125,16 @@ void add_functions(const ContainerModel& model, SectionBuffers& out) {
     record.code_offset = size32(all_code.size());
     record.code_size = size32(code.size());
     record.instance_size = function.instance_size;
+    record.frame_size = (function.frame_size + 7) / 8 * 8;
     const std::uint32_t index = out.add<Section::Functions>(record);
     all_code.insert(all_code.end(), code.begin(), code.end());
     for (const bytecode::StackType local : function.locals) {
       out.add<Section::Locals>(static_cast<std::uint8_t>(local));
     }
     for (const Function::Line& line : function.lines) {
-      out.add<Section::SourceMap>({index, line.pc, line.file, line.line});
+      out.add<Section::SourceMap>({index, line.pc, line.file, line.line, line.column});
     }
   }
-  for (const std::uint64_t value : pool) out.add<Section::Constants>(value);
 }
 
 std::uint32_t add_links(const std::vector<std::uint32_t>& steps, SectionBuffers& out) {
@@ -143,7 +171,7 @@ void add_charts(const ContainerModel& model, SectionBuffers& out) {
 SectionBuffers sections_of(const ContainerModel& model) {
   SectionBuffers out;
   out.add<Section::Sizes>({model.sizes.input_bytes, model.sizes.output_bytes, model.sizes.marker_bytes,
-                           model.sizes.data_bytes, 0, 0});
+                           model.sizes.data_bytes, 0, 0, 0});
   add_types(model, out);
   add_symbols(model, out);
   add_tasks(model, out);
@@ -166,14 +194,15 @@ tl::unexpected<result::Diagnostics> refuse(const ContainerModel& model,
     place = "function " + function.name + ", byte " + std::to_string(verdict.offset);
     for (const Function::Line& line : function.lines) {
       if (line.pc > verdict.offset || line.file >= model.source_files.size()) break;
-      where = {model.source_files[line.file], line.line, 0};
+      where = {model.source_files[line.file], line.line, line.column};
     }
   }
   return result::fail("B0100", where, place + ": " + bytecode::explain(verdict.status));
 }
 
-// Fills in what only the analysis of the code can know: max_stack, stack_slots, call_depth.
-bytecode::VerifyResult complete(SectionBuffers& sections) {
+// Fills in what only the analysis of the code can know: frames, max_stack, stack_slots, call_depth.
+bytecode::VerifyResult complete(const ContainerModel& model, SectionBuffers& sections) {
+  if (const auto frames = layout_frames(model, sections); !frames.ok()) return frames;
   const std::vector<std::byte> draft = sections.assemble();
   bytecode::ContainerView view;
   if (const auto file = bytecode::parse_container(draft, view); !file.ok()) return file;
@@ -203,7 +232,7 @@ bytecode::VerifyResult complete(SectionBuffers& sections) {
 
 result::Result<std::vector<std::byte>> write_container(const ContainerModel& model) {
   SectionBuffers sections = sections_of(model);
-  if (const auto verdict = complete(sections); !verdict.ok()) return refuse(model, verdict);
+  if (const auto verdict = complete(model, sections); !verdict.ok()) return refuse(model, verdict);
   std::vector<std::byte> file = sections.assemble();
   std::vector<std::uint32_t> scratch(bytecode::verify_scratch_words(file));
   bytecode::Program program;

@@ -42,14 +42,38 @@ void FunctionBuilder::append(T value) {
 // Starts an instruction; false if nothing reaches it, so that it is dropped.
 bool FunctionBuilder::begin(Opcode opcode) {
   if (!reachable_) return false;
+  last_ = position();
   append(static_cast<std::uint8_t>(opcode));
   if (opcode == Opcode::Jump || opcode == Opcode::Return || opcode == Opcode::Trap) reachable_ = false;
   return true;
 }
 
+// A load of a BOOL and the boolean operation behind it become one instruction: the load's opcode is replaced.
+bool FunctionBuilder::fuse(Opcode operation) {
+  if (!reachable_ || !last_) return false;
+  const auto before = static_cast<Opcode>(function_.code[*last_]);
+  const bool plain = before == Opcode::LoadBoolAbs || before == Opcode::LoadBoolThis;
+  const bool negated = before == Opcode::LoadNotBoolAbs || before == Opcode::LoadNotBoolThis;
+  if (!plain && !negated) return false;
+  std::optional<Opcode> fused;
+  if (operation == Opcode::NotBool) {
+    fused = plain ? Opcode::LoadNotBoolAbs : Opcode::LoadBoolAbs;
+  } else if (operation == Opcode::AndBool) {
+    fused = plain ? Opcode::AndBoolAbs : Opcode::AndNotBoolAbs;
+  } else if (operation == Opcode::OrBool) {
+    fused = plain ? Opcode::OrBoolAbs : Opcode::OrNotBoolAbs;
+  } else if (operation == Opcode::XorBool && plain) {
+    fused = Opcode::XorBoolAbs;
+  }
+  if (!fused) return false;
+  const bool on_instance = before == Opcode::LoadBoolThis || before == Opcode::LoadNotBoolThis;
+  function_.code[*last_] = static_cast<std::byte>(static_cast<std::uint8_t>(*fused) + (on_instance ? 1 : 0));
+  return true;
+}
+
 void FunctionBuilder::emit(Opcode opcode) {
   assert(bytecode::info(opcode).operands == bytecode::Operands::None);
-  begin(opcode);
+  if (!fuse(opcode)) begin(opcode);
 }
 
 void FunctionBuilder::emit_u32(Opcode opcode, std::uint32_t operand) {
@@ -62,12 +86,17 @@ void FunctionBuilder::emit_u8(Opcode opcode, std::uint8_t operand) {
   if (begin(opcode)) append(operand);
 }
 
-void FunctionBuilder::emit_constant(Opcode opcode, std::uint64_t bits) {
-  if (!begin(opcode)) return;
+void FunctionBuilder::append_constant(std::uint64_t bits) {
   auto& pool = function_.constants;
   const auto found = std::find(pool.begin(), pool.end(), bits);
   append(static_cast<std::uint32_t>(found - pool.begin()));
   if (found == pool.end()) pool.push_back(bits);
+}
+
+void FunctionBuilder::emit_constants(Opcode opcode, std::uint64_t lower, std::uint64_t upper) {
+  if (!begin(opcode)) return;
+  append_constant(lower);
+  append_constant(upper);
 }
 
 void FunctionBuilder::const_bool(bool value) {
@@ -77,13 +106,13 @@ void FunctionBuilder::const_i32(std::int32_t value) {
   emit_u32(Opcode::ConstI32, static_cast<std::uint32_t>(value));
 }
 void FunctionBuilder::const_i64(std::int64_t value) {
-  emit_constant(Opcode::ConstI64, static_cast<std::uint64_t>(value));
+  if (begin(Opcode::ConstI64)) append_constant(static_cast<std::uint64_t>(value));
 }
 void FunctionBuilder::const_f32(float value) {
   emit_u32(Opcode::ConstF32, std::bit_cast<std::uint32_t>(value));
 }
 void FunctionBuilder::const_f64(double value) {
-  emit_constant(Opcode::ConstF64, std::bit_cast<std::uint64_t>(value));
+  if (begin(Opcode::ConstF64)) append_constant(std::bit_cast<std::uint64_t>(value));
 }
 
 void FunctionBuilder::load(bytecode::MemType type, AddressMode mode, std::uint32_t offset) {
@@ -118,12 +147,38 @@ void FunctionBuilder::addr_abs(std::uint32_t offset) {
 void FunctionBuilder::addr_this(std::uint32_t offset) {
   emit_u32(Opcode::AddrThis, offset);
 }
+void FunctionBuilder::addr_frame(std::uint32_t offset) {
+  emit_u32(Opcode::AddrFrame, offset);
+}
+
+std::uint32_t FunctionBuilder::allocate_frame(std::uint32_t bytes, std::uint32_t align) {
+  assert(std::has_single_bit(align) && align <= 8);
+  const std::uint32_t at = (function_.frame_size + align - 1) / align * align;
+  function_.frame_size = at + bytes;
+  return at;
+}
 
 void FunctionBuilder::index(std::int32_t lower, std::int32_t upper, std::uint32_t stride) {
   if (!begin(Opcode::Index)) return;
   append(lower);
   append(upper);
   append(stride);
+}
+
+void FunctionBuilder::index_dyn(std::uint32_t stride) {
+  emit_u32(Opcode::IndexDyn, stride);
+}
+
+void FunctionBuilder::check_i32(std::int32_t lower, std::int32_t upper) {
+  if (!begin(Opcode::CheckI32)) return;
+  append(lower);
+  append(upper);
+}
+void FunctionBuilder::check_i64(std::int64_t lower, std::int64_t upper) {
+  emit_constants(Opcode::CheckI64, static_cast<std::uint64_t>(lower), static_cast<std::uint64_t>(upper));
+}
+void FunctionBuilder::check_u64(std::uint64_t lower, std::uint64_t upper) {
+  emit_constants(Opcode::CheckU64, lower, upper);
 }
 
 void FunctionBuilder::offset(std::uint32_t bytes) {
@@ -140,6 +195,9 @@ void FunctionBuilder::to_int(Opcode conversion, bytecode::IntType target) {
 }
 void FunctionBuilder::intrinsic(bytecode::IntrinsicId id) {
   emit_u8(Opcode::Intrinsic, static_cast<std::uint8_t>(id));
+}
+void FunctionBuilder::string_op(bytecode::StringOpId id) {
+  emit_u8(Opcode::StringOp, static_cast<std::uint8_t>(id));
 }
 void FunctionBuilder::trap(std::uint8_t code) {
   emit_u8(Opcode::Trap, code);
@@ -164,6 +222,7 @@ void FunctionBuilder::bind(Label label) {
   LabelState& state = labels_[label.value];
   assert(state.pc == LabelState::kUnbound && "a label is bound once");
   state.pc = position();
+  last_.reset();
   reachable_ = true;
 }
 
@@ -182,11 +241,14 @@ void FunctionBuilder::jump_if_true(Label label) {
   emit_jump(Opcode::JumpIfTrue, label);
 }
 
-void FunctionBuilder::line(std::uint32_t file, std::uint32_t line) {
+void FunctionBuilder::line(std::uint32_t file, std::uint32_t line, std::uint32_t column) {
   auto& lines = function_.lines;
   if (!lines.empty() && lines.back().pc == position()) lines.pop_back();
-  if (!lines.empty() && lines.back().file == file && lines.back().line == line) return;
-  lines.push_back({position(), file, line});
+  const Function::Line place{position(), file, line, column};
+  if (!lines.empty() && lines.back().file == file && lines.back().line == line &&
+      lines.back().column == column)
+    return;
+  lines.push_back(place);
 }
 
 Function FunctionBuilder::take() && {

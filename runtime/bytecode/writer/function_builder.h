@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct Function {
     std::uint32_t pc = 0;
     std::uint32_t file = 0;
     std::uint32_t line = 0;
+    std::uint32_t column = 0;  // 0: not known
   };
   std::string name;
   bytecode::FunctionKind kind = bytecode::FunctionKind::Function;
@@ -45,6 +47,7 @@ struct Function {
   std::uint16_t param_count = 0;
   std::vector<bytecode::StackType> locals;  // parameters first
   std::uint32_t instance_size = 0;
+  std::uint32_t frame_size = 0;  // where it lies in the task's frames the writer decides
   std::vector<std::byte> code;
   std::vector<std::uint64_t> constants;
   std::vector<Line> lines;
@@ -60,7 +63,12 @@ class FunctionBuilder {
   LocalId add_local(bytecode::StackType type);
   void set_result(bytecode::StackType type);
 
-  // An instruction without operands.
+  // Room for a local that needs an address: its offset in the function's frame, for addr_frame. `align` is a
+  // power of two, 8 at most. Not initialised when the function starts.
+  std::uint32_t allocate_frame(std::uint32_t bytes, std::uint32_t align);
+
+  // An instruction without operands. Forms a fused boolean where a load of a BOOL and the operation follow
+  // each other (LoadBoolAbs, AndBool -> AndBoolAbs).
   void emit(bytecode::Opcode opcode);
 
   void const_bool(bool value);
@@ -78,17 +86,26 @@ class FunctionBuilder {
   void local_set(LocalId local);
   void addr_abs(std::uint32_t offset);
   void addr_this(std::uint32_t offset);
+  void addr_frame(std::uint32_t offset);
   // Ref of an array, I32 index -> Ref of the element.
   void index(std::int32_t lower, std::int32_t upper, std::uint32_t stride);
+  // Ref of an array, I32 index, lower, upper -> Ref of the element.
+  void index_dyn(std::uint32_t stride);
   void offset(std::uint32_t bytes);
   // Target Ref, source Ref ->
   void mem_copy(std::uint32_t bytes);
+
+  // The value on the stack must lie in lower..upper, else the program traps (SubrangeRange).
+  void check_i32(std::int32_t lower, std::int32_t upper);
+  void check_i64(std::int64_t lower, std::int64_t upper);
+  void check_u64(std::uint64_t lower, std::uint64_t upper);
 
   // `bits`: 8, 16 or 32: the width of the rotated value.
   void rotate_i32(bytecode::Opcode rol_or_ror, std::uint8_t bits);
   // RoundF32, RoundF64, TruncF32 or TruncF64 to an integer type.
   void to_int(bytecode::Opcode conversion, bytecode::IntType target);
   void intrinsic(bytecode::IntrinsicId id);
+  void string_op(bytecode::StringOpId id);
   void trap(std::uint8_t code);
 
   void call(std::uint32_t function);
@@ -100,8 +117,9 @@ class FunctionBuilder {
   void jump_if_false(Label label);
   void jump_if_true(Label label);
 
-  // The instructions that follow come from this line (1-based) of ContainerModel::source_files[file].
-  void line(std::uint32_t file, std::uint32_t line);
+  // The instructions that follow come from this place (1-based; column 0: not known) of
+  // ContainerModel::source_files[file].
+  void line(std::uint32_t file, std::uint32_t line, std::uint32_t column = 0);
 
   // True while the next instruction could be reached.
   bool reachable() const { return reachable_; }
@@ -120,17 +138,20 @@ class FunctionBuilder {
   };
 
   bool begin(bytecode::Opcode opcode);
+  bool fuse(bytecode::Opcode operation);
   template <typename T>
   void append(T value);
   void emit_u32(bytecode::Opcode opcode, std::uint32_t operand);
   void emit_u8(bytecode::Opcode opcode, std::uint8_t operand);
-  void emit_constant(bytecode::Opcode opcode, std::uint64_t bits);
+  void append_constant(std::uint64_t bits);
+  void emit_constants(bytecode::Opcode opcode, std::uint64_t lower, std::uint64_t upper);
   void emit_jump(bytecode::Opcode opcode, Label label);
   std::uint32_t position() const { return static_cast<std::uint32_t>(function_.code.size()); }
 
   Function function_;
   std::vector<LabelState> labels_;
   std::vector<Fixup> fixups_;
+  std::optional<std::uint32_t> last_;  // the instruction before, if nothing jumps behind it
   bool reachable_ = true;
 };
 

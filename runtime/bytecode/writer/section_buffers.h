@@ -26,6 +26,16 @@ class SectionBuffers {
     return static_cast<std::uint32_t>(at / sizeof(record));
   }
 
+  // A record that is there.
+  template <bytecode::Section S>
+  bytecode::Record<S> get(std::uint32_t index) const {
+    bytecode::Record<S> record;
+    std::memcpy(&record,
+                sections_[static_cast<std::uint32_t>(S)].data() + std::size_t{index} * sizeof(record),
+                sizeof(record));
+    return record;
+  }
+
   // Overwrites a record that is there.
   template <bytecode::Section S>
   void set(std::uint32_t index, const bytecode::Record<S>& record) {

@@ -24,21 +24,19 @@ T taken(result::Result<T> value) {
   return std::move(*value);
 }
 
-image::ImageLayout layout_of(const bytecode::SizesRecord& sizes) {
-  return {sizes.input_bytes, sizes.output_bytes, sizes.marker_bytes, sizes.data_bytes};
-}
-
 }  // namespace
 
 struct SimulatedController::Loaded {
   Loaded(reader::LoadedProgram program_in, image::IoDriver& driver)
       : program(std::move(program_in)),
         info(taken(reader::ProgramInfo::read(program.bytes()))),
-        memory(program.program().image_size()),
-        image(memory, layout_of(program.program().sizes())),
+        memory(program.program().memory_size()),
+        image(memory, scan::layout_of(program.program())),
         stack(program.program().sizes().stack_slots),
         engine(program.program(), stack),
         cycle(program.program(), engine, image, driver, clock, {}) {}
+
+  std::vector<std::byte> image_copy() const { return {image.bytes().begin(), image.bytes().end()}; }
 
   std::vector<bool> steps() const {
     std::vector<bool> bits;
@@ -141,7 +139,7 @@ void SimulatedController::push_event(host::EventKind kind, std::string detail) {
   event.kind = kind;
   event.program_digest = loaded_->digest;
   event.detail = std::move(detail);
-  event.image = loaded_->memory;
+  event.image = loaded_->image_copy();
   events_.push_back(std::move(event));
 }
 
@@ -196,7 +194,7 @@ std::optional<host::Snapshot> SimulatedController::snapshot() const {
   snapshot.scan = loaded_->cycle.scan();
   snapshot.time_ns = plant_->now().count();
   snapshot.program_digest = loaded_->digest;
-  snapshot.image = loaded_->memory;
+  snapshot.image = loaded_->image_copy();
   return snapshot;
 }
 

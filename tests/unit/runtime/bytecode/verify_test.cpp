@@ -159,13 +159,14 @@ TEST(Verify, Container_WhenMutatedWithAValidChecksum_ThenIsRefusedOrRunsSafely) 
       continue;
     }
     ++accepted;
-    std::vector<std::byte> image(program.image_size());
+    std::vector<std::byte> memory(program.memory_size());
     std::vector<std::uint64_t> stack(program.sizes().stack_slots);
     vm::Interpreter engine(program, stack);
     for (std::uint32_t i = 0; i < program.container().count<Section::ProgramCalls>(); ++i) {
       const auto call = program.container().record<Section::ProgramCalls>(i);
       std::uint64_t budget = 100'000;
-      const Trap trap = engine.run({call.function, call.instance, round}, image, budget);
+      const Trap trap =
+          engine.run({call.function, call.instance, round, program.frames_of(0)}, memory, budget);
       ASSERT_LE(static_cast<std::uint8_t>(trap.code), kTrapCodeCount);
     }
   }

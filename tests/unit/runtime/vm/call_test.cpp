@@ -202,7 +202,7 @@ TEST(Sample, Timer_WhenStartIsHeld_ThenPumpFollowsAfterItsTime) {
   TestProgram program(support::sample_model());
   const auto run_main = [&](std::int64_t now_ms) {
     std::uint64_t budget = 10'000;
-    return program.engine().run({0, L::kMain, now_ms * 1'000'000}, program.image().bytes(), budget);
+    return program.engine().run({0, L::kMain, now_ms * 1'000'000}, program.image().memory(), budget);
   };
   program.write<std::uint8_t>(L::kInputs, 1);
   program.write<std::int16_t>(L::kInputs + 2, 40);

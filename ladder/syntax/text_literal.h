@@ -1,0 +1,25 @@
+#pragma once
+
+// The characters of string literals (IEC 61131-3, 6.3.3, tables 5 and 6). Private to the parser.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace stepwright::syntax {
+
+// Single: characters are ISO 10646 row 00 (Latin-1), $hh; Double: UTF-16 code units, $hhhh.
+enum class TextWidth : unsigned char { Single, Double };
+
+struct TextMistake {
+  std::size_t offset = 0;  // into the text between the quotes
+  const char* message = "";
+};
+
+// The characters between the quotes. Sources are UTF-8; a byte that is no UTF-8 stands for itself, as in
+// sources written in Latin-1. Nothing on a wrong `$` combination or, in a Single text, on a character beyond
+// 255; `mistake` says where then.
+std::optional<std::u16string> parse_text(std::string_view inside, TextWidth width, TextMistake& mistake);
+
+}  // namespace stepwright::syntax
