@@ -38,8 +38,9 @@ graphic::Condition condition_of(const syntax::TextSlice& slice, Marks marks) {
 
 class Conversion {
  public:
-  Conversion(const syntax::Chart& chart, Marks marks, source::DiagnosticSink& sink)
-      : chart_(chart), marks_(marks), sink_(sink) {}
+  Conversion(const syntax::Chart& chart, Marks marks, const source::SourceSet& sources,
+             source::DiagnosticSink& sink)
+      : chart_(chart), marks_(marks), sources_(sources), sink_(sink) {}
 
   graphic::SfcChart run() {
     graphic::SfcChart result;
@@ -47,7 +48,9 @@ class Conversion {
     for (const syntax::TransitionDeclaration& each : chart_.transitions)
       result.transitions.push_back(transition(each));
     for (const syntax::ActionDeclaration& each : chart_.actions)
-      result.actions.push_back({std::string(each.name.text), marked(each.body, marks_)});
+      result.actions.push_back(
+          {std::string(each.name.text), marked(each.body, marks_), sources_.location(each.name.where)});
+    result.final_scan = chart_.final_scan;
     return result;
   }
 
@@ -56,26 +59,36 @@ class Conversion {
     graphic::Step result;
     result.name = std::string(declaration.name.text);
     result.initial = declaration.initial;
-    for (const syntax::ActionUse& use : declaration.actions) {
-      graphic::ActionBlock block;
-      block.target = std::string(use.action.text);
-      block.duration = std::string(use.duration);
-      block.indicator = std::string(use.indicator);
-      const std::string qualifier = use.qualifier.empty() ? "N" : source::upper(use.qualifier);
-      const auto known = graphic::qualifier_from(qualifier);
-      if (known) {
-        block.qualifier = *known;
-        if (graphic::needs_duration(*known) && use.duration.empty())
-          sink_.error(code::kBadChart, use.qualifier_where,
-                      "the qualifier " + qualifier + " needs a duration",
-                      "write " + block.target + "(" + qualifier + ", T#5s)");
-      } else {
-        sink_.error(code::kBadChart, use.qualifier_where, "there is no qualifier '" + qualifier + "'",
-                    "qualifiers are N, S, R, L, D, P, P0, P1, SD, DS and SL");
-      }
-      result.actions.push_back(std::move(block));
-    }
+    result.where = sources_.location(declaration.name.where);
+    for (const syntax::ActionUse& use : declaration.actions) result.actions.push_back(action_block(use));
     return result;
+  }
+
+  graphic::ActionBlock action_block(const syntax::ActionUse& use) {
+    graphic::ActionBlock block;
+    block.target = std::string(use.action.text);
+    block.where = sources_.location(use.action.where);
+    for (const syntax::TextSlice& each : use.indicators)
+      block.indicator += (block.indicator.empty() ? "" : ", ") + std::string(each.text);
+    const std::string qualifier = use.qualifier.empty() ? "N" : source::upper(use.qualifier);
+    const auto known = graphic::qualifier_from(qualifier);
+    if (!known) {
+      sink_.error(code::kBadChart, use.qualifier_where, "there is no qualifier '" + qualifier + "'",
+                  "qualifiers are N, S, R, L, D, P, P0, P1, SD, DS and SL");
+      return block;
+    }
+    block.qualifier = *known;
+    const bool timed = graphic::needs_duration(*known);
+    if (timed && use.duration.text.empty()) {
+      sink_.error(code::kBadChart, use.qualifier_where, "the qualifier " + qualifier + " needs a duration",
+                  "write " + block.target + "(" + qualifier + ", T#5s)");
+    } else if (!timed && !use.duration.text.empty()) {
+      sink_.error(code::kBadChart, use.duration.where, "the qualifier " + qualifier + " takes no duration",
+                  "remove it, or use L, D, SD, DS or SL");
+    } else if (timed) {
+      block.duration = marked(use.duration, marks_);
+    }
+    return block;
   }
 
   std::vector<graphic::StepId> steps(const std::vector<syntax::Name>& names) {
@@ -100,7 +113,8 @@ class Conversion {
   graphic::Transition transition(const syntax::TransitionDeclaration& declaration) {
     graphic::Transition result;
     if (declaration.name) result.name = std::string(declaration.name->text);
-    if (declaration.priority) result.priority = static_cast<int>(*declaration.priority & 0xFFFF);
+    if (declaration.priority) result.priority = static_cast<int>(*declaration.priority);
+    result.where = sources_.location(declaration.name ? declaration.name->where : declaration.where);
     result.sources = steps(declaration.sources);
     result.targets = steps(declaration.targets);
     result.condition = condition_of(declaration.condition, marks_);
@@ -109,13 +123,15 @@ class Conversion {
 
   const syntax::Chart& chart_;
   Marks marks_;
+  const source::SourceSet& sources_;
   source::DiagnosticSink& sink_;
 };
 
 }  // namespace
 
-graphic::SfcChart to_graphic(const syntax::Chart& chart, Marks marks, source::DiagnosticSink& sink) {
-  return Conversion(chart, marks, sink).run();
+graphic::SfcChart to_graphic(const syntax::Chart& chart, Marks marks, const source::SourceSet& sources,
+                             source::DiagnosticSink& sink) {
+  return Conversion(chart, marks, sources, sink).run();
 }
 
 }  // namespace stepwright::driver

@@ -13,6 +13,7 @@ namespace stepwright::driver {
 enum class Marks : std::uint8_t { None, Source };
 
 // Reports unknown qualifiers and steps. Steps and transitions keep the order of the text.
-graphic::SfcChart to_graphic(const syntax::Chart& chart, Marks marks, source::DiagnosticSink& sink);
+graphic::SfcChart to_graphic(const syntax::Chart& chart, Marks marks, const source::SourceSet& sources,
+                             source::DiagnosticSink& sink);
 
 }  // namespace stepwright::driver

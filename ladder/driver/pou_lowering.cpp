@@ -1,9 +1,11 @@
 #include "ladder/driver/pou_lowering.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "ladder/driver/chart_conversion.h"
 #include "ladder/driver/declaration_text.h"
+#include "ladder/graphic/sfc_hazards.h"
 #include "ladder/lowering/ladder_to_syntax.h"
 #include "ladder/lowering/sfc_to_ladder.h"
 #include "ladder/source/codes.h"
@@ -58,6 +60,17 @@ void PouLowering::set_ladder(const graphic::LadderProgram& ladder, const std::st
   for (auto& each : lowered.variables) pou.variables.push_back(std::move(each));
 }
 
+// The name behind an alias: BOOL where TYPE Flag : BOOL; END_TYPE.
+std::string PouLowering::type_name(syntax::Name name) const {
+  for (std::size_t depth = 0; depth <= unit_.types.size(); ++depth) {
+    const auto found = std::find_if(unit_.types.begin(), unit_.types.end(),
+                                    [&](const auto& each) { return each.name.id == name.id; });
+    if (found == unit_.types.end() || found->type->kind != syntax::TypeKind::Named) break;
+    name = found->type->name;
+  }
+  return std::string(name.text);
+}
+
 // What the chart's lowering needs to know of the POU: names and types.
 graphic::Pou PouLowering::with_chart(const syntax::PouDeclaration& pou) const {
   graphic::Pou result;
@@ -65,10 +78,11 @@ graphic::Pou PouLowering::with_chart(const syntax::PouDeclaration& pou) const {
   result.kind = kind_of(pou.kind);
   for (const syntax::VariableDeclaration& line : pou.variables) {
     const bool named = line.type->kind == syntax::TypeKind::Named;
+    const std::string type = named ? type_name(line.type->name) : "STRUCT";
     for (const syntax::Name& name : line.names) {
       graphic::Variable variable;
       variable.name = std::string(name.text);
-      variable.type = named ? std::string(line.type->name.text) : "STRUCT";
+      variable.type = type;
       result.variables.push_back(std::move(variable));
     }
   }
@@ -97,15 +111,18 @@ void PouLowering::lower_charts() {
     }
     const std::size_t errors = context_.sink.error_count();
     graphic::Pou pou = with_chart(unit_.pous[i]);
-    pou.body = to_graphic(*unit_.pous[i].chart, Marks::Source, context_.sink);
+    const syntax::Chart& chart = *unit_.pous[i].chart;
+    pou.body = to_graphic(chart, Marks::Source, context_.sources, context_.sink);
     if (context_.sink.error_count() != errors) continue;
-    auto lowered = lowering::lower_sfc(pou);
+    // A POU sees what it declares: its globals are among them as VAR_EXTERNAL.
+    auto lowered = lowering::lower_sfc(pou, {});
     if (!lowered) {
       report(std::move(lowered.error()), where);
       continue;
     }
-    set_lowered(*lowered, pou.variables.size(), to_graphic(*unit_.pous[i].chart, Marks::None, context_.sink),
-                i);
+    report(graphic::find_hazards(lowered->origin), where);
+    set_lowered(*lowered, pou.variables.size(),
+                to_graphic(chart, Marks::None, context_.sources, context_.sink), i);
   }
 }
 
@@ -138,6 +155,7 @@ void PouLowering::add_pou(const graphic::Pou& pou) {
   if (!std::holds_alternative<graphic::SfcChart>(pou.body)) return;
   auto lowered = lowering::lower_sfc(pou);
   if (!lowered) return report(std::move(lowered.error()), {header, 0});
+  report(graphic::find_hazards(lowered->origin), {header, 0});
   set_lowered(*lowered, pou.variables.size(), std::get<graphic::SfcChart>(pou.body), unit_.pous.size() - 1);
 }
 

@@ -35,6 +35,7 @@ class PouLowering {
   void add_pou(const graphic::Pou& pou);
   void add_declarations(const std::string& file, const std::string& text, syntax::PouDeclaration& pou);
   void set_ladder(const graphic::LadderProgram& ladder, const std::string& file, syntax::PouDeclaration& pou);
+  std::string type_name(syntax::Name name) const;
   graphic::Pou with_chart(const syntax::PouDeclaration& pou) const;
   void set_lowered(const graphic::Pou& lowered, std::size_t known_variables, graphic::SfcChart origin,
                    std::size_t index);

@@ -7,6 +7,9 @@
 // none), every transition has a source and a target, all of them exist. Simultaneous divergence = several
 // targets, convergence = several sources; alternative branches = several transitions with a common source,
 // tested in the order of `priority`, then of the list.
+//
+// `where` of a part is its place in the file that it was read from; empty for a chart that was made by
+// program.
 
 #include <cstdint>
 #include <optional>
@@ -36,7 +39,8 @@ struct ActionBlock {
   Qualifier qualifier = Qualifier::N;
   std::string target;
   std::string duration{};   // an ST TIME literal or variable ("T#2s"), empty if the qualifier takes none
-  std::string indicator{};  // optional indicator variable
+  std::string indicator{};  // optional indicator variable; several with ", " between them
+  result::Location where{};
 };
 
 struct Step {
@@ -45,6 +49,7 @@ struct Step {
   std::vector<ActionBlock> actions;
   std::string comment;  // for a planned step: the plan's action, e.g. "(load v1 f1 level8)"
   std::optional<Point> layout;
+  result::Location where{};
 };
 
 struct Transition {
@@ -55,22 +60,27 @@ struct Transition {
   int priority = 0;  // smaller first; 0 = by position
   std::string comment;
   std::optional<Point> layout;
+  result::Location where{};
 };
 
 // An action with a body in ST (a list of statements).
 struct Action {
   std::string name;
   std::string st_body;
+  result::Location where{};
 };
 
 struct SfcChart {
   std::vector<Step> steps;
   std::vector<Transition> transitions;
   std::vector<Action> actions;
+  // Table 45a: action control with (true) or without (false) final scan: an action with a body runs once
+  // more, with its flag Q FALSE, in the scan after which it became inactive.
+  bool final_scan = false;
 };
 
-// Every broken invariant as a diagnostic that names the step or transition; no errors if the chart is sound.
-// A step that no token can reach is a warning.
+// Every broken invariant as a diagnostic that names the step or transition and has its place; empty if the
+// chart is sound. What a sound chart may do that it should not is the business of sfc_hazards.h.
 [[nodiscard]] result::Diagnostics check(const SfcChart& chart);
 
 // "N", "P1", ... and back (nullopt for anything else).

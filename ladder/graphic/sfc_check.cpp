@@ -9,7 +9,6 @@ namespace stepwright::graphic {
 namespace {
 
 using result::Diagnostics;
-using result::Severity;
 
 class Checker {
  public:
@@ -19,15 +18,12 @@ class Checker {
     steps();
     actions();
     for (std::size_t i = 0; i < chart_.transitions.size(); ++i) transition(i);
-    // What can be reached is only a question for a chart whose ids are sound.
-    if (!result::has_errors(found_)) reachable();
     return std::move(found_);
   }
 
  private:
-  void add(const char* code, std::string message, std::string hint = {},
-           Severity severity = Severity::Error) {
-    found_.push_back({code, severity, {}, std::move(message), std::move(hint)});
+  void add(const char* code, const result::Location& where, std::string message, std::string hint = {}) {
+    found_.push_back({code, result::Severity::Error, where, std::move(message), std::move(hint)});
   }
 
   std::string step_name(std::size_t index) const {
@@ -47,25 +43,28 @@ class Checker {
       const Step& step = chart_.steps[i];
       initial = initial || step.initial;
       if (!is_identifier(step.name) || is_keyword(step.name)) {
-        add("E0502", step_name(i) + " has no legal name",
+        add("E0711", step.where, step_name(i) + " has no legal name",
             "a name is a letter, then letters, digits and single underscores, and no keyword");
       } else if (!names.insert(step.name)) {
-        add("E0503", "two steps have the name '" + step.name + "'", "names are case-insensitive");
+        add("E0712", step.where, "two steps have the name '" + step.name + "'", "names are case-insensitive");
       }
       for (const ActionBlock& block : step.actions) action_block(i, block);
     }
-    if (!initial) add("E0501", "the chart has no initial step", "mark the step that is active at the start");
+    if (!initial)
+      add("E0710", {}, "the chart has no initial step", "mark the step that is active at the start");
   }
 
   void action_block(std::size_t step, const ActionBlock& block) {
     const std::string place = std::string("action block ") + to_string(block.qualifier) + " '" +
                               block.target + "' of " + step_name(step);
-    if (block.target.empty()) add("E0504", place + " drives nothing", "name a BOOL variable or an action");
+    if (block.target.empty())
+      add("E0713", block.where, place + " drives nothing", "name a BOOL variable or an action");
     if (needs_duration(block.qualifier) && block.duration.empty()) {
-      add("E0505", place + " has no duration", "L, D, SD, DS and SL take one, such as T#2s");
+      add("E0714", block.where, place + " has no duration", "L, D, SD, DS and SL take one, such as T#2s");
     }
     if (!needs_duration(block.qualifier) && !block.duration.empty()) {
-      add("E0506", place + " has the duration '" + block.duration + "' that its qualifier does not take",
+      add("E0715", block.where,
+          place + " has the duration '" + block.duration + "' that its qualifier does not take",
           "remove it, or use L, D, SD, DS or SL");
     }
   }
@@ -74,9 +73,10 @@ class Checker {
     NameSet names;
     for (const Action& action : chart_.actions) {
       if (!is_identifier(action.name) || is_keyword(action.name)) {
-        add("E0502", "action '" + action.name + "' has no legal name");
+        add("E0711", action.where, "action '" + action.name + "' has no legal name");
       } else if (!names.insert(action.name)) {
-        add("E0503", "two actions have the name '" + action.name + "'", "names are case-insensitive");
+        add("E0712", action.where, "two actions have the name '" + action.name + "'",
+            "names are case-insensitive");
       }
     }
   }
@@ -86,64 +86,43 @@ class Checker {
     const std::string place = transition_name(index);
     if (!transition.name.empty()) {
       if (!is_identifier(transition.name) || is_keyword(transition.name)) {
-        add("E0502", place + " has no legal name");
+        add("E0711", transition.where, place + " has no legal name");
       } else if (!transition_names_.insert(transition.name)) {
-        add("E0503", "two transitions have the name '" + transition.name + "'", "names are case-insensitive");
+        add("E0712", transition.where, "two transitions have the name '" + transition.name + "'",
+            "names are case-insensitive");
       }
     }
-    ends(place, "source", transition.sources);
-    ends(place, "target", transition.targets);
-    condition(place, transition.condition);
+    ends(transition, place, "source", transition.sources);
+    ends(transition, place, "target", transition.targets);
+    condition(transition, place, transition.condition);
   }
 
-  void ends(const std::string& place, const char* what, const std::vector<StepId>& ids) {
-    if (ids.empty()) add("E0507", place + " has no " + what + " step");
+  void ends(const Transition& owner, const std::string& place, const char* what,
+            const std::vector<StepId>& ids) {
+    if (ids.empty()) add("E0716", owner.where, place + " has no " + what + " step");
     for (std::size_t i = 0; i < ids.size(); ++i) {
       if (ids[i].value >= chart_.steps.size()) {
-        add("E0508", place + " has a " + what + " step number " + std::to_string(ids[i].value + 1) +
-                         ", but the chart has " + std::to_string(chart_.steps.size()) + " steps");
+        add("E0717", owner.where,
+            place + " has a " + what + " step number " + std::to_string(ids[i].value + 1) +
+                ", but the chart has " + std::to_string(chart_.steps.size()) + " steps");
       } else if (std::find(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(i), ids[i]) !=
                  ids.begin() + static_cast<std::ptrdiff_t>(i)) {
-        add("E0509", place + " names " + step_name(ids[i].value) + " twice as a " + what);
+        add("E0718", owner.where, place + " names " + step_name(ids[i].value) + " twice as a " + what);
       }
     }
   }
 
-  void condition(const std::string& place, const Condition& node) {
+  void condition(const Transition& owner, const std::string& place, const Condition& node) {
     const bool named = node.kind == ConditionKind::Contact || node.kind == ConditionKind::Comparison ||
                        node.kind == ConditionKind::Expression;
-    if (named && node.name.empty()) add("E0510", "the condition of " + place + " tests nothing");
+    if (named && node.name.empty()) add("E0719", owner.where, "the condition of " + place + " tests nothing");
     if (node.kind == ConditionKind::Comparison && node.operand.empty()) {
-      add("E0510", "the condition of " + place + " compares '" + node.name + "' with nothing");
+      add("E0719", owner.where, "the condition of " + place + " compares '" + node.name + "' with nothing");
     }
     const bool group = node.kind == ConditionKind::All || node.kind == ConditionKind::Any;
-    if (group && node.children.empty()) add("E0510", "the condition of " + place + " has an empty group");
-    for (const Condition& child : node.children) condition(place, child);
-  }
-
-  // IEC 61131-3, 6.7.5: a step that no token can reach is a mistake, though a harmless one. A transition is
-  // taken as passable once all its sources can be active at some time.
-  void reachable() {
-    std::vector<bool> active(chart_.steps.size(), false);
-    for (std::size_t i = 0; i < active.size(); ++i) active[i] = chart_.steps[i].initial;
-    for (bool grown = true; grown;) {
-      grown = false;
-      for (const Transition& transition : chart_.transitions) {
-        const bool enabled = std::all_of(transition.sources.begin(), transition.sources.end(),
-                                         [&](StepId id) { return active[id.value]; });
-        for (const StepId id : transition.targets) {
-          if (!enabled || active[id.value]) continue;
-          active[id.value] = true;
-          grown = true;
-        }
-      }
-    }
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      if (!active[i]) {
-        add("E0511", step_name(i) + " can never become active", "no sequence of transitions leads to it",
-            Severity::Warning);
-      }
-    }
+    if (group && node.children.empty())
+      add("E0719", owner.where, "the condition of " + place + " has an empty group");
+    for (const Condition& child : node.children) condition(owner, place, child);
   }
 
   const SfcChart& chart_;

@@ -1,6 +1,7 @@
 #include "ladder/lowering/sfc_actions.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace stepwright::lowering {
@@ -21,12 +22,15 @@ struct Association {
 struct Target {
   std::string name;
   const graphic::Action* action = nullptr;  // nullptr: a BOOL variable
+  std::size_t action_index = 0;             // of `action` in the chart
   std::vector<Association> associations;
 };
 
 std::vector<Target> targets_of(const graphic::SfcChart& chart) {
   std::vector<Target> bodies;
-  for (const graphic::Action& action : chart.actions) bodies.push_back({action.name, &action, {}});
+  for (std::size_t i = 0; i < chart.actions.size(); ++i) {
+    bodies.push_back({chart.actions[i].name, &chart.actions[i], i, {}});
+  }
   std::vector<Target> all;
   const auto find = [](std::vector<Target>& in, const std::string& name) {
     return std::find_if(in.begin(), in.end(),
@@ -37,7 +41,7 @@ std::vector<Target> targets_of(const graphic::SfcChart& chart) {
       auto found = find(bodies, block.target);
       if (found == bodies.end()) {
         found = find(all, block.target);
-        if (found == all.end()) found = all.insert(all.end(), {block.target, nullptr, {}});
+        if (found == all.end()) found = all.insert(all.end(), {block.target, nullptr, 0, {}});
       }
       found->associations.push_back({StepId(static_cast<std::uint32_t>(i)), &block});
     }
@@ -51,7 +55,8 @@ class ActionControl {
  public:
   ActionControl(SfcLoweringContext& context, const Target& target) : context_(context), target_(target) {}
 
-  void lower() {
+  // The rungs that decide whether the target is active.
+  void control() {
     if (target_.associations.empty()) return;
     for (const Association& a : target_.associations) {
       if (a.block->qualifier == Qualifier::R) resets_.push_back(context_.active(a.step));
@@ -67,7 +72,19 @@ class ActionControl {
       terms_.push_back(graphic::contact(stored));
     }
     for (const Association& a : target_.associations) associate(a);
-    if (!terms_.empty()) drive();
+    drive();
+  }
+
+  // The rung that runs the body.
+  void execute() {
+    if (!runs_) return;
+    graphic::Rung rung;
+    rung.comment = "Action " + target_.name;
+    rung.condition = *runs_;
+    graphic::Block block;
+    block.st_body = context_.rewrite(target_.action->st_body);
+    rung.blocks.push_back(std::move(block));
+    context_.add(std::move(rung));
   }
 
  private:
@@ -94,10 +111,10 @@ class ActionControl {
         break;
       case Qualifier::P:
       case Qualifier::P1:
-        terms_.push_back(graphic::all({context_.active(a.step), graphic::contact(step.was_active, true)}));
+        pulses(a).push_back(graphic::all({context_.active(a.step), graphic::contact(step.was_active, true)}));
         break;
       case Qualifier::P0:
-        terms_.push_back(graphic::all({context_.active(a.step, true), graphic::contact(step.was_active)}));
+        pulses(a).push_back(graphic::all({context_.active(a.step, true), graphic::contact(step.was_active)}));
         break;
       case Qualifier::L:
         terms_.push_back(graphic::all(
@@ -171,36 +188,67 @@ class ActionControl {
     context_.add(std::move(rung));
   }
 
-  void drive() {
-    std::vector<Condition> series{graphic::any(terms_)};
+  // Where the pulse of P, P1 or P0 goes. With final scan P1 and P0 activate a body but not its flag Q
+  // (2.6.4.5, notes 2 and 3); a BOOL variable has Q only.
+  std::vector<Condition>& pulses(const Association& a) {
+    const bool of_flag = a.block->qualifier == Qualifier::P || target_.action == nullptr;
+    return of_flag || !context_.chart().final_scan ? terms_ : activations_;
+  }
+
+  // Any of these and no R block.
+  Condition unless_reset(std::vector<Condition> any) const {
+    std::vector<Condition> series{graphic::any(std::move(any))};
     for (Condition reset : resets_) {
       reset.negated = true;
       series.push_back(std::move(reset));
     }
+    return graphic::all(std::move(series));
+  }
+
+  void drive() {
+    if (terms_.empty() && activations_.empty()) return;
     if (target_.action == nullptr) {
-      coil("Output " + target_.name, graphic::all(std::move(series)), CoilKind::Normal, target_.name);
+      coil("Output " + target_.name, unless_reset(terms_), CoilKind::Normal, target_.name);
       return;
     }
-    graphic::Rung rung;
-    rung.comment = "Action " + target_.name;
-    rung.condition = graphic::all(std::move(series));
-    graphic::Block block;
-    block.st_body = context_.rewrite(target_.action->st_body);
-    rung.blocks.push_back(std::move(block));
-    context_.add(std::move(rung));
+    const ActionVariables& variables = context_.actions()[target_.action_index];
+    if (variables.flag.empty()) {
+      runs_ = unless_reset(terms_);
+      return;
+    }
+    if (!terms_.empty()) {
+      coil("Flag of action " + target_.name, unless_reset(terms_), CoilKind::Normal, variables.flag);
+    }
+    if (context_.chart().final_scan) activate(variables);
+    runs_ = graphic::contact(variables.activation);
+  }
+
+  // A := Q or the falling edge of Q or a pulse: the body runs once more after the action has ended.
+  void activate(const ActionVariables& variables) {
+    std::vector<Condition> any{graphic::contact(variables.flag), graphic::contact(variables.was_active)};
+    if (!activations_.empty()) any.push_back(unless_reset(activations_));
+    coil("Activation of action " + target_.name, graphic::any(std::move(any)), CoilKind::Normal,
+         variables.activation);
+    coil("Remember " + variables.flag, graphic::contact(variables.flag), CoilKind::Normal,
+         variables.was_active);
   }
 
   SfcLoweringContext& context_;
   const Target& target_;
-  std::vector<Condition> terms_;   // any of them makes the action active
-  std::vector<Condition> resets_;  // contacts of the steps with an R block
+  std::vector<Condition> terms_;        // any of them makes the action active
+  std::vector<Condition> activations_;  // any of them runs the body without being its flag
+  std::vector<Condition> resets_;       // contacts of the steps with an R block
+  std::optional<Condition> runs_;       // when the body runs; empty if there is none or nothing runs it
 };
 
 }  // namespace
 
 void lower_actions(SfcLoweringContext& context) {
   const std::vector<Target> targets = targets_of(context.chart());
-  for (const Target& target : targets) ActionControl(context, target).lower();
+  std::vector<ActionControl> controls;
+  for (const Target& target : targets) controls.emplace_back(context, target);
+  for (ActionControl& each : controls) each.control();
+  for (ActionControl& each : controls) each.execute();
 }
 
 }  // namespace stepwright::lowering

@@ -36,6 +36,7 @@ SfcLoweringContext::SfcLoweringContext(const graphic::Pou& pou) : pou_(pou) {
   reserve_names();
   declare_steps();
   declare_transitions();
+  declare_actions();
   pou_.first_scan_variable = declare("SFC_FIRST_SCAN", "BOOL", "TRUE in the first scan", "TRUE");
 }
 
@@ -69,7 +70,7 @@ void SfcLoweringContext::reserve_names() {
 void SfcLoweringContext::declare_steps() {
   std::vector<bool> timed(chart().steps.size(), false);
   for_each_text([&](const std::string& text) {
-    replace_step_flags(text, [&](std::string_view name, char flag) {
+    replace_flags(text, [&](std::string_view name, char flag) {
       for (std::size_t i = 0; i < timed.size(); ++i) {
         if (flag == 'T' && graphic::same_name(chart().steps[i].name, name)) timed[i] = true;
       }
@@ -104,6 +105,40 @@ void SfcLoweringContext::declare_transitions() {
   }
 }
 
+// With final scan every action that a step uses has its flags, otherwise one whose flags are read.
+void SfcLoweringContext::declare_actions() {
+  std::vector<bool> read(chart().actions.size(), false);
+  const auto mark = [&](std::string_view name) {
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      if (graphic::same_name(chart().actions[i].name, name)) read[i] = true;
+    }
+  };
+  for_each_text([&](const std::string& text) {
+    replace_flags(text, [&](std::string_view name, char flag) {
+      if (flag == 'Q' || flag == 'A') mark(name);
+      return std::string();
+    });
+  });
+  for (const graphic::Step& step : chart().steps) {
+    for (const ActionBlock& block : step.actions) {
+      if (chart().final_scan) mark(block.target);
+    }
+  }
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    ActionVariables variables;
+    const std::string& name = chart().actions[i].name;
+    if (read[i]) {
+      variables.flag = declare(name + "_Q", "BOOL", "action " + name + " is active");
+      variables.activation = variables.flag;
+    }
+    if (read[i] && chart().final_scan) {
+      variables.activation = declare(name + "_A", "BOOL", "action " + name + " runs");
+      variables.was_active = declare(name + "_WAS", "BOOL", "action " + name + " was active before");
+    }
+    actions_.push_back(std::move(variables));
+  }
+}
+
 std::string SfcLoweringContext::declare(std::string_view wanted, std::string type, std::string comment,
                                         std::string initial) {
   graphic::Variable variable;
@@ -123,14 +158,21 @@ Condition SfcLoweringContext::fires(std::size_t transition, bool negated) const 
   return graphic::contact(pou_.transition_variables[transition], negated);
 }
 
+// The variable behind `owner.flag`; empty where it is no flag of this chart.
+std::string SfcLoweringContext::variable_of(std::string_view owner, char flag) const {
+  for (std::size_t i = 0; i < chart().steps.size(); ++i) {
+    if (!graphic::same_name(chart().steps[i].name, owner)) continue;
+    return flag == 'X' ? steps_[i].active : flag == 'T' ? steps_[i].elapsed : std::string();
+  }
+  for (std::size_t i = 0; i < chart().actions.size(); ++i) {
+    if (!graphic::same_name(chart().actions[i].name, owner)) continue;
+    return flag == 'Q' ? actions_[i].flag : flag == 'A' ? actions_[i].activation : std::string();
+  }
+  return {};
+}
+
 std::string SfcLoweringContext::rewrite(std::string_view text) const {
-  return replace_step_flags(text, [this](std::string_view name, char flag) {
-    for (std::size_t i = 0; i < chart().steps.size(); ++i) {
-      if (!graphic::same_name(chart().steps[i].name, name)) continue;
-      return flag == 'X' ? steps_[i].active : steps_[i].elapsed;
-    }
-    return std::string();
-  });
+  return replace_flags(text, [this](std::string_view owner, char flag) { return variable_of(owner, flag); });
 }
 
 Condition SfcLoweringContext::rewrite(Condition condition) const {

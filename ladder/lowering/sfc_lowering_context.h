@@ -21,6 +21,13 @@ struct StepVariables {
   std::string was_active;  // BOOL, S.X at the end of the scan before
 };
 
+// The generated variables of one action with a body; empty where the chart does not need it.
+struct ActionVariables {
+  std::string flag;        // BOOL, A.Q: the output Q of its action control
+  std::string activation;  // BOOL, A.A: the body runs; without final scan the same as `flag`
+  std::string was_active;  // BOOL, A.Q in the scan before, with final scan only
+};
+
 class SfcLoweringContext {
  public:
   // Reserves every name that `pou` uses and declares the step and transition bits and what they need. The
@@ -29,6 +36,8 @@ class SfcLoweringContext {
 
   const graphic::SfcChart& chart() const { return pou_.origin; }
   const std::vector<StepVariables>& steps() const { return steps_; }
+  // In the order of the chart's actions.
+  const std::vector<ActionVariables>& actions() const { return actions_; }
   graphic::Condition active(graphic::StepId step, bool negated = false) const;
   graphic::Condition fires(std::size_t transition, bool negated = false) const;
   const std::string& clock_timer() const { return clock_timer_; }
@@ -39,7 +48,7 @@ class SfcLoweringContext {
   std::string declare(std::string_view wanted, std::string type, std::string comment,
                       std::string initial = {});
 
-  // The text with step flags replaced by their variables.
+  // The text with the flags of steps and actions replaced by their variables.
   std::string rewrite(std::string_view text) const;
   graphic::Condition rewrite(graphic::Condition condition) const;
 
@@ -51,12 +60,15 @@ class SfcLoweringContext {
   void reserve_names();
   void declare_steps();
   void declare_transitions();
+  void declare_actions();
+  std::string variable_of(std::string_view owner, char flag) const;
   template <typename Visit>
   void for_each_text(Visit visit) const;
 
   graphic::Pou pou_;
   graphic::NameSet names_;
   std::vector<StepVariables> steps_;
+  std::vector<ActionVariables> actions_;
   std::vector<graphic::Rung> rungs_;
   std::string clock_timer_;
   std::string now_;

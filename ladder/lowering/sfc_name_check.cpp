@@ -1,6 +1,7 @@
 #include "ladder/lowering/sfc_name_check.h"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include "ladder/graphic/identifier.h"
@@ -29,27 +30,50 @@ class TargetChecker {
   Diagnostics run() {
     for (const graphic::Step& step : chart_.steps) {
       if (find(pou_.variables, step.name) != nullptr) {
-        add("E0521", "step '" + step.name + "' has the name of a variable", "rename one of them");
+        add("E0721", step.where, "step '" + step.name + "' has the name of a variable", "rename one of them");
       }
-      for (const graphic::ActionBlock& block : step.actions) target(step, block);
-    }
-    for (const graphic::Action& action : chart_.actions) {
-      if (find(pou_.variables, action.name) != nullptr) {
-        add("E0521", "action '" + action.name + "' has the name of a variable", "rename one of them");
+      for (const graphic::ActionBlock& block : step.actions) {
+        target(step, block);
+        indicators(step, block);
       }
-      for_each_identifier(action.st_body, [&](std::string_view name) {
-        if (graphic::same_name(name, "RETURN")) {
-          add("E0524", "RETURN in action '" + action.name + "' would leave the whole chart",
-              "use IF around the rest of the action");
-        }
-      });
     }
+    for (const graphic::Action& each : chart_.actions) action(each);
     return std::move(found_);
   }
 
  private:
-  void add(const char* code, std::string message, std::string hint) {
-    found_.push_back({code, result::Severity::Error, {}, std::move(message), std::move(hint)});
+  void add(const char* code, const result::Location& where, std::string message, std::string hint) {
+    found_.push_back({code, result::Severity::Error, where, std::move(message), std::move(hint)});
+  }
+
+  void action(const graphic::Action& action) {
+    if (find(pou_.variables, action.name) != nullptr) {
+      add("E0721", action.where, "action '" + action.name + "' has the name of a variable",
+          "rename one of them");
+    }
+    for_each_identifier(action.st_body, [&](std::string_view name) {
+      if (graphic::same_name(name, "RETURN")) {
+        add("E0724", action.where, "RETURN in action '" + action.name + "' would leave the whole chart",
+            "use IF around the rest of the action");
+      }
+    });
+    for_each_written_flag(action.st_body, [&](std::string_view owner, char flag) {
+      if (!has_flag(owner, flag)) return;
+      add("E0726", action.where,
+          "action '" + action.name + "' writes the flag " + std::string(owner) + "." + flag,
+          "flags of steps and actions are read-only; transitions move the tokens");
+    });
+  }
+
+  bool has_flag(std::string_view owner, char flag) const {
+    const auto named = [&](const auto& each) { return graphic::same_name(each.name, owner); };
+    return flag == 'X' || flag == 'T' ? std::any_of(chart_.steps.begin(), chart_.steps.end(), named)
+                                      : std::any_of(chart_.actions.begin(), chart_.actions.end(), named);
+  }
+
+  const Variable* variable_of(const std::string& name) const {
+    const Variable* variable = find(pou_.variables, name);
+    return variable == nullptr && globals_ != nullptr ? find(*globals_, name) : variable;
   }
 
   void target(const graphic::Step& step, const graphic::ActionBlock& block) {
@@ -58,14 +82,34 @@ class TargetChecker {
     });
     // The type of `motor.run` or `%QX0.0` is the compiler's business.
     if (is_action || !graphic::is_identifier(block.target)) return;
-    const Variable* variable = find(pou_.variables, block.target);
-    if (variable == nullptr && globals_ != nullptr) variable = find(*globals_, block.target);
+    const Variable* variable = variable_of(block.target);
     const std::string place = "target '" + block.target + "' of step '" + step.name + "'";
     if (variable == nullptr && globals_ != nullptr) {
-      add("E0523", place + " is neither a variable nor an action", "declare it, or correct the name");
+      add("E0723", block.where, place + " is neither a variable nor an action",
+          "declare it, or correct the name");
     } else if (variable != nullptr && !graphic::same_name(variable->type, "BOOL")) {
-      add("E0522", place + " is a " + variable->type + ", not a BOOL",
+      add("E0722", block.where, place + " is a " + variable->type + ", not a BOOL",
           "an action block drives a BOOL variable; give the chart an action with a body for anything else");
+    }
+  }
+
+  void indicators(const graphic::Step& step, const graphic::ActionBlock& block) {
+    if (globals_ == nullptr) return;
+    std::string name;
+    bool begins = true;  // the first name of a path: "motor" of "motor.fault"
+    for (const char c : block.indicator + ",") {
+      const bool in_name = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+      if (in_name && begins) name += c;
+      if (!in_name && c != ' ') begins = false;
+      if (c != ',') continue;
+      if (graphic::is_identifier(name) && variable_of(name) == nullptr) {
+        add("E0725", block.where,
+            "indicator '" + name + "' of action '" + block.target + "' of step '" + step.name +
+                "' is not declared",
+            "an indicator is a variable that shows what the action does");
+      }
+      name.clear();
+      begins = true;
     }
   }
 

@@ -10,8 +10,8 @@
 
 namespace stepwright::lowering {
 
-// E0521 to E0524, see sfc_to_ladder.h. `globals` may be null: then an undeclared target passes, because it
-// may be a global. Requires a body that holds a sound chart.
+// E0721 to E0726, see sfc_to_ladder.h. `globals` may be null: then an undeclared target or
+// indicator passes, because it may be a global. Requires a body that holds a sound chart.
 [[nodiscard]] result::Diagnostics check_names(const graphic::Pou& pou,
                                               const std::vector<graphic::Variable>* globals);
 

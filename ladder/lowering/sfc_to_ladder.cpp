@@ -174,6 +174,10 @@ result::Result<Pou> lower_sfc(const Pou& pou) {
   return lower(pou, nullptr);
 }
 
+result::Result<Pou> lower_sfc(const Pou& pou, const std::vector<graphic::Variable>& globals) {
+  return lower(pou, &globals);
+}
+
 result::Result<graphic::Project> lower_sfc(const graphic::Project& project) {
   graphic::Project lowered = project;
   for (Pou& pou : lowered.pous) {

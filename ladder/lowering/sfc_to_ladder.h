@@ -12,21 +12,28 @@
 //   std::get<graphic::LadderProgram>(ladder->body).rungs     // what the compiler takes
 //   ladder->step_variables[i]                                // BOOL variable of chart.steps[i]: "LOAD_X"
 
+#include <vector>
+
 #include "ladder/graphic/project.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::lowering {
 
 // Generated variables of step S: `S_X` (active), `S_T` (elapsed time, only if some text uses `S.T`); of
-// transition T: `T_FIRES` (`TRANS<i>_FIRES` if it has no name); the rest is listed in sfc_semantics.md.
-// `<step>.X` and `<step>.T` in conditions, durations and action bodies become these variables.
-// Requires a body that holds a chart. Fails with the errors of graphic::check, with E0521 if a step or an
-// action has the name of a variable, E0522 if an action block's target is not BOOL, E0524 if an action's body
-// holds RETURN.
+// transition T: `T_FIRES` (`TRANS<i>_FIRES` if it has no name); of action A with a body: `A_Q`, `A_A` where
+// its flags are needed; the rest is listed in sfc_semantics.md.
+// `<step>.X` and `.T`, `<action>.Q` and `.A` in conditions, durations and action bodies become these
+// variables. Requires a body that holds a chart. Fails with the errors of graphic::check, with E0721 if a
+// step or an action has the name of a variable, E0722 if an action block's target is not BOOL, E0724 if an
+// action's body holds RETURN, E0726 if it writes a flag.
 [[nodiscard]] result::Result<graphic::Pou> lower_sfc(const graphic::Pou& pou);
 
-// Every POU that holds a chart lowered, the others unchanged; all or nothing. Also checks the targets of
-// action blocks against the globals of the project (E0523: neither a variable nor an action).
+// The same where every name of the POU is in its variables or in `globals`: a target of an action block that
+// is neither a variable nor an action is E0723, an indicator that is not declared E0725.
+[[nodiscard]] result::Result<graphic::Pou> lower_sfc(const graphic::Pou& pou,
+                                                     const std::vector<graphic::Variable>& globals);
+
+// Every POU that holds a chart lowered, the others unchanged; all or nothing.
 [[nodiscard]] result::Result<graphic::Project> lower_sfc(const graphic::Project& project);
 
 }  // namespace stepwright::lowering

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <vector>
 
 namespace stepwright::lowering {
 namespace {
@@ -49,6 +50,10 @@ class Walker {
   std::string_view lexeme() const { return text_.substr(begin_, end_ - begin_); }
   bool is_identifier() const { return identifier_; }
   bool is_space() const { return std::isspace(static_cast<unsigned char>(text_[begin_])) != 0; }
+  // Space or comment.
+  bool is_blank() const {
+    return is_space() || text_.substr(begin_, 2) == "(*" || text_.substr(begin_, 2) == "//";
+  }
 
  private:
   template <typename Belongs>
@@ -77,6 +82,13 @@ class Walker {
   bool identifier_ = false;
 };
 
+// 'X' for "X" and "x"; 0 for what is no flag of a step or an action.
+char flag_letter(std::string_view word) {
+  if (word.size() != 1) return 0;
+  const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
+  return letter == 'X' || letter == 'T' || letter == 'Q' || letter == 'A' ? letter : '\0';
+}
+
 }  // namespace
 
 void for_each_identifier(std::string_view text, const std::function<void(std::string_view)>& visit) {
@@ -85,19 +97,18 @@ void for_each_identifier(std::string_view text, const std::function<void(std::st
   }
 }
 
-std::string replace_step_flags(std::string_view text,
-                               const std::function<std::string(std::string_view, char)>& flag) {
+std::string replace_flags(std::string_view text,
+                          const std::function<std::string(std::string_view, char)>& flag) {
   std::string result;
-  std::string_view name;        // an identifier that may be the step of a flag
+  std::string_view name;        // an identifier that may be the owner of a flag
   std::size_t name_begin = 0;   // where it starts in `result`
   bool dot_after_name = false;  // `name` and a dot have just been copied
   bool after_dot = false;
   for (Walker walker(text); walker.next();) {
     const std::string_view lexeme = walker.lexeme();
-    const bool is_x = lexeme == "X" || lexeme == "x";
-    const bool is_t = lexeme == "T" || lexeme == "t";
-    if (dot_after_name && walker.is_identifier() && (is_x || is_t)) {
-      const std::string replacement = flag(name, is_x ? 'X' : 'T');
+    if (dot_after_name && walker.is_identifier()) {
+      const char letter = flag_letter(lexeme);
+      const std::string replacement = letter == 0 ? "" : flag(name, letter);
       if (!replacement.empty()) {
         result.resize(name_begin);
         result += replacement;
@@ -120,6 +131,20 @@ std::string replace_step_flags(std::string_view text,
     result += lexeme;
   }
   return result;
+}
+
+void for_each_written_flag(std::string_view text, const std::function<void(std::string_view, char)>& visit) {
+  std::vector<std::string_view> lexemes;
+  for (Walker walker(text); walker.next();) {
+    if (!walker.is_blank()) lexemes.push_back(walker.lexeme());
+  }
+  const auto at = [&](std::size_t i) { return i < lexemes.size() ? lexemes[i] : std::string_view(); };
+  for (std::size_t i = 0; i + 2 < lexemes.size(); ++i) {
+    if (at(i + 1) != "." || flag_letter(at(i + 2)) == 0) continue;
+    const bool assigned = at(i + 3) == ":" && at(i + 4) == "=";
+    const bool output = i >= 2 && at(i - 2) == "=" && at(i - 1) == ">";
+    if ((assigned || output) && (i == 0 || at(i - 1) != ".")) visit(at(i), flag_letter(at(i + 2)));
+  }
 }
 
 }  // namespace stepwright::lowering

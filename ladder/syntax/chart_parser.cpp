@@ -5,7 +5,8 @@
 namespace stepwright::syntax::internal {
 
 bool Parser::at_chart() const {
-  return at(Keyword::InitialStep) || at(Keyword::Step) || at(Keyword::Transition) || at(Keyword::Action);
+  return at(Keyword::InitialStep) || at(Keyword::Step) || at(Keyword::Transition) || at(Keyword::Action) ||
+         at(Keyword::FinalScan);
 }
 
 Chart Parser::chart(Keyword end) {
@@ -17,6 +18,8 @@ Chart Parser::chart(Keyword end) {
       result.transitions.push_back(transition());
     } else if (at(Keyword::Action)) {
       result.actions.push_back(action());
+    } else if (accept(Keyword::FinalScan)) {
+      result.final_scan = true;
     } else if (!accept(TokenKind::Semicolon)) {
       unexpected("STEP, TRANSITION or ACTION");
       advance();
@@ -41,26 +44,33 @@ StepDeclaration Parser::step() {
   return result;
 }
 
-// name(qualifier, duration, indicator)
+namespace {
+
+// Table 45: the second argument of an action block is its duration, or an indicator already.
+bool takes_duration(std::string_view qualifier) {
+  const std::string folded = source::upper(qualifier);
+  return folded == "L" || folded == "D" || folded == "SD" || folded == "DS" || folded == "SL";
+}
+
+}  // namespace
+
+// name(qualifier, duration, indicator, ...)
 ActionUse Parser::action_use() {
   ActionUse result;
   result.action = *expect_name("the name of an action");
   if (!accept(TokenKind::LeftParen)) return result;
-  if (at(TokenKind::Identifier) && (peek(1).is(TokenKind::RightParen) || peek(1).is(TokenKind::Comma))) {
+  const bool qualified = at(TokenKind::Identifier) && !peek(1).is(TokenKind::Dot);
+  if (qualified) {
     result.qualifier = peek().text;
     result.qualifier_where = advance().where;
-    if (accept(TokenKind::Comma)) {
-      if (at(TokenKind::Time) || at(TokenKind::Identifier)) {
-        result.duration = advance().text;
+    if (takes_duration(result.qualifier) && accept(TokenKind::Comma))
+      result.duration = action_argument("a duration");
+    while (accept(TokenKind::Comma)) {
+      // Where none belongs it is kept, for a diagnostic that says so.
+      if (at(TokenKind::Time)) {
+        result.duration = action_argument("a duration");
       } else {
-        unexpected("a duration");
-      }
-    }
-    if (accept(TokenKind::Comma)) {
-      if (at(TokenKind::Identifier)) {
-        result.indicator = advance().text;
-      } else {
-        unexpected("the indicator variable");
+        result.indicators.push_back(action_argument("the indicator variable"));
       }
     }
   } else if (!at(TokenKind::RightParen)) {
@@ -70,34 +80,78 @@ ActionUse Parser::action_use() {
   return result;
 }
 
+// A duration literal, or a variable and its members: "T#2s", "delay", "settings.delay".
+TextSlice Parser::action_argument(const char* what) {
+  TextSlice slice;
+  slice.where = peek().where;
+  if (!at(TokenKind::Time) && !at(TokenKind::Identifier)) {
+    unexpected(what);
+    return slice;
+  }
+  const char* begin = peek().text.data();
+  const bool variable = at(TokenKind::Identifier);
+  std::string_view last = advance().text;
+  while (variable && at(TokenKind::Dot) && peek(1).is(TokenKind::Identifier)) {
+    advance();
+    last = advance().text;
+  }
+  slice.text = std::string_view(begin, static_cast<std::size_t>(last.data() + last.size() - begin));
+  return slice;
+}
+
 // TRANSITION name (PRIORITY := 1) FROM a TO (b, c) := condition; END_TRANSITION
 TransitionDeclaration Parser::transition() {
   TransitionDeclaration result;
   const Token& open = advance();
   result.where = open.where;
   if (at(TokenKind::Identifier)) result.name = expect_name("the name of the transition");
-  if (accept(TokenKind::LeftParen)) {
-    const auto word = expect_name("PRIORITY");
-    if (word && expect(TokenKind::Assign, "behind PRIORITY")) {
-      if (at(TokenKind::Integer)) {
-        result.priority = advance().integer;
-      } else {
-        unexpected("a number");
-      }
-    }
-    expect(TokenKind::RightParen, "behind the priority");
-  }
+  if (accept(TokenKind::LeftParen)) result.priority = transition_priority();
   if (expect(Keyword::From, "in the transition")) result.sources = step_list();
   if (expect(Keyword::To, "behind the steps before the transition")) result.targets = step_list();
-  if (expect(TokenKind::Assign, "before the condition")) {
-    result.condition = slice_until(TokenKind::Semicolon);
-    expect(TokenKind::Semicolon, "behind the condition");
-  } else {
-    slice_until(Keyword::EndTransition);
-  }
+  transition_condition(result);
   expect_end(Keyword::EndTransition, open);
   accept(TokenKind::Semicolon);
   return result;
+}
+
+// PRIORITY := 1)
+std::optional<std::uint64_t> Parser::transition_priority() {
+  std::optional<std::uint64_t> priority;
+  const auto word = expect_name("PRIORITY");
+  if (word && source::upper(word->text) != "PRIORITY") {
+    context_.sink.error(source::code::kUnexpectedToken, word->where, "expected PRIORITY in the transition",
+                        "write TRANSITION name (PRIORITY := 1) FROM ...");
+  }
+  if (word && expect(TokenKind::Assign, "behind PRIORITY")) {
+    if (!at(TokenKind::Integer)) {
+      unexpected("a number");
+    } else if (peek().integer > 0xFFFF) {
+      context_.sink.error(source::code::kBadChart, peek().where, "a priority is a number from 0 to 65535",
+                          "the smaller number goes first");
+      advance();
+    } else {
+      priority = advance().integer;
+    }
+  }
+  expect(TokenKind::RightParen, "behind the priority");
+  return priority;
+}
+
+void Parser::transition_condition(TransitionDeclaration& result) {
+  if (at(TokenKind::Colon)) {
+    context_.sink.error(source::code::kNotSupported, advance().where,
+                        "a condition that is a diagram or an instruction list has no form in this text",
+                        "write ':=' and an ST expression; drawn conditions come with a PLCopen XML file");
+    slice_until(Keyword::EndTransition);
+    return;
+  }
+  if (!expect(TokenKind::Assign, "before the condition")) {
+    slice_until(Keyword::EndTransition);
+    return;
+  }
+  if (at(TokenKind::Semicolon)) unexpected("a condition");
+  result.condition = slice_until(TokenKind::Semicolon);
+  expect(TokenKind::Semicolon, "behind the condition");
 }
 
 std::vector<Name> Parser::step_list() {

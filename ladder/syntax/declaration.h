@@ -62,25 +62,25 @@ struct TypeDeclaration {
   ExpressionPtr initial;  // default of the type; may be null
 };
 
+// A piece of a source, copied into a generated text with a mark of where it came from.
+struct TextSlice {
+  std::string_view text;
+  source::Position where;
+};
+
 // Textual SFC (2.6). Expressions and bodies keep their text too: charts carry ST as text.
 struct ActionUse {
   Name action;
   std::string_view qualifier;  // empty = N
   source::Position qualifier_where;
-  std::string_view duration;   // empty if none
-  std::string_view indicator;  // empty if none
+  TextSlice duration;                 // empty if none
+  std::vector<TextSlice> indicators;  // variables
 };
 
 struct StepDeclaration {
   Name name;
   bool initial = false;
   std::vector<ActionUse> actions;
-};
-
-// A piece of a source, copied into a generated text with a mark of where it came from.
-struct TextSlice {
-  std::string_view text;
-  source::Position where;
 };
 
 struct TransitionDeclaration {
@@ -101,6 +101,7 @@ struct Chart {
   std::vector<StepDeclaration> steps;
   std::vector<TransitionDeclaration> transitions;
   std::vector<ActionDeclaration> actions;
+  bool final_scan = false;  // {sfc_final_scan}
 };
 
 enum class PouKind : std::uint8_t { Program, FunctionBlock, Function };

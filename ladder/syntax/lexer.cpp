@@ -122,7 +122,7 @@ class Lexer {
         const std::size_t end = text_.find('\n', at_);
         at_ = end == std::string_view::npos ? text_.size() : end;
       } else if (c == '{') {
-        skip_pragma();
+        pragma();
       } else {
         return;
       }
@@ -149,7 +149,8 @@ class Lexer {
     push(TokenKind::Bad);
   }
 
-  void skip_pragma() {
+  // A pragma that means something to the parser becomes a token, any other one is skipped (6.2).
+  void pragma() {
     start_ = at_;
     const std::size_t end = text_.find('}', at_);
     if (end == std::string_view::npos) {
@@ -162,6 +163,8 @@ class Lexer {
     at_ = end + 1;
     if (kind_ == TextKind::Generated && !inside.empty() && inside.front() == '@')
       map_source(inside.substr(1));
+    if (source::upper(text_.substr(start_, at_ - start_)) == to_string(Keyword::FinalScan))
+      push(TokenKind::Keyword).keyword = Keyword::FinalScan;
   }
 
   void map_source(std::string_view target) {

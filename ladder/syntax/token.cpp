@@ -75,6 +75,7 @@ constexpr std::array kKeywords = {
     "XOR",
     "NOT",
     "MOD",
+    "{SFC_FINAL_SCAN}",
     "INITIAL_STEP",
     "STEP",
     "END_STEP",

@@ -121,6 +121,7 @@ enum class Keyword : std::uint8_t {
   Xor,
   Not,
   Mod,
+  FinalScan,  // the pragma {sfc_final_scan}
   InitialStep,
   Step,
   EndStep,

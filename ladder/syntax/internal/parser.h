@@ -134,7 +134,10 @@ class Parser {
   Chart chart(Keyword end);
   StepDeclaration step();
   ActionUse action_use();
+  TextSlice action_argument(const char* what);
   TransitionDeclaration transition();
+  std::optional<std::uint64_t> transition_priority();
+  void transition_condition(TransitionDeclaration& result);
   std::vector<Name> step_list();
   ActionDeclaration action();
   // From the cursor to before the given token; `until` is not passed.

@@ -31,30 +31,30 @@ TEST_P(SfcCheckFault, WhenInvariantIsBroken_ThenTheDiagnosticNamesThePlace) {
 INSTANTIATE_TEST_SUITE_P(
     Faults, SfcCheckFault,
     ::testing::Values(
-        Fault{"E0501", "no initial step", [](SfcChart& c) { c.steps[0].initial = false; }},
-        Fault{"E0502", "step 'a b'", [](SfcChart& c) { c.steps[1].name = "a b"; }},
-        Fault{"E0502", "step number 2", [](SfcChart& c) { c.steps[1].name.clear(); }},
-        Fault{"E0502", "transition 'IF'", [](SfcChart& c) { c.transitions[1].name = "IF"; }},
-        Fault{"E0503", "two steps have the name 's00_start'",
+        Fault{"E0710", "no initial step", [](SfcChart& c) { c.steps[0].initial = false; }},
+        Fault{"E0711", "step 'a b'", [](SfcChart& c) { c.steps[1].name = "a b"; }},
+        Fault{"E0711", "step number 2", [](SfcChart& c) { c.steps[1].name.clear(); }},
+        Fault{"E0711", "transition 'IF'", [](SfcChart& c) { c.transitions[1].name = "IF"; }},
+        Fault{"E0712", "two steps have the name 's00_start'",
               [](SfcChart& c) { c.steps[1].name = "s00_start"; }},
-        Fault{"E0503", "two transitions have the name 'T00'",
+        Fault{"E0712", "two transitions have the name 'T00'",
               [](SfcChart& c) { c.transitions[1].name = "T00"; }},
-        Fault{"E0504", "action block N '' of step 'S01_LOAD'",
+        Fault{"E0713", "action block N '' of step 'S01_LOAD'",
               [](SfcChart& c) { c.steps[1].actions[0].target.clear(); }},
-        Fault{"E0505", "action block L 'B1' of step 'S01_LOAD'",
+        Fault{"E0714", "action block L 'B1' of step 'S01_LOAD'",
               [](SfcChart& c) { c.steps[1].actions[0].qualifier = Qualifier::L; }},
-        Fault{"E0506", "duration 'T#1s'", [](SfcChart& c) { c.steps[1].actions[0].duration = "T#1s"; }},
-        Fault{"E0507", "transition 'T01' has no source",
+        Fault{"E0715", "duration 'T#1s'", [](SfcChart& c) { c.steps[1].actions[0].duration = "T#1s"; }},
+        Fault{"E0716", "transition 'T01' has no source",
               [](SfcChart& c) { c.transitions[1].sources.clear(); }},
-        Fault{"E0507", "transition 'T01' has no target",
+        Fault{"E0716", "transition 'T01' has no target",
               [](SfcChart& c) { c.transitions[1].targets.clear(); }},
-        Fault{"E0508", "target step number 100",
+        Fault{"E0717", "target step number 100",
               [](SfcChart& c) { c.transitions[1].targets[0] = StepId(99); }},
-        Fault{"E0509", "transition 'T01' names step 'S02_MOVE' twice",
+        Fault{"E0718", "transition 'T01' names step 'S02_MOVE' twice",
               [](SfcChart& c) { c.transitions[1].targets.push_back(c.transitions[1].targets[0]); }},
-        Fault{"E0510", "compares 'S1' with nothing",
+        Fault{"E0719", "compares 'S1' with nothing",
               [](SfcChart& c) { c.transitions[1].condition.operand.clear(); }},
-        Fault{"E0510", "transition 'T02' tests nothing",
+        Fault{"E0719", "transition 'T02' tests nothing",
               [](SfcChart& c) { c.transitions[2].condition.name.clear(); }}));
 
 TEST(SfcCheck, WhenChartIsSound_ThenNothingIsFound) {
@@ -64,13 +64,14 @@ TEST(SfcCheck, WhenChartIsSound_ThenNothingIsFound) {
   }
 }
 
-TEST(SfcCheck, WhenStepCannotBeReached_ThenItIsAWarning) {
+TEST(SfcCheck, WhenPartsHaveAPlace_ThenDiagnosticsHaveIt) {
   SfcChart chart = support::sequence_chart();
-  chart.transitions[1].sources.push_back(StepId(4));  // waits for a step that only comes after it
+  chart.transitions[1].where = {"line.st", 12, 3};
+  chart.transitions[1].targets.clear();
   const result::Diagnostics found = check(chart);
-  ASSERT_EQ(found.size(), 3U);
-  EXPECT_FALSE(result::has_errors(found));
-  EXPECT_THAT(found[0].message, HasSubstr("step 'S02_MOVE' can never become active"));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].where.file, "line.st");
+  EXPECT_EQ(found[0].where.line, 12U);
 }
 
 TEST(SfcCheck, WhenQualifierIsWritten_ThenItReadsBack) {

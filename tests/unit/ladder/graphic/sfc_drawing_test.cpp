@@ -48,7 +48,7 @@ TEST(SfcDrawing, WhenChartIsUnsound_ThenItsErrorsAreReturned) {
   ASSERT_FALSE(draw_sfc_svg(chart));
   const result::Result<std::string> text = draw_sfc_text(chart);
   ASSERT_FALSE(text);
-  EXPECT_EQ(text.error()[0].code, "E0508");
+  EXPECT_EQ(text.error()[0].code, "E0717");
 }
 
 TEST(SfcDrawing, WhenBranchesAreSimultaneousAndAlternative_ThenTextShowsDoubleAndSingleLines) {

@@ -164,15 +164,15 @@ TEST(SfcLowering, WhenActionHasABody_ThenItRunsWithTheStepFlagsReplaced) {
 
 TEST(SfcLowering, WhenInputIsWrong_ThenTheDiagnosticNamesStepOrTransition) {
   graphic::SfcChart chart = figure_14();
-  EXPECT_THAT(first_error(pou_of(chart, {"LOAD"})), HasSubstr("E0521: step 'LOAD'"));
+  EXPECT_THAT(first_error(pou_of(chart, {"LOAD"})), HasSubstr("E0721: step 'LOAD'"));
   graphic::Pou pou = pou_of(chart, {});
   pou.variables.push_back({"B1", "INT"});
-  EXPECT_THAT(first_error(pou), HasSubstr("E0522: target 'B1' of step 'LOAD' is a INT"));
+  EXPECT_THAT(first_error(pou), HasSubstr("E0722: target 'B1' of step 'LOAD' is a INT"));
   chart.transitions[1].targets.clear();
   EXPECT_THAT(first_error(pou_of(chart, {})), HasSubstr("transition 'T1' has no target step"));
   chart = figure_14();
   chart.actions = {{"STOP", "IF a THEN return; END_IF"}};
-  EXPECT_THAT(first_error(pou_of(chart, {})), HasSubstr("E0524: RETURN in action 'STOP'"));
+  EXPECT_THAT(first_error(pou_of(chart, {})), HasSubstr("E0724: RETURN in action 'STOP'"));
 }
 
 TEST(SfcLowering, WhenProjectLacksATarget_ThenTheDiagnosticNamesPouAndStep) {
@@ -182,7 +182,7 @@ TEST(SfcLowering, WhenProjectLacksATarget_ThenTheDiagnosticNamesPouAndStep) {
   const result::Result<graphic::Project> lowered = lower_sfc(project);
   ASSERT_FALSE(lowered);
   ASSERT_EQ(lowered.error().size(), 1U);
-  EXPECT_EQ(lowered.error()[0].code, "E0523");
+  EXPECT_EQ(lowered.error()[0].code, "E0723");
   EXPECT_THAT(lowered.error()[0].message, HasSubstr("POU 'main': target 'drive_left' of step 'MOVE'"));
 }
 

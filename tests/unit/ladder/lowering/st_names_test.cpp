@@ -27,13 +27,13 @@ TEST(StNames, WhenCommentOrStringIsOpen_ThenTheTextEnds) {
 }
 
 TEST(StNames, WhenStepFlagIsUsed_ThenItIsReplaced) {
-  EXPECT_EQ(replace_step_flags("IF S1.X AND (S2 . t > T#1s) THEN", mark), "IF <S1X> AND (<S2T> > T#1s) THEN");
+  EXPECT_EQ(replace_flags("IF S1.X AND (S2 . t > T#1s) THEN", mark), "IF <S1X> AND (<S2T> > T#1s) THEN");
 }
 
 TEST(StNames, WhenDottedNameIsNoStepFlag_ThenItStays) {
   for (const char* text :
        {"m.S1.X", "S1.Y", "S1.X1", "q.X", "S1 X", "S1", "S1[2].X", "S1.", "'S1.X'", "(*S1.X*)"}) {
-    EXPECT_EQ(replace_step_flags(text, mark), text);
+    EXPECT_EQ(replace_flags(text, mark), text);
   }
 }
 

@@ -1,0 +1,163 @@
+#include "ladder/graphic/sfc_hazards.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "ladder/graphic/marking_graph.h"
+#include "ladder/graphic/sfc_reach.h"
+#include "ladder/graphic/token_net.h"
+
+namespace stepwright::graphic {
+namespace {
+
+using result::Diagnostics;
+using result::Severity;
+
+constexpr std::size_t kShownSteps = 6;  // of a way to a situation
+
+// The findings of one explored net.
+class Findings {
+ public:
+  Findings(const SfcChart& chart, const TokenNet& net, const MarkingGraph& graph, Diagnostics& out)
+      : chart_(chart), net_(net), graph_(graph), out_(out) {}
+
+  void overruns() {
+    for (const Overrun& each : graph_.overruns) {
+      const Transition& transition = chart_.transitions[origin(each.transition)];
+      add("W0703", transition.where,
+          "step '" + chart_.steps[each.place].name + "' can be entered while it is active (unsafe chart)",
+          way(each.marking, "transition " + label(each.transition) + " enters it a second time") +
+              "; leave simultaneous branches together, by one transition FROM all of them");
+    }
+  }
+
+  void waits() {
+    const std::vector<PlaceSet> leave = places_to_leave(net_, graph_);
+    const std::vector<bool> sound = without_overrun();
+    std::vector<bool> has_exit(net_.places, false);
+    for (const NetTransition& each : net_.transitions) {
+      for (const std::uint32_t place : each.sources) has_exit[place] = true;
+    }
+    std::vector<bool> reported(net_.places, false);
+    for (std::uint32_t m = 0; m < graph_.markings.size(); ++m) {
+      if (!sound[m]) continue;
+      std::vector<std::uint32_t> stuck;
+      bool others = false;
+      bool fresh = false;
+      for (std::uint32_t place = 0; place < net_.places; ++place) {
+        if (!contains(graph_.markings[m], place)) continue;
+        if (has_exit[place] && !contains(leave[m], place)) {
+          stuck.push_back(place);
+          fresh = fresh || !reported[place];
+        } else {
+          others = true;
+        }
+      }
+      if (!fresh) continue;
+      for (const std::uint32_t place : stuck) {
+        if (others && !reported[place]) lost(m, place);
+        reported[place] = true;
+      }
+      if (!others) deadlock(m, stuck);
+    }
+  }
+
+ private:
+  void add(const char* code, const result::Location& where, std::string message, std::string hint) {
+    out_.push_back({code, Severity::Warning, where, std::move(message), std::move(hint)});
+  }
+
+  std::uint32_t origin(std::uint32_t transition) const { return net_.transitions[transition].origin; }
+  std::string label(std::uint32_t transition) const { return transition_label(chart_, origin(transition)); }
+
+  // "after T1, T2, T3 ..."
+  std::string way(std::uint32_t marking, const std::string& then) const {
+    const std::vector<std::uint32_t> path = way_to(graph_, marking);
+    if (path.empty()) return "at the start " + then;
+    std::string text = "for example after ";
+    const std::size_t first = path.size() > kShownSteps ? path.size() - kShownSteps : 0;
+    if (first > 0) text += "..., ";
+    for (std::size_t i = first; i < path.size(); ++i) text += (i > first ? ", " : "") + label(path[i]);
+    return text + " " + then;
+  }
+
+  // Which markings can be met before any step was entered twice: what comes after is no new mistake.
+  std::vector<bool> without_overrun() const {
+    std::vector<bool> sound(graph_.markings.size(), false);
+    std::vector<std::uint32_t> open{0};
+    sound[0] = true;
+    while (!open.empty()) {
+      const std::uint32_t from = open.back();
+      open.pop_back();
+      for (const MarkingEdge& edge : graph_.edges[from]) {
+        if (edge.overrun || sound[edge.to]) continue;
+        sound[edge.to] = true;
+        open.push_back(edge.to);
+      }
+    }
+    return sound;
+  }
+
+  // "transition JOIN waits for 'B'": what a step misses that will never come.
+  std::string missing(std::uint32_t marking, std::uint32_t place) const {
+    for (const NetTransition& each : net_.transitions) {
+      if (!std::binary_search(each.sources.begin(), each.sources.end(), place)) continue;
+      for (const std::uint32_t source : each.sources) {
+        if (contains(graph_.markings[marking], source)) continue;
+        return "transition " + transition_label(chart_, each.origin) + " waits for step '" +
+               chart_.steps[source].name + "'";
+      }
+    }
+    return "nothing leads on";
+  }
+
+  void lost(std::uint32_t marking, std::uint32_t place) {
+    const Step& step = chart_.steps[place];
+    add("W0704", step.where,
+        "a token can be lost: step '" + step.name + "' can stay active for ever while the rest goes on",
+        way(marking, missing(marking, place)) + "; a simultaneous branch must not be left by a part of it");
+  }
+
+  void deadlock(std::uint32_t marking, const std::vector<std::uint32_t>& stuck) {
+    std::string names;
+    for (const std::uint32_t place : stuck)
+      names += (names.empty() ? "'" : ", '") + chart_.steps[place].name + "'";
+    const std::string what = stuck.size() == 1 ? "step " : "steps ";
+    add("W0705", chart_.steps[stuck.front()].where,
+        "deadlock: the chart can stop for ever in " + what + names,
+        way(marking, missing(marking, stuck.front())) +
+            "; a convergence of simultaneous branches needs a divergence that starts all of them");
+  }
+
+  const SfcChart& chart_;
+  const TokenNet& net_;
+  const MarkingGraph& graph_;
+  Diagnostics& out_;
+};
+
+}  // namespace
+
+Diagnostics find_hazards(const SfcChart& chart, const HazardOptions& options) {
+  Diagnostics found;
+  TokenNet net = token_net(chart);
+  MarkingGraph graph = explore(net, options.marking_limit);
+  find_unreachable(chart, net, graph, found);
+  if (!graph.complete) {
+    net = reduced(std::move(net));
+    graph = explore(net, options.marking_limit);
+  }
+  Findings findings(chart, net, graph, found);
+  findings.overruns();
+  if (graph.complete) {
+    findings.waits();
+  } else {
+    found.push_back({"W0706", Severity::Note, chart.steps.front().where,
+                     "the chart has more than " + std::to_string(options.marking_limit) +
+                         " situations; only these were searched for tokens that are lost or doubled",
+                     "nothing found is no proof here"});
+  }
+  return found;
+}
+
+}  // namespace stepwright::graphic
