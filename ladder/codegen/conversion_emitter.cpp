@@ -49,6 +49,8 @@ void ExpressionEmitter::to_real(const Type& from, const Type& to) {
     case Machine::F64:
       if (single) b_.emit(Opcode::F64ToF32);
       return;
+    case Machine::Ref:
+      return;
   }
 }
 
@@ -74,6 +76,8 @@ void ExpressionEmitter::to_integer(const Type& from, const Type& to) {
       if (wide) return;
       b_.emit(Opcode::I64ToI32);
       break;
+    case Machine::Ref:
+      return;
   }
   // Cut off what the target cannot hold; a conversion that widens changes nothing.
   if (!semantics::widens(from, to)) wrap(to);

@@ -19,7 +19,7 @@ void ExpressionEmitter::value(const Value& value, Width width) {
     case ValueKind::Constant:
       return constant(value.constant, *value.type);
     case ValueKind::Load:
-      return load(value.place);
+      return value.place.type->is_scalar() ? load(value.place) : reference(value.place);
     case ValueKind::Reference:
       return reference(value.place);
     case ValueKind::Unary:
@@ -42,11 +42,12 @@ void ExpressionEmitter::value(const Value& value, Width width) {
       return select(value);
     case ValueKind::Multiplex:
       return multiplex(value);
+    case ValueKind::Check:
+      return check(value);
     case ValueKind::Call:
-      copies_before(value.before);
-      for (const auto& each : value.operands) this->value(*each);
-      b_.call(layout_.functions.at(value.pou));
-      return copies_after(value.after);
+      return call(value);
+    case ValueKind::Enabled:
+      return enabled(value);
     case ValueKind::Now:
       return b_.emit(Opcode::Now);
   }
@@ -66,67 +67,25 @@ void ExpressionEmitter::constant(const semantics::Constant& constant, const Type
       return b_.const_f32(static_cast<float>(constant.real));
     case Machine::F64:
       return b_.const_f64(constant.real);
-  }
-}
-
-void ExpressionEmitter::load(const Place& place) {
-  if (place.base == Base::Slot) return b_.local_get(writer::LocalId(place.slot));
-  if (place.bit != bytecode::kNoBit) return b_.load_bit(address(place), place.bit);
-  const bytecode::MemType type = bytecode::mem_type(place.type->elementary);
-  if (!place.is_direct()) {
-    reference(place);
-    return b_.load(type, AddressMode::Ind);
-  }
-  if (in_area(place)) return b_.load(type, AddressMode::Abs, address(place));
-  b_.load(type, AddressMode::This, place.offset);
-}
-
-void ExpressionEmitter::reference(const Place& place) {
-  switch (place.base) {
-    case Base::This:
-      b_.addr_this(place.offset);
-      break;
-    case Base::ThisRef:
-      b_.load(bytecode::MemType::Ref, AddressMode::This, place.offset);
-      break;
-    case Base::Slot:
-    case Base::SlotRef:
-      b_.local_get(writer::LocalId(place.slot));
-      break;
-    default:
-      b_.addr_abs(address(place));
-  }
-  for (const semantics::PlaceStep& step : place.steps) {
-    if (step.index) {
-      value(*step.index);
-      b_.index(step.lower, step.upper, step.stride);
-    }
-    if (step.offset != 0) b_.offset(step.offset);
+    case Machine::Ref:
+      // No other reference is known when the program is compiled.
+      return b_.emit(Opcode::ConstNull);
   }
 }
 
 void ExpressionEmitter::assign(const Place& place, const Value& value) {
-  if (value.kind == ValueKind::Reference) {
-    // A VAR_IN_OUT of an instance, or a slot that keeps an address.
-    if (place.base == Base::Slot) {
-      this->value(value);
-      return b_.local_set(writer::LocalId(place.slot));
-    }
-    if (place.is_direct()) {
-      this->value(value);
-      if (in_area(place)) return b_.store(bytecode::MemType::Ref, AddressMode::Abs, address(place));
-      return b_.store(bytecode::MemType::Ref, AddressMode::This, place.offset);
-    }
-    reference(place);
-    this->value(value);
-    return b_.store(bytecode::MemType::Ref, AddressMode::Ind);
-  }
-  if (!place.type->is_scalar()) {
-    reference(place);
-    reference(value.place);
-    return b_.mem_copy(place.type->size);
-  }
-  store(place, [&](Width width) { this->value(value, width); });
+  if (place.type->is_scalar()) return store(place, [&](Width width) { this->value(value, width); });
+  if (!place.type->is_string()) return copy_bytes(place, value);
+  reference(place);
+  this->value(value);
+  b_.string_op(place.type->elementary == bytecode::ElementaryType::Wstring ? bytecode::StringOpId::CopyW
+                                                                           : bytecode::StringOpId::CopyS);
+}
+
+void ExpressionEmitter::copy_bytes(const Place& target, const Value& value) {
+  reference(target);
+  this->value(value);
+  b_.mem_copy(target.type->size);
 }
 
 void ExpressionEmitter::copies_before(const std::vector<semantics::CopyBefore>& copies) {
@@ -135,6 +94,85 @@ void ExpressionEmitter::copies_before(const std::vector<semantics::CopyBefore>& 
 
 void ExpressionEmitter::copies_after(const std::vector<semantics::CopyAfter>& copies) {
   for (const auto& each : copies) assign(each.target, *each.value);
+}
+
+void ExpressionEmitter::call(const Value& value) {
+  copies_before(value.before);
+  for (const auto& each : value.operands) this->value(*each);
+  b_.call(layout_.functions.at(value.pou));
+  copies_after(value.after);
+  const bool in_memory = !value.type->is_scalar() && value.type->kind != semantics::TypeKind::Nothing;
+  if (in_memory) reference(value.place);
+}
+
+void ExpressionEmitter::enabled(const Value& value) {
+  const Type& type = *value.type;
+  const bool scalar = type.is_scalar();
+  const bool nothing = type.kind == semantics::TypeKind::Nothing;
+  const writer::Label end = b_.new_label();
+  writer::LocalId result;
+  copies_before(value.before);
+  if (scalar) {
+    result = b_.add_local(semantics::slot_type(type));
+    constant(value.constant, type);
+    b_.local_set(result);
+  } else if (!nothing) {
+    copy_bytes(value.place, *value.operands[2]);
+  }
+  this->value(*value.operands[0]);
+  b_.jump_if_false(end);
+  if (scalar || nothing) {
+    this->value(*value.operands[1]);
+    if (scalar) b_.local_set(result);
+  } else {
+    assign(value.place, *value.operands[1]);
+  }
+  b_.bind(end);
+  copies_after(value.after);
+  if (scalar) b_.local_get(result);
+  if (!scalar && !nothing) reference(value.place);
+}
+
+void ExpressionEmitter::check(const Value& value) {
+  this->value(*value.operands[0]);
+  const semantics::IntegerRange& range = value.type->range;
+  switch (machine_type(*value.type)) {
+    case Machine::U64:
+      return b_.check_u64(static_cast<std::uint64_t>(range.low), static_cast<std::uint64_t>(range.high));
+    case Machine::I64:
+      return b_.check_i64(static_cast<std::int64_t>(range.low), static_cast<std::int64_t>(range.high));
+    case Machine::U32:
+      if (value.type->size == 4) return check_udint(range);
+      [[fallthrough]];
+    default:
+      return b_.check_i32(static_cast<std::int32_t>(range.low), static_cast<std::int32_t>(range.high));
+  }
+}
+
+// On the stack a UDINT is the I32 of its bits: it is compared in 64 bits.
+void ExpressionEmitter::check_udint(const semantics::IntegerRange& range) {
+  b_.emit(Opcode::U32ToI64);
+  b_.check_i64(static_cast<std::int64_t>(range.low), static_cast<std::int64_t>(range.high));
+  b_.emit(Opcode::I64ToI32);
+}
+
+// The right operand of AND_THEN and OR_ELSE is evaluated only if the left one leaves the result open.
+void ExpressionEmitter::short_circuit(const Value& value) {
+  const writer::LocalId result = b_.add_local(bytecode::StackType::Bool);
+  const writer::Label end = b_.new_label();
+  for (const auto& each : value.operands) {
+    this->value(*each);
+    b_.local_set(result);
+    if (&each == &value.operands.back()) break;
+    b_.local_get(result);
+    if (value.op == Operator::AndThen) {
+      b_.jump_if_false(end);
+    } else {
+      b_.jump_if_true(end);
+    }
+  }
+  b_.bind(end);
+  b_.local_get(result);
 }
 
 void ExpressionEmitter::wrap(const Type& type) {
@@ -179,6 +217,7 @@ void ExpressionEmitter::bool_order(const Value& value) {
 
 void ExpressionEmitter::binary(const Value& value, Width width) {
   const Type& operands = *value.operands[0]->type;
+  if (value.op == Operator::AndThen || value.op == Operator::OrElse) return short_circuit(value);
   if (operands.is_bool() && value.op >= Operator::Less && value.op <= Operator::GreaterEqual)
     return bool_order(value);
   const bool modular =

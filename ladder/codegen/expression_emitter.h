@@ -33,6 +33,8 @@ class ExpressionEmitter {
   void assign(const semantics::Place& place, const semantics::Value& value);
   // The address of a place as a Ref.
   void reference(const semantics::Place& place);
+  // A copy of the bytes: what the target holds does not matter.
+  void copy_bytes(const semantics::Place& target, const semantics::Value& value);
   // Stores what `emit` pushes.
   template <typename Emit>
   void store(const semantics::Place& place, Emit emit);
@@ -49,8 +51,30 @@ class ExpressionEmitter {
   }
   std::uint32_t function_of(const semantics::Pou& pou) const { return layout_.functions.at(&pou); }
   bool in_area(const semantics::Place& place) const { return place.base <= semantics::Base::Data; }
+  // The whole of a local slot.
+  static bool is_slot(const semantics::Place& place) {
+    return place.base == semantics::Base::Slot && place.steps.empty();
+  }
 
  private:
+  // place_emitter.cpp
+  void base_reference(const semantics::Place& place, std::size_t& step);
+  void walk(const semantics::PlaceStep& step);
+  void open_index(const semantics::PlaceStep& step);
+  void load_bit(const semantics::Place& place);
+  void load_part(const semantics::Place& place);
+  template <typename Push>
+  void store_bit(const semantics::Place& place, Push push);
+  template <typename Push>
+  void store_part(const semantics::Place& place, Push push);
+  void merge_bit(std::uint8_t bit);
+  void merge_part(const semantics::Place& place);
+
+  void call(const semantics::Value& value);
+  void enabled(const semantics::Value& value);
+  void check(const semantics::Value& value);
+  void check_udint(const semantics::IntegerRange& range);
+  void short_circuit(const semantics::Value& value);
   void unary(const semantics::Value& value, Width width);
   void binary(const semantics::Value& value, Width width);
   void bool_order(const semantics::Value& value);
@@ -70,18 +94,15 @@ class ExpressionEmitter {
 template <typename Emit>
 void ExpressionEmitter::store(const semantics::Place& place, Emit emit) {
   using bytecode::AddressMode;
-  if (place.base == semantics::Base::Slot) {
+  if (place.bit != bytecode::kNoBit) return store_bit(place, [&] { emit(Width::Exact); });
+  if (place.whole != nullptr) return store_part(place, [&] { emit(Width::Exact); });
+  if (is_slot(place)) {
     emit(Width::Exact);
     b_.local_set(writer::LocalId(place.slot));
     return;
   }
-  if (place.bit != bytecode::kNoBit) {
-    emit(Width::Exact);
-    b_.store_bit(address(place), place.bit);
-    return;
-  }
-  const bytecode::MemType type = bytecode::mem_type(place.type->elementary);
-  if (place.is_direct()) {
+  const bytecode::MemType type = semantics::mem_type(*place.type);
+  if (place.is_direct() && place.base != semantics::Base::Frame) {
     emit(Width::Any);
     if (in_area(place)) {
       b_.store(type, AddressMode::Abs, address(place));
@@ -93,6 +114,35 @@ void ExpressionEmitter::store(const semantics::Place& place, Emit emit) {
   reference(place);
   emit(Width::Any);
   b_.store(type, AddressMode::Ind);
+}
+
+// A bit that has no instruction of its own is put into its byte.
+template <typename Push>
+void ExpressionEmitter::store_bit(const semantics::Place& place, Push push) {
+  if (place.is_direct() && in_area(place)) {
+    push();
+    b_.store_bit(address(place), place.bit);
+    return;
+  }
+  const writer::LocalId at = b_.add_local(bytecode::StackType::Ref);
+  reference(place);
+  b_.local_set(at);
+  push();
+  const writer::LocalId bit = b_.add_local(bytecode::StackType::Bool);
+  b_.local_set(bit);
+  b_.local_get(at);
+  b_.local_get(at);
+  b_.load(bytecode::MemType::U8, bytecode::AddressMode::Ind);
+  b_.local_get(bit);
+  merge_bit(place.bit);
+  b_.store(bytecode::MemType::U8, bytecode::AddressMode::Ind);
+}
+
+template <typename Push>
+void ExpressionEmitter::store_part(const semantics::Place& place, Push push) {
+  push();
+  merge_part(place);
+  b_.local_set(writer::LocalId(place.slot));
 }
 
 }  // namespace stepwright::codegen

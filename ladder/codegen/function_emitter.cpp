@@ -29,10 +29,6 @@ bytecode::FunctionKind kind_of(semantics::PouKind kind) {
   }
 }
 
-bytecode::StackType slot_of(const Type& type) {
-  return bytecode::stack_type(bytecode::mem_type(type.elementary));
-}
-
 }  // namespace
 
 std::uint32_t FileTable::index_of(source::FileId file) {
@@ -56,7 +52,9 @@ FunctionEmitter::FunctionEmitter(const ProgramLayout& layout, FileTable& files, 
       b_.add_local(pou.slots[i]);
     }
   }
-  if (pou.result != nullptr) b_.set_result(slot_of(*pou.result));
+  if (has_slot_result()) b_.set_result(semantics::slot_type(*pou.result));
+  // The frame of the POU is one piece; what emitting needs besides lies behind it.
+  if (pou.frame_size > 0) b_.allocate_frame(pou.frame_size, 8);
   for (std::uint32_t i = 0; i < pou.label_count; ++i) labels_.push_back(b_.new_label());
 }
 
@@ -69,11 +67,12 @@ writer::Function FunctionEmitter::run() && {
 }
 
 void FunctionEmitter::line(source::Position where) {
-  b_.line(files_.index_of(where.file), files_.sources().line(where));
+  const result::Location place = files_.sources().location(where);
+  b_.line(files_.index_of(where.file), place.line, place.column);
 }
 
 void FunctionEmitter::leave() {
-  if (pou_.result != nullptr) b_.local_get(LocalId(pou_.result_slot));
+  if (has_slot_result()) b_.local_get(LocalId(pou_.result_slot));
   b_.emit(Opcode::Return);
 }
 
@@ -85,10 +84,12 @@ void FunctionEmitter::statement(const Statement& statement) {
   line(statement.where);
   switch (statement.kind) {
     case StatementKind::Assign:
+      if (statement.initial) return e_.copy_bytes(statement.target, *statement.value);
       return e_.assign(statement.target, *statement.value);
     case StatementKind::Evaluate:
       e_.value(*statement.value);
-      return b_.emit(Opcode::Drop);
+      if (statement.value->type->kind != semantics::TypeKind::Nothing) b_.emit(Opcode::Drop);
+      return;
     case StatementKind::Instance:
       return instance(statement);
     case StatementKind::If:
@@ -130,6 +131,7 @@ void FunctionEmitter::instance(const Statement& statement) {
 }
 
 void FunctionEmitter::branches(const Statement& statement) {
+  e_.copies_before(statement.before);
   const Label end = b_.new_label();
   for (const semantics::Branch& each : statement.branches) {
     if (!each.condition) {
@@ -145,6 +147,7 @@ void FunctionEmitter::branches(const Statement& statement) {
     b_.bind(next);
   }
   b_.bind(end);
+  e_.copies_after(statement.after);
 }
 
 void FunctionEmitter::case_test(const semantics::CaseRange& range, LocalId selector, const Type& type) {
@@ -160,7 +163,7 @@ void FunctionEmitter::case_test(const semantics::CaseRange& range, LocalId selec
 
 void FunctionEmitter::select(const Statement& statement) {
   const Type& type = *statement.value->type;
-  const LocalId selector = b_.add_local(slot_of(type));
+  const LocalId selector = b_.add_local(semantics::slot_type(type));
   e_.value(*statement.value);
   b_.local_set(selector);
   const Label end = b_.new_label();
@@ -229,7 +232,7 @@ void FunctionEmitter::count(const Statement& statement) {
 void FunctionEmitter::count_by_constant(const Statement& statement) {
   const Type& type = *statement.target.type;
   const bool upwards = statement.step->constant.integer > 0;
-  const LocalId limit = b_.add_local(slot_of(type));
+  const LocalId limit = b_.add_local(semantics::slot_type(type));
   if (statement.limit->kind != ValueKind::Constant) {
     e_.value(*statement.limit);
     b_.local_set(limit);
@@ -280,8 +283,8 @@ void FunctionEmitter::push_last(const Statement& statement, LocalId limit) {
 // computed in 64, where it cannot wrap.
 void FunctionEmitter::count_by_value(const Statement& statement) {
   const Type& type = *statement.target.type;
-  const LocalId limit = b_.add_local(slot_of(type));
-  const LocalId step = b_.add_local(slot_of(type));
+  const LocalId limit = b_.add_local(semantics::slot_type(type));
+  const LocalId step = b_.add_local(semantics::slot_type(type));
   e_.value(*statement.limit);
   b_.local_set(limit);
   e_.value(*statement.step);

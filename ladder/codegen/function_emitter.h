@@ -52,6 +52,7 @@ class FunctionEmitter {
   void repeat_loop(const semantics::Statement& statement);
   void body(const semantics::Statement& statement, Loop loop);
   void leave();
+  bool has_slot_result() const { return pou_.result != nullptr && pou_.result->is_scalar(); }
   void line(source::Position where);
 
   const semantics::Pou& pou_;

@@ -12,13 +12,15 @@ using syntax::Operator;
 Machine machine_type(const semantics::Type& type) {
   using enum bytecode::StackType;
   assert(type.is_scalar() && !type.is_literal());
-  switch (bytecode::stack_type(bytecode::mem_type(type.elementary))) {
+  switch (semantics::slot_type(type)) {
     case Bool:
       return Machine::Bool;
     case F32:
       return Machine::F32;
     case F64:
       return Machine::F64;
+    case Ref:
+      return Machine::Ref;
     case I64:
       return type.is_unsigned() ? Machine::U64 : Machine::I64;
     default:
@@ -42,43 +44,47 @@ bytecode::IntType int_type(const semantics::Type& type) {
 }
 
 bytecode::Opcode binary_opcode(Operator op, Machine machine) {
-  // Columns: Bool, I32, I64, F32, F64, U32, U64. Return marks what the semantic analysis never lets through.
+  // Columns: Bool, I32, I64, F32, F64, U32, U64, Ref. Return marks what the semantic analysis never lets
+  // through.
   constexpr Opcode kNone = Opcode::Return;
   struct Row {
     Operator op;
-    Opcode opcodes[7];
+    Opcode opcodes[8];
   };
 #define STEPWRIGHT_ROW(op, name)                                                                            \
   {                                                                                                         \
     Operator::op, {                                                                                         \
       kNone, Opcode::name##I32, Opcode::name##I64, Opcode::name##F32, Opcode::name##F64, Opcode::name##U32, \
-          Opcode::name##U64                                                                                 \
+          Opcode::name##U64, kNone                                                                          \
     }                                                                                                       \
   }
   static constexpr Row kRows[] = {
       {Operator::Or,
-       {Opcode::OrBool, Opcode::OrI32, Opcode::OrI64, kNone, kNone, Opcode::OrI32, Opcode::OrI64}},
+       {Opcode::OrBool, Opcode::OrI32, Opcode::OrI64, kNone, kNone, Opcode::OrI32, Opcode::OrI64, kNone}},
       {Operator::Xor,
-       {Opcode::XorBool, Opcode::XorI32, Opcode::XorI64, kNone, kNone, Opcode::XorI32, Opcode::XorI64}},
+       {Opcode::XorBool, Opcode::XorI32, Opcode::XorI64, kNone, kNone, Opcode::XorI32, Opcode::XorI64,
+        kNone}},
       {Operator::And,
-       {Opcode::AndBool, Opcode::AndI32, Opcode::AndI64, kNone, kNone, Opcode::AndI32, Opcode::AndI64}},
+       {Opcode::AndBool, Opcode::AndI32, Opcode::AndI64, kNone, kNone, Opcode::AndI32, Opcode::AndI64,
+        kNone}},
       {Operator::Add,
-       {kNone, Opcode::AddI32, Opcode::AddI64, Opcode::AddF32, Opcode::AddF64, Opcode::AddI32,
-        Opcode::AddI64}},
+       {kNone, Opcode::AddI32, Opcode::AddI64, Opcode::AddF32, Opcode::AddF64, Opcode::AddI32, Opcode::AddI64,
+        kNone}},
       {Operator::Subtract,
-       {kNone, Opcode::SubI32, Opcode::SubI64, Opcode::SubF32, Opcode::SubF64, Opcode::SubI32,
-        Opcode::SubI64}},
+       {kNone, Opcode::SubI32, Opcode::SubI64, Opcode::SubF32, Opcode::SubF64, Opcode::SubI32, Opcode::SubI64,
+        kNone}},
       {Operator::Multiply,
-       {kNone, Opcode::MulI32, Opcode::MulI64, Opcode::MulF32, Opcode::MulF64, Opcode::MulI32,
-        Opcode::MulI64}},
+       {kNone, Opcode::MulI32, Opcode::MulI64, Opcode::MulF32, Opcode::MulF64, Opcode::MulI32, Opcode::MulI64,
+        kNone}},
       STEPWRIGHT_ROW(Divide, Div),
       {Operator::Modulo,
-       {kNone, Opcode::ModI32, Opcode::ModI64, kNone, kNone, Opcode::ModU32, Opcode::ModU64}},
+       {kNone, Opcode::ModI32, Opcode::ModI64, kNone, kNone, Opcode::ModU32, Opcode::ModU64, kNone}},
       {Operator::Equal,
-       {kNone, Opcode::EqI32, Opcode::EqI64, Opcode::EqF32, Opcode::EqF64, Opcode::EqI32, Opcode::EqI64}},
+       {kNone, Opcode::EqI32, Opcode::EqI64, Opcode::EqF32, Opcode::EqF64, Opcode::EqI32, Opcode::EqI64,
+        Opcode::EqRef}},
       {Operator::NotEqual,
        {Opcode::XorBool, Opcode::NeI32, Opcode::NeI64, Opcode::NeF32, Opcode::NeF64, Opcode::NeI32,
-        Opcode::NeI64}},
+        Opcode::NeI64, Opcode::NeRef}},
       STEPWRIGHT_ROW(Less, Lt),
       STEPWRIGHT_ROW(LessEqual, Le),
       STEPWRIGHT_ROW(Greater, Gt),

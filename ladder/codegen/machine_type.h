@@ -8,7 +8,7 @@
 
 namespace stepwright::codegen {
 
-enum class Machine : std::uint8_t { Bool, I32, I64, F32, F64, U32, U64 };
+enum class Machine : std::uint8_t { Bool, I32, I64, F32, F64, U32, U64, Ref };
 
 // Requires a scalar type. Narrow unsigned integers fit a signed I32, yet compare and divide as U32 just as
 // well.

@@ -16,22 +16,31 @@ std::optional<std::uint32_t> Analysis::allocate(std::uint32_t size, Position whe
 }
 
 Place Analysis::allocate_place(const Type* type, Position where) {
+  return allocate_place(type, type->initial, where);
+}
+
+Place Analysis::allocate_place(const Type* type, std::span<const std::byte> initial, Position where) {
   Place place;
   place.base = Base::Data;
   place.type = type;
   const auto offset = allocate(type->size, where);
   if (!offset) return place;
   place.offset = *offset;
-  std::copy(type->initial.begin(), type->initial.end(), model.area(Base::Data).begin() + *offset);
+  std::copy(initial.begin(), initial.end(), model.area(Base::Data).begin() + *offset);
+  return place;
+}
+
+Place frame_place(Pou& pou, const Type* type) {
+  Place place;
+  place.base = Base::Frame;
+  place.offset = pou.frame_size;
+  place.type = type;
+  pou.frame_size += type->size;
   return place;
 }
 
 std::string quote(std::string_view name) {
   return "'" + std::string(name) + "'";
-}
-
-bytecode::StackType slot_type(const Type& type) {
-  return bytecode::stack_type(bytecode::mem_type(type.elementary));
 }
 
 }  // namespace stepwright::semantics::internal

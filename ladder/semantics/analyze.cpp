@@ -64,7 +64,7 @@ void check_recursion(Analysis& a) {
 std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, source::NameTable& names,
                                source::DiagnosticSink& sink) {
   auto model = std::make_unique<Model>();
-  Analysis a{*model, names, sink, {}, {}, {}, {}};
+  Analysis a{*model, names, sink, {}, {}, {}, {}, {}};
   register_pous(a, unit);
   TypeResolver types(a, unit);
   types.declare_all();

@@ -11,15 +11,6 @@ namespace stepwright::semantics::internal {
 using syntax::Argument;
 using syntax::Expression;
 
-namespace {
-
-bool is_parameter(const Variable& variable) {
-  return variable.section == Section::Input || variable.section == Section::Output ||
-         variable.section == Section::InOut;
-}
-
-}  // namespace
-
 void ExpressionAnalyzer::note_callee(const Pou& callee) {
   if (pou_ == nullptr) return;
   auto& known = pou_->callees;
@@ -27,6 +18,11 @@ void ExpressionAnalyzer::note_callee(const Pou& callee) {
 }
 
 ValuePtr ExpressionAnalyzer::call(const Expression& expression) {
+  ValuePtr result = callee(expression);
+  return result ? enabled(std::move(result), expression) : nullptr;
+}
+
+ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
   if (!expression.operands.empty()) {
     a_.error(code::kNoResult, expression.where, "a function block has no result",
              "call it as a statement and read its outputs afterwards");
@@ -53,6 +49,8 @@ ValuePtr ExpressionAnalyzer::call(const Expression& expression) {
     return nullptr;
   }
   const std::string& folded = a_.names.folded(name.id);
+  if (folded == "REF") return reference_to(expression);
+  if (folded == "LOWER_BOUND" || folded == "UPPER_BOUND") return array_bound(expression, folded[0] == 'U');
   const Type* from = nullptr;
   const Type* to = nullptr;
   if (is_conversion(folded, from, to)) return explicit_conversion(expression, from, to);
@@ -68,153 +66,53 @@ ValuePtr ExpressionAnalyzer::call(const Expression& expression) {
   return nullptr;
 }
 
-// `out` holds, for each variable of the POU, its argument or null.
-bool ExpressionAnalyzer::match_arguments(const Expression& call, const Pou& pou,
-                                         std::vector<const Argument*>& out) {
-  out.assign(pou.variables.size(), nullptr);
-  std::vector<std::size_t> positional;
-  std::vector<std::string_view> formals;
-  for (std::size_t i = 0; i < pou.variables.size(); ++i) {
-    if (!is_parameter(pou.variables[i])) continue;
-    positional.push_back(i);
-    formals.push_back(pou.variables[i].spelling);
-  }
-  std::size_t next = 0;
-  bool sound = true;
-  for (const Argument& each : call.arguments) {
-    std::size_t index = 0;
-    if (!each.formal) {
-      if (next >= positional.size()) {
-        a_.error(code::kArgumentCount, each.value->where,
-                 quote(pou.spelling) + " takes " + std::to_string(positional.size()) + " arguments");
-        return false;
-      }
-      index = positional[next++];
-    } else {
-      const auto known = pou.scope.find(each.formal->id.value);
-      if (known == pou.scope.end() || !is_parameter(pou.variables[known->second])) {
-        a_.error(code::kUnknownParameter, each.formal->where,
-                 quote(pou.spelling) + " has no parameter " + quote(each.formal->text),
-                 source::did_you_mean(each.formal->text, formals));
-        sound = false;
-        continue;
-      }
-      index = known->second;
-      const bool is_output = pou.variables[index].section == Section::Output;
-      if (is_output != each.is_output) {
-        a_.error(code::kUnknownParameter, each.formal->where,
-                 quote(each.formal->text) +
-                     (is_output ? " is an output: write it with '=>'" : " is no output: write it with ':='"));
-        sound = false;
-        continue;
-      }
-    }
-    if (out[index] != nullptr) {
-      a_.error(code::kDuplicateArgument, each.formal ? each.formal->where : each.value->where,
-               quote(pou.variables[index].spelling) + " is given twice");
-      sound = false;
-    }
-    out[index] = &each;
-  }
-  return sound;
-}
-
-// `Q => y`: y := source, behind the call.
-bool ExpressionAnalyzer::pass_output(const Argument& argument, Place source, std::vector<CopyAfter>& after) {
-  if (!argument.value) return true;
-  auto target = place(*argument.value, Access::Write);
-  if (!target) return false;
-  const Position where = argument.value->where;
-  ValuePtr value = load(std::move(source), where);
-  if (argument.negated) {
-    if (!value->type->is_bool()) {
-      a_.error(code::kBadOperand, where, "NOT cannot be applied to " + value->type->name);
-      return false;
-    }
-    ValuePtr inverse = make(ValueKind::Unary, value->type, where);
-    inverse->op = syntax::Operator::Not;
-    inverse->operands.push_back(std::move(value));
-    value = std::move(inverse);
-  }
-  value = convert(std::move(value), target->type, where);
-  if (!value) return false;
-  after.push_back({std::move(*target), std::move(value)});
-  return true;
-}
-
-// The address of a VAR_IN_OUT argument. What has none (a bit, a local slot) goes through a copy.
-ValuePtr ExpressionAnalyzer::reference_argument(const Argument& argument, const Variable& parameter,
-                                                std::vector<CopyBefore>& before,
-                                                std::vector<CopyAfter>& after) {
-  if (!argument.value) return nullptr;
-  const Position where = argument.value->where;
-  auto target = place(*argument.value, Access::Write);
-  if (!target) return nullptr;
-  if (target->type != parameter.type) return mismatch(*target->type, *parameter.type, where);
-  if (!target->is_addressable()) {
-    const Place scratch = a_.allocate_place(parameter.type, where);
-    before.push_back({copy_direct(scratch), load(copy_direct(*target), where)});
-    after.push_back({std::move(*target), load(copy_direct(scratch), where)});
-    target = copy_direct(scratch);
-  }
-  ValuePtr reference = make(ValueKind::Reference, parameter.type, where);
-  reference->place = std::move(*target);
-  return reference;
-}
-
-bool ExpressionAnalyzer::function_argument(const Variable& parameter, const Argument* argument,
-                                           const Expression& call, Value& out) {
-  if (parameter.type == nullptr) return false;
-  if (parameter.section == Section::Output)
-    return argument == nullptr || pass_output(*argument, copy_direct(parameter.place), out.after);
-  ValuePtr value;
-  if (parameter.section == Section::InOut || !parameter.type->is_scalar()) {
-    if (argument == nullptr || !argument->value) {
-      a_.error(code::kMissingInOut, call.where,
-               "the call gives no variable for " + quote(parameter.spelling));
-      return false;
-    }
-    if (parameter.section == Section::InOut) {
-      value = reference_argument(*argument, parameter, out.before, out.after);
-    } else if (auto source = place(*argument->value, Access::Read)) {
-      if (source->type != parameter.type) {
-        mismatch(*source->type, *parameter.type, argument->value->where);
-        return false;
-      }
-      value = make(ValueKind::Reference, parameter.type, argument->value->where);
-      value->place = std::move(*source);
-    }
-  } else if (argument != nullptr) {
-    value = value_as(*argument->value, parameter.type);
-  } else {
-    value = make_constant(parameter.initial.value_or(Constant{}), parameter.type, call.where);
-  }
-  if (!value) return false;
-  out.operands.push_back(std::move(value));
-  return true;
-}
-
 ValuePtr ExpressionAnalyzer::function_call(const Expression& expression, Pou& function) {
+  if (pou_ == nullptr) {
+    a_.error(code::kNotConstant, expression.where, "the value must be known when the program is compiled");
+    return nullptr;
+  }
   note_callee(function);
   std::vector<const Argument*> arguments;
   if (!match_arguments(expression, function, arguments)) return nullptr;
-  if (function.result == nullptr) return nullptr;
-  const bool has_required = std::any_of(function.variables.begin(), function.variables.end(),
-                                        [](const Variable& v) { return v.section == Section::Input; });
-  if (expression.arguments.empty() && has_required) {
+  if (function.has_result && function.result == nullptr) return nullptr;
+  const auto& variables = function.variables;
+  const auto has = [&](Section section) {
+    return std::any_of(variables.begin(), variables.end(),
+                       [&](const Variable& each) { return each.section == section; });
+  };
+  if (expression.arguments.empty() && has(Section::Input)) {
     a_.error(code::kArgumentCount, expression.where,
              quote(function.spelling) + " is called without arguments");
     return nullptr;
   }
-  ValuePtr result = make(ValueKind::Call, function.result, expression.where);
+  const Type* type = function.has_result ? function.result : a_.type_table().nothing();
+  if (type->kind == TypeKind::Subrange) type = type->base;
+  ValuePtr result = make(ValueKind::Call, type, expression.where);
   result->pou = &function;
+  const bool may_alias = has(Section::InOut);
   bool sound = true;
-  for (std::size_t i = 0; i < function.variables.size(); ++i) {
-    const Variable& parameter = function.variables[i];
-    if (!is_parameter(parameter)) continue;
-    sound = function_argument(parameter, arguments[i], expression, *result) && sound;
+  // In the order of the slots: see model.h.
+  for (const bool outputs : {false, true}) {
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      const Variable& each = variables[i];
+      const bool is_input = each.section == Section::Input || each.section == Section::InOut;
+      if (outputs ? each.section != Section::Output : !is_input) continue;
+      if (each.type == nullptr) return nullptr;
+      if (outputs) {
+        sound = output_argument(each, arguments[i], expression, *result) && sound;
+      } else if (each.section == Section::InOut || each.type->open) {
+        sound = in_out_argument(each, arguments[i], expression, *result) && sound;
+      } else {
+        sound = input_argument(each, arguments[i], expression, may_alias, *result) && sound;
+      }
+    }
   }
-  return sound ? std::move(result) : nullptr;
+  if (!sound) return nullptr;
+  if (function.has_result && !type->is_scalar()) {
+    result->place = frame_place(*pou_, type);
+    result->operands.push_back(address_of(copy_direct(result->place), expression.where));
+  }
+  return result;
 }
 
 std::optional<Statement> ExpressionAnalyzer::call_statement(const Expression& call) {
@@ -231,37 +129,8 @@ std::optional<Statement> ExpressionAnalyzer::call_statement(const Expression& ca
   return statement;
 }
 
-// A member of the instance that is called; the instance has no index on its way.
-Place ExpressionAnalyzer::part_of_target(const Place& instance, const Variable& member) {
-  Place part = copy_direct(instance);
-  if (instance.is_direct()) {
-    part.offset += member.place.offset;
-  } else {
-    PlaceStep step;
-    step.offset = member.place.offset;
-    part.steps.push_back(std::move(step));
-  }
-  part.type = member.type;
-  return part;
-}
-
-bool ExpressionAnalyzer::block_argument(const Variable& parameter, const Argument& argument, Statement& out) {
-  if (parameter.type == nullptr) return false;
-  Place member = part_of_target(out.target, parameter);
-  if (parameter.section == Section::Output) return pass_output(argument, std::move(member), out.after);
-  if (!argument.value) return false;
-  ValuePtr value;
-  if (parameter.section == Section::InOut) {
-    value = reference_argument(argument, parameter, out.before, out.after);
-  } else {
-    value = value_as(*argument.value, parameter.type);
-  }
-  if (!value) return false;
-  out.before.push_back({std::move(member), std::move(value)});
-  return true;
-}
-
 std::optional<Statement> ExpressionAnalyzer::block_call(const Expression& call, const Expression* path) {
+  if (pou_ == nullptr) return std::nullopt;
   std::optional<Place> instance = path != nullptr ? place(*path, Access::Read) : variable_place(call.name);
   if (!instance) return std::nullopt;
   if (instance->type->kind != TypeKind::Instance) {
@@ -287,13 +156,12 @@ std::optional<Statement> ExpressionAnalyzer::block_call(const Expression& call, 
     Place slot;
     slot.base = Base::Slot;
     slot.slot = static_cast<std::uint32_t>(pou_->slots.size() - 1);
-    slot.type = instance->type;
     statement.target.base = Base::SlotRef;
     statement.target.slot = slot.slot;
     statement.target.type = instance->type;
-    ValuePtr address = make(ValueKind::Reference, instance->type, call.where);
-    address->place = std::move(*instance);
-    statement.before.push_back({std::move(slot), std::move(address)});
+    const Type* type = a_.type_table().reference(instance->type);
+    slot.type = type;
+    statement.before.push_back({std::move(slot), address_of(std::move(*instance), call.where)});
   }
   for (std::size_t i = 0; i < block.variables.size() && sound; ++i) {
     const Variable& parameter = block.variables[i];
@@ -305,7 +173,41 @@ std::optional<Statement> ExpressionAnalyzer::block_call(const Expression& call, 
       sound = false;
     }
   }
-  return sound ? std::optional(std::move(statement)) : std::nullopt;
+  return sound ? std::optional(enabled_block(std::move(statement), call)) : std::nullopt;
+}
+
+// A member of the instance that is called; the instance has no index on its way.
+Place ExpressionAnalyzer::part_of_target(const Place& instance, std::uint32_t offset, const Type* type) {
+  Place part = copy_direct(instance);
+  advance(part, offset);
+  part.type = type;
+  return part;
+}
+
+bool ExpressionAnalyzer::block_argument(const Variable& parameter, const Argument& argument, Statement& out) {
+  if (parameter.type == nullptr) return false;
+  const std::uint32_t offset = parameter.place.offset;
+  if (parameter.section == Section::Output)
+    return pass_output(argument, part_of_target(out.target, offset, parameter.type), out.after);
+  if (!argument.value) return false;
+  if (parameter.section == Section::InOut) {
+    ValuePtr address = reference_argument(argument, parameter, out.before, out.after);
+    if (!address) return false;
+    if (parameter.type->open) {
+      auto bounds = bounds_of(address->place, argument.value->where);
+      for (std::size_t i = 0; i < bounds.size(); ++i) {
+        const Place& bound = parameter.bounds[i];
+        out.before.push_back({part_of_target(out.target, bound.offset, bound.type), std::move(bounds[i])});
+      }
+    }
+    Place member = part_of_target(out.target, offset, address->type);
+    out.before.push_back({std::move(member), std::move(address)});
+    return true;
+  }
+  ValuePtr value = value_as(*argument.value, parameter.type);
+  if (!value) return false;
+  out.before.push_back({part_of_target(out.target, offset, parameter.type), std::move(value)});
+  return true;
 }
 
 }  // namespace stepwright::semantics::internal

@@ -30,6 +30,9 @@ ValuePtr ExpressionAnalyzer::mismatch(const Type& from, const Type& to, Position
 
 ValuePtr ExpressionAnalyzer::convert(ValuePtr value, const Type* type, Position where) {
   if (!value || type == nullptr || value->type == type) return value;
+  bool known = false;
+  value = convert_derived(std::move(value), type, where, known);
+  if (known) return value;
   if (value->type->is_literal()) return convert_literal(std::move(value), type, where);
   if (!widens(*value->type, *type)) return mismatch(*value->type, *type, where);
   return convert_exactly(std::move(value), type);

@@ -7,6 +7,23 @@ namespace stepwright::semantics::internal {
 using syntax::Expression;
 using syntax::ExpressionKind;
 
+namespace {
+
+ElementaryType time_type(ExpressionKind kind) {
+  switch (kind) {
+    case ExpressionKind::Date:
+      return ElementaryType::Date;
+    case ExpressionKind::TimeOfDay:
+      return ElementaryType::Tod;
+    case ExpressionKind::DateAndTime:
+      return ElementaryType::Dt;
+    default:
+      return ElementaryType::Time;
+  }
+}
+
+}  // namespace
+
 ValuePtr ExpressionAnalyzer::make(ValueKind kind, const Type* type, Position where) {
   auto value = std::make_unique<Value>();
   value->kind = kind;
@@ -22,7 +39,8 @@ ValuePtr ExpressionAnalyzer::make_constant(Constant constant, const Type* type, 
 }
 
 ValuePtr ExpressionAnalyzer::load(Place place, Position where) {
-  ValuePtr value = make(ValueKind::Load, place.type, where);
+  const bool is_subrange = place.type->kind == TypeKind::Subrange;
+  ValuePtr value = make(ValueKind::Load, is_subrange ? place.type->base : place.type, where);
   value->place = std::move(place);
   return value;
 }
@@ -34,6 +52,9 @@ Place ExpressionAnalyzer::copy_direct(const Place& place) {
   copy.slot = place.slot;
   copy.bit = place.bit;
   copy.type = place.type;
+  copy.whole = place.whole;
+  copy.shift = place.shift;
+  copy.open = place.open;
   return copy;
 }
 
@@ -44,6 +65,10 @@ ValuePtr ExpressionAnalyzer::value(const Expression& expression) {
     case ExpressionKind::Integer:
     case ExpressionKind::Real:
     case ExpressionKind::Time:
+    case ExpressionKind::Date:
+    case ExpressionKind::TimeOfDay:
+    case ExpressionKind::DateAndTime:
+    case ExpressionKind::Null:
       return literal(expression);
     case ExpressionKind::Variable:
       return variable(expression);
@@ -51,7 +76,9 @@ ValuePtr ExpressionAnalyzer::value(const Expression& expression) {
       return enum_value(expression);
     case ExpressionKind::Direct:
     case ExpressionKind::Field:
-    case ExpressionKind::Index: {
+    case ExpressionKind::Index:
+    case ExpressionKind::Dereference:
+    case ExpressionKind::Part: {
       auto found = place(expression, Access::Read);
       return found ? load(std::move(*found), expression.where) : nullptr;
     }
@@ -59,21 +86,21 @@ ValuePtr ExpressionAnalyzer::value(const Expression& expression) {
       return unary(expression);
     case ExpressionKind::Binary:
       return binary(expression);
-    case ExpressionKind::Call:
-      return call(expression);
+    case ExpressionKind::Call: {
+      ValuePtr result = call(expression);
+      if (!result || result->type->kind != TypeKind::Nothing) return result;
+      a_.error(code::kNoResult, expression.where,
+               "the function " + quote(expression.name.text) + " has no result",
+               "call it as a statement and take its outputs with '=>'");
+      return nullptr;
+    }
     case ExpressionKind::ArrayValues:
     case ExpressionKind::StructValues:
     case ExpressionKind::Repeat:
       a_.error(code::kBadInitializer, expression.where, "a list of values can only initialise a variable");
       return nullptr;
-    case ExpressionKind::Date:
-    case ExpressionKind::TimeOfDay:
-    case ExpressionKind::DateAndTime:
     case ExpressionKind::String:
     case ExpressionKind::WideString:
-    case ExpressionKind::Null:
-    case ExpressionKind::Dereference:
-    case ExpressionKind::Part:
       a_.error(code::kNotSupported, expression.where, "this is not supported yet");
       return nullptr;
     case ExpressionKind::Error:
@@ -92,8 +119,11 @@ ValuePtr ExpressionAnalyzer::literal(const Expression& expression) {
                            expression.where);
     case ExpressionKind::Real:
       return make_constant({0, expression.real}, types.any_real(), expression.where);
+    case ExpressionKind::Null:
+      return make_constant({bytecode::kNullRef}, types.null(), expression.where);
     default:
-      return make_constant({expression.time_ns}, types.elementary(ElementaryType::Time), expression.where);
+      return make_constant({expression.time_ns}, types.elementary(time_type(expression.kind)),
+                           expression.where);
   }
 }
 
@@ -123,7 +153,8 @@ ValuePtr ExpressionAnalyzer::variable(const Expression& expression) {
     const auto known = a_.enum_values.find(name.id.value);
     if (known != a_.enum_values.end()) return enum_value(expression);
   } else if (found->value) {
-    return make_constant(*found->value, found->type, expression.where);
+    const Type* type = found->type->kind == TypeKind::Subrange ? found->type->base : found->type;
+    return make_constant(*found->value, type, expression.where);
   }
   auto at = place(expression, Access::Read);
   return at ? load(std::move(*at), expression.where) : nullptr;
@@ -135,9 +166,8 @@ ValuePtr ExpressionAnalyzer::enum_value(const Expression& expression) {
   if (!expression.prefix) {
     const EnumValue& found = a_.enum_values.at(name.id.value);
     if (found.type != nullptr) return make_constant({found.value}, found.type, expression.where);
-    a_.error(code::kUndeclared, name.where, quote(name.text) + " is a value of several enumerations",
-             "write it with its type: Type#" + std::string(name.text));
-    return nullptr;
+    // The context says which of several enumerations is meant.
+    return make_constant({name.id.value}, a_.type_table().any_enumerator(), name.where);
   }
   const auto type = a_.types.find(expression.prefix->id.value);
   if (type == a_.types.end() || (type->second != nullptr && type->second->kind != TypeKind::Enumeration)) {
@@ -153,6 +183,8 @@ ValuePtr ExpressionAnalyzer::enum_value(const Expression& expression) {
 }
 
 ValuePtr ExpressionAnalyzer::settle(ValuePtr value) {
+  if (value && value->type->kind == TypeKind::AnyEnumerator)
+    return convert_enumerator(std::move(value), nullptr, Position());
   if (!value || !value->type->is_literal()) return value;
   const TypeTable& types = a_.type_table();
   if (value->type->kind == TypeKind::AnyReal)

@@ -1,265 +1,242 @@
-// The variables of a POU: which memory each takes and what it starts with (IEC 61131-3, 6.5.2 and 6.6).
+#include "ladder/semantics/internal/layout.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "ladder/semantics/internal/declarer.h"
-
 namespace stepwright::semantics::internal {
-
-namespace {
 
 using syntax::VariableDeclaration;
 
-const char* section_name(Section section) {
-  static constexpr const char* kNames[] = {"VAR",        "VAR_TEMP",     "VAR_INPUT", "VAR_OUTPUT",
-                                           "VAR_IN_OUT", "VAR_EXTERNAL", "VAR_GLOBAL"};
-  return kNames[static_cast<std::size_t>(section)];
-}
-
-class Layout {
- public:
-  Layout(Analysis& analysis, TypeResolver& types, Pou& pou)
-      : a_(analysis), types_(types), pou_(pou), expressions_(analysis, &pou) {}
-
-  void run() {
-    const syntax::PouDeclaration& declaration = *pou_.declaration;
-    if (pou_.kind == PouKind::Function) parameter_slots();
-    for (const VariableDeclaration& line : declaration.variables) {
-      const Type* type = types_.resolve(*line.type);
-      if (type != nullptr && !allowed(line, *type)) type = nullptr;
-      for (const syntax::Name& name : line.names) declare(line, name, type);
-    }
-    if (pou_.type != nullptr) {
-      auto* type = const_cast<Type*>(pou_.type);  // complete only now, as the POU is
-      // An instance without variables still has an address.
-      if (instance_.empty()) instance_.resize(1);
-      type->size = static_cast<std::uint32_t>(instance_.size());
-      type->initial = std::move(instance_);
-    }
-  }
-
- private:
-  // The parameters of a function are its first slots, so they are numbered before all other variables.
-  void parameter_slots() {
-    for (const VariableDeclaration& line : pou_.declaration->variables) {
-      if (line.section != Section::Input && line.section != Section::InOut) continue;
-      const Type* type = types_.resolve(*line.type);
-      for (std::size_t i = 0; i < line.names.size(); ++i) {
-        const bool by_value = line.section == Section::Input && type != nullptr && type->is_scalar();
-        pou_.slots.push_back(by_value ? slot_type(*type) : bytecode::StackType::Ref);
-      }
-    }
-    pou_.parameter_count = static_cast<std::uint16_t>(std::min<std::size_t>(pou_.slots.size(), 0xFFFF));
+void Layout::run() {
+  const syntax::PouDeclaration& declaration = *pou_.declaration;
+  for (const VariableDeclaration& line : declaration.variables) line_types_.push_back(type_of(line));
+  if (pou_.kind == PouKind::Function) {
+    number_parameters();
     declare_result();
   }
-
-  void declare_result() {
-    const syntax::PouDeclaration& declaration = *pou_.declaration;
-    if (!declaration.result) {
-      a_.error(code::kUnknownType, declaration.name.where, "the function has no result type",
-               "write FUNCTION " + pou_.spelling + " : INT");
-      return;
-    }
-    const Type* type = types_.resolve(*declaration.result);
-    if (type == nullptr) return;
-    if (!type->is_scalar()) {
-      a_.error(code::kNotSupported, declaration.result->where,
-               "the result of a function must be a single value",
-               "return it through VAR_OUTPUT or VAR_IN_OUT");
-      return;
-    }
-    pou_.result = type;
-    Variable result;
-    result.name = declaration.name.id;
-    result.spelling = pou_.spelling;
-    result.type = type;
-    result.where = declaration.name.where;
-    result.place = new_slot(type);
-    pou_.result_slot = result.place.slot;
-    if (!type->initial.empty()) enter_with(result.place, semantics::load(*type, type->initial), result.where);
-    add(std::move(result));
+  for (std::size_t i = 0; i < line_types_.size(); ++i) {
+    const VariableDeclaration& line = declaration.variables[i];
+    if (line.names.empty()) declare_direct(line, line_types_[i]);
+    for (const syntax::Name& name : line.names) declare(line, name, line_types_[i]);
   }
+  if (pou_.type == nullptr) return;
+  auto* type = const_cast<Type*>(pou_.type);  // complete only now, as the POU is
+  // An instance without variables still has an address.
+  if (instance_.empty()) instance_.resize(1);
+  type->size = static_cast<std::uint32_t>(instance_.size());
+  type->initial = std::move(instance_);
+}
 
-  bool allowed(const VariableDeclaration& line, const Type& type) {
-    const bool is_function = pou_.kind == PouKind::Function;
-    std::string why;
-    if (line.section == Section::Global) {
-      why = "VAR_GLOBAL stands in a configuration or outside of POUs";
-    } else if (line.section == Section::External && is_function) {
-      why = "a function sees no globals through VAR_EXTERNAL";
-    } else if (type.kind == TypeKind::Instance && (is_function || line.section == Section::Temp) &&
-               line.section != Section::InOut) {
-      why = "a function block keeps its state and cannot live in a " +
-            std::string(is_function ? "function" : "VAR_TEMP");
-    } else if (line.constant && (line.section == Section::InOut || line.section == Section::Output)) {
-      why = std::string(section_name(line.section)) + " cannot be CONSTANT";
-    } else if (line.address && (pou_.kind != PouKind::Program || line.section != Section::Local)) {
-      a_.error(code::kAddressNotHere, line.address_where,
-               "an address stands in VAR of a program or in VAR_GLOBAL");
-      return false;
-    } else if (line.initial && (line.section == Section::InOut || line.section == Section::External)) {
-      why = std::string(section_name(line.section)) + " takes no first value";
-    }
-    if (why.empty()) return true;
-    a_.error(code::kBadSection, line.names.front().where, why);
+const Type* Layout::type_of(const VariableDeclaration& line) {
+  const bool is_parameter =
+      line.section == Section::InOut || (line.section == Section::Input && pou_.kind == PouKind::Function);
+  const Type* type = is_parameter ? types_.resolve_parameter(*line.type) : types_.resolve(*line.type);
+  return type != nullptr && allowed(line, *type) ? type : nullptr;
+}
+
+void Layout::declare(const VariableDeclaration& line, const syntax::Name& name, const Type* type) {
+  Variable variable;
+  variable.name = name.id;
+  variable.spelling = std::string(name.text);
+  variable.type = type;
+  variable.section = line.section;
+  variable.constant = line.constant;
+  variable.retain = line.retain;
+  variable.non_retain = line.non_retain;
+  variable.edge = line.edge;
+  variable.where = name.where;
+  variable.place.type = type;
+  if (type != nullptr && !place(line, variable)) variable.type = nullptr;
+  add(std::move(variable));
+}
+
+// AT %MW0 : INT;
+void Layout::declare_direct(const VariableDeclaration& line, const Type* type) {
+  if (type == nullptr || !line.address) return;
+  Variable variable;
+  variable.type = type;
+  variable.place.type = type;
+  std::vector<std::byte> bytes = types_.initial_of(*line.type, *type);
+  if (line.initial && !initialise(a_, expressions_, *line.initial, *type, bytes)) return;
+  if (locate(a_, line, variable, bytes)) a_.direct_types.emplace_back(*line.address, type);
+}
+
+void Layout::add(Variable variable) {
+  const auto index = static_cast<std::uint32_t>(pou_.variables.size());
+  if (!pou_.scope.try_emplace(variable.name.value, index).second) {
+    a_.error(code::kDuplicate, variable.where,
+             "there is another variable " + quote(variable.spelling) + " in " + quote(pou_.spelling));
+    return;
+  }
+  pou_.variables.push_back(std::move(variable));
+}
+
+bool Layout::place(const VariableDeclaration& line, Variable& variable) {
+  if (line.section == Section::External) return external(variable);
+  const Type& type = *variable.type;
+  std::vector<std::byte> bytes = types_.initial_of(*line.type, type);
+  if (line.initial && !initialise(a_, expressions_, *line.initial, type, bytes)) return false;
+  if (type.is_scalar()) {
+    const Constant value = semantics::load(type, bytes);
+    // An input that is CONSTANT has the value of its argument: it cannot be folded.
+    if (variable.constant && line.section != Section::Input) variable.value = value;
+    variable.initial = value;
+  }
+  if (line.address) return locate(a_, line, variable, bytes);
+  variable.open_address = line.open_address;
+  if (pou_.kind == PouKind::Function) return place_in_function(variable, bytes);
+  if (line.section == Section::Temp) return place_temporary(variable, bytes);
+  return place_in_instance(variable, bytes);
+}
+
+bool Layout::external(Variable& variable) {
+  const auto found = a_.globals.find(variable.name.value);
+  if (found == a_.globals.end()) {
+    a_.error(code::kMissingExternal, variable.where,
+             "there is no global variable " + quote(variable.spelling));
     return false;
   }
-
-  void declare(const VariableDeclaration& line, const syntax::Name& name, const Type* type) {
-    Variable variable;
-    variable.name = name.id;
-    variable.spelling = std::string(name.text);
-    variable.type = type;
-    variable.section = line.section;
-    variable.constant = line.constant;
-    variable.retain = line.retain;
-    variable.where = name.where;
-    variable.place.type = type;
-    if (line.section == Section::Input || line.section == Section::InOut) ++next_parameter_;
-    if (type != nullptr && !place(line, variable)) variable.type = nullptr;
-    add(std::move(variable));
+  const Variable& global = a_.model.globals[found->second];
+  if (global.type == nullptr) return false;
+  if (global.type != variable.type) {
+    a_.error(code::kTypeMismatch, variable.where,
+             "the global " + quote(variable.spelling) + " is " + global.type->name + ", not " +
+                 variable.type->name);
+    return false;
   }
+  variable.place = ExpressionAnalyzer::copy_direct(global.place);
+  variable.constant = variable.constant || global.constant;
+  variable.value = global.value;
+  return true;
+}
 
-  void add(Variable variable) {
-    const auto index = static_cast<std::uint32_t>(pou_.variables.size());
-    if (!pou_.scope.try_emplace(variable.name.value, index).second) {
-      a_.error(code::kDuplicate, variable.where,
-               "there is another variable " + quote(variable.spelling) + " in " + quote(pou_.spelling));
-      return;
-    }
-    pou_.variables.push_back(std::move(variable));
-  }
+std::uint32_t Layout::append(const std::vector<std::byte>& bytes) {
+  const auto offset = static_cast<std::uint32_t>(instance_.size());
+  instance_.insert(instance_.end(), bytes.begin(), bytes.end());
+  return offset;
+}
 
-  bool place(const VariableDeclaration& line, Variable& variable) {
-    if (line.section == Section::External) return external(variable);
-    const Type& type = *variable.type;
-    std::vector<std::byte> bytes = type.initial;
-    bytes.resize(type.size);
-    if (line.initial && !initialise(a_, expressions_, *line.initial, type, bytes)) return false;
-    if (type.is_scalar()) {
-      const Constant value = semantics::load(type, bytes);
-      // An input that is CONSTANT has the value of its argument: it cannot be folded.
-      if (variable.constant && line.section != Section::Input) variable.value = value;
-      variable.initial = value;
-    }
-    if (line.address) return locate(a_, line, variable, bytes);
-    if (pou_.kind == PouKind::Function) return place_in_function(variable, bytes);
-    if (line.section == Section::Temp) return place_temporary(variable, bytes);
-    return place_in_instance(variable, bytes);
-  }
-
-  bool external(Variable& variable) {
-    const auto found = a_.globals.find(variable.name.value);
-    if (found == a_.globals.end()) {
-      a_.error(code::kMissingExternal, variable.where,
-               "there is no global variable " + quote(variable.spelling));
-      return false;
-    }
-    const Variable& global = a_.model.globals[found->second];
-    if (global.type == nullptr) return false;
-    if (global.type != variable.type) {
-      a_.error(code::kTypeMismatch, variable.where,
-               "the global " + quote(variable.spelling) + " is " + global.type->name + ", not " +
-                   variable.type->name);
-      return false;
-    }
-    variable.place = ExpressionAnalyzer::copy_direct(global.place);
-    variable.constant = variable.constant || global.constant;
-    variable.value = global.value;
+bool Layout::place_in_instance(Variable& variable, const std::vector<std::byte>& bytes) {
+  if (variable.section == Section::InOut) {
+    place_reference(variable);
     return true;
   }
+  if (instance_.size() > kMaxData - bytes.size()) {
+    a_.error(code::kTooLarge, variable.where,
+             "the variables of " + quote(pou_.spelling) + " are larger than 32 MiB");
+    return false;
+  }
+  variable.place.base = Base::This;
+  variable.place.offset = append(bytes);
+  if (variable.edge != syntax::Edge::None) sense_edge(variable);
+  return true;
+}
 
-  bool place_in_instance(Variable& variable, const std::vector<std::byte>& bytes) {
-    variable.place.offset = static_cast<std::uint32_t>(instance_.size());
-    if (variable.section == Section::InOut) {
-      variable.place.base = Base::ThisRef;
-      instance_.insert(instance_.end(), 4, std::byte{0xFF});  // bytecode::kNullRef
-      return true;
-    }
-    if (instance_.size() > kMaxData - bytes.size()) {
-      a_.error(code::kTooLarge, variable.where,
-               "the variables of " + quote(pou_.spelling) + " are larger than 32 MiB");
-      return false;
-    }
-    variable.place.base = Base::This;
-    instance_.insert(instance_.end(), bytes.begin(), bytes.end());
+// VAR_IN_OUT: the address of the argument, and the bounds of a variable-length array behind it.
+void Layout::place_reference(Variable& variable) {
+  variable.place.base = Base::ThisRef;
+  variable.place.offset = append(std::vector<std::byte>(4, std::byte{0xFF}));  // bytecode::kNullRef
+  if (!variable.type->open) return;
+  const Type* bound = a_.type_table().elementary(ElementaryType::Dint);
+  for (std::size_t i = 0; i < 2 * variable.type->dimensions.size(); ++i) {
+    Place place;
+    place.base = Base::This;
+    place.offset = append(std::vector<std::byte>(bound->size));
+    place.type = bound;
+    variable.bounds.push_back(std::move(place));
+  }
+}
+
+// BOOL R_EDGE (6.6.3.4.1): the body reads whether the input rose since the call before, as R_TRIG says it;
+// BOOL F_EDGE the same of its fall, which the first call never sees.
+void Layout::sense_edge(Variable& variable) {
+  const bool rising = variable.edge == syntax::Edge::Rising;
+  const Position where = variable.where;
+  const auto bit = [&](bool first) {
+    Place place;
+    place.base = Base::This;
+    place.offset = append({first ? std::byte{1} : std::byte{0}});
+    place.type = variable.type;
+    return place;
+  };
+  const Place before = bit(!rising);
+  variable.edge_place = bit(false);
+  const auto value_of = [&](const Place& place, bool negated) {
+    ValuePtr value = ExpressionAnalyzer::load(ExpressionAnalyzer::copy_direct(place), where);
+    if (!negated) return value;
+    ValuePtr inverse = ExpressionAnalyzer::make(ValueKind::Unary, variable.type, where);
+    inverse->op = syntax::Operator::Not;
+    inverse->operands.push_back(std::move(value));
+    return inverse;
+  };
+  const auto assign = [&](const Place& target, ValuePtr value) {
+    Statement statement;
+    statement.kind = StatementKind::Assign;
+    statement.where = where;
+    statement.target = ExpressionAnalyzer::copy_direct(target);
+    statement.value = std::move(value);
+    pou_.entry.push_back(std::move(statement));
+  };
+  // `before` holds the input (rising) or its inverse (falling), as the M of R_TRIG and F_TRIG does.
+  ValuePtr changed = ExpressionAnalyzer::make(ValueKind::Binary, variable.type, where);
+  changed->op = syntax::Operator::And;
+  changed->operands.push_back(value_of(variable.place, !rising));
+  changed->operands.push_back(value_of(before, true));
+  assign(variable.edge_place, std::move(changed));
+  assign(before, value_of(variable.place, !rising));
+}
+
+// A variable that begins anew with every run.
+bool Layout::place_temporary(Variable& variable, const std::vector<std::byte>& bytes) {
+  if (variable.constant && variable.value) {
+    // Folded wherever it is used: it needs no memory.
+    variable.place.base = Base::Slot;
     return true;
   }
+  variable.place = variable.type->is_scalar() ? new_slot(variable.type) : frame_place(pou_, variable.type);
+  enter(variable, bytes);
+  return true;
+}
 
-  bool place_in_function(Variable& variable, const std::vector<std::byte>& bytes) {
-    const bool is_parameter = variable.section == Section::Input || variable.section == Section::InOut;
-    if (!is_parameter && variable.section != Section::Output) return place_temporary(variable, bytes);
-    if (is_parameter) {
-      const bool by_value = variable.section == Section::Input && variable.type->is_scalar();
-      variable.place.base = by_value ? Base::Slot : Base::SlotRef;
-      variable.place.slot = next_parameter_ - 1;
-      return true;
-    }
-    variable.place = a_.allocate_place(variable.type, variable.where);
-    enter(variable, bytes);
-    return true;
+Place Layout::slot_place(std::uint32_t slot, const Type* type) const {
+  Place place;
+  place.base = Base::Slot;
+  place.slot = slot;
+  place.type = type;
+  return place;
+}
+
+Place Layout::new_slot(const Type* type) {
+  pou_.slots.push_back(slot_type(*type));
+  return slot_place(static_cast<std::uint32_t>(pou_.slots.size() - 1), type);
+}
+
+void Layout::enter(const Variable& variable, const std::vector<std::byte>& bytes) {
+  const bool is_zero = std::all_of(bytes.begin(), bytes.end(), [](std::byte b) { return b == std::byte{0}; });
+  if (variable.type->is_scalar()) {
+    // Slots are zero by themselves.
+    if (!is_zero || variable.place.base != Base::Slot)
+      enter_with(variable.place, *variable.initial, variable.where);
+    return;
   }
+  Statement copy;
+  copy.kind = StatementKind::Assign;
+  copy.where = variable.where;
+  copy.target = ExpressionAnalyzer::copy_direct(variable.place);
+  copy.value =
+      ExpressionAnalyzer::load(a_.allocate_place(variable.type, bytes, variable.where), variable.where);
+  copy.initial = true;
+  pou_.entry.push_back(std::move(copy));
+}
 
-  // A variable that begins anew with every call.
-  bool place_temporary(Variable& variable, const std::vector<std::byte>& bytes) {
-    if (variable.constant && variable.value) {
-      // Folded wherever it is used: it needs no memory.
-      variable.place.base = Base::Slot;
-      return true;
-    }
-    variable.place = variable.type->is_scalar() ? new_slot(variable.type)
-                                                : a_.allocate_place(variable.type, variable.where);
-    enter(variable, bytes);
-    return true;
-  }
-
-  Place new_slot(const Type* type) {
-    Place slot;
-    slot.base = Base::Slot;
-    slot.slot = static_cast<std::uint32_t>(pou_.slots.size());
-    slot.type = type;
-    pou_.slots.push_back(slot_type(*type));
-    return slot;
-  }
-
-  // At the start of each run: the first value. Slots are zero by themselves.
-  void enter(const Variable& variable, const std::vector<std::byte>& bytes) {
-    const bool is_zero =
-        std::all_of(bytes.begin(), bytes.end(), [](std::byte b) { return b == std::byte{0}; });
-    if (variable.type->is_scalar()) {
-      if (!is_zero || variable.place.base != Base::Slot)
-        enter_with(variable.place, *variable.initial, variable.where);
-      return;
-    }
-    Place model = a_.allocate_place(variable.type, variable.where);
-    std::copy(bytes.begin(), bytes.end(), a_.model.area(Base::Data).begin() + model.offset);
-    Statement copy;
-    copy.kind = StatementKind::Assign;
-    copy.where = variable.where;
-    copy.target = ExpressionAnalyzer::copy_direct(variable.place);
-    copy.value = ExpressionAnalyzer::load(std::move(model), variable.where);
-    pou_.entry.push_back(std::move(copy));
-  }
-
-  void enter_with(const Place& place, const Constant& value, Position where) {
-    Statement assign;
-    assign.kind = StatementKind::Assign;
-    assign.where = where;
-    assign.target = ExpressionAnalyzer::copy_direct(place);
-    assign.value = ExpressionAnalyzer::make_constant(value, place.type, where);
-    pou_.entry.push_back(std::move(assign));
-  }
-
-  Analysis& a_;
-  TypeResolver& types_;
-  Pou& pou_;
-  ExpressionAnalyzer expressions_;
-  std::vector<std::byte> instance_;
-  std::uint32_t next_parameter_ = 0;
-};
-
-}  // namespace
+void Layout::enter_with(const Place& place, const Constant& value, Position where) {
+  Statement assign;
+  assign.kind = StatementKind::Assign;
+  assign.where = where;
+  assign.target = ExpressionAnalyzer::copy_direct(place);
+  assign.value = ExpressionAnalyzer::make_constant(value, place.type, where);
+  pou_.entry.push_back(std::move(assign));
+}
 
 void TypeResolver::lay_out(Pou& pou) {
   State& state = layouts_[pou.name.value];

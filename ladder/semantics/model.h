@@ -2,9 +2,14 @@
 
 // The semantic model: everything that codegen needs to know of a compilation, resolved and checked.
 //
-// Memory: the areas %I, %Q, %M and Data. Data holds the globals, the instances of programs (with the function
-// blocks in them, contiguous) and what functions keep in memory while they run: functions cannot recurse, so
-// each has its arrays and outputs at a fixed place.
+// Memory: the areas %I, %Q, %M and Data, and frames. Data holds the globals, the instances of programs (with
+// the function blocks in them, contiguous) and constants. A frame holds what a POU keeps in memory only while
+// it runs: arrays and structures of functions, temporary variables, results and outputs of what it calls.
+//
+// A function's slots are its parameters: inputs (the address, if the value is in memory) and in-outs (the
+// address) in the order of their declaration, each variable-length array followed by its bounds, then the
+// addresses of the outputs, then the address of the result, if that is in memory. Then come its own
+// variables.
 
 #include <array>
 #include <memory>
@@ -27,8 +32,14 @@ struct Variable {
   Section section = Section::Local;
   bool constant = false;
   bool retain = false;
+  bool non_retain = false;
+  syntax::Edge edge = syntax::Edge::None;
   source::Position where;
   Place place;
+  Place edge_place;           // of an input with R_EDGE or F_EDGE: what the body reads
+  Place first;                // function input in memory: a constant with its first value
+  std::vector<Place> bounds;  // variable-length array: lower and upper bound of each dimension, DINT
+  std::optional<syntax::Area> open_address;  // AT %I*
   std::optional<syntax::DirectAddress> address;
   std::optional<Constant> value;    // of a scalar constant
   std::optional<Constant> initial;  // of a scalar that is not in an instance
@@ -41,13 +52,15 @@ struct Pou {
   source::Position where;
   const syntax::PouDeclaration* declaration = nullptr;
   const Type* type = nullptr;    // its instances; null for a function
-  const Type* result = nullptr;  // of a function
+  bool has_result = false;       // of a function
+  const Type* result = nullptr;  // null if there is none or its type is wrong
   std::uint32_t result_slot = 0;
   std::vector<Variable> variables;
   std::unordered_map<std::uint32_t, std::uint32_t> scope;  // NameId -> index into `variables`
   std::vector<bytecode::StackType> slots;                  // parameters first
   std::uint16_t parameter_count = 0;
-  Block entry;  // gives temporary variables their first values; runs before the body
+  std::uint32_t frame_size = 0;  // bytes
+  Block entry;                   // gives temporary variables their first values; runs before the body
   Block body;
   std::uint32_t label_count = 0;
   source::Position end;

@@ -16,7 +16,17 @@ bool is_comparison(Operator op) {
 }
 
 bool is_logic(Operator op) {
-  return op == Operator::And || op == Operator::Or || op == Operator::Xor;
+  return op == Operator::And || op == Operator::Or || op == Operator::Xor || op == Operator::AndThen ||
+         op == Operator::OrElse;
+}
+
+bool is_short_circuit(Operator op) {
+  return op == Operator::AndThen || op == Operator::OrElse;
+}
+
+// A reference or an enumeration beside NULL or the name of one of several enumerations.
+bool takes_name(const Type& type, const Type& name) {
+  return name.kind == TypeKind::Null ? type.is_reference() : type.kind == TypeKind::Enumeration;
 }
 
 // A literal beyond every integer type.
@@ -71,6 +81,8 @@ const Type* ExpressionAnalyzer::common_type(const Value& left, const Value& righ
   const Type& l = *left.type;
   const Type& r = *right.type;
   if (&l == &r) return &l;
+  if (l.kind == TypeKind::AnyEnumerator || l.kind == TypeKind::Null) return takes_name(r, l) ? &r : nullptr;
+  if (r.kind == TypeKind::AnyEnumerator || r.kind == TypeKind::Null) return takes_name(l, r) ? &l : nullptr;
   const TypeTable& types = a_.type_table();
   if (l.is_literal() || r.is_literal()) {
     const Value& literal = l.is_literal() ? left : right;
@@ -103,8 +115,9 @@ const Type* ExpressionAnalyzer::common_type(const Value& left, const Value& righ
 }
 
 bool ExpressionAnalyzer::operator_applies(Operator op, const Type& type) const {
-  if (!type.is_scalar()) return false;
+  if (!type.is_scalar() || type.kind == TypeKind::Null || type.kind == TypeKind::AnyEnumerator) return false;
   if (op == Operator::Equal || op == Operator::NotEqual) return true;
+  if (is_short_circuit(op)) return type.is_bool();
   if (is_comparison(op)) return type.kind == TypeKind::Elementary || type.is_literal();
   if (is_logic(op)) return type.is_bool() || type.is_bits();
   if (op == Operator::Modulo) return type.is_integer();

@@ -63,6 +63,10 @@ std::optional<Place> ExpressionAnalyzer::part(const Expression& expression) {
       return field_place(expression);
     case ExpressionKind::Index:
       return index_place(expression);
+    case ExpressionKind::Dereference:
+      return followed_place(expression);
+    case ExpressionKind::Part:
+      return partial_place(expression);
     case ExpressionKind::Error:
       return std::nullopt;
     default:
@@ -83,7 +87,22 @@ std::optional<Place> ExpressionAnalyzer::variable_place(const syntax::Name& name
     read_only_ = quote(name.text) + " " + why;
     read_only_where_ = name.where;
   }
-  return copy_direct(found->place);
+  // The body reads the edge of an input with R_EDGE, its callers write the input itself.
+  const bool senses = found->edge != syntax::Edge::None;
+  Place place = copy_direct(senses ? found->edge_place : found->place);
+  if (found->type->open) place.open = found;
+  return place;
+}
+
+// Goes on to a part of a place that lies `offset` bytes behind its start.
+void ExpressionAnalyzer::advance(Place& place, std::uint32_t offset) {
+  if (place.is_direct()) {
+    place.offset += offset;
+  } else if (offset != 0) {
+    PlaceStep step;
+    step.offset = offset;
+    place.steps.push_back(std::move(step));
+  }
 }
 
 std::optional<Place> ExpressionAnalyzer::field_place(const Expression& expression) {
@@ -96,16 +115,12 @@ std::optional<Place> ExpressionAnalyzer::field_place(const Expression& expressio
   } else if (type.kind == TypeKind::Instance) {
     member = instance_member(type, expression.name);
   } else {
-    a_.error(code::kUnknownMember, expression.name.where, type.name + " has no members");
+    a_.error(
+        code::kUnknownMember, expression.name.where, type.name + " has no members",
+        type.is_reference() ? "follow the reference first: ref^." + std::string(expression.name.text) : "");
   }
   if (!member) return std::nullopt;
-  if (base->is_direct()) {
-    base->offset += member->offset;
-  } else {
-    PlaceStep step;
-    step.offset = member->offset;
-    base->steps.push_back(std::move(step));
-  }
+  advance(*base, member->offset);
   base->type = member->type;
   return base;
 }
@@ -150,68 +165,6 @@ std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::instance_member(co
   return Member{found->type, found->place.offset};
 }
 
-std::optional<Place> ExpressionAnalyzer::index_place(const Expression& expression) {
-  std::optional<Place> base = part(*expression.operands[0]);
-  bool sound = base.has_value();
-  const std::size_t given = expression.operands.size() - 1;
-  if (sound && base->type->kind != TypeKind::Array) {
-    a_.error(code::kTypeMismatch, expression.where, base->type->name + " is no array and cannot be indexed");
-    sound = false;
-  }
-  if (sound && given != base->type->dimensions.size()) {
-    a_.error(code::kIndexCount, expression.where,
-             "the array has " + std::to_string(base->type->dimensions.size()) + " dimensions, found " +
-                 std::to_string(given) + " indexes");
-    sound = false;
-  }
-  if (!sound) return std::nullopt;
-  const Type& array = *base->type;
-  std::uint32_t stride = array.size;
-  for (std::size_t i = 0; i < given; ++i) {
-    const Dimension& dimension = array.dimensions[i];
-    stride /= dimension.count();
-    if (!add_index(*base, *expression.operands[i + 1], dimension, stride)) return std::nullopt;
-  }
-  base->type = array.element;
-  return base;
-}
-
-bool ExpressionAnalyzer::add_index(Place& place, const Expression& index, const Dimension& dimension,
-                                   std::uint32_t stride) {
-  ValuePtr value = settled_value(index);
-  if (!value) return false;
-  if (!value->type->is_integer()) {
-    a_.error(code::kTypeMismatch, index.where, "an index must be an integer, not " + value->type->name);
-    return false;
-  }
-  if (value->kind != ValueKind::Constant) {
-    value = convert(std::move(value), a_.type_table().elementary(ElementaryType::Dint), index.where);
-    if (!value) return false;
-    PlaceStep step;
-    step.index = std::move(value);
-    step.lower = dimension.lower;
-    step.upper = dimension.upper;
-    step.stride = stride;
-    place.steps.push_back(std::move(step));
-    return true;
-  }
-  const __int128 number = value->constant.integer;
-  if (number < dimension.lower || number > dimension.upper) {
-    a_.error(code::kConstantIndex, index.where, "the index " + to_string(number) + " is outside of the array",
-             "it goes from " + std::to_string(dimension.lower) + " to " + std::to_string(dimension.upper));
-    return false;
-  }
-  const auto offset = static_cast<std::uint32_t>(number - dimension.lower) * stride;
-  if (place.is_direct()) {
-    place.offset += offset;
-  } else {
-    PlaceStep step;
-    step.offset = offset;
-    place.steps.push_back(std::move(step));
-  }
-  return true;
-}
-
 // %QX0.3 used in place: a BOOL or a bit string of the size that it names.
 std::optional<Place> ExpressionAnalyzer::direct_place(const Expression& expression) {
   const syntax::DirectAddress& address = expression.address;
@@ -233,6 +186,8 @@ std::optional<Place> ExpressionAnalyzer::direct_place(const Expression& expressi
                                : address.bits == 32 ? ElementaryType::Dword
                                                     : ElementaryType::Lword;
   place.type = a_.type_table().elementary(which);
+  for (const auto& [declared, type] : a_.direct_types)
+    if (declared == address) place.type = type;
   auto& area = a_.model.area(place.base);
   const std::size_t end = std::size_t{address.byte} + place.type->size;
   if (area.size() < end) area.resize(end);

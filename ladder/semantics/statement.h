@@ -9,7 +9,7 @@
 namespace stepwright::semantics {
 
 enum class StatementKind : std::uint8_t {
-  Assign,    // target := value; aggregates are copied
+  Assign,    // target := value; aggregates and strings are copied
   Evaluate,  // value, whose result is dropped
   Instance,  // copies `before`, runs the block at `target`, copies `after`
   If,        // branches with conditions; the last one without a condition is ELSE
@@ -41,9 +41,10 @@ struct Branch {
 struct Statement {
   StatementKind kind = StatementKind::Return;
   source::Position where;
-  Place target;    // Assign, For: what counts, Instance: the instance
-  ValuePtr value;  // For: the first value
-  ValuePtr limit;  // For; of the type of the target, as `step`
+  bool initial = false;  // Assign: the bytes are copied as they are, the target holds nothing yet
+  Place target;          // Assign, For: what counts, Instance: the instance
+  ValuePtr value;        // For: the first value
+  ValuePtr limit;        // For; of the type of the target, as `step`
   ValuePtr step;
   std::vector<CopyBefore> before;
   std::vector<CopyAfter> after;

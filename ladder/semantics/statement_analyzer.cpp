@@ -55,8 +55,7 @@ std::optional<Statement> StatementAnalyzer::statement(const syntax::Statement& s
     case syntax::StatementKind::Assign:
       return assign(statement);
     case syntax::StatementKind::Attempt:
-      a_.error(code::kNotSupported, statement.where, "?= is not supported yet");
-      return std::nullopt;
+      return attempt(statement);
     case syntax::StatementKind::Call: {
       auto call = expressions_.call_statement(*statement.value);
       if (call && call->kind == StatementKind::Evaluate && call->value->kind != ValueKind::Call)
@@ -98,6 +97,28 @@ std::optional<Statement> StatementAnalyzer::assign(const syntax::Statement& stat
   }
   value = expressions_.convert(std::move(value), target->type, statement.value->where);
   if (!value) return std::nullopt;
+  Statement result = make(StatementKind::Assign, statement.where);
+  result.target = std::move(*target);
+  result.value = std::move(value);
+  return result;
+}
+
+// ref ?= other: without inheritance a reference leads to what its type says, so that the attempt succeeds
+// exactly if the types are equal; it is NULL otherwise (6.6.6.7.3).
+std::optional<Statement> StatementAnalyzer::attempt(const syntax::Statement& statement) {
+  auto target = expressions_.place(*statement.target, Access::Write);
+  ValuePtr value = expressions_.value(*statement.value);
+  if (!target || !value) return std::nullopt;
+  const bool refers = value->type->is_reference() || value->type->kind == TypeKind::Null;
+  if (!target->type->is_reference() || !refers) {
+    const bool wrong_target = !target->type->is_reference();
+    a_.error(code::kTypeMismatch, wrong_target ? statement.target->where : statement.value->where,
+             "'?=' assigns references, not " + (wrong_target ? target->type : value->type)->name,
+             "assign with ':='");
+    return std::nullopt;
+  }
+  if (value->type != target->type)
+    value = ExpressionAnalyzer::make_constant({bytecode::kNullRef}, target->type, statement.value->where);
   Statement result = make(StatementKind::Assign, statement.where);
   result.target = std::move(*target);
   result.value = std::move(value);
@@ -175,8 +196,10 @@ std::optional<Statement> StatementAnalyzer::count(const syntax::Statement& state
              "the variable of FOR must be an integer, not " + target->type->name);
     sound = false;
   }
+  // A subrange bounds the variable, but neither the limit nor the step.
   const Type* type = sound ? target->type : nullptr;
   result.value = expressions_.value_as(*statement.value, type);
+  if (type != nullptr && type->kind == TypeKind::Subrange) type = type->base;
   result.limit = expressions_.value_as(*statement.limit, type);
   if (statement.step) {
     result.step = expressions_.value_as(*statement.step, type);

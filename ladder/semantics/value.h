@@ -23,48 +23,67 @@ enum class Base : std::uint8_t {
   Marker,
   Data,
   This,     // `offset` in the running instance
+  Frame,    // `offset` in the frame of the running function
   Slot,     // local slot `slot` of the running function: a scalar without an address
   ThisRef,  // the reference stored at `offset` in the running instance (VAR_IN_OUT)
   SlotRef,  // the reference held by local slot `slot`
 };
 
-// One step from a place to a part of it.
+// One index of a variable-length array.
+struct OpenIndex {
+  ValuePtr index;
+  ValuePtr lower;
+  ValuePtr upper;
+};
+
+// One step from a place to a part of it, or along the reference that it holds.
 struct PlaceStep {
-  ValuePtr index;          // null: only `offset` is added
-  std::int32_t lower = 0;  // bounds of the index, checked at run time
+  bool follow = false;          // the place holds a reference: go where it leads
+  std::vector<OpenIndex> open;  // all indexes of a variable-length array; `stride` is that of an element
+  ValuePtr index;               // null: only `offset` is added
+  std::int32_t lower = 0;       // bounds of the index, checked at run time
   std::int32_t upper = 0;
   std::uint32_t stride = 0;
   std::uint32_t offset = 0;  // added behind the index
 };
+
+struct Variable;
 
 // A variable or a part of one.
 struct Place {
   Base base = Base::This;
   std::uint32_t offset = 0;
   std::uint32_t slot = 0;
-  std::uint8_t bit = bytecode::kNoBit;  // located BOOL: a bit of the byte at `offset`
+  // A BOOL that is a bit of the byte that the rest of the place leads to.
+  std::uint8_t bit = bytecode::kNoBit;
   const Type* type = nullptr;
+  // Slot: the place is the bits from `shift` on of a slot that holds a `whole`; null: the whole slot.
+  const Type* whole = nullptr;
+  std::uint8_t shift = 0;
+  const Variable* open = nullptr;  // of a variable-length array: the parameter, which knows the bounds
   std::vector<PlaceStep> steps;
 
   // Has neither an index nor a reference on its way: the address is known when the program is loaded.
   bool is_direct() const { return steps.empty() && base != Base::ThisRef && base != Base::SlotRef; }
   // Can be given away as a reference.
-  bool is_addressable() const { return base != Base::Slot && bit == bytecode::kNoBit; }
+  bool is_addressable() const { return (base != Base::Slot || !steps.empty()) && bit == bytecode::kNoBit; }
 };
 
 enum class ValueKind : std::uint8_t {
   Constant,
   Load,       // `place`
-  Reference,  // the address of `place`, for VAR_IN_OUT and aggregate parameters
+  Reference,  // the address of `place`
   Unary,      // Negate, Not
   Binary,     // chain of `op` over operands of type operands[0]->type
   Convert,    // operands[0] to `type`, exactly if it widens, else as the standard's X_TO_Y
+  Check,      // operands[0], which must lie in the subrange `type`
   Truncate,   // operands[0], a real, to the integer `type`, towards zero
   Standard,   // `function` of operands of one type
   Shift,      // `function` of operands[0], operands[1] (DINT)
   Select,     // operands[0] ? operands[2] : operands[1], all evaluated
   Multiplex,  // operands[0] (DINT) chooses among the rest, all evaluated
-  Call,       // user function `pou`; operands in the order of its parameters
+  Call,       // user function `pou`; operands in the order of its slots; a result in memory is at `place`
+  Enabled,    // operands[0] ? operands[1] : the first value of the type; `after` passes ENO on, in `place`
   Now,        // time since the start, TIME
 };
 
@@ -80,7 +99,7 @@ struct Value {
   Place place;
   const Pou* pou = nullptr;
   std::vector<ValuePtr> operands;
-  // Call: outputs and in-outs that the caller copies (see CallCopies in statement.h).
+  // Call, Enabled: what the caller copies around it.
   std::vector<struct CopyBefore> before;
   std::vector<struct CopyAfter> after;
 

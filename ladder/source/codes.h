@@ -46,6 +46,7 @@ inline constexpr const char* kExitOutsideLoop = "E0408";
 inline constexpr const char* kNeedsVariable = "E0409";
 inline constexpr const char* kNoResult = "E0410";
 inline constexpr const char* kMissingInOut = "E0411";
+inline constexpr const char* kShortLived = "E0412";
 
 inline constexpr const char* kBadAddress = "E0501";
 inline constexpr const char* kAddressSize = "E0502";

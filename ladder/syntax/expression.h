@@ -101,6 +101,9 @@ struct Expression {
   DirectAddress address;
   std::vector<ExpressionPtr> operands;
   std::vector<Argument> arguments;
+  // Call: EN := ... and ENO => ..., which every call may have (6.6.1.4); not among `arguments`.
+  std::unique_ptr<Argument> enable;
+  std::unique_ptr<Argument> enabled;
 };
 
 // "AND", ">="

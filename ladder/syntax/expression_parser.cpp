@@ -197,10 +197,18 @@ bool Parser::at_path_call(const Expression& base) const {
 }
 
 void Parser::call_arguments(Expression& call) {
-  call.arguments = arguments();
-  for (const Argument& each : call.arguments)
+  for (Argument& each : arguments()) {
     if (each.value)
       call.depth = std::max<std::uint16_t>(call.depth, static_cast<std::uint16_t>(each.value->depth + 1));
+    const std::string formal = each.formal ? source::upper(each.formal->text) : std::string();
+    if (formal == "EN" && !each.is_output && !call.enable) {
+      call.enable = std::make_unique<Argument>(std::move(each));
+    } else if (formal == "ENO" && each.is_output && !call.enabled) {
+      call.enabled = std::make_unique<Argument>(std::move(each));
+    } else {
+      call.arguments.push_back(std::move(each));
+    }
+  }
 }
 
 ExpressionPtr Parser::suffixes(ExpressionPtr base) {

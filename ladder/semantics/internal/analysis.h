@@ -2,6 +2,7 @@
 
 // What the parts of the analysis share: the model in the making and the global names.
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -19,7 +20,7 @@ using source::Position;
 
 struct EnumValue {
   const Type* type = nullptr;  // null: several enumerations have a value of this name
-  std::int16_t value = 0;
+  std::int64_t value = 0;
 };
 
 struct Analysis {
@@ -30,6 +31,8 @@ struct Analysis {
   std::unordered_map<std::uint32_t, Pou*> pous;
   std::unordered_map<std::uint32_t, std::uint32_t> globals;  // NameId -> index into model.globals
   std::unordered_map<std::uint32_t, EnumValue> enum_values;
+  // Direct variables with a type of their own (AT %MW0 : INT, without a name).
+  std::vector<std::pair<syntax::DirectAddress, const Type*>> direct_types;
 
   void error(const char* what, Position where, std::string message, std::string hint = {}) {
     sink.error(what, where, std::move(message), std::move(hint));
@@ -41,13 +44,16 @@ struct Analysis {
   std::optional<std::uint32_t> allocate(std::uint32_t size, Position where);
   // A place in Data for a value of the type, with the type's initial value.
   Place allocate_place(const Type* type, Position where);
+  // The same, with first bytes of its own.
+  Place allocate_place(const Type* type, std::span<const std::byte> initial, Position where);
 };
+
+// A place in the frame of the running POU: it begins anew, with whatever was there before.
+Place frame_place(Pou& pou, const Type* type);
 
 // Bytes that a program may have.
 inline constexpr std::uint32_t kMaxData = 32u << 20;
 
 std::string quote(std::string_view name);
-// The slot that holds a scalar of this type.
-bytecode::StackType slot_type(const Type& type);
 
 }  // namespace stepwright::semantics::internal

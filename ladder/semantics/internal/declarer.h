@@ -16,21 +16,36 @@ class TypeResolver {
   void declare_all();
   // Null after a report. Instances of function blocks are types too.
   const Type* resolve(const syntax::TypeSpec& spec);
+  // The same for a parameter, which may be an ARRAY[*].
+  const Type* resolve_parameter(const syntax::TypeSpec& spec);
+  // What a variable that is declared so starts with: TYPE may give a first value of its own.
+  std::vector<std::byte> initial_of(const syntax::TypeSpec& spec, const Type& type);
   // Lays out the variables of a POU, before those that hold instances of it.
   void lay_out(Pou& pou);
 
  private:
   const Type* named(const syntax::Name& name);
-  const Type* declared(const syntax::TypeDeclaration& declaration);
-  const Type* array(const syntax::TypeSpec& spec);
-  const Type* structure(const syntax::TypeSpec& spec, std::string name);
-  const Type* enumeration(const syntax::TypeSpec& spec, std::string name);
-
   enum class State : std::uint8_t { Open, Running, Done };
   struct Known {
     const syntax::TypeDeclaration* declaration = nullptr;
     State state = State::Open;
+    std::vector<std::byte> initial;
   };
+  const Type* declared(Known& known);
+
+  // derived_type.cpp
+  const Type* array(const syntax::TypeSpec& spec);
+  const Type* misplaced_open_array(const syntax::TypeSpec& spec);
+  const Type* open_array(const syntax::TypeSpec& spec);
+  const Type* structure(const syntax::TypeSpec& spec, Type& out);
+  bool is_member_line(const syntax::VariableDeclaration& line, const Type& type);
+  const Type* base_type(const syntax::Name& name, const char* what);
+  const Type* enumeration(const syntax::TypeSpec& spec, std::string name);
+  bool add_enumerator(Type& type, const syntax::Name& name, __int128 value);
+  const Type* subrange(const syntax::TypeSpec& spec);
+  const Type* text(const syntax::TypeSpec& spec);
+  const Type* reference(const syntax::TypeSpec& spec);
+
   Analysis& a_;
   const syntax::Unit& unit_;
   std::unordered_map<std::uint32_t, Known> known_;

@@ -41,6 +41,7 @@ class ExpressionAnalyzer {
   // Makes values.
   static ValuePtr make(ValueKind kind, const Type* type, Position where);
   static ValuePtr make_constant(Constant constant, const Type* type, Position where);
+  // The value in a place; of a subrange it is one of its base.
   static ValuePtr load(Place place, Position where);
   // A copy of a place without index steps.
   static Place copy_direct(const Place& place);
@@ -54,10 +55,10 @@ class ExpressionAnalyzer {
   ValuePtr settle(ValuePtr value);
 
   // place.cpp
+  static void advance(Place& place, std::uint32_t offset);
   std::optional<Place> part(const syntax::Expression& expression);
   std::optional<Place> variable_place(const syntax::Name& name);
   std::optional<Place> field_place(const syntax::Expression& expression);
-  std::optional<Place> index_place(const syntax::Expression& expression);
   std::optional<Place> direct_place(const syntax::Expression& expression);
   struct Member {
     const Type* type = nullptr;
@@ -65,11 +66,29 @@ class ExpressionAnalyzer {
   };
   std::optional<Member> struct_member(const Type& type, const syntax::Name& name);
   std::optional<Member> instance_member(const Type& type, const syntax::Name& name);
-  bool add_index(Place& place, const syntax::Expression& index, const Dimension& dimension,
-                 std::uint32_t stride);
   const Variable* find_variable(NameId name) const;
   void report_unknown(const syntax::Name& name);
   std::string why_read_only(const Variable& variable) const;
+
+  // index_place.cpp
+  std::optional<Place> index_place(const syntax::Expression& expression);
+  bool add_index(Place& place, const syntax::Expression& index, const Dimension& dimension,
+                 std::uint32_t stride);
+  std::optional<Place> open_index(Place base, const syntax::Expression& expression);
+  // partial_access.cpp
+  std::optional<Place> partial_place(const syntax::Expression& expression);
+  // reference.cpp
+  std::optional<Place> followed_place(const syntax::Expression& expression);
+  ValuePtr reference_to(const syntax::Expression& call);
+  // array_bounds.cpp
+  ValuePtr array_bound(const syntax::Expression& call, bool upper);
+  std::optional<std::vector<const syntax::Expression*>> plain_arguments(
+      const syntax::Expression& call, std::initializer_list<const char*> formals, std::size_t count);
+
+  // derived_conversion.cpp: the types that are no elementary ones; `known` is false for those.
+  ValuePtr convert_derived(ValuePtr value, const Type* type, Position where, bool& known);
+  ValuePtr convert_enumerator(ValuePtr value, const Type* type, Position where);
+  ValuePtr convert_to_subrange(ValuePtr value, const Type* type, Position where);
 
   // operators.cpp
   ValuePtr unary(const syntax::Expression& expression);
@@ -91,19 +110,33 @@ class ExpressionAnalyzer {
 
   // call.cpp
   ValuePtr call(const syntax::Expression& expression);
+  ValuePtr callee(const syntax::Expression& expression);
   ValuePtr function_call(const syntax::Expression& expression, Pou& function);
   std::optional<Statement> block_call(const syntax::Expression& call, const syntax::Expression* path);
+  Place part_of_target(const Place& instance, std::uint32_t offset, const Type* type);
+  bool block_argument(const Variable& parameter, const syntax::Argument& argument, Statement& out);
+  void note_callee(const Pou& callee);
+  // enabled_call.cpp
+  std::optional<Place> enable_slot(const syntax::Expression& call, std::vector<CopyBefore>& before,
+                                   std::vector<CopyAfter>& after);
+  ValuePtr enabled(ValuePtr called, const syntax::Expression& call);
+  Statement enabled_block(Statement called, const syntax::Expression& call);
+  // call_arguments.cpp
   // Which parameter each argument means; false after a report.
   bool match_arguments(const syntax::Expression& call, const Pou& pou,
                        std::vector<const syntax::Argument*>& out);
   bool pass_output(const syntax::Argument& argument, Place source, std::vector<CopyAfter>& after);
   ValuePtr reference_argument(const syntax::Argument& argument, const Variable& parameter,
                               std::vector<CopyBefore>& before, std::vector<CopyAfter>& after);
-  bool function_argument(const Variable& parameter, const syntax::Argument* argument,
-                         const syntax::Expression& call, Value& out);
-  bool block_argument(const Variable& parameter, const syntax::Argument& argument, Statement& out);
-  Place part_of_target(const Place& instance, const Variable& member);
-  void note_callee(const Pou& callee);
+  ValuePtr address_of(Place place, Position where);
+  bool matches_parameter(const Type& argument, const Type& parameter) const;
+  std::vector<ValuePtr> bounds_of(const Place& array, Position where);
+  bool in_out_argument(const Variable& parameter, const syntax::Argument* argument,
+                       const syntax::Expression& call, Value& out);
+  bool input_argument(const Variable& parameter, const syntax::Argument* argument,
+                      const syntax::Expression& call, bool may_alias, Value& out);
+  bool output_argument(const Variable& parameter, const syntax::Argument* argument,
+                       const syntax::Expression& call, Value& out);
 
   // standard_call.cpp
   ValuePtr standard_call(const syntax::Expression& call, const std::string& folded, bool& known);

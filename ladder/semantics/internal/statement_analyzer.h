@@ -21,6 +21,7 @@ class StatementAnalyzer {
   Block block(const syntax::Statements& statements);
   std::optional<Statement> statement(const syntax::Statement& statement);
   std::optional<Statement> assign(const syntax::Statement& statement);
+  std::optional<Statement> attempt(const syntax::Statement& statement);
   std::optional<Statement> branch(const syntax::Statement& statement);
   std::optional<Statement> select(const syntax::Statement& statement);
   std::optional<Statement> count(const syntax::Statement& statement);

@@ -1,0 +1,207 @@
+// The arguments of calls of user functions and function blocks (IEC 61131-3, 6.6.1.4).
+
+#include <algorithm>
+#include <utility>
+
+#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/source/suggestion.h"
+
+namespace stepwright::semantics::internal {
+
+using syntax::Argument;
+using syntax::Expression;
+
+namespace {
+
+bool is_parameter(const Variable& variable) {
+  return variable.section == Section::Input || variable.section == Section::Output ||
+         variable.section == Section::InOut;
+}
+
+}  // namespace
+
+// `out` holds, for each variable of the POU, its argument or null.
+bool ExpressionAnalyzer::match_arguments(const Expression& call, const Pou& pou,
+                                         std::vector<const Argument*>& out) {
+  out.assign(pou.variables.size(), nullptr);
+  std::vector<std::size_t> positional;
+  std::vector<std::string_view> formals;
+  for (std::size_t i = 0; i < pou.variables.size(); ++i) {
+    if (!is_parameter(pou.variables[i])) continue;
+    positional.push_back(i);
+    formals.push_back(pou.variables[i].spelling);
+  }
+  std::size_t next = 0;
+  bool sound = true;
+  // EN and ENO are parameters like others where the POU declares them.
+  for (const Argument* each : {call.enable.get(), call.enabled.get()}) {
+    if (each == nullptr) continue;
+    const auto known = pou.scope.find(each->formal->id.value);
+    if (known != pou.scope.end() && is_parameter(pou.variables[known->second])) out[known->second] = each;
+  }
+  for (const Argument& each : call.arguments) {
+    std::size_t index = 0;
+    if (!each.formal) {
+      if (next >= positional.size()) {
+        a_.error(code::kArgumentCount, each.value->where,
+                 quote(pou.spelling) + " takes " + std::to_string(positional.size()) + " arguments");
+        return false;
+      }
+      index = positional[next++];
+    } else {
+      const auto known = pou.scope.find(each.formal->id.value);
+      if (known == pou.scope.end() || !is_parameter(pou.variables[known->second])) {
+        a_.error(code::kUnknownParameter, each.formal->where,
+                 quote(pou.spelling) + " has no parameter " + quote(each.formal->text),
+                 source::did_you_mean(each.formal->text, formals));
+        sound = false;
+        continue;
+      }
+      index = known->second;
+      const bool is_output = pou.variables[index].section == Section::Output;
+      if (is_output != each.is_output) {
+        a_.error(code::kUnknownParameter, each.formal->where,
+                 quote(each.formal->text) +
+                     (is_output ? " is an output: write it with '=>'" : " is no output: write it with ':='"));
+        sound = false;
+        continue;
+      }
+    }
+    if (out[index] != nullptr) {
+      a_.error(code::kDuplicateArgument, each.formal ? each.formal->where : each.value->where,
+               quote(pou.variables[index].spelling) + " is given twice");
+      sound = false;
+    }
+    out[index] = &each;
+  }
+  return sound;
+}
+
+// `Q => y`: y := source, behind the call.
+bool ExpressionAnalyzer::pass_output(const Argument& argument, Place source, std::vector<CopyAfter>& after) {
+  if (!argument.value) return true;
+  auto target = place(*argument.value, Access::Write);
+  if (!target) return false;
+  const Position where = argument.value->where;
+  ValuePtr value = load(std::move(source), where);
+  if (argument.negated) {
+    if (!value->type->is_bool()) {
+      a_.error(code::kBadOperand, where, "NOT cannot be applied to " + value->type->name);
+      return false;
+    }
+    ValuePtr inverse = make(ValueKind::Unary, value->type, where);
+    inverse->op = syntax::Operator::Not;
+    inverse->operands.push_back(std::move(value));
+    value = std::move(inverse);
+  }
+  value = convert(std::move(value), target->type, where);
+  if (!value) return false;
+  after.push_back({std::move(*target), std::move(value)});
+  return true;
+}
+
+// The address of a VAR_IN_OUT argument. What has none (a bit, a local slot) goes through a copy.
+ValuePtr ExpressionAnalyzer::reference_argument(const Argument& argument, const Variable& parameter,
+                                                std::vector<CopyBefore>& before,
+                                                std::vector<CopyAfter>& after) {
+  if (!argument.value) return nullptr;
+  const Position where = argument.value->where;
+  auto target = place(*argument.value, Access::Write);
+  if (!target) return nullptr;
+  if (!matches_parameter(*target->type, *parameter.type))
+    return mismatch(*target->type, *parameter.type, where);
+  if (!target->is_addressable()) {
+    const Place scratch = frame_place(*pou_, parameter.type);
+    before.push_back({copy_direct(scratch), load(copy_direct(*target), where)});
+    after.push_back({std::move(*target), load(copy_direct(scratch), where)});
+    target = copy_direct(scratch);
+  }
+  return address_of(std::move(*target), where);
+}
+
+ValuePtr ExpressionAnalyzer::address_of(Place place, Position where) {
+  ValuePtr address = make(ValueKind::Reference, a_.type_table().reference(place.type), where);
+  address->place = std::move(place);
+  return address;
+}
+
+// A variable-length array takes every array of its elements and number of dimensions; a string of any
+// capacity carries it along.
+bool ExpressionAnalyzer::matches_parameter(const Type& argument, const Type& parameter) const {
+  if (&argument == &parameter) return true;
+  if (parameter.is_string()) return argument.is_string() && argument.elementary == parameter.elementary;
+  return parameter.open && argument.kind == TypeKind::Array && argument.element == parameter.element &&
+         argument.dimensions.size() == parameter.dimensions.size();
+}
+
+// The bounds of an array that is passed to a variable-length one: lower and upper of each dimension.
+std::vector<ValuePtr> ExpressionAnalyzer::bounds_of(const Place& array, Position where) {
+  std::vector<ValuePtr> values;
+  const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
+  for (std::size_t i = 0; i < array.type->dimensions.size(); ++i) {
+    for (const bool upper : {false, true}) {
+      const Dimension& fixed = array.type->dimensions[i];
+      values.push_back(array.open != nullptr
+                           ? load(copy_direct(array.open->bounds[2 * i + (upper ? 1 : 0)]), where)
+                           : make_constant({upper ? fixed.upper : fixed.lower}, dint, where));
+    }
+  }
+  return values;
+}
+
+bool ExpressionAnalyzer::in_out_argument(const Variable& parameter, const Argument* argument,
+                                         const Expression& call, Value& out) {
+  if (argument == nullptr || !argument->value) {
+    a_.error(code::kMissingInOut, call.where, "the call gives no variable for " + quote(parameter.spelling));
+    return false;
+  }
+  ValuePtr address;
+  if (parameter.section == Section::InOut) {
+    address = reference_argument(*argument, parameter, out.before, out.after);
+  } else if (auto source = place(*argument->value, Access::Read)) {
+    if (!matches_parameter(*source->type, *parameter.type)) {
+      mismatch(*source->type, *parameter.type, argument->value->where);
+      return false;
+    }
+    address = address_of(std::move(*source), argument->value->where);
+  }
+  if (!address) return false;
+  std::vector<ValuePtr> bounds;
+  if (parameter.type->open) bounds = bounds_of(address->place, call.where);
+  out.operands.push_back(std::move(address));
+  for (ValuePtr& each : bounds) out.operands.push_back(std::move(each));
+  return true;
+}
+
+// An input: its value, or the address of one that is in memory.
+bool ExpressionAnalyzer::input_argument(const Variable& parameter, const Argument* argument,
+                                        const Expression& call, bool may_alias, Value& out) {
+  ValuePtr value;
+  if (argument != nullptr && argument->value) {
+    value = value_as(*argument->value, parameter.type);
+  } else if (parameter.type->is_scalar()) {
+    value = make_constant(parameter.initial.value_or(Constant{}), parameter.type, call.where);
+  } else {
+    value = load(copy_direct(parameter.first), call.where);
+  }
+  if (!value) return false;
+  const bool is_variable = value->kind == ValueKind::Load && argument != nullptr;
+  if (!parameter.type->is_scalar() && is_variable && may_alias && !parameter.type->is_string()) {
+    // The function changes other variables, perhaps this one: an input keeps its value.
+    Place copy = frame_place(*pou_, value->type);
+    out.before.push_back({copy_direct(copy), std::move(value)});
+    value = load(std::move(copy), call.where);
+  }
+  out.operands.push_back(std::move(value));
+  return true;
+}
+
+// An output is written into the frame of the caller, which passes it on.
+bool ExpressionAnalyzer::output_argument(const Variable& parameter, const Argument* argument,
+                                         const Expression& call, Value& out) {
+  const Place left = frame_place(*pou_, parameter.type);
+  out.operands.push_back(address_of(copy_direct(left), call.where));
+  return argument == nullptr || pass_output(*argument, copy_direct(left), out.after);
+}
+
+}  // namespace stepwright::semantics::internal

@@ -1,0 +1,89 @@
+// Elements of arrays (IEC 61131-3, 6.4.4.5 and 6.5.3).
+
+#include <utility>
+
+#include "ladder/semantics/internal/expression_analyzer.h"
+
+namespace stepwright::semantics::internal {
+
+using syntax::Expression;
+
+std::optional<Place> ExpressionAnalyzer::index_place(const Expression& expression) {
+  std::optional<Place> base = part(*expression.operands[0]);
+  bool sound = base.has_value();
+  const std::size_t given = expression.operands.size() - 1;
+  if (sound && base->type->kind != TypeKind::Array) {
+    a_.error(code::kTypeMismatch, expression.where, base->type->name + " is no array and cannot be indexed");
+    sound = false;
+  }
+  if (sound && given != base->type->dimensions.size()) {
+    a_.error(code::kIndexCount, expression.where,
+             "the array has " + std::to_string(base->type->dimensions.size()) + " dimensions, found " +
+                 std::to_string(given) + " indexes");
+    sound = false;
+  }
+  if (!sound) return std::nullopt;
+  const Type& array = *base->type;
+  if (array.open) return open_index(std::move(*base), expression);
+  std::uint32_t stride = array.size;
+  for (std::size_t i = 0; i < given; ++i) {
+    const Dimension& dimension = array.dimensions[i];
+    stride /= dimension.count();
+    if (!add_index(*base, *expression.operands[i + 1], dimension, stride)) return std::nullopt;
+  }
+  base->type = array.element;
+  return base;
+}
+
+bool ExpressionAnalyzer::add_index(Place& place, const Expression& index, const Dimension& dimension,
+                                   std::uint32_t stride) {
+  ValuePtr value = settled_value(index);
+  if (!value) return false;
+  if (!value->type->is_integer()) {
+    a_.error(code::kTypeMismatch, index.where, "an index must be an integer, not " + value->type->name);
+    return false;
+  }
+  if (value->kind != ValueKind::Constant) {
+    value = convert(std::move(value), a_.type_table().elementary(ElementaryType::Dint), index.where);
+    if (!value) return false;
+    PlaceStep step;
+    step.index = std::move(value);
+    step.lower = dimension.lower;
+    step.upper = dimension.upper;
+    step.stride = stride;
+    place.steps.push_back(std::move(step));
+    return true;
+  }
+  const __int128 number = value->constant.integer;
+  if (number < dimension.lower || number > dimension.upper) {
+    a_.error(code::kConstantIndex, index.where, "the index " + to_string(number) + " is outside of the array",
+             "it goes from " + std::to_string(dimension.lower) + " to " + std::to_string(dimension.upper));
+    return false;
+  }
+  advance(place, static_cast<std::uint32_t>(number - dimension.lower) * stride);
+  return true;
+}
+
+// An element of a variable-length array: the bounds are known when the program runs.
+std::optional<Place> ExpressionAnalyzer::open_index(Place base, const Expression& expression) {
+  const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
+  PlaceStep step;
+  step.stride = base.type->element->size;
+  for (std::size_t i = 1; i < expression.operands.size(); ++i) {
+    OpenIndex each;
+    each.index = value_as(*expression.operands[i], dint);
+    if (!each.index) return std::nullopt;
+    const auto bound = [&](std::size_t which) {
+      return load(copy_direct(base.open->bounds[2 * (i - 1) + which]), expression.where);
+    };
+    each.lower = bound(0);
+    each.upper = bound(1);
+    step.open.push_back(std::move(each));
+  }
+  base.steps.push_back(std::move(step));
+  base.type = base.type->element;
+  base.open = nullptr;
+  return base;
+}
+
+}  // namespace stepwright::semantics::internal

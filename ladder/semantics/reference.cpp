@@ -1,0 +1,66 @@
+// References (IEC 61131-3, 6.4.4.10 and table 12): REF(x), r^, r ?= s.
+
+#include <utility>
+
+#include "ladder/semantics/internal/expression_analyzer.h"
+
+namespace stepwright::semantics::internal {
+
+using syntax::Expression;
+
+namespace {
+
+// A variable that is gone before a reference to it need be, or a parameter, which may stand for one. What a
+// reference leads to is not.
+bool is_short_lived(const Place& place) {
+  for (const PlaceStep& each : place.steps)
+    if (each.follow) return false;
+  return place.base == Base::Slot || place.base == Base::Frame || place.base == Base::SlotRef ||
+         place.base == Base::ThisRef;
+}
+
+}  // namespace
+
+// REF(x)
+ValuePtr ExpressionAnalyzer::reference_to(const Expression& call) {
+  const auto operands = plain_arguments(call, {"IN"}, 1);
+  if (!operands) return nullptr;
+  const Expression& target = *(*operands)[0];
+  // Who holds the reference may write: what cannot be written has none.
+  auto found = place(target, Access::Write);
+  if (!found) return nullptr;
+  if (is_short_lived(*found)) {
+    a_.error(code::kShortLived, target.where,
+             "the variable is gone or another one when the reference is followed",
+             "refer to a variable of a program, a function block or a configuration, not to VAR_TEMP, a "
+             "parameter or a variable of a function");
+    return nullptr;
+  }
+  if (!found->is_addressable()) {
+    a_.error(code::kNeedsVariable, target.where, "a single bit has no address that could be referred to");
+    return nullptr;
+  }
+  ValuePtr result = make(ValueKind::Reference, a_.type_table().reference(found->type), call.where);
+  result->place = std::move(*found);
+  return result;
+}
+
+// r^
+std::optional<Place> ExpressionAnalyzer::followed_place(const Expression& expression) {
+  std::optional<Place> base = part(*expression.operands[0]);
+  if (!base) return std::nullopt;
+  // A constant or an input that holds a reference can be followed and what it leads to written.
+  read_only_.clear();
+  if (!base->type->is_reference()) {
+    a_.error(code::kTypeMismatch, expression.where, base->type->name + " is no reference",
+             "'^' follows a REF_TO");
+    return std::nullopt;
+  }
+  PlaceStep step;
+  step.follow = true;
+  base->steps.push_back(std::move(step));
+  base->type = base->type->element;
+  return base;
+}
+
+}  // namespace stepwright::semantics::internal
