@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "ladder/graphic/project.h"
+#include "ladder/lint/lint.h"
 #include "ladder/source/source_set.h"
 #include "runtime/result/result.h"
 
@@ -27,6 +28,8 @@ struct CompileInput {
   std::vector<source::NamedText> texts;  // ST, in the order in which diagnostics name them
   const graphic::Project* project =
       nullptr;  // LD, SFC and ST POUs of an exchange file or a plan; may be null
+  // Further warnings (ladder/lint) than those of the compiler itself.
+  lint::Level lint = lint::Level::None;
 };
 
 struct CompileOutput {
