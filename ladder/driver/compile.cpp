@@ -60,8 +60,8 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
   if (!container) return result::forward(container);
   CompileOutput output;
   output.container = std::move(*container);
-  lint::check(*model, unit, user_pous, input.warnings, sink);
-  if (input.warnings != lint::Level::None) output.warnings = lint::without_suppressed(sink.take(), sources);
+  lint::check(*model, unit, user_pous, input.lint, sink);
+  output.warnings = lint::without_suppressed(sink.take(), sources);
   return output;
 }
 

@@ -63,7 +63,7 @@ void BodyWalker::variable(const Expression& root, Access access, bool whole, boo
   if (root.kind == ExpressionKind::Direct) {
     if (access == Access::Read) return;
     DirectUse& direct = uses_.directs[range_of(root.address)];
-    direct.text = to_string(root.address);
+    direct.text = syntax::to_string(root.address);
     direct.sites.push_back({&pou_, root.where, keeps, false});
     uses_.has_side_effects[index_] = true;
     return;

@@ -31,14 +31,14 @@ struct VariableUse {
   bool named = false;
   std::uint32_t reads = 0;
   std::uint32_t writes = 0;
-  Position first_read;
+  Position first_read = {};
   std::uint64_t last_write = 0;  // number of the write; they are counted through the program
-  Position last_write_where;
+  Position last_write_where = {};
   // Read before anything was written to it, in the loop with this number: a later write of the loop excuses
   // it.
-  std::optional<std::uint32_t> doubtful_loop;
-  Position doubtful_where;
-  std::vector<WriteSite> sites;
+  std::optional<std::uint32_t> doubtful_loop = {};
+  Position doubtful_where = {};
+  std::vector<WriteSite> sites = {};
 };
 
 // A directly represented variable: area, first bit, number of bits.
