@@ -1,8 +1,9 @@
 // Conversions between elementary types (IEC 61131-3, 6.6.2.5.3). Reals round to the nearest, ties to even,
-// and trap outside of the target; integers wrap; durations count as milliseconds.
+// and trap outside of the target; integers wrap; TIME and TOD count as milliseconds, DATE and DT as seconds.
 
 #include "ladder/codegen/expression_emitter.h"
 #include "ladder/codegen/machine_type.h"
+#include "ladder/semantics/constant_conversion.h"
 
 namespace stepwright::codegen {
 
@@ -11,12 +12,15 @@ using semantics::Type;
 
 namespace {
 
-constexpr std::int64_t kNsPerMs = 1'000'000;
+bool counts_ns(const Type& type) {
+  using enum semantics::ElementaryType;
+  return type.is_time() || type.is(Date) || type.is(Tod) || type.is(Dt);
+}
 
 }  // namespace
 
 void ExpressionEmitter::convert(const Type& from, const Type& to) {
-  if (from.is_time() || to.is_time()) return time_conversion(from, to);
+  if (counts_ns(from) || counts_ns(to)) return time_conversion(from, to);
   if (to.is_bool()) {
     if (from.is_bool()) return;
     if (from.is_real()) {
@@ -83,30 +87,40 @@ void ExpressionEmitter::to_integer(const Type& from, const Type& to) {
   if (!semantics::widens(from, to)) wrap(to);
 }
 
+// Between times, dates and numbers.
 void ExpressionEmitter::time_conversion(const Type& from, const Type& to) {
-  if (from.is_time() && to.is_time()) return;
-  if (from.is_time()) {
+  using enum semantics::ElementaryType;
+  if (&from == &to) return;
+  if (counts_ns(from) && counts_ns(to)) {
+    if (to.is(Dt)) return;
+    if (to.is(Tod)) return time_of_day();
+    b_.emit(Opcode::Dup);
+    time_of_day();
+    return b_.emit(Opcode::SubI64);
+  }
+  const std::int64_t unit = semantics::time_unit_ns(counts_ns(from) ? from : to);
+  if (counts_ns(from)) {
     if (!to.is_real()) {
-      b_.const_i64(kNsPerMs);
+      b_.const_i64(unit);
       b_.emit(Opcode::DivI64);
       if (to.size == 8) return;
       b_.emit(Opcode::I64ToI32);
       return wrap(to);
     }
     b_.emit(Opcode::I64ToF64);
-    b_.const_f64(static_cast<double>(kNsPerMs));
+    b_.const_f64(static_cast<double>(unit));
     b_.emit(Opcode::DivF64);
     if (to.size == 4) b_.emit(Opcode::F64ToF32);
     return;
   }
   if (from.is_real()) {
     if (from.size == 4) b_.emit(Opcode::F32ToF64);
-    b_.const_f64(static_cast<double>(kNsPerMs));
+    b_.const_f64(static_cast<double>(unit));
     b_.emit(Opcode::MulF64);
     return b_.to_int(Opcode::RoundF64, bytecode::IntType::I64);
   }
-  if (from.size != 8) b_.emit(from.is_unsigned() ? Opcode::U32ToI64 : Opcode::I32ToI64);
-  b_.const_i64(kNsPerMs);
+  widen(from);
+  b_.const_i64(unit);
   b_.emit(Opcode::MulI64);
 }
 

@@ -48,6 +48,10 @@ void ExpressionEmitter::value(const Value& value, Width width) {
       return call(value);
     case ValueKind::Enabled:
       return enabled(value);
+    case ValueKind::Chain:
+      return chain(value);
+    case ValueKind::Fail:
+      return b_.trap(static_cast<std::uint8_t>(bytecode::TrapCode::BadArgument));
     case ValueKind::Now:
       return b_.emit(Opcode::Now);
   }
@@ -233,25 +237,6 @@ void ExpressionEmitter::binary(const Value& value, Width width) {
     if (divides && i + 1 < value.operands.size()) wrap(operands);
   }
   if ((modular || divides) && width == Width::Exact) wrap(*value.type);
-}
-
-void ExpressionEmitter::standard(const Value& value) {
-  using semantics::StandardFunction;
-  const Machine machine = machine_type(*value.type);
-  this->value(*value.operands[0]);
-  if (value.function == StandardFunction::Abs) {
-    if (value.type->is_unsigned()) return;
-    b_.intrinsic(abs_intrinsic(machine));
-    return wrap(*value.type);
-  }
-  if (value.function == StandardFunction::Sqrt) {
-    return b_.intrinsic(machine == Machine::F32 ? bytecode::IntrinsicId::SqrtF32
-                                                : bytecode::IntrinsicId::SqrtF64);
-  }
-  for (std::size_t i = 1; i < value.operands.size(); ++i) {
-    this->value(*value.operands[i]);
-    b_.intrinsic(extremum_intrinsic(value.function == StandardFunction::Max, machine));
-  }
 }
 
 void ExpressionEmitter::shift(const Value& value) {

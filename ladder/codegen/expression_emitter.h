@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "ladder/semantics/model.h"
+#include "runtime/bytecode/trap.h"
 #include "runtime/bytecode/writer/function_builder.h"
 
 namespace stepwright::codegen {
@@ -82,7 +83,19 @@ class ExpressionEmitter {
   void to_integer(const semantics::Type& from, const semantics::Type& to);
   void to_real(const semantics::Type& from, const semantics::Type& to);
   void time_conversion(const semantics::Type& from, const semantics::Type& to);
+  // standard_emitter.cpp
   void standard(const semantics::Value& value);
+  void extremum(const semantics::Value& value);
+  void chain(const semantics::Value& value);
+  void swap_bytes(const semantics::Type& type);
+  void swap_groups(unsigned bits, bool wide);
+  void from_bcd(const semantics::Type& from, const semantics::Type& to);
+  void to_bcd(const semantics::Type& from, const semantics::Type& to);
+  void is_valid_bcd();
+  void time_of_day();
+  void widen(const semantics::Type& type);
+  void trap_unless(bytecode::TrapCode code);
+
   void shift(const semantics::Value& value);
   void select(const semantics::Value& value);
   void multiplex(const semantics::Value& value);

@@ -48,7 +48,13 @@ std::uint32_t SymbolTable::type(const Type& type) {
   } else if (type.kind == TypeKind::Struct || type.kind == TypeKind::Instance) {
     index = member_type(type);
   } else if (type.kind == TypeKind::Enumeration) {
-    index = this->type(*model_.types.elementary(type.elementary));
+    index = enumeration_type(type);
+  } else if (type.kind == TypeKind::Subrange) {
+    index = subrange_type(type);
+  } else if (type.kind == TypeKind::Reference) {
+    index = reference_type(type);
+  } else if (type.kind == TypeKind::String) {
+    index = add(writer::string_type(type.elementary, type.capacity));
   } else {
     index = add(writer::elementary(type.elementary));
   }
@@ -69,6 +75,38 @@ std::uint32_t SymbolTable::array_type(const Type& type, std::size_t dimension) {
   out.name = "ARRAY[" + std::to_string(bounds.lower) + ".." + std::to_string(bounds.upper) + "] OF " +
              out_.types[out.element].name;
   return add(std::move(out));
+}
+
+std::uint32_t SymbolTable::enumeration_type(const Type& type) {
+  writer::Type out;
+  out.name = type.name;
+  out.kind = bytecode::TypeKind::Enumeration;
+  out.elementary = type.elementary;
+  out.size = type.size;
+  for (const semantics::Enumerator& each : type.enumerators)
+    out.members.push_back({each.spelling, 0, static_cast<std::uint32_t>(each.value)});
+  return add(std::move(out));
+}
+
+std::uint32_t SymbolTable::subrange_type(const Type& type) {
+  writer::Type out;
+  out.name = type.name;
+  out.kind = bytecode::TypeKind::Subrange;
+  out.elementary = type.elementary;
+  out.size = type.size;
+  out.lower = static_cast<std::int64_t>(type.range.low);
+  out.upper = static_cast<std::int64_t>(type.range.high);
+  return add(std::move(out));
+}
+
+std::uint32_t SymbolTable::reference_type(const Type& type) {
+  writer::Type out;
+  out.name = type.name;
+  out.kind = bytecode::TypeKind::Reference;
+  out.size = type.size;
+  const std::uint32_t index = add(std::move(out));
+  references_.emplace_back(index, type.element);
+  return index;
 }
 
 std::uint32_t SymbolTable::member_type(const Type& type) {
@@ -153,6 +191,12 @@ void SymbolTable::chart(const std::string& path, const ChartOrigin& origin, std:
 }
 
 void SymbolTable::finish() {
+  // Completing one may bring another.
+  for (std::size_t i = 0; i < references_.size(); ++i) {
+    const auto [index, target] = references_[i];
+    const std::uint32_t element = type(*target);
+    out_.types[index].element = element;
+  }
   auto& retain = out_.retain;
   std::sort(retain.begin(), retain.end(), [](const auto& l, const auto& r) { return l.address < r.address; });
   std::vector<bytecode::RetainRecord> joined;

@@ -20,13 +20,16 @@ class SymbolTable {
   void globals();
   // A program instance: itself, its located variables, what it retains, the charts in it.
   void instance(const semantics::ProgramInstance& instance, const std::vector<ChartOrigin>& charts);
-  // Joins neighbouring pieces of the retain map.
+  // Completes the types of references, joins neighbouring pieces of the retain map.
   void finish();
 
  private:
   std::uint32_t type(const semantics::Type& type);
   std::uint32_t array_type(const semantics::Type& type, std::size_t dimension);
   std::uint32_t member_type(const semantics::Type& type);
+  std::uint32_t enumeration_type(const semantics::Type& type);
+  std::uint32_t subrange_type(const semantics::Type& type);
+  std::uint32_t reference_type(const semantics::Type& type);
   std::uint32_t add(writer::Type type);
   void variable(const semantics::Variable& variable, const std::string& path,
                 bytecode::SymbolSection section);
@@ -39,6 +42,8 @@ class SymbolTable {
   writer::ContainerModel& out_;
   std::unordered_map<const semantics::Type*, std::uint32_t> types_;
   std::unordered_map<std::string, std::uint32_t> names_;
+  // References whose targets get their types at the end: structures may refer to their own kind.
+  std::vector<std::pair<std::uint32_t, const semantics::Type*>> references_;
 };
 
 }  // namespace stepwright::codegen

@@ -25,9 +25,8 @@
 namespace stepwright::driver {
 
 struct CompileInput {
-  std::vector<source::NamedText> texts;  // ST, in the order in which diagnostics name them
-  const graphic::Project* project =
-      nullptr;  // LD, SFC and ST POUs of an exchange file or a plan; may be null
+  std::vector<source::NamedText> texts;             // ST, in the order in which diagnostics name them
+  std::vector<const graphic::Project*> projects{};  // LD, SFC, ST POUs of exchange files or a plan
   // Further warnings (ladder/lint) than those of the compiler itself.
   lint::Level lint = lint::Level::None;
 };

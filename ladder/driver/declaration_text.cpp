@@ -37,20 +37,64 @@ std::string declaration_text(const graphic::Variable& variable) {
   return text + "; END_VAR";
 }
 
-std::string configuration_text(const graphic::Project& project) {
+std::string types_text(const graphic::Project& project, const Mark& mark) {
   std::string text;
-  for (graphic::Variable each : project.globals) {
+  for (const graphic::DataType& each : project.types) {
+    text += mark(each.where) + "TYPE " + each.name + " : " + each.type;
+    if (!each.initial.empty()) text += " := " + each.initial;
+    text += "; END_TYPE\n";
+  }
+  return text;
+}
+
+namespace {
+
+std::string globals_text(std::vector<graphic::Variable> variables, const Mark& mark) {
+  std::string text;
+  for (graphic::Variable& each : variables) {
     each.section = graphic::VariableSection::Global;
-    text += declaration_text(each) + "\n";
+    text += mark(each.where) + declaration_text(each) + "\n";
   }
-  if (project.tasks.empty() && project.instances.empty()) return text;
-  text += "CONFIGURATION project_configuration\n";
-  for (const graphic::Task& task : project.tasks) {
-    text += "TASK " + task.name + "(INTERVAL := T#" + std::to_string(task.interval_us) +
-            "us, PRIORITY := " + std::to_string(task.priority) + ");\n";
+  return text;
+}
+
+std::string task_text(const graphic::Task& task) {
+  std::string list;
+  if (!task.single.empty()) list = "SINGLE := " + task.single + ", ";
+  if (task.interval_us != 0 || task.single.empty())
+    list += "INTERVAL := T#" + std::to_string(task.interval_us) + "us, ";
+  return "TASK " + task.name + "(" + list + "PRIORITY := " + std::to_string(task.priority) + ");\n";
+}
+
+std::string instance_text(const graphic::ProgramInstance& instance) {
+  const std::string task = instance.task.empty() ? "" : " WITH " + instance.task;
+  return "PROGRAM " + instance.name + task + " : " + instance.program + ";\n";
+}
+
+// Tasks and instances of one resource.
+std::string items_text(const graphic::Project& project, std::size_t resource, const Mark& mark) {
+  std::string text;
+  for (const graphic::Task& each : project.tasks)
+    if (each.resource == resource) text += mark(each.where) + task_text(each);
+  for (const graphic::ProgramInstance& each : project.instances)
+    if (each.resource == resource) text += mark(each.where) + instance_text(each);
+  return text;
+}
+
+}  // namespace
+
+std::string configuration_text(const graphic::Project& project, const Mark& mark) {
+  const std::string globals = globals_text(project.globals, mark);
+  if (project.tasks.empty() && project.instances.empty()) return globals;
+  const std::string name =
+      project.configuration.empty() ? std::string("project_configuration") : project.configuration;
+  std::string text = "CONFIGURATION " + name + "\n" + globals;
+  if (project.resources.empty()) text += items_text(project, 0, mark);
+  for (std::size_t i = 0; i < project.resources.size(); ++i) {
+    const graphic::Resource& resource = project.resources[i];
+    text += "RESOURCE " + resource.name + " ON PLC\n" + globals_text(resource.globals, mark) +
+            items_text(project, i, mark) + "END_RESOURCE\n";
   }
-  for (const graphic::ProgramInstance& instance : project.instances)
-    text += "PROGRAM " + instance.name + " WITH " + instance.task + " : " + instance.program + ";\n";
   return text + "END_CONFIGURATION\n";
 }
 

@@ -6,6 +6,8 @@
 #include "ladder/driver/chart_conversion.h"
 #include "ladder/driver/declaration_text.h"
 #include "ladder/graphic/sfc_hazards.h"
+#include "ladder/lowering/diagram_to_chart.h"
+#include "ladder/lowering/diagram_to_ladder.h"
 #include "ladder/lowering/ladder_to_syntax.h"
 #include "ladder/lowering/sfc_to_ladder.h"
 #include "ladder/source/codes.h"
@@ -136,22 +138,24 @@ void PouLowering::lower_charts() {
   }
 }
 
-void PouLowering::add_pou(const graphic::Pou& pou) {
+void PouLowering::add_pou(const graphic::Pou& pou, source::FileId file) {
   const std::string& name = texts_.emplace_back(pou.name);
-  const source::FileId header = context_.sources.add(name, name + "\n");
+  source::Position where{file, pou.where};
+  if (pou.where == 0) where = {context_.sources.add(name, name + "\n"), 0};
   syntax::PouDeclaration declaration;
   declaration.kind = kind_of(pou.kind);
-  declaration.name = {context_.names.intern(name), name, {header, 0}};
-  declaration.end = {header, 0};
+  declaration.name = {context_.names.intern(name), name, where};
+  declaration.end = where;
   if (declaration.kind == syntax::PouKind::Function) {
     const std::string& result = texts_.emplace_back(pou.result_type);
     declaration.result = std::make_unique<syntax::TypeSpec>();
     declaration.result->kind = syntax::TypeKind::Named;
-    declaration.result->where = {header, 0};
-    declaration.result->name = {context_.names.intern(result), result, {header, 0}};
+    declaration.result->where = where;
+    declaration.result->name = {context_.names.intern(result), result, where};
   }
   std::string variables;
-  for (const graphic::Variable& each : pou.variables) variables += declaration_text(each) + "\n";
+  for (const graphic::Variable& each : pou.variables)
+    variables += mark_text(file, each.where) + declaration_text(each) + "\n";
   add_declarations(name + ".var", variables, declaration);
   if (const auto* text = std::get_if<graphic::StBody>(&pou.body)) {
     const source::FileId body = context_.sources.add(name + ".st", text->text);
@@ -162,20 +166,76 @@ void PouLowering::add_pou(const graphic::Pou& pou) {
       charts_.push_back({unit_.pous.size(), pou.origin, pou.step_variables, pou.transition_variables});
   }
   unit_.pous.push_back(std::move(declaration));
+  if (std::holds_alternative<graphic::DrawnBody>(pou.body)) return add_drawn(pou, file);
   if (!std::holds_alternative<graphic::SfcChart>(pou.body)) return;
   auto lowered = lowering::lower_sfc(pou);
-  if (!lowered) return report(std::move(lowered.error()), {header, 0});
-  report(graphic::find_hazards(lowered->origin), {header, 0});
+  if (!lowered) return report(std::move(lowered.error()), where);
+  report(graphic::find_hazards(lowered->origin), where);
   set_lowered(*lowered, pou.variables.size(), std::get<graphic::SfcChart>(pou.body), unit_.pous.size() - 1);
 }
 
+void PouLowering::add_drawn(const graphic::Pou& pou, source::FileId file) {
+  const graphic::DiagramBody& body = std::get<graphic::DrawnBody>(pou.body).body;
+  syntax::PouDeclaration& declaration = unit_.pous.back();
+  if (body.language == graphic::BodyLanguage::StructuredText) {
+    const source::FileId text = add_text(context_.sources, file, pou.name + ".st", body.text);
+    declaration.body = syntax::parse_statements(context_, text, syntax::TextKind::Written);
+    return;
+  }
+  if (body.language == graphic::BodyLanguage::InstructionList) {
+    context_.sink.error(source::code::kExchangeUnsupported, {file, body.where},
+                        "POU '" + pou.name + "': instruction lists are not supported",
+                        "write the body in ST");
+    return;
+  }
+  if (body.diagram.language == graphic::DiagramLanguage::Chart) return add_chart(pou, file);
+  ProjectScope scope(pou, interfaces_, file, context_);
+  const std::size_t errors = context_.sink.error_count();
+  const graphic::LadderProgram ladder = lowering::diagram_to_ladder(body.diagram, scope);
+  if (context_.sink.error_count() == errors) set_ladder(ladder, pou.name + ".ld", declaration);
+}
+
+void PouLowering::add_chart(const graphic::Pou& pou, source::FileId file) {
+  const std::size_t index = unit_.pous.size() - 1;
+  const std::size_t errors = context_.sink.error_count();
+  const auto& body = std::get<graphic::DrawnBody>(pou.body);
+  ProjectScope scope(pou, interfaces_, file, context_);
+  lowering::DrawnChart drawn = lowering::diagram_to_chart(body, scope);
+  if (context_.sink.error_count() != errors) return;
+  ProjectScope plain(pou, interfaces_, file, context_);
+  plain.hide_marks();
+  graphic::Pou chart = pou;
+  chart.body = std::move(drawn.chart);
+  auto lowered = lowering::lower_sfc(chart);
+  if (!lowered) return report(std::move(lowered.error()), {file, pou.where});
+  auto& ladder = std::get<graphic::LadderProgram>(lowered->body);
+  ladder.rungs.insert(ladder.rungs.begin(), drawn.networks.rungs.begin(), drawn.networks.rungs.end());
+  ladder.wires.insert(ladder.wires.end(), drawn.networks.wires.begin(), drawn.networks.wires.end());
+  ladder.wires.insert(ladder.wires.end(), drawn.edges.begin(), drawn.edges.end());
+  set_lowered(*lowered, pou.variables.size(), lowering::diagram_to_chart(body, plain).chart, index);
+}
+
+std::string PouLowering::mark_text(source::FileId file, std::uint32_t where) {
+  if (where == 0) return {};
+  return "{@" + std::to_string(file.value) + ":" + std::to_string(where) + "!}";
+}
+
 void PouLowering::add_project(const graphic::Project& project) {
-  for (const graphic::Pou& each : project.pous) add_pou(each);
-  const std::string text = configuration_text(project);
-  if (text.empty()) return;
-  const source::FileId file =
-      context_.sources.add((project.name.empty() ? "project" : project.name) + ".cfg", text);
-  syntax::parse_unit(context_, file, unit_);
+  const source::FileId origin =
+      context_.sources.add(project.file_name.empty() ? "project" : project.file_name, project.file_text);
+  interfaces_.add(unit_);
+  interfaces_.add(project);
+  const std::string name = project.name.empty() ? "project" : project.name;
+  const auto mark = [&](std::uint32_t where) { return mark_text(origin, where); };
+  const std::string types = types_text(project, mark);
+  if (!types.empty())
+    syntax::parse_unit(context_, context_.sources.add(name + ".types", types), unit_,
+                       syntax::TextKind::Generated);
+  for (const graphic::Pou& each : project.pous) add_pou(each, origin);
+  const std::string text = configuration_text(project, mark);
+  if (!text.empty())
+    syntax::parse_unit(context_, context_.sources.add(name + ".cfg", text), unit_,
+                       syntax::TextKind::Generated);
 }
 
 }  // namespace stepwright::driver

@@ -5,6 +5,7 @@
 #include <deque>
 #include <vector>
 
+#include "ladder/driver/project_scope.h"
 #include "ladder/graphic/project.h"
 #include "ladder/syntax/parser.h"
 
@@ -32,7 +33,10 @@ class PouLowering {
   const std::vector<LoweredChart>& charts() const { return charts_; }
 
  private:
-  void add_pou(const graphic::Pou& pou);
+  void add_pou(const graphic::Pou& pou, source::FileId file);
+  // The body of a POU that was drawn, into the last POU of the unit.
+  void add_drawn(const graphic::Pou& pou, source::FileId file);
+  void add_chart(const graphic::Pou& pou, source::FileId file);
   void add_declarations(const std::string& file, const std::string& text, syntax::PouDeclaration& pou);
   // The variables from `first` on are none of the user's.
   static void mark_generated(syntax::PouDeclaration& pou, std::size_t first);
@@ -41,12 +45,15 @@ class PouLowering {
   graphic::Pou with_chart(const syntax::PouDeclaration& pou) const;
   void set_lowered(const graphic::Pou& lowered, std::size_t known_variables, graphic::SfcChart origin,
                    std::size_t index);
+  // The mark of a byte of a file; nothing for 0.
+  static std::string mark_text(source::FileId file, std::uint32_t where);
   void report(result::Diagnostics diagnostics, source::Position where);
 
   syntax::SyntaxContext& context_;
   syntax::Unit& unit_;
   std::vector<LoweredChart> charts_;
   std::deque<std::string> texts_;
+  ProgramInterfaces interfaces_;
 };
 
 }  // namespace stepwright::driver

@@ -41,6 +41,13 @@ void add_text(pugi::xml_node parent, const char* name, const std::string& text);
 // The type of a variable from its ST text.
 void add_type(pugi::xml_node parent, const std::string& type);
 
+// The initial value of a variable or type from its ST text.
+void add_value(pugi::xml_node parent, const std::string& value);
+
+// A body as it was drawn; with the actions and transitions of its POU.
+void write_body(pugi::xml_node node, const graphic::DiagramBody& body);
+void write_drawn(pugi::xml_node pou, const graphic::DrawnBody& drawn);
+
 // SFC: requires a sound chart. LD: fails with E0601.
 void write_sfc(pugi::xml_node body, const graphic::SfcChart& chart);
 [[nodiscard]] result::Diagnostics write_ladder(pugi::xml_node body, const graphic::Pou& pou);

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "ladder/exchange/plcopen_parts.h"
+#include "ladder/exchange/xml_file.h"
 #include "ladder/graphic/identifier.h"
 
 namespace stepwright::exchange {
@@ -21,32 +22,52 @@ const char* element_of(VariableSection section) {
   return names[static_cast<std::size_t>(section)];
 }
 
+void add_documentation(pugi::xml_node node, const std::string& text) {
+  if (!text.empty()) plcopen::add_text(node, "documentation", text);
+}
+
 void write_variable(pugi::xml_node list, const Variable& variable) {
   pugi::xml_node node = list.append_child("variable");
   node.append_attribute("name") = variable.name.c_str();
   if (!variable.address.empty()) node.append_attribute("address") = variable.address.c_str();
+  append_attributes(node, variable.extra);
   plcopen::add_type(node.append_child("type"), variable.type);
-  if (!variable.initial.empty()) {
-    node.append_child("initialValue").append_child("simpleValue").append_attribute("value") =
-        variable.initial.c_str();
-  }
-  if (!variable.comment.empty()) plcopen::add_text(node, "documentation", variable.comment);
+  if (!variable.initial.empty()) plcopen::add_value(node.append_child("initialValue"), variable.initial);
+  append_children(node, variable.extra);
+  add_documentation(node, variable.comment);
+}
+
+bool share_a_list(const Variable& a, const Variable& b) {
+  return a.section == b.section && a.constant == b.constant && a.retain == b.retain && a.list == b.list;
 }
 
 // Neighbours of the same section and attributes share a list, so that the order of declaration stays.
 void write_variables(pugi::xml_node parent, const std::vector<Variable>& variables,
-                     const char* element = nullptr) {
-  const Variable* before = nullptr;
-  pugi::xml_node list;
-  for (const Variable& variable : variables) {
-    if (before == nullptr || before->section != variable.section || before->constant != variable.constant ||
-        before->retain != variable.retain) {
-      list = parent.append_child(element != nullptr ? element : element_of(variable.section));
-      if (variable.constant) list.append_attribute("constant") = true;
-      if (variable.retain) list.append_attribute("retain") = true;
-    }
-    write_variable(list, variable);
-    before = &variable;
+                     const std::vector<graphic::VariableList>& lists, const char* element = nullptr) {
+  for (std::size_t i = 0; i < variables.size();) {
+    const Variable& first = variables[i];
+    pugi::xml_node list = parent.append_child(element != nullptr ? element : element_of(first.section));
+    if (first.constant) list.append_attribute("constant") = true;
+    if (first.retain) list.append_attribute("retain") = true;
+    const graphic::VariableList* more =
+        first.list > 0 && first.list <= lists.size() ? &lists[first.list - 1] : nullptr;
+    if (more != nullptr) append_attributes(list, more->extra);
+    for (; i < variables.size() && share_a_list(first, variables[i]); ++i) write_variable(list, variables[i]);
+    if (more == nullptr) continue;
+    append_children(list, more->extra);
+    add_documentation(list, more->documentation);
+  }
+}
+
+void write_types(pugi::xml_node parent, const Project& project) {
+  for (const graphic::DataType& type : project.types) {
+    pugi::xml_node node = parent.append_child("dataType");
+    node.append_attribute("name") = type.name.c_str();
+    append_attributes(node, type.extra);
+    plcopen::add_type(node.append_child("baseType"), type.type);
+    if (!type.initial.empty()) plcopen::add_value(node.append_child("initialValue"), type.initial);
+    append_children(node, type.extra);
+    add_documentation(node, type.comment);
   }
 }
 
@@ -60,16 +81,11 @@ void write_actions(pugi::xml_node pou, const graphic::SfcChart& chart) {
   }
 }
 
-Diagnostics write_pou(pugi::xml_node pous, const Pou& pou) {
-  constexpr const char* kinds[] = {"program", "functionBlock", "function"};
-  pugi::xml_node node = pous.append_child("pou");
-  node.append_attribute("name") = pou.name.c_str();
-  node.append_attribute("pouType") = kinds[static_cast<std::size_t>(pou.kind)];
-  pugi::xml_node interface = node.append_child("interface");
-  if (pou.kind == graphic::PouKind::Function) {
-    plcopen::add_type(interface.append_child("returnType"), pou.result_type);
+Diagnostics write_pou_body(pugi::xml_node node, const Pou& pou) {
+  if (const auto* drawn = std::get_if<graphic::DrawnBody>(&pou.body)) {
+    plcopen::write_drawn(node, *drawn);
+    return {};
   }
-  write_variables(interface, pou.variables);
   if (const auto* chart = std::get_if<graphic::SfcChart>(&pou.body)) {
     Diagnostics diagnostics = graphic::check(*chart);
     if (result::has_errors(diagnostics)) return diagnostics;
@@ -85,14 +101,39 @@ Diagnostics write_pou(pugi::xml_node pous, const Pou& pou) {
   return plcopen::write_ladder(body, pou);
 }
 
-void write_headers(pugi::xml_node project, const std::string& name, const PlcopenOptions& options) {
+Diagnostics write_pou(pugi::xml_node pous, const Pou& pou) {
+  constexpr const char* kinds[] = {"program", "functionBlock", "function"};
+  pugi::xml_node node = pous.append_child("pou");
+  node.append_attribute("name") = pou.name.c_str();
+  node.append_attribute("pouType") = kinds[static_cast<std::size_t>(pou.kind)];
+  append_attributes(node, pou.extra);
+  pugi::xml_node interface = node.append_child("interface");
+  if (pou.kind == graphic::PouKind::Function) {
+    plcopen::add_type(interface.append_child("returnType"), pou.result_type);
+  }
+  write_variables(interface, pou.variables, pou.lists);
+  append_children(interface, pou.interface_extra);
+  Diagnostics diagnostics = write_pou_body(node, pou);
+  append_children(node, pou.extra);
+  add_documentation(node, pou.comment);
+  return diagnostics;
+}
+
+void write_headers(pugi::xml_node project, const Project& from, const PlcopenOptions& options) {
   pugi::xml_node file = project.append_child("fileHeader");
-  file.append_attribute("companyName") = options.company.c_str();
-  file.append_attribute("productName") = options.product.c_str();
-  file.append_attribute("productVersion") = options.version.c_str();
-  file.append_attribute("creationDateTime") = options.time.c_str();
+  append_attributes(file, from.parts.file_header);
+  append_children(file, from.parts.file_header);
+  const std::pair<const char*, const std::string*> required[] = {{"companyName", &options.company},
+                                                                 {"productName", &options.product},
+                                                                 {"productVersion", &options.version},
+                                                                 {"creationDateTime", &options.time}};
+  for (const auto& [name, value] : required)
+    if (!file.attribute(name)) file.append_attribute(name) = value->c_str();
   pugi::xml_node content = project.append_child("contentHeader");
-  content.append_attribute("name") = name.c_str();
+  content.append_attribute("name") = from.name.empty() ? "stepwright" : from.name.c_str();
+  append_attributes(content, from.parts.content_header);
+  append_children(content, from.parts.content_header);
+  if (child(content, "coordinateInfo")) return;
   pugi::xml_node info = content.append_child("coordinateInfo");
   for (const char* language : {"fbd", "ld", "sfc"}) {
     pugi::xml_node scaling = info.append_child(language).append_child("scaling");
@@ -105,31 +146,61 @@ void write_instance(pugi::xml_node parent, const graphic::ProgramInstance& insta
   pugi::xml_node node = parent.append_child("pouInstance");
   node.append_attribute("name") = instance.name.c_str();
   node.append_attribute("typeName") = instance.program.c_str();
+  append_attributes(node, instance.extra);
+  append_children(node, instance.extra);
+  add_documentation(node, instance.comment);
 }
 
 std::string interval_text(std::int64_t us) {
   return us % 1000 == 0 ? "T#" + std::to_string(us / 1000) + "ms" : "T#" + std::to_string(us) + "us";
 }
 
-void write_instances(pugi::xml_node root, const Project& project) {
-  pugi::xml_node configuration =
-      root.append_child("instances").append_child("configurations").append_child("configuration");
-  configuration.append_attribute("name") = "config";
-  pugi::xml_node resource = configuration.append_child("resource");
-  resource.append_attribute("name") = "resource1";
-  for (const graphic::Task& task : project.tasks) {
-    pugi::xml_node node = resource.append_child("task");
-    node.append_attribute("name") = task.name.c_str();
+void write_task(pugi::xml_node resource, const graphic::Task& task, const Project& project) {
+  pugi::xml_node node = resource.append_child("task");
+  node.append_attribute("name") = task.name.c_str();
+  if (!task.single.empty()) node.append_attribute("single") = task.single.c_str();
+  if (task.single.empty() || task.interval_us != 0)
     node.append_attribute("interval") = interval_text(task.interval_us).c_str();
-    node.append_attribute("priority") = task.priority;
-    for (const graphic::ProgramInstance& instance : project.instances) {
-      if (graphic::same_name(instance.task, task.name)) write_instance(node, instance);
-    }
+  node.append_attribute("priority") = task.priority;
+  append_attributes(node, task.extra);
+  for (const graphic::ProgramInstance& instance : project.instances)
+    if (instance.resource == task.resource && graphic::same_name(instance.task, task.name))
+      write_instance(node, instance);
+  append_children(node, task.extra);
+  add_documentation(node, task.comment);
+}
+
+void write_resource(pugi::xml_node configuration, const graphic::Resource& resource, std::size_t index,
+                    const Project& project) {
+  pugi::xml_node node = configuration.append_child("resource");
+  node.append_attribute("name") = resource.name.c_str();
+  append_attributes(node, resource.extra);
+  for (const graphic::Task& task : project.tasks)
+    if (task.resource == index) write_task(node, task, project);
+  write_variables(node, resource.globals, resource.lists, "globalVars");
+  for (const graphic::ProgramInstance& instance : project.instances)
+    if (instance.resource == index && instance.task.empty()) write_instance(node, instance);
+  append_children(node, resource.extra);
+  add_documentation(node, resource.comment);
+}
+
+void write_instances(pugi::xml_node root, const Project& project) {
+  pugi::xml_node instances = root.append_child("instances");
+  pugi::xml_node configuration = instances.append_child("configurations").append_child("configuration");
+  configuration.append_attribute("name") =
+      project.configuration.empty() ? "config" : project.configuration.c_str();
+  append_attributes(configuration, project.parts.configuration);
+  for (std::size_t i = 0; i < project.resources.size(); ++i)
+    write_resource(configuration, project.resources[i], i, project);
+  if (project.resources.empty()) {
+    graphic::Resource only;
+    only.name = "resource1";
+    write_resource(configuration, only, 0, project);
   }
-  for (const graphic::ProgramInstance& instance : project.instances) {
-    if (instance.task.empty()) write_instance(resource, instance);
-  }
-  write_variables(configuration, project.globals, "globalVars");
+  write_variables(configuration, project.globals, project.global_lists, "globalVars");
+  append_children(configuration, project.parts.configuration);
+  add_documentation(configuration, project.parts.configuration_comment);
+  append_children(instances, project.parts.instances);
 }
 
 }  // namespace
@@ -142,9 +213,10 @@ result::Result<std::string> write_plcopen(const Project& project, const PlcopenO
   pugi::xml_node root = document.append_child("project");
   root.append_attribute("xmlns") = "http://www.plcopen.org/xml/tc6_0201";
   root.append_attribute("xmlns:xhtml") = "http://www.w3.org/1999/xhtml";
-  write_headers(root, project.name.empty() ? "stepwright" : project.name, options);
+  append_attributes(root, project.parts.root);
+  write_headers(root, project, options);
   pugi::xml_node types = root.append_child("types");
-  types.append_child("dataTypes");
+  write_types(types.append_child("dataTypes"), project);
   pugi::xml_node pous = types.append_child("pous");
   Diagnostics diagnostics;
   for (const Pou& pou : project.pous) {
@@ -152,6 +224,7 @@ result::Result<std::string> write_plcopen(const Project& project, const PlcopenO
   }
   if (result::has_errors(diagnostics)) return tl::unexpected<Diagnostics>(std::move(diagnostics));
   write_instances(root, project);
+  append_children(root, project.parts.root);
   std::ostringstream out;
   document.save(out, "  ");
   return out.str();

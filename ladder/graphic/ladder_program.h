@@ -37,10 +37,22 @@ struct Rung {
   std::vector<Coil> coils;
   std::string jump_to;     // label to jump to while powered; may be empty
   bool is_return = false;  // leaves the POU while powered
+  // A network that powers several things one after the other is several rungs: the first, and those that go
+  // on with it. What they share stands in wires.
+  bool goes_on = false;
+  std::string place;  // mark of where it was drawn (ladder/syntax/lexer.h); empty if it was not
+};
+
+// A value that a network carries from one place to the others that read it.
+struct Wire {
+  std::string name;
+  std::string type;    // ST
+  bool keeps = false;  // its last value is read in the next scan (feedback)
 };
 
 struct LadderProgram {
   std::vector<Rung> rungs;
+  std::vector<Wire> wires{};
 };
 
 }  // namespace stepwright::graphic

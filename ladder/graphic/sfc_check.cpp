@@ -4,6 +4,7 @@
 
 #include "ladder/graphic/identifier.h"
 #include "ladder/graphic/sfc_chart.h"
+#include "ladder/graphic/sfc_codes.h"
 
 namespace stepwright::graphic {
 namespace {
@@ -43,27 +44,30 @@ class Checker {
       const Step& step = chart_.steps[i];
       initial = initial || step.initial;
       if (!is_identifier(step.name) || is_keyword(step.name)) {
-        add("E0711", step.where, step_name(i) + " has no legal name",
+        add(code::kBadName, step.where, step_name(i) + " has no legal name",
             "a name is a letter, then letters, digits and single underscores, and no keyword");
       } else if (!names.insert(step.name)) {
-        add("E0712", step.where, "two steps have the name '" + step.name + "'", "names are case-insensitive");
+        add(code::kNameTwice, step.where, "two steps have the name '" + step.name + "'",
+            "names are case-insensitive");
       }
       for (const ActionBlock& block : step.actions) action_block(i, block);
     }
     if (!initial)
-      add("E0710", {}, "the chart has no initial step", "mark the step that is active at the start");
+      add(code::kNoInitialStep, {}, "the chart has no initial step",
+          "mark the step that is active at the start");
   }
 
   void action_block(std::size_t step, const ActionBlock& block) {
     const std::string place = std::string("action block ") + to_string(block.qualifier) + " '" +
                               block.target + "' of " + step_name(step);
     if (block.target.empty())
-      add("E0713", block.where, place + " drives nothing", "name a BOOL variable or an action");
+      add(code::kNoTarget, block.where, place + " drives nothing", "name a BOOL variable or an action");
     if (needs_duration(block.qualifier) && block.duration.empty()) {
-      add("E0714", block.where, place + " has no duration", "L, D, SD, DS and SL take one, such as T#2s");
+      add(code::kNoDuration, block.where, place + " has no duration",
+          "L, D, SD, DS and SL take one, such as T#2s");
     }
     if (!needs_duration(block.qualifier) && !block.duration.empty()) {
-      add("E0715", block.where,
+      add(code::kDurationUnused, block.where,
           place + " has the duration '" + block.duration + "' that its qualifier does not take",
           "remove it, or use L, D, SD, DS or SL");
     }
@@ -73,9 +77,9 @@ class Checker {
     NameSet names;
     for (const Action& action : chart_.actions) {
       if (!is_identifier(action.name) || is_keyword(action.name)) {
-        add("E0711", action.where, "action '" + action.name + "' has no legal name");
+        add(code::kBadName, action.where, "action '" + action.name + "' has no legal name");
       } else if (!names.insert(action.name)) {
-        add("E0712", action.where, "two actions have the name '" + action.name + "'",
+        add(code::kNameTwice, action.where, "two actions have the name '" + action.name + "'",
             "names are case-insensitive");
       }
     }
@@ -86,9 +90,9 @@ class Checker {
     const std::string place = transition_name(index);
     if (!transition.name.empty()) {
       if (!is_identifier(transition.name) || is_keyword(transition.name)) {
-        add("E0711", transition.where, place + " has no legal name");
+        add(code::kBadName, transition.where, place + " has no legal name");
       } else if (!transition_names_.insert(transition.name)) {
-        add("E0712", transition.where, "two transitions have the name '" + transition.name + "'",
+        add(code::kNameTwice, transition.where, "two transitions have the name '" + transition.name + "'",
             "names are case-insensitive");
       }
     }
@@ -99,15 +103,16 @@ class Checker {
 
   void ends(const Transition& owner, const std::string& place, const char* what,
             const std::vector<StepId>& ids) {
-    if (ids.empty()) add("E0716", owner.where, place + " has no " + what + " step");
+    if (ids.empty()) add(code::kMissingEnd, owner.where, place + " has no " + what + " step");
     for (std::size_t i = 0; i < ids.size(); ++i) {
       if (ids[i].value >= chart_.steps.size()) {
-        add("E0717", owner.where,
+        add(code::kUnknownStep, owner.where,
             place + " has a " + what + " step number " + std::to_string(ids[i].value + 1) +
                 ", but the chart has " + std::to_string(chart_.steps.size()) + " steps");
       } else if (std::find(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(i), ids[i]) !=
                  ids.begin() + static_cast<std::ptrdiff_t>(i)) {
-        add("E0718", owner.where, place + " names " + step_name(ids[i].value) + " twice as a " + what);
+        add(code::kStepTwice, owner.where,
+            place + " names " + step_name(ids[i].value) + " twice as a " + what);
       }
     }
   }
@@ -115,13 +120,15 @@ class Checker {
   void condition(const Transition& owner, const std::string& place, const Condition& node) {
     const bool named = node.kind == ConditionKind::Contact || node.kind == ConditionKind::Comparison ||
                        node.kind == ConditionKind::Expression;
-    if (named && node.name.empty()) add("E0719", owner.where, "the condition of " + place + " tests nothing");
+    if (named && node.name.empty())
+      add(code::kBadCondition, owner.where, "the condition of " + place + " tests nothing");
     if (node.kind == ConditionKind::Comparison && node.operand.empty()) {
-      add("E0719", owner.where, "the condition of " + place + " compares '" + node.name + "' with nothing");
+      add(code::kBadCondition, owner.where,
+          "the condition of " + place + " compares '" + node.name + "' with nothing");
     }
     const bool group = node.kind == ConditionKind::All || node.kind == ConditionKind::Any;
     if (group && node.children.empty())
-      add("E0719", owner.where, "the condition of " + place + " has an empty group");
+      add(code::kBadCondition, owner.where, "the condition of " + place + " has an empty group");
     for (const Condition& child : node.children) condition(owner, place, child);
   }
 

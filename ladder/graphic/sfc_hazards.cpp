@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ladder/graphic/marking_graph.h"
+#include "ladder/graphic/sfc_codes.h"
 #include "ladder/graphic/sfc_reach.h"
 #include "ladder/graphic/token_net.h"
 
@@ -25,7 +26,7 @@ class Findings {
   void overruns() {
     for (const Overrun& each : graph_.overruns) {
       const Transition& transition = chart_.transitions[origin(each.transition)];
-      add("W0703", transition.where,
+      add(code::kTokenDoubled, transition.where,
           "step '" + chart_.steps[each.place].name + "' can be entered while it is active (unsafe chart)",
           way(each.marking, "transition " + label(each.transition) + " enters it a second time") +
               "; leave simultaneous branches together, by one transition FROM all of them");
@@ -114,7 +115,7 @@ class Findings {
 
   void lost(std::uint32_t marking, std::uint32_t place) {
     const Step& step = chart_.steps[place];
-    add("W0704", step.where,
+    add(code::kTokenLost, step.where,
         "a token can be lost: step '" + step.name + "' can stay active for ever while the rest goes on",
         way(marking, missing(marking, place)) + "; a simultaneous branch must not be left by a part of it");
   }
@@ -124,7 +125,7 @@ class Findings {
     for (const std::uint32_t place : stuck)
       names += (names.empty() ? "'" : ", '") + chart_.steps[place].name + "'";
     const std::string what = stuck.size() == 1 ? "step " : "steps ";
-    add("W0705", chart_.steps[stuck.front()].where,
+    add(code::kDeadlock, chart_.steps[stuck.front()].where,
         "deadlock: the chart can stop for ever in " + what + names,
         way(marking, missing(marking, stuck.front())) +
             "; a convergence of simultaneous branches needs a divergence that starts all of them");
@@ -141,7 +142,7 @@ class Findings {
 Diagnostics find_hazards(const SfcChart& chart, const HazardOptions& options) {
   Diagnostics found;
   TokenNet net = token_net(chart);
-  MarkingGraph graph = explore(net, options.marking_limit);
+  MarkingGraph graph = explore(net, std::max<std::size_t>(options.marking_limit / 4, 1));
   find_unreachable(chart, net, graph, found);
   if (!graph.complete) {
     net = reduced(std::move(net));
@@ -152,7 +153,7 @@ Diagnostics find_hazards(const SfcChart& chart, const HazardOptions& options) {
   if (graph.complete) {
     findings.waits();
   } else {
-    found.push_back({"W0706", Severity::Note, chart.steps.front().where,
+    found.push_back({code::kSearchCut, Severity::Note, chart.steps.front().where,
                      "the chart has more than " + std::to_string(options.marking_limit) +
                          " situations; only these were searched for tokens that are lost or doubled",
                      "nothing found is no proof here"});

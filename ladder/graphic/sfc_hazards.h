@@ -9,9 +9,10 @@
 //   W0703 a step can be entered while active      W0704 a token can be lost: it waits for ever, others go on
 //   W0705 deadlock: nothing can fire any more     W0706 (a note) the search was cut
 //
-// The search is exact up to `marking_limit` situations. A chart with more is searched once more with chains
-// of steps and plain parallel branches melted together, which keeps the answers; only if that is cut too,
-// W0706 says so, and nothing is said about W0704 and W0705.
+// A chart of up to a quarter of `marking_limit` situations is searched as it is. One with more is searched
+// once more with chains of steps and plain parallel branches melted together, which keeps the answers but
+// names one step for a whole chain; only if that is cut too, W0706 says so, and nothing is said about W0704
+// and W0705.
 //
 //   for (const result::Diagnostic& each : find_hazards(chart)) ...
 
@@ -23,7 +24,7 @@
 namespace stepwright::graphic {
 
 struct HazardOptions {
-  std::size_t marking_limit = 20'000;
+  std::size_t marking_limit = 20'000;  // situations
 };
 
 // Requires a sound chart (`check` finds no errors). A thousand steps take a few milliseconds.

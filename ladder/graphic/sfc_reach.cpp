@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ladder/graphic/sfc_codes.h"
+
 namespace stepwright::graphic {
 namespace {
 
@@ -31,7 +33,8 @@ class Reach {
     for (const bool orphans : {true, false}) {
       for (std::uint32_t s = 0; s < reached_.size(); ++s) {
         if (reached_[s] || explained_[s] || (orphans && has_entry(s))) continue;
-        add("W0701", chart_.steps[s].where, "step '" + chart_.steps[s].name + "' can never become active",
+        add(code::kStepUnreachable, chart_.steps[s].where,
+            "step '" + chart_.steps[s].name + "' can never become active",
             "no sequence of transitions leads to it");
         explain(s);
       }
@@ -82,8 +85,8 @@ class Reach {
       if (!reached_[target.value]) explain(target.value);
     }
     if (!steps.empty()) hint += "; so step " + steps + " can never become active";
-    add("W0702", transition.where, "transition " + transition_label(chart_, index) + " can never fire",
-        std::move(hint));
+    add(code::kNeverFires, transition.where,
+        "transition " + transition_label(chart_, index) + " can never fire", std::move(hint));
   }
 
   bool has_entry(std::uint32_t step) const {

@@ -1,5 +1,6 @@
 #include "ladder/lowering/ladder_to_syntax.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "ladder/source/codes.h"
@@ -39,7 +40,8 @@ std::string on_one_line(const std::string& text) {
 
 class Writer {
  public:
-  explicit Writer(const graphic::LadderProgram& ladder) : ladder_(ladder) {}
+  Writer(const graphic::LadderProgram& ladder, std::string prefix)
+      : ladder_(ladder), prefix_(std::move(prefix)), variables_(ladder.wires) {}
 
   std::string text() {
     std::string all;
@@ -51,19 +53,26 @@ class Writer {
     return all;
   }
 
-  std::string declarations() const {
-    std::string all;
-    for (std::size_t i = 0; i < edges_; ++i) all += "VAR __EDGE" + std::to_string(i) + " : BOOL; END_VAR\n";
-    for (std::size_t i = 0; i < pulses_; ++i)
-      all += "VAR_TEMP __PULSE" + std::to_string(i) + " : BOOL; END_VAR\n";
-    if (needs_power_) all += "VAR_TEMP __POWER : BOOL; END_VAR\n";
-    return all;
+  std::vector<graphic::Wire> variables() {
+    if (needs_power_) variables_.push_back({power(), "BOOL", false});
+    return std::move(variables_);
   }
 
   std::size_t edges() const { return edges_; }
 
  private:
+  std::string power() const { return prefix_ + "POWER"; }
+
+  // The state of an edge: FALSE at the start.
+  std::string new_edge() {
+    const std::string& name =
+        variables_.emplace_back(graphic::Wire{prefix_ + "EDGE" + std::to_string(edges_++), "BOOL", true})
+            .name;
+    return name;
+  }
+
   void rung(const Rung& rung) {
+    line_ += rung.place;
     if (!rung.label.empty()) line_ += rung.label + ": ";
     const std::string condition = to_st(sensed(rung.condition));
     const bool only_coil =
@@ -72,20 +81,37 @@ class Writer {
     const bool drives =
         !rung.coils.empty() || !rung.blocks.empty() || !rung.jump_to.empty() || rung.is_return;
     if (!drives) return;
+    if (rung.condition.kind == ConditionKind::True && always(rung)) return;
     needs_power_ = true;
-    line_ += "__POWER := " + condition + "; ";
+    line_ += power() + " := " + condition + "; ";
     for (const Block& each : rung.blocks) block(each);
     for (const Coil& each : rung.coils) coil(each);
-    if (!rung.jump_to.empty()) line_ += "IF __POWER THEN JMP " + rung.jump_to + "; END_IF; ";
-    if (rung.is_return) line_ += "IF __POWER THEN RETURN; END_IF; ";
+    if (!rung.jump_to.empty()) line_ += "IF " + power() + " THEN JMP " + rung.jump_to + "; END_IF; ";
+    if (rung.is_return) line_ += "IF " + power() + " THEN RETURN; END_IF; ";
+  }
+
+  // A block or jump right at the rail needs no test.
+  bool always(const Rung& rung) {
+    if (!rung.coils.empty() || rung.blocks.size() > 1) return false;
+    if (rung.blocks.size() == 1) {
+      const Block& only = rung.blocks.front();
+      const bool enable_out = std::any_of(only.outputs.begin(), only.outputs.end(),
+                                          [](const auto& pin) { return source::upper(pin.first) == "ENO"; });
+      if (!only.power_input.empty() || enable_out || !rung.jump_to.empty() || rung.is_return) return false;
+      line_ += call_text(only);
+      return true;
+    }
+    line_ += rung.is_return ? "RETURN; " : "JMP " + rung.jump_to + "; ";
+    return true;
   }
 
   // The condition with each edge replaced by a variable that was computed before it.
   Condition sensed(const Condition& condition) {
     Condition result = condition;
     if (condition.kind == ConditionKind::Contact && condition.edge != Edge::None) {
-      const std::string pulse = "__PULSE" + std::to_string(pulses_++);
-      const std::string state = "__EDGE" + std::to_string(edges_++);
+      const std::string pulse = prefix_ + "PULSE" + std::to_string(pulses_++);
+      variables_.push_back({pulse, "BOOL", false});
+      const std::string state = new_edge();
       const bool rising = condition.edge == Edge::Rising;
       line_ += pulse + " := " +
                (rising ? condition.name + " AND NOT " + state : state + " AND NOT " + condition.name) + "; " +
@@ -116,29 +142,28 @@ class Writer {
   }
 
   void coil(const Coil& coil) {
-    if (direct_coil(coil, "__POWER")) return;
-    const std::string state = "__EDGE" + std::to_string(edges_++);
+    if (direct_coil(coil, power())) return;
+    const std::string state = new_edge();
     const bool rising = coil.kind == CoilKind::RisingEdge;
-    line_ += coil.variable + " := " + (rising ? "__POWER AND NOT " + state : state + " AND NOT __POWER") +
-             "; " + state + " := __POWER; ";
+    line_ += coil.variable +
+             " := " + (rising ? power() + " AND NOT " + state : state + " AND NOT " + power()) + "; " +
+             state + " := " + power() + "; ";
   }
 
   void block(const Block& block) {
-    std::string body;
-    std::string ends = "";
-    if (block.type.empty()) {
-      body = block.st_body + "; ";
-    } else if (!block.instance.empty()) {
-      body = block.instance + "(" + arguments(block, "") + "); ";
-    } else {
-      const std::string result = result_of(block);
-      if (!result.empty()) body = result + " := ";
-      body += block.type + "(" + arguments(block, result) + "); ";
-    }
+    std::string ends;
     for (const auto& [formal, variable] : block.outputs)
-      if (source::upper(formal) == "ENO" && !variable.empty()) ends += variable + " := __POWER; ";
-    const bool always = !block.instance.empty() && !block.power_input.empty();
-    line_ += (always ? body : "IF __POWER THEN " + body + "END_IF; ") + ends;
+      if (source::upper(formal) == "ENO" && !variable.empty()) ends += variable + " := " + power() + "; ";
+    const bool runs = !block.instance.empty() && !block.power_input.empty();
+    const std::string body = call_text(block);
+    line_ += (runs ? body : "IF " + power() + " THEN " + body + "END_IF; ") + ends;
+  }
+
+  std::string call_text(const Block& block) const {
+    if (block.type.empty()) return block.st_body + "; ";
+    if (!block.instance.empty()) return block.instance + "(" + arguments(block, "") + "); ";
+    const std::string result = result_of(block);
+    return (result.empty() ? "" : result + " := ") + block.type + "(" + arguments(block, result) + "); ";
   }
 
   // The variable that takes the result of a function.
@@ -153,10 +178,10 @@ class Writer {
     return folded.empty() || folded == "OUT" || folded == source::upper(block.type);
   }
 
-  static std::string arguments(const Block& block, const std::string& result) {
+  std::string arguments(const Block& block, const std::string& result) const {
     std::string list;
     const auto add = [&](const std::string& argument) { list += (list.empty() ? "" : ", ") + argument; };
-    if (!block.power_input.empty()) add(block.power_input + " := __POWER");
+    if (!block.power_input.empty()) add(block.power_input + " := " + power());
     for (const auto& [formal, expression] : block.inputs) {
       if (source::upper(formal) == "EN" || expression.empty()) continue;
       add(formal.empty() ? expression : formal + " := " + expression);
@@ -169,6 +194,8 @@ class Writer {
   }
 
   const graphic::LadderProgram& ladder_;
+  std::string prefix_;
+  std::vector<graphic::Wire> variables_;
   std::string line_;
   std::size_t edges_ = 0;
   std::size_t pulses_ = 0;
@@ -177,9 +204,17 @@ class Writer {
 
 }  // namespace
 
+LadderText ladder_text(const graphic::LadderProgram& ladder, const std::string& prefix) {
+  Writer writer(ladder, prefix);
+  LadderText result;
+  result.statements = writer.text();
+  result.variables = writer.variables();
+  return result;
+}
+
 LadderStatements ladder_to_syntax(const graphic::LadderProgram& ladder, const std::string& file_name,
                                   bool keeps_state, syntax::SyntaxContext& context) {
-  Writer writer(ladder);
+  Writer writer(ladder, "__");
   const source::FileId file = context.sources.add(file_name, writer.text());
   LadderStatements result;
   if (writer.edges() > 0 && !keeps_state) {
@@ -188,12 +223,17 @@ LadderStatements ladder_to_syntax(const graphic::LadderProgram& ladder, const st
     return result;
   }
   result.body = syntax::parse_statements(context, file, syntax::TextKind::Generated);
-  const std::string declarations = writer.declarations();
-  if (!declarations.empty()) {
-    const source::FileId variables = context.sources.add(file_name, declarations);
-    result.variables = syntax::parse_variables(context, variables, syntax::TextKind::Generated);
-  }
+  std::string declarations;
+  for (const graphic::Wire& each : writer.variables()) declarations += declaration_of(each, keeps_state);
+  if (declarations.empty()) return result;
+  const source::FileId variables = context.sources.add(file_name, declarations);
+  result.variables = syntax::parse_variables(context, variables, syntax::TextKind::Generated);
   return result;
+}
+
+std::string declaration_of(const graphic::Wire& wire, bool keeps_state) {
+  const bool keeps = wire.keeps && keeps_state;
+  return std::string(keeps ? "VAR " : "VAR_TEMP ") + wire.name + " : " + wire.type + "; END_VAR\n";
 }
 
 }  // namespace stepwright::lowering

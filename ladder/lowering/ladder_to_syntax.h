@@ -20,6 +20,17 @@ struct LadderStatements {
   std::vector<syntax::VariableDeclaration> variables;  // that the body needs beside those of the POU
 };
 
+// The same as text, for a place where statements stand as text (the action of a chart). `prefix` begins the
+// names of the variables that it needs.
+struct LadderText {
+  std::string statements;
+  std::vector<graphic::Wire> variables;
+};
+LadderText ladder_text(const graphic::LadderProgram& ladder, const std::string& prefix);
+
+// "VAR_TEMP __W1 : INT; END_VAR"; what keeps its value is VAR where the POU can.
+std::string declaration_of(const graphic::Wire& wire, bool keeps_state);
+
 // `file_name` is what diagnostics call the diagram. `keeps_state` is false for functions: an edge is reported
 // there (E0702). Everything else that is wrong is reported when it is parsed and analysed.
 LadderStatements ladder_to_syntax(const graphic::LadderProgram& ladder, const std::string& file_name,

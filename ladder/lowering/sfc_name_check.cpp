@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ladder/graphic/identifier.h"
+#include "ladder/graphic/sfc_codes.h"
 #include "ladder/lowering/st_names.h"
 
 namespace stepwright::lowering {
@@ -30,7 +31,8 @@ class TargetChecker {
   Diagnostics run() {
     for (const graphic::Step& step : chart_.steps) {
       if (find(pou_.variables, step.name) != nullptr) {
-        add("E0721", step.where, "step '" + step.name + "' has the name of a variable", "rename one of them");
+        add(graphic::code::kNameOfVariable, step.where, "step '" + step.name + "' has the name of a variable",
+            "rename one of them");
       }
       for (const graphic::ActionBlock& block : step.actions) {
         target(step, block);
@@ -48,18 +50,19 @@ class TargetChecker {
 
   void action(const graphic::Action& action) {
     if (find(pou_.variables, action.name) != nullptr) {
-      add("E0721", action.where, "action '" + action.name + "' has the name of a variable",
-          "rename one of them");
+      add(graphic::code::kNameOfVariable, action.where,
+          "action '" + action.name + "' has the name of a variable", "rename one of them");
     }
     for_each_identifier(action.st_body, [&](std::string_view name) {
       if (graphic::same_name(name, "RETURN")) {
-        add("E0724", action.where, "RETURN in action '" + action.name + "' would leave the whole chart",
+        add(graphic::code::kReturnInAction, action.where,
+            "RETURN in action '" + action.name + "' would leave the whole chart",
             "use IF around the rest of the action");
       }
     });
     for_each_written_flag(action.st_body, [&](std::string_view owner, char flag) {
       if (!has_flag(owner, flag)) return;
-      add("E0726", action.where,
+      add(graphic::code::kFlagWritten, action.where,
           "action '" + action.name + "' writes the flag " + std::string(owner) + "." + flag,
           "flags of steps and actions are read-only; transitions move the tokens");
     });
@@ -85,10 +88,10 @@ class TargetChecker {
     const Variable* variable = variable_of(block.target);
     const std::string place = "target '" + block.target + "' of step '" + step.name + "'";
     if (variable == nullptr && globals_ != nullptr) {
-      add("E0723", block.where, place + " is neither a variable nor an action",
+      add(graphic::code::kUnknownTarget, block.where, place + " is neither a variable nor an action",
           "declare it, or correct the name");
     } else if (variable != nullptr && !graphic::same_name(variable->type, "BOOL")) {
-      add("E0722", block.where, place + " is a " + variable->type + ", not a BOOL",
+      add(graphic::code::kTargetNotBool, block.where, place + " is a " + variable->type + ", not a BOOL",
           "an action block drives a BOOL variable; give the chart an action with a body for anything else");
     }
   }
@@ -103,7 +106,7 @@ class TargetChecker {
       if (!in_name && c != ' ') begins = false;
       if (c != ',') continue;
       if (graphic::is_identifier(name) && variable_of(name) == nullptr) {
-        add("E0725", block.where,
+        add(graphic::code::kUnknownIndicator, block.where,
             "indicator '" + name + "' of action '" + block.target + "' of step '" + step.name +
                 "' is not declared",
             "an indicator is a variable that shows what the action does");

@@ -3,13 +3,29 @@
 #include <algorithm>
 #include <utility>
 
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/internal/standard_analyzer.h"
 #include "ladder/source/suggestion.h"
 
 namespace stepwright::semantics::internal {
 
 using syntax::Argument;
 using syntax::Expression;
+
+namespace {
+
+// A name like "INT_TO_REEL" is a conversion to a type that does not exist; else what the name is near to.
+std::string unknown_function_hint(const std::string& folded,
+                                  const std::vector<std::string_view>& candidates) {
+  const std::size_t middle = folded.rfind("TO_");
+  if (middle == std::string::npos) return source::did_you_mean(folded, candidates);
+  std::vector<std::string_view> types = {"STRING", "WSTRING"};
+  for (std::uint8_t i = 0; i < bytecode::kScalarTypeCount; ++i)
+    types.emplace_back(bytecode::name_of(static_cast<ElementaryType>(i)));
+  std::string hint = source::did_you_mean(folded.substr(middle + 3), types);
+  return hint.empty() ? source::did_you_mean(folded, candidates) : hint;
+}
+
+}  // namespace
 
 void ExpressionAnalyzer::note_callee(const Pou& callee) {
   if (pou_ == nullptr) return;
@@ -51,18 +67,16 @@ ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
   const std::string& folded = a_.names.folded(name.id);
   if (folded == "REF") return reference_to(expression);
   if (folded == "LOWER_BOUND" || folded == "UPPER_BOUND") return array_bound(expression, folded[0] == 'U');
-  const Type* from = nullptr;
-  const Type* to = nullptr;
-  if (is_conversion(folded, from, to)) return explicit_conversion(expression, from, to);
   bool known = false;
-  ValuePtr result = standard_call(expression, folded, known);
+  ValuePtr result = StandardAnalyzer(a_, *this).call(expression, folded, known);
   if (known) return result;
-  std::vector<std::string_view> candidates = {"ABS", "SQRT", "MIN", "MAX", "LIMIT", "SEL", "MUX",
-                                              "SHL", "SHR",  "ROL", "ROR", "TRUNC", "MOVE"};
+  if (const auto conversion = named_conversion(folded)) return explicit_conversion(expression, *conversion);
+  std::vector<std::string_view> candidates;
+  StandardAnalyzer::add_names(candidates);
   for (const auto& each : a_.model.pous)
     if (each->kind == PouKind::Function) candidates.push_back(each->spelling);
   a_.error(code::kUndeclared, name.where, "there is no function " + quote(name.text),
-           source::did_you_mean(name.text, candidates));
+           unknown_function_hint(folded, candidates));
   return nullptr;
 }
 

@@ -67,7 +67,8 @@ std::optional<T> reals(Operator op, T left, T right) {
     case Operator::Multiply:
       return left * right;
     case Operator::Divide:
-      return left / right;
+      // The machine stops here, in every type.
+      return right == 0 ? std::nullopt : std::optional(left / right);
     default:
       return std::nullopt;
   }

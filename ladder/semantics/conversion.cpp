@@ -1,9 +1,10 @@
-// Implicit and explicit conversions (IEC 61131-3, 6.6.1.6 and 6.6.2.5.3).
+// Implicit and explicit conversions (IEC 61131-3, 6.6.1.6 and 6.6.2.5.3 to 6.6.2.5.5, tables 22 to 27).
 
 #include <cmath>
 #include <utility>
 
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/constant_conversion.h"
+#include "ladder/semantics/internal/standard_analyzer.h"
 
 namespace stepwright::semantics::internal {
 
@@ -14,8 +15,27 @@ std::string conversion_hint(const Type& from, const Type& to) {
   return elementary ? "convert it with " + from.name + "_TO_" + to.name + "(...)" : "";
 }
 
-bool is_whole(const Type& type) {
-  return type.is_integer() || type.is_bits() || type.is_bool();
+bool is_character(const Type& type) {
+  return type.is(ElementaryType::Char) || type.is(ElementaryType::Wchar);
+}
+
+bool is_date(const Type& type) {
+  return type.is(ElementaryType::Date) || type.is(ElementaryType::Tod) || type.is(ElementaryType::Dt);
+}
+
+// Whether X_TO_Y exists.
+bool convertible(const Type& from, const Type& to) {
+  if (&from == &to) return true;
+  const auto is_count = [](const Type& type) { return type.is_number() || type.is_bits(); };
+  const auto is_plain = [&](const Type& type) { return is_count(type) || type.is_bool(); };
+  if (is_plain(from) && is_plain(to)) return true;
+  const auto is_time = [](const Type& type) { return type.is_time() || is_date(type); };
+  if (is_time(from) && is_time(to))
+    return (from.is(ElementaryType::Dt) && !to.is_time()) ||
+           (from.is(ElementaryType::Date) && to.is(ElementaryType::Dt));
+  if ((is_time(from) && is_count(to)) || (is_count(from) && is_time(to))) return true;
+  const auto is_code = [](const Type& type) { return type.is_integer() || type.is_bits(); };
+  return (is_character(from) || is_code(from)) && (is_character(to) || is_code(to));
 }
 
 }  // namespace
@@ -38,18 +58,36 @@ ValuePtr ExpressionAnalyzer::convert(ValuePtr value, const Type* type, Position 
   return convert_exactly(std::move(value), type);
 }
 
+// A function of literals that is no constant: SEL(b, 1, 2). Its operands get the type.
+ValuePtr ExpressionAnalyzer::retype(ValuePtr value, const Type* type, Position where) {
+  for (ValuePtr& each : value->operands) {
+    if (!each->type->is_literal()) continue;
+    each = convert(std::move(each), type, where);
+    if (!each) return nullptr;
+  }
+  value->type = type;
+  return value;
+}
+
 ValuePtr ExpressionAnalyzer::convert_literal(ValuePtr value, const Type* type, Position where) {
+  if (type->is_literal() && value->kind != ValueKind::Constant) return retype(std::move(value), type, where);
+  if (type->kind == TypeKind::AnyReal)
+    return make_constant({0, static_cast<double>(value->constant.integer)}, type, value->where);
   Constant constant = value->constant;
   if (type->is_real()) {
+    if (value->kind != ValueKind::Constant) return retype(std::move(value), type, where);
     if (value->type->kind == TypeKind::AnyInteger) constant = {0, static_cast<double>(constant.integer)};
-    if (type->is(ElementaryType::Real) && std::isinf(static_cast<float>(constant.real))) {
+    if (type->is(ElementaryType::Real) && std::isinf(static_cast<float>(constant.real)) &&
+        std::isfinite(constant.real)) {
       a_.error(code::kOutOfRange, where, "the number is too large for REAL", "use LREAL");
       return nullptr;
     }
     return make_constant(wrapped(constant, *type), type, value->where);
   }
-  if (value->type->kind != TypeKind::AnyInteger || type->kind != TypeKind::Elementary || type->is_time())
+  const bool takes_numbers = type->is_integer() || type->is_bits() || type->is_bool();
+  if (value->type->kind != TypeKind::AnyInteger || type->kind != TypeKind::Elementary || !takes_numbers)
     return mismatch(*value->type, *type, where);
+  if (value->kind != ValueKind::Constant) return retype(std::move(value), type, where);
   if (!fits(constant, *type)) {
     if (type->is_bool()) return mismatch(*value->type, *type, where);
     const IntegerRange range = range_of(type->elementary);
@@ -60,59 +98,106 @@ ValuePtr ExpressionAnalyzer::convert_literal(ValuePtr value, const Type* type, P
   return make_constant(constant, type, value->where);
 }
 
-// Requires a conversion that the language has; folds constants.
 ValuePtr ExpressionAnalyzer::convert_exactly(ValuePtr value, const Type* type) {
-  const Type& from = *value->type;
-  if (&from == type) return value;
-  if (value->kind == ValueKind::Constant && !from.is_time() && !type->is_time()) {
-    const Constant constant = value->constant;
-    if (is_whole(from) && type->is_real())
-      return make_constant(wrapped({0, static_cast<double>(constant.integer)}, *type), type, value->where);
-    if (from.is_real() && type->is_real()) return make_constant(wrapped(constant, *type), type, value->where);
-    if (is_whole(from) && type->is_bool())
-      return make_constant({constant.integer != 0 ? 1 : 0}, type, value->where);
-    if (is_whole(from) && is_whole(*type)) return make_constant(wrapped(constant, *type), type, value->where);
-    if (from.is_real() && type->is_integer() && std::abs(constant.real) < 9e18) {
-      const Constant rounded{static_cast<__int128>(std::nearbyint(constant.real))};
-      if (fits(rounded, *type)) return make_constant(rounded, type, value->where);
-    }
+  if (value->type == type) return value;
+  if (value->kind == ValueKind::Constant) {
+    if (const auto constant = converted(value->constant, *value->type, *type))
+      return make_constant(*constant, type, value->where);
   }
-  ValuePtr converted = make(ValueKind::Convert, type, value->where);
-  converted->operands.push_back(std::move(value));
-  return converted;
+  ValuePtr result = make(ValueKind::Convert, type, value->where);
+  result->operands.push_back(std::move(value));
+  return result;
 }
 
-bool ExpressionAnalyzer::is_conversion(const std::string& folded, const Type*& from, const Type*& to) const {
-  const std::size_t middle = folded.find("_TO_");
-  const bool generic = folded.rfind("TO_", 0) == 0;
-  if (!generic && middle == std::string::npos) return false;
-  ElementaryType source{};
-  ElementaryType target{};
-  if (!elementary_from(folded.substr(generic ? 3 : middle + 4), target)) return false;
-  if (!generic && !elementary_from(folded.substr(0, middle), source)) return false;
-  from = generic ? nullptr : a_.type_table().elementary(source);
-  to = a_.type_table().elementary(target);
-  return true;
+ValuePtr ExpressionAnalyzer::truncated(ValuePtr value, const Type* type, const syntax::Expression& call) {
+  value = settle(std::move(value));
+  if (!value) return nullptr;
+  if (!value->type->is_real() || !type->is_integer()) {
+    const Type& wrong = value->type->is_real() ? *type : *value->type;
+    a_.error(code::kBadOperand, call.where, quote(call.name.text) + " cannot be applied to " + wrong.name,
+             "it cuts the fraction of a REAL or LREAL off");
+    return nullptr;
+  }
+  if (value->kind == ValueKind::Constant && std::abs(value->constant.real) < 1e19) {
+    const Constant whole{static_cast<__int128>(std::trunc(value->constant.real))};
+    if (fits(whole, *type)) return make_constant(whole, type, call.where);
+  }
+  ValuePtr result = make(ValueKind::Truncate, type, call.where);
+  result->operands.push_back(std::move(value));
+  return result;
 }
 
-ValuePtr ExpressionAnalyzer::explicit_conversion(const syntax::Expression& call, const Type* from,
-                                                 const Type* to) {
-  auto arguments = standard_arguments(call, {"IN"}, 1, 1);
+std::optional<NamedConversion> ExpressionAnalyzer::named_conversion(const std::string& folded) const {
+  using Kind = NamedConversion::Kind;
+  struct Pattern {
+    std::string_view middle;
+    Kind kind;
+  };
+  // Longer patterns before the ones that they contain.
+  static constexpr Pattern kPatterns[] = {{"_BCD_TO_", Kind::FromBcd},
+                                          {"_TO_BCD_", Kind::ToBcd},
+                                          {"_TRUNC_", Kind::Truncate},
+                                          {"_TO_", Kind::Convert}};
+  // An underscore before the name makes "TO_INT" a pattern like the others, with nothing in front.
+  const std::string text = "_" + folded;
+  for (const Pattern& each : kPatterns) {
+    const std::size_t at = text.find(each.middle);
+    if (at == std::string::npos) continue;
+    ElementaryType from{};
+    ElementaryType to{};
+    if (!elementary_from(text.substr(at + each.middle.size()), to)) return std::nullopt;
+    if (at > 0 && !elementary_from(text.substr(1, at - 1), from)) return std::nullopt;
+    const TypeTable& types = a_.type_table();
+    return NamedConversion{each.kind, at > 0 ? types.elementary(from) : nullptr, types.elementary(to)};
+  }
+  return std::nullopt;
+}
+
+ValuePtr ExpressionAnalyzer::explicit_conversion(const syntax::Expression& call,
+                                                 const NamedConversion& conversion) {
+  auto arguments = StandardAnalyzer(a_, *this).arguments(call, "IN", 1);
   if (!arguments) return nullptr;
-  ValuePtr value = from != nullptr
-                       ? convert(std::move(arguments->front()), from, call.arguments[0].value->where)
-                       : settle(std::move(arguments->front()));
+  ValuePtr value = std::move(arguments->front());
+  value = conversion.from != nullptr
+              ? convert(std::move(value), conversion.from, call.arguments[0].value->where)
+              : settle(std::move(value));
   if (!value) return nullptr;
   // An enumeration is converted by its number.
-  if (value->type->kind == TypeKind::Enumeration) {
-    ValuePtr number = make(ValueKind::Convert, a_.type_table().elementary(ElementaryType::Int), value->where);
-    number->operands.push_back(std::move(value));
-    value = std::move(number);
+  if (value->type->kind == TypeKind::Enumeration)
+    value = convert_exactly(std::move(value), a_.type_table().elementary(value->type->elementary));
+  switch (conversion.kind) {
+    case NamedConversion::Kind::Truncate:
+      return truncated(std::move(value), conversion.to, call);
+    case NamedConversion::Kind::Convert:
+      break;
+    default:
+      return bcd_conversion(std::move(value), conversion, call);
   }
-  const bool time_and_bool =
-      (value->type->is_time() && to->is_bool()) || (value->type->is_bool() && to->is_time());
-  if (!value->type->is_scalar() || time_and_bool) return mismatch(*value->type, *to, call.where);
-  return convert_exactly(std::move(value), to);
+  if (!convertible(*value->type, *conversion.to)) {
+    a_.error(code::kTypeMismatch, call.where,
+             "there is no conversion from " + value->type->name + " to " + conversion.to->name);
+    return nullptr;
+  }
+  return convert_exactly(std::move(value), conversion.to);
+}
+
+// Table 24: between BCD in a bit string and a number.
+ValuePtr ExpressionAnalyzer::bcd_conversion(ValuePtr value, const NamedConversion& conversion,
+                                            const syntax::Expression& call) {
+  const bool reads = conversion.kind == NamedConversion::Kind::FromBcd;
+  const Type& code = reads ? *value->type : *conversion.to;
+  const Type& number = reads ? *conversion.to : *value->type;
+  if (!code.is_bits() || !number.is_integer()) {
+    a_.error(code::kBadOperand, call.where,
+             quote(call.name.text) + " cannot be applied to " + value->type->name,
+             "BCD is in BYTE, WORD, DWORD or LWORD, the number an integer");
+    return nullptr;
+  }
+  std::vector<ValuePtr> operands;
+  operands.push_back(std::move(value));
+  return StandardAnalyzer(a_, *this).make_standard(
+      reads ? StandardFunction::FromBcd : StandardFunction::ToBcd, conversion.to, std::move(operands),
+      call.where);
 }
 
 }  // namespace stepwright::semantics::internal

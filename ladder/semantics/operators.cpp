@@ -29,6 +29,11 @@ bool takes_name(const Type& type, const Type& name) {
   return name.kind == TypeKind::Null ? type.is_reference() : type.kind == TypeKind::Enumeration;
 }
 
+bool is_time_or_date(const Type& type) {
+  return type.is_time() || type.is(ElementaryType::Date) || type.is(ElementaryType::Tod) ||
+         type.is(ElementaryType::Dt);
+}
+
 // A literal beyond every integer type.
 bool beyond_64_bits(__int128 value) {
   const __int128 one = 1;
@@ -38,18 +43,24 @@ bool beyond_64_bits(__int128 value) {
 }  // namespace
 
 ValuePtr ExpressionAnalyzer::unary(const Expression& expression) {
-  ValuePtr operand = value(*expression.operands[0]);
+  return unary(expression.op, value(*expression.operands[0]), expression.where);
+}
+
+ValuePtr ExpressionAnalyzer::invert(ValuePtr operand, Position where) {
+  return unary(Operator::Not, std::move(operand), where);
+}
+
+ValuePtr ExpressionAnalyzer::unary(Operator op, ValuePtr operand, Position where) {
   if (!operand) return nullptr;
   const Type& type = *operand->type;
-  const bool is_not = expression.op == Operator::Not;
+  const bool is_not = op == Operator::Not;
   const bool negatable = type.is_number() || type.is_time();
   if (is_not ? !(type.is_bool() || type.is_bits()) : !(negatable && !type.is_unsigned())) {
-    a_.error(code::kBadOperand, expression.where,
-             std::string(to_string(expression.op)) + " cannot be applied to " + type.name,
+    a_.error(code::kBadOperand, where, std::string(to_string(op)) + " cannot be applied to " + type.name,
              type.is_unsigned() && !is_not ? "convert it to a signed type first" : "");
     return nullptr;
   }
-  if (expression.op == Operator::Plus) return operand;
+  if (op == Operator::Plus) return operand;
   if (operand->kind == ValueKind::Constant) {
     Constant constant = operand->constant;
     if (is_not) {
@@ -57,10 +68,11 @@ ValuePtr ExpressionAnalyzer::unary(const Expression& expression) {
     } else {
       constant = {-constant.integer, -constant.real};
     }
-    return make_constant(wrapped(constant, type), &type, expression.where);
+    return make_constant(wrapped(constant, type), &type, where);
   }
-  ValuePtr result = make(ValueKind::Unary, &type, expression.where);
-  result->op = expression.op;
+  ValuePtr result = make(ValueKind::Unary, &type, where);
+  result->op = op;
+  result->constant = operand->constant;
   result->operands.push_back(std::move(operand));
   return result;
 }
@@ -134,9 +146,7 @@ ValuePtr ExpressionAnalyzer::bad_operands(Operator op, const Value& left, const 
     return nullptr;
   }
   std::string hint;
-  if (op == Operator::Power) {
-    hint = "powers are not supported yet; multiply instead";
-  } else if (is_logic(op) && (left.type->is_number() || right.type->is_number())) {
+  if (is_logic(op) && (left.type->is_number() || right.type->is_number())) {
     hint = "logic works on BOOL and bit strings; compare, or convert with " +
            (left.type->is_literal() ? std::string("INT") : left.type->name) + "_TO_WORD";
   } else if (left.type->is_bits() || right.type->is_bits()) {
@@ -152,17 +162,24 @@ ValuePtr ExpressionAnalyzer::bad_operands(Operator op, const Value& left, const 
 }
 
 ValuePtr ExpressionAnalyzer::combine(Operator op, ValuePtr left, ValuePtr right, Position where) {
-  if (!is_comparison(op) && (left->type->is_time() || right->type->is_time()))
+  if (!left || !right) return nullptr;
+  if (op == Operator::Power) return power(std::move(left), std::move(right), where);
+  if (!is_comparison(op) && (is_time_or_date(*left->type) || is_time_or_date(*right->type)))
     return combine_time(op, std::move(left), std::move(right), where);
   const Type* common = common_type(*left, *right);
   if (common == nullptr || !operator_applies(op, *common)) return bad_operands(op, *left, *right, where);
-  if (common->is_literal() && common->kind == TypeKind::AnyInteger)
-    return fold_literals(op, *left, *right, where);
+  if (common->is_literal()) {
+    // SEL(b, 1, 2) has no type of its own either, yet is no constant.
+    const bool constant = left->kind == ValueKind::Constant && right->kind == ValueKind::Constant;
+    if (!constant) return combine(op, settle(std::move(left)), settle(std::move(right)), where);
+    if (common->kind == TypeKind::AnyInteger) return fold_literals(op, *left, *right, where);
+  }
   left = convert(std::move(left), common, where);
   right = convert(std::move(right), common, where);
   if (!left || !right) return nullptr;
   const bool divides = op == Operator::Divide || op == Operator::Modulo;
-  if (divides && !common->is_real() && right->kind == ValueKind::Constant && right->constant.integer == 0) {
+  if (divides && right->kind == ValueKind::Constant && right->constant.integer == 0 &&
+      right->constant.real == 0) {
     a_.error(code::kConstantDivision, right->where, "division by zero");
     return nullptr;
   }
@@ -202,39 +219,6 @@ ValuePtr ExpressionAnalyzer::fold_literals(Operator op, const Value& left, const
   }
   const Type* type = is_comparison(op) ? a_.type_table().boolean() : left.type;
   return make_constant(*folded, type, where);
-}
-
-// TIME + TIME, TIME - TIME, TIME * number, number * TIME, TIME / number (table 30).
-ValuePtr ExpressionAnalyzer::combine_time(Operator op, ValuePtr left, ValuePtr right, Position where) {
-  if (op == Operator::Multiply && right->type->is_time()) std::swap(left, right);
-  const bool sum =
-      (op == Operator::Add || op == Operator::Subtract) && left->type->is_time() && right->type->is_time();
-  const bool scale = (op == Operator::Multiply || op == Operator::Divide) && left->type->is_time() &&
-                     right->type->is_number();
-  if (!sum && !scale) return bad_operands(op, *left, *right, where);
-  const TypeTable& types = a_.type_table();
-  const Type* time = types.elementary(ElementaryType::Time);
-  const Type* factor = right->type->is_real() ? types.elementary(ElementaryType::Lreal)
-                                              : types.elementary(ElementaryType::Lint);
-  if (scale) right = convert(std::move(right), factor, where);
-  if (!right) return nullptr;
-  const bool with_real = scale && factor->is_real();
-  if (with_real) left = convert_exactly(std::move(left), factor);
-  if (op == Operator::Divide && !with_real && right->kind == ValueKind::Constant &&
-      right->constant.integer == 0) {
-    a_.error(code::kConstantDivision, right->where, "division by zero");
-    return nullptr;
-  }
-  const Type* type = with_real ? factor : time;
-  if (!with_real && left->kind == ValueKind::Constant && right->kind == ValueKind::Constant) {
-    if (const auto folded = evaluate(op, left->constant, right->constant, *time))
-      return make_constant(*folded, time, where);
-  }
-  ValuePtr result = make(ValueKind::Binary, type, where);
-  result->op = op;
-  result->operands.push_back(std::move(left));
-  result->operands.push_back(std::move(right));
-  return with_real ? convert_exactly(std::move(result), time) : std::move(result);
 }
 
 }  // namespace stepwright::semantics::internal

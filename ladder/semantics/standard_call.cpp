@@ -1,270 +1,208 @@
-// Standard functions (IEC 61131-3, 6.6.2.5): each is typed by its arguments.
+// Standard functions (IEC 61131-3, 6.6.2.5): which one a name means, and its arguments.
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <utility>
 
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/constant_function.h"
+#include "ladder/semantics/internal/standard_analyzer.h"
+#include "ladder/source/suggestion.h"
 
 namespace stepwright::semantics::internal {
 
+using syntax::Argument;
 using syntax::Expression;
-using syntax::Operator;
 
 namespace {
 
-struct OperatorFunction {
-  const char* name;
-  Operator op;
-  std::size_t most;
+std::vector<std::string_view> words(std::string_view text) {
+  std::vector<std::string_view> list;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    list.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return list;
+}
+
+bool is_extensible(std::string_view formals) {
+  return !formals.empty() && formals.back() == '+';
+}
+
+// "IN1+" -> "IN", 1
+struct Series {
+  std::string_view stem;
+  std::size_t first = 0;
 };
 
-// Functions that are operators under another name (tables 28 to 33).
-constexpr OperatorFunction kOperatorFunctions[] = {
-    {"ADD", Operator::Add, 32},    {"SUB", Operator::Subtract, 2},    {"MUL", Operator::Multiply, 32},
-    {"DIV", Operator::Divide, 2},  {"MOD", Operator::Modulo, 2},      {"AND", Operator::And, 32},
-    {"OR", Operator::Or, 32},      {"XOR", Operator::Xor, 32},        {"EQ", Operator::Equal, 2},
-    {"NE", Operator::NotEqual, 2}, {"LT", Operator::Less, 2},         {"LE", Operator::LessEqual, 2},
-    {"GT", Operator::Greater, 2},  {"GE", Operator::GreaterEqual, 2},
-};
+Series series_of(std::string_view last) {
+  last.remove_suffix(1);
+  return {last.substr(0, last.size() - 1), static_cast<std::size_t>(last.back() - '0')};
+}
+
+constexpr std::size_t kMostArguments = 1000;
 
 }  // namespace
 
-ValuePtr ExpressionAnalyzer::standard_call(const Expression& call, const std::string& folded, bool& known) {
+const StandardAnalyzer::Entry* StandardAnalyzer::find(std::string_view folded) {
+  for (const auto family :
+       {numeric_entries(), operator_entries(), selection_entries(), bit_entries(), time_entries()})
+    for (const Entry& each : family)
+      if (each.name == folded) return &each;
+  return nullptr;
+}
+
+void StandardAnalyzer::add_names(std::vector<std::string_view>& names) {
+  for (const auto family :
+       {numeric_entries(), operator_entries(), selection_entries(), bit_entries(), time_entries()})
+    for (const Entry& each : family)
+      if (each.name.front() != '_') names.push_back(each.name);
+}
+
+ValuePtr StandardAnalyzer::call(const Expression& call, const std::string& folded, bool& known) {
   known = true;
-  if (folded == "ABS") return numeric(call, StandardFunction::Abs);
-  if (folded == "SQRT") return numeric(call, StandardFunction::Sqrt);
-  if (folded == "MIN") return extremum(call, StandardFunction::Min);
-  if (folded == "MAX") return extremum(call, StandardFunction::Max);
-  if (folded == "LIMIT") return limit(call);
-  if (folded == "SHL") return shift(call, StandardFunction::Shl);
-  if (folded == "SHR") return shift(call, StandardFunction::Shr);
-  if (folded == "ROL") return shift(call, StandardFunction::Rol);
-  if (folded == "ROR") return shift(call, StandardFunction::Ror);
-  if (folded == "SEL") return select(call);
-  if (folded == "MUX") return multiplex(call);
-  if (folded == "TRUNC") return truncate(call);
-  if (folded == "MOVE") {
-    auto arguments = standard_arguments(call, {"IN"}, 1, 1);
-    return arguments ? std::move(arguments->front()) : nullptr;
+  if (const Entry* entry = find(folded)) {
+    auto values = arguments(call, entry->formals, entry->least);
+    return values ? (this->*entry->analyse)(call, std::move(*values), entry->which) : nullptr;
   }
-  // The clock that the standard's timers are built from; no name that a user's source can hold by accident.
-  if (folded == "__NOW")
-    return make(ValueKind::Now, a_.type_table().elementary(ElementaryType::Time), call.where);
-  for (const OperatorFunction& each : kOperatorFunctions)
-    if (folded == each.name) return operator_call(call, each.op, each.most);
+  // "ADD_INT": the function for one type (6.6.1.7.3).
+  const std::size_t last = folded.rfind('_');
+  ElementaryType which{};
+  if (last != std::string::npos && elementary_from(folded.substr(last + 1), which)) {
+    const Entry* entry = find(std::string_view(folded).substr(0, last));
+    if (entry != nullptr && entry->typed_count > 0)
+      return typed_call(call, *entry, a_.type_table().elementary(which));
+  }
   known = false;
   return nullptr;
 }
 
-// The arguments in the order of `formals`; positional ones may go on behind the last name (MIN, MUX, ADD).
-std::optional<std::vector<ValuePtr>> ExpressionAnalyzer::standard_arguments(
-    const Expression& call, std::initializer_list<const char*> formals, std::size_t least, std::size_t most) {
-  std::vector<ValuePtr> values(call.arguments.size());
-  bool sound = true;
-  if (call.arguments.size() < least || call.arguments.size() > most) {
-    a_.error(code::kArgumentCount, call.where,
-             quote(call.name.text) + " takes " + std::to_string(least) +
-                 (most == least ? ""
-                  : most >= 32  ? " or more"
-                                : " to " + std::to_string(most)) +
-                 " arguments, found " + std::to_string(call.arguments.size()));
+ValuePtr StandardAnalyzer::typed_call(const Expression& call, const Entry& entry, const Type* type) {
+  auto values = arguments(call, entry.formals, entry.least);
+  if (!values) return nullptr;
+  const std::size_t end = std::min(values->size(), entry.typed_first + entry.typed_count);
+  for (std::size_t i = entry.typed_first; i < end; ++i) {
+    const Position where = (*values)[i]->where;
+    (*values)[i] = e_.convert(std::move((*values)[i]), type, where);
+    if (!(*values)[i]) return nullptr;
+  }
+  return (this->*entry.analyse)(call, std::move(*values), entry.which);
+}
+
+void StandardAnalyzer::wrong_count(const Expression& call, std::string_view formals, std::size_t least) {
+  const std::string count = std::to_string(least) + (is_extensible(formals) ? " or more" : "");
+  a_.error(code::kArgumentCount, call.where,
+           quote(call.name.text) + " takes " + count + (least == 1 ? " argument" : " arguments") +
+               ", found " + std::to_string(call.arguments.size()),
+           formals.empty() ? "" : "its parameters are " + std::string(formals));
+}
+
+// Which parameter a name means; `count` after a report.
+std::size_t StandardAnalyzer::parameter_index(const syntax::Name& formal, std::string_view formals,
+                                              std::size_t count) {
+  const std::string& wanted = a_.names.folded(formal.id);
+  std::vector<std::string_view> known = words(formals);
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (known[i] == wanted) return i;
+  if (is_extensible(formals)) {
+    const Series series = series_of(known.back());
+    std::size_t number = 0;
+    const char* begin = wanted.data() + std::min(series.stem.size(), wanted.size());
+    const char* end = wanted.data() + wanted.size();
+    const auto parsed = std::from_chars(begin, end, number);
+    const bool counts = wanted.rfind(series.stem, 0) == 0 && parsed.ec == std::errc() && parsed.ptr == end;
+    if (counts && number >= series.first && number - series.first + known.size() - 1 < count)
+      return number - series.first + known.size() - 1;
+    known.back().remove_suffix(1);
+  }
+  a_.error(code::kUnknownParameter, formal.where, "there is no parameter " + quote(formal.text) + " here",
+           known.empty() ? "" : source::did_you_mean(wanted, known));
+  return count;
+}
+
+std::optional<StandardAnalyzer::Values> StandardAnalyzer::arguments(const Expression& call,
+                                                                    std::string_view formals,
+                                                                    std::size_t least) {
+  const std::size_t count = call.arguments.size();
+  const std::size_t most = is_extensible(formals) ? kMostArguments : least;
+  if (count < least || count > most) {
+    wrong_count(call, formals, least);
     return std::nullopt;
   }
-  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
-    const syntax::Argument& argument = call.arguments[i];
+  Values values(count);
+  bool sound = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Argument& argument = call.arguments[i];
     std::size_t target = i;
     if (argument.formal) {
-      const std::string& wanted = a_.names.folded(argument.formal->id);
-      target = values.size();
-      std::size_t position = 0;
-      for (const char* formal : formals) {
-        if (wanted == formal) target = position;
-        ++position;
-      }
-      // IN1, IN2, ... of the functions that take any number.
-      if (target == values.size() && most > formals.size() && wanted.size() <= 4 &&
-          wanted.rfind("IN", 0) == 0 && wanted.find_first_not_of("0123456789", 2) == std::string::npos &&
-          wanted.size() > 2) {
-        const std::size_t first = formals.size() == 0 ? 1 : 0;  // MUX counts from IN0 behind K
-        target = static_cast<std::size_t>(std::stoul(wanted.substr(2))) - first + formals.size();
-      }
-      if (target >= values.size() || argument.is_output) {
+      target = parameter_index(*argument.formal, formals, count);
+      if (target < count && argument.is_output) {
         a_.error(code::kUnknownParameter, argument.formal->where,
-                 quote(call.name.text) + " has no parameter " + quote(argument.formal->text));
-        sound = false;
-        continue;
+                 quote(argument.formal->text) + " is no output: write it with ':='");
+        target = count;
       }
     }
+    ValuePtr value = argument.value ? e_.value(*argument.value) : nullptr;
+    sound = sound && target < count && value;
+    if (target >= count) continue;
     if (values[target]) {
       a_.error(code::kDuplicateArgument, argument.value->where, "the argument is given twice");
       sound = false;
     }
-    values[target] = value(*argument.value);
-    sound = sound && values[target];
+    values[target] = std::move(value);
   }
   if (!sound) return std::nullopt;
   return values;
 }
 
-const Type* ExpressionAnalyzer::unify(std::vector<ValuePtr>& values, std::size_t first, Position where) {
+const Type* StandardAnalyzer::unify(Values& values, std::size_t first, Position where) {
   // Literals adapt to what has a type, so they are looked at last.
   std::size_t model = first;
   while (model + 1 < values.size() && values[model]->type->is_literal()) ++model;
+  if (values[model]->type->is_literal()) model = first;
   const Type* common = values[model]->type;
   for (int round = 0; round < 2; ++round) {
     for (std::size_t i = first; i < values.size(); ++i) {
       Value stand_in;
       stand_in.type = common;
       if (common->is_literal()) stand_in.constant = values[model]->constant;
-      const Type* wider = common_type(stand_in, *values[i]);
+      const Type* wider = e_.common_type(stand_in, *values[i]);
       if (wider == nullptr) {
-        mismatch(*values[i]->type, *common, values[i]->where);
+        e_.mismatch(*values[i]->type, *common, values[i]->where);
         return nullptr;
       }
       common = wider;
     }
   }
   for (std::size_t i = first; i < values.size(); ++i) {
-    values[i] =
-        common->is_literal() ? settle(std::move(values[i])) : convert(std::move(values[i]), common, where);
+    if (values[i]->type == common) continue;
+    values[i] = e_.convert(std::move(values[i]), common, where);
     if (!values[i]) return nullptr;
   }
-  if (!common->is_literal()) return common;
-  // Literals only: the widest of their own types.
-  return unify(values, first, where);
+  return common;
 }
 
-ValuePtr ExpressionAnalyzer::numeric(const Expression& call, StandardFunction function) {
-  auto arguments = standard_arguments(call, {"IN"}, 1, 1);
-  if (!arguments) return nullptr;
-  ValuePtr operand = settle(std::move(arguments->front()));
-  if (!operand) return nullptr;
-  if (!operand->type->is_number()) {
-    a_.error(code::kBadOperand, call.where,
-             quote(call.name.text) + " cannot be applied to " + operand->type->name);
-    return nullptr;
+ValuePtr StandardAnalyzer::wrong_operand(const Expression& call, const Type& type, std::string hint) {
+  a_.error(code::kBadOperand, call.where, quote(call.name.text) + " cannot be applied to " + type.name,
+           std::move(hint));
+  return nullptr;
+}
+
+ValuePtr StandardAnalyzer::make_standard(StandardFunction function, const Type* type, Values values,
+                                         Position where) {
+  const bool constant =
+      std::ranges::all_of(values, [](const ValuePtr& each) { return each->kind == ValueKind::Constant; });
+  if (constant) {
+    std::vector<Constant> operands;
+    for (const ValuePtr& each : values) operands.push_back(each->constant);
+    if (const auto folded = evaluate(function, operands, *values.front()->type, *type))
+      return ExpressionAnalyzer::make_constant(*folded, type, where);
   }
-  if (function == StandardFunction::Sqrt && !operand->type->is_real()) {
-    const TypeTable& types = a_.type_table();
-    const Type* real = types.elementary(ElementaryType::Real);
-    if (!widens(*operand->type, *real)) real = types.elementary(ElementaryType::Lreal);
-    operand = convert(std::move(operand), real, call.where);
-    if (!operand) return nullptr;
-  }
-  ValuePtr result = make(ValueKind::Standard, operand->type, call.where);
+  ValuePtr result = ExpressionAnalyzer::make(ValueKind::Standard, type, where);
   result->function = function;
-  result->operands.push_back(std::move(operand));
-  return result;
-}
-
-ValuePtr ExpressionAnalyzer::extremum(const Expression& call, StandardFunction function) {
-  auto arguments = standard_arguments(call, {}, 2, 32);
-  if (!arguments) return nullptr;
-  const Type* type = unify(*arguments, 0, call.where);
-  if (type == nullptr) return nullptr;
-  if (!type->is_number() && !type->is_time()) {
-    a_.error(code::kBadOperand, call.where, quote(call.name.text) + " cannot be applied to " + type->name);
-    return nullptr;
-  }
-  ValuePtr result = make(ValueKind::Standard, type, call.where);
-  result->function = function;
-  result->operands = std::move(*arguments);
-  return result;
-}
-
-// LIMIT(MN, IN, MX) = MIN(MAX(IN, MN), MX)
-ValuePtr ExpressionAnalyzer::limit(const Expression& call) {
-  auto arguments = standard_arguments(call, {"MN", "IN", "MX"}, 3, 3);
-  if (!arguments) return nullptr;
-  const Type* type = unify(*arguments, 0, call.where);
-  if (type == nullptr) return nullptr;
-  if (!type->is_number() && !type->is_time()) {
-    a_.error(code::kBadOperand, call.where, "'LIMIT' cannot be applied to " + type->name);
-    return nullptr;
-  }
-  ValuePtr lower = make(ValueKind::Standard, type, call.where);
-  lower->function = StandardFunction::Max;
-  lower->operands.push_back(std::move((*arguments)[1]));
-  lower->operands.push_back(std::move((*arguments)[0]));
-  ValuePtr result = make(ValueKind::Standard, type, call.where);
-  result->function = StandardFunction::Min;
-  result->operands.push_back(std::move(lower));
-  result->operands.push_back(std::move((*arguments)[2]));
-  return result;
-}
-
-ValuePtr ExpressionAnalyzer::shift(const Expression& call, StandardFunction function) {
-  auto arguments = standard_arguments(call, {"IN", "N"}, 2, 2);
-  if (!arguments) return nullptr;
-  ValuePtr& operand = (*arguments)[0];
-  if (!operand->type->is_bits()) {
-    a_.error(code::kBadOperand, call.where,
-             quote(call.name.text) + " cannot be applied to " + operand->type->name,
-             "it works on BYTE, WORD, DWORD and LWORD; a literal needs a type: WORD#16#1");
-    return nullptr;
-  }
-  const TypeTable& types = a_.type_table();
-  ValuePtr count = convert(std::move((*arguments)[1]), types.elementary(ElementaryType::Dint), call.where);
-  if (!count) return nullptr;
-  ValuePtr result = make(ValueKind::Shift, operand->type, call.where);
-  result->function = function;
-  result->operands.push_back(std::move(operand));
-  result->operands.push_back(std::move(count));
-  return result;
-}
-
-ValuePtr ExpressionAnalyzer::select(const Expression& call) {
-  auto arguments = standard_arguments(call, {"G", "IN0", "IN1"}, 3, 3);
-  if (!arguments) return nullptr;
-  (*arguments)[0] = convert(std::move((*arguments)[0]), a_.type_table().boolean(), call.where);
-  if (!(*arguments)[0]) return nullptr;
-  const Type* type = unify(*arguments, 1, call.where);
-  if (type == nullptr) return nullptr;
-  if (!type->is_scalar()) {
-    a_.error(code::kBadOperand, call.where, "'SEL' cannot be applied to " + type->name);
-    return nullptr;
-  }
-  ValuePtr result = make(ValueKind::Select, type, call.where);
-  result->operands = std::move(*arguments);
-  return result;
-}
-
-ValuePtr ExpressionAnalyzer::multiplex(const Expression& call) {
-  auto arguments = standard_arguments(call, {"K"}, 2, 33);
-  if (!arguments) return nullptr;
-  (*arguments)[0] =
-      convert(std::move((*arguments)[0]), a_.type_table().elementary(ElementaryType::Dint), call.where);
-  if (!(*arguments)[0]) return nullptr;
-  const Type* type = unify(*arguments, 1, call.where);
-  if (type == nullptr) return nullptr;
-  if (!type->is_scalar()) {
-    a_.error(code::kBadOperand, call.where, "'MUX' cannot be applied to " + type->name);
-    return nullptr;
-  }
-  ValuePtr result = make(ValueKind::Multiplex, type, call.where);
-  result->operands = std::move(*arguments);
-  return result;
-}
-
-ValuePtr ExpressionAnalyzer::truncate(const Expression& call) {
-  auto arguments = standard_arguments(call, {"IN"}, 1, 1);
-  if (!arguments) return nullptr;
-  ValuePtr operand = settle(std::move(arguments->front()));
-  if (!operand) return nullptr;
-  if (!operand->type->is_real()) {
-    a_.error(code::kBadOperand, call.where, "'TRUNC' cannot be applied to " + operand->type->name);
-    return nullptr;
-  }
-  ValuePtr result = make(ValueKind::Truncate, a_.type_table().elementary(ElementaryType::Dint), call.where);
-  result->operands.push_back(std::move(operand));
-  return result;
-}
-
-ValuePtr ExpressionAnalyzer::operator_call(const Expression& call, Operator op, std::size_t most) {
-  auto arguments = standard_arguments(call, {}, 2, most);
-  if (!arguments) return nullptr;
-  ValuePtr result = std::move(arguments->front());
-  for (std::size_t i = 1; i < arguments->size() && result; ++i)
-    result = combine(op, std::move(result), std::move((*arguments)[i]), call.where);
+  if (type->is_literal()) result->constant = widest_of(values);
+  result->operands = std::move(values);
   return result;
 }
 

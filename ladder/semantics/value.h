@@ -82,12 +82,41 @@ enum class ValueKind : std::uint8_t {
   Shift,      // `function` of operands[0], operands[1] (DINT)
   Select,     // operands[0] ? operands[2] : operands[1], all evaluated
   Multiplex,  // operands[0] (DINT) chooses among the rest, all evaluated
+  Chain,      // operands[0] `op` operands[1] AND operands[1] `op` operands[2] ..., each evaluated once
+  Fail,       // stops the program: bad argument
   Call,       // user function `pou`; operands in the order of its slots; a result in memory is at `place`
   Enabled,    // operands[0] ? operands[1] : the first value of the type; `after` passes ENO on, in `place`
   Now,        // time since the start, TIME
 };
 
-enum class StandardFunction : std::uint8_t { Abs, Sqrt, Min, Max, Shl, Shr, Rol, Ror };
+enum class StandardFunction : std::uint8_t {
+  Abs,
+  Sqrt,
+  Ln,
+  Log,
+  Exp,
+  Sin,
+  Cos,
+  Tan,
+  Asin,
+  Acos,
+  Atan,
+  Atan2,
+  Power,
+  Min,
+  Max,
+  Shl,
+  Shr,
+  Rol,
+  Ror,
+  SwapBytes,
+  FromBcd,  // bit string -> integer
+  ToBcd,
+  IsValid,     // of a real: a finite number
+  IsValidBcd,  // every digit is one
+  DayOf,       // of a date and time: its beginning
+  TimeOfDay,   // of nanoseconds: those since midnight
+};
 
 struct Value {
   ValueKind kind = ValueKind::Constant;

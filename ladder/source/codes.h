@@ -3,7 +3,7 @@
 // The code of every diagnostic of the compiler. Stable: scripts name them, and each has a page in
 // ladder/doc/diagnostics; a test holds codes and pages together. E01xx text and syntax, E02xx names and
 // declarations, E03xx types, E04xx statements and calls, E05xx addresses, E06xx configuration, E07xx charts
-// and rungs, W0xxx warnings.
+// and rungs, E08xx exchange files, W0xxx warnings.
 
 namespace stepwright::source::code {
 
@@ -64,6 +64,11 @@ inline constexpr const char* kSeveralConfigurations = "E0605";
 inline constexpr const char* kUnknownLabel = "E0701";
 inline constexpr const char* kEdgeInFunction = "E0702";
 inline constexpr const char* kBadChart = "E0703";
+
+inline constexpr const char* kBadXml = "E0801";
+inline constexpr const char* kNotPlcopen = "E0802";
+inline constexpr const char* kBadDiagram = "E0803";
+inline constexpr const char* kExchangeUnsupported = "E0804";
 
 inline constexpr const char* kUnreachable = "W0001";
 inline constexpr const char* kUnusedResult = "W0002";

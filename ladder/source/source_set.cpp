@@ -16,15 +16,34 @@ FileId SourceSet::add(std::string name, std::string text) {
   return FileId(static_cast<std::uint32_t>(files_.size() - 1));
 }
 
-std::uint32_t SourceSet::line(Position position) const {
+FileId SourceSet::add_piece(std::string text, FileId file, std::vector<Anchor> anchors) {
+  const FileId id = add({}, std::move(text));
+  files_.back()->origin = file;
+  files_.back()->anchors = std::move(anchors);
+  return id;
+}
+
+Position SourceSet::home(Position position) const {
+  const File& file = *files_[position.file.value];
+  if (file.anchors.empty()) return position;
+  auto next =
+      std::upper_bound(file.anchors.begin(), file.anchors.end(), position.offset,
+                       [](std::uint32_t offset, const Anchor& anchor) { return offset < anchor.text; });
+  if (next != file.anchors.begin()) --next;
+  return {file.origin, next->file + (position.offset - next->text)};
+}
+
+std::uint32_t SourceSet::line(Position place) const {
+  const Position position = home(place);
   const auto& starts = files_[position.file.value]->line_starts;
   return static_cast<std::uint32_t>(std::upper_bound(starts.begin(), starts.end(), position.offset) -
                                     starts.begin());
 }
 
-result::Location SourceSet::location(Position position) const {
+result::Location SourceSet::location(Position place) const {
   // Something that is missing from an empty compilation has no place.
-  if (position.file.value >= files_.size()) return {};
+  if (place.file.value >= files_.size()) return {};
+  const Position position = home(place);
   const File& file = *files_[position.file.value];
   const std::uint32_t line_number = line(position);
   const std::size_t end = std::min<std::size_t>(position.offset, file.text.size());

@@ -37,13 +37,22 @@ struct Position {
   friend bool operator==(const Position&, const Position&) = default;
 };
 
+// From byte `text` of a piece on, its bytes are those of its file from `file` on.
+struct Anchor {
+  std::uint32_t text = 0;
+  std::uint32_t file = 0;
+};
+
 class SourceSet {
  public:
   // Takes a copy of the text.
   FileId add(std::string name, std::string text);
+  // A piece of `file` that was decoded (a body in an XML file): what is said about the piece is said about
+  // the file. `anchors` are sorted and not empty.
+  FileId add_piece(std::string text, FileId file, std::vector<Anchor> anchors);
 
   std::size_t size() const { return files_.size(); }
-  const std::string& name(FileId file) const { return files_[file.value]->name; }
+  const std::string& name(FileId file) const { return files_[home({file, 0}).file.value]->name; }
   std::string_view text(FileId file) const { return files_[file.value]->text; }
 
   // Offset of the first byte of a line that the file has.
@@ -60,7 +69,12 @@ class SourceSet {
     std::string name;
     std::string text;
     std::vector<std::uint32_t> line_starts;
+    FileId origin;                // of a piece
+    std::vector<Anchor> anchors;  // empty = no piece
   };
+  // The place in the file that a piece was taken from; any other place as it is.
+  Position home(Position position) const;
+
   std::vector<std::unique_ptr<File>> files_;
 };
 

@@ -22,7 +22,7 @@ Chart Parser::chart(Keyword end) {
       result.final_scan = true;
     } else if (!accept(TokenKind::Semicolon)) {
       unexpected("STEP, TRANSITION or ACTION");
-      advance();
+      while (!at(end) && !at(TokenKind::End) && !at_pou_start() && !at_chart()) advance();
     }
   }
   return result;
@@ -35,9 +35,16 @@ StepDeclaration Parser::step() {
   result.initial = open.is(Keyword::InitialStep);
   if (const auto name = expect_name("the name of the step")) result.name = *name;
   expect(TokenKind::Colon, "behind the name of the step");
-  while (at(TokenKind::Identifier)) {
-    result.actions.push_back(action_use());
-    if (!expect(TokenKind::Semicolon, "behind the action")) skip_statement();
+  while (!at(Keyword::EndStep) && !at(TokenKind::End) && !at_pou_start() && !at_chart()) {
+    const std::size_t before = at_;
+    if (at(TokenKind::Identifier)) {
+      result.actions.push_back(action_use());
+      if (!expect(TokenKind::Semicolon, "behind the action")) skip_statement();
+    } else {
+      unexpected("the name of an action");
+      skip_statement();
+    }
+    if (at_ == before) break;
   }
   expect_end(Keyword::EndStep, open);
   accept(TokenKind::Semicolon);

@@ -93,6 +93,7 @@ class Lexer {
   bool at_text(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
 
   Position place(std::size_t offset) const {
+    if (map_fixed_) return {mapped_file_, static_cast<std::uint32_t>(map_to_)};
     return {mapped_file_, static_cast<std::uint32_t>(offset - map_from_ + map_to_)};
   }
 
@@ -171,11 +172,16 @@ class Lexer {
     mapped_file_ = file_;
     map_from_ = 0;
     map_to_ = 0;
+    map_fixed_ = !target.empty() && target.back() == '!';
+    if (map_fixed_) target.remove_suffix(1);
     const std::size_t colon = target.find(':');
     if (colon == std::string_view::npos) return;
     const auto file = parse_integer(target.substr(0, colon), 10);
     const auto offset = parse_integer(target.substr(colon + 1), 10);
-    if (!file || !offset || *file >= sources_.size()) return;
+    if (!file || !offset || *file >= sources_.size()) {
+      map_fixed_ = false;
+      return;
+    }
     mapped_file_ = source::FileId(static_cast<std::uint32_t>(*file));
     map_from_ = at_;
     map_to_ = static_cast<std::size_t>(*offset);
@@ -343,6 +349,7 @@ class Lexer {
   source::FileId mapped_file_;
   std::size_t map_from_ = 0;
   std::size_t map_to_ = 0;
+  bool map_fixed_ = false;
 };
 
 }  // namespace

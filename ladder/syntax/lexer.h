@@ -4,7 +4,8 @@
 // once and becomes a Bad token, so that the parser can go on.
 //
 // In a generated text (TextKind::Generated) a pragma {@F:O} says that what follows was copied from offset O
-// of file F, and {@} ends that: diagnostics and traps then name the place the user wrote.
+// of file F, and {@} ends that: diagnostics and traps then name the place the user wrote. {@F:O!} says that
+// all of what follows stands for that one place.
 
 #include <vector>
 
@@ -21,7 +22,8 @@ struct Extent {
   std::uint32_t end = 0xFFFFFFFF;  // cut to the text
 };
 
-// All tokens of a text or of a part of it, closed by one End token. `names` begins with the keywords (intern_keywords).
+// All tokens of a text or of a part of it, closed by one End token. `names` begins with the keywords
+// (intern_keywords).
 std::vector<Token> lex(const source::SourceSet& sources, source::FileId file, TextKind kind,
                        source::NameTable& names, source::DiagnosticSink& sink, Extent extent = {});
 

@@ -55,9 +55,9 @@ std::vector<VariableDeclaration> Parser::whole_variables() {
 
 }  // namespace internal
 
-void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit, Extent extent) {
-  const auto tokens = lex(context.sources, file, TextKind::Written, context.names, context.sink, extent);
-  internal::Parser(context, tokens, TextKind::Written).unit(unit);
+void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit, TextKind kind, Extent extent) {
+  const auto tokens = lex(context.sources, file, kind, context.names, context.sink, extent);
+  internal::Parser(context, tokens, kind).unit(unit);
 }
 
 Statements parse_statements(SyntaxContext& context, source::FileId file, TextKind kind) {

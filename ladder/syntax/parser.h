@@ -23,7 +23,8 @@ struct SyntaxContext {
 };
 
 // Appends everything that a source file, or a part of it, declares to `unit`.
-void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit, Extent extent = {});
+void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit, TextKind kind = TextKind::Written,
+                Extent extent = {});
 
 // A whole text that is one statement list. In a Generated text "JMP name;" and "name:" are statements too.
 Statements parse_statements(SyntaxContext& context, source::FileId file, TextKind kind);

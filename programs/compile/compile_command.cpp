@@ -1,8 +1,10 @@
 #include "programs/compile/compile_command.h"
 
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <chrono>
 #include <cstdio>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "ladder/driver/compile.h"
+#include "ladder/exchange/plcopen_reader.h"
 #include "ladder/source/render.h"
 #include "programs/process/command_line.h"
 #include "programs/process/diagnostics_json.h"
@@ -36,6 +39,12 @@ result::Result<source::NamedText> read(const std::string& path) {
   return source::NamedText{path, {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}};
 }
 
+bool is_xml(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".xml";
+}
+
 // Written beside its place and moved there, so that nobody meets half an image.
 bool write(const std::string& path, const char* bytes, std::size_t size) {
   const std::string partial = path + ".part";
@@ -55,13 +64,28 @@ bool write(const std::string& path, const char* bytes, std::size_t size) {
 ExitCode compile(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   driver::CompileInput input;
+  std::vector<source::NamedText> files;  // as they were written, for the lines of diagnostics
+  std::deque<graphic::Project> projects;
   result::Diagnostics diagnostics;
+  const auto fail = [&](const result::Diagnostics& errors) {
+    diagnostics.insert(diagnostics.end(), errors.begin(), errors.end());
+  };
   for (const std::string& path : arguments.sources) {
     auto text = read(path);
-    if (text) {
+    if (!text) {
+      fail(text.error());
+      continue;
+    }
+    files.push_back(*text);
+    if (!is_xml(path)) {
       input.texts.push_back(std::move(*text));
+      continue;
+    }
+    auto project = exchange::read_plcopen(text->name, std::move(text->text));
+    if (project) {
+      input.projects.push_back(&projects.emplace_back(std::move(*project)));
     } else {
-      diagnostics.insert(diagnostics.end(), text.error().begin(), text.error().end());
+      fail(project.error());
     }
   }
   std::size_t bytes = 0;
@@ -79,7 +103,7 @@ ExitCode compile(const Arguments& arguments) {
     }
   }
   const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
-  for (const result::Diagnostic& each : diagnostics) std::cerr << source::render(each, input.texts);
+  for (const result::Diagnostic& each : diagnostics) std::cerr << source::render(each, files);
   const bool failed = result::has_errors(diagnostics);
   if (!arguments.json_file.empty()) {
     const nlohmann::json report = {{"diagnostics", process::diagnostics_json(diagnostics)},
@@ -99,7 +123,7 @@ ExitCode compile(const Arguments& arguments) {
 int run_compile(int argc, char** argv) {
   CLI::App app("Compiles IEC 61131-3 sources to a bytecode image", "stepwright compile");
   Arguments arguments;
-  app.add_option("sources", arguments.sources, "ST source files")->required();
+  app.add_option("sources", arguments.sources, "ST files (.st) and PLCopen projects (.xml)")->required();
   app.add_option("-o,--output", arguments.image, "image file to write (.swb)")->required();
   app.add_option("--json", arguments.json_file, "file for the report");
   if (const auto exit = process::parse(app, argc, argv)) return *exit;

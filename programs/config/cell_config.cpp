@@ -135,7 +135,9 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   config.executive.max_replans = static_cast<int>(executive.integer("max_replans", 8, {0, 1'000}));
   config.executive.report_fluent = executive.text("report_fluent", {});
   config.executive.settle = std::chrono::milliseconds(executive.integer("settle_ms", 3'000, {0, 600'000}));
-  config.dds.domain_id = static_cast<std::uint32_t>(root.table("dds").integer("domain_id", 0, {0, 232}));
+  const TomlTable dds = root.table("dds");
+  config.dds.domain_id = static_cast<std::uint32_t>(dds.integer("domain_id", 0, {0, 232}));
+  config.dds.runtime_id = dds.text("runtime_id", config.name);
   const TomlTable hmi = root.table("hmi");
   config.hmi.host = hmi.text("host", config.hmi.host);
   config.hmi.port = static_cast<std::uint16_t>(hmi.integer("port", 8080, {0, 65'535}));

@@ -81,6 +81,8 @@ struct ExecutiveConfig {
 
 struct DdsConfig {
   std::uint32_t domain_id = 0;
+  std::string
+      runtime_id;  // this cell's runtime in the domain, which no other may share; default: the cell's name
 };
 
 struct HmiConfig {

@@ -99,7 +99,7 @@ std::filesystem::path make_state_dir() {
 
 // Runs in `kept`, or in a temporary folder if that is empty.
 result::Result<CellRunResult> run_once(const std::filesystem::path& cell, std::vector<std::string> overrides,
-                                       const std::filesystem::path& kept, bool page, int domain_offset) {
+                                       const std::filesystem::path& kept, bool page, int run_number) {
   std::error_code error;
   const std::filesystem::path state_dir =
       kept.empty() ? make_state_dir() : std::filesystem::absolute(kept, error);
@@ -110,8 +110,12 @@ result::Result<CellRunResult> run_once(const std::filesystem::path& cell, std::v
     return result::fail("M0004", {state_dir.string(), 0, 0}, "the state folder cannot be made or used");
   }
   overrides.push_back("cell.state_dir=\"" + state_dir.string() + "\"");
-  // Several demos may run on one machine: each has a domain of its own.
-  overrides.push_back("dds.domain_id=" + std::to_string(10 + (getpid() * 2 + domain_offset) % 90));
+  // Several demos may run on one machine, and there are fewer domains than processes: what one sends must not
+  // reach the runtime of another. Whoever sets these values himself comes later in the list and wins.
+  const std::string run = std::to_string(getpid()) + "-" + std::to_string(run_number);
+  overrides.insert(overrides.begin(),
+                   {"dds.runtime_id=demo-" + run,
+                    "dds.domain_id=" + std::to_string(10 + (getpid() * 2 + run_number) % 90)});
   auto result = CellRun({cell, overrides, state_dir, page}).run(stop_requested);
   if (kept.empty()) {  // what is left over does no harm
     config::CellConfig ended;

@@ -44,7 +44,7 @@ server::ImageSnapshot snapshot_of(dds::Snapshot snapshot) {
 }  // namespace
 
 result::Result<std::unique_ptr<DdsCellSource>> DdsCellSource::connect(const config::CellConfig& config) {
-  const dds::ParticipantConfig participant{config.dds.domain_id, "hmi", config.name};
+  const dds::ParticipantConfig participant{config.dds.domain_id, "hmi", config.dds.runtime_id};
   auto runtime = dds::RuntimeClient::connect(participant, dds::ClientRole::Viewer);
   if (!runtime) return result::forward(runtime);
   auto plans = dds::PlanSubscriber::create(participant);

@@ -17,7 +17,7 @@ using result::ExitCode;
 
 int run(const config::CellConfig& config) {
   const process::StopSignal stop;
-  auto endpoint = dds::LinkEndpoint::create({config.dds.domain_id, "link", config.name});
+  auto endpoint = dds::LinkEndpoint::create({config.dds.domain_id, "link", config.dds.runtime_id});
   if (!endpoint) return process::fail(endpoint.error(), ExitCode::BadInput);
   std::printf("link of '%s' between %s and Fast DDS domain %u\n", config.name.c_str(),
               config.socket_path().c_str(), config.dds.domain_id);

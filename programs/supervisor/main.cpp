@@ -77,7 +77,7 @@ int run(const config::CellConfig& config, bool once) {
   }
   auto desk = executive::PlanningDesk::open(config::desk_options(config));
   if (!desk) return fail(desk.error(), ExitCode::BadInput);
-  const dds::ParticipantConfig participant{config.dds.domain_id, "supervisor", config.name};
+  const dds::ParticipantConfig participant{config.dds.domain_id, "supervisor", config.dds.runtime_id};
   auto controller = executive::DdsController::connect(participant);
   if (!controller) return fail(controller.error(), ExitCode::RuntimeFault);
   auto publisher = dds::PlanPublisher::create(participant);

@@ -16,7 +16,7 @@ namespace stepwright::executive {
 namespace {
 
 result::Result<void> compile_project(const graphic::Project& project, PreparedPlan& prepared) {
-  auto output = driver::compile({.texts = {}, .project = &project});
+  auto output = driver::compile({.texts = {}, .projects = {&project}});
   if (!output) return tl::unexpected(std::move(output.error()));
   prepared.container = std::move(output->container);
   return {};

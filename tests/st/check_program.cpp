@@ -1,6 +1,7 @@
 #include "tests/st/check_program.h"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <stdexcept>
 
@@ -108,7 +109,13 @@ class Run {
         fail(directive, "found trap '" + found + "' in " + where.file);
       return;
     }
+    const std::string text = program_.text(directive.variable);
+    if (text == directive.value) return;
     const reader::Value value = program_.value(directive.variable);
+    const bool is_word = std::isalpha(static_cast<unsigned char>(directive.value.front())) != 0;
+    const bool is_plain = !is_word || directive.value == "TRUE" || directive.value == "FALSE";
+    if (!is_plain && directive.value.rfind("T#", 0) != 0)
+      return fail(directive, directive.variable + " is " + text + ", not " + directive.value);
     if (!equals(value, directive.value))
       fail(directive, directive.variable + " is " + shown(value) + ", not " + directive.value);
   }

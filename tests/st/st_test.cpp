@@ -41,12 +41,11 @@ TEST_P(StProgram, Language_WhenProgramRuns_ThenEveryCheckHolds) {
     ADD_FAILURE() << failure;
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, StProgram, testing::ValuesIn(programs()),
-                         [](const auto& each) {
-                           const fs::path folder = each.param.parent_path().filename();
-                           const std::string prefix = folder == "programs" ? "" : folder.string() + "_";
-                           return prefix + each.param.stem().string();
-                         });
+INSTANTIATE_TEST_SUITE_P(Programs, StProgram, testing::ValuesIn(programs()), [](const auto& each) {
+  const fs::path folder = each.param.parent_path().filename();
+  const std::string prefix = folder == "programs" ? "" : folder.string() + "_";
+  return prefix + each.param.stem().string();
+});
 
 // The driver itself can fail: a wrong expectation is reported with its line.
 TEST(CheckProgram, Checks_WhenAValueIsWrong_ThenTheLineIsReported) {

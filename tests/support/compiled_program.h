@@ -43,6 +43,9 @@ class CompiledProgram {
 
   reader::Value value(const std::string& path) const { return reader::read_value(find(path), memory_); }
 
+  // As a person writes it: an enumerator by its name, D#2026-11-21.
+  std::string text(const std::string& path) const { return reader::read_text(find(path), memory_); }
+
   // Integers, BOOL as 0 and 1. Throws for a string.
   std::int64_t get(const std::string& path) const {
     return std::visit(

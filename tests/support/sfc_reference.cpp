@@ -76,14 +76,25 @@ void SfcReference::scan(std::int64_t now_ns, const Input& input) {
       set = set || (a.block.qualifier == Qualifier::S && active_[a.step]);
     }
     set_[target] = !reset && (set || set_[target]);
+    const bool final_scan = chart_.final_scan && has_body(target);
+    const bool ended = final_scan && actions_[target];
     bool any = set_[target];
+    bool pulse = false;
     for (Association& a : associations) {
       const bool contribution = contributes(a, now_ns, reset);
-      any = any || contribution;
+      const bool without_flag =
+          final_scan && (a.block.qualifier == Qualifier::P1 || a.block.qualifier == Qualifier::P0);
+      (without_flag ? pulse : any) |= contribution;
     }
     actions_[target] = any && !reset;
+    runs_[target] = actions_[target] || ended || (pulse && !reset);
     variables_[target] = actions_[target];
   }
+}
+
+bool SfcReference::has_body(const std::string& target) const {
+  return std::any_of(chart_.actions.begin(), chart_.actions.end(),
+                     [&](const graphic::Action& action) { return action.name == target; });
 }
 
 bool SfcReference::contributes(Association& a, std::int64_t now_ns, bool reset) {

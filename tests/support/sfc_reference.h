@@ -26,6 +26,9 @@ class SfcReference {
   bool active(std::size_t step) const { return active_[step]; }
   // Value of an action's Q after the scan; by name of the target.
   bool action(const std::string& target) const { return actions_.at(target); }
+  // Whether an action's body ran in the scan: with final scan once more after its Q fell, and for P1 and P0
+  // without its Q.
+  bool runs(const std::string& target) const { return runs_.at(target); }
   // What a BOOL variable with S and R blocks only holds, else the same as action().
   bool variable(const std::string& target) const { return variables_.at(target); }
 
@@ -40,6 +43,7 @@ class SfcReference {
   void evolve(std::int64_t now_ns, const Input& input);
   bool test(const graphic::Condition& condition, std::int64_t now_ns, const Input& input) const;
   std::int64_t value(const std::string& text, std::int64_t now_ns, const Input& input) const;
+  bool has_body(const std::string& target) const;
   bool contributes(Association& association, std::int64_t now_ns, bool reset);
 
   const graphic::SfcChart& chart_;
@@ -52,6 +56,7 @@ class SfcReference {
   std::map<std::string, std::vector<Association>> associations_;
   std::map<std::string, bool> set_;
   std::map<std::string, bool> actions_;
+  std::map<std::string, bool> runs_;
   std::map<std::string, bool> variables_;
 };
 

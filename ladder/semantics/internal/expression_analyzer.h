@@ -12,6 +12,14 @@ namespace stepwright::semantics::internal {
 
 enum class Access : std::uint8_t { Read, Write };
 
+// What the name of a conversion means; `from` is null where the argument decides.
+struct NamedConversion {
+  enum class Kind : std::uint8_t { Convert, Truncate, FromBcd, ToBcd };
+  Kind kind = Kind::Convert;
+  const Type* from = nullptr;
+  const Type* to = nullptr;
+};
+
 class ExpressionAnalyzer {
  public:
   // `pou` is null outside of POUs (bounds, initial values of globals): only constants are known there.
@@ -35,6 +43,25 @@ class ExpressionAnalyzer {
   // Implicit conversion; reports at `where` if there is none.
   ValuePtr convert(ValuePtr value, const Type* type, Position where);
 
+  // What calls of standard functions are made of.
+
+  // Conversion as the standard's X_TO_Y; requires one that the language has. Folds constants.
+  ValuePtr convert_exactly(ValuePtr value, const Type* type);
+  // "expected X, found Y"; null.
+  ValuePtr mismatch(const Type& from, const Type& to, Position where);
+  // A literal gets the type that it has without a context: INT, DINT, LINT, REAL.
+  ValuePtr settle(ValuePtr value);
+  // The narrowest type that holds every value of both; null if there is none.
+  const Type* common_type(const Value& left, const Value& right) const;
+  bool operator_applies(syntax::Operator op, const Type& type) const;
+  ValuePtr combine(syntax::Operator op, ValuePtr left, ValuePtr right, Position where);
+  ValuePtr invert(ValuePtr operand, Position where);
+  ValuePtr power(ValuePtr base, ValuePtr exponent, Position where);
+  // A number as REAL, or as LREAL if REAL does not hold all values of its type.
+  ValuePtr as_real(ValuePtr value);
+  // A real as an integer, towards zero.
+  ValuePtr truncated(ValuePtr value, const Type* type, const syntax::Expression& call);
+
   // A call as a statement; of a function or of a block.
   std::optional<Statement> call_statement(const syntax::Expression& call);
 
@@ -52,7 +79,6 @@ class ExpressionAnalyzer {
   ValuePtr typed_literal(const syntax::Expression& expression);
   ValuePtr variable(const syntax::Expression& expression);
   ValuePtr enum_value(const syntax::Expression& expression);
-  ValuePtr settle(ValuePtr value);
 
   // place.cpp
   static void advance(Place& place, std::uint32_t offset);
@@ -92,21 +118,21 @@ class ExpressionAnalyzer {
 
   // operators.cpp
   ValuePtr unary(const syntax::Expression& expression);
+  ValuePtr unary(syntax::Operator op, ValuePtr operand, Position where);
   ValuePtr binary(const syntax::Expression& expression);
-  ValuePtr combine(syntax::Operator op, ValuePtr left, ValuePtr right, Position where);
   ValuePtr combine_time(syntax::Operator op, ValuePtr left, ValuePtr right, Position where);
+  ValuePtr scale_time(syntax::Operator op, ValuePtr left, ValuePtr right, Position where);
+  ValuePtr within_day(ValuePtr value);
   ValuePtr fold_literals(syntax::Operator op, const Value& left, const Value& right, Position where);
-  const Type* common_type(const Value& left, const Value& right) const;
-  bool operator_applies(syntax::Operator op, const Type& type) const;
   ValuePtr bad_operands(syntax::Operator op, const Value& left, const Value& right, Position where);
 
   // conversion.cpp
   ValuePtr convert_literal(ValuePtr value, const Type* type, Position where);
-  ValuePtr convert_exactly(ValuePtr value, const Type* type);
-  ValuePtr mismatch(const Type& from, const Type& to, Position where);
-  // X_TO_Y; null without a report if the name is none.
-  bool is_conversion(const std::string& folded, const Type*& from, const Type*& to) const;
-  ValuePtr explicit_conversion(const syntax::Expression& call, const Type* from, const Type* to);
+  ValuePtr retype(ValuePtr value, const Type* type, Position where);
+  // X_TO_Y and its like; nothing if the name is none of them.
+  std::optional<NamedConversion> named_conversion(const std::string& folded) const;
+  ValuePtr explicit_conversion(const syntax::Expression& call, const NamedConversion& conversion);
+  ValuePtr bcd_conversion(ValuePtr value, const NamedConversion& conversion, const syntax::Expression& call);
 
   // call.cpp
   ValuePtr call(const syntax::Expression& expression);
@@ -137,22 +163,6 @@ class ExpressionAnalyzer {
                       const syntax::Expression& call, bool may_alias, Value& out);
   bool output_argument(const Variable& parameter, const syntax::Argument* argument,
                        const syntax::Expression& call, Value& out);
-
-  // standard_call.cpp
-  ValuePtr standard_call(const syntax::Expression& call, const std::string& folded, bool& known);
-  std::optional<std::vector<ValuePtr>> standard_arguments(const syntax::Expression& call,
-                                                          std::initializer_list<const char*> formals,
-                                                          std::size_t least, std::size_t most);
-  ValuePtr numeric(const syntax::Expression& call, StandardFunction function);
-  ValuePtr extremum(const syntax::Expression& call, StandardFunction function);
-  ValuePtr limit(const syntax::Expression& call);
-  ValuePtr shift(const syntax::Expression& call, StandardFunction function);
-  ValuePtr select(const syntax::Expression& call);
-  ValuePtr multiplex(const syntax::Expression& call);
-  ValuePtr truncate(const syntax::Expression& call);
-  ValuePtr operator_call(const syntax::Expression& call, syntax::Operator op, std::size_t most);
-  // All values in one type; null after a report.
-  const Type* unify(std::vector<ValuePtr>& values, std::size_t first, Position where);
 
   Analysis& a_;
   Pou* pou_;

@@ -25,7 +25,9 @@ std::vector<CallEdge> call_edges(const std::vector<Function>& functions) {
     const std::vector<std::byte>& code = functions[f].code;
     bytecode::Instruction in;
     for (std::uint32_t pc = 0; pc < code.size() && bytecode::decode(code, pc, in); pc += in.size) {
-      if (bytecode::is_call(in.opcode) && in.a < functions.size()) edges.push_back({f, in.a});
+      if (!bytecode::is_call(in.opcode) || in.a >= functions.size()) continue;
+      const bool of_function = functions[in.a].kind == bytecode::FunctionKind::Function;
+      if (of_function == (in.opcode == bytecode::Opcode::Call)) edges.push_back({f, in.a});
     }
   }
   std::sort(edges.begin(), edges.end());

@@ -67,7 +67,7 @@ int run(const char* json_file) {
   text.texts.push_back({"rungs.st", rungs_as_st(kRungs)});
   const graphic::Project project = rungs_as_ladder(kRungs);
   driver::CompileInput ladder;
-  ladder.project = &project;
+  ladder.projects = {&project};
   std::size_t bytes = 0;
   const double st_ms = compile_ms(text, bytes);
   const double ladder_ms = compile_ms(ladder, bytes);

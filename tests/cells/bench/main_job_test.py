@@ -52,6 +52,15 @@ class MainJob(unittest.TestCase):
         self.assertEqual(slowed["trace_hash"], undisturbed["trace_hash"])
         self.assertEqual(slowed["scans"], undisturbed["scans"])
 
+    def test_demos_in_one_domain_do_not_hear_each_other(self):
+        alone, _ = self.run_demo("--no-compare")
+        one_domain = ("--fast", "--no-compare", "--set", "dds.domain_id=9")
+        with Demo(*one_domain) as first, Demo(*one_domain) as second:
+            for demo in (first, second):
+                report, code = demo.result()
+                self.assertEqual(code, 0, report["stdout"])
+                self.assertEqual(report["trace_hash"], alone["trace_hash"])
+
     def test_another_seed_gives_another_trace(self):
         first, _ = self.run_demo("--seed", 1, "--no-compare")
         second, _ = self.run_demo("--seed", 2, "--no-compare")

@@ -91,7 +91,7 @@ graphic::Project chart_project() {
 TEST(Compile, Project_WhenItHoldsAChart_ThenTheContainerDescribesIt) {
   const graphic::Project project = chart_project();
   driver::CompileInput input;
-  input.project = &project;
+  input.projects = {&project};
   const auto output = driver::compile(input);
   ASSERT_TRUE(output) << result::to_string(output.error());
   const auto info = reader::ProgramInfo::read(output->container);
@@ -118,7 +118,7 @@ TEST(Compile, Project_WhenARungIsWrong_ThenTheRungIsNamed) {
   pou.body = ladder;
   project.pous = {pou};
   driver::CompileInput input;
-  input.project = &project;
+  input.projects = {&project};
   const auto output = driver::compile(input);
   ASSERT_FALSE(output);
   ASSERT_EQ(output.error().size(), 1u);

@@ -56,8 +56,8 @@ TEST(Library, Document_WhenComparedWithTheDeclarations_ThenEachHasItsRow) {
 
 TEST(Library, Container_WhenABlockIsUsed_ThenOnlyItAndItsPartsAreInside) {
   const auto plain = compile("PROGRAM main\nVAR x : INT; END_VAR\nx := x + 1;\nEND_PROGRAM\n");
-  const auto with_block =
-      compile("PROGRAM main\nVAR x : INT; d : DEBOUNCE; END_VAR\nx := x + 1;\nd(IN := x > 3);\nEND_PROGRAM\n");
+  const auto with_block = compile(
+      "PROGRAM main\nVAR x : INT; d : DEBOUNCE; END_VAR\nx := x + 1;\nd(IN := x > 3);\nEND_PROGRAM\n");
   ASSERT_TRUE(plain && with_block);
   const auto names = [](const driver::CompileOutput& output) {
     std::set<std::string> list;

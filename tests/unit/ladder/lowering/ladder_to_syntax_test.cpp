@@ -35,7 +35,7 @@ graphic::Project project_of(graphic::LadderProgram ladder,
 
 driver::CompileInput input_of(const graphic::Project& project) {
   driver::CompileInput input;
-  input.project = &project;
+  input.projects = {&project};
   return input;
 }
 

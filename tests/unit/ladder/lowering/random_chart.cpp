@@ -81,11 +81,15 @@ graphic::Pou random_pou(std::mt19937& random) {
     transition.priority = pick(random, 3);
     chart.transitions.push_back(std::move(transition));
   }
-  chart.actions = {{"COUNT0", "c0 := c0 + 1;"}, {"COUNT1", "c1 := c1 + 1;"}};
+  // With and without the flags Q of the actions, which without final scan decides how they are lowered.
+  chart.final_scan = pick(random, 2) == 0;
+  const bool flags = pick(random, 2) == 0;
+  chart.actions = {{"COUNT0", std::string("c0 := c0 + 1;") + (flags ? " q0 := COUNT0.Q;" : "")},
+                   {"COUNT1", std::string("c1 := c1 + 1;") + (flags ? " q1 := COUNT1.Q;" : "")}};
 
   graphic::Pou pou;
   pou.name = "main";
-  for (const char* name : {"i0", "i1", "i2", "i3", "o0", "o1", "o2", "o3"})
+  for (const char* name : {"i0", "i1", "i2", "i3", "o0", "o1", "o2", "o3", "q0", "q1"})
     pou.variables.push_back({name, "BOOL"});
   for (const char* name : {"n0", "n1", "c0", "c1"}) pou.variables.push_back({name, "INT"});
   pou.body = std::move(chart);

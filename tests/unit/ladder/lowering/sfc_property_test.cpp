@@ -1,4 +1,5 @@
-// The lowered ladder does what the reference interpreter of the chart does, scan by scan.
+// The lowered ladder, and the compiled program, do what the reference interpreter of the chart does, scan by
+// scan.
 
 #include <gtest/gtest.h>
 
@@ -6,6 +7,7 @@
 #include <map>
 
 #include "ladder/lowering/sfc_to_ladder.h"
+#include "tests/support/compiled_program.h"
 #include "tests/support/ladder_evaluator.h"
 #include "tests/support/sfc_reference.h"
 #include "tests/unit/ladder/lowering/random_chart.h"
@@ -34,14 +36,52 @@ bool driven(const SfcChart& chart, const std::string& target) {
                      [](const ActionBlock* block) { return block->qualifier != Qualifier::R; });
 }
 
+// A chart lowered and run by the evaluator of rungs ...
+class Rungs {
+ public:
+  explicit Rungs(const graphic::Pou& pou) : lowered_(*lower_sfc(pou)), ladder_(lowered_) {}
+  void set(const std::string& name, std::int64_t value) { ladder_.set(name, value); }
+  void scan(std::int64_t now_ns) { ladder_.scan(now_ns); }
+  std::int64_t get(const std::string& name) const { return ladder_.get(name); }
+
+ private:
+  graphic::Pou lowered_;
+  support::LadderEvaluator ladder_;
+};
+
+// ... and compiled and run by the VM, whose scans are 10 ms apart.
+class Machine {
+ public:
+  explicit Machine(const graphic::Pou& pou) : project_(project_of(pou)), program_(input(project_)) {}
+  void set(const std::string& name, std::int64_t value) { program_.set("main." + name, value); }
+  void scan(std::int64_t) { program_.scan(); }
+  std::int64_t get(const std::string& name) const { return program_.get("main." + name); }
+
+ private:
+  static graphic::Project project_of(const graphic::Pou& pou) {
+    graphic::Project project;
+    project.pous = {pou};
+    return project;
+  }
+  static driver::CompileInput input(const graphic::Project& project) {
+    driver::CompileInput input;
+    input.projects = {&project};
+    return input;
+  }
+
+  graphic::Project project_;
+  support::CompiledProgram program_;
+};
+
+template <typename Runner>
 class Comparison {
  public:
   Comparison(const graphic::Pou& pou, unsigned seed)
       : chart_(std::get<SfcChart>(pou.body)),
         random_(seed),
         reference_(chart_),
-        lowered_(*lower_sfc(pou)),
-        ladder_(lowered_) {}
+        steps_(lower_sfc(pou)->step_variables),
+        runner_(pou) {}
 
   void run(int scans) {
     for (int scan = 0; scan < scans && !::testing::Test::HasFailure(); ++scan) {
@@ -49,7 +89,7 @@ class Comparison {
       for (const char* name : {"n0", "n1"}) set(name, random_() % 5);
       now_ns_ += 10'000'000;
       reference_.scan(now_ns_, [this](const std::string& name) { return inputs_.at(name); });
-      ladder_.scan(now_ns_);
+      runner_.scan(now_ns_);
       compare(scan);
     }
   }
@@ -57,42 +97,56 @@ class Comparison {
  private:
   void set(const std::string& name, std::int64_t value) {
     inputs_[name] = value;
-    ladder_.set(name, value);
+    runner_.set(name, value);
   }
 
   void compare(int scan) {
     for (std::size_t i = 0; i < chart_.steps.size(); ++i) {
-      ASSERT_EQ(ladder_.get(lowered_.step_variables[i]) != 0, reference_.active(i))
+      ASSERT_EQ(runner_.get(steps_[i]) != 0, reference_.active(i))
           << "step " << chart_.steps[i].name << " in scan " << scan;
     }
     for (const char* output : {"o0", "o1", "o2", "o3"}) {
       if (!driven(chart_, output)) continue;
-      ASSERT_EQ(ladder_.get(output) != 0, reference_.variable(output)) << output << " in scan " << scan;
+      ASSERT_EQ(runner_.get(output) != 0, reference_.variable(output)) << output << " in scan " << scan;
     }
-    for (const auto& [action, counter] : {std::pair("COUNT0", "c0"), std::pair("COUNT1", "c1")}) {
-      if (!blocks_of(chart_, action).empty() && reference_.action(action)) ++counts_[counter];
-      ASSERT_EQ(ladder_.get(counter), counts_[counter]) << action << " in scan " << scan;
+    for (std::size_t i = 0; i < chart_.actions.size(); ++i) {
+      const graphic::Action& action = chart_.actions[i];
+      const bool runs = !blocks_of(chart_, action.name).empty() && reference_.runs(action.name);
+      counts_[i] += runs ? 1 : 0;
+      ASSERT_EQ(runner_.get("c" + std::to_string(i)), counts_[i]) << action.name << " in scan " << scan;
+      if (!runs || action.st_body.find(".Q") == std::string::npos) continue;
+      ASSERT_EQ(runner_.get("q" + std::to_string(i)) != 0, reference_.action(action.name))
+          << action.name << ".Q in scan " << scan;
     }
   }
 
   const SfcChart& chart_;
   std::mt19937 random_;
   support::SfcReference reference_;
-  graphic::Pou lowered_;
-  support::LadderEvaluator ladder_;
+  std::vector<std::string> steps_;
+  Runner runner_;
   std::map<std::string, std::int64_t> inputs_;
-  std::map<std::string, std::int64_t> counts_;
+  std::map<std::size_t, std::int64_t> counts_;
   std::int64_t now_ns_ = 1'000'000'000;
 };
 
-TEST(SfcLowering, WhenChartsAndInputsAreRandom_ThenLadderFollowsReference) {
-  for (unsigned seed = 1; seed <= 3000 && !HasFailure(); ++seed) {
+template <typename Runner>
+void compare_random_charts(unsigned charts) {
+  for (unsigned seed = 1; seed <= charts && !::testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const graphic::Pou pou = random_pou(random);
-    ASSERT_FALSE(result::has_errors(graphic::check(std::get<SfcChart>(pou.body))));
-    Comparison(pou, seed).run(60);
+    ASSERT_TRUE(graphic::check(std::get<SfcChart>(pou.body)).empty());
+    Comparison<Runner>(pou, seed).run(60);
   }
+}
+
+TEST(SfcLowering, WhenChartsAndInputsAreRandom_ThenLadderFollowsReference) {
+  compare_random_charts<Rungs>(3000);
+}
+
+TEST(SfcLowering, WhenRandomChartsAreCompiled_ThenTheMachineFollowsReference) {
+  compare_random_charts<Machine>(300);
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "ladder/syntax/date_literal.h"
 #include "ladder/syntax/direct_address.h"
 #include "ladder/syntax/number.h"
+#include "ladder/syntax/text_literal.h"
 
 namespace {
 
@@ -72,6 +74,51 @@ TEST(Lexer, Bytes_WhenNotSt_ThenOneReportEachAndNoCrash) {
   const auto lexed = lex("a \x01 ? \xC3\xA4 b");
   EXPECT_EQ(lexed->diagnostics.size(), 3u);
   EXPECT_EQ(lexed->tokens.back().kind, TokenKind::End);
+}
+
+TEST(Lexer, Times_WhenPrefixed_ThenMarksBelongToThemBetweenDigits) {
+  using enum TokenKind;
+  EXPECT_EQ(kinds("D#2026-11-21-x TOD#12:30:00.5: DT#2026-11-21-08:00:00 LDATE#1970-01-02"),
+            (std::vector<TokenKind>{Date, Minus, Identifier, TimeOfDay, Colon, DateAndTime, Date, End}));
+  EXPECT_EQ(lex("LD#1970-01-02")->tokens[0].time_ns, 86'400'000'000'000);
+}
+
+TEST(Lexer, Addresses_WhenOpen_ThenTheStarBelongsToThem) {
+  using enum TokenKind;
+  EXPECT_EQ(kinds("%I* %QW* %MW0*2"), (std::vector<TokenKind>{Direct, Direct, Direct, Star, Integer, End}));
+}
+
+TEST(DateLiteral, Date_WhenWellFormed_ThenCountsFrom1970) {
+  EXPECT_EQ(syntax::parse_date("1970-01-01"), 0);
+  EXPECT_EQ(syntax::parse_date("1969-12-31"), -86'400'000'000'000);
+  EXPECT_EQ(syntax::parse_date("2024-02-29"), 19'782 * 86'400'000'000'000);
+  EXPECT_EQ(syntax::parse_time_of_day("23:59:59.999_999_999").has_value(), false);
+  EXPECT_EQ(syntax::parse_time_of_day("01:01:01.25"), 3'661'250'000'000);
+  EXPECT_EQ(syntax::parse_date_and_time("1970-01-02-00:00:01"), 86'401'000'000'000);
+}
+
+TEST(DateLiteral, Date_WhenIllFormed_ThenIsNone) {
+  for (const char* text :
+       {"", "2026-13-01", "2026-02-29", "1600-01-01", "2300-01-01", "2026-1", "2026-01-01-1"})
+    EXPECT_FALSE(syntax::parse_date(text)) << text;
+  for (const char* text : {"24:00:00", "1:60:00", "1:00", "1:00:00.", "1:00:00:00"})
+    EXPECT_FALSE(syntax::parse_time_of_day(text)) << text;
+}
+
+TEST(TextLiteral, Escapes_WhenWellFormed_ThenAreTheirCharacters) {
+  syntax::TextMistake mistake;
+  EXPECT_EQ(syntax::parse_text("a$$b$'c$41$n\"", syntax::TextWidth::Single, mistake), u"a$b'cA\n\"");
+  EXPECT_EQ(syntax::parse_text("$20AC$\"'", syntax::TextWidth::Double, mistake), u"\u20AC\"'");
+  EXPECT_EQ(syntax::parse_text("\xC3\xA4\xE4", syntax::TextWidth::Single, mistake), u"\u00E4\u00E4");
+  EXPECT_EQ(syntax::parse_text("\xF0\x9F\x98\x80", syntax::TextWidth::Double, mistake), u"\xD83D\xDE00");
+}
+
+TEST(TextLiteral, Escapes_WhenIllFormed_ThenTheirPlaceIsKnown) {
+  syntax::TextMistake mistake;
+  for (const char* text : {"ab$", "ab$4", "ab$\"", "ab$x1", "ab\xE2\x82\xAC"}) {
+    EXPECT_FALSE(syntax::parse_text(text, syntax::TextWidth::Single, mistake)) << text;
+    EXPECT_EQ(mistake.offset, 2u) << text;
+  }
 }
 
 TEST(Number, Duration_WhenWellFormed_ThenIsExact) {

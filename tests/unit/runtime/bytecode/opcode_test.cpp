@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -37,6 +38,10 @@ const char* operand_text(Operands operands) {
       return "u32 u32";
     case Operands::Range:
       return "i32 i32 u32";
+    case Operands::Bounds:
+      return "i32 i32";
+    case Operands::Constants:
+      return "u32 u32";
   }
   return "?";
 }
@@ -51,13 +56,20 @@ TEST(Opcode, Document_WhenReadBesideTheList_ThenHasEveryOpcodeWithItsNumberAndEf
                   operand_text(opcode.operands), opcode.pops, opcode.pushes);
     EXPECT_NE(document.find(row), std::string::npos) << "missing: " << row;
   }
-  for (std::uint32_t number = 0; number < kIntrinsicCount; ++number) {
-    const IntrinsicInfo& intrinsic = kIntrinsics[number];
-    char row[160];
-    std::snprintf(row, sizeof(row), "| %u | %s | %s | %s |", number, intrinsic.name, intrinsic.pops,
-                  intrinsic.pushes);
-    EXPECT_NE(document.find(row), std::string::npos) << "missing: " << row;
-  }
+}
+
+TEST(Opcode, Document_WhenReadBesideTheSecondLevelLists_ThenHasEveryOperation) {
+  const std::string document = format_document();
+  const auto expect_rows = [&](std::span<const OperationInfo> operations) {
+    for (std::size_t number = 0; number < operations.size(); ++number) {
+      const OperationInfo& each = operations[number];
+      const std::string row =
+          "| " + std::to_string(number) + " | " + each.name + " | " + each.pops + " | " + each.pushes + " |";
+      EXPECT_NE(document.find(row), std::string::npos) << "missing: " << row;
+    }
+  };
+  expect_rows(kIntrinsics);
+  expect_rows(kStringOps);
 }
 
 TEST(Opcode, Document_WhenReadBesideTheTraps_ThenNamesEachWithItsNumber) {

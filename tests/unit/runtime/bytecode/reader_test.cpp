@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 #include <fstream>
 #include <vector>
@@ -116,6 +117,66 @@ TEST(ReadValue, Variables_WhenOfAnyElementaryType_ThenAreReadExactly) {
   EXPECT_EQ(read_value({ElementaryType::Real, 0}, image), Value(0.1));
   put(0.1);
   EXPECT_EQ(read_value({ElementaryType::Lreal, 0}, image), Value(0.1));
+}
+
+TEST(ReadText, Values_WhenRead_ThenAreWrittenAsLiterals) {
+  using bytecode::ElementaryType;
+  std::vector<std::byte> image(16);
+  const auto put = [&](auto value) { std::memcpy(image.data(), &value, sizeof(value)); };
+  put(std::int64_t{1'500'000'000});
+  EXPECT_EQ(read_text({ElementaryType::Time, 0}, image), "T#1s500ms");
+  EXPECT_EQ(read_text({ElementaryType::Date, 0}, image), "D#1970-01-01");
+  EXPECT_EQ(read_text({ElementaryType::Tod, 0}, image), "TOD#00:00:01.5");
+  EXPECT_EQ(read_text({ElementaryType::Dt, 0}, image), "DT#1970-01-01-00:00:01.5");
+  EXPECT_EQ(read_text({ElementaryType::Bool, 8}, image), "FALSE");
+  put(0.1f);
+  EXPECT_EQ(read_text({ElementaryType::Real, 0}, image), "0.1");
+  const char narrow[] = {4, 0, 2, 0, 'a', '\xE4'};
+  put(std::to_array(narrow));
+  EXPECT_EQ(read_text({ElementaryType::String, 0}, image), "a\xC3\xA4");
+  const std::uint16_t wide[] = {4, 4, 0x20AC, 0xD83D, 0xDE00, 0xD83D};
+  put(std::to_array(wide));
+  EXPECT_EQ(read_text({ElementaryType::Wstring, 0}, image), "\xE2\x82\xAC\xF0\x9F\x98\x80\xEF\xBF\xBD");
+}
+
+TEST(ReadText, String_WhenItsHeaderLies_ThenIsCutToTheImage) {
+  using bytecode::ElementaryType;
+  const std::vector<std::byte> image(7, std::byte{0x41});
+  EXPECT_EQ(read_value({ElementaryType::String, 0}, image), Value(std::string("AAA")));
+  EXPECT_EQ(read_value({ElementaryType::Wstring, 0}, image), Value(std::string("\xE4\x85\x81")));
+  EXPECT_EQ(read_value({ElementaryType::String, 5}, image), Value(std::string()));
+  EXPECT_EQ(read_number({ElementaryType::String, 0}, image), 0.0);
+}
+
+TEST(ProgramInfo, Types_WhenNewKinds_ThenGiveNamesBoundsAndTriggers) {
+  using bytecode::ElementaryType;
+  using bytecode::TypeKind;
+  writer::ContainerModel model = support::one_program(16, [](auto&) {});
+  const auto boolean = model.add_type(writer::elementary(ElementaryType::Bool));
+  const auto text = model.add_type(writer::string_type(ElementaryType::String, 4));
+  const auto colour = model.add_type({.name = "COLOUR",
+                                      .kind = TypeKind::Enumeration,
+                                      .elementary = ElementaryType::Int,
+                                      .size = 2,
+                                      .members = {{"RED", 0, 0}, {"GREEN", 0, 0xFFFFFFFF}}});
+  const auto pointer =
+      model.add_type({.name = "P", .kind = TypeKind::Reference, .size = 4, .element = text, .members = {}});
+  model.symbols = {{.name = "colour", .type = colour, .address = 0, .direct_address = {}},
+                   {.name = "text", .type = text, .address = 2, .direct_address = {}},
+                   {.name = "p", .type = pointer, .address = 10, .direct_address = {}},
+                   {.name = "go", .type = boolean, .address = 14, .direct_address = {}}};
+  model.tasks.push_back({.name = "event", .interval_us = 0, .priority = 0, .calls = {}, .trigger = 3});
+  const ProgramInfo info = ProgramInfo::read(writer::write_container(model).value()).value();
+  std::vector<std::byte> image(16);
+  image[0] = image[1] = std::byte{0xFF};
+  EXPECT_EQ(read_text(*info.find("colour"), image), "GREEN");
+  EXPECT_EQ(read_value(*info.find("colour"), image), Value(std::int64_t{-1}));
+  image[0] = image[1] = std::byte{7};
+  EXPECT_EQ(read_text(*info.find("colour"), image), "1799");
+  EXPECT_EQ(info.find("text")->type, ElementaryType::String);
+  EXPECT_EQ(info.find("p"), nullptr);
+  EXPECT_EQ(info.tasks()[1].trigger, "go");
+  EXPECT_EQ(info.tasks()[0].trigger, "");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <pthread.h>
 
+#include <utility>
 #include <vector>
 
 #include "runtime/base/hash64.h"
@@ -203,6 +204,66 @@ TEST(ScanCycle, SkipTo_WhenScansWereMissed_ThenTasksKeepTheirPhase) {
   EXPECT_EQ(slow_count(f), 102);
   f.cycle.skip_to(50 * kMs);
   EXPECT_EQ(f.cycle.next_time_ns(), 50 * kMs);
+}
+
+// One periodic task that copies the input to `go` and two that count: on the edge only, and on the edge or
+// every scan. The functions use their task's own frames.
+writer::ContainerModel triggered_model() {
+  using bytecode::AddressMode;
+  using bytecode::MemType;
+  using bytecode::Opcode;
+  constexpr std::uint32_t kGo = 4, kCounts = 8;
+  writer::ContainerModel model;
+  model.sizes = {4, 0, 0, 16};
+  writer::FunctionBuilder copy("COPY", bytecode::FunctionKind::Program, 16);
+  copy.load_bit(0, 0);
+  copy.store(MemType::Bool, AddressMode::Abs, kGo);
+  copy.emit(Opcode::Return);
+  writer::FunctionBuilder count("COUNT", bytecode::FunctionKind::Program, 4);
+  const std::uint32_t local = count.allocate_frame(4, 4);
+  count.addr_frame(local);
+  count.load(MemType::I32, AddressMode::This, 0);
+  count.const_i32(1);
+  count.emit(Opcode::AddI32);
+  count.store(MemType::I32, AddressMode::Ind);
+  count.addr_frame(local);
+  count.load(MemType::I32, AddressMode::Ind);
+  count.store(MemType::I32, AddressMode::This, 0);
+  count.emit(Opcode::Return);
+  model.functions = {std::move(copy).take(), std::move(count).take()};
+  model.types = {writer::elementary(bytecode::ElementaryType::Bool)};
+  model.symbols = {{.name = "go", .type = 0, .address = kGo, .direct_address = {}}};
+  model.tasks = {{"cycle", 10'000, 0, {{"COPY", 0, 4}}},
+                 {"event", 0, 1, {{"EVENT", 1, kCounts}}, 0},
+                 {"both", 10'000, 2, {{"BOTH", 1, kCounts + 4}}, 0}};
+  return model;
+}
+
+TEST(ScanCycle, Trigger_WhenItRises_ThenItsTasksRunOnce) {
+  support::TestProgram program(triggered_model());
+  FakeDriver driver;
+  CountingClock clock;
+  ScanCycle cycle(program.loaded().program(), program.engine(), program.image(), driver, clock, {});
+  cycle.start({});
+  const auto scan = [&](bool go) {
+    driver.input_bytes[0] = std::byte{go};
+    EXPECT_FALSE(cycle.run_scan().trap);
+    return std::pair(program.read<std::int32_t>(8), program.read<std::int32_t>(12));
+  };
+  using Counts = std::pair<std::int32_t, std::int32_t>;
+  EXPECT_EQ(scan(false), Counts(0, 1));
+  EXPECT_EQ(scan(true), Counts(1, 2)) << "in the scan in which a task of higher priority raises it";
+  EXPECT_EQ(scan(true), Counts(1, 2)) << "while it is TRUE the interval does not run the task";
+  EXPECT_EQ(scan(false), Counts(1, 3));
+  EXPECT_EQ(scan(true), Counts(2, 4));
+  EXPECT_EQ(cycle.next_time_ns(), 50'000'000);
+  cycle.skip_to(75'000'000);
+  EXPECT_EQ(cycle.next_time_ns(), 80'000'000);
+  // Each task wrote its own frame, behind the image of 20 bytes.
+  EXPECT_EQ(program.read<std::int32_t>(20 + 8), 2);
+  EXPECT_EQ(program.read<std::int32_t>(20 + 16), 4);
+  cycle.start({});
+  EXPECT_EQ(scan(true), Counts(1, 1)) << "a start forgets the edge";
 }
 
 TEST(ScanCycle, Statistics_WhenTheClockIsKnown_ThenHoldTheDurations) {

@@ -1,0 +1,183 @@
+#include "ladder/driver/project_scope.h"
+
+#include <cctype>
+
+#include "ladder/graphic/identifier.h"
+
+namespace stepwright::driver {
+
+namespace {
+
+using graphic::upper;
+
+std::string type_text(const syntax::TypeSpec& type) {
+  switch (type.kind) {
+    case syntax::TypeKind::Named:
+      return std::string(type.name.text);
+    case syntax::TypeKind::Array:
+      return "ARRAY[] OF " + type_text(*type.element);
+    case syntax::TypeKind::Struct: {
+      std::string text = "STRUCT ";
+      for (const syntax::VariableDeclaration& line : type.fields)
+        for (const syntax::Name& name : line.names)
+          text += std::string(name.text) + " : " + type_text(*line.type) + "; ";
+      return text + "END_STRUCT";
+    }
+    default:
+      return {};
+  }
+}
+
+void add_parameter(lowering::Signature& signature, syntax::Section section, lowering::Parameter parameter) {
+  if (section == syntax::Section::Input)
+    signature.inputs.push_back(std::move(parameter));
+  else if (section == syntax::Section::Output)
+    signature.outputs.push_back(std::move(parameter));
+  else if (section == syntax::Section::InOut)
+    signature.in_outs.push_back(std::move(parameter));
+}
+
+// Type of `field` in "STRUCT a : INT; b : T := 3; END_STRUCT".
+std::string member_of(const std::string& structure, const std::string& field) {
+  std::size_t at = structure.find_first_of(" \t\n");
+  while (at < structure.size()) {
+    const std::size_t end = std::min(structure.find(';', at), structure.size());
+    const std::size_t colon = structure.find(':', at);
+    if (colon >= end) return {};
+    std::string name = structure.substr(at, colon - at);
+    name.erase(0, name.find_first_not_of(" \t\n"));
+    name.erase(std::min(name.find_first_of(" \t\n"), name.size()));
+    std::string type = structure.substr(colon + 1, std::min(structure.find(":=", colon), end) - colon - 1);
+    type.erase(0, type.find_first_not_of(" \t\n"));
+    type.erase(type.find_last_not_of(" \t\n") + 1);
+    if (graphic::same_name(name, field)) return type;
+    at = end + 1;
+  }
+  return {};
+}
+
+bool is_name(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+}  // namespace
+
+void ProgramInterfaces::add(const syntax::Unit& unit) {
+  for (const syntax::TypeDeclaration& type : unit.types)
+    if (type.type) types_[upper(std::string(type.name.text))] = type_text(*type.type);
+  for (const syntax::PouDeclaration& pou : unit.pous) {
+    lowering::Signature& signature = pous_[upper(std::string(pou.name.text))];
+    signature = {};
+    signature.is_function = pou.kind == syntax::PouKind::Function;
+    if (pou.result) signature.result = type_text(*pou.result);
+    for (const syntax::VariableDeclaration& line : pou.variables)
+      for (const syntax::Name& name : line.names)
+        add_parameter(signature, line.section, {std::string(name.text), type_text(*line.type)});
+  }
+  for (const syntax::VariableDeclaration& line : unit.globals)
+    for (const syntax::Name& name : line.names)
+      globals_[upper(std::string(name.text))] = type_text(*line.type);
+}
+
+void ProgramInterfaces::add(const graphic::Project& project) {
+  for (const graphic::DataType& type : project.types) types_[upper(type.name)] = type.type;
+  for (const graphic::Variable& variable : project.globals) globals_[upper(variable.name)] = variable.type;
+  for (const graphic::Resource& resource : project.resources)
+    for (const graphic::Variable& variable : resource.globals) globals_[upper(variable.name)] = variable.type;
+  for (const graphic::Pou& pou : project.pous) {
+    lowering::Signature& signature = pous_[upper(pou.name)];
+    signature = {};
+    signature.is_function = pou.kind == graphic::PouKind::Function;
+    signature.result = pou.result_type;
+    for (const graphic::Variable& each : pou.variables) {
+      const lowering::Parameter parameter{each.name, each.type};
+      if (each.section == graphic::VariableSection::Input) signature.inputs.push_back(parameter);
+      if (each.section == graphic::VariableSection::Output) signature.outputs.push_back(parameter);
+      if (each.section == graphic::VariableSection::InOut) signature.in_outs.push_back(parameter);
+    }
+  }
+}
+
+const lowering::Signature* ProgramInterfaces::signature(const std::string& type) const {
+  const auto found = pous_.find(upper(type));
+  return found == pous_.end() ? nullptr : &found->second;
+}
+
+std::string ProgramInterfaces::type_of_global(const std::string& name) const {
+  const auto found = globals_.find(upper(name));
+  return found == globals_.end() ? std::string() : found->second;
+}
+
+std::string ProgramInterfaces::type_below(std::string base, std::string_view path) const {
+  while (!path.empty() && !base.empty()) {
+    // A name stands for its type.
+    for (int hops = 0; hops < 20; ++hops) {
+      const auto alias = types_.find(upper(base));
+      if (alias == types_.end()) break;
+      base = alias->second;
+    }
+    if (path.front() == '[') {
+      const std::size_t close = path.find(']');
+      const std::size_t of = upper(base).find(" OF ");
+      if (close == std::string_view::npos || upper(base).rfind("ARRAY", 0) != 0 || of == std::string::npos)
+        return {};
+      base = base.substr(of + 4);
+      path.remove_prefix(close + 1);
+      continue;
+    }
+    if (path.front() != '.') return {};
+    std::size_t end = 1;
+    while (end < path.size() && is_name(path[end])) ++end;
+    const std::string field(path.substr(1, end - 1));
+    path.remove_prefix(end);
+    std::string member;
+    if (upper(base).rfind("STRUCT", 0) == 0) {
+      member = member_of(base, field);
+    } else if (const lowering::Signature* block = signature(base)) {
+      for (const auto* list : {&block->outputs, &block->inputs, &block->in_outs})
+        for (const lowering::Parameter& each : *list)
+          if (graphic::same_name(each.name, field)) member = each.type;
+    }
+    base = member;
+  }
+  return base;
+}
+
+std::string ProjectScope::type_of(const std::string& variable) const {
+  std::size_t end = 0;
+  while (end < variable.size() && is_name(variable[end])) ++end;
+  const std::string name = variable.substr(0, end);
+  if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) != 0) return {};
+  std::string type;
+  for (const graphic::Variable& each : pou_.variables)
+    if (graphic::same_name(each.name, name)) type = each.type;
+  if (type.empty() && pou_.kind == graphic::PouKind::Function && graphic::same_name(pou_.name, name))
+    type = pou_.result_type;
+  if (type.empty()) type = interfaces_.type_of_global(name);
+  return interfaces_.type_below(type, std::string_view(variable).substr(end));
+}
+
+std::string ProjectScope::mark(std::uint32_t where) const {
+  if (!marks_ || where == 0) return {};
+  return "{@" + std::to_string(file_.value) + ":" + std::to_string(where) + "!}";
+}
+
+std::string ProjectScope::piece(const graphic::SourceText& text) {
+  if (!marks_ || text.anchors.empty()) return text.text;
+  const source::FileId file = add_text(context_.sources, file_, {}, text);
+  return "{@" + std::to_string(file.value) + ":0}" + text.text + "{@}";
+}
+
+void ProjectScope::error(const char* code, std::uint32_t where, std::string message, std::string hint) {
+  context_.sink.error(code, {file_, where}, "POU '" + pou_.name + "': " + message, std::move(hint));
+}
+
+source::FileId add_text(source::SourceSet& sources, source::FileId file, const std::string& name,
+                        const graphic::SourceText& text) {
+  if (text.anchors.empty()) return sources.add(name, text.text);
+  std::vector<source::Anchor> anchors;
+  for (const graphic::TextAnchor& each : text.anchors) anchors.push_back({each.text, each.file});
+  return sources.add_piece(text.text, file, std::move(anchors));
+}
+
+}  // namespace stepwright::driver

@@ -1,0 +1,64 @@
+#pragma once
+
+// What a diagram of a project sees of the program: types of variables, interfaces of POUs, places in the
+// file. Internal to this folder.
+
+#include <map>
+#include <string>
+
+#include "ladder/graphic/project.h"
+#include "ladder/lowering/diagram_scope.h"
+#include "ladder/syntax/parser.h"
+
+namespace stepwright::driver {
+
+// Interfaces of all POUs and members of all structures, by upper-case name.
+class ProgramInterfaces {
+ public:
+  void add(const syntax::Unit& unit);
+  void add(const graphic::Project& project);
+
+  const lowering::Signature* signature(const std::string& type) const;
+  // Type of a variable below `base`: ".field[1].more"; empty if unknown.
+  std::string type_below(std::string base, std::string_view path) const;
+  std::string type_of_global(const std::string& name) const;
+
+ private:
+  std::map<std::string, lowering::Signature> pous_;
+  std::map<std::string, std::string> types_;    // ST text of the type
+  std::map<std::string, std::string> globals_;  // its type
+};
+
+class ProjectScope final : public lowering::DiagramScope {
+ public:
+  // `file` is the project's in the sources; all must outlive this.
+  ProjectScope(const graphic::Pou& pou, const ProgramInterfaces& interfaces, source::FileId file,
+               syntax::SyntaxContext& context)
+      : pou_(pou), interfaces_(interfaces), file_(file), context_(context) {}
+
+  std::string type_of(const std::string& variable) const override;
+  const lowering::Signature* signature(const std::string& type) const override {
+    return interfaces_.signature(type);
+  }
+  std::string mark(std::uint32_t where) const override;
+  std::string piece(const graphic::SourceText& text) override;
+  void error(const char* code, std::uint32_t where, std::string message, std::string hint) override;
+  std::string new_wire() override { return "__W" + std::to_string(wires_++) + "_"; }
+
+  // The texts that people see: no marks.
+  void hide_marks() { marks_ = false; }
+
+ private:
+  const graphic::Pou& pou_;
+  const ProgramInterfaces& interfaces_;
+  source::FileId file_;
+  syntax::SyntaxContext& context_;
+  std::size_t wires_ = 0;
+  bool marks_ = true;
+};
+
+// A text of a file as a piece of it (SourceSet::add_piece); without anchors it is a text of its own.
+source::FileId add_text(source::SourceSet& sources, source::FileId file, const std::string& name,
+                        const graphic::SourceText& text);
+
+}  // namespace stepwright::driver

@@ -1,0 +1,48 @@
+#pragma once
+
+// What the parts of the PLCopen reader share. Internal to this folder.
+
+#include <optional>
+#include <string>
+
+#include "ladder/exchange/xml_file.h"
+#include "ladder/graphic/project.h"
+#include "ladder/source/codes.h"
+
+namespace stepwright::exchange::plcopen {
+
+// The file that is read and what is wrong with it.
+class ReadContext {
+ public:
+  explicit ReadContext(const XmlFile& file) : file_(file) {}
+
+  const XmlFile& file() const { return file_; }
+  void error(pugi::xml_node where, const char* code, std::string message, std::string hint = {});
+  result::Diagnostics take() { return std::move(diagnostics_); }
+  bool failed() const { return !diagnostics_.empty(); }
+
+  // An attribute that has to be there: reported and empty if it is not.
+  std::string required(pugi::xml_node node, const char* attribute);
+  bool boolean(pugi::xml_node node, const char* attribute);
+  std::optional<double> decimal(pugi::xml_node node, const char* attribute);
+  std::optional<std::uint64_t> number(pugi::xml_node node, const char* attribute);
+  // The text of the child "documentation".
+  std::string documentation(pugi::xml_node node) const;
+
+ private:
+  const XmlFile& file_;
+  result::Diagnostics diagnostics_;
+};
+
+// The ST text of the type that `node` (<type>, <baseType>, <returnType>) holds.
+std::string read_type(ReadContext& context, pugi::xml_node node);
+// The ST text of <initialValue>; `type` tells strings.
+std::string read_value(ReadContext& context, pugi::xml_node node, const std::string& type);
+
+// Appends the variables of one list.
+void read_variables(ReadContext& context, pugi::xml_node list, graphic::VariableSection section,
+                    std::vector<graphic::Variable>& variables, std::vector<graphic::VariableList>& lists);
+
+graphic::DiagramBody read_body(ReadContext& context, pugi::xml_node node);
+
+}  // namespace stepwright::exchange::plcopen

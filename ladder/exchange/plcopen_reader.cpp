@@ -1,0 +1,272 @@
+#include "ladder/exchange/plcopen_reader.h"
+
+#include <cstdlib>
+
+#include "ladder/exchange/duration.h"
+#include "ladder/exchange/plcopen_read.h"
+
+namespace stepwright::exchange {
+namespace plcopen {
+
+namespace code = source::code;
+
+void ReadContext::error(pugi::xml_node where, const char* code, std::string message, std::string hint) {
+  result::Diagnostic diagnostic;
+  diagnostic.code = code;
+  diagnostic.where = file_.location(file_.offset(where));
+  diagnostic.message = std::move(message);
+  diagnostic.hint = std::move(hint);
+  diagnostics_.push_back(std::move(diagnostic));
+}
+
+std::string ReadContext::required(pugi::xml_node node, const char* attribute) {
+  const pugi::xml_attribute found = node.attribute(attribute);
+  if (!found || *found.value() == '\0')
+    error(node, code::kNotPlcopen,
+          "<" + std::string(local_name(node)) + "> has no attribute '" + attribute + "'",
+          "the TC6 schema requires it");
+  return found.value();
+}
+
+bool ReadContext::boolean(pugi::xml_node node, const char* attribute) {
+  const std::string_view value = node.attribute(attribute).value();
+  if (value.empty() || value == "false" || value == "0") return false;
+  if (value != "true" && value != "1")
+    error(node, code::kNotPlcopen, std::string(attribute) + "=\"" + std::string(value) + "\" is no boolean",
+          "write true or false");
+  return true;
+}
+
+std::optional<double> ReadContext::decimal(pugi::xml_node node, const char* attribute) {
+  const pugi::xml_attribute found = node.attribute(attribute);
+  if (!found) return std::nullopt;
+  char* end = nullptr;
+  const double value = std::strtod(found.value(), &end);
+  const bool good = end != found.value() && *end == '\0' && value > -1e9 && value < 1e9;
+  if (!good)
+    error(node, code::kNotPlcopen, std::string(attribute) + "=\"" + found.value() + "\" is no coordinate");
+  return good ? value : 0;
+}
+
+std::optional<std::uint64_t> ReadContext::number(pugi::xml_node node, const char* attribute) {
+  const pugi::xml_attribute found = node.attribute(attribute);
+  if (!found) return std::nullopt;
+  const std::string_view text = found.value();
+  const bool digits =
+      !text.empty() && text.size() < 20 && text.find_first_not_of("0123456789") == std::string_view::npos;
+  if (!digits)
+    error(node, code::kNotPlcopen, std::string(attribute) + "=\"" + found.value() + "\" is no number");
+  return digits ? std::strtoull(found.value(), nullptr, 10) : 0;
+}
+
+std::string ReadContext::documentation(pugi::xml_node node) const {
+  return file_.source_text(child(node, "documentation")).text;
+}
+
+namespace {
+
+using graphic::Pou;
+using graphic::Project;
+using graphic::VariableSection;
+
+std::optional<VariableSection> section_of(std::string_view list) {
+  if (list == "localVars") return VariableSection::Local;
+  if (list == "tempVars") return VariableSection::Temp;
+  if (list == "inputVars") return VariableSection::Input;
+  if (list == "outputVars") return VariableSection::Output;
+  if (list == "inOutVars") return VariableSection::InOut;
+  if (list == "externalVars") return VariableSection::External;
+  if (list == "globalVars") return VariableSection::Global;
+  return std::nullopt;
+}
+
+class ProjectReader {
+ public:
+  ProjectReader(ReadContext& context, Project& project) : context_(context), project_(project) {}
+
+  void read(pugi::xml_node root) {
+    if (local_name(root) != "project") {
+      context_.error(root, code::kNotPlcopen, "this is no PLCopen project",
+                     "the root of a TC6 XML file is <project>");
+      return;
+    }
+    const pugi::xml_node header = child(root, "contentHeader");
+    project_.name = header.attribute("name").value();
+    project_.parts.root =
+        extra_of(root, {"xmlns"}, {"fileHeader", "contentHeader", "types", "instances", "documentation"});
+    project_.parts.file_header = extra_of(child(root, "fileHeader"), {}, {});
+    project_.parts.content_header = extra_of(header, {"name"}, {});
+    const pugi::xml_node types = child(root, "types");
+    if (!types) context_.error(root, code::kNotPlcopen, "<types> is missing", "it holds data types and POUs");
+    for (const pugi::xml_node node : child(types, "dataTypes").children())
+      if (local_name(node) == "dataType") data_type(node);
+    for (const pugi::xml_node node : child(types, "pous").children())
+      if (local_name(node) == "pou") pou(node);
+    instances(child(root, "instances"));
+  }
+
+ private:
+  void data_type(pugi::xml_node node) {
+    graphic::DataType type;
+    type.name = context_.required(node, "name");
+    type.type = read_type(context_, child(node, "baseType"));
+    type.initial = read_value(context_, child(node, "initialValue"), type.type);
+    type.comment = context_.documentation(node);
+    type.extra = extra_of(node, {"name"}, {"baseType", "initialValue", "documentation"});
+    type.where = context_.file().offset(node);
+    project_.types.push_back(std::move(type));
+  }
+
+  void pou(pugi::xml_node node) {
+    Pou pou;
+    pou.name = context_.required(node, "name");
+    pou.where = context_.file().offset(node);
+    const std::string kind = context_.required(node, "pouType");
+    if (kind == "function") pou.kind = graphic::PouKind::Function;
+    if (kind == "functionBlock") pou.kind = graphic::PouKind::FunctionBlock;
+    if (kind != "function" && kind != "functionBlock" && kind != "program")
+      context_.error(node, code::kNotPlcopen, "there is no kind of POU '" + kind + "'",
+                     "pouType is function, functionBlock or program");
+    interface(child(node, "interface"), pou);
+    pou.comment = context_.documentation(node);
+    pou.extra =
+        extra_of(node, {"name", "pouType"}, {"interface", "actions", "transitions", "body", "documentation"});
+    graphic::DrawnBody drawn;
+    named_bodies(child(node, "actions"), "action", drawn.actions);
+    named_bodies(child(node, "transitions"), "transition", drawn.transitions);
+    std::size_t bodies = 0;
+    for (const pugi::xml_node each : node.children()) {
+      if (local_name(each) != "body") continue;
+      if (bodies++ == 0) {
+        drawn.body = read_body(context_, each);
+      } else {
+        context_.error(each, code::kExchangeUnsupported,
+                       "POU '" + pou.name + "' has several bodies (worksheets)", "join them into one");
+      }
+    }
+    pou.body = std::move(drawn);
+    project_.pous.push_back(std::move(pou));
+  }
+
+  void interface(pugi::xml_node node, Pou& pou) {
+    const pugi::xml_node result = child(node, "returnType");
+    if (result) pou.result_type = read_type(context_, result);
+    for (const pugi::xml_node list : node.children())
+      if (const auto section = section_of(local_name(list)))
+        read_variables(context_, list, *section, pou.variables, pou.lists);
+    pou.interface_extra = extra_of(node, {},
+                                   {"returnType", "localVars", "tempVars", "inputVars", "outputVars",
+                                    "inOutVars", "externalVars", "globalVars"});
+  }
+
+  void named_bodies(pugi::xml_node list, std::string_view element, std::vector<graphic::NamedBody>& out) {
+    for (const pugi::xml_node node : list.children()) {
+      if (local_name(node) != element) continue;
+      graphic::NamedBody named;
+      named.name = context_.required(node, "name");
+      named.body = read_body(context_, child(node, "body"));
+      named.documentation = context_.documentation(node);
+      named.extra = extra_of(node, {"name"}, {"body", "documentation"});
+      named.where = context_.file().offset(node);
+      out.push_back(std::move(named));
+    }
+  }
+
+  void instances(pugi::xml_node node) {
+    std::size_t count = 0;
+    for (const pugi::xml_node each : child(node, "configurations").children()) {
+      if (local_name(each) != "configuration") continue;
+      if (count++ == 0) {
+        configuration(each);
+      } else {
+        context_.error(each, code::kExchangeUnsupported, "the project has several configurations",
+                       "keep the one that is to run");
+      }
+    }
+    project_.parts.instances = extra_of(node, {}, {"configurations"});
+  }
+
+  void configuration(pugi::xml_node node) {
+    project_.configuration = context_.required(node, "name");
+    for (const pugi::xml_node each : node.children()) {
+      if (local_name(each) == "resource") resource(each);
+      if (local_name(each) == "globalVars")
+        read_variables(context_, each, VariableSection::Global, project_.globals, project_.global_lists);
+    }
+    project_.parts.configuration_comment = context_.documentation(node);
+    project_.parts.configuration = extra_of(node, {"name"}, {"resource", "globalVars", "documentation"});
+  }
+
+  void resource(pugi::xml_node node) {
+    graphic::Resource resource;
+    resource.name = context_.required(node, "name");
+    const auto index = static_cast<std::uint32_t>(project_.resources.size());
+    for (const pugi::xml_node each : node.children()) {
+      if (local_name(each) == "task") task(each, index);
+      if (local_name(each) == "pouInstance") instance(each, {}, index);
+      if (local_name(each) == "globalVars")
+        read_variables(context_, each, VariableSection::Global, resource.globals, resource.lists);
+    }
+    resource.comment = context_.documentation(node);
+    resource.extra = extra_of(node, {"name"}, {"task", "pouInstance", "globalVars", "documentation"});
+    project_.resources.push_back(std::move(resource));
+  }
+
+  void task(pugi::xml_node node, std::uint32_t resource) {
+    graphic::Task task;
+    task.name = context_.required(node, "name");
+    task.priority = static_cast<int>(context_.number(node, "priority").value_or(0) & 0xFFFFU);
+    task.single = node.attribute("single").value();
+    task.resource = resource;
+    task.interval_us = 0;
+    const std::string interval = node.attribute("interval").value();
+    if (!interval.empty()) {
+      const auto us = duration_us(interval);
+      if (us) {
+        task.interval_us = *us;
+      } else {
+        context_.error(node, code::kNotPlcopen,
+                       "the interval '" + interval + "' of task '" + task.name + "' is no duration",
+                       "write it as T#20ms, in whole microseconds");
+      }
+    }
+    task.comment = context_.documentation(node);
+    task.extra = extra_of(node, {"name", "priority", "single", "interval"}, {"pouInstance", "documentation"});
+    task.where = context_.file().offset(node);
+    for (const pugi::xml_node each : node.children())
+      if (local_name(each) == "pouInstance") instance(each, task.name, resource);
+    project_.tasks.push_back(std::move(task));
+  }
+
+  void instance(pugi::xml_node node, const std::string& task, std::uint32_t resource) {
+    graphic::ProgramInstance instance;
+    instance.name = context_.required(node, "name");
+    instance.program = context_.required(node, "typeName");
+    instance.task = task;
+    instance.resource = resource;
+    instance.comment = context_.documentation(node);
+    instance.extra = extra_of(node, {"name", "typeName"}, {"documentation"});
+    instance.where = context_.file().offset(node);
+    project_.instances.push_back(std::move(instance));
+  }
+
+  ReadContext& context_;
+  Project& project_;
+};
+
+}  // namespace
+}  // namespace plcopen
+
+result::Result<graphic::Project> read_plcopen(std::string name, std::string text) {
+  auto file = XmlFile::parse(std::move(name), std::move(text));
+  if (!file) return result::forward(file);
+  graphic::Project project;
+  plcopen::ReadContext context(*file);
+  plcopen::ProjectReader(context, project).read(file->root());
+  if (context.failed()) return tl::unexpected(context.take());
+  project.file_name = file->name();
+  project.file_text = file->text();
+  return project;
+}
+
+}  // namespace stepwright::exchange

@@ -1,0 +1,48 @@
+#pragma once
+
+// What the lowering of a diagram asks about the program around it, and where it reports. One per POU; the
+// driver implements it over the syntax tree.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ladder/graphic/diagram.h"
+
+namespace stepwright::lowering {
+
+struct Parameter {
+  std::string name;
+  std::string type;  // ST
+};
+
+// The interface of a function or function block.
+struct Signature {
+  bool is_function = false;
+  std::string result;  // functions
+  std::vector<Parameter> inputs;
+  std::vector<Parameter> in_outs;
+  std::vector<Parameter> outputs;
+};
+
+class DiagramScope {
+ public:
+  DiagramScope() = default;
+  DiagramScope(const DiagramScope&) = delete;
+  DiagramScope& operator=(const DiagramScope&) = delete;
+  virtual ~DiagramScope() = default;
+
+  // ST type of a variable, an element of an array, a member: "a.b[1].c"; empty if it is none or unknown.
+  virtual std::string type_of(const std::string& variable) const = 0;
+  // Null for standard functions and for what does not exist.
+  virtual const Signature* signature(const std::string& type) const = 0;
+  // The mark of a byte of the diagram's file (ladder/syntax/lexer.h), or nothing.
+  virtual std::string mark(std::uint32_t where) const = 0;
+  // A text with the marks of where its pieces stand.
+  virtual std::string piece(const graphic::SourceText& text) = 0;
+  virtual void error(const char* code, std::uint32_t where, std::string message, std::string hint = {}) = 0;
+  // The name of a variable that nothing else in the POU has.
+  virtual std::string new_wire() = 0;
+};
+
+}  // namespace stepwright::lowering

@@ -1,0 +1,229 @@
+#include "ladder/lowering/diagram_to_chart.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "ladder/graphic/identifier.h"
+#include "ladder/lowering/chart_tracer.h"
+#include "ladder/lowering/drawn_body_text.h"
+#include "ladder/lowering/network_lowering.h"
+#include "ladder/source/codes.h"
+
+namespace stepwright::lowering {
+namespace {
+
+namespace code = source::code;
+using graphic::ConditionSource;
+using graphic::Element;
+using graphic::ElementKind;
+using graphic::StepId;
+
+class ChartReader {
+ public:
+  ChartReader(const graphic::DrawnBody& body, DiagramScope& scope)
+      : body_(body),
+        diagram_(body.body.diagram),
+        scope_(scope),
+        texts_(scope),
+        tracer_(diagram_, scope),
+        graph_(diagram_, scope),
+        networks_(graph_, scope) {}
+
+  DrawnChart read() {
+    refuse();
+    for (const Network& network : graph_.networks()) networks_.lower(network);
+    steps();
+    transitions();
+    for (const graphic::NamedBody& action : body_.actions)
+      result_.chart.actions.push_back({action.name, texts_.statements(action.body, action.name)});
+    action_blocks();
+    result_.networks = networks_.take();
+    graphic::LadderProgram more = texts_.take_networks();
+    std::move(more.rungs.begin(), more.rungs.end(), std::back_inserter(result_.networks.rungs));
+    std::move(more.wires.begin(), more.wires.end(), std::back_inserter(result_.networks.wires));
+    result_.edges = texts_.take_variables();
+    return std::move(result_);
+  }
+
+ private:
+  void refuse() {
+    for (const Element& element : diagram_.elements) {
+      if (element.kind == ElementKind::MacroStep)
+        scope_.error(code::kExchangeUnsupported, element.where, "macro steps are not supported",
+                     "draw the steps of the macro in its place");
+      if (element.kind == ElementKind::VendorElement)
+        scope_.error(code::kExchangeUnsupported, element.where, "elements of vendors cannot be compiled",
+                     "replace it by elements of the standard");
+    }
+  }
+
+  void steps() {
+    for (const Element& element : diagram_.elements) {
+      if (element.kind != ElementKind::Step) continue;
+      graphic::Step step;
+      step.name = element.name.text;
+      step.initial = element.initial;
+      step.comment = element.documentation;
+      step_ids_[&element] = StepId(static_cast<std::uint32_t>(result_.chart.steps.size()));
+      by_name_.emplace(graphic::upper(step.name), step_ids_[&element]);
+      result_.chart.steps.push_back(std::move(step));
+    }
+  }
+
+  struct Drawn {
+    const Element* element = nullptr;
+    double top = 0;  // of its first step
+    graphic::Transition transition;
+  };
+
+  void transitions() {
+    std::vector<Drawn> drawn;
+    std::map<const Element*, std::size_t> index;
+    for (const Element& element : diagram_.elements) {
+      if (element.kind != ElementKind::Transition) continue;
+      index[&element] = drawn.size();
+      Drawn& each = drawn.emplace_back();
+      each.element = &element;
+      each.transition = transition(element, each.top);
+    }
+    for (const Element& element : diagram_.elements) {
+      if (element.kind != ElementKind::Step && element.kind != ElementKind::JumpStep) continue;
+      const auto target = target_of(element);
+      if (!target) continue;
+      for (const Element* above : tracer_.transitions_above(element)) {
+        std::vector<StepId>& targets = drawn[index.at(above)].transition.targets;
+        if (std::find(targets.begin(), targets.end(), *target) == targets.end()) targets.push_back(*target);
+      }
+    }
+    // From left to right where they leave the same step.
+    std::stable_sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) {
+      return std::tuple(a.top, a.element->position.x) < std::tuple(b.top, b.element->position.x);
+    });
+    for (Drawn& each : drawn) {
+      if (each.transition.targets.empty())
+        scope_.error(code::kBadDiagram, each.element->where, "nothing follows this transition",
+                     "connect a step or a jump to it");
+      result_.chart.transitions.push_back(std::move(each.transition));
+    }
+  }
+
+  std::optional<StepId> target_of(const Element& element) {
+    if (element.kind == ElementKind::Step) return step_ids_.at(&element);
+    const auto found = by_name_.find(graphic::upper(element.name.text));
+    if (found != by_name_.end()) return found->second;
+    scope_.error(code::kBadDiagram, element.where,
+                 "the jump leads to '" + element.name.text + "', which is no step of this chart");
+    return std::nullopt;
+  }
+
+  graphic::Transition transition(const Element& element, double& top) {
+    graphic::Transition transition;
+    transition.priority = static_cast<int>(std::min<std::uint64_t>(element.priority.value_or(0), 0xFFFF));
+    transition.comment = element.documentation;
+    for (const Element* step : tracer_.steps_above(element)) {
+      top = transition.sources.empty() ? step->position.y : std::min(top, step->position.y);
+      transition.sources.push_back(step_ids_.at(step));
+    }
+    if (transition.sources.empty())
+      scope_.error(code::kBadDiagram, element.where, "no step leads to this transition");
+    const graphic::TransitionCondition& condition = element.condition;
+    // Only a name of its own: editors leave it empty.
+    if (condition.source == ConditionSource::Inline) transition.name = condition.reference;
+    transition.condition = condition_of(element);
+    if (condition.negated) {
+      graphic::Condition negated;
+      negated.kind = graphic::ConditionKind::Expression;
+      negated.name = graphic::to_st(transition.condition);
+      negated.negated = true;
+      transition.condition = std::move(negated);
+    }
+    return transition;
+  }
+
+  graphic::Condition condition_of(const Element& element) {
+    const graphic::TransitionCondition& condition = element.condition;
+    switch (condition.source) {
+      case ConditionSource::Connection:
+        return networks_.evaluate(condition.input, element);
+      case ConditionSource::Inline:
+        return texts_.condition(condition.body.front(), condition.reference);
+      case ConditionSource::Reference: {
+        for (const graphic::NamedBody& each : body_.transitions)
+          if (graphic::same_name(each.name, condition.reference))
+            return texts_.condition(each.body, each.name);
+        return graphic::contact(condition.reference);
+      }
+      case ConditionSource::None:
+        break;
+    }
+    scope_.error(code::kBadDiagram, element.where, "the transition has no condition",
+                 "write TRUE for one that always holds");
+    return {};
+  }
+
+  void action_blocks() {
+    std::vector<const Element*> blocks;
+    for (const Element& element : diagram_.elements)
+      if (element.kind == ElementKind::ActionBlock) blocks.push_back(&element);
+    std::stable_sort(blocks.begin(), blocks.end(),
+                     [](const Element* a, const Element* b) { return a->position.y < b->position.y; });
+    for (const Element* block : blocks) {
+      const Element* owner = tracer_.owner_of(*block);
+      if (owner == nullptr) {
+        scope_.error(code::kBadDiagram, block->where, "the action block belongs to no step",
+                     "connect it to one");
+        continue;
+      }
+      graphic::Step& step = result_.chart.steps[step_ids_.at(owner).value];
+      for (const graphic::DiagramAction& row : block->actions) add_action(step, row);
+    }
+  }
+
+  void add_action(graphic::Step& step, const graphic::DiagramAction& row) {
+    graphic::ActionBlock block;
+    const std::string qualifier = row.qualifier.empty() ? "N" : graphic::upper(row.qualifier);
+    const auto known = graphic::qualifier_from(qualifier);
+    if (!known) {
+      scope_.error(code::kBadChart, row.where, "there is no qualifier '" + qualifier + "'",
+                   "qualifiers are N, S, R, L, D, P, P0, P1, SD, DS and SL");
+      return;
+    }
+    block.qualifier = *known;
+    block.duration = row.duration;
+    block.indicator = row.indicator;
+    block.target = row.reference;
+    if (graphic::needs_duration(*known) && row.duration.empty())
+      scope_.error(code::kBadChart, row.where, "the qualifier " + qualifier + " needs a duration",
+                   "give the action a duration such as T#5s");
+    if (!row.body.empty()) {
+      block.target = step.name + "_INLINE" + std::to_string(++inline_actions_);
+      result_.chart.actions.push_back({block.target, texts_.statements(row.body.front(), block.target)});
+    } else if (block.target.empty()) {
+      scope_.error(code::kBadDiagram, row.where, "the action of step '" + step.name + "' is missing",
+                   "name an action or a BOOL variable");
+      return;
+    }
+    step.actions.push_back(std::move(block));
+  }
+
+  const graphic::DrawnBody& body_;
+  const graphic::Diagram& diagram_;
+  DiagramScope& scope_;
+  DrawnBodyText texts_;
+  ChartTracer tracer_;
+  DiagramGraph graph_;
+  NetworkLowering networks_;
+  std::map<const Element*, StepId> step_ids_;
+  std::map<std::string, StepId> by_name_;
+  int inline_actions_ = 0;
+  DrawnChart result_;
+};
+
+}  // namespace
+
+DrawnChart diagram_to_chart(const graphic::DrawnBody& body, DiagramScope& scope) {
+  return ChartReader(body, scope).read();
+}
+
+}  // namespace stepwright::lowering

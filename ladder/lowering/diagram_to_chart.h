@@ -1,0 +1,27 @@
+#pragma once
+
+// The chart of a drawn SFC body: divergences and convergences become transitions with several sources and
+// targets, jumps lead to their steps, alternative branches keep their order from left to right.
+//
+// Networks of LD and FBD beside the chart - those that feed transitions - run in every scan before the
+// transitions are tested: `networks`. Actions and transitions in ST keep their text, those drawn as LD or FBD
+// become ST.
+
+#include <optional>
+
+#include "ladder/graphic/project.h"
+#include "ladder/lowering/diagram_scope.h"
+
+namespace stepwright::lowering {
+
+struct DrawnChart {
+  graphic::SfcChart chart;
+  graphic::LadderProgram networks;
+  std::vector<graphic::Wire> edges;  // states of edge contacts in actions
+};
+
+// Reports E0803 (the drawing makes no
+// chart) and E0804 (macro steps, instruction lists) to the scope.
+DrawnChart diagram_to_chart(const graphic::DrawnBody& body, DiagramScope& scope);
+
+}  // namespace stepwright::lowering

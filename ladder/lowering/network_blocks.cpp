@@ -1,0 +1,230 @@
+// Blocks of a network; see network_lowering.h.
+
+#include <algorithm>
+
+#include "ladder/graphic/identifier.h"
+#include "ladder/lowering/network_lowering.h"
+#include "ladder/lowering/wire_types.h"
+#include "ladder/source/codes.h"
+
+namespace stepwright::lowering {
+
+using graphic::Condition;
+using graphic::ConditionKind;
+using graphic::Element;
+using graphic::ElementKind;
+using graphic::Pin;
+using graphic::Rung;
+using graphic::same_name;
+
+namespace {
+
+bool is_connected(const Pin& pin) {
+  return !pin.connections.empty() || !pin.expression.text.empty();
+}
+
+}  // namespace
+
+const Pin* NetworkLowering::enable_of(const Element& block) const {
+  for (const Pin& pin : block.inputs)
+    if (same_name(pin.name, "EN") && is_connected(pin)) return &pin;
+  return nullptr;
+}
+
+// The output that carries the value of a function.
+Origin NetworkLowering::result_of(const Element& block) const {
+  const Signature* signature = scope_.signature(block.name.text);
+  for (const Pin& pin : block.outputs) {
+    const bool own = same_name(pin.name, "OUT") || pin.name.empty() || same_name(pin.name, block.name.text);
+    const bool declared = signature != nullptr &&
+                          std::any_of(signature->outputs.begin(), signature->outputs.end(),
+                                      [&](const Parameter& each) { return same_name(each.name, pin.name); });
+    if (own && !declared) return {&block, pin.name};
+  }
+  for (const Pin& pin : block.outputs)
+    if (!same_name(pin.name, "ENO")) return {&block, pin.name};
+  return {&block, ""};
+}
+
+// A function that is read once stands where it is read.
+bool NetworkLowering::is_inline(const Element& element) const {
+  if (!element.instance.empty() || enable_of(element) != nullptr || graph_.in_value_circle(element))
+    return false;
+  if (graph_.has_order() && element.order.value_or(0) != 0) return false;
+  std::size_t readers = 0;
+  for (const Pin& pin : element.outputs) readers += graph_.readers_of({&element, pin.name}).size();
+  for (const Pin& pin : element.in_outs) readers += graph_.readers_of({&element, pin.name}).size();
+  return readers == 1 && graph_.readers_of(result_of(element)).size() == 1 && element.in_outs.empty();
+}
+
+void NetworkLowering::check_block(const Element& element) {
+  const Signature* signature = scope_.signature(element.name.text);
+  if (signature != nullptr && !signature->is_function && element.instance.empty())
+    scope_.error(source::code::kBadDiagram, element.where,
+                 "the function block " + element.name.text + " needs an instance",
+                 "give the block the name of a variable of type " + element.name.text);
+}
+
+void NetworkLowering::block(const Element& element) {
+  check_block(element);
+  if (is_inline(element)) return;
+  const bool function = element.instance.empty();
+  const Origin result = result_of(element);
+  std::size_t readers = 0;
+  for (const Pin& pin : element.outputs) readers += graph_.readers_of({&element, pin.name}).size();
+  // A standard function whose result nobody reads does nothing.
+  if (function && readers == 0 && scope_.signature(element.name.text) == nullptr) return;
+  Condition condition = graphic::always();
+  if (const Pin* enable = enable_of(element)) {
+    condition = power(*enable, element);
+    if (enable->modifier.negated) condition = through_wire(condition, element), condition.negated = true;
+    const bool several = readers > 1 || !graph_.readers_of({&element, "ENO"}).empty() || !function;
+    if (several && readers > 0) condition = through_wire(std::move(condition), element);
+    enables_[&element] = condition;
+  }
+  Rung rung;
+  graphic::Block block;
+  block.type = element.name.text;
+  block.instance = element.instance;
+  rung.condition = std::move(condition);
+  call_inputs(element, rung, block);
+  call_outputs(element, rung, block);
+  rung.place = scope_.mark(element.where);
+  rung.blocks.push_back(std::move(block));
+  ladder_.rungs.push_back(std::move(rung));
+}
+
+void NetworkLowering::call_inputs(const Element& element, Rung& rung, graphic::Block& block) {
+  const Signature* signature = scope_.signature(element.name.text);
+  const bool positional = element.instance.empty() && signature == nullptr;
+  bool first = true;
+  for (const Pin& pin : element.inputs) {
+    if (same_name(pin.name, "EN")) continue;
+    const bool leads = std::exchange(first, false);
+    if (!is_connected(pin)) {
+      if (positional)
+        scope_.error(source::code::kBadDiagram, element.where,
+                     "input " + pin.name + " of " + element.name.text + " is not connected");
+      continue;
+    }
+    const bool plain = !pin.modifier.negated && pin.modifier.edge == graphic::Edge::None;
+    if (leads && plain && !element.instance.empty() && enable_of(element) == nullptr && is_power(pin)) {
+      // The rung's power goes into the block.
+      block.power_input = pin.name;
+      rung.condition = power(pin, element);
+      continue;
+    }
+    block.inputs.emplace_back(positional ? "" : pin.name, argument(pin, element));
+  }
+  for (const Pin& pin : element.in_outs) {
+    if (!is_connected(pin)) continue;
+    const Condition value = power(pin, element);
+    block.inputs.emplace_back(pin.name, value.negated ? graphic::to_st(value) : value.name);
+  }
+}
+
+std::string NetworkLowering::argument(const Pin& pin, const Element& owner) {
+  Condition value = power(pin, owner);
+  if (pin.modifier.edge != graphic::Edge::None) {
+    value = through_wire(std::move(value), owner);
+    value.edge = pin.modifier.edge;
+    const std::string name = scope_.new_wire();
+    ladder_.wires.push_back({name, "BOOL", false});
+    add(owner, std::move(value)).coils = {{graphic::CoilKind::Normal, name}};
+    value = graphic::contact(name);
+  }
+  const bool bare =
+      (value.kind == ConditionKind::Contact || value.kind == ConditionKind::Expression) && !value.negated;
+  const std::string text = bare ? value.name : graphic::to_st(value);
+  return pin.modifier.negated ? "NOT (" + text + ")" : text;
+}
+
+void NetworkLowering::call_outputs(const Element& element, Rung&, graphic::Block& block) {
+  if (!element.instance.empty()) return;  // its outputs are read from the instance
+  const Origin result = result_of(element);
+  for (const Pin& pin : element.outputs) {
+    if (same_name(pin.name, "ENO")) continue;
+    const Origin origin{&element, pin.name};
+    const bool is_result = same_name(pin.name, result.output);
+    if (graph_.readers_of(origin).empty() && !is_result) continue;
+    if (graph_.readers_of(origin).empty() && wires_.count({&element, pin.name}) == 0) continue;
+    if (writes_variable(element, origin, block)) continue;
+    block.outputs.emplace_back(is_result ? "" : pin.name,
+                               result_wire(origin, graph_.in_value_circle(element)));
+  }
+}
+
+// The only reader is a variable: the call writes it.
+bool NetworkLowering::writes_variable(const Element& element, const Origin& origin, graphic::Block& block) {
+  const auto& readers = graph_.readers_of(origin);
+  if (readers.size() != 1 || readers.front()->kind != ElementKind::OutVariable) return false;
+  const Element& variable = *readers.front();
+  const graphic::Modifier& m = variable.modifier;
+  const bool plain = !m.negated && m.edge == graphic::Edge::None && m.storage == graphic::Storage::None;
+  if (!plain || variable.inputs.front().connections.size() != 1 ||
+      wires_.count({&element, origin.output}) != 0)
+    return false;
+  for (const Pin& pin : element.outputs)
+    if (same_name(pin.name, origin.output) && pin.modifier.negated) return false;
+  if (!done_.insert(&variable).second) return false;
+  const bool is_result = same_name(origin.output, result_of(element).output);
+  block.outputs.emplace_back(is_result ? "" : origin.output, marked(variable.name, variable, element));
+  return true;
+}
+
+std::string NetworkLowering::result_wire(const Origin& origin, bool keeps) {
+  std::string& name = wires_[{origin.element, origin.output}];
+  if (!name.empty()) return name;
+  name = scope_.new_wire();
+  std::string type = type_of(origin, graph_, scope_);
+  if (type.empty()) {
+    scope_.error(
+        source::code::kBadDiagram, origin.element->where,
+        "the type of output " + origin.output + " of " + origin.element->name.text + " cannot be told",
+        "connect it to a variable and read that");
+    type = "BOOL";
+  }
+  ladder_.wires.push_back({name, type, keeps});
+  return name;
+}
+
+Condition NetworkLowering::block_output(const Origin& origin, const Element& owner) {
+  const Element& element = *origin.element;
+  const Pin* pin = nullptr;
+  for (const Pin& each : element.outputs)
+    if (same_name(each.name, origin.output)) pin = &each;
+  for (const Pin& each : element.in_outs)
+    if (pin == nullptr && same_name(each.name, origin.output)) return power(each, owner);
+  if (pin == nullptr) {
+    scope_.error(source::code::kBadDiagram, owner.where,
+                 "block " + element.name.text + " has no output '" + origin.output + "'");
+    return {};
+  }
+  Condition value;
+  if (same_name(origin.output, "ENO")) {
+    const auto enable = enables_.find(&element);
+    if (enable != enables_.end()) value = enable->second;
+  } else if (!element.instance.empty()) {
+    value = graphic::contact(scope_.mark(element.where) + element.instance + "." + pin->name +
+                             scope_.mark(owner.where));
+  } else if (is_inline(element)) {
+    value.kind = ConditionKind::Expression;
+    value.name = scope_.mark(element.where) + inline_call(element) + scope_.mark(owner.where);
+  } else {
+    value = graphic::contact(result_wire(origin, graph_.in_value_circle(element)));
+  }
+  if (pin->modifier.negated) value.negated = !value.negated;
+  return value;
+}
+
+std::string NetworkLowering::inline_call(const Element& element) {
+  Rung unused;
+  graphic::Block block;
+  call_inputs(element, unused, block);
+  std::string list;
+  for (const auto& [formal, value] : block.inputs)
+    list += (list.empty() ? "" : ", ") + (formal.empty() ? "" : formal + " := ") + value;
+  return element.name.text + "(" + list + ")";
+}
+
+}  // namespace stepwright::lowering

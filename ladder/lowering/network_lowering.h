@@ -1,0 +1,79 @@
+#pragma once
+
+// Networks of a diagram as rungs. Internal to this folder; one object per diagram.
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "ladder/graphic/ladder_program.h"
+#include "ladder/lowering/diagram_graph.h"
+
+namespace stepwright::lowering {
+
+class NetworkLowering {
+ public:
+  // All must outlive this.
+  NetworkLowering(const DiagramGraph& graph, DiagramScope& scope) : graph_(graph), scope_(scope) {}
+
+  // Appends the rungs of everything that does something in the network.
+  void lower(const Network& network);
+  // Everything that `pin` needs is evaluated; the result is the power there.
+  graphic::Condition evaluate(const graphic::Pin& pin, const graphic::Element& owner);
+
+  graphic::LadderProgram take() { return std::move(ladder_); }
+
+ private:
+  // Evaluation of what must be there before an input is read.
+  void demand(const graphic::Pin& pin, const graphic::Element& owner, int depth);
+  void run(const graphic::Element& element, int depth);
+
+  void coils(const std::vector<const graphic::Element*>& group);
+  void assignment(const graphic::Element& element);
+  void jump(const graphic::Element& element);
+  void block(const graphic::Element& element);
+  void call_inputs(const graphic::Element& element, graphic::Rung& rung, graphic::Block& block);
+  void call_outputs(const graphic::Element& element, graphic::Rung& rung, graphic::Block& block);
+  bool writes_variable(const graphic::Element& element, const Origin& result, graphic::Block& block);
+  void check_block(const graphic::Element& element);
+
+  // What an input reads, now.
+  graphic::Condition power(const graphic::Pin& pin, const graphic::Element& owner);
+  graphic::Condition read(const Origin& origin, const graphic::Element& owner);
+  graphic::Condition read_once(const Origin& origin, const graphic::Element& owner);
+  graphic::Condition contact(const graphic::Element& element, const graphic::Element& owner);
+  graphic::Condition block_output(const Origin& origin, const graphic::Element& owner);
+  std::string argument(const graphic::Pin& pin, const graphic::Element& owner);
+  std::string inline_call(const graphic::Element& element);
+
+  // Wires.
+  graphic::Condition through_wire(graphic::Condition condition, const graphic::Element& element);
+  std::string result_wire(const Origin& origin, bool keeps);
+  bool is_inline(const graphic::Element& element) const;
+  bool is_shared(const Origin& origin) const;
+  bool is_power(const graphic::Pin& pin) const;
+  const graphic::Pin* enable_of(const graphic::Element& block) const;
+  Origin result_of(const graphic::Element& block) const;
+
+  graphic::Rung& add(const graphic::Element& element, graphic::Condition condition);
+  // A text of the diagram with its mark; falls back to the mark of the element that it stands in.
+  std::string marked(const graphic::SourceText& text, const graphic::Element& element,
+                     const graphic::Element& owner);
+
+  const DiagramGraph& graph_;
+  DiagramScope& scope_;
+  graphic::LadderProgram ladder_;
+  std::set<const graphic::Element*> done_;
+  std::set<const graphic::Element*> running_;
+  std::set<const graphic::Element*> reading_;
+  std::set<const graphic::Element*> group_;  // coils that are driven together
+  std::map<std::pair<const graphic::Element*, std::string>, std::string> wires_;
+  std::map<const graphic::Element*, graphic::Condition> enables_;  // power at EN of blocks that ran
+  std::set<std::string> checked_;
+};
+
+// Why a text cannot stand as an expression, or nothing: it must not end the statement that it is put into.
+std::string fault_of_expression(const std::string& text);
+
+}  // namespace stepwright::lowering

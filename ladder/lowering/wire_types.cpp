@@ -1,0 +1,129 @@
+#include "ladder/lowering/wire_types.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "ladder/graphic/identifier.h"
+
+namespace stepwright::lowering {
+namespace {
+
+using graphic::Element;
+using graphic::ElementKind;
+using graphic::Pin;
+using graphic::same_name;
+
+constexpr int kMaxDepth = 200;
+
+// Wider types later; types of different families are not compared, the later one wins.
+constexpr std::array<const char*, 20> ranks{"BOOL",  "SINT",   "USINT",   "BYTE", "INT",   "UINT",  "WORD",
+                                            "DINT",  "UDINT",  "DWORD",   "LINT", "ULINT", "LWORD", "REAL",
+                                            "LREAL", "STRING", "WSTRING", "TIME", "LTIME", "DATE"};
+
+std::size_t rank_of(const std::string& type) {
+  const auto found = std::find(ranks.begin(), ranks.end(), graphic::upper(type));
+  return static_cast<std::size_t>(found - ranks.begin());
+}
+
+bool any_of(const std::string& name, std::initializer_list<const char*> names) {
+  return std::any_of(names.begin(), names.end(), [&](const char* each) { return same_name(name, each); });
+}
+
+class Inference {
+ public:
+  Inference(const DiagramGraph& graph, const DiagramScope& scope) : graph_(graph), scope_(scope) {}
+
+  std::string of(const Origin& origin, int depth) const {
+    if (origin.element == nullptr || depth > kMaxDepth) return {};
+    switch (origin.element->kind) {
+      case ElementKind::InVariable:
+      case ElementKind::InOutVariable:
+        return type_of_text(origin.element->name.text, scope_);
+      case ElementKind::Block:
+        return of_block(*origin.element, origin.output, depth);
+      default:
+        return "BOOL";
+    }
+  }
+
+ private:
+  std::string of_block(const Element& block, const std::string& output, int depth) const {
+    if (same_name(output, "ENO")) return "BOOL";
+    for (const Pin& pin : block.in_outs)
+      if (same_name(pin.name, output)) return of_pin(pin, depth);
+    if (const Signature* signature = scope_.signature(block.name.text)) {
+      for (const Parameter& each : signature->outputs)
+        if (same_name(each.name, output)) return each.type;
+      return signature->result;
+    }
+    return of_function(block, depth);
+  }
+
+  std::string of_function(const Element& block, int depth) const {
+    const std::string name = graphic::upper(block.name.text);
+    if (any_of(name, {"GT", "GE", "EQ", "LE", "LT", "NE"})) return "BOOL";
+    if (any_of(name, {"LEN", "FIND", "TRUNC"})) return name == "TRUNC" ? "DINT" : "INT";
+    const std::size_t to = name.rfind("_TO_");
+    if (to != std::string::npos) return name.substr(to + 4);
+    if (name.rfind("TO_", 0) == 0) return name.substr(3);
+    std::string widest;
+    std::string literal;
+    for (const Pin& pin : block.inputs) {
+      const bool selects = same_name(pin.name, "EN") || same_name(pin.name, "G") ||
+                           same_name(pin.name, "K") || same_name(pin.name, "N") || same_name(pin.name, "L") ||
+                           same_name(pin.name, "P");
+      const std::string type = selects ? "" : of_pin(pin, depth);
+      if (type.empty()) continue;
+      std::string& best = is_literal(pin) ? literal : widest;
+      if (best.empty() || rank_of(type) > rank_of(best)) best = type;
+    }
+    if (widest.empty()) return literal;
+    return literal == "REAL" && rank_of(widest) < rank_of("REAL") ? literal : widest;
+  }
+
+  bool is_literal(const Pin& pin) const {
+    if (pin.connections.size() != 1) return false;
+    const Origin origin = graph_.from(pin.connections.front());
+    return origin.element != nullptr && origin.element->kind == ElementKind::InVariable &&
+           scope_.type_of(origin.element->name.text).empty();
+  }
+
+  std::string of_pin(const Pin& pin, int depth) const {
+    if (pin.connections.empty()) return type_of_text(pin.expression.text, scope_);
+    return of(graph_.from(pin.connections.front()), depth + 1);
+  }
+
+  const DiagramGraph& graph_;
+  const DiagramScope& scope_;
+};
+
+}  // namespace
+
+std::string type_of_text(const std::string& text, const DiagramScope& scope) {
+  if (text.empty()) return {};
+  const std::string known = scope.type_of(text);
+  if (!known.empty()) return known;
+  if (same_name(text, "TRUE") || same_name(text, "FALSE")) return "BOOL";
+  const std::size_t hash = text.find('#');
+  if (hash != std::string::npos) {
+    const std::string prefix = graphic::upper(text.substr(0, hash));
+    if (prefix == "T" || prefix == "LT") return "TIME";
+    if (prefix == "D") return "DATE";
+    if (prefix == "2" || prefix == "8" || prefix == "16") return "INT";
+    return prefix;
+  }
+  if (text[0] == '\'') return "STRING";
+  if (text[0] == '"') return "WSTRING";
+  const bool number = text.find_first_not_of("0123456789_.+-eE") == std::string::npos &&
+                      text.find_first_of("0123456789") != std::string::npos &&
+                      std::isalpha(static_cast<unsigned char>(text[0])) == 0;
+  if (!number) return {};
+  return text.find('.') == std::string::npos ? "INT" : "REAL";
+}
+
+std::string type_of(const Origin& origin, const DiagramGraph& graph, const DiagramScope& scope) {
+  return Inference(graph, scope).of(origin, 0);
+}
+
+}  // namespace stepwright::lowering

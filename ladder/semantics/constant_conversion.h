@@ -1,0 +1,18 @@
+#pragma once
+
+// Conversions of constants (X_TO_Y): what the machine would compute.
+
+#include <optional>
+
+#include "ladder/semantics/constant.h"
+
+namespace stepwright::semantics {
+
+// Nanoseconds in the unit in which a duration or a date counts when it becomes a number: milliseconds for
+// TIME and TOD, seconds for DATE and DT.
+std::int64_t time_unit_ns(const Type& time_or_date);
+
+// Nothing if the machine would trap (a real out of range), or if there is no such conversion of constants.
+std::optional<Constant> converted(const Constant& value, const Type& from, const Type& to);
+
+}  // namespace stepwright::semantics

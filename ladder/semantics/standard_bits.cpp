@@ -1,0 +1,74 @@
+// Bit string functions (IEC 61131-3, 6.6.2.5.8, table 30), validity of BCD (table 39), byte order (table 38).
+
+#include <utility>
+
+#include "ladder/semantics/internal/standard_analyzer.h"
+
+namespace stepwright::semantics::internal {
+
+using syntax::Expression;
+
+namespace {
+
+constexpr int id(StandardFunction function) {
+  return static_cast<int>(function);
+}
+
+}  // namespace
+
+std::span<const StandardAnalyzer::Entry> StandardAnalyzer::bit_entries() {
+  using enum StandardFunction;
+  using S = StandardAnalyzer;
+  static constexpr Entry kEntries[] = {
+      {"SHL", "IN N", 2, &S::shift, id(Shl), 0, 1},
+      {"SHR", "IN N", 2, &S::shift, id(Shr), 0, 1},
+      {"ROL", "IN N", 2, &S::shift, id(Rol), 0, 1},
+      {"ROR", "IN N", 2, &S::shift, id(Ror), 0, 1},
+      {"IS_VALID_BCD", "IN", 1, &S::is_valid_bcd, 0, 0, 1},
+      {"TO_BIG_ENDIAN", "IN", 1, &S::swap_bytes, 1, 0, 0},
+      {"FROM_BIG_ENDIAN", "IN", 1, &S::swap_bytes, 1, 0, 0},
+      {"BIG_ENDIAN_TO", "IN", 1, &S::swap_bytes, 1, 0, 0},
+      {"TO_LITTLE_ENDIAN", "IN", 1, &S::swap_bytes, 0, 0, 0},
+      {"FROM_LITTLE_ENDIAN", "IN", 1, &S::swap_bytes, 0, 0, 0},
+      {"LITTLE_ENDIAN_TO", "IN", 1, &S::swap_bytes, 0, 0, 0},
+  };
+  return kEntries;
+}
+
+ValuePtr StandardAnalyzer::shift(const Expression& call, Values values, int which) {
+  if (!values[0]->type->is_bits())
+    return wrong_operand(call, *values[0]->type,
+                         "it works on BYTE, WORD, DWORD and LWORD; a literal needs a type: WORD#16#1");
+  values[1] = e_.convert(std::move(values[1]), a_.type_table().elementary(ElementaryType::Dint), call.where);
+  if (!values[1]) return nullptr;
+  if (values[1]->kind == ValueKind::Constant && values[1]->constant.integer < 0) {
+    a_.error(code::kOutOfRange, values[1]->where, "the number of places is negative",
+             "shift the other way instead");
+    return nullptr;
+  }
+  const Type* type = values[0]->type;
+  ValuePtr result = make_standard(static_cast<StandardFunction>(which), type, std::move(values), call.where);
+  if (result->kind == ValueKind::Standard) result->kind = ValueKind::Shift;
+  return result;
+}
+
+ValuePtr StandardAnalyzer::is_valid_bcd(const Expression& call, Values values, int) {
+  if (!values[0]->type->is_bits())
+    return wrong_operand(call, *values[0]->type, "it works on BYTE, WORD, DWORD and LWORD");
+  return make_standard(StandardFunction::IsValidBcd, a_.type_table().boolean(), std::move(values),
+                       call.where);
+}
+
+// The machine is little-endian, so TO_LITTLE_ENDIAN changes nothing.
+ValuePtr StandardAnalyzer::swap_bytes(const Expression& call, Values values, int which) {
+  values[0] = e_.settle(std::move(values[0]));
+  if (!values[0]) return nullptr;
+  const Type* type = values[0]->type;
+  const bool has_bytes = type->is_integer() || type->is_bits() || type->is_time();
+  if (!has_bytes || type->is_real())
+    return wrong_operand(call, *type, "it works on integers, bit strings and TIME");
+  if (which == 0 || type->size == 1) return std::move(values[0]);
+  return make_standard(StandardFunction::SwapBytes, type, std::move(values), call.where);
+}
+
+}  // namespace stepwright::semantics::internal

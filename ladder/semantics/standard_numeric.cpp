@@ -1,0 +1,137 @@
+// Numeric functions (IEC 61131-3, 6.6.2.5.6, tables 28 and 29), EXPT and the validity of reals (table 39).
+
+#include <algorithm>
+#include <utility>
+
+#include "ladder/semantics/internal/standard_analyzer.h"
+
+namespace stepwright::semantics::internal {
+
+using syntax::Expression;
+
+namespace {
+
+constexpr int id(StandardFunction function) {
+  return static_cast<int>(function);
+}
+
+}  // namespace
+
+std::span<const StandardAnalyzer::Entry> StandardAnalyzer::numeric_entries() {
+  using enum StandardFunction;
+  using S = StandardAnalyzer;
+  static constexpr Entry kEntries[] = {
+      {"ABS", "IN", 1, &S::numeric, id(Abs), 0, 1},
+      {"SQRT", "IN", 1, &S::real_function, id(Sqrt), 0, 1},
+      {"LN", "IN", 1, &S::real_function, id(Ln), 0, 1},
+      {"LOG", "IN", 1, &S::real_function, id(Log), 0, 1},
+      {"EXP", "IN", 1, &S::real_function, id(Exp), 0, 1},
+      {"SIN", "IN", 1, &S::real_function, id(Sin), 0, 1},
+      {"COS", "IN", 1, &S::real_function, id(Cos), 0, 1},
+      {"TAN", "IN", 1, &S::real_function, id(Tan), 0, 1},
+      {"ASIN", "IN", 1, &S::real_function, id(Asin), 0, 1},
+      {"ACOS", "IN", 1, &S::real_function, id(Acos), 0, 1},
+      {"ATAN", "IN", 1, &S::real_function, id(Atan), 0, 1},
+      {"ATAN2", "Y X", 2, &S::real_function, id(Atan2), 0, 2},
+      {"EXPT", "IN1 IN2", 2, &S::power, 0, 0, 1},
+      {"TRUNC", "IN", 1, &S::truncate, 0, 0, 0},
+      {"IS_VALID", "IN", 1, &S::is_valid, 0, 0, 1},
+  };
+  return kEntries;
+}
+
+ValuePtr StandardAnalyzer::numeric(const Expression& call, Values values, int which) {
+  const Type* type = values[0]->type;
+  if (!type->is_number()) return wrong_operand(call, *type);
+  return make_standard(static_cast<StandardFunction>(which), type, std::move(values), call.where);
+}
+
+// A function of literals that has no value was not folded.
+ValuePtr StandardAnalyzer::defined(ValuePtr result, Position where) {
+  if (!result->type->is_literal() || result->kind == ValueKind::Constant) return result;
+  a_.error(code::kOutOfRange, where, "the function is not defined for this number");
+  return nullptr;
+}
+
+// An integer is converted to the narrowest real type that holds all of its values.
+ValuePtr ExpressionAnalyzer::as_real(ValuePtr value) {
+  value = settle(std::move(value));
+  if (!value || value->type->is_real()) return value;
+  const TypeTable& types = a_.type_table();
+  const Type* real = types.elementary(ElementaryType::Real);
+  if (!widens(*value->type, *real)) real = types.elementary(ElementaryType::Lreal);
+  return convert_exactly(std::move(value), real);
+}
+
+// Literals are computed without a type, in double: 4.0 * ATAN(1.0) is as near to pi as an LREAL comes.
+bool StandardAnalyzer::as_reals(const Expression& call, Values& values) {
+  const bool literals = std::ranges::all_of(values, [](const ValuePtr& each) {
+    return each->type->is_literal() && each->kind == ValueKind::Constant;
+  });
+  const Type* type = literals ? a_.type_table().any_real() : nullptr;
+  for (ValuePtr& each : values) {
+    if (!each->type->is_number()) {
+      wrong_operand(call, *each->type);
+      return false;
+    }
+    if (literals) {
+      each = e_.convert(std::move(each), type, call.where);
+    } else if (!each->type->is_literal()) {
+      each = e_.as_real(std::move(each));
+    }
+  }
+  if (literals) return true;
+  if (unify(values, 0, call.where) == nullptr) return false;
+  for (ValuePtr& each : values) each = e_.as_real(std::move(each));
+  return true;
+}
+
+ValuePtr StandardAnalyzer::real_function(const Expression& call, Values values, int which) {
+  if (!as_reals(call, values)) return nullptr;
+  const Type* type = values[0]->type;
+  const Position where = values[0]->where;
+  ValuePtr result = make_standard(static_cast<StandardFunction>(which), type, std::move(values), call.where);
+  return defined(std::move(result), where);
+}
+
+ValuePtr StandardAnalyzer::power(const Expression& call, Values values, int) {
+  return e_.power(std::move(values[0]), std::move(values[1]), call.where);
+}
+
+// REAL ** number is REAL, all else is computed as LREAL: an integer power is exact up to 2^53.
+ValuePtr ExpressionAnalyzer::power(ValuePtr base, ValuePtr exponent, Position where) {
+  const Type& b = *base->type;
+  const Type& e = *exponent->type;
+  if (!b.is_number() || !e.is_number()) return bad_operands(syntax::Operator::Power, *base, *exponent, where);
+  const TypeTable& types = a_.type_table();
+  const bool literals = b.is_literal() && e.is_literal() && base->kind == ValueKind::Constant &&
+                        exponent->kind == ValueKind::Constant;
+  const bool single =
+      (b.is(ElementaryType::Real) || b.kind == TypeKind::AnyReal) && !e.is(ElementaryType::Lreal);
+  const Type* type =
+      literals ? types.any_real() : types.elementary(single ? ElementaryType::Real : ElementaryType::Lreal);
+  std::vector<ValuePtr> operands;
+  operands.push_back(std::move(base));
+  operands.push_back(std::move(exponent));
+  for (ValuePtr& each : operands) {
+    each = each->type->is_literal() ? convert(std::move(each), type, where)
+                                    : convert_exactly(std::move(each), type);
+    if (!each) return nullptr;
+  }
+  StandardAnalyzer standard(a_, *this);
+  return standard.defined(standard.make_standard(StandardFunction::Power, type, std::move(operands), where),
+                          where);
+}
+
+ValuePtr StandardAnalyzer::truncate(const Expression& call, Values values, int) {
+  return e_.truncated(std::move(values[0]), a_.type_table().elementary(ElementaryType::Dint), call);
+}
+
+ValuePtr StandardAnalyzer::is_valid(const Expression& call, Values values, int) {
+  values[0] = e_.settle(std::move(values[0]));
+  if (!values[0]) return nullptr;
+  if (!values[0]->type->is_real()) return wrong_operand(call, *values[0]->type, "it tells NaN and infinity");
+  return make_standard(StandardFunction::IsValid, a_.type_table().boolean(), std::move(values), call.where);
+}
+
+}  // namespace stepwright::semantics::internal

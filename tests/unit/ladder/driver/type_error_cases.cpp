@@ -1,0 +1,78 @@
+#include "tests/unit/ladder/driver/error_case.h"
+
+namespace stepwright::driver_test {
+
+namespace {
+
+// The body of a program with types of edition 3.
+#define TYPES(statements)                                                                                    \
+  "TYPE Light : (Red, Green); Shade : (Blue, Red); Node : STRUCT v : INT; END_STRUCT; END_TYPE\n"            \
+  "PROGRAM main\nVAR l : Light; s : Shade; p : INT(0..9); i : INT; r : REF_TO INT; rb : REF_TO BOOL; "       \
+  "w : WORD; n, m : Node; q AT %QX0.0 : BOOL; a : ARRAY[1..3] OF INT; c : REF_TO Node; END_VAR\n" statements \
+  "\nEND_PROGRAM\n"
+
+constexpr ErrorCase kCases[] = {
+    {"BadDate", "E0103", 3, 6, BODY("i := D#2026-02-30;"), "D#"},
+    {"BadTimeOfDay", "E0103", 3, 6, BODY("i := TOD#24:00:00;"), "TOD#"},
+    {"BadEscape", "E0103", 3, 9, BODY("i := 'ab$Zc';"), "$$"},
+    {"WideCharacter", "E0103", 3, 7, BODY("i := '\xE2\x82\xAC';"), "beyond 255"},
+    {"EnumerationOutOfBase", "E0304", 1, 27,
+     "TYPE T : USINT (A := 255, B, C); END_TYPE\nPROGRAM main\nEND_PROGRAM"},
+    {"EnumerationOfReal", "E0301", 1, 10, "TYPE T : REAL (A, B); END_TYPE\nPROGRAM main\nEND_PROGRAM"},
+    {"EnumerationMixed", "E0302", 4, 18, TYPES("IF l = Red AND l <> s THEN i := 1; END_IF;")},
+    {"EnumerationOrder", "E0302", 4, 6, TYPES("IF l < Green THEN i := 1; END_IF;")},
+    {"EnumerationAmbiguous", "E0201", 4, 6, TYPES("CASE Red OF Red: i := 1; END_CASE;"), "Type#RED"},
+    {"EnumerationForeign", "E0204", 4, 12, TYPES("l := Light#Blue;")},
+    {"SubrangeConstant", "E0304", 4, 6, TYPES("p := 10;"), "0 to 9"},
+    {"SubrangeEmpty", "E0304", 2, 13, "PROGRAM main\nVAR x : INT(5..4); END_VAR\nEND_PROGRAM"},
+    {"SubrangeOfReal", "E0301", 2, 9, "PROGRAM main\nVAR x : REAL(1..2); END_VAR\nEND_PROGRAM"},
+    {"SubrangeInitial", "E0304", 2, 22, "PROGRAM main\nVAR x : INT(0..4) := 5; END_VAR\nEND_PROGRAM"},
+    {"ReferenceToOther", "E0301", 4, 7, TYPES("rb := REF(i);")},
+    {"ReferenceNotFollowed", "E0301", 4, 6, TYPES("r := i;")},
+    {"ReferenceMember", "E0204", 4, 8, TYPES("i := c.v;"), "^.v"},
+    {"FollowNoReference", "E0301", 4, 6, TYPES("i := i^;"), "REF_TO"},
+    {"ReferenceArithmetic", "E0302", 4, 8, TYPES("r := r + 1;")},
+    {"ReferenceToBit", "E0409", 4, 11, TYPES("rb := REF(q);")},
+    {"ReferenceToConstant", "E0401", 3, 10,
+     "PROGRAM main\nVAR CONSTANT c : INT := 1; END_VAR VAR r : REF_TO INT; END_VAR\nr := "
+     "REF(c);\nEND_PROGRAM"},
+    {"ReferenceToTemporary", "E0412", 3, 10,
+     "PROGRAM main\nVAR_TEMP t : INT; END_VAR VAR r : REF_TO INT; END_VAR\nr := REF(t);\nEND_PROGRAM",
+     "VAR_TEMP"},
+    {"ReferenceToLocal", "E0412", 3, 10,
+     "FUNCTION f : BOOL\nVAR a : ARRAY[1..2] OF INT; r : REF_TO INT; END_VAR\nr := "
+     "REF(a[1]);\nEND_FUNCTION\nPROGRAM "
+     "main\nEND_PROGRAM"},
+    {"AttemptNoReference", "E0301", 4, 6, TYPES("r ?= i;"), ":="},
+    {"StructureEquality", "E0302", 4, 6, TYPES("IF n = m THEN i := 1; END_IF;")},
+    {"PartOfInteger", "E0409", 4, 6, TYPES("i := INT_TO_WORD(i).%X1;")},
+    {"PartOfNumber", "E0302", 4, 4, TYPES("IF i.%X1 THEN i := 1; END_IF;"), "INT_TO_WORD"},
+    {"PartOutside", "E0308", 4, 1, TYPES("w.%X16 := TRUE;"), "0 to 15"},
+    {"PartTooLarge", "E0308", 4, 1, TYPES("w.%D0 := 1;")},
+    {"OpenArrayVariable", "E0208", 2, 9, "PROGRAM main\nVAR x : ARRAY[*] OF INT; END_VAR\nEND_PROGRAM",
+     "bounds"},
+    {"OpenArrayMixed", "E0306", 2, 24,
+     "FUNCTION f : INT\nVAR_INPUT x : ARRAY[*, 1..2] OF INT; END_VAR\nEND_FUNCTION\nPROGRAM "
+     "main\nEND_PROGRAM"},
+    {"BoundOfScalar", "E0301", 4, 18, TYPES("i := LOWER_BOUND(i, 1);")},
+    {"BoundOfDimension", "E0307", 4, 21, TYPES("i := LOWER_BOUND(a, 2);")},
+    {"EdgeOfInteger", "E0208", 2, 11,
+     "FUNCTION_BLOCK f\nVAR_INPUT x : INT R_EDGE; END_VAR\nEND_FUNCTION_BLOCK\nPROGRAM main\nEND_PROGRAM"},
+    {"EdgeOfLocal", "E0208", 2, 5, "PROGRAM main\nVAR x : BOOL F_EDGE; END_VAR\nEND_PROGRAM"},
+    {"RetainedTemporary", "E0208", 2, 17, "PROGRAM main\nVAR_TEMP RETAIN x : BOOL; END_VAR\nEND_PROGRAM"},
+    {"AddressInStructure", "E0504", 1, 22,
+     "TYPE T : STRUCT x AT %MW0 : INT; END_STRUCT END_TYPE\nPROGRAM main\nEND_PROGRAM"},
+    {"NothingAsValue", "E0410", 3, 6,
+     "FUNCTION f VAR_INPUT x : INT; END_VAR END_FUNCTION\nPROGRAM main VAR i : INT; END_VAR\ni := "
+     "f(1);\nEND_PROGRAM",
+     "=>"},
+    {"EnableNotBool", "E0301", 3, 13, BODY("t(IN:=b,EN:=i);"), "INT_TO_BOOL"},
+};
+
+}  // namespace
+
+std::span<const ErrorCase> type_error_cases() {
+  return kCases;
+}
+
+}  // namespace stepwright::driver_test

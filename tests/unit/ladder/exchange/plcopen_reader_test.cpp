@@ -1,0 +1,161 @@
+#include "ladder/exchange/plcopen_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <stdexcept>
+
+#include "ladder/exchange/plcopen_writer.h"
+#include "tests/support/compiled_program.h"
+#include "tests/unit/ladder/exchange/plcopen_samples.h"
+
+namespace stepwright::exchange {
+namespace {
+
+using ::testing::HasSubstr;
+
+graphic::Project read(const std::string& xml) {
+  auto project = read_plcopen("plc.xml", xml);
+  if (!project) throw std::runtime_error(result::to_string(project.error()));
+  return std::move(*project);
+}
+
+driver::CompileInput input_of(const graphic::Project& project) {
+  driver::CompileInput input;
+  input.projects = {&project};
+  return input;
+}
+
+// Runs `scans` scans: sets inputs before, then notes the values of `outputs`.
+class Running {
+ public:
+  explicit Running(const std::string& xml) : project_(read(xml)), program_(input_of(project_)) {}
+
+  std::string scan(const std::string& inputs, const std::string& outputs) {
+    std::istringstream in(inputs);
+    for (std::string name; in >> name;)
+      program_.set("run." + name.substr(name[0] == '!' ? 1 : 0), name[0] == '!' ? 0 : 1);
+    EXPECT_FALSE(program_.scan().trap);
+    std::istringstream out(outputs);
+    std::string values;
+    for (std::string name; out >> name;)
+      values += (values.empty() ? "" : " ") + std::to_string(program_.get("run." + name));
+    return values;
+  }
+
+ private:
+  graphic::Project project_;
+  support::CompiledProgram program_;
+};
+
+TEST(PlcopenReader, WhenLadderOfAnEditorRuns_ThenRungsTimersAndConnectorsWork) {
+  Running run(editor_ladder());
+  EXPECT_EQ(run.scan("start", "lamp late pulse"), "1 0 0");
+  EXPECT_EQ(run.scan("!start armed", "lamp late pulse"), "1 0 0");
+  EXPECT_EQ(run.scan("!armed", "lamp late pulse"), "1 0 0");
+  EXPECT_EQ(run.scan("armed", "lamp late pulse"), "1 1 1");
+  EXPECT_EQ(run.scan("armed", "lamp late pulse"), "1 1 0");
+  EXPECT_EQ(run.scan("stop", "lamp late pulse"), "0 1 0");
+}
+
+TEST(PlcopenReader, WhenBlocksFeedBack_ThenTheVariableCarriesTheValue) {
+  Running run(editor_blocks());
+  EXPECT_EQ(run.scan("up", "count full"), "2 0");
+  EXPECT_EQ(run.scan("!up", "count full"), "2 0");
+  EXPECT_EQ(run.scan("up", "count full"), "4 0");
+  EXPECT_EQ(run.scan("up", "count full"), "6 1");
+}
+
+TEST(PlcopenReader, WhenChartOfAnEditorRuns_ThenBranchesActionsAndDrawnConditionsWork) {
+  Running run(editor_chart());
+  const std::string outputs = "left_on lefts noted slow";
+  EXPECT_EQ(run.scan("", outputs), "0 0 0 0");
+  EXPECT_EQ(run.scan("go west", outputs), "1 1 0 0");  // both conditions hold: the left branch goes first
+  EXPECT_EQ(run.scan("!west", outputs), "1 1 0 0");
+  EXPECT_EQ(run.scan("done", outputs), "0 1 0 0");
+  EXPECT_EQ(run.scan("!go", outputs), "0 1 0 0");
+  EXPECT_EQ(run.scan("go", outputs), "0 1 1 0");
+  EXPECT_EQ(run.scan("", outputs), "0 1 1 0");
+  EXPECT_EQ(run.scan("", outputs), "0 1 1 1");
+}
+
+// The instructions of a project's container: its source map names the lines of the file.
+std::string code_of(const graphic::Project& project) {
+  const support::CompiledProgram program(input_of(project));
+  const auto code = program.loaded().program().container().section(bytecode::Section::Code);
+  return {reinterpret_cast<const char*>(code.data()), code.size()};
+}
+
+class RoundTrip : public testing::TestWithParam<std::string (*)()> {};
+
+TEST_P(RoundTrip, WhenWrittenReadAndWritten_ThenTheBytesAreEqual) {
+  const auto first = write_plcopen(read(GetParam()()));
+  ASSERT_TRUE(first) << result::to_string(first.error());
+  const auto second = write_plcopen(read(*first));
+  ASSERT_TRUE(second);
+  EXPECT_EQ(*first, *second);
+}
+
+TEST_P(RoundTrip, WhenWrittenAndRead_ThenTheProgramIsTheSame) {
+  const graphic::Project original = read(GetParam()());
+  const graphic::Project copy = read(*write_plcopen(original));
+  EXPECT_EQ(code_of(original), code_of(copy));
+}
+
+INSTANTIATE_TEST_SUITE_P(Projects, RoundTrip, testing::Values(editor_ladder, editor_blocks, editor_chart));
+
+struct BadCase {
+  const char* name;
+  std::string text;
+  const char* code;
+  const char* message;
+  std::uint32_t line;
+};
+
+class BadFile : public testing::TestWithParam<BadCase> {};
+
+TEST_P(BadFile, WhenRead_ThenTheMistakeIsLocated) {
+  const auto project = read_plcopen("plc.xml", GetParam().text);
+  ASSERT_FALSE(project);
+  const result::Diagnostic& first = project.error().front();
+  EXPECT_EQ(first.code, GetParam().code);
+  EXPECT_THAT(first.message, HasSubstr(GetParam().message));
+  EXPECT_EQ(first.where.file, "plc.xml");
+  EXPECT_EQ(first.where.line, GetParam().line) << first.message;
+}
+
+std::string deep(int levels) {
+  std::string text = "<project>\n";
+  for (int i = 0; i < levels; ++i) text += "<a>";
+  for (int i = 0; i < levels; ++i) text += "</a>";
+  return text + "</project>";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, BadFile,
+    testing::Values(
+        BadCase{"Empty", "", "E0801", "no well-formed XML", 1},
+        BadCase{"CutOff", "<project>\n<types>", "E0801", "no well-formed XML", 2},
+        BadCase{"Entities", "<!DOCTYPE p [<!ENTITY a \"b\">]>\n<project/>", "E0801", "document types", 1},
+        BadCase{"Utf16", "\xFF\xFE<", "E0801", "not UTF-8", 1},
+        BadCase{"Deep", deep(1000), "E0801", "nested too deeply", 2},
+        BadCase{"NoProject", "\n<plan/>", "E0802", "no PLCopen project", 2},
+        BadCase{"NoTypes", "<project/>", "E0802", "<types> is missing", 1},
+        BadCase{"PouKind", editor_project("<pou name=\"a\" pouType=\"class\"><body><ST/></body></pou>"),
+                "E0802", "no kind of POU 'class'", 21},
+        BadCase{"NoName", editor_project("\n<pou pouType=\"program\"><body><ST/></body></pou>"), "E0802",
+                "no attribute 'name'", 22},
+        BadCase{"NoLanguage", editor_project("<pou name=\"a\" pouType=\"program\"><body/></pou>"), "E0802",
+                "in no language", 21},
+        BadCase{
+            "NoNumber",
+            editor_project(editor_program(bools("a"),
+                                          "<LD>\n<coil localId=\"x\"><variable>a</variable></coil></LD>")),
+            "E0802", "localId=\"x\" is no number", 33},
+        BadCase{"Unknown", editor_project(editor_program(bools("a"), "<LD>\n<relay localId=\"1\"/></LD>")),
+                "E0802", "<relay> is no element", 33}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+}  // namespace
+}  // namespace stepwright::exchange
