@@ -19,6 +19,7 @@ void ExpressionEmitter::value(const Value& value, Width width) {
     case ValueKind::Constant:
       return constant(value.constant, *value.type);
     case ValueKind::Load:
+      if (!value.place.steps.empty()) locate(value.where);
       return value.place.type->is_scalar() ? load(value.place) : reference(value.place);
     case ValueKind::Reference:
       return reference(value.place);
@@ -28,9 +29,11 @@ void ExpressionEmitter::value(const Value& value, Width width) {
       return binary(value, width);
     case ValueKind::Convert:
       this->value(*value.operands[0]);
+      if (value.operands[0]->type->is_real()) locate(value.where);
       return convert(*value.operands[0]->type, *value.type);
     case ValueKind::Truncate:
       this->value(*value.operands[0]);
+      locate(value.where);
       return b_.to_int(
           machine_type(*value.operands[0]->type) == Machine::F32 ? Opcode::TruncF32 : Opcode::TruncF64,
           int_type(*value.type));
@@ -103,6 +106,7 @@ void ExpressionEmitter::copies_after(const std::vector<semantics::CopyAfter>& co
 void ExpressionEmitter::call(const Value& value) {
   copies_before(value.before);
   for (const auto& each : value.operands) this->value(*each);
+  locate(value.where);
   b_.call(layout_.functions.at(value.pou));
   copies_after(value.after);
   const bool in_memory = !value.type->is_scalar() && value.type->kind != semantics::TypeKind::Nothing;
@@ -139,6 +143,7 @@ void ExpressionEmitter::enabled(const Value& value) {
 
 void ExpressionEmitter::check(const Value& value) {
   this->value(*value.operands[0]);
+  locate(value.where);
   const semantics::IntegerRange& range = value.type->range;
   switch (machine_type(*value.type)) {
     case Machine::U64:
@@ -232,6 +237,7 @@ void ExpressionEmitter::binary(const Value& value, Width width) {
   this->value(*value.operands[0], inner);
   for (std::size_t i = 1; i < value.operands.size(); ++i) {
     this->value(*value.operands[i], inner);
+    if (divides || value.op == Operator::Modulo) locate(value.operands[i]->where);
     operation(value.op, operands);
     // A quotient is an operand of the next division: it must be exact (-128 / -1 is not).
     if (divides && i + 1 < value.operands.size()) wrap(operands);

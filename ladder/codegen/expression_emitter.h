@@ -9,10 +9,25 @@
 #include <unordered_map>
 
 #include "ladder/semantics/model.h"
+#include "ladder/source/source_set.h"
 #include "runtime/bytecode/trap.h"
 #include "runtime/bytecode/writer/function_builder.h"
 
 namespace stepwright::codegen {
+
+// Source files in the order in which code first comes from them.
+class FileTable {
+ public:
+  explicit FileTable(const source::SourceSet& sources) : sources_(sources) {}
+
+  std::uint32_t index_of(source::FileId file);
+  const source::SourceSet& sources() const { return sources_; }
+  const std::vector<source::FileId>& files() const { return files_; }
+
+ private:
+  const source::SourceSet& sources_;
+  std::vector<source::FileId> files_;
+};
 
 // What all functions of a program share.
 struct ProgramLayout {
@@ -24,8 +39,11 @@ enum class Width : std::uint8_t { Exact, Any };
 
 class ExpressionEmitter {
  public:
-  ExpressionEmitter(const ProgramLayout& layout, writer::FunctionBuilder& builder)
-      : layout_(layout), b_(builder) {}
+  ExpressionEmitter(const ProgramLayout& layout, FileTable& files, writer::FunctionBuilder& builder)
+      : layout_(layout), files_(files), b_(builder) {}
+
+  // What follows comes from here.
+  void line(source::Position where);
 
   void value(const semantics::Value& value, Width width = Width::Exact);
   void constant(const semantics::Constant& constant, const semantics::Type& type);
@@ -71,6 +89,8 @@ class ExpressionEmitter {
   void merge_bit(std::uint8_t bit);
   void merge_part(const semantics::Place& place);
 
+  // Before an instruction that may trap: an expression may go over several lines.
+  void locate(source::Position where);
   void call(const semantics::Value& value);
   void enabled(const semantics::Value& value);
   void check(const semantics::Value& value);
@@ -101,6 +121,8 @@ class ExpressionEmitter {
   void multiplex(const semantics::Value& value);
 
   const ProgramLayout& layout_;
+  FileTable& files_;
+  source::Position here_;  // what was marked last
   writer::FunctionBuilder& b_;
 };
 

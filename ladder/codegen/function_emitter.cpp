@@ -31,20 +31,10 @@ bytecode::FunctionKind kind_of(semantics::PouKind kind) {
 
 }  // namespace
 
-std::uint32_t FileTable::index_of(source::FileId file) {
-  const auto known = std::find(files_.begin(), files_.end(), file);
-  if (known == files_.end()) {
-    files_.push_back(file);
-    return static_cast<std::uint32_t>(files_.size() - 1);
-  }
-  return static_cast<std::uint32_t>(known - files_.begin());
-}
-
 FunctionEmitter::FunctionEmitter(const ProgramLayout& layout, FileTable& files, const semantics::Pou& pou)
     : pou_(pou),
-      files_(files),
       b_(pou.spelling, kind_of(pou.kind), pou.type != nullptr ? pou.type->size : 0),
-      e_(layout, b_) {
+      e_(layout, files, b_) {
   for (std::size_t i = 0; i < pou.slots.size(); ++i) {
     if (i < pou.parameter_count) {
       b_.add_param(pou.slots[i]);
@@ -61,14 +51,9 @@ FunctionEmitter::FunctionEmitter(const ProgramLayout& layout, FileTable& files, 
 writer::Function FunctionEmitter::run() && {
   block(pou_.entry);
   block(pou_.body);
-  line(pou_.end);
+  e_.line(pou_.end);
   leave();
   return std::move(b_).take();
-}
-
-void FunctionEmitter::line(source::Position where) {
-  const result::Location place = files_.sources().location(where);
-  b_.line(files_.index_of(where.file), place.line, place.column);
 }
 
 void FunctionEmitter::leave() {
@@ -81,7 +66,7 @@ void FunctionEmitter::block(const semantics::Block& statements) {
 }
 
 void FunctionEmitter::statement(const Statement& statement) {
-  line(statement.where);
+  e_.line(statement.where);
   switch (statement.kind) {
     case StatementKind::Assign:
       if (statement.initial) return e_.copy_bytes(statement.target, *statement.value);
@@ -117,6 +102,7 @@ void FunctionEmitter::statement(const Statement& statement) {
 
 void FunctionEmitter::instance(const Statement& statement) {
   e_.copies_before(statement.before);
+  if (statement.passes_only) return e_.copies_after(statement.after);
   const semantics::Place& target = statement.target;
   const std::uint32_t function = e_.function_of(*target.type->pou);
   if (!target.is_direct()) {
@@ -139,7 +125,7 @@ void FunctionEmitter::branches(const Statement& statement) {
       break;
     }
     const Label next = b_.new_label();
-    line(each.condition->where);
+    e_.line(each.condition->where);
     e_.value(*each.condition);
     b_.jump_if_false(next);
     block(each.body);
@@ -212,7 +198,7 @@ void FunctionEmitter::repeat_loop(const Statement& statement) {
   b_.bind(start);
   body(statement, loop);
   b_.bind(loop.next);
-  line(statement.value->where);
+  e_.line(statement.value->where);
   e_.value(*statement.value);
   b_.jump_if_false(start);
   b_.bind(loop.exit);
@@ -250,7 +236,7 @@ void FunctionEmitter::count_by_constant(const Statement& statement) {
   b_.bind(start);
   body(statement, loop);
   b_.bind(loop.next);
-  line(statement.where);
+  e_.line(statement.where);
   push_last(statement, limit);
   e_.store(statement.target, [&](Width width) {
     e_.load(statement.target);
@@ -317,7 +303,7 @@ void FunctionEmitter::count_by_value(const Statement& statement) {
   b_.bind(start);
   body(statement, loop);
   b_.bind(loop.next);
-  line(statement.where);
+  e_.line(statement.where);
   within(true);
   advance(statement, step);
   b_.jump_if_true(start);

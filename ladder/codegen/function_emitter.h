@@ -5,23 +5,8 @@
 #include <vector>
 
 #include "ladder/codegen/expression_emitter.h"
-#include "ladder/source/source_set.h"
 
 namespace stepwright::codegen {
-
-// Source files in the order in which code first comes from them.
-class FileTable {
- public:
-  explicit FileTable(const source::SourceSet& sources) : sources_(sources) {}
-
-  std::uint32_t index_of(source::FileId file);
-  const source::SourceSet& sources() const { return sources_; }
-  const std::vector<source::FileId>& files() const { return files_; }
-
- private:
-  const source::SourceSet& sources_;
-  std::vector<source::FileId> files_;
-};
 
 class FunctionEmitter {
  public:
@@ -53,10 +38,8 @@ class FunctionEmitter {
   void body(const semantics::Statement& statement, Loop loop);
   void leave();
   bool has_slot_result() const { return pou_.result != nullptr && pou_.result->is_scalar(); }
-  void line(source::Position where);
 
   const semantics::Pou& pou_;
-  FileTable& files_;
   writer::FunctionBuilder b_;
   ExpressionEmitter e_;
   std::vector<Loop> loops_;

@@ -24,7 +24,7 @@ void reach(const Pou& pou, std::unordered_set<const Pou*>& reached) {
 std::vector<const Pou*> functions_of(const Model& model) {
   std::unordered_set<const Pou*> reached;
   for (const semantics::Task& task : model.tasks)
-    for (const semantics::ProgramInstance& each : task.programs) reach(*each.program, reached);
+    for (const semantics::TaskCall& each : task.calls) reach(*each.pou, reached);
   std::vector<const Pou*> functions;
   for (const auto& pou : model.pous)
     if (reached.count(pou.get()) != 0) functions.push_back(pou.get());
@@ -50,15 +50,17 @@ void add_memory(const Model& model, writer::ContainerModel& out) {
     out.initial_data.insert(out.initial_data.end(), area.begin(), area.end());
 }
 
-void add_tasks(const Model& model, const ProgramLayout& layout, writer::ContainerModel& out) {
+void add_tasks(const Model& model, const ProgramLayout& layout, SymbolTable& symbols,
+               writer::ContainerModel& out) {
   for (const semantics::Task& task : model.tasks) {
     writer::Task each;
     each.name = task.name;
     each.interval_us = task.interval_us;
     each.priority = task.priority;
-    for (const semantics::ProgramInstance& instance : task.programs)
-      each.calls.push_back({instance.name, layout.functions.at(instance.program),
-                            layout.bases[static_cast<std::size_t>(Base::Data)] + instance.offset});
+    if (task.trigger) each.trigger = symbols.trigger(*task.trigger);
+    for (const semantics::TaskCall& call : task.calls)
+      each.calls.push_back({call.name, layout.functions.at(call.pou),
+                            layout.bases[static_cast<std::size_t>(Base::Data)] + call.offset});
     out.tasks.push_back(std::move(each));
   }
 }
@@ -76,10 +78,10 @@ result::Result<std::vector<std::byte>> generate(const Model& model, const std::v
   for (const source::FileId file : files.files()) out.source_files.push_back(sources.name(file));
   SymbolTable symbols(model, layout, out);
   symbols.globals();
-  for (const semantics::Task& task : model.tasks)
-    for (const semantics::ProgramInstance& instance : task.programs) symbols.instance(instance, charts);
+  symbols.configured();
+  for (const semantics::ProgramInstance& each : model.instances) symbols.instance(each, charts);
+  add_tasks(model, layout, symbols, out);
   symbols.finish();
-  add_tasks(model, layout, out);
   return writer::write_container(out);
 }
 

@@ -10,6 +10,7 @@ namespace stepwright::codegen {
 using bytecode::SymbolSection;
 using semantics::Base;
 using semantics::Pou;
+using semantics::Retention;
 using semantics::Type;
 using semantics::TypeKind;
 using semantics::Variable;
@@ -22,6 +23,18 @@ std::uint16_t flags_of(const Variable& variable) {
   if (variable.address) flags |= bytecode::kSymbolLocated;
   if (variable.constant) flags |= bytecode::kSymbolConstant;
   return flags;
+}
+
+// Lies in the instance of its POU, with a value of its own.
+bool is_member(const Variable& variable) {
+  return variable.place.base == Base::This && variable.section != semantics::Section::External;
+}
+
+bool holds_blocks(const Type& type) {
+  if (type.kind == TypeKind::Array) return holds_blocks(*type.element);
+  if (type.kind == TypeKind::Instance) return true;
+  return std::any_of(type.fields.begin(), type.fields.end(),
+                     [](const semantics::Field& each) { return holds_blocks(*each.type); });
 }
 
 const Variable* find(const Pou& pou, const std::string& name) {
@@ -118,7 +131,8 @@ std::uint32_t SymbolTable::member_type(const Type& type) {
     out.members.push_back({each.spelling, this->type(*each.type), each.offset});
   if (type.pou != nullptr) {
     for (const Variable& each : type.pou->variables)
-      if (each.place.base == Base::This && each.section != semantics::Section::External)
+      // VAR_CONFIG gives an open address a symbol of its own.
+      if (is_member(each) && !each.open_address)
         out.members.push_back({each.spelling, this->type(*each.type), each.place.offset});
   }
   return add(std::move(out));
@@ -133,13 +147,57 @@ void SymbolTable::variable(const Variable& variable, const std::string& path, Sy
   symbol.section = section;
   symbol.flags = flags_of(variable);
   if (variable.address) symbol.direct_address = syntax::to_string(*variable.address);
-  if (variable.retain && variable.place.base != Base::Input)
-    out_.retain.push_back({symbol.address, variable.type->size});
+  if (variable.place.base != Base::Input) retain(variable, symbol.address, Retention::Unsaid);
   out_.symbols.push_back(std::move(symbol));
 }
 
 void SymbolTable::globals() {
   for (const Variable& each : model_.globals) variable(each, each.spelling, SymbolSection::Global);
+}
+
+void SymbolTable::configured() {
+  for (const Variable& each : model_.configured) variable(each, each.spelling, SymbolSection::Local);
+}
+
+std::uint32_t SymbolTable::trigger(const semantics::Trigger& trigger) {
+  writer::Symbol symbol;
+  symbol.name = trigger.name;
+  symbol.type = type(*trigger.place.type);
+  symbol.address = layout_.bases[static_cast<std::size_t>(trigger.place.base)] + trigger.place.offset;
+  symbol.bit = trigger.place.bit;
+  symbol.section = SymbolSection::Global;
+  for (std::size_t i = 0; i < out_.symbols.size(); ++i) {
+    const writer::Symbol& known = out_.symbols[i];
+    if (known.type == symbol.type && known.address == symbol.address && known.bit == symbol.bit)
+      return static_cast<std::uint32_t>(i);
+  }
+  out_.symbols.push_back(std::move(symbol));
+  return static_cast<std::uint32_t>(out_.symbols.size() - 1);
+}
+
+// A word of the variable itself counts more than that of the block or program around it (6.5.6.1).
+void SymbolTable::retain(const Variable& variable, std::uint32_t address, Retention retention) {
+  if (variable.retain) retention = Retention::Kept;
+  if (variable.non_retain) retention = Retention::Lost;
+  retain(*variable.type, address, retention);
+  // The memory of an edge lies behind its input.
+  if (retention == Retention::Kept && variable.edge != syntax::Edge::None)
+    out_.retain.push_back({address, 3u * variable.type->size});
+}
+
+void SymbolTable::retain(const Type& type, std::uint32_t address, Retention retention) {
+  if (!holds_blocks(type)) {
+    if (retention == Retention::Kept) out_.retain.push_back({address, type.size});
+    return;
+  }
+  if (type.kind == TypeKind::Array) {
+    for (std::uint32_t at = 0; at < type.size; at += type.element->size)
+      retain(*type.element, address + at, retention);
+  }
+  for (const semantics::Field& each : type.fields) retain(*each.type, address + each.offset, retention);
+  if (type.kind != TypeKind::Instance) return;
+  for (const Variable& each : type.pou->variables)
+    if (is_member(each)) retain(each, address + each.place.offset, retention);
 }
 
 void SymbolTable::instance(const semantics::ProgramInstance& instance,
@@ -155,6 +213,7 @@ void SymbolTable::instance(const semantics::ProgramInstance& instance,
     const bool located = each.address.has_value();
     if (located) variable(each, instance.name + "." + each.spelling, SymbolSection::Local);
   }
+  retain(*pou.type, address, instance.retention);
   walk(instance.name, pou, address, charts);
 }
 
@@ -163,8 +222,7 @@ void SymbolTable::walk(const std::string& path, const Pou& pou, std::uint32_t ad
   for (const ChartOrigin& each : charts)
     if (each.pou == &pou) chart(path, each, address);
   for (const Variable& each : pou.variables) {
-    if (each.place.base != Base::This || each.section == semantics::Section::External) continue;
-    if (each.retain) out_.retain.push_back({address + each.place.offset, each.type->size});
+    if (!is_member(each)) continue;
     if (each.type->kind == TypeKind::Instance)
       walk(path + "." + each.spelling, *each.type->pou, address + each.place.offset, charts);
   }

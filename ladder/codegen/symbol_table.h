@@ -18,6 +18,10 @@ class SymbolTable {
       : model_(model), layout_(layout), out_(out) {}
 
   void globals();
+  // What VAR_CONFIG gives an address.
+  void configured();
+  // The symbol of a trigger.
+  std::uint32_t trigger(const semantics::Trigger& trigger);
   // A program instance: itself, its located variables, what it retains, the charts in it.
   void instance(const semantics::ProgramInstance& instance, const std::vector<ChartOrigin>& charts);
   // Completes the types of references, joins neighbouring pieces of the retain map.
@@ -35,6 +39,8 @@ class SymbolTable {
                 bytecode::SymbolSection section);
   void walk(const std::string& path, const semantics::Pou& pou, std::uint32_t address,
             const std::vector<ChartOrigin>& charts);
+  void retain(const semantics::Variable& variable, std::uint32_t address, semantics::Retention retention);
+  void retain(const semantics::Type& type, std::uint32_t address, semantics::Retention retention);
   void chart(const std::string& path, const ChartOrigin& origin, std::uint32_t address);
 
   const semantics::Model& model_;

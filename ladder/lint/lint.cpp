@@ -12,7 +12,7 @@ void check(const semantics::Model& model, const syntax::Unit& unit, std::size_t 
   std::uint64_t writes = 0;
   for (std::size_t i = 0; i < user_pous; ++i) {
     internal::BodyWalker(uses, i, level, writes, sink).run();
-    internal::check_values(*model.pous[i], sink);
+    internal::check_values(*model.pous[i], level, sink);
   }
   const internal::Reached reached = internal::reached_of(model);
   internal::check_unused(uses, sink);

@@ -18,7 +18,8 @@ namespace stepwright::lint {
 enum class Level : std::uint8_t {
   None,     // no warnings at all
   Default,  // what is nearly always a mistake
-  All,      // and what is a matter of taste: unused POUs, names that hide others, empty bodies
+  All,      // and what is a matter of taste: unused POUs, names that hide others, empty bodies, REALs
+            // compared for equality
 };
 
 // Requires a model without errors that was made of `unit`. The first `user_pous` POUs are the user's.

@@ -87,8 +87,7 @@ void collect(const VariableUse& use, std::vector<Output>& out) {
 
 Reached reached_of(const semantics::Model& model) {
   Reached reached;
-  for (const semantics::Task& task : model.tasks)
-    for (const semantics::ProgramInstance& each : task.programs) reach(*each.program, each.name, reached);
+  for (const semantics::ProgramInstance& each : model.instances) reach(*each.program, each.name, reached);
   return reached;
 }
 

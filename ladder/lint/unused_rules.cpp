@@ -4,6 +4,7 @@
 
 #include "ladder/lint/internal/rules.h"
 #include "ladder/source/codes.h"
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::lint::internal {
 
@@ -58,6 +59,19 @@ void name_configuration(Uses& uses) {
   }
 }
 
+// An action's indicators are for people; to name one is to use it.
+void name_indicators(Uses& uses) {
+  for (std::size_t i = 0; i < uses.user_pous; ++i) {
+    const auto& chart = uses.model.pous[i]->declaration->chart;
+    if (!chart) continue;
+    for (const syntax::StepDeclaration& step : chart->steps)
+      for (const syntax::ActionUse& action : step.actions)
+        for (const syntax::TextSlice& each : action.indicators)
+          for (VariableUse& use : uses.of_pous[i])
+            use.named = use.named || naming::same_name(use.variable->spelling, each.text);
+  }
+}
+
 void check_variable(const VariableUse& use, const Pou& pou, source::DiagnosticSink& sink) {
   const semantics::Variable& variable = *use.variable;
   // The result of a function is a variable of its name; EN and ENO are there for the caller.
@@ -102,6 +116,7 @@ void check_value(const VariableUse& use, const Pou& pou, source::DiagnosticSink&
 
 void check_unused(Uses& uses, source::DiagnosticSink& sink) {
   name_configuration(uses);
+  name_indicators(uses);
   for (std::size_t i = 0; i < uses.user_pous; ++i)
     for (const VariableUse& each : uses.of_pous[i]) check_variable(each, *uses.model.pous[i], sink);
   for (const VariableUse& each : uses.of_globals) {

@@ -14,6 +14,7 @@ Uses::Uses(const semantics::Model& program, const syntax::Unit& declarations, st
   of_pous.resize(model.pous.size());
   for (std::size_t i = 0; i < model.pous.size(); ++i) {
     const Pou& pou = *model.pous[i];
+    if (pou.declaration == nullptr) continue;  // made by the analysis, to run a connected program
     pou_index.try_emplace(pou.name.value, i);
     for (const semantics::Variable& each : pou.variables) of_pous[i].push_back({.variable = &each});
     for (const syntax::VariableDeclaration& line : pou.declaration->variables) {

@@ -21,7 +21,8 @@ namespace {
 
 class ValueWalker {
  public:
-  ValueWalker(const semantics::Pou& pou, source::DiagnosticSink& sink) : pou_(pou), sink_(sink) {}
+  ValueWalker(const semantics::Pou& pou, Level level, source::DiagnosticSink& sink)
+      : pou_(pou), level_(level), sink_(sink) {}
 
   void block(const Block& list) {
     for (const Statement& each : list) statement(each);
@@ -69,7 +70,7 @@ class ValueWalker {
     if (left.type == nullptr || right.type == nullptr) return;
     const bool equality = each.op == Operator::Equal || each.op == Operator::NotEqual;
     // Zero is exact: "is there a divisor" is a question that has an answer.
-    if (equality && left.type->is_real() && !is_zero(left) && !is_zero(right))
+    if (level_ == Level::All && equality && left.type->is_real() && !is_zero(left) && !is_zero(right))
       sink_.warning(code::kRealEquality, each.where, "values of " + left.type->name + " are seldom equal",
                     "compare ABS(a - b) with what may differ");
     const bool always = each.op == Operator::GreaterEqual && is_zero(right);
@@ -106,13 +107,14 @@ class ValueWalker {
   }
 
   const semantics::Pou& pou_;
+  Level level_;
   source::DiagnosticSink& sink_;
 };
 
 }  // namespace
 
-void check_values(const semantics::Pou& pou, source::DiagnosticSink& sink) {
-  if (pou.declaration->origin != syntax::BodyOrigin::Ladder) ValueWalker(pou, sink).block(pou.body);
+void check_values(const semantics::Pou& pou, Level level, source::DiagnosticSink& sink) {
+  if (pou.declaration->origin != syntax::BodyOrigin::Ladder) ValueWalker(pou, level, sink).block(pou.body);
 }
 
 }  // namespace stepwright::lint::internal

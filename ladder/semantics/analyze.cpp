@@ -64,7 +64,7 @@ void check_recursion(Analysis& a) {
 std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, source::NameTable& names,
                                source::DiagnosticSink& sink) {
   auto model = std::make_unique<Model>();
-  Analysis a{*model, names, sink, {}, {}, {}, {}, {}};
+  Analysis a{*model, names, sink, {}, {}, {}, {}, {}, {}};
   register_pous(a, unit);
   TypeResolver types(a, unit);
   types.declare_all();
@@ -74,10 +74,12 @@ std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, 
     for (const syntax::Resource& resource : each.resources) declare_globals(a, types, resource.globals);
   }
   for (const auto& pou : model->pous) types.lay_out(*pou);
+  note_block_tasks(a, unit);
   for (const auto& pou : model->pous) StatementAnalyzer(a, *pou).body(pou->declaration->body);
   check_recursion(a);
+  protect_inputs(a);
+  configure(a, types, unit, user_pous);
   check_overlaps(a);
-  configure(a, unit, user_pous);
   return model;
 }
 

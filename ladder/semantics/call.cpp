@@ -90,20 +90,10 @@ ValuePtr ExpressionAnalyzer::function_call(const Expression& expression, Pou& fu
   if (!match_arguments(expression, function, arguments)) return nullptr;
   if (function.has_result && function.result == nullptr) return nullptr;
   const auto& variables = function.variables;
-  const auto has = [&](Section section) {
-    return std::any_of(variables.begin(), variables.end(),
-                       [&](const Variable& each) { return each.section == section; });
-  };
-  if (expression.arguments.empty() && has(Section::Input)) {
-    a_.error(code::kArgumentCount, expression.where,
-             quote(function.spelling) + " is called without arguments");
-    return nullptr;
-  }
   const Type* type = function.has_result ? function.result : a_.type_table().nothing();
   if (type->kind == TypeKind::Subrange) type = type->base;
   ValuePtr result = make(ValueKind::Call, type, expression.where);
   result->pou = &function;
-  const bool may_alias = has(Section::InOut);
   bool sound = true;
   // In the order of the slots: see model.h.
   for (const bool outputs : {false, true}) {
@@ -117,7 +107,7 @@ ValuePtr ExpressionAnalyzer::function_call(const Expression& expression, Pou& fu
       } else if (each.section == Section::InOut || each.type->open) {
         sound = in_out_argument(each, arguments[i], expression, *result) && sound;
       } else {
-        sound = input_argument(each, arguments[i], expression, may_alias, *result) && sound;
+        sound = input_argument(each, arguments[i], expression, *result) && sound;
       }
     }
   }
@@ -157,11 +147,15 @@ std::optional<Statement> ExpressionAnalyzer::block_call(const Expression& call, 
     return std::nullopt;
   }
   note_callee(block);
-  std::vector<const Argument*> arguments;
-  bool sound = match_arguments(call, block, arguments);
   Statement statement;
   statement.kind = StatementKind::Instance;
   statement.where = call.where;
+  if (path == nullptr) {
+    const auto given = a_.run_by_tasks.find(pou_);
+    statement.passes_only =
+        given != a_.run_by_tasks.end() &&
+        std::find(given->second.begin(), given->second.end(), call.name.id) != given->second.end();
+  }
   if (instance->is_direct()) {
     statement.target = std::move(*instance);
   } else {
@@ -177,17 +171,31 @@ std::optional<Statement> ExpressionAnalyzer::block_call(const Expression& call, 
     slot.type = type;
     statement.before.push_back({std::move(slot), address_of(std::move(*instance), call.where)});
   }
+  std::vector<const Argument*> arguments;
+  const bool sound = match_arguments(call, block, arguments) && pass(arguments, block, call.where, statement);
+  return sound ? std::optional(enabled_block(std::move(statement), call)) : std::nullopt;
+}
+
+// What a call of the block gives each of its parameters.
+bool ExpressionAnalyzer::pass(const std::vector<const Argument*>& arguments, const Pou& block, Position where,
+                              Statement& out) {
+  bool sound = true;
   for (std::size_t i = 0; i < block.variables.size() && sound; ++i) {
     const Variable& parameter = block.variables[i];
     if (arguments[i] != nullptr) {
-      sound = block_argument(parameter, *arguments[i], statement) && sound;
+      sound = block_argument(parameter, *arguments[i], out);
     } else if (parameter.section == Section::InOut) {
-      a_.error(code::kMissingInOut, call.where,
-               "the call gives no variable for " + quote(parameter.spelling));
+      a_.error(code::kMissingInOut, where, "the call gives no variable for " + quote(parameter.spelling));
       sound = false;
     }
   }
-  return sound ? std::optional(enabled_block(std::move(statement), call)) : std::nullopt;
+  return sound;
+}
+
+bool ExpressionAnalyzer::pass_arguments(const std::vector<Argument>& given, const Pou& block, Position where,
+                                        Statement& out) {
+  std::vector<const Argument*> arguments;
+  return match_given(given, block, arguments) && pass(arguments, block, where, out);
 }
 
 // A member of the instance that is called; the instance has no index on its way.

@@ -13,6 +13,11 @@ using syntax::Expression;
 
 namespace {
 
+bool is_enable_parameter(const source::NameTable& names, const Variable& variable) {
+  const std::string& name = names.folded(variable.name);
+  return name == "EN" || name == "ENO";
+}
+
 bool is_parameter(const Variable& variable) {
   return variable.section == Section::Input || variable.section == Section::Output ||
          variable.section == Section::InOut;
@@ -24,22 +29,30 @@ bool is_parameter(const Variable& variable) {
 bool ExpressionAnalyzer::match_arguments(const Expression& call, const Pou& pou,
                                          std::vector<const Argument*>& out) {
   out.assign(pou.variables.size(), nullptr);
-  std::vector<std::size_t> positional;
-  std::vector<std::string_view> formals;
-  for (std::size_t i = 0; i < pou.variables.size(); ++i) {
-    if (!is_parameter(pou.variables[i])) continue;
-    positional.push_back(i);
-    formals.push_back(pou.variables[i].spelling);
-  }
-  std::size_t next = 0;
-  bool sound = true;
   // EN and ENO are parameters like others where the POU declares them.
   for (const Argument* each : {call.enable.get(), call.enabled.get()}) {
     if (each == nullptr) continue;
     const auto known = pou.scope.find(each->formal->id.value);
     if (known != pou.scope.end() && is_parameter(pou.variables[known->second])) out[known->second] = each;
   }
-  for (const Argument& each : call.arguments) {
+  return match_given(call.arguments, pou, out);
+}
+
+bool ExpressionAnalyzer::match_given(const std::vector<Argument>& given, const Pou& pou,
+                                     std::vector<const Argument*>& out) {
+  out.resize(pou.variables.size(), nullptr);
+  std::vector<std::size_t> positional;
+  std::vector<std::string_view> formals;
+  for (std::size_t i = 0; i < pou.variables.size(); ++i) {
+    if (!is_parameter(pou.variables[i])) continue;
+    // EN and ENO have no place in a list without names (6.6.1.4.2).
+    const bool is_enable = is_enable_parameter(a_.names, pou.variables[i]);
+    if (!is_enable) positional.push_back(i);
+    formals.push_back(pou.variables[i].spelling);
+  }
+  std::size_t next = 0;
+  bool sound = true;
+  for (const Argument& each : given) {
     std::size_t index = 0;
     if (!each.formal) {
       if (next >= positional.size()) {
@@ -175,7 +188,7 @@ bool ExpressionAnalyzer::in_out_argument(const Variable& parameter, const Argume
 
 // An input: its value, or the address of one that is in memory.
 bool ExpressionAnalyzer::input_argument(const Variable& parameter, const Argument* argument,
-                                        const Expression& call, bool may_alias, Value& out) {
+                                        const Expression& call, Value& out) {
   ValuePtr value;
   if (argument != nullptr && argument->value) {
     value = value_as(*argument->value, parameter.type);
@@ -185,13 +198,6 @@ bool ExpressionAnalyzer::input_argument(const Variable& parameter, const Argumen
     value = load(copy_direct(parameter.first), call.where);
   }
   if (!value) return false;
-  const bool is_variable = value->kind == ValueKind::Load && argument != nullptr;
-  if (!parameter.type->is_scalar() && is_variable && may_alias && !parameter.type->is_string()) {
-    // The function changes other variables, perhaps this one: an input keeps its value.
-    Place copy = frame_place(*pou_, value->type);
-    out.before.push_back({copy_direct(copy), std::move(value)});
-    value = load(std::move(copy), call.where);
-  }
   out.operands.push_back(std::move(value));
   return true;
 }

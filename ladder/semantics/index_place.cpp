@@ -1,5 +1,7 @@
 // Elements of arrays (IEC 61131-3, 6.4.4.5 and 6.5.3).
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "ladder/semantics/internal/expression_analyzer.h"
@@ -35,6 +37,35 @@ std::optional<Place> ExpressionAnalyzer::index_place(const Expression& expressio
   return base;
 }
 
+// Any integer is an index (6.4.4.5), the machine has DINT: what is larger is first brought next to the
+// bounds, where it stays outside of them.
+ValuePtr ExpressionAnalyzer::narrow_index(ValuePtr value, const Dimension& bounds) {
+  const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
+  const Position where = value->where;
+  const auto converted = [&](ValuePtr from, const Type* to) {
+    if (from->type == to) return from;
+    ValuePtr result = make(ValueKind::Convert, to, where);
+    result->operands.push_back(std::move(from));
+    return result;
+  };
+  if (value->type->kind == TypeKind::Subrange) value->type = value->type->base;
+  if (value->type == dint || widens(*value->type, *dint)) return converted(std::move(value), dint);
+  const bool is_unsigned = value->type->size == 8 && value->type->is_unsigned();
+  const Type* wide = a_.type_table().elementary(is_unsigned ? ElementaryType::Ulint : ElementaryType::Lint);
+  value = converted(std::move(value), wide);
+  const auto bounded = [&](StandardFunction function, std::int64_t bound) {
+    ValuePtr result = make(ValueKind::Standard, wide, where);
+    result->function = function;
+    result->operands.push_back(std::move(value));
+    result->operands.push_back(make_constant({bound}, wide, where));
+    value = std::move(result);
+  };
+  const std::int64_t above = std::int64_t{bounds.upper} + 1;
+  bounded(StandardFunction::Min, is_unsigned ? std::max<std::int64_t>(above, 0) : above);
+  if (!is_unsigned) bounded(StandardFunction::Max, std::int64_t{bounds.lower} - 1);
+  return converted(std::move(value), dint);
+}
+
 bool ExpressionAnalyzer::add_index(Place& place, const Expression& index, const Dimension& dimension,
                                    std::uint32_t stride) {
   ValuePtr value = settled_value(index);
@@ -44,8 +75,7 @@ bool ExpressionAnalyzer::add_index(Place& place, const Expression& index, const 
     return false;
   }
   if (value->kind != ValueKind::Constant) {
-    value = convert(std::move(value), a_.type_table().elementary(ElementaryType::Dint), index.where);
-    if (!value) return false;
+    value = narrow_index(std::move(value), dimension);
     PlaceStep step;
     step.index = std::move(value);
     step.lower = dimension.lower;
@@ -66,13 +96,19 @@ bool ExpressionAnalyzer::add_index(Place& place, const Expression& index, const 
 
 // An element of a variable-length array: the bounds are known when the program runs.
 std::optional<Place> ExpressionAnalyzer::open_index(Place base, const Expression& expression) {
-  const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
   PlaceStep step;
   step.stride = base.type->element->size;
   for (std::size_t i = 1; i < expression.operands.size(); ++i) {
     OpenIndex each;
-    each.index = value_as(*expression.operands[i], dint);
-    if (!each.index) return std::nullopt;
+    ValuePtr index = settled_value(*expression.operands[i]);
+    if (!index) return std::nullopt;
+    if (!index->type->is_integer()) {
+      a_.error(code::kTypeMismatch, index->where, "an index must be an integer, not " + index->type->name);
+      return std::nullopt;
+    }
+    constexpr Dimension kAll{std::numeric_limits<std::int32_t>::min() + 1,
+                             std::numeric_limits<std::int32_t>::max() - 1};
+    each.index = narrow_index(std::move(index), kAll);
     const auto bound = [&](std::size_t which) {
       return load(copy_direct(base.open->bounds[2 * (i - 1) + which]), expression.where);
     };

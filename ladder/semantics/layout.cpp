@@ -19,6 +19,7 @@ void Layout::run() {
     if (line.names.empty()) declare_direct(line, line_types_[i]);
     for (const syntax::Name& name : line.names) declare(line, name, line_types_[i]);
   }
+  guard_body();
   if (pou_.type == nullptr) return;
   auto* type = const_cast<Type*>(pou_.type);  // complete only now, as the POU is
   // An instance without variables still has an address.
@@ -75,6 +76,10 @@ bool Layout::place(const VariableDeclaration& line, Variable& variable) {
   if (line.section == Section::External) return external(variable);
   const Type& type = *variable.type;
   std::vector<std::byte> bytes = types_.initial_of(*line.type, type);
+  // A call that does not mention EN is enabled.
+  const bool enables =
+      line.section == Section::Input && type.is_bool() && a_.names.folded(variable.name) == "EN";
+  if (enables) bytes[0] = std::byte{1};
   if (line.initial && !initialise(a_, expressions_, *line.initial, type, bytes)) return false;
   if (type.is_scalar()) {
     const Constant value = semantics::load(type, bytes);

@@ -83,6 +83,7 @@ void check_overlaps(Analysis& a) {
   std::vector<Extent> extents;
   for (const Variable& each : a.model.globals)
     if (each.address && each.type != nullptr) extents.push_back(extent_of(each));
+  for (const Variable& each : a.model.configured) extents.push_back(extent_of(each));
   for (const auto& pou : a.model.pous)
     for (const Variable& each : pou->variables)
       if (each.address && each.type != nullptr) extents.push_back(extent_of(each));
@@ -93,11 +94,13 @@ void check_overlaps(Analysis& a) {
   for (const Extent& each : extents) {
     const bool overlaps = reach != nullptr && reach->area == each.area && each.first < reach->last;
     if (overlaps) {
-      a.error(code::kOverlap, each.variable->where,
-              quote(each.variable->spelling) + " at " + syntax::to_string(*each.variable->address) +
-                  " overlaps " + quote(reach->variable->spelling) + " at " +
-                  syntax::to_string(*reach->variable->address),
-              "declare an address once, in VAR_GLOBAL if several POUs use it");
+      const bool written = each.area == Base::Output;
+      a.sink.warning(code::kOverlap, each.variable->where,
+                     quote(each.variable->spelling) + " at " + syntax::to_string(*each.variable->address) +
+                         " overlaps " + quote(reach->variable->spelling) + " at " +
+                         syntax::to_string(*reach->variable->address) +
+                         (written ? ": both write the same byte" : ""),
+                     "if that is not meant, declare an address once, in VAR_GLOBAL if several POUs use it");
     }
     if (reach == nullptr || reach->area != each.area || each.last > reach->last) reach = &each;
   }

@@ -64,6 +64,7 @@ struct Pou {
   Block body;
   std::uint32_t label_count = 0;
   source::Position end;
+  bool writes_outside = false;      // a global, an address, what a reference leads to; itself, not by calls
   std::vector<const Pou*> callees;  // functions called and blocks used, without repetition
 
   const Variable* find(source::NameId id) const {
@@ -72,23 +73,43 @@ struct Pou {
   }
 };
 
+// RETAIN, NON_RETAIN: what a declaration says of the variables inside that say nothing themselves.
+enum class Retention : std::uint8_t { Unsaid, Kept, Lost };
+
 struct ProgramInstance {
   std::string name;
   const Pou* program = nullptr;
   std::uint32_t offset = 0;  // in Data
+  Retention retention = Retention::Unsaid;
+};
+
+// What a task runs: a program, or one that the analysis made to run it with its connections.
+struct TaskCall {
+  std::string name;
+  const Pou* pou = nullptr;
+  std::uint32_t offset = 0;  // in Data
+};
+
+// SINGLE: the BOOL whose rising edge runs a task.
+struct Trigger {
+  std::string name;
+  Place place;  // direct
 };
 
 struct Task {
   std::string name;
-  std::uint32_t interval_us = 10'000;
+  std::uint32_t interval_us = 10'000;  // 0: runs by its trigger only
   std::uint32_t priority = 0;
-  std::vector<ProgramInstance> programs;
+  std::optional<Trigger> trigger;
+  std::vector<TaskCall> calls;
 };
 
 struct Model {
   TypeTable types;
   std::vector<std::unique_ptr<Pou>> pous;
   std::vector<Variable> globals;
+  std::vector<ProgramInstance> instances;
+  std::vector<Variable> configured;  // what VAR_CONFIG gives an address: `spelling` is its path
   std::vector<Task> tasks;
   // Initial bytes of %I, %Q, %M and Data (the order of Base).
   std::array<std::vector<std::byte>, 4> areas;

@@ -10,6 +10,17 @@ namespace stepwright::semantics::internal {
 using syntax::Expression;
 using syntax::ExpressionKind;
 
+namespace {
+
+// Of the areas, or behind a reference: what others may know by another name.
+bool is_outside(const Place& place) {
+  for (const PlaceStep& each : place.steps)
+    if (each.follow) return true;
+  return place.base <= Base::Data || place.base == Base::ThisRef;
+}
+
+}  // namespace
+
 const Variable* ExpressionAnalyzer::find_variable(NameId name) const {
   if (pou_ != nullptr) {
     if (const Variable* found = pou_->find(name)) return found;
@@ -48,6 +59,7 @@ std::optional<Place> ExpressionAnalyzer::place(const Expression& expression, Acc
     a_.error(code::kReadOnly, read_only_where_, read_only_ + " and cannot be written");
     found.reset();
   }
+  if (found && access == Access::Write && pou_ != nullptr && is_outside(*found)) pou_->writes_outside = true;
   read_only_ = std::move(outer);
   read_only_where_ = outer_where;
   return found;

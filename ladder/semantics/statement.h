@@ -41,10 +41,11 @@ struct Branch {
 struct Statement {
   StatementKind kind = StatementKind::Return;
   source::Position where;
-  bool initial = false;  // Assign: the bytes are copied as they are, the target holds nothing yet
-  Place target;          // Assign, For: what counts, Instance: the instance
-  ValuePtr value;        // For: the first value
-  ValuePtr limit;        // For; of the type of the target, as `step`
+  bool passes_only = false;  // Instance: a task runs the block, the call copies only
+  bool initial = false;      // Assign: the bytes are copied as they are, the target holds nothing yet
+  Place target;              // Assign, For: what counts, Instance: the instance
+  ValuePtr value;            // For: the first value
+  ValuePtr limit;            // For; of the type of the target, as `step`
   ValuePtr step;
   std::vector<CopyBefore> before;
   std::vector<CopyAfter> after;

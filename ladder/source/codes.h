@@ -52,14 +52,15 @@ inline constexpr const char* kShortLived = "E0412";
 
 inline constexpr const char* kBadAddress = "E0501";
 inline constexpr const char* kAddressSize = "E0502";
-inline constexpr const char* kOverlap = "E0503";
 inline constexpr const char* kAddressNotHere = "E0504";
+inline constexpr const char* kMissingAddress = "E0505";
 
 inline constexpr const char* kNoProgram = "E0601";
 inline constexpr const char* kUnknownTask = "E0602";
 inline constexpr const char* kUnknownProgram = "E0603";
 inline constexpr const char* kBadTask = "E0604";
 inline constexpr const char* kSeveralConfigurations = "E0605";
+inline constexpr const char* kBadConnection = "E0606";
 
 inline constexpr const char* kUnknownLabel = "E0701";
 inline constexpr const char* kEdgeInFunction = "E0702";
@@ -85,5 +86,6 @@ inline constexpr const char* kNoEffect = "W0012";
 inline constexpr const char* kHidingName = "W0013";
 inline constexpr const char* kMissingCase = "W0014";
 inline constexpr const char* kEmptyBody = "W0015";
+inline constexpr const char* kOverlap = "W0016";
 
 }  // namespace stepwright::source::code

@@ -12,6 +12,8 @@ Configuration Parser::configuration() {
     const std::size_t before = at_;
     if (at(Keyword::VarConfig)) {
       configured_section(result.configured);
+    } else if (at(Keyword::VarAccess)) {
+      access_section();
     } else if (at_variable_section()) {
       variable_section(result.globals);
     } else if (at(Keyword::Resource)) {
@@ -129,6 +131,14 @@ void Parser::program_elements(ProgramDeclaration& out) {
     }
   } while (accept(TokenKind::Comma));
   expect(TokenKind::RightParen, "to close the connections of the program");
+}
+
+void Parser::access_section() {
+  context_.sink.error(source::code::kNotSupported, peek().where,
+                      "access paths are not supported: clients read and write variables by their names",
+                      "leave VAR_ACCESS out; a client names the variable itself, as in main.level");
+  while (!at(Keyword::EndVar) && !at(TokenKind::End) && !at_pou_start()) advance();
+  accept(Keyword::EndVar);
 }
 
 void Parser::configured_section(std::vector<ConfiguredVariable>& out) {

@@ -5,6 +5,7 @@
 
 #include "ladder/syntax/date_literal.h"
 #include "ladder/syntax/number.h"
+#include "ladder/syntax/soft_words.h"
 
 namespace stepwright::syntax {
 
@@ -85,6 +86,7 @@ class Lexer {
       next();
     }
     push(TokenKind::End);
+    soften(tokens_);
     return std::move(tokens_);
   }
 
@@ -201,6 +203,11 @@ class Lexer {
     const std::string_view text = text_.substr(start_, at_ - start_);
     const source::NameId name = names_.intern(text);
     if (peek() == '#') return prefixed(name);
+    // The library's own names begin with two.
+    const std::size_t doubled = text.find("__", 1);
+    if (kind_ == TextKind::Written && doubled != std::string_view::npos)
+      sink_.error(code::kBadCharacter, place(start_ + doubled),
+                  "a name has no two underscores in a row: '" + std::string(text) + "'", "leave one out");
     const Keyword keyword = keyword_of(name);
     Token& token = push(keyword == Keyword::None ? TokenKind::Identifier : TokenKind::Keyword);
     token.keyword = keyword;

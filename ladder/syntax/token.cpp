@@ -23,6 +23,7 @@ constexpr std::array kKeywords = {
     "VAR_EXTERNAL",
     "VAR_GLOBAL",
     "VAR_CONFIG",
+    "VAR_ACCESS",
     "END_VAR",
     "CONSTANT",
     "RETAIN",

@@ -69,6 +69,7 @@ enum class Keyword : std::uint8_t {
   VarExternal,
   VarGlobal,
   VarConfig,
+  VarAccess,
   EndVar,
   Constant,
   Retain,
@@ -138,7 +139,7 @@ struct Token {
   bool based = false;               // Integer: written with a base ("16#FF")
   source::Position where;
   std::string_view text;
-  source::NameId name;  // Identifier, TypePrefix
+  source::NameId name;  // Identifier, TypePrefix, Keyword
   union {
     std::uint64_t integer = 0;
     double real;

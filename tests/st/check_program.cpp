@@ -1,157 +1,162 @@
 #include "tests/st/check_program.h"
 
 #include <algorithm>
-#include <cctype>
-#include <sstream>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
-#include "ladder/syntax/number.h"
-#include "tests/support/compiled_program.h"
+#include "ladder/driver/compile.h"
+#include "tests/st/machine.h"
 
 namespace stepwright::st_test {
 
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\n");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
+std::string place(std::uint32_t line) {
+  return std::to_string(line);
 }
 
-Directive parse_directive(const std::string& body, std::uint32_t line) {
-  Directive directive;
-  directive.line = line;
-  std::istringstream in(body);
-  std::string word;
-  in >> word;
-  if (word == "SET") directive.kind = DirectiveKind::Set;
-  in >> word;
-  if (word == "trap") {
-    directive.kind = DirectiveKind::Trap;
-    in >> word;
-  }
-  char colon = 0;
-  in >> directive.scan >> colon;
-  std::string rest;
-  std::getline(in, rest);
-  const bool is_trap = directive.kind == DirectiveKind::Trap;
-  const std::size_t at = is_trap ? rest.rfind(" at ") : rest.find('=');
-  if (word != "scan" || colon != ':' || at == std::string::npos)
-    throw std::runtime_error("line " + std::to_string(line) + ": not a directive: " + body);
-  directive.variable = trimmed(rest.substr(0, at));
-  directive.value = trimmed(rest.substr(at + (is_trap ? 4 : 1)));
-  return directive;
-}
-
-std::string shown(const reader::Value& value) {
-  std::ostringstream out;
-  out.precision(17);
-  out << std::boolalpha;
-  std::visit([&](const auto& plain) { out << plain; }, value);
-  return out.str();
-}
-
-bool equals(const reader::Value& value, const std::string& expected) {
-  if (const auto* text = std::get_if<std::string>(&value)) return "'" + *text + "'" == expected;
-  if (const bool* flag = std::get_if<bool>(&value)) return expected == (*flag ? "TRUE" : "FALSE");
-  if (const double* real = std::get_if<double>(&value)) return *real == std::stod(expected);
-  if (const auto* whole = std::get_if<std::uint64_t>(&value)) return *whole == std::stoull(expected);
-  if (expected.rfind("T#", 0) == 0)
-    return std::get<std::int64_t>(value) == syntax::parse_duration(expected.substr(2));
-  return std::get<std::int64_t>(value) == std::stoll(expected);
-}
-
-driver::CompileInput input_of(const std::string& name, const std::string& text) {
-  driver::CompileInput input;
-  input.texts.push_back({name, text});
-  return input;
-}
-
-// A program that is being run.
-class Run {
+class Check {
  public:
-  Run(const std::string& name, const std::string& text) : name_(name), program_(input_of(name, text)) {}
+  Check(const std::string& name, const std::string& text)
+      : name_(name), text_(text), directives_(directives_of(text)) {}
 
-  std::vector<std::string> check(const std::vector<Directive>& directives) {
-    std::uint64_t last = 0;
-    for (const Directive& each : directives) last = std::max(last, each.scan);
-    for (std::uint64_t scan = 1; scan <= last; ++scan) {
-      for (const Directive& each : directives)
-        if (each.kind == DirectiveKind::Set && each.scan == scan) set(each);
-      const scan::ScanReport report = program_.scan();
-      bool trap_expected = false;
-      for (const Directive& each : directives) {
-        if (each.kind == DirectiveKind::Set || each.scan != scan) continue;
-        trap_expected = trap_expected || each.kind == DirectiveKind::Trap;
-        compare(each, report);
-      }
-      if (report.trap && !trap_expected) {
-        const result::Diagnostic trap = reader::describe(program_.loaded().program(), report.trap);
-        failures_.push_back("unexpected trap: " + result::to_string(trap));
-        break;
-      }
+  std::vector<std::string> run() {
+    driver::CompileInput input;
+    input.texts.push_back({name_, text_});
+    auto output = driver::compile(input);
+    compare(output ? output->warnings : output.error());
+    if (!output) return failures_;
+    auto loaded = reader::LoadedProgram::load(std::move(output->container), name_);
+    if (!loaded) {
+      failures_.push_back(result::to_string(loaded.error()));
+      return failures_;
     }
-    return std::move(failures_);
+    for (const EngineKind each : engines()) machines_.push_back(std::make_unique<Machine>(*loaded, each));
+    run_scans(loaded->program());
+    return failures_;
   }
 
  private:
-  void fail(const Directive& directive, const std::string& message) {
-    failures_.push_back(name_ + ":" + std::to_string(directive.line) + ": " + message);
+  void fail(std::uint32_t line, const std::string& message) {
+    failures_.push_back(name_ + ":" + place(line) + ": " + message);
   }
 
-  void compare(const Directive& directive, const scan::ScanReport& report) {
-    if (directive.kind == DirectiveKind::Trap) {
-      const result::Location where =
-          reader::source_location(program_.loaded().program(), report.trap.function, report.trap.pc);
-      const std::string found =
-          std::string(bytecode::name_of(report.trap.code)) + " at " + std::to_string(where.line);
-      if (found != directive.variable + " at " + directive.value || where.file != name_)
-        fail(directive, "found trap '" + found + "' in " + where.file);
-      return;
+  // Every diagnostic is expected, and every expected one is there.
+  void compare(const result::Diagnostics& found) {
+    std::vector<bool> expected(found.size(), false);
+    for (const Directive& each : directives_) {
+      if (each.kind != DirectiveKind::Diagnostic) continue;
+      bool met = false;
+      for (std::size_t i = 0; i < found.size() && !met; ++i) {
+        const result::Location& where = found[i].where;
+        met = !expected[i] && found[i].code == each.subject && where.line == each.at_line &&
+              (each.at_column == 0 || where.column == each.at_column);
+        if (met) expected[i] = true;
+      }
+      if (!met)
+        fail(each.line, "no " + each.subject + " at " + place(each.at_line) + ":" + place(each.at_column));
     }
-    const std::string text = program_.text(directive.variable);
-    if (text == directive.value) return;
-    const reader::Value value = program_.value(directive.variable);
-    const bool is_word = std::isalpha(static_cast<unsigned char>(directive.value.front())) != 0;
-    const bool is_plain = !is_word || directive.value == "TRUE" || directive.value == "FALSE";
-    if (!is_plain && directive.value.rfind("T#", 0) != 0)
-      return fail(directive, directive.variable + " is " + text + ", not " + directive.value);
-    if (!equals(value, directive.value))
-      fail(directive, directive.variable + " is " + shown(value) + ", not " + directive.value);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (!expected[i] && (found[i].severity == result::Severity::Error || checks_warnings()))
+        failures_.push_back("unexpected: " + result::to_string(found[i]));
   }
 
-  void set(const Directive& directive) {
-    const bool is_time = directive.value.rfind("T#", 0) == 0;
-    const bool is_bool = directive.value == "TRUE" || directive.value == "FALSE";
-    program_.set(directive.variable, is_bool   ? directive.value == "TRUE"
-                                     : is_time ? syntax::parse_duration(directive.value.substr(2)).value()
-                                               : std::stoll(directive.value));
+  // A program that names a warning names all of them.
+  bool checks_warnings() const {
+    return std::ranges::any_of(directives_, [](const Directive& each) {
+      return each.kind == DirectiveKind::Diagnostic && each.subject.front() == 'W';
+    });
+  }
+
+  void run_scans(const bytecode::Program& program) {
+    std::uint64_t last = 0;
+    for (const Directive& each : directives_)
+      if (each.kind == DirectiveKind::Check || each.kind == DirectiveKind::Trap)
+        last = std::max(last, each.scan);
+    for (std::uint64_t scan = 1; scan <= last; ++scan) {
+      for (auto& machine : machines_) prepare(*machine, scan);
+      const scan::ScanReport report = machines_.front()->scan();
+      for (std::size_t i = 1; i < machines_.size(); ++i) compare_engines(report, machines_[i]->scan(), i);
+      if (!compare(program, report)) return;
+    }
+  }
+
+  void prepare(Machine& machine, std::uint64_t scan) {
+    machine.restart_after_trap();
+    for (const Directive& each : directives_)
+      if (each.kind == DirectiveKind::Set && each.scan == scan) machine.set(each.subject, each.value);
+  }
+
+  void compare_engines(const scan::ScanReport& first, const scan::ScanReport& other, std::size_t index) {
+    const std::string where =
+        std::string("scan ") + std::to_string(first.scan) + ": engine " + name_of(engines()[index]);
+    if (first.image_hash != other.image_hash)
+      failures_.push_back(name_ + ": " + where + " leaves another image");
+    if (first.trap.code != other.trap.code || first.trap.function != other.trap.function ||
+        first.trap.pc != other.trap.pc)
+      failures_.push_back(name_ + ": " + where + " traps otherwise: " + bytecode::name_of(other.trap.code));
+  }
+
+  // False if it cannot go on.
+  bool compare(const bytecode::Program& program, const scan::ScanReport& report) {
+    bool trap_expected = false;
+    for (const Directive& each : directives_) {
+      if (each.scan != report.scan) continue;
+      if (each.kind == DirectiveKind::Check) {
+        if (!machines_.front()->equals(each.subject, each.value))
+          fail(each.line,
+               each.subject + " is " + machines_.front()->shown(each.subject) + ", not " + each.value);
+      } else if (each.kind == DirectiveKind::Trap) {
+        trap_expected = true;
+        compare_trap(program, report.trap, each);
+      }
+    }
+    if (!report.trap || trap_expected) return true;
+    failures_.push_back("unexpected trap: " + result::to_string(reader::describe(program, report.trap)));
+    return false;
+  }
+
+  void compare_trap(const bytecode::Program& program, const bytecode::Trap& trap, const Directive& expected) {
+    if (!trap) return fail(expected.line, "no trap");
+    const result::Location where = reader::source_location(program, trap.function, trap.pc);
+    if (bytecode::name_of(trap.code) != expected.subject || where.line != expected.at_line ||
+        where.file != name_)
+      fail(expected.line, std::string("found trap '") + bytecode::name_of(trap.code) + "' at " + where.file +
+                              ":" + place(where.line) + ", not '" + expected.subject + "' at " +
+                              place(expected.at_line));
   }
 
   std::string name_;
-  support::CompiledProgram program_;
+  std::string text_;
+  std::vector<Directive> directives_;
+  std::vector<std::unique_ptr<Machine>> machines_;
   std::vector<std::string> failures_;
 };
 
 }  // namespace
 
-std::vector<Directive> directives_of(const std::string& text) {
-  std::vector<Directive> directives;
-  std::uint32_t line = 1;
-  std::size_t seen = 0;
-  for (std::size_t at = text.find("(* "); at != std::string::npos; at = text.find("(* ", at + 1)) {
-    line += static_cast<std::uint32_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(seen),
-                                                  text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-    seen = at;
-    const std::string body = text.substr(at + 3, text.find("*)", at) - at - 3);
-    if (body.rfind("CHECK ", 0) == 0 || body.rfind("SET ", 0) == 0)
-      directives.push_back(parse_directive(body, line));
+std::vector<std::string> run_checks(const std::string& name, const std::string& text) {
+  try {
+    return Check(name, text).run();
+  } catch (const std::runtime_error& error) {
+    return {name + ": " + error.what()};
   }
-  return directives;
 }
 
-std::vector<std::string> run_checks(const std::string& name, const std::string& text) {
-  return Run(name, text).check(directives_of(text));
+std::vector<std::string> programs_below(const std::string& root) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(root))
+    if (entry.path().extension() == ".st") names.push_back(fs::relative(entry.path(), root).generic_string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace stepwright::st_test

@@ -1,31 +1,21 @@
 #pragma once
 
-// A language test: an ST program whose comments say what must come out when it runs.
-//
-//   (* SET scan 2: main.go = TRUE *)              before the scan
-//   (* CHECK scan 3: main.x = 5 *)                after the scan; values: TRUE, 5, -0.5, T#30ms
-//   (* CHECK trap scan 4: division by zero at 7 *)  the scan ends with this trap in line 7 of the file
+// A language test: an ST program whose comments say what must come out when it runs (tests/st/directive.h).
+// It runs on every engine of this machine; all must agree in the image and in the traps of each scan.
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "tests/st/directive.h"
+
 namespace stepwright::st_test {
-
-enum class DirectiveKind : std::uint8_t { Set, Check, Trap };
-
-struct Directive {
-  DirectiveKind kind = DirectiveKind::Check;
-  std::uint64_t scan = 0;
-  std::string variable;  // Trap: the name of the trap
-  std::string value;     // Trap: the line
-  std::uint32_t line = 0;
-};
-
-// Throws std::runtime_error on a comment that begins like a directive and is none.
-std::vector<Directive> directives_of(const std::string& text);
 
 // Compiles and runs the program; every check that fails as one line "file:line: ...". Empty = passed.
 std::vector<std::string> run_checks(const std::string& name, const std::string& text);
+
+// The file names below `root`, relative to it, in order.
+std::vector<std::string> programs_below(const std::string& root);
+
+std::string read_file(const std::string& path);
 
 }  // namespace stepwright::st_test

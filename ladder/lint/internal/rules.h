@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ladder/lint/internal/uses.h"
+#include "ladder/lint/lint.h"
 #include "ladder/source/diagnostic_sink.h"
 
 namespace stepwright::lint::internal {
@@ -28,7 +29,7 @@ void check_outputs(const Uses& uses, const Reached& reached, const source::Sourc
 void check_hidden(const Uses& uses, source::DiagnosticSink& sink);
 // W0002: results of functions that do nothing else.
 void check_dropped(const Uses& uses, source::DiagnosticSink& sink);
-// W0010, W0011, W0014: what the types of expressions show.
-void check_values(const semantics::Pou& pou, source::DiagnosticSink& sink);
+// W0011, W0014 and, at Level::All, W0010: what the types of expressions show.
+void check_values(const semantics::Pou& pou, Level level, source::DiagnosticSink& sink);
 
 }  // namespace stepwright::lint::internal

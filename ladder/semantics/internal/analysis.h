@@ -33,6 +33,8 @@ struct Analysis {
   std::unordered_map<std::uint32_t, EnumValue> enum_values;
   // Direct variables with a type of their own (AT %MW0 : INT, without a name).
   std::vector<std::pair<syntax::DirectAddress, const Type*>> direct_types;
+  // Blocks of programs that tasks of their own run (6.8.2): a call in the body passes arguments only.
+  std::unordered_map<const Pou*, std::vector<NameId>> run_by_tasks;
 
   void error(const char* what, Position where, std::string message, std::string hint = {}) {
     sink.error(what, where, std::move(message), std::move(hint));

@@ -69,7 +69,14 @@ void check_overlaps(Analysis& analysis);
 bool locate(Analysis& analysis, const syntax::VariableDeclaration& line, Variable& variable,
             std::span<const std::byte> initial);
 
+// Behind the analysis of all bodies: inputs in memory keep their value while the function changes what it was
+// called with.
+void protect_inputs(Analysis& analysis);
+
+// Which function blocks a configuration gives to tasks; reports nothing.
+void note_block_tasks(Analysis& analysis, const syntax::Unit& unit);
+
 // Tasks and program instances, with their memory.
-void configure(Analysis& analysis, const syntax::Unit& unit, std::size_t user_pous);
+void configure(Analysis& analysis, TypeResolver& types, const syntax::Unit& unit, std::size_t user_pous);
 
 }  // namespace stepwright::semantics::internal

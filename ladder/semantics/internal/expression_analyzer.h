@@ -65,6 +65,11 @@ class ExpressionAnalyzer {
   // A call as a statement; of a function or of a block.
   std::optional<Statement> call_statement(const syntax::Expression& call);
 
+  // The arguments of a call of the block at out.target, into its copies before and after; false after a
+  // report at `where` or in an argument.
+  bool pass_arguments(const std::vector<syntax::Argument>& given, const Pou& block, Position where,
+                      Statement& out);
+
   // Makes values.
   static ValuePtr make(ValueKind kind, const Type* type, Position where);
   static ValuePtr make_constant(Constant constant, const Type* type, Position where);
@@ -100,6 +105,7 @@ class ExpressionAnalyzer {
   std::optional<Place> index_place(const syntax::Expression& expression);
   bool add_index(Place& place, const syntax::Expression& index, const Dimension& dimension,
                  std::uint32_t stride);
+  ValuePtr narrow_index(ValuePtr value, const Dimension& bounds);
   std::optional<Place> open_index(Place base, const syntax::Expression& expression);
   // partial_access.cpp
   std::optional<Place> partial_place(const syntax::Expression& expression);
@@ -141,6 +147,8 @@ class ExpressionAnalyzer {
   std::optional<Statement> block_call(const syntax::Expression& call, const syntax::Expression* path);
   Place part_of_target(const Place& instance, std::uint32_t offset, const Type* type);
   bool block_argument(const Variable& parameter, const syntax::Argument& argument, Statement& out);
+  bool pass(const std::vector<const syntax::Argument*>& arguments, const Pou& block, Position where,
+            Statement& out);
   void note_callee(const Pou& callee);
   // enabled_call.cpp
   std::optional<Place> enable_slot(const syntax::Expression& call, std::vector<CopyBefore>& before,
@@ -151,6 +159,8 @@ class ExpressionAnalyzer {
   // Which parameter each argument means; false after a report.
   bool match_arguments(const syntax::Expression& call, const Pou& pou,
                        std::vector<const syntax::Argument*>& out);
+  bool match_given(const std::vector<syntax::Argument>& given, const Pou& pou,
+                   std::vector<const syntax::Argument*>& out);
   bool pass_output(const syntax::Argument& argument, Place source, std::vector<CopyAfter>& after);
   ValuePtr reference_argument(const syntax::Argument& argument, const Variable& parameter,
                               std::vector<CopyBefore>& before, std::vector<CopyAfter>& after);
@@ -160,7 +170,7 @@ class ExpressionAnalyzer {
   bool in_out_argument(const Variable& parameter, const syntax::Argument* argument,
                        const syntax::Expression& call, Value& out);
   bool input_argument(const Variable& parameter, const syntax::Argument* argument,
-                      const syntax::Expression& call, bool may_alias, Value& out);
+                      const syntax::Expression& call, Value& out);
   bool output_argument(const Variable& parameter, const syntax::Argument* argument,
                        const syntax::Expression& call, Value& out);
 

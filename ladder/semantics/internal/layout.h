@@ -32,6 +32,9 @@ class Layout {
   void enter(const Variable& variable, const std::vector<std::byte>& bytes);
   void enter_with(const Place& place, const Constant& value, Position where);
 
+  // enable_guard.cpp
+  void guard_body();
+
   // function_layout.cpp
   void number_parameters();
   void declare_result();

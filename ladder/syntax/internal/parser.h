@@ -126,6 +126,7 @@ class Parser {
   bool task_argument(const Argument& argument, const char* name);
   void program_instance(Resource& out);
   void program_elements(ProgramDeclaration& out);
+  void access_section();
   void configured_section(std::vector<ConfiguredVariable>& out);
   bool configured_line(std::vector<ConfiguredVariable>& out);
 

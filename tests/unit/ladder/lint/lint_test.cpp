@@ -160,8 +160,9 @@ const WarningCase kCases[] = {
     {"ForVariableWritten", BODY("FOR i := 1 TO 3 DO i := 3; END_FOR;"), {"W0009 at 3:20"}},
     {"ForVariableOfTheNextLoop", BODY("FOR i := 1 TO 3 DO j := i; END_FOR; i := 7;"), {}},
     // W0010
-    {"RealEqual", BODY("b := r = s;"), {"W0010 at 3:8"}},
-    {"RealNotEqualZero", BODY("b := r <> 0.0;"), {}},
+    {"RealEqual", BODY("b := r = s;"), {"W0010 at 3:8"}, lint::Level::All},
+    {"RealEqualByDefault", BODY("b := r = s;"), {}},
+    {"RealNotEqualZero", BODY("b := r <> 0.0;"), {}, lint::Level::All},
     {"IntegersEqual", BODY("b := i = j;"), {}},
     // W0011
     {"LiteralCondition", BODY("IF TRUE THEN i := 1; END_IF;"), {"W0011 at 3:4"}},

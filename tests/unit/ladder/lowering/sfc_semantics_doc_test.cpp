@@ -29,7 +29,8 @@ std::set<std::string> ids_in(const std::string& text) {
 TEST(SfcSemantics, Ids_WhenPageAndTestsAreCompared_ThenEachCitesTheOther) {
   std::set<std::string> cited;
   for (const char* folder : {"tests/unit/ladder/lowering", "tests/unit/ladder/driver", "tests/st/programs"}) {
-    for (const auto& entry : fs::directory_iterator(kRoot / folder)) cited.merge(ids_in(read(entry.path())));
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
+      if (entry.is_regular_file()) cited.merge(ids_in(read(entry.path())));
   }
   const std::set<std::string> promised = ids_in(read(kRoot / "ladder/doc/sfc_semantics.md"));
   EXPECT_GT(promised.size(), 80U);
