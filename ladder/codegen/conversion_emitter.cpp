@@ -27,10 +27,30 @@ void ExpressionEmitter::convert(const Type& from, const Type& to) {
       constant({}, from);
       return b_.emit(from.size == 4 ? Opcode::NeF32 : Opcode::NeF64);
     }
+    if (from.is_bits()) {
+      // The rightmost bit (table 25).
+      if (from.size == 8) b_.emit(Opcode::I64ToI32);
+      b_.const_i32(1);
+      b_.emit(Opcode::AndI32);
+      return b_.emit(Opcode::I32ToBool);
+    }
     return b_.emit(from.size == 8 ? Opcode::I64ToBool : Opcode::I32ToBool);
   }
+  if (semantics::transfers_bits(from, to)) return transfer_bits(from, to);
   if (to.is_real()) return to_real(from, to);
   to_integer(from, to);
+}
+
+// The same bytes, read as the other type (table 26).
+void ExpressionEmitter::transfer_bits(const Type& from, const Type& to) {
+  const std::uint32_t at = temporary(from.size);
+  const writer::LocalId value = b_.add_local(semantics::slot_type(from));
+  b_.local_set(value);
+  b_.addr_frame(at);
+  b_.local_get(value);
+  b_.store(semantics::mem_type(from), bytecode::AddressMode::Ind);
+  b_.addr_frame(at);
+  b_.load(semantics::mem_type(to), bytecode::AddressMode::Ind);
 }
 
 void ExpressionEmitter::to_real(const Type& from, const Type& to) {

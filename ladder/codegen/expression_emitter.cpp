@@ -17,7 +17,8 @@ using syntax::Operator;
 void ExpressionEmitter::value(const Value& value, Width width) {
   switch (value.kind) {
     case ValueKind::Constant:
-      return constant(value.constant, *value.type);
+      return value.type->is_string() ? literal(value.constant.text, *value.type)
+                                     : constant(value.constant, *value.type);
     case ValueKind::Load:
       if (!value.place.steps.empty()) locate(value.where);
       return value.place.type->is_scalar() ? load(value.place) : reference(value.place);
@@ -57,6 +58,8 @@ void ExpressionEmitter::value(const Value& value, Width width) {
       return b_.trap(static_cast<std::uint8_t>(bytecode::TrapCode::BadArgument));
     case ValueKind::Now:
       return b_.emit(Opcode::Now);
+    case ValueKind::Text:
+      return text(value);
   }
 }
 
@@ -82,11 +85,8 @@ void ExpressionEmitter::constant(const semantics::Constant& constant, const Type
 
 void ExpressionEmitter::assign(const Place& place, const Value& value) {
   if (place.type->is_scalar()) return store(place, [&](Width width) { this->value(value, width); });
-  if (!place.type->is_string()) return copy_bytes(place, value);
-  reference(place);
-  this->value(value);
-  b_.string_op(place.type->elementary == bytecode::ElementaryType::Wstring ? bytecode::StringOpId::CopyW
-                                                                           : bytecode::StringOpId::CopyS);
+  if (place.type->is_string()) return assign_text(place, value);
+  copy_bytes(place, value);
 }
 
 void ExpressionEmitter::copy_bytes(const Place& target, const Value& value) {

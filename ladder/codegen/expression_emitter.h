@@ -8,6 +8,7 @@
 #include <array>
 #include <unordered_map>
 
+#include "ladder/codegen/literal_pool.h"
 #include "ladder/semantics/model.h"
 #include "ladder/source/source_set.h"
 #include "runtime/bytecode/trap.h"
@@ -31,8 +32,15 @@ class FileTable {
 
 // What all functions of a program share.
 struct ProgramLayout {
+  const semantics::Model* model = nullptr;
   std::array<std::uint32_t, 4> bases{};  // absolute address of %I, %Q, %M, Data
   std::unordered_map<const semantics::Pou*, std::uint32_t> functions;
+  LiteralPool* literals = nullptr;
+
+  // Of a place in an area.
+  std::uint32_t address(const semantics::Place& place) const {
+    return bases[static_cast<std::size_t>(place.base)] + model->offset_in_area(place.offset, place.base);
+  }
 };
 
 enum class Width : std::uint8_t { Exact, Any };
@@ -45,6 +53,8 @@ class ExpressionEmitter {
   // What follows comes from here.
   void line(source::Position where);
 
+  // The temporaries of the statement before are free again.
+  void begin_statement();
   void value(const semantics::Value& value, Width width = Width::Exact);
   void constant(const semantics::Constant& constant, const semantics::Type& type);
   void load(const semantics::Place& place);
@@ -65,9 +75,7 @@ class ExpressionEmitter {
   // Cuts an I32 to the type, if it is narrower.
   void wrap(const semantics::Type& type);
 
-  std::uint32_t address(const semantics::Place& place) const {
-    return layout_.bases[static_cast<std::size_t>(place.base)] + place.offset;
-  }
+  std::uint32_t address(const semantics::Place& place) const { return layout_.address(place); }
   std::uint32_t function_of(const semantics::Pou& pou) const { return layout_.functions.at(&pou); }
   bool in_area(const semantics::Place& place) const { return place.base <= semantics::Base::Data; }
   // The whole of a local slot.
@@ -100,6 +108,7 @@ class ExpressionEmitter {
   void binary(const semantics::Value& value, Width width);
   void bool_order(const semantics::Value& value);
   void convert(const semantics::Type& from, const semantics::Type& to);
+  void transfer_bits(const semantics::Type& from, const semantics::Type& to);
   void to_integer(const semantics::Type& from, const semantics::Type& to);
   void to_real(const semantics::Type& from, const semantics::Type& to);
   void time_conversion(const semantics::Type& from, const semantics::Type& to);
@@ -116,14 +125,33 @@ class ExpressionEmitter {
   void widen(const semantics::Type& type);
   void trap_unless(bytecode::TrapCode code);
 
+  // text_emitter.cpp
+  std::uint32_t temporary(std::uint32_t bytes);
+  void literal(const std::u16string& text, const semantics::Type& type);
+  void text(const semantics::Value& value);
+  void text_behind_target(const semantics::Value& value, std::uint32_t at);
+  void assign_text(const semantics::Place& place, const semantics::Value& value);
+  void narrow_number(const semantics::Value& value);
+  void compare_texts(syntax::Operator op, const semantics::Type& type);
+  void extreme_text(const semantics::Value& value, bool maximum);
+  void load_character(const semantics::Place& place);
+  static bytecode::StringOpId set_character(const semantics::Type& type);
+
   void shift(const semantics::Value& value);
   void select(const semantics::Value& value);
   void multiplex(const semantics::Value& value);
+
+  struct Temporary {
+    std::uint32_t offset = 0;
+    std::uint32_t bytes = 0;
+    bool in_use = false;
+  };
 
   const ProgramLayout& layout_;
   FileTable& files_;
   source::Position here_;  // what was marked last
   writer::FunctionBuilder& b_;
+  std::vector<Temporary> temporaries_;
 };
 
 template <typename Emit>
@@ -131,6 +159,12 @@ void ExpressionEmitter::store(const semantics::Place& place, Emit emit) {
   using bytecode::AddressMode;
   if (place.bit != bytecode::kNoBit) return store_bit(place, [&] { emit(Width::Exact); });
   if (place.whole != nullptr) return store_part(place, [&] { emit(Width::Exact); });
+  if (place.character) {
+    reference(place);
+    value(*place.character);
+    emit(Width::Exact);
+    return b_.string_op(set_character(*place.type));
+  }
   if (is_slot(place)) {
     emit(Width::Exact);
     b_.local_set(writer::LocalId(place.slot));

@@ -67,6 +67,7 @@ void FunctionEmitter::block(const semantics::Block& statements) {
 
 void FunctionEmitter::statement(const Statement& statement) {
   e_.line(statement.where);
+  e_.begin_statement();
   switch (statement.kind) {
     case StatementKind::Assign:
       if (statement.initial) return e_.copy_bytes(statement.target, *statement.value);

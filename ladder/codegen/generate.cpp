@@ -33,6 +33,7 @@ std::vector<const Pou*> functions_of(const Model& model) {
 
 ProgramLayout lay_out(const Model& model, const std::vector<const Pou*>& functions) {
   ProgramLayout layout;
+  layout.model = &model;
   std::uint32_t address = 0;
   for (std::size_t i = 0; i < layout.bases.size(); ++i) {
     layout.bases[i] = address;
@@ -43,11 +44,17 @@ ProgramLayout lay_out(const Model& model, const std::vector<const Pou*>& functio
   return layout;
 }
 
-void add_memory(const Model& model, writer::ContainerModel& out) {
+void add_memory(const Model& model, const ProgramLayout& layout, writer::ContainerModel& out) {
   const auto size = [&](Base base) { return static_cast<std::uint32_t>(model.area(base).size()); };
   out.sizes = {size(Base::Input), size(Base::Output), size(Base::Marker), size(Base::Data)};
   for (const auto& area : model.areas)
     out.initial_data.insert(out.initial_data.end(), area.begin(), area.end());
+  for (const semantics::FirstReference& each : model.references) {
+    const std::uint32_t target = layout.address(each.target);
+    const std::size_t at = layout.bases[static_cast<std::size_t>(Base::Data)] + std::size_t{each.offset};
+    for (unsigned byte = 0; byte < 4; ++byte)
+      out.initial_data[at + byte] = static_cast<std::byte>(target >> (8 * byte));
+  }
 }
 
 void add_tasks(const Model& model, const ProgramLayout& layout, SymbolTable& symbols,
@@ -71,10 +78,14 @@ result::Result<std::vector<std::byte>> generate(const Model& model, const std::v
                                                 const source::SourceSet& sources) {
   writer::ContainerModel out;
   const std::vector<const Pou*> functions = functions_of(model);
-  const ProgramLayout layout = lay_out(model, functions);
-  add_memory(model, out);
+  ProgramLayout layout = lay_out(model, functions);
+  add_memory(model, layout, out);
+  LiteralPool literals(static_cast<std::uint32_t>(out.initial_data.size()));
+  layout.literals = &literals;
   FileTable files(sources);
   for (const Pou* each : functions) out.functions.push_back(FunctionEmitter(layout, files, *each).run());
+  out.initial_data.insert(out.initial_data.end(), literals.bytes().begin(), literals.bytes().end());
+  out.sizes.data_bytes += static_cast<std::uint32_t>(literals.bytes().size());
   for (const source::FileId file : files.files()) out.source_files.push_back(sources.name(file));
   SymbolTable symbols(model, layout, out);
   symbols.globals();

@@ -15,6 +15,7 @@ using writer::LocalId;
 void ExpressionEmitter::load(const Place& place) {
   if (place.bit != bytecode::kNoBit) return load_bit(place);
   if (place.whole != nullptr) return load_part(place);
+  if (place.character) return load_character(place);
   if (is_slot(place)) return b_.local_get(LocalId(place.slot));
   const MemType type = semantics::mem_type(*place.type);
   if (!place.is_direct() || place.base == Base::Frame) {

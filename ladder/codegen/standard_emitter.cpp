@@ -81,6 +81,7 @@ void ExpressionEmitter::standard(const Value& value) {
 
 void ExpressionEmitter::extremum(const Value& value) {
   const bool maximum = value.function == StandardFunction::Max;
+  if (value.type->is_string()) return extreme_text(value, maximum);
   const Machine machine = machine_type(*value.type);
   this->value(*value.operands[0]);
   for (std::size_t i = 1; i < value.operands.size(); ++i) {
@@ -97,7 +98,8 @@ void ExpressionEmitter::chain(const Value& value) {
   const Type& type = *value.operands[0]->type;
   std::vector<writer::LocalId> locals;
   for (const auto& each : value.operands) {
-    locals.push_back(b_.add_local(semantics::slot_type(*each->type)));
+    locals.push_back(
+        b_.add_local(type.is_string() ? bytecode::StackType::Ref : semantics::slot_type(*each->type)));
     this->value(*each);
     b_.local_set(locals.back());
   }
@@ -107,7 +109,9 @@ void ExpressionEmitter::chain(const Value& value) {
       b_.local_get(locals[side]);
       if (as_number) b_.emit(Opcode::BoolToI32);
     }
-    if (as_number) {
+    if (type.is_string()) {
+      compare_texts(value.op, type);
+    } else if (as_number) {
       b_.emit(binary_opcode(value.op, Machine::U32));
     } else {
       operation(value.op, type);

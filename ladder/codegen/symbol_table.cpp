@@ -142,7 +142,7 @@ void SymbolTable::variable(const Variable& variable, const std::string& path, Sy
   writer::Symbol symbol;
   symbol.name = path;
   symbol.type = type(*variable.type);
-  symbol.address = layout_.bases[static_cast<std::size_t>(variable.place.base)] + variable.place.offset;
+  symbol.address = layout_.address(variable.place);
   symbol.bit = variable.place.bit;
   symbol.section = section;
   symbol.flags = flags_of(variable);
@@ -163,7 +163,7 @@ std::uint32_t SymbolTable::trigger(const semantics::Trigger& trigger) {
   writer::Symbol symbol;
   symbol.name = trigger.name;
   symbol.type = type(*trigger.place.type);
-  symbol.address = layout_.bases[static_cast<std::size_t>(trigger.place.base)] + trigger.place.offset;
+  symbol.address = layout_.address(trigger.place);
   symbol.bit = trigger.place.bit;
   symbol.section = SymbolSection::Global;
   for (std::size_t i = 0; i < out_.symbols.size(); ++i) {

@@ -14,7 +14,8 @@
 namespace stepwright::graphic {
 
 std::string draw_ladder_svg(const LadderProgram& program);
-// UTF-8 with box characters, for a terminal.
-std::string draw_ladder_text(const LadderProgram& program);
+// UTF-8 with box characters, for a terminal. Rungs that are wider than `max_width` characters go on in
+// another line where they can; 0 = no bound.
+std::string draw_ladder_text(const LadderProgram& program, int max_width = 0);
 
 }  // namespace stepwright::graphic

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ladder/graphic/sfc_layout.h"
+#include "ladder/graphic/text_wrap.h"
 
 namespace stepwright::graphic {
 namespace {
@@ -24,9 +25,15 @@ class Layouter {
     }
     int width = m_.min_width;
     for (const Rung& rung : program_.rungs) {
-      const int parts = measure(rung.condition).width + outputs(rung).width + 3 * m_.wire;
-      const int comment = text_width(rung.comment) + 8 * m_.character;
-      width = std::max({width, parts, comment});
+      const int output = outputs(rung).width;
+      const int parts = measure(rung.condition).width + output + 3 * m_.wire;
+      const int comment = text_width(rung.comment) + text_width(rung.label) + 8 * m_.character;
+      if (m_.max_width == 0 || std::max(parts, comment) <= m_.max_width) {
+        width = std::max({width, parts, comment});
+      } else {
+        width = std::max(
+            {width, m_.max_width, widest_part(rung.condition) + 2 * mark_width(), output + mark_width()});
+      }
     }
     out_.left_rail = m_.margin;
     out_.right_rail = m_.margin + width;
@@ -38,10 +45,49 @@ class Layouter {
   }
 
  private:
+  int mark_width() const { return 6 * m_.character; }
+
+  int inner() const { return out_.right_rail - out_.left_rail; }
+
+  static std::vector<const Condition*> parts_of(const Condition& condition) {
+    std::vector<const Condition*> parts;
+    if (condition.kind != ConditionKind::All) return {&condition};
+    for (const Condition& child : condition.children) parts.push_back(&child);
+    return parts;
+  }
+
+  int widest_part(const Condition& condition) const {
+    int widest = 0;
+    for (const Condition* part : parts_of(condition)) widest = std::max(widest, measure(*part).width);
+    return widest;
+  }
+
+  // The condition in lines that leave room for the marks; the last one also for the outputs.
+  std::vector<std::vector<const Condition*>> lines_of_rung(const Condition& condition, int output) const {
+    std::vector<std::vector<const Condition*>> lines(1);
+    lines[0] = parts_of(condition);
+    if (m_.max_width == 0 || measure(condition).width + output <= inner()) return lines;
+    lines.assign(1, {});
+    int used = 0;
+    for (const Condition* part : parts_of(condition)) {
+      const int width = measure(*part).width;
+      if (!lines.back().empty() && used + width + 2 * mark_width() > inner()) {
+        lines.emplace_back();
+        used = 0;
+      }
+      lines.back().push_back(part);
+      used += width;
+    }
+    const int before = lines.size() > 1 ? mark_width() : 0;
+    if (before + used + output > inner()) lines.emplace_back();
+    return lines;
+  }
+
   int text_width(const std::string& text) const { return static_cast<int>(length_of(text)) * m_.character; }
 
   Size symbol_size(const std::string& name) const {
-    return {std::max(m_.symbol, text_width(name)) + 2 * m_.wire, m_.symbol_half + m_.line, m_.symbol_half};
+    return {std::max(m_.symbol, text_width(name)) + 2 * m_.wire, m_.symbol_half + m_.line,
+            m_.symbol_half + m_.note};
   }
 
   static std::string box_text(const Condition& condition) {
@@ -68,10 +114,12 @@ class Layouter {
     return {};
   }
 
-  Size series(const Condition& condition) const {
+  Size series(const Condition& condition) const { return series(parts_of(condition)); }
+
+  Size series(const std::vector<const Condition*>& parts) const {
     Size size;
-    for (const Condition& child : condition.children) {
-      const Size part = measure(child);
+    for (const Condition* each : parts) {
+      const Size part = measure(*each);
       size.width += part.width;
       size.up = std::max(size.up, part.up);
       size.down = std::max(size.down, part.down);
@@ -148,15 +196,56 @@ class Layouter {
 
   int place_rung(std::size_t index, int top) {
     const Rung& rung = program_.rungs[index];
-    out_.rungs.push_back({index, top, {}, {}});
-    const Size condition = measure(rung.condition);
+    if (!rung.goes_on || number_ == 0) ++number_;
+    out_.rungs.push_back({index, rung.goes_on ? 0 : number_, top, 0, comment_lines(rung), {}, {}});
     const Size output = outputs(rung);
-    const int y = top + m_.line + m_.branch_gap + std::max(condition.up, output.up);
-    place(rung.condition, out_.left_rail, y, condition.width);
-    const int split = out_.right_rail - output.width;
-    wire(out_.left_rail + condition.width, y, split, y);
-    const int bottom = std::max(y + condition.down + 1, place_outputs(rung, split, y));
-    return bottom + m_.rung_gap;
+    const auto lines = lines_of_rung(rung.condition, output.width);
+    const int comment = std::max(1, static_cast<int>(out_.rungs.back().comment.size())) * m_.line;
+    int bottom = top + comment + m_.branch_gap;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const bool last = i + 1 == lines.size();
+      const Size size = series(lines[i]);
+      const int up = std::max(size.up, last ? output.up : 0);
+      bottom = place_line(rung, lines[i], i, last, bottom + up) + (last ? 0 : m_.branch_gap + 1);
+    }
+    out_.rungs.back().bottom = bottom + m_.rung_gap;
+    return out_.rungs.back().bottom;
+  }
+
+  // One line of a rung with its wire at `y`; returns its lower end.
+  int place_line(const Rung& rung, const std::vector<const Condition*>& parts, std::size_t index, bool last,
+                 int y) {
+    int x = out_.left_rail;
+    if (index > 0) x += mark(SymbolKind::WentOn, index, x, y);
+    for (const Condition* part : parts) {
+      const int width = measure(*part).width;
+      place(*part, x, y, width);
+      x += width;
+    }
+    const int end = out_.right_rail - (last ? outputs(rung).width : mark_width());
+    wire(x, y, end, y);
+    const int bottom = y + series(parts).down + 1;
+    if (last) return std::max(bottom, place_outputs(rung, end, y));
+    mark(SymbolKind::GoesOn, index + 1, end, y);
+    return bottom;
+  }
+
+  // Where a line goes on: the same number at both ends.
+  int mark(SymbolKind kind, std::size_t number, int x, int y) {
+    PlacedSymbol symbol;
+    symbol.kind = kind;
+    symbol.x = x;
+    symbol.y = y;
+    symbol.width = mark_width();
+    symbol.text = std::to_string(number);
+    out_.rungs.back().symbols.push_back(symbol);
+    return mark_width();
+  }
+
+  std::vector<std::string> comment_lines(const Rung& rung) const {
+    const std::string label = rung.label.empty() ? "" : rung.label + ": ";
+    const int width = inner() / m_.character - 8;
+    return wrap_words(label + rung.comment, static_cast<std::size_t>(std::max(20, width)));
   }
 
   int place_outputs(const Rung& rung, int split, int y) {
@@ -261,6 +350,7 @@ class Layouter {
   const LadderMetrics& m_;
   LadderLayout out_;
   int coil_width_ = 0;
+  std::size_t number_ = 0;
 };
 
 std::vector<std::string> lines_of(const std::string& text) {

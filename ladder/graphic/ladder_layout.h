@@ -1,7 +1,7 @@
 #pragma once
 
-// The layout of a ladder diagram: where every symbol and wire stands. Drawings and exchange formats share it;
-// the unit is what LadderMetrics are in. Pure function of its input. Internal to this folder.
+// The layout of a ladder diagram: where every symbol and wire stands. Drawings share it; the unit
+// is what LadderMetrics are in. Pure function of its input; use from any thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -23,9 +23,11 @@ struct LadderMetrics {
   int branch_gap = 1;   // between parallel branches
   int rung_gap = 1;     // below a rung
   int min_width = 60;   // between the rails
+  int max_width = 0;    // between the rails: a wider series goes on in another line; 0 = no bound
+  int note = 0;         // height of the line of notes below contacts and coils
 };
 
-enum class SymbolKind : std::uint8_t { Contact, Box, Coil, Block, Jump, Return };
+enum class SymbolKind : std::uint8_t { Contact, Box, Coil, Block, Jump, Return, GoesOn, WentOn };
 
 // `x` is the left edge, `y` the height of the wire.
 struct PlacedSymbol {
@@ -36,7 +38,7 @@ struct PlacedSymbol {
   const Condition* condition = nullptr;  // Contact, Box
   const Coil* coil = nullptr;
   const Block* block = nullptr;
-  std::string text;  // of a Box, Jump
+  std::string text;  // of a Box, Jump, GoesOn (its line goes on ...), WentOn (... here)
 };
 
 struct PlacedWire {
@@ -48,7 +50,10 @@ struct PlacedWire {
 
 struct PlacedRung {
   std::size_t rung = 0;
-  int top = 0;  // of its comment
+  std::size_t number = 0;            // as people count: rungs that go on with a network have none
+  int top = 0;                       // of its comment
+  int bottom = 0;                    // of everything, with the gap to the next rung
+  std::vector<std::string> comment;  // with the label, in lines
   std::vector<PlacedSymbol> symbols;
   std::vector<PlacedWire> wires;
 };

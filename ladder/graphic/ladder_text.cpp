@@ -69,21 +69,28 @@ void draw(TextCanvas& canvas, const PlacedSymbol& symbol) {
     case SymbolKind::Return:
       canvas.text(symbol.x, symbol.y, symbol.text);
       break;
+    case SymbolKind::GoesOn:
+      canvas.text(symbol.x, symbol.y, "─> " + symbol.text);
+      break;
+    case SymbolKind::WentOn:
+      canvas.text(symbol.x + 1, symbol.y, symbol.text + " >─");
+      break;
   }
 }
 
 }  // namespace
 
-std::string draw_ladder_text(const LadderProgram& program) {
-  const LadderLayout layout = lay_out(program, metrics);
+std::string draw_ladder_text(const LadderProgram& program, int max_width) {
+  LadderMetrics bounded = metrics;
+  bounded.max_width = max_width;
+  const LadderLayout layout = lay_out(program, bounded);
   TextCanvas canvas;
   canvas.vertical(layout.left_rail, 0, layout.height);
   canvas.vertical(layout.right_rail, 0, layout.height);
   for (const PlacedRung& placed : layout.rungs) {
-    const Rung& rung = program.rungs[placed.rung];
-    const std::string label = rung.label.empty() ? "" : rung.label + ": ";
-    canvas.text(layout.left_rail + 2, placed.top, std::to_string(placed.rung + 1));
-    canvas.text(layout.left_rail + 6, placed.top, label + rung.comment);
+    if (placed.number > 0) canvas.text(layout.left_rail + 2, placed.top, std::to_string(placed.number));
+    for (std::size_t i = 0; i < placed.comment.size(); ++i)
+      canvas.text(layout.left_rail + 7, placed.top + static_cast<int>(i), placed.comment[i]);
     for (const PlacedWire& wire : placed.wires) {
       if (wire.y1 == wire.y2) {
         canvas.horizontal(wire.x1, wire.x2, wire.y1);

@@ -13,6 +13,21 @@ int width_of(const std::string& text, int character) {
   return static_cast<int>(length_of(text)) * character;
 }
 
+// A text without parentheses around all of it; as it is if it holds strings.
+std::string bare(std::string text) {
+  while (text.size() > 2 && text.front() == '(' && text.find_first_of("'\"") == std::string::npos) {
+    int depth = 0;
+    std::size_t closes = 0;
+    for (; closes < text.size(); ++closes) {
+      if (text[closes] == '(') ++depth;
+      if (text[closes] == ')' && --depth == 0) break;
+    }
+    if (closes + 1 != text.size()) break;
+    text = text.substr(1, text.size() - 2);
+  }
+  return text;
+}
+
 class Layouter {
  public:
   Layouter(const SfcChart& chart, const SfcMetrics& metrics)
@@ -38,7 +53,8 @@ class Layouter {
     if (node.kind == NodeKind::Transition) measure_transition(node);
     if (node.kind == NodeKind::Jump) {
       node.left = m_.bar;
-      node.right = m_.bar + m_.text_gap + width_of(chart_.steps[node.index].name, m_.character);
+      node.right = m_.bar + m_.text_gap + width_of(chart_.steps[node.index].name, m_.character) +
+                   m_.reference * m_.character;
       node.height = m_.arrow;
     }
   }
@@ -67,14 +83,16 @@ class Layouter {
     }
     if (placed.jumps.empty()) return;
     node.height += 2 * m_.line;
-    node.left = std::max(node.left, 2 * m_.arrow + m_.text_gap + width_of(placed.jumps, m_.small_character));
+    const int references = static_cast<int>(graph_.jumps_into[node.index].size()) * m_.reference;
+    node.left = std::max(node.left, 2 * m_.arrow + m_.text_gap + width_of(placed.jumps, m_.small_character) +
+                                        references * m_.small_character);
   }
 
   void measure_transition(LayoutNode& node) {
     PlacedTransition& placed = out_.transitions[node.index];
     placed.transition = node.index;
     placed.label = label_of(node.index);
-    placed.text = wrap_condition(to_st(chart_.transitions[node.index].condition), m_.condition_width);
+    placed.text = wrap_condition(bare(to_st(chart_.transitions[node.index].condition)), m_.condition_width);
     std::size_t longest = 0;
     for (const std::string& line : placed.text) longest = std::max(longest, length_of(line));
     node.left = m_.bar + m_.text_gap + width_of(placed.label, m_.small_character);

@@ -33,6 +33,7 @@ struct SfcMetrics {
   int track = 1;                     // distance of two such lines
   int overhang = 1;                  // of a double line
   int arrow = 2;                     // length of the arrow of a jump
+  int reference = 0;                 // characters kept free behind the name of a jump, for its page
   std::size_t condition_width = 40;  // characters after which a condition is wrapped
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Writes the elements of an SVG: the writer for the drawings of this folder, the escaping for everyone.
+// Writes the elements of an SVG: the writer for the drawings, the escaping for everyone.
 
 #include <string>
 
@@ -8,10 +8,13 @@ namespace stepwright::graphic {
 
 class SvgWriter {
  public:
-  // `style` is the content of the style element.
-  SvgWriter(int width, int height, const std::string& title, const std::string& style);
+  // `style` is the content of the style element. On paper `width_mm` says how wide it is; 0 = in pixels.
+  SvgWriter(int width, int height, const std::string& title, const std::string& style, int width_mm = 0,
+            int height_mm = 0);
 
   void open_group(const std::string& css, const std::string& attribute = {}, const std::string& value = {});
+  // A group whose coordinates are scaled by `percent` / 100 (at most 100) and then moved.
+  void open_moved(int x, int y, int percent = 100);
   void close_group();
   void tooltip(const std::string& text);  // of the open group
   void rect(int x, int y, int width, int height, const std::string& css);
@@ -19,13 +22,15 @@ class SvgWriter {
   void path(const std::string& data, const std::string& css);
   // `css` decides size and anchor.
   void text(int x, int y, const std::string& text, const std::string& css);
+  // The same with all its blanks.
+  void code(int x, int y, const std::string& text, const std::string& css);
   std::string finish();
 
  private:
   std::string out_;
 };
 
-// Escapes what XML reserves; control characters become spaces.
+// Escapes what XML reserves; control characters become spaces, bytes that are no UTF-8 U+FFFD.
 std::string xml_escaped(const std::string& text);
 
 }  // namespace stepwright::graphic

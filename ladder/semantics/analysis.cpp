@@ -39,6 +39,13 @@ Place frame_place(Pou& pou, const Type* type) {
   return place;
 }
 
+const std::string& plain_name(const Type& type) {
+  static const std::string kString = "STRING";
+  static const std::string kWstring = "WSTRING";
+  if (!type.is_string()) return type.name;
+  return type.elementary == ElementaryType::Wstring ? kWstring : kString;
+}
+
 std::string quote(std::string_view name) {
   return "'" + std::string(name) + "'";
 }

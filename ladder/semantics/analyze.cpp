@@ -67,18 +67,17 @@ std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, 
   Analysis a{*model, names, sink, {}, {}, {}, {}, {}, {}};
   register_pous(a, unit);
   TypeResolver types(a, unit);
+  // Types may name constants, the other globals may name types.
+  declare_globals(a, types, unit, true);
   types.declare_all();
-  declare_globals(a, types, unit.globals);
-  for (const syntax::Configuration& each : unit.configurations) {
-    declare_globals(a, types, each.globals);
-    for (const syntax::Resource& resource : each.resources) declare_globals(a, types, resource.globals);
-  }
+  declare_globals(a, types, unit, false);
   for (const auto& pou : model->pous) types.lay_out(*pou);
   note_block_tasks(a, unit);
   for (const auto& pou : model->pous) StatementAnalyzer(a, *pou).body(pou->declaration->body);
   check_recursion(a);
   protect_inputs(a);
   configure(a, types, unit, user_pous);
+  place_hierarchical(a);
   check_overlaps(a);
   return model;
 }

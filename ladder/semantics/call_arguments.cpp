@@ -123,6 +123,11 @@ ValuePtr ExpressionAnalyzer::reference_argument(const Argument& argument, const 
   if (!target) return nullptr;
   if (!matches_parameter(*target->type, *parameter.type))
     return mismatch(*target->type, *parameter.type, where);
+  if (target->character) {
+    a_.error(code::kNeedsVariable, where, "a character of a string has no address",
+             "copy it into a variable and back");
+    return nullptr;
+  }
   if (!target->is_addressable()) {
     const Place scratch = frame_place(*pou_, parameter.type);
     before.push_back({copy_direct(scratch), load(copy_direct(*target), where)});
@@ -142,7 +147,11 @@ ValuePtr ExpressionAnalyzer::address_of(Place place, Position where) {
 // capacity carries it along.
 bool ExpressionAnalyzer::matches_parameter(const Type& argument, const Type& parameter) const {
   if (&argument == &parameter) return true;
-  if (parameter.is_string()) return argument.is_string() && argument.elementary == parameter.elementary;
+  if (parameter.is_string()) {
+    // The length of a short string is INT: a long one cannot stand for it.
+    const bool fits = argument.capacity <= 0x7FFF || parameter.capacity > 0x7FFF;
+    return argument.is_string() && argument.elementary == parameter.elementary && fits;
+  }
   return parameter.open && argument.kind == TypeKind::Array && argument.element == parameter.element &&
          argument.dimensions.size() == parameter.dimensions.size();
 }

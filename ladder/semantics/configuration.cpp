@@ -69,11 +69,18 @@ void configure_default(Analysis& a, TypeResolver& types, std::size_t user_pous) 
 
 }  // namespace
 
-void declare_globals(Analysis& a, TypeResolver& types,
-                     const std::vector<syntax::VariableDeclaration>& lines) {
-  for (const syntax::VariableDeclaration& line : lines) {
-    const Type* type = types.resolve(*line.type);
-    for (const syntax::Name& name : line.names) declare_global(a, line, name, type);
+void declare_globals(Analysis& a, TypeResolver& types, const syntax::Unit& unit, bool constants) {
+  const auto declare = [&](const std::vector<syntax::VariableDeclaration>& lines) {
+    for (const syntax::VariableDeclaration& line : lines) {
+      if (line.constant != constants) continue;
+      const Type* type = types.resolve(*line.type);
+      for (const syntax::Name& name : line.names) declare_global(a, line, name, type);
+    }
+  };
+  declare(unit.globals);
+  for (const syntax::Configuration& each : unit.configurations) {
+    declare(each.globals);
+    for (const syntax::Resource& resource : each.resources) declare(resource.globals);
   }
 }
 

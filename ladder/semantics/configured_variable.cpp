@@ -24,12 +24,14 @@ void Configurer::configure(const syntax::ConfiguredVariable& line) {
     return;
   }
   auto& data = a_.model.area(Base::Data);
-  const std::uint32_t at = a_.model.instances[member->instance->index].offset + member->offset;
+  const bool referred = member->variable->is_referred();
+  const std::uint32_t at = referred ? member->variable->first.offset
+                                    : a_.model.instances[member->instance->index].offset + member->offset;
   if (data.size() < std::size_t{at} + type->size) return;
-  const std::span<std::byte> bytes = std::span(data).subspan(at, type->size);
+  std::vector<std::byte> first(data.begin() + at, data.begin() + at + type->size);
   ExpressionAnalyzer expressions(a_, nullptr);
-  if (line.initial && !initialise(a_, expressions, *line.initial, *type, bytes)) return;
-  const std::vector<std::byte> first(bytes.begin(), bytes.end());
+  if (line.initial && !initialise(a_, expressions, *line.initial, *type, first)) return;
+  if (!referred) std::copy(first.begin(), first.end(), data.begin() + at);
   if (line.address) give_address(line, *member, first);
 }
 
@@ -59,8 +61,8 @@ std::optional<Configurer::Member> Configurer::find_member(const syntax::Configur
   for (std::size_t i = first + 1; i < path.size(); ++i) {
     if (owner == nullptr) return unknown(path[i], quote(member.path));
     const Variable* found = owner->find(path[i].id);
-    if (found == nullptr || found->place.base != Base::This || found->section == Section::External)
-      return unknown(path[i], quote(member.path));
+    const bool inside = found != nullptr && (found->place.base == Base::This || found->is_referred());
+    if (!inside || found->section == Section::External) return unknown(path[i], quote(member.path));
     if (found->type == nullptr) return std::nullopt;
     member.variable = found;
     member.offset += found->place.offset;
@@ -79,6 +81,10 @@ bool Configurer::give_address(const syntax::ConfiguredVariable& line, const Memb
              declared.open_address ? quote(member.path) + " is declared at another area"
                                    : quote(member.path) + " is not declared with an open address",
              "declare it AT %I*, AT %Q* or AT %M*, and give it an address of that area");
+    // What is wrong is not missing too.
+    Place place;
+    place.type = declared.type;
+    member.instance->located.push_back({member.offset, std::move(place), true});
     return false;
   }
   syntax::VariableDeclaration whole;
@@ -99,7 +105,11 @@ bool Configurer::give_address(const syntax::ConfiguredVariable& line, const Memb
     a_.error(code::kDuplicate, variable.where, quote(member.path) + " has an address already");
     return false;
   }
-  located.push_back({member.offset, ExpressionAnalyzer::copy_direct(variable.place)});
+  located.push_back(
+      {member.offset, ExpressionAnalyzer::copy_direct(variable.place), !declared.is_referred()});
+  if (declared.is_referred())
+    a_.model.references.push_back({a_.model.instances[member.instance->index].offset + member.offset,
+                                   ExpressionAnalyzer::copy_direct(variable.place)});
   a_.model.configured.push_back(std::move(variable));
   return true;
 }
@@ -108,7 +118,7 @@ bool Configurer::give_address(const syntax::ConfiguredVariable& line, const Memb
 void Configurer::check_addresses(const Instance& instance, const Pou& pou, const std::string& path,
                                  std::uint32_t offset) {
   for (const Variable& each : pou.variables) {
-    if (each.type == nullptr || each.place.base != Base::This) continue;
+    if (each.type == nullptr || (each.place.base != Base::This && !each.is_referred())) continue;
     const std::uint32_t at = offset + each.place.offset;
     const std::string name = path + "." + each.spelling;
     if (each.type->kind == TypeKind::Instance) {

@@ -111,7 +111,21 @@ std::optional<Constant> evaluate(Operator op, const Constant& left, const Consta
   return value ? std::optional(wrapped({*value}, operands)) : std::nullopt;
 }
 
+namespace {
+
+void store_text(const std::u16string& text, const Type& type, std::span<std::byte> out) {
+  const std::size_t width = bytecode::character_bytes(type.elementary);
+  const auto length = static_cast<std::uint16_t>(text.size());
+  std::memcpy(out.data() + 2, &length, sizeof(length));
+  const auto characters = out.subspan(bytecode::kStringHeaderBytes);
+  std::ranges::fill(characters, std::byte{0});
+  for (std::size_t i = 0; i < text.size(); ++i) std::memcpy(characters.data() + i * width, &text[i], width);
+}
+
+}  // namespace
+
 void store(const Constant& value, const Type& type, std::span<std::byte> out) {
+  if (type.is_string()) return store_text(value.text, type, out);
   if (type.is(ElementaryType::Real)) {
     const auto single = static_cast<float>(value.real);
     std::memcpy(out.data(), &single, sizeof(single));

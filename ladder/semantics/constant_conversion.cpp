@@ -1,6 +1,7 @@
 #include "ladder/semantics/constant_conversion.h"
 
 #include <cmath>
+#include <vector>
 
 #include "ladder/semantics/constant_function.h"
 
@@ -44,6 +45,11 @@ std::int64_t time_unit_ns(const Type& time_or_date) {
   return milliseconds ? 1'000'000 : 1'000'000'000;
 }
 
+bool transfers_bits(const Type& from, const Type& to) {
+  const bool real = (from.is_real() && to.is_bits()) || (from.is_bits() && to.is_real());
+  return real && from.kind == to.kind && from.size == to.size;
+}
+
 std::optional<Constant> converted(const Constant& value, const Type& from, const Type& to) {
   if (counts_ns(from)) return from_time(value, from, to);
   if (counts_ns(to)) {
@@ -54,6 +60,12 @@ std::optional<Constant> converted(const Constant& value, const Type& from, const
     const auto low = static_cast<std::uint64_t>(value.integer) * static_cast<std::uint64_t>(unit);
     return wrapped({static_cast<__int128>(low)}, to);
   }
+  if (transfers_bits(from, to)) {
+    std::vector<std::byte> bytes(from.size);
+    store(value, from, bytes);
+    return load(to, bytes);
+  }
+  if (from.is_bits() && to.is_bool()) return Constant{value.integer & 1};
   if (from.is_real() && to.is_real()) return wrapped(value, to);
   if (from.is_real() && to.is_bool()) return Constant{value.real != 0 ? 1 : 0};
   if (from.is_real() && is_whole(to)) return rounded(value.real, to);

@@ -12,6 +12,9 @@ namespace stepwright::semantics {
 // TIME and TOD, seconds for DATE and DT.
 std::int64_t time_unit_ns(const Type& time_or_date);
 
+// Whether a conversion keeps the bits and not the number: between REAL and DWORD, LREAL and LWORD (table 26).
+bool transfers_bits(const Type& from, const Type& to);
+
 // Nothing if the machine would trap (a real out of range), or if there is no such conversion of constants.
 std::optional<Constant> converted(const Constant& value, const Type& from, const Type& to);
 

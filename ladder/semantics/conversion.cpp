@@ -11,6 +11,13 @@ namespace stepwright::semantics::internal {
 namespace {
 
 std::string conversion_hint(const Type& from, const Type& to) {
+  const auto is_text = [](const Type& type) { return type.is_string() || type.kind == TypeKind::Elementary; };
+  if (to.is_string() && from.is_string())
+    return to.elementary == ElementaryType::Wstring
+               ? "literals of WSTRING stand in double quotes; else convert it with STRING_TO_WSTRING(...)"
+               : "literals of STRING stand in single quotes; else convert it with WSTRING_TO_STRING(...)";
+  if (to.is_string() && is_text(from)) return "convert it with TO_" + plain_name(to) + "(...)";
+  if (from.is_string() && is_text(to)) return "convert it with TO_" + to.name + "(...)";
   const bool elementary = from.kind == TypeKind::Elementary && to.kind == TypeKind::Elementary;
   return elementary ? "convert it with " + from.name + "_TO_" + to.name + "(...)" : "";
 }
@@ -28,6 +35,8 @@ bool convertible(const Type& from, const Type& to) {
   if (&from == &to) return true;
   const auto is_count = [](const Type& type) { return type.is_number() || type.is_bits(); };
   const auto is_plain = [&](const Type& type) { return is_count(type) || type.is_bool(); };
+  const bool real_and_bits = (from.is_real() && to.is_bits()) || (from.is_bits() && to.is_real());
+  if (real_and_bits) return transfers_bits(from, to);
   if (is_plain(from) && is_plain(to)) return true;
   const auto is_time = [](const Type& type) { return type.is_time() || is_date(type); };
   if (is_time(from) && is_time(to))
@@ -44,7 +53,8 @@ ValuePtr ExpressionAnalyzer::mismatch(const Type& from, const Type& to, Position
   std::string hint = conversion_hint(from, to);
   if (to.is_time() && from.is_literal()) hint = "durations are written T#1s500ms";
   if (from.kind == TypeKind::AnyReal && to.is_integer()) hint = "round it, or declare the variable as REAL";
-  a_.error(code::kTypeMismatch, where, "expected " + to.name + ", found " + from.name, std::move(hint));
+  a_.error(code::kTypeMismatch, where, "expected " + plain_name(to) + ", found " + plain_name(from),
+           std::move(hint));
   return nullptr;
 }
 
@@ -127,6 +137,15 @@ ValuePtr ExpressionAnalyzer::truncated(ValuePtr value, const Type* type, const s
   return result;
 }
 
+// An elementary type, or a string of any length; null if the name is none of them.
+const Type* ExpressionAnalyzer::named_type(const std::string& folded) const {
+  for (const auto which : {ElementaryType::String, ElementaryType::Wstring})
+    if (folded == bytecode::name_of(which))
+      return a_.type_table().string(which, bytecode::kMaxStringCapacity);
+  ElementaryType which{};
+  return elementary_from(folded, which) ? a_.type_table().elementary(which) : nullptr;
+}
+
 std::optional<NamedConversion> ExpressionAnalyzer::named_conversion(const std::string& folded) const {
   using Kind = NamedConversion::Kind;
   struct Pattern {
@@ -143,12 +162,10 @@ std::optional<NamedConversion> ExpressionAnalyzer::named_conversion(const std::s
   for (const Pattern& each : kPatterns) {
     const std::size_t at = text.find(each.middle);
     if (at == std::string::npos) continue;
-    ElementaryType from{};
-    ElementaryType to{};
-    if (!elementary_from(text.substr(at + each.middle.size()), to)) return std::nullopt;
-    if (at > 0 && !elementary_from(text.substr(1, at - 1), from)) return std::nullopt;
-    const TypeTable& types = a_.type_table();
-    return NamedConversion{each.kind, at > 0 ? types.elementary(from) : nullptr, types.elementary(to)};
+    const Type* to = named_type(text.substr(at + each.middle.size()));
+    const Type* from = at > 0 ? named_type(text.substr(1, at - 1)) : nullptr;
+    if (to == nullptr || (at > 0 && from == nullptr)) return std::nullopt;
+    return NamedConversion{each.kind, from, to};
   }
   return std::nullopt;
 }
@@ -173,11 +190,9 @@ ValuePtr ExpressionAnalyzer::explicit_conversion(const syntax::Expression& call,
     default:
       return bcd_conversion(std::move(value), conversion, call);
   }
-  if (!convertible(*value->type, *conversion.to)) {
-    a_.error(code::kTypeMismatch, call.where,
-             "there is no conversion from " + value->type->name + " to " + conversion.to->name);
-    return nullptr;
-  }
+  if (value->type->is_string() || conversion.to->is_string())
+    return text_conversion(std::move(value), conversion.to, call);
+  if (!convertible(*value->type, *conversion.to)) return no_conversion(*value->type, *conversion.to, call);
   return convert_exactly(std::move(value), conversion.to);
 }
 

@@ -24,6 +24,11 @@ ValuePtr ExpressionAnalyzer::convert_derived(ValuePtr value, const Type* type, P
   if (from.kind == TypeKind::Nothing) return mismatch(from, *type, where);
   if (from.kind == TypeKind::Null && type->is_reference())
     return make_constant(value->constant, type, value->where);
+  const auto is_character = [](const Type& each) {
+    return each.is(ElementaryType::Char) || each.is(ElementaryType::Wchar);
+  };
+  const bool texts = (from.is_string() || is_character(from)) && (type->is_string() || is_character(*type));
+  if (texts) return convert_text(std::move(value), type, where);
   if (type->kind == TypeKind::Subrange) return convert_to_subrange(std::move(value), type, where);
   known = false;
   return value;

@@ -9,7 +9,7 @@ namespace stepwright::semantics::internal {
 
 const Type* TypeResolver::array(const syntax::TypeSpec& spec) {
   const Type* element = resolve(*spec.element);
-  ExpressionAnalyzer expressions(a_, nullptr);
+  ExpressionAnalyzer expressions(a_, scope_);
   std::vector<Dimension> dimensions;
   std::uint64_t size = element != nullptr ? element->size : 1;
   bool sound = element != nullptr;
@@ -58,7 +58,7 @@ const Type* TypeResolver::open_array(const syntax::TypeSpec& spec) {
 const Type* TypeResolver::structure(const syntax::TypeSpec& spec, Type& out) {
   Type* type = &out;
   type->size = 0;
-  ExpressionAnalyzer expressions(a_, nullptr);
+  ExpressionAnalyzer expressions(a_, scope_);
   bool sound = true;
   for (const syntax::VariableDeclaration& line : spec.fields) {
     const Type* field_type = resolve(*line.type);
@@ -115,7 +115,7 @@ const Type* TypeResolver::enumeration(const syntax::TypeSpec& spec, std::string 
   type->elementary = base->elementary;
   type->base = base;
   type->size = base->size;
-  ExpressionAnalyzer expressions(a_, nullptr);
+  ExpressionAnalyzer expressions(a_, scope_);
   Constant next;
   for (const syntax::Enumerator& each : spec.enumerators) {
     if (each.value) {
@@ -160,7 +160,7 @@ const Type* TypeResolver::subrange(const syntax::TypeSpec& spec) {
     a_.error(code::kTypeMismatch, spec.where, "a subrange needs an integer type, not " + base->name);
     return nullptr;
   }
-  ExpressionAnalyzer expressions(a_, nullptr);
+  ExpressionAnalyzer expressions(a_, scope_);
   const auto low = expressions.constant(*spec.ranges.front().low, base);
   const auto high = expressions.constant(*spec.ranges.front().high, base);
   if (!low || !high) return nullptr;
@@ -173,7 +173,7 @@ const Type* TypeResolver::subrange(const syntax::TypeSpec& spec) {
 }
 
 const Type* TypeResolver::text(const syntax::TypeSpec& spec) {
-  ExpressionAnalyzer expressions(a_, nullptr);
+  ExpressionAnalyzer expressions(a_, scope_);
   const auto length = expressions.constant_integer(*spec.length);
   if (!length) return nullptr;
   constexpr std::int64_t kMost = bytecode::kMaxStringCapacity;

@@ -101,8 +101,7 @@ ValuePtr ExpressionAnalyzer::value(const Expression& expression) {
       return nullptr;
     case ExpressionKind::String:
     case ExpressionKind::WideString:
-      a_.error(code::kNotSupported, expression.where, "this is not supported yet");
-      return nullptr;
+      return text_literal(expression);
     case ExpressionKind::Error:
       break;
   }
@@ -129,17 +128,17 @@ ValuePtr ExpressionAnalyzer::literal(const Expression& expression) {
 
 // INT#5, WORD#16#FF, REAL#1
 ValuePtr ExpressionAnalyzer::typed_literal(const Expression& expression) {
-  ElementaryType which{};
-  if (!elementary_from(a_.names.folded(expression.prefix->id), which)) {
+  const Type* type = named_type(a_.names.folded(expression.prefix->id));
+  if (type == nullptr) {
     a_.error(code::kUnknownType, expression.prefix->where,
              quote(expression.prefix->text) + " is no elementary type");
     return nullptr;
   }
-  const TypeTable& types = a_.type_table();
-  const Type* type = types.elementary(which);
   ValuePtr inner;
   if (expression.kind == ExpressionKind::Unary) {
     inner = unary(expression);
+  } else if (expression.kind == ExpressionKind::String || expression.kind == ExpressionKind::WideString) {
+    inner = text_literal(expression);
   } else {
     inner = literal(expression);
   }

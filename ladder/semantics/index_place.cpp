@@ -12,6 +12,7 @@ using syntax::Expression;
 
 std::optional<Place> ExpressionAnalyzer::index_place(const Expression& expression) {
   std::optional<Place> base = part(*expression.operands[0]);
+  if (base && base->type->is_string()) return character_place(std::move(*base), expression);
   bool sound = base.has_value();
   const std::size_t given = expression.operands.size() - 1;
   if (sound && base->type->kind != TypeKind::Array) {

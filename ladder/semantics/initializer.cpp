@@ -65,6 +65,22 @@ bool initialise_struct(Analysis& a, ExpressionAnalyzer& expressions, const Expre
   return sound;
 }
 
+// A first value is written down in full, so one that is too long is a mistake and is not cut.
+bool initialise_text(Analysis& a, ExpressionAnalyzer& expressions, const Expression& initial,
+                     const Type& type, std::span<std::byte> out) {
+  const Type* longest = a.type_table().string(type.elementary, bytecode::kMaxStringCapacity);
+  const auto value = expressions.constant(initial, longest);
+  if (!value) return false;
+  if (value->text.size() > type.capacity) {
+    a.error(code::kOutOfRange, initial.where,
+            "the text has " + std::to_string(value->text.size()) + " characters, " + type.name + " holds " +
+                std::to_string(type.capacity));
+    return false;
+  }
+  store(*value, type, out);
+  return true;
+}
+
 }  // namespace
 
 bool initialise(Analysis& a, ExpressionAnalyzer& expressions, const Expression& initial, const Type& type,
@@ -74,6 +90,7 @@ bool initialise(Analysis& a, ExpressionAnalyzer& expressions, const Expression& 
     if (value) store(*value, type, out);
     return value.has_value();
   }
+  if (type.is_string()) return initialise_text(a, expressions, initial, type, out);
   if (type.kind == TypeKind::Array && initial.kind == ExpressionKind::ArrayValues)
     return initialise_array(a, expressions, initial, type, out);
   if (type.kind != TypeKind::Array && initial.kind == ExpressionKind::StructValues)

@@ -9,13 +9,23 @@ using syntax::VariableDeclaration;
 
 void Layout::run() {
   const syntax::PouDeclaration& declaration = *pou_.declaration;
-  for (const VariableDeclaration& line : declaration.variables) line_types_.push_back(type_of(line));
+  line_types_.resize(declaration.variables.size());
+  // The parameters of a function are numbered before its variables are declared.
+  const auto is_numbered = [&](const VariableDeclaration& line) {
+    return pou_.kind == PouKind::Function &&
+           (line.section == Section::Input || line.section == Section::Output ||
+            line.section == Section::InOut);
+  };
+  for (std::size_t i = 0; i < line_types_.size(); ++i)
+    if (is_numbered(declaration.variables[i])) line_types_[i] = type_of(declaration.variables[i]);
   if (pou_.kind == PouKind::Function) {
     number_parameters();
     declare_result();
   }
   for (std::size_t i = 0; i < line_types_.size(); ++i) {
     const VariableDeclaration& line = declaration.variables[i];
+    // One after the other: a bound may name a constant that was declared before.
+    if (!is_numbered(line)) line_types_[i] = type_of(line);
     if (line.names.empty()) declare_direct(line, line_types_[i]);
     for (const syntax::Name& name : line.names) declare(line, name, line_types_[i]);
   }
@@ -123,6 +133,11 @@ std::uint32_t Layout::append(const std::vector<std::byte>& bytes) {
 
 bool Layout::place_in_instance(Variable& variable, const std::vector<std::byte>& bytes) {
   if (variable.section == Section::InOut) {
+    place_reference(variable);
+    return true;
+  }
+  if (variable.is_referred()) {
+    variable.first = a_.allocate_place(variable.type, bytes, variable.where);
     place_reference(variable);
     return true;
   }
@@ -247,7 +262,9 @@ void TypeResolver::lay_out(Pou& pou) {
   State& state = layouts_[pou.name.value];
   if (state != State::Open) return;
   state = State::Running;
+  Pou* const outer = std::exchange(scope_, &pou);
   Layout(a_, *this, pou).run();
+  scope_ = outer;
   layouts_[pou.name.value] = State::Done;
 }
 

@@ -29,7 +29,8 @@ bool fits_address(Analysis& a, const syntax::VariableDeclaration& line, const Ty
                          : "use an address like %IL0");
     return false;
   }
-  if (std::size_t{address.byte} + type.size > syntax::kAreaLimit) {
+  const std::size_t first = address.byte < syntax::kHierarchical ? address.byte : 0;
+  if (first + type.size > syntax::kAreaLimit) {
     a.error(code::kBadAddress, line.address_where, "the variable reaches beyond the area's 64 KiB");
     return false;
   }
@@ -66,8 +67,15 @@ bool locate(Analysis& a, const syntax::VariableDeclaration& line, Variable& vari
   const syntax::DirectAddress& address = *line.address;
   variable.address = address;
   variable.place.base = static_cast<Base>(address.area);
-  variable.place.offset = address.byte;
   variable.place.bit = address.bits == 1 ? address.bit : bytecode::kNoBit;
+  if (address.byte >= syntax::kHierarchical) {
+    variable.place.offset = hierarchical_offset(a, address, type.size, line.address_where);
+    auto& first =
+        a.model.hierarchical[(variable.place.offset - kHierarchicalPlace) / kHierarchicalStride].first;
+    std::copy(initial.begin(), initial.end(), first.begin());
+    return true;
+  }
+  variable.place.offset = address.byte;
   auto& area = a.model.area(variable.place.base);
   const std::size_t end = std::size_t{address.byte} + type.size;
   if (area.size() < end) area.resize(end);

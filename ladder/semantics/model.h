@@ -37,12 +37,15 @@ struct Variable {
   source::Position where;
   Place place;
   Place edge_place;           // of an input with R_EDGE or F_EDGE: what the body reads
-  Place first;                // function input in memory: a constant with its first value
+  Place first;                // function input in memory, AT %I*: a constant with its first value
   std::vector<Place> bounds;  // variable-length array: lower and upper bound of each dimension, DINT
   std::optional<syntax::Area> open_address;  // AT %I*
   std::optional<syntax::DirectAddress> address;
   std::optional<Constant> value;    // of a scalar constant
   std::optional<Constant> initial;  // of a scalar that is not in an instance
+
+  // AT %I*: the instance holds the address. A bit has none: the instance holds its value.
+  bool is_referred() const { return open_address && type != nullptr && !type->is_bool(); }
 };
 
 struct Pou {
@@ -104,6 +107,24 @@ struct Task {
   std::vector<TaskCall> calls;
 };
 
+// A hierarchical address that the program uses: a place behind the flat addresses of its area (6.5.5.2 leaves
+// the mapping open). Places in it have offsets from kHierarchicalPlace + its index * kHierarchicalStride on.
+struct HierarchicalPlace {
+  syntax::HierarchicalAddress address;
+  source::NameId text;
+  source::Position where;
+  std::vector<std::byte> first;  // as large as what is declared there
+  std::uint32_t start = 0;       // in the area
+};
+inline constexpr std::uint32_t kHierarchicalPlace = 0x4000'0000;
+inline constexpr std::uint32_t kHierarchicalStride = 0x1'0000;
+
+// A reference in Data that is known when the areas have their addresses.
+struct FirstReference {
+  std::uint32_t offset = 0;  // in Data
+  Place target;
+};
+
 struct Model {
   TypeTable types;
   std::vector<std::unique_ptr<Pou>> pous;
@@ -113,6 +134,16 @@ struct Model {
   std::vector<Task> tasks;
   // Initial bytes of %I, %Q, %M and Data (the order of Base).
   std::array<std::vector<std::byte>, 4> areas;
+
+  std::vector<HierarchicalPlace> hierarchical;
+  std::vector<FirstReference> references;
+
+  // Where the offset of a place lies in its area.
+  std::uint32_t offset_in_area(std::uint32_t offset, Base base) const {
+    if (base >= Base::Data || offset < kHierarchicalPlace) return offset;
+    const std::uint32_t behind = offset - kHierarchicalPlace;
+    return hierarchical[behind / kHierarchicalStride].start + behind % kHierarchicalStride;
+  }
 
   std::vector<std::byte>& area(Base base) { return areas[static_cast<std::size_t>(base)]; }
   const std::vector<std::byte>& area(Base base) const { return areas[static_cast<std::size_t>(base)]; }

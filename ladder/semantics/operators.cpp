@@ -95,6 +95,7 @@ const Type* ExpressionAnalyzer::common_type(const Value& left, const Value& righ
   if (&l == &r) return &l;
   if (l.kind == TypeKind::AnyEnumerator || l.kind == TypeKind::Null) return takes_name(r, l) ? &r : nullptr;
   if (r.kind == TypeKind::AnyEnumerator || r.kind == TypeKind::Null) return takes_name(l, r) ? &l : nullptr;
+  if (l.is_string() || r.is_string()) return common_text(left, right);
   const TypeTable& types = a_.type_table();
   if (l.is_literal() || r.is_literal()) {
     const Value& literal = l.is_literal() ? left : right;
@@ -146,7 +147,9 @@ ValuePtr ExpressionAnalyzer::bad_operands(Operator op, const Value& left, const 
     return nullptr;
   }
   std::string hint;
-  if (is_logic(op) && (left.type->is_number() || right.type->is_number())) {
+  if (left.type->is_string() || right.type->is_string()) {
+    if (op == Operator::Add) hint = "strings are joined with CONCAT(...)";
+  } else if (is_logic(op) && (left.type->is_number() || right.type->is_number())) {
     hint = "logic works on BOOL and bit strings; compare, or convert with " +
            (left.type->is_literal() ? std::string("INT") : left.type->name) + "_TO_WORD";
   } else if (left.type->is_bits() || right.type->is_bits()) {
@@ -154,10 +157,10 @@ ValuePtr ExpressionAnalyzer::bad_operands(Operator op, const Value& left, const 
   } else if (left.type->is_number() && right.type->is_number()) {
     hint = "no type holds both; convert one of them";
   }
-  a_.error(
-      code::kBadOperand, where,
-      std::string(to_string(op)) + " cannot be applied to " + left.type->name + " and " + right.type->name,
-      std::move(hint));
+  a_.error(code::kBadOperand, where,
+           std::string(to_string(op)) + " cannot be applied to " + plain_name(*left.type) + " and " +
+               plain_name(*right.type),
+           std::move(hint));
   return nullptr;
 }
 
@@ -167,6 +170,8 @@ ValuePtr ExpressionAnalyzer::combine(Operator op, ValuePtr left, ValuePtr right,
   if (!is_comparison(op) && (is_time_or_date(*left->type) || is_time_or_date(*right->type)))
     return combine_time(op, std::move(left), std::move(right), where);
   const Type* common = common_type(*left, *right);
+  if (common != nullptr && common->is_string() && is_comparison(op))
+    return compare_texts(op, std::move(left), std::move(right), where);
   if (common == nullptr || !operator_applies(op, *common)) return bad_operands(op, *left, *right, where);
   if (common->is_literal()) {
     // SEL(b, 1, 2) has no type of its own either, yet is no constant.

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/internal/declarer.h"
 #include "ladder/source/suggestion.h"
 
 namespace stepwright::semantics::internal {
@@ -45,7 +45,8 @@ void ExpressionAnalyzer::report_unknown(const syntax::Name& name) {
 
 std::string ExpressionAnalyzer::why_read_only(const Variable& variable) const {
   if (variable.constant) return "is a constant";
-  if (variable.place.base == Base::Input) return "is an input of the plant (%I)";
+  const bool at_input = variable.open_address == syntax::Area::Input;
+  if (at_input || variable.place.base == Base::Input) return "is an input of the plant (%I)";
   if (variable.section == Section::Input) return "is an input (VAR_INPUT)";
   return {};
 }
@@ -200,6 +201,10 @@ std::optional<Place> ExpressionAnalyzer::direct_place(const Expression& expressi
   place.type = a_.type_table().elementary(which);
   for (const auto& [declared, type] : a_.direct_types)
     if (declared == address) place.type = type;
+  if (address.byte >= syntax::kHierarchical) {
+    place.offset = hierarchical_offset(a_, address, place.type->size, expression.where);
+    return place;
+  }
   auto& area = a_.model.area(place.base);
   const std::size_t end = std::size_t{address.byte} + place.type->size;
   if (area.size() < end) area.resize(end);

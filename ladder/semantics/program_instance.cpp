@@ -113,7 +113,9 @@ void Configurer::add_calls(Instance& instance) {
                                       [](const Variable& each) { return each.section == Section::InOut; });
   const bool connected = declaration != nullptr && !declaration->connections.empty();
   const Pou* entry = &program;
-  if (connected || has_in_out || !instance.located.empty()) {
+  const bool copies = std::any_of(instance.located.begin(), instance.located.end(),
+                                  [](const Located& each) { return each.copied; });
+  if (connected || has_in_out || copies) {
     Pou& runner = make_runner(instance, made.name, where);
     Statement call;
     call.kind = StatementKind::Instance;
@@ -195,7 +197,7 @@ Pou& Configurer::make_runner(const Instance& instance, std::string name, Positio
 void Configurer::copy_located(const Instance& instance, std::uint32_t from, std::uint32_t to, bool before,
                               Pou& runner) {
   for (const Located& each : instance.located) {
-    if (each.offset < from || each.offset >= to) continue;
+    if (!each.copied || each.offset < from || each.offset >= to) continue;
     if (each.area.base == (before ? Base::Output : Base::Input)) continue;
     Place member = part_of_this(each.offset, each.area.type);
     Place area = ExpressionAnalyzer::copy_direct(each.area);

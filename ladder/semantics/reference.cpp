@@ -37,7 +37,8 @@ ValuePtr ExpressionAnalyzer::reference_to(const Expression& call) {
     return nullptr;
   }
   if (!found->is_addressable()) {
-    a_.error(code::kNeedsVariable, target.where, "a single bit has no address that could be referred to");
+    a_.error(code::kNeedsVariable, target.where,
+             "a single bit or character has no address that could be referred to");
     return nullptr;
   }
   ValuePtr result = make(ValueKind::Reference, a_.type_table().reference(found->type), call.where);

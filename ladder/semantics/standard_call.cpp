@@ -46,16 +46,16 @@ constexpr std::size_t kMostArguments = 1000;
 }  // namespace
 
 const StandardAnalyzer::Entry* StandardAnalyzer::find(std::string_view folded) {
-  for (const auto family :
-       {numeric_entries(), operator_entries(), selection_entries(), bit_entries(), time_entries()})
+  for (const auto family : {numeric_entries(), operator_entries(), selection_entries(), bit_entries(),
+                            time_entries(), text_entries()})
     for (const Entry& each : family)
       if (each.name == folded) return &each;
   return nullptr;
 }
 
 void StandardAnalyzer::add_names(std::vector<std::string_view>& names) {
-  for (const auto family :
-       {numeric_entries(), operator_entries(), selection_entries(), bit_entries(), time_entries()})
+  for (const auto family : {numeric_entries(), operator_entries(), selection_entries(), bit_entries(),
+                            time_entries(), text_entries()})
     for (const Entry& each : family)
       if (each.name.front() != '_') names.push_back(each.name);
 }
@@ -68,12 +68,9 @@ ValuePtr StandardAnalyzer::call(const Expression& call, const std::string& folde
   }
   // "ADD_INT": the function for one type (6.6.1.7.3).
   const std::size_t last = folded.rfind('_');
-  ElementaryType which{};
-  if (last != std::string::npos && elementary_from(folded.substr(last + 1), which)) {
-    const Entry* entry = find(std::string_view(folded).substr(0, last));
-    if (entry != nullptr && entry->typed_count > 0)
-      return typed_call(call, *entry, a_.type_table().elementary(which));
-  }
+  const Type* type = last == std::string::npos ? nullptr : e_.named_type(folded.substr(last + 1));
+  const Entry* entry = type == nullptr ? nullptr : find(std::string_view(folded).substr(0, last));
+  if (entry != nullptr && entry->typed_count > 0) return typed_call(call, *entry, type);
   known = false;
   return nullptr;
 }
@@ -191,8 +188,9 @@ ValuePtr StandardAnalyzer::wrong_operand(const Expression& call, const Type& typ
 
 ValuePtr StandardAnalyzer::make_standard(StandardFunction function, const Type* type, Values values,
                                          Position where) {
-  const bool constant =
-      std::ranges::all_of(values, [](const ValuePtr& each) { return each->kind == ValueKind::Constant; });
+  const bool constant = std::ranges::all_of(values, [](const ValuePtr& each) {
+    return each->kind == ValueKind::Constant && !each->type->is_string();
+  });
   if (constant) {
     std::vector<Constant> operands;
     for (const ValuePtr& each : values) operands.push_back(each->constant);

@@ -69,7 +69,7 @@ ValuePtr StandardAnalyzer::compare(const Expression& call, Values values, int wh
     type = unify(values, 0, call.where);
     if (type == nullptr) return nullptr;
   }
-  if (!e_.operator_applies(op, *type)) return wrong_operand(call, *type);
+  if (!type->is_string() && !e_.operator_applies(op, *type)) return wrong_operand(call, *type);
   ValuePtr result = ExpressionAnalyzer::make(ValueKind::Chain, a_.type_table().boolean(), call.where);
   result->op = op;
   result->operands = std::move(values);

@@ -25,7 +25,11 @@ std::span<const StandardAnalyzer::Entry> StandardAnalyzer::selection_entries() {
 namespace {
 
 bool has_order(const Type& type) {
-  return type.kind == TypeKind::Elementary || type.is_integer() || type.is_literal();
+  return type.kind == TypeKind::Elementary || type.is_integer() || type.is_literal() || type.is_string();
+}
+
+bool is_selectable(const Type& type) {
+  return type.kind != TypeKind::Instance && type.kind != TypeKind::Nothing && !type.open;
 }
 
 }  // namespace
@@ -56,7 +60,7 @@ ValuePtr StandardAnalyzer::select(const Expression& call, Values values, int) {
   if (!values[0]) return nullptr;
   const Type* type = unify(values, 1, call.where);
   if (type == nullptr) return nullptr;
-  if (!type->is_scalar()) return wrong_operand(call, *type);
+  if (!is_selectable(*type)) return wrong_operand(call, *type);
   const bool constant = values[0]->kind == ValueKind::Constant;
   if (constant && values[1]->kind == ValueKind::Constant && values[2]->kind == ValueKind::Constant)
     return std::move(values[values[0]->constant.integer != 0 ? 2 : 1]);
@@ -71,7 +75,7 @@ ValuePtr StandardAnalyzer::multiplex(const Expression& call, Values values, int)
   if (!values[0]) return nullptr;
   const Type* type = unify(values, 1, call.where);
   if (type == nullptr) return nullptr;
-  if (!type->is_scalar()) return wrong_operand(call, *type);
+  if (!is_selectable(*type)) return wrong_operand(call, *type);
   if (values[0]->kind == ValueKind::Constant) {
     const __int128 number = values[0]->constant.integer;
     if (number < 0 || number > static_cast<__int128>(values.size()) - 2) {

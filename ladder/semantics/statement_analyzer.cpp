@@ -58,7 +58,8 @@ std::optional<Statement> StatementAnalyzer::statement(const syntax::Statement& s
       return attempt(statement);
     case syntax::StatementKind::Call: {
       auto call = expressions_.call_statement(*statement.value);
-      if (call && call->kind == StatementKind::Evaluate && call->value->kind != ValueKind::Call)
+      if (call && call->kind == StatementKind::Evaluate && call->value->kind != ValueKind::Call &&
+          call->value->kind != ValueKind::Fail)
         a_.sink.warning(code::kUnusedResult, statement.where, "the result of the function is not used");
       return call;
     }
@@ -166,10 +167,12 @@ std::optional<Statement> StatementAnalyzer::select(const syntax::Statement& stat
   result.value = expressions_.settled_value(*statement.value);
   const Type* selector = result.value ? result.value->type : nullptr;
   const bool selects = selector == nullptr || selector->is_integer() || selector->is_bits() ||
+                       selector->is(ElementaryType::Char) || selector->is(ElementaryType::Wchar) ||
                        selector->kind == TypeKind::Enumeration;
   if (!selects) {
     a_.error(code::kTypeMismatch, statement.value->where,
-             "the selector of CASE must be an integer or an enumeration, not " + selector->name);
+             "the selector of CASE must be an integer, an enumeration or a character, not " +
+                 plain_name(*selector));
     selector = nullptr;
   }
   std::vector<CaseRange> seen;

@@ -79,7 +79,10 @@ const Type* TypeResolver::named(const syntax::Name& name) {
     }
     if (known->second.state == State::Open) {
       known->second.state = State::Running;
+      // TYPE sees no POU's constants, whoever uses it first.
+      Pou* const scope = std::exchange(scope_, nullptr);
       const Type* type = declared(known->second);
+      scope_ = scope;
       known->second.state = State::Done;
       a_.types[name.id.value] = type;
     }

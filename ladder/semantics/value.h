@@ -62,11 +62,20 @@ struct Place {
   std::uint8_t shift = 0;
   const Variable* open = nullptr;  // of a variable-length array: the parameter, which knows the bounds
   std::vector<PlaceStep> steps;
+  // A CHAR or WCHAR: the rest of the place leads to the string, this is the position in it, DINT from 1.
+  ValuePtr character;
+
+  Place();
+  ~Place();
+  Place(Place&&) noexcept;
+  Place& operator=(Place&&) noexcept;
 
   // Has neither an index nor a reference on its way: the address is known when the program is loaded.
   bool is_direct() const { return steps.empty() && base != Base::ThisRef && base != Base::SlotRef; }
   // Can be given away as a reference.
-  bool is_addressable() const { return (base != Base::Slot || !steps.empty()) && bit == bytecode::kNoBit; }
+  bool is_addressable() const {
+    return (base != Base::Slot || !steps.empty()) && bit == bytecode::kNoBit && character == nullptr;
+  }
 };
 
 enum class ValueKind : std::uint8_t {
@@ -87,6 +96,7 @@ enum class ValueKind : std::uint8_t {
   Call,       // user function `pou`; operands in the order of its slots; a result in memory is at `place`
   Enabled,    // operands[0] ? operands[1] : the first value of the type; `after` passes ENO on, in `place`
   Now,        // time since the start, TIME
+  Text,       // `text_op` on strings; a string as result is one of the capacity of `type`
 };
 
 enum class StandardFunction : std::uint8_t {
@@ -124,6 +134,9 @@ struct Value {
   source::Position where;
   syntax::Operator op = syntax::Operator::Add;
   StandardFunction function = StandardFunction::Abs;
+  // Of the width of the strings. Concat takes two or more; SetCharAt makes a text of the one character that
+  // is its operand; To... gives a value of `type`, which may be narrower than what the machine reads.
+  bytecode::StringOpId text_op = bytecode::StringOpId::CopyS;
   Constant constant;
   Place place;
   const Pou* pou = nullptr;
@@ -150,6 +163,10 @@ struct CopyAfter {
   ValuePtr value;
 };
 
+inline Place::Place() = default;
+inline Place::~Place() = default;
+inline Place::Place(Place&&) noexcept = default;
+inline Place& Place::operator=(Place&&) noexcept = default;
 inline Value::Value() = default;
 inline Value::~Value() = default;
 inline Value::Value(Value&&) noexcept = default;

@@ -273,7 +273,11 @@ bool Parser::member(Expression& node) {
 // The address that stands here, reported if it is none.
 std::optional<DirectAddress> Parser::direct_address() {
   const Token& token = advance();
-  const auto address = naming::parse_direct_address(token.text);
+  auto address = naming::parse_direct_address(token.text);
+  if (const auto hierarchical = address ? std::nullopt : parse_hierarchical(token.text)) {
+    address = hierarchical->address;
+    address->byte = kHierarchical + context_.names.intern(token.text).value;
+  }
   if (!address) {
     const bool is_open = !token.text.empty() && token.text.back() == '*';
     context_.sink.error(source::code::kBadAddress, token.where,

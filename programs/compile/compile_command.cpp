@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "programs/process/diagnostics_json.h"
+#include "programs/process/files.h"
 #include "programs/sources/source_files.h"
 
 namespace stepwright::compile_program {
@@ -63,16 +64,19 @@ ExitCode run_compile(const CompileArguments& arguments) {
   result::Diagnostics diagnostics;
   sources::SourceFiles files;
   const std::vector<std::byte> image = compile(arguments, files, diagnostics);
+  const auto append = [&](const result::Diagnostics& more) {
+    diagnostics.insert(diagnostics.end(), more.begin(), more.end());
+  };
   if (!image.empty())
-    sources::write(arguments.image, {reinterpret_cast<const char*>(image.data()), image.size()}, diagnostics);
+    append(process::write_file(arguments.image, {reinterpret_cast<const char*>(image.data()), image.size()}));
   const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
   const bool failed = result::has_errors(diagnostics);
   if (!arguments.json_file.empty()) {
     const nlohmann::json report = {{"diagnostics", process::diagnostics_json(diagnostics)},
                                    {"bytes", failed ? 0 : image.size()},
                                    {"wall_ms", wall.count()}};
-    sources::write(arguments.json_file,
-                   report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n", diagnostics);
+    append(process::write_file(arguments.json_file,
+                               report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"));
   }
   sources::print(diagnostics, files.files);
   return result::has_errors(diagnostics) ? ExitCode::BadInput : ExitCode::Done;

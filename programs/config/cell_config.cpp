@@ -19,6 +19,11 @@ void read_clock(const TomlTable& table, ClockConfig& clock) {
   clock.interval_us = table.integer("interval_us", clock.interval_us, {100, 10'000'000});
 }
 
+EngineKind read_engine(const TomlTable& table) {
+  const std::string engine = table.choice("engine", "auto", {"auto", "native", "vm"});
+  return engine == "native" ? EngineKind::Native : engine == "vm" ? EngineKind::Vm : EngineKind::Auto;
+}
+
 void read_plant(const TomlTable& table, PlantConfig& plant) {
   plant.kind = table.choice("kind", plant.kind, {"tank_bench", "none"});
   plant.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 1e15}));
@@ -121,6 +126,7 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   config.state_dir =
       state_dir.empty() ? temporary_folder() / ("stepwright-" + config.name) : folder / state_dir;
   read_clock(root.table("clock"), config.clock);
+  config.engine = read_engine(root.table("runtime"));
   read_plant(root.table("plant"), config.plant);
   const TomlTable image = root.table("image");
   config.image.input_bytes = static_cast<std::uint32_t>(image.integer("input_bytes", 64, {1, 65'536}));

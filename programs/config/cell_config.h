@@ -19,6 +19,7 @@ namespace stepwright::config {
 
 enum class ClockMode : std::uint8_t { Simulated, Real };
 enum class LostSupervisorPolicy : std::uint8_t { Continue, Safe };
+enum class EngineKind : std::uint8_t { Auto, Native, Vm };
 enum class SafeAction : std::uint8_t { Zero, Hold, One };
 
 struct ClockConfig {
@@ -96,6 +97,7 @@ struct CellConfig {
   std::filesystem::path state_dir;  // sockets, journals and reports; created on demand (default: a folder of
                                     // the name in the temporary folder)
   ClockConfig clock;
+  EngineKind engine = EngineKind::Auto;  // [runtime] engine: "auto" is native where the machine can
   PlantConfig plant;
   ImageConfig image;
   std::vector<ScheduledFault> faults;

@@ -3,7 +3,6 @@
 #include "runtime/image/io_driver.h"
 #include "runtime/image/process_image.h"
 #include "runtime/scan/scan_cycle.h"
-#include "runtime/vm/interpreter.h"
 
 namespace stepwright::exec {
 
@@ -51,10 +50,11 @@ result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOp
   std::vector<std::byte> memory(program.memory_size());
   std::vector<std::uint64_t> stack(program.sizes().stack_slots);
   image::ProcessImage image(memory, scan::layout_of(program));
-  vm::Interpreter engine(program, stack);
+  auto engine = host::make_engine(options.engine, program, stack);
+  if (!engine) return result::forward(engine);
   NoIo io;
   NoClock clock;
-  scan::ScanCycle cycle(program, engine, image, io, clock, {});
+  scan::ScanCycle cycle(program, **engine, image, io, clock, {});
   cycle.start({});
 
   ExecReport report;

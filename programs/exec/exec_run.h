@@ -10,11 +10,13 @@
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/reader/read_value.h"
 #include "runtime/bytecode/trap.h"
+#include "runtime/host/engine_choice.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::exec {
 
 struct ExecOptions {
+  host::EngineKind engine = host::EngineKind::Vm;
   std::uint64_t scans = 1;
   std::vector<std::string> trace;  // names of variables
 };

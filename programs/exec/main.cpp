@@ -1,4 +1,4 @@
-// stepwright exec IMAGE.swb [--scans N] [--engine vm] [--trace VARS] [--json FILE]
+// stepwright exec IMAGE.swb [--scans N] [--engine vm|native] [--trace VARS] [--json FILE]
 
 #include "programs/exec/exec_run.h"
 #include "programs/process/command_line.h"
@@ -130,11 +130,13 @@ int main(int argc, char** argv) {
                "stepwright exec");
   app.add_option("image", arguments.image, "container written by `stepwright compile`")->required();
   app.add_option("--scans", arguments.options.scans, "number of scans (default 1)");
-  app.add_option("--engine", arguments.engine, "engine to run it with")->check(CLI::IsMember({"vm"}));
+  app.add_option("--engine", arguments.engine, "engine to run it with")
+      ->check(CLI::IsMember({"vm", "native"}));
   app.add_option("--trace", arguments.trace,
                  "variables to record after every scan, e.g. MAIN.level,MAIN.pump");
   app.add_option("--json", arguments.json_file, "write the report as JSON");
   if (const auto exit = process::parse(app, argc, argv)) return *exit;
+  if (arguments.engine == "native") arguments.options.engine = stepwright::host::EngineKind::Native;
   arguments.options.trace = split_names(arguments.trace);
   return execute(arguments);
 }

@@ -63,6 +63,9 @@ result::Result<host::HostConfig> host_options(const config::CellConfig& config) 
   host::HostConfig options;
   options.clock =
       config.clock.mode == config::ClockMode::Real ? host::ClockMode::Real : host::ClockMode::Simulated;
+  options.engine = config.engine == config::EngineKind::Native ? host::EngineKind::Native
+                   : config.engine == config::EngineKind::Vm   ? host::EngineKind::Vm
+                                                               : host::EngineKind::Auto;
   options.speed = config.clock.speed;
   options.idle_interval_ns = config.clock.interval_us * 1'000;
   options.input_bytes = config.image.input_bytes;

@@ -3,35 +3,17 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <utility>
 
 #include "ladder/exchange/plcopen_reader.h"
 #include "ladder/source/render.h"
+#include "programs/process/files.h"
 
 namespace stepwright::sources {
 
 namespace {
-
-result::Result<source::NamedText> read(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path))
-    return result::fail("E0001", {path, 0, 0}, "cannot read the file");
-  return source::NamedText{path, {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}};
-}
-
-bool is_xml(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".xml";
-}
 
 source::RenderStyle style_of_stderr() {
   source::RenderStyle style;
@@ -65,17 +47,17 @@ SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& dia
     diagnostics.insert(diagnostics.end(), errors.begin(), errors.end());
   };
   for (const std::string& path : paths) {
-    auto text = read(path);
+    auto text = process::read_file(path);
     if (!text) {
       fail(text.error());
       continue;
     }
-    sources.files.push_back(*text);
-    if (!is_xml(path)) {
-      sources.texts.push_back(std::move(*text));
+    sources.files.push_back({path, *text});
+    if (!process::is_xml(path)) {
+      sources.texts.push_back({path, std::move(*text)});
       continue;
     }
-    auto project = exchange::read_plcopen(text->name, std::move(text->text));
+    auto project = exchange::read_plcopen(path, std::move(*text));
     if (project) {
       sources.projects.push_back(std::move(*project));
     } else {
@@ -98,21 +80,6 @@ void print(const result::Diagnostics& diagnostics, std::span<const source::Named
   std::string summary = errors > 0 ? counted(errors, "error") : "";
   if (warnings > 0) summary += (summary.empty() ? "" : ", ") + counted(warnings, "warning");
   std::cerr << summary << "; `stepwright explain " << diagnostics.front().code << "` describes a code\n";
-}
-
-void write(const std::string& path, std::string_view bytes, result::Diagnostics& diagnostics) {
-  const std::string partial = path + ".part";
-  bool written = false;
-  {
-    std::ofstream file(partial, std::ios::binary | std::ios::trunc);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    written = static_cast<bool>(file.flush());
-  }
-  std::error_code failed;
-  if (written) std::filesystem::rename(partial, path, failed);
-  if (written && !failed) return;
-  std::remove(partial.c_str());
-  diagnostics.push_back({"E0002", result::Severity::Error, {path, 0, 0}, "cannot write the file", {}});
 }
 
 }  // namespace stepwright::sources

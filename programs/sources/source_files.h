@@ -33,8 +33,4 @@ SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& dia
 // terminal and NO_COLOR is not set.
 void print(const result::Diagnostics& diagnostics, std::span<const source::NamedText> files);
 
-// Writes a file beside its place and moves it there, so that nobody meets half of one. Appends E0002 if that
-// fails.
-void write(const std::string& path, std::string_view bytes, result::Diagnostics& diagnostics);
-
 }  // namespace stepwright::sources

@@ -34,6 +34,7 @@ constexpr std::array kCommands = {
             "turn a plan into SFC, Ladder, PLCopen XML or Omron mnemonics"},
     Command{"compile", "stepwright-compile", "compile ST and PLCopen sources to a bytecode image"},
     Command{"explain", "stepwright-compile", "describe a diagnostic code, or list all"},
+    Command{"show", "stepwright-show", "print programs as text or as pages (SVG)"},
     Command{"exec", "stepwright-exec", "run an image without a clock"},
     Command{"check", "stepwright-demo", "check a cell's configuration, planning files and program"},
     Command{"runtime", "stepwright-runtime", "the scan process"},

@@ -81,8 +81,9 @@ class CodeChecker {
   Status operands(const Instruction& in) const {
     if (in.opcode >= Opcode::LoadBoolAbs && in.opcode <= Opcode::StoreRefInd) return memory_operand(in);
     if (is_fused_boolean(in.opcode)) {
-      return in.a < (is_this_boolean(in.opcode) ? function_.instance_size : image_size_) ? Status::Ok
-                                                                                         : Status::BadAddress;
+      // `b` is 0 where there is one operand only.
+      const std::uint64_t size = is_this_boolean(in.opcode) ? function_.instance_size : image_size_;
+      return in.a < size && in.b < size ? Status::Ok : Status::BadAddress;
     }
     switch (in.opcode) {
       case Opcode::LoadBit:

@@ -48,6 +48,7 @@ inline bool decode(std::span<const std::byte> code, std::uint32_t pc, Instructio
     case Operands::FunctionAddress:
     case Operands::Bounds:
     case Operands::Constants:
+    case Operands::TwoU32:
       std::memcpy(&out.a, at, 4);
       std::memcpy(&out.b, at + 4, 4);
       break;

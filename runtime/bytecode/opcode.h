@@ -40,6 +40,7 @@ enum class Operands : std::uint8_t {
   Range,            // i32 lower, i32 upper, u32 stride in bytes
   Bounds,           // i32 lower, i32 upper
   Constants,        // u32 constant of the lower bound, u32 constant of the upper bound
+  TwoU32,           // u32, u32: two offsets of BOOLs
 };
 
 struct OpcodeInfo {
@@ -90,18 +91,18 @@ constexpr bool is_call(Opcode opcode) {
 }
 static_assert(static_cast<int>(Opcode::CallInstanceInd) - static_cast<int>(Opcode::Call) == 3);
 
-// True for AndBoolAbs and its kind, which come in pairs: Abs, then This.
+// True for AndBoolAbs and its kind, one operand or two, which come in both modes: Abs, then This.
 constexpr bool is_fused_boolean(Opcode opcode) {
-  return opcode >= Opcode::LoadNotBoolAbs && opcode <= Opcode::XorBoolThis;
+  return opcode >= Opcode::LoadNotBoolAbs && opcode <= Opcode::MoveNotBoolThis;
 }
 constexpr bool is_this_boolean(Opcode opcode) {
   return (static_cast<std::uint8_t>(opcode) - static_cast<std::uint8_t>(Opcode::LoadNotBoolAbs)) % 2 == 1;
 }
-static_assert(!is_this_boolean(Opcode::XorBoolAbs) && is_this_boolean(Opcode::XorBoolThis));
+static_assert(!is_this_boolean(Opcode::XorBoolAbs) && is_this_boolean(Opcode::MoveNotBoolThis));
 
 // Bytes of operands after the opcode byte.
 constexpr std::uint32_t size_of(Operands operands) {
-  constexpr std::uint8_t kSizes[] = {0, 1, 4, 4, 5, 8, 12, 8, 8};
+  constexpr std::uint8_t kSizes[] = {0, 1, 4, 4, 5, 8, 12, 8, 8, 8};
   return kSizes[static_cast<std::uint8_t>(operands)];
 }
 

@@ -98,13 +98,34 @@
   X(Name##Abs, U32, pops, "b")                  \
   X(Name##This, U32, pops, "b")
 
+// Two instructions on BOOLs in memory as one: a load and the operation behind it; an operation and the store
+// of its result; a load and a store. A rung of three contacts is a LoadAndBool and an AndStoreBool.
+#define STEPWRIGHT_BOOLEAN_PAIR(X, Name, pops, pushes) \
+  X(Name##Abs, TwoU32, pops, pushes)                   \
+  X(Name##This, TwoU32, pops, pushes)
+
+#define STEPWRIGHT_BOOLEAN_PAIR_OPCODES(X)             \
+  STEPWRIGHT_BOOLEAN_PAIR(X, LoadAndBool, "", "b")     \
+  STEPWRIGHT_BOOLEAN_PAIR(X, LoadOrBool, "", "b")      \
+  STEPWRIGHT_BOOLEAN_PAIR(X, LoadAndNotBool, "", "b")  \
+  STEPWRIGHT_BOOLEAN_PAIR(X, LoadOrNotBool, "", "b")   \
+  STEPWRIGHT_BOOLEAN_PAIR(X, LoadNorBool, "", "b")     \
+  STEPWRIGHT_BOOLEAN_PAIR(X, LoadNandBool, "", "b")    \
+  STEPWRIGHT_BOOLEAN_PAIR(X, AndStoreBool, "b", "")    \
+  STEPWRIGHT_BOOLEAN_PAIR(X, OrStoreBool, "b", "")     \
+  STEPWRIGHT_BOOLEAN_PAIR(X, AndNotStoreBool, "b", "") \
+  STEPWRIGHT_BOOLEAN_PAIR(X, OrNotStoreBool, "b", "")  \
+  STEPWRIGHT_BOOLEAN_PAIR(X, MoveBool, "", "")         \
+  STEPWRIGHT_BOOLEAN_PAIR(X, MoveNotBool, "", "")
+
 #define STEPWRIGHT_FUSED_OPCODES(X)            \
   STEPWRIGHT_FUSED_BOOLEAN(X, LoadNotBool, "") \
   STEPWRIGHT_FUSED_BOOLEAN(X, AndBool, "b")    \
   STEPWRIGHT_FUSED_BOOLEAN(X, OrBool, "b")     \
   STEPWRIGHT_FUSED_BOOLEAN(X, AndNotBool, "b") \
   STEPWRIGHT_FUSED_BOOLEAN(X, OrNotBool, "b")  \
-  STEPWRIGHT_FUSED_BOOLEAN(X, XorBool, "b")
+  STEPWRIGHT_FUSED_BOOLEAN(X, XorBool, "b")    \
+  STEPWRIGHT_BOOLEAN_PAIR_OPCODES(X)
 
 #define STEPWRIGHT_BIT_OPCODES(X) \
   X(AndBool, None, "bb", "b")     \

@@ -11,8 +11,9 @@
 
 namespace stepwright::bytecode {
 
-// Slots beside locals and operands that the interpreter keeps per call.
-inline constexpr std::uint32_t kFrameSlots = 2;
+// Slots beside locals and operands that the interpreter keeps per call: two for the caller, one where the top
+// of an empty stack lies.
+inline constexpr std::uint32_t kFrameSlots = 3;
 
 struct StackNeed {
   VerifyResult result;            // Recursion, or TooLarge

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/host/engine_choice.h"
 #include "runtime/scan/safe_state.h"
 
 namespace stepwright::host {
@@ -30,6 +31,7 @@ struct ScheduledFault {
 
 struct HostConfig {
   ClockMode clock = ClockMode::Simulated;
+  EngineKind engine = EngineKind::Auto;
   double speed = 0.0;                          // simulated: times real time; 0 = as fast as possible
   std::int64_t idle_interval_ns = 10'000'000;  // real clock: period of the I/O while no program runs
   std::size_t input_bytes = 64;                // of the areas that the I/O driver serves

@@ -60,8 +60,9 @@ HostRuntime::~HostRuntime() {
 
 result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::byte> container,
                                        std::string digest) {
-  auto program = PreparedProgram::create(std::move(container), std::move(digest), io_, loop_->clock(),
-                                         {.safe_outputs = config_.safe_outputs}, plant_names_.size());
+  auto program =
+      PreparedProgram::create(std::move(container), std::move(digest), io_, loop_->clock(),
+                              {.safe_outputs = config_.safe_outputs}, plant_names_.size(), config_.engine);
   if (!program) return result::forward(program);
   Command command;
   command.kind = CommandKind::Load;

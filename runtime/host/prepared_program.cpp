@@ -17,11 +17,9 @@ tl::unexpected<result::Diagnostics> too_large(const char* what, std::size_t need
 
 }  // namespace
 
-result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::vector<std::byte> container,
-                                                                         std::string digest, AreaDriver& io,
-                                                                         scan::Clock& clock,
-                                                                         const scan::ScanConfig& config,
-                                                                         std::size_t plant_values) {
+result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(
+    std::vector<std::byte> container, std::string digest, AreaDriver& io, scan::Clock& clock,
+    const scan::ScanConfig& config, std::size_t plant_values, EngineKind engine) {
   auto loaded = reader::LoadedProgram::load(std::move(container), "download");
   if (!loaded) return result::forward(loaded);
   const bytecode::Program& program = loaded->program();
@@ -34,19 +32,24 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::ve
   }
   if (program.image_size() > kMaxImageBytes)
     return too_large("image", program.image_size(), kMaxImageBytes, "");
-  return std::unique_ptr<PreparedProgram>(
-      new PreparedProgram(std::move(*loaded), std::move(digest), io, clock, config, plant_values));
+  Machine machine;
+  machine.stack.resize(program.sizes().stack_slots);
+  auto made = make_engine(engine, program, machine.stack);
+  if (!made) return result::forward(made);
+  machine.engine = std::move(*made);
+  return std::unique_ptr<PreparedProgram>(new PreparedProgram(
+      std::move(*loaded), std::move(machine), std::move(digest), io, clock, config, plant_values));
 }
 
-PreparedProgram::PreparedProgram(reader::LoadedProgram loaded, std::string digest, AreaDriver& io,
-                                 scan::Clock& clock, const scan::ScanConfig& config, std::size_t plant_values)
+PreparedProgram::PreparedProgram(reader::LoadedProgram loaded, Machine machine, std::string digest,
+                                 AreaDriver& io, scan::Clock& clock, const scan::ScanConfig& config,
+                                 std::size_t plant_values)
     : digest_(std::move(digest)),
       loaded_(std::move(loaded)),
       memory_(loaded_.program().memory_size()),
-      stack_(loaded_.program().sizes().stack_slots),
+      machine_(std::move(machine)),
       image_(memory_, scan::layout_of(loaded_.program())),
-      engine_(loaded_.program(), stack_),
-      cycle_(loaded_.program(), engine_, image_, io, clock, config),
+      cycle_(loaded_.program(), *machine_.engine, image_, io, clock, config),
       steps_(loaded_.program()),
       events_(loaded_.program().image_size(), plant_values) {
   image_.reset(loaded_.program().container().section(bytecode::Section::InitialData));

@@ -12,23 +12,23 @@
 
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/host/area_driver.h"
+#include "runtime/host/engine_choice.h"
 #include "runtime/host/event_ring.h"
 #include "runtime/host/step_watch.h"
 #include "runtime/image/process_image.h"
 #include "runtime/result/result.h"
 #include "runtime/scan/scan_cycle.h"
-#include "runtime/vm/interpreter.h"
 
 namespace stepwright::host {
 
 class PreparedProgram {
  public:
   // Verifies the container and takes its memory. Fails with the diagnostics of the verifier, or with R0004
-  // where the program needs more than a cell or a message can carry. What is passed by reference must outlive
-  // the program.
+  // where the program needs more than a cell or a message can carry, or R0010 (see make_engine). What is
+  // passed by reference must outlive the program.
   [[nodiscard]] static result::Result<std::unique_ptr<PreparedProgram>> create(
       std::vector<std::byte> container, std::string digest, AreaDriver& io, scan::Clock& clock,
-      const scan::ScanConfig& config, std::size_t plant_values);
+      const scan::ScanConfig& config, std::size_t plant_values, EngineKind engine);
 
   PreparedProgram(const PreparedProgram&) = delete;
   PreparedProgram& operator=(const PreparedProgram&) = delete;
@@ -44,15 +44,18 @@ class PreparedProgram {
   EventRing& events() { return events_; }
 
  private:
-  PreparedProgram(reader::LoadedProgram loaded, std::string digest, AreaDriver& io, scan::Clock& clock,
-                  const scan::ScanConfig& config, std::size_t plant_values);
+  struct Machine {
+    std::vector<std::uint64_t> stack;
+    std::unique_ptr<bytecode::Engine> engine;
+  };
+  PreparedProgram(reader::LoadedProgram loaded, Machine machine, std::string digest, AreaDriver& io,
+                  scan::Clock& clock, const scan::ScanConfig& config, std::size_t plant_values);
 
   std::string digest_;
   reader::LoadedProgram loaded_;
   std::vector<std::byte> memory_;
-  std::vector<std::uint64_t> stack_;
+  Machine machine_;
   image::ProcessImage image_;
-  vm::Interpreter engine_;
   scan::ScanCycle cycle_;
   StepWatch steps_;
   EventRing events_;

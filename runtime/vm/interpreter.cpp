@@ -3,18 +3,20 @@
 #include <cassert>
 
 #include "runtime/bytecode/stack_need.h"
-#include "runtime/vm/arithmetic.h"
+#include "runtime/operations/arithmetic.h"
+#include "runtime/operations/intrinsics.h"
+#include "runtime/operations/memory_access.h"
+#include "runtime/operations/reference.h"
+#include "runtime/operations/slot.h"
+#include "runtime/operations/string_ops.h"
 #include "runtime/vm/handler_macros.h"
-#include "runtime/vm/intrinsics.h"
-#include "runtime/vm/memory_access.h"
-#include "runtime/vm/reference.h"
-#include "runtime/vm/slot.h"
-#include "runtime/vm/string_ops.h"
 
 // Computed goto: every handler jumps to the next one itself, which branch predictors like better than one
 // shared switch. The families of handlers that differ in type and operator only are in handler_macros.h.
 
 namespace stepwright::vm {
+
+using namespace operations;  // what the instructions mean
 
 using bytecode::FunctionRecord;
 using bytecode::kFrameSlots;
@@ -47,25 +49,34 @@ Trap Interpreter::run(const bytecode::Invocation& invocation, std::span<std::byt
       STEPWRIGHT_OPCODES(STEPWRIGHT_X)
 #undef STEPWRIGHT_X
   };
+  // The compiler forgets what it knows of the address, so that it keeps it in a register for all handlers.
+  const void* const* handlers = kHandlers;
+  asm("" : "+r"(handlers));
   assert(memory_block.size() == program_.memory_size());
   const bytecode::ContainerView& view = program_.container();
   const std::byte* const all_code = view.section(Section::Code).data();
   const std::byte* const constants = view.section(Section::Constants).data();
+  const std::byte* const functions = view.section(Section::Functions).data();
   std::byte* const memory = memory_block.data();
   const std::uint64_t memory_size = memory_block.size();
   Slot* const bottom = stack_.data();
   std::uint64_t budget_left = budget;
 
-  const std::byte* pc = nullptr;
-  Slot* sp = bottom;         // the next free slot
-  Slot* frame = bottom;      // the running function's locals
-  std::byte* self = memory;  // the running instance
-  std::uint32_t function = 0;
+  std::uint32_t function = invocation.function;
+  const std::byte* pc = all_code + FUNCTION(function, code_offset);
+  Slot* frame = bottom;                                 // the running function's locals
+  Slot* sp = bottom + FUNCTION(function, local_count);  // where the top of the stack lies, once it is stored
+  Slot top = 0;                                         // the top of the stack
+  std::byte* self = memory + invocation.instance;       // the running instance
   TrapCode fault = TrapCode::None;
-  std::uint32_t callee = invocation.function;
-  std::byte* callee_self = memory + invocation.instance;
-  std::uint32_t call_bytes = 0;  // from the call's opcode to the next instruction
-  goto enter;
+  std::uint32_t callee = 0;
+  std::byte* callee_self = nullptr;
+  const std::byte* resume = nullptr;  // where the caller goes on
+  if (FUNCTION(function, code_size) > budget_left) return {TrapCode::Watchdog, function, 0};
+  budget_left -= FUNCTION(function, code_size);
+  for (Slot* local = bottom; local < sp; ++local) *local = 0;
+  sp += kFrameSlots - 1;
+  NEXT;
 
   LOADS(Bool)
   LOADS(I8)
@@ -89,92 +100,107 @@ Trap Interpreter::run(const bytecode::Invocation& invocation, std::span<std::byt
   STORES(Ref)
 
 op_LoadBit:
-  *sp++ = (static_cast<Slot>(memory[OPERAND(std::uint32_t, 0)]) >> OPERAND(std::uint8_t, 4)) & 1;
+  PUSH((static_cast<Slot>(memory[OPERAND(std::uint32_t, 0)]) >> OPERAND(std::uint8_t, 4)) & 1);
   DONE(LoadBit);
 op_StoreBit : {
   std::byte& cell = memory[OPERAND(std::uint32_t, 0)];
   const auto bit = OPERAND(std::uint8_t, 4);
-  cell = (cell & ~(std::byte{1} << bit)) | (static_cast<std::byte>(*--sp) << bit);
+  cell = (cell & ~(std::byte{1} << bit)) | (static_cast<std::byte>(top) << bit);
+  POP();
   DONE(StoreBit);
 }
 op_LocalGet:
-  *sp++ = frame[OPERAND(std::uint32_t, 0)];
+  PUSH(frame[OPERAND(std::uint32_t, 0)]);
   DONE(LocalGet);
 op_LocalSet:
-  frame[OPERAND(std::uint32_t, 0)] = *--sp;
+  frame[OPERAND(std::uint32_t, 0)] = top;
+  POP();
   DONE(LocalSet);
 op_AddrAbs:
-  *sp++ = OPERAND(std::uint32_t, 0);
+  PUSH(OPERAND(std::uint32_t, 0));
   DONE(AddrAbs);
 op_AddrThis:
-  *sp++ = static_cast<Slot>(self - memory) + OPERAND(std::uint32_t, 0);
+  PUSH(static_cast<Slot>(self - memory) + OPERAND(std::uint32_t, 0));
   DONE(AddrThis);
 op_AddrFrame:
-  *sp++ = Slot{invocation.frames} + view.record<Section::Functions>(function).frame_offset +
-          OPERAND(std::uint32_t, 0);
+  PUSH(Slot{invocation.frames} + FUNCTION(function, frame_offset) + OPERAND(std::uint32_t, 0));
   DONE(AddrFrame);
 op_Index : {
-  const std::int64_t index = from_slot<std::int32_t>(sp[-1]);
+  const std::int64_t index = from_slot<std::int32_t>(top);
   const std::int64_t lower = OPERAND(std::int32_t, 0);
   if (index < lower || index > OPERAND(std::int32_t, 4)) FAULT(TrapCode::IndexRange);
-  --sp;
-  sp[-1] += static_cast<Slot>(index - lower) * OPERAND(std::uint32_t, 8);
+  top = *--sp + static_cast<Slot>(index - lower) * OPERAND(std::uint32_t, 8);
   DONE(Index);
 }
 op_IndexDyn : {
-  const std::int64_t index = from_slot<std::int32_t>(sp[-3]);
-  const std::int64_t lower = from_slot<std::int32_t>(sp[-2]);
-  if (index < lower || index > from_slot<std::int32_t>(sp[-1])) FAULT(TrapCode::IndexRange);
+  const std::int64_t index = from_slot<std::int32_t>(sp[-2]);
+  const std::int64_t lower = from_slot<std::int32_t>(sp[-1]);
+  if (index < lower || index > from_slot<std::int32_t>(top)) FAULT(TrapCode::IndexRange);
   sp -= 3;
-  sp[-1] += static_cast<Slot>(index - lower) * OPERAND(std::uint32_t, 0);
+  top = *sp + static_cast<Slot>(index - lower) * OPERAND(std::uint32_t, 0);
   DONE(IndexDyn);
 }
 op_Offset:
-  sp[-1] += OPERAND(std::uint32_t, 0);
+  top += OPERAND(std::uint32_t, 0);
   DONE(Offset);
 op_MemCopy : {
   const auto size = OPERAND(std::uint32_t, 0);
+  if (!within(top, size, memory_size)) FAULT(reference_fault(top));
   if (!within(sp[-1], size, memory_size)) FAULT(reference_fault(sp[-1]));
-  if (!within(sp[-2], size, memory_size)) FAULT(reference_fault(sp[-2]));
   if (size / 16 > budget_left) FAULT(TrapCode::Watchdog);
   budget_left -= size / 16;
-  sp -= 2;
-  std::memmove(memory + sp[0], memory + sp[1], size);
+  std::memmove(memory + sp[-1], memory + top, size);
+  --sp;
+  POP();
   DONE(MemCopy);
 }
 
 op_StringOp : {
-  Slot* top = sp;  // a copy, so that sp itself may live in a register
+  *sp = top;
+  Slot* free = sp + 1;  // copies, so that sp and the budget may live in registers
   std::uint64_t left = budget_left;
-  const TrapCode code = call_string_op(OPERAND(bytecode::StringOpId, 0), top, memory_block, left);
+  const TrapCode code = call_string_op(OPERAND(bytecode::StringOpId, 0), free, memory_block, left);
   if (code != TrapCode::None) FAULT(code);
   budget_left = left;
-  sp = top;
+  sp = free;
+  POP();
   DONE(StringOp);
 }
 
 op_ConstBool:
-  *sp++ = OPERAND(std::uint8_t, 0);
+  PUSH(OPERAND(std::uint8_t, 0));
   DONE(ConstBool);
 op_ConstI32:
 op_ConstF32:
-  *sp++ = OPERAND(std::uint32_t, 0);
+  PUSH(OPERAND(std::uint32_t, 0));
   DONE(ConstI32);
 op_ConstI64:
 op_ConstF64:
-  *sp++ = read_as<Slot>(constants + std::size_t{OPERAND(std::uint32_t, 0)} * sizeof(Slot));
+  PUSH(read_as<Slot>(constants + std::size_t{OPERAND(std::uint32_t, 0)} * sizeof(Slot)));
   DONE(ConstI64);
 
 op_ConstNull:
-  *sp++ = bytecode::kNullRef;
+  PUSH(bytecode::kNullRef);
   NEXT;
 
-  FUSED_BOOLEAN(LoadNotBool, *sp++ = y ^ 1)
-  FUSED_BOOLEAN(AndBool, sp[-1] &= y)
-  FUSED_BOOLEAN(OrBool, sp[-1] |= y)
-  FUSED_BOOLEAN(AndNotBool, sp[-1] &= y ^ 1)
-  FUSED_BOOLEAN(OrNotBool, sp[-1] |= y ^ 1)
-  FUSED_BOOLEAN(XorBool, sp[-1] ^= y)
+  FUSED_BOOLEAN(LoadNotBool, PUSH(y ^ 1))
+  FUSED_BOOLEAN(AndBool, top &= y)
+  FUSED_BOOLEAN(OrBool, top |= y)
+  FUSED_BOOLEAN(AndNotBool, top &= y ^ 1)
+  FUSED_BOOLEAN(OrNotBool, top |= y ^ 1)
+  FUSED_BOOLEAN(XorBool, top ^= y)
+  FUSED_PAIR(FUSED_LOAD, LoadAndBool, x & y)
+  FUSED_PAIR(FUSED_LOAD, LoadOrBool, x | y)
+  FUSED_PAIR(FUSED_LOAD, LoadAndNotBool, x & (y ^ 1))
+  FUSED_PAIR(FUSED_LOAD, LoadOrNotBool, x | (y ^ 1))
+  FUSED_PAIR(FUSED_LOAD, LoadNorBool, (x | y) ^ 1)
+  FUSED_PAIR(FUSED_LOAD, LoadNandBool, (x & y) ^ 1)
+  FUSED_PAIR(FUSED_STORE, AndStoreBool, top & y)
+  FUSED_PAIR(FUSED_STORE, OrStoreBool, top | y)
+  FUSED_PAIR(FUSED_STORE, AndNotStoreBool, top & (y ^ 1))
+  FUSED_PAIR(FUSED_STORE, OrNotStoreBool, top | (y ^ 1))
+  FUSED_PAIR(FUSED_MOVE, MoveBool, y)
+  FUSED_PAIR(FUSED_MOVE, MoveNotBool, y ^ 1)
 
   ARITHMETIC(Add, +)
   ARITHMETIC(Sub, -)
@@ -183,8 +209,8 @@ op_ConstNull:
   DIVISION(DivI64, std::int64_t, divide(x, y))
   DIVISION(DivU32, std::uint32_t, divide(x, y))
   DIVISION(DivU64, std::uint64_t, divide(x, y))
-  DIVISION(DivF32, float, x / y)
-  DIVISION(DivF64, double, x / y)
+  DIVISION(DivF32, float, settle_nan<float>(x / y, x, y))
+  DIVISION(DivF64, double, settle_nan<double>(x / y, x, y))
   BINARY(ModI32, std::int32_t, modulo(x, y))
   BINARY(ModI64, std::int64_t, modulo(x, y))
   BINARY(ModU32, std::uint32_t, modulo(x, y))
@@ -239,10 +265,10 @@ op_ConstNull:
   UNARY(U64ToF64, std::uint64_t, static_cast<double>(x))
   UNARY(F32ToF64, float, static_cast<double>(x))
 op_F64ToF32 : {
-  const auto wide = from_slot<double>(sp[-1]);
+  const auto wide = from_slot<double>(top);
   const auto narrow = static_cast<float>(wide);
   if (is_infinite(narrow) && !is_infinite(wide)) FAULT(TrapCode::ConversionRange);
-  sp[-1] = to_slot(narrow);
+  top = to_slot(narrow);
   NEXT;
 }
   TO_INTEGER(RoundF32, float, round_to_even)
@@ -254,107 +280,99 @@ op_U32ToI64:   // and the high half of an I32 slot is zero
   NEXT;
 
 op_Dup:
-  *sp = sp[-1];
-  ++sp;
+  *sp++ = top;
   NEXT;
 op_Drop:
-  --sp;
+  POP();
   NEXT;
 op_Select : {
-  const Slot mask = Slot{0} - sp[-1];
+  const Slot mask = Slot{0} - top;
   sp -= 2;
-  sp[-1] = (sp[0] & mask) | (sp[-1] & ~mask);
+  top = (sp[1] & mask) | (sp[0] & ~mask);
   NEXT;
 }
 op_Jump:
   JUMP(Jump, true)
-op_JumpIfFalse:
-  --sp;
-  JUMP(JumpIfFalse, *sp == 0)
-op_JumpIfTrue:
-  --sp;
-  JUMP(JumpIfTrue, *sp != 0)
+op_JumpIfFalse : {
+  const Slot condition = top;
+  POP();
+  JUMP(JumpIfFalse, condition == 0)
+}
+op_JumpIfTrue : {
+  const Slot condition = top;
+  POP();
+  JUMP(JumpIfTrue, condition != 0)
+}
 
 op_Call:
   callee = OPERAND(std::uint32_t, 0);
   callee_self = self;
-  call_bytes = bytecode::instruction_size(Opcode::Call);
-  goto enter;
+  resume = pc + operand_bytes(Opcode::Call);
+  goto call;
 op_CallInstanceAbs:
   callee = OPERAND(std::uint32_t, 0);
   callee_self = memory + OPERAND(std::uint32_t, 4);
-  call_bytes = bytecode::instruction_size(Opcode::CallInstanceAbs);
-  goto enter;
+  resume = pc + operand_bytes(Opcode::CallInstanceAbs);
+  goto call;
 op_CallInstanceThis:
   callee = OPERAND(std::uint32_t, 0);
   callee_self = self + OPERAND(std::uint32_t, 4);
-  call_bytes = bytecode::instruction_size(Opcode::CallInstanceThis);
-  goto enter;
-op_CallInstanceInd : {
+  resume = pc + operand_bytes(Opcode::CallInstanceThis);
+  goto call;
+op_CallInstanceInd:
   callee = OPERAND(std::uint32_t, 0);
-  const FunctionRecord target = view.record<Section::Functions>(callee);
-  if (!within(sp[-1], target.instance_size, memory_size)) FAULT(reference_fault(sp[-1]));
-  callee_self = memory + *--sp;
-  call_bytes = bytecode::instruction_size(Opcode::CallInstanceInd);
-  goto enter;
-}
+  if (!within(top, FUNCTION(callee, instance_size), memory_size)) FAULT(reference_fault(top));
+  callee_self = memory + top;
+  POP();
+  resume = pc + operand_bytes(Opcode::CallInstanceInd);
+  goto call;
 
 // Starts `callee` on `callee_self`; its parameters are on top of the stack and become its first locals.
-enter : {
-  const FunctionRecord target = view.record<Section::Functions>(callee);
-  if (target.code_size > budget_left) {
-    // The caller's instruction is at fault, or the callee where there is no caller.
-    if (pc == nullptr) {
-      budget = budget_left;
-      return {TrapCode::Watchdog, callee, 0};
-    }
-    FAULT(TrapCode::Watchdog);
-  }
-  budget_left -= target.code_size;
-  Slot* const locals = sp - target.param_count;
-  Slot* const operands = locals + target.local_count + kFrameSlots;
-  for (; sp < operands - kFrameSlots; ++sp) *sp = 0;
-  if (pc != nullptr) {
-    const FunctionRecord caller = view.record<Section::Functions>(function);
-    const std::byte* const resume = pc - 1 + call_bytes;
-    operands[-2] = pack(function, static_cast<std::uint64_t>(resume - (all_code + caller.code_offset)));
-    operands[-1] =
-        pack(static_cast<std::uint32_t>(self - memory), static_cast<std::uint64_t>(frame - bottom));
-  }
-  sp = operands;
+call : {
+  const std::uint32_t code_size = FUNCTION(callee, code_size);
+  if (code_size > budget_left) FAULT(TrapCode::Watchdog);
+  budget_left -= code_size;
+  *sp++ = top;
+  Slot* const locals = sp - FUNCTION(callee, param_count);
+  Slot* const saved = locals + FUNCTION(callee, local_count);
+  for (; sp < saved; ++sp) *sp = 0;
+  saved[0] = pack(function, static_cast<std::uint64_t>(resume - all_code));
+  saved[1] = pack(static_cast<std::uint32_t>(self - memory), static_cast<std::uint64_t>(frame - bottom));
+  sp = saved + kFrameSlots - 1;
   frame = locals;
   self = callee_self;
   function = callee;
-  pc = all_code + target.code_offset;
+  pc = all_code + FUNCTION(callee, code_offset);
   NEXT;
 }
 
+// The stack holds the result at most.
 op_Return : {
-  const FunctionRecord leaving = view.record<Section::Functions>(function);
   if (frame == bottom) {
     budget = budget_left;
     return {};
   }
-  const Slot* const saved = frame + leaving.local_count;
+  const bool gives_result = FUNCTION(function, result) != bytecode::kNoResult;
+  const Slot* const saved = sp - (gives_result ? 1 : 0) - (kFrameSlots - 1);
   const Slot where = saved[0];
   const Slot context = saved[1];
-  const Slot result = sp[-1];
   sp = frame;
-  *sp = result;
-  sp += leaving.result != bytecode::kNoResult ? 1 : 0;
+  if (!gives_result) POP();
   function = static_cast<std::uint32_t>(where >> 32);
-  pc = all_code + view.record<Section::Functions>(function).code_offset + static_cast<std::uint32_t>(where);
+  pc = all_code + static_cast<std::uint32_t>(where);
   self = memory + (context >> 32);
   frame = bottom + static_cast<std::uint32_t>(context);
   NEXT;
 }
 op_Now:
-  *sp++ = to_slot(invocation.now_ns);
+  PUSH(to_slot(invocation.now_ns));
   NEXT;
 op_Intrinsic : {
-  Slot* top = sp;
-  if (!call_intrinsic(OPERAND(bytecode::IntrinsicId, 0), top)) FAULT(TrapCode::BadArgument);
-  sp = top;
+  *sp = top;
+  Slot* free = sp + 1;
+  if (!call_intrinsic(OPERAND(bytecode::IntrinsicId, 0), free)) FAULT(TrapCode::BadArgument);
+  sp = free;
+  POP();
   DONE(Intrinsic);
 }
 op_Trap:
@@ -362,8 +380,7 @@ op_Trap:
 
 trapped:
   budget = budget_left;
-  const FunctionRecord at_fault = view.record<Section::Functions>(function);
-  return {fault, function, static_cast<std::uint32_t>(pc - (all_code + at_fault.code_offset))};
+  return {fault, function, static_cast<std::uint32_t>(pc - (all_code + FUNCTION(function, code_offset)))};
 }
 
 }  // namespace stepwright::vm

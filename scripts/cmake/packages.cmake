@@ -1,5 +1,6 @@
 # Third-party packages, found once for the whole tree. Every one comes from Debian (scripts/install-packages).
 
+find_package(asmjit REQUIRED)
 find_package(Boost 1.74 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(fastcdr REQUIRED)

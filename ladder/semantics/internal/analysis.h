@@ -57,5 +57,7 @@ Place frame_place(Pou& pou, const Type* type);
 inline constexpr std::uint32_t kMaxData = 32u << 20;
 
 std::string quote(std::string_view name);
+// The name of the type for a message: of a string without its length, which matters to no rule.
+const std::string& plain_name(const Type& type);
 
 }  // namespace stepwright::semantics::internal

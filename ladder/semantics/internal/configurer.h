@@ -5,8 +5,8 @@
 //
 // An instance with connections, with VAR_CONFIG addresses or with a block of its own task is run by a small
 // program of its own that copies what comes in, runs it, and copies what goes out: the body is shared by all
-// instances and knows of none. An AT %I* is so a variable of the instance; it has the value of its address
-// from the start of the program's run, an AT %Q* gives its value at the end of it.
+// instances and knows of none. An AT %I* is so a variable of the instance that holds the address; a bit
+// has none, so that the instance holds its value: read before the program runs, written behind.
 
 #include "ladder/semantics/internal/declarer.h"
 
@@ -28,6 +28,7 @@ class Configurer {
   struct Located {
     std::uint32_t offset = 0;  // in the instance of the program
     Place area;
+    bool copied = false;  // a bit; else the instance holds the address
   };
   struct Instance {
     const syntax::ProgramDeclaration* declaration = nullptr;  // null without a configuration

@@ -50,6 +50,7 @@ class TypeResolver {
   const syntax::Unit& unit_;
   std::unordered_map<std::uint32_t, Known> known_;
   std::unordered_map<std::uint32_t, State> layouts_;  // of POUs
+  Pou* scope_ = nullptr;  // whose variables are being laid out: bounds may name its constants
 };
 
 // Writes the value of an initialiser at `out`, which holds the type's own initial value. False after a
@@ -57,12 +58,18 @@ class TypeResolver {
 bool initialise(Analysis& analysis, ExpressionAnalyzer& expressions, const syntax::Expression& initial,
                 const Type& type, std::span<std::byte> out);
 
-// Globals of the unit and of its configurations. Appends to the model.
-void declare_globals(Analysis& analysis, TypeResolver& types,
-                     const std::vector<syntax::VariableDeclaration>& lines);
+// Globals of the unit and of its configurations: the constant ones or the others. Appends to the model.
+void declare_globals(Analysis& analysis, TypeResolver& types, const syntax::Unit& unit, bool constants);
 
 // Two located variables that share bits, whatever POU or configuration declares them.
 void check_overlaps(Analysis& analysis);
+
+// The offset of places at a hierarchical address, whose memory becomes at least `size` bytes.
+std::uint32_t hierarchical_offset(Analysis& analysis, const syntax::DirectAddress& address, std::size_t size,
+                                  Position where);
+
+// Gives every hierarchical address its place, and the variables there their flat addresses.
+void place_hierarchical(Analysis& analysis);
 
 // Gives a variable an address of %I, %Q or %M, grows the area and writes the first value. False after a
 // report.

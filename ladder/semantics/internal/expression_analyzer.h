@@ -47,6 +47,8 @@ class ExpressionAnalyzer {
 
   // Conversion as the standard's X_TO_Y; requires one that the language has. Folds constants.
   ValuePtr convert_exactly(ValuePtr value, const Type* type);
+  // An elementary type by its name in upper case, or a string of any length; null if it names none.
+  const Type* named_type(const std::string& folded) const;
   // "expected X, found Y"; null.
   ValuePtr mismatch(const Type& from, const Type& to, Position where);
   // A literal gets the type that it has without a context: INT, DINT, LINT, REAL.
@@ -59,6 +61,11 @@ class ExpressionAnalyzer {
   ValuePtr power(ValuePtr base, ValuePtr exponent, Position where);
   // A number as REAL, or as LREAL if REAL does not hold all values of its type.
   ValuePtr as_real(ValuePtr value);
+  // An operation on strings, or one that makes one; folded if the operands are constants and it has a value.
+  // `narrow` is the operation on STRING. A string as result has the capacity of `type`.
+  ValuePtr text_operation(bytecode::StringOpId narrow, const Type* type, std::vector<ValuePtr> operands,
+                          Position where);
+  ValuePtr text_operation(bytecode::StringOpId narrow, const Type* type, ValuePtr operand, Position where);
   // A real as an integer, towards zero.
   ValuePtr truncated(ValuePtr value, const Type* type, const syntax::Expression& call);
 
@@ -121,6 +128,17 @@ class ExpressionAnalyzer {
   ValuePtr convert_derived(ValuePtr value, const Type* type, Position where, bool& known);
   ValuePtr convert_enumerator(ValuePtr value, const Type* type, Position where);
   ValuePtr convert_to_subrange(ValuePtr value, const Type* type, Position where);
+
+  // text.cpp
+  ValuePtr text_literal(const syntax::Expression& expression);
+  const Type* common_text(const Value& left, const Value& right) const;
+  ValuePtr compare_texts(syntax::Operator op, ValuePtr left, ValuePtr right, Position where);
+  ValuePtr convert_text(ValuePtr value, const Type* type, Position where);
+  std::optional<Place> character_place(Place text, const syntax::Expression& expression);
+  // text_conversion.cpp
+  ValuePtr text_conversion(ValuePtr value, const Type* to, const syntax::Expression& call);
+  ValuePtr to_text(ValuePtr value, const Type* to, const syntax::Expression& call);
+  ValuePtr no_conversion(const Type& from, const Type& to, const syntax::Expression& call);
 
   // operators.cpp
   ValuePtr unary(const syntax::Expression& expression);

@@ -47,6 +47,7 @@ class StandardAnalyzer {
   static std::span<const Entry> selection_entries();
   static std::span<const Entry> bit_entries();
   static std::span<const Entry> time_entries();
+  static std::span<const Entry> text_entries();
 
   // standard_call.cpp
   std::size_t parameter_index(const syntax::Name& formal, std::string_view formals, std::size_t count);
@@ -79,6 +80,13 @@ class StandardAnalyzer {
   ValuePtr swap_bytes(const syntax::Expression& call, Values values, int which);
 
   ValuePtr time_operation(const syntax::Expression& call, Values values, int which);
+  std::optional<std::uint32_t> text_operands(const syntax::Expression& call, Values& values,
+                                             std::size_t texts);
+  ValuePtr character_count(ValuePtr value);
+  ValuePtr measure(const syntax::Expression& call, Values values, int which);
+  ValuePtr join(const syntax::Expression& call, Values values, int which);
+  ValuePtr cut(const syntax::Expression& call, Values values, int which);
+
   ValuePtr now(const syntax::Expression& call, Values values, int which);
   ValuePtr fail(const syntax::Expression& call, Values values, int which);
 

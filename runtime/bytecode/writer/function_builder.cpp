@@ -1,5 +1,7 @@
 #include "runtime/bytecode/writer/function_builder.h"
 
+#include "runtime/bytecode/writer/boolean_fusion.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -42,6 +44,7 @@ void FunctionBuilder::append(T value) {
 // Starts an instruction; false if nothing reaches it, so that it is dropped.
 bool FunctionBuilder::begin(Opcode opcode) {
   if (!reachable_) return false;
+  before_ = last_;
   last_ = position();
   append(static_cast<std::uint8_t>(opcode));
   if (opcode == Opcode::Jump || opcode == Opcode::Return || opcode == Opcode::Trap) reachable_ = false;
@@ -51,24 +54,25 @@ bool FunctionBuilder::begin(Opcode opcode) {
 // A load of a BOOL and the boolean operation behind it become one instruction: the load's opcode is replaced.
 bool FunctionBuilder::fuse(Opcode operation) {
   if (!reachable_ || !last_) return false;
-  const auto before = static_cast<Opcode>(function_.code[*last_]);
-  const bool plain = before == Opcode::LoadBoolAbs || before == Opcode::LoadBoolThis;
-  const bool negated = before == Opcode::LoadNotBoolAbs || before == Opcode::LoadNotBoolThis;
-  if (!plain && !negated) return false;
-  std::optional<Opcode> fused;
-  if (operation == Opcode::NotBool) {
-    fused = plain ? Opcode::LoadNotBoolAbs : Opcode::LoadBoolAbs;
-  } else if (operation == Opcode::AndBool) {
-    fused = plain ? Opcode::AndBoolAbs : Opcode::AndNotBoolAbs;
-  } else if (operation == Opcode::OrBool) {
-    fused = plain ? Opcode::OrBoolAbs : Opcode::OrNotBoolAbs;
-  } else if (operation == Opcode::XorBool && plain) {
-    fused = Opcode::XorBoolAbs;
-  }
+  const auto fused = fused_operation(opcode_at(*last_), operation);
   if (!fused) return false;
-  const bool on_instance = before == Opcode::LoadBoolThis || before == Opcode::LoadNotBoolThis;
-  function_.code[*last_] = static_cast<std::byte>(static_cast<std::uint8_t>(*fused) + (on_instance ? 1 : 0));
+  function_.code[*last_] = static_cast<std::byte>(*fused);
+  if (operation != Opcode::NotBool) pair_up();
   return true;
+}
+
+// The last two instructions become one if there is one that does both, and no line starts at the second.
+void FunctionBuilder::pair_up() {
+  if (!reachable_ || !before_) return;
+  if (!function_.lines.empty() && function_.lines.back().pc > *before_) return;
+  const auto pair = fused_pair(opcode_at(*before_), opcode_at(*last_));
+  if (!pair) return;
+  auto& code = function_.code;
+  code[*before_] = static_cast<std::byte>(pair->opcode);
+  code.erase(code.begin() + *last_);
+  if (pair->swapped) std::rotate(code.end() - 8, code.end() - 4, code.end());
+  last_ = before_;
+  before_.reset();
 }
 
 void FunctionBuilder::emit(Opcode opcode) {
@@ -122,6 +126,7 @@ void FunctionBuilder::load(bytecode::MemType type, AddressMode mode, std::uint32
 void FunctionBuilder::store(bytecode::MemType type, AddressMode mode, std::uint32_t offset) {
   const Opcode opcode = bytecode::store_opcode(type, mode);
   mode == AddressMode::Ind ? emit(opcode) : emit_u32(opcode, offset);
+  if (type == bytecode::MemType::Bool) pair_up();
 }
 
 void FunctionBuilder::load_bit(std::uint32_t byte, std::uint8_t bit) {
@@ -223,6 +228,7 @@ void FunctionBuilder::bind(Label label) {
   assert(state.pc == LabelState::kUnbound && "a label is bound once");
   state.pc = position();
   last_.reset();
+  before_.reset();
   reachable_ = true;
 }
 

@@ -67,8 +67,8 @@ class FunctionBuilder {
   // power of two, 8 at most. Not initialised when the function starts.
   std::uint32_t allocate_frame(std::uint32_t bytes, std::uint32_t align);
 
-  // An instruction without operands. Forms a fused boolean where a load of a BOOL and the operation follow
-  // each other (LoadBoolAbs, AndBool -> AndBoolAbs).
+  // An instruction without operands. Boolean instructions that follow each other become one where there is
+  // one that does both (boolean_fusion.h).
   void emit(bytecode::Opcode opcode);
 
   void const_bool(bool value);
@@ -139,6 +139,10 @@ class FunctionBuilder {
 
   bool begin(bytecode::Opcode opcode);
   bool fuse(bytecode::Opcode operation);
+  void pair_up();
+  bytecode::Opcode opcode_at(std::uint32_t pc) const {
+    return static_cast<bytecode::Opcode>(function_.code[pc]);
+  }
   template <typename T>
   void append(T value);
   void emit_u32(bytecode::Opcode opcode, std::uint32_t operand);
@@ -151,7 +155,8 @@ class FunctionBuilder {
   Function function_;
   std::vector<LabelState> labels_;
   std::vector<Fixup> fixups_;
-  std::optional<std::uint32_t> last_;  // the instruction before, if nothing jumps behind it
+  std::optional<std::uint32_t> last_;    // the instruction before, if nothing jumps behind it
+  std::optional<std::uint32_t> before_;  // the instruction before that one, if nothing comes between
   bool reachable_ = true;
 };
 

@@ -1,5 +1,6 @@
 // Edit to run: how long 1000 rungs take from source to a verified container, as ST and as ladder, beside
-// g++ -O2 on the same logic in C++.
+// g++ -O2 on the same logic in C++. Then 10,000 and 100,000 rungs and libraries of 250 and 500 POUs: the time
+// must grow with the size and no faster.
 //
 //   bench_compile [--json FILE]
 
@@ -12,11 +13,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ladder/driver/compile.h"
 #include "runtime/result/exit_code.h"
 #include "tests/bench/compile/rungs.h"
+#include "tests/support/pou_library.h"
 
 namespace stepwright::bench {
 namespace {
@@ -24,7 +27,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kRungs = 1000;
-constexpr int kRepeats = 51;
 
 template <typename Run>
 double median_ms(int repeats, Run run) {
@@ -38,8 +40,8 @@ double median_ms(int repeats, Run run) {
   return times[static_cast<std::size_t>(repeats / 2)];
 }
 
-double compile_ms(const driver::CompileInput& input, std::size_t& bytes) {
-  return median_ms(kRepeats, [&] {
+double compile_ms(const driver::CompileInput& input, int repeats, std::size_t& bytes) {
+  return median_ms(repeats, [&] {
     const auto output = driver::compile(input);
     if (!output) {
       std::fprintf(stderr, "%s", result::to_string(output.error()).c_str());
@@ -47,6 +49,13 @@ double compile_ms(const driver::CompileInput& input, std::size_t& bytes) {
     }
     bytes = output->container.size();
   });
+}
+
+double text_ms(std::string text, int repeats) {
+  driver::CompileInput input;
+  input.texts.push_back({"source.st", std::move(text)});
+  std::size_t bytes = 0;
+  return compile_ms(input, repeats, bytes);
 }
 
 // Below zero if there is no g++.
@@ -69,8 +78,8 @@ int run(const char* json_file) {
   driver::CompileInput ladder;
   ladder.projects = {&project};
   std::size_t bytes = 0;
-  const double st_ms = compile_ms(text, bytes);
-  const double ladder_ms = compile_ms(ladder, bytes);
+  const double st_ms = compile_ms(text, 51, bytes);
+  const double ladder_ms = compile_ms(ladder, 51, bytes);
   const double baseline_ms = gcc_ms();
   std::printf("%d rungs, source to verified container (%zu bytes)\n", kRungs, bytes);
   std::printf("  ST      %8.2f ms  %9.0f rungs/s\n", st_ms, kRungs / st_ms * 1e3);
@@ -78,9 +87,21 @@ int run(const char* json_file) {
   if (baseline_ms > 0)
     std::printf("  g++ -O2 %8.2f ms  %9.0f rungs/s  (%.0f times the ST compiler)\n", baseline_ms,
                 kRungs / baseline_ms * 1e3, baseline_ms / st_ms);
+  const double ten_ms = text_ms(rungs_as_st(10 * kRungs), 11);
+  const double hundred_ms = text_ms(rungs_as_st(100 * kRungs), 3);
+  const double half_ms = text_ms(support::pou_library(250).text, 11);
+  const double library_ms = text_ms(support::pou_library(500).text, 11);
+  std::printf("growth: 10,000 rungs %.1f ms, 100,000 rungs %.0f ms (%.2f times as long per rung as 1000)\n",
+              ten_ms, hundred_ms, hundred_ms / 100 / st_ms);
+  std::printf("library: 250 POUs %.1f ms, 500 POUs %.1f ms (%.2f times)\n", half_ms, library_ms,
+              library_ms / half_ms);
   if (json_file == nullptr) return 0;
   std::ofstream(json_file) << nlohmann::json{{"compile_1000_rungs_ms", st_ms},
                                              {"compile_1000_rungs_ladder_ms", ladder_ms},
+                                             {"compile_10000_rungs_ms", ten_ms},
+                                             {"compile_100000_rungs_ms", hundred_ms},
+                                             {"compile_250_pous_ms", half_ms},
+                                             {"compile_500_pous_ms", library_ms},
                                              {"gcc_1000_rungs_ms", baseline_ms}}
                                   .dump(2)
                            << "\n";

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "runtime/bytecode/instruction.h"
 #include "tests/support/compiled_program.h"
 
@@ -73,6 +75,83 @@ TEST(Generate, IoMap_WhenVariablesAreLocated_ThenListsTheirAddresses) {
   EXPECT_EQ(program.loaded().program().sizes().output_bytes, 1u);
   EXPECT_EQ(program.find("level").address, 2u);
   EXPECT_EQ(program.find("main.lamp").bit, 3);
+}
+
+TEST(Generate, HierarchicalAddresses_WhenThereAreFlatOnes_ThenTheyLieBehindInTheOrderOfTheirNumbers) {
+  const support::CompiledProgram program(
+      input_of("PROGRAM main VAR c AT %QW0.10 : INT; b AT %QD0.9 : DINT; a AT %QB0.2 : BYTE; flat AT %QB4 : "
+               "BYTE; END_VAR "
+               "%QB0.1 := 3; END_PROGRAM"));
+  const auto outputs = program.loaded().program().sizes().input_bytes;
+  EXPECT_EQ(program.find("main.flat").address - outputs, 4u);
+  EXPECT_EQ(program.find("main.a").address - outputs, 6u);  // behind %QB0.1
+  EXPECT_EQ(program.find("main.b").address - outputs, 8u);
+  EXPECT_EQ(program.find("main.c").address - outputs, 12u);
+  EXPECT_EQ(program.loaded().program().sizes().output_bytes, 14u);
+}
+
+// Whether every byte of a variable is in the retain map; nothing if only a part is.
+std::optional<bool> is_retained(const support::CompiledProgram& program, const std::string& path) {
+  const auto& container = program.loaded().program().container();
+  const reader::Variable variable = program.find(path);
+  const std::uint32_t size = bytecode::size_of(bytecode::mem_type(variable.type));
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < container.count<bytecode::Section::RetainMap>(); ++i) {
+    const auto record = container.record<bytecode::Section::RetainMap>(i);
+    for (std::uint32_t at = 0; at < size; ++at)
+      if (variable.address + at >= record.address && variable.address + at < record.address + record.size)
+        ++kept;
+  }
+  if (kept != 0 && kept != size) return std::nullopt;
+  return kept == size;
+}
+
+TEST(Generate, Retain_WhenBlocksAreNested_ThenTheNearestWordCounts) {
+  const support::CompiledProgram program(input_of(
+      "FUNCTION_BLOCK inner VAR a : INT; END_VAR VAR RETAIN b : INT; END_VAR VAR NON_RETAIN c : INT; END_VAR "
+      "END_FUNCTION_BLOCK\n"
+      "FUNCTION_BLOCK outer VAR i : inner; END_VAR VAR NON_RETAIN j : inner; END_VAR VAR d : INT; END_VAR "
+      "END_FUNCTION_BLOCK\n"
+      "PROGRAM main VAR RETAIN k : outer; l : ARRAY[1..2] OF inner; END_VAR VAR m : outer; e : INT; END_VAR "
+      "END_PROGRAM\n"
+      "CONFIGURATION c TASK t(INTERVAL := T#1ms); PROGRAM p WITH t : main; PROGRAM RETAIN q WITH t : main; "
+      "PROGRAM NON_RETAIN r WITH t : main; END_CONFIGURATION"));
+  for (const char* kept : {"p.k.i.a", "p.k.i.b", "p.k.j.b", "p.k.d", "p.l[1].a", "p.l[2].b", "p.m.i.b", "q.e",
+                           "q.m.d", "q.m.i.a", "r.k.d", "r.m.i.b"})
+    EXPECT_EQ(is_retained(program, kept), true) << kept;
+  for (const char* lost :
+       {"p.k.i.c", "p.k.j.a", "p.l[1].c", "p.m.i.a", "p.m.d", "p.e", "q.m.i.c", "q.m.j.a", "r.e", "r.m.d"})
+    EXPECT_EQ(is_retained(program, lost), false) << lost;
+}
+
+TEST(Generate, Tasks_WhenOneIsTriggered_ThenItsRecordNamesTheSymbol) {
+  const support::CompiledProgram program(input_of(
+      "PROGRAM main VAR_OUTPUT out : BOOL; END_VAR END_PROGRAM\n"
+      "CONFIGURATION c VAR_GLOBAL go : BOOL; END_VAR TASK fast(INTERVAL := T#1ms); TASK a(SINGLE := go); "
+      "TASK b(SINGLE := p.out); PROGRAM p WITH fast : main; PROGRAM q WITH a : main; PROGRAM r WITH b : "
+      "main; "
+      "END_CONFIGURATION"));
+  const auto& container = program.loaded().program().container();
+  const auto address = [&](std::uint32_t task) {
+    const auto record = container.record<bytecode::Section::Tasks>(task);
+    return container.record<bytecode::Section::Symbols>(record.trigger).address;
+  };
+  EXPECT_EQ(container.record<bytecode::Section::Tasks>(0).trigger, bytecode::kNoIndex);
+  EXPECT_EQ(container.record<bytecode::Section::Tasks>(1).interval_us, 0u);
+  EXPECT_EQ(address(1), program.find("go").address);
+  EXPECT_EQ(address(2), program.find("p.out").address);
+}
+
+TEST(Generate, Instances_WhenTheyHaveNoConnections_ThenNothingRunsAroundTheProgram) {
+  const std::string main =
+      "PROGRAM main VAR_INPUT x : INT; END_VAR END_PROGRAM CONFIGURATION c VAR_GLOBAL g : INT; "
+      "END_VAR TASK t(INTERVAL := T#1ms); PROGRAM p WITH t : main";
+  const auto functions = [&](const std::string& connections) {
+    const support::CompiledProgram program(input_of(main + connections + "; END_CONFIGURATION"));
+    return program.loaded().program().container().count<bytecode::Section::Functions>();
+  };
+  EXPECT_EQ(functions(""), 1u);
+  EXPECT_EQ(functions("(x := g)"), 2u);
 }
 
 }  // namespace

@@ -23,6 +23,11 @@ inline void PrintTo(const ErrorCase& error_case, std::ostream* out) {
 
 // Mistakes that need the types of edition 3.
 std::span<const ErrorCase> type_error_cases();
+// Mistakes with strings and characters.
+std::span<const ErrorCase> text_error_cases();
+
+// Mistakes in configurations.
+std::span<const ErrorCase> configuration_error_cases();
 
 }  // namespace stepwright::driver_test
 

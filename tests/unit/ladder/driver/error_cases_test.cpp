@@ -26,9 +26,9 @@ const ErrorCase kCases[] = {
     {"BadDuration", "E0103", 3, 7, BODY("tm := T#5x;")},
     {"MissingSemicolon", "E0104", 3, 7, BODY("i := 1\nj := 2;")},
     {"EqualForAssign", "E0104", 3, 3, BODY("i = 1;"), ":="},
-    {"ReservedName", "E0104", 2, 5, "PROGRAM main\nVAR step : INT; END_VAR\nEND_PROGRAM", "reserved"},
+    {"ReservedName", "E0104", 2, 5, "PROGRAM main\nVAR then : INT; END_VAR\nEND_PROGRAM", "reserved"},
+    {"DoubledUnderscore", "E0101", 2, 6, "PROGRAM main\nVAR a__b : INT; END_VAR\nEND_PROGRAM", "leave"},
     {"MissingEndIf", "E0105", 3, 1, BODY("IF b THEN i := 1;")},
-    {"Strings", "E0107", 3, 6, BODY("i := 'text';")},
     {"LiteralTooLarge", "E0108", 3, 27, BODY("i := 18446744073709551615 * 18446744073709551615;")},
     {"Undeclared", "E0201", 3, 1, BODY("lmp := TRUE;"), "'lamp'"},
     {"UnknownFunction", "E0201", 3, 6, BODY("r := SQRTT(r);"), "'SQRT'"},
@@ -111,7 +111,7 @@ const ErrorCase kCases[] = {
      "END_VAR\ny();\nEND_PROGRAM"},
     {"BadAddress", "E0501", 2, 10, "PROGRAM main\nVAR x AT %IX0.9 : BOOL; END_VAR\nEND_PROGRAM"},
     {"AddressSize", "E0502", 2, 10, "PROGRAM main\nVAR x AT %IW0 : BOOL; END_VAR\nEND_PROGRAM", "%IX"},
-    {"Overlap", "E0503", 2, 37,
+    {"Overlap", "W0016", 2, 37,
      "PROGRAM main\nVAR x AT %IX2.0 : BOOL; END_VAR VAR y AT %IW1 : INT; END_VAR\nEND_PROGRAM"},
     {"AddressInBlock", "E0504", 2, 10,
      "FUNCTION_BLOCK f\nVAR x AT %QX0.0 : BOOL; END_VAR\nEND_FUNCTION_BLOCK\nPROGRAM main\nEND_PROGRAM"},
@@ -147,8 +147,10 @@ const ErrorCase kCases[] = {
 
 std::vector<ErrorCase> all_cases() {
   std::vector<ErrorCase> cases(std::begin(kCases), std::end(kCases));
-  const auto types = stepwright::driver_test::type_error_cases();
-  cases.insert(cases.end(), types.begin(), types.end());
+  for (const auto more :
+       {stepwright::driver_test::type_error_cases(), stepwright::driver_test::configuration_error_cases(),
+        stepwright::driver_test::text_error_cases()})
+    cases.insert(cases.end(), more.begin(), more.end());
   return cases;
 }
 

@@ -230,8 +230,8 @@ TEST(CodeCheck, Calls_WhenTheyNest_ThenDepthAndStackAreSummedUp) {
       std::move(more)));
   const SizesRecord sizes = program.loaded().program().sizes();
   EXPECT_EQ(sizes.call_depth, 3u);
-  // MAIN: 2 operands; MIDDLE: 1; LEAF: 1 local and 1 operand; 2 saved slots each.
-  EXPECT_EQ(sizes.stack_slots, (2u + 2) + (1u + 2) + (1u + 1 + 2));
+  // MAIN: 2 operands; MIDDLE: 1; LEAF: 1 local and 1 operand; 3 slots of the engine each.
+  EXPECT_EQ(sizes.stack_slots, (2u + 3) + (1u + 3) + (1u + 1 + 3));
 }
 
 TEST(CodeCheck, CallInstance_WhenTheInstanceDoesNotFit_ThenIsRefused) {

@@ -41,6 +41,7 @@ const char* operand_text(Operands operands) {
     case Operands::Bounds:
       return "i32 i32";
     case Operands::Constants:
+    case Operands::TwoU32:
       return "u32 u32";
   }
   return "?";

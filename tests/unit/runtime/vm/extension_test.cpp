@@ -44,12 +44,15 @@ TEST(FusedBoolean, Operations_WhenOperandsAreInMemory_ThenAgreeWithTheTruthTable
     for (const AddressMode mode : {AddressMode::Abs, AddressMode::This}) {
       const auto emit = [&](FunctionBuilder& f) {
         f.load(MemType::Bool, mode, 0);
+        f.line(0, 1);  // keeps it from becoming one with the load (boolean_pair_test.cpp)
         f.load(MemType::Bool, mode, 1);
         if (each.negate) f.emit(Opcode::NotBool);
         f.emit(each.operation);
+        f.line(0, 2);
         f.store(MemType::Bool, mode, 2);
       };
-      const auto model = one_program(3, emit);
+      auto model = one_program(3, emit);
+      model.source_files = {"f.st"};
       const auto number = static_cast<std::uint8_t>(each.fused) + (mode == AddressMode::This ? 1 : 0);
       ASSERT_EQ(std::to_integer<int>(model.functions[0].code[5]), number);
       for (int bits = 0; bits < 4; ++bits) {

@@ -1,0 +1,31 @@
+#pragma once
+
+// A program as it is printed: one sheet for each POU, list of types and configuration, in the order of the
+// files. Texts are those of the author. Values; use from any thread.
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "ladder/graphic/project.h"
+
+namespace stepwright::graphic {
+
+// Lines of ST with their numbers in the file, so that diagnostics and traps name them.
+struct Listing {
+  std::vector<std::string> lines;
+  std::uint32_t first_line = 1;
+};
+
+struct Sheet {
+  std::string kind;  // "PROGRAM", "FUNCTION_BLOCK", "FUNCTION", "TYPE", "CONFIGURATION", "VAR_GLOBAL"
+  std::string name;  // empty for TYPE and VAR_GLOBAL
+  std::string result_type{};  // of a FUNCTION
+  std::string file{};
+  std::string comment{};
+  std::vector<Variable> variables{};
+  std::variant<Listing, LadderProgram, SfcChart> body{};
+};
+
+}  // namespace stepwright::graphic

@@ -1,0 +1,33 @@
+#pragma once
+
+// Which variables a piece of ST reads and writes. Internal to this folder; one object per print, not
+// thread-safe.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ladder/source/name_table.h"
+
+namespace stepwright::print {
+
+struct TextUse {
+  std::string name;        // "lamp" of lamp, lamp.x and lamp[3]; "%IX0.0"
+  std::uint32_t line = 1;  // of the text
+  bool write = false;
+};
+
+class TextUses {
+ public:
+  TextUses();
+
+  // Statements or an expression, in the order of the text. Names of functions and of members are among them
+  // where they look like variables: who asks knows what is declared. A block that is called is written.
+  std::vector<TextUse> of(std::string_view text);
+
+ private:
+  source::NameTable names_;
+};
+
+}  // namespace stepwright::print

@@ -1,0 +1,21 @@
+#pragma once
+
+// Files that commands read and write whole.
+
+#include <string>
+#include <string_view>
+
+#include "runtime/result/result.h"
+
+namespace stepwright::process {
+
+// Fails with E0001.
+[[nodiscard]] result::Result<std::string> read_file(const std::string& path);
+
+// Written beside its place and moved there, so that nobody meets half a file. Returns E0002 or nothing.
+[[nodiscard]] result::Diagnostics write_file(const std::string& path, std::string_view bytes);
+
+// ".xml" in any case: a PLCopen project.
+bool is_xml(const std::string& path);
+
+}  // namespace stepwright::process

@@ -1,0 +1,21 @@
+#pragma once
+
+// Which two boolean instructions that follow each other are one: the peephole of FunctionBuilder.
+
+#include <optional>
+
+#include "runtime/bytecode/opcode.h"
+
+namespace stepwright::writer {
+
+// A load of a BOOL and the operation without operand behind it (LoadBoolAbs, AndBool -> AndBoolAbs).
+std::optional<bytecode::Opcode> fused_operation(bytecode::Opcode load, bytecode::Opcode operation);
+
+// A load and a fused operation, or either of them and a store; all on the same address mode.
+struct BooleanPair {
+  bytecode::Opcode opcode;
+  bool swapped = false;  // the second instruction's offset comes first
+};
+std::optional<BooleanPair> fused_pair(bytecode::Opcode first, bytecode::Opcode second);
+
+}  // namespace stepwright::writer

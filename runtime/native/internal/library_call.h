@@ -1,0 +1,19 @@
+#pragma once
+
+// What generated code calls: operations that are written once for every engine (runtime/operations).
+
+#include <cstdint>
+
+#include "runtime/native/internal/machine.h"
+#include "runtime/operations/slot.h"
+
+namespace stepwright::native {
+
+// Runs an operation on the operands below `sp`, as the interpreter's stack would hold them, and leaves its
+// result in their place. Not zero after a trap, which `trap_code` of the context names.
+using LibraryCall = std::uint32_t (*)(Context* context, std::uint32_t operation, operations::Slot* sp);
+
+std::uint32_t run_string_op(Context* context, std::uint32_t operation, operations::Slot* sp);
+std::uint32_t run_intrinsic(Context* context, std::uint32_t operation, operations::Slot* sp);
+
+}  // namespace stepwright::native

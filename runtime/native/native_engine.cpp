@@ -1,0 +1,76 @@
+#include "runtime/native/native_engine.h"
+
+#include <cassert>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "runtime/native/internal/program_code.h"
+
+namespace stepwright::native {
+
+struct NativeEngine::Parts {
+  ProgramCode code;
+  std::vector<std::uint32_t> entry_costs;  // of each function: the bytes of its bytecode
+  std::vector<std::uint64_t> memory;       // the context and all slots
+  std::uint32_t memory_size = 0;
+
+  Context& context() { return *reinterpret_cast<Context*>(memory.data()); }
+};
+
+NativeEngine::NativeEngine(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+NativeEngine::~NativeEngine() = default;
+
+bool NativeEngine::supported() {
+#if defined(__x86_64__) && defined(__linux__)
+  return asmjit::CpuInfo::host().features().x86().hasSSE4_1();
+#else
+  return false;
+#endif
+}
+
+result::Result<std::unique_ptr<NativeEngine>> NativeEngine::compile(const bytecode::Program& program) {
+  if (!supported()) {
+    return result::fail("R0010", {}, "this machine cannot run native code of Stepwright",
+                        "native code needs an x86-64 processor with SSE4.1 and Linux");
+  }
+  auto parts = std::make_unique<Parts>();
+  const ProgramFacts facts(program);
+  if (const asmjit::Error error = make_code(facts, parts->code)) {
+    return result::fail(
+        "R0010", {}, std::string("no native code can be made: ") + asmjit::DebugUtils::errorAsString(error));
+  }
+  for (std::uint32_t i = 0; i < facts.function_count(); ++i) {
+    parts->entry_costs.push_back(facts.code(i).record.code_size);
+  }
+  parts->memory.resize((facts.context_bytes() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
+  new (parts->memory.data()) Context{};
+  parts->memory_size = program.memory_size();
+  return std::unique_ptr<NativeEngine>(new NativeEngine(std::move(parts)));
+}
+
+bytecode::Trap NativeEngine::run(const bytecode::Invocation& invocation, std::span<std::byte> memory,
+                                 std::uint64_t& budget) {
+  assert(memory.size() == parts_->memory_size);
+  const std::uint32_t cost = parts_->entry_costs[invocation.function];
+  if (cost > budget) return {bytecode::TrapCode::Watchdog, invocation.function, 0};
+  Context& context = parts_->context();
+  context.now_ns = invocation.now_ns;
+  context.budget = budget - cost;
+  context.memory = memory.data();
+  context.memory_size = memory.size();
+  context.self = memory.data() + invocation.instance;
+  context.frames = invocation.frames;
+  const std::uint32_t site = parts_->code.enter(&context, parts_->code.functions[invocation.function]);
+  budget = context.budget;
+  if (site == 0) return {};
+  bytecode::Trap trap = parts_->code.sites[site - 1];
+  if (!trap) trap.code = static_cast<bytecode::TrapCode>(context.trap_code);
+  return trap;
+}
+
+std::size_t NativeEngine::code_bytes() const {
+  return parts_->code.memory.code_bytes();
+}
+
+}  // namespace stepwright::native

@@ -1,0 +1,52 @@
+#pragma once
+
+// The fast engine: turns a verified program into x86-64 machine code (with AsmJit) and runs that. For equal
+// input it leaves the same image, the same trap and the same budget as vm::Interpreter, bit for bit
+// (runtime/doc/native.md).
+//
+// Thread rule: as bytecode::Engine; compile on any thread. Invariants: no page is writable and executable at
+// the same time; every fault is an explicit check, no signal is used; running takes no heap and no lock.
+//
+//   auto engine = native::NativeEngine::compile(program);
+//   if (!engine) ...  // use the interpreter
+//   bytecode::Trap trap = (*engine)->run({.function = 0, .instance = 3, .now_ns = 0, .frames = 64},
+//                                           memory, budget);
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "runtime/bytecode/engine.h"
+#include "runtime/bytecode/program.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::native {
+
+class NativeEngine final : public bytecode::Engine {
+ public:
+  // True if this machine can run the code that is made.
+  static bool supported();
+
+  // Fails (code "R0010") where the machine is not supported or gives no memory for code. The program's bytes
+  // may go away afterwards.
+  [[nodiscard]] static result::Result<std::unique_ptr<NativeEngine>> compile(
+      const bytecode::Program& program);
+
+  ~NativeEngine() override;
+
+  // Requires a program call of the program: function, instance and frames as a task has them.
+  bytecode::Trap run(const bytecode::Invocation& invocation, std::span<std::byte> memory,
+                     std::uint64_t& budget) override;
+
+  // Bytes of machine code, constants included.
+  std::size_t code_bytes() const;
+
+ private:
+  struct Parts;
+  explicit NativeEngine(std::unique_ptr<Parts> parts);
+
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace stepwright::native

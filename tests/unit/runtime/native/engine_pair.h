@@ -1,0 +1,95 @@
+#pragma once
+
+// One program in both engines, each with an image of its own: every run is compared byte for byte.
+//
+//   EnginePair pair(model);
+//   pair.write<std::int32_t>(0, 7);
+//   EXPECT_EQ(pair.run(), "");
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/native/native_engine.h"
+#include "runtime/vm/interpreter.h"
+#include "tests/support/test_program.h"
+
+namespace stepwright::native {
+
+class EnginePair {
+ public:
+  explicit EnginePair(const writer::ContainerModel& model)
+      : loaded_(support::TestProgram::load(model)),
+        stack_(loaded_.program().sizes().stack_slots),
+        interpreter_(loaded_.program(), stack_),
+        images_{std::vector<std::byte>(loaded_.program().memory_size()),
+                std::vector<std::byte>(loaded_.program().memory_size())} {
+    auto compiled = NativeEngine::compile(loaded_.program());
+    if (!compiled) throw std::runtime_error(result::to_string(compiled.error()));
+    native_ = std::move(*compiled);
+    const auto initial = loaded_.program().container().section(bytecode::Section::InitialData);
+    for (auto& image : images_) std::copy(initial.begin(), initial.end(), image.begin());
+  }
+
+  // Runs the first program call of a task in both; what differs, or nothing.
+  std::string run(std::int64_t now_ns = 0, std::uint64_t budget = 10'000'000, std::uint32_t task = 0) {
+    const auto& view = loaded_.program().container();
+    const auto call =
+        view.record<bytecode::Section::ProgramCalls>(view.record<bytecode::Section::Tasks>(task).first_call);
+    const bytecode::Invocation invocation{call.function, call.instance, now_ns,
+                                          loaded_.program().frames_of(task)};
+    std::uint64_t left[2] = {budget, budget};
+    trap_ = interpreter_.run(invocation, images_[0], left[0]);
+    const bytecode::Trap trap = native_->run(invocation, images_[1], left[1]);
+    std::ostringstream out;
+    if (trap.code != trap_.code || trap.function != trap_.function || trap.pc != trap_.pc) {
+      out << "trap " << describe(trap_) << ", native " << describe(trap) << "; ";
+    }
+    if (left[0] != left[1]) out << "budget left " << left[0] << ", native " << left[1] << "; ";
+    for (std::size_t i = 0; i < images_[0].size(); ++i) {
+      if (images_[0][i] == images_[1][i]) continue;
+      out << "byte " << i << " is " << static_cast<int>(images_[0][i]) << ", native "
+          << static_cast<int>(images_[1][i]) << "; ";
+      break;
+    }
+    return out.str();
+  }
+
+  // The interpreter's trap of the last run.
+  const bytecode::Trap& trap() const { return trap_; }
+
+  template <typename T>
+  void write(std::size_t address, T value) {
+    for (auto& image : images_) std::memcpy(image.data() + address, &value, sizeof(T));
+  }
+  template <typename T>
+  T read(std::size_t address) const {
+    T value;
+    std::memcpy(&value, images_[1].data() + address, sizeof(T));
+    return value;
+  }
+
+  NativeEngine& native() { return *native_; }
+  std::span<std::byte> native_image() { return images_[1]; }
+  const reader::LoadedProgram& loaded() const { return loaded_; }
+
+ private:
+  static std::string describe(const bytecode::Trap& trap) {
+    return std::string(name_of(trap.code)) + " in " + std::to_string(trap.function) + " at " +
+           std::to_string(trap.pc);
+  }
+
+  reader::LoadedProgram loaded_;
+  std::vector<std::uint64_t> stack_;
+  vm::Interpreter interpreter_;
+  std::unique_ptr<NativeEngine> native_;
+  std::vector<std::byte> images_[2];
+  bytecode::Trap trap_;
+};
+
+}  // namespace stepwright::native
