@@ -6,6 +6,9 @@
 // upper bits do not matter (below + - *, before a store to memory) the wrap is left out: `Width::Any`.
 
 #include <array>
+#include <map>
+#include <optional>
+#include <string>
 #include <unordered_map>
 
 #include "ladder/codegen/literal_pool.h"
@@ -21,13 +24,17 @@ class FileTable {
  public:
   explicit FileTable(const source::SourceSet& sources) : sources_(sources) {}
 
-  std::uint32_t index_of(source::FileId file);
+  // In a drawing the name goes on with the element: "plc.xml (POU 'main', network 2, coil 'lamp')".
+  std::uint32_t index_of(source::Position where);
   const source::SourceSet& sources() const { return sources_; }
-  const std::vector<source::FileId>& files() const { return files_; }
+  const std::vector<std::string>& names() const { return names_; }
 
  private:
   const source::SourceSet& sources_;
-  std::vector<source::FileId> files_;
+  std::vector<std::string> names_;
+  std::map<std::string, std::uint32_t> index_;
+  std::optional<source::FileId> plain_file_;  // the last one without an element, and its index
+  std::uint32_t plain_index_ = 0;
 };
 
 // What all functions of a program share.

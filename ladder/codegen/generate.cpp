@@ -86,7 +86,7 @@ result::Result<std::vector<std::byte>> generate(const Model& model, const std::v
   for (const Pou* each : functions) out.functions.push_back(FunctionEmitter(layout, files, *each).run());
   out.initial_data.insert(out.initial_data.end(), literals.bytes().begin(), literals.bytes().end());
   out.sizes.data_bytes += static_cast<std::uint32_t>(literals.bytes().size());
-  for (const source::FileId file : files.files()) out.source_files.push_back(sources.name(file));
+  out.source_files = files.names();
   SymbolTable symbols(model, layout, out);
   symbols.globals();
   symbols.configured();

@@ -6,19 +6,25 @@
 
 namespace stepwright::codegen {
 
-std::uint32_t FileTable::index_of(source::FileId file) {
-  const auto known = std::find(files_.begin(), files_.end(), file);
-  if (known == files_.end()) {
-    files_.push_back(file);
-    return static_cast<std::uint32_t>(files_.size() - 1);
+std::uint32_t FileTable::index_of(source::Position where) {
+  const std::string note = sources_.note(where);
+  // Nearly every line is of a text: no name is put together for it.
+  if (note.empty() && where.file == plain_file_) return plain_index_;
+  std::string name = sources_.name(where.file);
+  if (!note.empty()) name += " (" + note + ")";
+  const auto [found, added] = index_.try_emplace(std::move(name), static_cast<std::uint32_t>(names_.size()));
+  if (added) names_.push_back(found->first);
+  if (note.empty()) {
+    plain_file_ = where.file;
+    plain_index_ = found->second;
   }
-  return static_cast<std::uint32_t>(known - files_.begin());
+  return found->second;
 }
 
 void ExpressionEmitter::line(source::Position where) {
   here_ = where;
   const result::Location place = files_.sources().location(where);
-  b_.line(files_.index_of(where.file), place.line, place.column);
+  b_.line(files_.index_of(where), place.line, place.column);
 }
 
 // Only where another line begins: the statement's place does for the rest.

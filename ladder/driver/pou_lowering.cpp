@@ -184,8 +184,7 @@ void PouLowering::add_drawn(const graphic::Pou& pou, source::FileId file) {
   }
   if (body.language == graphic::BodyLanguage::InstructionList) {
     context_.sink.error(source::code::kExchangeUnsupported, {file, body.where},
-                        "POU '" + pou.name + "': instruction lists are not supported",
-                        "write the body in ST");
+                        "instruction lists are not supported", "write the body in ST");
     return;
   }
   if (body.diagram.language == graphic::DiagramLanguage::Chart) return add_chart(pou, file);
@@ -204,15 +203,15 @@ void PouLowering::add_chart(const graphic::Pou& pou, source::FileId file) {
   if (context_.sink.error_count() != errors) return;
   ProjectScope plain(pou, interfaces_, file, context_);
   plain.hide_marks();
+  graphic::SfcChart origin = lowering::diagram_to_chart(body, plain).chart;
   graphic::Pou chart = pou;
   chart.body = std::move(drawn.chart);
-  auto lowered = lowering::lower_sfc(chart);
-  if (!lowered) return report(std::move(lowered.error()), {file, pou.where});
-  auto& ladder = std::get<graphic::LadderProgram>(lowered->body);
-  ladder.rungs.insert(ladder.rungs.begin(), drawn.networks.rungs.begin(), drawn.networks.rungs.end());
-  ladder.wires.insert(ladder.wires.end(), drawn.networks.wires.begin(), drawn.networks.wires.end());
-  ladder.wires.insert(ladder.wires.end(), drawn.edges.begin(), drawn.edges.end());
-  set_lowered(*lowered, pou.variables.size(), lowering::diagram_to_chart(body, plain).chart, index);
+  drawn.networks.wires.insert(drawn.networks.wires.end(), drawn.edges.begin(), drawn.edges.end());
+  const source::Position where{file, pou.where};
+  auto lowered = lowering::lower_sfc_beside(chart, std::move(drawn.networks));
+  if (!lowered) return report(std::move(lowered.error()), where);
+  report(graphic::find_hazards(origin), where);
+  set_lowered(*lowered, pou.variables.size(), std::move(origin), index);
 }
 
 std::string PouLowering::mark_text(source::FileId file, std::uint32_t where) {
@@ -220,9 +219,23 @@ std::string PouLowering::mark_text(source::FileId file, std::uint32_t where) {
   return "{@" + std::to_string(file.value) + ":" + std::to_string(where) + "!}";
 }
 
+// Where POUs begin, and where something else does.
+void PouLowering::add_notes(const graphic::Project& project, source::FileId file) {
+  const auto note = [&](std::uint32_t where, std::string text) {
+    if (where != 0) context_.sources.add_note({file, where}, std::move(text));
+  };
+  for (const graphic::Pou& each : project.pous) note(each.where, "POU '" + each.name + "'");
+  for (const graphic::Task& each : project.tasks) note(each.where, {});
+  for (const graphic::ProgramInstance& each : project.instances) note(each.where, {});
+  for (const graphic::Variable& each : project.globals) note(each.where, {});
+  for (const graphic::Resource& resource : project.resources)
+    for (const graphic::Variable& each : resource.globals) note(each.where, {});
+}
+
 void PouLowering::add_project(const graphic::Project& project) {
   const source::FileId origin =
       context_.sources.add(project.file_name.empty() ? "project" : project.file_name, project.file_text);
+  add_notes(project, origin);
   interfaces_.add(unit_);
   interfaces_.add(project);
   const std::string name = project.name.empty() ? "project" : project.name;

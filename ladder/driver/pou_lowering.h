@@ -45,6 +45,7 @@ class PouLowering {
   graphic::Pou with_chart(const syntax::PouDeclaration& pou) const;
   void set_lowered(const graphic::Pou& lowered, std::size_t known_variables, graphic::SfcChart origin,
                    std::size_t index);
+  void add_notes(const graphic::Project& project, source::FileId file);
   // The mark of a byte of a file; nothing for 0.
   static std::string mark_text(source::FileId file, std::uint32_t where);
   void report(result::Diagnostics diagnostics, source::Position where);

@@ -162,6 +162,14 @@ std::string ProjectScope::mark(std::uint32_t where) const {
   return "{@" + std::to_string(file_.value) + ":" + std::to_string(where) + "!}";
 }
 
+result::Location ProjectScope::location(std::uint32_t where) const {
+  return where == 0 ? result::Location{} : context_.sources.location({file_, where});
+}
+
+void ProjectScope::note(std::uint32_t where, const std::string& what) {
+  if (where != 0) context_.sources.add_note({file_, where}, "POU '" + pou_.name + "', " + what);
+}
+
 std::string ProjectScope::piece(const graphic::SourceText& text) {
   if (!marks_ || text.anchors.empty()) return text.text;
   const source::FileId file = add_text(context_.sources, file_, {}, text);
@@ -169,7 +177,8 @@ std::string ProjectScope::piece(const graphic::SourceText& text) {
 }
 
 void ProjectScope::error(const char* code, std::uint32_t where, std::string message, std::string hint) {
-  context_.sink.error(code, {file_, where}, "POU '" + pou_.name + "': " + message, std::move(hint));
+  const std::string pou = where == 0 ? "POU '" + pou_.name + "': " : std::string();
+  context_.sink.error(code, {file_, where}, pou + message, std::move(hint));
 }
 
 source::FileId add_text(source::SourceSet& sources, source::FileId file, const std::string& name,

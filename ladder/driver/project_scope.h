@@ -41,6 +41,8 @@ class ProjectScope final : public lowering::DiagramScope {
     return interfaces_.signature(type);
   }
   std::string mark(std::uint32_t where) const override;
+  result::Location location(std::uint32_t where) const override;
+  void note(std::uint32_t where, const std::string& what) override;
   std::string piece(const graphic::SourceText& text) override;
   void error(const char* code, std::uint32_t where, std::string message, std::string hint) override;
   std::string new_wire() override { return "__W" + std::to_string(wires_++) + "_"; }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ladder/graphic/identifier.h"
+#include "ladder/source/codes.h"
 
 namespace stepwright::exchange {
 namespace {
@@ -111,7 +112,7 @@ OmronAddresses::OmronAddresses(const graphic::Pou& pou, const OmronOptions& opti
                            graphic::same_name(variable.type, "UINT") ||
                            graphic::same_name(variable.type, "WORD");
       if (is_bool != (entry.place.kind == OmronPlace::Kind::Bit) || (!is_bool && !is_word)) {
-        fail("E0611",
+        fail(source::code::kOmronAddress,
              "variable '" + variable.name + "' of type " + variable.type + " cannot be at " +
                  entry.place.shown,
              "a BOOL takes a bit (0.00), an INT, UINT or WORD a word (D100)");
@@ -128,7 +129,7 @@ void OmronAddresses::take_given(const OmronOptions& options) {
   for (const OmronAddress& given : options.addresses) {
     const std::optional<OmronPlace> place = parse_omron_address(given.address);
     if (!place) {
-      fail("E0611",
+      fail(source::code::kOmronAddress,
            "variable '" + given.variable + "' has the address '" + given.address +
                "', which is no Omron address",
            "write I0.00, Q1.00, W40.00 or D100 (bits with two digits)");
@@ -150,7 +151,7 @@ void OmronAddresses::allocate(const graphic::Pou& pou, const Variable& variable)
     place.is_input = true;
     assign(variable.name, place, "first cycle flag of the controller");
   } else if (!local) {
-    fail("E0611", "input or output '" + variable.name + "' has no Omron address",
+    fail(source::code::kOmronAddress, "input or output '" + variable.name + "' has no Omron address",
          "give it one, such as I0.00");
   } else if (graphic::same_name(type, "TON")) {
     next_timer(variable);
@@ -163,7 +164,7 @@ void OmronAddresses::allocate(const graphic::Pou& pou, const Variable& variable)
   } else if (graphic::same_name(type, "INT") || is_unsigned) {
     next_word(variable, is_unsigned);
   } else {
-    fail("E0612",
+    fail(source::code::kOmronConstruct,
          "variable '" + variable.name + "' has the type " + type + ", which this export does not have",
          "BOOL, INT, UINT, WORD and TON have exact counterparts");
   }
@@ -171,12 +172,12 @@ void OmronAddresses::allocate(const graphic::Pou& pou, const Variable& variable)
 
 void OmronAddresses::assign(const std::string& variable, OmronPlace place, const std::string& comment) {
   if (!used_.insert(place.code).second) {
-    fail("E0611", "address " + place.shown + " of variable '" + variable + "' is in use",
+    fail(source::code::kOmronAddress, "address " + place.shown + " of variable '" + variable + "' is in use",
          "give it another one");
     return;
   }
   if (!index_.try_emplace(graphic::upper(variable), entries_.size()).second) {
-    fail("E0611", "variable '" + variable + "' has two addresses", "remove one of them");
+    fail(source::code::kOmronAddress, "variable '" + variable + "' has two addresses", "remove one of them");
     return;
   }
   entries_.push_back({variable, std::move(place), comment});
@@ -188,7 +189,7 @@ void OmronAddresses::next_bit(const Variable& variable, const char* what, int& n
   do {
     const int word = first_word + next / bits_per_word;
     if (word >= end_word) {
-      fail("E0613",
+      fail(source::code::kOmronFull,
            std::string("no bit is left for '") + variable.name + "': " + what + " live in W" +
                std::to_string(first_word) + ".00 to W" + std::to_string(end_word - 1) + ".15",
            "split the program");
@@ -217,7 +218,8 @@ void OmronAddresses::next_word(const Variable& variable, bool is_unsigned) {
 
 void OmronAddresses::next_timer(const Variable& variable) {
   if (next_timer_ >= 2048) {
-    fail("E0613", "no timer is left for '" + variable.name + "'", "there are T0000 to T2047");
+    fail(source::code::kOmronFull, "no timer is left for '" + variable.name + "'",
+         "there are T0000 to T2047");
     return;
   }
   OmronPlace place;

@@ -4,6 +4,7 @@
 
 #include "ladder/exchange/st_assignments.h"
 #include "ladder/graphic/identifier.h"
+#include "ladder/source/codes.h"
 
 namespace stepwright::exchange {
 namespace {
@@ -55,7 +56,7 @@ void OmronStatements::fail(const char* code, const std::string& what, const std:
 }
 
 void OmronStatements::unsupported(const std::string& what, const std::string& hint) {
-  fail("E0612", what, hint);
+  fail(source::code::kOmronConstruct, what, hint);
 }
 
 void OmronStatements::comment(const std::string& text) {
@@ -246,7 +247,8 @@ void OmronStatements::initialise(const OmronPlace& place, const std::string& lit
 std::string OmronStatements::bit(const std::string& variable, bool write) {
   const OmronPlace* place = addresses_.find(variable);
   if (place == nullptr) {
-    fail("E0611", "'" + variable + "' has no Omron address", "give it one, such as I0.00");
+    fail(source::code::kOmronAddress, "'" + variable + "' has no Omron address",
+         "give it one, such as I0.00");
     return {};
   }
   const bool writable = place->kind == OmronPlace::Kind::Bit && !place->is_input;

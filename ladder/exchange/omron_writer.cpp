@@ -5,6 +5,7 @@
 
 #include "ladder/exchange/omron_addresses.h"
 #include "ladder/exchange/omron_statements.h"
+#include "ladder/source/codes.h"
 
 namespace stepwright::exchange {
 namespace {
@@ -20,7 +21,7 @@ void write_sources(const OmronOptions& options, OmronStatements& statements,
         from && to && from->kind == OmronPlace::Kind::Word && to->kind == OmronPlace::Kind::Word;
     if (!words) {
       result::Diagnostic diagnostic;
-      diagnostic.code = "E0611";
+      diagnostic.code = source::code::kOmronAddress;
       diagnostic.message = "variable '" + given.variable + "' cannot be copied from '" + given.source +
                            "' to '" + given.address + "'";
       diagnostic.hint = "both have to be words, such as 2001 and D100";

@@ -41,8 +41,8 @@ struct OmronProgram {
   std::string to_text() const;
 };
 
-// Fails, never guesses: E0611 an input or output without address or with one that is not Omron's, E0612 a
-// construct that has no exact counterpart (named by its rung), E0613 an area that is full.
+// Fails, never guesses: E0811 an input or output without address or with one that is not Omron's, E0812 a
+// construct that has no exact counterpart (named by its rung), E0813 an area that is full.
 [[nodiscard]] result::Result<OmronProgram> write_omron(const graphic::Pou& ladder,
                                                        const OmronOptions& options);
 

@@ -213,6 +213,23 @@ void write_body(pugi::xml_node node, const graphic::DiagramBody& body) {
   add_documentation(node, body.documentation);
 }
 
+// TC6 has no word for action control with final scan.
+void add_final_scan(pugi::xml_node body) {
+  pugi::xml_node all = body.child("addData");
+  if (!all) {
+    all = body.child("documentation") ? body.insert_child_before("addData", body.child("documentation"))
+                                      : body.append_child("addData");
+  }
+  for (const pugi::xml_node data : all.children("data"))
+    if (data.attribute("name").value() == std::string_view(kChartData)) return;
+  pugi::xml_node data = all.append_child("data");
+  data.append_attribute("name") = kChartData;
+  data.append_attribute("handleUnknown") = "preserve";
+  pugi::xml_node chart = data.append_child("chart");
+  chart.append_attribute("xmlns") = kChartData;
+  chart.append_attribute("finalScan") = true;
+}
+
 void write_drawn(pugi::xml_node pou, const graphic::DrawnBody& drawn) {
   const auto list = [&](const char* name, const char* element,
                         const std::vector<graphic::NamedBody>& bodies) {
@@ -229,7 +246,9 @@ void write_drawn(pugi::xml_node pou, const graphic::DrawnBody& drawn) {
   };
   list("actions", "action", drawn.actions);
   list("transitions", "transition", drawn.transitions);
-  write_body(pou.append_child("body"), drawn.body);
+  pugi::xml_node body = pou.append_child("body");
+  write_body(body, drawn.body);
+  if (drawn.final_scan) add_final_scan(body);
 }
 
 }  // namespace stepwright::exchange::plcopen

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "ladder/exchange/duration.h"
+#include "ladder/exchange/plcopen_parts.h"
 #include "ladder/exchange/plcopen_read.h"
 
 namespace stepwright::exchange {
@@ -139,6 +140,7 @@ class ProjectReader {
       if (local_name(each) != "body") continue;
       if (bodies++ == 0) {
         drawn.body = read_body(context_, each);
+        drawn.final_scan = has_final_scan(each);
       } else {
         context_.error(each, code::kExchangeUnsupported,
                        "POU '" + pou.name + "' has several bodies (worksheets)", "join them into one");
@@ -146,6 +148,13 @@ class ProjectReader {
     }
     pou.body = std::move(drawn);
     project_.pous.push_back(std::move(pou));
+  }
+
+  bool has_final_scan(pugi::xml_node body) {
+    for (const pugi::xml_node data : child(body, "addData").children())
+      if (data.attribute("name").value() == std::string_view(kChartData))
+        return context_.boolean(child(data, "chart"), "finalScan");
+    return false;
   }
 
   void interface(pugi::xml_node node, Pou& pou) {

@@ -3,6 +3,9 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "ladder/exchange/chart_drawing.h"
+#include "ladder/exchange/drawing.h"
+#include "ladder/exchange/ladder_drawing.h"
 #include "ladder/exchange/plcopen_parts.h"
 #include "ladder/exchange/xml_file.h"
 #include "ladder/graphic/identifier.h"
@@ -71,34 +74,34 @@ void write_types(pugi::xml_node parent, const Project& project) {
   }
 }
 
-void write_actions(pugi::xml_node pou, const graphic::SfcChart& chart) {
-  if (chart.actions.empty()) return;
-  pugi::xml_node actions = pou.append_child("actions");
-  for (const graphic::Action& action : chart.actions) {
-    pugi::xml_node node = actions.append_child("action");
-    node.append_attribute("name") = action.name.c_str();
-    plcopen::add_text(node.append_child("body"), "ST", action.st_body);
-  }
-}
-
-Diagnostics write_pou_body(pugi::xml_node node, const Pou& pou) {
-  if (const auto* drawn = std::get_if<graphic::DrawnBody>(&pou.body)) {
-    plcopen::write_drawn(node, *drawn);
-    return {};
+// Every body as one that was drawn: a file that was read and a program that was planned are written alike.
+result::Result<graphic::DrawnBody> drawn_body(const Pou& pou) {
+  if (const auto* drawn = std::get_if<graphic::DrawnBody>(&pou.body)) return *drawn;
+  graphic::DrawnBody drawn;
+  if (const auto* st = std::get_if<graphic::StBody>(&pou.body)) {
+    drawn.body.text = plain_text(st->text);
+    return drawn;
   }
   if (const auto* chart = std::get_if<graphic::SfcChart>(&pou.body)) {
     Diagnostics diagnostics = graphic::check(*chart);
-    if (result::has_errors(diagnostics)) return diagnostics;
-    write_actions(node, *chart);
-    plcopen::write_sfc(node.append_child("body"), *chart);
-    return {};
+    if (result::has_errors(diagnostics)) return tl::unexpected(std::move(diagnostics));
+    return draw_chart(*chart);
   }
-  pugi::xml_node body = node.append_child("body");
-  if (const auto* st = std::get_if<graphic::StBody>(&pou.body)) {
-    plcopen::add_text(body, "ST", st->text);
-    return {};
-  }
-  return plcopen::write_ladder(body, pou);
+  auto diagram = draw_ladder(std::get<graphic::LadderProgram>(pou.body), pou.name);
+  if (!diagram) return result::forward(diagram);
+  drawn.body.language = graphic::BodyLanguage::Diagram;
+  drawn.body.diagram = std::move(*diagram);
+  return drawn;
+}
+
+// What rungs carry from one place to another is a variable of the POU.
+std::vector<Variable> variables_of(const Pou& pou) {
+  std::vector<Variable> variables = pou.variables;
+  const auto* ladder = std::get_if<graphic::LadderProgram>(&pou.body);
+  if (ladder == nullptr) return variables;
+  for (const graphic::Wire& wire : ladder->wires)
+    variables.push_back({wire.name, wire.type, wire.keeps ? VariableSection::Local : VariableSection::Temp});
+  return variables;
 }
 
 Diagnostics write_pou(pugi::xml_node pous, const Pou& pou) {
@@ -111,12 +114,14 @@ Diagnostics write_pou(pugi::xml_node pous, const Pou& pou) {
   if (pou.kind == graphic::PouKind::Function) {
     plcopen::add_type(interface.append_child("returnType"), pou.result_type);
   }
-  write_variables(interface, pou.variables, pou.lists);
+  write_variables(interface, variables_of(pou), pou.lists);
   append_children(interface, pou.interface_extra);
-  Diagnostics diagnostics = write_pou_body(node, pou);
+  const auto body = drawn_body(pou);
+  if (!body) return body.error();
+  plcopen::write_drawn(node, *body);
   append_children(node, pou.extra);
   add_documentation(node, pou.comment);
-  return diagnostics;
+  return {};
 }
 
 void write_headers(pugi::xml_node project, const Project& from, const PlcopenOptions& options) {

@@ -20,7 +20,7 @@ struct PlcopenOptions {
   std::string time = "2000-01-01T00:00:00";  // creation time, xsd:dateTime; fixed so that output repeats
 };
 
-// Fails with the errors of graphic::check for a chart, with E0601 for a rung that holds statements which are
+// Fails with the errors of graphic::check for a chart, with E0814 for a rung that holds statements which are
 // not plain assignments (TC6 has no statement list in LD: export the chart instead).
 [[nodiscard]] result::Result<std::string> write_plcopen(const graphic::Project& project,
                                                         const PlcopenOptions& options = {});

@@ -46,7 +46,7 @@ struct Rung {
 // A value that a network carries from one place to the others that read it.
 struct Wire {
   std::string name;
-  std::string type;    // ST
+  std::string type;    // ST; empty = that of the value
   bool keeps = false;  // its last value is read in the next scan (feedback)
 };
 

@@ -59,6 +59,7 @@ struct DrawnBody {
   DiagramBody body;
   std::vector<NamedBody> actions;
   std::vector<NamedBody> transitions;
+  bool final_scan = false;  // of a chart; see SfcChart::final_scan
 };
 
 struct Pou {

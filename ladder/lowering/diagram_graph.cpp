@@ -44,6 +44,19 @@ bool before(const Element* a, const Element* b) {
          std::tuple(order_of(*b), b->position.y, b->position.x, b->id);
 }
 
+// "coil 'lamp'", "block TON 'delay'"
+std::string title_of(const Element& element) {
+  std::string title = graphic::to_string(element.kind);
+  if (element.kind == ElementKind::Comment || element.kind == ElementKind::Error) return title;
+  if (element.kind == ElementKind::Block) {
+    title += " " + element.name.text;
+    return element.instance.empty() ? title : title + " '" + element.instance + "'";
+  }
+  std::string name = element.name.text.substr(0, 40);
+  std::replace(name.begin(), name.end(), '\n', ' ');
+  return name.empty() ? title : title + " '" + name + "'";
+}
+
 }  // namespace
 
 bool does_something(const Element& element) {
@@ -63,8 +76,12 @@ bool does_something(const Element& element) {
 
 DiagramGraph::DiagramGraph(const graphic::Diagram& diagram, DiagramScope& scope)
     : diagram_(diagram), scope_(scope) {
+  for (const Element& element : diagram.elements) scope.note(element.where, title_of(element));
   index();
   join();
+  for (std::size_t i = 0; i < networks_.size(); ++i)
+    for (const Element* each : networks_[i].elements)
+      scope.note(each->where, "network " + std::to_string(i + 1) + ", " + title_of(*each));
   add_notes();
   circles_ = find_circles(true);
   value_circles_ = find_circles(false);
@@ -168,6 +185,7 @@ void DiagramGraph::join() {
     if (added || element.position.y < network.top) network.top = element.position.y;
     if (added || element.position.x < network.left) network.left = element.position.x;
     if (added || bottom > network.bottom) network.bottom = bottom;
+    network.elements.push_back(&element);
     if (does_something(element)) network.doers.push_back(&element);
   }
   for (auto& [root, network] : networks) {

@@ -21,6 +21,7 @@
 namespace stepwright::lowering {
 
 struct Network {
+  std::vector<const graphic::Element*> elements;
   std::vector<const graphic::Element*> doers;  // in the order of evaluation as drawn
   std::vector<std::string> labels;
   std::string comment;

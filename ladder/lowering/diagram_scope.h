@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ladder/graphic/diagram.h"
+#include "runtime/result/diagnostic.h"
 
 namespace stepwright::lowering {
 
@@ -38,6 +39,11 @@ class DiagramScope {
   virtual const Signature* signature(const std::string& type) const = 0;
   // The mark of a byte of the diagram's file (ladder/syntax/lexer.h), or nothing.
   virtual std::string mark(std::uint32_t where) const = 0;
+  // A byte of the diagram's file for a reader.
+  virtual result::Location location(std::uint32_t where) const = 0;
+  // What stands at a byte of the diagram's file and behind it: "network 2, coil 'lamp'". Diagnostics and
+  // traps there say so.
+  virtual void note(std::uint32_t where, const std::string& what) = 0;
   // A text with the marks of where its pieces stand.
   virtual std::string piece(const graphic::SourceText& text) = 0;
   virtual void error(const char* code, std::uint32_t where, std::string message, std::string hint = {}) = 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 
 #include "ladder/graphic/identifier.h"
 #include "ladder/lowering/chart_tracer.h"
@@ -31,12 +30,14 @@ class ChartReader {
         networks_(graph_, scope) {}
 
   DrawnChart read() {
+    result_.chart.final_scan = body_.final_scan;
     refuse();
     for (const Network& network : graph_.networks()) networks_.lower(network);
     steps();
     transitions();
     for (const graphic::NamedBody& action : body_.actions)
-      result_.chart.actions.push_back({action.name, texts_.statements(action.body, action.name)});
+      result_.chart.actions.push_back(
+          {action.name, texts_.statements(action.body, action.name), scope_.location(action.where)});
     action_blocks();
     result_.networks = networks_.take();
     graphic::LadderProgram more = texts_.take_networks();
@@ -65,6 +66,7 @@ class ChartReader {
       step.name = element.name.text;
       step.initial = element.initial;
       step.comment = element.documentation;
+      step.where = scope_.location(element.where);
       step_ids_[&element] = StepId(static_cast<std::uint32_t>(result_.chart.steps.size()));
       by_name_.emplace(graphic::upper(step.name), step_ids_[&element]);
       result_.chart.steps.push_back(std::move(step));
@@ -73,7 +75,6 @@ class ChartReader {
 
   struct Drawn {
     const Element* element = nullptr;
-    double top = 0;  // of its first step
     graphic::Transition transition;
   };
 
@@ -85,7 +86,7 @@ class ChartReader {
       index[&element] = drawn.size();
       Drawn& each = drawn.emplace_back();
       each.element = &element;
-      each.transition = transition(element, each.top);
+      each.transition = transition(element);
     }
     for (const Element& element : diagram_.elements) {
       if (element.kind != ElementKind::Step && element.kind != ElementKind::JumpStep) continue;
@@ -96,15 +97,48 @@ class ChartReader {
         if (std::find(targets.begin(), targets.end(), *target) == targets.end()) targets.push_back(*target);
       }
     }
-    // From left to right where they leave the same step.
-    std::stable_sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) {
-      return std::tuple(a.top, a.element->position.x) < std::tuple(b.top, b.element->position.x);
-    });
+    sort_branches(drawn);
     for (Drawn& each : drawn) {
       if (each.transition.targets.empty())
         scope_.error(code::kBadDiagram, each.element->where, "nothing follows this transition",
                      "connect a step or a jump to it");
       result_.chart.transitions.push_back(std::move(each.transition));
+    }
+  }
+
+  static bool share_a_step(const Drawn& a, const Drawn& b) {
+    const std::vector<StepId>& steps = a.transition.sources;
+    return std::any_of(steps.begin(), steps.end(), [&](StepId each) {
+      const std::vector<StepId>& others = b.transition.sources;
+      return std::find(others.begin(), others.end(), each) != others.end();
+    });
+  }
+
+  // From left to right where they leave the same step, unless each has a number; all else keeps the order of
+  // the file.
+  static void sort_branches(std::vector<Drawn>& drawn) {
+    std::vector<bool> sorted(drawn.size(), false);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      if (sorted[i]) continue;
+      std::vector<std::size_t> group{i};
+      sorted[i] = true;
+      for (std::size_t k = 0; k < group.size(); ++k) {
+        for (std::size_t j = i + 1; j < drawn.size(); ++j) {
+          if (sorted[j] || !share_a_step(drawn[group[k]], drawn[j])) continue;
+          sorted[j] = true;
+          group.push_back(j);
+        }
+      }
+      std::sort(group.begin(), group.end());
+      const bool numbered = std::all_of(
+          group.begin(), group.end(), [&](std::size_t each) { return drawn[each].transition.priority != 0; });
+      if (numbered) continue;
+      std::vector<Drawn> branches;
+      for (const std::size_t each : group) branches.push_back(drawn[each]);
+      std::stable_sort(branches.begin(), branches.end(), [](const Drawn& a, const Drawn& b) {
+        return a.element->position.x < b.element->position.x;
+      });
+      for (std::size_t k = 0; k < group.size(); ++k) drawn[group[k]] = std::move(branches[k]);
     }
   }
 
@@ -117,14 +151,12 @@ class ChartReader {
     return std::nullopt;
   }
 
-  graphic::Transition transition(const Element& element, double& top) {
+  graphic::Transition transition(const Element& element) {
     graphic::Transition transition;
     transition.priority = static_cast<int>(std::min<std::uint64_t>(element.priority.value_or(0), 0xFFFF));
     transition.comment = element.documentation;
-    for (const Element* step : tracer_.steps_above(element)) {
-      top = transition.sources.empty() ? step->position.y : std::min(top, step->position.y);
-      transition.sources.push_back(step_ids_.at(step));
-    }
+    transition.where = scope_.location(element.where);
+    for (const Element* step : tracer_.steps_above(element)) transition.sources.push_back(step_ids_.at(step));
     if (transition.sources.empty())
       scope_.error(code::kBadDiagram, element.where, "no step leads to this transition");
     const graphic::TransitionCondition& condition = element.condition;
@@ -190,6 +222,7 @@ class ChartReader {
       return;
     }
     block.qualifier = *known;
+    block.where = scope_.location(row.where);
     block.duration = row.duration;
     block.indicator = row.indicator;
     block.target = row.reference;
@@ -198,7 +231,8 @@ class ChartReader {
                    "give the action a duration such as T#5s");
     if (!row.body.empty()) {
       block.target = step.name + "_INLINE" + std::to_string(++inline_actions_);
-      result_.chart.actions.push_back({block.target, texts_.statements(row.body.front(), block.target)});
+      result_.chart.actions.push_back(
+          {block.target, texts_.statements(row.body.front(), block.target), block.where});
     } else if (block.target.empty()) {
       scope_.error(code::kBadDiagram, row.where, "the action of step '" + step.name + "' is missing",
                    "name an action or a BOOL variable");

@@ -224,16 +224,20 @@ LadderStatements ladder_to_syntax(const graphic::LadderProgram& ladder, const st
   }
   result.body = syntax::parse_statements(context, file, syntax::TextKind::Generated);
   std::string declarations;
-  for (const graphic::Wire& each : writer.variables()) declarations += declaration_of(each, keeps_state);
+  const std::vector<graphic::Wire> wires = writer.variables();
+  for (const graphic::Wire& each : wires) declarations += declaration_of(each, keeps_state);
   if (declarations.empty()) return result;
   const source::FileId variables = context.sources.add(file_name, declarations);
   result.variables = syntax::parse_variables(context, variables, syntax::TextKind::Generated);
+  for (std::size_t i = 0; i < wires.size() && i < result.variables.size(); ++i)
+    if (wires[i].type.empty()) result.variables[i].type->kind = syntax::TypeKind::Deduced;
   return result;
 }
 
 std::string declaration_of(const graphic::Wire& wire, bool keeps_state) {
   const bool keeps = wire.keeps && keeps_state;
-  return std::string(keeps ? "VAR " : "VAR_TEMP ") + wire.name + " : " + wire.type + "; END_VAR\n";
+  return std::string(keeps ? "VAR " : "VAR_TEMP ") + wire.name + " : " +
+         (wire.type.empty() ? "BOOL" : wire.type) + "; END_VAR\n";
 }
 
 }  // namespace stepwright::lowering

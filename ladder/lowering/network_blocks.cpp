@@ -176,8 +176,11 @@ std::string NetworkLowering::result_wire(const Origin& origin, bool keeps) {
   std::string& name = wires_[{origin.element, origin.output}];
   if (!name.empty()) return name;
   name = scope_.new_wire();
-  std::string type = type_of(origin, graph_, scope_);
-  if (type.empty()) {
+  // What a standard function gives depends on its inputs: the analysis knows. Only what is read before it is
+  // computed needs a type at once.
+  const bool overloaded = scope_.signature(origin.element->name.text) == nullptr;
+  std::string type = overloaded && !keeps ? std::string() : type_of(origin, graph_, scope_);
+  if (type.empty() && keeps) {
     scope_.error(
         source::code::kBadDiagram, origin.element->where,
         "the type of output " + origin.output + " of " + origin.element->name.text + " cannot be told",

@@ -29,7 +29,8 @@ bool has_edge_action(const graphic::Step& step) {
 
 }  // namespace
 
-SfcLoweringContext::SfcLoweringContext(const graphic::Pou& pou) : pou_(pou) {
+SfcLoweringContext::SfcLoweringContext(const graphic::Pou& pou, graphic::LadderProgram networks)
+    : pou_(pou), networks_(std::move(networks)) {
   pou_.origin = std::get<SfcChart>(pou.body);
   pou_.step_variables.clear();
   pou_.transition_variables.clear();
@@ -53,6 +54,13 @@ void SfcLoweringContext::for_each_text(Visit visit) const {
     }
   }
   for (const graphic::Action& action : chart().actions) visit(action.st_body);
+  for (const graphic::Rung& rung : networks_.rungs) {
+    for_each_text_of(rung.condition, visit);
+    for (const graphic::Block& block : rung.blocks) {
+      for (const auto& [pin, value] : block.inputs) visit(value);
+      visit(block.st_body);
+    }
+  }
 }
 
 void SfcLoweringContext::reserve_names() {
@@ -182,8 +190,20 @@ Condition SfcLoweringContext::rewrite(Condition condition) const {
   return condition;
 }
 
+void SfcLoweringContext::add_networks() {
+  for (graphic::Rung& rung : networks_.rungs) {
+    rung.condition = rewrite(std::move(rung.condition));
+    for (graphic::Block& block : rung.blocks) {
+      for (auto& [pin, value] : block.inputs) value = rewrite(std::string_view(value));
+      block.st_body = rewrite(std::string_view(block.st_body));
+    }
+    add(std::move(rung));
+  }
+  networks_.rungs.clear();
+}
+
 graphic::Pou SfcLoweringContext::finish() {
-  pou_.body = graphic::LadderProgram{std::move(rungs_)};
+  pou_.body = graphic::LadderProgram{std::move(rungs_), std::move(networks_.wires)};
   return std::move(pou_);
 }
 

@@ -31,8 +31,8 @@ struct ActionVariables {
 class SfcLoweringContext {
  public:
   // Reserves every name that `pou` uses and declares the step and transition bits and what they need. The
-  // body of `pou` is a sound chart.
-  explicit SfcLoweringContext(const graphic::Pou& pou);
+  // body of `pou` is a sound chart. `networks` run beside it.
+  explicit SfcLoweringContext(const graphic::Pou& pou, graphic::LadderProgram networks = {});
 
   const graphic::SfcChart& chart() const { return pou_.origin; }
   const std::vector<StepVariables>& steps() const { return steps_; }
@@ -52,6 +52,8 @@ class SfcLoweringContext {
   std::string rewrite(std::string_view text) const;
   graphic::Condition rewrite(graphic::Condition condition) const;
 
+  // The rungs of the networks, with their flags replaced.
+  void add_networks();
   void add(graphic::Rung rung) { rungs_.push_back(std::move(rung)); }
   // The POU with the rungs as its body. The context is used up.
   graphic::Pou finish();
@@ -69,6 +71,7 @@ class SfcLoweringContext {
   graphic::NameSet names_;
   std::vector<StepVariables> steps_;
   std::vector<ActionVariables> actions_;
+  graphic::LadderProgram networks_;
   std::vector<graphic::Rung> rungs_;
   std::string clock_timer_;
   std::string now_;

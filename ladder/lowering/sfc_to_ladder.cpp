@@ -150,14 +150,16 @@ void lower_end_of_scan(SfcLoweringContext& context) {
   context.add(std::move(rung));
 }
 
-result::Result<Pou> lower(const Pou& pou, const std::vector<graphic::Variable>* globals) {
+result::Result<Pou> lower(const Pou& pou, const std::vector<graphic::Variable>* globals,
+                          graphic::LadderProgram networks = {}) {
   assert(std::holds_alternative<SfcChart>(pou.body));
   Diagnostics diagnostics = graphic::check(std::get<SfcChart>(pou.body));
   if (!result::has_errors(diagnostics)) diagnostics = check_names(pou, globals);
   if (result::has_errors(diagnostics)) return tl::unexpected<Diagnostics>(std::move(diagnostics));
 
-  SfcLoweringContext context(pou);
+  SfcLoweringContext context(pou, std::move(networks));
   lower_clock(context);
+  context.add_networks();
   lower_transition_bits(context);
   lower_evolution(context, CoilKind::Reset);
   lower_evolution(context, CoilKind::Set);
@@ -176,6 +178,10 @@ result::Result<Pou> lower_sfc(const Pou& pou) {
 
 result::Result<Pou> lower_sfc(const Pou& pou, const std::vector<graphic::Variable>& globals) {
   return lower(pou, &globals);
+}
+
+result::Result<Pou> lower_sfc_beside(const Pou& pou, graphic::LadderProgram networks) {
+  return lower(pou, nullptr, std::move(networks));
 }
 
 result::Result<graphic::Project> lower_sfc(const graphic::Project& project) {

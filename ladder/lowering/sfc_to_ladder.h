@@ -33,6 +33,11 @@ namespace stepwright::lowering {
 [[nodiscard]] result::Result<graphic::Pou> lower_sfc(const graphic::Pou& pou,
                                                      const std::vector<graphic::Variable>& globals);
 
+// The same with networks that run in every scan before the transitions are tested (drawn beside the chart):
+// their rungs may read the flags of steps and actions too.
+[[nodiscard]] result::Result<graphic::Pou> lower_sfc_beside(const graphic::Pou& pou,
+                                                            graphic::LadderProgram networks);
+
 // Every POU that holds a chart lowered, the others unchanged; all or nothing.
 [[nodiscard]] result::Result<graphic::Project> lower_sfc(const graphic::Project& project);
 

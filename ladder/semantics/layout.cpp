@@ -39,6 +39,7 @@ void Layout::run() {
 }
 
 const Type* Layout::type_of(const VariableDeclaration& line) {
+  if (line.type->kind == syntax::TypeKind::Deduced) return nullptr;
   const bool is_parameter =
       line.section == Section::InOut || (line.section == Section::Input && pou_.kind == PouKind::Function);
   const Type* type = is_parameter ? types_.resolve_parameter(*line.type) : types_.resolve(*line.type);
@@ -51,6 +52,7 @@ void Layout::declare(const VariableDeclaration& line, const syntax::Name& name, 
   variable.spelling = std::string(name.text);
   variable.type = type;
   variable.section = line.section;
+  variable.deduced = line.type->kind == syntax::TypeKind::Deduced;
   variable.constant = line.constant;
   variable.retain = line.retain;
   variable.non_retain = line.non_retain;

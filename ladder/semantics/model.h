@@ -30,6 +30,7 @@ struct Variable {
   std::string spelling;
   const Type* type = nullptr;  // null: its declaration is wrong, uses of it stay silent
   Section section = Section::Local;
+  bool deduced = false;  // its first assignment gives it its type and place
   bool constant = false;
   bool retain = false;
   bool non_retain = false;

@@ -94,6 +94,9 @@ std::optional<Place> ExpressionAnalyzer::variable_place(const syntax::Name& name
     report_unknown(name);
     return std::nullopt;
   }
+  if (found->deduced && found->type == nullptr)
+    a_.error(code::kBadDiagram, name.where, "this is read before it is computed, so that it has no type",
+             "connect it through a variable");
   if (found->type == nullptr) return std::nullopt;
   const std::string why = why_read_only(*found);
   if (!why.empty()) {

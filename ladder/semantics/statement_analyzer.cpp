@@ -87,9 +87,45 @@ std::optional<Statement> StatementAnalyzer::statement(const syntax::Statement& s
   return std::nullopt;
 }
 
+Variable* StatementAnalyzer::undeduced(const syntax::Expression& target) {
+  if (target.kind != syntax::ExpressionKind::Variable) return nullptr;
+  const auto found = pou_.scope.find(target.name.id.value);
+  if (found == pou_.scope.end()) return nullptr;
+  Variable& variable = pou_.variables[found->second];
+  return variable.deduced && variable.type == nullptr ? &variable : nullptr;
+}
+
+void StatementAnalyzer::deduce(Variable& variable, const Type* type, Position where) {
+  const bool a_value = type->is_scalar() || type->is_string() || type->kind == TypeKind::Array ||
+                       type->kind == TypeKind::Struct;
+  if (!a_value || type->open || type->kind == TypeKind::AnyEnumerator || type->kind == TypeKind::Null) {
+    a_.error(code::kBadDiagram, where, "the type of this value cannot be told",
+             "write it to a variable and read that");
+    type = a_.type_table().boolean();
+  }
+  variable.type = type;
+  if (type->is_scalar()) {
+    pou_.slots.push_back(slot_type(*type));
+    variable.place.base = Base::Slot;
+    variable.place.slot = static_cast<std::uint32_t>(pou_.slots.size() - 1);
+    variable.place.type = type;
+    return;
+  }
+  variable.place = frame_place(pou_, type);
+  Statement first = make(StatementKind::Assign, where);
+  first.target = ExpressionAnalyzer::copy_direct(variable.place);
+  first.value = ExpressionAnalyzer::load(a_.allocate_place(type, where), where);
+  first.initial = true;
+  pou_.entry.push_back(std::move(first));
+}
+
 std::optional<Statement> StatementAnalyzer::assign(const syntax::Statement& statement) {
+  Variable* wire = undeduced(*statement.target);
+  ValuePtr value = wire != nullptr ? expressions_.settled_value(*statement.value) : nullptr;
+  if (wire != nullptr && !value) return std::nullopt;
+  if (wire != nullptr) deduce(*wire, value->type, statement.value->where);
   auto target = expressions_.place(*statement.target, Access::Write);
-  ValuePtr value = expressions_.value(*statement.value);
+  if (wire == nullptr) value = expressions_.value(*statement.value);
   if (!target || !value) return std::nullopt;
   if (target->type->kind == TypeKind::Instance) {
     a_.error(code::kTypeMismatch, statement.target->where, "a function block cannot be assigned",

@@ -41,6 +41,7 @@ const Type* TypeResolver::resolve(const syntax::TypeSpec& spec) {
       return text(spec);
     case syntax::TypeKind::Reference:
       return reference(spec);
+    case syntax::TypeKind::Deduced:
     case syntax::TypeKind::Error:
       break;
   }

@@ -70,6 +70,10 @@ inline constexpr const char* kBadXml = "E0801";
 inline constexpr const char* kNotPlcopen = "E0802";
 inline constexpr const char* kBadDiagram = "E0803";
 inline constexpr const char* kExchangeUnsupported = "E0804";
+inline constexpr const char* kOmronAddress = "E0811";
+inline constexpr const char* kOmronConstruct = "E0812";
+inline constexpr const char* kOmronFull = "E0813";
+inline constexpr const char* kNoRungForm = "E0814";
 
 inline constexpr const char* kUnreachable = "W0001";
 inline constexpr const char* kUnusedResult = "W0002";

@@ -7,11 +7,18 @@
 namespace stepwright::source {
 
 void DiagnosticSink::error(const char* code, Position where, std::string message, std::string hint) {
-  report({code, result::Severity::Error, sources_.location(where), std::move(message), std::move(hint)});
+  report({code, result::Severity::Error, sources_.location(where), noted(where, std::move(message)),
+          std::move(hint)});
 }
 
 void DiagnosticSink::warning(const char* code, Position where, std::string message, std::string hint) {
-  report({code, result::Severity::Warning, sources_.location(where), std::move(message), std::move(hint)});
+  report({code, result::Severity::Warning, sources_.location(where), noted(where, std::move(message)),
+          std::move(hint)});
+}
+
+std::string DiagnosticSink::noted(Position where, std::string message) const {
+  const std::string note = sources_.note(where);
+  return note.empty() ? message : note + ": " + message;
 }
 
 void DiagnosticSink::add(result::Diagnostics diagnostics) {

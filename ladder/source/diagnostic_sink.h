@@ -35,6 +35,8 @@ class DiagnosticSink {
 
  private:
   void report(result::Diagnostic diagnostic);
+  // With what the sources say of the place.
+  std::string noted(Position where, std::string message) const;
 
   const SourceSet& sources_;
   result::Diagnostics reports_;

@@ -33,6 +33,18 @@ Position SourceSet::home(Position position) const {
   return {file.origin, next->file + (position.offset - next->text)};
 }
 
+void SourceSet::add_note(Position where, std::string text) {
+  files_[where.file.value]->notes[where.offset] = std::move(text);
+}
+
+std::string SourceSet::note(Position place) const {
+  if (place.file.value >= files_.size()) return {};  // of no file: there is no PROGRAM at all
+  const Position position = home(place);
+  const auto& notes = files_[position.file.value]->notes;
+  const auto next = notes.upper_bound(position.offset);
+  return next == notes.begin() ? std::string() : std::prev(next)->second;
+}
+
 std::uint32_t SourceSet::line(Position place) const {
   const Position position = home(place);
   const auto& starts = files_[position.file.value]->line_starts;

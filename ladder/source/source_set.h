@@ -10,6 +10,7 @@
 //   sources.location({file, 17});  ->  {"blink.st", 2, 5}
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -51,6 +52,11 @@ class SourceSet {
   // the file. `anchors` are sorted and not empty.
   FileId add_piece(std::string text, FileId file, std::vector<Anchor> anchors);
 
+  // What stands at a place of a file and behind it, up to the next note: a POU and an element of its diagram.
+  void add_note(Position where, std::string text);
+  // Empty if there is none.
+  std::string note(Position position) const;
+
   std::size_t size() const { return files_.size(); }
   const std::string& name(FileId file) const { return files_[home({file, 0}).file.value]->name; }
   std::string_view text(FileId file) const { return files_[file.value]->text; }
@@ -71,6 +77,7 @@ class SourceSet {
     std::vector<std::uint32_t> line_starts;
     FileId origin;                // of a piece
     std::vector<Anchor> anchors;  // empty = no piece
+    std::map<std::uint32_t, std::string> notes;
   };
   // The place in the file that a piece was taken from; any other place as it is.
   Position home(Position position) const;

@@ -33,7 +33,19 @@ struct VariableDeclaration {
   bool generated = false;  // by the lowering of a diagram
 };
 
-enum class TypeKind : std::uint8_t { Error, Named, Array, Struct, Enumeration, Subrange, Text, Reference };
+// Deduced: that of the first value that is assigned, in the order of the text; no source can write it, the
+// wires of diagrams have it.
+enum class TypeKind : std::uint8_t {
+  Error,
+  Named,
+  Array,
+  Struct,
+  Enumeration,
+  Subrange,
+  Text,
+  Reference,
+  Deduced,
+};
 
 // Both null: '*', the bounds are those of the argument.
 struct ArrayRange {

@@ -32,11 +32,12 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(
   }
   if (program.image_size() > kMaxImageBytes)
     return too_large("image", program.image_size(), kMaxImageBytes, "");
-  Machine machine;
-  machine.stack.resize(program.sizes().stack_slots);
-  auto made = make_engine(engine, program, machine.stack);
+  auto info = reader::ProgramInfo::read(loaded->bytes());
+  if (!info) return result::forward(info);
+  std::vector<std::uint64_t> stack(program.sizes().stack_slots);
+  auto made = make_engine(engine, program, stack);
   if (!made) return result::forward(made);
-  machine.engine = std::move(*made);
+  Machine machine{std::move(stack), std::move(*made), BoolBytes(*info, program.image_size())};
   return std::unique_ptr<PreparedProgram>(new PreparedProgram(
       std::move(*loaded), std::move(machine), std::move(digest), io, clock, config, plant_values));
 }

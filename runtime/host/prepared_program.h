@@ -12,6 +12,7 @@
 
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/host/area_driver.h"
+#include "runtime/host/bool_bytes.h"
 #include "runtime/host/engine_choice.h"
 #include "runtime/host/event_ring.h"
 #include "runtime/host/step_watch.h"
@@ -40,6 +41,7 @@ class PreparedProgram {
   image::ProcessImage& image() { return image_; }
   scan::ScanCycle& cycle() { return cycle_; }
   StepWatch& steps() { return steps_; }
+  const BoolBytes& bools() const { return machine_.bools; }
   // Pushed by the scan thread, popped by the service thread.
   EventRing& events() { return events_; }
 
@@ -47,6 +49,7 @@ class PreparedProgram {
   struct Machine {
     std::vector<std::uint64_t> stack;
     std::unique_ptr<bytecode::Engine> engine;
+    BoolBytes bools;
   };
   PreparedProgram(reader::LoadedProgram loaded, Machine machine, std::string digest, AreaDriver& io,
                   scan::Clock& clock, const scan::ScanConfig& config, std::size_t plant_values);

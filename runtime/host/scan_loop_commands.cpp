@@ -126,8 +126,14 @@ Outcome ScanLoop::stop(std::string_view reason) {
 
 Outcome ScanLoop::force(const ImageBits& bits) {
   if (program_ == nullptr) return Outcome::NoProgram;
-  const auto wanted = to_force(bits);
+  auto wanted = to_force(bits);
   if (!wanted) return Outcome::OutOfBounds;
+  const BoolBytes& bools = program_->bools();
+  if (wanted->bit == image::kWholeBytes) {
+    wanted->value = bools.settled(wanted->address, wanted->size, wanted->value);
+  } else if (wanted->bit != 0 && bools.holds(wanted->address)) {
+    return Outcome::OutOfBounds;  // a BOOL in a byte of its own has no other bit
+  }
   image::ForceTable& forces = program_->cycle().forces();
   if (forces.set(*wanted, program_->image().bytes().size())) return Outcome::Done;
   const bool full = forces.forces().size() == image::ForceTable::kCapacity;
@@ -152,6 +158,7 @@ Outcome ScanLoop::write(const ImageBits& bits) {
   std::uint64_t value = 0;
   std::memcpy(&value, image.data() + bits.byte_offset, bytes);
   value = (value & ~bits.mask) | (bits.value & bits.mask);
+  value = program_->bools().settled(bits.byte_offset, static_cast<std::uint32_t>(bytes), value);
   std::memcpy(image.data() + bits.byte_offset, &value, bytes);
   return Outcome::Done;
 }

@@ -21,6 +21,9 @@ class StatementAnalyzer {
   Block block(const syntax::Statements& statements);
   std::optional<Statement> statement(const syntax::Statement& statement);
   std::optional<Statement> assign(const syntax::Statement& statement);
+  // The variable without a type yet that is assigned to; null for any other target.
+  Variable* undeduced(const syntax::Expression& target);
+  void deduce(Variable& variable, const Type* type, Position where);
   std::optional<Statement> attempt(const syntax::Statement& statement);
   std::optional<Statement> branch(const syntax::Statement& statement);
   std::optional<Statement> select(const syntax::Statement& statement);

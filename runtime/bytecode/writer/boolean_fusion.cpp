@@ -1,9 +1,12 @@
 #include "runtime/bytecode/writer/boolean_fusion.h"
 
+#include "runtime/bytecode/boolean_pair.h"
+
 #include <array>
 
 namespace stepwright::writer {
 
+using bytecode::in_mode;
 using bytecode::Opcode;
 
 namespace {
@@ -13,7 +16,6 @@ struct Rule {
   Opcode first;
   Opcode second;
   Opcode fused;
-  bool swapped = false;
 };
 
 constexpr auto kOperations = std::to_array<Rule>({
@@ -26,44 +28,33 @@ constexpr auto kOperations = std::to_array<Rule>({
     {Opcode::LoadBoolAbs, Opcode::XorBool, Opcode::XorBoolAbs},
 });
 
-constexpr auto kPairs = std::to_array<Rule>({
-    {Opcode::LoadBoolAbs, Opcode::AndBoolAbs, Opcode::LoadAndBoolAbs},
-    {Opcode::LoadBoolAbs, Opcode::OrBoolAbs, Opcode::LoadOrBoolAbs},
-    {Opcode::LoadBoolAbs, Opcode::AndNotBoolAbs, Opcode::LoadAndNotBoolAbs},
-    {Opcode::LoadBoolAbs, Opcode::OrNotBoolAbs, Opcode::LoadOrNotBoolAbs},
-    {Opcode::LoadNotBoolAbs, Opcode::AndBoolAbs, Opcode::LoadAndNotBoolAbs, true},
-    {Opcode::LoadNotBoolAbs, Opcode::OrBoolAbs, Opcode::LoadOrNotBoolAbs, true},
-    {Opcode::LoadNotBoolAbs, Opcode::AndNotBoolAbs, Opcode::LoadNorBoolAbs},
-    {Opcode::LoadNotBoolAbs, Opcode::OrNotBoolAbs, Opcode::LoadNandBoolAbs},
-    {Opcode::AndBoolAbs, Opcode::StoreBoolAbs, Opcode::AndStoreBoolAbs},
-    {Opcode::OrBoolAbs, Opcode::StoreBoolAbs, Opcode::OrStoreBoolAbs},
-    {Opcode::AndNotBoolAbs, Opcode::StoreBoolAbs, Opcode::AndNotStoreBoolAbs},
-    {Opcode::OrNotBoolAbs, Opcode::StoreBoolAbs, Opcode::OrNotStoreBoolAbs},
-    {Opcode::LoadBoolAbs, Opcode::StoreBoolAbs, Opcode::MoveBoolAbs},
-    {Opcode::LoadNotBoolAbs, Opcode::StoreBoolAbs, Opcode::MoveNotBoolAbs},
+// Pairs that become one when their operands change places: NOT a AND b = b AND NOT a.
+constexpr auto kSwapped = std::to_array<Rule>({
+    {Opcode::LoadNotBoolAbs, Opcode::AndBoolAbs, Opcode::LoadAndNotBoolAbs},
+    {Opcode::LoadNotBoolAbs, Opcode::OrBoolAbs, Opcode::LoadOrNotBoolAbs},
 });
-
-constexpr Opcode in_mode(Opcode absolute, int mode) {
-  return static_cast<Opcode>(static_cast<int>(absolute) + mode);
-}
 
 }  // namespace
 
 std::optional<Opcode> fused_operation(Opcode load, Opcode operation) {
   for (const Rule& rule : kOperations) {
-    for (const int mode : {0, 1}) {
+    for (const std::uint32_t mode : {0u, 1u}) {
       if (load == in_mode(rule.first, mode) && operation == rule.second) return in_mode(rule.fused, mode);
     }
   }
   return std::nullopt;
 }
 
-std::optional<BooleanPair> fused_pair(Opcode first, Opcode second) {
-  for (const Rule& rule : kPairs) {
-    for (const int mode : {0, 1}) {
-      if (first == in_mode(rule.first, mode) && second == in_mode(rule.second, mode)) {
-        return BooleanPair{in_mode(rule.fused, mode), rule.swapped};
-      }
+std::optional<FusedPair> fused_pair(Opcode first, Opcode second) {
+  const auto fits = [&](Opcode x, Opcode y, std::uint32_t mode) {
+    return first == in_mode(x, mode) && second == in_mode(y, mode);
+  };
+  for (const std::uint32_t mode : {0u, 1u}) {
+    for (const bytecode::BooleanPair& each : bytecode::kBooleanPairs) {
+      if (fits(each.first, each.second, mode)) return FusedPair{in_mode(each.pair, mode), false};
+    }
+    for (const Rule& rule : kSwapped) {
+      if (fits(rule.first, rule.second, mode)) return FusedPair{in_mode(rule.fused, mode), true};
     }
   }
   return std::nullopt;

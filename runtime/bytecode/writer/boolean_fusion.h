@@ -12,10 +12,10 @@ namespace stepwright::writer {
 std::optional<bytecode::Opcode> fused_operation(bytecode::Opcode load, bytecode::Opcode operation);
 
 // A load and a fused operation, or either of them and a store; all on the same address mode.
-struct BooleanPair {
+struct FusedPair {
   bytecode::Opcode opcode;
   bool swapped = false;  // the second instruction's offset comes first
 };
-std::optional<BooleanPair> fused_pair(bytecode::Opcode first, bytecode::Opcode second);
+std::optional<FusedPair> fused_pair(bytecode::Opcode first, bytecode::Opcode second);
 
 }  // namespace stepwright::writer

@@ -1,5 +1,7 @@
 #include "runtime/native/internal/function_code.h"
 
+#include "runtime/bytecode/boolean_pair.h"
+
 #include <cstring>
 
 namespace stepwright::native {
@@ -17,61 +19,6 @@ StackEffect effect_of(const Info& info) {
           static_cast<std::uint32_t>(std::strlen(info.pushes))};
 }
 
-// A pair of boolean instructions is what it replaces: a load or the value on the stack, an operation, and a
-// negation or a store.
-struct Pair {
-  Opcode first = Opcode::Return;  // opcodes of the mode Abs; those of This follow them
-  Opcode second = Opcode::Return;
-  bool negated = false;
-};
-
-Pair parts_of(Opcode pair) {
-  switch (pair) {
-    case Opcode::LoadAndBoolAbs:
-      return {Opcode::LoadBoolAbs, Opcode::AndBoolAbs};
-    case Opcode::LoadOrBoolAbs:
-      return {Opcode::LoadBoolAbs, Opcode::OrBoolAbs};
-    case Opcode::LoadAndNotBoolAbs:
-      return {Opcode::LoadBoolAbs, Opcode::AndNotBoolAbs};
-    case Opcode::LoadOrNotBoolAbs:
-      return {Opcode::LoadBoolAbs, Opcode::OrNotBoolAbs};
-    case Opcode::LoadNorBoolAbs:
-      return {Opcode::LoadBoolAbs, Opcode::OrBoolAbs, true};
-    case Opcode::LoadNandBoolAbs:
-      return {Opcode::LoadBoolAbs, Opcode::AndBoolAbs, true};
-    case Opcode::AndStoreBoolAbs:
-      return {Opcode::AndBoolAbs, Opcode::StoreBoolAbs};
-    case Opcode::OrStoreBoolAbs:
-      return {Opcode::OrBoolAbs, Opcode::StoreBoolAbs};
-    case Opcode::AndNotStoreBoolAbs:
-      return {Opcode::AndNotBoolAbs, Opcode::StoreBoolAbs};
-    case Opcode::OrNotStoreBoolAbs:
-      return {Opcode::OrNotBoolAbs, Opcode::StoreBoolAbs};
-    case Opcode::MoveBoolAbs:
-      return {Opcode::LoadBoolAbs, Opcode::StoreBoolAbs};
-    default:
-      return {Opcode::LoadNotBoolAbs, Opcode::StoreBoolAbs};
-  }
-}
-
-Opcode next(Opcode opcode, std::uint8_t by) {
-  return static_cast<Opcode>(static_cast<std::uint8_t>(opcode) + by);
-}
-
-// Appends the instruction; of a pair, its parts, which share its place. Nothing jumps between them, and none
-// of them traps.
-void append(std::vector<FunctionCode::Item>& items, const FunctionCode::Item& item) {
-  items.push_back(item);
-  const Instruction& whole = item.instruction;
-  if (bytecode::info(whole.opcode).operands != bytecode::Operands::TwoU32) return;
-  const std::uint8_t mode = bytecode::is_this_boolean(whole.opcode) ? 1 : 0;
-  const Pair pair = parts_of(static_cast<Opcode>(static_cast<std::uint8_t>(whole.opcode) - mode));
-  items.back().instruction = {.opcode = next(pair.first, mode), .size = whole.size, .a = whole.a};
-  items.push_back(
-      {.instruction = {.opcode = next(pair.second, mode), .size = whole.size, .a = whole.b}, .pc = item.pc});
-  if (pair.negated) items.push_back({.instruction = {.opcode = Opcode::NotBool}, .pc = item.pc});
-}
-
 }  // namespace
 
 FunctionCode decode_function(const bytecode::ContainerView& view, std::uint32_t function) {
@@ -85,7 +32,11 @@ FunctionCode decode_function(const bytecode::ContainerView& view, std::uint32_t 
     item.pc = pc;
     index_at[pc] = static_cast<std::uint32_t>(out.items.size());
     pc += item.instruction.size;
-    append(out.items, item);
+    if (bytecode::is_boolean_pair(item.instruction.opcode)) {
+      for (const Instruction& each : bytecode::unfold(item.instruction)) out.items.push_back({each, item.pc});
+    } else {
+      out.items.push_back(item);
+    }
   }
   for (FunctionCode::Item& item : out.items) {
     if (!is_jump(item.instruction.opcode)) continue;

@@ -52,6 +52,11 @@ class MainJob(unittest.TestCase):
         self.assertEqual(slowed["trace_hash"], undisturbed["trace_hash"])
         self.assertEqual(slowed["scans"], undisturbed["scans"])
 
+    def test_both_engines_leave_the_same_trace(self):
+        traces = [self.run_demo("--no-compare", "--set", f"runtime.engine={engine}")[0]["trace_hash"]
+                  for engine in ("native", "vm")]
+        self.assertEqual(traces[0], traces[1])
+
     def test_demos_in_one_domain_do_not_hear_each_other(self):
         alone, _ = self.run_demo("--no-compare")
         one_domain = ("--fast", "--no-compare", "--set", "dds.domain_id=9")

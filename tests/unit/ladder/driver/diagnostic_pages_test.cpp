@@ -10,6 +10,8 @@
 #include <set>
 
 #include "ladder/driver/compile.h"
+#include "runtime/bytecode/reader/loaded_program.h"
+#include "tests/support/compiled_program.h"
 
 namespace {
 
@@ -59,6 +61,24 @@ result::Diagnostics diagnostics_of(const std::string& text, lint::Level level) {
   return output ? output->warnings : output.error();
 }
 
+// Compiles a program and runs it for three scans: the trap as a mark.
+std::vector<Mark> traps_of(const std::string& text) {
+  driver::CompileInput input;
+  input.texts.push_back({"example.st", text});
+  support::CompiledProgram program(input);
+  for (int i = 0; i < 3; ++i) {
+    const auto report = program.scan();
+    if (!report.trap) continue;
+    const auto trap = reader::describe(program.loaded().program(), report.trap);
+    return {{trap.code, trap.where.line, trap.where.column}};
+  }
+  return {};
+}
+
+bool is_trap(const driver::DiagnosticPage& page) {
+  return page.code.front() == 'R';
+}
+
 class Page : public testing::TestWithParam<driver::DiagnosticPage> {};
 
 TEST_P(Page, WrongExample_WhenCompiled_ThenGivesTheCodeAtTheMarkAndNothingElse) {
@@ -70,6 +90,10 @@ TEST_P(Page, WrongExample_WhenCompiled_ThenGivesTheCodeAtTheMarkAndNothingElse) 
   std::vector<Mark> found;
   const auto diagnostics = diagnostics_of(text, lint::Level::All);
   for (const auto& each : diagnostics) found.push_back({each.code, each.where.line, each.where.column});
+  if (is_trap(GetParam())) {
+    EXPECT_TRUE(found.empty()) << to_string(diagnostics);
+    found = traps_of(text);
+  }
   EXPECT_EQ(found, expected) << to_string(diagnostics);
 }
 
@@ -78,6 +102,9 @@ TEST_P(Page, RightExample_WhenCompiled_ThenNothingIsReported) {
   if (text.empty()) GTEST_SKIP() << "the page has no example in ST";
   const auto diagnostics = diagnostics_of(text, lint::Level::All);
   EXPECT_TRUE(diagnostics.empty()) << to_string(diagnostics);
+  if (is_trap(GetParam())) {
+    EXPECT_EQ(traps_of(text), std::vector<Mark>());
+  }
 }
 
 TEST_P(Page, Text_WhenRead_ThenBeginsWithItsCodeAndFitsATerminal) {
@@ -110,6 +137,8 @@ TEST(Pages, Codes_WhenComparedWithThePages_ThenEachHasOneAndNoPageIsLeftOver) {
   ASSERT_GT(codes.size(), 60u);
   codes.merge(codes_in("ladder/graphic/sfc_codes.h"));
   codes.insert({"E0001", "E0002", "E0003"});  // of the command line
+  for (std::uint8_t i = 1; i < bytecode::kTrapCodeCount; ++i)
+    codes.insert(bytecode::diagnostic_code_of(static_cast<bytecode::TrapCode>(i)));
   std::set<std::string> pages;
   for (const driver::DiagnosticPage& each : driver::diagnostic_pages()) pages.insert(std::string(each.code));
   EXPECT_EQ(pages, codes);
@@ -119,7 +148,8 @@ TEST(Pages, Codes_WhenComparedWithThePages_ThenEachHasOneAndNoPageIsLeftOver) {
 TEST(Pages, Examples_WhenCounted_ThenOnlyKnownPagesHaveNone) {
   const std::set<std::string> without = {"E0001", "E0002", "E0003", "E0100", "E0106", "E0701", "E0702",
                                          "E0711", "E0713", "E0714", "E0715", "E0716", "E0717", "E0719",
-                                         "E0801", "E0802", "E0803", "E0804", "W0706"};
+                                         "E0801", "E0802", "E0803", "E0804", "E0811", "E0812", "E0813",
+                                         "E0814", "R0404", "R0407", "W0706"};
   for (const driver::DiagnosticPage& each : driver::diagnostic_pages())
     EXPECT_EQ(block(each.text, "Wrong:").empty(), without.contains(std::string(each.code))) << each.code;
 }

@@ -75,7 +75,7 @@ TEST(OmronWriter, WhenStepsFillAWord_ThenTheNextWordFollows) {
   EXPECT_EQ(address_of(*program, "S17_X"), "W11.01");
   chart.steps.resize(161);
   for (std::size_t i = 0; i < chart.steps.size(); ++i) chart.steps[i].name = "S" + std::to_string(i);
-  EXPECT_THAT(error_of(lowered(chart), {}), HasSubstr("E0613: no bit is left for 'S160_X'"));
+  EXPECT_THAT(error_of(lowered(chart), {}), HasSubstr("E0813: no bit is left for 'S160_X'"));
 }
 
 // Everything that the writer accepts runs on the controller as it does in the ladder.
@@ -97,7 +97,7 @@ TEST(OmronWriter, WhenChartsAndInputsAreRandom_ThenTheControllerFollowsTheLadder
     const graphic::Pou pou = *lowering::lower_sfc(lowering::random_pou(random));
     const result::Result<OmronProgram> program = write_omron(pou, options);
     if (!program) {
-      EXPECT_EQ(program.error().front().code, "E0612");  // step times
+      EXPECT_EQ(program.error().front().code, "E0812");  // step times
       continue;
     }
     ++written;
@@ -143,9 +143,9 @@ TEST(OmronWriter, WhenConstructHasNoCounterpart_ThenTheDiagnosticNamesTheRung) {
   expression.kind = graphic::ConditionKind::Expression;
   expression.name = "a XOR b";
   EXPECT_THAT(with(expression),
-              HasSubstr("E0612: rung 1 (Transition S00_START -> S01_LOAD): the expression 'a XOR b'"));
-  EXPECT_THAT(with(graphic::compare("S1", graphic::CompareOp::Less, "40000")), HasSubstr("E0612: rung 1"));
-  EXPECT_THAT(with(graphic::compare("S1", graphic::CompareOp::Less, "1.5")), HasSubstr("E0612: rung 1"));
+              HasSubstr("E0812: rung 1 (Transition S00_START -> S01_LOAD): the expression 'a XOR b'"));
+  EXPECT_THAT(with(graphic::compare("S1", graphic::CompareOp::Less, "40000")), HasSubstr("E0812: rung 1"));
+  EXPECT_THAT(with(graphic::compare("S1", graphic::CompareOp::Less, "1.5")), HasSubstr("E0812: rung 1"));
   EXPECT_THAT(with(graphic::contact("unknown")), HasSubstr("'unknown' has no Omron address"));
   EXPECT_THAT(with(graphic::contact("S1")), HasSubstr("'S1' at D100 is no bit"));
   rungs[0].condition = graphic::always();
@@ -166,7 +166,7 @@ TEST(OmronWriter, WhenTimeHasNoExactSetValue_ThenItIsRefused) {
   EXPECT_THAT(write_omron(lowered(chart), bench())->statements, HasSubstr("TIMH(015) 0000 #0025\n"));
   for (const char* duration : {"T#5ms", "T#2000s", "T#0s", "delay"}) {
     chart.steps[1].actions[0].duration = duration;
-    EXPECT_THAT(error_of(lowered(chart), bench()), HasSubstr("E0612")) << duration;
+    EXPECT_THAT(error_of(lowered(chart), bench()), HasSubstr("E0812")) << duration;
   }
 }
 
@@ -174,10 +174,10 @@ TEST(OmronWriter, WhenAddressesAreWrong_ThenNothingIsWritten) {
   const graphic::Pou pou = lowered(support::sequence_chart());
   OmronOptions options = bench();
   options.addresses[0].address = "%IX0.0";
-  EXPECT_THAT(error_of(pou, options), HasSubstr("E0611: variable 'fc1' has the address '%IX0.0'"));
+  EXPECT_THAT(error_of(pou, options), HasSubstr("E0811: variable 'fc1' has the address '%IX0.0'"));
   options = bench();
   options.addresses[1].address = "I0.00";
-  EXPECT_THAT(error_of(pou, options), HasSubstr("E0611: address I:0.00 of variable 'fc2' is in use"));
+  EXPECT_THAT(error_of(pou, options), HasSubstr("E0811: address I:0.00 of variable 'fc2' is in use"));
   options = bench();
   options.addresses[6].source = "0.00";
   EXPECT_THAT(error_of(pou, options), HasSubstr("cannot be copied from '0.00'"));

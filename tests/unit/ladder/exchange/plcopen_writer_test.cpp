@@ -154,7 +154,7 @@ TEST(PlcopenWriter, WhenStatementsAreNoAssignments_ThenTheDiagnosticNamesPouAndR
   const graphic::Pou pou = *lowering::lower_sfc(pou_of(chart));
   const result::Result<std::string> xml = write_plcopen(project_of(pou));
   ASSERT_FALSE(xml);
-  EXPECT_EQ(xml.error()[0].code, "E0601");
+  EXPECT_EQ(xml.error()[0].code, "E0814");
   EXPECT_THAT(xml.error()[0].message, HasSubstr("POU 'main', rung"));
 }
 

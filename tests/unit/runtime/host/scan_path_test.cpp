@@ -31,7 +31,11 @@ void expect_quiet_scans(const HostConfig& config, std::uint32_t interval_us) {
 }
 
 TEST(ScanPath, WhenSimulated_ThenScansNeitherAllocateNorLock) {
-  expect_quiet_scans({}, 10'000);
+  for (const EngineKind engine : {EngineKind::Auto, EngineKind::Vm}) {
+    HostConfig config;
+    config.engine = engine;
+    expect_quiet_scans(config, 10'000);
+  }
 }
 
 TEST(ScanPath, WhenReal_ThenScansNeitherAllocateNorLock) {

@@ -1,0 +1,30 @@
+#pragma once
+
+// Which bytes of an image are BOOL variables. Programs may rely on such a byte being 0 or 1 (runtime/doc/
+// native.md), so whoever writes the image from outside settles what it writes.
+// Thread rule: as its owner; nothing changes after construction.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/bytecode/reader/program_info.h"
+
+namespace stepwright::host {
+
+class BoolBytes {
+ public:
+  BoolBytes(const reader::ProgramInfo& info, std::uint32_t image_size);
+
+  // True for a byte that is a BOOL; one that is not, and one behind the image, is none.
+  bool holds(std::uint64_t address) const { return address < is_bool_.size() && is_bool_[address] != 0; }
+
+  // The same value with 1 for TRUE in each of its `size` bytes (8 at most) that is a BOOL at that address.
+  std::uint64_t settled(std::uint64_t address, std::uint32_t size, std::uint64_t value) const;
+
+ private:
+  std::vector<std::uint8_t> is_bool_;  // per byte of the image
+};
+
+}  // namespace stepwright::host

@@ -1,0 +1,210 @@
+// What drawn networks do scan by scan, and what is said about them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "ladder/exchange/plcopen_reader.h"
+#include "tests/support/compiled_program.h"
+#include "tests/unit/ladder/exchange/plcopen_samples.h"
+
+namespace stepwright::exchange {
+namespace {
+
+using ::testing::HasSubstr;
+
+driver::CompileInput input_of(const graphic::Project& project) {
+  driver::CompileInput input;
+  input.projects = {&project};
+  return input;
+}
+
+std::string in(const std::string& from) {
+  std::istringstream ids(from);
+  std::string text = "<connectionPointIn>";
+  for (std::string id; ids >> id;) {
+    const std::size_t colon = id.find(':');
+    text += "<connection refLocalId=\"" + id.substr(0, colon) + "\"" +
+            (colon == std::string::npos ? "" : " formalParameter=\"" + id.substr(colon + 1) + "\"") + "/>";
+  }
+  return text + "</connectionPointIn>";
+}
+
+// An element at a place; the inside follows its position.
+std::string at(const std::string& element, int id, int x, int y, const std::string& inside,
+               const std::string& attributes = "") {
+  return "<" + element + " localId=\"" + std::to_string(id) + "\"" + attributes + "><position x=\"" +
+         std::to_string(x) + "\" y=\"" + std::to_string(y) + "\"/>" + inside + "</" + element + ">\n";
+}
+
+std::string rail() {
+  return at("leftPowerRail", 1, 0, 0, "<connectionPointOut formalParameter=\"\"/>");
+}
+
+std::string contact(int id, int x, int y, const std::string& from, const std::string& name,
+                    const std::string& attributes = "") {
+  return at("contact", id, x, y, in(from) + "<connectionPointOut/><variable>" + name + "</variable>",
+            attributes);
+}
+
+std::string coil(int id, int x, int y, const std::string& from, const std::string& name,
+                 const std::string& attributes = "") {
+  return at("coil", id, x, y, in(from) + "<connectionPointOut/><variable>" + name + "</variable>",
+            attributes);
+}
+
+std::string input(int id, int x, int y, const std::string& text) {
+  return at("inVariable", id, x, y, "<connectionPointOut/><expression>" + text + "</expression>");
+}
+
+std::string output(int id, int x, int y, const std::string& from, const std::string& text) {
+  return at("outVariable", id, x, y, in(from) + "<expression>" + text + "</expression>");
+}
+
+// Pins as "EN=3 IN=4" and "ENO OUT".
+std::string block(int id, int x, int y, const std::string& type, const std::string& inputs,
+                  const std::string& outputs) {
+  std::string text = "<inputVariables>";
+  std::istringstream pins(inputs);
+  for (std::string pin; pins >> pin;) {
+    const std::size_t equals = pin.find('=');
+    text += "<variable formalParameter=\"" + pin.substr(0, equals) + "\">" + in(pin.substr(equals + 1)) +
+            "</variable>";
+  }
+  text += "</inputVariables><inOutVariables/><outputVariables>";
+  std::istringstream names(outputs);
+  for (std::string pin; names >> pin;)
+    text += "<variable formalParameter=\"" + pin + "\"><connectionPointOut/></variable>";
+  return at("block", id, x, y, text + "</outputVariables>", " typeName=\"" + type + "\"");
+}
+
+std::string ints(const std::string& names, const std::string& type = "INT") {
+  std::istringstream list(names);
+  std::string text;
+  for (std::string name; list >> name;)
+    text += "<variable name=\"" + name + "\"><type><" + type + "/></type></variable>\n";
+  return text;
+}
+
+std::string ladder(const std::string& variables, const std::string& body) {
+  return editor_project(editor_program(variables, "<LD>\n" + rail() + body + "</LD>\n"));
+}
+
+// One line per scan: the inputs that are TRUE; gives the values of the outputs, one line per scan.
+std::string run(const std::string& xml, const std::string& inputs, const std::string& scans,
+                const std::string& outputs) {
+  const auto project = read_plcopen("plc.xml", xml);
+  if (!project) return result::to_string(project.error());
+  const auto compiled = driver::compile(input_of(*project));
+  if (!compiled) return result::to_string(compiled.error());
+  support::CompiledProgram program(input_of(*project));
+  std::istringstream lines(scans);
+  std::string all;
+  for (std::string line; std::getline(lines, line, '|');) {
+    std::istringstream names(inputs);
+    for (std::string name; names >> name;)
+      program.set("run." + name, (" " + line + " ").find(" " + name + " ") != std::string::npos ? 1 : 0);
+    if (program.scan().trap) return all + "trap";
+    std::istringstream shown(outputs);
+    std::string values;
+    for (std::string name; shown >> name;) values += std::to_string(program.get("run." + name));
+    all += (all.empty() ? "" : " ") + values;
+  }
+  return all;
+}
+
+TEST(DrawnLadder, WhenContactsDiffer_ThenEachPassesItsPower) {
+  const std::string body = contact(2, 50, 10, "1", "a") + coil(3, 200, 10, "2", "q1") +
+                           contact(4, 50, 50, "1", "a", " negated=\"true\"") + coil(5, 200, 50, "4", "q2") +
+                           contact(6, 50, 90, "1", "a", " edge=\"rising\"") + coil(7, 200, 90, "6", "q3") +
+                           contact(8, 50, 130, "1", "a", " edge=\"falling\"") + coil(9, 200, 130, "8", "q4");
+  EXPECT_EQ(run(ladder(bools("a q1 q2 q3 q4"), body), "a", " |a|a| | ", "q1 q2 q3 q4"),
+            "0100 1010 1000 0101 0100");
+}
+
+TEST(DrawnLadder, WhenCoilsDiffer_ThenEachKeepsItsKind) {
+  const std::string body = contact(2, 50, 10, "1", "a") + coil(3, 200, 10, "2", "q1", " negated=\"true\"") +
+                           coil(4, 200, 50, "2", "q2", " storage=\"set\"") +
+                           coil(5, 200, 90, "2", "q3", " edge=\"rising\"") +
+                           coil(6, 200, 130, "2", "q4", " edge=\"falling\"") + contact(7, 50, 200, "1", "b") +
+                           coil(8, 200, 200, "7", "q2", " storage=\"reset\"");
+  EXPECT_EQ(run(ladder(bools("a b q1 q2 q3 q4"), body), "a b", " |a|a| |b| ", "q1 q2 q3 q4"),
+            "1000 0110 0100 1101 1000 1000");
+}
+
+TEST(DrawnLadder, WhenBlocksWithEnableStandInSeries_ThenPowerGoesOnThroughEno) {
+  const std::string body = contact(2, 50, 10, "1", "a") + input(3, 50, 40, "n") + input(4, 50, 60, "1") +
+                           block(5, 120, 10, "ADD", "EN=2 IN1=3 IN2=4", "ENO OUT") +
+                           output(6, 220, 40, "5:OUT", "n") + contact(7, 240, 10, "5:ENO", "b") +
+                           block(8, 320, 10, "MOVE", "EN=7 IN=9", "ENO OUT") + input(9, 280, 60, "n") +
+                           output(10, 420, 40, "8:OUT", "m") + coil(11, 500, 10, "8:ENO", "done");
+  EXPECT_EQ(run(ladder(bools("a b done") + ints("n m"), body), "a b", " |a|a b|b|a b", "n m done"),
+            "000 100 221 220 331");
+}
+
+TEST(DrawnLadder, WhenBranchesAreParallel_ThenTheyAreAWiredOr) {
+  const std::string body = contact(2, 50, 10, "1", "a") + contact(3, 100, 10, "2", "b") +
+                           contact(4, 50, 50, "1", "c") + contact(5, 150, 10, "3 4", "d") +
+                           coil(6, 250, 10, "5", "q");
+  EXPECT_EQ(run(ladder(bools("a b c d q"), body), "a b c d", "a d|a b d|c d|c|a b c d", "q"), "0 1 1 0 1");
+}
+
+TEST(DrawnLadder, WhenItJumpsAndReturns_ThenNetworksAreLeftOut) {
+  const std::string body = contact(2, 50, 10, "1", "skip") +
+                           at("jump", 3, 200, 10, in("2"), " label=\"over\"") + contact(4, 50, 60, "1", "a") +
+                           coil(5, 200, 60, "4", "q1") + at("label", 6, 50, 110, "", " label=\"over\"") +
+                           contact(7, 50, 130, "1", "a") + coil(8, 200, 130, "7", "q2") +
+                           contact(9, 50, 180, "1", "stop") + at("return", 10, 200, 180, in("9")) +
+                           contact(11, 50, 230, "1", "a") + coil(12, 200, 230, "11", "q3");
+  EXPECT_EQ(run(ladder(bools("skip stop a q1 q2 q3"), body), "skip stop a", "a|skip|stop a| |skip stop a",
+                "q1 q2 q3"),
+            "111 100 110 000 010");
+}
+
+TEST(DrawnBlocks, WhenInputsHaveSeveralTypes_ThenTheWireTakesTheTypeOfTheResult) {
+  // n * x is REAL although n comes first; a DINT behind an INT needs 32 bits.
+  const std::string body = input(1, 0, 0, "n") + input(2, 0, 40, "x") +
+                           block(3, 100, 0, "MUL", "IN1=1 IN2=2", "OUT") + output(4, 200, 0, "3:OUT", "y") +
+                           output(5, 200, 40, "3:OUT", "z") + input(6, 0, 100, "n") +
+                           input(7, 0, 140, "big") + block(8, 100, 100, "ADD", "IN1=6 IN2=7", "OUT") +
+                           output(9, 200, 100, "8:OUT", "sum") + output(10, 200, 140, "8:OUT", "sum2") +
+                           block(11, 300, 100, "GT", "IN1=8:OUT IN2=12", "OUT") +
+                           input(12, 240, 180, "70000") + output(13, 400, 100, "11:OUT", "more");
+  const std::string variables =
+      bools("more") + ints("n") + ints("big sum sum2", "DINT") + ints("x y z", "REAL");
+  const auto project =
+      read_plcopen("plc.xml", editor_project(editor_program(variables, "<FBD>\n" + body + "</FBD>\n")));
+  ASSERT_TRUE(project);
+  support::CompiledProgram program(input_of(*project));
+  program.set("run.n", 3);
+  program.set("run.big", 70'000);
+  const float half = 0.5F;
+  std::int64_t bits = 0;
+  std::memcpy(&bits, &half, sizeof half);
+  program.set("run.x", bits);
+  ASSERT_FALSE(program.scan().trap);
+  EXPECT_EQ(program.text("run.y"), "1.5");
+  EXPECT_EQ(program.text("run.z"), "1.5");
+  EXPECT_EQ(program.get("run.sum2"), 70'003);
+  EXPECT_EQ(program.get("run.more"), 1);
+}
+
+TEST(DrawnLadder, WhenAVariableIsUnknown_ThenPouNetworkElementAndPlaceAreNamed) {
+  const std::string xml =
+      ladder(bools("a q"), contact(2, 50, 10, "1", "a") + coil(3, 200, 10, "2", "q") +
+                               contact(4, 50, 60, "1", "a") + coil(5, 200, 60, "4", "nowhere"));
+  const auto project = read_plcopen("plc.xml", xml);
+  ASSERT_TRUE(project);
+  const auto output = driver::compile(input_of(*project));
+  ASSERT_FALSE(output);
+  const result::Diagnostic& first = output.error().front();
+  EXPECT_THAT(first.message, HasSubstr("POU 'main', network 2, coil 'nowhere': "));
+  EXPECT_EQ(first.where.file, "plc.xml");
+  EXPECT_EQ(first.where.line,
+            1 + static_cast<std::uint32_t>(std::count(
+                    xml.begin(), xml.begin() + static_cast<std::ptrdiff_t>(xml.find("nowhere")), '\n')));
+}
+
+}  // namespace
+}  // namespace stepwright::exchange

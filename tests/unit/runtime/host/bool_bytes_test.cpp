@@ -1,0 +1,35 @@
+#include "runtime/host/bool_bytes.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/compiled_program.h"
+
+namespace stepwright::host {
+namespace {
+
+constexpr const char* kProgram = R"(
+PROGRAM main
+VAR
+  input AT %IX0.0 : BOOL;
+  number : USINT;
+  lamps : ARRAY[0..2] OF BOOL;
+END_VAR
+lamps[0] := input;
+END_PROGRAM
+)";
+
+TEST(BoolBytes, WhenAWriteCoversBools_ThenEachOfThemIsZeroOrOne) {
+  driver::CompileInput input;
+  input.texts.push_back({"test.st", kProgram});
+  const support::CompiledProgram program(input);
+  const BoolBytes bools(reader::ProgramInfo::read(program.loaded().bytes()).value(),
+                        program.loaded().program().image_size());
+  const std::uint32_t lamps = program.find("main.lamps[0]").address;
+  EXPECT_EQ(bools.settled(lamps, 4, 0xFF008002) & 0xFFFFFF, 0x000101u);
+  EXPECT_EQ(bools.settled(program.find("main.number").address, 1, 0x80), 0x80u);
+  EXPECT_FALSE(bools.holds(program.find("main.input").address));  // bits of a byte of I/O
+  EXPECT_FALSE(bools.holds(0xFFFFFFFF));
+}
+
+}  // namespace
+}  // namespace stepwright::host
