@@ -242,6 +242,17 @@ void ExpressionWriter::store_variable() {
   b_.store(memory, AddressMode::This, own_place(memory));
 }
 
+// Often a constant or the time.
+void ExpressionWriter::store_leaf() {
+  const auto type = static_cast<StackType>(below(5));
+  const MemType memory = memory_type(type);
+  type == StackType::I64 ? b_.emit(Opcode::Now) : leaf(type);
+  if (around_.instance_size == 0) {
+    return b_.store(memory, AddressMode::Abs, place(memory, around_.image_size));
+  }
+  b_.store(memory, AddressMode::This, own_place(memory));
+}
+
 void ExpressionWriter::store_indirect() {
   const auto type = static_cast<StackType>(below(12) == 0 ? 5 : below(5));
   const MemType memory = memory_type(type);

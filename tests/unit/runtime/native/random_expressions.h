@@ -51,6 +51,7 @@ class ExpressionWriter {
   // A Ref behind which about `bytes` bytes are meant to lie in the image, mostly.
   void push_address(std::uint32_t bytes);
   void store_variable();
+  void store_leaf();
   void store_indirect();
   void call(const Callee& callee);
   // An operation on strings that leaves nothing.

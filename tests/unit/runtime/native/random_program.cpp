@@ -98,6 +98,10 @@ class StatementWriter {
     const auto end = b_.new_label();
     expressions_.push(StackType::Bool, 3);
     below(2) == 0 ? b_.jump_if_false(otherwise) : b_.jump_if_true(otherwise);
+    if (below(3) == 0) {
+      expressions_.store_leaf();
+      return b_.bind(otherwise);
+    }
     statements(1 + static_cast<int>(below(3)), depth - 1);
     b_.jump(end);
     b_.bind(otherwise);
