@@ -77,5 +77,6 @@ inline constexpr const char* kNoRungForm = "E0814";
 inline constexpr const char* kUnreachable = "W0001";
 inline constexpr const char* kUnusedResult = "W0002";
 inline constexpr const char* kOverlap = "W0016";
+inline constexpr const char* kForeignCode = "W0017";
 
 }  // namespace stepwright::source::code

@@ -147,6 +147,10 @@ const ErrorCase kCases[] = {
      "END_TRANSITION\nEND_PROGRAM"},
     {"Unreachable", "W0001", 4, 1, BODY("RETURN;\ni := 1;")},
     {"UnusedResult", "W0002", 3, 1, BODY("ABS(i);")},
+    {"ForeignCode", "W0017", 3, 9, BODY("i := 1; {j = 2;}")},
+    {"ForeignCall", "W0017", 3, 1, BODY("{SetFbVar(I, 2)} i := 1;")},
+    {"ForeignBlock", "W0017", 3, 1, BODY("{{ if (x) { y(); } }} i := 1;"), "in ST"},
+    {"ForeignBlockOpen", "E0102", 3, 9, BODY("i := 1; {{ if (x) { y(); }"), "}}"},
 };
 
 std::vector<ErrorCase> all_cases() {
@@ -203,8 +207,8 @@ TEST(Diagnostics, Codes_WhenComparedWithTheCases_ThenNearlyEveryCodeHasACase) {
   for (const ErrorCase& each : all_cases()) codes.erase(each.code);
   // Tested elsewhere: nesting (syntax), labels and edges of diagrams (lowering), XML and Omron files
   // (exchange).
-  EXPECT_EQ(codes, (std::set<std::string>{"E0106", "E0107", "E0701", "E0702", "E0801", "E0802", "E0803", "E0804",
-                                          "E0811", "E0812", "E0813", "E0814"}));
+  EXPECT_EQ(codes, (std::set<std::string>{"E0106", "E0107", "E0701", "E0702", "E0801", "E0802", "E0803",
+                                          "E0804", "E0811", "E0812", "E0813", "E0814"}));
 }
 
 TEST(Recovery, Compile_WhenSeveralMistakes_ThenEachIsReportedOnce) {
