@@ -226,6 +226,19 @@ TEST(DrawnBlocks, WhenTheDifferenceOfDatesIsReadBeforeItIsComputed_ThenItIsADura
   EXPECT_EQ(program.get("run.took"), 5'000'000'000);
 }
 
+TEST(DrawnBlocks, WhenAVariableIsUnknown_ThenWhatIsComputedFromItIsNotReported) {
+  const std::string body = input(1, 0, 0, "missing") + input(2, 0, 40, "n") +
+                           block(3, 100, 0, "ADD", "IN1=1 IN2=2", "OUT") + output(4, 200, 0, "3:OUT", "n") +
+                           output(5, 200, 40, "3:OUT", "m");
+  const auto project =
+      read_plcopen("plc.xml", editor_project(editor_program(ints("n m"), "<FBD>\n" + body + "</FBD>\n")));
+  ASSERT_TRUE(project);
+  const auto compiled = driver::compile(input_of(*project));
+  ASSERT_FALSE(compiled);
+  ASSERT_EQ(compiled.error().size(), 1U) << result::to_string(compiled.error());
+  EXPECT_EQ(compiled.error().front().code, "E0201");
+}
+
 TEST(DrawnLadder, WhenAVariableIsUnknown_ThenPouNetworkElementAndPlaceAreNamed) {
   const std::string xml =
       ladder(bools("a q"), contact(2, 50, 10, "1", "a") + coil(3, 200, 10, "2", "q") +
