@@ -60,7 +60,8 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
   if (!container) return result::forward(container);
   CompileOutput output;
   output.container = std::move(*container);
-  output.warnings = sink.take();
+  lint::check(*model, unit, user_pous, input.lint, sink);
+  output.warnings = lint::without_suppressed(sink.take(), sources);
   return output;
 }
 

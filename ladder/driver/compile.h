@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "ladder/graphic/project.h"
+#include "ladder/lint/lint.h"
 #include "ladder/source/source_set.h"
 #include "runtime/result/result.h"
 
@@ -26,6 +27,8 @@ namespace stepwright::driver {
 struct CompileInput {
   std::vector<source::NamedText> texts;             // ST, in the order in which diagnostics name them
   std::vector<const graphic::Project*> projects{};  // LD, SFC, ST POUs of exchange files or a plan
+  // Further warnings (ladder/lint) than those of the compiler itself.
+  lint::Level lint = lint::Level::None;
 };
 
 struct CompileOutput {

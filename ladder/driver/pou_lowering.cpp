@@ -54,12 +54,19 @@ void PouLowering::add_declarations(const std::string& file, const std::string& t
   for (auto& each : lines) pou.variables.push_back(std::move(each));
 }
 
+void PouLowering::mark_generated(syntax::PouDeclaration& pou, std::size_t first) {
+  for (std::size_t i = first; i < pou.variables.size(); ++i) pou.variables[i].generated = true;
+}
+
 void PouLowering::set_ladder(const graphic::LadderProgram& ladder, const std::string& file,
                              syntax::PouDeclaration& pou) {
   const bool keeps_state = pou.kind != syntax::PouKind::Function;
   auto lowered = lowering::ladder_to_syntax(ladder, file, keeps_state, context_);
   pou.body = std::move(lowered.body);
+  pou.origin = syntax::BodyOrigin::Ladder;
+  const std::size_t written = pou.variables.size();
   for (auto& each : lowered.variables) pou.variables.push_back(std::move(each));
+  mark_generated(pou, written);
 }
 
 // The name behind an alias: BOOL where TYPE Flag : BOOL; END_TYPE.
@@ -97,8 +104,11 @@ void PouLowering::set_lowered(const graphic::Pou& lowered, std::size_t known_var
   std::string added;
   for (std::size_t i = known_variables; i < lowered.variables.size(); ++i)
     added += declaration_text(lowered.variables[i]) + "\n";
+  const std::size_t written = pou.variables.size();
   add_declarations(lowered.name + ".sfc", added, pou);
+  mark_generated(pou, written);
   set_ladder(std::get<graphic::LadderProgram>(lowered.body), lowered.name + ".sfc", pou);
+  pou.origin = syntax::BodyOrigin::Chart;
   charts_.push_back({index, std::move(origin), lowered.step_variables, lowered.transition_variables});
 }
 

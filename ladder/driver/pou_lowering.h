@@ -38,6 +38,8 @@ class PouLowering {
   void add_drawn(const graphic::Pou& pou, source::FileId file);
   void add_chart(const graphic::Pou& pou, source::FileId file);
   void add_declarations(const std::string& file, const std::string& text, syntax::PouDeclaration& pou);
+  // The variables from `first` on are none of the user's.
+  static void mark_generated(syntax::PouDeclaration& pou, std::size_t first);
   void set_ladder(const graphic::LadderProgram& ladder, const std::string& file, syntax::PouDeclaration& pou);
   std::string type_name(syntax::Name name) const;
   graphic::Pou with_chart(const syntax::PouDeclaration& pou) const;

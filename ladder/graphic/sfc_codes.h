@@ -1,7 +1,7 @@
 #pragma once
 
 // The codes of diagnostics about charts, beside those of ladder/source/codes.h. Stable;
-// ladder/doc/diagnostics.md explains each, and a test holds both lists together.
+// ladder/doc/diagnostics has a page for each, and a test holds both together.
 
 namespace stepwright::graphic::code {
 

@@ -1,12 +1,13 @@
 #pragma once
 
-// The code of every diagnostic of the compiler. Stable: scripts and ladder/doc/diagnostics.md name them; a
-// test holds both lists together. E01xx text and syntax, E02xx names and declarations, E03xx types,
-// E04xx statements and calls, E05xx addresses, E06xx configuration, E07xx charts and rungs, E08xx exchange
-// files, W0xxx warnings.
+// The code of every diagnostic of the compiler. Stable: scripts name them, and each has a page in
+// ladder/doc/diagnostics; a test holds codes and pages together. E01xx text and syntax, E02xx names and
+// declarations, E03xx types, E04xx statements and calls, E05xx addresses, E06xx configuration, E07xx charts
+// and rungs, E08xx exchange files, W0xxx warnings.
 
 namespace stepwright::source::code {
 
+inline constexpr const char* kTooMany = "E0100";
 inline constexpr const char* kBadCharacter = "E0101";
 inline constexpr const char* kUnterminated = "E0102";
 inline constexpr const char* kBadLiteral = "E0103";
@@ -76,6 +77,19 @@ inline constexpr const char* kNoRungForm = "E0814";
 
 inline constexpr const char* kUnreachable = "W0001";
 inline constexpr const char* kUnusedResult = "W0002";
+inline constexpr const char* kUnusedVariable = "W0003";
+inline constexpr const char* kUnusedParameter = "W0004";
+inline constexpr const char* kUnusedPou = "W0005";
+inline constexpr const char* kNeverWritten = "W0006";
+inline constexpr const char* kWrittenTwice = "W0007";
+inline constexpr const char* kEndlessLoop = "W0008";
+inline constexpr const char* kForVariableWritten = "W0009";
+inline constexpr const char* kRealEquality = "W0010";
+inline constexpr const char* kConstantCondition = "W0011";
+inline constexpr const char* kNoEffect = "W0012";
+inline constexpr const char* kHidingName = "W0013";
+inline constexpr const char* kMissingCase = "W0014";
+inline constexpr const char* kEmptyBody = "W0015";
 inline constexpr const char* kOverlap = "W0016";
 inline constexpr const char* kForeignCode = "W0017";
 

@@ -1,49 +1,65 @@
 #include "ladder/source/diagnostic_sink.h"
 
 #include <algorithm>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace stepwright::source {
 
 void DiagnosticSink::error(const char* code, Position where, std::string message, std::string hint) {
-  report(result::Severity::Error, code, where, std::move(message), std::move(hint));
+  report({code, result::Severity::Error, sources_.location(where), noted(where, std::move(message)),
+          std::move(hint)});
 }
 
 void DiagnosticSink::warning(const char* code, Position where, std::string message, std::string hint) {
-  report(result::Severity::Warning, code, where, std::move(message), std::move(hint));
+  report({code, result::Severity::Warning, sources_.location(where), noted(where, std::move(message)),
+          std::move(hint)});
 }
 
-void DiagnosticSink::report(result::Severity severity, const char* code, Position where, std::string message,
-                            std::string hint) {
-  if (severity == result::Severity::Error) ++errors_;
-  if (reports_.size() >= kLimit) return;
-  for (const Report& earlier : reports_)
-    if (earlier.where == where && earlier.diagnostic.code == code) return;
+std::string DiagnosticSink::noted(Position where, std::string message) const {
   const std::string note = sources_.note(where);
-  if (!note.empty()) message = note + ": " + message;
-  reports_.push_back(
-      {where, {code, severity, sources_.location(where), std::move(message), std::move(hint)}});
+  return note.empty() ? message : note + ": " + message;
 }
 
 void DiagnosticSink::add(result::Diagnostics diagnostics) {
-  // They have no offset in our sources: sorted behind everything that has one.
-  const Position behind{FileId(static_cast<std::uint32_t>(sources_.size())), 0};
-  for (auto& diagnostic : diagnostics) {
-    if (diagnostic.severity == result::Severity::Error) ++errors_;
-    reports_.push_back({behind, std::move(diagnostic)});
+  for (auto& each : diagnostics) report(std::move(each));
+}
+
+void DiagnosticSink::report(result::Diagnostic diagnostic) {
+  const bool is_error = diagnostic.severity == result::Severity::Error;
+  if (is_error) ++errors_;
+  const std::size_t kept = is_error ? kept_errors_ : reports_.size() - kept_errors_;
+  if (kept >= kLimit) {
+    ++left_out_;
+    return;
   }
+  const result::Location& where = diagnostic.where;
+  // What has no line is told apart by its words.
+  const std::string what = where.line > 0 ? diagnostic.code : diagnostic.code + diagnostic.message;
+  if (!known_.emplace(where.file, where.line, where.column, what).second) return;
+  if (is_error) ++kept_errors_;
+  reports_.push_back(std::move(diagnostic));
 }
 
 result::Diagnostics DiagnosticSink::take() {
-  std::stable_sort(reports_.begin(), reports_.end(), [](const Report& a, const Report& b) {
-    return std::tuple(a.where.file.value, a.where.offset) < std::tuple(b.where.file.value, b.where.offset);
-  });
-  result::Diagnostics diagnostics;
-  diagnostics.reserve(reports_.size());
-  for (Report& each : reports_) diagnostics.push_back(std::move(each.diagnostic));
+  std::unordered_map<std::string, std::size_t> order;
+  for (std::size_t i = 0; i < sources_.size(); ++i)
+    order.try_emplace(sources_.name(FileId(static_cast<std::uint32_t>(i))), i);
+  // Files that are none of the sources come last.
+  const auto rank = [&](const result::Diagnostic& each) {
+    const auto found = order.find(each.where.file);
+    return std::tuple(found == order.end() ? order.size() : found->second, each.where.line,
+                      each.where.column);
+  };
+  std::stable_sort(reports_.begin(), reports_.end(),
+                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  result::Diagnostics diagnostics = std::move(reports_);
+  if (left_out_ > 0)
+    diagnostics.push_back(
+        {code::kTooMany, result::Severity::Note, {}, std::to_string(left_out_) + " more are not shown", {}});
   reports_.clear();
-  errors_ = 0;
+  known_.clear();
+  errors_ = kept_errors_ = left_out_ = 0;
   return diagnostics;
 }
 

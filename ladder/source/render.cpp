@@ -3,9 +3,18 @@
 #include <algorithm>
 #include <string_view>
 
+#include "ladder/source/excerpt.h"
+
 namespace stepwright::source {
 
 namespace {
+
+constexpr std::string_view kBold = "\x1b[1m";
+constexpr std::string_view kRed = "\x1b[1;31m";
+constexpr std::string_view kYellow = "\x1b[1;33m";
+constexpr std::string_view kCyan = "\x1b[1;36m";
+constexpr std::string_view kGreen = "\x1b[1;32m";
+constexpr std::string_view kPlain = "\x1b[0m";
 
 const char* word(result::Severity severity) {
   switch (severity) {
@@ -17,6 +26,18 @@ const char* word(result::Severity severity) {
       break;
   }
   return "error";
+}
+
+std::string_view colour_of(result::Severity severity) {
+  switch (severity) {
+    case result::Severity::Note:
+      return kCyan;
+    case result::Severity::Warning:
+      return kYellow;
+    case result::Severity::Error:
+      break;
+  }
+  return kRed;
 }
 
 std::string_view line_of(std::string_view text, std::uint32_t line) {
@@ -32,35 +53,40 @@ std::string_view line_of(std::string_view text, std::uint32_t line) {
   return rest;
 }
 
-// White space up to the column; tabs are kept so that the caret stands below its character.
-std::string indent_to(std::string_view line, std::uint32_t column) {
-  std::string indent;
-  std::uint32_t seen = 1;
-  for (const char c : line) {
-    if ((static_cast<unsigned char>(c) & 0xC0u) == 0x80u) continue;
-    if (seen++ >= column) break;
-    indent += c == '\t' ? '\t' : ' ';
+class Painter {
+ public:
+  explicit Painter(bool colour) : colour_(colour) {}
+
+  std::string operator()(std::string_view colour, const std::string& text) const {
+    return colour_ ? std::string(colour) + text + std::string(kPlain) : text;
   }
-  return indent;
-}
+
+ private:
+  bool colour_;
+};
 
 }  // namespace
 
-std::string render(const result::Diagnostic& diagnostic, std::span<const NamedText> texts) {
+std::string render(const result::Diagnostic& diagnostic, std::span<const NamedText> texts,
+                   const RenderStyle& style) {
+  const Painter paint(style.colour);
   const auto& where = diagnostic.where;
-  std::string out = where.file;
-  if (where.line > 0) out += ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
-  if (!out.empty()) out += ": ";
-  out += std::string(word(diagnostic.severity)) + " " + diagnostic.code + ": " + diagnostic.message + "\n";
+  std::string place = where.file;
+  if (where.line > 0) place += ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
+  if (!place.empty()) place += ":";
+  std::string out = place.empty() ? "" : paint(kBold, place) + " ";
+  const std::string code = diagnostic.code.empty() ? "" : " " + diagnostic.code;
+  out += paint(colour_of(diagnostic.severity), word(diagnostic.severity) + code + ":") + " " +
+         diagnostic.message + "\n";
   const auto file = std::find_if(texts.begin(), texts.end(),
                                  [&](const NamedText& each) { return each.name == where.file; });
   if (file != texts.end() && where.line > 0) {
     const std::string number = std::to_string(where.line);
-    const std::string_view line = line_of(file->text, where.line);
-    out += "  " + number + " | " + std::string(line) + "\n";
-    out += "  " + std::string(number.size(), ' ') + " | " + indent_to(line, where.column) + "^\n";
+    const Excerpt shown = excerpt(line_of(file->text, where.line), where.column, style.width);
+    out += "  " + number + " | " + shown.line + "\n";
+    out += "  " + std::string(number.size(), ' ') + " | " + shown.indent + paint(kGreen, "^") + "\n";
   }
-  if (!diagnostic.hint.empty()) out += "  hint: " + diagnostic.hint + "\n";
+  if (!diagnostic.hint.empty()) out += "  " + paint(kCyan, "hint:") + " " + diagnostic.hint + "\n";
   return out;
 }
 

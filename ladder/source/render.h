@@ -7,6 +7,7 @@
 //       |   ^
 //     hint: did you mean 'lamp'?
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -14,7 +15,14 @@
 
 namespace stepwright::source {
 
+struct RenderStyle {
+  bool colour = false;  // ANSI colours, for a terminal
+  std::size_t width =
+      100;  // columns of the source line that are shown; a longer line is cut around the caret
+};
+
 // `texts` are searched for the file that the diagnostic names; without it the line is left out.
-std::string render(const result::Diagnostic& diagnostic, std::span<const NamedText> texts);
+std::string render(const result::Diagnostic& diagnostic, std::span<const NamedText> texts,
+                   const RenderStyle& style = {});
 
 }  // namespace stepwright::source

@@ -38,6 +38,7 @@ void SourceSet::add_note(Position where, std::string text) {
 }
 
 std::string SourceSet::note(Position place) const {
+  if (place.file.value >= files_.size()) return {};  // of no file: there is no PROGRAM at all
   const Position position = home(place);
   const auto& notes = files_[position.file.value]->notes;
   const auto next = notes.upper_bound(position.offset);

@@ -61,6 +61,10 @@ class SourceSet {
   const std::string& name(FileId file) const { return files_[home({file, 0}).file.value]->name; }
   std::string_view text(FileId file) const { return files_[file.value]->text; }
 
+  // Offset of the first byte of a line that the file has.
+  std::uint32_t line_start(FileId file, std::uint32_t line) const {
+    return files_[file.value]->line_starts[line - 1];
+  }
   // Line, from 1. An offset behind the end gives the last line.
   std::uint32_t line(Position position) const;
   // File, line and column; columns count characters (UTF-8), not bytes. No location without the file.

@@ -145,6 +145,8 @@ std::optional<std::uint64_t> Parser::transition_priority() {
 }
 
 void Parser::transition_condition(TransitionDeclaration& result) {
+  // What cannot be read is reported here and nowhere else.
+  result.condition = {"TRUE", peek().where};
   if (at(TokenKind::Colon)) {
     context_.sink.error(source::code::kNotSupported, advance().where,
                         "a condition that is a diagram or an instruction list has no form in this text",

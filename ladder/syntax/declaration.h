@@ -29,7 +29,8 @@ struct VariableDeclaration {
   std::optional<Area> open_address;  // AT %I*: VAR_CONFIG gives the address
   source::Position address_where;
   TypeSpecPtr type;
-  ExpressionPtr initial;  // may be null
+  ExpressionPtr initial;   // may be null
+  bool generated = false;  // by the lowering of a diagram
 };
 
 // Deduced: that of the first value that is assigned, in the order of the text; no source can write it, the
@@ -118,12 +119,16 @@ struct Chart {
 
 enum class PouKind : std::uint8_t { Program, FunctionBlock, Function };
 
+// The language that the statements of a body were written in.
+enum class BodyOrigin : std::uint8_t { Text, Ladder, Chart };
+
 struct PouDeclaration {
   Name name;
   PouKind kind = PouKind::Program;
   TypeSpecPtr result;  // functions; null otherwise
   std::vector<VariableDeclaration> variables;
   Statements body;
+  BodyOrigin origin = BodyOrigin::Text;
   std::optional<Chart> chart;  // instead of `body`
   source::Position end;        // of END_...: where the body returns
 };

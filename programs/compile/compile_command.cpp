@@ -1,95 +1,85 @@
 #include "programs/compile/compile_command.h"
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
-#include <deque>
-#include <iostream>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
-#include "ladder/driver/compile.h"
-#include "ladder/exchange/plcopen_reader.h"
-#include "ladder/source/render.h"
-#include "programs/process/command_line.h"
 #include "programs/process/diagnostics_json.h"
 #include "programs/process/files.h"
-#include "runtime/result/exit_code.h"
+#include "programs/sources/source_files.h"
 
 namespace stepwright::compile_program {
 
 namespace {
 
 using result::ExitCode;
+using result::Severity;
 
-struct Arguments {
-  std::vector<std::string> sources;
-  std::string image;
-  std::string json_file;
+// What -W asks for; the last level counts.
+struct WarningOptions {
+  lint::Level level = lint::Level::Default;
+  bool are_errors = false;
 };
 
-ExitCode compile(const Arguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
-  driver::CompileInput input;
-  std::vector<source::NamedText> files;  // as they were written, for the lines of diagnostics
-  std::deque<graphic::Project> projects;
-  result::Diagnostics diagnostics;
-  const auto fail = [&](const result::Diagnostics& errors) {
-    diagnostics.insert(diagnostics.end(), errors.begin(), errors.end());
-  };
-  for (const std::string& path : arguments.sources) {
-    auto text = process::read_file(path);
-    if (!text) {
-      fail(text.error());
-      continue;
-    }
-    files.push_back({path, *text});
-    if (!process::is_xml(path)) {
-      input.texts.push_back({path, std::move(*text)});
-      continue;
-    }
-    auto project = exchange::read_plcopen(path, std::move(*text));
-    if (project) {
-      input.projects.push_back(&projects.emplace_back(std::move(*project)));
+WarningOptions warning_options(const std::vector<std::string>& values) {
+  WarningOptions options;
+  for (const std::string& each : values) {
+    if (each == "error") {
+      options.are_errors = true;
     } else {
-      fail(project.error());
+      options.level = each == "none"  ? lint::Level::None
+                      : each == "all" ? lint::Level::All
+                                      : lint::Level::Default;
     }
   }
-  std::size_t bytes = 0;
-  if (diagnostics.empty()) {
-    const auto output = driver::compile(input);
-    diagnostics = output ? output->warnings : output.error();
-    if (output) {
-      bytes = output->container.size();
-      fail(process::write_file(arguments.image,
-                               {reinterpret_cast<const char*>(output->container.data()), bytes}));
-    }
-  }
-  const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
-  for (const result::Diagnostic& each : diagnostics) std::cerr << source::render(each, files);
-  const bool failed = result::has_errors(diagnostics);
-  if (!arguments.json_file.empty()) {
-    const nlohmann::json report = {{"diagnostics", process::diagnostics_json(diagnostics)},
-                                   {"bytes", failed ? 0 : bytes},
-                                   {"wall_ms", wall.count()}};
-    const std::string text = report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-    const result::Diagnostics unwritten = process::write_file(arguments.json_file, text);
-    for (const result::Diagnostic& each : unwritten) std::cerr << source::render(each, files);
-    if (!unwritten.empty()) return ExitCode::BadInput;
-  }
-  return failed ? ExitCode::BadInput : ExitCode::Done;
+  return options;
+}
+
+void apply(const WarningOptions& options, result::Diagnostics& diagnostics) {
+  if (options.level == lint::Level::None)
+    std::erase_if(diagnostics, [](const auto& each) { return each.severity == Severity::Warning; });
+  if (!options.are_errors) return;
+  for (result::Diagnostic& each : diagnostics)
+    if (each.severity == Severity::Warning) each.severity = Severity::Error;
+}
+
+std::vector<std::byte> compile(const CompileArguments& arguments, sources::SourceFiles& files,
+                               result::Diagnostics& diagnostics) {
+  files = sources::load(arguments.sources, diagnostics);
+  if (!diagnostics.empty()) return {};
+  const WarningOptions options = warning_options(arguments.warnings);
+  driver::CompileInput input = files.input();
+  input.lint = options.level;
+  auto output = driver::compile(input);
+  diagnostics = output ? std::move(output->warnings) : std::move(output.error());
+  apply(options, diagnostics);
+  if (!output || result::has_errors(diagnostics)) return {};
+  return std::move(output->container);
 }
 
 }  // namespace
 
-int run_compile(int argc, char** argv) {
-  CLI::App app("Compiles IEC 61131-3 sources to a bytecode image", "stepwright compile");
-  Arguments arguments;
-  app.add_option("sources", arguments.sources, "ST files (.st) and PLCopen projects (.xml)")->required();
-  app.add_option("-o,--output", arguments.image, "image file to write (.swb)")->required();
-  app.add_option("--json", arguments.json_file, "file for the report");
-  if (const auto exit = process::parse(app, argc, argv)) return *exit;
-  return result::to_int(compile(arguments));
+ExitCode run_compile(const CompileArguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  result::Diagnostics diagnostics;
+  sources::SourceFiles files;
+  const std::vector<std::byte> image = compile(arguments, files, diagnostics);
+  const auto append = [&](const result::Diagnostics& more) {
+    diagnostics.insert(diagnostics.end(), more.begin(), more.end());
+  };
+  if (!image.empty())
+    append(process::write_file(arguments.image, {reinterpret_cast<const char*>(image.data()), image.size()}));
+  const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
+  const bool failed = result::has_errors(diagnostics);
+  if (!arguments.json_file.empty()) {
+    const nlohmann::json report = {{"diagnostics", process::diagnostics_json(diagnostics)},
+                                   {"bytes", failed ? 0 : image.size()},
+                                   {"wall_ms", wall.count()}};
+    append(process::write_file(arguments.json_file,
+                               report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"));
+  }
+  sources::print(diagnostics, files.files);
+  return result::has_errors(diagnostics) ? ExitCode::BadInput : ExitCode::Done;
 }
 
 }  // namespace stepwright::compile_program

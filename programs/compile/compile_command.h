@@ -1,11 +1,23 @@
 #pragma once
 
-// The command `compile`: ST sources to an image file.
+// The command `compile`: ST sources and PLCopen projects to an image file.
+
+#include <string>
+#include <vector>
+
+#include "runtime/result/exit_code.h"
 
 namespace stepwright::compile_program {
 
-// `argv[1]` is "compile". Prints diagnostics to stderr, each with its source line and a caret; returns the
-// exit code of the process. The image appears complete or not at all.
-int run_compile(int argc, char** argv);
+struct CompileArguments {
+  std::vector<std::string> sources;
+  std::string image;
+  std::string json_file;
+  std::vector<std::string> warnings;  // "none", "default", "all"; "error": warnings are errors
+};
+
+// Prints diagnostics to stderr, each with its source line and a caret. The image appears complete or not at
+// all.
+result::ExitCode run_compile(const CompileArguments& arguments);
 
 }  // namespace stepwright::compile_program

@@ -78,8 +78,10 @@ nlohmann::json to_json(const exec::ExecReport& report, const std::string& engine
   for (const exec::TrapReport& trap : report.traps) {
     traps.push_back({{"scan", trap.scan},
                      {"code", stepwright::bytecode::name_of(trap.trap.code)},
+                     {"id", trap.diagnostic.code},
                      {"file", trap.diagnostic.where.file},
                      {"line", trap.diagnostic.where.line},
+                     {"column", trap.diagnostic.where.column},
                      {"function", trap.trap.function},
                      {"pc", trap.trap.pc}});
   }

@@ -25,4 +25,10 @@ const char* name_of(TrapCode code) {
   return kNames[static_cast<std::uint8_t>(code)];
 }
 
+const char* diagnostic_code_of(TrapCode code) {
+  constexpr const char* kCodes[kTrapCodeCount] = {"R0400", "R0401", "R0402", "R0403", "R0404",
+                                                  "R0405", "R0406", "R0407", "R0408", "R0409"};
+  return kCodes[static_cast<std::uint8_t>(code)];
+}
+
 }  // namespace stepwright::bytecode

@@ -32,5 +32,7 @@ struct Trap {
 
 // "division by zero", ...
 const char* name_of(TrapCode code);
+// "R0401", ...: names the page that explains the trap (`stepwright explain R0401`).
+const char* diagnostic_code_of(TrapCode code);
 
 }  // namespace stepwright::bytecode

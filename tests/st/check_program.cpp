@@ -121,10 +121,11 @@ class Check {
   void compare_trap(const bytecode::Program& program, const bytecode::Trap& trap, const Directive& expected) {
     if (!trap) return fail(expected.line, "no trap");
     const result::Location where = reader::source_location(program, trap.function, trap.pc);
+    const std::string& file = expected.at_file.empty() ? name_ : expected.at_file;
     if (bytecode::name_of(trap.code) != expected.subject || where.line != expected.at_line ||
-        where.file != name_)
+        where.file != file)
       fail(expected.line, std::string("found trap '") + bytecode::name_of(trap.code) + "' at " + where.file +
-                              ":" + place(where.line) + ", not '" + expected.subject + "' at " +
+                              ":" + place(where.line) + ", not '" + expected.subject + "' at " + file + ":" +
                               place(expected.at_line));
   }
 

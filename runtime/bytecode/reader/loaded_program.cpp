@@ -127,7 +127,7 @@ result::Diagnostic describe(const bytecode::Program& program, const bytecode::Tr
   const bytecode::ContainerView& view = program.container();
   const auto function = view.record<Section::Functions>(trap.function);
   result::Diagnostic diagnostic;
-  diagnostic.code = "B0400";
+  diagnostic.code = bytecode::diagnostic_code_of(trap.code);
   diagnostic.where = source_location(program, trap.function, trap.pc);
   diagnostic.message = std::string(bytecode::name_of(trap.code)) + " in " + text_of(view, function.name);
   return diagnostic;

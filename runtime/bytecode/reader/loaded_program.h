@@ -50,7 +50,7 @@ class LoadedProgram {
 // none.
 result::Location source_location(const bytecode::Program& program, std::uint32_t function, std::uint32_t pc);
 
-// The trap as an error at its source line (code "B0400").
+// The trap as an error at its place in the sources, with a code of its own (bytecode::diagnostic_code_of).
 result::Diagnostic describe(const bytecode::Program& program, const bytecode::Trap& trap);
 
 // A string of the container.

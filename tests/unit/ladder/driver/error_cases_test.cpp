@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-#include <set>
-
 #include "ladder/driver/compile.h"
 #include "tests/unit/ladder/driver/error_case.h"
 
@@ -180,36 +176,6 @@ TEST_P(CompileError, Compile_WhenSourceIsWrong_ThenOneDiagnosticSaysWhere) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, CompileError, testing::ValuesIn(all_cases()),
                          [](const auto& each) { return each.param.name; });
-
-std::string read(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-std::set<std::string> codes_in(const std::string& text, const std::string& before) {
-  std::set<std::string> codes;
-  for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at + 1))
-    codes.insert(text.substr(at + before.size(), 5));
-  return codes;
-}
-
-TEST(Diagnostics, Document_WhenComparedWithTheCodes_ThenEveryCodeIsExplained) {
-  const std::string root = STEPWRIGHT_SOURCE_DIR;
-  const std::set<std::string> codes = codes_in(read(root + "/ladder/source/codes.h"), "= \"");
-  const std::string document = read(root + "/ladder/doc/diagnostics.md");
-  ASSERT_GT(codes.size(), 40u);
-  for (const std::string& code : codes) EXPECT_NE(document.find("### " + code), std::string::npos) << code;
-}
-
-TEST(Diagnostics, Codes_WhenComparedWithTheCases_ThenNearlyEveryCodeHasACase) {
-  std::set<std::string> codes =
-      codes_in(read(std::string(STEPWRIGHT_SOURCE_DIR) + "/ladder/source/codes.h"), "= \"");
-  for (const ErrorCase& each : all_cases()) codes.erase(each.code);
-  // Tested elsewhere: nesting (syntax), labels and edges of diagrams (lowering), XML and Omron files
-  // (exchange).
-  EXPECT_EQ(codes, (std::set<std::string>{"E0106", "E0107", "E0701", "E0702", "E0801", "E0802", "E0803",
-                                          "E0804", "E0811", "E0812", "E0813", "E0814"}));
-}
 
 TEST(Recovery, Compile_WhenSeveralMistakes_ThenEachIsReportedOnce) {
   const Diagnostics found = diagnostics_of(

@@ -3,9 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "ladder/driver/compile.h"
 
 namespace {
@@ -150,21 +147,6 @@ TEST(ChartText, Compile_WhenTheTextIsCutAnywhere_ThenItEndsWithDiagnostics) {
   ASSERT_TRUE(diagnostics_of(text).empty()) << to_string(diagnostics_of(text));
   for (std::size_t length = 14; length + 12 < text.size(); ++length)
     EXPECT_FALSE(diagnostics_of(text.substr(0, length)).empty()) << text.substr(0, length);
-}
-
-std::string read(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-TEST(ChartDiagnostics, Document_WhenComparedWithTheCodes_ThenEveryCodeIsExplained) {
-  const std::string root = STEPWRIGHT_SOURCE_DIR;
-  const std::string codes = read(root + "/ladder/graphic/sfc_codes.h");
-  const std::string document = read(root + "/ladder/doc/diagnostics.md");
-  int count = 0;
-  for (std::size_t at = codes.find("= \""); at != std::string::npos; at = codes.find("= \"", at + 1), ++count)
-    EXPECT_THAT(document, HasSubstr("### " + codes.substr(at + 3, 5)));
-  EXPECT_GT(count, 20);
 }
 
 }  // namespace

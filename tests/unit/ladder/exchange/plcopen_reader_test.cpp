@@ -51,8 +51,8 @@ class Running {
 
 TEST(PlcopenReader, WhenATypeIsAnotherNameOfAString_ThenItsValuesAreQuoted) {
   const std::string types =
-      "<dataTypes><dataType name=\"Caption\"><baseType><string/></baseType></dataType>"
-      "<dataType name=\"Title\"><baseType><derived name=\"Caption\"/></baseType></dataType></dataTypes>\n";
+      "<dataType name=\"Caption\"><baseType><string/></baseType></dataType>"
+      "<dataType name=\"Title\"><baseType><derived name=\"Caption\"/></baseType></dataType>\n";
   const std::string variables =
       "<variable name=\"shown\"><type><derived name=\"TITLE\"/></type>"
       "<initialValue><simpleValue value=\"ready\"/></initialValue></variable>\n";

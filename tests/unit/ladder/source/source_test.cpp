@@ -55,7 +55,27 @@ TEST(DiagnosticSink, Report_WhenThereAreTooMany_ThenTheListIsBounded) {
   const FileId file = sources.add("a.st", std::string(5000, 'x'));
   DiagnosticSink sink(sources);
   for (std::uint32_t i = 0; i < 5000; ++i) sink.error("E0201", {file, i}, "x");
-  EXPECT_EQ(sink.take().size(), DiagnosticSink::kLimit);
+  // A flood of warnings drowns no error.
+  for (std::uint32_t i = 0; i < 300; ++i) sink.warning("W0001", {file, i}, "x");
+  const auto found = sink.take();
+  ASSERT_EQ(found.size(), 2 * DiagnosticSink::kLimit + 1);
+  EXPECT_EQ(found.back().severity, result::Severity::Note);
+  EXPECT_EQ(found.back().message, "4900 more are not shown");
+}
+
+TEST(DiagnosticSink, Take_WhenAnotherModuleNamesPlaces_ThenTheyAreSortedAmongTheOthers) {
+  SourceSet sources;
+  const FileId file = sources.add("a.st", "one\ntwo\nthree");
+  DiagnosticSink sink(sources);
+  sink.error("E0201", {file, 8}, "line 3");
+  sink.add({{"E0711", result::Severity::Error, {"a.st", 2, 1}, "line 2", ""},
+            {"E0711", result::Severity::Error, {"a.st", 2, 1}, "line 2 again", ""},
+            {"E0711", result::Severity::Error, {"other.xml", 1, 1}, "elsewhere", ""}});
+  const auto found = sink.take();
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].message, "line 2");
+  EXPECT_EQ(found[1].message, "line 3");
+  EXPECT_EQ(found[2].message, "elsewhere");
 }
 
 TEST(Suggestion, DidYouMean_WhenANameIsNear_ThenNamesIt) {
@@ -87,6 +107,44 @@ TEST(Render, Diagnostic_WhenTheTextIsKnown_ThenTheCaretStandsBelow) {
 
 TEST(Render, Diagnostic_WhenTheTextIsUnknown_ThenOnlyThePlaceIsNamed) {
   EXPECT_EQ(render(unknown_name(), {}), "a.st:2:7: error E0201: 'zz' is not declared\n  hint: look\n");
+}
+
+std::string caret_line(const std::string& text, std::uint32_t column, RenderStyle style = {}) {
+  result::Diagnostic diagnostic = unknown_name();
+  diagnostic.where.line = 1;
+  diagnostic.where.column = column;
+  diagnostic.hint.clear();
+  const NamedText texts[] = {{"a.st", text}};
+  const std::string all = render(diagnostic, texts, style);
+  return all.substr(all.find('\n') + 1);
+}
+
+TEST(Render, Caret_WhenCharactersAreWideOrCombine_ThenItStandsBelow) {
+  // Two letters of two columns each; an e with a combining acute accent.
+  EXPECT_EQ(caret_line("\xE6\xB0\xB4\xE4\xBD\x8D x", 4), "  1 | \xE6\xB0\xB4\xE4\xBD\x8D x\n    |      ^\n");
+  EXPECT_EQ(caret_line("e\xCC\x81 x", 4), "  1 | e\xCC\x81 x\n    |   ^\n");
+  EXPECT_EQ(caret_line("\xC3\xA4\xC3\xB6 x", 4), "  1 | \xC3\xA4\xC3\xB6 x\n    |    ^\n");
+}
+
+TEST(Render, Line_WhenItHoldsControlCharactersOrBadBytes_ThenTheTerminalIsSafe) {
+  EXPECT_EQ(caret_line("a\x1b[31m\xFF b", 8), "  1 | a?[31m? b\n    |        ^\n");
+}
+
+TEST(Render, Line_WhenItIsLong_ThenItIsCutAroundTheCaret) {
+  const std::string text = std::string(300, 'a') + "X" + std::string(300, 'b');
+  const std::string shown = caret_line(text, 301, {.width = 30});
+  EXPECT_EQ(shown, "  1 | ..." + std::string(10, 'a') + "X" + std::string(19, 'b') + "...\n    |    " +
+                       std::string(10, ' ') + "^\n");
+  EXPECT_EQ(caret_line(std::string(40, 'a'), 41, {.width = 30}),
+            "  1 | ..." + std::string(30, 'a') + "\n    |    " + std::string(30, ' ') + "^\n");
+  EXPECT_EQ(caret_line(std::string(40, 'a'), 1, {.width = 30}),
+            "  1 | " + std::string(30, 'a') + "...\n    | ^\n");
+}
+
+TEST(Render, Colour_WhenAsked_ThenTheWordAndTheCaretAreColoured) {
+  const std::string shown = render(unknown_name(), {}, {.colour = true});
+  EXPECT_NE(shown.find("\x1b[1;31merror E0201:\x1b[0m"), std::string::npos);
+  EXPECT_EQ(render(unknown_name(), {}).find('\x1b'), std::string::npos);
 }
 
 }  // namespace

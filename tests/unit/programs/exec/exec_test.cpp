@@ -106,12 +106,14 @@ TEST_F(ExecCommand, Run_WhenTheProgramTraps_ThenExitsWithFiveAndNamesScanAndLine
   model.source_files = {"divide.st"};
   const std::string image = write("t.swb", writer::write_container(model).value());
   EXPECT_EQ(run(image + " --scans 10 --json " + path("report.json")), 5);
-  EXPECT_NE(errors.find("divide.st:7: B0400: division by zero in MAIN"), std::string::npos) << errors;
+  EXPECT_NE(errors.find("divide.st:7: R0401: division by zero in MAIN"), std::string::npos) << errors;
   const nlohmann::json json = report();
   EXPECT_EQ(json["scans"], 4);
   ASSERT_EQ(json["traps"].size(), 1u);
   EXPECT_EQ(json["traps"][0]["scan"], 4);
   EXPECT_EQ(json["traps"][0]["code"], "division by zero");
+  EXPECT_EQ(json["traps"][0]["id"], "R0401");
+  EXPECT_EQ(json["traps"][0]["column"], 0);
   EXPECT_EQ(json["traps"][0]["file"], "divide.st");
   EXPECT_EQ(json["traps"][0]["line"], 7);
 }

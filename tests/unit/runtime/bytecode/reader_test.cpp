@@ -55,7 +55,7 @@ TEST(LoadedProgram, File_WhenADirectory_ThenIsRefused) {
 TEST(LoadedProgram, Trap_WhenDescribed_ThenNamesLineAndFunction) {
   const auto loaded = LoadedProgram::load(sample_bytes(), "x.swb").value();
   const auto diagnostic = describe(loaded.program(), {bytecode::TrapCode::IndexRange, 1, 7});
-  EXPECT_EQ(result::to_string(diagnostic), "library.st:2: B0400: array index out of bounds in TON");
+  EXPECT_EQ(result::to_string(diagnostic), "library.st:2: R0403: array index out of bounds in TON");
 }
 
 TEST(ProgramInfo, Variables_WhenAskedByPath_ThenAreFoundInsideInstancesAndArrays) {

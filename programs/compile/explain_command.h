@@ -1,0 +1,15 @@
+#pragma once
+
+// The command `explain`: the page of a diagnostic code.
+
+#include <string>
+
+#include "runtime/result/exit_code.h"
+
+namespace stepwright::compile_program {
+
+// Prints the page to stdout; without a code the list of all codes. An unknown code is BadInput, with a
+// suggestion on stderr.
+result::ExitCode run_explain(const std::string& code);
+
+}  // namespace stepwright::compile_program

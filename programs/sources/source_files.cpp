@@ -1,0 +1,85 @@
+#include "programs/sources/source_files.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <utility>
+
+#include "ladder/exchange/plcopen_reader.h"
+#include "ladder/source/render.h"
+#include "programs/process/files.h"
+
+namespace stepwright::sources {
+
+namespace {
+
+source::RenderStyle style_of_stderr() {
+  source::RenderStyle style;
+  if (isatty(STDERR_FILENO) == 0) return style;
+  const char* no_colour = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  style.colour = (no_colour == nullptr || *no_colour == '\0') &&
+                 (terminal == nullptr || std::string_view(terminal) != "dumb");
+  winsize size{};
+  // Room for the number of the line and the dots of a cut.
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 40) style.width = size.ws_col - 20u;
+  return style;
+}
+
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+driver::CompileInput SourceFiles::input() const {
+  driver::CompileInput input;
+  input.texts = texts;
+  for (const graphic::Project& each : projects) input.projects.push_back(&each);
+  return input;
+}
+
+SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& diagnostics) {
+  SourceFiles sources;
+  const auto fail = [&](const result::Diagnostics& errors) {
+    diagnostics.insert(diagnostics.end(), errors.begin(), errors.end());
+  };
+  for (const std::string& path : paths) {
+    auto text = process::read_file(path);
+    if (!text) {
+      fail(text.error());
+      continue;
+    }
+    sources.files.push_back({path, *text});
+    if (!process::is_xml(path)) {
+      sources.texts.push_back({path, std::move(*text)});
+      continue;
+    }
+    auto project = exchange::read_plcopen(path, std::move(*text));
+    if (project) {
+      sources.projects.push_back(std::move(*project));
+    } else {
+      fail(project.error());
+    }
+  }
+  return sources;
+}
+
+void print(const result::Diagnostics& diagnostics, std::span<const source::NamedText> files) {
+  const source::RenderStyle style = style_of_stderr();
+  std::size_t errors = 0;
+  std::size_t warnings = 0;
+  for (const result::Diagnostic& each : diagnostics) {
+    errors += each.severity == result::Severity::Error ? 1 : 0;
+    warnings += each.severity == result::Severity::Warning ? 1 : 0;
+    std::cerr << source::render(each, files, style);
+  }
+  if (errors + warnings == 0) return;
+  std::string summary = errors > 0 ? counted(errors, "error") : "";
+  if (warnings > 0) summary += (summary.empty() ? "" : ", ") + counted(warnings, "warning");
+  std::cerr << summary << "; `stepwright explain " << diagnostics.front().code << "` describes a code\n";
+}
+
+}  // namespace stepwright::sources

@@ -1,0 +1,36 @@
+#pragma once
+
+// The source files of a command line: read, and their diagnostics shown. Not thread-safe; one per process.
+//
+//   auto sources = sources::load(paths);
+//   if (!sources) return fail(sources.error());
+//   const auto output = driver::compile(sources->input());
+//   sources::print(output->warnings, sources->files);
+
+#include <deque>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ladder/driver/compile.h"
+
+namespace stepwright::sources {
+
+struct SourceFiles {
+  std::vector<source::NamedText> files;   // as they were written, for the lines of diagnostics
+  std::vector<source::NamedText> texts;   // the ST files among them
+  std::deque<graphic::Project> projects;  // the PLCopen files
+
+  // What the compiler is given; valid as long as this object.
+  driver::CompileInput input() const;
+};
+
+// Reads .st (and everything else that is not .xml) as ST, .xml as PLCopen. Appends what is wrong with all of
+// them to `diagnostics`: E0001 for a file that cannot be read, E08xx for an XML file.
+SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& diagnostics);
+
+// Writes diagnostics to stderr, with their lines, and a last line that counts them. In colour if stderr is a
+// terminal and NO_COLOR is not set.
+void print(const result::Diagnostics& diagnostics, std::span<const source::NamedText> files);
+
+}  // namespace stepwright::sources
