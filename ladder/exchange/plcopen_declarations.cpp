@@ -102,7 +102,7 @@ std::string read_value(ReadContext& context, pugi::xml_node node, const std::str
   const pugi::xml_node value = first_element(node);
   const std::string_view name = local_name(value);
   if (!value) return {};
-  if (name == "simpleValue") return quoted(value.attribute("value").value(), type);
+  if (name == "simpleValue") return quoted(value.attribute("value").value(), context.type_behind(type));
   std::string text;
   const bool array = name == "arrayValue";
   for (const pugi::xml_node each : value.children()) {

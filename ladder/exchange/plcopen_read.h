@@ -2,6 +2,7 @@
 
 // What the parts of the PLCopen reader share. Internal to this folder.
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -28,9 +29,14 @@ class ReadContext {
   std::optional<std::uint64_t> number(pugi::xml_node node, const char* attribute);
   // The text of the child "documentation".
   std::string documentation(pugi::xml_node node) const;
+  // A data type of the file, and what a name stands for: values of strings are written without quotes,
+  // whatever their type is called.
+  void name_type(const std::string& name, const std::string& type);
+  std::string type_behind(const std::string& name) const;
 
  private:
   const XmlFile& file_;
+  std::map<std::string, std::string> types_;  // by name in upper case
   result::Diagnostics diagnostics_;
 };
 

@@ -5,6 +5,7 @@
 #include "ladder/exchange/duration.h"
 #include "ladder/exchange/plcopen_parts.h"
 #include "ladder/exchange/plcopen_read.h"
+#include "ladder/graphic/identifier.h"
 
 namespace stepwright::exchange {
 namespace plcopen {
@@ -64,6 +65,15 @@ std::string ReadContext::documentation(pugi::xml_node node) const {
   return file_.source_text(child(node, "documentation")).text;
 }
 
+void ReadContext::name_type(const std::string& name, const std::string& type) {
+  types_.emplace(graphic::upper(name), type_behind(type));
+}
+
+std::string ReadContext::type_behind(const std::string& name) const {
+  const auto found = types_.find(graphic::upper(name));
+  return found != types_.end() ? found->second : name;
+}
+
 namespace {
 
 using graphic::Pou;
@@ -111,6 +121,7 @@ class ProjectReader {
     graphic::DataType type;
     type.name = context_.required(node, "name");
     type.type = read_type(context_, child(node, "baseType"));
+    context_.name_type(type.name, type.type);
     type.initial = read_value(context_, child(node, "initialValue"), type.type);
     type.comment = context_.documentation(node);
     type.extra = extra_of(node, {"name"}, {"baseType", "initialValue", "documentation"});

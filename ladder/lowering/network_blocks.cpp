@@ -124,7 +124,7 @@ void NetworkLowering::call_inputs(const Element& element, Rung& rung, graphic::B
 }
 
 std::string NetworkLowering::argument(const Pin& pin, const Element& owner) {
-  Condition value = power(pin, owner);
+  Condition value = without_edges(power(pin, owner), owner);
   if (pin.modifier.edge != graphic::Edge::None) {
     value = through_wire(std::move(value), owner);
     value.edge = pin.modifier.edge;

@@ -48,6 +48,11 @@ Condition inverted(const Condition& condition) {
   return result;
 }
 
+bool senses_edge(const Condition& condition) {
+  return condition.edge != graphic::Edge::None ||
+         std::any_of(condition.children.begin(), condition.children.end(), senses_edge);
+}
+
 bool same_sources(const Pin& a, const Pin& b) {
   return std::equal(
       a.connections.begin(), a.connections.end(), b.connections.begin(), b.connections.end(),
@@ -150,7 +155,8 @@ void NetworkLowering::coils(const std::vector<const Element*>& group) {
   }
   const Element& first = *group.front();
   Condition condition = power(input_of(first), first);
-  if (inverts_power(first.modifier)) condition = through_wire(inverted(condition), first);
+  if (inverts_power(first.modifier))
+    condition = through_wire(inverted(without_edges(std::move(condition), first)), first);
   std::vector<Coil> list;
   for (const Element* each : group)
     list.push_back({coil_kind(each->modifier), marked(each->name, *each, first)});
@@ -186,7 +192,8 @@ void NetworkLowering::assignment(const Element& element) {
   const CoilKind kind = coil_kind(modifier);
   const bool plain = kind == CoilKind::Normal || kind == CoilKind::Negated;
   if (!plain || is_power(pin)) {
-    if (inverts_power(modifier)) value = through_wire(inverted(value), element);
+    if (inverts_power(modifier))
+      value = through_wire(inverted(without_edges(std::move(value), element)), element);
     add(element, std::move(value)).coils = {{kind, target}};
     return;
   }
@@ -299,6 +306,10 @@ Condition NetworkLowering::through_wire(Condition condition, const Element& elem
   ladder_.wires.push_back({name, "BOOL", false});
   add(element, std::move(condition)).coils = {{CoilKind::Normal, name}};
   return graphic::contact(name);
+}
+
+Condition NetworkLowering::without_edges(Condition condition, const Element& element) {
+  return senses_edge(condition) ? through_wire(std::move(condition), element) : condition;
 }
 
 bool NetworkLowering::is_power(const Pin& pin) const {

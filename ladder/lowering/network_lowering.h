@@ -49,6 +49,8 @@ class NetworkLowering {
 
   // Wires.
   graphic::Condition through_wire(graphic::Condition condition, const graphic::Element& element);
+  // What becomes text must not sense edges, for which ST has no expression: a wire is computed before it.
+  graphic::Condition without_edges(graphic::Condition condition, const graphic::Element& element);
   std::string result_wire(const Origin& origin, bool keeps);
   bool is_inline(const graphic::Element& element) const;
   bool is_shared(const Origin& origin) const;

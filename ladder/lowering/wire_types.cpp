@@ -79,7 +79,18 @@ class Inference {
       if (best.empty() || rank_of(type) > rank_of(best)) best = type;
     }
     if (widest.empty()) return literal;
+    if (name == "SUB" && is_date(widest) && dates(block, depth) > 1) return "TIME";
     return literal == "REAL" && rank_of(widest) < rank_of("REAL") ? literal : widest;
+  }
+
+  static bool is_date(const std::string& type) {
+    return any_of(type, {"DATE", "LDATE", "TOD", "LTOD", "TIME_OF_DAY", "DT", "LDT", "DATE_AND_TIME"});
+  }
+
+  // Inputs that are points in time: the difference of two is a duration (IEC 61131-3, table 35).
+  std::ptrdiff_t dates(const Element& block, int depth) const {
+    return std::count_if(block.inputs.begin(), block.inputs.end(),
+                         [&](const Pin& pin) { return is_date(of_pin(pin, depth)); });
   }
 
   bool is_literal(const Pin& pin) const {

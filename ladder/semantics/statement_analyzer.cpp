@@ -122,7 +122,10 @@ void StatementAnalyzer::deduce(Variable& variable, const Type* type, Position wh
 std::optional<Statement> StatementAnalyzer::assign(const syntax::Statement& statement) {
   Variable* wire = undeduced(*statement.target);
   ValuePtr value = wire != nullptr ? expressions_.settled_value(*statement.value) : nullptr;
-  if (wire != nullptr && !value) return std::nullopt;
+  if (wire != nullptr && !value) {
+    wire->deduced = false;  // that it has no type is a consequence of what was reported
+    return std::nullopt;
+  }
   if (wire != nullptr) deduce(*wire, value->type, statement.value->where);
   auto target = expressions_.place(*statement.target, Access::Write);
   if (wire == nullptr) value = expressions_.value(*statement.value);

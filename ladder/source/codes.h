@@ -91,5 +91,6 @@ inline constexpr const char* kHidingName = "W0013";
 inline constexpr const char* kMissingCase = "W0014";
 inline constexpr const char* kEmptyBody = "W0015";
 inline constexpr const char* kOverlap = "W0016";
+inline constexpr const char* kForeignCode = "W0017";
 
 }  // namespace stepwright::source::code

@@ -64,6 +64,11 @@ const char* hint_of(TokenKind kind) {
   }
 }
 
+// Statements of C end with a semicolon, or are a single call of what reads or writes a variable of the block.
+bool is_foreign_code(std::string_view pragma) {
+  return pragma.find(';') != std::string_view::npos || pragma.find("FbVar(") != std::string_view::npos;
+}
+
 class Lexer {
  public:
   Lexer(const source::SourceSet& sources, source::FileId file, TextKind kind, source::NameTable& names,
@@ -152,18 +157,27 @@ class Lexer {
     push(TokenKind::Bad);
   }
 
-  // A pragma that means something to the parser becomes a token, any other one is skipped (6.2).
+  // A pragma that means something to the parser becomes a token, any other one is skipped (6.2). Editors
+  // that translate to C put C code into pragmas, in doubled braces where it has braces of its own: that it
+  // does not run must be said.
   void pragma() {
     start_ = at_;
-    const std::size_t end = text_.find('}', at_);
+    const bool doubled = at_text("{{");
+    const std::string_view close = doubled ? "}}" : "}";
+    const std::size_t end = text_.find(close, at_);
     if (end == std::string_view::npos) {
-      sink_.error(code::kUnterminated, place(start_), "the pragma has no end", "close it with '}'");
+      sink_.error(code::kUnterminated, place(start_), "the pragma has no end",
+                  "close it with '" + std::string(close) + "'");
       at_ = text_.size();
       push(TokenKind::Bad);
       return;
     }
     const std::string_view inside = text_.substr(at_ + 1, end - at_ - 1);
-    at_ = end + 1;
+    at_ = end + close.size();
+    if (doubled || is_foreign_code(inside))
+      sink_.warning(code::kForeignCode, place(start_),
+                    "this pragma holds code of another language, which is skipped",
+                    "write in ST what it does");
     if (kind_ == TextKind::Generated && !inside.empty() && inside.front() == '@')
       map_source(inside.substr(1));
     if (source::upper(text_.substr(start_, at_ - start_)) == to_string(Keyword::FinalScan))

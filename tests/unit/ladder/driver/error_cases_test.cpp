@@ -143,6 +143,10 @@ const ErrorCase kCases[] = {
      "END_TRANSITION\nEND_PROGRAM"},
     {"Unreachable", "W0001", 4, 1, BODY("RETURN;\ni := 1;")},
     {"UnusedResult", "W0002", 3, 1, BODY("ABS(i);")},
+    {"ForeignCode", "W0017", 3, 9, BODY("i := 1; {j = 2;}")},
+    {"ForeignCall", "W0017", 3, 1, BODY("{SetFbVar(I, 2)} i := 1;")},
+    {"ForeignBlock", "W0017", 3, 1, BODY("{{ if (x) { y(); } }} i := 1;"), "in ST"},
+    {"ForeignBlockOpen", "E0102", 3, 9, BODY("i := 1; {{ if (x) { y(); }"), "}}"},
 };
 
 std::vector<ErrorCase> all_cases() {

@@ -133,6 +133,23 @@ TEST(DrawnLadder, WhenCoilsDiffer_ThenEachKeepsItsKind) {
             "1000 0110 0100 1101 1000 1000");
 }
 
+TEST(DrawnLadder, WhenAContactThatSensesAnEdgeLeadsToALaterInput_ThenTheBlockReadsTheEdge) {
+  const std::string pins = "<inputVariables><variable formalParameter=\"S\">" + in("2") +
+                           "</variable><variable formalParameter=\"R1\">" + in("4") +
+                           "</variable></inputVariables><inOutVariables/><outputVariables>"
+                           "<variable formalParameter=\"Q1\"><connectionPointOut/></variable>"
+                           "</outputVariables>";
+  const std::string body = contact(2, 50, 10, "1", "b") + contact(3, 50, 60, "1", "a", " edge=\"falling\"") +
+                           contact(4, 90, 60, "3", "b") +
+                           at("block", 5, 150, 10, pins, " typeName=\"RS\" instanceName=\"keep\"") +
+                           coil(6, 250, 10, "5:Q1", "q") + contact(7, 50, 110, "1", "b", " edge=\"rising\"") +
+                           coil(8, 250, 110, "7", "idle", " negated=\"true\" storage=\"set\"");
+  const std::string keep = "<variable name=\"keep\"><type><derived name=\"RS\"/></type></variable>\n";
+  // The fall of a resets only while b is on; the coil latches what is not the rise of b.
+  EXPECT_EQ(run(ladder(bools("a b q idle") + keep, body), "a b", "b|a b|b|b|a| ", "q idle"),
+            "10 11 01 11 11 11");
+}
+
 TEST(DrawnLadder, WhenBlocksWithEnableStandInSeries_ThenPowerGoesOnThroughEno) {
   const std::string body = contact(2, 50, 10, "1", "a") + input(3, 50, 40, "n") + input(4, 50, 60, "1") +
                            block(5, 120, 10, "ADD", "EN=2 IN1=3 IN2=4", "ENO OUT") +
@@ -188,6 +205,38 @@ TEST(DrawnBlocks, WhenInputsHaveSeveralTypes_ThenTheWireTakesTheTypeOfTheResult)
   EXPECT_EQ(program.text("run.z"), "1.5");
   EXPECT_EQ(program.get("run.sum2"), 70'003);
   EXPECT_EQ(program.get("run.more"), 1);
+}
+
+TEST(DrawnBlocks, WhenTheDifferenceOfDatesIsReadBeforeItIsComputed_ThenItIsADuration) {
+  const std::string body = input(1, 0, 20, "late") + input(2, 0, 40, "early") +
+                           block(3, 100, 0, "SUB", "EN=5:OUT IN1=1 IN2=2", "ENO OUT") +
+                           input(4, 200, 60, "T#0s") + block(5, 300, 0, "GE", "IN1=3:OUT IN2=4", "OUT") +
+                           output(6, 400, 60, "3:OUT", "took");
+  const std::string variables = ints("late early", "DT") + ints("took", "TIME");
+  const auto project =
+      read_plcopen("plc.xml", editor_project(editor_program(variables, "<FBD>\n" + body + "</FBD>\n")));
+  ASSERT_TRUE(project);
+  const auto compiled = driver::compile(input_of(*project));
+  ASSERT_TRUE(compiled) << result::to_string(compiled.error());
+  support::CompiledProgram program(input_of(*project));
+  program.set("run.late", 7'000'000'000);
+  program.set("run.early", 2'000'000'000);
+  ASSERT_FALSE(program.scan().trap);
+  ASSERT_FALSE(program.scan().trap);
+  EXPECT_EQ(program.get("run.took"), 5'000'000'000);
+}
+
+TEST(DrawnBlocks, WhenAVariableIsUnknown_ThenWhatIsComputedFromItIsNotReported) {
+  const std::string body = input(1, 0, 0, "missing") + input(2, 0, 40, "n") +
+                           block(3, 100, 0, "ADD", "IN1=1 IN2=2", "OUT") + output(4, 200, 0, "3:OUT", "n") +
+                           output(5, 200, 40, "3:OUT", "m");
+  const auto project =
+      read_plcopen("plc.xml", editor_project(editor_program(ints("n m"), "<FBD>\n" + body + "</FBD>\n")));
+  ASSERT_TRUE(project);
+  const auto compiled = driver::compile(input_of(*project));
+  ASSERT_FALSE(compiled);
+  ASSERT_EQ(compiled.error().size(), 1U) << result::to_string(compiled.error());
+  EXPECT_EQ(compiled.error().front().code, "E0201");
 }
 
 TEST(DrawnLadder, WhenAVariableIsUnknown_ThenPouNetworkElementAndPlaceAreNamed) {

@@ -49,6 +49,18 @@ class Running {
   support::CompiledProgram program_;
 };
 
+TEST(PlcopenReader, WhenATypeIsAnotherNameOfAString_ThenItsValuesAreQuoted) {
+  const std::string types =
+      "<dataType name=\"Caption\"><baseType><string/></baseType></dataType>"
+      "<dataType name=\"Title\"><baseType><derived name=\"Caption\"/></baseType></dataType>\n";
+  const std::string variables =
+      "<variable name=\"shown\"><type><derived name=\"TITLE\"/></type>"
+      "<initialValue><simpleValue value=\"ready\"/></initialValue></variable>\n";
+  const graphic::Project project = read(editor_project(editor_program(variables, "<FBD>\n</FBD>\n"), types));
+  EXPECT_EQ(project.pous.at(0).variables.at(0).initial, "'ready'");
+  EXPECT_TRUE(driver::compile(input_of(project)));
+}
+
 TEST(PlcopenReader, WhenLadderOfAnEditorRuns_ThenRungsTimersAndConnectorsWork) {
   Running run(editor_ladder());
   EXPECT_EQ(run.scan("start", "lamp late pulse"), "1 0 0");
