@@ -2,20 +2,19 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <deque>
 #include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "ladder/driver/sheets.h"
-#include "ladder/exchange/plcopen_reader.h"
 #include "ladder/graphic/identifier.h"
 #include "ladder/print/print.h"
 #include "ladder/source/render.h"
 #include "ladder/source/suggestion.h"
 #include "programs/process/command_line.h"
 #include "programs/process/files.h"
+#include "programs/sources/source_files.h"
 #include "runtime/result/exit_code.h"
 
 namespace stepwright::show {
@@ -32,41 +31,9 @@ struct Arguments {
   std::string output;
 };
 
-struct Sources {
-  std::vector<source::NamedText> files;  // as they were written, for the lines of diagnostics
-  std::deque<graphic::Project> projects;
-  driver::CompileInput input;
-};
-
-ExitCode fail(const result::Diagnostics& diagnostics, const Sources& sources) {
+ExitCode fail(const result::Diagnostics& diagnostics, const sources::SourceFiles& sources) {
   for (const result::Diagnostic& each : diagnostics) std::cerr << source::render(each, sources.files);
   return ExitCode::BadInput;
-}
-
-result::Diagnostics read(const Arguments& arguments, Sources& sources) {
-  result::Diagnostics diagnostics;
-  const auto keep = [&](const result::Diagnostics& errors) {
-    diagnostics.insert(diagnostics.end(), errors.begin(), errors.end());
-  };
-  for (const std::string& path : arguments.files) {
-    auto text = process::read_file(path);
-    if (!text) {
-      keep(text.error());
-      continue;
-    }
-    sources.files.push_back({path, *text});
-    if (!process::is_xml(path)) {
-      sources.input.texts.push_back({path, std::move(*text)});
-      continue;
-    }
-    auto project = exchange::read_plcopen(path, std::move(*text));
-    if (project) {
-      sources.input.projects.push_back(&sources.projects.emplace_back(std::move(*project)));
-    } else {
-      keep(project.error());
-    }
-  }
-  return diagnostics;
 }
 
 // The sheet of one POU.
@@ -79,17 +46,17 @@ result::Result<std::vector<graphic::Sheet>> only(const std::string& pou, std::ve
   return result::fail("E0003", {}, "there is no POU '" + pou + "'", source::did_you_mean(pou, names));
 }
 
-std::string project_name(const Arguments& arguments, const Sources& sources) {
+std::string project_name(const Arguments& arguments, const sources::SourceFiles& sources) {
   if (!sources.projects.empty() && !sources.projects.front().name.empty())
     return sources.projects.front().name;
   return std::filesystem::path(arguments.files.front()).stem().string();
 }
 
 ExitCode show(const Arguments& arguments) {
-  Sources sources;
-  const result::Diagnostics unread = read(arguments, sources);
+  result::Diagnostics unread;
+  const sources::SourceFiles sources = sources::load(arguments.files, unread);
   if (!unread.empty()) return fail(unread, sources);
-  auto sheets = driver::sheets_of(sources.input);
+  auto sheets = driver::sheets_of(sources.input());
   if (sheets && !arguments.pou.empty()) sheets = only(arguments.pou, std::move(*sheets));
   if (!sheets) return fail(sheets.error(), sources);
   print::PrintOptions options{.project = project_name(arguments, sources)};

@@ -2,10 +2,11 @@
 
 // The source files of a command line: read, and their diagnostics shown. Not thread-safe; one per process.
 //
-//   auto sources = sources::load(paths);
-//   if (!sources) return fail(sources.error());
-//   const auto output = driver::compile(sources->input());
-//   sources::print(output->warnings, sources->files);
+//   result::Diagnostics problems;
+//   const SourceFiles files = load(paths, problems);
+//   if (!problems.empty()) ...
+//   const auto output = driver::compile(files.input());
+//   print(output->warnings, files.files);
 
 #include <deque>
 #include <span>
