@@ -3,11 +3,8 @@
 #include <stdexcept>
 
 #include "runtime/image/process_image.h"
-#include "runtime/vm/interpreter.h"
-#include "tests/st/literal.h"
-#ifdef STEPWRIGHT_NATIVE
 #include "runtime/native/native_engine.h"
-#endif
+#include "tests/st/literal.h"
 
 namespace stepwright::st_test {
 
@@ -28,23 +25,15 @@ class NoClock final : public scan::Clock {
 
 std::unique_ptr<bytecode::Engine> make_engine(const bytecode::Program& program, EngineKind kind,
                                               std::span<std::uint64_t> stack) {
-#ifdef STEPWRIGHT_NATIVE
-  if (kind == EngineKind::Native) {
-    auto engine = native::NativeEngine::compile(program);
-    if (!engine) throw std::runtime_error(result::to_string(engine.error()));
-    return std::move(*engine);
-  }
-#endif
-  if (kind != EngineKind::Vm) throw std::runtime_error("no such engine here");
-  return std::make_unique<vm::Interpreter>(program, stack);
+  auto engine = host::make_engine(kind, program, stack);
+  if (!engine) throw std::runtime_error(result::to_string(engine.error()));
+  return std::move(*engine);
 }
 
 }  // namespace
 
 std::vector<EngineKind> engines() {
-#ifdef STEPWRIGHT_NATIVE
   if (native::NativeEngine::supported()) return {EngineKind::Vm, EngineKind::Native};
-#endif
   return {EngineKind::Vm};
 }
 

@@ -2,7 +2,7 @@
 
 // A loaded program with memory of its own on one engine, run scan by scan without I/O.
 //
-//   Machine machine(loaded, Engine::Vm);
+//   Machine machine(loaded, EngineKind::Vm);
 //   machine.set("main.go", "TRUE");
 //   const scan::ScanReport report = machine.scan();
 //   if (!machine.equals("main.x", "5")) ... machine.shown("main.x") ...
@@ -13,11 +13,12 @@
 
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/reader/program_info.h"
+#include "runtime/host/engine_choice.h"
 #include "runtime/scan/scan_cycle.h"
 
 namespace stepwright::st_test {
 
-enum class EngineKind : std::uint8_t { Vm, Native };
+using host::EngineKind;
 
 // Both where the machine has both.
 std::vector<EngineKind> engines();

@@ -8,10 +8,8 @@
 #include "ladder/driver/compile.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/reader/program_info.h"
-#include "runtime/vm/interpreter.h"
-#ifdef STEPWRIGHT_NATIVE
 #include "runtime/native/native_engine.h"
-#endif
+#include "runtime/vm/interpreter.h"
 
 namespace stepwright::st_fuzz {
 
@@ -43,13 +41,11 @@ struct Engines::Parts {
         info(reader::ProgramInfo::read(program.bytes()).value()),
         stack(program.program().sizes().stack_slots) {
     engines.push_back(std::make_unique<vm::Interpreter>(program.program(), stack));
-#ifdef STEPWRIGHT_NATIVE
     if (has_native()) {
       auto native = native::NativeEngine::compile(program.program());
       if (!native) throw std::runtime_error(result::to_string(native.error()));
       engines.push_back(std::move(*native));
     }
-#endif
     const auto initial = program.program().container().section(bytecode::Section::InitialData);
     std::vector<std::byte> memory(program.program().memory_size());
     std::ranges::copy(initial, memory.begin());
@@ -127,11 +123,7 @@ std::string Engines::trap_place() const {
 }
 
 bool Engines::has_native() {
-#ifdef STEPWRIGHT_NATIVE
   return native::NativeEngine::supported();
-#else
-  return false;
-#endif
 }
 
 }  // namespace stepwright::st_fuzz
