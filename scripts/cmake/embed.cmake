@@ -1,23 +1,28 @@
-# Writes the .st files of a folder as a C++ source: cmake -DOUTPUT=F -DINPUTS=a.st,b.st -P embed.cmake
+# Writes text files as a C++ source that defines one function of stepwright::driver, which gives them all by name:
+#   cmake -DOUTPUT=F -DINPUTS=a.st,b.st -DHEADER=h.h -DTYPE=T -DFUNCTION=f [-DPREFIX=folder/] [-DNAME=NAME_WE] -P embed.cmake
+# TYPE is an aggregate of name and text; NAME says how a file is called (get_filename_component; NAME by default).
+if(NOT NAME)
+  set(NAME NAME)
+endif()
 string(REPLACE "," ";" inputs "${INPUTS}")
 set(ENTRIES "")
 foreach(input IN LISTS inputs)
   file(READ "${input}" text)
-  get_filename_component(name "${input}" NAME)
-  string(APPEND ENTRIES "    {\"library/${name}\", R\"ST(${text})ST\"},\n")
+  get_filename_component(name "${input}" ${NAME})
+  string(APPEND ENTRIES "    {\"${PREFIX}${name}\", R\"TEXT(${text})TEXT\"},\n")
 endforeach()
-file(CONFIGURE OUTPUT "${OUTPUT}" @ONLY CONTENT [[#include "ladder/driver/library_texts.h"
+file(CONFIGURE OUTPUT "${OUTPUT}" @ONLY CONTENT [[#include "@HEADER@"
 
 namespace stepwright::driver {
 
 namespace {
 
-constexpr LibraryText kTexts[] = {
+constexpr @TYPE@ kTexts[] = {
 @ENTRIES@};
 
 }  // namespace
 
-std::span<const LibraryText> library_texts() {
+std::span<const @TYPE@> @FUNCTION@() {
   return kTexts;
 }
 
