@@ -1,27 +1,13 @@
 #include "programs/exec/exec_run.h"
 
-#include "runtime/image/io_driver.h"
+#include "runtime/image/no_io.h"
 #include "runtime/image/process_image.h"
+#include "runtime/scan/no_clock.h"
 #include "runtime/scan/scan_cycle.h"
 
 namespace stepwright::exec {
 
 namespace {
-
-// Nothing is wired: inputs stay as they are, outputs go nowhere.
-class NoIo final : public image::IoDriver {
- public:
-  image::IoStatus read_inputs(std::int64_t, std::span<std::byte>) override { return image::IoStatus::Good; }
-  image::IoStatus write_outputs(std::int64_t, std::span<const std::byte>) override {
-    return image::IoStatus::Good;
-  }
-};
-
-// Nobody asks how long a scan took.
-class NoClock final : public scan::Clock {
- public:
-  std::int64_t now_ns() override { return 0; }
-};
 
 result::Result<std::vector<reader::Variable>> resolve(const reader::LoadedProgram& loaded,
                                                       const std::vector<std::string>& names) {
@@ -52,8 +38,8 @@ result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOp
   image::ProcessImage image(memory, scan::layout_of(program));
   auto engine = host::make_engine(options.engine, program, stack);
   if (!engine) return result::forward(engine);
-  NoIo io;
-  NoClock clock;
+  image::NoIo io;
+  scan::NoClock clock;
   scan::ScanCycle cycle(program, **engine, image, io, clock, {});
   cycle.start({});
 

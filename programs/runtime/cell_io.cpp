@@ -8,21 +8,19 @@
 #include "plant_models/assemblies/tank_bench.h"
 #include "plant_models/bridge/plant_driver.h"
 #include "programs/runtime/plant_memory.h"
+#include "runtime/image/no_io.h"
 
 namespace stepwright::cell_runtime {
 namespace {
 
 // Nothing is wired: inputs stay zero, outputs go nowhere.
-class NoIo final : public CellIo, private image::IoDriver {
+class Unwired final : public CellIo {
  public:
-  image::IoDriver& driver() override { return *this; }
+  image::IoDriver& driver() override { return driver_; }
   host::PlantAccess* plant() override { return nullptr; }
 
  private:
-  image::IoStatus read_inputs(std::int64_t, std::span<std::byte>) override { return image::IoStatus::Good; }
-  image::IoStatus write_outputs(std::int64_t, std::span<const std::byte>) override {
-    return image::IoStatus::Good;
-  }
+  image::NoIo driver_;
 };
 
 // What PlantMemory keeps, by the names of the bench's truths.
@@ -132,7 +130,7 @@ result::Result<void> check_faults(const config::CellConfig& config) {
 }  // namespace
 
 result::Result<std::unique_ptr<CellIo>> CellIo::create(const config::CellConfig& config) {
-  if (config.plant.kind == "none") return std::make_unique<NoIo>();
+  if (config.plant.kind == "none") return std::make_unique<Unwired>();
   if (auto faults = check_faults(config); !faults) return result::forward(faults);
   auto memory = PlantMemory::open(config.plant_memory_path());
   if (!memory) return result::forward(memory);

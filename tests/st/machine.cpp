@@ -2,26 +2,15 @@
 
 #include <stdexcept>
 
+#include "runtime/image/no_io.h"
 #include "runtime/image/process_image.h"
 #include "runtime/native/native_engine.h"
+#include "runtime/scan/no_clock.h"
 #include "tests/st/literal.h"
 
 namespace stepwright::st_test {
 
 namespace {
-
-class NoIo final : public image::IoDriver {
- public:
-  image::IoStatus read_inputs(std::int64_t, std::span<std::byte>) override { return image::IoStatus::Good; }
-  image::IoStatus write_outputs(std::int64_t, std::span<const std::byte>) override {
-    return image::IoStatus::Good;
-  }
-};
-
-class NoClock final : public scan::Clock {
- public:
-  std::int64_t now_ns() override { return 0; }
-};
 
 std::unique_ptr<bytecode::Engine> make_engine(const bytecode::Program& program, EngineKind kind,
                                               std::span<std::uint64_t> stack) {
@@ -57,8 +46,8 @@ struct Machine::Parts {
   std::vector<std::uint64_t> stack;
   image::ProcessImage image;
   std::unique_ptr<bytecode::Engine> engine;
-  NoIo io;
-  NoClock clock;
+  image::NoIo io;
+  scan::NoClock clock;
   scan::ScanCycle cycle;
 };
 

@@ -17,7 +17,9 @@
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/bytecode/reader/read_value.h"
+#include "runtime/image/no_io.h"
 #include "runtime/image/process_image.h"
+#include "runtime/scan/no_clock.h"
 #include "runtime/scan/scan_cycle.h"
 #include "runtime/vm/interpreter.h"
 
@@ -80,18 +82,6 @@ class CompiledProgram {
   const reader::LoadedProgram& loaded() const { return loaded_; }
 
  private:
-  class NoIo final : public image::IoDriver {
-   public:
-    image::IoStatus read_inputs(std::int64_t, std::span<std::byte>) override { return image::IoStatus::Good; }
-    image::IoStatus write_outputs(std::int64_t, std::span<const std::byte>) override {
-      return image::IoStatus::Good;
-    }
-  };
-  class NoClock final : public scan::Clock {
-   public:
-    std::int64_t now_ns() override { return 0; }
-  };
-
   static reader::LoadedProgram load(const driver::CompileInput& input) {
     auto output = driver::compile(input);
     if (!output) throw std::runtime_error(result::to_string(output.error()));
@@ -106,8 +96,8 @@ class CompiledProgram {
   std::vector<std::uint64_t> stack_;
   image::ProcessImage image_;
   vm::Interpreter engine_;
-  NoIo io_;
-  NoClock clock_;
+  image::NoIo io_;
+  scan::NoClock clock_;
   scan::ScanCycle cycle_;
 };
 

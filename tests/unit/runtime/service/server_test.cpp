@@ -157,7 +157,7 @@ TEST(Server, WhenASupervisorDiesBeforeItsFirstHeartbeat_ThenItsStartWasASignOfLi
 
 TEST(Server, WhenTheSocketIsInUse_ThenTheSecondRuntimeSaysSo) {
   ServiceHarness harness;
-  NoDriver driver;
+  image::NoIo driver;
   auto other = std::move(*host::HostRuntime::create({}, driver, nullptr));
   const auto refused = Server::create({harness.socket(), 1s}, *other);
   ASSERT_FALSE(refused);
@@ -168,7 +168,7 @@ TEST(Server, WhenTheSocketIsInUse_ThenTheSecondRuntimeSaysSo) {
 
 TEST(Server, WhenASocketWasLeftBehindOrAFileIsInTheWay_ThenOnlyTheSocketIsReplaced) {
   TemporaryFolder folder;
-  NoDriver driver;
+  image::NoIo driver;
   auto runtime = std::move(*host::HostRuntime::create({}, driver, nullptr));
   const auto path = folder.path() / "runtime.sock";
   std::ofstream(path) << "precious";

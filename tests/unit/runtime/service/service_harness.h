@@ -12,21 +12,13 @@
 #include <thread>
 
 #include "runtime/host/host_runtime.h"
+#include "runtime/image/no_io.h"
 #include "runtime/service/connection.h"
 #include "runtime/service/server.h"
 
 namespace stepwright::service {
 
 inline constexpr std::chrono::milliseconds kPatience{20'000};
-
-// Inputs stay zero, outputs go nowhere.
-class NoDriver final : public image::IoDriver {
- public:
-  image::IoStatus read_inputs(std::int64_t, std::span<std::byte>) override { return image::IoStatus::Good; }
-  image::IoStatus write_outputs(std::int64_t, std::span<const std::byte>) override {
-    return image::IoStatus::Good;
-  }
-};
 
 class TemporaryFolder {
  public:
@@ -80,7 +72,7 @@ class ServiceHarness {
 
  private:
   TemporaryFolder folder_;
-  NoDriver driver_;
+  image::NoIo driver_;
   int stop_;
   std::unique_ptr<host::HostRuntime> runtime_;
   std::unique_ptr<Server> server_;
