@@ -106,7 +106,7 @@ void ExpressionEmitter::copies_after(const std::vector<semantics::CopyAfter>& co
 void ExpressionEmitter::call(const Value& value) {
   copies_before(value.before);
   for (const auto& each : value.operands) this->value(*each);
-  locate(value.where);
+  call_site(value.where, *value.pou);
   b_.call(layout_.functions.at(value.pou));
   copies_after(value.after);
   const bool in_memory = !value.type->is_scalar() && value.type->kind != semantics::TypeKind::Nothing;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "ladder/codegen/literal_pool.h"
 #include "ladder/semantics/model.h"
@@ -22,7 +23,9 @@ namespace stepwright::codegen {
 // Source files in the order in which code first comes from them.
 class FileTable {
  public:
-  explicit FileTable(const source::SourceSet& sources) : sources_(sources) {}
+  // `file_names`: how the container calls each file of `sources`. Both must outlive the table.
+  FileTable(const source::SourceSet& sources, const std::vector<std::string>& file_names)
+      : sources_(sources), file_names_(file_names) {}
 
   // In a drawing the name goes on with the element: "plc.xml (POU 'main', network 2, coil 'lamp')".
   std::uint32_t index_of(source::Position where);
@@ -31,6 +34,7 @@ class FileTable {
 
  private:
   const source::SourceSet& sources_;
+  const std::vector<std::string>& file_names_;
   std::vector<std::string> names_;
   std::map<std::string, std::uint32_t> index_;
   std::optional<source::FileId> plain_file_;  // the last one without an element, and its index
@@ -59,6 +63,10 @@ class ExpressionEmitter {
 
   // What follows comes from here.
   void line(source::Position where);
+
+  // Before an instruction that calls the POU. A trap of the library names its call, so that this is marked to
+  // the column; for others the line does.
+  void call_site(source::Position where, const semantics::Pou& callee);
 
   // The temporaries of the statement before are free again.
   void begin_statement();

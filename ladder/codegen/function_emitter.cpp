@@ -106,6 +106,7 @@ void FunctionEmitter::instance(const Statement& statement) {
   if (statement.passes_only) return e_.copies_after(statement.after);
   const semantics::Place& target = statement.target;
   const std::uint32_t function = e_.function_of(*target.type->pou);
+  e_.call_site(statement.where, *target.type->pou);
   if (!target.is_direct()) {
     e_.reference(target);
     b_.call_instance(bytecode::AddressMode::Ind, function);

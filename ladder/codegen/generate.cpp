@@ -51,7 +51,8 @@ void add_memory(const Model& model, const ProgramLayout& layout, writer::Contain
     out.initial_data.insert(out.initial_data.end(), area.begin(), area.end());
   for (const semantics::FirstReference& each : model.references) {
     const std::uint32_t target = layout.address(each.target);
-    const std::size_t at = layout.bases[static_cast<std::size_t>(Base::Data)] + std::size_t{each.offset};
+    const std::size_t at = layout.bases[static_cast<std::size_t>(each.base)] +
+                           std::size_t{model.offset_in_area(each.offset, each.base)};
     for (unsigned byte = 0; byte < 4; ++byte)
       out.initial_data[at + byte] = static_cast<std::byte>(target >> (8 * byte));
   }
@@ -75,15 +76,19 @@ void add_tasks(const Model& model, const ProgramLayout& layout, SymbolTable& sym
 }  // namespace
 
 result::Result<std::vector<std::byte>> generate(const Model& model, const std::vector<ChartOrigin>& charts,
-                                                const source::SourceSet& sources) {
+                                                const source::SourceSet& sources,
+                                                const std::vector<std::string>& file_names) {
   writer::ContainerModel out;
   const std::vector<const Pou*> functions = functions_of(model);
   ProgramLayout layout = lay_out(model, functions);
   add_memory(model, layout, out);
   LiteralPool literals(static_cast<std::uint32_t>(out.initial_data.size()));
   layout.literals = &literals;
-  FileTable files(sources);
-  for (const Pou* each : functions) out.functions.push_back(FunctionEmitter(layout, files, *each).run());
+  FileTable files(sources, file_names);
+  for (const Pou* each : functions) {
+    out.functions.push_back(FunctionEmitter(layout, files, *each).run());
+    out.functions.back().of_library = sources.is_library(each->where.file);
+  }
   out.initial_data.insert(out.initial_data.end(), literals.bytes().begin(), literals.bytes().end());
   out.sizes.data_bytes += static_cast<std::uint32_t>(literals.bytes().size());
   out.source_files = files.names();

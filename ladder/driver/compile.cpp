@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "ladder/codegen/generate.h"
+#include "ladder/driver/container_names.h"
 #include "ladder/driver/library.h"
 #include "ladder/driver/pou_lowering.h"
 #include "ladder/semantics/analyze.h"
@@ -56,7 +57,7 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
   add_library(context, unit);
   const auto model = semantics::analyze(unit, user_pous, names, sink);
   if (sink.has_errors()) return tl::unexpected(sink.take());
-  auto container = codegen::generate(*model, chart_origins(lowering, *model), sources);
+  auto container = codegen::generate(*model, chart_origins(lowering, *model), sources, container_names(sources, input.folder));
   if (!container) return result::forward(container);
   CompileOutput output;
   output.container = std::move(*container);

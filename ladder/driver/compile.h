@@ -27,6 +27,10 @@ namespace stepwright::driver {
 struct CompileInput {
   std::vector<source::NamedText> texts;             // ST, in the order in which diagnostics name them
   std::vector<const graphic::Project*> projects{};  // LD, SFC, ST POUs of exchange files or a plan
+  // The folder, as an absolute path, that paths in the container are relative to: that of who will read them.
+  // What lies outside of it is named from the folder that its sources share, so that equal sources give equal
+  // containers wherever they are compiled. Diagnostics name files as `texts` does.
+  std::string folder{};
   // Further warnings (ladder/lint) than those of the compiler itself.
   lint::Level lint = lint::Level::None;
 };

@@ -82,7 +82,8 @@ void add_library(syntax::SyntaxContext& context, syntax::Unit& unit) {
       }
       auto& file = files[each.text];
       if (!file)
-        file = context.sources.add(std::string(each.file), std::string(library_texts()[each.text].text));
+        file = context.sources.add(std::string(each.file), std::string(library_texts()[each.text].text),
+                                   source::Author::Library);
       syntax::parse_unit(context, *file, unit, syntax::TextKind::Written, {each.begin, each.end});
       found = true;
       return true;

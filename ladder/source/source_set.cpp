@@ -5,10 +5,11 @@
 
 namespace stepwright::source {
 
-FileId SourceSet::add(std::string name, std::string text) {
+FileId SourceSet::add(std::string name, std::string text, Author author) {
   auto file = std::make_unique<File>();
   file->name = std::move(name);
   file->text = std::move(text);
+  file->author = author;
   file->line_starts.push_back(0);
   for (std::size_t at = file->text.find('\n'); at != std::string::npos; at = file->text.find('\n', at + 1))
     file->line_starts.push_back(static_cast<std::uint32_t>(at + 1));

@@ -30,6 +30,9 @@ struct NamedText {
   std::string text;
 };
 
+// Who wrote a text: the user, or it came with the compiler.
+enum class Author : std::uint8_t { User, Library };
+
 // A byte of a text.
 struct Position {
   FileId file;
@@ -47,7 +50,7 @@ struct Anchor {
 class SourceSet {
  public:
   // Takes a copy of the text.
-  FileId add(std::string name, std::string text);
+  FileId add(std::string name, std::string text, Author author = Author::User);
   // A piece of `file` that was decoded (a body in an XML file): what is said about the piece is said about
   // the file. `anchors` are sorted and not empty.
   FileId add_piece(std::string text, FileId file, std::vector<Anchor> anchors);
@@ -60,6 +63,10 @@ class SourceSet {
   std::size_t size() const { return files_.size(); }
   const std::string& name(FileId file) const { return files_[home({file, 0}).file.value]->name; }
   std::string_view text(FileId file) const { return files_[file.value]->text; }
+  // False for what has no file.
+  bool is_library(FileId file) const {
+    return file.value < files_.size() && files_[file.value]->author == Author::Library;
+  }
 
   // Offset of the first byte of a line that the file has.
   std::uint32_t line_start(FileId file, std::uint32_t line) const {
@@ -74,6 +81,7 @@ class SourceSet {
   struct File {
     std::string name;
     std::string text;
+    Author author = Author::User;
     std::vector<std::uint32_t> line_starts;
     FileId origin;                // of a piece
     std::vector<Anchor> anchors;  // empty = no piece

@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
+#include <system_error>
 #include <utility>
 
 #include "ladder/exchange/plcopen_reader.h"
@@ -37,6 +39,8 @@ std::string counted(std::size_t count, const char* what) {
 driver::CompileInput SourceFiles::input() const {
   driver::CompileInput input;
   input.texts = texts;
+  std::error_code unknown;  // a folder that is gone: names stay as they are given
+  input.folder = std::filesystem::current_path(unknown).string();
   for (const graphic::Project& each : projects) input.projects.push_back(&each);
   return input;
 }

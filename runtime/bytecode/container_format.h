@@ -15,7 +15,7 @@
 namespace stepwright::bytecode {
 
 inline constexpr std::uint32_t kMagic = 0x31425753;  // "SWB1"
-inline constexpr std::uint16_t kVersion = 2;
+inline constexpr std::uint16_t kVersion = 3;
 inline constexpr std::uint8_t kNoBit = 0xFF;  // an address that is a byte address, not a bit
 inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFF;
 
@@ -159,6 +159,11 @@ struct ProgramCallRecord {
 enum class FunctionKind : std::uint8_t { Function = 0, FunctionBlock = 1, Program = 2 };
 inline constexpr std::uint8_t kFunctionKindCount = 3;
 
+enum FunctionFlag : std::uint32_t {
+  kFunctionOfLibrary = 1,  // a trap in it is one of the call that led into the library
+};
+inline constexpr std::uint32_t kFunctionFlagMask = 1;
+
 struct FunctionRecord {
   StringRef name;
   std::uint8_t kind;          // FunctionKind
@@ -172,6 +177,7 @@ struct FunctionRecord {
   std::uint32_t instance_size;  // bytes of the instance; 0 if kind is Function
   std::uint32_t frame_offset;   // of its memory locals within the task's frame; behind those of every caller
   std::uint32_t frame_size;     // bytes of them
+  std::uint32_t flags;          // FunctionFlag
 };
 
 struct IoRecord {
@@ -227,7 +233,7 @@ struct SourceMapRecord {
 static_assert(sizeof(FileHeader) == 24 && sizeof(SectionEntry) == 16 && sizeof(SizesRecord) == 28);
 static_assert(sizeof(StringRef) == 8 && sizeof(TypeRecord) == 40 && sizeof(MemberRecord) == 16);
 static_assert(sizeof(SymbolRecord) == 20 && sizeof(TaskRecord) == 28 && sizeof(ProgramCallRecord) == 16);
-static_assert(sizeof(FunctionRecord) == 44 && sizeof(IoRecord) == 12 && sizeof(RetainRecord) == 8);
+static_assert(sizeof(FunctionRecord) == 48 && sizeof(IoRecord) == 12 && sizeof(RetainRecord) == 8);
 static_assert(sizeof(SfcChartRecord) == 24 && sizeof(SfcStepRecord) == 24);
 static_assert(sizeof(SfcTransitionRecord) == 40 && sizeof(SourceMapRecord) == 20);
 

@@ -167,7 +167,7 @@ class TableChecker {
   }
 
   Status function(const FunctionRecord& r) {
-    if (r.kind >= kFunctionKindCount) return Status::BadRecord;
+    if (r.kind >= kFunctionKindCount || (r.flags & ~kFunctionFlagMask) != 0) return Status::BadRecord;
     const bool is_function = r.kind == static_cast<std::uint8_t>(FunctionKind::Function);
     const bool signature = is_function
                                ? r.instance_size == 0 && (r.result < kStackTypeCount || r.result == kNoResult)

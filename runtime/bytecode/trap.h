@@ -2,6 +2,9 @@
 
 // What stops a PLC program at run time. A trap is located (function, pc) and leaves the image as it was at
 // the faulting instruction; the scan then puts the outputs into their safe state.
+//
+// In a function of the library the place of the fault says little to who wrote the program: the trap also
+// knows the call that led into the library, the innermost one in a function that is not marked as library.
 
 #include <cstdint>
 
@@ -26,8 +29,14 @@ struct Trap {
   TrapCode code = TrapCode::None;
   std::uint32_t function = 0;  // index into the function table
   std::uint32_t pc = 0;        // byte offset of the faulting instruction in its function
+  // The call into the library: the calling function, and the byte offset behind its call instruction. Both 0
+  // if the fault lies in no function of the library: no call ends at 0.
+  std::uint32_t caller = 0;
+  std::uint32_t return_pc = 0;
 
+  bool in_library() const { return return_pc != 0; }
   explicit operator bool() const { return code != TrapCode::None; }
+  friend bool operator==(const Trap&, const Trap&) = default;
 };
 
 // "division by zero", ...

@@ -1,5 +1,6 @@
 #include "runtime/native/native_engine.h"
 
+#include <algorithm>
 #include <cassert>
 #include <new>
 #include <utility>
@@ -12,10 +13,26 @@ namespace stepwright::native {
 struct NativeEngine::Parts {
   ProgramCode code;
   std::vector<std::uint32_t> entry_costs;  // of each function: the bytes of its bytecode
+  std::vector<bool> of_library;            // each function
+  std::vector<std::uint64_t> returns = std::vector<std::uint64_t>(kMostCalls);
   std::vector<std::uint64_t> memory;       // the context and all slots
   std::uint32_t memory_size = 0;
 
   Context& context() { return *reinterpret_cast<Context*>(memory.data()); }
+
+  // Back to the call that led out of what the user wrote.
+  void leave_library(bytecode::Trap& trap) {
+    std::uint32_t function = trap.function;
+    const auto base = reinterpret_cast<std::uintptr_t>(code.memory.data());
+    for (std::uint32_t i = 0; of_library[function] && i < context().return_count; ++i) {
+      const std::size_t offset = returns[i] - base;
+      const auto site = std::ranges::lower_bound(code.calls, offset, {}, &CallSite::offset);
+      // The outermost call is that of the entry.
+      if (site == code.calls.end() || site->offset != offset) return;
+      function = trap.caller = site->function;
+      trap.return_pc = site->return_pc;
+    }
+  }
 };
 
 NativeEngine::NativeEngine(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -41,7 +58,9 @@ result::Result<std::unique_ptr<NativeEngine>> NativeEngine::compile(const byteco
         "R0010", {}, std::string("no native code can be made: ") + asmjit::DebugUtils::errorAsString(error));
   }
   for (std::uint32_t i = 0; i < facts.function_count(); ++i) {
-    parts->entry_costs.push_back(facts.code(i).record.code_size);
+    const bytecode::FunctionRecord& record = facts.code(i).record;
+    parts->entry_costs.push_back(record.code_size);
+    parts->of_library.push_back((record.flags & bytecode::kFunctionOfLibrary) != 0);
   }
   parts->memory.resize((facts.context_bytes() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
   new (parts->memory.data()) Context{};
@@ -61,11 +80,13 @@ bytecode::Trap NativeEngine::run(const bytecode::Invocation& invocation, std::sp
   context.memory_size = memory.size();
   context.self = memory.data() + invocation.instance;
   context.frames = invocation.frames;
+  context.returns = parts_->returns.data();
   const std::uint32_t site = parts_->code.enter(&context, parts_->code.functions[invocation.function]);
   budget = context.budget;
   if (site == 0) return {};
   bytecode::Trap trap = parts_->code.sites[site - 1];
   if (!trap) trap.code = static_cast<bytecode::TrapCode>(context.trap_code);
+  parts_->leave_library(trap);
   return trap;
 }
 

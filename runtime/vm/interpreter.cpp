@@ -378,9 +378,19 @@ op_Intrinsic : {
 op_Trap:
   FAULT(OPERAND(TrapCode, 0));
 
-trapped:
+trapped : {
   budget = budget_left;
-  return {fault, function, static_cast<std::uint32_t>(pc - (all_code + FUNCTION(function, code_offset)))};
+  Trap trap{fault, function, static_cast<std::uint32_t>(pc - (all_code + FUNCTION(function, code_offset)))};
+  // Back to the call that led out of what the user wrote.
+  while ((FUNCTION(function, flags) & bytecode::kFunctionOfLibrary) != 0 && frame != bottom) {
+    const Slot* const saved = frame + FUNCTION(function, local_count);
+    function = static_cast<std::uint32_t>(saved[0] >> 32);
+    frame = bottom + static_cast<std::uint32_t>(saved[1]);
+    trap.caller = function;
+    trap.return_pc = static_cast<std::uint32_t>(saved[0]) - FUNCTION(function, code_offset);
+  }
+  return trap;
+}
 }
 
 }  // namespace stepwright::vm

@@ -94,8 +94,7 @@ class Check {
         std::string("scan ") + std::to_string(first.scan) + ": engine " + name_of(engines()[index]);
     if (first.image_hash != other.image_hash)
       failures_.push_back(name_ + ": " + where + " leaves another image");
-    if (first.trap.code != other.trap.code || first.trap.function != other.trap.function ||
-        first.trap.pc != other.trap.pc)
+    if (first.trap != other.trap)
       failures_.push_back(name_ + ": " + where + " traps otherwise: " + bytecode::name_of(other.trap.code));
   }
 
@@ -120,13 +119,14 @@ class Check {
 
   void compare_trap(const bytecode::Program& program, const bytecode::Trap& trap, const Directive& expected) {
     if (!trap) return fail(expected.line, "no trap");
-    const result::Location where = reader::source_location(program, trap.function, trap.pc);
-    const std::string& file = expected.at_file.empty() ? name_ : expected.at_file;
-    if (bytecode::name_of(trap.code) != expected.subject || where.line != expected.at_line ||
-        where.file != file)
+    const result::Location where = reader::trap_location(program, trap);
+    const bool column = expected.at_column == 0 || where.column == expected.at_column;
+    if (bytecode::name_of(trap.code) != expected.subject || where.line != expected.at_line || !column ||
+        where.file != name_)
       fail(expected.line, std::string("found trap '") + bytecode::name_of(trap.code) + "' at " + where.file +
-                              ":" + place(where.line) + ", not '" + expected.subject + "' at " + file + ":" +
-                              place(expected.at_line));
+                              ":" + place(where.line) + ":" + place(where.column) + ", not '" +
+                              expected.subject + "' at " + place(expected.at_line) + ":" +
+                              place(expected.at_column));
   }
 
   std::string name_;

@@ -18,17 +18,12 @@ std::string trimmed(const std::string& text) {
   throw std::runtime_error("line " + std::to_string(line) + ": not a directive: " + body);
 }
 
-// "division by zero at 7", "E0301 at 7:12" or "... at library/dates.st:8": cuts the place off.
+// "division by zero at 7" or "E0301 at 7:12": cuts the place off.
 void take_place(std::string& text, Directive& directive) {
   directive.at_line = directive.line;
   const std::size_t at = text.rfind(" at ");
   if (at != std::string::npos) {
-    std::string written = text.substr(at + 4);
-    if (const std::size_t name = written.rfind(".st:"); name != std::string::npos) {
-      directive.at_file = written.substr(0, name + 3);
-      written.erase(0, name + 4);
-    }
-    std::istringstream place(written);
+    std::istringstream place(text.substr(at + 4));
     char colon = 0;
     place >> directive.at_line >> colon >> directive.at_column;
     text.resize(at);

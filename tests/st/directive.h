@@ -6,7 +6,7 @@
 //   (* CHECK scan 3: main.x = 5 *)               after the scan
 //   (* CHECK x = 5 *)                            short for: scan 1, variable of `main`
 //   (* CHECK trap scan 4: division by zero *)    the scan ends with this trap, in the line of the comment; or
-//   "at 7"; or, if a function of the library noticed it, "at library/dates.st:8"
+//   "at 7", "at 7:12"
 //   (* ERROR E0301 *)                            refused, with this error in the line of the comment; or "at
 //   7:12"
 //   (* WARNING W0001 *)                          as ERROR, yet the program runs
@@ -29,8 +29,7 @@ struct Directive {
   std::string value = {};       // Set, Check
   std::uint32_t line = 0;       // of the comment
   std::uint32_t at_line = 0;    // Trap, Diagnostic: where it is expected
-  std::uint32_t at_column = 0;  // Diagnostic: 0 = any
-  std::string at_file = {};     // Trap: empty = the program itself
+  std::uint32_t at_column = 0;  // Trap, Diagnostic: 0 = any
 };
 
 // Throws std::runtime_error on a comment that begins like a directive and is none.

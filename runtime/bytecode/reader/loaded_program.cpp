@@ -123,13 +123,23 @@ result::Location source_location(const bytecode::Program& program, std::uint32_t
   return where;
 }
 
+result::Location trap_location(const bytecode::Program& program, const bytecode::Trap& trap) {
+  // A byte of the call, not of what follows it.
+  return trap.in_library() ? source_location(program, trap.caller, trap.return_pc - 1)
+                           : source_location(program, trap.function, trap.pc);
+}
+
 result::Diagnostic describe(const bytecode::Program& program, const bytecode::Trap& trap) {
   const bytecode::ContainerView& view = program.container();
   const auto function = view.record<Section::Functions>(trap.function);
   result::Diagnostic diagnostic;
   diagnostic.code = bytecode::diagnostic_code_of(trap.code);
-  diagnostic.where = source_location(program, trap.function, trap.pc);
+  diagnostic.where = trap_location(program, trap);
   diagnostic.message = std::string(bytecode::name_of(trap.code)) + " in " + text_of(view, function.name);
+  if (trap.in_library()) {
+    const result::Location inner = source_location(program, trap.function, trap.pc);
+    diagnostic.message += " (" + inner.file + ":" + std::to_string(inner.line) + "), called here";
+  }
   return diagnostic;
 }
 

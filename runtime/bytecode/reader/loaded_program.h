@@ -50,7 +50,12 @@ class LoadedProgram {
 // none.
 result::Location source_location(const bytecode::Program& program, std::uint32_t function, std::uint32_t pc);
 
-// The trap as an error at its place in the sources, with a code of its own (bytecode::diagnostic_code_of).
+// Where the user finds what trapped: the place of the fault, or of the call if a function of the library
+// noticed it.
+result::Location trap_location(const bytecode::Program& program, const bytecode::Trap& trap);
+
+// The trap as an error at that place, with a code of its own (bytecode::diagnostic_code_of). A place within
+// the library stands in the message.
 result::Diagnostic describe(const bytecode::Program& program, const bytecode::Trap& trap);
 
 // A string of the container.

@@ -13,6 +13,13 @@
 
 namespace stepwright::native {
 
+// What a return address says: the call is in this function, `return_pc` is behind its instruction.
+struct CallSite {
+  std::size_t offset = 0;  // of the address in the code
+  std::uint32_t function = 0;
+  std::uint32_t return_pc = 0;
+};
+
 // What all functions share.
 struct ProgramWork {
   const ProgramFacts& facts;
@@ -21,6 +28,7 @@ struct ProgramWork {
   std::vector<asmjit::Label> functions;
   asmjit::Label trapped;               // with the number of the trap's site in eax
   std::vector<bytecode::Trap>& sites;  // numbered from 1
+  std::vector<CallSite>& calls;        // in the order of their offsets
 };
 
 class FunctionWork {

@@ -20,8 +20,13 @@ struct Context {
   std::byte* self;
   std::uint64_t frames;         // the Ref of the task's frames
   std::uint64_t stack_pointer;  // where the entry was called, what a trap returns to
+  std::uint64_t* returns;       // behind a trap the return addresses of all calls, the innermost first
+  std::uint32_t return_count;   // of them; there is room for kMostCalls
   std::uint32_t trap_code;      // of a trap whose site does not say why
 };
+
+// As deep as the verifier lets calls go, and the call of the entry.
+inline constexpr std::uint32_t kMostCalls = bytecode::kMaxCallDepth + 1;
 
 inline constexpr std::uint32_t kSlotBytes = 8;
 inline constexpr std::uint32_t kFirstSlot = sizeof(Context);

@@ -14,6 +14,14 @@ x86::Mem field(std::size_t offset) {
   return x86::ptr(kContext, static_cast<std::int32_t>(offset), 8);
 }
 
+// Calls leave nothing on the stack but return addresses, so that these are what lies there behind a trap.
+void note_calls(Context* context, const std::uint64_t* top) {
+  const auto* const end = reinterpret_cast<const std::uint64_t*>(context->stack_pointer);
+  context->return_count = 0;
+  for (; top != end && context->return_count < kMostCalls; ++top)
+    context->returns[context->return_count++] = *top;
+}
+
 // Entry(context, function): sets the fixed registers, calls, and comes back here from traps as well.
 void emit_entry(x86::Assembler& out, asmjit::Label entry, asmjit::Label trapped) {
   out.bind(entry);
@@ -26,12 +34,20 @@ void emit_entry(x86::Assembler& out, asmjit::Label entry, asmjit::Label trapped)
   out.mov(field(offsetof(Context, stack_pointer)), x86::rsp);
   out.call(x86::rsi);
   out.xor_(x86::eax, x86::eax);
-  out.bind(trapped);
+  const asmjit::Label leave = out.newLabel();
+  out.bind(leave);
   out.mov(field(offsetof(Context, budget)), kBudget);
   out.mov(x86::rsp, field(offsetof(Context, stack_pointer)));
   out.add(x86::rsp, 8);
   for (auto saved = std::rbegin(kSaved); saved != std::rend(kSaved); ++saved) out.pop(*saved);
   out.ret();
+  out.bind(trapped);
+  out.mov(x86::r14d, x86::eax);
+  out.mov(x86::rdi, kContext);
+  out.mov(x86::rsi, x86::rsp);
+  call_aligned(out, reinterpret_cast<std::uint64_t>(&note_calls));
+  out.mov(x86::eax, x86::r14d);
+  out.jmp(leave);
 }
 
 // The first error is what the library is asked for at the end; emitting goes on without effect.
@@ -52,7 +68,7 @@ asmjit::Error make_code(const ProgramFacts& facts, ProgramCode& out) {
   holder.setErrorHandler(&errors);
   x86::Assembler assembler(&holder);
   ConstantPool pool;
-  ProgramWork work{facts, assembler, pool, {}, assembler.newLabel(), out.sites};
+  ProgramWork work{facts, assembler, pool, {}, assembler.newLabel(), out.sites, out.calls};
   for (std::uint32_t i = 0; i < facts.function_count(); ++i) work.functions.push_back(assembler.newLabel());
 
   const asmjit::Label entry = assembler.newLabel();

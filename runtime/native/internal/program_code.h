@@ -7,6 +7,7 @@
 
 #include "runtime/bytecode/trap.h"
 #include "runtime/native/internal/code_memory.h"
+#include "runtime/native/internal/function_work.h"
 #include "runtime/native/internal/machine.h"
 #include "runtime/native/internal/program_facts.h"
 
@@ -20,6 +21,7 @@ struct ProgramCode {
   Entry enter = nullptr;
   std::vector<const void*> functions;
   std::vector<bytecode::Trap> sites;  // numbered from 1
+  std::vector<CallSite> calls;        // in the order of their offsets
 };
 
 // What the library says if it cannot make the code, e.g. for want of memory.

@@ -33,6 +33,13 @@ void charge_entry(FunctionWork& work, const FunctionRecord& callee) {
   work.out().jb(work.trap(TrapCode::Watchdog, callee.code_size));
 }
 
+void emit_call(FunctionWork& work, std::uint32_t callee) {
+  const FunctionCode::Item& item = work.current();
+  work.out().call(work.program().functions[callee]);
+  work.program().calls.push_back(
+      {work.out().offset(), work.function(), item.pc + item.instruction.size});
+}
+
 // The caller's instance survives the call.
 class SelfGuard {
  public:
@@ -60,7 +67,7 @@ void call_function(FunctionWork& work, std::uint32_t callee) {
   operands.save_for_call();
   charge_entry(work, record);
   SelfGuard guard(work, callee);
-  work.out().call(work.program().functions[callee]);
+  emit_call(work, callee);
   guard.restore();
   if (record.result == bytecode::kNoResult) return;
   const auto type = static_cast<StackType>(record.result);
@@ -99,7 +106,7 @@ void call_instance(FunctionWork& work, const Instruction& in) {
   SelfGuard guard(work, in.a);
   if (work.facts().facts(in.a).uses_self) set_self(work, in, ref);
   if (ref != kNoRegister) operands.registers().release(ref);
-  work.out().call(work.program().functions[in.a]);
+  emit_call(work, in.a);
   guard.restore();
 }
 

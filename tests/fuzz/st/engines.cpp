@@ -97,7 +97,7 @@ std::string Engines::scan() {
   for (std::size_t i = 1; i < p.engines.size(); ++i) {
     std::uint64_t other_left = kBudget;
     const bytecode::Trap trap = p.engines[i]->run(p.invocation, p.memories[i], other_left);
-    if (trap.code != p.trap.code || trap.function != p.trap.function || trap.pc != p.trap.pc)
+    if (trap != p.trap)
       out += "trap: " + shown(p.trap) + ", native: " + shown(trap) + "\n";
     if (left != other_left)
       out += "budget left: " + std::to_string(left) + ", native: " + std::to_string(other_left) + "\n";
@@ -117,8 +117,7 @@ const bytecode::Trap& Engines::trap() const {
 }
 
 std::string Engines::trap_place() const {
-  const result::Location where =
-      reader::source_location(parts_->program.program(), parts_->trap.function, parts_->trap.pc);
+  const result::Location where = reader::trap_location(parts_->program.program(), parts_->trap);
   return where.file + ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
 }
 

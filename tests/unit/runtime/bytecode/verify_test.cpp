@@ -93,6 +93,7 @@ TEST(Verify, Records_WhenOneIsInconsistent_ThenItIsNamed) {
   expect(with_record<S::Functions>(2, [](auto& r) { r.result = 6; }), V::BadRecord, S::Functions);
   expect(with_record<S::Functions>(0, [](auto& r) { r.max_stack += 1; }), V::WrongSizes, S::Functions);
   expect(with_record<S::Functions>(3, [](auto& r) { r.code_size += 1; }), V::BadRecord, S::Functions);
+  expect(with_record<S::Functions>(0, [](auto& r) { r.flags = 2; }), V::BadRecord, S::Functions);
   expect(with_record<S::Locals>(0, [](auto& r) { r = 6; }), V::BadRecord, S::Locals);
   expect(with_record<S::IoMap>(0, [](auto& r) { r.symbol = 3; }), V::BadRecord, S::IoMap);
   expect(with_record<S::RetainMap>(0, [](auto& r) { r.size += 1; }), V::BadAddress, S::RetainMap);

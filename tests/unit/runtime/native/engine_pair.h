@@ -47,7 +47,7 @@ class EnginePair {
     trap_ = interpreter_.run(invocation, images_[0], left[0]);
     const bytecode::Trap trap = native_->run(invocation, images_[1], left[1]);
     std::ostringstream out;
-    if (trap.code != trap_.code || trap.function != trap_.function || trap.pc != trap_.pc) {
+    if (trap != trap_) {
       out << "trap " << describe(trap_) << ", native " << describe(trap) << "; ";
     }
     if (left[0] != left[1]) out << "budget left " << left[0] << ", native " << left[1] << "; ";
@@ -81,7 +81,8 @@ class EnginePair {
  private:
   static std::string describe(const bytecode::Trap& trap) {
     return std::string(name_of(trap.code)) + " in " + std::to_string(trap.function) + " at " +
-           std::to_string(trap.pc);
+           std::to_string(trap.pc) + ", called in " + std::to_string(trap.caller) + " before " +
+           std::to_string(trap.return_pc);
   }
 
   reader::LoadedProgram loaded_;

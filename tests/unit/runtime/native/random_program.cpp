@@ -252,6 +252,8 @@ writer::ContainerModel random_program(std::uint32_t seed) {
   around.locals = random_locals(random);
   write_body(main, around, random, 10);
   functions[0] = std::move(main).take();
+  // What traps in those is located at a call.
+  for (std::size_t i = 1; i < functions.size(); ++i) functions[i].of_library = (seed >> i) % 2 == 1;
   model.functions = std::move(functions);
   model.initial_data.resize(around.image_size);
   if (random() % 2 == 0) {
