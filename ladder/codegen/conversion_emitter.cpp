@@ -37,6 +37,7 @@ void ExpressionEmitter::convert(const Type& from, const Type& to) {
     return b_.emit(from.size == 8 ? Opcode::I64ToBool : Opcode::I32ToBool);
   }
   if (semantics::transfers_bits(from, to)) return transfer_bits(from, to);
+  if (semantics::is_narrowed_character(from, to)) return narrow_character();
   if (to.is_real()) return to_real(from, to);
   to_integer(from, to);
 }
@@ -51,6 +52,17 @@ void ExpressionEmitter::transfer_bits(const Type& from, const Type& to) {
   b_.store(semantics::mem_type(from), bytecode::AddressMode::Ind);
   b_.addr_frame(at);
   b_.load(semantics::mem_type(to), bytecode::AddressMode::Ind);
+}
+
+void ExpressionEmitter::narrow_character() {
+  const writer::LocalId character = b_.add_local(bytecode::StackType::I32);
+  b_.local_set(character);
+  b_.local_get(character);
+  b_.const_i32(semantics::kNoCharacter);
+  b_.local_get(character);
+  b_.const_i32(0xFF);
+  b_.emit(Opcode::GtI32);
+  b_.emit(Opcode::Select);
 }
 
 void ExpressionEmitter::to_real(const Type& from, const Type& to) {

@@ -284,6 +284,7 @@ void ExpressionEmitter::multiplex(const Value& value) {
   b_.const_i32(count);
   b_.emit(Opcode::LtU32);
   b_.jump_if_true(in_range);
+  locate(value.where);
   b_.trap(static_cast<std::uint8_t>(bytecode::TrapCode::IndexRange));
   b_.bind(in_range);
   this->value(*value.operands[1]);

@@ -124,6 +124,7 @@ class ExpressionEmitter {
   void bool_order(const semantics::Value& value);
   void convert(const semantics::Type& from, const semantics::Type& to);
   void transfer_bits(const semantics::Type& from, const semantics::Type& to);
+  void narrow_character();
   void to_integer(const semantics::Type& from, const semantics::Type& to);
   void to_real(const semantics::Type& from, const semantics::Type& to);
   void time_conversion(const semantics::Type& from, const semantics::Type& to);

@@ -61,6 +61,7 @@ void ExpressionEmitter::text(const Value& value) {
   const Type& type = *value.type;
   if (!type.is_string()) {
     for (const auto& each : value.operands) this->value(*each);
+    locate(value.where);
     b_.string_op(value.text_op);
     return narrow_number(value);
   }
@@ -87,6 +88,7 @@ void ExpressionEmitter::text_behind_target(const Value& value, std::uint32_t at)
   }
   if (is_simple(value)) {
     for (const auto& each : value.operands) this->value(*each);
+    locate(value.where);
     return b_.string_op(value.text_op);
   }
   this->value(*value.operands[0]);

@@ -84,7 +84,7 @@ void BodyWalker::variable(const Expression& root, Access access, bool whole, boo
 
 void BodyWalker::read(VariableUse& use, Position where) {
   if (use.reads++ == 0) use.first_read = where;
-  if (use.writes > 0 || use.initialised || use.doubtful_loop || !speaks_of(where)) return;
+  if (use.writes > 0 || use.referred || use.initialised || use.doubtful_loop || !speaks_of(where)) return;
   const semantics::Variable& variable = *use.variable;
   const bool lives_shortly =
       variable.section == Section::Temp ||
@@ -149,6 +149,8 @@ const semantics::Pou* BodyWalker::callee_of(const Expression& each) {
 }
 
 void BodyWalker::call(const Expression& each) {
+  if (const Expression* target = referred_by(each))
+    if (VariableUse* use = uses_.find(index_, root_of(*target).name.id)) use->referred = true;
   const semantics::Pou* callee = callee_of(each);
   if (!each.operands.empty()) {
     place(*each.operands[0], Access::Both);
@@ -167,8 +169,7 @@ void BodyWalker::call(const Expression& each) {
   if (callee != nullptr) last_foreign_ = ++writes_;
 }
 
-// What the parameter is decides how the argument is used; functions that are not POUs only read, but REF
-// gives its variable away and SPLIT_DATE and its like write all but the first.
+// What the parameter is decides how the argument is used; functions that are not POUs only read.
 void BodyWalker::argument(const syntax::Argument& each, const semantics::Pou* callee, std::size_t& position) {
   if (!each.value) return;
   Access access = each.is_output ? Access::Write : Access::Read;

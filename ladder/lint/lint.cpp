@@ -9,6 +9,7 @@ void check(const semantics::Model& model, const syntax::Unit& unit, std::size_t 
            source::DiagnosticSink& sink) {
   if (level == Level::None) return;
   internal::Uses uses(model, unit, user_pous);
+  internal::name_declarations(uses);
   std::uint64_t writes = 0;
   for (std::size_t i = 0; i < user_pous; ++i) {
     internal::BodyWalker(uses, i, level, writes, sink).run();

@@ -36,29 +36,6 @@ bool holds_instance(const Type& type) {
   return type.element != nullptr && type.kind == TypeKind::Array && holds_instance(*type.element);
 }
 
-// What a configuration names: connections of programs, triggers of tasks.
-void name_in(const syntax::Expression& expression, Uses& uses) {
-  const auto found = uses.global_index.find(expression.name.id.value);
-  if (expression.kind == syntax::ExpressionKind::Variable && found != uses.global_index.end()) {
-    VariableUse& use = uses.of_globals[found->second];
-    use.named = true;
-  }
-  for (const auto& each : expression.operands)
-    if (each) name_in(*each, uses);
-}
-
-void name_configuration(Uses& uses) {
-  for (const syntax::Configuration& configuration : uses.unit.configurations) {
-    for (const syntax::Resource& resource : configuration.resources) {
-      for (const syntax::TaskDeclaration& task : resource.tasks)
-        if (task.single) name_in(*task.single, uses);
-      for (const syntax::ProgramDeclaration& program : resource.programs)
-        for (const syntax::Argument& each : program.connections)
-          if (each.value) name_in(*each.value, uses);
-    }
-  }
-}
-
 // An action's indicators are for people; to name one is to use it.
 void name_indicators(Uses& uses) {
   for (std::size_t i = 0; i < uses.user_pous; ++i) {
@@ -81,7 +58,7 @@ void check_variable(const VariableUse& use, const Pou& pou, source::DiagnosticSi
     sink.warning(code::kUnusedVariable, variable.where, quote(variable.spelling) + " is never used");
     return;
   }
-  const bool enables = variable.spelling == "EN" || variable.spelling == "ENO";
+  const bool enables = naming::same_name(variable.spelling, "EN") || naming::same_name(variable.spelling, "ENO");
   if (!has_body(pou) || enables || variable.section == Section::Output) return;
   sink.warning(code::kUnusedParameter, variable.where,
                "the parameter " + quote(variable.spelling) + " is never used");
@@ -89,11 +66,11 @@ void check_variable(const VariableUse& use, const Pou& pou, source::DiagnosticSi
 
 void check_value(const VariableUse& use, const Pou& pou, source::DiagnosticSink& sink) {
   const semantics::Variable& variable = *use.variable;
-  if (use.writes > 0 || use.initialised || use.generated || variable.type == nullptr) return;
+  if (use.writes > 0 || use.referred || use.initialised || use.generated || variable.type == nullptr) return;
   if (variable.constant || is_located(variable) || holds_instance(*variable.type)) return;
   if (!variable.type->initial.empty() && !variable.type->is_string()) return;
   if (variable.section == Section::Output) {
-    const bool enables = variable.spelling == "ENO";
+    const bool enables = naming::same_name(variable.spelling, "ENO");
     if (has_body(pou) && !enables)
       sink.warning(code::kNeverWritten, variable.where,
                    "the output " + quote(variable.spelling) + " is never written");
@@ -115,7 +92,6 @@ void check_value(const VariableUse& use, const Pou& pou, source::DiagnosticSink&
 }  // namespace
 
 void check_unused(Uses& uses, source::DiagnosticSink& sink) {
-  name_configuration(uses);
   name_indicators(uses);
   for (std::size_t i = 0; i < uses.user_pous; ++i)
     for (const VariableUse& each : uses.of_pous[i]) check_variable(each, *uses.model.pous[i], sink);

@@ -27,7 +27,15 @@ Place Analysis::allocate_place(const Type* type, std::span<const std::byte> init
   if (!offset) return place;
   place.offset = *offset;
   std::copy(initial.begin(), initial.end(), model.area(Base::Data).begin() + *offset);
+  note_references(*type, initial, Base::Data, *offset, where);
   return place;
+}
+
+std::optional<Constant> Analysis::folded_value(const Type& type, std::span<const std::byte> bytes) const {
+  if (!type.is_scalar() && !type.is_string()) return std::nullopt;
+  Constant value = load(type, bytes);
+  if (first_target(value, type) != nullptr) return std::nullopt;
+  return value;
 }
 
 Place frame_place(Pou& pou, const Type* type) {

@@ -75,8 +75,8 @@ ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
   StandardAnalyzer::add_names(candidates);
   for (const auto& each : a_.model.pous)
     if (each->kind == PouKind::Function) candidates.push_back(each->spelling);
-  a_.error(code::kUndeclared, name.where, "there is no function " + quote(name.text),
-           unknown_function_hint(folded, candidates));
+  a_.unknown_name(code::kUndeclared, pou_, name.where, "there is no function " + quote(name.text),
+                  unknown_function_hint(folded, candidates));
   return nullptr;
 }
 
@@ -210,7 +210,8 @@ bool ExpressionAnalyzer::block_argument(const Variable& parameter, const Argumen
   if (parameter.type == nullptr) return false;
   const std::uint32_t offset = parameter.place.offset;
   if (parameter.section == Section::Output)
-    return pass_output(argument, part_of_target(out.target, offset, parameter.type), out.after);
+    return pass_output(argument, part_of_target(out.target, offset, parameter.type), out.after,
+                       parameter.any_integer);
   if (!argument.value) return false;
   if (parameter.section == Section::InOut) {
     ValuePtr address = reference_argument(argument, parameter, out.before, out.after);
@@ -226,7 +227,7 @@ bool ExpressionAnalyzer::block_argument(const Variable& parameter, const Argumen
     out.before.push_back({std::move(member), std::move(address)});
     return true;
   }
-  ValuePtr value = value_as(*argument.value, parameter.type);
+  ValuePtr value = input_value(parameter, *argument.value);
   if (!value) return false;
   out.before.push_back({part_of_target(out.target, offset, parameter.type), std::move(value)});
   return true;

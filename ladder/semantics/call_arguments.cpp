@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/internal/standard_analyzer.h"
 #include "ladder/source/suggestion.h"
 
 namespace stepwright::semantics::internal {
@@ -64,9 +64,9 @@ bool ExpressionAnalyzer::match_given(const std::vector<Argument>& given, const P
     } else {
       const auto known = pou.scope.find(each.formal->id.value);
       if (known == pou.scope.end() || !is_parameter(pou.variables[known->second])) {
-        a_.error(code::kUnknownParameter, each.formal->where,
-                 quote(pou.spelling) + " has no parameter " + quote(each.formal->text),
-                 source::did_you_mean(each.formal->text, formals));
+        a_.unknown_name(code::kUnknownParameter, pou_, each.formal->where,
+                        quote(pou.spelling) + " has no parameter " + quote(each.formal->text),
+                        source::did_you_mean(each.formal->text, formals));
         sound = false;
         continue;
       }
@@ -91,7 +91,8 @@ bool ExpressionAnalyzer::match_given(const std::vector<Argument>& given, const P
 }
 
 // `Q => y`: y := source, behind the call.
-bool ExpressionAnalyzer::pass_output(const Argument& argument, Place source, std::vector<CopyAfter>& after) {
+bool ExpressionAnalyzer::pass_output(const Argument& argument, Place source, std::vector<CopyAfter>& after,
+                                     bool any_integer) {
   if (!argument.value) return true;
   auto target = place(*argument.value, Access::Write);
   if (!target) return false;
@@ -107,10 +108,37 @@ bool ExpressionAnalyzer::pass_output(const Argument& argument, Place source, std
     inverse->operands.push_back(std::move(value));
     value = std::move(inverse);
   }
+  if (any_integer) value = within_type(std::move(value), *target->type);
   value = convert(std::move(value), target->type, where);
   if (!value) return false;
   after.push_back({std::move(*target), std::move(value)});
   return true;
+}
+
+// The value of an ANY_INT output, a LINT, in the integer type that it goes to; it traps if that does not hold it.
+ValuePtr ExpressionAnalyzer::within_type(ValuePtr integer, const Type& target) {
+  const Type& to = target.kind == TypeKind::Subrange ? *target.base : target;
+  if (!to.is_integer() || widens(*integer->type, to)) return integer;
+  const Position where = integer->where;
+  const IntegerRange held = range_of(integer->type->elementary);
+  const IntegerRange wanted = range_of(to.elementary);
+  const IntegerRange both{std::max(held.low, wanted.low), std::min(held.high, wanted.high)};
+  ValuePtr checked = make(ValueKind::Check, a_.type_table().subrange(integer->type, both), where);
+  checked->operands.push_back(std::move(integer));
+  return convert_exactly(std::move(checked), &to);
+}
+
+// The value of an input. ANY_INT takes a ULINT too: what a LINT does not hold is as good as the largest, which
+// is outside of every domain.
+ValuePtr ExpressionAnalyzer::input_value(const Variable& parameter, const Expression& given) {
+  ValuePtr found = value(given);
+  if (!found) return nullptr;
+  if (parameter.any_integer && found->type->is(ElementaryType::Ulint)) {
+    const IntegerRange held = range_of(ElementaryType::Lint);
+    found = StandardAnalyzer(a_, *this).bounded(std::move(found), 0, held.high);
+    return convert_exactly(std::move(found), parameter.type);
+  }
+  return convert(std::move(found), parameter.type, given.where);
 }
 
 // The address of a VAR_IN_OUT argument. What has none (a bit, a local slot) goes through a copy.
@@ -121,8 +149,16 @@ ValuePtr ExpressionAnalyzer::reference_argument(const Argument& argument, const 
   const Position where = argument.value->where;
   auto target = place(*argument.value, Access::Write);
   if (!target) return nullptr;
-  if (!matches_parameter(*target->type, *parameter.type))
-    return mismatch(*target->type, *parameter.type, where);
+  if (!matches_parameter(*target->type, *parameter.type)) {
+    if (!is_too_long(*target->type, *parameter.type))
+      return mismatch(*target->type, *parameter.type, where);
+    a_.error(code::kTypeMismatch, where,
+             target->type->name + " is too long to stand for " + quote(parameter.spelling) +
+                 ": the length of a " + parameter.type->name + " is an INT",
+             "declare " + quote(parameter.spelling) + " as " + plain_name(*parameter.type) +
+                 "[32768] or longer; it takes strings of every length then, and its LEN is a DINT");
+    return nullptr;
+  }
   if (target->character) {
     a_.error(code::kNeedsVariable, where, "a character of a string has no address",
              "copy it into a variable and back");
@@ -143,15 +179,20 @@ ValuePtr ExpressionAnalyzer::address_of(Place place, Position where) {
   return address;
 }
 
+// The length of a short string is INT: a long one cannot stand for it.
+bool ExpressionAnalyzer::is_too_long(const Type& argument, const Type& parameter) {
+  constexpr std::uint32_t kMostOfInt = 0x7FFF;
+  return argument.is_string() && parameter.is_string() && argument.elementary == parameter.elementary &&
+         argument.capacity > kMostOfInt && parameter.capacity <= kMostOfInt;
+}
+
 // A variable-length array takes every array of its elements and number of dimensions; a string of any
 // capacity carries it along.
 bool ExpressionAnalyzer::matches_parameter(const Type& argument, const Type& parameter) const {
   if (&argument == &parameter) return true;
-  if (parameter.is_string()) {
-    // The length of a short string is INT: a long one cannot stand for it.
-    const bool fits = argument.capacity <= 0x7FFF || parameter.capacity > 0x7FFF;
-    return argument.is_string() && argument.elementary == parameter.elementary && fits;
-  }
+  if (parameter.is_string())
+    return argument.is_string() && argument.elementary == parameter.elementary &&
+           !is_too_long(argument, parameter);
   return parameter.open && argument.kind == TypeKind::Array && argument.element == parameter.element &&
          argument.dimensions.size() == parameter.dimensions.size();
 }
@@ -200,9 +241,9 @@ bool ExpressionAnalyzer::input_argument(const Variable& parameter, const Argumen
                                         const Expression& call, Value& out) {
   ValuePtr value;
   if (argument != nullptr && argument->value) {
-    value = value_as(*argument->value, parameter.type);
+    value = input_value(parameter, *argument->value);
   } else if (parameter.type->is_scalar()) {
-    value = make_constant(parameter.initial.value_or(Constant{}), parameter.type, call.where);
+    value = first_value(parameter.initial.value_or(Constant{}), parameter.type, call.where);
   } else {
     value = load(copy_direct(parameter.first), call.where);
   }
@@ -216,7 +257,8 @@ bool ExpressionAnalyzer::output_argument(const Variable& parameter, const Argume
                                          const Expression& call, Value& out) {
   const Place left = frame_place(*pou_, parameter.type);
   out.operands.push_back(address_of(copy_direct(left), call.where));
-  return argument == nullptr || pass_output(*argument, copy_direct(left), out.after);
+  return argument == nullptr ||
+         pass_output(*argument, copy_direct(left), out.after, parameter.any_integer);
 }
 
 }  // namespace stepwright::semantics::internal

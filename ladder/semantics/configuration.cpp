@@ -9,8 +9,8 @@ namespace stepwright::semantics::internal {
 
 namespace {
 
-void declare_global(Analysis& a, const syntax::VariableDeclaration& line, const syntax::Name& name,
-                    const Type* type) {
+void declare_global(Analysis& a, TypeResolver& types, const syntax::VariableDeclaration& line,
+                    const syntax::Name& name, const Type* type) {
   Variable variable;
   variable.name = name.id;
   variable.spelling = std::string(name.text);
@@ -22,17 +22,13 @@ void declare_global(Analysis& a, const syntax::VariableDeclaration& line, const 
   variable.place.type = type;
   if (type != nullptr) {
     ExpressionAnalyzer expressions(a, nullptr);
-    std::vector<std::byte> bytes = type->initial;
-    bytes.resize(type->size);
+    std::vector<std::byte> bytes = types.initial_of(*line.type, *type);
     bool sound = !line.initial || initialise(a, expressions, *line.initial, *type, bytes);
-    if (sound && type->is_scalar() && line.constant) variable.value = load(*type, bytes);
+    if (sound && line.constant) variable.value = a.folded_value(*type, bytes);
     if (sound && line.address) {
       sound = locate(a, line, variable, bytes);
     } else if (sound) {
-      variable.place = a.allocate_place(type, name.where);
-      auto& data = a.model.area(Base::Data);
-      if (data.size() >= variable.place.offset + bytes.size())
-        std::copy(bytes.begin(), bytes.end(), data.begin() + variable.place.offset);
+      variable.place = a.allocate_place(type, bytes, name.where);
     }
     if (!sound) variable.type = nullptr;
   }
@@ -70,17 +66,22 @@ void configure_default(Analysis& a, TypeResolver& types, std::size_t user_pous) 
 }  // namespace
 
 void declare_globals(Analysis& a, TypeResolver& types, const syntax::Unit& unit, bool constants) {
-  const auto declare = [&](const std::vector<syntax::VariableDeclaration>& lines) {
-    for (const syntax::VariableDeclaration& line : lines) {
-      if (line.constant != constants) continue;
-      const Type* type = types.resolve(*line.type);
-      for (const syntax::Name& name : line.names) declare_global(a, line, name, type);
-    }
+  std::vector<const syntax::VariableDeclaration*> lines;
+  const auto collect = [&](const std::vector<syntax::VariableDeclaration>& more) {
+    for (const syntax::VariableDeclaration& line : more)
+      if (line.constant == constants) lines.push_back(&line);
   };
-  declare(unit.globals);
+  collect(unit.globals);
   for (const syntax::Configuration& each : unit.configurations) {
-    declare(each.globals);
-    for (const syntax::Resource& resource : each.resources) declare(resource.globals);
+    collect(each.globals);
+    for (const syntax::Resource& resource : each.resources) collect(resource.globals);
+  }
+  // The variables of a function block may name globals, so that these come first.
+  std::stable_partition(lines.begin(), lines.end(),
+                        [&](const auto* line) { return !types.names_block(*line->type); });
+  for (const syntax::VariableDeclaration* line : lines) {
+    const Type* type = types.resolve(*line->type);
+    for (const syntax::Name& name : line->names) declare_global(a, types, *line, name, type);
   }
 }
 

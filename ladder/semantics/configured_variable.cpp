@@ -31,7 +31,10 @@ void Configurer::configure(const syntax::ConfiguredVariable& line) {
   std::vector<std::byte> first(data.begin() + at, data.begin() + at + type->size);
   ExpressionAnalyzer expressions(a_, nullptr);
   if (line.initial && !initialise(a_, expressions, *line.initial, *type, first)) return;
-  if (!referred) std::copy(first.begin(), first.end(), data.begin() + at);
+  if (!referred) {
+    std::copy(first.begin(), first.end(), data.begin() + at);
+    a_.note_references(*type, first, Base::Data, at, where);
+  }
   if (line.address) give_address(line, *member, first);
 }
 
@@ -108,7 +111,7 @@ bool Configurer::give_address(const syntax::ConfiguredVariable& line, const Memb
   located.push_back(
       {member.offset, ExpressionAnalyzer::copy_direct(variable.place), !declared.is_referred()});
   if (declared.is_referred())
-    a_.model.references.push_back({a_.model.instances[member.instance->index].offset + member.offset,
+    a_.model.references.push_back({Base::Data, a_.model.instances[member.instance->index].offset + member.offset,
                                    ExpressionAnalyzer::copy_direct(variable.place)});
   a_.model.configured.push_back(std::move(variable));
   return true;

@@ -47,8 +47,10 @@ std::optional<__int128> integers(Operator op, __int128 left, __int128 right) {
     case Operator::Modulo:
       return right == 0 ? std::nullopt : std::optional(left % right);
     case Operator::And:
+    case Operator::AndThen:
       return left & right;
     case Operator::Or:
+    case Operator::OrElse:
       return left | right;
     case Operator::Xor:
       return left ^ right;
@@ -122,6 +124,17 @@ void store_text(const std::u16string& text, const Type& type, std::span<std::byt
   for (std::size_t i = 0; i < text.size(); ++i) std::memcpy(characters.data() + i * width, &text[i], width);
 }
 
+Constant load_text(const Type& type, std::span<const std::byte> bytes) {
+  const std::size_t width = bytecode::character_bytes(type.elementary);
+  std::uint16_t length = 0;
+  std::memcpy(&length, bytes.data() + 2, sizeof(length));
+  Constant value;
+  value.text.resize(length);
+  for (std::size_t i = 0; i < length; ++i)
+    std::memcpy(&value.text[i], bytes.data() + bytecode::kStringHeaderBytes + i * width, width);
+  return value;
+}
+
 }  // namespace
 
 void store(const Constant& value, const Type& type, std::span<std::byte> out) {
@@ -138,6 +151,7 @@ void store(const Constant& value, const Type& type, std::span<std::byte> out) {
 }
 
 Constant load(const Type& type, std::span<const std::byte> bytes) {
+  if (type.is_string()) return load_text(type, bytes);
   if (type.is(ElementaryType::Real)) {
     float single = 0;
     std::memcpy(&single, bytes.data(), sizeof(single));

@@ -50,6 +50,10 @@ bool transfers_bits(const Type& from, const Type& to) {
   return real && from.kind == to.kind && from.size == to.size;
 }
 
+bool is_narrowed_character(const Type& from, const Type& to) {
+  return from.is(ElementaryType::Wchar) && to.is(ElementaryType::Char);
+}
+
 std::optional<Constant> converted(const Constant& value, const Type& from, const Type& to) {
   if (counts_ns(from)) return from_time(value, from, to);
   if (counts_ns(to)) {
@@ -65,6 +69,7 @@ std::optional<Constant> converted(const Constant& value, const Type& from, const
     store(value, from, bytes);
     return load(to, bytes);
   }
+  if (is_narrowed_character(from, to)) return value.integer > 0xFF ? Constant{kNoCharacter} : value;
   if (from.is_bits() && to.is_bool()) return Constant{value.integer & 1};
   if (from.is_real() && to.is_real()) return wrapped(value, to);
   if (from.is_real() && to.is_bool()) return Constant{value.real != 0 ? 1 : 0};

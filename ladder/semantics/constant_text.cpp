@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ladder/semantics/constant_conversion.h"
 #include "runtime/base/number_text.h"
 #include "runtime/base/time_text.h"
 
@@ -73,7 +74,7 @@ std::optional<Text> edited(StringOpId op, Operands operands) {
     case StringOpId::WstringToString: {
       Text narrow = first;
       std::ranges::replace_if(
-          narrow, [](char16_t c) { return c > 0xFF; }, u'?');
+          narrow, [](char16_t c) { return c > 0xFF; }, char16_t{kNoCharacter});
       return narrow;
     }
     default:

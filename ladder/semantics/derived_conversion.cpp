@@ -46,7 +46,8 @@ ValuePtr ExpressionAnalyzer::convert_enumerator(ValuePtr value, const Type* type
   if (type->kind != TypeKind::Enumeration) return mismatch(*value->type, *type, where);
   for (const Enumerator& each : type->enumerators)
     if (each.name == name) return make_constant({each.value}, type, value->where);
-  a_.error(code::kUnknownMember, value->where, quote(type->name) + " has no value " + quote(spelling));
+  a_.unknown_name(code::kUnknownMember, pou_, value->where,
+                  quote(type->name) + " has no value " + quote(spelling));
   return nullptr;
 }
 

@@ -81,10 +81,29 @@ bool initialise_text(Analysis& a, ExpressionAnalyzer& expressions, const Express
   return true;
 }
 
+// REF(x) of what has an address before the program runs.
+bool initialise_reference(Analysis& a, ExpressionAnalyzer& expressions, const Expression& initial,
+                          const Type& type, std::span<std::byte> out) {
+  const ValuePtr value = expressions.value_as(initial, &type);
+  if (!value) return false;
+  if (value->kind == ValueKind::Constant) {
+    store(value->constant, type, out);
+    return true;
+  }
+  if (value->kind != ValueKind::Reference || !value->place.is_direct()) {
+    a.error(code::kNotConstant, initial.where, "the reference must be known when the program is compiled",
+            "use REF of a variable that is declared before, or NULL");
+    return false;
+  }
+  store(a.add_first_target(value->place, expressions.pou()), type, out);
+  return true;
+}
+
 }  // namespace
 
 bool initialise(Analysis& a, ExpressionAnalyzer& expressions, const Expression& initial, const Type& type,
                 std::span<std::byte> out) {
+  if (type.is_reference()) return initialise_reference(a, expressions, initial, type, out);
   if (type.is_scalar()) {
     const auto value = expressions.constant(initial, &type);
     if (value) store(*value, type, out);

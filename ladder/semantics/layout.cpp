@@ -52,6 +52,7 @@ void Layout::declare(const VariableDeclaration& line, const syntax::Name& name, 
   variable.spelling = std::string(name.text);
   variable.type = type;
   variable.section = line.section;
+  variable.any_integer = type != nullptr && types_.is_any_integer(*line.type);
   variable.deduced = line.type->kind == syntax::TypeKind::Deduced;
   variable.constant = line.constant;
   variable.retain = line.retain;
@@ -95,10 +96,10 @@ bool Layout::place(const VariableDeclaration& line, Variable& variable) {
   if (line.initial && !initialise(a_, expressions_, *line.initial, type, bytes)) return false;
   if (type.is_scalar()) {
     const Constant value = semantics::load(type, bytes);
-    // An input that is CONSTANT has the value of its argument: it cannot be folded.
-    if (variable.constant && line.section != Section::Input) variable.value = value;
     variable.initial = value;
   }
+  // An input that is CONSTANT has the value of its argument: it cannot be folded.
+  if (variable.constant && line.section != Section::Input) variable.value = a_.folded_value(type, bytes);
   if (line.address) return locate(a_, line, variable, bytes);
   variable.open_address = line.open_address;
   if (pou_.kind == PouKind::Function) return place_in_function(variable, bytes);
@@ -210,7 +211,7 @@ void Layout::sense_edge(Variable& variable) {
 
 // A variable that begins anew with every run.
 bool Layout::place_temporary(Variable& variable, const std::vector<std::byte>& bytes) {
-  if (variable.constant && variable.value) {
+  if (variable.constant && variable.value && variable.type->is_scalar()) {
     // Folded wherever it is used: it needs no memory.
     variable.place.base = Base::Slot;
     return true;
@@ -256,7 +257,7 @@ void Layout::enter_with(const Place& place, const Constant& value, Position wher
   assign.kind = StatementKind::Assign;
   assign.where = where;
   assign.target = ExpressionAnalyzer::copy_direct(place);
-  assign.value = ExpressionAnalyzer::make_constant(value, place.type, where);
+  assign.value = expressions_.first_value(value, place.type, where);
   pou_.entry.push_back(std::move(assign));
 }
 

@@ -73,6 +73,7 @@ bool locate(Analysis& a, const syntax::VariableDeclaration& line, Variable& vari
     auto& first =
         a.model.hierarchical[(variable.place.offset - kHierarchicalPlace) / kHierarchicalStride].first;
     std::copy(initial.begin(), initial.end(), first.begin());
+    a.note_references(type, initial, variable.place.base, variable.place.offset, variable.where);
     return true;
   }
   variable.place.offset = address.byte;
@@ -83,6 +84,7 @@ bool locate(Analysis& a, const syntax::VariableDeclaration& line, Variable& vari
     if (initial[0] != std::byte{0}) area[address.byte] |= std::byte{1} << address.bit;
   } else {
     std::copy(initial.begin(), initial.end(), area.begin() + address.byte);
+    a.note_references(type, initial, variable.place.base, address.byte, variable.where);
   }
   return true;
 }

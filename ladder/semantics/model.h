@@ -30,7 +30,8 @@ struct Variable {
   std::string spelling;
   const Type* type = nullptr;  // null: its declaration is wrong, uses of it stay silent
   Section section = Section::Local;
-  bool deduced = false;  // its first assignment gives it its type and place
+  bool any_integer = false;  // ANY_INT of the library: takes and gives every integer type, itself a LINT
+  bool deduced = false;      // its first assignment gives it its type and place
   bool constant = false;
   bool retain = false;
   bool non_retain = false;
@@ -42,7 +43,7 @@ struct Variable {
   std::vector<Place> bounds;  // variable-length array: lower and upper bound of each dimension, DINT
   std::optional<syntax::Area> open_address;  // AT %I*
   std::optional<syntax::DirectAddress> address;
-  std::optional<Constant> value;    // of a scalar constant
+  std::optional<Constant> value;    // of a constant that is folded where it is used
   std::optional<Constant> initial;  // of a scalar that is not in an instance
 
   // AT %I*: the instance holds the address. A bit has none: the instance holds its value.
@@ -120,9 +121,10 @@ struct HierarchicalPlace {
 inline constexpr std::uint32_t kHierarchicalPlace = 0x4000'0000;
 inline constexpr std::uint32_t kHierarchicalStride = 0x1'0000;
 
-// A reference in Data that is known when the areas have their addresses.
+// A reference in an area that is known when the areas have their addresses.
 struct FirstReference {
-  std::uint32_t offset = 0;  // in Data
+  Base base = Base::Data;
+  std::uint32_t offset = 0;  // in the area
   Place target;
 };
 

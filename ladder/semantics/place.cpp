@@ -39,8 +39,8 @@ void ExpressionAnalyzer::report_unknown(const syntax::Name& name) {
   if (pou_ != nullptr)
     for (const Variable& each : pou_->variables) candidates.push_back(each.spelling);
   for (const Variable& each : a_.model.globals) candidates.push_back(each.spelling);
-  a_.error(code::kUndeclared, name.where, quote(name.text) + " is not declared",
-           source::did_you_mean(name.text, candidates));
+  a_.unknown_name(code::kUndeclared, pou_, name.where, quote(name.text) + " is not declared",
+                  source::did_you_mean(name.text, candidates));
 }
 
 std::string ExpressionAnalyzer::why_read_only(const Variable& variable) const {
@@ -148,8 +148,9 @@ std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::struct_member(cons
     if (each.name == name.id) return Member{each.type, each.offset};
     candidates.push_back(each.spelling);
   }
-  a_.error(code::kUnknownMember, name.where, quote(type.name) + " has no member " + quote(name.text),
-           source::did_you_mean(name.text, candidates));
+  a_.unknown_name(code::kUnknownMember, pou_, name.where,
+                  quote(type.name) + " has no member " + quote(name.text),
+                  source::did_you_mean(name.text, candidates));
   return std::nullopt;
 }
 
@@ -163,8 +164,9 @@ std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::instance_member(co
     for (const Variable& each : type.pou->variables)
       if (each.section == Section::Input || each.section == Section::Output)
         candidates.push_back(each.spelling);
-    a_.error(code::kUnknownMember, name.where, quote(type.name) + " has no member " + quote(name.text),
-             source::did_you_mean(name.text, candidates));
+    a_.unknown_name(code::kUnknownMember, pou_, name.where,
+                    quote(type.name) + " has no member " + quote(name.text),
+                    source::did_you_mean(name.text, candidates));
     return std::nullopt;
   }
   if (found->type == nullptr) return std::nullopt;

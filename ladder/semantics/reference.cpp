@@ -46,6 +46,17 @@ ValuePtr ExpressionAnalyzer::reference_to(const Expression& call) {
   return result;
 }
 
+// A reference in a first value is the number of its target (first_reference.cpp).
+ValuePtr ExpressionAnalyzer::first_value(const Constant& value, const Type* type, Position where) const {
+  const FirstTarget* target = a_.first_target(value, *type);
+  if (target == nullptr) return make_constant(value, type, where);
+  ValuePtr result = make(ValueKind::Reference, type, where);
+  result->place.base = target->owner != nullptr ? Base::This : target->base;
+  result->place.offset = target->offset;
+  result->place.type = type->element;
+  return result;
+}
+
 // r^
 std::optional<Place> ExpressionAnalyzer::followed_place(const Expression& expression) {
   std::optional<Place> base = part(*expression.operands[0]);

@@ -39,7 +39,18 @@ ValuePtr StandardAnalyzer::shift(const Expression& call, Values values, int whic
   if (!values[0]->type->is_bits())
     return wrong_operand(call, *values[0]->type,
                          "it works on BYTE, WORD, DWORD and LWORD; a literal needs a type: WORD#16#1");
-  values[1] = e_.convert(std::move(values[1]), a_.type_table().elementary(ElementaryType::Dint), call.where);
+  const auto function = static_cast<StandardFunction>(which);
+  const bool rotates = function == StandardFunction::Rol || function == StandardFunction::Ror;
+  const auto bits = static_cast<__int128>(values[0]->type->bit_count());
+  const Type* count = values[1]->type;
+  const bool is_long = count->kind == TypeKind::Elementary && count->is_integer() &&
+                       !widens(*count, *a_.type_table().elementary(ElementaryType::Dint));
+  if (rotates && is_long) {
+    const Position where = values[1]->where;
+    values[1] = e_.combine(syntax::Operator::Modulo, std::move(values[1]),
+                           ExpressionAnalyzer::make_constant({bits}, count, where), where);
+  }
+  values[1] = as_dint(std::move(values[1]), -1, bits);
   if (!values[1]) return nullptr;
   if (values[1]->kind == ValueKind::Constant && values[1]->constant.integer < 0) {
     a_.error(code::kOutOfRange, values[1]->where, "the number of places is negative",
@@ -47,7 +58,7 @@ ValuePtr StandardAnalyzer::shift(const Expression& call, Values values, int whic
     return nullptr;
   }
   const Type* type = values[0]->type;
-  ValuePtr result = make_standard(static_cast<StandardFunction>(which), type, std::move(values), call.where);
+  ValuePtr result = make_standard(function, type, std::move(values), call.where);
   if (result->kind == ValueKind::Standard) result->kind = ValueKind::Shift;
   return result;
 }

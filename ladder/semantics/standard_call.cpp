@@ -180,6 +180,28 @@ const Type* StandardAnalyzer::unify(Values& values, std::size_t first, Position 
   return common;
 }
 
+ValuePtr StandardAnalyzer::bounded(ValuePtr value, __int128 low, __int128 high) {
+  const Type* type = value->type;
+  const Position where = value->where;
+  const auto cut = [&](StandardFunction function, __int128 bound) {
+    Values pair;
+    pair.push_back(std::move(value));
+    pair.push_back(ExpressionAnalyzer::make_constant({bound}, type, where));
+    value = make_standard(function, type, std::move(pair), where);
+  };
+  cut(StandardFunction::Min, high);
+  if (!type->is_unsigned()) cut(StandardFunction::Max, low);
+  return value;
+}
+
+ValuePtr StandardAnalyzer::as_dint(ValuePtr value, __int128 low, __int128 high) {
+  const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
+  const Position where = value->where;
+  const bool fits = !value->type->is_integer() || value->type->is_literal() || widens(*value->type, *dint);
+  if (fits) return e_.convert(std::move(value), dint, where);
+  return e_.convert_exactly(bounded(std::move(value), low, high), dint);
+}
+
 ValuePtr StandardAnalyzer::wrong_operand(const Expression& call, const Type& type, std::string hint) {
   a_.error(code::kBadOperand, call.where, quote(call.name.text) + " cannot be applied to " + type.name,
            std::move(hint));

@@ -71,7 +71,7 @@ ValuePtr StandardAnalyzer::select(const Expression& call, Values values, int) {
 }
 
 ValuePtr StandardAnalyzer::multiplex(const Expression& call, Values values, int) {
-  values[0] = e_.convert(std::move(values[0]), a_.type_table().elementary(ElementaryType::Dint), call.where);
+  values[0] = as_dint(std::move(values[0]), -1, static_cast<__int128>(values.size()));
   if (!values[0]) return nullptr;
   const Type* type = unify(values, 1, call.where);
   if (type == nullptr) return nullptr;

@@ -68,30 +68,14 @@ std::optional<std::uint32_t> StandardAnalyzer::text_operands(const Expression& c
       e_.mismatch(*values[i]->type, *types.elementary(ElementaryType::Int), where);
       return std::nullopt;
     }
-    values[i] = character_count(std::move(values[i]));
+    // No string is longer than the bound.
+    values[i] = as_dint(std::move(values[i]), -1, bytecode::kMaxStringCapacity + 1);
     if (values[i]->kind == ValueKind::Constant && values[i]->constant.integer < 0) {
       a_.error(code::kOutOfRange, where, "the number of characters is negative");
       return std::nullopt;
     }
   }
   return capacity;
-}
-
-// An integer as DINT. One that does not fit is as good as the nearest that does: no string is that long.
-ValuePtr StandardAnalyzer::character_count(ValuePtr value) {
-  const Type* dint = a_.type_table().elementary(ElementaryType::Dint);
-  const Type* type = value->type;
-  if (widens(*type, *dint)) return e_.convert_exactly(std::move(value), dint);
-  const Position where = value->where;
-  const auto bounded = [&](StandardFunction function, __int128 bound) {
-    Values pair;
-    pair.push_back(std::move(value));
-    pair.push_back(ExpressionAnalyzer::make_constant({bound}, type, where));
-    value = make_standard(function, type, std::move(pair), where);
-  };
-  bounded(StandardFunction::Min, bytecode::kMaxStringCapacity + 1);
-  if (!type->is_unsigned()) bounded(StandardFunction::Max, -1);
-  return e_.convert_exactly(std::move(value), dint);
 }
 
 ValuePtr StandardAnalyzer::measure(const Expression& call, Values values, int which) {

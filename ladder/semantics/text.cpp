@@ -25,8 +25,9 @@ ElementaryType width_of(const Type& type) {
   return wide ? ElementaryType::Wstring : ElementaryType::String;
 }
 
+// One character as it is written; a constant that happens to hold one is declared as a string.
 bool is_single(const Value& value) {
-  return value.kind == ValueKind::Constant && value.constant.text.size() == 1;
+  return value.kind == ValueKind::Constant && value.constant.text.size() == 1 && value.type->capacity == 1;
 }
 
 }  // namespace
@@ -112,18 +113,25 @@ std::optional<Place> ExpressionAnalyzer::character_place(Place text, const Expre
     return std::nullopt;
   }
   const Expression& index = *expression.operands[1];
-  ValuePtr position = value_as(index, a_.type_table().elementary(ElementaryType::Dint));
+  ValuePtr position = settled_value(index);
   if (!position) return std::nullopt;
-  const bool constant = position->kind == ValueKind::Constant;
-  const bool of_any_length = text.base == Base::ThisRef || text.base == Base::SlotRef;
-  const auto capacity = static_cast<__int128>(text.type->capacity);
-  const __int128 number = position->constant.integer;
-  if (constant && (number < 1 || (number > capacity && !of_any_length))) {
-    a_.error(code::kConstantIndex, index.where, "the string has no character " + to_string(number),
-             "positions go from 1 to " + to_string(capacity));
+  if (!position->type->is_integer()) {
+    a_.error(code::kTypeMismatch, index.where, "an index must be an integer, not " + position->type->name);
     return std::nullopt;
   }
-  text.character = std::move(position);
+  const bool of_any_length = text.base == Base::ThisRef || text.base == Base::SlotRef;
+  const std::uint32_t most = of_any_length ? bytecode::kMaxStringCapacity : text.type->capacity;
+  const __int128 number = position->constant.integer;
+  const bool constant = position->kind == ValueKind::Constant;
+  if (constant && (number < 1 || number > static_cast<__int128>(most))) {
+    a_.error(code::kConstantIndex, index.where, "the string has no character " + to_string(number),
+             "positions go from 1 to " + std::to_string(most));
+    return std::nullopt;
+  }
+  const Dimension bounds{1, static_cast<std::int32_t>(most)};
+  text.character = constant ? make_constant({number}, a_.type_table().elementary(ElementaryType::Dint),
+                                            position->where)
+                            : narrow_index(std::move(position), bounds);
   text.type = a_.type_table().elementary(
       width_of(*text.type) == ElementaryType::Wstring ? ElementaryType::Wchar : ElementaryType::Char);
   return text;

@@ -26,6 +26,7 @@ void TypeResolver::declare_all() {
 }
 
 const Type* TypeResolver::resolve(const syntax::TypeSpec& spec) {
+  if (is_any_integer(spec)) return a_.type_table().elementary(ElementaryType::Lint);
   switch (spec.kind) {
     case syntax::TypeKind::Named:
       return named(spec.name);
@@ -65,6 +66,27 @@ std::vector<std::byte> TypeResolver::initial_of(const syntax::TypeSpec& spec, co
   for (std::size_t at = 0; at + element.size() <= bytes.size() && !element.empty(); at += element.size())
     std::copy(element.begin(), element.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
   return bytes;
+}
+
+bool TypeResolver::names_block(const syntax::TypeSpec& spec) const {
+  const syntax::TypeSpec* at = &spec;
+  // Types that contain themselves are reported where they are made.
+  for (std::size_t depth = 0; depth <= known_.size(); ++depth) {
+    while (at->kind == syntax::TypeKind::Array && at->element) at = at->element.get();
+    if (at->kind != syntax::TypeKind::Named) return false;
+    const auto known = known_.find(at->name.id.value);
+    if (known == known_.end()) {
+      const auto pou = a_.pous.find(at->name.id.value);
+      return pou != a_.pous.end() && pou->second->kind == PouKind::FunctionBlock;
+    }
+    at = known->second.declaration->type.get();
+  }
+  return false;
+}
+
+bool TypeResolver::is_any_integer(const syntax::TypeSpec& spec) const {
+  return spec.kind == syntax::TypeKind::Named && a_.sink.sources().is_library(spec.name.where.file) &&
+         a_.names.folded(spec.name.id) == "ANY_INT";
 }
 
 const Type* TypeResolver::named(const syntax::Name& name) {
@@ -109,8 +131,8 @@ const Type* TypeResolver::named(const syntax::Name& name) {
   for (const auto& each : unit_.types) spellings.emplace_back(each.name.text);
   for (const auto& each : a_.model.pous)
     if (each->kind == PouKind::FunctionBlock) spellings.push_back(each->spelling);
-  a_.error(
-      code::kUnknownType, name.where, "there is no type " + quote(name.text),
+  a_.unknown_name(
+      code::kUnknownType, scope_, name.where, "there is no type " + quote(name.text),
       source::did_you_mean(name.text, std::vector<std::string_view>(spellings.begin(), spellings.end())));
   return nullptr;
 }

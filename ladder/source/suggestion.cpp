@@ -12,7 +12,7 @@ std::string did_you_mean(std::string_view wrong, std::span<const std::string_vie
   std::vector<std::string_view> names;
   std::vector<std::string> folded;
   for (const std::string_view candidate : candidates) {
-    if (candidate.empty() || candidate.substr(0, 2) == "__") continue;
+    if (candidate.empty() || candidate.starts_with("__")) continue;
     names.push_back(candidate);
     folded.push_back(upper(candidate));
   }

@@ -4,14 +4,13 @@
 
 namespace stepwright::syntax::internal {
 
-std::vector<Argument> Parser::arguments() {
-  std::vector<Argument> list;
+// False if the list does not end as one: how many arguments were meant is not known.
+bool Parser::arguments(std::vector<Argument>& list) {
   advance();  // '('
-  if (accept(TokenKind::RightParen)) return list;
+  if (accept(TokenKind::RightParen)) return true;
   do list.push_back(argument());
   while (accept(TokenKind::Comma));
-  expect(TokenKind::RightParen, "to close the argument list");
-  return list;
+  return expect(TokenKind::RightParen, "to close the argument list");
 }
 
 Argument Parser::argument() {

@@ -67,7 +67,9 @@ void Parser::task(Resource& out) {
   const auto name = expect_name("the name of the task");
   if (name) result.name = *name;
   if (name && at(TokenKind::LeftParen)) {
-    for (Argument& each : arguments()) {
+    std::vector<Argument> given;
+    arguments(given);
+    for (Argument& each : given) {
       if (task_argument(each, "INTERVAL")) {
         result.interval = std::move(each.value);
       } else if (task_argument(each, "PRIORITY")) {

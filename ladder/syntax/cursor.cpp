@@ -147,8 +147,8 @@ bool Parser::too_deep() {
     context_.sink.error(code::kTooDeep, peek().where, "nested too deeply",
                         "split the expression or the statement into several");
   }
-  // Nothing behind this place can be read in a sensible way.
-  at_ = tokens_.size() - 1;
+  // Nothing of this POU behind this place can be read in a sensible way.
+  while (!at(TokenKind::End) && !at_pou_start()) advance();
   reported_at_ = at_;
   return true;
 }

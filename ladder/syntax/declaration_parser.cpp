@@ -49,11 +49,31 @@ void Parser::variable_section(std::vector<VariableDeclaration>& out) {
       break;
     }
   }
+  variable_lines(model, out);
+  expect_end(Keyword::EndVar, open);
+}
+
+void Parser::variable_lines(const VariableDeclaration& model, std::vector<VariableDeclaration>& out) {
   while (!at(TokenKind::End) && (!at(TokenKind::Keyword) || at(Keyword::At) || at_reserved_name())) {
     if (accept(TokenKind::Semicolon)) continue;
+    // The section was not closed, and this is the body.
+    if (at_bare_statement()) return;
     if (!variable_line(model, out)) skip_declaration();
   }
-  expect_end(Keyword::EndVar, open);
+}
+
+// "x : INT", "x, y : INT" where a statement could stand: the word VAR is missing.
+bool Parser::at_bare_declaration() const {
+  const Token& next = peek(1);
+  return kind_ == TextKind::Written && at(TokenKind::Identifier) &&
+         (next.is(TokenKind::Colon) || next.is(TokenKind::Comma) || next.is(Keyword::At));
+}
+
+bool Parser::at_bare_statement() const {
+  const Token& next = peek(1);
+  return at(TokenKind::Identifier) &&
+         (next.is(TokenKind::Assign) || next.is(TokenKind::LeftParen) || next.is(TokenKind::Dot) ||
+          next.is(TokenKind::LeftBracket) || next.is(TokenKind::Caret));
 }
 
 // "VAR step : INT;": a reserved word where only a name can be meant.
@@ -70,17 +90,24 @@ bool Parser::variable_line(const VariableDeclaration& model, std::vector<Variabl
   line.retain = model.retain;
   line.non_retain = model.non_retain;
   if (!at(Keyword::At) && !variable_names(line)) return false;
-  if (accept(Keyword::At) && !variable_address(line)) return false;
-  if (!expect(TokenKind::Colon, "behind the name of the variable")) return false;
-  line.type = type();
-  const bool understood = line.type->kind != TypeKind::Error;
-  if (accept(Keyword::RisingEdge)) line.edge = Edge::Rising;
-  if (accept(Keyword::FallingEdge)) line.edge = Edge::Falling;
-  if (understood && accept(TokenKind::Assign)) line.initial = initial_value();
+  const bool understood = typed_line(line);
   // Declared in any case, so that its uses are not reported too.
+  if (!understood) line.type = std::make_unique<TypeSpec>();
   out.push_back(std::move(line));
   if (!understood) return false;
   return expect(TokenKind::Semicolon, "behind the declaration");
+}
+
+// Behind the names.
+bool Parser::typed_line(VariableDeclaration& line) {
+  if (accept(Keyword::At) && !variable_address(line)) return false;
+  if (!expect(TokenKind::Colon, "behind the name of the variable")) return false;
+  line.type = type();
+  if (line.type->kind == TypeKind::Error) return false;
+  if (accept(Keyword::RisingEdge)) line.edge = Edge::Rising;
+  if (accept(Keyword::FallingEdge)) line.edge = Edge::Falling;
+  if (accept(TokenKind::Assign)) line.initial = initial_value();
+  return true;
 }
 
 bool Parser::variable_names(VariableDeclaration& line) {

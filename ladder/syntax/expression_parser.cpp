@@ -197,7 +197,9 @@ bool Parser::at_path_call(const Expression& base) const {
 }
 
 void Parser::call_arguments(Expression& call) {
-  for (Argument& each : arguments()) {
+  std::vector<Argument> given;
+  if (!arguments(given)) call.kind = ExpressionKind::Error;
+  for (Argument& each : given) {
     if (each.value)
       call.depth = std::max<std::uint16_t>(call.depth, static_cast<std::uint16_t>(each.value->depth + 1));
     const std::string formal = each.formal ? source::upper(each.formal->text) : std::string();

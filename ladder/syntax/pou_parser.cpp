@@ -20,7 +20,15 @@ PouDeclaration Parser::pou() {
     if (accept(TokenKind::Colon)) result.result = type();
   }
   accept(TokenKind::Semicolon);
-  while (at_variable_section()) variable_section(result.variables);
+  while (at_variable_section() || at_bare_declaration()) {
+    if (at_variable_section()) {
+      variable_section(result.variables);
+      continue;
+    }
+    unexpected("VAR before a declaration");
+    variable_lines({}, result.variables);
+    accept(Keyword::EndVar);
+  }
   if (at_chart()) {
     result.chart = chart(end);
   } else {
@@ -28,20 +36,25 @@ PouDeclaration Parser::pou() {
       Statements more = statements();
       for (auto& each : more) result.body.push_back(std::move(each));
       if (at(TokenKind::End) || at_pou_start()) break;
-      // An END_IF too many, a VAR between statements: one report, then on with the body.
-      unexpected("a statement");
-      if (at_variable_section()) {
-        variable_section(result.variables);
-      } else {
-        advance();
-        accept(TokenKind::Semicolon);
-      }
+      stray_word(result);
     }
   }
   result.end = peek().where;
   expect_end(end, open);
   accept(TokenKind::Semicolon);
   return result;
+}
+
+// An END_IF too many, a VAR between statements: one report, then on with the body.
+void Parser::stray_word(PouDeclaration& pou) {
+  unexpected("a statement");
+  if (at_variable_section()) return variable_section(pou.variables);
+  // An IF that was not read has left its ELSE and its END_IF behind.
+  const bool of_if = at(Keyword::Elsif) || at(Keyword::Else);
+  const Keyword end = of_if ? Keyword::EndIf : at(Keyword::Until) ? Keyword::EndRepeat : Keyword::None;
+  advance();
+  while (end != Keyword::None && !at(TokenKind::End) && !at_pou_start() && !accept(end)) advance();
+  accept(TokenKind::Semicolon);
 }
 
 }  // namespace stepwright::syntax::internal

@@ -11,10 +11,10 @@ StatementPtr Parser::make_statement(StatementKind kind) const {
   return node;
 }
 
-// Up to a word that ends a block or, inside CASE, up to the next label (case_branch looks for it).
+// Up to a word that ends a block or, inside CASE, up to the next label: a block that is not closed ends there.
 Statements Parser::statements() {
   Statements list;
-  while (!at_block_end()) {
+  while (!at_block_end() && !(cases_ > 0 && at_case_label())) {
     if (accept(TokenKind::Semicolon)) continue;
     const std::size_t before = at_;
     if (StatementPtr each = statement()) list.push_back(std::move(each));
@@ -148,12 +148,7 @@ Branch Parser::case_branch() {
     branch.labels.push_back(std::move(label));
   } while (accept(TokenKind::Comma));
   expect(TokenKind::Colon, "behind the label");
-  while (!at_block_end() && !at_case_label()) {
-    if (accept(TokenKind::Semicolon)) continue;
-    const std::size_t before = at_;
-    if (StatementPtr each = statement()) branch.body.push_back(std::move(each));
-    if (at_ == before) advance();
-  }
+  branch.body = statements();
   return branch;
 }
 
@@ -162,11 +157,13 @@ StatementPtr Parser::case_statement() {
   const Token& open = advance();
   node->value = expression();
   expect(Keyword::Of, "behind the selector");
+  ++cases_;
   while (!at_block_end()) {
     const std::size_t before = at_;
     node->branches.push_back(case_branch());
     if (at_ == before) advance();
   }
+  --cases_;
   if (accept(Keyword::Else)) {
     node->has_else = true;
     node->otherwise = statements();

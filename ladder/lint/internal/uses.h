@@ -29,6 +29,7 @@ struct VariableUse {
   bool initialised = false;  // explicitly, where it is declared
   bool generated = false;
   bool named = false;
+  bool referred = false;  // REF gives it away: who holds the reference may read and write it
   std::uint32_t reads = 0;
   std::uint32_t writes = 0;
   Position first_read = {};
@@ -71,6 +72,12 @@ struct Uses {
 // The bits of %I, %Q or %M that a variable with an address occupies.
 BitRange range_of(const semantics::Variable& variable);
 BitRange range_of(const syntax::DirectAddress& address);
+
+// What the declarations name: constants in bounds, lengths and first values, variables in REF.
+void name_declarations(Uses& uses);
+
+// REF(x): the x; null for any other expression.
+const syntax::Expression* referred_by(const syntax::Expression& call);
 
 std::string quote(std::string_view name);
 

@@ -2,10 +2,12 @@
 
 // What the parts of the analysis share: the model in the making and the global names.
 
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "ladder/semantics/model.h"
@@ -23,6 +25,13 @@ struct EnumValue {
   std::int64_t value = 0;
 };
 
+// What REF(x) as a first value leads to: a place of an area, or one within the instance that holds it.
+struct FirstTarget {
+  const Pou* owner = nullptr;  // whose instance; null: of an area
+  Base base = Base::Data;      // of an area
+  std::uint32_t offset = 0;
+};
+
 struct Analysis {
   Model& model;
   source::NameTable& names;
@@ -36,11 +45,35 @@ struct Analysis {
   // Blocks of programs that tasks of their own run (6.8.2): a call in the body passes arguments only.
   std::unordered_map<const Pou*, std::vector<NameId>> run_by_tasks;
 
+  // What was said of names that mean nothing, by the POU that uses them.
+  std::set<std::pair<const Pou*, std::string>> unknown = {};
+  // In first values a reference that is not NULL is the number of its target here, from 1, until the value
+  // lies in an area.
+  std::vector<FirstTarget> first_targets = {};
+
   void error(const char* what, Position where, std::string message, std::string hint = {}) {
     sink.error(what, where, std::move(message), std::move(hint));
   }
+  // A name that means nothing: said once in each POU, as one declaration mends all uses.
+  void unknown_name(const char* what, const Pou* pou, Position where, std::string message,
+                    std::string hint = {}) {
+    if (unknown.emplace(pou, message).second) error(what, where, std::move(message), std::move(hint));
+  }
 
   TypeTable& type_table() { return model.types; }
+
+  // The value of a constant of the type, for where it is used; nothing if it is no value of its own or not
+  // known before the areas have their addresses.
+  std::optional<Constant> folded_value(const Type& type, std::span<const std::byte> bytes) const;
+
+  // first_reference.cpp
+  // The number of a direct place; `pou` is the one whose variables are being laid out.
+  Constant add_first_target(const Place& place, const Pou* pou);
+  // Null if a first value of the type is no reference, or NULL.
+  const FirstTarget* first_target(const Constant& value, const Type& type) const;
+  // The first value of a variable of the type was put there: its references become known to the model.
+  void note_references(const Type& type, std::span<const std::byte> bytes, Base base, std::uint32_t offset,
+                       Position where);
 
   // `size` bytes of Data, zero; nothing and a report if the program gets too large.
   std::optional<std::uint32_t> allocate(std::uint32_t size, Position where);

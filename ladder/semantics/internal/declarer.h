@@ -18,6 +18,10 @@ class TypeResolver {
   const Type* resolve(const syntax::TypeSpec& spec);
   // The same for a parameter, which may be an ARRAY[*].
   const Type* resolve_parameter(const syntax::TypeSpec& spec);
+  // Whether the type is a function block or holds some. Makes no type.
+  bool names_block(const syntax::TypeSpec& spec) const;
+  // ANY_INT, which the library's texts may name (6.4.3).
+  bool is_any_integer(const syntax::TypeSpec& spec) const;
   // What a variable that is declared so starts with: TYPE may give a first value of its own.
   std::vector<std::byte> initial_of(const syntax::TypeSpec& spec, const Type& type);
   // Lays out the variables of a POU, before those that hold instances of it.

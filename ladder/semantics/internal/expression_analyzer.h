@@ -39,6 +39,8 @@ class ExpressionAnalyzer {
   std::optional<std::int64_t> constant_integer(const syntax::Expression& expression);
   // A variable or a part of one.
   std::optional<Place> place(const syntax::Expression& expression, Access access);
+  // The first value of a variable of a scalar type.
+  ValuePtr first_value(const Constant& value, const Type* type, Position where) const;
 
   // Implicit conversion; reports at `where` if there is none.
   ValuePtr convert(ValuePtr value, const Type* type, Position where);
@@ -76,6 +78,8 @@ class ExpressionAnalyzer {
   // report at `where` or in an argument.
   bool pass_arguments(const std::vector<syntax::Argument>& given, const Pou& block, Position where,
                       Statement& out);
+
+  const Pou* pou() const { return pou_; }
 
   // Makes values.
   static ValuePtr make(ValueKind kind, const Type* type, Position where);
@@ -179,10 +183,14 @@ class ExpressionAnalyzer {
                        std::vector<const syntax::Argument*>& out);
   bool match_given(const std::vector<syntax::Argument>& given, const Pou& pou,
                    std::vector<const syntax::Argument*>& out);
-  bool pass_output(const syntax::Argument& argument, Place source, std::vector<CopyAfter>& after);
+  bool pass_output(const syntax::Argument& argument, Place source, std::vector<CopyAfter>& after,
+                   bool any_integer = false);
+  ValuePtr input_value(const Variable& parameter, const syntax::Expression& given);
+  ValuePtr within_type(ValuePtr integer, const Type& target);
   ValuePtr reference_argument(const syntax::Argument& argument, const Variable& parameter,
                               std::vector<CopyBefore>& before, std::vector<CopyAfter>& after);
   ValuePtr address_of(Place place, Position where);
+  static bool is_too_long(const Type& argument, const Type& parameter);
   bool matches_parameter(const Type& argument, const Type& parameter) const;
   std::vector<ValuePtr> bounds_of(const Place& array, Position where);
   bool in_out_argument(const Variable& parameter, const syntax::Argument* argument,

@@ -37,6 +37,8 @@ class StandardAnalyzer {
   ValuePtr make_standard(StandardFunction function, const Type* type, Values values, Position where);
   // The result, unless it is a function of literals that has no value; then null after a report.
   ValuePtr defined(ValuePtr result, Position where);
+  // An integer, cut to the bounds.
+  ValuePtr bounded(ValuePtr value, __int128 low, __int128 high);
   // The names of all functions, for hints.
   static void add_names(std::vector<std::string_view>& names);
 
@@ -55,6 +57,9 @@ class StandardAnalyzer {
   ValuePtr typed_call(const syntax::Expression& call, const Entry& entry, const Type* type);
   // All values from `first` on in one type, which may be that of literals; null after a report.
   const Type* unify(Values& values, std::size_t first, Position where);
+  // An ANY_INT argument as DINT, which the machine has; one that does not fit is cut to the bounds, where it has
+  // the same effect. Null after a report.
+  ValuePtr as_dint(ValuePtr value, __int128 low, __int128 high);
   ValuePtr wrong_operand(const syntax::Expression& call, const Type& type, std::string hint = {});
 
   // Numbers as values of one real type; false after a report.
@@ -82,7 +87,6 @@ class StandardAnalyzer {
   ValuePtr time_operation(const syntax::Expression& call, Values values, int which);
   std::optional<std::uint32_t> text_operands(const syntax::Expression& call, Values& values,
                                              std::size_t texts);
-  ValuePtr character_count(ValuePtr value);
   ValuePtr measure(const syntax::Expression& call, Values values, int which);
   ValuePtr join(const syntax::Expression& call, Values values, int which);
   ValuePtr cut(const syntax::Expression& call, Values values, int which);

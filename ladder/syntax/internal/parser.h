@@ -72,7 +72,7 @@ class Parser {
   ExpressionPtr prefixed_literal();
 
   // argument_parser.cpp
-  std::vector<Argument> arguments();
+  bool arguments(std::vector<Argument>& list);
   Argument argument();
   ExpressionPtr initial_value();
   ExpressionPtr array_values();
@@ -101,6 +101,10 @@ class Parser {
   bool variable_line(const VariableDeclaration& model, std::vector<VariableDeclaration>& out);
   bool variable_names(VariableDeclaration& line);
   bool variable_address(VariableDeclaration& line);
+  bool typed_line(VariableDeclaration& line);
+  void variable_lines(const VariableDeclaration& model, std::vector<VariableDeclaration>& out);
+  bool at_bare_declaration() const;
+  bool at_bare_statement() const;
 
   // type_parser.cpp
   TypeSpecPtr type();
@@ -117,6 +121,7 @@ class Parser {
 
   // pou_parser.cpp
   PouDeclaration pou();
+  void stray_word(PouDeclaration& pou);
 
   // configuration_parser.cpp
   Configuration configuration();
@@ -151,6 +156,7 @@ class Parser {
   std::size_t at_ = 0;
   std::size_t reported_at_ = static_cast<std::size_t>(-1);
   int nesting_ = 0;
+  int cases_ = 0;  // CASE statements around the cursor
 };
 
 // Counts one level of nesting while it lives.

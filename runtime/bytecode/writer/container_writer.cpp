@@ -126,7 +126,7 @@ void add_functions(const ContainerModel& model, SectionBuffers& out) {
     record.code_size = size32(code.size());
     record.instance_size = function.instance_size;
     record.frame_size = (function.frame_size + 7) / 8 * 8;
-    record.flags = function.of_library ? bytecode::kFunctionOfLibrary : 0;
+    if (function.of_library) record.flags = bytecode::kFunctionOfLibrary;
     const std::uint32_t index = out.add<Section::Functions>(record);
     all_code.insert(all_code.end(), code.begin(), code.end());
     for (const bytecode::StackType local : function.locals) {

@@ -9,6 +9,8 @@
 
 #include <asmjit/x86.h>
 
+#include "runtime/bytecode/container_format.h"
+
 namespace stepwright::native {
 
 // What one run needs, at r13; the slots of all functions follow in the same block.
