@@ -9,6 +9,25 @@ namespace stepwright::semantics::internal {
 
 namespace {
 
+// Whether a global may be declared so; reports why not.
+bool is_global_line(Analysis& a, const syntax::VariableDeclaration& line, const Type& type) {
+  const Position where = line.names.empty() ? line.address_where : line.names.front().where;
+  if (line.open_address) {
+    a.error(code::kAddressNotHere, line.address_where,
+            "an open address stands in VAR of a program or a function block");
+  } else if (line.edge != syntax::Edge::None) {
+    a.error(code::kBadSection, where,
+            "R_EDGE and F_EDGE stand in VAR_INPUT of a function block or a program");
+  } else if (line.constant && type.kind == TypeKind::Instance) {
+    a.error(code::kBadSection, where, "a function block cannot be CONSTANT");
+  } else if (line.constant && line.retain) {
+    a.error(code::kBadSection, where, "a CONSTANT needs no RETAIN");
+  } else {
+    return true;
+  }
+  return false;
+}
+
 void declare_global(Analysis& a, TypeResolver& types, const syntax::VariableDeclaration& line,
                     const syntax::Name& name, const Type* type) {
   Variable variable;
@@ -81,6 +100,9 @@ void declare_globals(Analysis& a, TypeResolver& types, const syntax::Unit& unit,
                         [&](const auto* line) { return !types.names_block(*line->type); });
   for (const syntax::VariableDeclaration* line : lines) {
     const Type* type = types.resolve(*line->type);
+    if (type != nullptr && !is_global_line(a, *line, *type)) type = nullptr;
+    ExpressionAnalyzer expressions(a, nullptr);
+    if (line->names.empty() && type != nullptr) declare_direct(a, types, expressions, *line, *type);
     for (const syntax::Name& name : line->names) declare_global(a, types, *line, name, type);
   }
 }

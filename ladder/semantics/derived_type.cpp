@@ -92,6 +92,9 @@ bool TypeResolver::is_member_line(const syntax::VariableDeclaration& line, const
              "it can hold a REF_TO one");
   } else if (line.address || line.open_address) {
     a_.error(code::kAddressNotHere, line.address_where, "a member of a structure has no address of its own");
+  } else if (line.edge != syntax::Edge::None) {
+    a_.error(code::kBadSection, line.type->where,
+             "R_EDGE and F_EDGE stand in VAR_INPUT of a function block or a program");
   } else {
     return true;
   }

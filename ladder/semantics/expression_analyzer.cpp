@@ -187,15 +187,12 @@ ValuePtr ExpressionAnalyzer::settle(ValuePtr value) {
     return convert_enumerator(std::move(value), nullptr, Position());
   if (!value || !value->type->is_literal()) return value;
   const TypeTable& types = a_.type_table();
-  if (value->type->kind == TypeKind::AnyReal)
-    return convert(std::move(value), types.elementary(ElementaryType::Real), Position());
-  for (const auto which : {ElementaryType::Int, ElementaryType::Dint, ElementaryType::Lint}) {
-    if (fits(value->constant, *types.elementary(which))) {
-      const Position where = value->where;
-      return convert(std::move(value), types.elementary(which), where);
-    }
-  }
   const Position where = value->where;
+  if (value->type->kind == TypeKind::AnyReal)
+    return convert(std::move(value), types.elementary(ElementaryType::Real), where);
+  for (const auto which : {ElementaryType::Int, ElementaryType::Dint, ElementaryType::Lint})
+    if (fits(value->constant, *types.elementary(which)))
+      return convert(std::move(value), types.elementary(which), where);
   return convert(std::move(value), types.elementary(ElementaryType::Ulint), where);
 }
 
@@ -242,6 +239,10 @@ std::optional<std::int64_t> ExpressionAnalyzer::constant_integer(const Expressio
   if (found->kind != ValueKind::Constant) {
     a_.error(code::kNotConstant, expression.where, "the value must be known when the program is compiled",
              "use a literal or a variable declared CONSTANT");
+    return std::nullopt;
+  }
+  if (!fits(found->constant, *a_.type_table().elementary(ElementaryType::Lint))) {
+    a_.error(code::kOutOfRange, expression.where, "the number is too large here");
     return std::nullopt;
   }
   return static_cast<std::int64_t>(found->constant.integer);

@@ -26,7 +26,8 @@ void Layout::run() {
     const VariableDeclaration& line = declaration.variables[i];
     // One after the other: a bound may name a constant that was declared before.
     if (!is_numbered(line)) line_types_[i] = type_of(line);
-    if (line.names.empty()) declare_direct(line, line_types_[i]);
+    if (line.names.empty() && line_types_[i] != nullptr)
+      declare_direct(a_, types_, expressions_, line, *line_types_[i]);
     for (const syntax::Name& name : line.names) declare(line, name, line_types_[i]);
   }
   guard_body();
@@ -62,17 +63,6 @@ void Layout::declare(const VariableDeclaration& line, const syntax::Name& name, 
   variable.place.type = type;
   if (type != nullptr && !place(line, variable)) variable.type = nullptr;
   add(std::move(variable));
-}
-
-// AT %MW0 : INT;
-void Layout::declare_direct(const VariableDeclaration& line, const Type* type) {
-  if (type == nullptr || !line.address) return;
-  Variable variable;
-  variable.type = type;
-  variable.place.type = type;
-  std::vector<std::byte> bytes = types_.initial_of(*line.type, *type);
-  if (line.initial && !initialise(a_, expressions_, *line.initial, *type, bytes)) return;
-  if (locate(a_, line, variable, bytes)) a_.direct_types.emplace_back(*line.address, type);
 }
 
 void Layout::add(Variable variable) {

@@ -89,6 +89,17 @@ bool locate(Analysis& a, const syntax::VariableDeclaration& line, Variable& vari
   return true;
 }
 
+void declare_direct(Analysis& a, TypeResolver& types, ExpressionAnalyzer& expressions,
+                    const syntax::VariableDeclaration& line, const Type& type) {
+  if (!line.address) return;
+  Variable variable;
+  variable.type = variable.place.type = &type;
+  variable.where = line.address_where;
+  std::vector<std::byte> bytes = types.initial_of(*line.type, type);
+  if (line.initial && !initialise(a, expressions, *line.initial, type, bytes)) return;
+  if (locate(a, line, variable, bytes)) a.direct_types.emplace_back(*line.address, &type);
+}
+
 void check_overlaps(Analysis& a) {
   std::vector<Extent> extents;
   for (const Variable& each : a.model.globals)

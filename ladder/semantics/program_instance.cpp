@@ -209,7 +209,12 @@ void Configurer::copy_located(const Instance& instance, std::uint32_t from, std:
 // A configuration connects to constants, globals and addresses, and so not to what is computed.
 bool Configurer::is_connectable(const syntax::Argument& argument) const {
   if (!argument.value) return true;
+  const bool sign = argument.value->kind == syntax::ExpressionKind::Unary &&
+                    (argument.value->operands[0]->kind == syntax::ExpressionKind::Integer ||
+                     argument.value->operands[0]->kind == syntax::ExpressionKind::Real);
+  if (sign) return true;
   switch (argument.value->kind) {
+    case syntax::ExpressionKind::Unary:
     case syntax::ExpressionKind::Binary:
     case syntax::ExpressionKind::Call:
       a_.error(code::kBadConnection, argument.value->where,

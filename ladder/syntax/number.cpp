@@ -22,6 +22,13 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+// Underscores stand between digits, one at a time (6.3.1).
+bool has_sound_underscores(std::string_view text) {
+  for (std::size_t at = text.find('_'); at != std::string_view::npos; at = text.find('_', at + 1))
+    if (at == 0 || at + 1 == text.size() || !is_digit(text[at - 1]) || !is_digit(text[at + 1])) return false;
+  return true;
+}
+
 struct Unit {
   std::string_view name;
   std::uint64_t ns;
@@ -93,6 +100,7 @@ std::optional<std::uint64_t> parse_integer(std::string_view digits, unsigned bas
 }
 
 std::optional<double> parse_real(std::string_view text) {
+  if (!has_sound_underscores(text)) return std::nullopt;
   std::string plain;
   for (const char c : text)
     if (c != '_') plain += c;
@@ -117,7 +125,7 @@ std::optional<std::int64_t> parse_duration(std::string_view text) {
     if (!text.empty() && text.front() == '.') {
       text.remove_prefix(1);
       fraction = take_digits(text);
-      if (fraction.empty()) return std::nullopt;
+      if (fraction.empty() || !has_sound_underscores(fraction)) return std::nullopt;
     }
     const Unit* unit = take_unit(text);
     if (unit == nullptr || unit->ns >= last_unit || (!fraction.empty() && !text.empty())) return std::nullopt;
@@ -126,7 +134,9 @@ std::optional<std::int64_t> parse_duration(std::string_view text) {
     if (!part) return std::nullopt;
     total += *part;
     if (total > kLimit) return std::nullopt;
-    if (!text.empty() && text.front() == '_') text.remove_prefix(1);
+    if (text.empty() || text.front() != '_') continue;
+    text.remove_prefix(1);
+    if (text.empty()) return std::nullopt;
   }
   const auto value = static_cast<std::int64_t>(total);
   return negative ? -value : value;

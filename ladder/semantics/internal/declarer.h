@@ -80,6 +80,10 @@ void place_hierarchical(Analysis& analysis);
 bool locate(Analysis& analysis, const syntax::VariableDeclaration& line, Variable& variable,
             std::span<const std::byte> initial);
 
+// AT %MW0 : INT; without a name.
+void declare_direct(Analysis& analysis, TypeResolver& types, ExpressionAnalyzer& expressions,
+                    const syntax::VariableDeclaration& line, const Type& type);
+
 // Behind the analysis of all bodies: inputs in memory keep their value while the function changes what it was
 // called with.
 void protect_inputs(Analysis& analysis);

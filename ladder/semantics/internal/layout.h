@@ -17,7 +17,6 @@ class Layout {
   // layout.cpp
   const Type* type_of(const syntax::VariableDeclaration& line);
   void declare(const syntax::VariableDeclaration& line, const syntax::Name& name, const Type* type);
-  void declare_direct(const syntax::VariableDeclaration& line, const Type* type);
   void add(Variable variable);
   bool place(const syntax::VariableDeclaration& line, Variable& variable);
   bool external(Variable& variable);

@@ -27,6 +27,7 @@ constexpr ErrorCase kCases[] = {
      "WITH t : "
      "a; END_CONFIGURATION\n",
      "interval"},
+    {"ConnectionInverted", "E0606", 5, 30, CELL("PROGRAM p WITH fast : a(x := NOT go);"), "compute"},
     {"ConnectionUnknown", "E0402", 5, 25, CELL("PROGRAM p WITH fast : a(z := g);"), "'x'"},
     {"ConnectionOfInternal", "E0402", 5, 25, CELL("PROGRAM p WITH fast : a(n := g);")},
     {"ConnectionComputed", "E0606", 5, 32, CELL("PROGRAM p WITH fast : a(x := g + 1);"), "compute"},

@@ -9,6 +9,7 @@
 #include "ladder/driver/compile.h"
 #include "ladder/source/name_table.h"
 #include "runtime/bytecode/reader/loaded_program.h"
+#include "tests/support/compiled_program.h"
 
 namespace {
 
@@ -37,6 +38,25 @@ TEST(Library, Declarations_WhenAllAreCompiled_ThenNothingIsReported) {
   const auto output = compile(program_that_names_all());
   ASSERT_TRUE(output) << to_string(output.error());
   EXPECT_TRUE(output->warnings.empty()) << to_string(output->warnings);
+}
+
+// Through two functions of the library; the user sees the own call, and where the library noticed.
+TEST(Library, Trap_WhenAFunctionOfTheLibraryNoticesIt_ThenTheCallIsThePlace) {
+  driver::CompileInput input;
+  input.texts.push_back({"t.st",
+                         "PROGRAM main\nVAR m : INT := 13; d : DT; END_VAR\n"
+                         "  d := CONCAT_DT(2024,\n    m, 1, 0, 0, 0, 0);\nEND_PROGRAM\n"});
+  support::CompiledProgram program(input);
+  const bytecode::Trap trap = program.scan().trap;
+  ASSERT_TRUE(trap.in_library());
+  EXPECT_EQ(trap.caller, 0u);
+  const result::Diagnostic described = reader::describe(program.loaded().program(), trap);
+  EXPECT_EQ(described.where.file, "t.st");
+  EXPECT_EQ(described.where.line, 3u);
+  EXPECT_EQ(described.where.column, 8u);
+  EXPECT_NE(described.message.find(" in CONCAT_DATE (library/dates.st:"), std::string::npos)
+      << described.message;
+  EXPECT_NE(described.message.find("called here"), std::string::npos) << described.message;
 }
 
 TEST(Library, Declarations_WhenListed_ThenNamesAreUnique) {

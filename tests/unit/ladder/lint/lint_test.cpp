@@ -44,6 +44,20 @@ void PrintTo(const WarningCase& each, std::ostream* out) {
 
 const WarningCase kCases[] = {
     {"NothingWrong", BODY(""), {}},
+    {"ConstantsOfDeclarations",
+     "VAR_GLOBAL CONSTANT g : INT := 2; END_VAR\nTYPE T : ARRAY[0..g] OF INT; END_TYPE\nPROGRAM main\n"
+     "VAR CONSTANT n : INT := 3; m : INT := n + 1; l : INT := 4; END_VAR\n"
+     "VAR a : ARRAY[1..n] OF INT; b : INT := m; c : STRING[l]; t : T; END_VAR\n"
+     "  a[1] := b; b := a[2]; c := 'a'; t[0] := 1;\nEND_PROGRAM\n",
+     {}},
+    {"WrittenByReference",
+     "PROGRAM main\nVAR x, y, z : INT; r : REF_TO INT := REF(x); s : REF_TO INT; END_VAR\n"
+     "  s := REF(y); r^ := 5; s^ := 6; z := x + y;\nEND_PROGRAM\n",
+     {}},
+    {"EnableInSmallLetters",
+     "FUNCTION f : INT\nVAR_INPUT en : BOOL; a : INT; END_VAR VAR_OUTPUT eno : BOOL; END_VAR\nf := a;\n"
+     "END_FUNCTION\nPROGRAM main\nVAR x : INT; END_VAR\n  x := f(a := 1);\nEND_PROGRAM\n",
+     {}},
     // W0002
     {"UserFunctionIgnored",
      "FUNCTION f : INT\nVAR_INPUT x : INT; END_VAR\nf := x;\nEND_FUNCTION\nPROGRAM main\n  "

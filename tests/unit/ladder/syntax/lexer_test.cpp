@@ -129,7 +129,7 @@ TEST(Number, Duration_WhenWellFormed_ThenIsExact) {
 }
 
 TEST(Number, Duration_WhenIllFormed_ThenIsNone) {
-  for (const char* text : {"", "5", "1s2h", "1.5m2s", "1x", "1s1s", "99999999999d", "-"})
+  for (const char* text : {"", "5", "1s2h", "1.5m2s", "1x", "1s1s", "99999999999d", "-", "1s_", "1d__2h", "1._5s", "1.5_s"})
     EXPECT_FALSE(syntax::parse_duration(text)) << text;
 }
 
@@ -137,6 +137,12 @@ TEST(Number, Integer_WhenOutOf64BitsOrBadlyGrouped_ThenIsNone) {
   EXPECT_EQ(syntax::parse_integer("FFFF_FFFF_FFFF_FFFF", 16), 0xFFFFFFFFFFFFFFFFu);
   for (const char* text : {"18446744073709551616", "1__0", "_1", "1_", ""})
     EXPECT_FALSE(syntax::parse_integer(text, 10)) << text;
+}
+
+TEST(Number, Real_WhenBadlyGrouped_ThenIsNone) {
+  EXPECT_EQ(syntax::parse_real("1_000.2_5E1_0"), 1000.25e10);
+  for (const char* text : {"1__0.5", "1_.5", "1._5", "1.5_", "1.5_E3", "1.5E3_"})
+    EXPECT_FALSE(syntax::parse_real(text)) << text;
 }
 
 TEST(DirectAddress, Parse_WhenWellFormed_ThenCountsInItsOwnSize) {
