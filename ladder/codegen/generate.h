@@ -42,7 +42,8 @@ struct ChartOrigin {
   std::vector<ChartTransition> transitions;
 };
 
-// Requires a model without errors. `file_names`: how the container calls each file of `sources`. Fails (B0100) only if the writer's verifier rejects the result.
+// Requires a model without errors. `file_names`: how the container calls each file of `sources`. Fails
+// (B0100) only if the writer's verifier rejects the result.
 [[nodiscard]] result::Result<std::vector<std::byte>> generate(const semantics::Model& model,
                                                               const std::vector<ChartOrigin>& charts,
                                                               const source::SourceSet& sources,

@@ -57,7 +57,8 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
   add_library(context, unit);
   const auto model = semantics::analyze(unit, user_pous, names, sink);
   if (sink.has_errors()) return tl::unexpected(sink.take());
-  auto container = codegen::generate(*model, chart_origins(lowering, *model), sources, container_names(sources, input.folder));
+  auto container = codegen::generate(*model, chart_origins(lowering, *model), sources,
+                                     container_names(sources, input.folder));
   if (!container) return result::forward(container);
   CompileOutput output;
   output.container = std::move(*container);

@@ -58,7 +58,8 @@ void check_variable(const VariableUse& use, const Pou& pou, source::DiagnosticSi
     sink.warning(code::kUnusedVariable, variable.where, quote(variable.spelling) + " is never used");
     return;
   }
-  const bool enables = naming::same_name(variable.spelling, "EN") || naming::same_name(variable.spelling, "ENO");
+  const bool enables =
+      naming::same_name(variable.spelling, "EN") || naming::same_name(variable.spelling, "ENO");
   if (!has_body(pou) || enables || variable.section == Section::Output) return;
   sink.warning(code::kUnusedParameter, variable.where,
                "the parameter " + quote(variable.spelling) + " is never used");

@@ -115,7 +115,8 @@ bool ExpressionAnalyzer::pass_output(const Argument& argument, Place source, std
   return true;
 }
 
-// The value of an ANY_INT output, a LINT, in the integer type that it goes to; it traps if that does not hold it.
+// The value of an ANY_INT output, a LINT, in the integer type that it goes to; it traps if that does not hold
+// it.
 ValuePtr ExpressionAnalyzer::within_type(ValuePtr integer, const Type& target) {
   const Type& to = target.kind == TypeKind::Subrange ? *target.base : target;
   if (!to.is_integer() || widens(*integer->type, to)) return integer;
@@ -128,8 +129,8 @@ ValuePtr ExpressionAnalyzer::within_type(ValuePtr integer, const Type& target) {
   return convert_exactly(std::move(checked), &to);
 }
 
-// The value of an input. ANY_INT takes a ULINT too: what a LINT does not hold is as good as the largest, which
-// is outside of every domain.
+// The value of an input. ANY_INT takes a ULINT too: what a LINT does not hold is as good as the largest,
+// which is outside of every domain.
 ValuePtr ExpressionAnalyzer::input_value(const Variable& parameter, const Expression& given) {
   ValuePtr found = value(given);
   if (!found) return nullptr;
@@ -150,8 +151,7 @@ ValuePtr ExpressionAnalyzer::reference_argument(const Argument& argument, const 
   auto target = place(*argument.value, Access::Write);
   if (!target) return nullptr;
   if (!matches_parameter(*target->type, *parameter.type)) {
-    if (!is_too_long(*target->type, *parameter.type))
-      return mismatch(*target->type, *parameter.type, where);
+    if (!is_too_long(*target->type, *parameter.type)) return mismatch(*target->type, *parameter.type, where);
     a_.error(code::kTypeMismatch, where,
              target->type->name + " is too long to stand for " + quote(parameter.spelling) +
                  ": the length of a " + parameter.type->name + " is an INT",
@@ -257,8 +257,7 @@ bool ExpressionAnalyzer::output_argument(const Variable& parameter, const Argume
                                          const Expression& call, Value& out) {
   const Place left = frame_place(*pou_, parameter.type);
   out.operands.push_back(address_of(copy_direct(left), call.where));
-  return argument == nullptr ||
-         pass_output(*argument, copy_direct(left), out.after, parameter.any_integer);
+  return argument == nullptr || pass_output(*argument, copy_direct(left), out.after, parameter.any_integer);
 }
 
 }  // namespace stepwright::semantics::internal

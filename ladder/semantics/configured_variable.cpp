@@ -111,7 +111,8 @@ bool Configurer::give_address(const syntax::ConfiguredVariable& line, const Memb
   located.push_back(
       {member.offset, ExpressionAnalyzer::copy_direct(variable.place), !declared.is_referred()});
   if (declared.is_referred())
-    a_.model.references.push_back({Base::Data, a_.model.instances[member.instance->index].offset + member.offset,
+    a_.model.references.push_back({Base::Data,
+                                   a_.model.instances[member.instance->index].offset + member.offset,
                                    ExpressionAnalyzer::copy_direct(variable.place)});
   a_.model.configured.push_back(std::move(variable));
   return true;

@@ -1,5 +1,5 @@
-// REF(x) as a first value (IEC 61131-3, 6.4.4.10.2). A first value is bytes, copied wherever a variable of its
-// type lies: in an instance, an element of an array, a constant. A reference in them is the number of its
+// REF(x) as a first value (IEC 61131-3, 6.4.4.10.2). A first value is bytes, copied wherever a variable of
+// its type lies: in an instance, an element of an array, a constant. A reference in them is the number of its
 // target until they lie in an area, where it becomes an address.
 
 #include <algorithm>

@@ -129,9 +129,9 @@ std::optional<Place> ExpressionAnalyzer::character_place(Place text, const Expre
     return std::nullopt;
   }
   const Dimension bounds{1, static_cast<std::int32_t>(most)};
-  text.character = constant ? make_constant({number}, a_.type_table().elementary(ElementaryType::Dint),
-                                            position->where)
-                            : narrow_index(std::move(position), bounds);
+  text.character =
+      constant ? make_constant({number}, a_.type_table().elementary(ElementaryType::Dint), position->where)
+               : narrow_index(std::move(position), bounds);
   text.type = a_.type_table().elementary(
       width_of(*text.type) == ElementaryType::Wstring ? ElementaryType::Wchar : ElementaryType::Char);
   return text;

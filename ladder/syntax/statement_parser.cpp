@@ -11,7 +11,8 @@ StatementPtr Parser::make_statement(StatementKind kind) const {
   return node;
 }
 
-// Up to a word that ends a block or, inside CASE, up to the next label: a block that is not closed ends there.
+// Up to a word that ends a block or, inside CASE, up to the next label: a block that is not closed ends
+// there.
 Statements Parser::statements() {
   Statements list;
   while (!at_block_end() && !(cases_ > 0 && at_case_label())) {

@@ -15,7 +15,7 @@ struct NativeEngine::Parts {
   std::vector<std::uint32_t> entry_costs;  // of each function: the bytes of its bytecode
   std::vector<bool> of_library;            // each function
   std::vector<std::uint64_t> returns = std::vector<std::uint64_t>(kMostCalls);
-  std::vector<std::uint64_t> memory;       // the context and all slots
+  std::vector<std::uint64_t> memory;  // the context and all slots
   std::uint32_t memory_size = 0;
 
   Context& context() { return *reinterpret_cast<Context*>(memory.data()); }

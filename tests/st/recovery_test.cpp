@@ -1,6 +1,6 @@
-// One mistake gives few diagnostics: every program of tests/st/programs that compiles, with one token left out,
-// written twice or exchanged for another. Nothing may crash or hang, the report stays short, and a mistake in a
-// body is reported in its POU.
+// One mistake gives few diagnostics: every program of tests/st/programs that compiles, with one token left
+// out, written twice or exchanged for another. Nothing may crash or hang, the report stays short, and a
+// mistake in a body is reported in its POU.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,8 @@ const std::string kRoot = STEPWRIGHT_SOURCE_DIR "/tests/st/programs";
 
 // So many errors at most for one wrong token.
 constexpr std::size_t kMostErrors = 3;
-// Every so many mutations of all that there are is tried: a prime, so that all kinds of tokens have their turn.
+// Every so many mutations of all that there are is tried: a prime, so that all kinds of tokens have their
+// turn.
 constexpr std::size_t kStride = 11;
 
 enum class Change : std::uint8_t { LeaveOut, Double, Exchange };
@@ -29,9 +30,9 @@ struct Place {
   std::uint32_t offset = 0;
   std::uint32_t size = 0;
   std::uint32_t line = 0;
-  bool word = false;          // a name or a reserved word
-  bool in_body = false;       // behind the last VAR section of its POU
-  std::uint32_t first = 0;    // lines of its POU, up to the next one
+  bool word = false;        // a name or a reserved word
+  bool in_body = false;     // behind the last VAR section of its POU
+  std::uint32_t first = 0;  // lines of its POU, up to the next one
   std::uint32_t behind = ~0u;
 };
 
@@ -58,7 +59,8 @@ std::vector<Place> places_of(const std::string& text) {
     if (token.is(syntax::TokenKind::End)) break;
     Place place;
     place.offset = token.where.offset;
-    place.size = static_cast<std::uint32_t>(token.text.size() + (token.is(syntax::TokenKind::TypePrefix) ? 1 : 0));
+    place.size =
+        static_cast<std::uint32_t>(token.text.size() + (token.is(syntax::TokenKind::TypePrefix) ? 1 : 0));
     place.line = sources.line(token.where);
     place.word = token.is(syntax::TokenKind::Identifier) || token.is(syntax::TokenKind::Keyword);
     if (begins_pou(token) && !in_configuration) {
@@ -87,7 +89,8 @@ std::string changed(const std::string& text, const Place& place, Change change) 
       break;
     case Change::Exchange:
       // What no program can mean at this place: a symbol where a word stands, a word for a symbol.
-      other = place.word ? (place.offset % 2 == 0 ? "," : "other") : (place.offset % 2 == 0 ? "THEN" : "other");
+      other =
+          place.word ? (place.offset % 2 == 0 ? "," : "other") : (place.offset % 2 == 0 ? "THEN" : "other");
       break;
   }
   return text.substr(0, place.offset) + other + text.substr(place.offset + place.size);
@@ -111,8 +114,10 @@ std::string check(const std::string& text, const Place& place, Change change) {
                          });
   if (errors.size() <= kMostErrors && !elsewhere) return {};
   return "line " + std::to_string(place.line) + ", '" + text.substr(place.offset, place.size) + "' " +
-         (change == Change::LeaveOut ? "left out" : change == Change::Double ? "doubled" : "exchanged") + ": " +
-         std::to_string(errors.size()) + " errors" + (elsewhere ? ", some in other POUs" : "") + "\n" +
+         (change == Change::LeaveOut ? "left out"
+          : change == Change::Double ? "doubled"
+                                     : "exchanged") +
+         ": " + std::to_string(errors.size()) + " errors" + (elsewhere ? ", some in other POUs" : "") + "\n" +
          result::to_string(errors);
 }
 

@@ -57,8 +57,8 @@ class StandardAnalyzer {
   ValuePtr typed_call(const syntax::Expression& call, const Entry& entry, const Type* type);
   // All values from `first` on in one type, which may be that of literals; null after a report.
   const Type* unify(Values& values, std::size_t first, Position where);
-  // An ANY_INT argument as DINT, which the machine has; one that does not fit is cut to the bounds, where it has
-  // the same effect. Null after a report.
+  // An ANY_INT argument as DINT, which the machine has; one that does not fit is cut to the bounds, where it
+  // has the same effect. Null after a report.
   ValuePtr as_dint(ValuePtr value, __int128 low, __int128 high);
   ValuePtr wrong_operand(const syntax::Expression& call, const Type& type, std::string hint = {});
 

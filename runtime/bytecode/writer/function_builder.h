@@ -43,7 +43,7 @@ struct Function {
   };
   std::string name;
   bytecode::FunctionKind kind = bytecode::FunctionKind::Function;
-  bool of_library = false;  // see bytecode::kFunctionOfLibrary
+  bool of_library = false;                    // see bytecode::kFunctionOfLibrary
   std::uint8_t result = bytecode::kNoResult;  // StackType or kNoResult
   std::uint16_t param_count = 0;
   std::vector<bytecode::StackType> locals;  // parameters first

@@ -36,8 +36,7 @@ void charge_entry(FunctionWork& work, const FunctionRecord& callee) {
 void emit_call(FunctionWork& work, std::uint32_t callee) {
   const FunctionCode::Item& item = work.current();
   work.out().call(work.program().functions[callee]);
-  work.program().calls.push_back(
-      {work.out().offset(), work.function(), item.pc + item.instruction.size});
+  work.program().calls.push_back({work.out().offset(), work.function(), item.pc + item.instruction.size});
 }
 
 // The caller's instance survives the call.

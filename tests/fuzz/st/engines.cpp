@@ -97,8 +97,7 @@ std::string Engines::scan() {
   for (std::size_t i = 1; i < p.engines.size(); ++i) {
     std::uint64_t other_left = kBudget;
     const bytecode::Trap trap = p.engines[i]->run(p.invocation, p.memories[i], other_left);
-    if (trap != p.trap)
-      out += "trap: " + shown(p.trap) + ", native: " + shown(trap) + "\n";
+    if (trap != p.trap) out += "trap: " + shown(p.trap) + ", native: " + shown(trap) + "\n";
     if (left != other_left)
       out += "budget left: " + std::to_string(left) + ", native: " + std::to_string(other_left) + "\n";
     // Frames have no value between scans.

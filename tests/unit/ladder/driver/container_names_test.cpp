@@ -11,8 +11,9 @@ using namespace stepwright;
 using Names = std::vector<std::string>;
 
 TEST(ContainerNames, Names_WhenRelative_ThenStayInNormalForm) {
-  EXPECT_EQ(driver::container_names(Names{"main.st", "./a.st", "parts//b.st", "x/../c.st", "../d.st", ""}, "/work"),
-            (Names{"main.st", "a.st", "parts/b.st", "c.st", "../d.st", ""}));
+  EXPECT_EQ(
+      driver::container_names(Names{"main.st", "./a.st", "parts//b.st", "x/../c.st", "../d.st", ""}, "/work"),
+      (Names{"main.st", "a.st", "parts/b.st", "c.st", "../d.st", ""}));
 }
 
 TEST(ContainerNames, Names_WhenAbsoluteBelowTheFolder_ThenAreRelativeToIt) {

@@ -109,8 +109,7 @@ const ErrorCase kCases[] = {
     {"MissingInOut", "E0411", 4, 1,
      "FUNCTION_BLOCK f\nVAR_IN_OUT x : INT; END_VAR END_FUNCTION_BLOCK\nPROGRAM main VAR y : f; "
      "END_VAR\ny();\nEND_PROGRAM"},
-    {"OpenAddressOfGlobal", "E0504", 2, 6,
-     "VAR_GLOBAL\nx AT %I* : BOOL; END_VAR\nPROGRAM main\nEND_PROGRAM"},
+    {"OpenAddressOfGlobal", "E0504", 2, 6, "VAR_GLOBAL\nx AT %I* : BOOL; END_VAR\nPROGRAM main\nEND_PROGRAM"},
     {"EdgeOfGlobal", "E0208", 2, 1, "VAR_GLOBAL\nx : BOOL R_EDGE; END_VAR\nPROGRAM main\nEND_PROGRAM"},
     {"ConstantBlock", "E0208", 2, 1, "VAR_GLOBAL CONSTANT\nx : TON; END_VAR\nPROGRAM main\nEND_PROGRAM"},
     {"RetainedConstant", "E0208", 2, 1,

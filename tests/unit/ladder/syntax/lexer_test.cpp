@@ -129,7 +129,8 @@ TEST(Number, Duration_WhenWellFormed_ThenIsExact) {
 }
 
 TEST(Number, Duration_WhenIllFormed_ThenIsNone) {
-  for (const char* text : {"", "5", "1s2h", "1.5m2s", "1x", "1s1s", "99999999999d", "-", "1s_", "1d__2h", "1._5s", "1.5_s"})
+  for (const char* text :
+       {"", "5", "1s2h", "1.5m2s", "1x", "1s1s", "99999999999d", "-", "1s_", "1d__2h", "1._5s", "1.5_s"})
     EXPECT_FALSE(syntax::parse_duration(text)) << text;
 }
 
