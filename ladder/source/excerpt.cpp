@@ -22,8 +22,11 @@ struct Range {
 };
 
 constexpr Range kNoWidth[] = {{0x0300, 0x036F}, {0x0483, 0x0489}, {0x0591, 0x05BD}, {0x064B, 0x065F},
-                              {0x200B, 0x200F}, {0x202A, 0x202E}, {0x2060, 0x2064}, {0x20D0, 0x20F0},
-                              {0xFE00, 0xFE0F}, {0xFE20, 0xFE2F}, {0xFEFF, 0xFEFF}};
+                              {0x200B, 0x200D}, {0x2060, 0x2064}, {0x20D0, 0x20F0}, {0xFE00, 0xFE0F},
+                              {0xFE20, 0xFE2F}, {0xFEFF, 0xFEFF}};
+// Control characters, and those that turn the direction of the text around.
+constexpr Range kObeyed[] = {{0x0000, 0x001F}, {0x007F, 0x009F}, {0x061C, 0x061C},
+                             {0x200E, 0x200F}, {0x202A, 0x202E}, {0x2066, 0x2069}};
 constexpr Range kTwoColumns[] = {{0x1100, 0x115F},   {0x2E80, 0x303E},   {0x3041, 0xA4CF},  {0xAC00, 0xD7A3},
                                  {0xF900, 0xFAFF},   {0xFE30, 0xFE4F},   {0xFF00, 0xFF60},  {0xFFE0, 0xFFE6},
                                  {0x1F300, 0x1F64F}, {0x1F900, 0x1F9FF}, {0x20000, 0x3FFFD}};
@@ -61,10 +64,11 @@ std::vector<Cell> cells_of(std::string_view line) {
     const std::string_view bytes = line.substr(at, length);
     const bool whole = length == length_of(lead) && (lead < 0x80 || lead >= 0xC2);
     Cell cell{std::string(bytes), 1, lead == '\t'};
-    if (!whole || (lead < 0x20 && !cell.tab) || lead == 0x7F) {
+    const char32_t code = whole ? decode(bytes) : 0;
+    if (!whole || (in_ranges(code, std::begin(kObeyed), std::end(kObeyed)) && !cell.tab)) {
       cell.text = "?";
-    } else {
-      cell.width = columns_of(decode(bytes));
+    } else if (!cell.tab) {
+      cell.width = columns_of(code);
     }
     cells.push_back(std::move(cell));
     at += length;

@@ -128,6 +128,8 @@ TEST(Render, Caret_WhenCharactersAreWideOrCombine_ThenItStandsBelow) {
 
 TEST(Render, Line_WhenItHoldsControlCharactersOrBadBytes_ThenTheTerminalIsSafe) {
   EXPECT_EQ(caret_line("a\x1b[31m\xFF b", 8), "  1 | a?[31m? b\n    |        ^\n");
+  // A control character of two bytes, and one that turns the text around.
+  EXPECT_EQ(caret_line("a\xC2\x9B\x33m\xE2\x80\xAE b", 6), "  1 | a?3m? b\n    |      ^\n");
 }
 
 TEST(Render, Line_WhenItIsLong_ThenItIsCutAroundTheCaret) {
