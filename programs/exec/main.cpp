@@ -82,6 +82,7 @@ nlohmann::json to_json(const exec::ExecReport& report, const std::string& engine
                      {"file", trap.diagnostic.where.file},
                      {"line", trap.diagnostic.where.line},
                      {"column", trap.diagnostic.where.column},
+                     {"message", trap.diagnostic.message},
                      {"function", trap.trap.function},
                      {"pc", trap.trap.pc}});
   }
