@@ -57,6 +57,11 @@ std::optional<Configurer::Member> Configurer::find_member(const syntax::Configur
     if (qualified && !naming::same_name(name_of(each), path[0].text)) continue;
     if (naming::same_name(a_.model.instances[each.index].name, path[first].text)) member.instance = &each;
   }
+  const bool broken = std::ranges::any_of(resources, [&](const auto& resource) {
+    return std::ranges::any_of(resource.programs,
+                               [&](const auto& each) { return each.name.id == path[first].id; });
+  });
+  if (member.instance == nullptr && broken) return std::nullopt;  // it was reported
   if (member.instance == nullptr) return unknown(path[first], "the configuration");
   const ProgramInstance& instance = a_.model.instances[member.instance->index];
   const Pou* owner = instance.program;

@@ -45,14 +45,15 @@ void Layout::declare_result() {
   if (in_memory) pou_.slots.push_back(bytecode::StackType::Ref);
   pou_.parameter_count = static_cast<std::uint16_t>(std::min<std::size_t>(pou_.slots.size(), 0xFFFF));
   pou_.has_result = declaration.result != nullptr;
-  if (type == nullptr) return;
+  if (!pou_.has_result) return;
   pou_.result = type;
-  const std::vector<std::byte> bytes = types_.initial_of(*declaration.result, *type);
   Variable result;
   result.name = declaration.name.id;
   result.spelling = pou_.spelling;
   result.type = type;
   result.where = declaration.name.where;
+  if (type == nullptr) return add(std::move(result));
+  const std::vector<std::byte> bytes = types_.initial_of(*declaration.result, *type);
   if (in_memory) {
     result.place = slot_place(static_cast<std::uint32_t>(pou_.slots.size() - 1), type);
     result.place.base = Base::SlotRef;

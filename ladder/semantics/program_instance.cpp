@@ -46,6 +46,7 @@ void note_block_tasks(Analysis& a, const syntax::Unit& unit) {
   for (const syntax::Configuration& configuration : unit.configurations)
     for (const syntax::Resource& resource : configuration.resources)
       for (const syntax::ProgramDeclaration& program : resource.programs) {
+        if (program.broken) continue;
         const auto pou = a.pous.find(program.type.id.value);
         if (pou == a.pous.end()) continue;
         for (const syntax::BlockTask& each : program.block_tasks)
@@ -76,6 +77,7 @@ std::size_t Configurer::background_task(const syntax::Name& program) {
 }
 
 void Configurer::declare_program(const syntax::ProgramDeclaration& declaration, std::size_t resource) {
+  if (declaration.broken) return;
   const syntax::Name& name = declaration.name;
   const Pou* program = find_program(a_, declaration.type);
   const auto task = declaration.task ? find_task(*declaration.task) : std::optional(background_task(name));

@@ -111,7 +111,8 @@ void Parser::program_instance(Resource& out) {
     if (type) result.type = *type;
   }
   if (understood && at(TokenKind::LeftParen)) program_elements(result);
-  if (understood) out.programs.push_back(std::move(result));
+  result.broken = !understood;
+  if (name) out.programs.push_back(std::move(result));
   if (!understood || !expect(TokenKind::Semicolon, "behind the program instance")) skip_statement();
 }
 

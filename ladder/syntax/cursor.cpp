@@ -106,12 +106,12 @@ std::optional<Name> Parser::expect_name(const char* what) {
   return std::nullopt;
 }
 
-bool Parser::at_pou_start() const {
+bool Parser::begins_or_ends_pou(const Token& token) {
   static constexpr Keyword kStarts[] = {
       Keyword::Program, Keyword::FunctionBlock,   Keyword::Function,    Keyword::Configuration,
       Keyword::Type,    Keyword::EndProgram,      Keyword::EndFunction, Keyword::EndFunctionBlock,
       Keyword::EndType, Keyword::EndConfiguration};
-  return is_one_of(peek(), kStarts);
+  return is_one_of(token, kStarts);
 }
 
 bool Parser::at_block_end() const {
@@ -135,8 +135,10 @@ void Parser::skip_statement() {
 }
 
 void Parser::skip_declaration() {
-  static constexpr Keyword kEnds[] = {Keyword::EndVar, Keyword::EndStruct, Keyword::EndType};
-  while (!at(TokenKind::End) && !at_pou_start() && !is_one_of(peek(), kEnds) && !at_variable_section()) {
+  static constexpr Keyword kEnds[] = {Keyword::EndVar, Keyword::EndStruct, Keyword::EndType,
+                                      Keyword::Resource, Keyword::Task};
+  while (!at(TokenKind::End) && !at_pou_start() && !is_one_of(peek(), kEnds) && !at_variable_section() &&
+         !at_statement_keyword() && !at_declaration()) {
     if (advance().is(TokenKind::Semicolon)) return;
   }
 }

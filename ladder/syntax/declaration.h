@@ -154,6 +154,7 @@ struct ProgramDeclaration {
   bool non_retain = false;
   std::vector<Argument> connections;  // in := global, out => global
   std::vector<BlockTask> block_tasks;
+  bool broken = false;  // reported by the parser: only the name is there
 };
 
 // Tasks and programs that stand in no RESOURCE belong to one without a name.

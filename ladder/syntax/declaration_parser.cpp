@@ -30,8 +30,12 @@ std::optional<Section> section_of(const Token& token) {
 
 }  // namespace
 
+bool Parser::begins_section(const Token& token) {
+  return section_of(token).has_value();
+}
+
 bool Parser::at_variable_section() const {
-  return section_of(peek()).has_value();
+  return begins_section(peek());
 }
 
 void Parser::variable_section(std::vector<VariableDeclaration>& out) {
@@ -62,18 +66,23 @@ void Parser::variable_lines(const VariableDeclaration& model, std::vector<Variab
   }
 }
 
-// "x : INT", "x, y : INT" where a statement could stand: the word VAR is missing.
-bool Parser::at_bare_declaration() const {
-  const Token& next = peek(1);
-  return kind_ == TextKind::Written && at(TokenKind::Identifier) &&
-         (next.is(TokenKind::Colon) || next.is(TokenKind::Comma) || next.is(Keyword::At));
+// "x : INT", "x, y : INT": the names of a declaration and what follows them.
+bool Parser::at_declaration() const {
+  for (std::size_t i = 0; peek(i).is(TokenKind::Identifier); i += 2) {
+    const Token& next = peek(i + 1);
+    if (next.is(TokenKind::Colon) || next.is(Keyword::At)) return true;
+    if (!next.is(TokenKind::Comma)) return false;
+  }
+  return false;
 }
 
+// What can be a statement and no declaration.
 bool Parser::at_bare_statement() const {
   const Token& next = peek(1);
-  return at(TokenKind::Identifier) &&
-         (next.is(TokenKind::Assign) || next.is(TokenKind::LeftParen) || next.is(TokenKind::Dot) ||
-          next.is(TokenKind::LeftBracket) || next.is(TokenKind::Caret));
+  const bool calls =
+      next.is(TokenKind::LeftParen) && (peek(2).is(TokenKind::RightParen) || peek(3).is(TokenKind::Assign));
+  return at(TokenKind::Identifier) && (calls || next.is(TokenKind::Assign) || next.is(TokenKind::Dot) ||
+                                       next.is(TokenKind::LeftBracket) || next.is(TokenKind::Caret));
 }
 
 // "VAR step : INT;": a reserved word where only a name can be meant.
@@ -111,14 +120,22 @@ bool Parser::typed_line(VariableDeclaration& line) {
 }
 
 bool Parser::variable_names(VariableDeclaration& line) {
+  bool sound = true;
   do {
     const bool reserved = at_reserved_name();
     const auto name = expect_name("the name of a variable");
-    if (!name && !reserved) return false;
+    sound = name || reserved;
     if (name) line.names.push_back(*name);
     // The other names of the line are good ones.
     if (reserved) advance();
-  } while (accept(TokenKind::Comma));
+  } while (sound && accept(TokenKind::Comma));
+  if (!at(TokenKind::Colon) && !at(Keyword::At)) unexpected("':' behind the name of the variable");
+  // A list with a mistake: its other names are declared too, so that their uses are not reported.
+  while (at(TokenKind::Identifier) || at(TokenKind::Comma)) {
+    const Token& token = advance();
+    if (token.is(TokenKind::Identifier)) line.names.push_back({token.name, token.text, token.where});
+    reported_at_ = at_;
+  }
   return !line.names.empty();
 }
 

@@ -7,8 +7,11 @@ namespace stepwright::syntax {
 namespace internal {
 
 void Parser::unit(Unit& out) {
+  bool lost = false;  // in what belongs to a mistake that was reported
   while (!at(TokenKind::End)) {
-    if (at(Keyword::Program) || at(Keyword::FunctionBlock) || at(Keyword::Function)) {
+    const bool declares = at_pou_start() && !at_program_instance();
+    lost = lost && !declares;
+    if (at(Keyword::FunctionBlock) || at(Keyword::Function) || (at(Keyword::Program) && declares)) {
       out.pous.push_back(pou());
     } else if (at(Keyword::Type)) {
       type_section(out.types);
@@ -17,15 +20,23 @@ void Parser::unit(Unit& out) {
     } else if (at(Keyword::VarGlobal)) {
       variable_section(out.globals);
     } else if (!accept(TokenKind::Semicolon)) {
-      unexpected("PROGRAM, FUNCTION_BLOCK, FUNCTION, TYPE, VAR_GLOBAL or CONFIGURATION");
+      if (!lost) unexpected("PROGRAM, FUNCTION_BLOCK, FUNCTION, TYPE, VAR_GLOBAL or CONFIGURATION");
+      lost = true;
       advance();
       // Everything up to the next declaration belongs to the same mistake.
-      while (!at(TokenKind::End) &&
-             (!at_pou_start() || at(Keyword::EndProgram) || at(Keyword::EndFunction) ||
-              at(Keyword::EndFunctionBlock) || at(Keyword::EndType) || at(Keyword::EndConfiguration)))
+      while (!at(TokenKind::End) && !at(Keyword::VarGlobal) &&
+             (!at_pou_start() || at_program_instance() || at(Keyword::EndProgram) ||
+              at(Keyword::EndFunction) || at(Keyword::EndFunctionBlock) || at(Keyword::EndType) ||
+              at(Keyword::EndConfiguration)))
         advance();
     }
   }
+}
+
+// "PROGRAM one WITH fast : main;" as in a configuration.
+bool Parser::at_program_instance() const {
+  return at(Keyword::Program) && (peek(1).is(Keyword::Retain) || peek(1).is(Keyword::NonRetain) ||
+                                  peek(2).is(Keyword::With) || peek(2).is(TokenKind::Colon));
 }
 
 Statements Parser::whole_statements() {

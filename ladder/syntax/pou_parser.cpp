@@ -16,16 +16,17 @@ PouDeclaration Parser::pou() {
     end = Keyword::EndFunction;
   }
   if (const auto name = expect_name("the name of the POU")) result.name = *name;
-  if (result.kind == PouKind::Function) {
-    if (accept(TokenKind::Colon)) result.result = type();
-  }
+  if (result.kind == PouKind::Function) result.result = function_result();
   accept(TokenKind::Semicolon);
-  while (at_variable_section() || at_bare_declaration()) {
+  // "x : INT" is no statement: the word VAR is missing. In a generated text it is a label.
+  while (at_variable_section() ||
+         (kind_ == TextKind::Written && (at_declaration() || at_unopened_section()))) {
     if (at_variable_section()) {
       variable_section(result.variables);
       continue;
     }
     unexpected("VAR before a declaration");
+    while (!at_declaration() && !at(Keyword::EndVar) && !at(TokenKind::End)) advance();
     variable_lines({}, result.variables);
     accept(Keyword::EndVar);
   }
@@ -43,6 +44,41 @@ PouDeclaration Parser::pou() {
   expect_end(end, open);
   accept(TokenKind::Semicolon);
   return result;
+}
+
+// ": INT"; null if there is none. What stands in its place is taken for it.
+TypeSpecPtr Parser::function_result() {
+  const bool here = context_.sources.line(peek().where) == context_.sources.line(tokens_[at_ - 1].where);
+  const bool misspelt = here && kind_ == TextKind::Written && !at(TokenKind::Colon) &&
+                        !at(TokenKind::Semicolon) && !at(TokenKind::End) && !at_variable_section() &&
+                        !at_pou_start() && !at_statement_keyword() && !at_bare_statement() && !at_chart();
+  if (misspelt) {
+    unexpected("':' and the type of the result");
+    skip_header_line();
+    reported_at_ = at_;
+    return std::make_unique<TypeSpec>();
+  }
+  if (!accept(TokenKind::Colon)) return nullptr;
+  TypeSpecPtr result = type();
+  if (result->kind == TypeKind::Error) skip_header_line();
+  return result;
+}
+
+// What is left of the line that names a POU.
+void Parser::skip_header_line() {
+  const auto line = [&](std::size_t token) { return context_.sources.line(tokens_[token].where); };
+  while (!at(TokenKind::Semicolon) && !at(TokenKind::End) && !at_variable_section() && !at_pou_start() &&
+         line(at_) == line(at_ - 1))
+    advance();
+}
+
+// An END_VAR without its VAR comes next.
+bool Parser::at_unopened_section() const {
+  for (std::size_t i = 0;; ++i) {
+    const Token& token = peek(i);
+    if (token.is(Keyword::EndVar)) return true;
+    if (token.is(TokenKind::End) || begins_section(token) || begins_or_ends_pou(token)) return false;
+  }
 }
 
 // An END_IF too many, a VAR between statements: one report, then on with the body.

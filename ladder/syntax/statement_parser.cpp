@@ -97,6 +97,22 @@ StatementPtr Parser::simple_statement() {
   return node;
 }
 
+// A word of a statement's head. If it is not here, what stands before it belongs to the mistake; `last` ends
+// the head.
+void Parser::expect_in_head(Keyword word, const char* after, Keyword last) {
+  if (expect(word, after)) return;
+  for (std::size_t i = 0;; ++i) {
+    const Token& token = peek(i);
+    const bool found = token.is(word) || token.is(last);
+    if (!found && !token.is(TokenKind::Semicolon) && !token.is(TokenKind::Assign) &&
+        !token.is(TokenKind::Keyword) && !token.is(TokenKind::End))
+      continue;
+    if (found) at_ += i + (token.is(word) ? 1 : 0);
+    reported_at_ = at_;
+    return;
+  }
+}
+
 StatementPtr Parser::if_statement() {
   auto node = make_statement(StatementKind::If);
   const Token& open = peek();
@@ -104,7 +120,7 @@ StatementPtr Parser::if_statement() {
     advance();  // IF, ELSIF
     Branch branch;
     branch.condition = expression();
-    expect(Keyword::Then, "behind the condition");
+    expect_in_head(Keyword::Then, "behind the condition", Keyword::Then);
     branch.body = statements();
     node->branches.push_back(std::move(branch));
   } while (at(Keyword::Elsif));
@@ -185,10 +201,10 @@ StatementPtr Parser::for_statement() {
   }
   expect(TokenKind::Assign, "behind the variable that counts");
   node->value = expression();
-  expect(Keyword::To, "behind the first value");
+  expect_in_head(Keyword::To, "behind the first value", Keyword::Do);
   node->limit = expression();
   if (accept(Keyword::By)) node->step = expression();
-  expect(Keyword::Do, "before the statements of the loop");
+  expect_in_head(Keyword::Do, "before the statements of the loop", Keyword::Do);
   node->body = statements();
   if (expect_end(Keyword::EndFor, open)) end_of_statement();
   return node;
@@ -198,7 +214,7 @@ StatementPtr Parser::while_statement() {
   auto node = make_statement(StatementKind::While);
   const Token& open = advance();
   node->value = expression();
-  expect(Keyword::Do, "behind the condition");
+  expect_in_head(Keyword::Do, "behind the condition", Keyword::Do);
   node->body = statements();
   if (expect_end(Keyword::EndWhile, open)) end_of_statement();
   return node;

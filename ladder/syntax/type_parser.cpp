@@ -133,7 +133,11 @@ void Parser::type_section(std::vector<TypeDeclaration>& out) {
   const Token& open = advance();
   while (!at(TokenKind::End) && (!at(TokenKind::Keyword) || at_reserved_name())) {
     if (accept(TokenKind::Semicolon)) continue;
+    const bool reserved = at_reserved_name();
     const auto name = expect_name("the name of the type");
+    if (!name && reserved) advance();
+    // A type without a name is read all the same, so that its end is found.
+    if (!name && accept(TokenKind::Colon) && type()->kind != TypeKind::Error) continue;
     bool understood = name && expect(TokenKind::Colon, "behind the name of the type");
     if (understood) {
       TypeDeclaration declaration;

@@ -93,7 +93,7 @@ std::string changed(const std::string& text, const Place& place, Change change) 
           place.word ? (place.offset % 2 == 0 ? "," : "other") : (place.offset % 2 == 0 ? "THEN" : "other");
       break;
   }
-  return text.substr(0, place.offset) + other + text.substr(place.offset + place.size);
+  return text.substr(0, place.offset) + " " + other + " " + text.substr(place.offset + place.size);
 }
 
 result::Diagnostics errors_of(const std::string& text) {
@@ -134,7 +134,7 @@ TEST(Recovery, Compile_WhenOneTokenIsWrong_ThenTheReportIsShortAndInPlace) {
         ++tried;
         const std::string failure = check(text, place, change);
         if (failure.empty()) continue;
-        if (++reported <= 20) ADD_FAILURE() << name << ", " << failure;
+        if (++reported <= 40) ADD_FAILURE() << name << ", " << failure;
       }
     }
   }

@@ -41,7 +41,9 @@ class Parser {
   // Skips to behind the next ';' or before something that begins or ends a block.
   void skip_statement();
   void skip_declaration();
-  bool at_pou_start() const;
+  bool at_pou_start() const { return begins_or_ends_pou(peek()); }
+  static bool begins_or_ends_pou(const Token& token);
+  static bool begins_section(const Token& token);
   bool at_block_end() const;
   bool at_statement_keyword() const;
 
@@ -89,6 +91,7 @@ class Parser {
   StatementPtr repeat_statement();
   StatementPtr keyword_statement(StatementKind kind);
   StatementPtr jump_statement();
+  void expect_in_head(Keyword word, const char* after, Keyword last);
   StatementPtr make_statement(StatementKind kind) const;
   Branch case_branch();
   bool at_case_label() const;
@@ -103,7 +106,7 @@ class Parser {
   bool variable_address(VariableDeclaration& line);
   bool typed_line(VariableDeclaration& line);
   void variable_lines(const VariableDeclaration& model, std::vector<VariableDeclaration>& out);
-  bool at_bare_declaration() const;
+  bool at_declaration() const;
   bool at_bare_statement() const;
 
   // type_parser.cpp
@@ -122,6 +125,10 @@ class Parser {
   // pou_parser.cpp
   PouDeclaration pou();
   void stray_word(PouDeclaration& pou);
+  TypeSpecPtr function_result();
+  void skip_header_line();
+  bool at_unopened_section() const;
+  bool at_program_instance() const;
 
   // configuration_parser.cpp
   Configuration configuration();
