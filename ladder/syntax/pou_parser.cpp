@@ -49,9 +49,13 @@ PouDeclaration Parser::pou() {
 // ": INT"; null if there is none. What stands in its place is taken for it.
 TypeSpecPtr Parser::function_result() {
   const bool here = context_.sources.line(peek().where) == context_.sources.line(tokens_[at_ - 1].where);
+  // A body may begin on the same line.
+  const bool statement = at_statement_keyword() || at_bare_statement() || at(TokenKind::Direct) ||
+                         (at(TokenKind::Identifier) &&
+                          (peek(1).is(TokenKind::LeftParen) || peek(1).is(TokenKind::AttemptAssign)));
   const bool misspelt = here && kind_ == TextKind::Written && !at(TokenKind::Colon) &&
                         !at(TokenKind::Semicolon) && !at(TokenKind::End) && !at_variable_section() &&
-                        !at_pou_start() && !at_statement_keyword() && !at_bare_statement() && !at_chart();
+                        !at_pou_start() && !at_chart() && !statement;
   if (misspelt) {
     unexpected("':' and the type of the result");
     skip_header_line();

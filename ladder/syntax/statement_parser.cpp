@@ -1,5 +1,7 @@
 // Statements (IEC 61131-3, 7.3.3).
 
+#include <algorithm>
+
 #include "ladder/syntax/internal/parser.h"
 
 namespace stepwright::syntax::internal {
@@ -97,6 +99,20 @@ StatementPtr Parser::simple_statement() {
   return node;
 }
 
+namespace {
+
+// In a condition or a bound.
+bool may_stand_in_head(const Token& token) {
+  static constexpr Keyword kWords[] = {Keyword::And, Keyword::AndThen, Keyword::Or,   Keyword::OrElse,
+                                       Keyword::Xor, Keyword::Not,     Keyword::Mod,  Keyword::True,
+                                       Keyword::By,  Keyword::False,   Keyword::Null, Keyword::To};
+  if (token.is(TokenKind::Keyword))
+    return std::find(std::begin(kWords), std::end(kWords), token.keyword) != std::end(kWords);
+  return !token.is(TokenKind::Semicolon) && !token.is(TokenKind::Assign) && !token.is(TokenKind::End);
+}
+
+}  // namespace
+
 // A word of a statement's head. If it is not here, what stands before it belongs to the mistake; `last` ends
 // the head.
 void Parser::expect_in_head(Keyword word, const char* after, Keyword last) {
@@ -104,9 +120,7 @@ void Parser::expect_in_head(Keyword word, const char* after, Keyword last) {
   for (std::size_t i = 0;; ++i) {
     const Token& token = peek(i);
     const bool found = token.is(word) || token.is(last);
-    if (!found && !token.is(TokenKind::Semicolon) && !token.is(TokenKind::Assign) &&
-        !token.is(TokenKind::Keyword) && !token.is(TokenKind::End))
-      continue;
+    if (!found && may_stand_in_head(token)) continue;
     if (found) at_ += i + (token.is(word) ? 1 : 0);
     reported_at_ = at_;
     return;
