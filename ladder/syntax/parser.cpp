@@ -9,34 +9,32 @@ namespace internal {
 void Parser::unit(Unit& out) {
   bool lost = false;  // in what belongs to a mistake that was reported
   while (!at(TokenKind::End)) {
-    const bool declares = at_pou_start() && !at_program_instance();
-    lost = lost && !declares;
-    if (at(Keyword::FunctionBlock) || at(Keyword::Function) || (at(Keyword::Program) && declares)) {
-      out.pous.push_back(pou());
+    lost = lost && !at_declaration_of_unit();
+    if (!at_declaration_of_unit() && !at(Keyword::VarGlobal)) {
+      if (accept(TokenKind::Semicolon)) continue;
+      if (!lost) unexpected("PROGRAM, FUNCTION_BLOCK, FUNCTION, TYPE, VAR_GLOBAL or CONFIGURATION");
+      lost = true;
+      // Everything up to the next declaration belongs to the same mistake.
+      do advance();
+      while (!at(TokenKind::End) && !at(Keyword::VarGlobal) && !at_declaration_of_unit());
     } else if (at(Keyword::Type)) {
       type_section(out.types);
     } else if (at(Keyword::Configuration)) {
       out.configurations.push_back(configuration());
     } else if (at(Keyword::VarGlobal)) {
       variable_section(out.globals);
-    } else if (!accept(TokenKind::Semicolon)) {
-      if (!lost) unexpected("PROGRAM, FUNCTION_BLOCK, FUNCTION, TYPE, VAR_GLOBAL or CONFIGURATION");
-      lost = true;
-      advance();
-      // Everything up to the next declaration belongs to the same mistake.
-      while (!at(TokenKind::End) && !at(Keyword::VarGlobal) &&
-             (!at_pou_start() || at_program_instance() || at(Keyword::EndProgram) ||
-              at(Keyword::EndFunction) || at(Keyword::EndFunctionBlock) || at(Keyword::EndType) ||
-              at(Keyword::EndConfiguration)))
-        advance();
+    } else {
+      out.pous.push_back(pou());
     }
   }
 }
 
-// "PROGRAM one WITH fast : main;" as in a configuration.
-bool Parser::at_program_instance() const {
-  return at(Keyword::Program) && (peek(1).is(Keyword::Retain) || peek(1).is(Keyword::NonRetain) ||
-                                  peek(2).is(Keyword::With) || peek(2).is(TokenKind::Colon));
+// "PROGRAM one WITH fast : main;" and "PROGRAM one : main;" are parts of a configuration.
+bool Parser::at_declaration_of_unit() const {
+  const bool instance = peek(1).is(Keyword::Retain) || peek(1).is(Keyword::NonRetain) ||
+                        peek(2).is(Keyword::With) || peek(2).is(TokenKind::Colon);
+  return (at(Keyword::Program) && !instance) || at(Keyword::FunctionBlock) || at(Keyword::Function) ||
+         at(Keyword::Type) || at(Keyword::Configuration);
 }
 
 Statements Parser::whole_statements() {

@@ -22,6 +22,8 @@ class Parser {
   std::vector<VariableDeclaration> whole_variables();
 
  private:
+  bool at_declaration_of_unit() const;
+
   // Cursor (cursor.cpp).
   const Token& peek(std::size_t ahead = 0) const;
   const Token& advance();
@@ -128,7 +130,6 @@ class Parser {
   TypeSpecPtr function_result();
   void skip_header_line();
   bool at_unopened_section() const;
-  bool at_program_instance() const;
 
   // configuration_parser.cpp
   Configuration configuration();
