@@ -17,7 +17,8 @@ enum class EngineKind : std::uint8_t {
   Vm,      // the interpreter (runtime/vm)
 };
 
-// The program's bytes must outlive the engine. Fails (R0010) only if native code is asked for and cannot be had.
+// The program's bytes must outlive the engine. Fails (R0010) only if native code is asked for and cannot be
+// had.
 [[nodiscard]] result::Result<std::unique_ptr<bytecode::Engine>> make_engine(EngineKind kind,
                                                                             const bytecode::Program& program);
 

@@ -73,8 +73,7 @@ Trap Interpreter::run(const bytecode::Invocation& invocation, std::span<std::byt
 #define STEPWRIGHT_X(name, ...) &&super_##name,
           STEPWRIGHT_SUPERINSTRUCTIONS(STEPWRIGHT_X)
 #undef STEPWRIGHT_X
-      && original
-  };
+      && original};
   assert(memory_block.size() == program_.memory_size());
   const bytecode::ContainerView& view = program_.container();
   const std::byte* const file_code = view.section(Section::Code).data();

@@ -26,8 +26,8 @@ class Interpreter final : public bytecode::Engine {
   // The program's bytes and the stack (sizes().stack_slots at least) must outlive the engine.
   Interpreter(const bytecode::Program& program, std::span<std::uint64_t> stack);
 
-  // Fills `quick_code` (as many bytes as the Code section has; it must outlive the engine) with the quick form
-  // of the code and runs that: the same meaning, traps and budget in fewer steps (superinstruction.h).
+  // Fills `quick_code` (as many bytes as the Code section has; it must outlive the engine) with the quick
+  // form of the code and runs that: the same meaning, traps and budget in fewer steps (superinstruction.h).
   Interpreter(const bytecode::Program& program, std::span<std::uint64_t> stack,
               std::span<std::byte> quick_code);
 

@@ -41,7 +41,8 @@ constexpr auto kQuickOf = [] {
 // Whether any superinstruction starts with each opcode.
 constexpr auto kStarts = [] {
   std::array<bool, bytecode::kOpcodeCount> starts{};
-  for (const Superinstruction& each : kSuperinstructions) starts[static_cast<std::uint8_t>(each.parts[0])] = true;
+  for (const Superinstruction& each : kSuperinstructions)
+    starts[static_cast<std::uint8_t>(each.parts[0])] = true;
   return starts;
 }();
 
@@ -60,7 +61,8 @@ bool matches(const Superinstruction& super, std::span<const std::byte> code, con
     if (pc >= code.size() || static_cast<Opcode>(code[pc]) != super.parts[part]) return false;
     if (!bytecode::decode(code, pc, in)) return false;
     if (in.opcode == Opcode::AddrThis) address = in;
-    if (in.opcode == Opcode::Index && super.elements != Elements::None && !elements_within(address, in, function))
+    if (in.opcode == Opcode::Index && super.elements != Elements::None &&
+        !elements_within(address, in, function))
       return false;
     pc += in.size;
   }

@@ -32,7 +32,7 @@ enum class Quick : std::uint8_t {
 // size, and the array must lie within the instance.
 enum class Elements : std::uint8_t { None, I32, F32 };
 
-inline constexpr std::uint32_t kMostParts = 9;
+inline constexpr std::uint32_t kMostParts = 12;
 
 struct Superinstruction {
   const char* name;

@@ -25,7 +25,8 @@
 #define STEPWRIGHT_ELEMENT_REF AddrThis, LoadI32This, Index
 #define STEPWRIGHT_REAL_ELEMENT STEPWRIGHT_ELEMENT_REF, LoadF32Ind
 
-// clang-format off: one superinstruction a line, although nothing separates the macros of a list
+// One superinstruction a line, although nothing separates the macros of a list.
+// clang-format off
 #define STEPWRIGHT_SUPER_REAL(X, Op)                                            \
   STEPWRIGHT_SUPER_OPERANDS(X, Op, LoadF32This, ConstF32)                       \
   STEPWRIGHT_SUPER_ASSIGN(X, Op, LoadF32This, ConstF32, StoreF32This)           \
@@ -44,6 +45,10 @@
   STEPWRIGHT_SUPER_REAL(X, MulF32)                                           \
   X(VarConstMulF32AddF32ToVar, None, LoadF32This, ConstF32, MulF32, AddF32, StoreF32This) \
   X(VarConstMulF32SubF32ToVar, None, LoadF32This, ConstF32, MulF32, SubF32, StoreF32This) \
+  X(VarVarConstMulF32AddF32ToVar, None, LoadF32This, LoadF32This, ConstF32, MulF32, AddF32, StoreF32This) \
+  X(VarVarConstMulF32SubF32ToVar, None, LoadF32This, LoadF32This, ConstF32, MulF32, SubF32, StoreF32This) \
+  X(ElementVarMulF32ElementAddF32ToVar, F32, STEPWRIGHT_REAL_ELEMENT, LoadF32This, MulF32, \
+    STEPWRIGHT_REAL_ELEMENT, AddF32, StoreF32This) \
   STEPWRIGHT_SUPER_OPERANDS(X, AddI32, LoadI32This, ConstI32)                \
   STEPWRIGHT_SUPER_ASSIGN(X, AddI32, LoadI32This, ConstI32, StoreI32This)    \
   STEPWRIGHT_SUPER_OPERANDS(X, SubI32, LoadI32This, ConstI32)                \
@@ -77,6 +82,8 @@
   X(VarConstGeI32Else, None, LoadI32This, ConstI32, GeI32, JumpIfFalse)  \
   X(VarConstLtF32Else, None, LoadF32This, ConstF32, LtF32, JumpIfFalse)  \
   X(VarConstGtF32Else, None, LoadF32This, ConstF32, GtF32, JumpIfFalse)  \
+  X(CountGtI32Else, None, LoadI32This, ConstI32, AddI32, StoreI32This, LoadI32This, ConstI32, GtI32, JumpIfFalse) \
+  X(CountGeI32Else, None, LoadI32This, ConstI32, AddI32, StoreI32This, LoadI32This, ConstI32, GeI32, JumpIfFalse) \
   X(NextDint, None, LoadI32This, ConstI32, GtI32, LoadI32This, ConstI32, AddI32, StoreI32This, JumpIfFalse) \
   X(NextInt, None, LoadI16This, ConstI32, GtI32, LoadI16This, ConstI32, AddI32, StoreI16This, JumpIfFalse)
 
@@ -110,7 +117,7 @@
   X(DivI32) STEPWRIGHT_FLOATING(X, Div)                                                          \
   X(WrapI16)                                                                                     \
   STEPWRIGHT_FUSED_OPCODES(X)                                                                    \
-  X(AndBool) X(OrBool) X(XorBool) X(NotBool) X(AndI32) X(OrI32)                                  \
+  X(AndBool) X(OrBool) X(XorBool) X(NotBool)                                                      \
   X(EqI32) X(NeI32)                                                                              \
   STEPWRIGHT_QUICK_ORDER(X, Lt) STEPWRIGHT_QUICK_ORDER(X, Le)                                    \
   STEPWRIGHT_QUICK_ORDER(X, Gt) STEPWRIGHT_QUICK_ORDER(X, Ge)                                    \

@@ -61,8 +61,8 @@ Run run_all(const Program& program, bool quick) {
   std::copy(initial.begin(), initial.end(), bytes.begin());
   Guarded<std::uint8_t> code(program.container().section(Section::Code).size());
   const auto code_bytes = std::as_writable_bytes(code.inner());
-  vm::Interpreter engine = quick ? vm::Interpreter(program, stack.inner(), code_bytes)
-                                 : vm::Interpreter(program, stack.inner());
+  vm::Interpreter engine =
+      quick ? vm::Interpreter(program, stack.inner(), code_bytes) : vm::Interpreter(program, stack.inner());
   Run out;
   for (const std::int64_t now_ns : kScanTimes) {
     for (std::uint32_t task = 0; task < program.container().count<Section::Tasks>(); ++task) {

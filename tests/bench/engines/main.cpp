@@ -1,7 +1,7 @@
 // The two engines beside C: 1000 rungs, an arithmetic loop and 300 function blocks, each with new random
 // inputs in every scan, in both engines, in the manner of matiec and as hand-written C (gcc -O2, in the same
-// run, taking turns). Then the growth of the rungs to 100,000 beside the same C, and how long compiling takes.
-// All results are compared before anything is timed.
+// run, taking turns). Then the growth of the rungs to 100,000 beside the same C, and how long compiling
+// takes. All results are compared before anything is timed.
 //
 //   bench_engines [--json FILE]
 
@@ -166,9 +166,11 @@ void run_growth(std::uint32_t count, int repeats, nlohmann::json& out) {
   out["native_code_" + name + "_ms"] = native_ms;
   out["native_" + name + "_us"] = scan_us;
   out["hand_" + name + "_us"] = hand_us;
-  std::printf("%6u rungs: native %.2f us a scan (%.3f ns a rung), hand %.2f us (%.3f ns a rung); compiled in %.1f ms, "
-              "of it %.2f ms native code\n",
-              count, scan_us, scan_us * 1000 / count, hand_us, hand_us * 1000 / count, all_ms, native_ms);
+  std::printf(
+      "%6u rungs: native %.2f us a scan (%.3f ns a rung), hand %.2f us (%.3f ns a rung); compiled in %.1f "
+      "ms, "
+      "of it %.2f ms native code\n",
+      count, scan_us, scan_us * 1000 / count, hand_us, hand_us * 1000 / count, all_ms, native_ms);
 }
 
 int run(const char* json_file) {

@@ -68,7 +68,8 @@ std::string hand_c(const std::vector<Rung>& all) {
   for (std::uint32_t k = 0; k < all.size(); ++k) {
     if (split && k % kChunk == 0) {
       const std::string name = "part" + std::to_string(k / kChunk) + "()";
-      functions += (k == 0 ? "" : "}\n") + std::string("static __attribute__((noinline)) void ") + name + " {\n";
+      functions +=
+          (k == 0 ? "" : "}\n") + std::string("static __attribute__((noinline)) void ") + name + " {\n";
       body += "  " + name + ";\n";
     }
     rungs += "  " + place(kInputs + k) + " = (" + place(all[k].a) + " & (" + place(all[k].b) + " ^ 1)) | " +

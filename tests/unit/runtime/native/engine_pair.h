@@ -1,7 +1,7 @@
 #pragma once
 
-// One program in both engines, the interpreter with and without its quick form, each with an image of its own:
-// every run is compared byte for byte.
+// One program in both engines, the interpreter with and without its quick form, each with an image of its
+// own: every run is compared byte for byte.
 //
 //   EnginePair pair(model);
 //   pair.write<std::int32_t>(0, 7);

@@ -185,7 +185,8 @@ TEST(Superinstruction, Each_WhenRunOnRandomValues_ThenMeansItsParts) {
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
       Sample sample(super, seed);
       TestProgram program(sample.model());
-      ASSERT_EQ(number_of(super, program.loaded().program()), super.number) << super.name << ", seed " << seed;
+      ASSERT_EQ(number_of(super, program.loaded().program()), super.number)
+          << super.name << ", seed " << seed;
       for (std::uint32_t at = 0; at < kResults; at += 4) program.write(at, sample.word());
       ASSERT_NO_THROW(trapped += program.run() ? 1 : 0) << super.name << ", seed " << seed;
     }
@@ -204,7 +205,8 @@ TEST(Superinstruction, AnArrayThatTheInstanceDoesNotHold_WhenQuickened_ThenItsEl
     }));
     program.write<std::int32_t>(0, 3);
     EXPECT_FALSE(program.run());
-    std::vector<std::byte> code(program.loaded().program().container().section(bytecode::Section::Code).size());
+    std::vector<std::byte> code(
+        program.loaded().program().container().section(bytecode::Section::Code).size());
     quicken(program.loaded().program(), code);
     return static_cast<Quick>(code[0]);
   };
