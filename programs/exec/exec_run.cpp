@@ -34,9 +34,8 @@ result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOp
   if (!variables) return result::forward(variables);
 
   std::vector<std::byte> memory(program.memory_size());
-  std::vector<std::uint64_t> stack(program.sizes().stack_slots);
   image::ProcessImage image(memory, scan::layout_of(program));
-  auto engine = host::make_engine(options.engine, program, stack);
+  auto engine = host::make_engine(options.engine, program);
   if (!engine) return result::forward(engine);
   image::NoIo io;
   scan::NoClock clock;

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 
 #include "runtime/bytecode/engine.h"
 #include "runtime/bytecode/program.h"
@@ -18,10 +17,9 @@ enum class EngineKind : std::uint8_t {
   Vm,      // the interpreter (runtime/vm)
 };
 
-// `stack` (the program's stack_slots) and the program's bytes must outlive the engine. Fails (R0010) only if
-// native code is asked for and cannot be had.
+// The program's bytes must outlive the engine. Fails (R0010) only if native code is asked for and cannot be
+// had.
 [[nodiscard]] result::Result<std::unique_ptr<bytecode::Engine>> make_engine(EngineKind kind,
-                                                                            const bytecode::Program& program,
-                                                                            std::span<std::uint64_t> stack);
+                                                                            const bytecode::Program& program);
 
 }  // namespace stepwright::host

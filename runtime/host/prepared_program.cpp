@@ -34,10 +34,9 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(
     return too_large("image", program.image_size(), kMaxImageBytes, "");
   auto info = reader::ProgramInfo::read(loaded->bytes());
   if (!info) return result::forward(info);
-  std::vector<std::uint64_t> stack(program.sizes().stack_slots);
-  auto made = make_engine(engine, program, stack);
+  auto made = make_engine(engine, program);
   if (!made) return result::forward(made);
-  Machine machine{std::move(stack), std::move(*made), BoolBytes(*info, program.image_size())};
+  Machine machine{std::move(*made), BoolBytes(*info, program.image_size())};
   return std::unique_ptr<PreparedProgram>(new PreparedProgram(
       std::move(*loaded), std::move(machine), std::move(digest), io, clock, config, plant_values));
 }

@@ -47,7 +47,6 @@ class PreparedProgram {
 
  private:
   struct Machine {
-    std::vector<std::uint64_t> stack;
     std::unique_ptr<bytecode::Engine> engine;
     BoolBytes bools;
   };

@@ -10,9 +10,12 @@
 #include "runtime/operations/slot.h"
 #include "runtime/operations/string_ops.h"
 #include "runtime/vm/handler_macros.h"
+#include "runtime/vm/super_handlers.h"
+#include "runtime/vm/superinstruction.h"
 
 // Computed goto: every handler jumps to the next one itself, which branch predictors like better than one
-// shared switch. The families of handlers that differ in type and operator only are in handler_macros.h.
+// shared switch. The families of handlers that differ in type and operator only are in handler_macros.h, the
+// superinstructions in super_handlers.h.
 
 namespace stepwright::vm {
 
@@ -35,11 +38,25 @@ constexpr std::uint32_t operand_bytes(Opcode opcode) {
   return bytecode::size_of(bytecode::info(opcode).operands);
 }
 
+// Where the operands of each part lie behind the number of the superinstruction; at `count`: its end.
+constexpr std::array<std::uint32_t, kMostParts + 1> part_offsets(const Superinstruction& super) {
+  std::array<std::uint32_t, kMostParts + 1> offsets{};
+  for (std::uint32_t part = 0; part <= super.count; ++part) offsets[part] = super.offset(part);
+  return offsets;
+}
+
 }  // namespace
 
 Interpreter::Interpreter(const bytecode::Program& program, std::span<std::uint64_t> stack)
-    : program_(program), stack_(stack) {
+    : program_(program), stack_(stack), code_(program.container().section(Section::Code)) {
   assert(stack.size() >= program.sizes().stack_slots);
+}
+
+Interpreter::Interpreter(const bytecode::Program& program, std::span<std::uint64_t> stack,
+                         std::span<std::byte> quick_code)
+    : Interpreter(program, stack) {
+  quicken(program, quick_code);
+  code_ = quick_code;
 }
 
 Trap Interpreter::run(const bytecode::Invocation& invocation, std::span<std::byte> memory_block,
@@ -49,12 +66,21 @@ Trap Interpreter::run(const bytecode::Invocation& invocation, std::span<std::byt
       STEPWRIGHT_OPCODES(STEPWRIGHT_X)
 #undef STEPWRIGHT_X
   };
-  // The compiler forgets what it knows of the address, so that it keeps it in a register for all handlers.
-  const void* const* handlers = kHandlers;
-  asm("" : "+r"(handlers));
+  static const void* const kQuickHandlers[] = {
+#define STEPWRIGHT_X(name, ...) &&op_##name,
+      STEPWRIGHT_QUICK_ORIGINALS(STEPWRIGHT_X)
+#undef STEPWRIGHT_X
+#define STEPWRIGHT_X(name, ...) &&super_##name,
+          STEPWRIGHT_SUPERINSTRUCTIONS(STEPWRIGHT_X)
+#undef STEPWRIGHT_X
+      && original};
   assert(memory_block.size() == program_.memory_size());
   const bytecode::ContainerView& view = program_.container();
-  const std::byte* const all_code = view.section(Section::Code).data();
+  const std::byte* const file_code = view.section(Section::Code).data();
+  const std::byte* const all_code = code_.data();
+  // The compiler forgets what it knows of the address, so that it keeps it in a register for all handlers.
+  const void* const* handlers = all_code == file_code ? kHandlers : kQuickHandlers;
+  asm("" : "+r"(handlers));
   const std::byte* const constants = view.section(Section::Constants).data();
   const std::byte* const functions = view.section(Section::Functions).data();
   std::byte* const memory = memory_block.data();
@@ -377,6 +403,11 @@ op_Intrinsic : {
 }
 op_Trap:
   FAULT(OPERAND(TrapCode, 0));
+
+  SUPER_HANDLERS
+
+original:
+  goto* kHandlers[static_cast<std::uint8_t>(file_code[pc - 1 - all_code])];
 
 trapped : {
   budget = budget_left;

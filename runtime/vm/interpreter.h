@@ -6,7 +6,8 @@
 // Thread rule: as bytecode::Engine. Invariant: between two runs the stack holds nothing.
 //
 //   std::vector<std::uint64_t> stack(program.sizes().stack_slots);
-//   vm::Interpreter engine(program, stack);
+//   std::vector<std::byte> quick(program.container().section(bytecode::Section::Code).size());
+//   vm::Interpreter engine(program, stack, quick);
 //   std::uint64_t budget = 1'000'000;
 //   bytecode::Trap trap = engine.run({.function = 0, .instance = 3, .frames = program.frames_of(0)}, memory,
 //   budget);
@@ -25,6 +26,11 @@ class Interpreter final : public bytecode::Engine {
   // The program's bytes and the stack (sizes().stack_slots at least) must outlive the engine.
   Interpreter(const bytecode::Program& program, std::span<std::uint64_t> stack);
 
+  // Fills `quick_code` (as many bytes as the Code section has; it must outlive the engine) with the quick
+  // form of the code and runs that: the same meaning, traps and budget in fewer steps (superinstruction.h).
+  Interpreter(const bytecode::Program& program, std::span<std::uint64_t> stack,
+              std::span<std::byte> quick_code);
+
   // Requires a function that a task calls (ProgramCallRecord): the stack is sized for those.
   bytecode::Trap run(const bytecode::Invocation& invocation, std::span<std::byte> memory,
                      std::uint64_t& budget) override;
@@ -32,6 +38,7 @@ class Interpreter final : public bytecode::Engine {
  private:
   bytecode::Program program_;
   std::span<std::uint64_t> stack_;
+  std::span<const std::byte> code_;  // the file's, or its quick form
 };
 
 }  // namespace stepwright::vm

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <vector>
 
 #include "runtime/bytecode/container_parse.h"
 #include "runtime/bytecode/program.h"
@@ -31,7 +32,7 @@ bool is_plausible(const Program& program, const bytecode::Trap& trap) {
 }
 
 bool run_task(const Program& program, std::uint32_t task, std::int64_t now_ns, vm::Interpreter& engine,
-              std::span<std::byte> memory) {
+              std::span<std::byte> memory, std::vector<std::uint64_t>& traps) {
   const bytecode::ContainerView& view = program.container();
   const bytecode::TaskRecord record = view.record<Section::Tasks>(task);
   for (std::uint32_t i = 0; i < record.call_count; ++i) {
@@ -39,26 +40,47 @@ bool run_task(const Program& program, std::uint32_t task, std::int64_t now_ns, v
     std::uint64_t budget = kBudget;
     const bytecode::Trap trap =
         engine.run({call.function, call.instance, now_ns, program.frames_of(task)}, memory, budget);
+    traps.insert(traps.end(), {static_cast<std::uint64_t>(trap.code), trap.function, trap.pc, budget});
     if (budget > kBudget || !is_plausible(program, trap)) return false;
   }
   return true;
 }
 
-Outcome run_program(const Program& program) {
-  if (program.memory_size() > kMostMemory || program.sizes().stack_slots > kMostSlots)
-    return Outcome::TooLarge;
+// What the tasks leave in the memory and where they stop, in either form of the interpreter's code.
+struct Run {
+  bool held = true;
+  std::vector<std::uint64_t> traps;  // code, function, pc, the budget that is left
+  std::vector<std::byte> memory;
+};
+
+Run run_all(const Program& program, bool quick) {
   Guarded<std::uint8_t> memory(program.memory_size());
   Guarded<std::uint64_t> stack(program.sizes().stack_slots);
   const auto initial = program.container().section(Section::InitialData);
   const auto bytes = std::as_writable_bytes(memory.inner());
   std::copy(initial.begin(), initial.end(), bytes.begin());
-  vm::Interpreter engine(program, stack.inner());
+  Guarded<std::uint8_t> code(program.container().section(Section::Code).size());
+  const auto code_bytes = std::as_writable_bytes(code.inner());
+  vm::Interpreter engine =
+      quick ? vm::Interpreter(program, stack.inner(), code_bytes) : vm::Interpreter(program, stack.inner());
+  Run out;
   for (const std::int64_t now_ns : kScanTimes) {
     for (std::uint32_t task = 0; task < program.container().count<Section::Tasks>(); ++task) {
-      if (!run_task(program, task, now_ns, engine, bytes)) return Outcome::BrokeOut;
+      out.held = out.held && run_task(program, task, now_ns, engine, bytes, out.traps);
     }
   }
-  return memory.intact() && stack.intact() ? Outcome::Ran : Outcome::BrokeOut;
+  out.held = out.held && memory.intact() && stack.intact() && code.intact();
+  out.memory.assign(bytes.begin(), bytes.end());
+  return out;
+}
+
+Outcome run_program(const Program& program) {
+  if (program.memory_size() > kMostMemory || program.sizes().stack_slots > kMostSlots)
+    return Outcome::TooLarge;
+  const Run plain = run_all(program, false);
+  const Run quick = run_all(program, true);
+  const bool same = plain.memory == quick.memory && plain.traps == quick.traps;
+  return plain.held && quick.held && same ? Outcome::Ran : Outcome::BrokeOut;
 }
 
 }  // namespace

@@ -12,9 +12,8 @@ namespace stepwright::st_test {
 
 namespace {
 
-std::unique_ptr<bytecode::Engine> make_engine(const bytecode::Program& program, EngineKind kind,
-                                              std::span<std::uint64_t> stack) {
-  auto engine = host::make_engine(kind, program, stack);
+std::unique_ptr<bytecode::Engine> make_engine(const bytecode::Program& program, EngineKind kind) {
+  auto engine = host::make_engine(kind, program);
   if (!engine) throw std::runtime_error(result::to_string(engine.error()));
   return std::move(*engine);
 }
@@ -34,16 +33,14 @@ struct Machine::Parts {
   Parts(const reader::LoadedProgram& loaded, EngineKind kind)
       : info(reader::ProgramInfo::read(loaded.bytes()).value()),
         memory(loaded.program().memory_size()),
-        stack(loaded.program().sizes().stack_slots),
         image(memory, scan::layout_of(loaded.program())),
-        engine(make_engine(loaded.program(), kind, stack)),
+        engine(make_engine(loaded.program(), kind)),
         cycle(loaded.program(), *engine, image, io, clock, {}) {
     cycle.start({});
   }
 
   reader::ProgramInfo info;
   std::vector<std::byte> memory;
-  std::vector<std::uint64_t> stack;
   image::ProcessImage image;
   std::unique_ptr<bytecode::Engine> engine;
   image::NoIo io;

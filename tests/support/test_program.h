@@ -1,6 +1,7 @@
 #pragma once
 
-// A program under test with its memory: writes the container from a model, verifies it, runs it.
+// A program under test with its memory: writes the container from a model, verifies it, runs it. Each run is
+// repeated by the quick form of the interpreter on a copy of the memory; std::runtime_error if it differs.
 //
 //   support::TestProgram program(support::one_program(8, [](auto& f) { f.const_i32(7); f.store(...); }));
 //   EXPECT_FALSE(program.run());
@@ -45,7 +46,9 @@ class TestProgram {
         memory_(loaded_.program().memory_size()),
         image_(memory_, scan::layout_of(loaded_.program())),
         stack_(loaded_.program().sizes().stack_slots),
-        engine_(loaded_.program(), stack_) {
+        engine_(loaded_.program(), stack_),
+        quick_code_(loaded_.program().container().section(bytecode::Section::Code).size()),
+        quick_(loaded_.program(), stack_, quick_code_) {
     image_.reset(loaded_.program().container().section(bytecode::Section::InitialData));
   }
   TestProgram(const TestProgram&) = delete;
@@ -66,8 +69,16 @@ class TestProgram {
   }
   bytecode::Trap run(std::int64_t now_ns, std::uint64_t& budget) {
     const auto call = loaded_.program().container().record<bytecode::Section::ProgramCalls>(0);
-    return engine_.run({call.function, call.instance, now_ns, loaded_.program().frames_of(0)},
-                       image_.memory(), budget);
+    const bytecode::Invocation invocation{call.function, call.instance, now_ns,
+                                          loaded_.program().frames_of(0)};
+    std::vector<std::byte> copy = memory_;
+    std::uint64_t quick_budget = budget;
+    const bytecode::Trap quick = quick_.run(invocation, copy, quick_budget);
+    const bytecode::Trap trap = engine_.run(invocation, image_.memory(), budget);
+    const bool same_trap = trap.code == quick.code && trap.function == quick.function && trap.pc == quick.pc;
+    if (!same_trap || budget != quick_budget || copy != memory_)
+      throw std::runtime_error("the quick form of the code does something else");
+    return trap;
   }
 
   template <typename T>
@@ -91,6 +102,8 @@ class TestProgram {
   image::ProcessImage image_;
   std::vector<std::uint64_t> stack_;
   vm::Interpreter engine_;
+  std::vector<std::byte> quick_code_;
+  vm::Interpreter quick_;
 };
 
 }  // namespace stepwright::support

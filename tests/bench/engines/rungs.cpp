@@ -44,6 +44,9 @@ std::string st_of(const std::vector<Rung>& all) {
   return text + "END_PROGRAM\n";
 }
 
+// Rungs of one C function; more are split, as the time that gcc needs for a function grows faster than it.
+constexpr std::size_t kChunk = 1000;
+
 std::string c_frame(const std::string& variables, const std::string& body, const std::string& set,
                     const std::string& get, std::size_t coils) {
   return variables + "void set(const unsigned char *bools, const float *reals) {\n  (void)reals;\n" +
@@ -58,14 +61,24 @@ std::string place(std::uint32_t contact) {
 }
 
 std::string hand_c(const std::vector<Rung>& all) {
+  std::string functions;
   std::string body;
+  const bool split = all.size() > kChunk;
+  std::string& rungs = split ? functions : body;
   for (std::uint32_t k = 0; k < all.size(); ++k) {
-    body += "  " + place(kInputs + k) + " = (" + place(all[k].a) + " & (" + place(all[k].b) + " ^ 1)) | " +
-            place(all[k].c) + ";\n";
+    if (split && k % kChunk == 0) {
+      const std::string name = "part" + std::to_string(k / kChunk) + "()";
+      functions +=
+          (k == 0 ? "" : "}\n") + std::string("static __attribute__((noinline)) void ") + name + " {\n";
+      body += "  " + name + ";\n";
+    }
+    rungs += "  " + place(kInputs + k) + " = (" + place(all[k].a) + " & (" + place(all[k].b) + " ^ 1)) | " +
+             place(all[k].c) + ";\n";
   }
+  if (split) functions += "}\n";
   const std::string count = std::to_string(all.size());
-  return c_frame("static unsigned char x[" + std::to_string(kInputs) + "], q[" + count + "];\n", body,
-                 "x[i] = bools[i];", "q[i]", all.size());
+  return c_frame("static unsigned char x[" + std::to_string(kInputs) + "], q[" + count + "];\n" + functions,
+                 body, "x[i] = bools[i];", "q[i]", all.size());
 }
 
 // matiec has a field for each variable, not arrays; their layout in memory is the same.
@@ -84,10 +97,6 @@ std::string matiec_style_c(const std::vector<Rung>& all) {
 }
 
 }  // namespace
-
-std::string rungs_st(std::uint32_t count) {
-  return st_of(make_rungs(count));
-}
 
 Workload rungs(std::uint32_t count) {
   const std::vector<Rung> all = make_rungs(count);

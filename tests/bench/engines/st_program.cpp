@@ -31,10 +31,11 @@ reader::LoadedProgram compile_st(const std::string& text) {
 StProgram::StProgram(const Workload& workload, EngineKind kind)
     : loaded_(compile_st(workload.st)),
       memory_(loaded_.program().memory_size()),
-      stack_(loaded_.program().sizes().stack_slots) {
+      stack_(loaded_.program().sizes().stack_slots),
+      quick_code_(loaded_.program().container().section(bytecode::Section::Code).size()) {
   const bytecode::Program& program = loaded_.program();
   if (kind == EngineKind::Vm) {
-    engine_ = std::make_unique<vm::Interpreter>(program, stack_);
+    engine_ = std::make_unique<vm::Interpreter>(program, stack_, quick_code_);
   } else {
     auto compiled = native::NativeEngine::compile(program);
     if (!compiled) throw std::runtime_error(result::to_string(compiled.error()));

@@ -33,6 +33,7 @@ class StProgram final : public Subject {
   reader::LoadedProgram loaded_;
   std::vector<std::byte> memory_;
   std::vector<std::uint64_t> stack_;
+  std::vector<std::byte> quick_code_;
   std::unique_ptr<bytecode::Engine> engine_;
   bytecode::Invocation invocation_;
   std::vector<reader::Variable> bools_, reals_, results_;

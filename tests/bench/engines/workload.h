@@ -27,8 +27,6 @@ struct Workload {
 
 // `count` rungs of three contacts and a coil: q := a AND NOT b OR c, over 128 inputs and the coils above.
 Workload rungs(std::uint32_t count);
-// The ST of it alone, for large counts.
-std::string rungs_st(std::uint32_t count);
 
 // 10,000 rounds of 9 arithmetic operations, a comparison, 6 array accesses and 3 assignments, in REAL.
 Workload loop();

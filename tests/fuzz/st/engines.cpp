@@ -39,8 +39,10 @@ struct Engines::Parts {
   explicit Parts(const std::string& text)
       : program(load(text)),
         info(reader::ProgramInfo::read(program.bytes()).value()),
-        stack(program.program().sizes().stack_slots) {
+        stack(program.program().sizes().stack_slots),
+        quick_code(program.program().container().section(bytecode::Section::Code).size()) {
     engines.push_back(std::make_unique<vm::Interpreter>(program.program(), stack));
+    engines.push_back(std::make_unique<vm::Interpreter>(program.program(), stack, quick_code));
     if (has_native()) {
       auto native = native::NativeEngine::compile(program.program());
       if (!native) throw std::runtime_error(result::to_string(native.error()));
@@ -65,6 +67,7 @@ struct Engines::Parts {
   reader::LoadedProgram program;
   reader::ProgramInfo info;
   std::vector<std::uint64_t> stack;
+  std::vector<std::byte> quick_code;
   std::vector<std::unique_ptr<bytecode::Engine>> engines;
   std::vector<std::vector<std::byte>> memories;
   bytecode::Invocation invocation;
@@ -96,14 +99,15 @@ std::string Engines::scan() {
   std::string out;
   for (std::size_t i = 1; i < p.engines.size(); ++i) {
     std::uint64_t other_left = kBudget;
+    const std::string name = i == 1 ? "quick" : "native";
     const bytecode::Trap trap = p.engines[i]->run(p.invocation, p.memories[i], other_left);
-    if (trap != p.trap) out += "trap: " + shown(p.trap) + ", native: " + shown(trap) + "\n";
+    if (trap != p.trap) out += "trap: " + shown(p.trap) + ", " + name + ": " + shown(trap) + "\n";
     if (left != other_left)
-      out += "budget left: " + std::to_string(left) + ", native: " + std::to_string(other_left) + "\n";
+      out += "budget left: " + std::to_string(left) + ", " + name + ": " + std::to_string(other_left) + "\n";
     // Frames have no value between scans.
     for (std::size_t at = 0; at < p.program.program().image_size(); ++at) {
       if (p.memories[0][at] == p.memories[i][at]) continue;
-      out += "byte " + std::to_string(at) + " of the image differs\n";
+      out += "byte " + std::to_string(at) + " of the image differs in " + name + "\n";
       break;
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
-// One program in both engines, each with an image of its own: every run is compared byte for byte.
+// One program in both engines, the interpreter with and without its quick form, each with an image of its
+// own: every run is compared byte for byte.
 //
 //   EnginePair pair(model);
 //   pair.write<std::int32_t>(0, 7);
@@ -26,9 +27,10 @@ class EnginePair {
   explicit EnginePair(const writer::ContainerModel& model)
       : loaded_(support::TestProgram::load(model)),
         stack_(loaded_.program().sizes().stack_slots),
+        quick_code_(loaded_.program().container().section(bytecode::Section::Code).size()),
         interpreter_(loaded_.program(), stack_),
-        images_{std::vector<std::byte>(loaded_.program().memory_size()),
-                std::vector<std::byte>(loaded_.program().memory_size())} {
+        quick_(loaded_.program(), stack_, quick_code_) {
+    for (auto& image : images_) image.resize(loaded_.program().memory_size());
     auto compiled = NativeEngine::compile(loaded_.program());
     if (!compiled) throw std::runtime_error(result::to_string(compiled.error()));
     native_ = std::move(*compiled);
@@ -43,21 +45,10 @@ class EnginePair {
         view.record<bytecode::Section::ProgramCalls>(view.record<bytecode::Section::Tasks>(task).first_call);
     const bytecode::Invocation invocation{call.function, call.instance, now_ns,
                                           loaded_.program().frames_of(task)};
-    std::uint64_t left[2] = {budget, budget};
-    trap_ = interpreter_.run(invocation, images_[0], left[0]);
-    const bytecode::Trap trap = native_->run(invocation, images_[1], left[1]);
-    std::ostringstream out;
-    if (trap != trap_) {
-      out << "trap " << describe(trap_) << ", native " << describe(trap) << "; ";
-    }
-    if (left[0] != left[1]) out << "budget left " << left[0] << ", native " << left[1] << "; ";
-    for (std::size_t i = 0; i < images_[0].size(); ++i) {
-      if (images_[0][i] == images_[1][i]) continue;
-      out << "byte " << i << " is " << static_cast<int>(images_[0][i]) << ", native "
-          << static_cast<int>(images_[1][i]) << "; ";
-      break;
-    }
-    return out.str();
+    std::uint64_t left = budget;
+    trap_ = interpreter_.run(invocation, images_[0], left);
+    return compare("native", *native_, images_[1], invocation, budget, left) +
+           compare("quick", quick_, images_[2], invocation, budget, left);
   }
 
   // The interpreter's trap of the last run.
@@ -79,6 +70,24 @@ class EnginePair {
   const reader::LoadedProgram& loaded() const { return loaded_; }
 
  private:
+  // What another engine makes of the same run, beside the interpreter's trap, image and budget that is left.
+  std::string compare(const char* name, bytecode::Engine& engine, std::vector<std::byte>& image,
+                      const bytecode::Invocation& invocation, std::uint64_t budget, std::uint64_t left) {
+    const bytecode::Trap trap = engine.run(invocation, image, budget);
+    std::ostringstream out;
+    if (trap != trap_) {
+      out << "trap " << describe(trap_) << ", " << name << " " << describe(trap) << "; ";
+    }
+    if (left != budget) out << "budget left " << left << ", " << name << " " << budget << "; ";
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      if (images_[0][i] == image[i]) continue;
+      out << "byte " << i << " is " << static_cast<int>(images_[0][i]) << ", " << name << " "
+          << static_cast<int>(image[i]) << "; ";
+      break;
+    }
+    return out.str();
+  }
+
   static std::string describe(const bytecode::Trap& trap) {
     return std::string(name_of(trap.code)) + " in " + std::to_string(trap.function) + " at " +
            std::to_string(trap.pc) + ", called in " + std::to_string(trap.caller) + " before " +
@@ -87,9 +96,11 @@ class EnginePair {
 
   reader::LoadedProgram loaded_;
   std::vector<std::uint64_t> stack_;
+  std::vector<std::byte> quick_code_;
   vm::Interpreter interpreter_;
+  vm::Interpreter quick_;
   std::unique_ptr<NativeEngine> native_;
-  std::vector<std::byte> images_[2];
+  std::vector<std::byte> images_[3];
   bytecode::Trap trap_;
 };
 
