@@ -21,6 +21,7 @@ struct Context {
   std::uint64_t frames;         // the Ref of the task's frames
   std::uint64_t stack_pointer;  // where the entry was called, what a trap returns to
   std::uint32_t trap_code;      // of a trap whose site does not say why
+  std::uint8_t condition;       // a comparison's result, while a register is made free for it
 };
 
 inline constexpr std::uint32_t kSlotBytes = 8;

@@ -39,17 +39,22 @@ class EnginePair {
   // Runs the first program call of a task in both; what differs, or nothing.
   std::string run(std::int64_t now_ns = 0, std::uint64_t budget = 10'000'000, std::uint32_t task = 0) {
     const auto& view = loaded_.program().container();
-    const auto call =
-        view.record<bytecode::Section::ProgramCalls>(view.record<bytecode::Section::Tasks>(task).first_call);
+    return run_call(view.record<bytecode::Section::Tasks>(task).first_call, now_ns, budget, task);
+  }
+
+  // The same of any program call of the task.
+  std::string run_call(std::uint32_t number, std::int64_t now_ns = 0, std::uint64_t budget = 10'000'000,
+                       std::uint32_t task = 0) {
+    const auto call = loaded_.program().container().record<bytecode::Section::ProgramCalls>(number);
     const bytecode::Invocation invocation{call.function, call.instance, now_ns,
                                           loaded_.program().frames_of(task)};
     std::uint64_t left[2] = {budget, budget};
     trap_ = interpreter_.run(invocation, images_[0], left[0]);
     const bytecode::Trap trap = native_->run(invocation, images_[1], left[1]);
+    const bool same_trap = trap.code == trap_.code && trap.function == trap_.function && trap.pc == trap_.pc;
+    if (same_trap && left[0] == left[1] && images_[0] == images_[1]) return {};
     std::ostringstream out;
-    if (trap.code != trap_.code || trap.function != trap_.function || trap.pc != trap_.pc) {
-      out << "trap " << describe(trap_) << ", native " << describe(trap) << "; ";
-    }
+    if (!same_trap) out << "trap " << describe(trap_) << ", native " << describe(trap) << "; ";
     if (left[0] != left[1]) out << "budget left " << left[0] << ", native " << left[1] << "; ";
     for (std::size_t i = 0; i < images_[0].size(); ++i) {
       if (images_[0][i] == images_[1][i]) continue;
@@ -58,6 +63,11 @@ class EnginePair {
       break;
     }
     return out.str();
+  }
+
+  // Requires as many bytes as the memory has.
+  void reset(const std::vector<std::byte>& memory) {
+    for (auto& image : images_) image = memory;
   }
 
   // The interpreter's trap of the last run.
