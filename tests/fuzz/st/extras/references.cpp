@@ -16,13 +16,16 @@ class References : public Extra {
            "  IF r <> NULL THEN r^ := r^ + by; zrbump := r^; END_IF;\nEND_FUNCTION\n";
   }
 
-  std::string declarations(const Pou&, Random&) const override {
+  // A function's variables are gone with the call: nothing may lead there.
+  std::string declarations(const Pou& pou, Random&) const override {
+    if (pou.kind == PouKind::Function) return {};
     return "VAR zr1, zr2 : REF_TO INT; zr3 : REF_TO zrpoint; zr4 : REF_TO BOOL; zr5, zr6 : INT; zr7 : "
            "zrpoint; zr8 "
            ": BOOL; zr9 : ARRAY[0..3] OF zrpoint; END_VAR\n";
   }
 
   std::string statement(Material& m) const override {
+    if (m.is_function()) return {};
     const std::string r = m.pick({"zr1", "zr2"});
     // Mostly not followed where it is NULL.
     const auto followed = [&](const std::string& reference, const std::string& text) {

@@ -25,7 +25,7 @@ class Strings : public Extra {
   std::string declarations(const Pou&, Random&) const override {
     const std::string type = wide_ ? "WSTRING" : "STRING";
     return "VAR " + letter_ + "1 : " + type + " := " + text("hello") + "; " + letter_ + "2 : " + type +
-           "[7] := " + text("ab$'cd") + "; " + letter_ + "3 : " + type + "[1]; " + letter_ +
+           "[7] := " + text("ab$$cd") + "; " + letter_ + "3 : " + type + "[1]; " + letter_ +
            "4 : ARRAY[0..2] OF " + type + "[9]; " + letter_ + "5 : " + letter_ + "pair; END_VAR\n";
   }
 

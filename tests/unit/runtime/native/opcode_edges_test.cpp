@@ -22,7 +22,7 @@ using bytecode::Opcode;
 using Values = std::vector<std::uint64_t>;
 
 constexpr std::size_t kMostRuns = 1500;     // of the plainest function around an instruction
-constexpr std::size_t kMostFewRuns = 120;   // of each of the others
+constexpr std::size_t kMostFewRuns = 60;    // of each of the others
 constexpr std::size_t kMostConstants = 80;  // functions with constants
 
 // A function, and which of its operands the runs vary.

@@ -33,7 +33,8 @@ std::vector<Shape> with_constants(Opcode opcode, const std::vector<std::uint64_t
 // Loads, stores and fused operations at fixed places: operands that the test fills, and the memory's ends.
 std::vector<Shape> fixed_places(Opcode opcode) {
   const bool of_this = std::string(bytecode::info(opcode).name).ends_with("This");
-  const bool boolean = bytecode::is_fused_boolean(opcode);
+  // What lies in an instance as a BOOL is 0 or 1.
+  const bool boolean = std::string(bytecode::info(opcode).name).find("Bool") != std::string::npos;
   const std::uint32_t place = boolean && of_this ? kBools : of_this ? 24u : kInputs + 24;
   if (bytecode::info(opcode).operands == Operands::U32)
     return with(opcode, {{place}, {place + 1}, {of_this ? kInstanceBytes - 8 : kImageBytes - 8}});
