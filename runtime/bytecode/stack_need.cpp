@@ -64,13 +64,16 @@ StackNeed compute_stack_need(const ContainerView& view, std::span<std::uint32_t>
     }
   }
 
+  // Those that nothing calls, too: an engine that makes code sets slots aside for all.
+  for (std::uint32_t f = 0; f < count; ++f) {
+    if (known[f * 2] > kMaxStackSlots) return {{VerifyStatus::TooLarge, Section::Functions, f, 0}};
+  }
   StackNeed need;
   for (std::uint32_t i = 0; i < view.count<Section::ProgramCalls>(); ++i) {
     const std::uint32_t f = view.record<Section::ProgramCalls>(i).function;
     need.stack_slots = larger(need.stack_slots, known[f * 2]);
     need.call_depth = larger(need.call_depth, known[f * 2 + 1]);
   }
-  if (need.stack_slots > kMaxStackSlots) need.result = {VerifyStatus::TooLarge, Section::Sizes, 0, 0};
   return need;
 }
 

@@ -10,6 +10,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto* const first = reinterpret_cast<const std::byte*>(data);
   std::vector<std::byte> bytes(first, first + size);
   stepwright::fuzz::repair_header(bytes);
-  if (stepwright::fuzz::guarded_run(bytes) == stepwright::fuzz::Outcome::BrokeOut) std::abort();
+  for (const auto side : {stepwright::fuzz::Side::Front, stepwright::fuzz::Side::Back}) {
+    if (stepwright::fuzz::guarded_run(bytes, side) >= stepwright::fuzz::Outcome::BrokeOut) std::abort();
+  }
   return 0;
 }

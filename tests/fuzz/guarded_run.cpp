@@ -1,13 +1,19 @@
 #include "tests/fuzz/guarded_run.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "runtime/bytecode/container_parse.h"
 #include "runtime/bytecode/program.h"
+#include "runtime/native/internal/program_facts.h"
+#include "runtime/native/native_engine.h"
 #include "runtime/vm/interpreter.h"
 #include "tests/fuzz/guarded.h"
+#include "tests/fuzz/guarded_new.h"
 
 namespace stepwright::fuzz {
 
@@ -31,56 +37,85 @@ bool is_plausible(const Program& program, const bytecode::Trap& trap) {
          trap.pc < view.record<Section::Functions>(trap.function).code_size;
 }
 
-bool run_task(const Program& program, std::uint32_t task, std::int64_t now_ns, vm::Interpreter& engine,
-              std::span<std::byte> memory, std::vector<std::uint64_t>& traps) {
+// One engine with its memory.
+struct Runner {
+  Runner(const Program& program, Side side) : memory(program.memory_size(), side) {
+    const auto initial = program.container().section(Section::InitialData);
+    std::ranges::copy(initial, bytes().begin());
+  }
+  std::span<std::byte> bytes() { return std::as_writable_bytes(memory.inner()); }
+
+  Guarded<std::uint8_t> memory;
+  std::unique_ptr<bytecode::Engine> engine;
+};
+
+struct Result {
+  bytecode::Trap trap;
+  std::uint64_t budget = kBudget;
+
+  bool operator==(const Result&) const = default;
+};
+
+Outcome run_task(const Program& program, std::uint32_t task, std::int64_t now_ns,
+                 std::span<const std::unique_ptr<Runner>> runners) {
   const bytecode::ContainerView& view = program.container();
   const bytecode::TaskRecord record = view.record<Section::Tasks>(task);
   for (std::uint32_t i = 0; i < record.call_count; ++i) {
     const auto call = view.record<Section::ProgramCalls>(record.first_call + i);
-    std::uint64_t budget = kBudget;
-    const bytecode::Trap trap =
-        engine.run({call.function, call.instance, now_ns, program.frames_of(task)}, memory, budget);
-    traps.insert(traps.end(), {static_cast<std::uint64_t>(trap.code), trap.function, trap.pc, budget});
-    if (budget > kBudget || !is_plausible(program, trap)) return false;
-  }
-  return true;
-}
-
-// What the tasks leave in the memory and where they stop, in either form of the interpreter's code.
-struct Run {
-  bool held = true;
-  std::vector<std::uint64_t> traps;  // code, function, pc, the budget that is left
-  std::vector<std::byte> memory;
-};
-
-Run run_all(const Program& program, bool quick) {
-  Guarded<std::uint8_t> memory(program.memory_size());
-  Guarded<std::uint64_t> stack(program.sizes().stack_slots);
-  const auto initial = program.container().section(Section::InitialData);
-  const auto bytes = std::as_writable_bytes(memory.inner());
-  std::copy(initial.begin(), initial.end(), bytes.begin());
-  Guarded<std::uint8_t> code(program.container().section(Section::Code).size());
-  const auto code_bytes = std::as_writable_bytes(code.inner());
-  vm::Interpreter engine =
-      quick ? vm::Interpreter(program, stack.inner(), code_bytes) : vm::Interpreter(program, stack.inner());
-  Run out;
-  for (const std::int64_t now_ns : kScanTimes) {
-    for (std::uint32_t task = 0; task < program.container().count<Section::Tasks>(); ++task) {
-      out.held = out.held && run_task(program, task, now_ns, engine, bytes, out.traps);
+    Result first;
+    for (const auto& each : runners) {
+      Result result;
+      result.trap = each->engine->run({call.function, call.instance, now_ns, program.frames_of(task)},
+                                      each->bytes(), result.budget);
+      if (result.budget > kBudget || !is_plausible(program, result.trap)) return Outcome::BrokeOut;
+      if (each == runners.front()) first = result;
+      if (!(result == first)) return Outcome::Differs;
     }
   }
-  out.held = out.held && memory.intact() && stack.intact() && code.intact();
-  out.memory.assign(bytes.begin(), bytes.end());
-  return out;
+  return Outcome::Ran;
 }
 
-Outcome run_program(const Program& program) {
+Outcome run_scans(const Program& program, std::span<const std::unique_ptr<Runner>> runners) {
+  for (const std::int64_t now_ns : kScanTimes) {
+    for (std::uint32_t task = 0; task < program.container().count<Section::Tasks>(); ++task) {
+      const Outcome outcome = run_task(program, task, now_ns, runners);
+      if (outcome != Outcome::Ran) return outcome;
+    }
+    for (const auto& each : runners) {
+      if (!each->memory.intact()) return Outcome::BrokeOut;
+      if (!std::ranges::equal(each->bytes(), runners.front()->bytes())) return Outcome::Differs;
+    }
+  }
+  return Outcome::Ran;
+}
+
+// The engine's slots lie at the guard, too.
+std::unique_ptr<bytecode::Engine> native_engine(const Program& program, Side side) {
+  const std::size_t bytes = (native::ProgramFacts(program).context_bytes() + 7) / 8 * 8;
+  const GuardedSize guard(bytes, side);
+  auto compiled = native::NativeEngine::compile(program);
+  // A verified program can always be compiled.
+  if (!compiled || GuardedSize::live() == 0) std::abort();
+  return std::move(*compiled);
+}
+
+Outcome run_program(const Program& program, Side side) {
   if (program.memory_size() > kMostMemory || program.sizes().stack_slots > kMostSlots)
     return Outcome::TooLarge;
-  const Run plain = run_all(program, false);
-  const Run quick = run_all(program, true);
-  const bool same = plain.memory == quick.memory && plain.traps == quick.traps;
-  return plain.held && quick.held && same ? Outcome::Ran : Outcome::BrokeOut;
+  Guarded<std::uint64_t> stack(program.sizes().stack_slots, side);
+  Guarded<std::uint8_t> quick_code(program.container().section(Section::Code).size(), side);
+  std::vector<std::unique_ptr<Runner>> runners;
+  runners.push_back(std::make_unique<Runner>(program, side));
+  runners.back()->engine = std::make_unique<vm::Interpreter>(program, stack.inner());
+  runners.push_back(std::make_unique<Runner>(program, side));
+  runners.back()->engine =
+      std::make_unique<vm::Interpreter>(program, stack.inner(), std::as_writable_bytes(quick_code.inner()));
+  if (native::NativeEngine::supported()) {
+    runners.push_back(std::make_unique<Runner>(program, side));
+    runners.back()->engine = native_engine(program, side);
+  }
+  const Outcome outcome = run_scans(program, runners);
+  return stack.intact() && quick_code.intact() ? outcome : Outcome::BrokeOut;
 }
 
 }  // namespace
@@ -97,14 +132,14 @@ void repair_header(std::span<std::byte> bytes) {
   std::memcpy(bytes.data(), &header, sizeof(header));
 }
 
-Outcome guarded_run(std::span<const std::byte> bytes) {
+Outcome guarded_run(std::span<const std::byte> bytes, Side side) {
   const std::uint64_t words = bytecode::verify_scratch_words(bytes);
   if (words > kMostScratch) return Outcome::TooLarge;
-  Guarded<std::uint32_t> scratch(static_cast<std::size_t>(words));
+  Guarded<std::uint32_t> scratch(static_cast<std::size_t>(words), side);
   Program program;
   const bool accepted = bytecode::verify(bytes, scratch.inner(), program).ok();
   if (!scratch.intact()) return Outcome::BrokeOut;
-  return accepted ? run_program(program) : Outcome::Refused;
+  return accepted ? run_program(program, side) : Outcome::Refused;
 }
 
 }  // namespace stepwright::fuzz

@@ -25,6 +25,7 @@ struct Context {
   std::uint64_t* returns;       // behind a trap the return addresses of all calls, the innermost first
   std::uint32_t return_count;   // of them; there is room for kMostCalls
   std::uint32_t trap_code;      // of a trap whose site does not say why
+  std::uint8_t condition;       // a comparison's result, while a register is made free for it
 };
 
 // As deep as the verifier lets calls go, and the call of the entry.

@@ -124,10 +124,12 @@ void Operands::settle(Value& value) {
   if (reg != kNoRegister) {
     out_.set(value.condition, gp8(reg));
   } else {
-    out_.set(value.condition, gp8(kScratch));
+    // Not in the scratch register: what is spilled may need that.
+    const x86::Mem kept = x86::ptr(kContext, static_cast<std::int32_t>(offsetof(Context, condition)), 1);
+    out_.set(value.condition, kept);
     value = Value::of_constant(StackType::Bool, 0);  // nothing of it is left to spill
     reg = allocate(false);
-    out_.mov(gp32(reg), gp32(kScratch));
+    out_.movzx(gp32(reg), kept);
   }
   value = Value::of_register(StackType::Bool, reg);
 }

@@ -7,6 +7,10 @@ namespace x86 = asmjit::x86;
 
 // Reads a load into a register; reuses the index's register where it can.
 void Operands::read(Value& value) {
+  // Settling the flags may send this very value to its slot, so it comes before anything else.
+  const bool changes_flags =
+      value.memory == MemType::Bool && (value.bit != bytecode::kNoBit || !value.plain || value.inverted);
+  if (changes_flags) settle_flags();
   const Extent where = value.location.extent(value.bytes());
   const bool whole = value.location.fixed() && value.bit == bytecode::kNoBit;
   const RegisterId known = whole ? registers_.find(where, value.memory) : kNoRegister;

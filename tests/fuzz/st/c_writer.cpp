@@ -160,6 +160,8 @@ class Writer {
         return line("goto next" + std::to_string(loops_.back()) + ";");
       case StatementKind::Return:
         return line("goto leave;");
+      case StatementKind::Text:
+        return;  // programs for C have none
     }
   }
 

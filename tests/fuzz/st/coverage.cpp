@@ -1,6 +1,7 @@
 #include "tests/fuzz/st/coverage.h"
 
 #include "runtime/bytecode/trap.h"
+#include "tests/fuzz/st/extras/extra.h"
 
 namespace stepwright::st_fuzz {
 
@@ -24,8 +25,10 @@ constexpr const char* kOperationNames[kOperations] = {
 };
 
 constexpr const char* kStatementNames[kStatementKinds] = {
-    ":=",   "copy",     "block call", "call with VAR_IN_OUT or =>", "IF", "CASE", "FOR", "WHILE", "REPEAT",
-    "EXIT", "CONTINUE", "RETURN",
+    ":=",     "copy", "block call", "call with VAR_IN_OUT or =>",
+    "IF",     "CASE", "FOR",        "WHILE",
+    "REPEAT", "EXIT", "CONTINUE",   "RETURN",
+    "text",
 };
 
 }  // namespace
@@ -41,8 +44,15 @@ void Coverage::walk(const Expression& expression) {
   for (const auto& each : expression.operands) walk(*each);
 }
 
+void Coverage::walk(const Pou& pou) {
+  walk(pou.body);
+  if (!pou.chart.empty()) has_construct_.insert("chart");
+  for (const Action& each : pou.actions) walk(each.body);
+}
+
 void Coverage::walk(const Statements& statements) {
   for (const Statement& each : statements) {
+    if (each.construct != nullptr) has_construct_.insert(each.construct);
     has_statement_[static_cast<unsigned>(each.kind)] = true;
     if (each.target.variable != nullptr) walk(each.target);
     for (const auto* value : {&each.value, &each.limit, &each.step})
@@ -60,7 +70,10 @@ void Coverage::walk(const Statements& statements) {
 void Coverage::add(const Program& program, const Outcome& outcome) {
   has_operation_ = {};
   has_statement_ = {};
-  for (const Pou& each : program.pous) walk(each.body);
+  has_construct_.clear();
+  for (const Pou& each : program.pous) walk(each);
+  if (!program.configuration.empty()) has_construct_.insert("several tasks");
+  for (const std::string& each : has_construct_) ++constructs_[each];
   for (std::size_t i = 0; i < kOperations; ++i) operations_[i] += has_operation_[i] ? 1 : 0;
   for (std::size_t i = 0; i < kStatementKinds; ++i) statements_[i] += has_statement_[i] ? 1 : 0;
   ++traps_[outcome.trap];
@@ -73,7 +86,13 @@ std::string Coverage::missing() const {
   for (std::size_t i = 0; i < kOperations; ++i)
     if (operations_[i] == 0) out += std::string(kOperationNames[i]) + " ";
   for (std::size_t i = 0; i < kStatementKinds; ++i)
-    if (statements_[i] == 0) out += std::string(kStatementNames[i]) + " ";
+    if (statements_[i] == 0 && (whole_ || i != static_cast<std::size_t>(StatementKind::Text)))
+      out += std::string(kStatementNames[i]) + " ";
+  if (!whole_) return out;
+  std::vector<std::string> wanted = {"chart", "several tasks"};
+  for (const auto& each : all_extras()) wanted.emplace_back(each->name());
+  for (const std::string& each : wanted)
+    if (!constructs_.contains(each)) out += each + " ";
   return out;
 }
 
@@ -85,6 +104,7 @@ std::string Coverage::table() const {
   out += "\n ";
   for (std::size_t i = 0; i < kOperations; ++i)
     out += std::string(i == 0 ? " " : ", ") + kOperationNames[i] + " " + share(operations_[i]);
+  for (const auto& [name, count] : constructs_) out += ", " + name + " " + share(count);
   out += "\n  trapped in the first scan " + share(first_traps_) + "; ended with";
   for (std::size_t i = 0; i < traps_.size(); ++i)
     if (traps_[i] != 0)

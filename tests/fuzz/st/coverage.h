@@ -4,14 +4,19 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 
+#include "tests/fuzz/st/generator.h"
 #include "tests/fuzz/st/trial.h"
 
 namespace stepwright::st_fuzz {
 
 class Coverage {
  public:
+  explicit Coverage(Language language) : whole_(language == Language::Whole) {}
+
   void add(const Program& program, const Outcome& outcome);
 
   // Constructs that no program has; empty if there is none.
@@ -21,6 +26,7 @@ class Coverage {
   std::string table() const;
 
  private:
+  void walk(const Pou& pou);
   void walk(const Statements& statements);
   void walk(const Expression& expression);
   void walk(const Place& place);
@@ -29,6 +35,9 @@ class Coverage {
   std::array<unsigned, kStatementKinds> statements_{};
   std::array<bool, kOperations> has_operation_{};
   std::array<bool, kStatementKinds> has_statement_{};
+  std::map<std::string, unsigned> constructs_;  // those that are text, charts, tasks
+  std::set<std::string> has_construct_;
+  bool whole_ = false;
   std::array<unsigned, 16> traps_{};
   unsigned first_traps_ = 0;
   unsigned programs_ = 0;

@@ -18,9 +18,10 @@ namespace {
 constexpr std::uint64_t kBudget = 2'000'000;
 constexpr std::int64_t kInterval = 10'000'000;
 
-reader::LoadedProgram load(const std::string& text) {
+reader::LoadedProgram load(const std::string& text, const graphic::Project* project) {
   driver::CompileInput input;
   input.texts.push_back({"fuzz.st", text});
+  if (project != nullptr) input.projects.push_back(project);
   auto output = driver::compile(input);
   if (!output) throw std::runtime_error(result::to_string(output.error()));
   auto loaded = reader::LoadedProgram::load(std::move(output->container), "fuzz");
@@ -30,14 +31,20 @@ reader::LoadedProgram load(const std::string& text) {
 
 std::string shown(const bytecode::Trap& trap) {
   return std::string(bytecode::name_of(trap.code)) + " in " + std::to_string(trap.function) + " at " +
-         std::to_string(trap.pc);
+         std::to_string(trap.pc) + ", called in " + std::to_string(trap.caller) + " before " +
+         std::to_string(trap.return_pc);
+}
+
+// Of the engines beside the first, which is the interpreter of the code as it is.
+std::string name_of(std::size_t engine) {
+  return engine == 1 ? "quick" : "native";
 }
 
 }  // namespace
 
 struct Engines::Parts {
-  explicit Parts(const std::string& text)
-      : program(load(text)),
+  Parts(const std::string& text, const graphic::Project* project)
+      : program(load(text, project)),
         info(reader::ProgramInfo::read(program.bytes()).value()),
         stack(program.program().sizes().stack_slots),
         quick_code(program.program().container().section(bytecode::Section::Code).size()) {
@@ -53,10 +60,16 @@ struct Engines::Parts {
     std::ranges::copy(initial, memory.begin());
     memories.assign(engines.size(), memory);
     const auto& view = program.program().container();
-    const auto call =
-        view.record<bytecode::Section::ProgramCalls>(view.record<bytecode::Section::Tasks>(0).first_call);
-    invocation = {call.function, call.instance, 0, program.program().frames_of(0)};
+    for (std::uint32_t i = 0; i < view.count<bytecode::Section::Tasks>(); ++i) tasks.push_back(i);
+    std::ranges::stable_sort(tasks, {}, [&](std::uint32_t task) { return record(task).priority; });
   }
+
+  bytecode::TaskRecord record(std::uint32_t task) const {
+    return program.program().container().record<bytecode::Section::Tasks>(task);
+  }
+
+  std::string run(const bytecode::Invocation& invocation);
+  std::string compare() const;
 
   const reader::Variable& find(const std::string& path) const {
     const reader::Variable* found = info.find(path);
@@ -70,11 +83,40 @@ struct Engines::Parts {
   std::vector<std::byte> quick_code;
   std::vector<std::unique_ptr<bytecode::Engine>> engines;
   std::vector<std::vector<std::byte>> memories;
-  bytecode::Invocation invocation;
+  std::vector<std::uint32_t> tasks;  // the one that goes first first
+  std::int64_t now_ns = 0;
   bytecode::Trap trap;
 };
 
-Engines::Engines(const std::string& text) : parts_(std::make_unique<Parts>(text)) {}
+// One program on all engines.
+std::string Engines::Parts::run(const bytecode::Invocation& invocation) {
+  std::uint64_t left = kBudget;
+  trap = engines[0]->run(invocation, memories[0], left);
+  std::string out;
+  for (std::size_t i = 1; i < engines.size(); ++i) {
+    std::uint64_t other_left = kBudget;
+    const bytecode::Trap other = engines[i]->run(invocation, memories[i], other_left);
+    if (other != trap) out += "trap: " + shown(trap) + ", " + name_of(i) + ": " + shown(other) + "\n";
+    if (left != other_left)
+      out += "budget left: " + std::to_string(left) + ", " + name_of(i) + ": " + std::to_string(other_left) +
+             "\n";
+  }
+  return out + compare();
+}
+
+// Frames have no value between scans.
+std::string Engines::Parts::compare() const {
+  for (std::size_t i = 1; i < memories.size(); ++i) {
+    for (std::size_t at = 0; at < program.program().image_size(); ++at) {
+      if (memories[0][at] == memories[i][at]) continue;
+      return "byte " + std::to_string(at) + " of the image differs in " + name_of(i) + "\n";
+    }
+  }
+  return {};
+}
+
+Engines::Engines(const std::string& text, const graphic::Project* project)
+    : parts_(std::make_unique<Parts>(text, project)) {}
 Engines::~Engines() = default;
 
 void Engines::set(const std::string& path, Scalar type, std::uint64_t bits) {
@@ -94,24 +136,18 @@ std::uint64_t Engines::get(const std::string& path, Scalar type) const {
 
 std::string Engines::scan() {
   Parts& p = *parts_;
-  std::uint64_t left = kBudget;
-  p.trap = p.engines[0]->run(p.invocation, p.memories[0], left);
+  const auto& view = p.program.program().container();
   std::string out;
-  for (std::size_t i = 1; i < p.engines.size(); ++i) {
-    std::uint64_t other_left = kBudget;
-    const std::string name = i == 1 ? "quick" : "native";
-    const bytecode::Trap trap = p.engines[i]->run(p.invocation, p.memories[i], other_left);
-    if (trap != p.trap) out += "trap: " + shown(p.trap) + ", " + name + ": " + shown(trap) + "\n";
-    if (left != other_left)
-      out += "budget left: " + std::to_string(left) + ", " + name + ": " + std::to_string(other_left) + "\n";
-    // Frames have no value between scans.
-    for (std::size_t at = 0; at < p.program.program().image_size(); ++at) {
-      if (p.memories[0][at] == p.memories[i][at]) continue;
-      out += "byte " + std::to_string(at) + " of the image differs in " + name + "\n";
-      break;
+  p.trap = {};
+  for (const std::uint32_t task : p.tasks) {
+    const bytecode::TaskRecord record = p.record(task);
+    if (p.now_ns % (std::int64_t{record.interval_us} * 1000) != 0) continue;
+    for (std::uint32_t i = 0; i < record.call_count && !p.trap && out.empty(); ++i) {
+      const auto call = view.record<bytecode::Section::ProgramCalls>(record.first_call + i);
+      out += p.run({call.function, call.instance, p.now_ns, p.program.program().frames_of(task)});
     }
   }
-  p.invocation.now_ns += kInterval;
+  p.now_ns += kInterval;
   return out;
 }
 

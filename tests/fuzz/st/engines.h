@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "ladder/graphic/project.h"
 #include "runtime/bytecode/trap.h"
 #include "tests/fuzz/st/scalar.h"
 
@@ -17,8 +18,9 @@ namespace stepwright::st_fuzz {
 
 class Engines {
  public:
-  // Throws std::runtime_error with the diagnostics if the compiler or the verifier refuses the text.
-  explicit Engines(const std::string& text);
+  // Throws std::runtime_error with the diagnostics if the compiler or the verifier refuses it. `project` may
+  // be null.
+  explicit Engines(const std::string& text, const graphic::Project* project = nullptr);
   ~Engines();
 
   // Throw std::runtime_error if there is no such variable. `bits` as extended() gives them.

@@ -88,6 +88,16 @@ ExpressionPtr ExpressionGenerator::varying(Scalar type, int depth) {
   return nullptr;
 }
 
+ExpressionPtr ExpressionGenerator::unknown(Scalar type, int depth) {
+  if (ExpressionPtr out = varying(type, depth)) return out;
+  for (unsigned i = 0; i < kScalars; ++i) {
+    const auto from = static_cast<Scalar>(i);
+    if (is_integer(from) && !scope_.readable[i].empty())
+      return convert(load(place(random_.pick(scope_.readable[i]), 0)), type);
+  }
+  return literal(type);
+}
+
 ExpressionPtr ExpressionGenerator::divisor(Scalar type, int depth) {
   ExpressionPtr out = random_.chance(45) ? varying(type, depth) : nullptr;
   if (out && random_.chance(95)) {

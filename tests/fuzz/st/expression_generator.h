@@ -24,6 +24,8 @@ class ExpressionGenerator {
   ExpressionPtr literal(Scalar type);
   ExpressionPtr small_literal(Scalar type, std::int64_t low, std::int64_t high);
   ExpressionPtr of_enumeration(const Type& type, int depth);
+  // Of exactly this type, and never constant: a loop's variable is there at least.
+  ExpressionPtr unknown(Scalar type, int depth);
 
   Place place(const Way& way, int depth);
   // Of a bit string one of its bits, now and then.

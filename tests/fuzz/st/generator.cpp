@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "tests/fuzz/st/extras/chart.h"
 #include "tests/fuzz/st/statement_generator.h"
 
 namespace stepwright::st_fuzz {
@@ -12,17 +13,20 @@ namespace {
 
 class Generator {
  public:
-  explicit Generator(std::uint64_t seed) : random_(seed), out_(std::make_unique<Program>()) {
+  Generator(std::uint64_t seed, Language language)
+      : random_(seed), whole_(language == Language::Whole), out_(std::make_unique<Program>()) {
     out_->seed = seed;
   }
 
   std::unique_ptr<Program> run() && {
     types();
+    if (whole_) choose_extras();
     const auto functions = random_.between(0, 3);
     for (int i = 0; i < functions; ++i) function(i);
     const auto blocks = random_.between(0, 2);
     for (int i = 0; i < blocks; ++i) block(i);
     main();
+    if (whole_ && random_.chance(30)) several_tasks();
     return std::move(out_);
   }
 
@@ -50,12 +54,35 @@ class Generator {
     return &out_->types.back();
   }
 
+  // Few enough to meet one another often.
+  void choose_extras() {
+    for (const auto& each : all_extras_) {
+      if (!random_.chance(35)) continue;
+      extras_.push_back(each.get());
+      out_->before += each->before(random_);
+      out_->ladder = out_->ladder || each->name() == kLadderName;
+    }
+  }
+
+  // The same program twice, at two intervals: its code runs on two instances and in the frames of two tasks.
+  void several_tasks() {
+    const std::string slow = random_.pick({"T#20ms", "T#30ms", "T#10ms"});
+    const std::string priority = std::to_string(random_.between(0, 2));
+    out_->configuration =
+        "CONFIGURATION zconfiguration\n  RESOURCE zresource ON cpu\n"
+        "    TASK zfast(INTERVAL := T#10ms, PRIORITY := 1);\n    TASK zslow(INTERVAL := " +
+        slow + ", PRIORITY := " + priority +
+        ");\n    PROGRAM main WITH zfast : main;\n    PROGRAM zother WITH zslow : main;\n"
+        "  END_RESOURCE\nEND_CONFIGURATION\n";
+  }
+
   const Type* structure() {
     Type type{.kind = TypeKind::Struct, .name = "S" + std::to_string(out_->types.size())};
     const auto fields = random_.between(2, 4);
     for (int i = 0; i < fields; ++i) {
       std::string name = "f" + std::to_string(i);
-      const Type* field = random_.chance(25) ? array_of(scalar()) : scalar();
+      const Type* const part = inner_ != nullptr && random_.chance(40) ? inner_ : scalar();
+      const Type* field = random_.chance(25) ? array_of(part) : part;
       type.fields.push_back({std::move(name), field});
     }
     type.name = "S" + std::to_string(out_->types.size());
@@ -81,7 +108,9 @@ class Generator {
                            .scalar = random_.pick({Scalar::Int, Scalar::Usint, Scalar::Dint}),
                            .low = random_.between(0, 3),
                            .enumerators = {"Red", "Amber", "Green", "Blue"}});
-    structure_ = random_.chance(70) ? structure() : nullptr;
+    // Structures in structures, and in arrays in them.
+    if (random_.chance(40)) inner_ = structure();
+    structure_ = random_.chance(70) ? structure() : inner_;
   }
 
   Variable& add(Pou& pou, const std::string& name, const Type* type, Section section) {
@@ -109,9 +138,18 @@ class Generator {
       variable.writable = false;
       counters.push_back(&variable);
     }
+    for (const Extra* each : extras_) pou.declarations += each->declarations(pou, random_);
     const Scope scope(pou);
-    StatementGenerator generator(random_, *out_, pou, scope, counters);
+    StatementGenerator generator(random_, *out_, pou, scope, counters, extras_);
+    if (whole_ && pou.kind == PouKind::Block && random_.chance(40)) return chart(pou, generator);
     pou.body = generator.block(statements, pou.kind == PouKind::Program ? 3 : 2);
+  }
+
+  void chart(Pou& pou, StatementGenerator& generator) {
+    std::vector<std::string> actions;
+    pou.declarations += "VAR zq0, zq1 : BOOL; END_VAR\n";
+    pou.chart = random_chart(generator.material(), actions);
+    for (const std::string& each : actions) pou.actions.push_back({each, generator.action(2)});
   }
 
   void function(int number) {
@@ -181,15 +219,19 @@ class Generator {
   }
 
   Random random_;
+  bool whole_;
   std::unique_ptr<Program> out_;
+  const Extras all_extras_ = all_extras();
+  std::vector<const Extra*> extras_;
+  const Type* inner_ = nullptr;
   const Type* structure_ = nullptr;
   std::vector<const Type*> block_types_;
 };
 
 }  // namespace
 
-std::unique_ptr<Program> generate(std::uint64_t seed) {
-  return Generator(seed).run();
+std::unique_ptr<Program> generate(std::uint64_t seed, Language language) {
+  return Generator(seed, language).run();
 }
 
 std::uint64_t input_value(std::uint64_t seed, std::uint64_t scan, std::size_t input, Scalar type) {

@@ -18,10 +18,12 @@ class Writer {
 
   std::string run() && {
     line("(* seed " + std::to_string(program_.seed) + " *)");
+    out_ += program_.before;
     line("TYPE");
     for (const Type& each : program_.types) declare(each);
     line("END_TYPE");
     for (const Pou& each : program_.pous) pou(each);
+    out_ += program_.configuration;
     return std::move(out_);
   }
 
@@ -66,7 +68,13 @@ class Writer {
     variables(pou, Section::InOut, "VAR_IN_OUT");
     variables(pou, Section::Local, "VAR");
     variables(pou, Section::Temp, "VAR_TEMP");
+    out_ += pou.declarations + pou.chart;
     block(pou.body);
+    for (const Action& each : pou.actions) {
+      line("ACTION " + each.name + ":");
+      block(each.body);
+      line("END_ACTION");
+    }
     line(std::string("END_") + keyword);
   }
 
@@ -115,6 +123,8 @@ class Writer {
         return line("CONTINUE;");
       case StatementKind::Return:
         return line("RETURN;");
+      case StatementKind::Text:
+        return line(each.text);
     }
   }
 

@@ -19,7 +19,25 @@ Statements StatementGenerator::block(int count, int depth) {
   return out;
 }
 
+Statements StatementGenerator::action(int count) {
+  may_return_ = false;
+  Statements out = block(count, 1);
+  may_return_ = true;
+  return out;
+}
+
+bool StatementGenerator::extra(Statements& out) {
+  const Extra& chosen = *random_.pick(extras_);
+  Statement made = make(StatementKind::Text);
+  made.text = chosen.statement(material_);
+  made.construct = chosen.name();
+  if (made.text.empty()) return false;
+  out.push_back(std::move(made));
+  return true;
+}
+
 void StatementGenerator::add(Statements& out, int depth) {
+  if (!extras_.empty() && random_.chance(45) && extra(out)) return;
   const std::size_t kind = random_.below(100);
   if (depth > 0) {
     if (kind < 10) return branches(out, depth - 1);
@@ -234,10 +252,11 @@ bool StatementGenerator::loop(Statements& out, int depth) {
 }
 
 bool StatementGenerator::leave(Statements& out) {
-  if (loops_ == 0 && random_.chance(50)) return false;
-  const StatementKind kind = loops_ == 0 ? StatementKind::Return
-                                         : random_.pick({StatementKind::Exit, StatementKind::Continue,
-                                                         StatementKind::Exit, StatementKind::Return});
+  if (loops_ == 0 && (!may_return_ || random_.chance(50))) return false;
+  const StatementKind kind =
+      loops_ == 0 ? StatementKind::Return
+                  : random_.pick({StatementKind::Exit, StatementKind::Continue, StatementKind::Exit,
+                                  may_return_ ? StatementKind::Return : StatementKind::Exit});
   out.push_back(make(kind));
   return true;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
 // A program as a typed tree: made once by the generator, written out as ST (st_writer.h) and as C
-// (c_writer.h). Every implicit conversion is a node of its own (Widen), which ST does not show.
+// (c_writer.h). Every implicit conversion is a node of its own (Widen), which ST does not show. What C has no
+// translation for is text (extras/).
 
 #include <cstdint>
 #include <deque>
@@ -140,8 +141,9 @@ enum class StatementKind : std::uint8_t {
   Exit,
   Continue,
   Return,
+  Text,
 };
-inline constexpr unsigned kStatementKinds = static_cast<unsigned>(StatementKind::Return) + 1;
+inline constexpr unsigned kStatementKinds = static_cast<unsigned>(StatementKind::Text) + 1;
 
 struct Statement;
 using Statements = std::vector<Statement>;
@@ -177,6 +179,13 @@ struct Statement {
   std::vector<Argument> arguments = {};
   std::vector<Branch> branches = {};
   Statements body = {};
+  std::string text = {};            // Text: ST as it stands there
+  const char* construct = nullptr;  // Text: what it shows (extras/extra.h)
+};
+
+struct Action {
+  std::string name;
+  Statements body;
 };
 
 enum class PouKind : std::uint8_t { Function, Block, Program };
@@ -188,6 +197,9 @@ struct Pou {
   const Type* type = nullptr;    // Block
   std::deque<Variable> variables = {};
   Statements body = {};
+  std::string declarations = {};     // as text, behind those of `variables`
+  std::string chart = {};            // steps and transitions as text, in place of a body
+  std::vector<Action> actions = {};  // of the chart
 };
 
 struct Program {
@@ -196,6 +208,9 @@ struct Program {
   std::deque<Pou> pous = {};                 // each behind the ones that it calls; the last is PROGRAM main
   std::vector<const Variable*> inputs = {};  // of main: set before each scan
   int statements = 0;
+  std::string before = {};         // POUs and types as text, in front of all
+  std::string configuration = {};  // as text
+  bool ladder = false;             // with the function block of extras/ladder.h, of the same seed
 
   const Pou& main() const { return pous.back(); }
 };

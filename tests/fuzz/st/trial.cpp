@@ -6,6 +6,7 @@
 
 #include "tests/fuzz/st/c_batch.h"
 #include "tests/fuzz/st/engines.h"
+#include "tests/fuzz/st/extras/ladder.h"
 #include "tests/fuzz/st/generator.h"
 
 namespace stepwright::st_fuzz {
@@ -112,7 +113,8 @@ void try_drops(const Statements& statements, Dropped& dropped, const Program& pr
 Outcome try_engines(const Program& program, const Dropped& dropped) {
   Outcome out;
   try {
-    Engines engines(write_st(program, dropped));
+    const graphic::Project ladder = program.ladder ? random_ladder(program.seed) : graphic::Project{};
+    Engines engines(write_st(program, dropped), program.ladder ? &ladder : nullptr);
     for (std::uint64_t scan = 1; scan <= kScans && out.trap == 0 && out.difference.empty(); ++scan) {
       set_inputs(engines, program, scan);
       out.difference = engines.scan();
@@ -145,7 +147,10 @@ Outcome try_c_alone(const Program& program, const Dropped& dropped) {
 std::string reduced(const Program& program, Outcome (*attempt)(const Program&, const Dropped&)) {
   Dropped dropped;
   std::string difference = attempt(program, dropped).difference;
-  for (const Pou& each : program.pous) try_drops(each.body, dropped, program, attempt, difference);
+  for (const Pou& each : program.pous) {
+    try_drops(each.body, dropped, program, attempt, difference);
+    for (const Action& action : each.actions) try_drops(action.body, dropped, program, attempt, difference);
+  }
   return "(*\n" + difference + "*)\n" + write_st(program, dropped);
 }
 

@@ -11,7 +11,7 @@
 
 namespace stepwright::st_fuzz {
 
-inline constexpr std::uint64_t kScans = 6;
+inline constexpr std::uint64_t kScans = 8;
 
 struct Outcome {
   std::string difference;   // empty: none

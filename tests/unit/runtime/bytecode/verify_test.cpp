@@ -106,6 +106,32 @@ TEST(Verify, Records_WhenOneIsInconsistent_ThenItIsNamed) {
   expect(with_record<S::Strings>(0, [](auto& r) { r = 0xFF; }), V::BadString, S::Types);
 }
 
+// An engine that makes code sets slots aside for functions that nothing calls, too.
+TEST(Verify, Functions_WhenThoseThatNothingCallsNeedTooManySlots_ThenIsRefused) {
+  writer::ContainerModel model = support::sample_model();
+  const auto deep = [](const char* name) {
+    writer::FunctionBuilder f(name, FunctionKind::Function);
+    f.const_i32(0);
+    for (int i = 0; i < 600'000; ++i) f.emit(Opcode::Dup);
+    for (int i = 0; i < 600'000; ++i) f.emit(Opcode::Drop);
+    return f;
+  };
+  writer::FunctionBuilder inner = deep("inner");
+  inner.emit(Opcode::Drop);
+  inner.emit(Opcode::Return);
+  model.functions.push_back(std::move(inner).take());
+  EXPECT_TRUE(writer::write_container(model)) << "one of them fits";
+  writer::FunctionBuilder outer = deep("outer");
+  outer.emit(Opcode::Drop);
+  outer.call(static_cast<std::uint32_t>(model.functions.size() - 1));
+  outer.emit(Opcode::Return);
+  model.functions.push_back(std::move(outer).take());
+  const auto refused = writer::write_container(model);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(result::to_string(refused.error()).find(explain(VerifyStatus::TooLarge)), std::string::npos)
+      << result::to_string(refused.error());
+}
+
 // Damage behind a correct checksum must never crash the verifier or, where it is accepted, the engine.
 }  // namespace
 }  // namespace stepwright::bytecode

@@ -41,14 +41,24 @@ class EnginePair {
   // Runs the first program call of a task in both; what differs, or nothing.
   std::string run(std::int64_t now_ns = 0, std::uint64_t budget = 10'000'000, std::uint32_t task = 0) {
     const auto& view = loaded_.program().container();
-    const auto call =
-        view.record<bytecode::Section::ProgramCalls>(view.record<bytecode::Section::Tasks>(task).first_call);
+    return run_call(view.record<bytecode::Section::Tasks>(task).first_call, now_ns, budget, task);
+  }
+
+  // The same of any program call of the task.
+  std::string run_call(std::uint32_t number, std::int64_t now_ns = 0, std::uint64_t budget = 10'000'000,
+                       std::uint32_t task = 0) {
+    const auto call = loaded_.program().container().record<bytecode::Section::ProgramCalls>(number);
     const bytecode::Invocation invocation{call.function, call.instance, now_ns,
                                           loaded_.program().frames_of(task)};
     std::uint64_t left = budget;
     trap_ = interpreter_.run(invocation, images_[0], left);
     return compare("native", *native_, images_[1], invocation, budget, left) +
            compare("quick", quick_, images_[2], invocation, budget, left);
+  }
+
+  // Requires as many bytes as the memory has.
+  void reset(const std::vector<std::byte>& memory) {
+    for (auto& image : images_) image = memory;
   }
 
   // The interpreter's trap of the last run.
