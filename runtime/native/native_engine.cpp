@@ -41,6 +41,8 @@ NativeEngine::~NativeEngine() = default;
 bool NativeEngine::supported() {
 #if defined(__x86_64__) && defined(__linux__)
   return asmjit::CpuInfo::host().features().x86().hasSSE4_1();
+#elif defined(__aarch64__) && defined(__linux__)
+  return true;
 #else
   return false;
 #endif
@@ -49,7 +51,7 @@ bool NativeEngine::supported() {
 result::Result<std::unique_ptr<NativeEngine>> NativeEngine::compile(const bytecode::Program& program) {
   if (!supported()) {
     return result::fail("R0010", {}, "this machine cannot run native code of Stepwright",
-                        "native code needs an x86-64 processor with SSE4.1 and Linux");
+                        "native code needs an x86-64 processor with SSE4.1, or an AArch64 one, and Linux");
   }
   auto parts = std::make_unique<Parts>();
   const ProgramFacts facts(program);

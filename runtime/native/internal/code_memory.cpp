@@ -45,6 +45,7 @@ asmjit::Error CodeMemory::take(asmjit::CodeHolder& code) {
   if (const asmjit::Error error = code.relocateToBase(reinterpret_cast<std::uint64_t>(pages))) return error;
   code_bytes_ = code.codeSize();
   if (const asmjit::Error error = code.copyFlattenedData(pages, bytes)) return error;
+  asmjit::VirtMem::flushInstructionCache(pages, bytes);
   return asmjit::VirtMem::protect(pages, bytes, MemoryFlags::kAccessRead | MemoryFlags::kAccessExecute);
 }
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "runtime/native/internal/machine.h"
+#include "runtime/native/internal/context.h"
 #include "runtime/operations/slot.h"
 
 namespace stepwright::native {

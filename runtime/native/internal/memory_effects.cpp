@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "runtime/native/internal/value.h"
+#include "runtime/native/internal/x86/value.h"
 
 namespace stepwright::native {
 

@@ -7,8 +7,7 @@
 
 #include "runtime/bytecode/trap.h"
 #include "runtime/native/internal/code_memory.h"
-#include "runtime/native/internal/function_work.h"
-#include "runtime/native/internal/machine.h"
+#include "runtime/native/internal/context.h"
 #include "runtime/native/internal/program_facts.h"
 
 namespace stepwright::native {
@@ -16,15 +15,35 @@ namespace stepwright::native {
 // Runs the function at that address; the number of the trap's site, 0 if there was none.
 using Entry = std::uint32_t (*)(Context*, const void* function);
 
+// What a return address says: the call is in this function, `return_pc` is behind its instruction.
+struct CallSite {
+  std::size_t offset = 0;  // of the address in the code
+  std::uint32_t function = 0;
+  std::uint32_t return_pc = 0;
+};
+
 struct ProgramCode {
   CodeMemory memory;
   Entry enter = nullptr;
   std::vector<const void*> functions;
   std::vector<bytecode::Trap> sites;  // numbered from 1
   std::vector<CallSite> calls;        // in the order of their offsets
+
+  // Takes over the finished code.
+  asmjit::Error place(asmjit::CodeHolder& holder, asmjit::Label entry_label,
+                      const std::vector<asmjit::Label>& function_labels);
 };
 
-// What the library says if it cannot make the code, e.g. for want of memory.
+// The first error is what the library is asked for at the end; emitting goes on without effect.
+class FirstError final : public asmjit::ErrorHandler {
+ public:
+  void handleError(asmjit::Error error, const char*, asmjit::BaseEmitter*) override {
+    if (first == asmjit::kErrorOk) first = error;
+  }
+  asmjit::Error first = asmjit::kErrorOk;
+};
+
+// What the library says if it cannot make the code, e.g. for want of memory. One for each kind of processor.
 asmjit::Error make_code(const ProgramFacts& facts, ProgramCode& out);
 
 }  // namespace stepwright::native

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/native/internal/machine.h"
+#include "runtime/native/internal/context.h"
 
 namespace stepwright::native {
 

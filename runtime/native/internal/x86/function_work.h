@@ -1,0 +1,98 @@
+#pragma once
+
+// What the parts of the translator share while they make the code of one function: where they are, the
+// operands, labels, traps and the loop that keeps variables in registers.
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/bytecode/trap.h"
+#include "runtime/native/internal/program_code.h"
+#include "runtime/native/internal/x86/loop_plan.h"
+#include "runtime/native/internal/x86/operands.h"
+
+namespace stepwright::native {
+
+// What all functions share.
+struct ProgramWork {
+  const ProgramFacts& facts;
+  asmjit::x86::Assembler& out;
+  ConstantPool& pool;
+  std::vector<asmjit::Label> functions;
+  asmjit::Label trapped;               // with the number of the trap's site in eax
+  std::vector<bytecode::Trap>& sites;  // numbered from 1
+  std::vector<CallSite>& calls;        // in the order of their offsets
+};
+
+class FunctionWork {
+ public:
+  FunctionWork(ProgramWork& program, std::uint32_t function);
+
+  asmjit::x86::Assembler& out() { return program_.out; }
+  Operands& operands() { return operands_; }
+  ProgramWork& program() { return program_; }
+  const ProgramFacts& facts() const { return program_.facts; }
+  const bytecode::ContainerView& view() const { return program_.facts.view(); }
+  const FunctionFacts& own() const { return program_.facts.facts(function_); }
+  const FunctionCode& code() const { return program_.facts.code(function_); }
+  std::uint32_t function() const { return function_; }
+  std::uint64_t memory_size() const { return program_.facts.program().memory_size(); }
+
+  // The instruction that is being translated.
+  std::uint32_t item() const { return item_; }
+  void set_item(std::uint32_t item) { item_ = item; }
+  const FunctionCode::Item& current() const { return code().items[item_]; }
+  // The next instruction if nothing else leads to it, else null.
+  const bytecode::Instruction* next() const;
+
+  const Loop* loop() const { return loop_; }
+  void enter_loop(const Loop& loop);
+  void leave_loop();
+  // The variable of the loop at exactly this place, or null.
+  const Pinned* pinned(const Extent& where, bytecode::MemType type) const;
+  // Stores the variables that the loop writes, without leaving it.
+  void write_back();
+
+  // Where to go for a trap of the current instruction, after giving back `refund` of the budget.
+  asmjit::Label trap(bytecode::TrapCode code, std::uint32_t refund = 0);
+  // The same for a reference, in a general register, that leads out of the memory.
+  asmjit::Label reference_trap(RegisterId reference);
+  // Where to go to leave the loop for that label.
+  asmjit::Label leaving(asmjit::Label target);
+  // The code of all those, behind the function.
+  void emit_cold();
+
+  // Places as instructions name them.
+  Location absolute(std::uint32_t offset) const { return {Space::Image, offset, kNoRegister, 0, 0}; }
+  Location of_self(std::uint32_t offset) const;
+  Location local(std::uint32_t index) const;
+  // Where the running instance is kept during calls.
+  asmjit::x86::Mem saved_self() const;
+  // True if this many bytes there are the function's to use, whatever the index.
+  bool within_bounds(const Location& location, std::uint32_t bytes) const;
+
+  // The register of a loop variable into which the result of this type goes next, or kNoRegister: values
+  // that refer to it have been moved away.
+  RegisterId destination(bytecode::StackType type);
+
+ private:
+  struct Cold {
+    asmjit::Label label;
+    const Loop* loop = nullptr;
+    asmjit::Label target;  // or a trap, if it is not valid
+    std::uint32_t site = 0;
+    std::uint32_t refund = 0;
+    RegisterId reference = kNoRegister;  // decides between this site and the next
+  };
+
+  void write_back(const Loop& loop);
+
+  ProgramWork& program_;
+  std::uint32_t function_;
+  Operands operands_;
+  std::uint32_t item_ = 0;
+  const Loop* loop_ = nullptr;
+  std::vector<Cold> cold_;
+};
+
+}  // namespace stepwright::native
