@@ -51,7 +51,7 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
     syntax::parse_unit(context, sources.add(each.name, each.text), unit);
   PouLowering lowering(context, unit);
   lowering.lower_charts();
-  for (const graphic::Project* each : input.projects) lowering.add_project(*each);
+  lowering.add_projects(input.projects);
   const std::size_t user_pous = unit.pous.size();
   add_library(context, unit);
   const auto model = semantics::analyze(unit, user_pous, names, sink);

@@ -9,6 +9,7 @@
 #include "ladder/exchange/plcopen_parts.h"
 #include "ladder/exchange/xml_file.h"
 #include "ladder/graphic/identifier.h"
+#include "ladder/source/codes.h"
 
 namespace stepwright::exchange {
 namespace {
@@ -208,6 +209,21 @@ void write_instances(pugi::xml_node root, const Project& project) {
   append_children(instances, project.parts.instances);
 }
 
+// The first text that XML cannot hold.
+struct TextCheck : pugi::xml_tree_walker {
+  std::string bad;
+  bool for_each(pugi::xml_node& node) override {
+    bool good = is_xml_text(node.value());
+    for (const pugi::xml_attribute each : node.attributes()) good = good && is_xml_text(each.value());
+    if (good) return true;
+    for (pugi::xml_node owner = node; owner && bad.empty(); owner = owner.parent())
+      if (std::string_view(owner.name()) == "pou")
+        bad = std::string("POU '") + owner.attribute("name").value() + "'";
+    if (bad.empty()) bad = "the project";
+    return false;
+  }
+};
+
 }  // namespace
 
 result::Result<std::string> write_plcopen(const Project& project, const PlcopenOptions& options) {
@@ -230,6 +246,13 @@ result::Result<std::string> write_plcopen(const Project& project, const PlcopenO
   if (result::has_errors(diagnostics)) return tl::unexpected<Diagnostics>(std::move(diagnostics));
   write_instances(root, project);
   append_children(root, project.parts.root);
+  TextCheck texts;
+  document.traverse(texts);
+  if (!texts.bad.empty())
+    return result::fail(
+        source::code::kNoXmlCharacter, {},
+        texts.bad + " holds a text that XML cannot: a control character, or bytes that are no UTF-8",
+        "remove the character, or save the source as UTF-8");
   std::ostringstream out;
   document.save(out, "  ");
   return out.str();

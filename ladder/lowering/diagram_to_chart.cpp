@@ -163,13 +163,7 @@ class ChartReader {
     // Only a name of its own: editors leave it empty.
     if (condition.source == ConditionSource::Inline) transition.name = condition.reference;
     transition.condition = condition_of(element);
-    if (condition.negated) {
-      graphic::Condition negated;
-      negated.kind = graphic::ConditionKind::Expression;
-      negated.name = graphic::to_st(transition.condition);
-      negated.negated = true;
-      transition.condition = std::move(negated);
-    }
+    if (condition.negated) transition.condition = graphic::negation(transition.condition);
     return transition;
   }
 
