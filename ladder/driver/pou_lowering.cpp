@@ -1,10 +1,12 @@
 #include "ladder/driver/pou_lowering.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "ladder/driver/chart_conversion.h"
 #include "ladder/driver/declaration_text.h"
+#include "ladder/driver/foreign_types.h"
 #include "ladder/graphic/sfc_hazards.h"
 #include "ladder/lowering/diagram_to_chart.h"
 #include "ladder/lowering/diagram_to_ladder.h"
@@ -234,8 +236,27 @@ void PouLowering::add_notes(const graphic::Project& project, source::FileId file
 
 void PouLowering::add_projects(const std::vector<const graphic::Project*>& projects) {
   interfaces_.add(unit_);
+  const std::size_t written_globals = unit_.globals.size();
+  const std::size_t written_pous = unit_.pous.size();
+  const std::size_t written_configurations = unit_.configurations.size();
   for (const graphic::Project* each : projects) interfaces_.add(*each);
   for (const graphic::Project* each : projects) add_project(*each);
+  project_pous_ = {written_pous, unit_.pous.size()};
+  project_configurations_ = {written_configurations, unit_.configurations.size()};
+  project_globals_ = {written_globals, unit_.globals.size()};
+}
+
+void PouLowering::report_foreign_types() {
+  const ForeignTypes types(unit_, context_);
+  for (std::size_t i = project_pous_.begin; i < project_pous_.end; ++i)
+    types.report("POU '" + std::string(unit_.pous[i].name.text) + "'", unit_.pous[i].variables);
+  const std::string globals = "the list of global variables";
+  types.report(globals, std::span(unit_.globals)
+                            .subspan(project_globals_.begin, project_globals_.end - project_globals_.begin));
+  for (std::size_t i = project_configurations_.begin; i < project_configurations_.end; ++i) {
+    types.report(globals, unit_.configurations[i].globals);
+    for (syntax::Resource& each : unit_.configurations[i].resources) types.report(globals, each.globals);
+  }
 }
 
 void PouLowering::add_project(const graphic::Project& project) {

@@ -31,6 +31,9 @@ class PouLowering {
   // Everything of the projects: POUs, globals, tasks, instances. Each may use the types and POUs of all.
   void add_projects(const std::vector<const graphic::Project*>& projects);
 
+  // What the projects name and nobody declares. Requires that the library was added.
+  void report_foreign_types();
+
   const std::vector<LoweredChart>& charts() const { return charts_; }
 
  private:
@@ -56,6 +59,14 @@ class PouLowering {
   syntax::Unit& unit_;
   std::vector<LoweredChart> charts_;
   std::deque<std::string> texts_;
+  // What came from projects: indexes into the unit.
+  struct Range {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+  Range project_pous_;
+  Range project_configurations_;
+  Range project_globals_;
   ProgramInterfaces interfaces_;
   DeclarationText declarations_{interfaces_};
 };

@@ -146,27 +146,6 @@ graphic::SourceText XmlFile::source_text(pugi::xml_node node) const {
   return out;
 }
 
-bool is_xml_text(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = [&](std::size_t at) {
-      return static_cast<unsigned char>(at < text.size() ? text[at] : 0);
-    };
-    const unsigned lead = byte(i);
-    const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-    if (lead < 0x20 && lead != '\t' && lead != '\n' && lead != '\r') return false;
-    if ((lead >= 0x80 && lead < 0xC2) || lead > 0xF4) return false;
-    for (std::size_t k = 1; k < length; ++k)
-      if ((byte(i + k) & 0xC0U) != 0x80U) return false;
-    // Long forms, surrogates, what lies beyond Unicode, and the two that are no characters.
-    const unsigned next = byte(i + 1);
-    if ((lead == 0xE0 && next < 0xA0) || (lead == 0xED && next > 0x9F) || (lead == 0xF0 && next < 0x90) ||
-        (lead == 0xF4 && next > 0x8F) || (lead == 0xEF && next == 0xBF && byte(i + 2) > 0xBD))
-      return false;
-    i += length;
-  }
-  return true;
-}
-
 std::string_view local_name(pugi::xml_node node) {
   const std::string_view name = node.name();
   const std::size_t colon = name.find(':');

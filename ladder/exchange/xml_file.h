@@ -43,9 +43,6 @@ class XmlFile {
   pugi::xml_document document_;
 };
 
-// True if XML 1.0 in UTF-8 has a form for every character.
-bool is_xml_text(std::string_view text);
-
 // The name without its prefix.
 std::string_view local_name(pugi::xml_node node);
 pugi::xml_node child(pugi::xml_node node, std::string_view name);

@@ -49,7 +49,7 @@ bool DrawnBodyText::refuse(const graphic::DiagramBody& body) {
   return list || chart;
 }
 
-std::string DrawnBodyText::statements(const graphic::DiagramBody& body, const std::string&) {
+std::string DrawnBodyText::statements(const graphic::DiagramBody& body) {
   if (refuse(body)) return {};
   if (body.language == BodyLanguage::Diagram) return ladder_statements(body);
   return scope_.piece(body.text);
