@@ -125,6 +125,45 @@ TEST(PlcopenReader, WhenChartOfAnEditorRuns_ThenBranchesActionsAndDrawnCondition
   EXPECT_EQ(run.scan("", outputs), "0 1 1 1");
 }
 
+// What another system brings along and what is not supported: said once for each POU, and the rest is
+// checked.
+TEST(PlcopenReader, WhenPousNeedWhatIsNotThere_ThenEachSaysSoOnceAndTheRestIsChecked) {
+  const auto pou = [](const std::string& name, const std::string& variables, const std::string& body) {
+    std::string text = editor_program(variables, body);
+    return text.replace(text.find("name=\"main\""), 11, "name=\"" + name + "\"");
+  };
+  const auto derived = [](const std::string& name, const std::string& type) {
+    return "<variable name=\"" + name + "\"><type><derived name=\"" + type + "\"/></type></variable>\n";
+  };
+  const auto st = [](const std::string& text) {
+    return "<ST><xhtml:p><![CDATA[" + text + "]]></xhtml:p></ST>\n";
+  };
+  const std::string hmi =
+      derived("level", "HMI_INT") + derived("eval", "python_eval") + derived("name", "HMI_INT") + bools("ok");
+  const std::string xml = editor_project(
+      pou("main", hmi,
+          st("level := 3;\neval(TRIG := ok, CODE := 'x');\nname := level + 1;\nok := eval.ACK;")) +
+      pou("list", bools("a b"), "<IL><xhtml:p><![CDATA[LD a\nST b]]></xhtml:p></IL>\n") +
+      pou("typo", derived("delay", "TONN"), st("delay(IN := TRUE, PT := T#1s);")) +
+      pou("wrong", bools("a"), st("a := nowhere;")));
+  const graphic::Project project = read(xml);
+  const auto output = driver::compile(input_of(project));
+  ASSERT_FALSE(output);
+  std::string all;
+  for (const result::Diagnostic& each : output.error()) {
+    EXPECT_EQ(each.where.file, "plc.xml");
+    EXPECT_GT(each.where.line, 1U);
+    EXPECT_EQ(each.hint.empty(), each.code == "E0201") << each.message;
+    all += each.code + " " + each.message + "\n";
+  }
+  EXPECT_THAT(
+      all, HasSubstr("E0203 POU 'main' needs the types 'HMI_INT', 'python_eval', which nobody declares\n"));
+  EXPECT_THAT(all, HasSubstr("E0203 POU 'typo' needs the type 'TONN', which nobody declares\n"));
+  EXPECT_THAT(all, HasSubstr("E0804 "));
+  EXPECT_THAT(all, HasSubstr("E0201 "));
+  EXPECT_EQ(output.error().size(), 4U) << all;
+}
+
 // The instructions of a project's container: its source map names the lines of the file.
 std::string code_of(const graphic::Project& project) {
   const support::CompiledProgram program(input_of(project));
