@@ -41,10 +41,12 @@ void ForeignTypes::report(const std::string& owner, std::span<syntax::VariableDe
   std::string hint =
       named.size() == 1 ? source::did_you_mean(missing.front().text, candidates) : std::string();
   if (hint.empty())
-    hint = "they belong to the system that wrote the file: add an ST file or project that declares them";
+    hint =
+        "what another system brings along (HMI_INT, python_eval) has to be declared here: add an ST file or "
+        "project";
   context_.sink.error(
       source::code::kUnknownType, missing.front().where,
-      owner + " needs the type" + (named.size() == 1 ? " " : "s ") + list + ", which nobody declares",
+      (named.size() == 1 ? "the type " + list + " is" : "the types " + list + " are") + " declared nowhere",
       std::move(hint));
 }
 

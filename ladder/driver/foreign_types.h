@@ -17,10 +17,9 @@ class ForeignTypes {
   // Both must outlive this; `unit` holds everything that is declared.
   ForeignTypes(const syntax::Unit& unit, syntax::SyntaxContext& context);
 
-  // Reports all unknown types of these variables in one diagnostic (E0203) at the first of them: `owner`,
-  // such as "POU 'main'", needs them. They count as reported then, and what is computed from them is let
-  // pass.
-  void report(const std::string& owner, std::span<syntax::VariableDeclaration> variables) const;
+  // Reports all unknown types of these variables in one diagnostic (E0203) at the first of them. What is
+  // computed from them is let pass then.
+  void report(std::span<syntax::VariableDeclaration> variables) const;
 
  private:
   void collect(syntax::TypeSpec& spec, std::vector<syntax::Name>& missing) const;

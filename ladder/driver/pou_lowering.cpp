@@ -248,14 +248,12 @@ void PouLowering::add_projects(const std::vector<const graphic::Project*>& proje
 
 void PouLowering::report_foreign_types() {
   const ForeignTypes types(unit_, context_);
-  for (std::size_t i = project_pous_.begin; i < project_pous_.end; ++i)
-    types.report("POU '" + std::string(unit_.pous[i].name.text) + "'", unit_.pous[i].variables);
-  const std::string globals = "the list of global variables";
-  types.report(globals, std::span(unit_.globals)
-                            .subspan(project_globals_.begin, project_globals_.end - project_globals_.begin));
+  for (std::size_t i = project_pous_.begin; i < project_pous_.end; ++i) types.report(unit_.pous[i].variables);
+  types.report(std::span(unit_.globals)
+                   .subspan(project_globals_.begin, project_globals_.end - project_globals_.begin));
   for (std::size_t i = project_configurations_.begin; i < project_configurations_.end; ++i) {
-    types.report(globals, unit_.configurations[i].globals);
-    for (syntax::Resource& each : unit_.configurations[i].resources) types.report(globals, each.globals);
+    types.report(unit_.configurations[i].globals);
+    for (syntax::Resource& each : unit_.configurations[i].resources) types.report(each.globals);
   }
 }
 

@@ -5,12 +5,12 @@
 
 #include "ladder/exchange/chart_drawing.h"
 #include "ladder/exchange/drawing.h"
+#include "ladder/exchange/exchange_codes.h"
 #include "ladder/exchange/ladder_drawing.h"
 #include "ladder/exchange/plcopen_parts.h"
 #include "ladder/exchange/xml_file.h"
 #include "ladder/graphic/identifier.h"
 #include "ladder/graphic/svg_writer.h"
-#include "ladder/source/codes.h"
 
 namespace stepwright::exchange {
 namespace {
@@ -193,13 +193,20 @@ void write_resource(pugi::xml_node configuration, const graphic::Resource& resou
 
 void write_instances(pugi::xml_node root, const Project& project) {
   pugi::xml_node instances = root.append_child("instances");
-  pugi::xml_node configuration = instances.append_child("configurations").append_child("configuration");
+  pugi::xml_node configurations = instances.append_child("configurations");
+  const bool runs = !project.tasks.empty() || !project.instances.empty();
+  if (!runs && project.configuration.empty() && project.resources.empty() && project.globals.empty()) {
+    // A library has none.
+    append_children(instances, project.parts.instances);
+    return;
+  }
+  pugi::xml_node configuration = configurations.append_child("configuration");
   configuration.append_attribute("name") =
       project.configuration.empty() ? "config" : project.configuration.c_str();
   append_attributes(configuration, project.parts.configuration);
   for (std::size_t i = 0; i < project.resources.size(); ++i)
     write_resource(configuration, project.resources[i], i, project);
-  if (project.resources.empty()) {
+  if (project.resources.empty() && runs) {
     graphic::Resource only;
     only.name = "resource1";
     write_resource(configuration, only, 0, project);
@@ -252,7 +259,7 @@ result::Result<std::string> write_plcopen(const Project& project, const PlcopenO
   document.traverse(texts);
   if (!texts.bad.empty())
     return result::fail(
-        source::code::kNoXmlCharacter, {},
+        code::kNoXmlCharacter, {},
         texts.bad + " holds a text that XML cannot: a control character, or bytes that are no UTF-8",
         "remove the character, or save the source as UTF-8");
   std::ostringstream out;

@@ -74,7 +74,6 @@ inline constexpr const char* kOmronAddress = "E0811";
 inline constexpr const char* kOmronConstruct = "E0812";
 inline constexpr const char* kOmronFull = "E0813";
 inline constexpr const char* kNoRungForm = "E0814";
-inline constexpr const char* kNoXmlCharacter = "E0815";
 
 inline constexpr const char* kUnreachable = "W0001";
 inline constexpr const char* kUnusedResult = "W0002";

@@ -142,6 +142,7 @@ TEST(Pages, Codes_WhenComparedWithThePages_ThenEachHasOneAndNoPageIsLeftOver) {
   std::set<std::string> codes = codes_in("ladder/source/codes.h");
   ASSERT_GT(codes.size(), 60u);
   codes.merge(codes_in("ladder/graphic/sfc_codes.h"));
+  codes.merge(codes_in("ladder/exchange/exchange_codes.h"));
   codes.insert({"E0001", "E0002", "E0003"});  // of the command line
   for (std::uint8_t i = 1; i < bytecode::kTrapCodeCount; ++i)
     codes.insert(bytecode::diagnostic_code_of(static_cast<bytecode::TrapCode>(i)));

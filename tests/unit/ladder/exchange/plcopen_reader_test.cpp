@@ -156,9 +156,8 @@ TEST(PlcopenReader, WhenPousNeedWhatIsNotThere_ThenEachSaysSoOnceAndTheRestIsChe
     EXPECT_EQ(each.hint.empty(), each.code == "E0201") << each.message;
     all += each.code + " " + each.message + "\n";
   }
-  EXPECT_THAT(
-      all, HasSubstr("E0203 POU 'main' needs the types 'HMI_INT', 'python_eval', which nobody declares\n"));
-  EXPECT_THAT(all, HasSubstr("E0203 POU 'typo' needs the type 'TONN', which nobody declares\n"));
+  EXPECT_THAT(all, HasSubstr("E0203 POU 'main': the types 'HMI_INT', 'python_eval' are declared nowhere\n"));
+  EXPECT_THAT(all, HasSubstr("E0203 POU 'typo': the type 'TONN' is declared nowhere\n"));
   EXPECT_THAT(all, HasSubstr("E0804 "));
   EXPECT_THAT(all, HasSubstr("E0201 "));
   EXPECT_EQ(output.error().size(), 4U) << all;
