@@ -27,7 +27,7 @@ void ForeignTypes::collect(syntax::TypeSpec& spec, std::vector<syntax::Name>& mi
   spec.kind = syntax::TypeKind::Error;
 }
 
-void ForeignTypes::report(const std::string& owner, std::span<syntax::VariableDeclaration> variables) const {
+void ForeignTypes::report(std::span<syntax::VariableDeclaration> variables) const {
   std::vector<syntax::Name> missing;
   for (syntax::VariableDeclaration& each : variables)
     if (each.type) collect(*each.type, missing);

@@ -48,7 +48,7 @@ std::string program_of(const graphic::Project& project) {
   return all;
 }
 
-std::string text_of(const graphic::Pou& pou) {
+std::string body_text(const graphic::Pou& pou) {
   if (const auto* text = std::get_if<graphic::StBody>(&pou.body)) {
     graphic::DrawnBody drawn;
     drawn.body.text.text = text->text;
@@ -62,7 +62,7 @@ void expect_same_again(const graphic::Project& original) {
   ASSERT_TRUE(xml) << result::to_string(xml.error());
   const auto copy = read_plcopen("plc.xml", *xml);
   ASSERT_TRUE(copy) << result::to_string(copy.error()) << *xml;
-  ASSERT_EQ(text_of(original.pous[0]), text_of(copy->pous[0])) << *xml;
+  ASSERT_EQ(body_text(original.pous[0]), body_text(copy->pous[0])) << *xml;
   const auto again = write_plcopen(*copy);
   ASSERT_TRUE(again);
   ASSERT_EQ(*xml, *again);
