@@ -7,7 +7,7 @@ namespace stepwright::exchange::plcopen {
 
 void add_text(pugi::xml_node parent, const char* name, const std::string& text) {
   pugi::xml_node paragraph = parent.append_child(name).append_child("xhtml:p");
-  // CDATA keeps every byte of a program readable; its end mark and bare carriage returns need escapes.
+  // CDATA keeps every byte of a program readable; its end mark and carriage returns need escapes.
   const bool escaped = text.find("]]>") != std::string::npos || text.find('\r') != std::string::npos;
   // A zero byte would end the text early: another character that XML does not have stands for it, and the
   // writer refuses it.

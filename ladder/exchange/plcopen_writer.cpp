@@ -264,7 +264,11 @@ result::Result<std::string> write_plcopen(const Project& project, const PlcopenO
         "remove the character, or save the source as UTF-8");
   std::ostringstream out;
   document.save(out, "  ");
-  return out.str();
+  // A reader takes a bare carriage return for a line end; texts that hold one stand in no CDATA (add_text).
+  std::string xml = out.str();
+  for (std::size_t at = xml.find('\r'); at != std::string::npos; at = xml.find('\r', at))
+    xml.replace(at, 1, "&#13;");
+  return xml;
 }
 
 }  // namespace stepwright::exchange

@@ -68,7 +68,7 @@ std::string transition(const std::string& id, const std::string& from, const std
          "\"/></connectionPointIn><connectionPointOut/>" + condition + "</transition>\n";
 }
 
-// Step A, the condition, step B, and back at once.
+// Step Low, the condition, step High, and back at once.
 std::string project_with(const DrawnCondition& drawn) {
   std::string network;
   std::string transitions;
@@ -85,15 +85,15 @@ std::string project_with(const DrawnCondition& drawn) {
                   "</body></transition></transitions>\n";
   }
   const std::string chart =
-      "<SFC>\n<step localId=\"1\" name=\"A\" initialStep=\"true\"><position x=\"0\" y=\"0\"/>"
+      "<SFC>\n<step localId=\"1\" name=\"Low\" initialStep=\"true\"><position x=\"0\" y=\"0\"/>"
       "<connectionPointOut formalParameter=\"\"/></step>\n" +
       transition("2", "1", condition + "</condition>") +
-      "<step localId=\"3\" name=\"B\"><position x=\"0\" y=\"30\"/><connectionPointIn><connection "
+      "<step localId=\"3\" name=\"High\"><position x=\"0\" y=\"30\"/><connectionPointIn><connection "
       "refLocalId=\"2\"/></connectionPointIn><connectionPointOut formalParameter=\"\"/>"
       "<connectionPointOutAction formalParameter=\"\"/></step>\n" +
       transition("5", "3",
                  "<condition><inline name=\"\"><ST><xhtml:p>TRUE</xhtml:p></ST></inline></condition>") +
-      "<jumpStep localId=\"6\" targetName=\"A\"><position x=\"0\" y=\"60\"/><connectionPointIn><connection "
+      "<jumpStep localId=\"6\" targetName=\"Low\"><position x=\"0\" y=\"60\"/><connectionPointIn><connection "
       "refLocalId=\"5\"/></connectionPointIn></jumpStep>\n"
       "<actionBlock localId=\"4\"><position x=\"99\" y=\"30\"/><connectionPointIn><connection "
       "refLocalId=\"3\"/></connectionPointIn><action localId=\"0\" qualifier=\"N\"><relPosition x=\"0\" "
@@ -175,7 +175,7 @@ TEST(DrawnCondition, WhenNegatedWithAnEdgeInTheChart_ThenItHoldsAsDrawn) {
     drawn.series = bits / 4 % 2 != 0;
     drawn.contact_edge =
         std::array<const char*, 3>{"", "rising", "falling"}[static_cast<std::size_t>(bits / 8)];
-    EXPECT_EQ(difference(project_with(drawn), drawn), "") << project_with(drawn);
+    EXPECT_EQ(difference(project_with(drawn), drawn), "") << bits;
   }
 }
 
@@ -192,7 +192,7 @@ TEST(DrawnCondition, WhenTheResultOfANetworkIsModified_ThenItHoldsAsDrawn) {
     if (bits < 24) drawn.coil_edge = edges[bits % 3];
     if (bits >= 24) drawn.coil_storage = storages[bits / 24];
     drawn.series = bits % 5 == 0;
-    EXPECT_EQ(difference(project_with(drawn), drawn), "") << project_with(drawn);
+    EXPECT_EQ(difference(project_with(drawn), drawn), "") << bits;
   }
 }
 

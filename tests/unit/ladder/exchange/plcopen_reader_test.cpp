@@ -58,7 +58,7 @@ TEST(PlcopenReader, WhenATypeIsAnotherNameOfAString_ThenItsValuesAreLiterals) {
       "<initialValue><simpleValue value=\"ready\"/></initialValue></variable>\n";
   const graphic::Project project = read(editor_project(editor_program(variables, "<FBD>\n</FBD>\n"), types));
   EXPECT_EQ(project.pous.at(0).variables.at(0).initial, "ready");
-  EXPECT_EQ(support::CompiledProgram(input_of(project)).text("run.shown"), "'ready'");
+  EXPECT_EQ(support::CompiledProgram(input_of(project)).text("run.shown"), "ready");
 }
 
 TEST(PlcopenReader, WhenATypeOfAStringStandsInAnotherFile_ThenItsValuesAreLiterals) {
@@ -74,10 +74,10 @@ TEST(PlcopenReader, WhenATypeOfAStringStandsInAnotherFile_ThenItsValuesAreLitera
   const graphic::Project user = read(editor_project(editor_program(variables, "<FBD>\n</FBD>\n")));
   const auto expect_values = [&](const driver::CompileInput& input) {
     const support::CompiledProgram program(input);
-    EXPECT_EQ(program.text("run.shown"), "'blup'");
-    EXPECT_EQ(program.text("run.colour"), "'#ff, it$'s'");
-    EXPECT_EQ(program.text("run.line.note"), "'a, b'");
-    EXPECT_EQ(program.text("run.line.more"), "'none'");
+    EXPECT_EQ(program.text("run.shown"), "blup");
+    EXPECT_EQ(program.text("run.colour"), "#ff, it's");
+    EXPECT_EQ(program.text("run.line.note"), "a, b");
+    EXPECT_EQ(program.text("run.line.more"), "none");
   };
   driver::CompileInput with_text = input_of(user);
   with_text.texts.push_back(

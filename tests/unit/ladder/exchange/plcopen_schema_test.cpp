@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "ladder/exchange/plcopen_reader.h"
@@ -113,13 +114,14 @@ std::string without(const std::string& xml, const Missing& missing, std::uint32_
   }
   std::ostringstream out;
   document.save(out, "  ");
+  const std::string text = out.str();
   // The line is that of the element's beginning.
   pugi::xml_document again;
-  again.load_string(out.str().c_str());
+  again.load_string(text.c_str());
   const auto offset = static_cast<std::size_t>(again.select_node(missing.path).node().offset_debug());
-  line = 1 + static_cast<std::uint32_t>(std::count(
-                 out.str().begin(), out.str().begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
-  return out.str();
+  line = 1 + static_cast<std::uint32_t>(
+                 std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+  return text;
 }
 
 class Required : public testing::TestWithParam<Missing> {};
@@ -185,7 +187,12 @@ INSTANTIATE_TEST_SUITE_P(
         Missing{"//selectionDivergence/connectionPointOut", "@formalParameter"},
         Missing{"//simultaneousDivergence/connectionPointOut", "@formalParameter"},
         Missing{"//actionBlock/action", "@localId"}, Missing{"//actionBlock/action", "relPosition"},
-        Missing{"//actionBlock/action/reference", "@name"}, Missing{"//data", "@handleUnknown"}));
+        Missing{"//actionBlock/action/reference", "@name"}, Missing{"//data", "@handleUnknown"}),
+    [](const auto& each) {
+      std::string name = std::string(each.param.path) + each.param.what;
+      for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+      return name;
+    });
 
 TEST(PlcopenSchema, WhenThereIsMoreThanTheSchemaKnows_ThenItIsSeenAndTheFileIsRead) {
   const std::string xml =
