@@ -111,7 +111,7 @@ graphic::SfcChart wide_chart(std::uint32_t branches, std::uint32_t length) {
 }
 
 // Every "/7.2" on page 3 has a "/3.2" on page 7.
-void expect_partners(const std::string& svg) {
+std::size_t expect_partners(const std::string& svg) {
   std::map<std::string, int> references;  // "3/7.2", less those of the other side
   for (int page = 1; page <= page_count(svg); ++page) {
     for (const PageText& each : texts_of_page(svg, page)) {
@@ -123,8 +123,8 @@ void expect_partners(const std::string& svg) {
       references[low + "/" + high + each.text.substr(dot)] += page == other ? 0 : page < other ? 1 : -1;
     }
   }
-  EXPECT_FALSE(references.empty());
   for (const auto& [reference, sum] : references) EXPECT_EQ(sum, 0) << reference;
+  return references.size();
 }
 
 TEST(PrintSvg, WhenChartsAreCut_ThenNothingOverlapsAndReferencesHavePartners) {
@@ -133,7 +133,8 @@ TEST(PrintSvg, WhenChartsAreCut_ThenNothingOverlapsAndReferencesHavePartners) {
     const graphic::Sheet sheet = sheet_of(wide_chart(branches, 14));
     const std::string a4 = print_svg({sheet}, {.project = "Cell"});
     expect_clean(a4);
-    expect_partners(a4);
+    // Two branches fit side by side on one page.
+    EXPECT_EQ(expect_partners(a4) == 0, branches == 2);
     expect_clean(print_svg({sheet}, {.project = "Cell", .paper = Paper::A3}), 1588);
   }
 }
