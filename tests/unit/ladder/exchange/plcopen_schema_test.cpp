@@ -48,6 +48,10 @@ graphic::Project rich_project() {
   chart.body = support::rich_chart();
   std::get<graphic::SfcChart>(chart.body).final_scan = true;
   project.pous.push_back(chart);
+  graphic::Pou parallel;
+  parallel.name = "parallel";
+  parallel.body = support::partial_order_chart();
+  project.pous.push_back(std::move(parallel));
   std::mt19937 random(5);
   graphic::Pou ladder = *lowering::lower_sfc(lowering::random_pou(random));
   ladder.name = "ladder";
