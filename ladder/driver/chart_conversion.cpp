@@ -1,5 +1,6 @@
 #include "ladder/driver/chart_conversion.h"
 
+#include <map>
 #include <utility>
 
 #include "ladder/source/suggestion.h"
@@ -44,7 +45,10 @@ class Conversion {
 
   graphic::SfcChart run() {
     graphic::SfcChart result;
-    for (const syntax::StepDeclaration& each : chart_.steps) result.steps.push_back(step(each));
+    for (const syntax::StepDeclaration& each : chart_.steps) {
+      steps_[each.name.id] = graphic::StepId(static_cast<std::uint32_t>(result.steps.size()));
+      result.steps.push_back(step(each));
+    }
     for (const syntax::TransitionDeclaration& each : chart_.transitions)
       result.transitions.push_back(transition(each));
     for (const syntax::ActionDeclaration& each : chart_.actions)
@@ -94,18 +98,14 @@ class Conversion {
   std::vector<graphic::StepId> steps(const std::vector<syntax::Name>& names) {
     std::vector<graphic::StepId> ids;
     for (const syntax::Name& name : names) {
-      std::size_t found = chart_.steps.size();
+      if (const auto found = steps_.find(name.id); found != steps_.end()) {
+        ids.push_back(found->second);
+        continue;
+      }
       std::vector<std::string_view> candidates;
-      for (std::size_t i = 0; i < chart_.steps.size(); ++i) {
-        candidates.push_back(chart_.steps[i].name.text);
-        if (chart_.steps[i].name.id == name.id) found = i;
-      }
-      if (found < chart_.steps.size()) {
-        ids.emplace_back(static_cast<std::uint32_t>(found));
-      } else {
-        sink_.error(code::kBadChart, name.where, "there is no step '" + std::string(name.text) + "'",
-                    source::did_you_mean(name.text, candidates));
-      }
+      for (const syntax::StepDeclaration& each : chart_.steps) candidates.push_back(each.name.text);
+      sink_.error(code::kBadChart, name.where, "there is no step '" + std::string(name.text) + "'",
+                  source::did_you_mean(name.text, candidates));
     }
     return ids;
   }
@@ -125,6 +125,7 @@ class Conversion {
   Marks marks_;
   const source::SourceSet& sources_;
   source::DiagnosticSink& sink_;
+  std::map<source::NameId, graphic::StepId> steps_;
 };
 
 }  // namespace

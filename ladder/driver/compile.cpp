@@ -52,9 +52,10 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
     syntax::parse_unit(context, sources.add(each.name, each.text), unit);
   PouLowering lowering(context, unit);
   lowering.lower_charts();
-  for (const graphic::Project* each : input.projects) lowering.add_project(*each);
+  lowering.add_projects(input.projects);
   const std::size_t user_pous = unit.pous.size();
   add_library(context, unit);
+  lowering.report_foreign_types();
   const auto model = semantics::analyze(unit, user_pous, names, sink);
   if (sink.has_errors()) return tl::unexpected(sink.take());
   auto container = codegen::generate(*model, chart_origins(lowering, *model), sources,

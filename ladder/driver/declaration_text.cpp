@@ -26,37 +26,46 @@ const char* section_word(graphic::VariableSection section) {
 
 }  // namespace
 
-std::string declaration_text(const graphic::Variable& variable) {
+std::string DeclarationText::variable(const graphic::Variable& variable) const {
   std::string text = section_word(variable.section);
   if (variable.constant) text += " CONSTANT";
   if (variable.retain) text += " RETAIN";
   text += " " + variable.name;
   if (!variable.address.empty()) text += " AT " + variable.address;
-  text += " : " + variable.type;
-  if (!variable.initial.empty()) text += " := " + variable.initial;
+  text += " : " + graphic::with_quotes_inside(variable.type, behind_);
+  if (!variable.initial.empty())
+    text += " := " + graphic::with_quotes(variable.initial, variable.type, behind_);
   return text + "; END_VAR";
 }
 
-std::string types_text(const graphic::Project& project, const Mark& mark) {
+std::vector<graphic::Variable> DeclarationText::quoted(std::vector<graphic::Variable> variables) const {
+  for (graphic::Variable& each : variables) {
+    each.initial = graphic::with_quotes(each.initial, each.type, behind_);
+    each.type = graphic::with_quotes_inside(each.type, behind_);
+  }
+  return variables;
+}
+
+std::string DeclarationText::types(const graphic::Project& project, const Mark& mark) const {
   std::string text;
   for (const graphic::DataType& each : project.types) {
-    text += mark(each.where) + "TYPE " + each.name + " : " + each.type;
-    if (!each.initial.empty()) text += " := " + each.initial;
+    text += mark(each.where) + "TYPE " + each.name + " : " + graphic::with_quotes_inside(each.type, behind_);
+    if (!each.initial.empty()) text += " := " + graphic::with_quotes(each.initial, each.type, behind_);
     text += "; END_TYPE\n";
   }
   return text;
 }
 
-namespace {
-
-std::string globals_text(std::vector<graphic::Variable> variables, const Mark& mark) {
+std::string DeclarationText::globals(std::vector<graphic::Variable> variables, const Mark& mark) const {
   std::string text;
   for (graphic::Variable& each : variables) {
     each.section = graphic::VariableSection::Global;
-    text += mark(each.where) + declaration_text(each) + "\n";
+    text += mark(each.where) + variable(each) + "\n";
   }
   return text;
 }
+
+namespace {
 
 std::string task_text(const graphic::Task& task) {
   std::string list;
@@ -83,16 +92,16 @@ std::string items_text(const graphic::Project& project, std::size_t resource, co
 
 }  // namespace
 
-std::string configuration_text(const graphic::Project& project, const Mark& mark) {
-  const std::string globals = globals_text(project.globals, mark);
-  if (project.tasks.empty() && project.instances.empty()) return globals;
+std::string DeclarationText::configuration(const graphic::Project& project, const Mark& mark) const {
+  const std::string shared = globals(project.globals, mark);
+  if (project.tasks.empty() && project.instances.empty()) return shared;
   const std::string name =
       project.configuration.empty() ? std::string("project_configuration") : project.configuration;
-  std::string text = "CONFIGURATION " + name + "\n" + globals;
+  std::string text = "CONFIGURATION " + name + "\n" + shared;
   if (project.resources.empty()) text += items_text(project, 0, mark);
   for (std::size_t i = 0; i < project.resources.size(); ++i) {
     const graphic::Resource& resource = project.resources[i];
-    text += "RESOURCE " + resource.name + " ON PLC\n" + globals_text(resource.globals, mark) +
+    text += "RESOURCE " + resource.name + " ON PLC\n" + globals(resource.globals, mark) +
             items_text(project, i, mark) + "END_RESOURCE\n";
   }
   return text + "END_CONFIGURATION\n";

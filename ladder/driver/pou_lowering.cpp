@@ -1,10 +1,12 @@
 #include "ladder/driver/pou_lowering.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "ladder/driver/chart_conversion.h"
 #include "ladder/driver/declaration_text.h"
+#include "ladder/driver/foreign_types.h"
 #include "ladder/graphic/sfc_hazards.h"
 #include "ladder/lowering/diagram_to_chart.h"
 #include "ladder/lowering/diagram_to_ladder.h"
@@ -103,7 +105,7 @@ void PouLowering::set_lowered(const graphic::Pou& lowered, std::size_t known_var
   syntax::PouDeclaration& pou = unit_.pous[index];
   std::string added;
   for (std::size_t i = known_variables; i < lowered.variables.size(); ++i)
-    added += declaration_text(lowered.variables[i]) + "\n";
+    added += declarations_.variable(lowered.variables[i]) + "\n";
   const std::size_t written = pou.variables.size();
   add_declarations(lowered.name + ".sfc", added, pou);
   mark_generated(pou, written);
@@ -155,7 +157,7 @@ void PouLowering::add_pou(const graphic::Pou& pou, source::FileId file) {
   }
   std::string variables;
   for (const graphic::Variable& each : pou.variables)
-    variables += mark_text(file, each.where) + declaration_text(each) + "\n";
+    variables += mark_text(file, each.where) + declarations_.variable(each) + "\n";
   add_declarations(name + ".var", variables, declaration);
   if (const auto* text = std::get_if<graphic::StBody>(&pou.body)) {
     const source::FileId body = context_.sources.add(name + ".st", text->text);
@@ -232,20 +234,41 @@ void PouLowering::add_notes(const graphic::Project& project, source::FileId file
     for (const graphic::Variable& each : resource.globals) note(each.where, {});
 }
 
+void PouLowering::add_projects(const std::vector<const graphic::Project*>& projects) {
+  interfaces_.add(unit_);
+  const std::size_t written_globals = unit_.globals.size();
+  const std::size_t written_pous = unit_.pous.size();
+  const std::size_t written_configurations = unit_.configurations.size();
+  for (const graphic::Project* each : projects) interfaces_.add(*each);
+  for (const graphic::Project* each : projects) add_project(*each);
+  project_pous_ = {written_pous, unit_.pous.size()};
+  project_configurations_ = {written_configurations, unit_.configurations.size()};
+  project_globals_ = {written_globals, unit_.globals.size()};
+}
+
+void PouLowering::report_foreign_types() {
+  const ForeignTypes types(unit_, context_);
+  for (std::size_t i = project_pous_.begin; i < project_pous_.end; ++i) types.report(unit_.pous[i].variables);
+  types.report(std::span(unit_.globals)
+                   .subspan(project_globals_.begin, project_globals_.end - project_globals_.begin));
+  for (std::size_t i = project_configurations_.begin; i < project_configurations_.end; ++i) {
+    types.report(unit_.configurations[i].globals);
+    for (syntax::Resource& each : unit_.configurations[i].resources) types.report(each.globals);
+  }
+}
+
 void PouLowering::add_project(const graphic::Project& project) {
   const source::FileId origin =
       context_.sources.add(project.file_name.empty() ? "project" : project.file_name, project.file_text);
   add_notes(project, origin);
-  interfaces_.add(unit_);
-  interfaces_.add(project);
   const std::string name = project.name.empty() ? "project" : project.name;
   const auto mark = [&](std::uint32_t where) { return mark_text(origin, where); };
-  const std::string types = types_text(project, mark);
+  const std::string types = declarations_.types(project, mark);
   if (!types.empty())
     syntax::parse_unit(context_, context_.sources.add(name + ".types", types), unit_,
                        syntax::TextKind::Generated);
   for (const graphic::Pou& each : project.pous) add_pou(each, origin);
-  const std::string text = configuration_text(project, mark);
+  const std::string text = declarations_.configuration(project, mark);
   if (!text.empty())
     syntax::parse_unit(context_, context_.sources.add(name + ".cfg", text), unit_,
                        syntax::TextKind::Generated);

@@ -5,6 +5,7 @@
 #include <deque>
 #include <vector>
 
+#include "ladder/driver/declaration_text.h"
 #include "ladder/driver/project_scope.h"
 #include "ladder/graphic/project.h"
 #include "ladder/syntax/parser.h"
@@ -27,12 +28,16 @@ class PouLowering {
 
   // Every POU of the unit that holds a chart (textual SFC).
   void lower_charts();
-  // Everything of a project: POUs, globals, tasks, instances.
-  void add_project(const graphic::Project& project);
+  // Everything of the projects: POUs, globals, tasks, instances. Each may use the types and POUs of all.
+  void add_projects(const std::vector<const graphic::Project*>& projects);
+
+  // What the projects name and nobody declares. Requires that the library was added.
+  void report_foreign_types();
 
   const std::vector<LoweredChart>& charts() const { return charts_; }
 
  private:
+  void add_project(const graphic::Project& project);
   void add_pou(const graphic::Pou& pou, source::FileId file);
   // The body of a POU that was drawn, into the last POU of the unit.
   void add_drawn(const graphic::Pou& pou, source::FileId file);
@@ -54,7 +59,16 @@ class PouLowering {
   syntax::Unit& unit_;
   std::vector<LoweredChart> charts_;
   std::deque<std::string> texts_;
+  // What came from projects: indexes into the unit.
+  struct Range {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+  Range project_pous_;
+  Range project_configurations_;
+  Range project_globals_;
   ProgramInterfaces interfaces_;
+  DeclarationText declarations_{interfaces_};
 };
 
 }  // namespace stepwright::driver

@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "ladder/graphic/identifier.h"
+#include "ladder/graphic/type_text.h"
 
 namespace stepwright::driver {
 
@@ -23,6 +24,8 @@ std::string type_text(const syntax::TypeSpec& type) {
           text += std::string(name.text) + " : " + type_text(*line.type) + "; ";
       return text + "END_STRUCT";
     }
+    case syntax::TypeKind::Text:
+      return std::string(type.name.text);
     default:
       return {};
   }
@@ -35,25 +38,6 @@ void add_parameter(lowering::Signature& signature, syntax::Section section, lowe
     signature.outputs.push_back(std::move(parameter));
   else if (section == syntax::Section::InOut)
     signature.in_outs.push_back(std::move(parameter));
-}
-
-// Type of `field` in "STRUCT a : INT; b : T := 3; END_STRUCT".
-std::string member_of(const std::string& structure, const std::string& field) {
-  std::size_t at = structure.find_first_of(" \t\n");
-  while (at < structure.size()) {
-    const std::size_t end = std::min(structure.find(';', at), structure.size());
-    const std::size_t colon = structure.find(':', at);
-    if (colon >= end) return {};
-    std::string name = structure.substr(at, colon - at);
-    name.erase(0, name.find_first_not_of(" \t\n"));
-    name.erase(std::min(name.find_first_of(" \t\n"), name.size()));
-    std::string type = structure.substr(colon + 1, std::min(structure.find(":=", colon), end) - colon - 1);
-    type.erase(0, type.find_first_not_of(" \t\n"));
-    type.erase(type.find_last_not_of(" \t\n") + 1);
-    if (graphic::same_name(name, field)) return type;
-    at = end + 1;
-  }
-  return {};
 }
 
 bool is_name(char c) {
@@ -108,20 +92,22 @@ std::string ProgramInterfaces::type_of_global(const std::string& name) const {
   return found == globals_.end() ? std::string() : found->second;
 }
 
+std::string ProgramInterfaces::type_behind(std::string name) const {
+  for (int hops = 0; hops < 20; ++hops) {
+    const auto alias = types_.find(upper(name));
+    if (alias == types_.end()) break;
+    name = alias->second;
+  }
+  return name;
+}
+
 std::string ProgramInterfaces::type_below(std::string base, std::string_view path) const {
   while (!path.empty() && !base.empty()) {
-    // A name stands for its type.
-    for (int hops = 0; hops < 20; ++hops) {
-      const auto alias = types_.find(upper(base));
-      if (alias == types_.end()) break;
-      base = alias->second;
-    }
+    base = type_behind(std::move(base));
     if (path.front() == '[') {
       const std::size_t close = path.find(']');
-      const std::size_t of = upper(base).find(" OF ");
-      if (close == std::string_view::npos || upper(base).rfind("ARRAY", 0) != 0 || of == std::string::npos)
-        return {};
-      base = base.substr(of + 4);
+      base = graphic::element_type(base);
+      if (close == std::string_view::npos) return {};
       path.remove_prefix(close + 1);
       continue;
     }
@@ -131,8 +117,9 @@ std::string ProgramInterfaces::type_below(std::string base, std::string_view pat
     const std::string field(path.substr(1, end - 1));
     path.remove_prefix(end);
     std::string member;
-    if (upper(base).rfind("STRUCT", 0) == 0) {
-      member = member_of(base, field);
+    if (graphic::is_structure(base)) {
+      for (const graphic::StructureMember& each : graphic::members_of(base))
+        if (graphic::same_name(each.name, field)) member = each.type;
     } else if (const lowering::Signature* block = signature(base)) {
       for (const auto* list : {&block->outputs, &block->inputs, &block->in_outs})
         for (const lowering::Parameter& each : *list)

@@ -19,6 +19,8 @@ class ProgramInterfaces {
   void add(const graphic::Project& project);
 
   const lowering::Signature* signature(const std::string& type) const;
+  // The ST text of the type that a name stands for; the name itself if it stands for none.
+  std::string type_behind(std::string name) const;
   // Type of a variable below `base`: ".field[1].more"; empty if unknown.
   std::string type_below(std::string base, std::string_view path) const;
   std::string type_of_global(const std::string& name) const;

@@ -43,19 +43,20 @@ class ProjectSheets {
                 syntax::SyntaxContext& context)
       : project_(project),
         interfaces_(interfaces),
+        texts_(interfaces),
         context_(context),
         file_(context.sources.add(project.file_name.empty() ? "project" : project.file_name,
                                   project.file_text)) {}
 
   std::vector<Sheet> run() {
     const auto no_mark = [](std::uint32_t) { return std::string(); };
-    add_text("TYPE", "", types_text(project_, no_mark));
+    add_text("TYPE", "", texts_.types(project_, no_mark));
     for (const graphic::Pou& pou : project_.pous) add(pou);
     add_globals();
     graphic::Project tasks = project_;
     tasks.globals.clear();
     for (graphic::Resource& each : tasks.resources) each.globals.clear();
-    add_text("CONFIGURATION", project_.configuration, configuration_text(tasks, no_mark));
+    add_text("CONFIGURATION", project_.configuration, texts_.configuration(tasks, no_mark));
     for (Sheet& each : sheets_) each.file = context_.sources.name(file_);
     return std::move(sheets_);
   }
@@ -73,6 +74,7 @@ class ProjectSheets {
     for (const graphic::Resource& each : project_.resources)
       sheet.variables.insert(sheet.variables.end(), each.globals.begin(), each.globals.end());
     for (graphic::Variable& each : sheet.variables) each.section = graphic::VariableSection::Global;
+    sheet.variables = texts_.quoted(std::move(sheet.variables));
     if (!sheet.variables.empty()) sheets_.push_back(std::move(sheet));
   }
 
@@ -80,7 +82,7 @@ class ProjectSheets {
     Sheet sheet{kind_of(pou.kind), pou.name};
     sheet.result_type = pou.result_type;
     sheet.comment = pou.comment;
-    sheet.variables = pou.variables;
+    sheet.variables = texts_.quoted(pou.variables);
     if (const auto* text = std::get_if<graphic::StBody>(&pou.body)) sheet.body = whole_listing(text->text);
     if (const auto* ladder = std::get_if<graphic::LadderProgram>(&pou.body)) sheet.body = *ladder;
     if (const auto* chart = std::get_if<graphic::SfcChart>(&pou.body)) sheet.body = *chart;
@@ -111,6 +113,7 @@ class ProjectSheets {
 
   const graphic::Project& project_;
   const ProgramInterfaces& interfaces_;
+  DeclarationText texts_;
   syntax::SyntaxContext& context_;
   source::FileId file_;
   std::vector<Sheet> sheets_;

@@ -14,6 +14,7 @@ using graphic::Variable;
 using graphic::VariableSection;
 
 constexpr int bits_per_word = 16;
+constexpr int kWords = 32768;  // of the DM area
 
 std::string padded(int number, std::size_t digits) {
   std::string text = std::to_string(number);
@@ -31,7 +32,7 @@ int words_in(const std::string& area) {
   if (area.empty() || area == "I" || area == "Q") return 6144;
   if (area == "W" || area == "H") return 512;
   if (area == "A") return 960;
-  return area == "D" ? 32768 : 0;
+  return area == "D" ? kWords : 0;
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -200,7 +201,15 @@ void OmronAddresses::next_bit(const Variable& variable, const char* what, int& n
   } while (used_.count(place.code) != 0);
   place.shown = place.code;
   assign(variable.name, place, variable.comment);
-  if (graphic::same_name(variable.initial, "TRUE")) initial_values_.emplace_back(place, variable.initial);
+  std::string initial = graphic::upper(variable.initial);
+  if (initial.rfind("BOOL#", 0) == 0) initial.erase(0, 5);
+  if (initial == "TRUE" || initial == "1") {
+    initial_values_.emplace_back(place, variable.initial);
+  } else if (!initial.empty() && initial != "FALSE" && initial != "0") {
+    fail(source::code::kOmronConstruct,
+         "the initial value '" + variable.initial + "' of '" + variable.name + "' is not exported",
+         "write TRUE or FALSE");
+  }
 }
 
 void OmronAddresses::next_word(const Variable& variable, bool is_unsigned) {
@@ -208,8 +217,13 @@ void OmronAddresses::next_word(const Variable& variable, bool is_unsigned) {
   place.kind = OmronPlace::Kind::Word;
   place.is_unsigned = is_unsigned;
   do {
+    if (next_word_ >= kWords) {
+      fail(source::code::kOmronFull, "no word is left for '" + variable.name + "'",
+           "there are D0 to D" + std::to_string(kWords - 1));
+      return;
+    }
     place.code = "D" + std::to_string(next_word_++);
-  } while (used_.count(place.code) != 0 && next_word_ < 32768);
+  } while (used_.count(place.code) != 0);
   place.shown = place.code;
   assign(variable.name, place, variable.comment);
   // The DM area keeps its content, while a variable starts with its initial value.

@@ -1,10 +1,10 @@
 // Data types, initial values and variables of PLCopen TC6 XML as ST text.
 
 #include <algorithm>
-#include <array>
 
 #include "ladder/exchange/plcopen_read.h"
 #include "ladder/graphic/identifier.h"
+#include "ladder/graphic/type_text.h"
 
 namespace stepwright::exchange::plcopen {
 namespace {
@@ -40,19 +40,14 @@ std::string enumeration_type(ReadContext& context, pugi::xml_node enumeration) {
 }
 
 std::string structure_type(ReadContext& context, pugi::xml_node structure) {
-  std::string text = "STRUCT ";
+  std::vector<graphic::StructureMember> members;
   for (const pugi::xml_node each : structure.children()) {
     if (local_name(each) != "variable") continue;
-    const std::string type = read_type(context, child(each, "type"));
-    text += context.required(each, "name");
-    if (const pugi::xml_attribute address = each.attribute("address"))
-      text += std::string(" AT ") + address.value();
-    text += " : " + type;
-    const std::string value = read_value(context, child(each, "initialValue"), type);
-    if (!value.empty()) text += " := " + value;
-    text += "; ";
+    members.push_back({context.required(each, "name"), each.attribute("address").value(),
+                       read_type(context, child(each, "type")),
+                       read_value(context, child(each, "initialValue"))});
   }
-  return text + "END_STRUCT";
+  return graphic::structure_text(members);
 }
 
 std::string subrange_type(ReadContext& context, pugi::xml_node subrange) {
@@ -61,18 +56,17 @@ std::string subrange_type(ReadContext& context, pugi::xml_node subrange) {
          context.required(range, "upper") + ")";
 }
 
-// Editors leave the quotes of string literals out.
-std::string quoted(const std::string& value, const std::string& type) {
-  const std::string name = graphic::upper(type);
-  const bool wide = name.rfind("WSTRING", 0) == 0;
-  if ((!wide && name.rfind("STRING", 0) != 0) || value.empty()) return value;
-  if (value[0] == '\'' || value[0] == '"' || value.find('#') != std::string::npos) return value;
-  return wide ? "\"" + value + "\"" : "'" + value + "'";
-}
-
-std::string element_type(const std::string& type) {
-  const std::size_t of = graphic::upper(type).rfind(" OF ");
-  return of == std::string::npos ? "" : type.substr(of + 4);
+// A simple value inside of an array or structure: quoted where it would not hold together as it is. Whether
+// others are strings, which stand in files without quotes, is known when all types are
+// (graphic::with_quotes).
+std::string part_value(const std::string& value) {
+  const bool expression =
+      !value.empty() && std::string_view("'\"([").find(value.front()) != std::string::npos;
+  const auto count = [&](char c) { return std::count(value.begin(), value.end(), c); };
+  const bool whole = count('(') == count(')') && count('[') == count(']') && count('\'') % 2 == 0 &&
+                     count('"') % 2 == 0 && graphic::split_outside(value, ',').size() < 2 &&
+                     graphic::split_outside(value, ';').size() < 2;
+  return expression || whole ? value : graphic::string_literal(value, false);
 }
 
 }  // namespace
@@ -98,17 +92,18 @@ std::string read_type(ReadContext& context, pugi::xml_node node) {
   return upper;
 }
 
-std::string read_value(ReadContext& context, pugi::xml_node node, const std::string& type) {
+std::string read_value(ReadContext& context, pugi::xml_node node) {
   const pugi::xml_node value = first_element(node);
   const std::string_view name = local_name(value);
   if (!value) return {};
-  if (name == "simpleValue") return quoted(value.attribute("value").value(), context.type_behind(type));
+  if (name == "simpleValue") return value.attribute("value").value();
   std::string text;
   const bool array = name == "arrayValue";
   for (const pugi::xml_node each : value.children()) {
     if (local_name(each) != "value") continue;
     if (!text.empty()) text += ", ";
-    const std::string part = read_value(context, each, array ? element_type(type) : "");
+    const bool simple = local_name(first_element(each)) == "simpleValue";
+    const std::string part = simple ? part_value(read_value(context, each)) : read_value(context, each);
     const std::string repetition = each.attribute("repetitionValue").value();
     if (!array) text += context.required(each, "member") + " := ";
     text += array && !repetition.empty() && repetition != "1" ? repetition + "(" + part + ")" : part;
@@ -127,7 +122,7 @@ void read_variables(ReadContext& context, pugi::xml_node list, graphic::Variable
     variable.type = read_type(context, child(node, "type"));
     variable.section = section;
     variable.address = node.attribute("address").value();
-    variable.initial = read_value(context, child(node, "initialValue"), variable.type);
+    variable.initial = read_value(context, child(node, "initialValue"));
     variable.constant = context.boolean(list, "constant");
     variable.retain = context.boolean(list, "retain");
     variable.comment = context.documentation(node);

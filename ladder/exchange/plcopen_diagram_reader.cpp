@@ -42,9 +42,7 @@ class DiagramReader {
     Element element;
     element.kind = *kind;
     element.where = context_.file().offset(node);
-    const auto id = context_.number(node, "localId");
-    if (!id) context_.required(node, "localId");
-    element.id = id.value_or(0);
+    element.id = context_.number(node, "localId").value_or(0);
     element.width = context_.decimal(node, "width");
     element.height = context_.decimal(node, "height");
     element.order = context_.number(node, "executionOrderId");
@@ -93,9 +91,7 @@ class DiagramReader {
     for (const pugi::xml_node node : point.children()) {
       if (local_name(node) != "connection") continue;
       graphic::Connection connection;
-      const auto from = context_.number(node, "refLocalId");
-      if (!from) context_.required(node, "refLocalId");
-      connection.from = from.value_or(0);
+      connection.from = context_.number(node, "refLocalId").value_or(0);
       connection.output = node.attribute("formalParameter").value();
       for (const pugi::xml_node position : node.children())
         if (local_name(position) == "position") connection.path.push_back(*place(position));

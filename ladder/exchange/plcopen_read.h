@@ -2,7 +2,6 @@
 
 // What the parts of the PLCopen reader share. Internal to this folder.
 
-#include <map>
 #include <optional>
 #include <string>
 
@@ -22,28 +21,23 @@ class ReadContext {
   result::Diagnostics take() { return std::move(diagnostics_); }
   bool failed() const { return !diagnostics_.empty(); }
 
-  // An attribute that has to be there: reported and empty if it is not.
+  // An attribute that must not be empty: reported if it is. That it is there, the schema says.
   std::string required(pugi::xml_node node, const char* attribute);
   bool boolean(pugi::xml_node node, const char* attribute);
   std::optional<double> decimal(pugi::xml_node node, const char* attribute);
   std::optional<std::uint64_t> number(pugi::xml_node node, const char* attribute);
   // The text of the child "documentation".
   std::string documentation(pugi::xml_node node) const;
-  // A data type of the file, and what a name stands for: values of strings are written without quotes,
-  // whatever their type is called.
-  void name_type(const std::string& name, const std::string& type);
-  std::string type_behind(const std::string& name) const;
 
  private:
   const XmlFile& file_;
-  std::map<std::string, std::string> types_;  // by name in upper case
   result::Diagnostics diagnostics_;
 };
 
 // The ST text of the type that `node` (<type>, <baseType>, <returnType>) holds.
 std::string read_type(ReadContext& context, pugi::xml_node node);
-// The ST text of <initialValue>; `type` tells strings.
-std::string read_value(ReadContext& context, pugi::xml_node node, const std::string& type);
+// The ST text of <initialValue>, but for the quotes of strings (graphic::with_quotes).
+std::string read_value(ReadContext& context, pugi::xml_node node);
 
 // Appends the variables of one list.
 void read_variables(ReadContext& context, pugi::xml_node list, graphic::VariableSection section,

@@ -5,6 +5,7 @@
 #include "ladder/exchange/duration.h"
 #include "ladder/exchange/plcopen_parts.h"
 #include "ladder/exchange/plcopen_read.h"
+#include "ladder/exchange/plcopen_schema.h"
 #include "ladder/graphic/identifier.h"
 
 namespace stepwright::exchange {
@@ -22,12 +23,13 @@ void ReadContext::error(pugi::xml_node where, const char* code, std::string mess
 }
 
 std::string ReadContext::required(pugi::xml_node node, const char* attribute) {
-  const pugi::xml_attribute found = node.attribute(attribute);
-  if (!found || *found.value() == '\0')
-    error(node, code::kNotPlcopen,
-          "<" + std::string(local_name(node)) + "> has no attribute '" + attribute + "'",
-          "the TC6 schema requires it");
-  return found.value();
+  const char* value = node.attribute(attribute).value();
+  if (*value == '\0')
+    error(
+        node, code::kNotPlcopen,
+        std::string("the attribute '") + attribute + "' of <" + std::string(local_name(node)) + "> is empty",
+        "give it a value");
+  return value;
 }
 
 bool ReadContext::boolean(pugi::xml_node node, const char* attribute) {
@@ -65,15 +67,6 @@ std::string ReadContext::documentation(pugi::xml_node node) const {
   return file_.source_text(child(node, "documentation")).text;
 }
 
-void ReadContext::name_type(const std::string& name, const std::string& type) {
-  types_.emplace(graphic::upper(name), type_behind(type));
-}
-
-std::string ReadContext::type_behind(const std::string& name) const {
-  const auto found = types_.find(graphic::upper(name));
-  return found != types_.end() ? found->second : name;
-}
-
 namespace {
 
 using graphic::Pou;
@@ -101,6 +94,9 @@ class ProjectReader {
                      "the root of a TC6 XML file is <project>");
       return;
     }
+    for (const SchemaFault& each : schema_faults(root, Strictness::Required))
+      context_.error(each.node, code::kNotPlcopen, each.message, "the schema of TC6 requires it");
+    if (context_.failed()) return;
     const pugi::xml_node header = child(root, "contentHeader");
     project_.name = header.attribute("name").value();
     project_.parts.root =
@@ -108,7 +104,6 @@ class ProjectReader {
     project_.parts.file_header = extra_of(child(root, "fileHeader"), {}, {});
     project_.parts.content_header = extra_of(header, {"name"}, {});
     const pugi::xml_node types = child(root, "types");
-    if (!types) context_.error(root, code::kNotPlcopen, "<types> is missing", "it holds data types and POUs");
     for (const pugi::xml_node node : child(types, "dataTypes").children())
       if (local_name(node) == "dataType") data_type(node);
     for (const pugi::xml_node node : child(types, "pous").children())
@@ -121,8 +116,7 @@ class ProjectReader {
     graphic::DataType type;
     type.name = context_.required(node, "name");
     type.type = read_type(context_, child(node, "baseType"));
-    context_.name_type(type.name, type.type);
-    type.initial = read_value(context_, child(node, "initialValue"), type.type);
+    type.initial = read_value(context_, child(node, "initialValue"));
     type.comment = context_.documentation(node);
     type.extra = extra_of(node, {"name"}, {"baseType", "initialValue", "documentation"});
     type.where = context_.file().offset(node);

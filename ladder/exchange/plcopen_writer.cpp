@@ -5,10 +5,12 @@
 
 #include "ladder/exchange/chart_drawing.h"
 #include "ladder/exchange/drawing.h"
+#include "ladder/exchange/exchange_codes.h"
 #include "ladder/exchange/ladder_drawing.h"
 #include "ladder/exchange/plcopen_parts.h"
 #include "ladder/exchange/xml_file.h"
 #include "ladder/graphic/identifier.h"
+#include "ladder/graphic/svg_writer.h"
 
 namespace stepwright::exchange {
 namespace {
@@ -191,13 +193,20 @@ void write_resource(pugi::xml_node configuration, const graphic::Resource& resou
 
 void write_instances(pugi::xml_node root, const Project& project) {
   pugi::xml_node instances = root.append_child("instances");
-  pugi::xml_node configuration = instances.append_child("configurations").append_child("configuration");
+  pugi::xml_node configurations = instances.append_child("configurations");
+  const bool runs = !project.tasks.empty() || !project.instances.empty();
+  if (!runs && project.configuration.empty() && project.resources.empty() && project.globals.empty()) {
+    // A library has none.
+    append_children(instances, project.parts.instances);
+    return;
+  }
+  pugi::xml_node configuration = configurations.append_child("configuration");
   configuration.append_attribute("name") =
       project.configuration.empty() ? "config" : project.configuration.c_str();
   append_attributes(configuration, project.parts.configuration);
   for (std::size_t i = 0; i < project.resources.size(); ++i)
     write_resource(configuration, project.resources[i], i, project);
-  if (project.resources.empty()) {
+  if (project.resources.empty() && runs) {
     graphic::Resource only;
     only.name = "resource1";
     write_resource(configuration, only, 0, project);
@@ -207,6 +216,22 @@ void write_instances(pugi::xml_node root, const Project& project) {
   add_documentation(configuration, project.parts.configuration_comment);
   append_children(instances, project.parts.instances);
 }
+
+// The first text that XML cannot hold.
+struct TextCheck : pugi::xml_tree_walker {
+  std::string bad;
+  bool for_each(pugi::xml_node& node) override {
+    bool good = graphic::is_xml_text(node.value());
+    for (const pugi::xml_attribute each : node.attributes())
+      good = good && graphic::is_xml_text(each.value());
+    if (good) return true;
+    for (pugi::xml_node owner = node; owner && bad.empty(); owner = owner.parent())
+      if (std::string_view(owner.name()) == "pou")
+        bad = std::string("POU '") + owner.attribute("name").value() + "'";
+    if (bad.empty()) bad = "the project";
+    return false;
+  }
+};
 
 }  // namespace
 
@@ -230,9 +255,20 @@ result::Result<std::string> write_plcopen(const Project& project, const PlcopenO
   if (result::has_errors(diagnostics)) return tl::unexpected<Diagnostics>(std::move(diagnostics));
   write_instances(root, project);
   append_children(root, project.parts.root);
+  TextCheck texts;
+  document.traverse(texts);
+  if (!texts.bad.empty())
+    return result::fail(
+        code::kNoXmlCharacter, {},
+        texts.bad + " holds a text that XML cannot: a control character, or bytes that are no UTF-8",
+        "remove the character, or save the source as UTF-8");
   std::ostringstream out;
   document.save(out, "  ");
-  return out.str();
+  // A reader takes a bare carriage return for a line end; texts that hold one stand in no CDATA (add_text).
+  std::string xml = out.str();
+  for (std::size_t at = xml.find('\r'); at != std::string::npos; at = xml.find('\r', at))
+    xml.replace(at, 1, "&#13;");
+  return xml;
 }
 
 }  // namespace stepwright::exchange

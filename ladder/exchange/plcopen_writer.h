@@ -21,7 +21,8 @@ struct PlcopenOptions {
 };
 
 // Fails with the errors of graphic::check for a chart, with E0814 for a rung that holds statements which are
-// not plain assignments (TC6 has no statement list in LD: export the chart instead).
+// not plain assignments (TC6 has no statement list in LD: export the chart instead), with E0815 for a text
+// that XML cannot hold.
 [[nodiscard]] result::Result<std::string> write_plcopen(const graphic::Project& project,
                                                         const PlcopenOptions& options = {});
 

@@ -1,5 +1,6 @@
 #include "ladder/graphic/condition.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace stepwright::graphic {
@@ -77,6 +78,28 @@ Condition any(std::vector<Condition> children) {
     if (child.kind == ConditionKind::True) return always();
   }
   return combine(ConditionKind::Any, std::move(children));
+}
+
+Condition negation(const Condition& condition) {
+  Condition result = condition;
+  const bool series = condition.kind == ConditionKind::All;
+  if (condition.kind == ConditionKind::Contact || condition.kind == ConditionKind::Expression) {
+    result.negated = !condition.negated;
+  } else if (senses_edge(condition)) {
+    result.kind = series ? ConditionKind::Any : ConditionKind::All;
+    for (Condition& child : result.children) child = negation(child);
+  } else {
+    result = {};
+    result.kind = ConditionKind::Expression;
+    result.name = to_st(condition);
+    result.negated = true;
+  }
+  return result;
+}
+
+bool senses_edge(const Condition& condition) {
+  return condition.edge != Edge::None ||
+         std::any_of(condition.children.begin(), condition.children.end(), senses_edge);
 }
 
 std::string to_st(const Condition& condition) {

@@ -44,6 +44,11 @@ Condition compare(std::string left, CompareOp op, std::string right);
 Condition all(std::vector<Condition> children);
 Condition any(std::vector<Condition> children);
 
+// What holds where `condition` does not. Edges stay contacts, which ST text has no form for.
+Condition negation(const Condition& condition);
+// True if a contact in it senses an edge.
+bool senses_edge(const Condition& condition);
+
 // The condition as an ST expression, fully parenthesised where precedence could surprise a reader.
 std::string to_st(const Condition& condition);
 // "=", "<>", "<", "<=", ">", ">="

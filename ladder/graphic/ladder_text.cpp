@@ -14,12 +14,11 @@ int length(const std::string& text) {
   return static_cast<int>(length_of(text));
 }
 
+// One that senses an edge and is negated takes a character of the wire behind it.
 std::string glyph(const Condition& contact) {
-  const char* mark = contact.edge == Edge::Rising    ? "P"
-                     : contact.edge == Edge::Falling ? "N"
-                     : contact.negated               ? "/"
-                                                     : " ";
-  return std::string("┤") + mark + "├";
+  const std::string edge = contact.edge == Edge::Rising ? "P" : contact.edge == Edge::Falling ? "N" : "";
+  const std::string mark = (contact.negated ? "/" : "") + edge;
+  return "┤" + (mark.empty() ? " " : mark) + "├";
 }
 
 std::string glyph(CoilKind kind) {

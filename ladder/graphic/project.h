@@ -22,7 +22,7 @@ struct Variable {
   std::string type;  // ST type text: "BOOL", "INT", "TON", "ARRAY[1..3] OF REAL"
   VariableSection section = VariableSection::Local;
   std::string address{};  // "%IX0.0"; empty if not located
-  std::string initial{};  // ST initial value text; empty if none
+  std::string initial{};  // ST initial value text, strings also without quotes (type_text.h); empty if none
   bool constant = false;
   bool retain = false;
   std::string comment{};

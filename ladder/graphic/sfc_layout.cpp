@@ -79,7 +79,7 @@ class Layouter {
     if (!step.actions.empty()) node.right += m_.action_gap + placed.qualifier_width + placed.target_width;
     node.height = std::max(placed.height, static_cast<int>(step.actions.size()) * m_.action_row);
     for (const std::uint32_t transition : graph_.jumps_into[node.index]) {
-      placed.jumps += (placed.jumps.empty() ? "" : ", ") + label_of(transition);
+      placed.jumps += (placed.jumps.empty() ? "" : ", ") + drawn_label(chart_, transition);
     }
     if (placed.jumps.empty()) return;
     node.height += 2 * m_.line;
@@ -91,18 +91,13 @@ class Layouter {
   void measure_transition(LayoutNode& node) {
     PlacedTransition& placed = out_.transitions[node.index];
     placed.transition = node.index;
-    placed.label = label_of(node.index);
+    placed.label = drawn_label(chart_, node.index);
     placed.text = wrap_condition(bare(to_st(chart_.transitions[node.index].condition)), m_.condition_width);
     std::size_t longest = 0;
     for (const std::string& line : placed.text) longest = std::max(longest, length_of(line));
     node.left = m_.bar + m_.text_gap + width_of(placed.label, m_.small_character);
     node.right = m_.bar + m_.text_gap + static_cast<int>(longest) * m_.character;
     node.height = static_cast<int>(placed.text.size()) * m_.line;
-  }
-
-  std::string label_of(std::size_t transition) const {
-    const std::string& name = chart_.transitions[transition].name;
-    return name.empty() ? "#" + std::to_string(transition + 1) : name;
   }
 
   void place_rows() {
@@ -183,6 +178,11 @@ class Layouter {
 
 SfcLayout lay_out(const SfcChart& chart, const SfcMetrics& metrics) {
   return Layouter(chart, metrics).run();
+}
+
+std::string drawn_label(const SfcChart& chart, std::size_t transition) {
+  const std::string& name = chart.transitions[transition].name;
+  return name.empty() ? "#" + std::to_string(transition + 1) : name;
 }
 
 std::string qualifier_text(const ActionBlock& block) {

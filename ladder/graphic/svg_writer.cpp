@@ -32,6 +32,17 @@ std::size_t character_length(const std::string& text, std::size_t at) {
 
 }  // namespace
 
+bool is_xml_text(const std::string& text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = character_length(text, i);
+    const char c = text[i];
+    const bool control = length == 1 && static_cast<unsigned char>(c) < 0x20;
+    if (length == 0 || (control && c != '\t' && c != '\n' && c != '\r')) return false;
+    i += length;
+  }
+  return true;
+}
+
 std::string xml_escaped(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {

@@ -37,7 +37,7 @@ class ChartReader {
     transitions();
     for (const graphic::NamedBody& action : body_.actions)
       result_.chart.actions.push_back(
-          {action.name, texts_.statements(action.body, action.name), scope_.location(action.where)});
+          {action.name, texts_.statements(action.body), scope_.location(action.where)});
     action_blocks();
     result_.networks = networks_.take();
     graphic::LadderProgram more = texts_.take_networks();
@@ -163,13 +163,7 @@ class ChartReader {
     // Only a name of its own: editors leave it empty.
     if (condition.source == ConditionSource::Inline) transition.name = condition.reference;
     transition.condition = condition_of(element);
-    if (condition.negated) {
-      graphic::Condition negated;
-      negated.kind = graphic::ConditionKind::Expression;
-      negated.name = graphic::to_st(transition.condition);
-      negated.negated = true;
-      transition.condition = std::move(negated);
-    }
+    if (condition.negated) transition.condition = graphic::negation(transition.condition);
     return transition;
   }
 
@@ -181,9 +175,13 @@ class ChartReader {
       case ConditionSource::Inline:
         return texts_.condition(condition.body.front(), condition.reference);
       case ConditionSource::Reference: {
-        for (const graphic::NamedBody& each : body_.transitions)
-          if (graphic::same_name(each.name, condition.reference))
-            return texts_.condition(each.body, each.name);
+        for (const graphic::NamedBody& each : body_.transitions) {
+          if (!graphic::same_name(each.name, condition.reference)) continue;
+          // A network that several transitions name runs once.
+          const auto [found, is_new] = named_.try_emplace(&each);
+          if (is_new) found->second = texts_.condition(each.body, each.name);
+          return found->second;
+        }
         return graphic::contact(condition.reference);
       }
       case ConditionSource::None:
@@ -231,8 +229,7 @@ class ChartReader {
                    "give the action a duration such as T#5s");
     if (!row.body.empty()) {
       block.target = step.name + "_INLINE" + std::to_string(++inline_actions_);
-      result_.chart.actions.push_back(
-          {block.target, texts_.statements(row.body.front(), block.target), block.where});
+      result_.chart.actions.push_back({block.target, texts_.statements(row.body.front()), block.where});
     } else if (block.target.empty()) {
       scope_.error(code::kBadDiagram, row.where, "the action of step '" + step.name + "' is missing",
                    "name an action or a BOOL variable");
@@ -250,6 +247,7 @@ class ChartReader {
   NetworkLowering networks_;
   std::map<const Element*, StepId> step_ids_;
   std::map<std::string, StepId> by_name_;
+  std::map<const graphic::NamedBody*, graphic::Condition> named_;
   int inline_actions_ = 0;
   DrawnChart result_;
 };

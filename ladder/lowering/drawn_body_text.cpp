@@ -49,7 +49,7 @@ bool DrawnBodyText::refuse(const graphic::DiagramBody& body) {
   return list || chart;
 }
 
-std::string DrawnBodyText::statements(const graphic::DiagramBody& body, const std::string&) {
+std::string DrawnBodyText::statements(const graphic::DiagramBody& body) {
   if (refuse(body)) return {};
   if (body.language == BodyLanguage::Diagram) return ladder_statements(body);
   return scope_.piece(body.text);
@@ -112,14 +112,7 @@ Condition DrawnBodyText::condition(const graphic::DiagramBody& body, const std::
     scope_.error(code::kBadDiagram, body.where, "nothing is written to the transition '" + name + "'",
                  "end the network with a variable or coil of that name");
   } else {
-    result = lowering.evaluate(output->inputs.front(), *output);
-    if (output->modifier.negated) {
-      Condition negated;
-      negated.kind = ConditionKind::Expression;
-      negated.name = graphic::to_st(result);
-      negated.negated = true;
-      result = std::move(negated);
-    }
+    result = lowering.evaluate_output(*output);
   }
   graphic::LadderProgram ladder = lowering.take();
   std::move(ladder.rungs.begin(), ladder.rungs.end(), std::back_inserter(networks_.rungs));

@@ -16,7 +16,7 @@ class DrawnBodyText {
   explicit DrawnBodyText(DiagramScope& scope) : scope_(scope) {}
 
   // Statements of an action.
-  std::string statements(const graphic::DiagramBody& body, const std::string& name);
+  std::string statements(const graphic::DiagramBody& body);
   // The condition of a transition: an expression, or what a network writes to the variable `name`.
   graphic::Condition condition(const graphic::DiagramBody& body, const std::string& name);
 

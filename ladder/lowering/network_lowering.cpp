@@ -35,24 +35,6 @@ bool inverts_power(const graphic::Modifier& modifier) {
   return modifier.negated && coil_kind(modifier) != CoilKind::Negated;
 }
 
-Condition inverted(const Condition& condition) {
-  if (condition.kind == ConditionKind::Contact && condition.edge == graphic::Edge::None) {
-    Condition result = condition;
-    result.negated = !result.negated;
-    return result;
-  }
-  Condition result;
-  result.kind = ConditionKind::Expression;
-  result.name = graphic::to_st(condition);
-  result.negated = true;
-  return result;
-}
-
-bool senses_edge(const Condition& condition) {
-  return condition.edge != graphic::Edge::None ||
-         std::any_of(condition.children.begin(), condition.children.end(), senses_edge);
-}
-
 bool same_sources(const Pin& a, const Pin& b) {
   return std::equal(
       a.connections.begin(), a.connections.end(), b.connections.begin(), b.connections.end(),
@@ -155,8 +137,7 @@ void NetworkLowering::coils(const std::vector<const Element*>& group) {
   }
   const Element& first = *group.front();
   Condition condition = power(input_of(first), first);
-  if (inverts_power(first.modifier))
-    condition = through_wire(inverted(without_edges(std::move(condition), first)), first);
+  if (inverts_power(first.modifier)) condition = through_wire(graphic::negation(condition), first);
   std::vector<Coil> list;
   for (const Element* each : group)
     list.push_back({coil_kind(each->modifier), marked(each->name, *each, first)});
@@ -192,8 +173,7 @@ void NetworkLowering::assignment(const Element& element) {
   const CoilKind kind = coil_kind(modifier);
   const bool plain = kind == CoilKind::Normal || kind == CoilKind::Negated;
   if (!plain || is_power(pin)) {
-    if (inverts_power(modifier))
-      value = through_wire(inverted(without_edges(std::move(value), element)), element);
+    if (inverts_power(modifier)) value = through_wire(graphic::negation(value), element);
     add(element, std::move(value)).coils = {{kind, target}};
     return;
   }
@@ -203,6 +183,20 @@ void NetworkLowering::assignment(const Element& element) {
   graphic::Block statement;
   statement.st_body = target + " := " + text;
   add(element, std::move(guard)).blocks.push_back(std::move(statement));
+}
+
+Condition NetworkLowering::evaluate_output(const Element& element) {
+  const Pin& pin = input_of(element);
+  demand(pin, element, 0);
+  Condition value = power(pin, element);
+  const CoilKind kind = coil_kind(element.modifier);
+  if (element.modifier.negated) value = graphic::negation(value);
+  if (kind == CoilKind::Normal || kind == CoilKind::Negated) return value;
+  // A latch or an edge has a state of its own.
+  const std::string name = scope_.new_wire();
+  ladder_.wires.push_back({name, "BOOL", kind == CoilKind::Set || kind == CoilKind::Reset});
+  add(element, std::move(value)).coils = {{kind, name}};
+  return graphic::contact(name);
 }
 
 Condition NetworkLowering::power(const Pin& pin, const Element& owner) {
@@ -309,7 +303,7 @@ Condition NetworkLowering::through_wire(Condition condition, const Element& elem
 }
 
 Condition NetworkLowering::without_edges(Condition condition, const Element& element) {
-  return senses_edge(condition) ? through_wire(std::move(condition), element) : condition;
+  return graphic::senses_edge(condition) ? through_wire(std::move(condition), element) : condition;
 }
 
 bool NetworkLowering::is_power(const Pin& pin) const {

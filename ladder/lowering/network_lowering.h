@@ -22,6 +22,9 @@ class NetworkLowering {
   // Everything that `pin` needs is evaluated; the result is the power there.
   graphic::Condition evaluate(const graphic::Pin& pin, const graphic::Element& owner);
 
+  // What a coil or variable would be written, which nobody declares: the result of a network.
+  graphic::Condition evaluate_output(const graphic::Element& element);
+
   graphic::LadderProgram take() { return std::move(ladder_); }
 
  private:

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 
 #include "ladder/graphic/sfc_painter.h"
-#include "ladder/print/cross_reference.h"
 #include "ladder/print/cuts.h"
 
 namespace stepwright::print {
@@ -18,12 +18,15 @@ using graphic::PlacedTransition;
 
 // Around a tile, for its references.
 constexpr int kMargin = 30;
-// A chart is made smaller down to this before it is cut from top to bottom.
-constexpr int kReadablePercent = 70;
+// Letters of 12 pixels are 1.9 mm high then; the smallest of ISO 3098 are 1.8 mm.
+constexpr int kReadablePercent = 60;
+// Characters of a line of a condition.
+constexpr std::size_t kConditionWidths[] = {40, 26, 16};
 
-graphic::SfcMetrics metrics() {
+graphic::SfcMetrics metrics(std::size_t condition_width = kConditionWidths[0]) {
   graphic::SfcMetrics result = graphic::svg_sfc_metrics();
   result.reference = 5;
+  result.condition_width = condition_width;
   return result;
 }
 
@@ -76,28 +79,53 @@ bool overlap(Interval a, Interval b) {
 
 }  // namespace
 
-ChartTiles::ChartTiles(const graphic::SfcChart& chart, int width, int height)
-    : chart_(chart), layout_(lay_out(chart, metrics())) {
-  for (percent_ = 100; percent_ > 10; percent_ -= 5) {
-    const int room = width * 100 / percent_;
-    if (layout_.width > room && percent_ > kReadablePercent) continue;
-    if (cut(room, height * 100 / percent_)) break;
+ChartTiles::ChartTiles(const graphic::SfcChart& chart, int width, int height) : chart_(&chart) {
+  std::optional<ChartTiles> best;
+  int least = 0;
+  for (const std::size_t condition_width : kConditionWidths) {
+    layout_ = lay_out(chart, metrics(condition_width));
+    for (percent_ = 100; percent_ > 10; percent_ -= 5) {
+      // Smaller than readable only where nothing else is left.
+      if (percent_ < kReadablePercent && best) break;
+      if (!cut(width * 100 / percent_, height * 100 / percent_)) continue;
+      number_crossings();
+      const int own = cost(height) + static_cast<int>(kConditionWidths[0] - condition_width);
+      if (!best || own < least) best = *this, least = own;
+      if (tiles_.size() == 1) break;
+    }
   }
-  if (tiles_.empty()) {
+  if (best) {
+    *this = std::move(*best);
+  } else {
     // Nothing can be cut: as small as it takes.
     tiles_ = {{0, 0, layout_.width, layout_.height}};
     percent_ = std::max(
         1, std::min({100, width * 100 / layout_.width, height * 100 / (layout_.height + 2 * kMargin)}));
+    number_crossings();
   }
   pages_.resize(tiles_.size(), 0);
-  number_crossings();
+}
+
+int ChartTiles::cost(int height) const {
+  int pages = 1;
+  int used = 0;
+  for (std::size_t i = 0; i < tiles_.size(); ++i) {
+    const int own = height_of(i);
+    if (used > 0 && used + own > height) {
+      ++pages;
+      used = 0;
+    }
+    used += own;
+  }
+  const int cut_lines = static_cast<int>(crossings_.size());
+  return 1000 * pages + 40 * static_cast<int>(tiles_.size()) + 15 * cut_lines + 4 * (100 - percent_);
 }
 
 // Bands from top to bottom, each of them then from left to right. A band is as high as it can be while it can
 // still be cut from top to bottom.
 bool ChartTiles::cut(int width, int height) {
   tiles_.clear();
-  const std::vector<Box> boxes = boxes_of(layout_, chart_);
+  const std::vector<Box> boxes = boxes_of(layout_, *chart_);
   std::vector<Interval> rows;
   for (const Box& each : boxes) rows.push_back(each.y);
   for (const PlacedLine& each : layout_.lines)
@@ -107,7 +135,10 @@ bool ChartTiles::cut(int width, int height) {
   for (std::size_t next = 0; next < ends.size();) {
     std::size_t last = next;
     while (last < ends.size() && ends[last] - y1 <= height - 2 * kMargin) ++last;
-    while (last > next && !cut_band(boxes, {y1, ends[last - 1]}, width)) --last;
+    std::vector<Box> near;
+    for (const Box& each : boxes)
+      if (last > next && overlap(each.y, {y1, ends[last - 1]})) near.push_back(each);
+    while (last > next && !cut_band(near, {y1, ends[last - 1]}, width)) --last;
     if (last == next) {
       tiles_.clear();
       return false;
@@ -138,6 +169,7 @@ bool ChartTiles::cut_band(const std::vector<Box>& boxes, Interval band, int widt
 
 // Both ends of a cut line have the same number; numbers begin anew at every cut.
 void ChartTiles::number_crossings() {
+  crossings_.clear();
   std::map<std::pair<bool, int>, int> used;  // per cut, the two directions apart
   for (const Tile& tile : tiles_) {
     for (const PlacedLine& line : layout_.lines) {
@@ -195,7 +227,7 @@ void ChartTiles::draw_lines(graphic::SvgWriter& svg, std::size_t tile) const {
                        std::min(line.y2, area.y2), line.doubled});
     draw_references(svg, line, area);
   }
-  graphic::SfcPainter(chart_, svg).lines(clipped);
+  graphic::SfcPainter(*chart_, svg).lines(clipped);
 }
 
 void ChartTiles::draw_references(graphic::SvgWriter& svg, const PlacedLine& line, const Tile& tile) const {
@@ -230,7 +262,7 @@ void ChartTiles::draw_symbols(graphic::SvgWriter& svg, std::size_t tile) const {
   const auto here = [&area](int x, int y) {
     return area.x1 <= x && x < area.x2 && area.y1 <= y && y < area.y2;
   };
-  graphic::SfcPainter painter(chart_, svg);
+  graphic::SfcPainter painter(*chart_, svg);
   for (const PlacedStep& each : layout_.steps)
     if (here(each.axis, each.y)) painter.step(each, jumps_into(each, tile));
   for (const PlacedTransition& each : layout_.transitions)
@@ -238,7 +270,7 @@ void ChartTiles::draw_symbols(graphic::SvgWriter& svg, std::size_t tile) const {
   for (const PlacedJump& each : layout_.jumps) {
     if (!here(each.axis, each.y)) continue;
     const PlacedStep& target = layout_.steps[each.target.value];
-    painter.jump(each, chart_.steps[each.target.value].name + page_of(target.axis, target.y, tile));
+    painter.jump(each, chart_->steps[each.target.value].name + page_of(target.axis, target.y, tile));
   }
 }
 
@@ -246,7 +278,7 @@ std::string ChartTiles::jumps_into(const PlacedStep& step, std::size_t tile) con
   std::string text;
   for (const PlacedJump& each : layout_.jumps) {
     if (each.target != step.step) continue;
-    text += (text.empty() ? "" : ", ") + transition_label(chart_, each.transition) +
+    text += (text.empty() ? "" : ", ") + graphic::drawn_label(*chart_, each.transition) +
             page_of(each.axis, each.y, tile);
   }
   return text;

@@ -2,6 +2,9 @@
 
 // A chart cut into tiles that fit a page. Cuts go between symbols; every line that a cut crosses has a
 // reference at both ends. Internal to this folder; not thread-safe.
+//
+// Of all the ways - sizes down to a readable one, conditions wrapped narrower - it takes the one with the
+// fewest pages and, among those, with few lines cut and large symbols.
 
 #include <cstddef>
 #include <map>
@@ -46,6 +49,8 @@ class ChartTiles {
   bool cut(int width, int height);
   bool cut_band(const std::vector<Box>& boxes, Interval band, int width);
   void number_crossings();
+  // The worth of the present cut on pages of this height: the smaller, the better.
+  int cost(int height) const;
   std::size_t tile_at(int x, int y) const;
   std::string reference(int x, int y, std::size_t other) const;
   std::string page_of(int x, int y, std::size_t from) const;
@@ -54,7 +59,7 @@ class ChartTiles {
   void draw_symbols(graphic::SvgWriter& svg, std::size_t tile) const;
   std::string jumps_into(const graphic::PlacedStep& step, std::size_t tile) const;
 
-  const graphic::SfcChart& chart_;
+  const graphic::SfcChart* chart_;
   graphic::SfcLayout layout_;
   std::vector<Tile> tiles_;
   std::vector<std::size_t> pages_;

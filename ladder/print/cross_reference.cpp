@@ -3,6 +3,7 @@
 #include <map>
 
 #include "ladder/graphic/identifier.h"
+#include "ladder/graphic/sfc_layout.h"
 #include "ladder/print/text_uses.h"
 
 namespace stepwright::print {
@@ -61,7 +62,7 @@ class Collector {
       }
     }
     for (std::size_t i = 0; i < chart.transitions.size(); ++i)
-      text(to_st(chart.transitions[i].condition), transition_label(chart, i));
+      text(to_st(chart.transitions[i].condition), graphic::drawn_label(chart, i));
     for (const graphic::Action& action : chart.actions)
       for (const TextUse& use : texts_.of(action.st_body))
         note(use.name, action.name + ":" + std::to_string(use.line), use.write, false);
@@ -104,7 +105,8 @@ class Collector {
   void add(const graphic::Block& block, const std::string& place) {
     if (!block.instance.empty()) note(block.instance, place, true, true);
     for (const auto& [pin, value] : block.inputs) text(value, place);
-    for (const auto& [pin, value] : block.outputs) path(value, place, true);
+    for (const auto& [pin, value] : block.outputs)
+      if (!value.empty()) path(value, place, true);
     text(block.st_body, place);
   }
 
@@ -128,11 +130,6 @@ graphic::LadderNotes ladder_notes(const std::vector<VariableUses>& uses) {
     if (!each.read.empty()) notes.coils[key] = "→" + joined(each.read);
   }
   return notes;
-}
-
-std::string transition_label(const graphic::SfcChart& chart, std::size_t transition) {
-  const std::string& name = chart.transitions[transition].name;
-  return name.empty() ? "#" + std::to_string(transition + 1) : name;
 }
 
 std::string joined(const std::vector<std::string>& places, const char* between) {

@@ -26,9 +26,6 @@ std::vector<VariableUses> cross_reference(const graphic::Sheet& sheet);
 // it is read.
 graphic::LadderNotes ladder_notes(const std::vector<VariableUses>& uses);
 
-// "S1", or "#3" for the third transition if it has no name.
-std::string transition_label(const graphic::SfcChart& chart, std::size_t transition);
-
 // "1, 2, 3"
 std::string joined(const std::vector<std::string>& places, const char* between = ", ");
 

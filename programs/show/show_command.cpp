@@ -3,14 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <string>
 #include <vector>
 
 #include "ladder/driver/sheets.h"
 #include "ladder/graphic/identifier.h"
 #include "ladder/print/print.h"
-#include "ladder/source/render.h"
 #include "ladder/source/suggestion.h"
 #include "programs/process/command_line.h"
 #include "programs/process/files.h"
@@ -32,7 +30,7 @@ struct Arguments {
 };
 
 ExitCode fail(const result::Diagnostics& diagnostics, const sources::SourceFiles& sources) {
-  for (const result::Diagnostic& each : diagnostics) std::cerr << source::render(each, sources.files);
+  sources::print(diagnostics, sources.files);
   return ExitCode::BadInput;
 }
 

@@ -183,6 +183,29 @@ TEST(OmronWriter, WhenAddressesAreWrong_ThenNothingIsWritten) {
   EXPECT_THAT(error_of(pou, options), HasSubstr("cannot be copied from '0.00'"));
 }
 
+TEST(OmronWriter, WhenABitHasAnInitialValue_ThenItIsSetInTheFirstCycle) {
+  graphic::Pou pou = lowered(support::sequence_chart());
+  const auto with = [&](const char* initial) {
+    graphic::Pou copy = pou;
+    copy.variables.push_back({"ready", "BOOL"});
+    copy.variables.back().initial = initial;
+    const auto program = write_omron(copy, bench());
+    if (!program) return result::to_string(program.error());
+    const bool set = program->statements.find("SET " + address_of(*program, "ready")) != std::string::npos;
+    return std::string(set ? "set" : "not set");
+  };
+  for (const char* initial : {"TRUE", "true", "1", "BOOL#TRUE", "bool#1"})
+    EXPECT_EQ(with(initial), "set") << initial;
+  for (const char* initial : {"", "FALSE", "0", "BOOL#0"}) EXPECT_EQ(with(initial), "not set") << initial;
+  EXPECT_THAT(with("START_READY"), HasSubstr("E0812: the initial value 'START_READY' of 'ready'"));
+}
+
+TEST(OmronWriter, WhenWordsRunOut_ThenTheDiagnosticSaysSo) {
+  graphic::Pou pou = lowered(support::sequence_chart());
+  for (int i = 0; i < 32768; ++i) pou.variables.push_back({"n" + std::to_string(i), "INT"});
+  EXPECT_THAT(error_of(pou, bench()), HasSubstr("E0813: no word is left for 'n32568'"));
+}
+
 TEST(OmronWriter, WhenGivenAddressIsInAStepWord_ThenStepsStepAside) {
   OmronOptions options = bench();
   options.addresses[2].address = "W10.01";

@@ -49,7 +49,7 @@ class Running {
   support::CompiledProgram program_;
 };
 
-TEST(PlcopenReader, WhenATypeIsAnotherNameOfAString_ThenItsValuesAreQuoted) {
+TEST(PlcopenReader, WhenATypeIsAnotherNameOfAString_ThenItsValuesAreLiterals) {
   const std::string types =
       "<dataType name=\"Caption\"><baseType><string/></baseType></dataType>"
       "<dataType name=\"Title\"><baseType><derived name=\"Caption\"/></baseType></dataType>\n";
@@ -57,8 +57,41 @@ TEST(PlcopenReader, WhenATypeIsAnotherNameOfAString_ThenItsValuesAreQuoted) {
       "<variable name=\"shown\"><type><derived name=\"TITLE\"/></type>"
       "<initialValue><simpleValue value=\"ready\"/></initialValue></variable>\n";
   const graphic::Project project = read(editor_project(editor_program(variables, "<FBD>\n</FBD>\n"), types));
-  EXPECT_EQ(project.pous.at(0).variables.at(0).initial, "'ready'");
-  EXPECT_TRUE(driver::compile(input_of(project)));
+  EXPECT_EQ(project.pous.at(0).variables.at(0).initial, "ready");
+  EXPECT_EQ(support::CompiledProgram(input_of(project)).text("run.shown"), "ready");
+}
+
+TEST(PlcopenReader, WhenATypeOfAStringStandsInAnotherFile_ThenItsValuesAreLiterals) {
+  const auto value = [](const std::string& simple) {
+    return "<initialValue><simpleValue value=\"" + simple + "\"/></initialValue>";
+  };
+  const std::string variables =
+      "<variable name=\"shown\"><type><derived name=\"Caption\"/></type>" + value("blup") +
+      "</variable>\n<variable name=\"colour\"><type><derived name=\"Caption\"/></type>" + value("#ff, it's") +
+      "</variable>\n<variable name=\"line\"><type><derived name=\"Line\"/></type><initialValue><structValue>"
+      "<value member=\"note\"><simpleValue value=\"a, "
+      "b\"/></value></structValue></initialValue></variable>\n";
+  const graphic::Project user = read(editor_project(editor_program(variables, "<FBD>\n</FBD>\n")));
+  const auto expect_values = [&](const driver::CompileInput& input) {
+    const support::CompiledProgram program(input);
+    EXPECT_EQ(program.text("run.shown"), "blup");
+    EXPECT_EQ(program.text("run.colour"), "#ff, it's");
+    EXPECT_EQ(program.text("run.line.note"), "a, b");
+    EXPECT_EQ(program.text("run.line.more"), "none");
+  };
+  driver::CompileInput with_text = input_of(user);
+  with_text.texts.push_back(
+      {"types.st",
+       "TYPE Caption : STRING[30]; END_TYPE\n"
+       "TYPE Line : STRUCT note : Caption; more : STRING := 'none'; END_STRUCT; END_TYPE\n"});
+  expect_values(with_text);
+  // A project that comes behind it.
+  graphic::Project types;
+  types.types = {{"Caption", "STRING[30]"},
+                 {"Line", "STRUCT note : Caption; more : Caption := none; END_STRUCT"}};
+  driver::CompileInput with_project = input_of(user);
+  with_project.projects.push_back(&types);
+  expect_values(with_project);
 }
 
 TEST(PlcopenReader, WhenLadderOfAnEditorRuns_ThenRungsTimersAndConnectorsWork) {
@@ -90,6 +123,44 @@ TEST(PlcopenReader, WhenChartOfAnEditorRuns_ThenBranchesActionsAndDrawnCondition
   EXPECT_EQ(run.scan("go", outputs), "0 1 1 0");
   EXPECT_EQ(run.scan("", outputs), "0 1 1 0");
   EXPECT_EQ(run.scan("", outputs), "0 1 1 1");
+}
+
+// What another system brings along and what is not supported: said once for each POU, and the rest is
+// checked.
+TEST(PlcopenReader, WhenPousNeedWhatIsNotThere_ThenEachSaysSoOnceAndTheRestIsChecked) {
+  const auto pou = [](const std::string& name, const std::string& variables, const std::string& body) {
+    std::string text = editor_program(variables, body);
+    return text.replace(text.find("name=\"main\""), 11, "name=\"" + name + "\"");
+  };
+  const auto derived = [](const std::string& name, const std::string& type) {
+    return "<variable name=\"" + name + "\"><type><derived name=\"" + type + "\"/></type></variable>\n";
+  };
+  const auto st = [](const std::string& text) {
+    return "<ST><xhtml:p><![CDATA[" + text + "]]></xhtml:p></ST>\n";
+  };
+  const std::string hmi =
+      derived("level", "HMI_INT") + derived("eval", "python_eval") + derived("name", "HMI_INT") + bools("ok");
+  const std::string xml = editor_project(
+      pou("main", hmi,
+          st("level := 3;\neval(TRIG := ok, CODE := 'x');\nname := level + 1;\nok := eval.ACK;")) +
+      pou("list", bools("a b"), "<IL><xhtml:p><![CDATA[LD a\nST b]]></xhtml:p></IL>\n") +
+      pou("typo", derived("delay", "TONN"), st("delay(IN := TRUE, PT := T#1s);")) +
+      pou("wrong", bools("a"), st("a := nowhere;")));
+  const graphic::Project project = read(xml);
+  const auto output = driver::compile(input_of(project));
+  ASSERT_FALSE(output);
+  std::string all;
+  for (const result::Diagnostic& each : output.error()) {
+    EXPECT_EQ(each.where.file, "plc.xml");
+    EXPECT_GT(each.where.line, 1U);
+    EXPECT_EQ(each.hint.empty(), each.code == "E0201") << each.message;
+    all += each.code + " " + each.message + "\n";
+  }
+  EXPECT_THAT(all, HasSubstr("E0203 POU 'main': the types 'HMI_INT', 'python_eval' are declared nowhere\n"));
+  EXPECT_THAT(all, HasSubstr("E0203 POU 'typo': the type 'TONN' is declared nowhere\n"));
+  EXPECT_THAT(all, HasSubstr("E0804 "));
+  EXPECT_THAT(all, HasSubstr("E0201 "));
+  EXPECT_EQ(output.error().size(), 4U) << all;
 }
 
 // The instructions of a project's container: its source map names the lines of the file.
@@ -153,18 +224,18 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"Utf16", "\xFF\xFE<", "E0801", "not UTF-8", 1},
         BadCase{"Deep", deep(1000), "E0801", "nested too deeply", 2},
         BadCase{"NoProject", "\n<plan/>", "E0802", "no PLCopen project", 2},
-        BadCase{"NoTypes", "<project/>", "E0802", "<types> is missing", 1},
+        BadCase{"NoTypes", "<project/>", "E0802", "<project> has no child <fileHeader>", 1},
         BadCase{"PouKind", editor_project("<pou name=\"a\" pouType=\"class\"><body><ST/></body></pou>"),
                 "E0802", "no kind of POU 'class'", 21},
         BadCase{"NoName", editor_project("\n<pou pouType=\"program\"><body><ST/></body></pou>"), "E0802",
                 "no attribute 'name'", 22},
         BadCase{"NoLanguage", editor_project("<pou name=\"a\" pouType=\"program\"><body/></pou>"), "E0802",
                 "in no language", 21},
-        BadCase{
-            "NoNumber",
-            editor_project(editor_program(bools("a"),
-                                          "<LD>\n<coil localId=\"x\"><variable>a</variable></coil></LD>")),
-            "E0802", "localId=\"x\" is no number", 33},
+        BadCase{"NoNumber",
+                editor_project(editor_program(bools("a"),
+                                              "<LD>\n<coil localId=\"x\"><position x=\"0\" y=\"0\"/>"
+                                              "<variable>a</variable></coil></LD>")),
+                "E0802", "localId=\"x\" is no number", 33},
         BadCase{"Unknown", editor_project(editor_program(bools("a"), "<LD>\n<relay localId=\"1\"/></LD>")),
                 "E0802", "<relay> is no element", 33}),
     [](const auto& each) { return std::string(each.param.name); });

@@ -35,6 +35,21 @@ TEST(Condition, WhenWrittenAsSt_ThenGroupsAndComparisonsHaveParentheses) {
   EXPECT_EQ(to_st(expression), "NOT (f(x) > 1)");
 }
 
+TEST(Condition, WhenNegated_ThenEdgesStayContacts) {
+  Condition edge = contact("a");
+  edge.edge = Edge::Rising;
+  Condition not_edge = edge;
+  not_edge.negated = true;
+  EXPECT_EQ(negation(edge), not_edge);
+  EXPECT_EQ(negation(all({edge, contact("b")})), any({not_edge, contact("b", true)}));
+  EXPECT_EQ(negation(negation(any({all({edge, contact("b")}), contact("c")}))),
+            any({all({edge, contact("b")}), contact("c")}));
+  EXPECT_EQ(to_st(negation(all({contact("a"), contact("b")}))), "NOT (a AND b)");
+  EXPECT_EQ(to_st(negation(compare("x", CompareOp::Less, "y"))), "NOT ((x < y))");
+  EXPECT_EQ(to_st(negation(always())), "NOT (TRUE)");
+  EXPECT_EQ(negation(negation(contact("a"))), contact("a"));
+}
+
 TEST(Condition, WhenOperatorIsWritten_ThenItIsThatOfSt) {
   std::string text;
   for (int i = 0; i < 6; ++i) text += std::string(to_st(static_cast<CompareOp>(i))) + " ";

@@ -39,6 +39,18 @@ TEST(LadderDrawing, WhenProgramIsDrawnAsText_ThenSymbolsStandOnTheirWires) {
   EXPECT_NE(text.find("─done"), std::string::npos) << text;
 }
 
+TEST(LadderDrawing, WhenAContactIsNegatedAndSensesAnEdge_ThenBothAreSeen) {
+  LadderProgram program;
+  Condition edge = contact("a", true);
+  edge.edge = Edge::Falling;
+  program.rungs.emplace_back().condition = all({edge, contact("b")});
+  program.rungs.back().coils = {{CoilKind::Normal, "q"}};
+  const std::string text = draw_ladder_text(program);
+  EXPECT_NE(text.find("─┤/N├─"), std::string::npos) << text;
+  const std::string svg = draw_ladder_svg(program);
+  EXPECT_NE(svg.find(">N<"), std::string::npos);
+}
+
 TEST(LadderDrawing, WhenProgramIsDrawnAsSvg_ThenRungsAndVariablesCanBeFound) {
   const std::string svg = draw_ladder_svg(sample());
   pugi::xml_document document;

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <ctime>
+#include <map>
 #include <pugixml.hpp>
 
 #include "ladder/driver/sheets.h"
@@ -64,6 +66,77 @@ TEST(PrintSvg, WhenChartsArePrinted_ThenNothingOverlapsOrLeavesItsPage) {
   for (const graphic::SfcChart& chart : {support::sequence_chart(), support::nested_chart(),
                                          support::partial_order_chart(), support::rich_chart()})
     expect_clean(print_svg({sheet_of(chart)}, {.project = "Cell"}));
+}
+
+// A simultaneous branch of long sequences with actions, each with a detour that skips a step.
+graphic::SfcChart wide_chart(std::uint32_t branches, std::uint32_t length) {
+  graphic::SfcChart chart;
+  const auto step = [&chart](const std::string& name) {
+    graphic::Step& added = chart.steps.emplace_back();
+    added.name = name;
+    const auto number = static_cast<int>(chart.steps.size());
+    for (int i = 0; i < number % 3; ++i)
+      added.actions.push_back({graphic::Qualifier::D, "output_" + std::to_string(number + i), "T#1m30s"});
+    return graphic::StepId(static_cast<std::uint32_t>(number - 1));
+  };
+  const auto transition = [&chart](std::vector<graphic::StepId> from, std::vector<graphic::StepId> to) {
+    graphic::Transition& added = chart.transitions.emplace_back();
+    const std::string number = std::to_string(chart.transitions.size());
+    added.name = "T" + number;
+    added.sources = std::move(from);
+    added.targets = std::move(to);
+    added.condition =
+        graphic::all({graphic::contact("door_closed_" + number), graphic::contact("ready_" + number),
+                      graphic::contact("level_reached_" + number)});
+  };
+  const graphic::StepId start = step("Start");
+  chart.steps[0].initial = true;
+  std::vector<graphic::StepId> heads;
+  std::vector<graphic::StepId> tails;
+  for (std::uint32_t b = 0; b < branches; ++b) {
+    std::vector<graphic::StepId> steps;
+    for (std::uint32_t i = 0; i < length; ++i) {
+      steps.push_back(step("Station_" + std::to_string(b) + "_" + std::to_string(i)));
+      if (i > 0) transition({steps[i - 1]}, {steps[i]});
+      if (i > 2 && i % 4 == 3) transition({steps[i - 2]}, {steps[i]});
+    }
+    heads.push_back(steps.front());
+    tails.push_back(steps.back());
+  }
+  const graphic::StepId done = step("Done");
+  transition({start}, heads);
+  transition(tails, {done});
+  transition({done}, {start});
+  return chart;
+}
+
+// Every "/7.2" on page 3 has a "/3.2" on page 7.
+std::size_t expect_partners(const std::string& svg) {
+  std::map<std::string, int> references;  // "3/7.2", less those of the other side
+  for (int page = 1; page <= page_count(svg); ++page) {
+    for (const PageText& each : texts_of_page(svg, page)) {
+      const std::size_t dot = each.text.find('.');
+      if (each.text[0] != '/' || dot == std::string::npos) continue;
+      const int other = std::stoi(each.text.substr(1, dot - 1));
+      const std::string low = std::to_string(std::min(page, other));
+      const std::string high = std::to_string(std::max(page, other));
+      references[low + "/" + high + each.text.substr(dot)] += page == other ? 0 : page < other ? 1 : -1;
+    }
+  }
+  for (const auto& [reference, sum] : references) EXPECT_EQ(sum, 0) << reference;
+  return references.size();
+}
+
+TEST(PrintSvg, WhenChartsAreCut_ThenNothingOverlapsAndReferencesHavePartners) {
+  for (const std::uint32_t branches : {1U, 2U, 3U, 4U, 6U, 9U}) {
+    SCOPED_TRACE(std::to_string(branches) + " branches");
+    const graphic::Sheet sheet = sheet_of(wide_chart(branches, 14));
+    const std::string a4 = print_svg({sheet}, {.project = "Cell"});
+    expect_clean(a4);
+    // Two branches fit side by side on one page.
+    EXPECT_EQ(expect_partners(a4) == 0, branches == 2);
+    expect_clean(print_svg({sheet}, {.project = "Cell", .paper = Paper::A3}), 1588);
+  }
 }
 
 TEST(PrintSvg, WhenListingHasLongLines_ThenTheyAreWrapped) {

@@ -54,6 +54,8 @@ TEST_F(ShowCommand, WhenSourceIsWrong_ThenTheMistakeIsLocatedAndNothingIsWritten
   const std::string out = (folder_ / "a.txt").string();
   EXPECT_EQ(show(file("a.st", "PROGRAM p\nx := ;\nEND_PROGRAM\n") + " -o " + out), 1);
   EXPECT_NE(output_.find("a.st:2:6: error E01"), std::string::npos) << output_;
+  // As `compile` says it: with a last line that counts.
+  EXPECT_NE(output_.find("1 error; `stepwright explain E01"), std::string::npos) << output_;
   EXPECT_FALSE(std::filesystem::exists(out));
   EXPECT_EQ(show(file("b.st",
                       "PROGRAM p\nSTEP A: END_STEP\nTRANSITION FROM A TO B := TRUE; END_TRANSITION\n"
