@@ -111,7 +111,7 @@ bool Parser::at_pou_start() const {
       Keyword::Program, Keyword::FunctionBlock,   Keyword::Function,    Keyword::Configuration,
       Keyword::Type,    Keyword::EndProgram,      Keyword::EndFunction, Keyword::EndFunctionBlock,
       Keyword::EndType, Keyword::EndConfiguration};
-  return is_one_of(peek(), kStarts);
+  return is_one_of(peek(), kStarts) || at_test_declaration();
 }
 
 bool Parser::at_block_end() const {

@@ -10,6 +10,10 @@ void Parser::unit(Unit& out) {
   while (!at(TokenKind::End)) {
     if (at(Keyword::Program) || at(Keyword::FunctionBlock) || at(Keyword::Function)) {
       out.pous.push_back(pou());
+    } else if (at_test()) {
+      test(out.tests);
+    } else if (at_mock()) {
+      mock(out.mocks);
     } else if (at(Keyword::Type)) {
       type_section(out.types);
     } else if (at(Keyword::Configuration)) {

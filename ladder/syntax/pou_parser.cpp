@@ -6,23 +6,37 @@ namespace stepwright::syntax::internal {
 
 PouDeclaration Parser::pou() {
   PouDeclaration result;
+  const Token& open = peek();
+  pou_head(result);
+  const Keyword end = result.kind == PouKind::FunctionBlock ? Keyword::EndFunctionBlock
+                      : result.kind == PouKind::Function    ? Keyword::EndFunction
+                                                            : Keyword::EndProgram;
+  pou_body(result, end);
+  expect_end(end, open);
+  accept(TokenKind::Semicolon);
+  return result;
+}
+
+// PROGRAM name, FUNCTION_BLOCK name, FUNCTION name [: type]
+void Parser::pou_head(PouDeclaration& result) {
   const Token& open = advance();
-  Keyword end = Keyword::EndProgram;
   if (open.is(Keyword::FunctionBlock)) {
     result.kind = PouKind::FunctionBlock;
-    end = Keyword::EndFunctionBlock;
   } else if (open.is(Keyword::Function)) {
     result.kind = PouKind::Function;
-    end = Keyword::EndFunction;
   }
   if (const auto name = expect_name("the name of the POU")) result.name = *name;
   if (result.kind == PouKind::Function) {
     if (accept(TokenKind::Colon)) result.result = type();
   }
   accept(TokenKind::Semicolon);
+}
+
+// Variables and statements or a chart, up to the word that ends them.
+void Parser::pou_body(PouDeclaration& result, std::optional<Keyword> end) {
   while (at_variable_section()) variable_section(result.variables);
-  if (at_chart()) {
-    result.chart = chart(end);
+  if (end && at_chart()) {
+    result.chart = chart(*end);
   } else {
     while (true) {
       Statements more = statements();
@@ -39,9 +53,6 @@ PouDeclaration Parser::pou() {
     }
   }
   result.end = peek().where;
-  expect_end(end, open);
-  accept(TokenKind::Semicolon);
-  return result;
 }
 
 }  // namespace stepwright::syntax::internal

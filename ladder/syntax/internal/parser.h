@@ -4,7 +4,9 @@
 // one source file per language part (expressions, statements, declarations, charts, configurations).
 
 #include <initializer_list>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "ladder/syntax/parser.h"
 
@@ -117,6 +119,18 @@ class Parser {
 
   // pou_parser.cpp
   PouDeclaration pou();
+  void pou_head(PouDeclaration& result);
+  void pou_body(PouDeclaration& result, std::optional<Keyword> end = {});
+
+  // test_parser.cpp
+  bool at_word(const char* word) const;
+  bool at_test() const;
+  bool at_mock() const;
+  // Where a test or a mock begins, or ends the one that is being read.
+  bool at_test_declaration() const;
+  void test(std::vector<TestDeclaration>& out);
+  void mock(std::vector<PouDeclaration>& out);
+  void close_test(const Token& open);
 
   // configuration_parser.cpp
   Configuration configuration();
@@ -151,6 +165,7 @@ class Parser {
   std::size_t at_ = 0;
   std::size_t reported_at_ = static_cast<std::size_t>(-1);
   int nesting_ = 0;
+  const char* closing_ = nullptr;  // END_TEST, END_MOCK: of what is being read
 };
 
 // Counts one level of nesting while it lives.
