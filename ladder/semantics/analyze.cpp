@@ -75,6 +75,7 @@ std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, 
   types.declare_all();
   declare_globals(a, types, unit, false);
   for (const auto& pou : model->pous) types.lay_out(*pou);
+  if (tests != nullptr) check_mocks(a, types, unit, *tests);
   note_block_tasks(a, unit);
   for (const auto& pou : model->pous)
     if (pou->test == nullptr) StatementAnalyzer(a, *pou).body(pou->declaration->body);

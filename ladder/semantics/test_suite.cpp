@@ -20,12 +20,6 @@ std::string function_name(const std::string& name, std::size_t number) {
 
 }  // namespace
 
-const syntax::PouDeclaration& mock_of(const syntax::PouDeclaration& original, const TestGroup& group) {
-  for (const syntax::PouDeclaration* each : group.mocks)
-    if (each->name.id == original.name.id) return *each;
-  return original;
-}
-
 void register_tests(Analysis& a, const TestGroup& group) {
   for (const syntax::TestDeclaration* each : group.tests) {
     auto test = std::make_unique<Test>();

@@ -5,12 +5,16 @@
 #include <vector>
 
 #include "ladder/semantics/analyze.h"
-#include "ladder/semantics/internal/analysis.h"
+#include "ladder/semantics/internal/declarer.h"
 
 namespace stepwright::semantics::internal {
 
 // What stands for a POU in these tests: its mock, or itself.
 const syntax::PouDeclaration& mock_of(const syntax::PouDeclaration& original, const TestGroup& group);
+
+// A mock looks from outside as what it stands for: name, kind, parameters and result are those of a POU of the
+// unit.
+void check_mocks(Analysis& analysis, TypeResolver& types, const syntax::Unit& unit, const TestGroup& group);
 
 // Behind all other POUs of the model.
 void register_tests(Analysis& analysis, const TestGroup& group);
