@@ -289,7 +289,8 @@ void FunctionEmitter::count_by_value(const Statement& statement) {
   b_.local_set(limit);
   e_.value(*statement.step);
   b_.local_set(step);
-  const Loop loop{b_.new_label(), b_.new_label(), {{statement.limit.get(), limit}, {statement.step.get(), step}}};
+  const Loop loop{
+      b_.new_label(), b_.new_label(), {{statement.limit.get(), limit}, {statement.step.get(), step}}};
   const bool wide = type.size == 8;
   const auto within = [&](bool next) {
     for (const Operator op : {Operator::GreaterEqual, Operator::LessEqual}) {

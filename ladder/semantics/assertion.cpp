@@ -19,9 +19,9 @@ enum Role : std::size_t { kActual, kExpected, kTolerance };
 }  // namespace
 
 struct TestAnalyzer::Operands {
-  std::vector<ValuePtr> values;    // by role
-  std::vector<Position> where;     // by role
-  Block copies;                    // of the values into what is kept
+  std::vector<ValuePtr> values;  // by role
+  std::vector<Position> where;   // by role
+  Block copies;                  // of the values into what is kept
   std::optional<TestOperand> kept[3];
   ValuePtr holds;  // BOOL: the assertion is true
 };
@@ -124,8 +124,10 @@ bool TestAnalyzer::compare(const Form& form, Operands& operands) {
 // |actual - expected| <= tolerance, or both are the same infinity. Durations and dates differ by a TIME.
 bool TestAnalyzer::compare_near(const Expression& call, Operands& operands) {
   auto& values = operands.values;
-  const bool numbers = std::ranges::all_of(values, [](const ValuePtr& each) { return each->type->is_number(); });
-  const bool times = values[kTolerance]->type->is_time() && values[kActual]->type == values[kExpected]->type &&
+  const bool numbers =
+      std::ranges::all_of(values, [](const ValuePtr& each) { return each->type->is_number(); });
+  const bool times = values[kTolerance]->type->is_time() &&
+                     values[kActual]->type == values[kExpected]->type &&
                      (values[kActual]->type->is_time() || values[kActual]->type->is_date());
   if (!numbers && !times) {
     a_.error(code::kBadOperand, call.where,
@@ -155,10 +157,13 @@ bool TestAnalyzer::compare_near(const Expression& call, Operands& operands) {
     values[i] = keep(std::move(values[i]), type, i, operands);
   }
   const auto again = [&](std::size_t role) {
-    return ExpressionAnalyzer::load(ExpressionAnalyzer::copy_direct(values[role]->place), operands.where[role]);
+    return ExpressionAnalyzer::load(ExpressionAnalyzer::copy_direct(values[role]->place),
+                                    operands.where[role]);
   };
   const Position where = call.where;
-  const auto difference = [&] { return expressions_.combine(Operator::Subtract, again(kActual), again(kExpected), where); };
+  const auto difference = [&] {
+    return expressions_.combine(Operator::Subtract, again(kActual), again(kExpected), where);
+  };
   ValuePtr above = expressions_.combine(Operator::LessEqual, difference(), again(kTolerance), where);
   ValuePtr minus = ExpressionAnalyzer::make(ValueKind::Unary, values[kTolerance]->type, where);
   minus->op = Operator::Negate;

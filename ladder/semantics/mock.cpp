@@ -13,8 +13,8 @@ namespace {
 std::vector<const Variable*> parameters_of(const Pou& pou) {
   std::vector<const Variable*> list;
   for (const Variable& each : pou.variables) {
-    const bool passed = each.section == Section::Input || each.section == Section::Output ||
-                        each.section == Section::InOut;
+    const bool passed =
+        each.section == Section::Input || each.section == Section::Output || each.section == Section::InOut;
     if (passed) list.push_back(&each);
   }
   return list;
@@ -29,7 +29,8 @@ std::string spelt(const Variable& parameter) {
 }
 
 // The POU that a mock hides, with its variables; it is not part of the model and has no body.
-std::unique_ptr<Pou> lay_out_hidden(Analysis& a, TypeResolver& types, const syntax::PouDeclaration& original) {
+std::unique_ptr<Pou> lay_out_hidden(Analysis& a, TypeResolver& types,
+                                    const syntax::PouDeclaration& original) {
   auto pou = std::make_unique<Pou>();
   // No source can write this name.
   pou->name = a.names.intern("MOCKED#" + std::string(original.name.text));
@@ -90,13 +91,15 @@ void check_mocks(Analysis& a, TypeResolver& types, const syntax::Unit& unit, con
       std::vector<std::string_view> candidates;
       for (const auto& each : unit.pous) candidates.push_back(each.name.text);
       const std::string meant = source::did_you_mean(name.text, candidates);
-      a.error(code::kBadMock, name.where, "there is no POU " + quote(name.text) + " that the mock could stand for",
+      a.error(code::kBadMock, name.where,
+              "there is no POU " + quote(name.text) + " that the mock could stand for",
               meant.empty() ? "standard functions cannot be replaced" : meant);
     } else if (original->kind != mock->kind) {
       a.error(code::kBadMock, name.where,
-              quote(name.text) + (original->kind == PouKind::Function        ? " is a FUNCTION"
-                                  : original->kind == PouKind::FunctionBlock ? " is a FUNCTION_BLOCK"
-                                                                             : " is a PROGRAM, which has no mock"));
+              quote(name.text) + (original->kind == PouKind::Function ? " is a FUNCTION"
+                                  : original->kind == PouKind::FunctionBlock
+                                      ? " is a FUNCTION_BLOCK"
+                                      : " is a PROGRAM, which has no mock"));
     } else {
       const auto hidden = lay_out_hidden(a, types, *original);
       const auto found = a.pous.find(name.id.value);

@@ -17,7 +17,8 @@ bool Layout::allowed(const VariableDeclaration& line, const Type& type) {
   const Position where = line.names.empty() ? line.address_where : line.names.front().where;
   std::string why;
   if (pou_.test != nullptr && line.section != Section::Local && line.section != Section::External) {
-    why = std::string(section_name(line.section)) + " has no meaning in a TEST, which nothing calls: write VAR";
+    why =
+        std::string(section_name(line.section)) + " has no meaning in a TEST, which nothing calls: write VAR";
   } else if (line.section == Section::Global) {
     why = "VAR_GLOBAL stands in a configuration or outside of POUs";
   } else if (line.section == Section::External && is_function) {

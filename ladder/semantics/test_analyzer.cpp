@@ -82,7 +82,8 @@ bool TestAnalyzer::match(const Expression& call, const Form& form, std::vector<c
     std::size_t index = next;
     if (each.formal) {
       const std::string& name = a_.names.folded(each.formal->id);
-      const auto known = std::ranges::find_if(form.formals, [&](const char* formal) { return name == formal; });
+      const auto known =
+          std::ranges::find_if(form.formals, [&](const char* formal) { return name == formal; });
       if (known == form.formals.end() || each.is_output)
         return report(code::kUnknownParameter, each.formal->where,
                       quote(form.name) + " has no parameter " + quote(each.formal->text), "write " + usage);
@@ -94,15 +95,18 @@ bool TestAnalyzer::match(const Expression& call, const Form& form, std::vector<c
       return report(code::kArgumentCount, each.value->where, quote(form.name) + " takes fewer arguments",
                     "write " + usage);
     if (out[index] != nullptr)
-      return report(code::kDuplicateArgument, each.value->where, quote(form.formals[index]) + " is given twice");
+      return report(code::kDuplicateArgument, each.value->where,
+                    quote(form.formals[index]) + " is given twice");
     out[index] = &each;
   }
   if (call.enable != nullptr || call.enabled != nullptr)
     return report(code::kUnknownParameter, call.where, quote(form.name) + " has neither EN nor ENO");
   if (std::find(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(least), nullptr) !=
       out.begin() + static_cast<std::ptrdiff_t>(least))
-    return report(code::kArgumentCount, call.where, quote(form.name) + " takes more arguments", "write " + usage);
-  return std::ranges::all_of(out, [](const Argument* each) { return each == nullptr || each->value != nullptr; });
+    return report(code::kArgumentCount, call.where, quote(form.name) + " takes more arguments",
+                  "write " + usage);
+  return std::ranges::all_of(out,
+                             [](const Argument* each) { return each == nullptr || each->value != nullptr; });
 }
 
 // { argument := value; resume := this place; event := this one; RETURN; this place: }
@@ -131,7 +135,8 @@ std::optional<Statement> TestAnalyzer::wait(const Form& form, const Expression& 
 Statement TestAnalyzer::leave_with_event(Position where) const {
   const Type* number = a_.type_table().elementary(ElementaryType::Udint);
   const auto id = static_cast<__int128>(pou_.test->events.size());
-  return assign(header(TestHeader::kEvent, number), ExpressionAnalyzer::make_constant({id}, number, where), where);
+  return assign(header(TestHeader::kEvent, number), ExpressionAnalyzer::make_constant({id}, number, where),
+                where);
 }
 
 TestEvent& TestAnalyzer::add_event(const Form& form, const Expression& call) {

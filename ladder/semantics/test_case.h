@@ -22,10 +22,10 @@ namespace stepwright::semantics {
 
 // Offsets in the instance of a test.
 struct TestHeader {
-  static constexpr std::uint32_t kResume = 0;     // UDINT, the runner leaves it alone
-  static constexpr std::uint32_t kEvent = 4;      // UDINT
-  static constexpr std::uint32_t kArgument = 8;   // LINT: nanoseconds or scans of a wait
-  static constexpr std::uint32_t kMessage = 16;   // STRING[kMessageCapacity]: of an assertion that failed
+  static constexpr std::uint32_t kResume = 0;    // UDINT, the runner leaves it alone
+  static constexpr std::uint32_t kEvent = 4;     // UDINT
+  static constexpr std::uint32_t kArgument = 8;  // LINT: nanoseconds or scans of a wait
+  static constexpr std::uint32_t kMessage = 16;  // STRING[kMessageCapacity]: of an assertion that failed
   static constexpr std::uint32_t kMessageCapacity = 254;
 };
 
@@ -39,12 +39,12 @@ struct TestOperand {
 
 struct TestEvent {
   TestEventKind kind = TestEventKind::Assertion;
-  std::string statement;     // "ASSERT_EQ"
+  std::string statement;  // "ASSERT_EQ"
   source::Position where;
   // Assertion: what it looks at as it was written, and how that should be: "= 3", "TRUE".
   std::string_view actual_text;
   std::string_view relation;
-  std::optional<TestOperand> actual;     // none: its value is the contrary of the relation
+  std::optional<TestOperand> actual;  // none: its value is the contrary of the relation
   std::optional<TestOperand> expected;
   std::optional<TestOperand> tolerance;  // ASSERT_NEAR
   bool has_message = false;

@@ -14,7 +14,8 @@ constexpr std::uint32_t kNoScanUs = 3'600'000'000;
 
 // The name under which a trap speaks of a test. Containers hold valid UTF-8 only, and short strings.
 std::string function_name(const std::string& name, std::size_t number) {
-  const bool plain = name.size() <= 100 && std::ranges::all_of(name, [](char c) { return c >= ' ' && c <= '~'; });
+  const bool plain =
+      name.size() <= 100 && std::ranges::all_of(name, [](char c) { return c >= ' ' && c <= '~'; });
   return "TEST " + (plain ? "'" + name + "'" : std::to_string(number));
 }
 

@@ -31,8 +31,7 @@ Argument Parser::argument() {
   const std::uint32_t begin = peek().where.offset;
   result.value = expression();
   if (closing_ != nullptr)
-    result.text =
-        context_.sources.text(peek().where.file).substr(begin, after_previous().offset - begin);
+    result.text = context_.sources.text(peek().where.file).substr(begin, after_previous().offset - begin);
   return result;
 }
 

@@ -49,7 +49,8 @@ void Parser::variable_section(std::vector<VariableDeclaration>& out) {
       break;
     }
   }
-  while (!at(TokenKind::End) && !at_test_declaration() && (!at(TokenKind::Keyword) || at(Keyword::At) || at_reserved_name())) {
+  while (!at(TokenKind::End) && !at_test_declaration() &&
+         (!at(TokenKind::Keyword) || at(Keyword::At) || at_reserved_name())) {
     if (accept(TokenKind::Semicolon)) continue;
     if (!variable_line(model, out)) skip_declaration();
   }

@@ -15,7 +15,8 @@ std::string unquoted(std::string_view text) {
   std::string name;
   const std::string_view inner = text.size() < 2 ? std::string_view() : text.substr(1, text.size() - 2);
   for (std::size_t i = 0; i < inner.size(); ++i) {
-    const bool escapes = inner[i] == '$' && i + 1 < inner.size() && (inner[i + 1] == '\'' || inner[i + 1] == '$');
+    const bool escapes =
+        inner[i] == '$' && i + 1 < inner.size() && (inner[i + 1] == '\'' || inner[i + 1] == '$');
     if (escapes) ++i;
     name += inner[i];
   }
@@ -48,8 +49,8 @@ void Parser::test(std::vector<TestDeclaration>& out) {
   const Token& open = advance();
   const Token& name = advance();
   if (name.is(TokenKind::WideString) || name.text.size() <= 2)
-    context_.sink.error(source::code::kUnexpectedToken, name.where, "expected the name of the test in single quotes",
-                        "write TEST 'what it shows'");
+    context_.sink.error(source::code::kUnexpectedToken, name.where,
+                        "expected the name of the test in single quotes", "write TEST 'what it shows'");
   TestDeclaration test;
   test.name = unquoted(name.text);
   PouDeclaration& body = test.body;

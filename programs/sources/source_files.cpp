@@ -81,7 +81,8 @@ void print(const result::Diagnostics& diagnostics, std::span<const source::Named
   if (warnings > 0) summary += (summary.empty() ? "" : ", ") + counted(warnings, "warning");
   std::cerr << summary;
   const auto coded = std::ranges::find_if(diagnostics, [](const auto& each) { return !each.code.empty(); });
-  if (coded != diagnostics.end()) std::cerr << "; `stepwright explain " << coded->code << "` describes a code";
+  if (coded != diagnostics.end())
+    std::cerr << "; `stepwright explain " << coded->code << "` describes a code";
   std::cerr << "\n";
 }
 

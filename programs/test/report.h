@@ -16,7 +16,7 @@ namespace stepwright::test_program {
 struct TestReport {
   std::string engine;
   std::vector<TestResult> tests;
-  std::size_t left_out = 0;  // by the filter
+  std::size_t left_out = 0;         // by the filter
   result::Diagnostics diagnostics;  // of the sources; errors: no test ran
   double wall_s = 0;                // compiling included
 
@@ -24,8 +24,8 @@ struct TestReport {
   double simulated_s() const;
 };
 
-// "ok    name   T#2s, 201 scans", and of a failure its place, its line and a caret below. `number` counts from
-// 1; where there are many tests it stands in front.
+// "ok    name   T#2s, 201 scans", and of a failure its place, its line and a caret below. `number` counts
+// from 1; where there are many tests it stands in front.
 void print_test(std::ostream& out, const TestResult& test, std::size_t number, std::size_t count,
                 std::span<const source::NamedText> files);
 void print_summary(std::ostream& out, const TestReport& report);

@@ -25,15 +25,17 @@ std::string simulated(const TestResult& test) {
 
 // Terminals must not obey what a source says.
 std::string printable(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; },
-                  '?');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; },
+      '?');
   return text;
 }
 
 }  // namespace
 
 std::size_t TestReport::failed() const {
-  return static_cast<std::size_t>(std::ranges::count_if(tests, [](const TestResult& each) { return !each.passed(); }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(tests, [](const TestResult& each) { return !each.passed(); }));
 }
 
 double TestReport::simulated_s() const {

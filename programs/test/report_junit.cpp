@@ -33,7 +33,8 @@ void set(pugi::xml_node node, const char* name, const std::string& value) {
   node.append_attribute(name) = xml_text(value).c_str();
 }
 
-void add_counts(pugi::xml_node node, std::size_t tests, std::size_t failures, std::size_t errors, double wall_s) {
+void add_counts(pugi::xml_node node, std::size_t tests, std::size_t failures, std::size_t errors,
+                double wall_s) {
   node.append_attribute("tests") = static_cast<unsigned long long>(tests);
   node.append_attribute("failures") = static_cast<unsigned long long>(failures);
   node.append_attribute("errors") = static_cast<unsigned long long>(errors);

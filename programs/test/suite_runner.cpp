@@ -43,12 +43,14 @@ result::Result<std::unique_ptr<SuiteRunner>> SuiteRunner::make(const driver::Tes
   auto engine = host::make_engine(options.engine, runner->loaded_.program(), runner->stack_);
   if (!engine) return result::forward(engine);
   runner->engine_ = std::move(*engine);
-  runner->cycle_ = std::make_unique<scan::ScanCycle>(runner->loaded_.program(), *runner->engine_, runner->image_,
-                                                     runner->io_, runner->no_clock_, scan::ScanConfig{});
+  runner->cycle_ =
+      std::make_unique<scan::ScanCycle>(runner->loaded_.program(), *runner->engine_, runner->image_,
+                                        runner->io_, runner->no_clock_, scan::ScanConfig{});
   return runner;
 }
 
-SuiteRunner::SuiteRunner(const driver::TestSuite& suite, const RunOptions& options, reader::LoadedProgram loaded)
+SuiteRunner::SuiteRunner(const driver::TestSuite& suite, const RunOptions& options,
+                         reader::LoadedProgram loaded)
     : suite_(suite),
       options_(options),
       loaded_(std::move(loaded)),
@@ -75,8 +77,7 @@ TestResult SuiteRunner::run(std::size_t index) {
   const bytecode::ContainerView& view = loaded_.program().container();
   const driver::TestCase& test = suite_.tests[index];
   const auto task = view.record<Section::Tasks>(test_task_);
-  const auto call =
-      view.record<Section::ProgramCalls>(task.first_call + static_cast<std::uint32_t>(index));
+  const auto call = view.record<Section::ProgramCalls>(task.first_call + static_cast<std::uint32_t>(index));
   TestResult result;
   result.name = test.name;
   result.where = test.where;
@@ -182,7 +183,8 @@ Failure SuiteRunner::assertion(const TestEvent& event, std::uint32_t instance) c
   std::string message = event.actual_text + " is " + failure.actual + ", expected " + wanted;
   // References have no value to show.
   if (failure.actual.empty())
-    message = event.actual_text + (event.relation == "<>" ? " leads to the same place" : " leads to another place");
+    message =
+        event.actual_text + (event.relation == "<>" ? " leads to the same place" : " leads to another place");
   if (event.has_message) {
     reader::Variable variable;
     variable.type = bytecode::ElementaryType::String;

@@ -30,8 +30,8 @@ namespace stepwright::test_program {
 
 struct RunOptions {
   host::EngineKind engine = host::EngineKind::Auto;
-  std::uint64_t max_scans = 1'000'000;   // of one test: what it waits for beyond that fails it
-  std::uint64_t budget = 100'000'000;    // of one test's own statements, in bytes of code
+  std::uint64_t max_scans = 1'000'000;  // of one test: what it waits for beyond that fails it
+  std::uint64_t budget = 100'000'000;   // of one test's own statements, in bytes of code
 };
 
 class SuiteRunner {
@@ -52,9 +52,11 @@ class SuiteRunner {
   };
 
   SuiteRunner(const driver::TestSuite& suite, const RunOptions& options, reader::LoadedProgram loaded);
-  std::optional<Failure> run_to_end(const driver::TestCase& test, bytecode::Invocation invocation, TestResult& result);
+  std::optional<Failure> run_to_end(const driver::TestCase& test, bytecode::Invocation invocation,
+                                    TestResult& result);
   std::optional<Failure> wait(const driver::TestEvent& event, std::int64_t argument, TestResult& result);
-  std::optional<Failure> scan_until(const driver::TestEvent& event, std::int64_t target_ns, TestResult& result);
+  std::optional<Failure> scan_until(const driver::TestEvent& event, std::int64_t target_ns,
+                                    TestResult& result);
   Failure assertion(const driver::TestEvent& event, std::uint32_t instance) const;
   Failure trap(const bytecode::Trap& trap, const std::string& where) const;
   template <typename T>
@@ -70,8 +72,8 @@ class SuiteRunner {
   scan::NoClock no_clock_;
   std::unique_ptr<bytecode::Engine> engine_;
   std::unique_ptr<scan::ScanCycle> cycle_;
-  std::uint32_t test_task_ = 0;   // index of the last task
-  std::int64_t fastest_ns_ = 0;   // interval of the fastest task of the program; 0: none runs
+  std::uint32_t test_task_ = 0;  // index of the last task
+  std::int64_t fastest_ns_ = 0;  // interval of the fastest task of the program; 0: none runs
   Clock clock_;
 };
 

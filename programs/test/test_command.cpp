@@ -38,8 +38,9 @@ std::vector<Chosen> choose(const std::vector<driver::TestSuite>& suites, const s
   return chosen;
 }
 
-result::Diagnostics run_chosen(const std::vector<driver::TestSuite>& suites, const std::vector<Chosen>& chosen,
-                               const RunOptions& options, const sources::SourceFiles& files, TestReport& report) {
+result::Diagnostics run_chosen(const std::vector<driver::TestSuite>& suites,
+                               const std::vector<Chosen>& chosen, const RunOptions& options,
+                               const sources::SourceFiles& files, TestReport& report) {
   std::unique_ptr<SuiteRunner> runner;
   std::size_t suite = suites.size();  // of the runner
   for (const Chosen& each : chosen) {
@@ -68,7 +69,8 @@ result::Diagnostics run_all(const TestArguments& arguments, sources::SourceFiles
   std::size_t count = 0;
   for (const driver::TestSuite& each : output->suites) count += each.tests.size();
   if (count == 0)
-    return nothing("there is no TEST in the sources", "write TEST 'name' ... END_TEST, or name the file that holds them");
+    return nothing("there is no TEST in the sources",
+                   "write TEST 'name' ... END_TEST, or name the file that holds them");
   const std::vector<Chosen> chosen = choose(output->suites, arguments.filter);
   report.left_out = count - chosen.size();
   if (chosen.empty())
@@ -89,7 +91,8 @@ ExitCode run_tests(const TestArguments& arguments) {
   report.diagnostics.insert(report.diagnostics.end(), problems.begin(), problems.end());
   if (!report.tests.empty()) print_summary(std::cout, report);
   std::cout.flush();
-  for (const auto& [path, text] : {std::pair(arguments.json_file, &to_json), std::pair(arguments.junit_file, &to_junit)}) {
+  for (const auto& [path, text] :
+       {std::pair(arguments.json_file, &to_json), std::pair(arguments.junit_file, &to_junit)}) {
     if (path.empty()) continue;
     const result::Diagnostics failed = process::write_file(path, text(report));
     report.diagnostics.insert(report.diagnostics.end(), failed.begin(), failed.end());

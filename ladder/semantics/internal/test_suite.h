@@ -12,8 +12,8 @@ namespace stepwright::semantics::internal {
 // What stands for a POU in these tests: its mock, or itself.
 const syntax::PouDeclaration& mock_of(const syntax::PouDeclaration& original, const TestGroup& group);
 
-// A mock looks from outside as what it stands for: name, kind, parameters and result are those of a POU of the
-// unit.
+// A mock looks from outside as what it stands for: name, kind, parameters and result are those of a POU of
+// the unit.
 void check_mocks(Analysis& analysis, TypeResolver& types, const syntax::Unit& unit, const TestGroup& group);
 
 // Behind all other POUs of the model.

@@ -5,12 +5,12 @@ namespace stepwright::driver_test {
 namespace {
 
 // The body of a test beside a function, a block and a program that runs.
-#define IN_TEST(statements)                                                                                     \
-  "FUNCTION f : INT VAR_INPUT n : INT; END_VAR f := n; END_FUNCTION FUNCTION_BLOCK fb VAR_INPUT x : INT; "      \
-  "END_VAR VAR_TEMP t : INT; END_VAR VAR CONSTANT k : INT := 1; END_VAR t := x; END_FUNCTION_BLOCK\n"           \
-  "PROGRAM main VAR n : INT; END_VAR n := n + 1; END_PROGRAM\n"                                                 \
-  "TEST 't' VAR i : INT; b : BOOL; s : STRING; w : WSTRING; r : REAL; block : fb; tm : TIME; END_VAR\n" statements \
-  "\nEND_TEST\n"
+#define IN_TEST(statements)                                                                                \
+  "FUNCTION f : INT VAR_INPUT n : INT; END_VAR f := n; END_FUNCTION FUNCTION_BLOCK fb VAR_INPUT x : INT; " \
+  "END_VAR VAR_TEMP t : INT; END_VAR VAR CONSTANT k : INT := 1; END_VAR t := x; END_FUNCTION_BLOCK\n"      \
+  "PROGRAM main VAR n : INT; END_VAR n := n + 1; END_PROGRAM\n"                                            \
+  "TEST 't' VAR i : INT; b : BOOL; s : STRING; w : WSTRING; r : REAL; block : fb; tm : TIME; "             \
+  "END_VAR\n" statements "\nEND_TEST\n"
 
 constexpr ErrorCase kCases[] = {
     {"AssertInProgram", "E0901", 3, 1, BODY("ASSERT_TRUE(b);"), "TEST"},
@@ -37,31 +37,39 @@ constexpr ErrorCase kCases[] = {
     {"WriteConstantOfInstance", "E0401", 4, 7, IN_TEST("block.k := 2;")},
     {"ReadTemporaryOfInstance", "E0204", 4, 12, IN_TEST("i := block.t;"), "copy"},
     {"JumpFromTest", "E0104", 4, 5, IN_TEST("JMP label;")},
-    {"TestInput", "E0208", 1, 20, "TEST 't' VAR_INPUT x : INT; END_VAR END_TEST PROGRAM main END_PROGRAM", "" },
+    {"TestInput", "E0208", 1, 20, "TEST 't' VAR_INPUT x : INT; END_VAR END_TEST PROGRAM main END_PROGRAM",
+     ""},
     {"TestTemporary", "E0208", 1, 19, "TEST 't' VAR_TEMP x : INT; END_VAR END_TEST PROGRAM main END_PROGRAM"},
     {"TestWithoutName", "E0104", 1, 6, "TEST ''\nEND_TEST\nPROGRAM main\nEND_PROGRAM", "what it shows"},
     {"TestWithWideName", "E0104", 1, 6, "TEST \"a\"\nEND_TEST\nPROGRAM main\nEND_PROGRAM", "TEST '"},
     {"TestWithoutEnd", "E0105", 1, 1, "TEST 'a'\nPROGRAM main\nEND_PROGRAM"},
-    {"TestTwice", "E0202", 3, 6, "TEST 'a'\nEND_TEST\nTEST 'a'\nEND_TEST\nPROGRAM main\nEND_PROGRAM", "t.st:1"},
+    {"TestTwice", "E0202", 3, 6, "TEST 'a'\nEND_TEST\nTEST 'a'\nEND_TEST\nPROGRAM main\nEND_PROGRAM",
+     "t.st:1"},
     {"EndTestAlone", "E0104", 3, 1, "PROGRAM main\nEND_PROGRAM\nEND_TEST"},
-    {"ProgramTypeInProgram", "E0203", 2, 9, "PROGRAM a\nVAR x : b; END_VAR\nEND_PROGRAM\nPROGRAM b\nEND_PROGRAM\n"
-                                            "CONFIGURATION c TASK t(INTERVAL := T#1s); PROGRAM p WITH t : a; END_CONFIGURATION"},
-    {"MockOfNothing", "E0902", 3, 15, "PROGRAM main\nEND_PROGRAM\nMOCK FUNCTION g : INT\nEND_MOCK", "standard functions"},
+    {"ProgramTypeInProgram", "E0203", 2, 9,
+     "PROGRAM a\nVAR x : b; END_VAR\nEND_PROGRAM\nPROGRAM b\nEND_PROGRAM\n"
+     "CONFIGURATION c TASK t(INTERVAL := T#1s); PROGRAM p WITH t : a; END_CONFIGURATION"},
+    {"MockOfNothing", "E0902", 3, 15, "PROGRAM main\nEND_PROGRAM\nMOCK FUNCTION g : INT\nEND_MOCK",
+     "standard functions"},
     {"MockOfOtherKind", "E0902", 3, 21,
      "FUNCTION g : INT\ng := 1; END_FUNCTION\nMOCK FUNCTION_BLOCK g\nEND_MOCK\nPROGRAM main\nEND_PROGRAM"},
     {"MockLacksInput", "E0902", 3, 15,
-     "FUNCTION g : INT VAR_INPUT a : INT; END_VAR\ng := a; END_FUNCTION\nMOCK FUNCTION g : INT\nEND_MOCK\nPROGRAM main\n"
+     "FUNCTION g : INT VAR_INPUT a : INT; END_VAR\ng := a; END_FUNCTION\nMOCK FUNCTION g : "
+     "INT\nEND_MOCK\nPROGRAM main\n"
      "END_PROGRAM"},
     {"MockOfOtherType", "E0902", 3, 37,
-     "FUNCTION g : INT VAR_INPUT a : INT; END_VAR\ng := a; END_FUNCTION\nMOCK FUNCTION g : INT VAR_INPUT a : DINT; END_VAR\n"
+     "FUNCTION g : INT VAR_INPUT a : INT; END_VAR\ng := a; END_FUNCTION\nMOCK FUNCTION g : INT VAR_INPUT a : "
+     "DINT; END_VAR\n"
      "END_MOCK\nPROGRAM main\nEND_PROGRAM"},
     {"MockOfOtherResult", "E0902", 3, 15,
      "FUNCTION g : INT\ng := 1; END_FUNCTION\nMOCK FUNCTION g : DINT\nEND_MOCK\nPROGRAM main\nEND_PROGRAM"},
     {"MockTwice", "E0202", 5, 15,
-     "FUNCTION g : INT\ng := 1; END_FUNCTION\nMOCK FUNCTION g : INT\nEND_MOCK\nMOCK FUNCTION g : INT\nEND_MOCK\nPROGRAM main\n"
+     "FUNCTION g : INT\ng := 1; END_FUNCTION\nMOCK FUNCTION g : INT\nEND_MOCK\nMOCK FUNCTION g : "
+     "INT\nEND_MOCK\nPROGRAM main\n"
      "END_PROGRAM"},
     {"MockBodyIsWrong", "E0201", 4, 6,
-     "FUNCTION g : INT\ng := 1; END_FUNCTION\nMOCK FUNCTION g : INT\ng := x;\nEND_MOCK\nPROGRAM main\nEND_PROGRAM"},
+     "FUNCTION g : INT\ng := 1; END_FUNCTION\nMOCK FUNCTION g : INT\ng := x;\nEND_MOCK\nPROGRAM "
+     "main\nEND_PROGRAM"},
 };
 
 #undef IN_TEST

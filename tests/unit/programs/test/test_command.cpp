@@ -30,7 +30,8 @@ std::string TestCommand::text(const std::string& name) const {
 }
 
 int TestCommand::run_program(const std::string& program, const std::string& arguments) {
-  const std::string command = STEPWRIGHT_BIN_DIR "/" + program + " " + arguments + " >" + path("out") + " 2>" + path("err");
+  const std::string command =
+      STEPWRIGHT_BIN_DIR "/" + program + " " + arguments + " >" + path("out") + " 2>" + path("err");
   const int status = std::system(command.c_str());
   output = text("out");
   errors = text("err");

@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <pugixml.hpp>
+#include <sstream>
 
 #include "tests/unit/programs/test/test_command.h"
 
@@ -54,8 +56,10 @@ TEST_F(TestCommand, Run_WhenAllPass_ThenExitsWithZero) {
 TEST_F(TestCommand, Run_WhenTestsStandInAFileOfTheirOwn_ThenFailuresNameIt) {
   const std::string sources = write("pump.st", kPump) + " " + write("pump_tests.st", kTests);
   EXPECT_EQ(run(sources), 1);
-  EXPECT_THAT(output, HasSubstr("pump_tests.st:14:3: error: ASSERT_EQ: pump.delay.ET is T#0s, expected T#1s: wrong on "
-                                "purpose\n  14 |   ASSERT_EQ(pump.delay.ET, T#1s, 'wrong on purpose');\n     |   ^\n"));
+  EXPECT_THAT(
+      output,
+      HasSubstr("pump_tests.st:14:3: error: ASSERT_EQ: pump.delay.ET is T#0s, expected T#1s: wrong on "
+                "purpose\n  14 |   ASSERT_EQ(pump.delay.ET, T#1s, 'wrong on purpose');\n     |   ^\n"));
   EXPECT_THAT(output, HasSubstr("2 tests: 1 ok, 1 failed"));
   const auto failure = report()["tests"][1]["failure"];
   EXPECT_EQ(failure["statement"], "ASSERT_EQ");
@@ -86,17 +90,19 @@ TEST_F(TestCommand, Junit_WhenATestFails_ThenTheFileCountsAndNamesIt) {
 }
 
 TEST_F(TestCommand, Junit_WhenTextsAreNoXml_ThenTheFileIsStillRead) {
-  const std::string file =
-      write("a.st", "TEST 'a\x01\xFF]]>'\n VAR s : STRING := '$07<b>'; END_VAR\n ASSERT_EQ(s, '&');\nEND_TEST\n");
+  const std::string file = write(
+      "a.st", "TEST 'a\x01\xFF]]>'\n VAR s : STRING := '$07<b>'; END_VAR\n ASSERT_EQ(s, '&');\nEND_TEST\n");
   EXPECT_EQ(run(file + " --junit " + path("junit.xml")), 1) << errors;
   pugi::xml_document document;
   ASSERT_TRUE(document.load_file(path("junit.xml").c_str()));
-  EXPECT_STREQ(document.child("testsuites").child("testsuite").child("testcase").attribute("name").as_string(), "a??]]>");
+  EXPECT_STREQ(
+      document.child("testsuites").child("testsuite").child("testcase").attribute("name").as_string(),
+      "a??]]>");
 }
 
 TEST_F(TestCommand, Run_WhenTheSourcesAreWrong_ThenNothingRunsAndEachMistakeIsSaid) {
-  const std::string file = write("a.st",
-                                 "TEST 'one'\n ASSERT_TRUE(5);\nEND_TEST\nTEST 'two'\n x := 1;\nEND_TEST\n");
+  const std::string file =
+      write("a.st", "TEST 'one'\n ASSERT_TRUE(5);\nEND_TEST\nTEST 'two'\n x := 1;\nEND_TEST\n");
   EXPECT_EQ(run(file + " --junit " + path("junit.xml")), 1);
   EXPECT_THAT(errors, HasSubstr("a.st:2:14: error E0301"));
   EXPECT_THAT(errors, HasSubstr("a.st:5:2: error E0201"));
@@ -132,9 +138,10 @@ TEST_F(TestCommand, Run_WhenThroughTheOneCommand_ThenItIsTheSame) {
 }
 
 TEST_F(TestCommand, Run_WhenScansAreBounded_ThenTheFlagRaisesTheBound) {
-  const std::string file = write("a.st",
-                                 "PROGRAM p\n VAR n : DINT; END_VAR\n n := n + 1;\nEND_PROGRAM\n"
-                                 "TEST 'long'\n RUN_SCANS(50); RUN_SCANS(51);\n ASSERT_EQ(p.n, 101);\nEND_TEST\n");
+  const std::string file =
+      write("a.st",
+            "PROGRAM p\n VAR n : DINT; END_VAR\n n := n + 1;\nEND_PROGRAM\n"
+            "TEST 'long'\n RUN_SCANS(50); RUN_SCANS(51);\n ASSERT_EQ(p.n, 101);\nEND_TEST\n");
   EXPECT_EQ(run(file + " --max-scans 100"), 1);
   EXPECT_THAT(output, HasSubstr("a test has at most 100"));
   EXPECT_THAT(output, HasSubstr("--max-scans"));
@@ -147,33 +154,53 @@ TEST_F(TestCommand, Run_WhenThereAreManyTests_ThenEachLineSaysHowFarItIs) {
   for (int i = 0; i < 1000; ++i)
     text += "TEST 'number " + std::to_string(i) +
             "'\n VAR p : PumpControl; i : INT; END_VAR\n p(start := TRUE);\n"
-            " FOR i := 1 TO 10 DO ADVANCE_TIME(T#200ms); END_FOR;\n p(start := TRUE);\n ASSERT_TRUE(p.run);\nEND_TEST\n";
+            " FOR i := 1 TO 10 DO ADVANCE_TIME(T#200ms); END_FOR;\n p(start := TRUE);\n "
+            "ASSERT_TRUE(p.run);\nEND_TEST\n";
   EXPECT_EQ(run(write("a.st", text)), 0) << errors;
   EXPECT_THAT(output, HasSubstr("[  37/1000] ok    number 36  (T#2s)\n"));
   EXPECT_THAT(output, HasSubstr("1000 tests: 1000 ok, 0 failed; 2000 s simulated"));
   EXPECT_EQ(report()["passed"], 1000);
 }
 
+// The example of README.md prints what is written there, up to the time it takes.
+TEST_F(TestCommand, Readme_WhenItsExampleRuns_ThenItSaysWhatIsWritten) {
+  std::ostringstream readme;
+  readme << std::ifstream(STEPWRIGHT_SOURCE_DIR "/README.md").rdbuf();
+  const std::string page = readme.str();
+  const auto between = [&](const std::string& begin, const std::string& end) {
+    const std::size_t at = page.find(begin) + begin.size();
+    return page.substr(at, page.find(end, at) - at);
+  };
+  const std::string printed = between("$ stepwright test plant.st --junit report.xml\n", " in 0.");
+  ASSERT_THAT(printed, HasSubstr("2 tests: 2 ok"));
+  EXPECT_EQ(run(write("plant.st", between("```st\n", "```"))), 0) << errors;
+  EXPECT_THAT(output, testing::StartsWith(printed));
+}
+
 // Mocks of one file change nothing for the tests of another.
 TEST_F(TestCommand, Run_WhenAFileHasMocks_ThenOnlyItsTestsMeetThem) {
-  const std::string under_test = write("f.st", "FUNCTION F : INT\n F := 1;\nEND_FUNCTION\nFUNCTION G : INT\n G := F() + 1;\nEND_FUNCTION\n");
+  const std::string under_test = write(
+      "f.st", "FUNCTION F : INT\n F := 1;\nEND_FUNCTION\nFUNCTION G : INT\n G := F() + 1;\nEND_FUNCTION\n");
   const std::string plain = write("plain.st", "TEST 'plain'\n ASSERT_EQ(G(), 2);\nEND_TEST\n");
   const std::string mocked =
-      write("mocked.st", "MOCK FUNCTION F : INT\n F := 40;\nEND_MOCK\nTEST 'mocked'\n ASSERT_EQ(G(), 41);\nEND_TEST\n");
+      write("mocked.st",
+            "MOCK FUNCTION F : INT\n F := 40;\nEND_MOCK\nTEST 'mocked'\n ASSERT_EQ(G(), 41);\nEND_TEST\n");
   EXPECT_EQ(run(under_test + " " + plain + " " + mocked), 0) << output << errors;
   EXPECT_EQ(report()["passed"], 2);
 }
 
 // The image of a program does not know its tests.
 TEST_F(TestCommand, Compile_WhenSourcesHoldTests_ThenTheImageIsThatWithoutThem) {
-  const std::string program = std::string(kPump) +
-                              "PROGRAM main\n VAR p : PumpControl; lamp AT %QX0.0 : BOOL; END_VAR\n p(start := TRUE);\n"
-                              " lamp := p.run;\nEND_PROGRAM\n";
-  const std::string tests = std::string(kTests) +
-                            "MOCK FUNCTION_BLOCK PumpControl\n VAR_INPUT start : BOOL; END_VAR\n VAR_OUTPUT run : BOOL; "
-                            "END_VAR\n run := start;\nEND_MOCK\n"
-                            "TEST 'more'\n VAR s : STRING[200]; END_VAR\n %IX9.0 := TRUE; RUN_SCANS(1);\n "
-                            "ASSERT_EQ(s, 'x');\nEND_TEST\n";
+  const std::string program =
+      std::string(kPump) +
+      "PROGRAM main\n VAR p : PumpControl; lamp AT %QX0.0 : BOOL; END_VAR\n p(start := TRUE);\n"
+      " lamp := p.run;\nEND_PROGRAM\n";
+  const std::string tests =
+      std::string(kTests) +
+      "MOCK FUNCTION_BLOCK PumpControl\n VAR_INPUT start : BOOL; END_VAR\n VAR_OUTPUT run : BOOL; "
+      "END_VAR\n run := start;\nEND_MOCK\n"
+      "TEST 'more'\n VAR s : STRING[200]; END_VAR\n %IX9.0 := TRUE; RUN_SCANS(1);\n "
+      "ASSERT_EQ(s, 'x');\nEND_TEST\n";
   const std::string alone = write("a.st", program);
   ASSERT_EQ(run_program("stepwright-compile", "compile " + alone + " -o " + path("alone.swb")), 0) << errors;
   write("a.st", program + tests);

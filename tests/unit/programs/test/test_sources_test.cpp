@@ -63,12 +63,15 @@ TEST_P(TestSources, Run_WhenATestIsMeantToFail_ThenItFailsThereAndAllOthersPass)
     EXPECT_EQ(failure["file"], file.string());
     EXPECT_GT(failure["column"].get<int>(), 0);
   }
-  for (const Expectation& each : expected) ADD_FAILURE() << "no test fails at line " << each.line << ": " << each.text;
+  for (const Expectation& each : expected)
+    ADD_FAILURE() << "no test fails at line " << each.line << ": " << each.text;
 }
 
 INSTANTIATE_TEST_SUITE_P(Sources, TestSources,
                          testing::Combine(testing::ValuesIn(source_names()), testing::Values("native", "vm")),
-                         [](const auto& each) { return std::get<0>(each.param) + "_" + std::get<1>(each.param); });
+                         [](const auto& each) {
+                           return std::get<0>(each.param) + "_" + std::get<1>(each.param);
+                         });
 
 }  // namespace
 }  // namespace stepwright::test_program
