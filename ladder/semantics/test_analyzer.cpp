@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "ladder/source/suggestion.h"
-
 namespace stepwright::semantics::internal {
 
 using syntax::Argument;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ladder/semantics/internal/declarer.h"
+#include "ladder/source/suggestion.h"
 #include "runtime/naming/ascii_names.h"
 
 namespace stepwright::semantics::internal {
@@ -44,7 +45,11 @@ std::optional<Place> ExpressionAnalyzer::inner_place(Place base, const Expressio
   const syntax::Name& name = expression.name;
   const Variable* found = base.type->pou->find(name.id);
   if (found == nullptr) {
-    static_cast<void>(instance_member(*base.type, name));  // says so
+    std::vector<std::string_view> candidates;
+    for (const Variable& each : base.type->pou->variables) candidates.push_back(each.spelling);
+    a_.error(code::kUnknownMember, name.where,
+             quote(base.type->name) + " has no variable " + quote(name.text),
+             source::did_you_mean(name.text, candidates));
     return std::nullopt;
   }
   if (found->type == nullptr) return std::nullopt;
