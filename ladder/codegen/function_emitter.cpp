@@ -97,7 +97,19 @@ void FunctionEmitter::statement(const Statement& statement) {
     case StatementKind::Jump:
       return b_.jump(labels_[statement.label]);
     case StatementKind::Label:
-      return b_.bind(labels_[statement.label]);
+      return label(statement.label);
+  }
+}
+
+// Who jumps into a loop from outside comes without its locals: the limit and the step are read again. Only
+// tests do that, whose limits are variables of the instance (semantics/test_analyzer).
+void FunctionEmitter::label(std::uint32_t label) {
+  b_.bind(labels_[label]);
+  for (const Loop& loop : loops_) {
+    for (const auto& [value, local] : loop.kept) {
+      e_.value(*value);
+      b_.local_set(local);
+    }
   }
 }
 
@@ -178,7 +190,7 @@ void FunctionEmitter::select(const Statement& statement) {
   b_.bind(end);
 }
 
-void FunctionEmitter::body(const Statement& statement, Loop loop) {
+void FunctionEmitter::body(const Statement& statement, const Loop& loop) {
   loops_.push_back(loop);
   block(statement.body);
   loops_.pop_back();
@@ -221,11 +233,12 @@ void FunctionEmitter::count_by_constant(const Statement& statement) {
   const Type& type = *statement.target.type;
   const bool upwards = statement.step->constant.integer > 0;
   const LocalId limit = b_.add_local(semantics::slot_type(type));
+  Loop loop{b_.new_label(), b_.new_label()};
   if (statement.limit->kind != ValueKind::Constant) {
     e_.value(*statement.limit);
     b_.local_set(limit);
+    loop.kept.emplace_back(statement.limit.get(), limit);
   }
-  const Loop loop{b_.new_label(), b_.new_label()};
   const Label start = b_.new_label();
   e_.load(statement.target);
   if (statement.limit->kind == ValueKind::Constant) {
@@ -277,7 +290,8 @@ void FunctionEmitter::count_by_value(const Statement& statement) {
   b_.local_set(limit);
   e_.value(*statement.step);
   b_.local_set(step);
-  const Loop loop{b_.new_label(), b_.new_label()};
+  const Loop loop{
+      b_.new_label(), b_.new_label(), {{statement.limit.get(), limit}, {statement.step.get(), step}}};
   const bool wide = type.size == 8;
   const auto within = [&](bool next) {
     for (const Operator op : {Operator::GreaterEqual, Operator::LessEqual}) {

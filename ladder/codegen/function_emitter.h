@@ -2,6 +2,7 @@
 
 // The statements of one POU as a function. Internal to this folder.
 
+#include <utility>
 #include <vector>
 
 #include "ladder/codegen/expression_emitter.h"
@@ -19,6 +20,8 @@ class FunctionEmitter {
   struct Loop {
     writer::Label exit;
     writer::Label next;
+    // FOR: what it keeps in locals.
+    std::vector<std::pair<const semantics::Value*, writer::LocalId>> kept = {};
   };
 
   void block(const semantics::Block& statements);
@@ -35,7 +38,8 @@ class FunctionEmitter {
   void advance(const semantics::Statement& statement, writer::LocalId step);
   void while_loop(const semantics::Statement& statement);
   void repeat_loop(const semantics::Statement& statement);
-  void body(const semantics::Statement& statement, Loop loop);
+  void body(const semantics::Statement& statement, const Loop& loop);
+  void label(std::uint32_t label);
   void leave();
   bool has_slot_result() const { return pou_.result != nullptr && pou_.result->is_scalar(); }
 

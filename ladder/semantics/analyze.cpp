@@ -4,6 +4,7 @@
 
 #include "ladder/semantics/internal/declarer.h"
 #include "ladder/semantics/internal/statement_analyzer.h"
+#include "ladder/semantics/internal/test_suite.h"
 
 namespace stepwright::semantics {
 
@@ -11,8 +12,9 @@ namespace {
 
 using namespace internal;
 
-void register_pous(Analysis& a, const syntax::Unit& unit) {
-  for (const syntax::PouDeclaration& declaration : unit.pous) {
+void register_pous(Analysis& a, const syntax::Unit& unit, const TestGroup* tests) {
+  for (const syntax::PouDeclaration& original : unit.pous) {
+    const syntax::PouDeclaration& declaration = tests != nullptr ? mock_of(original, *tests) : original;
     auto pou = std::make_unique<Pou>();
     pou->name = declaration.name.id;
     pou->spelling = std::string(declaration.name.text);
@@ -62,21 +64,26 @@ void check_recursion(Analysis& a) {
 }  // namespace
 
 std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, source::NameTable& names,
-                               source::DiagnosticSink& sink) {
+                               source::DiagnosticSink& sink, const TestGroup* tests) {
   auto model = std::make_unique<Model>();
   Analysis a{*model, names, sink, {}, {}, {}, {}, {}, {}};
-  register_pous(a, unit);
+  register_pous(a, unit, tests);
+  if (tests != nullptr) register_tests(a, *tests);
   TypeResolver types(a, unit);
   // Types may name constants, the other globals may name types.
   declare_globals(a, types, unit, true);
   types.declare_all();
   declare_globals(a, types, unit, false);
   for (const auto& pou : model->pous) types.lay_out(*pou);
+  if (tests != nullptr) check_mocks(a, types, unit, *tests);
   note_block_tasks(a, unit);
-  for (const auto& pou : model->pous) StatementAnalyzer(a, *pou).body(pou->declaration->body);
+  for (const auto& pou : model->pous)
+    if (pou->test == nullptr) StatementAnalyzer(a, *pou).body(pou->declaration->body);
   check_recursion(a);
   protect_inputs(a);
-  configure(a, types, unit, user_pous);
+  if (tests == nullptr || has_main(unit, user_pous)) configure(a, types, unit, user_pous);
+  // Tests name the variables of program instances.
+  if (tests != nullptr) analyze_tests(a);
   place_hierarchical(a);
   check_overlaps(a);
   return model;

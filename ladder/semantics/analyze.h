@@ -12,9 +12,17 @@
 
 namespace stepwright::semantics {
 
+// The TESTs that are analysed with the rest of a unit, and the POUs of their file that take the place of
+// others (MOCK).
+struct TestGroup {
+  std::vector<const syntax::TestDeclaration*> tests;
+  std::vector<const syntax::PouDeclaration*> mocks;
+};
+
 // `unit` must outlive the model. The first `user_pous` POUs are the user's: one of them is the main program,
-// if no configuration says so. If the sink has errors afterwards, the model must not be given to codegen.
+// if no configuration says so. With `tests` the model is one to run them: it needs no main program. If the
+// sink has errors afterwards, the model must not be given to codegen.
 std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, source::NameTable& names,
-                               source::DiagnosticSink& sink);
+                               source::DiagnosticSink& sink, const TestGroup* tests = nullptr);
 
 }  // namespace stepwright::semantics

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ladder/semantics/internal/standard_analyzer.h"
+#include "ladder/semantics/internal/test_analyzer.h"
 #include "ladder/source/suggestion.h"
 
 namespace stepwright::semantics::internal {
@@ -71,6 +72,15 @@ ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
   ValuePtr result = StandardAnalyzer(a_, *this).call(expression, folded, known);
   if (known) return result;
   if (const auto conversion = named_conversion(folded)) return explicit_conversion(expression, *conversion);
+  if (is_test_statement(folded)) {
+    if (in_test()) {
+      a_.error(code::kNoResult, name.where, quote(name.text) + " is a statement and has no result");
+    } else {
+      a_.error(code::kOnlyInTest, name.where, quote(name.text) + " stands in a TEST only",
+               "move it into TEST '...' ... END_TEST, or name a function of your own so");
+    }
+    return nullptr;
+  }
   std::vector<std::string_view> candidates;
   StandardAnalyzer::add_names(candidates);
   for (const auto& each : a_.model.pous)
@@ -142,7 +152,7 @@ std::optional<Statement> ExpressionAnalyzer::block_call(const Expression& call, 
     return std::nullopt;
   }
   const Pou& block = *instance->type->pou;
-  if (block.kind == PouKind::Program) {
+  if (block.kind == PouKind::Program && !in_test()) {
     a_.error(code::kNotCallable, call.where, "a program cannot be called");
     return std::nullopt;
   }

@@ -1,4 +1,5 @@
 #include "ladder/semantics/internal/layout.h"
+#include "ladder/semantics/internal/test_suite.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,6 +10,7 @@ using syntax::VariableDeclaration;
 
 void Layout::run() {
   const syntax::PouDeclaration& declaration = *pou_.declaration;
+  if (pou_.test != nullptr) append(test_header(a_));
   line_types_.resize(declaration.variables.size());
   // The parameters of a function are numbered before its variables are declared.
   const auto is_numbered = [&](const VariableDeclaration& line) {

@@ -105,9 +105,10 @@ void check_overlaps(Analysis& a) {
   for (const Variable& each : a.model.globals)
     if (each.address && each.type != nullptr) extents.push_back(extent_of(each));
   for (const Variable& each : a.model.configured) extents.push_back(extent_of(each));
+  // A test gives names of its own to the places of the program.
   for (const auto& pou : a.model.pous)
     for (const Variable& each : pou->variables)
-      if (each.address && each.type != nullptr) extents.push_back(extent_of(each));
+      if (pou->test == nullptr && each.address && each.type != nullptr) extents.push_back(extent_of(each));
   std::stable_sort(extents.begin(), extents.end(), [](const Extent& l, const Extent& r) {
     return l.area != r.area ? l.area < r.area : l.first < r.first;
   });

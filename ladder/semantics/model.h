@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "ladder/semantics/statement.h"
+#include "ladder/semantics/test_case.h"
 #include "ladder/syntax/declaration.h"
 
 namespace stepwright::semantics {
@@ -71,6 +72,7 @@ struct Pou {
   source::Position end;
   bool writes_outside = false;      // a global, an address, what a reference leads to; itself, not by calls
   std::vector<const Pou*> callees;  // functions called and blocks used, without repetition
+  Test* test = nullptr;             // of the program that a TEST became
 
   const Variable* find(source::NameId id) const {
     const auto found = scope.find(id.value);
@@ -137,6 +139,10 @@ struct Model {
   std::vector<Task> tasks;
   // Initial bytes of %I, %Q, %M and Data (the order of Base).
   std::array<std::vector<std::byte>, 4> areas;
+
+  // In the order of the sources: the calls of the last task, all of which have one piece of Data, as only one
+  // test runs at a time and from a fresh image. The task's trigger never rises.
+  std::vector<std::unique_ptr<Test>> tests;
 
   std::vector<HierarchicalPlace> hierarchical;
   std::vector<FirstReference> references;

@@ -45,6 +45,8 @@ void ExpressionAnalyzer::report_unknown(const syntax::Name& name) {
 
 std::string ExpressionAnalyzer::why_read_only(const Variable& variable) const {
   if (variable.constant) return "is a constant";
+  // Who tests a program plays its plant.
+  if (in_test()) return {};
   const bool at_input = variable.open_address == syntax::Area::Input;
   if (at_input || variable.place.base == Base::Input) return "is an input of the plant (%I)";
   if (variable.section == Section::Input) return "is an input (VAR_INPUT)";
@@ -91,8 +93,9 @@ std::optional<Place> ExpressionAnalyzer::part(const Expression& expression) {
 std::optional<Place> ExpressionAnalyzer::variable_place(const syntax::Name& name) {
   const Variable* found = find_variable(name.id);
   if (found == nullptr) {
-    report_unknown(name);
-    return std::nullopt;
+    std::optional<Place> instance = in_test() ? program_instance(name) : std::nullopt;
+    if (!instance && !is_unconfigured(name)) report_unknown(name);
+    return instance;
   }
   if (found->deduced && found->type == nullptr)
     a_.error(code::kBadDiagram, name.where, "this is read before it is computed, so that it has no type",
@@ -125,6 +128,7 @@ std::optional<Place> ExpressionAnalyzer::field_place(const Expression& expressio
   std::optional<Place> base = part(*expression.operands[0]);
   if (!base) return std::nullopt;
   const Type& type = *base->type;
+  if (type.kind == TypeKind::Instance && in_test()) return inner_place(std::move(*base), expression);
   std::optional<Member> member;
   if (type.kind == TypeKind::Struct) {
     member = struct_member(type, expression.name);
@@ -186,7 +190,7 @@ std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::instance_member(co
 // %QX0.3 used in place: a BOOL or a bit string of the size that it names.
 std::optional<Place> ExpressionAnalyzer::direct_place(const Expression& expression) {
   const syntax::DirectAddress& address = expression.address;
-  if (address.area == syntax::Area::Input) {
+  if (address.area == syntax::Area::Input && !in_test()) {
     read_only_ = quote(syntax::to_string(address)) + " is an input of the plant";
     read_only_where_ = expression.where;
   }

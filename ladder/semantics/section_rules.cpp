@@ -16,7 +16,10 @@ bool Layout::allowed(const VariableDeclaration& line, const Type& type) {
   const bool is_function = pou_.kind == PouKind::Function;
   const Position where = line.names.empty() ? line.address_where : line.names.front().where;
   std::string why;
-  if (line.section == Section::Global) {
+  if (pou_.test != nullptr && line.section != Section::Local && line.section != Section::External) {
+    why =
+        std::string(section_name(line.section)) + " has no meaning in a TEST, which nothing calls: write VAR";
+  } else if (line.section == Section::Global) {
     why = "VAR_GLOBAL stands in a configuration or outside of POUs";
   } else if (line.section == Section::External && is_function) {
     why = "a function sees no globals through VAR_EXTERNAL";

@@ -24,6 +24,10 @@ void StatementAnalyzer::body(const syntax::Statements& statements) {
   collect_labels(statements);
   pou_.body = block(statements);
   pou_.label_count = static_cast<std::uint32_t>(labels_.size());
+  if (!test_ || test_->waits() == 0) return;
+  // Their labels are the only ones of a test.
+  pou_.label_count = test_->waits();
+  pou_.body.insert(pou_.body.begin(), test_->dispatch());
 }
 
 // Labels stand between rungs, so only the outermost list has any.
@@ -57,6 +61,9 @@ std::optional<Statement> StatementAnalyzer::statement(const syntax::Statement& s
     case syntax::StatementKind::Attempt:
       return attempt(statement);
     case syntax::StatementKind::Call: {
+      const syntax::Expression& called = *statement.value;
+      if (test_ && called.operands.empty() && is_test_statement(a_.names.folded(called.name.id)))
+        return test_->statement(called);
       auto call = expressions_.call_statement(*statement.value);
       if (call && call->kind == StatementKind::Evaluate && call->value->kind != ValueKind::Call &&
           call->value->kind != ValueKind::Fail)
@@ -251,11 +258,13 @@ std::optional<Statement> StatementAnalyzer::count(const syntax::Statement& state
   } else if (type != nullptr) {
     result.step = ExpressionAnalyzer::make_constant({1}, type, statement.where);
   }
+  const std::uint32_t waits = test_ ? test_->waits() : 0;
   ++loops_;
   result.body = block(statement.body);
   --loops_;
   if (!sound || !result.value || !result.limit || !result.step) return std::nullopt;
   result.target = std::move(*target);
+  if (test_ && test_->waits() != waits) return test_->across_waits(std::move(result));
   return result;
 }
 

@@ -112,7 +112,9 @@ const Type* TypeResolver::named(const syntax::Name& name) {
     return a_.types[name.id.value];
   }
   if (const auto pou = a_.pous.find(name.id.value); pou != a_.pous.end()) {
-    if (pou->second->kind != PouKind::FunctionBlock) {
+    // A test calls programs as if they were blocks.
+    const bool in_test = scope_ != nullptr && scope_->test != nullptr;
+    if (pou->second->kind != PouKind::FunctionBlock && !(in_test && pou->second->kind == PouKind::Program)) {
       a_.error(code::kUnknownType, name.where,
                quote(name.text) + " is no type but a " +
                    (pou->second->kind == PouKind::Program ? "program" : "function"));

@@ -3,7 +3,7 @@
 // The code of every diagnostic of the compiler. Stable: scripts name them, and each has a page in
 // ladder/doc/diagnostics; a test holds codes and pages together. E01xx text and syntax, E02xx names and
 // declarations, E03xx types, E04xx statements and calls, E05xx addresses, E06xx configuration, E07xx charts
-// and rungs, E08xx exchange files, W0xxx warnings.
+// and rungs, E08xx exchange files, E09xx tests, W0xxx warnings.
 
 namespace stepwright::source::code {
 
@@ -74,6 +74,9 @@ inline constexpr const char* kOmronAddress = "E0811";
 inline constexpr const char* kOmronConstruct = "E0812";
 inline constexpr const char* kOmronFull = "E0813";
 inline constexpr const char* kNoRungForm = "E0814";
+
+inline constexpr const char* kOnlyInTest = "E0901";
+inline constexpr const char* kBadMock = "E0902";
 
 inline constexpr const char* kUnreachable = "W0001";
 inline constexpr const char* kUnusedResult = "W0002";

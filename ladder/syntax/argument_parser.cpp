@@ -27,7 +27,10 @@ Argument Parser::argument() {
     // "Q =>" alone: the output is not wanted.
     if (result.is_output && (at(TokenKind::Comma) || at(TokenKind::RightParen))) return result;
   }
+  const std::uint32_t begin = peek().where.offset;
   result.value = expression();
+  if (closing_ != nullptr)
+    result.text = context_.sources.text(peek().where.file).substr(begin, after_previous().offset - begin);
   return result;
 }
 

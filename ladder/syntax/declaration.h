@@ -133,6 +133,12 @@ struct PouDeclaration {
   source::Position end;        // of END_...: where the body returns
 };
 
+// TEST 'name' ... END_TEST (ladder/doc/testing.md).
+struct TestDeclaration {
+  std::string name;
+  PouDeclaration body;  // a program under a name that no source can write; where it stands is the quoted name
+};
+
 struct TaskDeclaration {
   Name name;
   ExpressionPtr single;    // null = none given
@@ -187,6 +193,8 @@ struct Unit {
   std::vector<PouDeclaration> pous;
   std::vector<VariableDeclaration> globals;  // VAR_GLOBAL outside of a configuration
   std::vector<Configuration> configurations;
+  std::vector<TestDeclaration> tests;
+  std::vector<PouDeclaration> mocks;  // MOCK FUNCTION name ... END_MOCK: for the tests of its file
 };
 
 }  // namespace stepwright::syntax

@@ -58,7 +58,8 @@ void Parser::variable_section(std::vector<VariableDeclaration>& out) {
 }
 
 void Parser::variable_lines(const VariableDeclaration& model, std::vector<VariableDeclaration>& out) {
-  while (!at(TokenKind::End) && (!at(TokenKind::Keyword) || at(Keyword::At) || at_reserved_name())) {
+  while (!at(TokenKind::End) && !at_test_declaration() &&
+         (!at(TokenKind::Keyword) || at(Keyword::At) || at_reserved_name())) {
     if (accept(TokenKind::Semicolon)) continue;
     // The section was not closed, and this is the body.
     if (at_bare_statement()) return;

@@ -83,6 +83,7 @@ struct Argument {
   bool is_output = false;
   bool negated = false;  // outputs only
   ExpressionPtr value;
+  std::string_view text;  // of the value, as it was written; in TESTs only
 };
 
 struct Expression {

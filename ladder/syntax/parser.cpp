@@ -17,6 +17,10 @@ void Parser::unit(Unit& out) {
       // Everything up to the next declaration belongs to the same mistake.
       do advance();
       while (!at(TokenKind::End) && !at(Keyword::VarGlobal) && !at_declaration_of_unit());
+    } else if (at_test()) {
+      test(out.tests);
+    } else if (at_mock()) {
+      mock(out.mocks);
     } else if (at(Keyword::Type)) {
       type_section(out.types);
     } else if (at(Keyword::Configuration)) {
@@ -34,7 +38,7 @@ bool Parser::at_declaration_of_unit() const {
   const bool instance = peek(1).is(Keyword::Retain) || peek(1).is(Keyword::NonRetain) ||
                         peek(2).is(Keyword::With) || peek(2).is(TokenKind::Colon);
   return (at(Keyword::Program) && !instance) || at(Keyword::FunctionBlock) || at(Keyword::Function) ||
-         at(Keyword::Type) || at(Keyword::Configuration);
+         at(Keyword::Type) || at(Keyword::Configuration) || at_test() || at_mock();
 }
 
 Statements Parser::whole_statements() {

@@ -6,18 +6,32 @@ namespace stepwright::syntax::internal {
 
 PouDeclaration Parser::pou() {
   PouDeclaration result;
+  const Token& open = peek();
+  pou_head(result);
+  const Keyword end = result.kind == PouKind::FunctionBlock ? Keyword::EndFunctionBlock
+                      : result.kind == PouKind::Function    ? Keyword::EndFunction
+                                                            : Keyword::EndProgram;
+  pou_body(result, end);
+  expect_end(end, open);
+  accept(TokenKind::Semicolon);
+  return result;
+}
+
+// PROGRAM name, FUNCTION_BLOCK name, FUNCTION name [: type]
+void Parser::pou_head(PouDeclaration& result) {
   const Token& open = advance();
-  Keyword end = Keyword::EndProgram;
   if (open.is(Keyword::FunctionBlock)) {
     result.kind = PouKind::FunctionBlock;
-    end = Keyword::EndFunctionBlock;
   } else if (open.is(Keyword::Function)) {
     result.kind = PouKind::Function;
-    end = Keyword::EndFunction;
   }
   if (const auto name = expect_name("the name of the POU")) result.name = *name;
   if (result.kind == PouKind::Function) result.result = function_result();
   accept(TokenKind::Semicolon);
+}
+
+// Variables and statements or a chart, up to the word that ends them.
+void Parser::pou_body(PouDeclaration& result, std::optional<Keyword> end) {
   // "x : INT" is no statement: the word VAR is missing. In a generated text it is a label.
   while (at_variable_section() ||
          (kind_ == TextKind::Written && (at_declaration() || at_unopened_section()))) {
@@ -30,8 +44,8 @@ PouDeclaration Parser::pou() {
     variable_lines({}, result.variables);
     accept(Keyword::EndVar);
   }
-  if (at_chart()) {
-    result.chart = chart(end);
+  if (end && at_chart()) {
+    result.chart = chart(*end);
   } else {
     while (true) {
       Statements more = statements();
@@ -41,9 +55,6 @@ PouDeclaration Parser::pou() {
     }
   }
   result.end = peek().where;
-  expect_end(end, open);
-  accept(TokenKind::Semicolon);
-  return result;
 }
 
 // ": INT"; null if there is none. What stands in its place is taken for it.

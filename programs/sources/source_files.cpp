@@ -3,6 +3,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -10,31 +11,30 @@
 #include <utility>
 
 #include "ladder/exchange/plcopen_reader.h"
-#include "ladder/source/render.h"
 #include "programs/process/files.h"
 
 namespace stepwright::sources {
 
 namespace {
 
-source::RenderStyle style_of_stderr() {
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+source::RenderStyle style_of(int descriptor) {
   source::RenderStyle style;
-  if (isatty(STDERR_FILENO) == 0) return style;
+  if (isatty(descriptor) == 0) return style;
   const char* no_colour = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");
   style.colour = (no_colour == nullptr || *no_colour == '\0') &&
                  (terminal == nullptr || std::string_view(terminal) != "dumb");
   winsize size{};
   // Room for the number of the line and the dots of a cut.
-  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 40) style.width = size.ws_col - 20u;
+  if (ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 40) style.width = size.ws_col - 20u;
   return style;
 }
-
-std::string counted(std::size_t count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-}  // namespace
 
 driver::CompileInput SourceFiles::input() const {
   driver::CompileInput input;
@@ -72,7 +72,7 @@ SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& dia
 }
 
 void print(const result::Diagnostics& diagnostics, std::span<const source::NamedText> files) {
-  const source::RenderStyle style = style_of_stderr();
+  const source::RenderStyle style = style_of(STDERR_FILENO);
   std::size_t errors = 0;
   std::size_t warnings = 0;
   for (const result::Diagnostic& each : diagnostics) {
@@ -83,7 +83,11 @@ void print(const result::Diagnostics& diagnostics, std::span<const source::Named
   if (errors + warnings == 0) return;
   std::string summary = errors > 0 ? counted(errors, "error") : "";
   if (warnings > 0) summary += (summary.empty() ? "" : ", ") + counted(warnings, "warning");
-  std::cerr << summary << "; `stepwright explain " << diagnostics.front().code << "` describes a code\n";
+  std::cerr << summary;
+  const auto coded = std::ranges::find_if(diagnostics, [](const auto& each) { return !each.code.empty(); });
+  if (coded != diagnostics.end())
+    std::cerr << "; `stepwright explain " << coded->code << "` describes a code";
+  std::cerr << "\n";
 }
 
 }  // namespace stepwright::sources

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "ladder/driver/compile.h"
+#include "ladder/source/render.h"
 
 namespace stepwright::sources {
 
@@ -29,6 +30,9 @@ struct SourceFiles {
 // Reads .st (and everything else that is not .xml) as ST, .xml as PLCopen. Appends what is wrong with all of
 // them to `diagnostics`: E0001 for a file that cannot be read, E08xx for an XML file.
 SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& diagnostics);
+
+// How diagnostics look on a descriptor: in colour and as wide as it is if it is a terminal.
+source::RenderStyle style_of(int descriptor);
 
 // Writes diagnostics to stderr, with their lines, and a last line that counts them. In colour if stderr is a
 // terminal and NO_COLOR is not set.

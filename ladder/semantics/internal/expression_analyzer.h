@@ -112,6 +112,15 @@ class ExpressionAnalyzer {
   void report_unknown(const syntax::Name& name);
   std::string why_read_only(const Variable& variable) const;
 
+  // test_place.cpp: what a TEST sees beside what a program sees.
+  bool in_test() const { return pou_ != nullptr && pou_->test != nullptr; }
+  // The instance of a program that a task runs.
+  std::optional<Place> program_instance(const syntax::Name& name) const;
+  // A program that has no instance because something else is wrong.
+  bool is_unconfigured(const syntax::Name& name) const;
+  // Any variable of an instance.
+  std::optional<Place> inner_place(Place base, const syntax::Expression& expression);
+
   // index_place.cpp
   std::optional<Place> index_place(const syntax::Expression& expression);
   bool add_index(Place& place, const syntax::Expression& index, const Dimension& dimension,

@@ -5,13 +5,17 @@
 
 #include <unordered_map>
 
-#include "ladder/semantics/internal/expression_analyzer.h"
+#include "ladder/semantics/internal/test_analyzer.h"
 
 namespace stepwright::semantics::internal {
 
 class StatementAnalyzer {
  public:
-  StatementAnalyzer(Analysis& analysis, Pou& pou) : a_(analysis), pou_(pou), expressions_(analysis, &pou) {}
+  StatementAnalyzer(Analysis& analysis, Pou& pou) : a_(analysis), pou_(pou), expressions_(analysis, &pou) {
+    if (pou.test != nullptr) test_.emplace(analysis, pou, expressions_);
+  }
+  StatementAnalyzer(const StatementAnalyzer&) = delete;
+  StatementAnalyzer& operator=(const StatementAnalyzer&) = delete;
 
   // Fills `body` and `label_count` of the POU.
   void body(const syntax::Statements& statements);
@@ -39,6 +43,7 @@ class StatementAnalyzer {
   ExpressionAnalyzer expressions_;
   std::unordered_map<std::uint32_t, std::uint32_t> labels_;  // NameId -> label number
   int loops_ = 0;
+  std::optional<TestAnalyzer> test_;  // of a TEST
 };
 
 }  // namespace stepwright::semantics::internal

@@ -4,7 +4,9 @@
 // one source file per language part (expressions, statements, declarations, charts, configurations).
 
 #include <initializer_list>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "ladder/syntax/parser.h"
 
@@ -43,7 +45,7 @@ class Parser {
   // Skips to behind the next ';' or before something that begins or ends a block.
   void skip_statement();
   void skip_declaration();
-  bool at_pou_start() const { return begins_or_ends_pou(peek()); }
+  bool at_pou_start() const { return begins_or_ends_pou(peek()) || at_test_declaration(); }
   static bool begins_or_ends_pou(const Token& token);
   static bool begins_section(const Token& token);
   bool at_block_end() const;
@@ -126,10 +128,22 @@ class Parser {
 
   // pou_parser.cpp
   PouDeclaration pou();
+  void pou_head(PouDeclaration& result);
+  void pou_body(PouDeclaration& result, std::optional<Keyword> end = {});
   void stray_word(PouDeclaration& pou);
   TypeSpecPtr function_result();
   void skip_header_line();
   bool at_unopened_section() const;
+
+  // test_parser.cpp
+  bool at_word(const char* word) const;
+  bool at_test() const;
+  bool at_mock() const;
+  // Where a test or a mock begins, or ends the one that is being read.
+  bool at_test_declaration() const;
+  void test(std::vector<TestDeclaration>& out);
+  void mock(std::vector<PouDeclaration>& out);
+  void close_test(const Token& open);
 
   // configuration_parser.cpp
   Configuration configuration();
@@ -165,6 +179,7 @@ class Parser {
   std::size_t reported_at_ = static_cast<std::size_t>(-1);
   int nesting_ = 0;
   int cases_ = 0;  // CASE statements around the cursor
+  const char* closing_ = nullptr;  // END_TEST, END_MOCK: of what is being read
 };
 
 // Counts one level of nesting while it lives.

@@ -26,6 +26,9 @@ std::span<const ErrorCase> type_error_cases();
 // Mistakes with strings and characters.
 std::span<const ErrorCase> text_error_cases();
 
+// Mistakes in tests and mocks.
+std::span<const ErrorCase> test_error_cases();
+
 // Mistakes in configurations.
 std::span<const ErrorCase> configuration_error_cases();
 

@@ -163,7 +163,7 @@ std::vector<ErrorCase> all_cases() {
   std::vector<ErrorCase> cases(std::begin(kCases), std::end(kCases));
   for (const auto more :
        {stepwright::driver_test::type_error_cases(), stepwright::driver_test::configuration_error_cases(),
-        stepwright::driver_test::text_error_cases()})
+        stepwright::driver_test::text_error_cases(), stepwright::driver_test::test_error_cases()})
     cases.insert(cases.end(), more.begin(), more.end());
   return cases;
 }
@@ -204,6 +204,18 @@ TEST(Recovery, Compile_WhenAPouIsBroken_ThenTheOthersAreStillChecked) {
   ASSERT_EQ(found.size(), 2u) << to_string(found);
   EXPECT_EQ(found[0].where.line, 2u);
   EXPECT_EQ(found[1].where.line, 7u);
+}
+
+TEST(Recovery, Compile_WhenATestIsBroken_ThenTheOthersAreStillChecked) {
+  const Diagnostics found = diagnostics_of(
+      "TEST 'one'\nVAR x : INT END_VAR\nx := ;\nEND_TEST\n"
+      "TEST 'two'\nIF TRUE THEN ASSERT_EQ(1, 1);\n"
+      "TEST 'three'\nVAR y : INT;\n"
+      "TEST 'four'\nASSERT_TRUE(5);\nmain.n := TRUE;\nEND_TEST\n"
+      "PROGRAM main\nVAR n : BOOL; END_VAR\nn := 5;\nEND_PROGRAM\n");
+  std::vector<std::uint32_t> lines;
+  for (const auto& each : found) lines.push_back(each.where.line);
+  EXPECT_EQ(lines, (std::vector<std::uint32_t>{2, 3, 6, 8, 10, 15})) << to_string(found);
 }
 
 TEST(Recovery, Compile_WhenTheTextIsCutAnywhere_ThenItEndsWithDiagnostics) {

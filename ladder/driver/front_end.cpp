@@ -1,0 +1,87 @@
+#include "ladder/driver/front_end.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "ladder/codegen/generate.h"
+#include "ladder/driver/container_names.h"
+#include "ladder/driver/library.h"
+
+namespace stepwright::driver {
+
+namespace {
+
+codegen::ChartOrigin chart_origin(const LoweredChart& lowered, const semantics::Model& model) {
+  codegen::ChartOrigin origin;
+  origin.pou = model.pous[lowered.pou].get();
+  const auto variable = [](const std::vector<std::string>& names, std::size_t i) {
+    return i < names.size() ? names[i] : std::string();
+  };
+  const auto indexes = [](const std::vector<graphic::StepId>& steps) {
+    std::vector<std::uint32_t> list;
+    for (const graphic::StepId each : steps) list.push_back(each.value);
+    return list;
+  };
+  for (const graphic::Step& each : lowered.chart.steps)
+    origin.steps.push_back(
+        {each.name, each.comment, each.initial, variable(lowered.step_variables, origin.steps.size())});
+  for (const graphic::Transition& each : lowered.chart.transitions)
+    origin.transitions.push_back({each.name, to_st(each.condition), indexes(each.sources),
+                                  indexes(each.targets),
+                                  variable(lowered.transition_variables, origin.transitions.size())});
+  return origin;
+}
+
+std::vector<codegen::ChartOrigin> chart_origins(const PouLowering& lowering, const semantics::Model& model) {
+  std::vector<codegen::ChartOrigin> origins;
+  for (const LoweredChart& each : lowering.charts()) origins.push_back(chart_origin(each, model));
+  return origins;
+}
+
+}  // namespace
+
+FrontEnd::FrontEnd(const CompileInput& input)
+    : folder_(input.folder), sink_(sources_), context_{sources_, names_, sink_}, lowering_(context_, unit_) {
+  syntax::intern_keywords(names_);
+  for (const source::NamedText& each : input.texts)
+    syntax::parse_unit(context_, sources_.add(each.name, each.text), unit_);
+  lowering_.lower_charts();
+  lowering_.add_projects(input.projects);
+  user_pous_ = unit_.pous.size();
+  add_library(context_, unit_);
+  lowering_.report_foreign_types();
+}
+
+std::unique_ptr<semantics::Model> FrontEnd::analyze(const semantics::TestGroup* tests) {
+  return semantics::analyze(unit_, user_pous_, names_, sink_, tests);
+}
+
+result::Result<std::vector<std::byte>> FrontEnd::container(const semantics::Model& model) const {
+  return codegen::generate(model, chart_origins(lowering_, model), sources_,
+                           container_names(sources_, folder_));
+}
+
+std::vector<semantics::TestGroup> FrontEnd::test_groups() {
+  std::map<std::uint32_t, semantics::TestGroup> of_files;
+  for (const syntax::PouDeclaration& each : unit_.mocks)
+    of_files[each.name.where.file.value].mocks.push_back(&each);
+  semantics::TestGroup others;
+  std::map<std::string, source::Position> known;
+  for (const syntax::TestDeclaration& each : unit_.tests) {
+    const source::Position where = each.body.name.where;
+    if (const auto [first, is_new] = known.try_emplace(each.name, where); !is_new) {
+      const result::Location at = sources_.location(first->second);
+      sink_.error(source::code::kDuplicate, where, "there is another test '" + each.name + "'",
+                  "the first one is at " + at.file + ":" + std::to_string(at.line));
+    }
+    const auto group = of_files.find(where.file.value);
+    (group != of_files.end() ? group->second : others).tests.push_back(&each);
+  }
+  std::vector<semantics::TestGroup> groups;
+  if (!others.tests.empty()) groups.push_back(std::move(others));
+  for (auto& [file, group] : of_files) groups.push_back(std::move(group));
+  return groups;
+}
+
+}  // namespace stepwright::driver

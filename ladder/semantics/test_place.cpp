@@ -1,0 +1,96 @@
+// What a TEST reads and writes: the variables of program instances under the names that every viewer uses
+// (INSTANCE.block.variable), also those that are internal to their POU, and inputs of the plant.
+
+#include <algorithm>
+
+#include "ladder/semantics/internal/declarer.h"
+#include "ladder/source/suggestion.h"
+#include "runtime/naming/ascii_names.h"
+
+namespace stepwright::semantics::internal {
+
+using syntax::Expression;
+using syntax::ExpressionKind;
+
+namespace {
+
+// "MAIN.pump.start"
+std::string path_of(const Expression& expression) {
+  if (expression.kind == ExpressionKind::Variable) return std::string(expression.name.text);
+  if (expression.kind != ExpressionKind::Field) return {};
+  return path_of(*expression.operands[0]) + "." + std::string(expression.name.text);
+}
+
+}  // namespace
+
+std::optional<Place> ExpressionAnalyzer::program_instance(const syntax::Name& name) const {
+  for (const ProgramInstance& each : a_.model.instances) {
+    if (!naming::same_name(each.name, name.text)) continue;
+    Place place;
+    place.base = Base::Data;
+    place.offset = each.offset;
+    place.type = each.program->type;
+    return place;
+  }
+  return std::nullopt;
+}
+
+bool ExpressionAnalyzer::is_unconfigured(const syntax::Name& name) const {
+  const auto found = a_.pous.find(name.id.value);
+  return in_test() && a_.model.instances.empty() && a_.sink.has_errors() && found != a_.pous.end() &&
+         found->second->kind == PouKind::Program;
+}
+
+std::optional<Place> ExpressionAnalyzer::inner_place(Place base, const Expression& expression) {
+  const syntax::Name& name = expression.name;
+  const Variable* found = base.type->pou->find(name.id);
+  if (found == nullptr) {
+    std::vector<std::string_view> candidates;
+    for (const Variable& each : base.type->pou->variables) candidates.push_back(each.spelling);
+    a_.error(code::kUnknownMember, name.where,
+             quote(base.type->name) + " has no variable " + quote(name.text),
+             source::did_you_mean(name.text, candidates));
+    return std::nullopt;
+  }
+  if (found->type == nullptr) return std::nullopt;
+  read_only_.clear();
+  if (found->constant) {
+    read_only_ = quote(name.text) + " is a constant";
+    read_only_where_ = name.where;
+  }
+  if (found->open_address) {
+    // Of an instance that runs, the place that VAR_CONFIG gave it.
+    const std::string path = path_of(expression);
+    const auto given = std::ranges::find_if(
+        a_.model.configured, [&](const Variable& each) { return naming::same_name(each.spelling, path); });
+    if (given != a_.model.configured.end()) return copy_direct(given->place);
+  }
+  switch (found->place.base) {
+    case Base::This:
+      advance(base, found->place.offset);
+      base.type = found->type;
+      return base;
+    case Base::Input:
+    case Base::Output:
+    case Base::Marker:
+    case Base::Data:
+      return copy_direct(found->place);
+    case Base::ThisRef: {
+      if (found->type->open) break;
+      advance(base, found->place.offset);
+      PlaceStep step;
+      step.follow = true;
+      base.steps.push_back(std::move(step));
+      base.type = found->type;
+      return base;
+    }
+    default:
+      break;
+  }
+  a_.error(code::kUnknownMember, name.where,
+           quote(name.text) + " of " + base.type->name + " is there only while the POU runs",
+           "copy it to a variable that keeps its value");
+  return std::nullopt;
+}
+
+}  // namespace stepwright::semantics::internal

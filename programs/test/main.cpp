@@ -1,0 +1,28 @@
+// stepwright test SOURCE... [--filter GLOB] [--engine auto|native|vm] [--max-scans N] [--json FILE] [--junit
+// FILE]
+
+#include <CLI/CLI.hpp>
+
+#include "programs/process/command_line.h"
+#include "programs/test/test_command.h"
+
+int main(int argc, char** argv) {
+  using namespace stepwright;
+  test_program::TestArguments arguments;
+  CLI::App app("Run the TESTs of IEC 61131-3 sources in simulated time", "stepwright test");
+  app.add_option("sources", arguments.sources,
+                 "ST files (.st) with programs and tests, PLCopen projects (.xml)")
+      ->required();
+  app.add_option("--filter", arguments.filter, "run the tests whose names match, e.g. '*pump*'");
+  app.add_option("--engine", arguments.engine, "engine to run them with (default auto)")
+      ->check(CLI::IsMember({"auto", "native", "vm"}));
+  app.add_option("--max-scans", arguments.options.max_scans,
+                 "scans that one test may wait for (default 1000000)");
+  app.add_option("--json", arguments.json_file, "write the report as JSON");
+  app.add_option("--junit", arguments.junit_file, "write the report as JUnit XML");
+  app.footer("Exit codes: 0 all tests pass, 1 a test failed or the sources are wrong, 2 usage.");
+  if (const auto exit = process::parse(app, argc, argv)) return *exit;
+  if (arguments.engine == "native") arguments.options.engine = host::EngineKind::Native;
+  if (arguments.engine == "vm") arguments.options.engine = host::EngineKind::Vm;
+  return result::to_int(test_program::run_tests(arguments));
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+// The command `test`: compiles sources, runs their tests, reports.
+
+#include <string>
+#include <vector>
+
+#include "programs/test/suite_runner.h"
+#include "runtime/result/exit_code.h"
+
+namespace stepwright::test_program {
+
+struct TestArguments {
+  std::vector<std::string> sources;
+  std::string filter;  // glob over the names of tests; empty: all
+  std::string json_file;
+  std::string junit_file;
+  std::string engine = "auto";
+  RunOptions options;
+};
+
+// One line for each test on stdout, failures with their source line; diagnostics of the sources on stderr.
+// BadInput if a test failed, a source is wrong or there is nothing to run.
+result::ExitCode run_tests(const TestArguments& arguments);
+
+}  // namespace stepwright::test_program
