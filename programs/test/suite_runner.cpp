@@ -40,7 +40,7 @@ result::Result<std::unique_ptr<SuiteRunner>> SuiteRunner::make(const driver::Tes
   auto loaded = reader::LoadedProgram::load(suite.container, "tests");
   if (!loaded) return result::forward(loaded);
   std::unique_ptr<SuiteRunner> runner(new SuiteRunner(suite, options, std::move(*loaded)));
-  auto engine = host::make_engine(options.engine, runner->loaded_.program(), runner->stack_);
+  auto engine = host::make_engine(options.engine, runner->loaded_.program());
   if (!engine) return result::forward(engine);
   runner->engine_ = std::move(*engine);
   runner->cycle_ =
@@ -55,7 +55,6 @@ SuiteRunner::SuiteRunner(const driver::TestSuite& suite, const RunOptions& optio
       options_(options),
       loaded_(std::move(loaded)),
       memory_(loaded_.program().memory_size()),
-      stack_(loaded_.program().sizes().stack_slots),
       image_(memory_, scan::layout_of(loaded_.program())) {
   const bytecode::ContainerView& view = loaded_.program().container();
   test_task_ = view.count<Section::Tasks>() - 1;

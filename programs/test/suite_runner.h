@@ -66,7 +66,6 @@ class SuiteRunner {
   RunOptions options_;
   reader::LoadedProgram loaded_;
   std::vector<std::byte> memory_;
-  std::vector<std::uint64_t> stack_;
   image::ProcessImage image_;
   image::NoIo io_;
   scan::NoClock no_clock_;

@@ -178,7 +178,7 @@ class Parser {
   std::size_t at_ = 0;
   std::size_t reported_at_ = static_cast<std::size_t>(-1);
   int nesting_ = 0;
-  int cases_ = 0;  // CASE statements around the cursor
+  int cases_ = 0;                  // CASE statements around the cursor
   const char* closing_ = nullptr;  // END_TEST, END_MOCK: of what is being read
 };
 
