@@ -200,6 +200,8 @@ Failure SuiteRunner::trap(const bytecode::Trap& trap, const std::string& where) 
   Failure failure;
   failure.diagnostic = reader::describe(loaded_.program(), trap);
   failure.diagnostic.message += where;
+  if (where.empty() && trap.code == bytecode::TrapCode::Watchdog)
+    failure.diagnostic.hint = "the statements of a test are bounded as a scan is: a loop may never end";
   return failure;
 }
 

@@ -177,6 +177,21 @@ TEST_F(TestCommand, Readme_WhenItsExampleRuns_ThenItSaysWhatIsWritten) {
   EXPECT_THAT(output, testing::StartsWith(printed));
 }
 
+TEST_F(TestCommand, Run_WhenTheProgramIsPlcopenXml_ThenTestsBesideItSeeIt) {
+  const std::string project = write("plant.xml",
+                                    R"(<project xmlns="http://www.plcopen.org/xml/tc6_0201">
+<fileHeader companyName="x" productName="x" productVersion="1" creationDateTime="2026-01-01T00:00:00"/>
+<contentHeader name="p"><coordinateInfo><fbd><scaling x="1" y="1"/></fbd><ld><scaling x="1" y="1"/></ld>
+<sfc><scaling x="1" y="1"/></sfc></coordinateInfo></contentHeader>
+<types><dataTypes/><pous><pou name="Plant" pouType="program">
+<interface><localVars><variable name="n"><type><INT/></type></variable></localVars></interface>
+<body><ST><xhtml xmlns="http://www.w3.org/1999/xhtml">n := n + 1;</xhtml></ST></body></pou></pous></types>
+<instances><configurations/></instances></project>)");
+  const std::string tests =
+      write("t.st", "TEST 'it counts'\n RUN_SCANS(3);\n ASSERT_EQ(plant.n, 3);\nEND_TEST\n");
+  EXPECT_EQ(run(project + " " + tests), 0) << output << errors;
+}
+
 // Mocks of one file change nothing for the tests of another.
 TEST_F(TestCommand, Run_WhenAFileHasMocks_ThenOnlyItsTestsMeetThem) {
   const std::string under_test = write(
