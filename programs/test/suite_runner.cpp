@@ -95,9 +95,12 @@ TestResult SuiteRunner::run(std::size_t index) {
 std::optional<Failure> SuiteRunner::run_to_end(const driver::TestCase& test, bytecode::Invocation invocation,
                                                TestResult& result) {
   std::uint64_t budget = options_.budget;
+  const auto code = loaded_.program().container().record<Section::Functions>(invocation.function);
   const std::uint32_t event_at = invocation.instance + TestHeader::kEvent;
   while (true) {
     invocation.now_ns = clock_.now_ns;
+    // To go on behind a wait costs nothing, however long the test is.
+    budget += code.code_size;
     if (const bytecode::Trap stopped = engine_->run(invocation, memory_, budget)) return trap(stopped, {});
     const auto number = read<std::uint32_t>(event_at);
     if (number == 0) return std::nullopt;

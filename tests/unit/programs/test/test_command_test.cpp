@@ -162,6 +162,14 @@ TEST_F(TestCommand, Run_WhenThereAreManyTests_ThenEachLineSaysHowFarItIs) {
   EXPECT_EQ(report()["passed"], 1000);
 }
 
+TEST_F(TestCommand, Run_WhenATestIsLongAndWaitsOften_ThenItStaysWithinItsBudget) {
+  std::string text = "TEST 'long'\n VAR n : DINT; END_VAR\n";
+  for (int i = 1; i <= 2000; ++i)
+    text += " ADVANCE_TIME(T#1ms); n := n + 1; ASSERT_EQ(n, " + std::to_string(i) + ");\n";
+  EXPECT_EQ(run(write("a.st", text + "END_TEST\n")), 0) << output << errors;
+  EXPECT_EQ(report()["tests"][0]["simulated_ns"], 2'000'000'000);
+}
+
 // The example of README.md prints what is written there, up to the time it takes.
 TEST_F(TestCommand, Readme_WhenItsExampleRuns_ThenItSaysWhatIsWritten) {
   std::ostringstream readme;
