@@ -125,6 +125,9 @@ void ExpressionAnalyzer::advance(Place& place, std::uint32_t offset) {
 }
 
 std::optional<Place> ExpressionAnalyzer::field_place(const Expression& expression) {
+  if (in_test()) {
+    if (auto flag = step_flag(expression)) return flag;
+  }
   std::optional<Place> base = part(*expression.operands[0]);
   if (!base) return std::nullopt;
   const Type& type = *base->type;

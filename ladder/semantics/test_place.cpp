@@ -41,6 +41,25 @@ bool ExpressionAnalyzer::is_unconfigured(const syntax::Name& name) const {
          found->second->kind == PouKind::Program;
 }
 
+// The lowering of a chart keeps S.X in the variable S_X.
+std::optional<Place> ExpressionAnalyzer::step_flag(const Expression& expression) {
+  const std::string& flag = a_.names.folded(expression.name.id);
+  const Expression& step = *expression.operands[0];
+  if ((flag != "X" && flag != "T") || step.kind != ExpressionKind::Field) return std::nullopt;
+  const auto name = a_.names.find(a_.names.folded(step.name.id) + "_" + flag);
+  if (!name) return std::nullopt;
+  std::optional<Place> owner = part(*step.operands[0]);
+  if (!owner || owner->type->kind != TypeKind::Instance) return std::nullopt;
+  const Pou& pou = *owner->type->pou;
+  const Variable* found = pou.find(*name);
+  const bool is_flag = found != nullptr && found->type != nullptr && found->place.base == Base::This &&
+                       pou.find(step.name.id) == nullptr;
+  if (!is_flag) return std::nullopt;
+  advance(*owner, found->place.offset);
+  owner->type = found->type;
+  return owner;
+}
+
 std::optional<Place> ExpressionAnalyzer::inner_place(Place base, const Expression& expression) {
   const syntax::Name& name = expression.name;
   const Variable* found = base.type->pou->find(name.id);

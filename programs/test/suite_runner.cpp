@@ -94,9 +94,12 @@ TestResult SuiteRunner::run(std::size_t index) {
 std::optional<Failure> SuiteRunner::run_to_end(const driver::TestCase& test, bytecode::Invocation invocation,
                                                TestResult& result) {
   std::uint64_t budget = options_.budget;
+  const auto code = loaded_.program().container().record<Section::Functions>(invocation.function);
   const std::uint32_t event_at = invocation.instance + TestHeader::kEvent;
   while (true) {
     invocation.now_ns = clock_.now_ns;
+    // To go on behind a wait costs nothing, however long the test is.
+    budget += code.code_size;
     if (const bytecode::Trap stopped = engine_->run(invocation, memory_, budget)) return trap(stopped, {});
     const auto number = read<std::uint32_t>(event_at);
     if (number == 0) return std::nullopt;
@@ -199,6 +202,8 @@ Failure SuiteRunner::trap(const bytecode::Trap& trap, const std::string& where) 
   Failure failure;
   failure.diagnostic = reader::describe(loaded_.program(), trap);
   failure.diagnostic.message += where;
+  if (where.empty() && trap.code == bytecode::TrapCode::Watchdog)
+    failure.diagnostic.hint = "the statements of a test are bounded as a scan is: a loop may never end";
   return failure;
 }
 

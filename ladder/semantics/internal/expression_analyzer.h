@@ -118,6 +118,8 @@ class ExpressionAnalyzer {
   std::optional<Place> program_instance(const syntax::Name& name) const;
   // A program that has no instance because something else is wrong.
   bool is_unconfigured(const syntax::Name& name) const;
+  // INSTANCE.Step.X and .T, as the chart of the instance names its steps; nothing, and no report, for others.
+  std::optional<Place> step_flag(const syntax::Expression& expression);
   // Any variable of an instance.
   std::optional<Place> inner_place(Place base, const syntax::Expression& expression);
 

@@ -162,6 +162,14 @@ TEST_F(TestCommand, Run_WhenThereAreManyTests_ThenEachLineSaysHowFarItIs) {
   EXPECT_EQ(report()["passed"], 1000);
 }
 
+TEST_F(TestCommand, Run_WhenATestIsLongAndWaitsOften_ThenItStaysWithinItsBudget) {
+  std::string text = "TEST 'long'\n VAR n : DINT; END_VAR\n";
+  for (int i = 1; i <= 2000; ++i)
+    text += " ADVANCE_TIME(T#1ms); n := n + 1; ASSERT_EQ(n, " + std::to_string(i) + ");\n";
+  EXPECT_EQ(run(write("a.st", text + "END_TEST\n")), 0) << output << errors;
+  EXPECT_EQ(report()["tests"][0]["simulated_ns"], 2'000'000'000);
+}
+
 // The example of README.md prints what is written there, up to the time it takes.
 TEST_F(TestCommand, Readme_WhenItsExampleRuns_ThenItSaysWhatIsWritten) {
   std::ostringstream readme;
@@ -175,6 +183,21 @@ TEST_F(TestCommand, Readme_WhenItsExampleRuns_ThenItSaysWhatIsWritten) {
   ASSERT_THAT(printed, HasSubstr("2 tests: 2 ok"));
   EXPECT_EQ(run(write("plant.st", between("```st\n", "```"))), 0) << errors;
   EXPECT_THAT(output, testing::StartsWith(printed));
+}
+
+TEST_F(TestCommand, Run_WhenTheProgramIsPlcopenXml_ThenTestsBesideItSeeIt) {
+  const std::string project = write("plant.xml",
+                                    R"(<project xmlns="http://www.plcopen.org/xml/tc6_0201">
+<fileHeader companyName="x" productName="x" productVersion="1" creationDateTime="2026-01-01T00:00:00"/>
+<contentHeader name="p"><coordinateInfo><fbd><scaling x="1" y="1"/></fbd><ld><scaling x="1" y="1"/></ld>
+<sfc><scaling x="1" y="1"/></sfc></coordinateInfo></contentHeader>
+<types><dataTypes/><pous><pou name="Plant" pouType="program">
+<interface><localVars><variable name="n"><type><INT/></type></variable></localVars></interface>
+<body><ST><xhtml xmlns="http://www.w3.org/1999/xhtml">n := n + 1;</xhtml></ST></body></pou></pous></types>
+<instances><configurations/></instances></project>)");
+  const std::string tests =
+      write("t.st", "TEST 'it counts'\n RUN_SCANS(3);\n ASSERT_EQ(plant.n, 3);\nEND_TEST\n");
+  EXPECT_EQ(run(project + " " + tests), 0) << output << errors;
 }
 
 // Mocks of one file change nothing for the tests of another.
