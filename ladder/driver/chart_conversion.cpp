@@ -1,5 +1,6 @@
 #include "ladder/driver/chart_conversion.h"
 
+#include <unordered_map>
 #include <utility>
 
 #include "ladder/source/suggestion.h"
@@ -40,7 +41,11 @@ class Conversion {
  public:
   Conversion(const syntax::Chart& chart, Marks marks, const source::SourceSet& sources,
              source::DiagnosticSink& sink)
-      : chart_(chart), marks_(marks), sources_(sources), sink_(sink) {}
+      : chart_(chart), marks_(marks), sources_(sources), sink_(sink) {
+    // Of two steps of one name the last counts; that there are two is reported elsewhere.
+    for (std::size_t i = 0; i < chart.steps.size(); ++i)
+      step_ids_[chart.steps[i].name.id.value] = static_cast<std::uint32_t>(i);
+  }
 
   graphic::SfcChart run() {
     graphic::SfcChart result;
@@ -94,15 +99,12 @@ class Conversion {
   std::vector<graphic::StepId> steps(const std::vector<syntax::Name>& names) {
     std::vector<graphic::StepId> ids;
     for (const syntax::Name& name : names) {
-      std::size_t found = chart_.steps.size();
-      std::vector<std::string_view> candidates;
-      for (std::size_t i = 0; i < chart_.steps.size(); ++i) {
-        candidates.push_back(chart_.steps[i].name.text);
-        if (chart_.steps[i].name.id == name.id) found = i;
-      }
-      if (found < chart_.steps.size()) {
-        ids.emplace_back(static_cast<std::uint32_t>(found));
+      if (const auto found = step_ids_.find(name.id.value); found != step_ids_.end()) {
+        ids.emplace_back(found->second);
       } else {
+        std::vector<std::string_view> candidates;
+        if (!sink_.is_full())
+          for (const syntax::StepDeclaration& each : chart_.steps) candidates.push_back(each.name.text);
         sink_.error(code::kBadChart, name.where, "there is no step '" + std::string(name.text) + "'",
                     source::did_you_mean(name.text, candidates));
       }
@@ -125,6 +127,7 @@ class Conversion {
   Marks marks_;
   const source::SourceSet& sources_;
   source::DiagnosticSink& sink_;
+  std::unordered_map<std::uint32_t, std::uint32_t> step_ids_;  // NameId -> index of the step
 };
 
 }  // namespace

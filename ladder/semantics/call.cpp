@@ -29,8 +29,7 @@ std::string unknown_function_hint(const std::string& folded,
 
 void ExpressionAnalyzer::note_callee(const Pou& callee) {
   if (pou_ == nullptr) return;
-  auto& known = pou_->callees;
-  if (std::find(known.begin(), known.end(), &callee) == known.end()) known.push_back(&callee);
+  if (pou_->known_callees.insert(&callee).second) pou_->callees.push_back(&callee);
 }
 
 ValuePtr ExpressionAnalyzer::call(const Expression& expression) {
@@ -71,6 +70,10 @@ ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
   ValuePtr result = StandardAnalyzer(a_, *this).call(expression, folded, known);
   if (known) return result;
   if (const auto conversion = named_conversion(folded)) return explicit_conversion(expression, *conversion);
+  if (a_.sink.is_full()) {
+    a_.error(code::kUndeclared, name.where, {});
+    return nullptr;
+  }
   std::vector<std::string_view> candidates;
   StandardAnalyzer::add_names(candidates);
   for (const auto& each : a_.model.pous)
