@@ -23,7 +23,7 @@ std::uint32_t FileTable::index_of(source::Position where) {
 
 void ExpressionEmitter::line(source::Position where) {
   here_ = where;
-  const result::Location place = files_.sources().location(where);
+  const source::LineColumn place = files_.sources().line_column(where);
   b_.line(files_.index_of(where), place.line, place.column);
 }
 

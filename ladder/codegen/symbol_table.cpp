@@ -37,10 +37,20 @@ bool holds_blocks(const Type& type) {
                      [](const semantics::Field& each) { return holds_blocks(*each.type); });
 }
 
-const Variable* find(const Pou& pou, const std::string& name) {
-  for (const Variable& each : pou.variables)
-    if (naming::same_name(each.spelling, name)) return &each;
-  return nullptr;
+const Pou* block_of(const Type& type) {
+  if (type.kind == TypeKind::Array) return block_of(*type.element);
+  return type.kind == TypeKind::Instance ? type.pou : nullptr;
+}
+
+std::string folded(std::string name) {
+  for (char& c : name) c = naming::to_upper(c);
+  return name;
+}
+
+std::unordered_map<std::string, const Variable*> variables_by_name(const Pou& pou) {
+  std::unordered_map<std::string, const Variable*> variables;
+  for (const Variable& each : pou.variables) variables.try_emplace(folded(each.spelling), &each);
+  return variables;
 }
 
 }  // namespace
@@ -186,6 +196,10 @@ void SymbolTable::retain(const Variable& variable, std::uint32_t address, Retent
 }
 
 void SymbolTable::retain(const Type& type, std::uint32_t address, Retention retention) {
+  const Pou* block = block_of(type);
+  if (retention != Retention::Kept &&
+      (block == nullptr ? type.kind != TypeKind::Struct : !speaks_of_retain(*block)))
+    return;
   if (!holds_blocks(type)) {
     if (retention == Retention::Kept) out_.retain.push_back({address, type.size});
     return;
@@ -217,8 +231,32 @@ void SymbolTable::instance(const semantics::ProgramInstance& instance,
   walk(instance.name, pou, address, charts);
 }
 
+bool SymbolTable::holds_charts(const Pou& pou, const std::vector<ChartOrigin>& charts) {
+  if (const auto known = holds_charts_.find(&pou); known != holds_charts_.end()) return known->second;
+  bool holds =
+      std::any_of(charts.begin(), charts.end(), [&](const ChartOrigin& each) { return each.pou == &pou; });
+  for (const Variable& each : pou.variables)
+    if (!holds && is_member(each) && each.type->kind == TypeKind::Instance)
+      holds = holds_charts(*each.type->pou, charts);
+  holds_charts_[&pou] = holds;
+  return holds;
+}
+
+bool SymbolTable::speaks_of_retain(const Pou& pou) {
+  if (const auto known = speaks_of_retain_.find(&pou); known != speaks_of_retain_.end()) return known->second;
+  bool speaks = false;
+  for (const Variable& each : pou.variables) {
+    if (speaks || !is_member(each)) continue;
+    const Pou* block = block_of(*each.type);
+    speaks = each.retain || each.non_retain || (block != nullptr && speaks_of_retain(*block));
+  }
+  speaks_of_retain_[&pou] = speaks;
+  return speaks;
+}
+
 void SymbolTable::walk(const std::string& path, const Pou& pou, std::uint32_t address,
                        const std::vector<ChartOrigin>& charts) {
+  if (!holds_charts(pou, charts)) return;
   for (const ChartOrigin& each : charts)
     if (each.pou == &pou) chart(path, each, address);
   for (const Variable& each : pou.variables) {
@@ -231,10 +269,12 @@ void SymbolTable::walk(const std::string& path, const Pou& pou, std::uint32_t ad
 void SymbolTable::chart(const std::string& path, const ChartOrigin& origin, std::uint32_t address) {
   writer::SfcChart out;
   out.name = path;
+  const auto variables = variables_by_name(*origin.pou);
   const auto place = [&](const std::string& name) {
-    const Variable* found = find(*origin.pou, name);
-    return found != nullptr && found->place.base == Base::This ? address + found->place.offset
-                                                               : bytecode::kNoIndex;
+    const auto found = variables.find(folded(name));
+    return found != variables.end() && found->second->place.base == Base::This
+               ? address + found->second->place.offset
+               : bytecode::kNoIndex;
   };
   for (const ChartStep& step : origin.steps) {
     const std::uint32_t active = place(step.variable);

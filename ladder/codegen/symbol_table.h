@@ -37,6 +37,9 @@ class SymbolTable {
   std::uint32_t add(writer::Type type);
   void variable(const semantics::Variable& variable, const std::string& path,
                 bytecode::SymbolSection section);
+  // It or a block in it is a chart; a variable in it says RETAIN or NON_RETAIN.
+  bool holds_charts(const semantics::Pou& pou, const std::vector<ChartOrigin>& charts);
+  bool speaks_of_retain(const semantics::Pou& pou);
   void walk(const std::string& path, const semantics::Pou& pou, std::uint32_t address,
             const std::vector<ChartOrigin>& charts);
   void retain(const semantics::Variable& variable, std::uint32_t address, semantics::Retention retention);
@@ -48,6 +51,8 @@ class SymbolTable {
   writer::ContainerModel& out_;
   std::unordered_map<const semantics::Type*, std::uint32_t> types_;
   std::unordered_map<std::string, std::uint32_t> names_;
+  std::unordered_map<const semantics::Pou*, bool> holds_charts_;
+  std::unordered_map<const semantics::Pou*, bool> speaks_of_retain_;
   // References whose targets get their types at the end: structures may refer to their own kind.
   std::vector<std::pair<std::uint32_t, const semantics::Type*>> references_;
 };

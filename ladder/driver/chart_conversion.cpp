@@ -41,7 +41,11 @@ class Conversion {
  public:
   Conversion(const syntax::Chart& chart, Marks marks, const source::SourceSet& sources,
              source::DiagnosticSink& sink)
-      : chart_(chart), marks_(marks), sources_(sources), sink_(sink) {}
+      : chart_(chart), marks_(marks), sources_(sources), sink_(sink) {
+    // Of two steps of one name the last counts; that there are two is reported elsewhere.
+    for (std::size_t i = 0; i < chart.steps.size(); ++i)
+      step_ids_[chart.steps[i].name.id.value] = static_cast<std::uint32_t>(i);
+  }
 
   graphic::SfcChart run() {
     graphic::SfcChart result;
@@ -103,7 +107,8 @@ class Conversion {
         continue;
       }
       std::vector<std::string_view> candidates;
-      for (const syntax::StepDeclaration& each : chart_.steps) candidates.push_back(each.name.text);
+      if (!sink_.is_full())
+        for (const syntax::StepDeclaration& each : chart_.steps) candidates.push_back(each.name.text);
       sink_.error(code::kBadChart, name.where, "there is no step '" + std::string(name.text) + "'",
                   source::did_you_mean(name.text, candidates));
     }

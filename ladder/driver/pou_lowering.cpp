@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <unordered_map>
 #include <utility>
 
 #include "ladder/driver/chart_conversion.h"
@@ -17,6 +18,8 @@
 namespace stepwright::driver {
 
 namespace {
+
+using TypesByName = std::unordered_map<std::uint32_t, const syntax::TypeSpec*>;  // by NameId
 
 syntax::PouKind kind_of(graphic::PouKind kind) {
   switch (kind) {
@@ -38,6 +41,41 @@ graphic::PouKind kind_of(syntax::PouKind kind) {
     default:
       return graphic::PouKind::Function;
   }
+}
+
+TypesByName types_by_name(const syntax::Unit& unit) {
+  TypesByName types;
+  for (const syntax::TypeDeclaration& each : unit.types)
+    if (each.type) types.try_emplace(each.name.id.value, each.type.get());
+  return types;
+}
+
+// The name behind an alias: BOOL where TYPE Flag : BOOL; END_TYPE.
+std::string type_name(syntax::Name name, const TypesByName& types) {
+  for (std::size_t depth = 0; depth <= types.size(); ++depth) {
+    const auto found = types.find(name.id.value);
+    if (found == types.end() || found->second->kind != syntax::TypeKind::Named) break;
+    name = found->second->name;
+  }
+  return std::string(name.text);
+}
+
+// What the chart's lowering needs to know of the POU: names and types.
+graphic::Pou with_chart(const syntax::PouDeclaration& pou, const TypesByName& types) {
+  graphic::Pou result;
+  result.name = std::string(pou.name.text);
+  result.kind = kind_of(pou.kind);
+  for (const syntax::VariableDeclaration& line : pou.variables) {
+    const bool named = line.type->kind == syntax::TypeKind::Named;
+    const std::string type = named ? type_name(line.type->name, types) : "STRUCT";
+    for (const syntax::Name& name : line.names) {
+      graphic::Variable variable;
+      variable.name = std::string(name.text);
+      variable.type = type;
+      result.variables.push_back(std::move(variable));
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -71,35 +109,6 @@ void PouLowering::set_ladder(const graphic::LadderProgram& ladder, const std::st
   mark_generated(pou, written);
 }
 
-// The name behind an alias: BOOL where TYPE Flag : BOOL; END_TYPE.
-std::string PouLowering::type_name(syntax::Name name) const {
-  for (std::size_t depth = 0; depth <= unit_.types.size(); ++depth) {
-    const auto found = std::find_if(unit_.types.begin(), unit_.types.end(),
-                                    [&](const auto& each) { return each.name.id == name.id; });
-    if (found == unit_.types.end() || found->type->kind != syntax::TypeKind::Named) break;
-    name = found->type->name;
-  }
-  return std::string(name.text);
-}
-
-// What the chart's lowering needs to know of the POU: names and types.
-graphic::Pou PouLowering::with_chart(const syntax::PouDeclaration& pou) const {
-  graphic::Pou result;
-  result.name = std::string(pou.name.text);
-  result.kind = kind_of(pou.kind);
-  for (const syntax::VariableDeclaration& line : pou.variables) {
-    const bool named = line.type->kind == syntax::TypeKind::Named;
-    const std::string type = named ? type_name(line.type->name) : "STRUCT";
-    for (const syntax::Name& name : line.names) {
-      graphic::Variable variable;
-      variable.name = std::string(name.text);
-      variable.type = type;
-      result.variables.push_back(std::move(variable));
-    }
-  }
-  return result;
-}
-
 void PouLowering::set_lowered(const graphic::Pou& lowered, std::size_t known_variables,
                               graphic::SfcChart origin, std::size_t index) {
   syntax::PouDeclaration& pou = unit_.pous[index];
@@ -115,6 +124,7 @@ void PouLowering::set_lowered(const graphic::Pou& lowered, std::size_t known_var
 }
 
 void PouLowering::lower_charts() {
+  const TypesByName types = types_by_name(unit_);
   for (std::size_t i = 0; i < unit_.pous.size(); ++i) {
     if (!unit_.pous[i].chart) continue;
     const source::Position where = unit_.pous[i].name.where;
@@ -124,7 +134,7 @@ void PouLowering::lower_charts() {
       continue;
     }
     const std::size_t errors = context_.sink.error_count();
-    graphic::Pou pou = with_chart(unit_.pous[i]);
+    graphic::Pou pou = with_chart(unit_.pous[i], types);
     const syntax::Chart& chart = *unit_.pous[i].chart;
     pou.body = to_graphic(chart, Marks::Source, context_.sources, context_.sink);
     if (context_.sink.error_count() != errors) continue;

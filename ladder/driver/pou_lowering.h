@@ -46,8 +46,6 @@ class PouLowering {
   // The variables from `first` on are none of the user's.
   static void mark_generated(syntax::PouDeclaration& pou, std::size_t first);
   void set_ladder(const graphic::LadderProgram& ladder, const std::string& file, syntax::PouDeclaration& pou);
-  std::string type_name(syntax::Name name) const;
-  graphic::Pou with_chart(const syntax::PouDeclaration& pou) const;
   void set_lowered(const graphic::Pou& lowered, std::size_t known_variables, graphic::SfcChart origin,
                    std::size_t index);
   void add_notes(const graphic::Project& project, source::FileId file);

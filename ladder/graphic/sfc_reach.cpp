@@ -17,7 +17,16 @@ class Reach {
         out_(out),
         fires_(chart.transitions.size(), false),
         shut_out_(fires_.size(), true),
-        reached_(chart.steps.size(), false) {
+        reached_(chart.steps.size(), false),
+        leaving_(chart.steps.size()),
+        has_entry_(chart.steps.size(), false) {
+    for (const Transition& each : chart.transitions) {
+      for (const StepId source : each.sources) leaving_[source.value].push_back(&each);
+      for (const StepId target : each.targets) {
+        const bool loop = std::find(each.sources.begin(), each.sources.end(), target) != each.sources.end();
+        if (!loop) has_entry_[target.value] = true;
+      }
+    }
     for (const NetTransition& each : net.transitions) shut_out_[each.origin] = false;
     for (const std::uint32_t place : net.marked) reached_[place] = true;
     graph.complete ? exactly(net, graph) : at_most(net);
@@ -32,7 +41,7 @@ class Reach {
     // Where trouble begins with a step: one that nothing leads to, then a loop that nothing leads into.
     for (const bool orphans : {true, false}) {
       for (std::uint32_t s = 0; s < reached_.size(); ++s) {
-        if (reached_[s] || explained_[s] || (orphans && has_entry(s))) continue;
+        if (reached_[s] || explained_[s] || (orphans && has_entry_[s])) continue;
         add(code::kStepUnreachable, chart_.steps[s].where,
             "step '" + chart_.steps[s].name + "' can never become active",
             "no sequence of transitions leads to it");
@@ -57,12 +66,18 @@ class Reach {
   }
 
   void at_most(const TokenNet& net) {
-    for (bool grown = true; grown;) {
-      grown = false;
-      for (const NetTransition& each : net.transitions) {
-        if (fires_[each.origin] || !all(chart_.transitions[each.origin].sources, reached_)) continue;
-        fire(each);
-        grown = true;
+    std::vector<std::vector<const NetTransition*>> waiting(reached_.size());
+    for (const NetTransition& each : net.transitions)
+      for (const std::uint32_t place : each.sources) waiting[place].push_back(&each);
+    std::vector<std::uint32_t> open = net.marked;
+    while (!open.empty()) {
+      const std::uint32_t place = open.back();
+      open.pop_back();
+      for (const NetTransition* each : waiting[place]) {
+        if (fires_[each->origin] || !all(chart_.transitions[each->origin].sources, reached_)) continue;
+        for (const std::uint32_t target : each->targets)
+          if (!reached_[target]) open.push_back(target);
+        fire(*each);
       }
     }
   }
@@ -89,23 +104,15 @@ class Reach {
         "transition " + transition_label(chart_, index) + " can never fire", std::move(hint));
   }
 
-  bool has_entry(std::uint32_t step) const {
-    return std::any_of(chart_.transitions.begin(), chart_.transitions.end(), [&](const Transition& each) {
-      return std::find(each.targets.begin(), each.targets.end(), StepId(step)) != each.targets.end() &&
-             std::find(each.sources.begin(), each.sources.end(), StepId(step)) == each.sources.end();
-    });
-  }
-
   // Everything behind a step that was reported.
   void explain(std::uint32_t step) {
     std::vector<std::uint32_t> open{step};
     explained_[step] = true;
     while (!open.empty()) {
-      const StepId from(open.back());
+      const std::uint32_t from = open.back();
       open.pop_back();
-      for (const Transition& each : chart_.transitions) {
-        if (std::find(each.sources.begin(), each.sources.end(), from) == each.sources.end()) continue;
-        for (const StepId target : each.targets) {
+      for (const Transition* each : leaving_[from]) {
+        for (const StepId target : each->targets) {
           if (reached_[target.value] || explained_[target.value]) continue;
           explained_[target.value] = true;
           open.push_back(target.value);
@@ -119,7 +126,9 @@ class Reach {
   std::vector<bool> fires_;
   std::vector<bool> shut_out_;  // by a transition that always goes before it
   std::vector<bool> reached_;
-  std::vector<bool> explained_;  // follows from what was reported
+  std::vector<std::vector<const Transition*>> leaving_;  // by step
+  std::vector<bool> has_entry_;                          // by step: from another one
+  std::vector<bool> explained_;                          // follows from what was reported
 };
 
 }  // namespace

@@ -131,9 +131,8 @@ const Type* BodyWalker::type_of(const Expression& each) {
     const semantics::Variable* member = base->pou->find(each.name.id);
     return member == nullptr ? nullptr : member->type;
   }
-  for (const semantics::Field& field : base->fields)
-    if (field.name == each.name.id) return field.type;
-  return nullptr;
+  const semantics::Field* field = base->find_field(each.name.id);
+  return field == nullptr ? nullptr : field->type;
 }
 
 const semantics::Pou* BodyWalker::callee_of(const Expression& each) {

@@ -4,7 +4,7 @@
 
 #include "ladder/lint/internal/rules.h"
 #include "ladder/source/codes.h"
-#include "runtime/naming/ascii_names.h"
+#include "ladder/source/name_table.h"
 
 namespace stepwright::lint::internal {
 
@@ -41,11 +41,14 @@ void name_indicators(Uses& uses) {
   for (std::size_t i = 0; i < uses.user_pous; ++i) {
     const auto& chart = uses.model.pous[i]->declaration->chart;
     if (!chart) continue;
+    std::unordered_map<std::string, std::size_t> variables;
+    for (std::size_t v = 0; v < uses.of_pous[i].size(); ++v)
+      variables.try_emplace(source::upper(uses.of_pous[i][v].variable->spelling), v);
     for (const syntax::StepDeclaration& step : chart->steps)
       for (const syntax::ActionUse& action : step.actions)
         for (const syntax::TextSlice& each : action.indicators)
-          for (VariableUse& use : uses.of_pous[i])
-            use.named = use.named || naming::same_name(use.variable->spelling, each.text);
+          if (const auto named = variables.find(source::upper(each.text)); named != variables.end())
+            uses.of_pous[i][named->second].named = true;
   }
 }
 

@@ -1,6 +1,8 @@
 // What the types of expressions show, over the semantic model.
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 #include "ladder/lint/internal/rules.h"
 #include "ladder/source/codes.h"
@@ -86,24 +88,22 @@ class ValueWalker {
     const Type& type = *each.value->type;
     const bool has_else = !each.branches.empty() && each.branches.back().ranges.empty();
     if (type.kind != TypeKind::Enumeration || has_else || !speaks_of(each.where)) return;
+    // Low -> high; no two labels share a value.
+    std::map<__int128, __int128> labels;
+    for (const semantics::Branch& branch : each.branches)
+      for (const semantics::CaseRange& range : branch.ranges)
+        labels.emplace(range.low.integer, range.high.integer);
     std::string missing;
     std::size_t count = 0;
     for (const semantics::Enumerator& enumerator : type.enumerators) {
-      if (names(each, enumerator.value)) continue;
+      const auto next = labels.upper_bound(enumerator.value);
+      if (next != labels.begin() && enumerator.value <= std::prev(next)->second) continue;
       if (++count <= 4) missing += (missing.empty() ? "" : ", ") + enumerator.spelling;
     }
     if (count == 0) return;
     if (count > 4) missing += " and " + std::to_string(count - 4) + " more";
     sink_.warning(code::kMissingCase, each.where, "this CASE leaves out " + missing,
                   "name them, or add ELSE");
-  }
-
-  static bool names(const Statement& each, std::int64_t value) {
-    return std::any_of(each.branches.begin(), each.branches.end(), [&](const semantics::Branch& branch) {
-      return std::any_of(branch.ranges.begin(), branch.ranges.end(), [&](const semantics::CaseRange& range) {
-        return range.low.integer <= value && value <= range.high.integer;
-      });
-    });
   }
 
   const semantics::Pou& pou_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace stepwright::lowering {
@@ -32,16 +33,19 @@ std::vector<Target> targets_of(const graphic::SfcChart& chart) {
     bodies.push_back({chart.actions[i].name, &chart.actions[i], i, {}});
   }
   std::vector<Target> all;
-  const auto find = [](std::vector<Target>& in, const std::string& name) {
-    return std::find_if(in.begin(), in.end(),
-                        [&](const Target& t) { return graphic::same_name(t.name, name); });
-  };
+  using Index = std::unordered_map<std::string, std::size_t>;  // in upper case -> place in its list
+  Index of_bodies;
+  Index of_variables;
+  for (std::size_t i = 0; i < bodies.size(); ++i) of_bodies.try_emplace(graphic::upper(bodies[i].name), i);
   for (std::size_t i = 0; i < chart.steps.size(); ++i) {
     for (const ActionBlock& block : chart.steps[i].actions) {
-      auto found = find(bodies, block.target);
-      if (found == bodies.end()) {
-        found = find(all, block.target);
-        if (found == all.end()) found = all.insert(all.end(), {block.target, nullptr, 0, {}});
+      const std::string name = graphic::upper(block.target);
+      const auto body = of_bodies.find(name);
+      Target* found = body != of_bodies.end() ? &bodies[body->second] : nullptr;
+      if (found == nullptr) {
+        const auto [variable, is_new] = of_variables.try_emplace(name, all.size());
+        if (is_new) all.push_back({block.target, nullptr, 0, {}});
+        found = &all[variable->second];
       }
       found->associations.push_back({StepId(static_cast<std::uint32_t>(i)), &block});
     }

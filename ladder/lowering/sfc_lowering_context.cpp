@@ -34,6 +34,7 @@ SfcLoweringContext::SfcLoweringContext(const graphic::Pou& pou, graphic::LadderP
   pou_.origin = std::get<SfcChart>(pou.body);
   pou_.step_variables.clear();
   pou_.transition_variables.clear();
+  index_names();
   reserve_names();
   declare_steps();
   declare_transitions();
@@ -63,6 +64,13 @@ void SfcLoweringContext::for_each_text(Visit visit) const {
   }
 }
 
+void SfcLoweringContext::index_names() {
+  for (std::size_t i = 0; i < chart().steps.size(); ++i)
+    step_index_.try_emplace(graphic::upper(chart().steps[i].name), i);
+  for (std::size_t i = 0; i < chart().actions.size(); ++i)
+    action_index_.try_emplace(graphic::upper(chart().actions[i].name), i);
+}
+
 void SfcLoweringContext::reserve_names() {
   names_.insert(pou_.name);
   for (const graphic::Variable& variable : pou_.variables) names_.insert(variable.name);
@@ -79,9 +87,8 @@ void SfcLoweringContext::declare_steps() {
   std::vector<bool> timed(chart().steps.size(), false);
   for_each_text([&](const std::string& text) {
     replace_flags(text, [&](std::string_view name, char flag) {
-      for (std::size_t i = 0; i < timed.size(); ++i) {
-        if (flag == 'T' && graphic::same_name(chart().steps[i].name, name)) timed[i] = true;
-      }
+      const auto step = flag == 'T' ? step_index_.find(graphic::upper(name)) : step_index_.end();
+      if (step != step_index_.end()) timed[step->second] = true;
       return std::string();
     });
   });
@@ -117,9 +124,8 @@ void SfcLoweringContext::declare_transitions() {
 void SfcLoweringContext::declare_actions() {
   std::vector<bool> read(chart().actions.size(), false);
   const auto mark = [&](std::string_view name) {
-    for (std::size_t i = 0; i < read.size(); ++i) {
-      if (graphic::same_name(chart().actions[i].name, name)) read[i] = true;
-    }
+    if (const auto action = action_index_.find(graphic::upper(name)); action != action_index_.end())
+      read[action->second] = true;
   };
   for_each_text([&](const std::string& text) {
     replace_flags(text, [&](std::string_view name, char flag) {
@@ -168,13 +174,14 @@ Condition SfcLoweringContext::fires(std::size_t transition, bool negated) const 
 
 // The variable behind `owner.flag`; empty where it is no flag of this chart.
 std::string SfcLoweringContext::variable_of(std::string_view owner, char flag) const {
-  for (std::size_t i = 0; i < chart().steps.size(); ++i) {
-    if (!graphic::same_name(chart().steps[i].name, owner)) continue;
-    return flag == 'X' ? steps_[i].active : flag == 'T' ? steps_[i].elapsed : std::string();
+  const std::string folded = graphic::upper(owner);
+  if (const auto step = step_index_.find(folded); step != step_index_.end()) {
+    const StepVariables& variables = steps_[step->second];
+    return flag == 'X' ? variables.active : flag == 'T' ? variables.elapsed : std::string();
   }
-  for (std::size_t i = 0; i < chart().actions.size(); ++i) {
-    if (!graphic::same_name(chart().actions[i].name, owner)) continue;
-    return flag == 'Q' ? actions_[i].flag : flag == 'A' ? actions_[i].activation : std::string();
+  if (const auto action = action_index_.find(folded); action != action_index_.end()) {
+    const ActionVariables& variables = actions_[action->second];
+    return flag == 'Q' ? variables.flag : flag == 'A' ? variables.activation : std::string();
   }
   return {};
 }

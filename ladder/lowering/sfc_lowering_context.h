@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "ladder/graphic/identifier.h"
@@ -63,12 +64,16 @@ class SfcLoweringContext {
   void declare_steps();
   void declare_transitions();
   void declare_actions();
+  void index_names();
   std::string variable_of(std::string_view owner, char flag) const;
   template <typename Visit>
   void for_each_text(Visit visit) const;
 
   graphic::Pou pou_;
   graphic::NameSet names_;
+  // In upper case -> index; the first of a name counts.
+  std::unordered_map<std::string, std::size_t> step_index_;
+  std::unordered_map<std::string, std::size_t> action_index_;
   std::vector<StepVariables> steps_;
   std::vector<ActionVariables> actions_;
   graphic::LadderProgram networks_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <unordered_map>
 #include <utility>
 
 #include "ladder/graphic/identifier.h"
@@ -16,21 +17,42 @@ using graphic::SfcChart;
 using graphic::Variable;
 using result::Diagnostics;
 
-const Variable* find(const std::vector<Variable>& variables, const std::string& name) {
-  const auto found = std::find_if(variables.begin(), variables.end(),
-                                  [&](const Variable& v) { return graphic::same_name(v.name, name); });
-  return found == variables.end() ? nullptr : &*found;
+// In upper case; the first of a name counts.
+using VariableIndex = std::unordered_map<std::string, const Variable*>;
+
+VariableIndex index_of(const std::vector<Variable>& variables) {
+  VariableIndex index;
+  for (const Variable& each : variables) index.try_emplace(graphic::upper(each.name), &each);
+  return index;
+}
+
+const Variable* find(const VariableIndex& variables, const std::string& name) {
+  const auto found = variables.find(graphic::upper(name));
+  return found == variables.end() ? nullptr : found->second;
+}
+
+template <typename Named>
+graphic::NameSet names_of(const std::vector<Named>& all) {
+  graphic::NameSet names;
+  for (const Named& each : all) names.insert(each.name);
+  return names;
 }
 
 // What graphic::check cannot see because it knows no variables.
 class TargetChecker {
  public:
   TargetChecker(const Pou& pou, const std::vector<Variable>* globals)
-      : pou_(pou), chart_(std::get<SfcChart>(pou.body)), globals_(globals) {}
+      : chart_(std::get<SfcChart>(pou.body)),
+        variables_(index_of(pou.variables)),
+        steps_(names_of(chart_.steps)),
+        actions_(names_of(chart_.actions)),
+        knows_globals_(globals != nullptr) {
+    if (knows_globals_) globals_ = index_of(*globals);
+  }
 
   Diagnostics run() {
     for (const graphic::Step& step : chart_.steps) {
-      if (find(pou_.variables, step.name) != nullptr) {
+      if (find(variables_, step.name) != nullptr) {
         add(graphic::code::kNameOfVariable, step.where, "step '" + step.name + "' has the name of a variable",
             "rename one of them");
       }
@@ -49,7 +71,7 @@ class TargetChecker {
   }
 
   void action(const graphic::Action& action) {
-    if (find(pou_.variables, action.name) != nullptr) {
+    if (find(variables_, action.name) != nullptr) {
       add(graphic::code::kNameOfVariable, action.where,
           "action '" + action.name + "' has the name of a variable", "rename one of them");
     }
@@ -69,25 +91,20 @@ class TargetChecker {
   }
 
   bool has_flag(std::string_view owner, char flag) const {
-    const auto named = [&](const auto& each) { return graphic::same_name(each.name, owner); };
-    return flag == 'X' || flag == 'T' ? std::any_of(chart_.steps.begin(), chart_.steps.end(), named)
-                                      : std::any_of(chart_.actions.begin(), chart_.actions.end(), named);
+    return (flag == 'X' || flag == 'T' ? steps_ : actions_).contains(owner);
   }
 
   const Variable* variable_of(const std::string& name) const {
-    const Variable* variable = find(pou_.variables, name);
-    return variable == nullptr && globals_ != nullptr ? find(*globals_, name) : variable;
+    const Variable* variable = find(variables_, name);
+    return variable == nullptr ? find(globals_, name) : variable;
   }
 
   void target(const graphic::Step& step, const graphic::ActionBlock& block) {
-    const bool is_action = std::any_of(chart_.actions.begin(), chart_.actions.end(), [&](const auto& action) {
-      return graphic::same_name(action.name, block.target);
-    });
     // The type of `motor.run` or `%QX0.0` is the compiler's business.
-    if (is_action || !graphic::is_identifier(block.target)) return;
+    if (actions_.contains(block.target) || !graphic::is_identifier(block.target)) return;
     const Variable* variable = variable_of(block.target);
     const std::string place = "target '" + block.target + "' of step '" + step.name + "'";
-    if (variable == nullptr && globals_ != nullptr) {
+    if (variable == nullptr && knows_globals_) {
       add(graphic::code::kUnknownTarget, block.where, place + " is neither a variable nor an action",
           "declare it, or correct the name");
     } else if (variable != nullptr && !graphic::same_name(variable->type, "BOOL")) {
@@ -97,7 +114,7 @@ class TargetChecker {
   }
 
   void indicators(const graphic::Step& step, const graphic::ActionBlock& block) {
-    if (globals_ == nullptr) return;
+    if (!knows_globals_) return;
     std::string name;
     bool begins = true;  // the first name of a path: "motor" of "motor.fault"
     for (const char c : block.indicator + ",") {
@@ -116,9 +133,12 @@ class TargetChecker {
     }
   }
 
-  const Pou& pou_;
   const SfcChart& chart_;
-  const std::vector<Variable>* globals_;
+  VariableIndex variables_;
+  VariableIndex globals_;
+  graphic::NameSet steps_;
+  graphic::NameSet actions_;
+  bool knows_globals_;
   Diagnostics found_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "ladder/lowering/sfc_actions.h"
@@ -20,12 +21,6 @@ using graphic::SfcChart;
 using graphic::StepId;
 using graphic::Transition;
 using result::Diagnostics;
-
-bool share_a_source(const Transition& a, const Transition& b) {
-  return std::any_of(a.sources.begin(), a.sources.end(), [&](StepId id) {
-    return std::find(b.sources.begin(), b.sources.end(), id) != b.sources.end();
-  });
-}
 
 std::string names_of(const SfcChart& chart, const std::vector<StepId>& ids) {
   std::string text;
@@ -71,16 +66,18 @@ void lower_transition_bits(SfcLoweringContext& context) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return chart.transitions[a].priority < chart.transitions[b].priority;
   });
+  std::vector<std::vector<std::size_t>> before(chart.steps.size());  // places in `order`, by source
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Transition& transition = chart.transitions[order[i]];
     std::vector<Condition> series;
     for (const StepId source : transition.sources) series.push_back(context.active(source));
     series.push_back(context.rewrite(transition.condition));
-    for (std::size_t j = 0; j < i; ++j) {
-      if (share_a_source(transition, chart.transitions[order[j]])) {
-        series.push_back(context.fires(order[j], true));
-      }
+    std::set<std::size_t> rivals;
+    for (const StepId source : transition.sources) {
+      rivals.insert(before[source.value].begin(), before[source.value].end());
+      before[source.value].push_back(i);
     }
+    for (const std::size_t j : rivals) series.push_back(context.fires(order[j], true));
     Rung rung;
     rung.comment =
         "Transition " + names_of(chart, transition.sources) + " -> " + names_of(chart, transition.targets);
@@ -118,15 +115,14 @@ void lower_initial_situation(SfcLoweringContext& context) {
 
 void lower_entry_times(SfcLoweringContext& context) {
   const SfcChart& chart = context.chart();
+  std::vector<std::vector<std::size_t>> entering(chart.steps.size());  // transitions, by target
+  for (std::size_t t = 0; t < chart.transitions.size(); ++t)
+    for (const StepId target : chart.transitions[t].targets) entering[target.value].push_back(t);
   for (std::size_t i = 0; i < context.steps().size(); ++i) {
     const StepVariables& step = context.steps()[i];
     if (step.elapsed.empty()) continue;
     std::vector<Condition> entries;
-    for (std::size_t t = 0; t < chart.transitions.size(); ++t) {
-      const std::vector<StepId>& targets = chart.transitions[t].targets;
-      const StepId id(static_cast<std::uint32_t>(i));
-      if (std::find(targets.begin(), targets.end(), id) != targets.end()) entries.push_back(context.fires(t));
-    }
+    for (const std::size_t t : entering[i]) entries.push_back(context.fires(t));
     if (chart.steps[i].initial) entries.push_back(graphic::contact(context.first_scan()));
     if (entries.empty()) continue;  // a step that nothing enters
     context.add(statements("Time of step " + chart.steps[i].name + " starts",

@@ -1,10 +1,12 @@
 #include "ladder/semantics/analyze.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "ladder/semantics/internal/declarer.h"
 #include "ladder/semantics/internal/statement_analyzer.h"
 #include "ladder/semantics/internal/test_suite.h"
+#include "runtime/bytecode/container_format.h"
 
 namespace stepwright::semantics {
 
@@ -37,28 +39,73 @@ void register_pous(Analysis& a, const syntax::Unit& unit, const TestGroup* tests
   }
 }
 
-enum class Visit : std::uint8_t { Open, Running, Done };
+// Where a walk over the calls is with a POU.
+struct Visit {
+  bool done = false;
+  std::uint32_t depth = 0;  // of the calls that it makes, itself included
+};
 
 // Calls are a tree: what a POU needs in memory and on the stack is known when it is loaded.
-bool reaches_itself(const Pou& pou, std::unordered_map<const Pou*, Visit>& visits) {
-  Visit& visit = visits[&pou];
-  if (visit == Visit::Done) return false;
-  if (visit == Visit::Running) return true;
-  visit = Visit::Running;
-  bool found = false;
-  for (const Pou* each : pou.callees) found = reaches_itself(*each, visits) || found;
-  visits[&pou] = Visit::Done;
-  return found;
-}
+// Its own stack holds the walk: a source decides how long a chain of calls is.
+class CallWalk {
+ public:
+  // True if a walk from `pou` comes back to a POU that it is in.
+  bool reaches_itself(const Pou& pou) {
+    bool found = false;
+    std::vector<Frame> frames;
+    if (visits_.try_emplace(&pou).second) frames.push_back({&pou});
+    while (!frames.empty()) {
+      Frame& top = frames.back();
+      if (top.next == top.pou->callees.size()) {
+        visits_[top.pou] = {true, top.below + 1};
+        const std::uint32_t depth = top.below + 1;
+        frames.pop_back();
+        if (!frames.empty()) frames.back().below = std::max(frames.back().below, depth);
+        continue;
+      }
+      const Pou* callee = top.pou->callees[top.next++];
+      const auto [visit, is_new] = visits_.try_emplace(callee);
+      if (is_new) {
+        frames.push_back({callee});
+      } else if (visit->second.done) {
+        top.below = std::max(top.below, visit->second.depth);
+      } else {
+        found = true;
+      }
+    }
+    return found;
+  }
 
-void check_recursion(Analysis& a) {
-  std::unordered_map<const Pou*, Visit> visits;
+  std::uint32_t depth_of(const Pou& pou) const { return visits_.at(&pou).depth; }
+
+ private:
+  struct Frame {
+    const Pou* pou = nullptr;
+    std::size_t next = 0;     // callee
+    std::uint32_t below = 0;  // depth of the deepest callee so far
+  };
+  std::unordered_map<const Pou*, Visit> visits_;
+};
+
+// False if there is a chain of calls that is too long to be walked.
+bool check_calls(Analysis& a) {
+  bool sound = true;
+  CallWalk walk;
   for (const auto& each : a.model.pous) {
-    if (reaches_itself(*each, visits))
+    const bool recurses = walk.reaches_itself(*each);
+    sound = sound && walk.depth_of(*each) <= bytecode::kMaxCallDepth;
+    // One report where a chain gets too long, not one for each POU above.
+    if (!recurses && walk.depth_of(*each) == bytecode::kMaxCallDepth + 1)
+      a.error(code::kTooDeep, each->where,
+              quote(each->spelling) + " calls others more than " + std::to_string(bytecode::kMaxCallDepth) +
+                  " levels deep",
+              "let one POU call several in turn instead of each the next");
+    if (recurses)
       a.error(code::kRecursion, each->where,
               quote(each->spelling) + " calls itself, directly or through others",
               "PLC programs do not recurse (6.6.1.9); use a loop");
   }
+  return sound;
 }
 
 }  // namespace
@@ -79,7 +126,8 @@ std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, 
   note_block_tasks(a, unit);
   for (const auto& pou : model->pous)
     if (pou->test == nullptr) StatementAnalyzer(a, *pou).body(pou->declaration->body);
-  check_recursion(a);
+  // What follows walks along the calls.
+  if (!check_calls(a)) return model;
   protect_inputs(a);
   if (tests == nullptr || has_main(unit, user_pous)) configure(a, types, unit, user_pous);
   // Tests name the variables of program instances.

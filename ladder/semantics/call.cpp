@@ -30,8 +30,7 @@ std::string unknown_function_hint(const std::string& folded,
 
 void ExpressionAnalyzer::note_callee(const Pou& callee) {
   if (pou_ == nullptr) return;
-  auto& known = pou_->callees;
-  if (std::find(known.begin(), known.end(), &callee) == known.end()) known.push_back(&callee);
+  if (pou_->known_callees.insert(&callee).second) pou_->callees.push_back(&callee);
 }
 
 ValuePtr ExpressionAnalyzer::call(const Expression& expression) {
@@ -79,6 +78,10 @@ ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
       a_.error(code::kOnlyInTest, name.where, quote(name.text) + " stands in a TEST only",
                "move it into TEST '...' ... END_TEST, or name a function of your own so");
     }
+    return nullptr;
+  }
+  if (a_.sink.is_full()) {
+    a_.error(code::kUndeclared, name.where, {});
     return nullptr;
   }
   std::vector<std::string_view> candidates;

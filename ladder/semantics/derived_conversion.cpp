@@ -44,8 +44,8 @@ ValuePtr ExpressionAnalyzer::convert_enumerator(ValuePtr value, const Type* type
     return nullptr;
   }
   if (type->kind != TypeKind::Enumeration) return mismatch(*value->type, *type, where);
-  for (const Enumerator& each : type->enumerators)
-    if (each.name == name) return make_constant({each.value}, type, value->where);
+  if (const Enumerator* found = type->find_enumerator(name))
+    return make_constant({found->value}, type, value->where);
   a_.unknown_name(code::kUnknownMember, pou_, value->where,
                   quote(type->name) + " has no value " + quote(spelling));
   return nullptr;

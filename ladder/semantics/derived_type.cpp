@@ -35,7 +35,9 @@ const Type* TypeResolver::array(const syntax::TypeSpec& spec) {
       return nullptr;
     }
   }
-  return sound ? a_.type_table().array(element, std::move(dimensions)) : nullptr;
+  if (!sound || (!element->initial.empty() && !affords(size, spec.where))) return nullptr;
+  const Type* type = a_.type_table().array(element, std::move(dimensions));
+  return is_shallow(*type, spec.where) ? type : nullptr;
 }
 
 const Type* TypeResolver::misplaced_open_array(const syntax::TypeSpec& spec) {
@@ -64,17 +66,21 @@ const Type* TypeResolver::structure(const syntax::TypeSpec& spec, Type& out) {
     const Type* field_type = resolve(*line.type);
     sound = field_type != nullptr && is_member_line(line, *field_type) && sound;
     if (field_type == nullptr) continue;
+    type->nesting = std::max(type->nesting, field_type->nesting + 1);
+    if (!is_shallow(*type, line.type->where) ||
+        !affords(line.names.size() * field_type->size, line.type->where))
+      return nullptr;
     std::vector<std::byte> bytes = initial_of(*line.type, *field_type);
     if (line.initial) sound = initialise(a_, expressions, *line.initial, *field_type, bytes) && sound;
     for (const syntax::Name& each : line.names) {
-      for (const Field& other : type->fields)
-        if (other.name == each.id)
-          a_.error(code::kDuplicate, each.where, "there is another member " + quote(each.text));
       if (type->size > kMaxData - field_type->size) {
         a_.error(code::kTooLarge, each.where, "the structure is larger than 32 MiB");
         return nullptr;
       }
-      type->fields.push_back({each.id, std::string(each.text), field_type, type->size});
+      if (!type->add(Field{each.id, std::string(each.text), field_type, type->size})) {
+        a_.error(code::kDuplicate, each.where, "there is another member " + quote(each.text));
+        continue;
+      }
       type->size += field_type->size;
       type->initial.insert(type->initial.end(), bytes.begin(), bytes.end());
     }
@@ -146,11 +152,9 @@ bool TypeResolver::add_enumerator(Type& type, const syntax::Name& name, __int128
              "it goes from " + to_string(low) + " to " + to_string(high) + " here");
     return false;
   }
-  for (const Enumerator& other : type.enumerators)
-    if (other.name == name.id)
-      a_.error(code::kDuplicate, name.where, "there is another value " + quote(name.text));
   const auto stored = static_cast<std::int64_t>(value);
-  type.enumerators.push_back({name.id, std::string(name.text), stored});
+  if (!type.add(Enumerator{name.id, std::string(name.text), stored}))
+    a_.error(code::kDuplicate, name.where, "there is another value " + quote(name.text));
   const auto [known, is_new] = a_.enum_values.try_emplace(name.id.value, EnumValue{&type, stored});
   if (!is_new) known->second.type = nullptr;
   return true;

@@ -175,8 +175,8 @@ ValuePtr ExpressionAnalyzer::enum_value(const Expression& expression) {
     return nullptr;
   }
   if (type->second == nullptr) return nullptr;
-  for (const Enumerator& each : type->second->enumerators)
-    if (each.name == name.id) return make_constant({each.value}, type->second, expression.where);
+  if (const Enumerator* found = type->second->find_enumerator(name.id))
+    return make_constant({found->value}, type->second, expression.where);
   a_.unknown_name(code::kUnknownMember, pou_, name.where,
                   quote(type->second->name) + " has no value " + quote(name.text));
   return nullptr;

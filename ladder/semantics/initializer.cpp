@@ -29,6 +29,13 @@ bool initialise_array(Analysis& a, ExpressionAnalyzer& expressions, const Expres
               "more values than the " + std::to_string(count) + " elements of the array");
       return false;
     }
+    if (value != nullptr && times > 1 && element.is_scalar()) {
+      const auto constant = expressions.constant(*value, &element);
+      if (!constant) return false;
+      for (std::uint64_t i = 0; i < times; ++i, ++next)
+        store(*constant, element, out.subspan(next * element.size, element.size));
+      continue;
+    }
     for (std::uint64_t i = 0; i < times && sound; ++i, ++next)
       if (value != nullptr)
         sound = initialise(a, expressions, *value, element, out.subspan(next * element.size, element.size));
@@ -43,10 +50,9 @@ bool initialise_struct(Analysis& a, ExpressionAnalyzer& expressions, const Expre
     const Type* member = nullptr;
     std::uint32_t offset = 0;
     if (type.kind == TypeKind::Struct) {
-      for (const Field& field : type.fields) {
-        if (field.name != each.formal->id) continue;
-        member = field.type;
-        offset = field.offset;
+      if (const Field* field = type.find_field(each.formal->id)) {
+        member = field->type;
+        offset = field->offset;
       }
     } else if (const Variable* found = type.pou->find(each.formal->id);
                found != nullptr && found->place.base == Base::This) {

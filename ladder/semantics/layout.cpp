@@ -38,6 +38,10 @@ void Layout::run() {
   // An instance without variables still has an address.
   if (instance_.empty()) instance_.resize(1);
   type->size = static_cast<std::uint32_t>(instance_.size());
+  for (const Variable& each : pou_.variables)
+    if (each.type != nullptr && each.place.base == Base::This)
+      type->nesting = std::max(type->nesting, each.type->nesting + 1);
+  if (!types_.affords(instance_.size(), declaration.name.where)) return;
   type->initial = std::move(instance_);
 }
 

@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "ladder/semantics/statement.h"
@@ -73,6 +74,7 @@ struct Pou {
   bool writes_outside = false;      // a global, an address, what a reference leads to; itself, not by calls
   std::vector<const Pou*> callees;  // functions called and blocks used, without repetition
   Test* test = nullptr;             // of the program that a TEST became
+  std::unordered_set<const Pou*> known_callees;  // the same, to be asked
 
   const Variable* find(source::NameId id) const {
     const auto found = scope.find(id.value);

@@ -35,6 +35,7 @@ void ExpressionAnalyzer::report_unknown(const syntax::Name& name) {
              "declare an instance of a function block, or call the function with (...)");
     return;
   }
+  if (a_.sink.is_full()) return a_.error(code::kUndeclared, name.where, {});
   std::vector<std::string_view> candidates;
   if (pou_ != nullptr)
     for (const Variable& each : pou_->variables) candidates.push_back(each.spelling);
@@ -150,11 +151,10 @@ std::optional<Place> ExpressionAnalyzer::field_place(const Expression& expressio
 
 std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::struct_member(const Type& type,
                                                                             const syntax::Name& name) {
+  if (const Field* field = type.find_field(name.id)) return Member{field->type, field->offset};
   std::vector<std::string_view> candidates;
-  for (const Field& each : type.fields) {
-    if (each.name == name.id) return Member{each.type, each.offset};
-    candidates.push_back(each.spelling);
-  }
+  if (!a_.sink.is_full())
+    for (const Field& each : type.fields) candidates.push_back(each.spelling);
   a_.unknown_name(code::kUnknownMember, pou_, name.where,
                   quote(type.name) + " has no member " + quote(name.text),
                   source::did_you_mean(name.text, candidates));
@@ -169,7 +169,7 @@ std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::instance_member(co
   if (found == nullptr) {
     std::vector<std::string_view> candidates;
     for (const Variable& each : type.pou->variables)
-      if (each.section == Section::Input || each.section == Section::Output)
+      if (!a_.sink.is_full() && (each.section == Section::Input || each.section == Section::Output))
         candidates.push_back(each.spelling);
     a_.unknown_name(code::kUnknownMember, pou_, name.where,
                     quote(type.name) + " has no member " + quote(name.text),

@@ -1,5 +1,7 @@
 #include "ladder/semantics/internal/statement_analyzer.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace stepwright::semantics::internal {
@@ -188,8 +190,8 @@ std::optional<Statement> StatementAnalyzer::branch(const syntax::Statement& stat
   return result;
 }
 
-void StatementAnalyzer::case_ranges(const syntax::Branch& branch, const Type* selector,
-                                    std::vector<CaseRange>& seen, Branch& out) {
+void StatementAnalyzer::case_ranges(const syntax::Branch& branch, const Type* selector, Labelled& seen,
+                                    Branch& out) {
   for (const syntax::CaseLabel& label : branch.labels) {
     const auto low = expressions_.constant(*label.low, selector);
     const auto high = label.high ? expressions_.constant(*label.high, selector) : low;
@@ -198,12 +200,19 @@ void StatementAnalyzer::case_ranges(const syntax::Branch& branch, const Type* se
       a_.error(code::kOutOfRange, label.low->where, "the range is empty", "the lower value comes first");
       continue;
     }
-    for (const CaseRange& other : seen) {
-      if (low->integer > other.high.integer || high->integer < other.low.integer) continue;
-      a_.error(code::kDuplicateCase, label.low->where, "this value is a label of CASE already");
-      break;
+    __int128 first = low->integer;
+    __int128 last = high->integer;
+    bool known = false;
+    for (auto next = seen.upper_bound(last); next != seen.begin();) {
+      const auto other = std::prev(next);
+      if (other->second < first) break;
+      known = true;
+      first = std::min(first, other->first);
+      last = std::max(last, other->second);
+      next = seen.erase(other);
     }
-    seen.push_back({*low, *high});
+    seen.emplace(first, last);
+    if (known) a_.error(code::kDuplicateCase, label.low->where, "this value is a label of CASE already");
     out.ranges.push_back({*low, *high});
   }
 }
@@ -221,7 +230,7 @@ std::optional<Statement> StatementAnalyzer::select(const syntax::Statement& stat
                  plain_name(*selector));
     selector = nullptr;
   }
-  std::vector<CaseRange> seen;
+  Labelled seen;
   for (const syntax::Branch& each : statement.branches) {
     Branch branch;
     if (selector != nullptr) case_ranges(each, selector, seen, branch);

@@ -124,6 +124,7 @@ const Type* TypeTable::array(const Type* element, std::vector<Dimension> dimensi
   type->element = element;
   type->dimensions = std::move(dimensions);
   type->size = element->size * count;
+  type->nesting = element->nesting + static_cast<std::uint32_t>(type->dimensions.size());
   if (!element->initial.empty()) {
     type->initial.reserve(type->size);
     for (std::uint32_t i = 0; i < count; ++i)
@@ -144,6 +145,7 @@ const Type* TypeTable::open_array(const Type* element, std::size_t dimensions) {
   type->dimensions.resize(dimensions);
   type->open = true;
   type->size = 0;
+  type->nesting = element->nesting + static_cast<std::uint32_t>(type->dimensions.size());
   known = type;
   return type;
 }

@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "ladder/source/name_table.h"
@@ -80,7 +81,15 @@ struct Type {
   std::vector<Field> fields;            // Struct
   std::vector<Enumerator> enumerators;  // Enumeration
   const Pou* pou = nullptr;             // Instance
+  std::uint32_t nesting = 0;            // levels of arrays, structures and instances in it
   std::vector<std::byte> initial;       // `size` bytes: what a variable starts with; empty = zero
+
+  // Null if there is none of that name.
+  const Field* find_field(source::NameId id) const { return find_in(fields, id); }
+  const Enumerator* find_enumerator(source::NameId id) const { return find_in(enumerators, id); }
+  // False, with nothing done, if there is a member of that name.
+  bool add(Field field) { return add_to(fields, std::move(field)); }
+  bool add(Enumerator enumerator) { return add_to(enumerators, std::move(enumerator)); }
 
   bool is(ElementaryType type) const { return kind == TypeKind::Elementary && elementary == type; }
   // One value in a slot: not an array, structure, string or instance.
@@ -98,6 +107,22 @@ struct Type {
   // Takes its type from where it stands.
   bool is_literal() const { return kind == TypeKind::AnyInteger || kind == TypeKind::AnyReal; }
   unsigned bit_count() const { return is_bool() ? 1 : size * 8; }
+
+ private:
+  template <typename Part>
+  const Part* find_in(const std::vector<Part>& parts, source::NameId id) const {
+    const auto found = part_index_.find(id.value);
+    return found == part_index_.end() ? nullptr : &parts[found->second];
+  }
+  template <typename Part>
+  bool add_to(std::vector<Part>& parts, Part part) {
+    if (!part_index_.try_emplace(part.name.value, static_cast<std::uint32_t>(parts.size())).second)
+      return false;
+    parts.push_back(std::move(part));
+    return true;
+  }
+
+  std::unordered_map<std::uint32_t, std::uint32_t> part_index_;  // NameId -> index of field or enumerator
 };
 
 class TypeTable {

@@ -63,6 +63,9 @@ std::vector<std::byte> TypeResolver::initial_of(const syntax::TypeSpec& spec, co
   bytes.resize(type.size);
   if (spec.kind != syntax::TypeKind::Array || type.open) return bytes;
   const std::vector<std::byte> element = initial_of(*spec.element, *type.element);
+  std::vector<std::byte> plain = type.element->initial;
+  plain.resize(type.element->size);
+  if (element == plain) return bytes;
   for (std::size_t at = 0; at + element.size() <= bytes.size() && !element.empty(); at += element.size())
     std::copy(element.begin(), element.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
   return bytes;
@@ -102,10 +105,15 @@ const Type* TypeResolver::named(const syntax::Name& name) {
     }
     if (known->second.state == State::Open) {
       known->second.state = State::Running;
+      if (!enter(name.where)) {
+        known->second.state = State::Done;
+        return a_.types[name.id.value] = nullptr;
+      }
       // TYPE sees no POU's constants, whoever uses it first.
       Pou* const scope = std::exchange(scope_, nullptr);
       const Type* type = declared(known->second);
       scope_ = scope;
+      --nesting_;
       known->second.state = State::Done;
       a_.types[name.id.value] = type;
     }
@@ -124,8 +132,16 @@ const Type* TypeResolver::named(const syntax::Name& name) {
       a_.error(code::kRecursion, name.where, "the function block " + quote(name.text) + " contains itself");
       return nullptr;
     }
-    lay_out(*pou->second);
-    return pou->second->type;
+    if (layouts_[name.id.value] == State::Open) {
+      if (!enter(name.where)) return nullptr;
+      lay_out(*pou->second);
+      --nesting_;
+    }
+    return is_shallow(*pou->second->type, name.where) ? pou->second->type : nullptr;
+  }
+  if (a_.sink.is_full()) {
+    a_.error(code::kUnknownType, name.where, {});
+    return nullptr;
   }
   std::vector<std::string> spellings;
   for (std::uint8_t i = 0; i < bytecode::kElementaryTypeCount; ++i)
@@ -137,6 +153,37 @@ const Type* TypeResolver::named(const syntax::Name& name) {
       code::kUnknownType, scope_, name.where, "there is no type " + quote(name.text),
       source::did_you_mean(name.text, std::vector<std::string_view>(spellings.begin(), spellings.end())));
   return nullptr;
+}
+
+bool TypeResolver::enter(Position where) {
+  if (nesting_ >= kMaxTypeNesting) {
+    a_.error(code::kTooDeep, where,
+             "types are nested more than " + std::to_string(kMaxTypeNesting) + " levels deep",
+             "hold more members in fewer levels");
+    return false;
+  }
+  ++nesting_;
+  return true;
+}
+
+bool TypeResolver::is_shallow(const Type& type, Position where) {
+  if (type.nesting <= kMaxTypeNesting) return true;
+  a_.error(code::kTooDeep, where,
+           "types are nested more than " + std::to_string(kMaxTypeNesting) + " levels deep",
+           "hold more members in fewer levels");
+  return false;
+}
+
+bool TypeResolver::affords(std::size_t bytes, Position where) {
+  // Every type keeps its own: many large types that nothing uses would need more than any machine has.
+  constexpr std::size_t kMost = std::size_t{8} * kMaxData;
+  if (bytes <= kMost - first_values_) {
+    first_values_ += bytes;
+    return true;
+  }
+  a_.error(code::kTooLarge, where, "the first values of all types together are larger than 256 MiB",
+           "declare large arrays as variables, not as types");
+  return false;
 }
 
 // A structure can be referred to while it is being made: TYPE Node : STRUCT next : REF_TO Node; ...
@@ -154,7 +201,7 @@ const Type* TypeResolver::declared(Known& known) {
   } else {
     type = resolve(spec);
   }
-  if (type == nullptr) return nullptr;
+  if (type == nullptr || !affords(type->size, declaration.name.where)) return nullptr;
   known.initial = initial_of(spec, *type);
   if (!declaration.initial) return type;
   ExpressionAnalyzer expressions(a_, nullptr);

@@ -16,6 +16,7 @@ inline constexpr const char* kMissingEnd = "E0105";
 inline constexpr const char* kTooDeep = "E0106";
 inline constexpr const char* kNotSupported = "E0107";
 inline constexpr const char* kLiteralRange = "E0108";
+inline constexpr const char* kLongName = "E0109";
 
 inline constexpr const char* kUndeclared = "E0201";
 inline constexpr const char* kDuplicate = "E0202";

@@ -7,13 +7,15 @@
 namespace stepwright::source {
 
 void DiagnosticSink::error(const char* code, Position where, std::string message, std::string hint) {
-  report({code, result::Severity::Error, sources_.location(where), noted(where, std::move(message)),
-          std::move(hint)});
+  if (!is_kept(result::Severity::Error)) return;
+  keep({code, result::Severity::Error, sources_.location(where), noted(where, std::move(message)),
+        std::move(hint)});
 }
 
 void DiagnosticSink::warning(const char* code, Position where, std::string message, std::string hint) {
-  report({code, result::Severity::Warning, sources_.location(where), noted(where, std::move(message)),
-          std::move(hint)});
+  if (!is_kept(result::Severity::Warning)) return;
+  keep({code, result::Severity::Warning, sources_.location(where), noted(where, std::move(message)),
+        std::move(hint)});
 }
 
 std::string DiagnosticSink::noted(Position where, std::string message) const {
@@ -26,18 +28,24 @@ void DiagnosticSink::add(result::Diagnostics diagnostics) {
 }
 
 void DiagnosticSink::report(result::Diagnostic diagnostic) {
-  const bool is_error = diagnostic.severity == result::Severity::Error;
+  if (is_kept(diagnostic.severity)) keep(std::move(diagnostic));
+}
+
+bool DiagnosticSink::is_kept(result::Severity severity) {
+  const bool is_error = severity == result::Severity::Error;
   if (is_error) ++errors_;
   const std::size_t kept = is_error ? kept_errors_ : reports_.size() - kept_errors_;
-  if (kept >= kLimit) {
-    ++left_out_;
-    return;
-  }
+  if (kept < kLimit) return true;
+  ++left_out_;
+  return false;
+}
+
+void DiagnosticSink::keep(result::Diagnostic diagnostic) {
   const result::Location& where = diagnostic.where;
   // What has no line is told apart by its words.
   const std::string what = where.line > 0 ? diagnostic.code : diagnostic.code + diagnostic.message;
   if (!known_.emplace(where.file, where.line, where.column, what).second) return;
-  if (is_error) ++kept_errors_;
+  if (diagnostic.severity == result::Severity::Error) ++kept_errors_;
   reports_.push_back(std::move(diagnostic));
 }
 

@@ -30,11 +30,16 @@ class DiagnosticSink {
   const SourceSet& sources() const { return sources_; }
   bool has_errors() const { return errors_ > 0; }
   std::size_t error_count() const { return errors_; }
+  // Further errors are counted only: what explains them need not be looked for.
+  bool is_full() const { return kept_errors_ >= kLimit; }
   // All reports in the order of files, lines and columns, and a note if some were left out; empties the sink.
   result::Diagnostics take();
 
  private:
   void report(result::Diagnostic diagnostic);
+  // Counts a report; false if that is all that is done with it.
+  bool is_kept(result::Severity severity);
+  void keep(result::Diagnostic diagnostic);
   // With what the sources say of the place.
   std::string noted(Position where, std::string message) const;
 

@@ -53,6 +53,16 @@ char32_t decode(std::string_view bytes) {
   return code;
 }
 
+// The byte where the character with this number begins, or the end of the line.
+std::size_t byte_of(std::string_view line, std::size_t character) {
+  std::size_t at = 0;
+  for (std::size_t seen = 0; at < line.size(); ++at) {
+    const bool begins = (static_cast<unsigned char>(line[at]) & 0xC0u) != 0x80u || at == 0;
+    if (begins && seen++ == character) break;
+  }
+  return at;
+}
+
 std::vector<Cell> cells_of(std::string_view line) {
   std::vector<Cell> cells;
   for (std::size_t at = 0; at < line.size();) {
@@ -85,7 +95,20 @@ std::size_t width_of(const std::vector<Cell>& cells, std::size_t begin, std::siz
 }  // namespace
 
 Excerpt excerpt(std::string_view line, std::uint32_t column, std::size_t width) {
-  const std::vector<Cell> cells = cells_of(line);
+  // Of a very long line only what lies about the place is looked at.
+  const std::size_t span = 16 * width;
+  std::size_t from = 0;
+  std::size_t to = line.size();
+  if (line.size() > 4 * span) {
+    const std::size_t place = byte_of(line, column > 0 ? column - 1 : 0);
+    from = place > span ? place - span : 0;
+    while (from < place && (static_cast<unsigned char>(line[from]) & 0xC0u) == 0x80u) ++from;
+    to = std::min(place + span, line.size());
+    column = static_cast<std::uint32_t>(cells_of(line.substr(from, place - from)).size() + 1);
+  }
+  const bool more_before = from > 0;
+  const bool more_behind = to < line.size();
+  const std::vector<Cell> cells = cells_of(line.substr(from, to - from));
   const std::size_t caret = std::min<std::size_t>(column > 0 ? column - 1 : 0, cells.size());
   std::size_t begin = 0;
   std::size_t end = cells.size();
@@ -99,7 +122,7 @@ Excerpt excerpt(std::string_view line, std::uint32_t column, std::size_t width) 
     while (begin > 0 && end == cells.size() && width_of(cells, begin - 1, end) <= width) --begin;
   }
   Excerpt result;
-  if (begin > 0) {
+  if (begin > 0 || more_before) {
     result.line += kDots;
     result.indent.assign(kDots.size(), ' ');
   }
@@ -109,7 +132,7 @@ Excerpt excerpt(std::string_view line, std::uint32_t column, std::size_t width) 
     result.line += cells[i].tab ? (tab ? "\t" : " ") : cells[i].text;
     if (i < caret) result.indent += tab ? std::string("\t") : std::string(cells[i].width, ' ');
   }
-  if (end < cells.size()) result.line += kDots;
+  if (end < cells.size() || more_behind) result.line += kDots;
   return result;
 }
 

@@ -47,6 +47,12 @@ struct Anchor {
   std::uint32_t file = 0;
 };
 
+// Both from 1.
+struct LineColumn {
+  std::uint32_t line = 1;
+  std::uint32_t column = 1;
+};
+
 class SourceSet {
  public:
   // Takes a copy of the text.
@@ -76,6 +82,8 @@ class SourceSet {
   std::uint32_t line(Position position) const;
   // File, line and column; columns count characters (UTF-8), not bytes. No location without the file.
   result::Location location(Position position) const;
+  // The same without the name of the file. Requires a position in a file of the set.
+  LineColumn line_column(Position position) const;
 
  private:
   struct File {
@@ -83,6 +91,11 @@ class SourceSet {
     std::string text;
     Author author = Author::User;
     std::vector<std::uint32_t> line_starts;
+    // Bytes that go on with a character begun before, up to each kBlock-th byte: a column is known without
+    // a walk along its line. Empty for a text of ASCII.
+    std::vector<std::uint32_t> continued;
+
+    std::uint32_t continued_before(std::size_t offset) const;
     FileId origin;                // of a piece
     std::vector<Anchor> anchors;  // empty = no piece
     std::map<std::uint32_t, std::string> notes;

@@ -9,10 +9,13 @@
 namespace stepwright::source {
 
 std::string did_you_mean(std::string_view wrong, std::span<const std::string_view> candidates) {
+  // Nobody misspells a name of that length, and to compare two costs the product of their lengths.
+  constexpr std::size_t kLongest = 100;
+  if (wrong.size() > kLongest) return {};
   std::vector<std::string_view> names;
   std::vector<std::string> folded;
   for (const std::string_view candidate : candidates) {
-    if (candidate.empty() || candidate.starts_with("__")) continue;
+    if (candidate.empty() || candidate.size() > 2 * kLongest || candidate.starts_with("__")) continue;
     names.push_back(candidate);
     folded.push_back(upper(candidate));
   }

@@ -26,6 +26,14 @@ bool continues_name(char c) {
   return starts_name(c) || is_digit(c);
 }
 
+constexpr std::size_t kMaxName = 255;
+
+// For a message: what is longer than a line is cut.
+std::string shown(std::string_view text) {
+  constexpr std::size_t kMost = 60;
+  return "'" + std::string(text.substr(0, kMost)) + (text.size() > kMost ? "...'" : "'");
+}
+
 // Literals whose value is a time: what stands before '#', how the value is read, what a wrong one is told.
 struct TimeLiteral {
   std::string_view prefix;
@@ -215,6 +223,9 @@ class Lexer {
   void word() {
     while (continues_name(peek())) ++at_;
     const std::string_view text = text_.substr(start_, at_ - start_);
+    if (kind_ == TextKind::Written && text.size() > kMaxName)
+      return bad(code::kLongName, "a name has at most " + std::to_string(kMaxName) + " characters, " +
+                                      shown(text) + " has " + std::to_string(text.size()));
     const source::NameId name = names_.intern(text);
     if (peek() == '#') return prefixed(name);
     // The library's own names begin with two.
@@ -249,7 +260,7 @@ class Lexer {
     const auto value = form.parse(text_.substr(from, at_ - from));
     if (!value) {
       return bad(code::kBadLiteral,
-                 "'" + std::string(text_.substr(start_, at_ - start_)) + "' is not " + describe(form.kind),
+                 shown(text_.substr(start_, at_ - start_)) + " is not " + describe(form.kind),
                  hint_of(form.kind));
     }
     push(form.kind).time_ns = *value;
@@ -305,7 +316,7 @@ class Lexer {
   }
 
   void bad_number() {
-    bad(code::kBadLiteral, "'" + std::string(text_.substr(start_, at_ - start_)) + "' is no number",
+    bad(code::kBadLiteral, shown(text_.substr(start_, at_ - start_)) + " is no number",
         "bases are 2#, 8#, 10# and 16#; an integer has at most 64 bits, underscores stand between digits");
   }
 

@@ -6,6 +6,9 @@
 
 namespace stepwright::semantics::internal {
 
+// Levels of arrays, structures and blocks in each other.
+inline constexpr std::uint32_t kMaxTypeNesting = 150;
+
 // Types by name and by shape; user types are made on demand, so that their order does not matter.
 class TypeResolver {
  public:
@@ -27,7 +30,14 @@ class TypeResolver {
   // Lays out the variables of a POU, before those that hold instances of it.
   void lay_out(Pou& pou);
 
+  // Whether values of the type can be walked through; reports if they cannot.
+  bool is_shallow(const Type& type, Position where);
+  // Takes what the first values of types need in the compiler; false after a report.
+  bool affords(std::size_t bytes, Position where);
+
  private:
+  // One more type or block that is made because another one holds it; false after a report.
+  bool enter(Position where);
   const Type* named(const syntax::Name& name);
   enum class State : std::uint8_t { Open, Running, Done };
   struct Known {
@@ -54,6 +64,8 @@ class TypeResolver {
   const syntax::Unit& unit_;
   std::unordered_map<std::uint32_t, Known> known_;
   std::unordered_map<std::uint32_t, State> layouts_;  // of POUs
+  std::uint32_t nesting_ = 0;                         // of types and blocks that are being made
+  std::size_t first_values_ = 0;                      // bytes
   Pou* scope_ = nullptr;  // whose variables are being laid out: bounds may name its constants
 };
 

@@ -3,6 +3,7 @@
 // Syntax statements -> checked statements. A statement that is wrong is left out of the result; its reports
 // keep the model from reaching codegen.
 
+#include <map>
 #include <unordered_map>
 
 #include "ladder/semantics/internal/test_analyzer.h"
@@ -35,8 +36,9 @@ class StatementAnalyzer {
   std::optional<Statement> loop(const syntax::Statement& statement, StatementKind kind, const char* what);
   std::optional<Statement> leave(const syntax::Statement& statement, StatementKind kind);
   std::optional<Statement> jump(const syntax::Statement& statement, StatementKind kind);
-  void case_ranges(const syntax::Branch& branch, const Type* selector, std::vector<CaseRange>& seen,
-                   Branch& out);
+  // Values that labels of a CASE name: low -> high of ranges that do not touch each other.
+  using Labelled = std::map<__int128, __int128>;
+  void case_ranges(const syntax::Branch& branch, const Type* selector, Labelled& seen, Branch& out);
 
   Analysis& a_;
   Pou& pou_;

@@ -92,9 +92,9 @@ void FunctionBuilder::emit_u8(Opcode opcode, std::uint8_t operand) {
 
 void FunctionBuilder::append_constant(std::uint64_t bits) {
   auto& pool = function_.constants;
-  const auto found = std::find(pool.begin(), pool.end(), bits);
-  append(static_cast<std::uint32_t>(found - pool.begin()));
-  if (found == pool.end()) pool.push_back(bits);
+  const auto [known, is_new] = constant_index_.try_emplace(bits, static_cast<std::uint32_t>(pool.size()));
+  append(known->second);
+  if (is_new) pool.push_back(bits);
 }
 
 void FunctionBuilder::emit_constants(Opcode opcode, std::uint64_t lower, std::uint64_t upper) {

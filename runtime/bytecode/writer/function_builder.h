@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "runtime/base/strong_id.h"
@@ -154,6 +155,7 @@ class FunctionBuilder {
   std::uint32_t position() const { return static_cast<std::uint32_t>(function_.code.size()); }
 
   Function function_;
+  std::unordered_map<std::uint64_t, std::uint32_t> constant_index_;  // value -> index into the constants
   std::vector<LabelState> labels_;
   std::vector<Fixup> fixups_;
   std::optional<std::uint32_t> last_;    // the instruction before, if nothing jumps behind it

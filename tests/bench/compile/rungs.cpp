@@ -32,18 +32,6 @@ std::string input_address(int i) {
 
 }  // namespace
 
-std::string rungs_as_st(int count) {
-  std::string text = "PROGRAM main\nVAR\n";
-  for (int i = 0; i < 16; ++i) text += "  in" + std::to_string(i) + " AT " + input_address(i) + " : BOOL;\n";
-  for (int i = 0; i < count; ++i) text += "  " + names(i).coil + " : BOOL;\n";
-  text += "END_VAR\n";
-  for (int i = 0; i < count; ++i) {
-    const RungNames rung = names(i);
-    text += rung.coil + " := (" + rung.left + " OR " + rung.input + ") AND NOT " + rung.right + ";\n";
-  }
-  return text + "END_PROGRAM\n";
-}
-
 graphic::Project rungs_as_ladder(int count) {
   graphic::Pou pou;
   pou.name = "main";

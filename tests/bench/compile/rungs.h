@@ -1,6 +1,6 @@
 #pragma once
 
-// The same logic three times: as ST, as a ladder project, as C++ for the baseline.
+// The logic of support::many_rungs as a ladder project, and as C++ for the baseline.
 
 #include <string>
 
@@ -9,7 +9,6 @@
 namespace stepwright::bench {
 
 // Rung i: m[i] := (m[i-1] OR input) AND NOT m[i-2], three contacts and a coil.
-std::string rungs_as_st(int count);
 graphic::Project rungs_as_ladder(int count);
 // Branch-free, as the compiler's own code is.
 std::string rungs_as_cpp(int count);

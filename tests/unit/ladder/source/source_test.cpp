@@ -20,6 +20,20 @@ TEST(SourceSet, Location_WhenOffsetIsGiven_ThenLineAndColumnCountCharacters) {
   EXPECT_EQ(sources.location({file, 999}).line, 3u);
 }
 
+TEST(SourceSet, Location_WhenTheLineIsLong_ThenEveryColumnIsThatOfAWalkAlongIt) {
+  std::string text = "first\n";
+  while (text.size() < 2000) text += "a\xC3\xA4\xE6\xB0\xB4 ";
+  SourceSet sources;
+  const FileId file = sources.add("a.st", text);
+  std::uint32_t column = 1;
+  for (std::uint32_t at = 6; at < text.size(); ++at) {
+    const LineColumn found = sources.line_column({file, at});
+    ASSERT_EQ(found.line, 2u);
+    ASSERT_EQ(found.column, column) << "byte " << at;
+    if ((static_cast<unsigned char>(text[at]) & 0xC0u) != 0x80u) ++column;
+  }
+}
+
 TEST(SourceSet, Views_WhenMoreTextsAreAdded_ThenStayValid) {
   SourceSet sources;
   const std::string_view first = sources.text(sources.add("a", "short"));
@@ -63,6 +77,18 @@ TEST(DiagnosticSink, Report_WhenThereAreTooMany_ThenTheListIsBounded) {
   EXPECT_EQ(found.back().message, "4900 more are not shown");
 }
 
+TEST(DiagnosticSink, IsFull_WhenOnlyWarningsAreMany_ThenErrorsAreStillKept) {
+  SourceSet sources;
+  const FileId file = sources.add("a.st", std::string(5000, 'x'));
+  DiagnosticSink sink(sources);
+  for (std::uint32_t i = 0; i < 300; ++i) sink.warning("W0001", {file, i}, "x");
+  EXPECT_FALSE(sink.is_full());
+  for (std::uint32_t i = 0; i < DiagnosticSink::kLimit; ++i) sink.error("E0201", {file, i}, "x");
+  EXPECT_TRUE(sink.is_full());
+  sink.error("E0201", {file, 4000}, {});
+  EXPECT_EQ(sink.error_count(), DiagnosticSink::kLimit + 1);
+}
+
 TEST(DiagnosticSink, Take_WhenAnotherModuleNamesPlaces_ThenTheyAreSortedAmongTheOthers) {
   SourceSet sources;
   const FileId file = sources.add("a.st", "one\ntwo\nthree");
@@ -83,6 +109,7 @@ TEST(Suggestion, DidYouMean_WhenANameIsNear_ThenNamesIt) {
   EXPECT_EQ(did_you_mean("LMAP", names), "did you mean 'lamp'?");
   EXPECT_EQ(did_you_mean("levle", names), "did you mean 'level'?");
   EXPECT_EQ(did_you_mean("pressure", names), "");
+  EXPECT_EQ(did_you_mean(std::string(1'000'000, 'x'), names), "");
 }
 
 result::Diagnostic unknown_name() {
@@ -137,6 +164,12 @@ TEST(Render, Line_WhenItIsLong_ThenItIsCutAroundTheCaret) {
   const std::string shown = caret_line(text, 301, {.width = 30});
   EXPECT_EQ(shown, "  1 | ..." + std::string(10, 'a') + "X" + std::string(19, 'b') + "...\n    |    " +
                        std::string(10, ' ') + "^\n");
+  const std::string longer = std::string(100'000, 'a') + "X" + std::string(100'000, 'b');
+  EXPECT_EQ(caret_line(longer, 100'001, {.width = 30}), shown);
+  std::string letters;
+  for (int i = 0; i < 50'000; ++i) letters += "\xC3\xA4";
+  EXPECT_NE(caret_line(letters + "X" + letters, 50'001, {.width = 30}).find("\xC3\xA4X\xC3\xA4"),
+            std::string::npos);
   EXPECT_EQ(caret_line(std::string(40, 'a'), 41, {.width = 30}),
             "  1 | ..." + std::string(30, 'a') + "\n    |    " + std::string(30, ' ') + "^\n");
   EXPECT_EQ(caret_line(std::string(40, 'a'), 1, {.width = 30}),
