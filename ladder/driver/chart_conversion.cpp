@@ -41,11 +41,7 @@ class Conversion {
  public:
   Conversion(const syntax::Chart& chart, Marks marks, const source::SourceSet& sources,
              source::DiagnosticSink& sink)
-      : chart_(chart), marks_(marks), sources_(sources), sink_(sink) {
-    // Of two steps of one name the last counts; that there are two is reported elsewhere.
-    for (std::size_t i = 0; i < chart.steps.size(); ++i)
-      step_ids_[chart.steps[i].name.id.value] = static_cast<std::uint32_t>(i);
-  }
+      : chart_(chart), marks_(marks), sources_(sources), sink_(sink) {}
 
   graphic::SfcChart run() {
     graphic::SfcChart result;
