@@ -63,13 +63,13 @@ class ObserveChart {
       if (!lost) lost = add("LOST", StepKind::Failed, "no search found anything");
       const Condition found = located(group, binding_);
       StepId from = at_rest_;
-      Condition go = graphic::all({writer_.after(at_rest_, options_.rest), *negation(found)});
+      Condition go = graphic::all({writer_.after(at_rest_, options_.rest), *inverse(found)});
       for (std::size_t s = 0; s < group.searches.size(); ++s) {
         const Search& search = group.searches[s];
         const StepId step = add(search_step(g, s), StepKind::Search, "search", search.output, search.timeout);
         writer_.transition({from}, {step}, std::move(go), "nothing observed");
         writer_.transition({step}, {at_rest_}, found, "found");
-        go = graphic::all({writer_.after(step, search.timeout), *negation(found)});
+        go = graphic::all({writer_.after(step, search.timeout), *inverse(found)});
         from = step;
       }
       writer_.transition({from}, {*lost}, std::move(go), "nothing found");

@@ -82,7 +82,7 @@ Condition without(const Condition& condition, const Condition& known) {
   return graphic::all(std::move(left));
 }
 
-std::optional<Condition> negation(const Condition& condition) {
+std::optional<Condition> inverse(const Condition& condition) {
   assert(condition.edge == graphic::Edge::None);
   Condition opposed = condition;
   switch (condition.kind) {
@@ -101,7 +101,7 @@ std::optional<Condition> negation(const Condition& condition) {
   }
   std::vector<Condition> children;
   for (const Condition& child : condition.children) {
-    auto part = negation(child);
+    auto part = inverse(child);
     if (!part && condition.kind == ConditionKind::Any) return std::nullopt;
     if (part) children.push_back(std::move(*part));
   }

@@ -40,6 +40,6 @@ graphic::Condition fact_is(const ObservedFact& fact, bool expected);
 graphic::Condition without(const graphic::Condition& condition, const graphic::Condition& known);
 
 // The opposite, by De Morgan. Nullopt for True, whose opposite never holds. Requires contacts without edges.
-std::optional<graphic::Condition> negation(const graphic::Condition& condition);
+std::optional<graphic::Condition> inverse(const graphic::Condition& condition);
 
 }  // namespace stepwright::translate

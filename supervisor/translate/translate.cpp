@@ -176,7 +176,7 @@ class PlanChart {
     }
     const Condition guard = without(of(node).guard.condition, condition);
     writer_.transition(sources, {nodes_[node].step}, graphic::all({condition, guard}), std::move(text));
-    if (const auto refused = negation(guard)) {
+    if (const auto refused = inverse(guard)) {
       writer_.transition(sources, {nodes_[node].failed}, graphic::all({condition, *refused}),
                          "precondition not observed: " + to_string(run_.actions[node - 1].action));
     }
@@ -185,7 +185,7 @@ class PlanChart {
   void add_failures(std::size_t node) {
     const Node& here = nodes_[node];
     if (node == 0) {
-      if (const auto wrong = negation(snapshot_)) {
+      if (const auto wrong = inverse(snapshot_)) {
         writer_.transition({here.step}, {here.failed},
                            graphic::all({writer_.after(here.step, binding_.start), *wrong}),
                            "initial snapshot not observed");
@@ -195,7 +195,7 @@ class PlanChart {
     std::vector<Condition> reasons;
     std::string text;
     for (const Condition& hold : of(node).hold) {
-      reasons.push_back(*negation(hold));
+      reasons.push_back(*inverse(hold));
       text += "lost " + graphic::to_st(hold) + " or ";
     }
     reasons.push_back(writer_.after(here.step, of(node).entry->timeout));

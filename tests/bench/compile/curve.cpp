@@ -50,7 +50,7 @@ long peak_kb(const driver::CompileInput& input) {
 
 double native_ms(std::vector<std::byte> container) {
   if (!native::NativeEngine::supported()) return 0;
-  const auto loaded = reader::LoadedProgram::load(std::move(container));
+  const auto loaded = reader::LoadedProgram::load(std::move(container), "curve");
   if (!loaded) return 0;
   const auto start = Clock::now();
   const auto engine = native::NativeEngine::compile(loaded->program());

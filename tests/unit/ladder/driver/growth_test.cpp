@@ -101,7 +101,7 @@ const Extreme kExtremes[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(, Extremes, testing::ValuesIn(kExtremes),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& each) { return std::string(each.param.name); });
 
 struct Growing {
   const char* name;
@@ -139,6 +139,6 @@ const Growing kGrowing[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(, Growth, testing::ValuesIn(kGrowing),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace

@@ -115,9 +115,9 @@ TEST(Negation, WhenNested_ThenFollowsDeMorgan) {
   const auto condition = graphic::all(
       {graphic::contact("a"),
        graphic::any({graphic::contact("b", true), graphic::compare("x", graphic::CompareOp::Less, "3")})});
-  EXPECT_EQ(to_st(*negation(condition)), "NOT a OR (b AND (x >= 3))");
-  EXPECT_FALSE(negation(graphic::always()));
-  EXPECT_FALSE(negation(graphic::all({})));
+  EXPECT_EQ(to_st(*inverse(condition)), "NOT a OR (b AND (x >= 3))");
+  EXPECT_FALSE(inverse(graphic::always()));
+  EXPECT_FALSE(inverse(graphic::all({})));
 }
 
 TEST(RealLiteral, WhenWritten_ThenIsALiteralOfIec61131) {
