@@ -149,8 +149,9 @@ const Type* TypeResolver::named(const syntax::Name& name) {
   for (const auto& each : unit_.types) spellings.emplace_back(each.name.text);
   for (const auto& each : a_.model.pous)
     if (each->kind == PouKind::FunctionBlock) spellings.push_back(each->spelling);
+  // One declaration mends all uses, in whatever POU.
   a_.unknown_name(
-      code::kUnknownType, scope_, name.where, "there is no type " + quote(name.text),
+      code::kUnknownType, nullptr, name.where, "there is no type " + quote(name.text),
       source::did_you_mean(name.text, std::vector<std::string_view>(spellings.begin(), spellings.end())));
   return nullptr;
 }

@@ -25,7 +25,11 @@ void Parser::pou_head(PouDeclaration& result) {
   } else if (open.is(Keyword::Function)) {
     result.kind = PouKind::Function;
   }
-  if (const auto name = expect_name("the name of the POU")) result.name = *name;
+  if (const auto name = expect_name("the name of the POU")) {
+    result.name = *name;
+  } else {
+    skip_header_line();
+  }
   if (result.kind == PouKind::Function) result.result = function_result();
   accept(TokenKind::Semicolon);
 }
@@ -44,15 +48,18 @@ void Parser::pou_body(PouDeclaration& result, std::optional<Keyword> end) {
     variable_lines({}, result.variables);
     accept(Keyword::EndVar);
   }
+  const std::size_t errors = context_.sink.error_count();
+  while (!(end && at_chart())) {
+    Statements more = statements();
+    for (auto& each : more) result.body.push_back(std::move(each));
+    if (at(TokenKind::End) || at_pou_start()) break;
+    if (!(end && at_chart())) stray_word(result);
+  }
   if (end && at_chart()) {
+    // What stands before a chart is a mistake.
+    if (!result.body.empty() && context_.sink.error_count() == errors) unexpected("a statement");
+    result.body.clear();
     result.chart = chart(*end);
-  } else {
-    while (true) {
-      Statements more = statements();
-      for (auto& each : more) result.body.push_back(std::move(each));
-      if (at(TokenKind::End) || at_pou_start()) break;
-      stray_word(result);
-    }
   }
   result.end = peek().where;
 }

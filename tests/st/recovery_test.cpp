@@ -71,7 +71,8 @@ std::vector<Place> places_of(const std::string& text) {
       in_configuration = token.is(syntax::Keyword::Configuration);
     }
     place.first = open < places.size() ? places[open].line : place.line;
-    place.in_body = !in_configuration;
+    // Where the head of a POU is lost, so is its name.
+    place.in_body = !in_configuration && place.line != place.first;
     places.push_back(place);
     // What stood before this was no body.
     if (token.is(syntax::Keyword::EndVar) || token.is(syntax::Keyword::EndType))

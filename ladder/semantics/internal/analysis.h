@@ -54,7 +54,7 @@ struct Analysis {
   void error(const char* what, Position where, std::string message, std::string hint = {}) {
     sink.error(what, where, std::move(message), std::move(hint));
   }
-  // A name that means nothing: said once in each POU, as one declaration mends all uses.
+  // A name that means nothing: said once in each POU, as one declaration mends all uses. No POU: once at all.
   void unknown_name(const char* what, const Pou* pou, Position where, std::string message,
                     std::string hint = {}) {
     if (unknown.emplace(pou, message).second) error(what, where, std::move(message), std::move(hint));

@@ -49,6 +49,7 @@ class ExpressionGenerator {
   ExpressionPtr boolean(int depth);
   ExpressionPtr comparison(int depth);
   ExpressionPtr integer(Scalar type, int depth);
+  ExpressionPtr chain(Scalar type);
   ExpressionPtr bit_string(Scalar type, int depth);
   ExpressionPtr real(Scalar type, int depth);
   ExpressionPtr time(int depth);

@@ -64,7 +64,18 @@ ExpressionPtr ExpressionGenerator::boolean(int depth) {
   }
 }
 
+// More operands wait for one another than a machine has registers, a comparison on top of them.
+ExpressionPtr ExpressionGenerator::chain(Scalar type) {
+  ExpressionPtr out = convert(comparison(1), type);
+  const auto count = random_.between(6, 14);
+  for (std::int64_t i = 0; i < count; ++i)
+    out =
+        node(random_.pick({Operation::Add, Operation::Subtract}), type, list(leaf(type, 0), std::move(out)));
+  return out;
+}
+
 ExpressionPtr ExpressionGenerator::integer(Scalar type, int depth) {
+  if (random_.chance(2)) return chain(type);
   switch (random_.below(10)) {
     case 0:
     case 1:
