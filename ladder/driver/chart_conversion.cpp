@@ -1,6 +1,7 @@
 #include "ladder/driver/chart_conversion.h"
 
 #include <map>
+#include <set>
 #include <utility>
 
 #include "ladder/source/suggestion.h"
@@ -102,6 +103,8 @@ class Conversion {
         ids.push_back(found->second);
         continue;
       }
+      // One step that is declared mends all transitions.
+      if (!unknown_.insert(name.id).second) continue;
       std::vector<std::string_view> candidates;
       if (!sink_.is_full())
         for (const syntax::StepDeclaration& each : chart_.steps) candidates.push_back(each.name.text);
@@ -127,6 +130,7 @@ class Conversion {
   const source::SourceSet& sources_;
   source::DiagnosticSink& sink_;
   std::map<source::NameId, graphic::StepId> steps_;
+  std::set<source::NameId> unknown_;
 };
 
 }  // namespace

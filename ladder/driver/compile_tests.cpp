@@ -44,12 +44,13 @@ result::Result<TestOutput> compile_tests(const CompileInput& input) {
   const auto groups = front.test_groups();
   for (const semantics::TestGroup& each : groups) models.push_back(front.analyze(&each));
   // A file may be wrong and have no test.
-  if (groups.empty()) front.analyze();
+  const semantics::TestGroup none;
+  if (groups.empty()) front.analyze(&none);
   if (sink.has_errors()) return tl::unexpected(sink.take());
   TestOutput output;
   for (const auto& model : models) {
     if (model->tests.empty()) continue;
-    auto container = front.container(*model);
+    auto container = front.test_container(*model);
     if (!container) return result::forward(container);
     TestSuite& suite = output.suites.emplace_back();
     suite.container = std::move(*container);

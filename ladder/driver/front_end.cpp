@@ -62,6 +62,13 @@ result::Result<std::vector<std::byte>> FrontEnd::container(const semantics::Mode
                            container_names(sources_, folder_));
 }
 
+result::Result<std::vector<std::byte>> FrontEnd::test_container(const semantics::Model& model) const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < sources_.size(); ++i)
+    names.push_back(sources_.name(source::FileId(static_cast<std::uint32_t>(i))));
+  return codegen::generate(model, chart_origins(lowering_, model), sources_, names);
+}
+
 std::vector<semantics::TestGroup> FrontEnd::test_groups() {
   std::map<std::uint32_t, semantics::TestGroup> of_files;
   for (const syntax::PouDeclaration& each : unit_.mocks)

@@ -29,6 +29,8 @@ class FrontEnd {
   std::unique_ptr<semantics::Model> analyze(const semantics::TestGroup* tests = nullptr);
   // Requires a model of analyze() and a sink without errors.
   [[nodiscard]] result::Result<std::vector<std::byte>> container(const semantics::Model& model) const;
+  // The same, but naming files as diagnostics do: it is run at once and kept by nobody.
+  [[nodiscard]] result::Result<std::vector<std::byte>> test_container(const semantics::Model& model) const;
 
   // The tests that are compiled together: those of files without mocks, and those of each file that has some.
   // Reports names that two tests have.

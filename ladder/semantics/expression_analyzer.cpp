@@ -170,6 +170,10 @@ ValuePtr ExpressionAnalyzer::enum_value(const Expression& expression) {
   }
   const auto type = a_.types.find(expression.prefix->id.value);
   if (type == a_.types.end() || (type->second != nullptr && type->second->kind != TypeKind::Enumeration)) {
+    // Of a name that is no type at all it was said before.
+    if (type == a_.types.end() &&
+        a_.unknown.contains({nullptr, "there is no type " + quote(expression.prefix->text)}))
+      return nullptr;
     a_.error(code::kUnknownType, expression.prefix->where,
              quote(expression.prefix->text) + " is no enumeration");
     return nullptr;

@@ -33,7 +33,13 @@ StepDeclaration Parser::step() {
   StepDeclaration result;
   const Token& open = advance();
   result.initial = open.is(Keyword::InitialStep);
-  if (const auto name = expect_name("the name of the step")) result.name = *name;
+  if (const auto name = expect_name("the name of the step")) {
+    result.name = *name;
+  } else if (at(Keyword::Step) || at(Keyword::InitialStep)) {
+    // The word twice: the name comes behind it.
+    advance();
+    if (at(TokenKind::Identifier)) result.name = *expect_name("the name of the step");
+  }
   expect(TokenKind::Colon, "behind the name of the step");
   while (!at(Keyword::EndStep) && !at(TokenKind::End) && !at_pou_start() && !at_chart()) {
     const std::size_t before = at_;

@@ -55,8 +55,8 @@ void Parser::resource_item(Resource& out) {
   if (accept(TokenKind::Semicolon)) return;
   unexpected("TASK, PROGRAM or VAR_GLOBAL");
   if (!at_pou_start()) advance();
-  while (!at(TokenKind::End) && !at_pou_start() && !at_variable_section() && !at(Keyword::Task) &&
-         !at(Keyword::EndResource)) {
+  while (!at(TokenKind::End) && !at_pou_start() && !at_variable_section() && !at(Keyword::VarConfig) &&
+         !at(Keyword::VarAccess) && !at(Keyword::Task) && !at(Keyword::EndResource)) {
     if (advance().is(TokenKind::Semicolon)) return;
   }
 }
