@@ -3,6 +3,7 @@
 // One function's bytecode, decoded: its instructions, where jumps lead, and how deep the operand stack is.
 
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "runtime/bytecode/instruction.h"
@@ -30,6 +31,14 @@ struct StackEffect {
   std::uint32_t pops = 0;
   std::uint32_t pushes = 0;
 };
+
+// A letter of an opcode's effect: "b" is Bool.
+inline bytecode::StackType type_named(char name) {
+  constexpr const char* kNames = "bilfdr";
+  return static_cast<bytecode::StackType>(std::strchr(kNames, name) - kNames);
+}
+static_assert(static_cast<int>(bytecode::StackType::Bool) == 0 &&
+              static_cast<int>(bytecode::StackType::Ref) == 5);
 
 FunctionCode decode_function(const bytecode::ContainerView& view, std::uint32_t function);
 

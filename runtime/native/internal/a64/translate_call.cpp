@@ -103,12 +103,6 @@ void leave(FunctionWork& work) {
   work.out().ret(GpX(30));
 }
 
-StackType type_named(char name) {
-  constexpr const char* kNames = "bilfdr";
-  return static_cast<StackType>(std::strchr(kNames, name) - kNames);
-}
-static_assert(static_cast<int>(StackType::Bool) == 0 && static_cast<int>(StackType::Ref) == 5);
-
 // The operands go to their slots, as the interpreter's stack would hold them; the result comes back in one.
 void call_library(FunctionWork& work, LibraryCall function, std::uint32_t operation,
                   const OperationInfo& info) {

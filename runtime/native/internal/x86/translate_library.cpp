@@ -14,12 +14,6 @@ namespace x86 = asmjit::x86;
 
 namespace {
 
-StackType type_named(char name) {
-  constexpr const char* kNames = "bilfdr";
-  return static_cast<StackType>(std::strchr(kNames, name) - kNames);
-}
-static_assert(static_cast<int>(StackType::Bool) == 0 && static_cast<int>(StackType::Ref) == 5);
-
 x86::Mem budget_field() {
   return x86::ptr(kContext, static_cast<std::int32_t>(offsetof(Context, budget)), 8);
 }
