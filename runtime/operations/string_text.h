@@ -35,7 +35,8 @@ class StringText {
 
   // Copies characters to `to` as far as they fit the capacity. Source and target may overlap.
   void copy(std::uint32_t to, const StringText& source, std::uint32_t from, std::uint32_t count) {
-    if (to >= capacity_) return;
+    // A source without characters may be no string at all.
+    if (to >= capacity_ || count == 0) return;
     const std::uint32_t fitting = count < capacity_ - to ? count : capacity_ - to;
     std::memmove(character(to), source.character(from), std::size_t{fitting} * sizeof(Char));
   }
