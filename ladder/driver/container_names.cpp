@@ -24,7 +24,7 @@ Path common_folder(const Path& left, const Path& right) {
   return common;
 }
 
-// "/work/" is the folder "/work".
+// "/plant/" is the folder "/plant".
 Path folder_of(std::string_view text) {
   Path folder = Path(text).lexically_normal();
   return folder.has_filename() || !folder.has_relative_path() ? folder : folder.parent_path();
