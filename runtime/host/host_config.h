@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/host/engine_choice.h"
+#include "runtime/host/task_settings.h"
 #include "runtime/scan/safe_state.h"
 
 namespace stepwright::host {
@@ -39,6 +40,8 @@ struct HostConfig {
   std::vector<scan::SafeOutput> safe_outputs;  // outputs without a rule go to zero
   LostSupervisor on_lost_supervisor = LostSupervisor::Continue;
   std::vector<ScheduledFault> faults;
+  std::vector<TaskSettings> tasks;  // by name; a task without an entry has the defaults
+  int cpu = -1;                     // real clock: the only processor of the scan; -1: any
 };
 
 }  // namespace stepwright::host

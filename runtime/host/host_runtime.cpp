@@ -12,6 +12,14 @@ namespace {
 constexpr std::size_t kMaxUnderWay = 200;
 constexpr double kNsPerUs = 1'000.0;
 
+// What the system refused to the scan thread and its process.
+std::string enter_real_time(int cpu) {
+  std::string refused = place_thread({.cpu = cpu});
+  const std::string unlocked = lock_memory();
+  if (!refused.empty() && !unlocked.empty()) refused += "; ";
+  return refused + unlocked;
+}
+
 std::uint64_t random_incarnation() {
   std::random_device source;
   const std::uint64_t high = source();
@@ -34,8 +42,8 @@ result::Result<std::unique_ptr<HostRuntime>> HostRuntime::create(const HostConfi
   std::promise<std::string> entered;
   std::future<std::string> refused = entered.get_future();
   self->thread_ = std::thread([loop = self->loop_.get(), real = config.clock == ClockMode::Real,
-                               entered = std::move(entered)]() mutable {
-    entered.set_value(real ? enter_real_time() : std::string());
+                               cpu = config.cpu, entered = std::move(entered)]() mutable {
+    entered.set_value(real ? enter_real_time(cpu) : std::string());
     loop->run();
   });
   self->refused_ = refused.get();
@@ -60,9 +68,9 @@ HostRuntime::~HostRuntime() {
 
 result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::byte> container,
                                        std::string digest) {
-  auto program =
-      PreparedProgram::create(std::move(container), std::move(digest), io_, loop_->clock(),
-                              {.safe_outputs = config_.safe_outputs}, plant_names_.size(), config_.engine);
+  auto program = PreparedProgram::create(
+      std::move(container), std::move(digest),
+      {io_, loop_->clock(), config_, loop_->clock_origin_ns(), plant_names_.size()});
   if (!program) return result::forward(program);
   Command command;
   command.kind = CommandKind::Load;

@@ -1,5 +1,6 @@
 #include "runtime/host/prepared_program.h"
 
+#include <system_error>
 #include <utility>
 
 #include "runtime/host/limits.h"
@@ -17,12 +18,13 @@ tl::unexpected<result::Diagnostics> too_large(const char* what, std::size_t need
 
 }  // namespace
 
-result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(
-    std::vector<std::byte> container, std::string digest, AreaDriver& io, scan::Clock& clock,
-    const scan::ScanConfig& config, std::size_t plant_values, EngineKind engine) {
+result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::vector<std::byte> container,
+                                                                         std::string digest,
+                                                                         const Surroundings& surroundings) {
   auto loaded = reader::LoadedProgram::load(std::move(container), "download");
   if (!loaded) return result::forward(loaded);
   const bytecode::Program& program = loaded->program();
+  const AreaDriver& io = surroundings.io;
   const char* const areas_hint = "see [image] of the cell's configuration";
   if (program.sizes().input_bytes > io.input_bytes()) {
     return too_large("inputs", program.sizes().input_bytes, io.input_bytes(), areas_hint);
@@ -34,25 +36,56 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(
     return too_large("image", program.image_size(), kMaxImageBytes, "");
   auto info = reader::ProgramInfo::read(loaded->bytes());
   if (!info) return result::forward(info);
-  auto made = make_engine(engine, program);
-  if (!made) return result::forward(made);
-  Machine machine{std::move(*made), BoolBytes(*info, program.image_size())};
-  return std::unique_ptr<PreparedProgram>(new PreparedProgram(
-      std::move(*loaded), std::move(machine), std::move(digest), io, clock, config, plant_values));
+  TaskPlan plan = plan_tasks(*info, surroundings.config);
+  // An engine belongs to one thread.
+  std::vector<std::unique_ptr<bytecode::Engine>> engines;
+  for (std::size_t i = 0; i <= plan.others().size(); ++i) {
+    auto made = make_engine(surroundings.config.engine, program);
+    if (!made) return result::forward(made);
+    engines.push_back(std::move(*made));
+  }
+  std::unique_ptr<bytecode::Engine> own = std::move(engines.back());
+  engines.pop_back();
+  Machine machine{std::move(own), std::move(engines), BoolBytes(*info, program.image_size()),
+                  MergeMap(*info, scan::layout_of(program)), std::move(plan)};
+  try {
+    return std::unique_ptr<PreparedProgram>(
+        new PreparedProgram(std::move(*loaded), std::move(machine), std::move(digest), surroundings));
+  } catch (const std::system_error& error) {
+    return result::fail("R0071", {"download", 0, 0},
+                        std::string("the system gives no thread for a task: ") + error.what(),
+                        "the limit of processes (ulimit -u) may be reached");
+  }
 }
 
 PreparedProgram::PreparedProgram(reader::LoadedProgram loaded, Machine machine, std::string digest,
-                                 AreaDriver& io, scan::Clock& clock, const scan::ScanConfig& config,
-                                 std::size_t plant_values)
+                                 const Surroundings& around)
     : digest_(std::move(digest)),
       loaded_(std::move(loaded)),
       memory_(loaded_.program().memory_size()),
       machine_(std::move(machine)),
+      timings_(machine_.plan.tasks.size()),
+      published_(machine_.plan.tasks.size()),
       image_(memory_, scan::layout_of(loaded_.program())),
-      cycle_(loaded_.program(), *machine_.engine, image_, io, clock, config),
+      cycle_(loaded_.program(), *machine_.engine, image_, around.io, around.clock,
+             {.safe_outputs = around.config.safe_outputs,
+              .tasks = machine_.plan.options,
+              .timings = timings_,
+              .own_tasks = machine_.plan.own_tasks,
+              .clock_origin_ns = around.config.clock == ClockMode::Real ? around.clock_origin_ns
+                                                                        : scan::ScanConfig::kNoOrigin}),
       steps_(loaded_.program()),
-      events_(loaded_.program().image_size(), plant_values) {
+      events_(loaded_.program().image_size(), around.plant_values) {
   image_.reset(loaded_.program().container().section(bytecode::Section::InitialData));
+  const CrewSetup setup{machine_.merge_map, around.clock, around.clock_origin_ns, scan::ScanConfig{}.budget};
+  crew_ = std::make_unique<TaskCrew>(loaded_.program(), image_, cycle_, setup, machine_.plan,
+                                     std::move(machine_.engines), published_);
+}
+
+void PreparedProgram::publish_timings() {
+  for (std::uint32_t i = 0; i < timings_.size(); ++i) {
+    if (((machine_.plan.own_tasks >> i) & 1u) != 0) published_[i].store(timings_[i]);
+  }
 }
 
 }  // namespace stepwright::host

@@ -15,7 +15,12 @@
 #include "runtime/host/bool_bytes.h"
 #include "runtime/host/engine_choice.h"
 #include "runtime/host/event_ring.h"
+#include "runtime/host/host_config.h"
+#include "runtime/host/merge_map.h"
+#include "runtime/host/seq_cell.h"
 #include "runtime/host/step_watch.h"
+#include "runtime/host/task_crew.h"
+#include "runtime/host/task_plan.h"
 #include "runtime/image/process_image.h"
 #include "runtime/result/result.h"
 #include "runtime/scan/scan_cycle.h"
@@ -24,12 +29,20 @@ namespace stepwright::host {
 
 class PreparedProgram {
  public:
-  // Verifies the container and takes its memory. Fails with the diagnostics of the verifier, or with R0004
-  // where the program needs more than a cell or a message can carry, or R0010 (see make_engine). What is
-  // passed by reference must outlive the program.
+  // What a program runs in.
+  struct Surroundings {
+    AreaDriver& io;
+    scan::Clock& clock;
+    const HostConfig& config;
+    std::int64_t clock_origin_ns = 0;  // what the clock shows at scan time 0
+    std::size_t plant_values = 0;
+  };
+
+  // Verifies the container and takes its memory and threads. Fails with the diagnostics of the verifier, with
+  // R0004 where the program needs more than a cell or a message can carry, with R0010 (see make_engine), or with
+  // R0071 where the system gives no threads for its tasks. What is passed by reference must outlive the program.
   [[nodiscard]] static result::Result<std::unique_ptr<PreparedProgram>> create(
-      std::vector<std::byte> container, std::string digest, AreaDriver& io, scan::Clock& clock,
-      const scan::ScanConfig& config, std::size_t plant_values, EngineKind engine);
+      std::vector<std::byte> container, std::string digest, const Surroundings& surroundings);
 
   PreparedProgram(const PreparedProgram&) = delete;
   PreparedProgram& operator=(const PreparedProgram&) = delete;
@@ -42,25 +55,38 @@ class PreparedProgram {
   scan::ScanCycle& cycle() { return cycle_; }
   StepWatch& steps() { return steps_; }
   const BoolBytes& bools() const { return machine_.bools; }
+  TaskCrew& crew() { return *crew_; }
+  // Publishes how punctual the scan thread's own tasks are.
+  void publish_timings();
   // Pushed by the scan thread, popped by the service thread.
   EventRing& events() { return events_; }
+
+  // Any thread.
+  const TaskPlan& tasks() const { return machine_.plan; }
+  scan::TaskTiming timing(std::uint32_t task) const { return published_[task].load(); }
 
  private:
   struct Machine {
     std::unique_ptr<bytecode::Engine> engine;
+    std::vector<std::unique_ptr<bytecode::Engine>> engines;  // of the tasks that have threads of their own
     BoolBytes bools;
+    MergeMap merge_map;
+    TaskPlan plan;
   };
-  PreparedProgram(reader::LoadedProgram loaded, Machine machine, std::string digest, AreaDriver& io,
-                  scan::Clock& clock, const scan::ScanConfig& config, std::size_t plant_values);
+  PreparedProgram(reader::LoadedProgram loaded, Machine machine, std::string digest,
+                  const Surroundings& surroundings);
 
   std::string digest_;
   reader::LoadedProgram loaded_;
   std::vector<std::byte> memory_;
   Machine machine_;
+  std::vector<scan::TaskTiming> timings_;  // of the tasks that the scan thread runs; by index
+  std::vector<SeqCell<scan::TaskTiming>> published_;
   image::ProcessImage image_;
   scan::ScanCycle cycle_;
   StepWatch steps_;
   EventRing events_;
+  std::unique_ptr<TaskCrew> crew_;  // last: its threads use the rest
 };
 
 }  // namespace stepwright::host

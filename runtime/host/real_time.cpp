@@ -6,6 +6,7 @@
 #include <sys/prctl.h>
 #include <time.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -30,20 +31,34 @@ void sleep_until(std::int64_t instant_ns) {
   }
 }
 
-std::string enter_real_time() {
+std::string place_thread(const ThreadPlacement& placement) {
   std::string refused;
+  const auto note = [&refused](const std::string& text) {
+    if (!refused.empty()) refused += "; ";
+    refused += text;
+  };
+  if (placement.cpu >= 0) {
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    CPU_SET(static_cast<unsigned>(placement.cpu), &set);
+    if (const int error = pthread_setaffinity_np(pthread_self(), sizeof set, &set); error != 0) {
+      note("not on processor " + std::to_string(placement.cpu) + " (" + std::strerror(error) + ")");
+    }
+  }
   sched_param parameters{};
-  parameters.sched_priority = kPriority;
-  if (const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters); error != 0) {
-    refused += std::string("no real-time priority (SCHED_FIFO: ") + std::strerror(error) + ")";
+  parameters.sched_priority = placement.background ? 0 : std::max(kPriority - placement.rank, 1);
+  const int policy = placement.background ? SCHED_OTHER : SCHED_FIFO;
+  if (const int error = pthread_setschedparam(pthread_self(), policy, &parameters); error != 0) {
+    note(std::string("no real-time priority (SCHED_FIFO: ") + std::strerror(error) + ")");
     // Without a priority the kernel at least must not round the sleep.
     prctl(PR_SET_TIMERSLACK, 1uL, 0uL, 0uL, 0uL);
   }
-  if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) {
-    if (!refused.empty()) refused += "; ";
-    refused += std::string("memory is not locked (mlockall: ") + std::strerror(errno) + ")";
-  }
   return refused;
+}
+
+std::string lock_memory() {
+  if (mlockall(MCL_CURRENT | MCL_FUTURE) == 0) return {};
+  return std::string("memory is not locked (mlockall: ") + std::strerror(errno) + ")";
 }
 
 }  // namespace stepwright::host

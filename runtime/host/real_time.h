@@ -20,8 +20,18 @@ class MonotonicClock final : public scan::Clock {
 // which the caller took before does not add up to a drift.
 void sleep_until(std::int64_t instant_ns);
 
-// Gives the calling thread SCHED_FIFO and locks the memory of the process. Returns what was refused, as a
-// sentence for the status; empty if nothing was.
-std::string enter_real_time();
+// How urgent a thread is among those of a runtime, and where it runs.
+struct ThreadPlacement {
+  int rank = 0;             // 0: the most urgent; each further rank gets a priority one lower
+  bool background = false;  // no real-time priority at all: a freewheeling task must not starve the machine
+  int cpu = -1;             // the only processor it runs on; -1: any
+};
+
+// Gives the calling thread its priority (SCHED_FIFO) and processor. Returns what was refused, as a sentence for
+// the status; empty if nothing was. No heap unless something was refused.
+std::string place_thread(const ThreadPlacement& placement);
+
+// Locks the memory of the process, present and future. Returns as place_thread does.
+std::string lock_memory();
 
 }  // namespace stepwright::host

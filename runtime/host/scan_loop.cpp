@@ -8,6 +8,8 @@ namespace {
 constexpr std::size_t kQueue = 256;
 // How often image and figures are published while nothing happens. Events publish at once.
 constexpr std::int64_t kPublishPeriodNs = 5'000'000;
+// How often the figures of the tasks are published: they are large.
+constexpr std::int64_t kTimingPeriodNs = 100'000'000;
 // Simulated with a speed: what the simulation lags behind more than this is not caught up.
 constexpr std::int64_t kMaxLagNs = 100'000'000;
 
@@ -37,6 +39,7 @@ void ScanLoop::run() {
       turn_simulated();
     }
   }
+  const auto hold = hold_tasks();
   stop("the runtime ends");
 }
 
@@ -62,12 +65,10 @@ void ScanLoop::turn_real() {
     idle_due_ns_ = due_ns + late_ns + config_.idle_interval_ns;
     return publish_if_due();
   }
-  if (late_ns >= period_ns_) {
-    now_.overruns += static_cast<std::uint64_t>(late_ns / period_ns_);
-    // The newest of the missed scans runs now, the others are left out.
-    program_->cycle().skip_to(due_ns + late_ns - period_ns_ + 1);
-  }
+  const auto hold = hold_tasks();
+  program_->cycle().settle_overruns(due_ns + late_ns);
   scan_once();
+  program_->crew().look_at_triggers();
 }
 
 void ScanLoop::turn_simulated() {
@@ -99,9 +100,11 @@ void ScanLoop::scan_once() {
   now_.scan = report.scan;
   now_.time_ns = report.time_ns;
   now_.trace_hash = program_->cycle().trace_hash();
+  now_.overruns = earlier_overruns_ + program_->cycle().statistics().overruns;
   const bool changed = program_->steps().changed(program_->image().bytes());
   if (report.state != scan::ScanState::Running) {
     end_stretch();
+    program_->crew().stop();
     now_.state = RuntimeState::Fault;
     next_start_ns_ = program_->cycle().next_time_ns();
     emit(EventKind::Trap, report.trap, {});
@@ -169,6 +172,11 @@ void ScanLoop::end_stretch() {
   stretch_wall_ns_ = 0;
 }
 
+// The other tasks of the program neither take nor give values while it lives.
+TaskCrew::Hold ScanLoop::hold_tasks() {
+  return program_ == nullptr ? TaskCrew::Hold(nullptr) : program_->crew().hold();
+}
+
 void ScanLoop::publish_if_due() {
   if (clock_.now_ns() - published_ns_ >= kPublishPeriodNs) publish();
 }
@@ -189,6 +197,10 @@ void ScanLoop::publish() {
     now_.scan_p99_ns = all.percentile_ns(99'000);
     now_.scan_max_ns = all.max_ns();
     if (plant_ != nullptr) plant_->read_values(truths_);
+    if (published_ns_ - timings_published_ns_ >= kTimingPeriodNs) {
+      timings_published_ns_ = published_ns_;
+      program_->publish_timings();
+    }
     snapshots_.publish(now_.scan, now_.time_ns, program_->digest(), program_->image().bytes(), truths_);
   }
   figures_.store(now_);

@@ -66,11 +66,14 @@ class ScanLoop {
 
   // Measures scans and, in real time, sets them off. Any thread.
   scan::Clock& clock() { return clock_; }
+  // What the clock shows at scan time 0.
+  std::int64_t clock_origin_ns() const { return origin_ns_; }
   bool ok() const { return wake_.ok() && news_.ok(); }
 
  private:
   // Commands (scan_loop_commands.cpp).
   void take_commands();
+  Completion held_apply(const Command& command);
   Completion apply(const Command& command);
   Outcome load(PreparedProgram* program);
   Outcome start(bool barrier);
@@ -94,6 +97,7 @@ class ScanLoop {
   void end_stretch();
   void publish_if_due();
   void publish();
+  [[nodiscard]] TaskCrew::Hold hold_tasks();
   std::int64_t next_time_ns() const;
   bool real() const { return config_.clock == ClockMode::Real; }
 
@@ -116,13 +120,13 @@ class ScanLoop {
   std::int64_t origin_ns_ = 0;      // real clock: monotonic time at scan time 0
   std::int64_t next_start_ns_ = 0;  // scan time at which a start takes over
   std::int64_t idle_due_ns_ = 0;    // real clock: scan time of the next I/O while no program runs
-  std::int64_t period_ns_ = 0;      // shortest interval of the program's tasks
   bool barrier_ = false;
   bool supervisor_lost_ = false;
   std::size_t next_fault_ = 0;  // into config_.faults, which are sorted by time
   std::vector<ScheduledFault> faults_;
   std::vector<double> truths_;
   scan::Histogram earlier_scans_;  // of the programs before
+  std::uint64_t earlier_overruns_ = 0;
   std::int64_t pace_wall_ns_ = 0;  // simulated with a speed: where clock and scan clock were even
   std::int64_t pace_scan_ns_ = 0;
   std::int64_t stretch_wall_ns_ =
@@ -131,6 +135,7 @@ class ScanLoop {
   std::int64_t ran_wall_ns_ = 0;  // sums over all stretches that ended
   std::int64_t ran_scan_ns_ = 0;
   std::int64_t published_ns_ = 0;
+  std::int64_t timings_published_ns_ = 0;
 };
 
 }  // namespace stepwright::host

@@ -1,29 +1,15 @@
 // Commands, as the scan thread performs them between two scans.
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
 #include <cstring>
-#include <limits>
 #include <utility>
 
 #include "runtime/host/scan_loop.h"
 
 namespace stepwright::host {
 namespace {
-
-using bytecode::Section;
-
-std::int64_t shortest_interval_ns(const bytecode::Program& program) {
-  const bytecode::ContainerView& view = program.container();
-  std::int64_t shortest_us = std::numeric_limits<std::uint32_t>::max();
-  for (std::uint32_t i = 0; i < view.count<Section::Tasks>(); ++i) {
-    const std::int64_t interval_us = view.record<Section::Tasks>(i).interval_us;
-    if (interval_us > 0) shortest_us = std::min(shortest_us, interval_us);  // else it waits for its trigger
-  }
-  return shortest_us * 1'000;
-}
 
 // The force that bits stand for: one bit, or 1, 2, 4 or 8 whole bytes. None for any other mask.
 std::optional<image::Force> to_force(const ImageBits& bits) {
@@ -46,14 +32,21 @@ std::optional<image::Force> to_force(const ImageBits& bits) {
 void ScanLoop::take_commands() {
   bool any = false;
   while (auto command = commands_.pop()) {
+    // What is held is let go first: who learns of a load may destroy the program before.
+    Completion completion = held_apply(*command);
     // There is room: the service has no more commands under way than either queue holds.
-    [[maybe_unused]] const bool pushed = completions_.push(apply(*command));
+    [[maybe_unused]] const bool pushed = completions_.push(std::move(completion));
     assert(pushed);
     any = true;
   }
   if (!any) return;
   publish();
   news_.ring();
+}
+
+Completion ScanLoop::held_apply(const Command& command) {
+  const auto hold = hold_tasks();
+  return apply(command);
 }
 
 Completion ScanLoop::apply(const Command& command) {
@@ -88,9 +81,11 @@ Completion ScanLoop::apply(const Command& command) {
 
 Outcome ScanLoop::load(PreparedProgram* program) {
   stop("another program was loaded");
-  if (program_ != nullptr) earlier_scans_.add(program_->cycle().statistics().scan_time);
+  if (program_ != nullptr) {
+    earlier_scans_.add(program_->cycle().statistics().scan_time);
+    earlier_overruns_ += program_->cycle().statistics().overruns;
+  }
   program_ = program;
-  period_ns_ = shortest_interval_ns(program->loaded().program());
   now_.state = RuntimeState::Stopped;
   return Outcome::Done;
 }
@@ -105,6 +100,7 @@ Outcome ScanLoop::start(bool barrier) {
   program_->cycle().forces() = forces;
   program_->steps().reset(program_->image().bytes());
   barrier_ = barrier;
+  program_->crew().start(next_start_ns_);
   now_.state = RuntimeState::Running;
   emit(EventKind::Started, {}, {});
   begin_stretch();
@@ -117,6 +113,7 @@ Outcome ScanLoop::stop(std::string_view reason) {
   end_stretch();
   next_start_ns_ = program_->cycle().next_time_ns();
   idle_due_ns_ = next_start_ns_;
+  program_->crew().stop();
   program_->cycle().stop();
   now_.state = RuntimeState::Stopped;
   now_.waiting_for_supervisor = false;

@@ -10,9 +10,9 @@ using bytecode::Section;
 
 ScanCycle::ScanCycle(const bytecode::Program& program, bytecode::Engine& engine, image::ProcessImage& image,
                      image::IoDriver& io, Clock& clock, const ScanConfig& config)
-    : program_(program), engine_(engine), image_(image), io_(io), clock_(clock), config_(config) {
+    : program_(program), engine_(engine), image_(image), io_(io), clock_(clock), config_(config),
+      table_(program, config.tasks, config.own_tasks) {
   assert(image.memory().size() == program.memory_size());
-  load_tasks();
 }
 
 image::ImageLayout layout_of(const bytecode::Program& program) {
@@ -21,38 +21,17 @@ image::ImageLayout layout_of(const bytecode::Program& program) {
           program.memory_size() - program.image_size()};
 }
 
-// Sorts the tasks by priority; tasks of equal priority keep the order of the table.
-void ScanCycle::load_tasks() {
-  const bytecode::ContainerView& view = program_.container();
-  for (std::uint32_t i = 0; i < view.count<Section::Tasks>(); ++i) {
-    const bytecode::TaskRecord record = view.record<Section::Tasks>(i);
-    std::size_t at = task_count_++;
-    for (; at > 0 && tasks_[at - 1].priority > record.priority; --at) tasks_[at] = tasks_[at - 1];
-    TaskState& task = tasks_[at];
-    task = {};
-    task.interval_ns = std::int64_t{record.interval_us} * 1000;
-    task.priority = record.priority;
-    task.first_call = record.first_call;
-    task.call_count = record.call_count;
-    task.frames = program_.frames_of(i);
-    if (record.trigger == bytecode::kNoIndex) continue;
-    const bytecode::SymbolRecord symbol = view.record<Section::Symbols>(record.trigger);
-    task.trigger = symbol.address;
-    task.trigger_bit = symbol.bit;
-  }
-}
-
 void ScanCycle::start(const StartPoint& at) {
   image_.reset(program_.container().section(Section::InitialData));
   forces_.clear_all();
-  for (TaskState& task : tasks()) {
-    task.due_ns = task.interval_ns > 0 ? at.time_ns : kNever;
-    task.triggered = false;
-  }
+  for (Task& task : table_.tasks()) task.restart(at.time_ns);
+  for (TaskTiming& timing : config_.timings) timing.interrupted();
   scan_ = at.scan;
   last_time_ns_ = at.time_ns;
+  io_time_ns_ = at.time_ns;
   trace_hash_ = at.trace_hash;
   last_trap_ = {};
+  fault_reported_ = true;
   state_ = ScanState::Running;
 }
 
@@ -61,20 +40,47 @@ void ScanCycle::stop() {
   write_outputs(last_time_ns_);
 }
 
-std::int64_t ScanCycle::next_time_ns() const {
-  std::int64_t next = tasks_[0].due_ns;
-  for (std::size_t i = 1; i < task_count_; ++i) {
-    if (tasks_[i].due_ns < next) next = tasks_[i].due_ns;
-  }
-  return next;
+// A fault outside of run_scan is reported by the next one.
+void ScanCycle::enter_fault(ScanState state) {
+  state_ = state;
+  fault_reported_ = false;
+  if (state == ScanState::Trapped) ++statistics_.traps;
+  if (state == ScanState::IoLost) ++statistics_.io_losses;
 }
 
-void ScanCycle::skip_to(std::int64_t time_ns) {
-  for (TaskState& task : tasks()) {
-    if (task.due_ns >= time_ns) continue;  // also what waits for its trigger only
-    const std::int64_t missed = (time_ns - task.due_ns + task.interval_ns - 1) / task.interval_ns;
-    task.due_ns += missed * task.interval_ns;
+void ScanCycle::settle_overruns(std::int64_t time_ns) {
+  for (Task& task : table_.tasks()) {
+    const Overrun overrun = settle_overrun(task, time_ns);
+    if (overrun.missed == 0 && overrun.skipped == 0) continue;
+    if (task.index < config_.timings.size()) {
+      config_.timings[task.index].overruns += overrun.missed;
+      config_.timings[task.index].skipped += overrun.skipped;
+    }
+    foreign_overrun(overrun, time_ns);
   }
+}
+
+void ScanCycle::foreign_overrun(const Overrun& overrun, std::int64_t time_ns) {
+  statistics_.overruns += overrun.missed;
+  if (!overrun.fault || overrun.missed == 0 || state_ != ScanState::Running) return;
+  enter_fault(ScanState::Overrun);
+  write_outputs(time_ns);
+}
+
+bool ScanCycle::begin_foreign(std::int64_t time_ns) {
+  if (state_ != ScanState::Running) return false;
+  read_inputs(time_ns);
+  if (state_ != ScanState::Running) write_outputs(time_ns);
+  return state_ == ScanState::Running;
+}
+
+void ScanCycle::end_foreign(std::int64_t time_ns, const bytecode::Trap& trap) {
+  if (state_ != ScanState::Running) return;
+  if (trap) {
+    last_trap_ = trap;
+    enter_fault(ScanState::Trapped);
+  }
+  write_outputs(time_ns);
 }
 
 ScanReport ScanCycle::run_scan() {
@@ -82,32 +88,38 @@ ScanReport ScanCycle::run_scan() {
   const std::int64_t time_ns = next_time_ns();
   last_time_ns_ = time_ns;
   ++scan_;
-  const bool was_running = state_ == ScanState::Running;
 
-  const bool inputs_good = io_.read_inputs(time_ns, image_.inputs()) == image::IoStatus::Good;
-  if (was_running && !inputs_good) {
-    state_ = ScanState::IoLost;
-    ++statistics_.io_losses;
-  }
+  read_inputs(time_ns);
   if (state_ == ScanState::Running) run_tasks(time_ns);
   advance(time_ns);
   write_outputs(time_ns);
 
   ScanReport report{state_, scan_, time_ns, image_.hash(), {}};
-  if (was_running && state_ == ScanState::Trapped) report.trap = last_trap_;
+  if (state_ == ScanState::Trapped && !fault_reported_) report.trap = last_trap_;
+  fault_reported_ = true;
   trace_hash_ = base::hash_mix(base::hash_mix(trace_hash_, scan_), report.image_hash);
   ++statistics_.scans;
   statistics_.scan_time.record(clock_.now_ns() - begin_ns);
   return report;
 }
 
+// A task on another thread may have spoken to the driver after this scan was due and before it began.
+std::int64_t ScanCycle::io_time(std::int64_t time_ns) {
+  if (time_ns > io_time_ns_) io_time_ns_ = time_ns;
+  return io_time_ns_;
+}
+
+void ScanCycle::read_inputs(std::int64_t time_ns) {
+  const bool good = io_.read_inputs(io_time(time_ns), image_.inputs()) == image::IoStatus::Good;
+  if (!good && state_ == ScanState::Running) enter_fault(ScanState::IoLost);
+}
+
 // A rising edge of the trigger runs the task; while the trigger is TRUE its interval does not (IEC 61131-3,
 // table 63: SINGLE and INTERVAL).
-bool ScanCycle::is_to_run(TaskState& task, std::int64_t time_ns) const {
+bool ScanCycle::is_to_run(Task& task, std::int64_t time_ns) const {
   const bool due = task.due_ns == time_ns;
-  if (task.trigger == bytecode::kNoIndex) return due;
-  const auto byte = std::to_integer<unsigned>(image_.bytes()[task.trigger]);
-  const bool now = task.trigger_bit == bytecode::kNoBit ? byte != 0 : ((byte >> task.trigger_bit) & 1u) != 0;
+  if (!task.has_trigger()) return due;
+  const bool now = task.trigger_now(image_.bytes());
   const bool edge = now && !task.triggered;
   task.triggered = now;
   return edge || (due && !now);
@@ -115,46 +127,56 @@ bool ScanCycle::is_to_run(TaskState& task, std::int64_t time_ns) const {
 
 // The tasks that are due, forces before and after them. A trap ends the scan's tasks.
 void ScanCycle::run_tasks(std::int64_t time_ns) {
-  const std::int64_t begin_ns = clock_.now_ns();
+  const std::int64_t first_ns = clock_.now_ns();
+  std::int64_t begin_ns = first_ns;
   forces_.apply(image_.bytes());
   std::uint64_t budget = config_.budget;
-  for (TaskState& task : tasks()) {
-    if (is_to_run(task, time_ns) && !run_calls(task, time_ns, budget)) break;
-  }
-  forces_.apply(image_.bytes());
-  statistics_.program_time.record(clock_.now_ns() - begin_ns);
-}
-
-bool ScanCycle::run_calls(const TaskState& task, std::int64_t time_ns, std::uint64_t& budget) {
-  for (std::uint32_t i = 0; i < task.call_count; ++i) {
-    const auto call = program_.container().record<Section::ProgramCalls>(task.first_call + i);
-    const bytecode::Trap trap =
-        engine_.run({call.function, call.instance, time_ns, task.frames}, image_.memory(), budget);
+  for (Task& task : table_.tasks()) {
+    const bool due = task.due_ns == time_ns;
+    if (!is_to_run(task, time_ns)) continue;
+    const bytecode::Trap trap = run_task(program_, task, engine_, image_.memory(), time_ns, budget);
+    if (task.index < config_.timings.size()) {
+      const std::int64_t end_ns = clock_.now_ns();
+      account(task, due, begin_ns, end_ns);
+      begin_ns = end_ns;
+    }
     if (!trap) continue;
     last_trap_ = trap;
-    state_ = ScanState::Trapped;
-    ++statistics_.traps;
-    return false;
+    enter_fault(ScanState::Trapped);
+    break;
   }
-  return true;
+  forces_.apply(image_.bytes());
+  statistics_.program_time.record(clock_.now_ns() - first_ns);
+}
+
+void ScanCycle::account(const Task& task, bool due, std::int64_t begin_ns, std::int64_t end_ns) {
+  TaskCycle cycle{.begin_ns = begin_ns, .end_ns = end_ns};
+  if (real() && due && !task.freewheeling) {
+    cycle.due_ns = config_.clock_origin_ns + task.due_ns;
+    cycle.interval_ns = task.interval_ns;
+  }
+  config_.timings[task.index].cycle(cycle);
 }
 
 void ScanCycle::advance(std::int64_t time_ns) {
-  for (TaskState& task : tasks()) {
-    if (task.due_ns == time_ns) task.due_ns += task.interval_ns;
+  for (Task& task : table_.tasks()) {
+    if (task.due_ns != time_ns) continue;
+    task.due_ns += task.interval_ns;
+    if (task.freewheeling && real()) {
+      task.due_ns = clock_.now_ns() - config_.clock_origin_ns + kFreewheelRestNs;
+    }
   }
 }
 
 // In any state but Running the outputs are in their safe state, forces or not.
 void ScanCycle::write_outputs(std::int64_t time_ns) {
   if (state_ != ScanState::Running) apply_safe_state(config_.safe_outputs, image_.outputs());
-  const bool written = io_.write_outputs(time_ns, image_.outputs()) == image::IoStatus::Good;
+  const bool written = io_.write_outputs(io_time(time_ns), image_.outputs()) == image::IoStatus::Good;
   if (written || state_ != ScanState::Running) return;
-  state_ = ScanState::IoLost;
-  ++statistics_.io_losses;
+  enter_fault(ScanState::IoLost);
   apply_safe_state(config_.safe_outputs, image_.outputs());
   // The device may be reachable for this last word; nothing more can be done if it is not.
-  static_cast<void>(io_.write_outputs(time_ns, image_.outputs()));
+  static_cast<void>(io_.write_outputs(io_time(time_ns), image_.outputs()));
 }
 
 }  // namespace stepwright::scan

@@ -6,7 +6,9 @@
 // start + (k-1) x interval, whatever a clock on the wall says; who calls run_scan decides whether to wait for
 // that instant (real time) or not (simulated time).
 //
-// Thread rule: one thread. No heap, lock, exception or log inside; memory is sized before the first scan.
+// Thread rule: one thread at a time. A cycle may run some of the tasks only (ScanConfig::own_tasks); others
+// that run on copies of the image then report what they did by begin_foreign and end_foreign, between two
+// scans. No heap, lock, exception or log inside; memory is sized before the first scan.
 // Invariants: while the state is not Running no task runs and every scan leaves the outputs in their safe
 // state; a fault is left by start() only.
 //
@@ -14,7 +16,6 @@
 //   cycle.start({});
 //   while (...) { wait_until(cycle.next_time_ns()); const scan::ScanReport report = cycle.run_scan(); }
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -27,18 +28,35 @@
 #include "runtime/scan/clock.h"
 #include "runtime/scan/histogram.h"
 #include "runtime/scan/safe_state.h"
+#include "runtime/scan/task_table.h"
+#include "runtime/scan/task_timing.h"
 
 namespace stepwright::scan {
 
 // The layout of the memory that a program runs on.
 image::ImageLayout layout_of(const bytecode::Program& program);
 
+// What the spans name must outlive the cycle.
 struct ScanConfig {
   std::uint64_t budget = 100'000'000;  // per scan, in bytes of code (bytecode::Engine); beyond it: Trap
-  std::span<const SafeOutput> safe_outputs = {};  // must outlive the cycle; empty: all outputs to zero
+  std::span<const SafeOutput> safe_outputs = {};  // empty: all outputs to zero
+  std::span<const TaskOptions> tasks = {};        // by the index of the container's table
+  std::span<TaskTiming> timings = {};             // the same; empty: nothing is measured per task
+  std::uint32_t own_tasks = 0xFFFF'FFFF;          // bit i: this cycle runs task i of the container's table
+  // Real time: what the clock shows at scan time 0, so that the start of a task can be compared with the
+  // instant at which it was due.
+  std::int64_t clock_origin_ns = kNoOrigin;
+
+  static constexpr std::int64_t kNoOrigin = std::numeric_limits<std::int64_t>::min();
 };
 
-enum class ScanState : std::uint8_t { Stopped, Running, Trapped, IoLost };
+enum class ScanState : std::uint8_t {
+  Stopped,
+  Running,
+  Trapped,
+  IoLost,
+  Overrun,  // a task was late, and its policy is OverrunPolicy::Fault
+};
 
 // Where a program takes over: at zero, or where the one before it stopped, so that the time of the plant goes
 // on and one trace hash covers both.
@@ -62,6 +80,7 @@ struct ScanStatistics {
   std::uint64_t scans = 0;
   std::uint64_t traps = 0;
   std::uint64_t io_losses = 0;
+  std::uint64_t overruns = 0;  // of all tasks
 };
 
 class ScanCycle {
@@ -80,10 +99,18 @@ class ScanCycle {
   ScanReport run_scan();
 
   // When the next task is due.
-  std::int64_t next_time_ns() const;
+  std::int64_t next_time_ns() const { return table_.next_time_ns(); }
 
-  // Leaves out what is due before `time_ns` (a real-time overrun); tasks keep their phase.
-  void skip_to(std::int64_t time_ns);
+  // Real time, before a scan that begins at scan time `time_ns`: what was missed is dealt with as each task's
+  // policy says. A fault leaves the outputs in their safe state; run_scan reports it.
+  void settle_overruns(std::int64_t time_ns);
+
+  // A task that is not this cycle's own begins at `time_ns`: inputs are read. False if it may not run.
+  bool begin_foreign(std::int64_t time_ns);
+  // It has ended and its values are in the image: outputs are written, in their safe state after a trap.
+  void end_foreign(std::int64_t time_ns, const bytecode::Trap& trap);
+  // It was late; `fault`: as OverrunPolicy::Fault wants it.
+  void foreign_overrun(const Overrun& overrun, std::int64_t time_ns);
 
   ScanState state() const { return state_; }
   std::uint64_t scan() const { return scan_; }
@@ -96,24 +123,13 @@ class ScanCycle {
   const ScanStatistics& statistics() const { return statistics_; }
 
  private:
-  struct TaskState {
-    std::int64_t interval_ns = 0;
-    std::int64_t due_ns = 0;
-    std::uint32_t priority = 0;
-    std::uint32_t first_call = 0;
-    std::uint32_t call_count = 0;
-    std::uint32_t frames = 0;                    // absolute address
-    std::uint32_t trigger = bytecode::kNoIndex;  // absolute address of the BOOL; kNoIndex: none
-    std::uint8_t trigger_bit = bytecode::kNoBit;
-    bool triggered = false;  // the trigger as it was last seen
-  };
-  static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-
-  std::span<TaskState> tasks() { return std::span(tasks_).first(task_count_); }
-  void load_tasks();
+  bool real() const { return config_.clock_origin_ns != ScanConfig::kNoOrigin; }
+  void enter_fault(ScanState state);
+  std::int64_t io_time(std::int64_t time_ns);
+  void read_inputs(std::int64_t time_ns);
   void run_tasks(std::int64_t time_ns);
-  bool is_to_run(TaskState& task, std::int64_t time_ns) const;
-  bool run_calls(const TaskState& task, std::int64_t time_ns, std::uint64_t& budget);
+  bool is_to_run(Task& task, std::int64_t time_ns) const;
+  void account(const Task& task, bool due, std::int64_t begin_ns, std::int64_t end_ns);
   void advance(std::int64_t time_ns);
   void write_outputs(std::int64_t time_ns);
 
@@ -124,12 +140,13 @@ class ScanCycle {
   Clock& clock_;
   ScanConfig config_;
   image::ForceTable forces_;
-  std::array<TaskState, bytecode::kMaxTasks> tasks_{};  // the highest priority first
-  std::size_t task_count_ = 0;
+  TaskTable table_;
   ScanState state_ = ScanState::Stopped;
+  bool fault_reported_ = true;
   bytecode::Trap last_trap_;
   std::uint64_t scan_ = 0;
   std::int64_t last_time_ns_ = 0;
+  std::int64_t io_time_ns_ = 0;  // what the driver was told last; never goes back
   std::uint64_t trace_hash_ = 0;
   ScanStatistics statistics_;
 };

@@ -1,0 +1,71 @@
+#pragma once
+
+// The tasks of a program that have threads of their own (real time), and what they share with the scan thread.
+// The scan thread holds the crew's mutex over its whole scan and lets it go while it waits; the workers hold
+// it for the copies at either end of their cycles. Without workers nothing is locked.
+//
+//   TaskCrew crew(...);                       // threads rest
+//   { const auto hold = crew.hold(); crew.start(time_ns); }
+//   { const auto hold = crew.hold(); cycle.run_scan(); crew.look_at_triggers(); }
+//
+// Threads: the scan thread, with the crew held; built and destroyed by the service thread.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "runtime/host/merge_map.h"
+#include "runtime/host/task_plan.h"
+#include "runtime/host/task_worker.h"
+
+namespace stepwright::host {
+
+// What the workers take from outside of the program.
+struct CrewSetup {
+  const MergeMap& merge_map;
+  scan::Clock& clock;
+  std::int64_t origin_ns = 0;  // what the clock shows at scan time 0
+  std::uint64_t budget = 0;    // of a task's cycle
+};
+
+class TaskCrew {
+ public:
+  // What is passed by reference must outlive the crew. `engines` holds one for each of plan.others(), `timings`
+  // an entry for each task of the program. Throws std::system_error where the system gives no threads.
+  TaskCrew(const bytecode::Program& program, image::ProcessImage& image, scan::ScanCycle& cycle,
+           const CrewSetup& setup, const TaskPlan& plan,
+           std::vector<std::unique_ptr<bytecode::Engine>> engines,
+           std::span<SeqCell<scan::TaskTiming>> timings);
+
+  // Holds off the workers while it lives; does nothing without workers.
+  class Hold {
+   public:
+    explicit Hold(PriorityMutex* mutex) : mutex_(mutex) {
+      if (mutex_ != nullptr) mutex_->lock();
+    }
+    ~Hold() {
+      if (mutex_ != nullptr) mutex_->unlock();
+    }
+    Hold(const Hold&) = delete;
+    Hold& operator=(const Hold&) = delete;
+
+   private:
+    PriorityMutex* mutex_;
+  };
+  [[nodiscard]] Hold hold() { return Hold(workers_.empty() ? nullptr : &share_.mutex); }
+
+  // All tasks anew, their first cycles at `time_ns` and their phases.
+  void start(std::int64_t time_ns);
+  // What a task is doing just now no longer counts.
+  void stop();
+  void look_at_triggers() {
+    for (const auto& worker : workers_) worker->look_at_trigger();
+  }
+
+ private:
+  CrewShare share_;
+  std::vector<std::unique_ptr<TaskWorker>> workers_;
+};
+
+}  // namespace stepwright::host

@@ -1,0 +1,18 @@
+#pragma once
+
+// What the configuration says of a task by its name ([tasks.NAME]).
+
+#include <cstdint>
+#include <string>
+
+#include "runtime/scan/task_options.h"
+
+namespace stepwright::host {
+
+struct TaskSettings {
+  std::string name;  // as the program declares it; upper and lower case alike
+  scan::TaskOptions options;
+  int cpu = -1;  // the only processor its thread runs on; -1: any
+};
+
+}  // namespace stepwright::host

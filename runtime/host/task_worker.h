@@ -1,0 +1,92 @@
+#pragma once
+
+// A task on a thread of its own (real time): waits until it is due or its trigger rises, takes a copy of the
+// shared image, runs on the copy without a lock, and brings what it changed back value by value. So a task
+// that is preempted never sees half of what another one wrote, and a more urgent task never waits for longer
+// than a copy.
+//
+// Threads: the worker's own; what stands under "crew" is called with the crew's mutex held. No heap or log
+// while it runs; one lock at either end of a cycle.
+
+#include <semaphore.h>
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "runtime/bytecode/engine.h"
+#include "runtime/host/merge_map.h"
+#include "runtime/host/priority_mutex.h"
+#include "runtime/host/real_time.h"
+#include "runtime/host/seq_cell.h"
+#include "runtime/image/process_image.h"
+#include "runtime/scan/scan_cycle.h"
+
+namespace stepwright::host {
+
+// What the workers of one program share with the thread that scans it.
+struct CrewShare {
+  const bytecode::Program& program;
+  image::ProcessImage& image;
+  scan::ScanCycle& cycle;
+  scan::Clock& clock;
+  const MergeMap& merge_map;
+  std::int64_t origin_ns = 0;  // what the clock shows at scan time 0
+  std::uint64_t budget = 0;    // of a task's cycle
+  // What a worker calls after it has written to the image: others may wait for what it wrote.
+  std::function<void()> wake_others;
+  PriorityMutex mutex{};  // guards image, cycle and what follows
+  bool running = false;
+  std::uint64_t epoch = 0;  // counts starts: what a task began before one does not count after it
+};
+
+class TaskWorker {
+ public:
+  // Starts the thread; it rests until the first `start`. `engine` is the worker's own. All else must outlive
+  // it.
+  TaskWorker(CrewShare& share, const scan::Task& task, std::unique_ptr<bytecode::Engine> engine,
+             const ThreadPlacement& placement, SeqCell<scan::TaskTiming>& timing);
+  // Ends the thread after the cycle that it is in.
+  ~TaskWorker();
+  TaskWorker(const TaskWorker&) = delete;
+  TaskWorker& operator=(const TaskWorker&) = delete;
+
+  // Crew: the task starts anew, due from `time_ns` on.
+  void start(std::int64_t time_ns);
+  // Crew: wakes the thread, which finds that nothing runs.
+  void rest();
+  // Crew, after anything was written to the shared image: sets the task off if its trigger has risen.
+  void look_at_trigger();
+
+  const scan::Task& task() const { return task_; }
+
+ private:
+  void run(const ThreadPlacement& placement);
+  void wait();
+  void cycle();
+  bool take(std::int64_t& time_ns, scan::TaskCycle& measured);
+  void give_back(const bytecode::Trap& trap, const scan::TaskCycle& measured);
+  void publish_if_due(std::int64_t now_ns);
+
+  CrewShare& share_;
+  scan::Task task_;
+  std::unique_ptr<bytecode::Engine> engine_;
+  SeqCell<scan::TaskTiming>& published_;
+  std::vector<std::byte> memory_;  // image and frames of this task's own
+  std::vector<std::byte> before_;  // the image as the task got it
+  scan::TaskTiming timing_;
+  std::int64_t published_ns_ = 0;
+  std::uint64_t epoch_ = 0;
+  bool active_ = false;   // was started and nothing has stopped it
+  bool pending_ = false;  // the trigger has risen and no cycle has begun since
+  sem_t wake_;
+  std::atomic<std::int64_t> wake_ns_;  // when the thread is to wake by itself; kNever: not at all
+  std::atomic<bool> quit_{false};
+  std::thread thread_;
+};
+
+}  // namespace stepwright::host
