@@ -127,6 +127,8 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
       state_dir.empty() ? temporary_folder() / ("stepwright-" + config.name) : folder / state_dir;
   read_clock(root.table("clock"), config.clock);
   config.engine = read_engine(root.table("runtime"));
+  config.cpu = read_cpu(root.table("runtime"));
+  config.tasks = read_tasks(root);
   read_plant(root.table("plant"), config.plant);
   const TomlTable image = root.table("image");
   config.image.input_bytes = static_cast<std::uint32_t>(image.integer("input_bytes", 64, {1, 65'536}));

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "programs/config/task_config.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::config {
@@ -98,6 +99,8 @@ struct CellConfig {
                                     // the name in the temporary folder)
   ClockConfig clock;
   EngineKind engine = EngineKind::Auto;  // [runtime] engine: "auto" is native where the machine can
+  int cpu = -1;                          // [runtime] cpu: the only processor of the scan; -1: any
+  std::vector<TaskConfig> tasks;
   PlantConfig plant;
   ImageConfig image;
   std::vector<ScheduledFault> faults;

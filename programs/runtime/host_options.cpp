@@ -57,6 +57,21 @@ result::Result<std::vector<scan::SafeOutput>> safe_outputs(const config::CellCon
 
 }  // namespace
 
+namespace {
+
+host::TaskSettings task_settings(const config::TaskConfig& task) {
+  host::TaskSettings settings;
+  settings.name = task.name;
+  settings.options.phase_ns = task.phase_us * 1'000;
+  settings.options.overrun = task.overrun == config::OverrunAction::Fault     ? scan::OverrunPolicy::Fault
+                             : task.overrun == config::OverrunAction::CatchUp ? scan::OverrunPolicy::CatchUp
+                                                                              : scan::OverrunPolicy::Skip;
+  settings.cpu = task.cpu;
+  return settings;
+}
+
+}  // namespace
+
 result::Result<host::HostConfig> host_options(const config::CellConfig& config) {
   auto rules = safe_outputs(config);
   if (!rules) return result::forward(rules);
@@ -74,6 +89,8 @@ result::Result<host::HostConfig> host_options(const config::CellConfig& config) 
   options.on_lost_supervisor = config.on_lost_supervisor == config::LostSupervisorPolicy::Safe
                                    ? host::LostSupervisor::Safe
                                    : host::LostSupervisor::Continue;
+  options.cpu = config.cpu;
+  for (const config::TaskConfig& task : config.tasks) options.tasks.push_back(task_settings(task));
   for (const config::ScheduledFault& fault : config.faults) {
     // A change of what is asked for is the supervisor's business.
     if (config::is_goal_change(fault)) continue;

@@ -24,8 +24,8 @@ struct EventNote {
   std::uint64_t scan = 0;
   std::int64_t time_ns = 0;
   EventKind kind = EventKind::StepChange;
-  bytecode::Trap trap;                // EventKind::Trap; without a code: I/O was lost
-  FixedText<kMaxReasonBytes> reason;  // EventKind::Stopped
+  bytecode::Trap trap;                // EventKind::Trap; without a code: see the reason
+  FixedText<kMaxReasonBytes> reason;  // EventKind::Stopped, and Trap without a code
 };
 
 class EventRing {

@@ -5,6 +5,8 @@
 #include <random>
 #include <utility>
 
+#include "runtime/host/task_status.h"
+
 namespace stepwright::host {
 namespace {
 
@@ -68,9 +70,9 @@ HostRuntime::~HostRuntime() {
 
 result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::byte> container,
                                        std::string digest) {
-  auto program = PreparedProgram::create(
-      std::move(container), std::move(digest),
-      {io_, loop_->clock(), config_, loop_->clock_origin_ns(), plant_names_.size()});
+  auto program =
+      PreparedProgram::create(std::move(container), std::move(digest),
+                              {io_, loop_->clock(), config_, loop_->clock_origin_ns(), plant_names_.size()});
   if (!program) return result::forward(program);
   Command command;
   command.kind = CommandKind::Load;
@@ -134,10 +136,8 @@ StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing:
   event.kind = slot.note.kind;
   event.program_digest = program.digest();
   event.detail = slot.note.reason.str();
-  if (slot.note.kind == EventKind::Trap) {
-    event.detail = slot.note.trap
-                       ? result::to_string(reader::describe(program.loaded().program(), slot.note.trap))
-                       : "the I/O driver does not answer";
+  if (slot.note.trap) {
+    event.detail = result::to_string(reader::describe(program.loaded().program(), slot.note.trap));
   }
   event.image = slot.image;
   for (std::size_t i = 0; i < slot.plant.size(); ++i) event.plant.push_back({plant_names_[i], slot.plant[i]});
@@ -167,6 +167,13 @@ RuntimeStatus HostRuntime::status() const {
   };
   if (!refused_.empty()) note(refused_);
   if (figures.lost_events > 0) note(std::to_string(figures.lost_events) + " events were lost");
+  if (current_ != nullptr) {
+    const TaskPlan& plan = current_->tasks();
+    if (!plan.unknown.empty()) note(plan.unknown);
+    for (std::uint32_t i = 0; i < plan.tasks.size(); ++i) {
+      status.tasks.push_back(task_status(plan.tasks[i], current_->timing(i)));
+    }
+  }
   if (auto snapshot = reader_->read()) status.plant = std::move(snapshot->plant);
   return status;
 }

@@ -21,7 +21,8 @@ MergeMap::MergeMap(const reader::ProgramInfo& info, const image::ImageLayout& la
     const reader::Variable& variable = tag.variable;
     if (variable.bit != bytecode::kNoBit) continue;
     if (bytecode::is_string(variable.type)) {
-      add(variable.address + sizeof(std::uint16_t), sizeof(std::uint16_t));  // the length, behind the capacity
+      add(variable.address + sizeof(std::uint16_t),
+          sizeof(std::uint16_t));  // the length, behind the capacity
     } else {
       add(variable.address, bytecode::size_of(bytecode::mem_type(variable.type)));
     }

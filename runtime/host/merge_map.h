@@ -2,7 +2,8 @@
 
 // Brings what a task changed in its copy of the image back into the image that all tasks share, value by
 // value: a variable that the task changed takes the task's value as a whole, one that it left alone keeps
-// what others wrote meanwhile. Bits that share a byte are separate values; of a string the length and each character are.
+// what others wrote meanwhile. Bits that share a byte are separate values; of a string the length and each
+// character are.
 //
 // Threads: immutable; any. No heap or lock in merge.
 //

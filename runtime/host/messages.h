@@ -36,6 +36,33 @@ struct StepEvent {
   friend bool operator==(const StepEvent&, const StepEvent&) = default;
 };
 
+// A distribution of durations; percentiles are right to 1/32, the maximum is exact.
+struct DurationSpread {
+  double p50_us = 0.0;
+  double p99_us = 0.0;
+  double p999_us = 0.0;
+  double p9999_us = 0.0;
+  double max_us = 0.0;
+
+  friend bool operator==(const DurationSpread&, const DurationSpread&) = default;
+};
+
+// How punctual a task is since its program was loaded (scan::TaskTiming says what is counted). Latency and
+// jitter stay 0 in simulated time.
+struct TaskStatus {
+  std::string name;
+  std::uint32_t interval_us = 0;  // 0: an event, or freewheeling
+  std::uint32_t priority = 0;     // 0 is the highest
+  std::uint64_t cycles = 0;
+  std::uint64_t overruns = 0;
+  std::uint64_t skipped = 0;
+  DurationSpread latency;    // from the instant at which it was due to its beginning
+  DurationSpread execution;  // from its beginning to its end
+  DurationSpread jitter;     // of its period, from its interval
+
+  friend bool operator==(const TaskStatus&, const TaskStatus&) = default;
+};
+
 struct RuntimeStatus {
   std::uint64_t incarnation =
       0;  // differs from one runtime process to the next; sequences start again with it
@@ -53,6 +80,7 @@ struct RuntimeStatus {
   bool waiting_for_supervisor = false;  // standing still at a barrier until last_event is acknowledged
   std::string detail;                   // why it is in this state; what it could not get from the system
   std::vector<NamedValue> plant;        // truth of the simulated plant, for reports
+  std::vector<TaskStatus> tasks;        // in the order of the program; at most bytecode::kMaxTasks
 
   friend bool operator==(const RuntimeStatus&, const RuntimeStatus&) = default;
 };

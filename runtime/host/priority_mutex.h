@@ -1,7 +1,7 @@
 #pragma once
 
-// A mutex with priority inheritance: a thread of low priority that holds it runs at the priority of the thread
-// that waits, so that nothing in between delays both.
+// A mutex with priority inheritance: a thread of low priority that holds it runs at the priority of the
+// thread that waits, so that nothing in between delays both.
 //
 //   const std::lock_guard lock(mutex);
 

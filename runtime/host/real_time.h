@@ -27,8 +27,8 @@ struct ThreadPlacement {
   int cpu = -1;             // the only processor it runs on; -1: any
 };
 
-// Gives the calling thread its priority (SCHED_FIFO) and processor. Returns what was refused, as a sentence for
-// the status; empty if nothing was. No heap unless something was refused.
+// Gives the calling thread its priority (SCHED_FIFO) and processor. Returns what was refused, as a sentence
+// for the status; empty if nothing was. No heap unless something was refused.
 std::string place_thread(const ThreadPlacement& placement);
 
 // Locks the memory of the process, present and future. Returns as place_thread does.

@@ -13,6 +13,12 @@ constexpr std::int64_t kTimingPeriodNs = 100'000'000;
 // Simulated with a speed: what the simulation lags behind more than this is not caught up.
 constexpr std::int64_t kMaxLagNs = 100'000'000;
 
+// Why a program is at fault if no trap says it.
+std::string_view reason_of(scan::ScanState state) {
+  if (state == scan::ScanState::Overrun) return "a task was late, and its overrun policy is fault";
+  return state == scan::ScanState::IoLost ? "the I/O driver does not answer" : std::string_view();
+}
+
 }  // namespace
 
 ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots)
@@ -107,7 +113,7 @@ void ScanLoop::scan_once() {
     program_->crew().stop();
     now_.state = RuntimeState::Fault;
     next_start_ns_ = program_->cycle().next_time_ns();
-    emit(EventKind::Trap, report.trap, {});
+    emit(EventKind::Trap, report.trap, reason_of(report.state));
   } else if (changed) {
     if (barrier_ && !supervisor_lost_ && !real()) {
       now_.waiting_for_supervisor = true;

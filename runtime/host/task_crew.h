@@ -1,8 +1,8 @@
 #pragma once
 
-// The tasks of a program that have threads of their own (real time), and what they share with the scan thread.
-// The scan thread holds the crew's mutex over its whole scan and lets it go while it waits; the workers hold
-// it for the copies at either end of their cycles. Without workers nothing is locked.
+// The tasks of a program that have threads of their own (real time), and what they share with the scan
+// thread. The scan thread holds the crew's mutex over its whole scan and lets it go while it waits; the
+// workers hold it for the copies at either end of their cycles. Without workers nothing is locked.
 //
 //   TaskCrew crew(...);                       // threads rest
 //   { const auto hold = crew.hold(); crew.start(time_ns); }
@@ -31,8 +31,9 @@ struct CrewSetup {
 
 class TaskCrew {
  public:
-  // What is passed by reference must outlive the crew. `engines` holds one for each of plan.others(), `timings`
-  // an entry for each task of the program. Throws std::system_error where the system gives no threads.
+  // What is passed by reference must outlive the crew. `engines` holds one for each of plan.others(),
+  // `timings` an entry for each task of the program. Throws std::system_error where the system gives no
+  // threads.
   TaskCrew(const bytecode::Program& program, image::ProcessImage& image, scan::ScanCycle& cycle,
            const CrewSetup& setup, const TaskPlan& plan,
            std::vector<std::unique_ptr<bytecode::Engine>> engines,

@@ -10,7 +10,12 @@ using bytecode::Section;
 
 ScanCycle::ScanCycle(const bytecode::Program& program, bytecode::Engine& engine, image::ProcessImage& image,
                      image::IoDriver& io, Clock& clock, const ScanConfig& config)
-    : program_(program), engine_(engine), image_(image), io_(io), clock_(clock), config_(config),
+    : program_(program),
+      engine_(engine),
+      image_(image),
+      io_(io),
+      clock_(clock),
+      config_(config),
       table_(program, config.tasks, config.own_tasks) {
   assert(image.memory().size() == program.memory_size());
 }

@@ -34,8 +34,8 @@ struct Task {
   std::uint32_t trigger = bytecode::kNoIndex;  // absolute address of the BOOL; kNoIndex: none
   std::uint8_t trigger_bit = bytecode::kNoBit;
   bool freewheeling = false;
-  bool triggered = false;         // the trigger as it was last seen
-  std::int64_t counted_ns = 0;    // overruns before this instant are counted
+  bool triggered = false;       // the trigger as it was last seen
+  std::int64_t counted_ns = 0;  // overruns before this instant are counted
   TaskOptions options;
 
   bool has_trigger() const { return trigger != bytecode::kNoIndex; }

@@ -110,11 +110,19 @@ template <typename A, Like<host::StepEvent> T>
 void fields(A& a, T& m) {
   a(m.sequence, m.scan, m.time_ns, m.kind, m.program_digest, m.detail, m.image, m.plant);
 }
+template <typename A, Like<host::DurationSpread> T>
+void fields(A& a, T& m) {
+  a(m.p50_us, m.p99_us, m.p999_us, m.p9999_us, m.max_us);
+}
+template <typename A, Like<host::TaskStatus> T>
+void fields(A& a, T& m) {
+  a(m.name, m.interval_us, m.priority, m.cycles, m.overruns, m.skipped, m.latency, m.execution, m.jitter);
+}
 template <typename A, Like<host::RuntimeStatus> T>
 void fields(A& a, T& m) {
   a(m.incarnation, m.state, m.program_digest, m.scan, m.time_ns, m.last_event, m.overruns, m.scan_p50_us,
     m.scan_p99_us, m.scan_max_us, m.realtime_factor, m.trace_hash, m.waiting_for_supervisor, m.detail,
-    m.plant);
+    m.plant, m.tasks);
 }
 
 class Encoder {

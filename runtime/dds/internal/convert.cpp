@@ -134,6 +134,50 @@ std::optional<StepEvent> from_event(const idl::Event& sample) {
                    std::move(*plant)};
 }
 
+namespace {
+
+idl::Spread to_spread(const host::DurationSpread& spread) {
+  idl::Spread sample;
+  sample.p50_us(spread.p50_us);
+  sample.p99_us(spread.p99_us);
+  sample.p999_us(spread.p999_us);
+  sample.p9999_us(spread.p9999_us);
+  sample.max_us(spread.max_us);
+  return sample;
+}
+
+host::DurationSpread from_spread(const idl::Spread& sample) {
+  return {sample.p50_us(), sample.p99_us(), sample.p999_us(), sample.p9999_us(), sample.max_us()};
+}
+
+idl::TaskStatus to_task(const host::TaskStatus& task) {
+  idl::TaskStatus sample;
+  sample.name(cut(task.name, idl::NAME_BOUND));
+  sample.interval_us(task.interval_us);
+  sample.priority(task.priority);
+  sample.cycles(task.cycles);
+  sample.overruns(task.overruns);
+  sample.skipped(task.skipped);
+  sample.latency(to_spread(task.latency));
+  sample.execution(to_spread(task.execution));
+  sample.jitter(to_spread(task.jitter));
+  return sample;
+}
+
+host::TaskStatus from_task(const idl::TaskStatus& sample) {
+  return {sample.name(),
+          sample.interval_us(),
+          sample.priority(),
+          sample.cycles(),
+          sample.overruns(),
+          sample.skipped(),
+          from_spread(sample.latency()),
+          from_spread(sample.execution()),
+          from_spread(sample.jitter())};
+}
+
+}  // namespace
+
 idl::Status to_status(const std::string& runtime_id, const RuntimeStatus& status, bool runtime_connected) {
   idl::Status sample;
   sample.runtime_id(runtime_id);
@@ -153,16 +197,24 @@ idl::Status to_status(const std::string& runtime_id, const RuntimeStatus& status
   sample.waiting_for_supervisor(status.waiting_for_supervisor);
   sample.detail(cut(status.detail, idl::TEXT_BOUND));
   sample.plant(to_plant(status.plant));
+  for (const host::TaskStatus& task : status.tasks) {
+    if (sample.tasks().size() < idl::TASK_BOUND) sample.tasks().push_back(to_task(task));
+  }
   return sample;
 }
 
 std::optional<RuntimeStatus> from_status(const idl::Status& sample) {
   auto plant = from_plant(sample.plant());
   if (!plant || !fits_digest(sample.program_digest()) || sample.detail().size() > idl::TEXT_BOUND ||
-      sample.state() > static_cast<std::uint8_t>(RuntimeState::Fault)) {
+      sample.state() > static_cast<std::uint8_t>(RuntimeState::Fault) ||
+      sample.tasks().size() > idl::TASK_BOUND) {
     return std::nullopt;
   }
   RuntimeStatus status;
+  for (const idl::TaskStatus& task : sample.tasks()) {
+    if (task.name().size() > idl::NAME_BOUND) return std::nullopt;
+    status.tasks.push_back(from_task(task));
+  }
   status.incarnation = sample.incarnation();
   status.state = static_cast<RuntimeState>(sample.state());
   status.program_digest = sample.program_digest();

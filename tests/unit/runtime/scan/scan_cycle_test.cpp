@@ -194,16 +194,18 @@ TEST(ScanCycle, Start_WhenAnotherProgramRanBefore_ThenTimeAndTraceGoOn) {
   EXPECT_EQ(next.cycle.trace_hash(), base::hash_mix(base::hash_mix(trace, 2), report.image_hash));
 }
 
-TEST(ScanCycle, SkipTo_WhenScansWereMissed_ThenTasksKeepTheirPhase) {
+TEST(ScanCycle, Overrun_WhenScansWereMissed_ThenTheNewestRunsAndTasksKeepTheirPhase) {
   ScanFixture f;
   f.cycle.start({});
   f.cycle.run_scan();
-  f.cycle.skip_to(35 * kMs);
+  f.cycle.settle_overruns(45 * kMs);
   EXPECT_EQ(f.cycle.next_time_ns(), 40 * kMs);
+  EXPECT_EQ(f.cycle.statistics().overruns, 4u) << "three of the fast task, one of the slow one";
   f.cycle.run_scan();
   EXPECT_EQ(slow_count(f), 102);
-  f.cycle.skip_to(50 * kMs);
+  f.cycle.settle_overruns(50 * kMs);
   EXPECT_EQ(f.cycle.next_time_ns(), 50 * kMs);
+  EXPECT_EQ(f.cycle.statistics().overruns, 4u);
 }
 
 // One periodic task that copies the input to `go` and two that count: on the edge only, and on the edge or
@@ -257,7 +259,7 @@ TEST(ScanCycle, Trigger_WhenItRises_ThenItsTasksRunOnce) {
   EXPECT_EQ(scan(false), Counts(1, 3));
   EXPECT_EQ(scan(true), Counts(2, 4));
   EXPECT_EQ(cycle.next_time_ns(), 50'000'000);
-  cycle.skip_to(75'000'000);
+  cycle.settle_overruns(85'000'000);
   EXPECT_EQ(cycle.next_time_ns(), 80'000'000);
   // Each task wrote its own frame, behind the image of 20 bytes.
   EXPECT_EQ(program.read<std::int32_t>(20 + 8), 2);

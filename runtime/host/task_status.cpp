@@ -1,0 +1,27 @@
+#include "runtime/host/task_status.h"
+
+#include "runtime/host/limits.h"
+
+namespace stepwright::host {
+
+DurationSpread spread_of(const scan::Histogram& durations) {
+  const auto us = [](std::int64_t ns) { return static_cast<double>(ns) / 1'000.0; };
+  return {us(durations.percentile_ns(50'000)), us(durations.percentile_ns(99'000)),
+          us(durations.percentile_ns(99'900)), us(durations.percentile_ns(99'990)), us(durations.max_ns())};
+}
+
+TaskStatus task_status(const TaskPlan::Entry& task, const scan::TaskTiming& timing) {
+  TaskStatus status;
+  status.name = task.name.substr(0, kMaxNameBytes);
+  status.interval_us = task.interval_us;
+  status.priority = task.priority;
+  status.cycles = timing.cycles;
+  status.overruns = timing.overruns;
+  status.skipped = timing.skipped;
+  status.latency = spread_of(timing.latency);
+  status.execution = spread_of(timing.execution);
+  status.jitter = spread_of(timing.jitter);
+  return status;
+}
+
+}  // namespace stepwright::host

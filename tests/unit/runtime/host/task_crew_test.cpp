@@ -1,0 +1,276 @@
+// Programs with several tasks on the real clock: each task on a thread of its own.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "runtime/bytecode/reader/program_info.h"
+#include "tests/unit/runtime/host/harness.h"
+#include "tests/unit/runtime/host/st_program.h"
+
+namespace stepwright::host {
+namespace {
+
+using namespace std::chrono_literals;
+
+HostConfig real_time() {
+  HostConfig config;
+  config.clock = ClockMode::Real;
+  return config;
+}
+
+// A harness whose variables are read by name from the newest image.
+class Tasks {
+ public:
+  explicit Tasks(const std::string& source, const HostConfig& config = real_time())
+      : container_(compiled(source)), info_(*reader::ProgramInfo::read(container_)), harness(config, false) {
+    EXPECT_EQ(harness.load(container_), Outcome::Done);
+  }
+
+  // Of the snapshot, which is published every few milliseconds.
+  double value(const char* name) {
+    const reader::Variable* variable = info_.find(name);
+    if (variable == nullptr) throw std::runtime_error(std::string("no variable ") + name);
+    const auto snapshot = reader_->read();
+    return snapshot ? reader::read_number(*variable, snapshot->image) : -1.0;
+  }
+  void write(const char* name, std::uint64_t value, std::uint64_t mask = 1) {
+    ASSERT_EQ(harness.bits(CommandKind::Write, {info_.find(name)->address, mask, value}), Outcome::Done);
+  }
+  TaskStatus task(std::size_t index) { return harness.runtime->status().tasks.at(index); }
+  bool wait_for(const char* name, double at_least) {
+    return harness.wait([&] { return value(name) >= at_least; });
+  }
+
+ private:
+  std::vector<std::byte> container_;
+  reader::ProgramInfo info_;
+
+ public:
+  Harness harness;
+
+ private:
+  std::unique_ptr<SnapshotReader> reader_ =
+      std::move(*SnapshotReader::open(harness.runtime->snapshot_descriptor()));
+};
+
+// The slow task computes for much longer than the fast one's interval, and looks at a value of the fast one
+// at its beginning and at its end.
+constexpr const char* kFastAndSlow = R"(
+CONFIGURATION c
+  VAR_GLOBAL fast_count, slow_count, torn, steps : DINT; a : BOOL; b : BOOL;
+    bit_fast AT %QX0.0 : BOOL; bit_slow AT %QX0.1 : BOOL; END_VAR
+  TASK fast(INTERVAL := T#1ms, PRIORITY := 0);
+  TASK slow(INTERVAL := T#10ms, PRIORITY := 5);
+  PROGRAM pf WITH fast : quick;
+  PROGRAM ps WITH slow : heavy;
+END_CONFIGURATION
+PROGRAM quick
+VAR_EXTERNAL fast_count : DINT; a : BOOL; b : BOOL; bit_fast : BOOL; END_VAR
+fast_count := fast_count + 1;
+a := NOT a; b := a; bit_fast := TRUE;
+END_PROGRAM
+PROGRAM heavy
+VAR_EXTERNAL fast_count, slow_count, torn, steps : DINT; a : BOOL; b : BOOL; bit_slow : BOOL; END_VAR
+VAR i, before : DINT; x : LREAL; END_VAR
+before := fast_count;
+IF a <> b THEN torn := torn + 1; END_IF;
+FOR i := 1 TO 200000 DO x := x * 0.5 + 1.0; END_FOR;
+IF before <> fast_count THEN torn := torn + 1; END_IF;
+slow_count := slow_count + 1; bit_slow := TRUE;
+END_PROGRAM
+)";
+
+TEST(TaskCrew, WhenASlowTaskComputes_ThenTheFastOneGoesOnAndEachSeesAConsistentImage) {
+  HostConfig config = real_time();
+  config.engine = EngineKind::Vm;  // several milliseconds for the slow task
+  Tasks tasks(kFastAndSlow, config);
+  tasks.harness.start();
+  ASSERT_TRUE(tasks.wait_for("slow_count", 20));
+  tasks.harness.stop();
+  EXPECT_EQ(tasks.value("torn"), 0);
+  EXPECT_EQ(tasks.harness.driver.output.load(), 0) << "stopped: safe";
+  // One after the other, the fast task would come at most once or twice for each time of the slow one.
+  EXPECT_GT(tasks.value("fast_count"), 3 * tasks.value("slow_count"));
+}
+
+TEST(TaskCrew, WhenTasksDriveBitsOfOneByte_ThenBothReachTheOutputs) {
+  Tasks tasks(kFastAndSlow);
+  tasks.harness.start();
+  EXPECT_TRUE(tasks.harness.wait([&] { return tasks.harness.driver.output.load() == 3; }));
+}
+
+TEST(TaskCrew, WhenTasksRun_ThenTheStatusSaysHowPunctualEachIs) {
+  Tasks tasks(kFastAndSlow);
+  tasks.harness.start();
+  ASSERT_TRUE(tasks.harness.wait([&] { return tasks.task(0).cycles > 300 && tasks.task(1).cycles > 20; }));
+  const TaskStatus fast = tasks.task(0), slow = tasks.task(1);
+  EXPECT_EQ(fast.name, "fast");
+  EXPECT_EQ(fast.interval_us, 1'000u);
+  EXPECT_EQ(slow.name, "slow");
+  EXPECT_EQ(slow.priority, 5u);
+  for (const TaskStatus& task : {fast, slow}) {
+    EXPECT_GT(task.latency.max_us, 0.0);
+    EXPECT_GE(task.latency.p9999_us, task.latency.p50_us);
+    EXPECT_GE(task.execution.max_us, task.execution.p9999_us);
+    EXPECT_GT(task.jitter.max_us, 0.0);
+  }
+  EXPECT_GT(slow.execution.p50_us, fast.execution.p50_us);
+}
+
+constexpr const char* kEvents = R"(
+CONFIGURATION c
+  VAR_GLOBAL go : BOOL; events, both, ticks : DINT; END_VAR
+  TASK tick(INTERVAL := T#1ms, PRIORITY := 2);
+  TASK event(SINGLE := go, PRIORITY := 0);
+  PROGRAM pt WITH tick : ticker;
+  PROGRAM pe WITH event : on_event;
+END_CONFIGURATION
+PROGRAM ticker
+VAR_EXTERNAL ticks : DINT; END_VAR
+ticks := ticks + 1;
+END_PROGRAM
+PROGRAM on_event
+VAR_EXTERNAL events : DINT; END_VAR
+events := events + 1;
+END_PROGRAM
+)";
+
+TEST(TaskCrew, WhenATriggerRises_ThenItsTaskRunsOncePerEdge) {
+  Tasks tasks(kEvents);
+  tasks.harness.start();
+  for (int edge = 1; edge <= 20; ++edge) {
+    tasks.write("go", 1);
+    ASSERT_TRUE(tasks.wait_for("events", edge));
+    const double ticks = tasks.value("ticks");
+    ASSERT_TRUE(tasks.wait_for("ticks", ticks + 3));
+    tasks.write("go", 0);
+    ASSERT_TRUE(tasks.wait_for("ticks", tasks.value("ticks") + 3));
+    EXPECT_EQ(tasks.value("events"), edge) << "while the trigger stays there is no further edge";
+  }
+}
+
+constexpr const char* kTrapOfTheSlowTask = R"(
+CONFIGURATION c
+  VAR_GLOBAL count : DINT; lamp AT %QX0.0 : BOOL; END_VAR
+  TASK fast(INTERVAL := T#1ms, PRIORITY := 0);
+  TASK slow(INTERVAL := T#10ms, PRIORITY := 1);
+  PROGRAM pf WITH fast : quick;
+  PROGRAM ps WITH slow : faulty;
+END_CONFIGURATION
+PROGRAM quick
+VAR_EXTERNAL lamp : BOOL; END_VAR
+lamp := TRUE;
+END_PROGRAM
+PROGRAM faulty
+VAR_EXTERNAL count : DINT; END_VAR
+count := count + 1;
+IF count > 3 THEN count := count / (count - count); END_IF;
+END_PROGRAM
+)";
+
+TEST(TaskCrew, WhenATaskOfItsOwnThreadTraps_ThenEverythingStopsAndItSaysWhere) {
+  Tasks tasks(kTrapOfTheSlowTask);
+  tasks.harness.start();
+  EXPECT_EQ(tasks.harness.event().kind, EventKind::Started);
+  const StepEvent event = tasks.harness.event();
+  EXPECT_EQ(event.kind, EventKind::Trap);
+  EXPECT_NE(event.detail.find("test.st:16"), std::string::npos) << event.detail;
+  EXPECT_EQ(tasks.harness.runtime->status().state, RuntimeState::Fault);
+  EXPECT_EQ(tasks.harness.driver.output.load(), 0);
+  const std::uint64_t cycles = tasks.task(1).cycles;
+  std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(tasks.task(1).cycles, cycles);
+  EXPECT_EQ(tasks.harness.start(), Outcome::Done) << "a start leaves the fault";
+  EXPECT_EQ(tasks.harness.event().kind, EventKind::Started);
+  EXPECT_EQ(tasks.harness.event().kind, EventKind::Trap);
+}
+
+TEST(TaskCrew, WhenStoppedAndStartedOften_ThenEveryStartIsFromTheInitialValues) {
+  Tasks tasks(kFastAndSlow);
+  for (int round = 0; round < 50; ++round) {
+    ASSERT_EQ(tasks.harness.start(), Outcome::Done);
+    if (round % 10 == 0) std::this_thread::sleep_for(15ms);
+    ASSERT_EQ(tasks.harness.stop(), Outcome::Done);
+    EXPECT_EQ(tasks.value("torn"), 0);
+  }
+}
+
+constexpr const char* kOneTask = R"(
+CONFIGURATION c
+  VAR_GLOBAL count : DINT; END_VAR
+  TASK t(INTERVAL := T#5ms, PRIORITY := 0);
+  PROGRAM p WITH t : counter;
+END_CONFIGURATION
+PROGRAM counter
+VAR_EXTERNAL count : DINT; END_VAR
+count := count + 1;
+END_PROGRAM
+)";
+
+// Holds up one read of the inputs for ten intervals.
+void hold_up(Tasks& tasks) {
+  std::atomic<bool> once{false};
+  const std::uint64_t reads = tasks.harness.driver.reads.load();
+  tasks.harness.driver.on_read = [&once, &tasks, reads](std::int64_t) {
+    if (tasks.harness.driver.reads.load() > reads + 20 && !once.exchange(true)) {
+      std::this_thread::sleep_for(50ms);
+    }
+  };
+  tasks.harness.start();
+  EXPECT_TRUE(tasks.harness.wait([&] { return once.load() && tasks.task(0).cycles > 60; }) ||
+              tasks.harness.runtime->status().state == RuntimeState::Fault);
+}
+
+TEST(OverrunPolicy, WhenScansAreSkipped_ThenTheyAreCountedAndLeftOut) {
+  Tasks tasks(kOneTask);
+  hold_up(tasks);
+  const TaskStatus task = tasks.task(0);
+  EXPECT_GE(task.overruns, 8u);
+  EXPECT_GE(task.skipped, 8u);
+  EXPECT_GE(tasks.harness.runtime->status().overruns, 8u);
+}
+
+TEST(OverrunPolicy, WhenScansAreCaughtUp_ThenNoneIsLeftOut) {
+  HostConfig config = real_time();
+  config.tasks.push_back({"T", {.overrun = scan::OverrunPolicy::CatchUp}});
+  Tasks tasks(kOneTask, config);
+  hold_up(tasks);
+  EXPECT_GE(tasks.task(0).overruns, 8u);
+  EXPECT_EQ(tasks.task(0).skipped, 0u);
+}
+
+TEST(OverrunPolicy, WhenItIsAFault_ThenTheProgramEndsAndSaysWhy) {
+  HostConfig config = real_time();
+  config.tasks.push_back({"t", {.overrun = scan::OverrunPolicy::Fault}});
+  Tasks tasks(kOneTask, config);
+  hold_up(tasks);
+  EXPECT_EQ(tasks.harness.event().kind, EventKind::Started);
+  const StepEvent event = tasks.harness.event();
+  EXPECT_EQ(event.kind, EventKind::Trap);
+  EXPECT_NE(event.detail.find("was late"), std::string::npos) << event.detail;
+  EXPECT_EQ(tasks.harness.runtime->status().state, RuntimeState::Fault);
+}
+
+TEST(TaskSettings, WhenTheyNameNoTask_ThenTheStatusSaysSo) {
+  HostConfig config = real_time();
+  config.tasks.push_back({"tt", {}});
+  Tasks tasks(kOneTask, config);
+  EXPECT_NE(tasks.harness.runtime->status().detail.find("no task is called tt"), std::string::npos);
+}
+
+TEST(TaskSettings, WhenATaskHasAPhase_ThenSimulatedTimeBeginsThere) {
+  HostConfig config;
+  config.tasks.push_back({"slow", {.phase_ns = 3'000'000}});
+  Tasks tasks(kFastAndSlow, config);
+  tasks.harness.start();
+  EXPECT_TRUE(tasks.wait_for("slow_count", 5));
+  tasks.harness.stop();
+  const double fast = tasks.value("fast_count"), slow = tasks.value("slow_count");
+  // At 3 ms, 13 ms, ...; the fast one at 0, 1, ...
+  EXPECT_EQ(slow, std::floor((fast - 1 - 3) / 10) + 1);
+}
+
+}  // namespace
+}  // namespace stepwright::host
