@@ -37,6 +37,7 @@ constexpr std::array kCommands = {
     Command{"show", "stepwright-show", "print programs as text or as pages (SVG)"},
     Command{"exec", "stepwright-exec", "run an image without a clock"},
     Command{"test", "stepwright-test", "run the tests of ST sources in simulated time"},
+    Command{"scan-test", "stepwright-scan-test", "measure scan timing beside a bare wake-up loop"},
     Command{"check", "stepwright-demo", "check a cell's configuration, planning files and program"},
     Command{"runtime", "stepwright-runtime", "the scan process"},
     Command{"link", "stepwright-link", "carry the runtime's service over Fast DDS"},

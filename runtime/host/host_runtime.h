@@ -49,6 +49,13 @@ class HostRuntime final : public RuntimePort {
   void clear() override;
   int snapshot_descriptor() const override;
 
+  // The task of the loaded program that the scan thread leads with, and how punctual a task is; whole after a
+  // stop, else up to 0.1 s old. Require a loaded program.
+  std::uint32_t leading_task() const { return current_->tasks().leader; }
+  scan::TaskTiming timing(std::uint32_t task) const { return current_->timing(task); }
+  // What the monotonic clock shows at scan time 0.
+  std::int64_t clock_origin_ns() const { return loop_->clock_origin_ns(); }
+
  private:
   HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
               std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader);

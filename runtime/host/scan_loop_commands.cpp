@@ -115,6 +115,7 @@ Outcome ScanLoop::stop(std::string_view reason) {
   idle_due_ns_ = next_start_ns_;
   program_->crew().stop();
   program_->cycle().stop();
+  program_->publish_timings();
   now_.state = RuntimeState::Stopped;
   now_.waiting_for_supervisor = false;
   emit(EventKind::Stopped, {}, reason);

@@ -112,11 +112,11 @@ bool TaskWorker::take(std::int64_t& time_ns, scan::TaskCycle& measured) {
   // An event runs at the instant at which it is found, a cycle at the instant at which it was due.
   time_ns = due && !pending_ ? task_.due_ns : now_ns;
   if (due && !pending_ && !task_.freewheeling) {
-    measured.due_ns = share_.origin_ns + task_.due_ns;
+    measured.due_ns = share_.origin_ns + task_.wanted_ns;
     measured.interval_ns = task_.interval_ns;
   }
   if (due) {
-    task_.due_ns = task_.freewheeling ? now_ns + scan::kFreewheelRestNs : task_.due_ns + task_.interval_ns;
+    task_.due_at(task_.freewheeling ? now_ns + scan::kFreewheelRestNs : task_.due_ns + task_.interval_ns);
     wake_ns_.store(task_.due_ns, std::memory_order_release);
   }
   // While its trigger is TRUE the interval does not run a task (IEC 61131-3, table 63).

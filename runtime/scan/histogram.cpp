@@ -38,11 +38,15 @@ std::int64_t Histogram::percentile_ns(std::uint32_t per_100000) const {
   std::uint64_t seen = 0;
   std::uint32_t i = 0;
   while (i + 1 < kBuckets && (seen += buckets_[i]) < wanted) ++i;
-  const std::uint32_t octave = i >> kBitsPerOctave;
-  const std::uint32_t shift = octave == 0 ? 0 : octave - 1;
-  const std::uint64_t mantissa = i - (shift << kBitsPerOctave);
-  const auto upper = static_cast<std::int64_t>(((mantissa + 1) << shift) - 1);
+  const std::int64_t upper = bucket_edge_ns(i);
   return upper < max_ns_ ? upper : max_ns_;
+}
+
+std::int64_t Histogram::bucket_edge_ns(std::uint32_t index) {
+  const std::uint32_t octave = index >> kBitsPerOctave;
+  const std::uint32_t shift = octave == 0 ? 0 : octave - 1;
+  const std::uint64_t mantissa = index - (shift << kBitsPerOctave);
+  return static_cast<std::int64_t>(((mantissa + 1) << shift) - 1);
 }
 
 }  // namespace stepwright::scan

@@ -21,6 +21,11 @@ class Histogram {
   // 50000 is the median, 99900 the 99.9th percentile. 0 if nothing was recorded.
   std::int64_t percentile_ns(std::uint32_t per_100000) const;
 
+  // For drawing: how many durations lie in bucket `index`, and the longest that does.
+  static constexpr std::uint32_t bucket_count() { return kBuckets; }
+  std::uint32_t bucket(std::uint32_t index) const { return buckets_[index]; }
+  static std::int64_t bucket_edge_ns(std::uint32_t index);
+
   std::uint64_t count() const { return count_; }
   std::int64_t max_ns() const { return max_ns_; }
   void clear() { *this = Histogram(); }

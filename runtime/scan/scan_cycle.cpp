@@ -157,7 +157,7 @@ void ScanCycle::run_tasks(std::int64_t time_ns) {
 void ScanCycle::account(const Task& task, bool due, std::int64_t begin_ns, std::int64_t end_ns) {
   TaskCycle cycle{.begin_ns = begin_ns, .end_ns = end_ns};
   if (real() && due && !task.freewheeling) {
-    cycle.due_ns = config_.clock_origin_ns + task.due_ns;
+    cycle.due_ns = config_.clock_origin_ns + task.wanted_ns;
     cycle.interval_ns = task.interval_ns;
   }
   config_.timings[task.index].cycle(cycle);
@@ -166,10 +166,9 @@ void ScanCycle::account(const Task& task, bool due, std::int64_t begin_ns, std::
 void ScanCycle::advance(std::int64_t time_ns) {
   for (Task& task : table_.tasks()) {
     if (task.due_ns != time_ns) continue;
-    task.due_ns += task.interval_ns;
-    if (task.freewheeling && real()) {
-      task.due_ns = clock_.now_ns() - config_.clock_origin_ns + kFreewheelRestNs;
-    }
+    const bool at_once = task.freewheeling && real();
+    task.due_at(at_once ? clock_.now_ns() - config_.clock_origin_ns + kFreewheelRestNs
+                        : task.due_ns + task.interval_ns);
   }
 }
 

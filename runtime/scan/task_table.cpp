@@ -10,7 +10,7 @@ bool Task::trigger_now(std::span<const std::byte> image) const {
 }
 
 void Task::restart(std::int64_t time_ns) {
-  due_ns = interval_ns > 0 ? time_ns + options.phase_ns : kNever;
+  due_at(interval_ns > 0 ? time_ns + options.phase_ns : kNever);
   counted_ns = due_ns;
   triggered = false;
 }

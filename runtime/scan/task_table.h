@@ -27,6 +27,7 @@ struct Task {
   std::uint32_t index = 0;       // in the container's table
   std::int64_t interval_ns = 0;  // 0: runs on its trigger only
   std::int64_t due_ns = 0;
+  std::int64_t wanted_ns = 0;  // when the cycle that runs next, or the first one left out for it, was due
   std::uint32_t priority = 0;  // 0 is the highest
   std::uint32_t first_call = 0;
   std::uint32_t call_count = 0;
@@ -41,6 +42,8 @@ struct Task {
   bool has_trigger() const { return trigger != bytecode::kNoIndex; }
   // The trigger in this image. Requires has_trigger().
   bool trigger_now(std::span<const std::byte> image) const;
+  // Its next cycle is due at `time_ns`.
+  void due_at(std::int64_t time_ns) { due_ns = wanted_ns = time_ns; }
   // From `time_ns` on; the trigger counts as not seen.
   void restart(std::int64_t time_ns);
 };

@@ -219,8 +219,10 @@ void hold_up(Tasks& tasks) {
     }
   };
   tasks.harness.start();
-  EXPECT_TRUE(tasks.harness.wait([&] { return once.load() && tasks.task(0).cycles > 60; }) ||
-              tasks.harness.runtime->status().state == RuntimeState::Fault);
+  EXPECT_TRUE(tasks.harness.wait([&] {
+    const bool fault = tasks.harness.runtime->status().state == RuntimeState::Fault;
+    return fault || (once.load() && tasks.task(0).cycles > 60);
+  }));
 }
 
 TEST(OverrunPolicy, WhenScansAreSkipped_ThenTheyAreCountedAndLeftOut) {
