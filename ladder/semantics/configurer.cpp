@@ -72,12 +72,7 @@ void Configurer::declare_task(const syntax::TaskDeclaration& declaration) {
 
 void Configurer::set_interval(const syntax::TaskDeclaration& declaration, Task& task) {
   if (!declaration.interval) {
-    if (declaration.single) {
-      task.interval_us = 0;
-    } else {
-      a_.error(code::kBadTask, declaration.name.where, "the task has neither INTERVAL nor SINGLE",
-               "write (INTERVAL := T#10ms)");
-    }
+    task.interval_us = 0;  // runs on its trigger or, without one, again and again
     return;
   }
   ExpressionAnalyzer expressions(a_, nullptr);
@@ -152,8 +147,8 @@ std::optional<Place> Configurer::program_output(const Expression& source) {
 // Scans look at the triggers: without an interval there would be none.
 void Configurer::check_clock() const {
   const auto& tasks = a_.model.tasks;
-  const bool ticks =
-      std::any_of(tasks.begin(), tasks.end(), [](const Task& each) { return each.interval_us > 0; });
+  const bool ticks = std::any_of(tasks.begin(), tasks.end(),
+                                 [](const Task& each) { return each.interval_us > 0 || !each.trigger; });
   if (tasks.empty() || ticks || a_.sink.has_errors()) return;
   a_.error(code::kBadTask, configuration_.name.where,
            "no task has an INTERVAL: nothing looks at the triggers",

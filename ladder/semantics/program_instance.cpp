@@ -67,11 +67,12 @@ std::optional<std::size_t> Configurer::find_task(const syntax::Name& name) const
   return std::nullopt;
 }
 
-// A program without a task runs behind all others (6.8.2): here every 10 ms, in a task of its own.
+// A program without a task runs behind all others, and again as soon as it has ended (6.8.2).
 std::size_t Configurer::background_task(const syntax::Name& program) {
   Task task;
   task.name = std::string(program.text) + ".background";
   task.priority = std::numeric_limits<std::uint32_t>::max();
+  task.interval_us = 0;
   a_.model.tasks.push_back(std::move(task));
   return a_.model.tasks.size() - 1;
 }

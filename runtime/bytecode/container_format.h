@@ -142,7 +142,7 @@ struct SymbolRecord {
 
 struct TaskRecord {
   StringRef name;
-  std::uint32_t interval_us;  // 0: runs on its trigger only
+  std::uint32_t interval_us;  // 0: runs on its trigger only; without one, again as soon as it has ended
   std::uint32_t priority;     // 0 is the highest
   std::uint32_t first_call;
   std::uint32_t call_count;

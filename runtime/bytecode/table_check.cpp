@@ -191,7 +191,7 @@ class TableChecker {
 
   Status task(const TaskRecord& r) const {
     const bool calls = in_range(r.first_call, r.call_count, view_.count<Section::ProgramCalls>());
-    return first_of(valid(calls && (r.interval_us > 0 || r.trigger != kNoIndex) && trigger(r)),
+    return first_of(valid(calls && trigger(r)),
                     string(r.name));
   }
 
@@ -201,12 +201,13 @@ class TableChecker {
     return is_bool_type(view_.record<Section::Types>(view_.record<Section::Symbols>(r.trigger).type));
   }
 
-  // Triggers are looked at in the scans of the periodic tasks: without one nothing would ever run.
+  // Triggers are looked at in the scans of the tasks without one: were there none, nothing would ever run.
   VerifyResult task_count() const {
     const std::uint32_t count = view_.count<Section::Tasks>();
     bool periodic = false;
     for (std::uint32_t i = 0; i < count; ++i) {
-      periodic = periodic || view_.record<Section::Tasks>(i).interval_us > 0;
+      const TaskRecord task = view_.record<Section::Tasks>(i);
+      periodic = periodic || task.interval_us > 0 || task.trigger == kNoIndex;
     }
     if (periodic && count <= kMaxTasks) return {};
     return {Status::BadRecord, Section::Tasks, count, 0};

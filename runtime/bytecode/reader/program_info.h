@@ -66,7 +66,7 @@ struct ChartInfo {
 
 struct TaskInfo {
   std::string name;
-  std::uint32_t interval_us = 0;  // 0: runs on its trigger only
+  std::uint32_t interval_us = 0;  // 0: runs on its trigger only; without one it is freewheeling
   std::uint32_t priority = 0;
   std::string trigger;  // path of the BOOL whose rising edge runs it; empty: none
 };

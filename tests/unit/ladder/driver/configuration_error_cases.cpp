@@ -20,7 +20,6 @@ constexpr ErrorCase kCases[] = {
     {"TriggerConstant", "E0604", 5, 16, CELL("TASK t(SINGLE:=TRUE); PROGRAM p WITH fast : a;"), "%IX0.0"},
     {"TriggerUnknown", "E0201", 5, 16, CELL("TASK t(SINGLE:=goo); PROGRAM p WITH fast : a;"), "'go'"},
     {"TriggerOfNoOutput", "E0201", 5, 16, CELL("TASK t(SINGLE:=p.n); PROGRAM p WITH fast : a;")},
-    {"TaskWithoutTime", "E0604", 5, 6, CELL("TASK t(PRIORITY := 1); PROGRAM p WITH fast : a;"), "INTERVAL"},
     {"IntervalTooFine", "E0604", 5, 20, CELL("TASK t(INTERVAL := T#1ns); PROGRAM p WITH fast : a;")},
     {"TasksOnlyTriggered", "E0604", 3, 15,
      "PROGRAM a\nEND_PROGRAM\nCONFIGURATION c VAR_GLOBAL go : BOOL; END_VAR TASK t(SINGLE := go); PROGRAM p "

@@ -151,6 +151,47 @@ TEST(TaskCrew, WhenATriggerRises_ThenItsTaskRunsOncePerEdge) {
   }
 }
 
+constexpr const char* kFreewheeling = R"(
+CONFIGURATION c
+  VAR_GLOBAL ticks, rounds : DINT; END_VAR
+  TASK tick(INTERVAL := T#10ms, PRIORITY := 0);
+  PROGRAM pt WITH tick : ticker;
+  PROGRAM pb : background;
+END_CONFIGURATION
+PROGRAM ticker
+VAR_EXTERNAL ticks : DINT; END_VAR
+ticks := ticks + 1;
+END_PROGRAM
+PROGRAM background
+VAR_EXTERNAL rounds : DINT; END_VAR
+rounds := rounds + 1;
+END_PROGRAM
+)";
+
+TEST(TaskCrew, WhenAProgramHasNoTask_ThenItRunsAgainAsSoonAsItHasEnded) {
+  Tasks tasks(kFreewheeling);
+  tasks.harness.start();
+  ASSERT_TRUE(tasks.wait_for("ticks", 20));
+  EXPECT_GT(tasks.value("rounds"), 2 * tasks.value("ticks"));
+  EXPECT_EQ(tasks.task(1).latency.max_us, 0.0) << "it is never due";
+}
+
+TEST(TaskCrew, WhenTheOnlyTaskIsFreewheeling_ThenTheScanThreadRunsIt) {
+  Tasks tasks(R"(
+CONFIGURATION c
+  VAR_GLOBAL rounds : DINT; END_VAR
+  PROGRAM pb : background;
+END_CONFIGURATION
+PROGRAM background
+VAR_EXTERNAL rounds : DINT; END_VAR
+rounds := rounds + 1;
+END_PROGRAM
+)");
+  tasks.harness.start();
+  EXPECT_TRUE(tasks.wait_for("rounds", 100));
+  EXPECT_EQ(tasks.harness.runtime->status().overruns, 0u);
+}
+
 constexpr const char* kTrapOfTheSlowTask = R"(
 CONFIGURATION c
   VAR_GLOBAL count : DINT; lamp AT %QX0.0 : BOOL; END_VAR
