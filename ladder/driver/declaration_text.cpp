@@ -70,8 +70,7 @@ namespace {
 std::string task_text(const graphic::Task& task) {
   std::string list;
   if (!task.single.empty()) list = "SINGLE := " + task.single + ", ";
-  if (task.interval_us != 0)
-    list += "INTERVAL := T#" + std::to_string(task.interval_us) + "us, ";
+  if (task.interval_us != 0) list += "INTERVAL := T#" + std::to_string(task.interval_us) + "us, ";
   return "TASK " + task.name + "(" + list + "PRIORITY := " + std::to_string(task.priority) + ");\n";
 }
 

@@ -166,8 +166,7 @@ void write_task(pugi::xml_node resource, const graphic::Task& task, const Projec
   pugi::xml_node node = resource.append_child("task");
   node.append_attribute("name") = task.name.c_str();
   if (!task.single.empty()) node.append_attribute("single") = task.single.c_str();
-  if (task.interval_us != 0)
-    node.append_attribute("interval") = interval_text(task.interval_us).c_str();
+  if (task.interval_us != 0) node.append_attribute("interval") = interval_text(task.interval_us).c_str();
   node.append_attribute("priority") = task.priority;
   append_attributes(node, task.extra);
   for (const graphic::ProgramInstance& instance : project.instances)

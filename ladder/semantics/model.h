@@ -107,7 +107,8 @@ struct Trigger {
 
 struct Task {
   std::string name;
-  std::uint32_t interval_us = 10'000;  // 0: runs by its trigger only; without one, again as soon as it has ended
+  std::uint32_t interval_us =
+      10'000;  // 0: runs by its trigger only; without one, again as soon as it has ended
   std::uint32_t priority = 0;
   std::optional<Trigger> trigger;
   std::vector<TaskCall> calls;

@@ -191,8 +191,7 @@ class TableChecker {
 
   Status task(const TaskRecord& r) const {
     const bool calls = in_range(r.first_call, r.call_count, view_.count<Section::ProgramCalls>());
-    return first_of(valid(calls && trigger(r)),
-                    string(r.name));
+    return first_of(valid(calls && trigger(r)), string(r.name));
   }
 
   bool trigger(const TaskRecord& r) const {
