@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/host/engine_choice.h"
+#include "runtime/record/retain_keeper.h"
 #include "runtime/scan/safe_state.h"
 
 namespace stepwright::host {
@@ -39,6 +40,7 @@ struct HostConfig {
   std::vector<scan::SafeOutput> safe_outputs;  // outputs without a rule go to zero
   LostSupervisor on_lost_supervisor = LostSupervisor::Continue;
   std::vector<ScheduledFault> faults;
+  record::RetainConfig retain;  // without a store retained values end with the process
 };
 
 }  // namespace stepwright::host

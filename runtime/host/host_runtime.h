@@ -49,6 +49,9 @@ class HostRuntime final : public RuntimePort {
   void clear() override;
   int snapshot_descriptor() const override;
 
+  // Something about this process that its status should say, behind the rest.
+  void set_note(std::string note) { note_ = std::move(note); }
+
  private:
   HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
               std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader);
@@ -62,9 +65,11 @@ class HostRuntime final : public RuntimePort {
   std::unique_ptr<SnapshotWriter> snapshots_;
   std::unique_ptr<SnapshotReader> reader_;
   std::uint64_t incarnation_;
+  std::unique_ptr<record::RetainKeeper> retain_;
   std::unique_ptr<ScanLoop> loop_;
   std::string refused_;  // what the system refused to the scan thread
   std::string detail_;   // of the newest event that has one
+  std::string note_;
   // In the order of loading. Those before `current_` have ended but may hold events that nobody has taken
   // yet.
   std::deque<std::unique_ptr<PreparedProgram>> programs_;
