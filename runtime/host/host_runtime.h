@@ -18,6 +18,7 @@
 
 #include <deque>
 #include <memory>
+#include <mutex>
 #include <thread>
 
 #include "runtime/host/host_config.h"
@@ -49,8 +50,8 @@ class HostRuntime final : public RuntimePort {
   void clear() override;
   int snapshot_descriptor() const override;
 
-  // Something about this process that its status should say, behind the rest.
-  void set_note(std::string note) { note_ = std::move(note); }
+  // Something about this process that its status should say, behind the rest. Any thread.
+  void set_note(std::string note);
 
  private:
   HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
@@ -69,6 +70,7 @@ class HostRuntime final : public RuntimePort {
   std::unique_ptr<ScanLoop> loop_;
   std::string refused_;  // what the system refused to the scan thread
   std::string detail_;   // of the newest event that has one
+  mutable std::mutex note_mutex_;
   std::string note_;
   // In the order of loading. Those before `current_` have ended but may hold events that nobody has taken
   // yet.
