@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "programs/config/task_config.h"
+#include "programs/config/retain_config.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::config {
@@ -111,6 +112,8 @@ struct CellConfig {
   ExecutiveConfig executive;
   DdsConfig dds;
   HmiConfig hmi;
+  RetainSection retain;
+  BootSection boot;
 
   std::filesystem::path socket_path() const;   // the runtime's Unix socket
   std::filesystem::path journal_path() const;  // the executive's journal

@@ -96,6 +96,11 @@ result::Result<host::HostConfig> host_options(const config::CellConfig& config) 
     if (config::is_goal_change(fault)) continue;
     options.faults.push_back({std::llround(fault.at_s * 1e9), fault.name, fault.value});
   }
+  options.retain = {config.retain.file, std::chrono::nanoseconds(config.retain.period).count(),
+                    config.retain.policy == config::RetainPolicy::Initialise
+                        ? record::RetainPolicy::Initialise
+                    : config.retain.policy == config::RetainPolicy::Refuse ? record::RetainPolicy::Refuse
+                                                                           : record::RetainPolicy::Carry};
   return options;
 }
 

@@ -10,6 +10,7 @@
 #include "programs/config/cell_options.h"
 #include "programs/process/command_line.h"
 #include "programs/process/stop_signal.h"
+#include "programs/runtime/boot_program.h"
 #include "programs/runtime/cell_io.h"
 #include "programs/runtime/host_options.h"
 #include "runtime/host/host_runtime.h"
@@ -55,8 +56,13 @@ int run(const config::CellConfig& config) {
 
   auto runtime = host::HostRuntime::create(*options, (*io)->driver(), (*io)->plant());
   if (!runtime) return fail(runtime.error(), ExitCode::RuntimeFault);
-  auto server = service::Server::create({config.socket_path(), config.supervisor_lost_after}, **runtime);
+  BootProgram boot(config.boot, **runtime);
+  auto server =
+      service::Server::create({config.socket_path(), config.supervisor_lost_after, boot.keeper()}, **runtime);
   if (!server) return fail(server.error(), ExitCode::BadInput);
+  // Only now: the socket says that this is the one runtime of the folder, and so of what is retained in it.
+  if (const auto problems = boot.run(); !problems.empty())
+    std::fprintf(stderr, "%s\n", result::to_string(problems).c_str());
   std::printf("runtime '%s' listens on %s (%s)\n", config.name.c_str(), config.socket_path().c_str(),
               describe(config.clock).c_str());
   if (const std::string detail = (*runtime)->status().detail; !detail.empty()) {

@@ -71,7 +71,7 @@ result::Result<std::string> RuntimeClient::download(std::span<const std::byte> c
 }
 
 result::Result<void> RuntimeClient::start(const StartOptions& options) {
-  return done(state_->session.ask(service::Start{options.barrier}));
+  return done(state_->session.ask(service::Start{options.barrier, options.cold}));
 }
 
 result::Result<void> RuntimeClient::stop(const std::string& reason) {

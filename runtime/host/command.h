@@ -17,7 +17,7 @@ class PreparedProgram;
 
 enum class CommandKind : std::uint8_t {
   Load,             // program
-  Start,            // barrier
+  Start,            // barrier, cold
   Stop,             // text: the reason
   Acknowledge,      // event
   Force,            // bits
@@ -37,6 +37,7 @@ struct Command {
   ImageBits bits;
   FixedText<kMaxReasonBytes> text;
   PreparedProgram* program = nullptr;
+  bool cold = false;  // retained variables have their initial values too
 };
 
 enum class Outcome : std::uint8_t {
@@ -48,6 +49,7 @@ enum class Outcome : std::uint8_t {
   NotForced,       // unforce of what is not forced
   NoPlant,         // a fault without a simulated plant
   PlantRefused,    // see the problems
+  RetainRefused,   // what is retained does not fit the program; see the problems
 };
 
 struct Completion {

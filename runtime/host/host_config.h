@@ -9,6 +9,7 @@
 
 #include "runtime/host/engine_choice.h"
 #include "runtime/host/task_settings.h"
+#include "runtime/record/retain_keeper.h"
 #include "runtime/scan/safe_state.h"
 
 namespace stepwright::host {
@@ -42,6 +43,7 @@ struct HostConfig {
   std::vector<ScheduledFault> faults;
   std::vector<TaskSettings> tasks;  // by name; a task without an entry has the defaults
   int cpu = -1;                     // real clock: the only processor of the scan; -1: any
+  record::RetainConfig retain;  // without a store retained values end with the process
 };
 
 }  // namespace stepwright::host

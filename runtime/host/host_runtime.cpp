@@ -60,7 +60,8 @@ HostRuntime::HostRuntime(const HostConfig& config, image::IoDriver& driver, Plan
       snapshots_(std::move(snapshots)),
       reader_(std::move(reader)),
       incarnation_(random_incarnation()),
-      loop_(std::make_unique<ScanLoop>(config_, io_, plant, *snapshots_)) {}
+      retain_(record::RetainKeeper::open(config_.retain)),
+      loop_(std::make_unique<ScanLoop>(config_, io_, plant, *snapshots_, *retain_)) {}
 
 HostRuntime::~HostRuntime() {
   if (!thread_.joinable()) return;
@@ -74,6 +75,9 @@ result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::by
       PreparedProgram::create(std::move(container), std::move(digest),
                               {io_, loop_->clock(), config_, loop_->clock_origin_ns(), plant_names_.size()});
   if (!program) return result::forward(program);
+  auto retained = retain_->prepare((*program)->loaded().program());
+  if (!retained) return result::forward(retained);
+  (*program)->set_retained(std::move(*retained));
   Command command;
   command.kind = CommandKind::Load;
   command.ticket = ticket;
@@ -166,6 +170,11 @@ RuntimeStatus HostRuntime::status() const {
     status.detail += text;
   };
   if (!refused_.empty()) note(refused_);
+  if (const std::string retain = retain_->note(); !retain.empty()) note(retain);
+  {
+    const std::lock_guard lock(note_mutex_);
+    if (!note_.empty()) note(note_);
+  }
   if (figures.lost_events > 0) note(std::to_string(figures.lost_events) + " events were lost");
   if (current_ != nullptr) {
     const TaskPlan& plan = current_->tasks();
@@ -176,6 +185,11 @@ RuntimeStatus HostRuntime::status() const {
   }
   if (auto snapshot = reader_->read()) status.plant = std::move(snapshot->plant);
   return status;
+}
+
+void HostRuntime::set_note(std::string note) {
+  const std::lock_guard lock(note_mutex_);
+  note_ = std::move(note);
 }
 
 std::span<const std::byte> HostRuntime::program() const {

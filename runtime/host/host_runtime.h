@@ -18,6 +18,7 @@
 
 #include <deque>
 #include <memory>
+#include <mutex>
 #include <thread>
 
 #include "runtime/host/host_config.h"
@@ -55,6 +56,8 @@ class HostRuntime final : public RuntimePort {
   scan::TaskTiming timing(std::uint32_t task) const { return current_->timing(task); }
   // What the monotonic clock shows at scan time 0.
   std::int64_t clock_origin_ns() const { return loop_->clock_origin_ns(); }
+  // Something about this process that its status should say, behind the rest. Any thread.
+  void set_note(std::string note);
 
  private:
   HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
@@ -69,9 +72,12 @@ class HostRuntime final : public RuntimePort {
   std::unique_ptr<SnapshotWriter> snapshots_;
   std::unique_ptr<SnapshotReader> reader_;
   std::uint64_t incarnation_;
+  std::unique_ptr<record::RetainKeeper> retain_;
   std::unique_ptr<ScanLoop> loop_;
   std::string refused_;  // what the system refused to the scan thread
   std::string detail_;   // of the newest event that has one
+  mutable std::mutex note_mutex_;
+  std::string note_;
   // In the order of loading. Those before `current_` have ended but may hold events that nobody has taken
   // yet.
   std::deque<std::unique_ptr<PreparedProgram>> programs_;

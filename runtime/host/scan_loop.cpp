@@ -21,11 +21,13 @@ std::string_view reason_of(scan::ScanState state) {
 
 }  // namespace
 
-ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots)
+ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots,
+                   record::RetainKeeper& retain)
     : config_(config),
       io_(io),
       plant_(plant),
       snapshots_(snapshots),
+      retain_(retain),
       commands_(kQueue),
       completions_(kQueue),
       faults_(config.faults),
@@ -108,7 +110,9 @@ void ScanLoop::scan_once() {
   now_.trace_hash = program_->cycle().trace_hash();
   now_.overruns = earlier_overruns_ + program_->cycle().statistics().overruns;
   const bool changed = program_->steps().changed(program_->image().bytes());
+  if (report.state == scan::ScanState::Running) retain_.offer(program_->image().bytes(), clock_.now_ns());
   if (report.state != scan::ScanState::Running) {
+    retain_.finish(program_->image().bytes());
     end_stretch();
     program_->crew().stop();
     now_.state = RuntimeState::Fault;

@@ -49,7 +49,8 @@ struct ScanFigures {
 class ScanLoop {
  public:
   // What is passed by reference must outlive the loop; `plant` may be null.
-  ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots);
+  ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots,
+           record::RetainKeeper& retain);
 
   // Until `quit`; then the outputs are in their safe state.
   void run();
@@ -76,7 +77,8 @@ class ScanLoop {
   Completion held_apply(const Command& command);
   Completion apply(const Command& command);
   Outcome load(PreparedProgram* program);
-  Outcome start(bool barrier);
+  Outcome start(const Command& command);
+  result::Diagnostics refused_start(const Command& command) const;
   Outcome stop(std::string_view reason);
   Outcome force(const ImageBits& bits);
   Outcome unforce(const ImageBits& bits);
@@ -105,6 +107,7 @@ class ScanLoop {
   AreaDriver& io_;
   PlantAccess* plant_;
   SnapshotWriter& snapshots_;
+  record::RetainKeeper& retain_;
   MonotonicClock clock_;
 
   SpscQueue<Command> commands_;

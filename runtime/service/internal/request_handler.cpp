@@ -40,6 +40,7 @@ result::Diagnostics explain(const host::Completion& completion) {
     case Outcome::NoPlant:
       return one("R0002", "this runtime has no simulated plant", "");
     case Outcome::PlantRefused:
+    case Outcome::RetainRefused:
       return completion.problems;
   }
   return {};
@@ -58,6 +59,7 @@ std::optional<host::Command> to_command(const RequestBody& body) {
                      [&](const Start& start) {
                        command.kind = CommandKind::Start;
                        command.barrier = start.barrier;
+                       command.cold = start.cold;
                        return true;
                      },
                      [&](const Stop& stop) {
