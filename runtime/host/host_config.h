@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "runtime/host/engine_choice.h"
-#include "runtime/scan/safe_state.h"
+#include "runtime/host/safety_config.h"
 
 namespace stepwright::host {
 
@@ -36,7 +36,7 @@ struct HostConfig {
   std::int64_t idle_interval_ns = 10'000'000;  // real clock: period of the I/O while no program runs
   std::size_t input_bytes = 64;                // of the areas that the I/O driver serves
   std::size_t output_bytes = 64;
-  std::vector<scan::SafeOutput> safe_outputs;  // outputs without a rule go to zero
+  SafetyConfig safety;
   LostSupervisor on_lost_supervisor = LostSupervisor::Continue;
   std::vector<ScheduledFault> faults;
 };

@@ -18,6 +18,16 @@ std::uint64_t random_incarnation() {
   return (high << 32 | source()) | 1u;
 }
 
+// A watchdog's expiry (R0041) says in the reason what took how long.
+std::string trap_text(const bytecode::Program& program, const EventNote& note) {
+  result::Diagnostic diagnostic = reader::describe(program, note.trap);
+  if (!note.reason.view().empty()) {
+    diagnostic.code = "R0041";
+    diagnostic.message = note.reason.str();
+  }
+  return result::to_string(diagnostic);
+}
+
 }  // namespace
 
 result::Result<std::unique_ptr<HostRuntime>> HostRuntime::create(const HostConfig& config,
@@ -39,6 +49,7 @@ result::Result<std::unique_ptr<HostRuntime>> HostRuntime::create(const HostConfi
     loop->run();
   });
   self->refused_ = refused.get();
+  self->monitor_.start();
   return self;
 }
 
@@ -50,7 +61,10 @@ HostRuntime::HostRuntime(const HostConfig& config, image::IoDriver& driver, Plan
       snapshots_(std::move(snapshots)),
       reader_(std::move(reader)),
       incarnation_(random_incarnation()),
-      loop_(std::make_unique<ScanLoop>(config_, io_, plant, *snapshots_)) {}
+      loop_(std::make_unique<ScanLoop>(config_, io_, plant, *snapshots_)),
+      monitor_(config.safety.monitor_ns, [this] { io_.beat(); }) {
+  monitor_.watch(loop_->lifeline());
+}
 
 HostRuntime::~HostRuntime() {
   if (!thread_.joinable()) return;
@@ -62,7 +76,8 @@ result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::by
                                        std::string digest) {
   auto program =
       PreparedProgram::create(std::move(container), std::move(digest), io_, loop_->clock(),
-                              {.safe_outputs = config_.safe_outputs}, plant_names_.size(), config_.engine);
+                              {.safe_state = config_.safety.safe_state.matrix(), .watch = &loop_->lifeline()},
+                              plant_names_.size(), config_.engine, safety());
   if (!program) return result::forward(program);
   Command command;
   command.kind = CommandKind::Load;
@@ -72,6 +87,11 @@ result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::by
   programs_.push_back(std::move(*program));
   load_tickets_.push_back(ticket);
   return {};
+}
+
+// In simulated time nothing depends on how long the machine takes.
+SafetyConfig HostRuntime::safety() const {
+  return config_.clock == ClockMode::Real ? config_.safety : SafetyConfig{};
 }
 
 bool HostRuntime::submit(const Command& command) {
@@ -127,9 +147,8 @@ StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing:
   event.program_digest = program.digest();
   event.detail = slot.note.reason.str();
   if (slot.note.kind == EventKind::Trap) {
-    event.detail = slot.note.trap
-                       ? result::to_string(reader::describe(program.loaded().program(), slot.note.trap))
-                       : "the I/O driver does not answer";
+    event.detail =
+        slot.note.trap ? trap_text(program.loaded().program(), slot.note) : "the I/O driver does not answer";
   }
   event.image = slot.image;
   for (std::size_t i = 0; i < slot.plant.size(); ++i) event.plant.push_back({plant_names_[i], slot.plant[i]});
@@ -158,6 +177,8 @@ RuntimeStatus HostRuntime::status() const {
     status.detail += text;
   };
   if (!refused_.empty()) note(refused_);
+  if (const std::int64_t silent_ns = monitor_.silent_ns(); silent_ns > 0)
+    note("the scan has not come back for " + std::to_string(silent_ns / 1'000'000) + " ms");
   if (figures.lost_events > 0) note(std::to_string(figures.lost_events) + " events were lost");
   if (auto snapshot = reader_->read()) status.plant = std::move(snapshot->plant);
   return status;

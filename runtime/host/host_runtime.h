@@ -24,6 +24,7 @@
 #include "runtime/host/plant_access.h"
 #include "runtime/host/runtime_port.h"
 #include "runtime/host/scan_loop.h"
+#include "runtime/host/scan_monitor.h"
 #include "runtime/image/io_driver.h"
 
 namespace stepwright::host {
@@ -49,11 +50,15 @@ class HostRuntime final : public RuntimePort {
   void clear() override;
   int snapshot_descriptor() const override;
 
+  // Whether the scan comes back. Any thread.
+  const ScanMonitor& monitor() const { return monitor_; }
+
  private:
   HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
               std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader);
 
   bool send(const Command& command);
+  SafetyConfig safety() const;
   StepEvent to_event(const PreparedProgram& program, const EventRing::Slot& slot) const;
 
   HostConfig config_;
@@ -72,6 +77,7 @@ class HostRuntime final : public RuntimePort {
   PreparedProgram* current_ = nullptr;
   std::deque<std::uint64_t> load_tickets_;
   std::thread thread_;
+  ScanMonitor monitor_;  // goes first, while everything that it looks at is there
 };
 
 }  // namespace stepwright::host

@@ -15,11 +15,29 @@ tl::unexpected<result::Diagnostics> too_large(const char* what, std::size_t need
                       hint);
 }
 
+std::vector<scan::WatchdogLimits> watchdogs_of(const bytecode::Program& program, const SafetyConfig& safety) {
+  const bytecode::ContainerView& view = program.container();
+  std::vector<scan::WatchdogLimits> limits;
+  for (std::uint32_t i = 0; i < view.count<bytecode::Section::Tasks>(); ++i) {
+    const auto task = view.record<bytecode::Section::Tasks>(i);
+    limits.push_back(safety.watchdog_of(reader::text_of(view, task.name)));
+  }
+  return limits;
+}
+
+// The configuration with what belongs to this program alone.
+scan::ScanConfig with(scan::ScanConfig config, std::span<std::byte> safe_memory,
+                      std::span<const scan::WatchdogLimits> watchdogs) {
+  config.safe_memory = safe_memory;
+  config.watchdogs = watchdogs;
+  return config;
+}
+
 }  // namespace
 
 result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(
     std::vector<std::byte> container, std::string digest, AreaDriver& io, scan::Clock& clock,
-    const scan::ScanConfig& config, std::size_t plant_values, EngineKind engine) {
+    const scan::ScanConfig& config, std::size_t plant_values, EngineKind engine, const SafetyConfig& safety) {
   auto loaded = reader::LoadedProgram::load(std::move(container), "download");
   if (!loaded) return result::forward(loaded);
   const bytecode::Program& program = loaded->program();
@@ -36,7 +54,8 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(
   if (!info) return result::forward(info);
   auto made = make_engine(engine, program);
   if (!made) return result::forward(made);
-  Machine machine{std::move(*made), BoolBytes(*info, program.image_size())};
+  Machine machine{std::move(*made), BoolBytes(*info, program.image_size()), watchdogs_of(program, safety),
+                  std::vector<std::byte>(program.sizes().output_bytes)};
   return std::unique_ptr<PreparedProgram>(new PreparedProgram(
       std::move(*loaded), std::move(machine), std::move(digest), io, clock, config, plant_values));
 }
@@ -49,7 +68,8 @@ PreparedProgram::PreparedProgram(reader::LoadedProgram loaded, Machine machine, 
       memory_(loaded_.program().memory_size()),
       machine_(std::move(machine)),
       image_(memory_, scan::layout_of(loaded_.program())),
-      cycle_(loaded_.program(), *machine_.engine, image_, io, clock, config),
+      cycle_(loaded_.program(), *machine_.engine, image_, io, clock,
+             with(config, machine_.safe_memory, machine_.watchdogs)),
       steps_(loaded_.program()),
       events_(loaded_.program().image_size(), plant_values) {
   image_.reset(loaded_.program().container().section(bytecode::Section::InitialData));

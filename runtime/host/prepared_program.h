@@ -15,6 +15,7 @@
 #include "runtime/host/bool_bytes.h"
 #include "runtime/host/engine_choice.h"
 #include "runtime/host/event_ring.h"
+#include "runtime/host/safety_config.h"
 #include "runtime/host/step_watch.h"
 #include "runtime/image/process_image.h"
 #include "runtime/result/result.h"
@@ -29,7 +30,8 @@ class PreparedProgram {
   // passed by reference must outlive the program.
   [[nodiscard]] static result::Result<std::unique_ptr<PreparedProgram>> create(
       std::vector<std::byte> container, std::string digest, AreaDriver& io, scan::Clock& clock,
-      const scan::ScanConfig& config, std::size_t plant_values, EngineKind engine);
+      const scan::ScanConfig& config, std::size_t plant_values, EngineKind engine,
+      const SafetyConfig& safety);
 
   PreparedProgram(const PreparedProgram&) = delete;
   PreparedProgram& operator=(const PreparedProgram&) = delete;
@@ -49,6 +51,8 @@ class PreparedProgram {
   struct Machine {
     std::unique_ptr<bytecode::Engine> engine;
     BoolBytes bools;
+    std::vector<scan::WatchdogLimits> watchdogs;  // by task
+    std::vector<std::byte> safe_memory;
   };
   PreparedProgram(reader::LoadedProgram loaded, Machine machine, std::string digest, AreaDriver& io,
                   scan::Clock& clock, const scan::ScanConfig& config, std::size_t plant_values);
@@ -56,7 +60,7 @@ class PreparedProgram {
   std::string digest_;
   reader::LoadedProgram loaded_;
   std::vector<std::byte> memory_;
-  Machine machine_;
+  Machine machine_;  // before the cycle, which refers to it
   image::ProcessImage image_;
   scan::ScanCycle cycle_;
   StepWatch steps_;

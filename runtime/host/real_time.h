@@ -24,4 +24,7 @@ void sleep_until(std::int64_t instant_ns);
 // sentence for the status; empty if nothing was.
 std::string enter_real_time();
 
+// Gives the calling thread a priority above the scan's, where that is permitted.
+void enter_monitor_priority();
+
 }  // namespace stepwright::host

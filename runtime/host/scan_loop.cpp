@@ -1,6 +1,8 @@
 #include "runtime/host/scan_loop.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 namespace stepwright::host {
 namespace {
@@ -11,6 +13,17 @@ constexpr std::int64_t kPublishPeriodNs = 5'000'000;
 // Simulated with a speed: what the simulation lags behind more than this is not caught up.
 constexpr std::int64_t kMaxLagNs = 100'000'000;
 
+// What the event says of a watchdog that expired; empty if none did. No heap: it is the scan thread's.
+FixedText<kMaxReasonBytes> watchdog_text(const scan::WatchdogReport& report) {
+  if (report.took_ns == 0) return {};
+  std::array<char, kMaxReasonBytes> text{};
+  const int length = std::snprintf(
+      text.data(), text.size(), "the watchdog expired: %lld us, %u in a row, of a task with %lld us x %u",
+      static_cast<long long>(report.took_ns / 1'000), report.too_long,
+      static_cast<long long>(report.limits.time_ns / 1'000), report.limits.sensitivity);
+  return FixedText<kMaxReasonBytes>(std::string_view(text.data(), static_cast<std::size_t>(length)));
+}
+
 }  // namespace
 
 ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots)
@@ -20,6 +33,7 @@ ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant,
       snapshots_(snapshots),
       commands_(kQueue),
       completions_(kQueue),
+      lifeline_(config.safety.stall_ns),
       faults_(config.faults),
       truths_(plant == nullptr ? 0 : plant->value_names().size()) {
   std::stable_sort(faults_.begin(), faults_.end(),
@@ -52,10 +66,12 @@ bool ScanLoop::submit(Command command) {
 }
 
 void ScanLoop::turn_real() {
-  if (program_ == nullptr) return wake_.wait(-1);
+  if (program_ == nullptr) return wait(-1);
   const bool running = now_.state == RuntimeState::Running;
   const std::int64_t due_ns = running ? program_->cycle().next_time_ns() : idle_due_ns_;
+  lifeline_.rest_until(origin_ns_ + due_ns);
   sleep_until(origin_ns_ + due_ns);
+  lifeline_.busy();
   const std::int64_t late_ns = clock_.now_ns() - origin_ns_ - due_ns;
   if (!running) {
     idle_io(due_ns + late_ns);
@@ -73,9 +89,15 @@ void ScanLoop::turn_real() {
 void ScanLoop::turn_simulated() {
   const bool held = now_.state != RuntimeState::Running || now_.waiting_for_supervisor;
   // A full ring holds the clock too: no event is lost in simulated time.
-  if (held || program_->events().full()) return wake_.wait(-1);
+  if (held || program_->events().full()) return wait(-1);
   if (config_.speed > 0.0 && early(program_->cycle().next_time_ns())) return;
   scan_once();
+}
+
+void ScanLoop::wait(std::int64_t timeout_ns) {
+  lifeline_.rest();
+  wake_.wait(timeout_ns);
+  lifeline_.busy();
 }
 
 // True if the scan at `next_ns` must wait for the clock on the wall; then some waiting was done.
@@ -83,7 +105,7 @@ bool ScanLoop::early(std::int64_t next_ns) {
   const double ahead_ns = static_cast<double>(next_ns - pace_scan_ns_) / config_.speed;
   const std::int64_t wait_ns = pace_wall_ns_ + static_cast<std::int64_t>(ahead_ns) - clock_.now_ns();
   if (wait_ns > 0) {
-    wake_.wait(wait_ns);
+    wait(wait_ns);
     return true;
   }
   if (-wait_ns > kMaxLagNs) {
@@ -94,6 +116,7 @@ bool ScanLoop::early(std::int64_t next_ns) {
 }
 
 void ScanLoop::scan_once() {
+  lifeline_.busy();
   inject_scheduled(program_->cycle().next_time_ns());
   const scan::ScanReport report = program_->cycle().run_scan();
   now_.scan = report.scan;
@@ -104,7 +127,7 @@ void ScanLoop::scan_once() {
     end_stretch();
     now_.state = RuntimeState::Fault;
     next_start_ns_ = program_->cycle().next_time_ns();
-    emit(EventKind::Trap, report.trap, {});
+    emit(EventKind::Trap, report.trap, watchdog_text(program_->cycle().watchdog_report()).view());
   } else if (changed) {
     if (barrier_ && !supervisor_lost_ && !real()) {
       now_.waiting_for_supervisor = true;
@@ -118,10 +141,7 @@ void ScanLoop::scan_once() {
 
 // Inputs stay fresh and outputs safe while no program runs. A driver that does not answer is no news then.
 void ScanLoop::idle_io(std::int64_t time_ns) {
-  image::ProcessImage& image = program_->image();
-  static_cast<void>(io_.read_inputs(time_ns, image.inputs()));
-  scan::apply_safe_state(config_.safe_outputs, image.outputs());
-  static_cast<void>(io_.write_outputs(time_ns, image.outputs()));
+  program_->cycle().idle(time_ns);
   now_.time_ns = time_ns;
 }
 
@@ -192,6 +212,11 @@ void ScanLoop::publish() {
     snapshots_.publish(now_.scan, now_.time_ns, program_->digest(), program_->image().bytes(), truths_);
   }
   figures_.store(now_);
+}
+
+// Where the safe state's time is while no program runs.
+std::int64_t ScanLoop::safe_time_ns() {
+  return real() ? clock_.now_ns() - origin_ns_ : now_.time_ns;
 }
 
 std::int64_t ScanLoop::next_time_ns() const {

@@ -23,6 +23,7 @@
 #include "runtime/host/plant_access.h"
 #include "runtime/host/prepared_program.h"
 #include "runtime/host/real_time.h"
+#include "runtime/host/scan_monitor.h"
 #include "runtime/host/seq_cell.h"
 #include "runtime/host/snapshot_memory.h"
 #include "runtime/host/spsc_queue.h"
@@ -66,6 +67,8 @@ class ScanLoop {
 
   // Measures scans and, in real time, sets them off. Any thread.
   scan::Clock& clock() { return clock_; }
+  // Of the scan thread. Any thread.
+  Lifeline& lifeline() { return lifeline_; }
   bool ok() const { return wake_.ok() && news_.ok(); }
 
  private:
@@ -74,7 +77,7 @@ class ScanLoop {
   Completion apply(const Command& command);
   Outcome load(PreparedProgram* program);
   Outcome start(bool barrier);
-  Outcome stop(std::string_view reason);
+  Outcome stop(std::string_view reason, scan::SafeCause cause = scan::SafeCause::Stop);
   Outcome force(const ImageBits& bits);
   Outcome unforce(const ImageBits& bits);
   Outcome write(const ImageBits& bits);
@@ -95,6 +98,8 @@ class ScanLoop {
   void publish_if_due();
   void publish();
   std::int64_t next_time_ns() const;
+  std::int64_t safe_time_ns();
+  void wait(std::int64_t timeout_ns);
   bool real() const { return config_.clock == ClockMode::Real; }
 
   const HostConfig& config_;
@@ -109,6 +114,7 @@ class ScanLoop {
   Doorbell news_;
   SeqCell<ScanFigures> figures_;
   std::atomic<bool> quit_{false};
+  Lifeline lifeline_;
 
   // The rest belongs to the scan thread.
   PreparedProgram* program_ = nullptr;

@@ -10,8 +10,16 @@ using bytecode::Section;
 
 ScanCycle::ScanCycle(const bytecode::Program& program, bytecode::Engine& engine, image::ProcessImage& image,
                      image::IoDriver& io, Clock& clock, const ScanConfig& config)
-    : program_(program), engine_(engine), image_(image), io_(io), clock_(clock), config_(config) {
+    : program_(program),
+      engine_(engine),
+      image_(image),
+      io_(io),
+      clock_(clock),
+      config_(config),
+      safe_(config.safe_state, config.safe_memory.empty() ? image.outputs() : config.safe_memory) {
   assert(image.memory().size() == program.memory_size());
+  assert(config.safe_memory.empty() || config.safe_memory.size() >= image.outputs().size());
+  engine_.set_interrupt(config_.watch == nullptr ? nullptr : config_.watch->interrupt());
   load_tasks();
 }
 
@@ -35,6 +43,8 @@ void ScanCycle::load_tasks() {
     task.first_call = record.first_call;
     task.call_count = record.call_count;
     task.frames = program_.frames_of(i);
+    task.index = i;
+    if (i < config_.watchdogs.size()) task.watchdog = TaskWatchdog(config_.watchdogs[i]);
     if (record.trigger == bytecode::kNoIndex) continue;
     const bytecode::SymbolRecord symbol = view.record<Section::Symbols>(record.trigger);
     task.trigger = symbol.address;
@@ -48,17 +58,39 @@ void ScanCycle::start(const StartPoint& at) {
   for (TaskState& task : tasks()) {
     task.due_ns = task.interval_ns > 0 ? at.time_ns : kNever;
     task.triggered = false;
+    task.watchdog.reset();
   }
   scan_ = at.scan;
   last_time_ns_ = at.time_ns;
   trace_hash_ = at.trace_hash;
   last_trap_ = {};
+  watchdog_report_ = {};
   state_ = ScanState::Running;
 }
 
-void ScanCycle::stop() {
+void ScanCycle::stop(SafeCause cause) {
+  if (state_ == ScanState::Running) safe_.enter(cause, last_time_ns_);
   state_ = ScanState::Stopped;
   write_outputs(last_time_ns_);
+}
+
+void ScanCycle::take_over(std::span<const std::byte> driven, SafeCause cause, std::int64_t time_ns) {
+  assert(state_ != ScanState::Running);
+  last_time_ns_ = time_ns;
+  safe_.driven(driven);
+  safe_.enter(cause, time_ns);
+}
+
+// A driver that does not answer is no news while nothing runs.
+void ScanCycle::idle(std::int64_t time_ns) {
+  assert(state_ != ScanState::Running);
+  static_cast<void>(io_.read_inputs(time_ns, image_.inputs()));
+  write_outputs(time_ns);
+}
+
+void ScanCycle::fail(ScanState state, SafeCause cause) {
+  state_ = state;
+  safe_.enter(cause, last_time_ns_);
 }
 
 std::int64_t ScanCycle::next_time_ns() const {
@@ -86,7 +118,7 @@ ScanReport ScanCycle::run_scan() {
 
   const bool inputs_good = io_.read_inputs(time_ns, image_.inputs()) == image::IoStatus::Good;
   if (was_running && !inputs_good) {
-    state_ = ScanState::IoLost;
+    fail(ScanState::IoLost, SafeCause::IoLost);
     ++statistics_.io_losses;
   }
   if (state_ == ScanState::Running) run_tasks(time_ns);
@@ -94,7 +126,8 @@ ScanReport ScanCycle::run_scan() {
   write_outputs(time_ns);
 
   ScanReport report{state_, scan_, time_ns, image_.hash(), {}};
-  if (was_running && state_ == ScanState::Trapped) report.trap = last_trap_;
+  const bool program_failed = state_ == ScanState::Trapped || state_ == ScanState::WatchdogExpired;
+  if (was_running && program_failed) report.trap = last_trap_;
   trace_hash_ = base::hash_mix(base::hash_mix(trace_hash_, scan_), report.image_hash);
   ++statistics_.scans;
   statistics_.scan_time.record(clock_.now_ns() - begin_ns);
@@ -119,10 +152,37 @@ void ScanCycle::run_tasks(std::int64_t time_ns) {
   forces_.apply(image_.bytes());
   std::uint64_t budget = config_.budget;
   for (TaskState& task : tasks()) {
-    if (is_to_run(task, time_ns) && !run_calls(task, time_ns, budget)) break;
+    if (is_to_run(task, time_ns) && !run_task(task, time_ns, budget)) break;
   }
   forces_.apply(image_.bytes());
   statistics_.program_time.record(clock_.now_ns() - begin_ns);
+}
+
+// False if the task trapped or its watchdog expired.
+bool ScanCycle::run_task(TaskState& task, std::int64_t time_ns, std::uint64_t& budget) {
+  const bool timed = task.watchdog.on() || config_.watch != nullptr;
+  const std::int64_t begin_ns = timed ? clock_.now_ns() : 0;
+  const std::int64_t longest_ns = task.watchdog.longest_ns();
+  if (config_.watch != nullptr) {
+    const bool bounded = longest_ns < TaskWatchdog::kNoLimit - begin_ns;
+    config_.watch->begin(bounded ? begin_ns + longest_ns : TaskWatchdog::kNoLimit);
+  }
+  // A task whose watchdog can end it has time and no budget: what the time allows is not a matter of code.
+  const bool by_time =
+      task.watchdog.on() && config_.watch != nullptr && config_.watch->interrupt() != nullptr;
+  std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+  const bool done = run_calls(task, time_ns, by_time ? unlimited : budget);
+  if (config_.watch != nullptr) config_.watch->end();
+  if (!task.watchdog.on()) return done;
+  const std::int64_t took_ns = clock_.now_ns() - begin_ns;
+  const bool expired = task.watchdog.executed(took_ns);
+  if (expired) watchdog_report_ = {task.index, took_ns, task.watchdog.limits(), task.watchdog.too_long()};
+  if (!done || !expired) return done;
+  const auto call = program_.container().record<Section::ProgramCalls>(task.first_call);
+  last_trap_ = {bytecode::TrapCode::Watchdog, call.function};
+  fail(ScanState::WatchdogExpired, SafeCause::Watchdog);
+  ++statistics_.watchdogs;
+  return false;
 }
 
 bool ScanCycle::run_calls(const TaskState& task, std::int64_t time_ns, std::uint64_t& budget) {
@@ -132,7 +192,8 @@ bool ScanCycle::run_calls(const TaskState& task, std::int64_t time_ns, std::uint
         engine_.run({call.function, call.instance, time_ns, task.frames}, image_.memory(), budget);
     if (!trap) continue;
     last_trap_ = trap;
-    state_ = ScanState::Trapped;
+    const bool endless = trap.code == bytecode::TrapCode::Watchdog;
+    fail(ScanState::Trapped, endless ? SafeCause::Watchdog : SafeCause::Trap);
     ++statistics_.traps;
     return false;
   }
@@ -147,12 +208,13 @@ void ScanCycle::advance(std::int64_t time_ns) {
 
 // In any state but Running the outputs are in their safe state, forces or not.
 void ScanCycle::write_outputs(std::int64_t time_ns) {
-  if (state_ != ScanState::Running) apply_safe_state(config_.safe_outputs, image_.outputs());
+  if (state_ != ScanState::Running) safe_.apply(time_ns, image_.outputs());
   const bool written = io_.write_outputs(time_ns, image_.outputs()) == image::IoStatus::Good;
-  if (written || state_ != ScanState::Running) return;
-  state_ = ScanState::IoLost;
+  if (state_ != ScanState::Running) return;
+  if (written) return safe_.driven(image_.outputs());
+  fail(ScanState::IoLost, SafeCause::IoLost);
   ++statistics_.io_losses;
-  apply_safe_state(config_.safe_outputs, image_.outputs());
+  safe_.apply(time_ns, image_.outputs());
   // The device may be reachable for this last word; nothing more can be done if it is not.
   static_cast<void>(io_.write_outputs(time_ns, image_.outputs()));
 }

@@ -27,6 +27,7 @@
 #include "runtime/scan/clock.h"
 #include "runtime/scan/histogram.h"
 #include "runtime/scan/safe_state.h"
+#include "runtime/scan/task_watchdog.h"
 
 namespace stepwright::scan {
 
@@ -34,11 +35,16 @@ namespace stepwright::scan {
 image::ImageLayout layout_of(const bytecode::Program& program);
 
 struct ScanConfig {
-  std::uint64_t budget = 100'000'000;  // per scan, in bytes of code (bytecode::Engine); beyond it: Trap
-  std::span<const SafeOutput> safe_outputs = {};  // must outlive the cycle; empty: all outputs to zero
+  std::uint64_t budget = 100'000'000;  // per scan, in bytes of code (bytecode::Engine); beyond it: Trap; not
+                                       // for tasks whose watchdog can end them
+  // What these and the next three refer to must outlive the cycle.
+  SafeMatrix safe_state = {};             // without rules all outputs go to zero
+  std::span<std::byte> safe_memory = {};  // as many bytes as there are outputs; empty: the image's own
+  std::span<const WatchdogLimits> watchdogs = {};  // by the task's index in the container; empty: none
+  TaskWatch* watch = nullptr;                      // told of every execution
 };
 
-enum class ScanState : std::uint8_t { Stopped, Running, Trapped, IoLost };
+enum class ScanState : std::uint8_t { Stopped, Running, Trapped, IoLost, WatchdogExpired };
 
 // Where a program takes over: at zero, or where the one before it stopped, so that the time of the plant goes
 // on and one trace hash covers both.
@@ -53,7 +59,15 @@ struct ScanReport {
   std::uint64_t scan = 0;    // 1-based number of this scan
   std::int64_t time_ns = 0;  // at which it ran
   std::uint64_t image_hash = 0;
-  bytecode::Trap trap;  // of this scan; the state is Trapped then
+  bytecode::Trap trap;  // of this scan; the state is Trapped or WatchdogExpired then
+};
+
+// Why a watchdog expired; took_ns is 0 if none did.
+struct WatchdogReport {
+  std::uint32_t task = 0;  // index in the container
+  std::int64_t took_ns = 0;
+  WatchdogLimits limits;
+  std::uint32_t too_long = 0;  // executions in a row
 };
 
 struct ScanStatistics {
@@ -62,6 +76,7 @@ struct ScanStatistics {
   std::uint64_t scans = 0;
   std::uint64_t traps = 0;
   std::uint64_t io_losses = 0;
+  std::uint64_t watchdogs = 0;
 };
 
 class ScanCycle {
@@ -73,8 +88,16 @@ class ScanCycle {
   // Cold start: every variable to its initial value, every task due at once, no fault, no force.
   void start(const StartPoint& at);
 
-  // No task runs any more. The outputs are in their safe state when it returns.
-  void stop();
+  // No task runs any more. The outputs are in the safe state of the cause when it returns. A cause that came
+  // before it stays.
+  void stop(SafeCause cause = SafeCause::Stop);
+
+  // The outputs go on as somebody drove them before: the cycle of another program, or a process that is gone.
+  // At `time_ns` the cause comes again, so that ramps begin where they were left. Requires that nothing runs.
+  void take_over(std::span<const std::byte> driven, SafeCause cause, std::int64_t time_ns);
+
+  // While no program runs: fresh inputs, safe outputs. Requires that.
+  void idle(std::int64_t time_ns);
 
   // One scan at next_time_ns(): runs every task that is due then.
   ScanReport run_scan();
@@ -88,6 +111,9 @@ class ScanCycle {
   ScanState state() const { return state_; }
   std::uint64_t scan() const { return scan_; }
   bytecode::Trap last_trap() const { return last_trap_; }
+  // What the outputs are while the state is not Running.
+  const SafeState& safe_state() const { return safe_; }
+  const WatchdogReport& watchdog_report() const { return watchdog_report_; }
 
   // hash_mix over every scan's number and image hash since the trace began.
   std::uint64_t trace_hash() const { return trace_hash_; }
@@ -105,7 +131,9 @@ class ScanCycle {
     std::uint32_t frames = 0;                    // absolute address
     std::uint32_t trigger = bytecode::kNoIndex;  // absolute address of the BOOL; kNoIndex: none
     std::uint8_t trigger_bit = bytecode::kNoBit;
-    bool triggered = false;  // the trigger as it was last seen
+    bool triggered = false;   // the trigger as it was last seen
+    std::uint32_t index = 0;  // in the container
+    TaskWatchdog watchdog;
   };
   static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
@@ -113,7 +141,9 @@ class ScanCycle {
   void load_tasks();
   void run_tasks(std::int64_t time_ns);
   bool is_to_run(TaskState& task, std::int64_t time_ns) const;
+  bool run_task(TaskState& task, std::int64_t time_ns, std::uint64_t& budget);
   bool run_calls(const TaskState& task, std::int64_t time_ns, std::uint64_t& budget);
+  void fail(ScanState state, SafeCause cause);
   void advance(std::int64_t time_ns);
   void write_outputs(std::int64_t time_ns);
 
@@ -132,6 +162,8 @@ class ScanCycle {
   std::int64_t last_time_ns_ = 0;
   std::uint64_t trace_hash_ = 0;
   ScanStatistics statistics_;
+  SafeState safe_;
+  WatchdogReport watchdog_report_;
 };
 
 }  // namespace stepwright::scan

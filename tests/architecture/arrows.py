@@ -23,7 +23,7 @@ ARROWS = {
     "runtime/naming": [],
     "runtime/result": ["runtime/naming"],
     "runtime/settings": ["runtime/result"],
-    "runtime/host": ["runtime/native", "runtime/scan", "runtime/bytecode/reader"],
+    "runtime/host": ["runtime/native", "runtime/scan", "runtime/bytecode/reader", "runtime/naming"],
     "runtime/service": ["runtime/host"],
     "runtime/dds": ["runtime/service"],
     "ladder/source": ["runtime/result", "runtime/base"],
