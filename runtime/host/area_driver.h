@@ -24,6 +24,7 @@ class AreaDriver final : public image::IoDriver {
   image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override;
   image::IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) override;
 
+  void safe(std::uint8_t cause, bool settled) override { driver_.safe(cause, settled); }
   void beat() override { driver_.beat(); }
 
   // What was written last; before the first write what somebody else left, else zero.

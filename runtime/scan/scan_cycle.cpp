@@ -206,15 +206,20 @@ void ScanCycle::advance(std::int64_t time_ns) {
   }
 }
 
+void ScanCycle::make_safe(std::int64_t time_ns) {
+  safe_.apply(time_ns, image_.outputs());
+  io_.safe(static_cast<std::uint8_t>(safe_.cause()), safe_.settled());
+}
+
 // In any state but Running the outputs are in their safe state, forces or not.
 void ScanCycle::write_outputs(std::int64_t time_ns) {
-  if (state_ != ScanState::Running) safe_.apply(time_ns, image_.outputs());
+  if (state_ != ScanState::Running) make_safe(time_ns);
   const bool written = io_.write_outputs(time_ns, image_.outputs()) == image::IoStatus::Good;
   if (state_ != ScanState::Running) return;
   if (written) return safe_.driven(image_.outputs());
   fail(ScanState::IoLost, SafeCause::IoLost);
   ++statistics_.io_losses;
-  safe_.apply(time_ns, image_.outputs());
+  make_safe(time_ns);
   // The device may be reachable for this last word; nothing more can be done if it is not.
   static_cast<void>(io_.write_outputs(time_ns, image_.outputs()));
 }

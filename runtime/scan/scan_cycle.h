@@ -145,6 +145,7 @@ class ScanCycle {
   bool run_calls(const TaskState& task, std::int64_t time_ns, std::uint64_t& budget);
   void fail(ScanState state, SafeCause cause);
   void advance(std::int64_t time_ns);
+  void make_safe(std::int64_t time_ns);
   void write_outputs(std::int64_t time_ns);
 
   bytecode::Program program_;

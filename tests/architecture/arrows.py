@@ -20,6 +20,7 @@ ARROWS = {
     "runtime/vm": ["runtime/operations", "runtime/image"],
     "runtime/native": ["runtime/operations", "runtime/result"],
     "runtime/scan": ["runtime/vm"],
+    "runtime/io_memory": ["runtime/scan", "runtime/result"],
     "runtime/naming": [],
     "runtime/result": ["runtime/naming"],
     "runtime/settings": ["runtime/result"],
