@@ -38,13 +38,6 @@ void read_safe_state(const TomlTable& table, CellConfig& config) {
   config.on_lost_supervisor = policy == "safe" ? LostSupervisorPolicy::Safe : LostSupervisorPolicy::Continue;
   config.supervisor_lost_after =
       std::chrono::milliseconds(table.integer("supervisor_lost_after_ms", 1'000, {100, 600'000}));
-  const TomlTable outputs = table.table("outputs");
-  for (const std::string& address : outputs.keys()) {
-    const std::string action = outputs.choice(address, "zero", {"zero", "hold", "one"});
-    config.safe_outputs.push_back({address, action == "hold"  ? SafeAction::Hold
-                                            : action == "one" ? SafeAction::One
-                                                              : SafeAction::Zero});
-  }
 }
 
 std::filesystem::path required_file(const TomlTable& table, const char* key,
@@ -120,6 +113,7 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   const std::filesystem::path folder = file.parent_path();
   CellConfig config;
   config.file = file;
+  config.overrides = overrides;
   const TomlTable cell = root.table("cell");
   config.name = cell.text("name", config.name);
   const std::string state_dir = cell.text("state_dir", {});
@@ -134,6 +128,7 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   config.image.input_bytes = static_cast<std::uint32_t>(image.integer("input_bytes", 64, {1, 65'536}));
   config.image.output_bytes = static_cast<std::uint32_t>(image.integer("output_bytes", 64, {1, 65'536}));
   read_safe_state(root.table("safe_state"), config);
+  const result::Diagnostics unsafe = read_safety(root, config.image.output_bytes, config.safety);
   if (root.has("planning")) read_planning(root.table("planning"), folder, config.planning);
   for (const TomlTable& fault : root.tables("faults")) {
     config.faults.push_back({fault.required_number("at_s", {0.0, 1e9}), fault.required_text("name"),
@@ -151,6 +146,7 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   config.hmi.port = static_cast<std::uint16_t>(hmi.integer("port", 8080, {0, 65'535}));
   read_retain(root, folder, config.state_dir, config.retain, config.boot);
   result::Diagnostics problems = (*document)->finish();
+  problems.insert(problems.end(), unsafe.begin(), unsafe.end());
   if (result::has_errors(problems)) return tl::unexpected(std::move(problems));
   return config;
 }

@@ -13,8 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "programs/config/task_config.h"
 #include "programs/config/retain_config.h"
+#include "programs/config/safety_config.h"
+#include "programs/config/task_config.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::config {
@@ -22,7 +23,6 @@ namespace stepwright::config {
 enum class ClockMode : std::uint8_t { Simulated, Real };
 enum class LostSupervisorPolicy : std::uint8_t { Continue, Safe };
 enum class EngineKind : std::uint8_t { Auto, Native, Vm };
-enum class SafeAction : std::uint8_t { Zero, Hold, One };
 
 struct ClockConfig {
   ClockMode mode = ClockMode::Simulated;
@@ -55,11 +55,6 @@ struct ScheduledFault {
 
 // True for a change of what is asked for, false for a fault of the plant.
 bool is_goal_change(const ScheduledFault& fault);
-
-struct SafeOutput {
-  std::string address;  // "%QX0.0"
-  SafeAction action = SafeAction::Zero;
-};
 
 struct ImageConfig {
   std::uint32_t input_bytes = 64;  // sizes of the areas that the I/O driver sees; a program may use less
@@ -94,8 +89,9 @@ struct HmiConfig {
 };
 
 struct CellConfig {
-  std::filesystem::path file;       // the configuration file itself
-  std::string name = "cell";        // also the id of the cell's runtime on Fast DDS
+  std::filesystem::path file;          // the configuration file itself
+  std::vector<std::string> overrides;  // "dotted.key=value", which won over the file
+  std::string name = "cell";           // also the id of the cell's runtime on Fast DDS
   std::filesystem::path state_dir;  // sockets, journals and reports; created on demand (default: a folder of
                                     // the name in the temporary folder)
   ClockConfig clock;
@@ -105,7 +101,7 @@ struct CellConfig {
   PlantConfig plant;
   ImageConfig image;
   std::vector<ScheduledFault> faults;
-  std::vector<SafeOutput> safe_outputs;  // outputs not listed go to zero
+  SafetyConfig safety;  // [safe_state] by cause and output, [watchdog], [tasks.NAME], [guard], [io]
   LostSupervisorPolicy on_lost_supervisor = LostSupervisorPolicy::Continue;
   std::chrono::milliseconds supervisor_lost_after{1'000};
   PlanningConfig planning;

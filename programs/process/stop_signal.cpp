@@ -22,6 +22,11 @@ StopSignal::~StopSignal() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
+bool StopSignal::came() const {
+  pollfd ready{descriptor_, POLLIN, 0};
+  return poll(&ready, 1, 0) == 1;
+}
+
 void StopSignal::wait() const {
   pollfd ready{descriptor_, POLLIN, 0};
   while (poll(&ready, 1, -1) < 0 && errno == EINTR) {

@@ -14,6 +14,8 @@ class StopSignal {
 
   // Readable, for good, once one of the signals came.
   int descriptor() const { return descriptor_; }
+  // One of the signals came.
+  bool came() const;
   // Returns once one of the signals came.
   void wait() const;
 

@@ -9,6 +9,7 @@
 #include "plant_models/bridge/plant_driver.h"
 #include "programs/runtime/plant_memory.h"
 #include "runtime/image/no_io.h"
+#include "runtime/io_memory/memory_driver.h"
 
 namespace stepwright::cell_runtime {
 namespace {
@@ -21,6 +22,18 @@ class Unwired final : public CellIo {
 
  private:
   image::NoIo driver_;
+};
+
+// The plant is another process.
+class SharedIo final : public CellIo {
+ public:
+  explicit SharedIo(std::unique_ptr<io_memory::IoArea> area) : driver_(std::move(area)) {}
+  image::IoDriver& driver() override { return driver_; }
+  host::PlantAccess* plant() override { return nullptr; }
+  bool guarded() const override { return driver_.guarded(); }
+
+ private:
+  io_memory::MemoryDriver driver_;
 };
 
 // What PlantMemory keeps, by the names of the bench's truths.
@@ -130,6 +143,12 @@ result::Result<void> check_faults(const config::CellConfig& config) {
 }  // namespace
 
 result::Result<std::unique_ptr<CellIo>> CellIo::create(const config::CellConfig& config) {
+  if (config.safety.io.shared_memory) {
+    auto area =
+        io_memory::IoArea::open(config.safety.io.name, config.image.input_bytes, config.image.output_bytes);
+    if (!area) return result::forward(area);
+    return std::make_unique<SharedIo>(std::move(*area));
+  }
   if (config.plant.kind == "none") return std::make_unique<Unwired>();
   if (auto faults = check_faults(config); !faults) return result::forward(faults);
   auto memory = PlantMemory::open(config.plant_memory_path());

@@ -18,6 +18,8 @@ class CellIo {
   virtual image::IoDriver& driver() = 0;
   // Null without a simulated plant.
   virtual host::PlantAccess* plant() = 0;
+  // A guard process watches the outputs.
+  virtual bool guarded() const { return false; }
 
   // Fails with what is wrong in [plant], its ports and its scheduled faults (C0301 to C0331).
   [[nodiscard]] static result::Result<std::unique_ptr<CellIo>> create(const config::CellConfig& config);

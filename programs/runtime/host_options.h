@@ -8,7 +8,7 @@
 
 namespace stepwright::cell_runtime {
 
-// Fails with every safe output whose address is malformed (C0302), no output, or outside the area (C0303).
+// Fails with what does not fit this machine; what is wrong in the file is found when that is read.
 [[nodiscard]] result::Result<host::HostConfig> host_options(const config::CellConfig& config);
 
 }  // namespace stepwright::cell_runtime

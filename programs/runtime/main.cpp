@@ -12,6 +12,7 @@
 #include "programs/process/stop_signal.h"
 #include "programs/runtime/boot_program.h"
 #include "programs/runtime/cell_io.h"
+#include "programs/runtime/guard_process.h"
 #include "programs/runtime/host_options.h"
 #include "runtime/host/host_runtime.h"
 #include "runtime/result/exit_code.h"
@@ -53,6 +54,10 @@ int run(const config::CellConfig& config) {
   if (auto made = make_state_dir(config); !made) return fail(made.error(), ExitCode::BadInput);
   auto io = CellIo::create(config);
   if (!io) return fail(io.error(), ExitCode::BadInput);
+  if (config.safety.guard.enabled && !(*io)->guarded()) {
+    auto started = start_guard(config);
+    if (!started && !(*io)->guarded()) return fail(started.error(), ExitCode::RuntimeFault);
+  }
 
   auto runtime = host::HostRuntime::create(*options, (*io)->driver(), (*io)->plant());
   if (!runtime) return fail(runtime.error(), ExitCode::RuntimeFault);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "runtime/bytecode/interrupt.h"
 #include "runtime/bytecode/trap.h"
 
 namespace stepwright::bytecode {
@@ -29,6 +30,10 @@ class Engine {
   // Runs to the end or to a trap; takes what it used from `budget`. `memory` is the image with the frames
   // behind it: requires Program::memory_size bytes, and an instance and frames that lie within.
   virtual Trap run(const Invocation& invocation, std::span<std::byte> memory, std::uint64_t& budget) = 0;
+
+  // From now on runs look at it now and then, and trap (TrapCode::Watchdog) when they are asked to end; null:
+  // they do not. It must outlive the runs. Never during a run.
+  virtual void set_interrupt(const Interrupt* interrupt) = 0;
 };
 
 }  // namespace stepwright::bytecode

@@ -16,7 +16,13 @@ image::IoStatus AreaDriver::write_outputs(std::int64_t now_ns, std::span<const s
   assert(outputs.size() <= outputs_.size());
   const auto rest = std::copy(outputs.begin(), outputs.end(), outputs_.begin());
   std::fill(rest, outputs_.end(), std::byte{0});
+  written_ = true;
   return driver_.write_outputs(now_ns, outputs_);
+}
+
+std::span<const std::byte> AreaDriver::outputs() {
+  if (!written_ && !driver_.left_outputs(outputs_)) std::ranges::fill(outputs_, std::byte{0});
+  return outputs_;
 }
 
 }  // namespace stepwright::host

@@ -24,6 +24,12 @@ class AreaDriver final : public image::IoDriver {
   image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override;
   image::IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) override;
 
+  void safe(std::uint8_t cause, bool settled) override { driver_.safe(cause, settled); }
+  void beat() override { driver_.beat(); }
+
+  // What was written last; before the first write what somebody else left, else zero.
+  std::span<const std::byte> outputs();
+
   std::size_t input_bytes() const { return inputs_.size(); }
   std::size_t output_bytes() const { return outputs_.size(); }
 
@@ -31,6 +37,7 @@ class AreaDriver final : public image::IoDriver {
   image::IoDriver& driver_;
   std::vector<std::byte> inputs_;
   std::vector<std::byte> outputs_;
+  bool written_ = false;
 };
 
 }  // namespace stepwright::host

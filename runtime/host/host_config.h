@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "runtime/host/engine_choice.h"
+#include "runtime/host/safety_config.h"
 #include "runtime/host/task_settings.h"
 #include "runtime/record/retain_keeper.h"
-#include "runtime/scan/safe_state.h"
 
 namespace stepwright::host {
 
@@ -38,12 +38,12 @@ struct HostConfig {
   std::int64_t idle_interval_ns = 10'000'000;  // real clock: period of the I/O while no program runs
   std::size_t input_bytes = 64;                // of the areas that the I/O driver serves
   std::size_t output_bytes = 64;
-  std::vector<scan::SafeOutput> safe_outputs;  // outputs without a rule go to zero
+  SafetyConfig safety;
   LostSupervisor on_lost_supervisor = LostSupervisor::Continue;
   std::vector<ScheduledFault> faults;
   std::vector<TaskSettings> tasks;  // by name; a task without an entry has the defaults
   int cpu = -1;                     // real clock: the only processor of the scan; -1: any
-  record::RetainConfig retain;  // without a store retained values end with the process
+  record::RetainConfig retain;      // without a store retained values end with the process
 };
 
 }  // namespace stepwright::host

@@ -28,6 +28,16 @@ std::uint64_t random_incarnation() {
   return (high << 32 | source()) | 1u;
 }
 
+// A watchdog's expiry (R0041) says in the reason what took how long.
+std::string trap_text(const bytecode::Program& program, const EventNote& note) {
+  result::Diagnostic diagnostic = reader::describe(program, note.trap);
+  if (!note.reason.view().empty()) {
+    diagnostic.code = "R0041";
+    diagnostic.message = note.reason.str();
+  }
+  return result::to_string(diagnostic);
+}
+
 }  // namespace
 
 result::Result<std::unique_ptr<HostRuntime>> HostRuntime::create(const HostConfig& config,
@@ -49,6 +59,7 @@ result::Result<std::unique_ptr<HostRuntime>> HostRuntime::create(const HostConfi
     loop->run();
   });
   self->refused_ = refused.get();
+  self->monitor_.start();
   return self;
 }
 
@@ -61,7 +72,10 @@ HostRuntime::HostRuntime(const HostConfig& config, image::IoDriver& driver, Plan
       reader_(std::move(reader)),
       incarnation_(random_incarnation()),
       retain_(record::RetainKeeper::open(config_.retain)),
-      loop_(std::make_unique<ScanLoop>(config_, io_, plant, *snapshots_, *retain_)) {}
+      loop_(std::make_unique<ScanLoop>(config_, io_, plant, *snapshots_, *retain_)),
+      monitor_(config.safety.monitor_ns, [this] { io_.beat(); }) {
+  monitor_.watch(loop_->lifeline());
+}
 
 HostRuntime::~HostRuntime() {
   if (!thread_.joinable()) return;
@@ -71,9 +85,9 @@ HostRuntime::~HostRuntime() {
 
 result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::byte> container,
                                        std::string digest) {
-  auto program =
-      PreparedProgram::create(std::move(container), std::move(digest),
-                              {io_, loop_->clock(), config_, loop_->clock_origin_ns(), plant_names_.size()});
+  auto program = PreparedProgram::create(std::move(container), std::move(digest),
+                                         {io_, loop_->clock(), config_, loop_->lifeline(), monitor_,
+                                          loop_->clock_origin_ns(), plant_names_.size()});
   if (!program) return result::forward(program);
   auto retained = retain_->prepare((*program)->loaded().program());
   if (!retained) return result::forward(retained);
@@ -86,6 +100,11 @@ result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::by
   programs_.push_back(std::move(*program));
   load_tickets_.push_back(ticket);
   return {};
+}
+
+// In simulated time nothing depends on how long the machine takes.
+SafetyConfig HostRuntime::safety() const {
+  return config_.clock == ClockMode::Real ? config_.safety : SafetyConfig{};
 }
 
 bool HostRuntime::submit(const Command& command) {
@@ -141,7 +160,7 @@ StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing:
   event.program_digest = program.digest();
   event.detail = slot.note.reason.str();
   if (slot.note.trap) {
-    event.detail = result::to_string(reader::describe(program.loaded().program(), slot.note.trap));
+    event.detail = trap_text(program.loaded().program(), slot.note);
   }
   event.image = slot.image;
   for (std::size_t i = 0; i < slot.plant.size(); ++i) event.plant.push_back({plant_names_[i], slot.plant[i]});
@@ -175,6 +194,8 @@ RuntimeStatus HostRuntime::status() const {
     const std::lock_guard lock(note_mutex_);
     if (!note_.empty()) note(note_);
   }
+  if (const std::int64_t silent_ns = monitor_.silent_ns(); silent_ns > 0)
+    note("the scan has not come back for " + std::to_string(silent_ns / 1'000'000) + " ms");
   if (figures.lost_events > 0) note(std::to_string(figures.lost_events) + " events were lost");
   if (current_ != nullptr) {
     const TaskPlan& plan = current_->tasks();

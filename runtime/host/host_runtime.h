@@ -25,6 +25,7 @@
 #include "runtime/host/plant_access.h"
 #include "runtime/host/runtime_port.h"
 #include "runtime/host/scan_loop.h"
+#include "runtime/host/scan_monitor.h"
 #include "runtime/image/io_driver.h"
 
 namespace stepwright::host {
@@ -58,12 +59,15 @@ class HostRuntime final : public RuntimePort {
   std::int64_t clock_origin_ns() const { return loop_->clock_origin_ns(); }
   // Something about this process that its status should say, behind the rest. Any thread.
   void set_note(std::string note);
+  // Whether the scan comes back. Any thread.
+  const ScanMonitor& monitor() const { return monitor_; }
 
  private:
   HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
               std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader);
 
   bool send(const Command& command);
+  SafetyConfig safety() const;
   StepEvent to_event(const PreparedProgram& program, const EventRing::Slot& slot) const;
 
   HostConfig config_;
@@ -74,6 +78,7 @@ class HostRuntime final : public RuntimePort {
   std::uint64_t incarnation_;
   std::unique_ptr<record::RetainKeeper> retain_;
   std::unique_ptr<ScanLoop> loop_;
+  ScanMonitor monitor_;  // between what it looks at all the time and the programs, whose tasks come and go
   std::string refused_;  // what the system refused to the scan thread
   std::string detail_;   // of the newest event that has one
   mutable std::mutex note_mutex_;

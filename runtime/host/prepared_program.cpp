@@ -46,8 +46,12 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::ve
   }
   std::unique_ptr<bytecode::Engine> own = std::move(engines.back());
   engines.pop_back();
-  Machine machine{std::move(own), std::move(engines), BoolBytes(*info, program.image_size()),
-                  MergeMap(*info, scan::layout_of(program)), std::move(plan)};
+  Machine machine{std::move(own),
+                  std::move(engines),
+                  BoolBytes(*info, program.image_size()),
+                  MergeMap(*info, scan::layout_of(program)),
+                  std::move(plan),
+                  std::vector<std::byte>(program.sizes().output_bytes)};
   try {
     return std::unique_ptr<PreparedProgram>(
         new PreparedProgram(std::move(*loaded), std::move(machine), std::move(digest), surroundings));
@@ -68,16 +72,20 @@ PreparedProgram::PreparedProgram(reader::LoadedProgram loaded, Machine machine, 
       published_(machine_.plan.tasks.size()),
       image_(memory_, scan::layout_of(loaded_.program())),
       cycle_(loaded_.program(), *machine_.engine, image_, around.io, around.clock,
-             {.safe_outputs = around.config.safe_outputs,
+             {.safe_state = around.config.safety.safe_state.matrix(),
+              .safe_memory = machine_.safe_memory,
               .tasks = machine_.plan.options,
               .timings = timings_,
+              .watch = &around.lifeline,
               .own_tasks = machine_.plan.own_tasks,
               .clock_origin_ns = around.config.clock == ClockMode::Real ? around.clock_origin_ns
                                                                         : scan::ScanConfig::kNoOrigin}),
       steps_(loaded_.program()),
       events_(loaded_.program().image_size(), around.plant_values) {
   image_.reset(loaded_.program().container().section(bytecode::Section::InitialData));
-  const CrewSetup setup{machine_.merge_map, around.clock, around.clock_origin_ns, scan::ScanConfig{}.budget};
+  const CrewSetup setup{machine_.merge_map,     around.clock,
+                        around.monitor,         around.config.safety.stall_ns,
+                        around.clock_origin_ns, scan::ScanConfig{}.budget};
   crew_ = std::make_unique<TaskCrew>(loaded_.program(), image_, cycle_, setup, machine_.plan,
                                      std::move(machine_.engines), published_);
 }

@@ -18,6 +18,7 @@
 #include "runtime/host/event_ring.h"
 #include "runtime/host/host_config.h"
 #include "runtime/host/merge_map.h"
+#include "runtime/host/scan_monitor.h"
 #include "runtime/host/seq_cell.h"
 #include "runtime/host/step_watch.h"
 #include "runtime/host/task_crew.h"
@@ -36,6 +37,8 @@ class PreparedProgram {
     AreaDriver& io;
     scan::Clock& clock;
     const HostConfig& config;
+    Lifeline& lifeline;                // of the scan thread
+    ScanMonitor& monitor;              // looks at the threads of other tasks
     std::int64_t clock_origin_ns = 0;  // what the clock shows at scan time 0
     std::size_t plant_values = 0;
   };
@@ -79,6 +82,7 @@ class PreparedProgram {
     BoolBytes bools;
     MergeMap merge_map;
     TaskPlan plan;
+    std::vector<std::byte> safe_memory;
   };
   PreparedProgram(reader::LoadedProgram loaded, Machine machine, std::string digest,
                   const Surroundings& surroundings);
@@ -86,14 +90,14 @@ class PreparedProgram {
   std::string digest_;
   reader::LoadedProgram loaded_;
   std::vector<std::byte> memory_;
-  Machine machine_;
+  Machine machine_;                        // before the cycle, which refers to it
   std::vector<scan::TaskTiming> timings_;  // of the tasks that the scan thread runs; by index
   std::vector<SeqCell<scan::TaskTiming>> published_;
   image::ProcessImage image_;
   scan::ScanCycle cycle_;
   StepWatch steps_;
   EventRing events_;
-  std::unique_ptr<TaskCrew> crew_;  // last: its threads use the rest
+  std::unique_ptr<TaskCrew> crew_;                   // last: its threads use the rest
   std::shared_ptr<record::RetainChannel> retained_;  // shared with the thread that writes the store
 };
 

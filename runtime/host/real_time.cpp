@@ -61,4 +61,11 @@ std::string lock_memory() {
   return std::string("memory is not locked (mlockall: ") + std::strerror(errno) + ")";
 }
 
+void enter_monitor_priority() {
+  sched_param parameters{};
+  parameters.sched_priority = kPriority + 1;
+  // Without it the monitor sees a late scan later, on a machine that has too much to do.
+  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));
+}
+
 }  // namespace stepwright::host

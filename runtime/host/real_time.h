@@ -34,4 +34,7 @@ std::string place_thread(const ThreadPlacement& placement);
 // Locks the memory of the process, present and future. Returns as place_thread does.
 std::string lock_memory();
 
+// Gives the calling thread a priority above the scan's, where that is permitted.
+void enter_monitor_priority();
+
 }  // namespace stepwright::host

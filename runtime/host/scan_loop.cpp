@@ -1,6 +1,8 @@
 #include "runtime/host/scan_loop.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 namespace stepwright::host {
 namespace {
@@ -13,10 +15,20 @@ constexpr std::int64_t kTimingPeriodNs = 100'000'000;
 // Simulated with a speed: what the simulation lags behind more than this is not caught up.
 constexpr std::int64_t kMaxLagNs = 100'000'000;
 
-// Why a program is at fault if no trap says it.
-std::string_view reason_of(scan::ScanState state) {
-  if (state == scan::ScanState::Overrun) return "a task was late, and its overrun policy is fault";
-  return state == scan::ScanState::IoLost ? "the I/O driver does not answer" : std::string_view();
+// Why a program is at fault, beside its trap. No heap: it is the scan thread's.
+FixedText<kMaxReasonBytes> reason_of(const scan::ScanCycle& cycle) {
+  if (cycle.state() == scan::ScanState::Overrun)
+    return FixedText<kMaxReasonBytes>("a task was late, and its overrun policy is fault");
+  if (cycle.state() == scan::ScanState::IoLost)
+    return FixedText<kMaxReasonBytes>("the I/O driver does not answer");
+  const scan::WatchdogReport& report = cycle.watchdog_report();
+  if (report.took_ns == 0) return {};
+  std::array<char, kMaxReasonBytes> text{};
+  const int length = std::snprintf(
+      text.data(), text.size(), "the watchdog expired: %lld us, %u in a row, of a task with %lld us x %u",
+      static_cast<long long>(report.took_ns / 1'000), report.too_long,
+      static_cast<long long>(report.limits.time_ns / 1'000), report.limits.sensitivity);
+  return FixedText<kMaxReasonBytes>(std::string_view(text.data(), static_cast<std::size_t>(length)));
 }
 
 }  // namespace
@@ -30,6 +42,7 @@ ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant,
       retain_(retain),
       commands_(kQueue),
       completions_(kQueue),
+      lifeline_(config.safety.stall_ns),
       faults_(config.faults),
       truths_(plant == nullptr ? 0 : plant->value_names().size()) {
   std::stable_sort(faults_.begin(), faults_.end(),
@@ -63,10 +76,12 @@ bool ScanLoop::submit(Command command) {
 }
 
 void ScanLoop::turn_real() {
-  if (program_ == nullptr) return wake_.wait(-1);
+  if (program_ == nullptr) return wait(-1);
   const bool running = now_.state == RuntimeState::Running;
   const std::int64_t due_ns = running ? program_->cycle().next_time_ns() : idle_due_ns_;
+  lifeline_.rest_until(origin_ns_ + due_ns);
   sleep_until(origin_ns_ + due_ns);
+  lifeline_.busy();
   const std::int64_t late_ns = clock_.now_ns() - origin_ns_ - due_ns;
   if (!running) {
     idle_io(due_ns + late_ns);
@@ -82,9 +97,15 @@ void ScanLoop::turn_real() {
 void ScanLoop::turn_simulated() {
   const bool held = now_.state != RuntimeState::Running || now_.waiting_for_supervisor;
   // A full ring holds the clock too: no event is lost in simulated time.
-  if (held || program_->events().full()) return wake_.wait(-1);
+  if (held || program_->events().full()) return wait(-1);
   if (config_.speed > 0.0 && early(program_->cycle().next_time_ns())) return;
   scan_once();
+}
+
+void ScanLoop::wait(std::int64_t timeout_ns) {
+  lifeline_.rest();
+  wake_.wait(timeout_ns);
+  lifeline_.busy();
 }
 
 // True if the scan at `next_ns` must wait for the clock on the wall; then some waiting was done.
@@ -92,7 +113,7 @@ bool ScanLoop::early(std::int64_t next_ns) {
   const double ahead_ns = static_cast<double>(next_ns - pace_scan_ns_) / config_.speed;
   const std::int64_t wait_ns = pace_wall_ns_ + static_cast<std::int64_t>(ahead_ns) - clock_.now_ns();
   if (wait_ns > 0) {
-    wake_.wait(wait_ns);
+    wait(wait_ns);
     return true;
   }
   if (-wait_ns > kMaxLagNs) {
@@ -103,6 +124,7 @@ bool ScanLoop::early(std::int64_t next_ns) {
 }
 
 void ScanLoop::scan_once() {
+  lifeline_.busy();
   inject_scheduled(program_->cycle().next_time_ns());
   const scan::ScanReport report = program_->cycle().run_scan();
   now_.scan = report.scan;
@@ -117,7 +139,7 @@ void ScanLoop::scan_once() {
     program_->crew().stop();
     now_.state = RuntimeState::Fault;
     next_start_ns_ = program_->cycle().next_time_ns();
-    emit(EventKind::Trap, report.trap, reason_of(report.state));
+    emit(EventKind::Trap, report.trap, reason_of(program_->cycle()).view());
   } else if (changed) {
     if (barrier_ && !supervisor_lost_ && !real()) {
       now_.waiting_for_supervisor = true;
@@ -131,10 +153,7 @@ void ScanLoop::scan_once() {
 
 // Inputs stay fresh and outputs safe while no program runs. A driver that does not answer is no news then.
 void ScanLoop::idle_io(std::int64_t time_ns) {
-  image::ProcessImage& image = program_->image();
-  static_cast<void>(io_.read_inputs(time_ns, image.inputs()));
-  scan::apply_safe_state(config_.safe_outputs, image.outputs());
-  static_cast<void>(io_.write_outputs(time_ns, image.outputs()));
+  program_->cycle().idle(time_ns);
   now_.time_ns = time_ns;
 }
 
@@ -214,6 +233,11 @@ void ScanLoop::publish() {
     snapshots_.publish(now_.scan, now_.time_ns, program_->digest(), program_->image().bytes(), truths_);
   }
   figures_.store(now_);
+}
+
+// Where the safe state's time is while no program runs.
+std::int64_t ScanLoop::safe_time_ns() {
+  return real() ? clock_.now_ns() - origin_ns_ : now_.time_ns;
 }
 
 std::int64_t ScanLoop::next_time_ns() const {

@@ -23,6 +23,7 @@
 #include "runtime/host/plant_access.h"
 #include "runtime/host/prepared_program.h"
 #include "runtime/host/real_time.h"
+#include "runtime/host/scan_monitor.h"
 #include "runtime/host/seq_cell.h"
 #include "runtime/host/snapshot_memory.h"
 #include "runtime/host/spsc_queue.h"
@@ -69,6 +70,8 @@ class ScanLoop {
   scan::Clock& clock() { return clock_; }
   // What the clock shows at scan time 0.
   std::int64_t clock_origin_ns() const { return origin_ns_; }
+  // Of the scan thread. Any thread.
+  Lifeline& lifeline() { return lifeline_; }
   bool ok() const { return wake_.ok() && news_.ok(); }
 
  private:
@@ -79,7 +82,7 @@ class ScanLoop {
   Outcome load(PreparedProgram* program);
   Outcome start(const Command& command);
   result::Diagnostics refused_start(const Command& command) const;
-  Outcome stop(std::string_view reason);
+  Outcome stop(std::string_view reason, scan::SafeCause cause = scan::SafeCause::Stop);
   Outcome force(const ImageBits& bits);
   Outcome unforce(const ImageBits& bits);
   Outcome write(const ImageBits& bits);
@@ -101,6 +104,8 @@ class ScanLoop {
   void publish();
   [[nodiscard]] TaskCrew::Hold hold_tasks();
   std::int64_t next_time_ns() const;
+  std::int64_t safe_time_ns();
+  void wait(std::int64_t timeout_ns);
   bool real() const { return config_.clock == ClockMode::Real; }
 
   const HostConfig& config_;
@@ -116,6 +121,7 @@ class ScanLoop {
   Doorbell news_;
   SeqCell<ScanFigures> figures_;
   std::atomic<bool> quit_{false};
+  Lifeline lifeline_;
 
   // The rest belongs to the scan thread.
   PreparedProgram* program_ = nullptr;

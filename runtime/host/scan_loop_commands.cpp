@@ -87,6 +87,9 @@ Outcome ScanLoop::load(PreparedProgram* program) {
     earlier_scans_.add(program_->cycle().statistics().scan_time);
     earlier_overruns_ += program_->cycle().statistics().overruns;
   }
+  // The outputs stay as safe as they are, and for the same reason, until the new program is started.
+  const auto cause = program_ == nullptr ? scan::SafeCause::Stop : program_->cycle().safe_state().cause();
+  program->cycle().take_over(io_.outputs(), cause, safe_time_ns());
   program_ = program;
   now_.state = RuntimeState::Stopped;
   return Outcome::Done;
@@ -117,14 +120,14 @@ Outcome ScanLoop::start(const Command& command) {
 }
 
 // Without effect unless it runs: what is stopped or trapped has its outputs in their safe state already.
-Outcome ScanLoop::stop(std::string_view reason) {
+Outcome ScanLoop::stop(std::string_view reason, scan::SafeCause cause) {
   if (now_.state != RuntimeState::Running) return program_ == nullptr ? Outcome::NoProgram : Outcome::Done;
   end_stretch();
   next_start_ns_ = program_->cycle().next_time_ns();
   idle_due_ns_ = next_start_ns_;
   program_->crew().stop();
   retain_.finish(program_->image().bytes());  // before outputs go to their safe state
-  program_->cycle().stop();
+  program_->cycle().stop(cause);
   program_->publish_timings();
   now_.state = RuntimeState::Stopped;
   now_.waiting_for_supervisor = false;
@@ -185,7 +188,7 @@ Completion ScanLoop::inject_fault(const Command& command) {
 void ScanLoop::supervisor_lost() {
   supervisor_lost_ = true;
   if (config_.on_lost_supervisor == LostSupervisor::Safe) {
-    stop(kSupervisorLost);
+    stop(kSupervisorLost, scan::SafeCause::SupervisorLost);
   } else {
     release_barrier();
   }

@@ -25,6 +25,8 @@ namespace stepwright::host {
 struct CrewSetup {
   const MergeMap& merge_map;
   scan::Clock& clock;
+  ScanMonitor& monitor;
+  std::int64_t stall_ns = 0;   // see Lifeline
   std::int64_t origin_ns = 0;  // what the clock shows at scan time 0
   std::uint64_t budget = 0;    // of a task's cycle
 };

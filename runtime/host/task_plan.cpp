@@ -44,9 +44,11 @@ TaskPlan plan_tasks(const reader::ProgramInfo& info, const HostConfig& config) {
     entry.placement.background = task.interval_us == 0 && task.trigger.empty();
     entry.placement.cpu = config.cpu;
     scan::TaskOptions options;
+    options.watchdog = config.safety.watchdog_of(task.name);
     for (const TaskSettings& settings : config.tasks) {
       if (!naming::same_name(settings.name, task.name)) continue;
-      options = settings.options;
+      options.overrun = settings.overrun;
+      options.phase_ns = settings.phase_ns;
       if (settings.cpu >= 0) entry.placement.cpu = settings.cpu;
       const std::int64_t interval_ns = std::int64_t{task.interval_us} * 1'000;
       options.phase_ns = interval_ns > 0 ? options.phase_ns % interval_ns : 0;

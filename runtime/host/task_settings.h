@@ -10,8 +10,9 @@
 namespace stepwright::host {
 
 struct TaskSettings {
-  std::string name;  // as the program declares it; upper and lower case alike
-  scan::TaskOptions options;
+  std::string name;           // as the program declares it; upper and lower case alike
+  std::int64_t phase_ns = 0;  // scan::TaskOptions
+  scan::OverrunPolicy overrun = scan::OverrunPolicy::Skip;
   int cpu = -1;  // the only processor its thread runs on; -1: any
 };
 

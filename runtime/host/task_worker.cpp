@@ -24,8 +24,11 @@ TaskWorker::TaskWorker(CrewShare& share, const scan::Task& task, std::unique_ptr
       published_(timing),
       memory_(share.program.memory_size()),
       before_(share.program.image_size()),
+      lifeline_(share.stall_ns),
       wake_ns_(scan::kNever) {
   sem_init(&wake_, 0, 0);
+  engine_->set_interrupt(lifeline_.interrupt());
+  share_.monitor.watch(lifeline_);
   thread_ = std::thread([this, placement] { run(placement); });
 }
 
@@ -33,6 +36,7 @@ TaskWorker::~TaskWorker() {
   quit_.store(true, std::memory_order_release);
   sem_post(&wake_);
   thread_.join();
+  share_.monitor.unwatch(lifeline_);
   sem_destroy(&wake_);
 }
 
@@ -92,10 +96,11 @@ void TaskWorker::cycle() {
   if (!take(time_ns, measured)) return;
   std::memcpy(before_.data(), memory_.data(), before_.size());
   std::uint64_t budget = share_.budget;
-  measured.begin_ns = share_.clock.now_ns();
-  const bytecode::Trap trap = scan::run_task(share_.program, task_, *engine_, memory_, time_ns, budget);
-  measured.end_ns = share_.clock.now_ns();
-  give_back(trap, measured);
+  const scan::ExecutionPlace place{share_.program, *engine_, memory_, share_.clock, &lifeline_, true};
+  const scan::Execution done = scan::execute(place, task_, time_ns, budget);
+  // Between two executions nobody waits for this task.
+  lifeline_.rest();
+  give_back(done, measured);
 }
 
 // The copy of the image for a cycle that is to run now, at scan time `time_ns`; false if none is.
@@ -131,17 +136,19 @@ bool TaskWorker::take(std::int64_t& time_ns, scan::TaskCycle& measured) {
   return true;
 }
 
-void TaskWorker::give_back(const bytecode::Trap& trap, const scan::TaskCycle& measured) {
+void TaskWorker::give_back(const scan::Execution& done, scan::TaskCycle measured) {
   const std::lock_guard lock(share_.mutex);
+  measured.begin_ns = done.begin_ns;
+  measured.end_ns = done.end_ns;
   timing_.cycle(measured);
   publish_if_due(measured.end_ns);
   if (!share_.running || share_.epoch != epoch_) return;
   const std::span<std::byte> after = std::span(memory_).first(before_.size());
-  if (!trap) {
+  if (!done.trap) {
     share_.merge_map.merge(before_, after, share_.image.bytes());
     share_.cycle.forces().apply(share_.image.bytes());
   }
-  share_.cycle.end_foreign(measured.end_ns - share_.origin_ns, trap);
+  share_.cycle.end_foreign(measured.end_ns - share_.origin_ns, done);
   share_.wake_others();
 }
 

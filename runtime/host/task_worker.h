@@ -22,6 +22,7 @@
 #include "runtime/host/merge_map.h"
 #include "runtime/host/priority_mutex.h"
 #include "runtime/host/real_time.h"
+#include "runtime/host/scan_monitor.h"
 #include "runtime/host/seq_cell.h"
 #include "runtime/image/process_image.h"
 #include "runtime/scan/scan_cycle.h"
@@ -35,6 +36,8 @@ struct CrewShare {
   scan::ScanCycle& cycle;
   scan::Clock& clock;
   const MergeMap& merge_map;
+  ScanMonitor& monitor;
+  std::int64_t stall_ns = 0;   // of the workers' lifelines
   std::int64_t origin_ns = 0;  // what the clock shows at scan time 0
   std::uint64_t budget = 0;    // of a task's cycle
   // What a worker calls after it has written to the image: others may wait for what it wrote.
@@ -69,7 +72,7 @@ class TaskWorker {
   void wait();
   void cycle();
   bool take(std::int64_t& time_ns, scan::TaskCycle& measured);
-  void give_back(const bytecode::Trap& trap, const scan::TaskCycle& measured);
+  void give_back(const scan::Execution& done, scan::TaskCycle measured);
   void publish_if_due(std::int64_t now_ns);
 
   CrewShare& share_;
@@ -79,6 +82,7 @@ class TaskWorker {
   std::vector<std::byte> memory_;  // image and frames of this task's own
   std::vector<std::byte> before_;  // the image as the task got it
   scan::TaskTiming timing_;
+  Lifeline lifeline_;  // says something during an execution only
   std::int64_t published_ns_ = 0;
   std::uint64_t epoch_ = 0;
   bool active_ = false;   // was started and nothing has stopped it

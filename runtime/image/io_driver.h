@@ -25,6 +25,16 @@ class IoDriver {
 
   // Called at the end of a scan with the outputs that hold from `now_ns` on.
   virtual IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) = 0;
+
+  // The outputs as whoever drove them last left them, before the first write; false where nobody knows.
+  virtual bool left_outputs(std::span<std::byte>) { return false; }
+
+  // The outputs of the next write are safe ones, for this cause (scan::SafeCause); settled: they stay as they
+  // are. Scan thread.
+  virtual void safe(std::uint8_t, bool) {}
+
+  // The scan is alive. Called now and then by a thread beside the scan's, with the same rules.
+  virtual void beat() {}
 };
 
 }  // namespace stepwright::image

@@ -17,6 +17,7 @@ struct NativeEngine::Parts {
   std::vector<std::uint64_t> returns = std::vector<std::uint64_t>(kMostCalls);
   std::vector<std::uint64_t> memory;  // the context and all slots
   std::uint32_t memory_size = 0;
+  const bytecode::Interrupt* interrupt = nullptr;
 
   Context& context() { return *reinterpret_cast<Context*>(memory.data()); }
 
@@ -77,19 +78,24 @@ bytecode::Trap NativeEngine::run(const bytecode::Invocation& invocation, std::sp
   if (cost > budget) return {bytecode::TrapCode::Watchdog, invocation.function, 0};
   Context& context = parts_->context();
   context.now_ns = invocation.now_ns;
-  context.budget = budget - cost;
+  context.budget = bytecode::BudgetSlices::first(budget - cost, parts_->interrupt);
+  context.slices = {budget - cost - context.budget, parts_->interrupt};
   context.memory = memory.data();
   context.memory_size = memory.size();
   context.self = memory.data() + invocation.instance;
   context.frames = invocation.frames;
   context.returns = parts_->returns.data();
   const std::uint32_t site = parts_->code.enter(&context, parts_->code.functions[invocation.function]);
-  budget = context.budget;
+  budget = context.budget + context.slices.reserve;
   if (site == 0) return {};
   bytecode::Trap trap = parts_->code.sites[site - 1];
   if (!trap) trap.code = static_cast<bytecode::TrapCode>(context.trap_code);
   parts_->leave_library(trap);
   return trap;
+}
+
+void NativeEngine::set_interrupt(const bytecode::Interrupt* interrupt) {
+  parts_->interrupt = interrupt;
 }
 
 std::size_t NativeEngine::code_bytes() const {

@@ -38,6 +38,7 @@ class NativeEngine final : public bytecode::Engine {
   // Requires a program call of the program: function, instance and frames as a task has them.
   bytecode::Trap run(const bytecode::Invocation& invocation, std::span<std::byte> memory,
                      std::uint64_t& budget) override;
+  void set_interrupt(const bytecode::Interrupt* interrupt) override;
 
   // Bytes of machine code, constants included.
   std::size_t code_bytes() const;

@@ -16,8 +16,11 @@ ScanCycle::ScanCycle(const bytecode::Program& program, bytecode::Engine& engine,
       io_(io),
       clock_(clock),
       config_(config),
-      table_(program, config.tasks, config.own_tasks) {
+      table_(program, config.tasks, config.own_tasks),
+      safe_(config.safe_state, config.safe_memory.empty() ? image.outputs() : config.safe_memory) {
   assert(image.memory().size() == program.memory_size());
+  assert(config.safe_memory.empty() || config.safe_memory.size() >= image.outputs().size());
+  engine_.set_interrupt(config_.watch == nullptr ? nullptr : config_.watch->interrupt());
 }
 
 image::ImageLayout layout_of(const bytecode::Program& program) {
@@ -37,20 +40,44 @@ void ScanCycle::start(const StartPoint& at) {
   trace_hash_ = at.trace_hash;
   last_trap_ = {};
   fault_reported_ = true;
+  watchdog_report_ = {};
   state_ = ScanState::Running;
 }
 
-void ScanCycle::stop() {
+void ScanCycle::stop(SafeCause cause) {
+  if (state_ == ScanState::Running) safe_.enter(cause, last_time_ns_);
   state_ = ScanState::Stopped;
   write_outputs(last_time_ns_);
 }
 
+void ScanCycle::take_over(std::span<const std::byte> driven, SafeCause cause, std::int64_t time_ns) {
+  assert(state_ != ScanState::Running);
+  last_time_ns_ = time_ns;
+  safe_.driven(driven);
+  safe_.enter(cause, time_ns);
+}
+
+// A driver that does not answer is no news while nothing runs.
+void ScanCycle::idle(std::int64_t time_ns) {
+  assert(state_ != ScanState::Running);
+  read_inputs(time_ns);
+  write_outputs(time_ns);
+}
+
 // A fault outside of run_scan is reported by the next one.
-void ScanCycle::enter_fault(ScanState state) {
+void ScanCycle::fail(ScanState state, SafeCause cause, std::int64_t time_ns) {
   state_ = state;
   fault_reported_ = false;
-  if (state == ScanState::Trapped) ++statistics_.traps;
-  if (state == ScanState::IoLost) ++statistics_.io_losses;
+  safe_.enter(cause, time_ns);
+}
+
+void ScanCycle::fail(const Execution& done, std::int64_t time_ns) {
+  last_trap_ = done.trap;
+  watchdog_report_ = done.watchdog;
+  const bool endless = done.trap.code == bytecode::TrapCode::Watchdog;
+  fail(done.late ? ScanState::WatchdogExpired : ScanState::Trapped,
+       endless ? SafeCause::Watchdog : SafeCause::Trap, time_ns);
+  ++(done.late ? statistics_.watchdogs : statistics_.traps);
 }
 
 void ScanCycle::settle_overruns(std::int64_t time_ns) {
@@ -68,7 +95,7 @@ void ScanCycle::settle_overruns(std::int64_t time_ns) {
 void ScanCycle::foreign_overrun(const Overrun& overrun, std::int64_t time_ns) {
   statistics_.overruns += overrun.missed;
   if (!overrun.fault || overrun.missed == 0 || state_ != ScanState::Running) return;
-  enter_fault(ScanState::Overrun);
+  fail(ScanState::Overrun, SafeCause::Watchdog, time_ns);
   write_outputs(time_ns);
 }
 
@@ -79,12 +106,9 @@ bool ScanCycle::begin_foreign(std::int64_t time_ns) {
   return state_ == ScanState::Running;
 }
 
-void ScanCycle::end_foreign(std::int64_t time_ns, const bytecode::Trap& trap) {
+void ScanCycle::end_foreign(std::int64_t time_ns, const Execution& done) {
   if (state_ != ScanState::Running) return;
-  if (trap) {
-    last_trap_ = trap;
-    enter_fault(ScanState::Trapped);
-  }
+  if (done.trap) fail(done, time_ns);
   write_outputs(time_ns);
 }
 
@@ -100,7 +124,8 @@ ScanReport ScanCycle::run_scan() {
   write_outputs(time_ns);
 
   ScanReport report{state_, scan_, time_ns, image_.hash(), {}};
-  if (state_ == ScanState::Trapped && !fault_reported_) report.trap = last_trap_;
+  const bool program_failed = state_ == ScanState::Trapped || state_ == ScanState::WatchdogExpired;
+  if (program_failed && !fault_reported_) report.trap = last_trap_;
   fault_reported_ = true;
   trace_hash_ = base::hash_mix(base::hash_mix(trace_hash_, scan_), report.image_hash);
   ++statistics_.scans;
@@ -116,7 +141,9 @@ std::int64_t ScanCycle::io_time(std::int64_t time_ns) {
 
 void ScanCycle::read_inputs(std::int64_t time_ns) {
   const bool good = io_.read_inputs(io_time(time_ns), image_.inputs()) == image::IoStatus::Good;
-  if (!good && state_ == ScanState::Running) enter_fault(ScanState::IoLost);
+  if (good || state_ != ScanState::Running) return;
+  fail(ScanState::IoLost, SafeCause::IoLost, time_ns);
+  ++statistics_.io_losses;
 }
 
 // A rising edge of the trigger runs the task; while the trigger is TRUE its interval does not (IEC 61131-3,
@@ -132,30 +159,27 @@ bool ScanCycle::is_to_run(Task& task, std::int64_t time_ns) const {
 
 // The tasks that are due, forces before and after them. A trap ends the scan's tasks.
 void ScanCycle::run_tasks(std::int64_t time_ns) {
-  const std::int64_t first_ns = clock_.now_ns();
-  std::int64_t begin_ns = first_ns;
+  const std::int64_t begin_ns = clock_.now_ns();
   forces_.apply(image_.bytes());
   std::uint64_t budget = config_.budget;
+  const ExecutionPlace place{program_, engine_,       image_.memory(),
+                             clock_,   config_.watch, !config_.timings.empty()};
   for (Task& task : table_.tasks()) {
     const bool due = task.due_ns == time_ns;
     if (!is_to_run(task, time_ns)) continue;
-    const bytecode::Trap trap = run_task(program_, task, engine_, image_.memory(), time_ns, budget);
-    if (task.index < config_.timings.size()) {
-      const std::int64_t end_ns = clock_.now_ns();
-      account(task, due, begin_ns, end_ns);
-      begin_ns = end_ns;
-    }
-    if (!trap) continue;
-    last_trap_ = trap;
-    enter_fault(ScanState::Trapped);
+    const Execution done = execute(place, task, time_ns, budget);
+    account(task, due, done);
+    if (!done.trap) continue;
+    fail(done, time_ns);
     break;
   }
   forces_.apply(image_.bytes());
-  statistics_.program_time.record(clock_.now_ns() - first_ns);
+  statistics_.program_time.record(clock_.now_ns() - begin_ns);
 }
 
-void ScanCycle::account(const Task& task, bool due, std::int64_t begin_ns, std::int64_t end_ns) {
-  TaskCycle cycle{.begin_ns = begin_ns, .end_ns = end_ns};
+void ScanCycle::account(const Task& task, bool due, const Execution& done) {
+  if (task.index >= config_.timings.size()) return;
+  TaskCycle cycle{.begin_ns = done.begin_ns, .end_ns = done.end_ns};
   if (real() && due && !task.freewheeling) {
     cycle.due_ns = config_.clock_origin_ns + task.wanted_ns;
     cycle.interval_ns = task.interval_ns;
@@ -172,13 +196,20 @@ void ScanCycle::advance(std::int64_t time_ns) {
   }
 }
 
+void ScanCycle::make_safe(std::int64_t time_ns) {
+  safe_.apply(time_ns, image_.outputs());
+  io_.safe(static_cast<std::uint8_t>(safe_.cause()), safe_.settled());
+}
+
 // In any state but Running the outputs are in their safe state, forces or not.
 void ScanCycle::write_outputs(std::int64_t time_ns) {
-  if (state_ != ScanState::Running) apply_safe_state(config_.safe_outputs, image_.outputs());
+  if (state_ != ScanState::Running) make_safe(time_ns);
   const bool written = io_.write_outputs(io_time(time_ns), image_.outputs()) == image::IoStatus::Good;
-  if (written || state_ != ScanState::Running) return;
-  enter_fault(ScanState::IoLost);
-  apply_safe_state(config_.safe_outputs, image_.outputs());
+  if (state_ != ScanState::Running) return;
+  if (written) return safe_.driven(image_.outputs());
+  fail(ScanState::IoLost, SafeCause::IoLost, time_ns);
+  ++statistics_.io_losses;
+  make_safe(time_ns);
   // The device may be reachable for this last word; nothing more can be done if it is not.
   static_cast<void>(io_.write_outputs(io_time(time_ns), image_.outputs()));
 }

@@ -28,6 +28,7 @@
 #include "runtime/scan/clock.h"
 #include "runtime/scan/histogram.h"
 #include "runtime/scan/safe_state.h"
+#include "runtime/scan/task_execution.h"
 #include "runtime/scan/task_table.h"
 #include "runtime/scan/task_timing.h"
 
@@ -38,11 +39,14 @@ image::ImageLayout layout_of(const bytecode::Program& program);
 
 // What the spans name must outlive the cycle.
 struct ScanConfig {
-  std::uint64_t budget = 100'000'000;  // per scan, in bytes of code (bytecode::Engine); beyond it: Trap
-  std::span<const SafeOutput> safe_outputs = {};  // empty: all outputs to zero
-  std::span<const TaskOptions> tasks = {};        // by the index of the container's table
-  std::span<TaskTiming> timings = {};             // the same; empty: nothing is measured per task
-  std::uint32_t own_tasks = 0xFFFF'FFFF;          // bit i: this cycle runs task i of the container's table
+  std::uint64_t budget = 100'000'000;  // per scan, in bytes of code (bytecode::Engine); beyond it: Trap; not
+                                       // for tasks whose watchdog can end them
+  SafeMatrix safe_state = {};          // without rules all outputs go to zero
+  std::span<std::byte> safe_memory = {};    // as many bytes as there are outputs; empty: the image's own
+  std::span<const TaskOptions> tasks = {};  // by the index of the container's table
+  std::span<TaskTiming> timings = {};       // the same; empty: nothing is measured per task
+  TaskWatch* watch = nullptr;               // told of every execution
+  std::uint32_t own_tasks = 0xFFFF'FFFF;    // bit i: this cycle runs task i of the container's table
   // Real time: what the clock shows at scan time 0, so that the start of a task can be compared with the
   // instant at which it was due.
   std::int64_t clock_origin_ns = kNoOrigin;
@@ -55,6 +59,7 @@ enum class ScanState : std::uint8_t {
   Running,
   Trapped,
   IoLost,
+  WatchdogExpired,
   Overrun,  // a task was late, and its policy is OverrunPolicy::Fault
 };
 
@@ -71,7 +76,7 @@ struct ScanReport {
   std::uint64_t scan = 0;    // 1-based number of this scan
   std::int64_t time_ns = 0;  // at which it ran
   std::uint64_t image_hash = 0;
-  bytecode::Trap trap;  // of this scan; the state is Trapped then
+  bytecode::Trap trap;  // new in this scan; the state is Trapped or WatchdogExpired then
 };
 
 struct ScanStatistics {
@@ -80,6 +85,7 @@ struct ScanStatistics {
   std::uint64_t scans = 0;
   std::uint64_t traps = 0;
   std::uint64_t io_losses = 0;
+  std::uint64_t watchdogs = 0;
   std::uint64_t overruns = 0;  // of all tasks
 };
 
@@ -92,8 +98,16 @@ class ScanCycle {
   // Cold start: every variable to its initial value, every task due at once, no fault, no force.
   void start(const StartPoint& at);
 
-  // No task runs any more. The outputs are in their safe state when it returns.
-  void stop();
+  // No task runs any more. The outputs are in the safe state of the cause when it returns. A cause that came
+  // before it stays.
+  void stop(SafeCause cause = SafeCause::Stop);
+
+  // The outputs go on as somebody drove them before: the cycle of another program, or a process that is gone.
+  // At `time_ns` the cause comes again, so that ramps begin where they were left. Requires that nothing runs.
+  void take_over(std::span<const std::byte> driven, SafeCause cause, std::int64_t time_ns);
+
+  // While no program runs: fresh inputs, safe outputs. Requires that.
+  void idle(std::int64_t time_ns);
 
   // One scan at next_time_ns(): runs every task that is due then.
   ScanReport run_scan();
@@ -107,14 +121,17 @@ class ScanCycle {
 
   // A task that is not this cycle's own begins at `time_ns`: inputs are read. False if it may not run.
   bool begin_foreign(std::int64_t time_ns);
-  // It has ended and its values are in the image: outputs are written, in their safe state after a trap.
-  void end_foreign(std::int64_t time_ns, const bytecode::Trap& trap);
+  // It was executed and, unless it trapped, its values are in the image: outputs are written.
+  void end_foreign(std::int64_t time_ns, const Execution& done);
   // It was late; `fault`: as OverrunPolicy::Fault wants it.
   void foreign_overrun(const Overrun& overrun, std::int64_t time_ns);
 
   ScanState state() const { return state_; }
   std::uint64_t scan() const { return scan_; }
   bytecode::Trap last_trap() const { return last_trap_; }
+  // What the outputs are while the state is not Running.
+  const SafeState& safe_state() const { return safe_; }
+  const WatchdogReport& watchdog_report() const { return watchdog_report_; }
 
   // hash_mix over every scan's number and image hash since the trace began.
   std::uint64_t trace_hash() const { return trace_hash_; }
@@ -124,12 +141,14 @@ class ScanCycle {
 
  private:
   bool real() const { return config_.clock_origin_ns != ScanConfig::kNoOrigin; }
-  void enter_fault(ScanState state);
+  void fail(ScanState state, SafeCause cause, std::int64_t time_ns);
+  void fail(const Execution& done, std::int64_t time_ns);
+  void make_safe(std::int64_t time_ns);
   std::int64_t io_time(std::int64_t time_ns);
   void read_inputs(std::int64_t time_ns);
   void run_tasks(std::int64_t time_ns);
   bool is_to_run(Task& task, std::int64_t time_ns) const;
-  void account(const Task& task, bool due, std::int64_t begin_ns, std::int64_t end_ns);
+  void account(const Task& task, bool due, const Execution& done);
   void advance(std::int64_t time_ns);
   void write_outputs(std::int64_t time_ns);
 
@@ -149,6 +168,8 @@ class ScanCycle {
   std::int64_t io_time_ns_ = 0;  // what the driver was told last; never goes back
   std::uint64_t trace_hash_ = 0;
   ScanStatistics statistics_;
+  SafeState safe_;
+  WatchdogReport watchdog_report_;
 };
 
 }  // namespace stepwright::scan

@@ -1,9 +1,11 @@
 #pragma once
 
-// What a configuration says of one task beside its program: when it starts within its interval, and what
-// happens when it could not start in time.
+// What a configuration says of one task beside its program: when it starts within its interval, what happens
+// when it could not start in time, and how long it may take.
 
 #include <cstdint>
+
+#include "runtime/scan/task_watchdog.h"
 
 namespace stepwright::scan {
 
@@ -21,6 +23,7 @@ inline constexpr std::int64_t kMaxBacklog = 16;
 struct TaskOptions {
   std::int64_t phase_ns = 0;  // first cycle this long after the start; 0 <= phase < interval
   OverrunPolicy overrun = OverrunPolicy::Skip;
+  WatchdogLimits watchdog;
 };
 
 }  // namespace stepwright::scan

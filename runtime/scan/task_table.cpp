@@ -13,6 +13,7 @@ void Task::restart(std::int64_t time_ns) {
   due_at(interval_ns > 0 ? time_ns + options.phase_ns : kNever);
   counted_ns = due_ns;
   triggered = false;
+  watchdog.reset();
 }
 
 Overrun settle_overrun(Task& task, std::int64_t now_ns) {
@@ -53,6 +54,7 @@ TaskTable::TaskTable(const bytecode::Program& program, std::span<const TaskOptio
     task.call_count = record.call_count;
     task.frames = program.frames_of(i);
     if (i < options.size()) task.options = options[i];
+    task.watchdog = TaskWatchdog(task.options.watchdog);
     if (record.trigger != bytecode::kNoIndex) {
       const bytecode::SymbolRecord symbol = view.record<Section::Symbols>(record.trigger);
       task.trigger = symbol.address;
@@ -70,17 +72,6 @@ std::int64_t TaskTable::next_time_ns() const {
     if (task.due_ns < next) next = task.due_ns;
   }
   return next;
-}
-
-bytecode::Trap run_task(const bytecode::Program& program, const Task& task, bytecode::Engine& engine,
-                        std::span<std::byte> memory, std::int64_t time_ns, std::uint64_t& budget) {
-  for (std::uint32_t i = 0; i < task.call_count; ++i) {
-    const auto call = program.container().record<Section::ProgramCalls>(task.first_call + i);
-    const bytecode::Trap trap =
-        engine.run({call.function, call.instance, time_ns, task.frames}, memory, budget);
-    if (trap) return trap;
-  }
-  return {};
 }
 
 }  // namespace stepwright::scan

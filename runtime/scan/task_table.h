@@ -10,7 +10,6 @@
 #include <limits>
 #include <span>
 
-#include "runtime/bytecode/engine.h"
 #include "runtime/bytecode/program.h"
 #include "runtime/scan/task_options.h"
 
@@ -38,6 +37,7 @@ struct Task {
   bool triggered = false;       // the trigger as it was last seen
   std::int64_t counted_ns = 0;  // overruns before this instant are counted
   TaskOptions options;
+  TaskWatchdog watchdog;
 
   bool has_trigger() const { return trigger != bytecode::kNoIndex; }
   // The trigger in this image. Requires has_trigger().
@@ -73,9 +73,5 @@ class TaskTable {
   std::array<Task, bytecode::kMaxTasks> tasks_{};  // the highest priority first
   std::size_t count_ = 0;
 };
-
-// Runs the task's programs once on `memory` (image and frames). The trap that ended it, if any.
-bytecode::Trap run_task(const bytecode::Program& program, const Task& task, bytecode::Engine& engine,
-                        std::span<std::byte> memory, std::int64_t time_ns, std::uint64_t& budget);
 
 }  // namespace stepwright::scan

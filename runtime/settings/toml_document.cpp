@@ -166,6 +166,10 @@ bool TomlTable::has(std::string_view key) const {
   return node_ != nullptr && as_table(node_)->get(key) != nullptr;
 }
 
+bool TomlTable::has_table(std::string_view key) const {
+  return has(key) && as_table(node_)->get(key)->is_table();
+}
+
 void TomlTable::wrong_type(std::string_view key, const char* expected) const {
   document_->state_->add("0003", where(key), "'" + path_ + std::string(key) + "' must be " + expected, "");
 }

@@ -35,6 +35,8 @@ class TomlDocument;
 class TomlTable {
  public:
   bool has(std::string_view key) const;
+  // The key has a table: where a short form and a long one are possible.
+  bool has_table(std::string_view key) const;
 
   // Optional values: the default where the key is missing, a diagnostic and the default where it is wrong.
   std::string text(std::string_view key, std::string fallback) const;

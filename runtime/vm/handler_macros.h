@@ -86,6 +86,15 @@
   --sp;                                                                                    \
   POP();                                                                                   \
   NEXT;
+// Takes the cost off the budget: off this slice of it, off the next one, or not at all.
+#define CHARGE(cost, fault)                           \
+  do {                                                \
+    if (__builtin_expect((cost) > budget_left, 0)) {  \
+      budget_left = slices.refill(budget_left, cost); \
+      if ((cost) > budget_left) fault;                \
+    }                                                 \
+    budget_left -= (cost);                            \
+  } while (false)
 // A jump whose target lies behind it costs the distance, so that every loop ends.
 #define JUMP(op, condition)                                                                    \
   {                                                                                            \
@@ -93,8 +102,7 @@
     if (condition) {                                                                           \
       if (distance < 0) {                                                                      \
         const std::uint64_t cost = negate(static_cast<std::uint64_t>(std::int64_t{distance})); \
-        if (cost > budget_left) FAULT(TrapCode::Watchdog);                                     \
-        budget_left -= cost;                                                                   \
+        CHARGE(cost, FAULT(TrapCode::Watchdog));                                               \
       }                                                                                        \
       pc += distance;                                                                          \
     }                                                                                          \

@@ -86,7 +86,9 @@ Trap Interpreter::run(const bytecode::Invocation& invocation, std::span<std::byt
   std::byte* const memory = memory_block.data();
   const std::uint64_t memory_size = memory_block.size();
   Slot* const bottom = stack_.data();
-  std::uint64_t budget_left = budget;
+  bytecode::BudgetSlices slices{0, interrupt_};
+  std::uint64_t budget_left = bytecode::BudgetSlices::first(budget, interrupt_);
+  slices.reserve = budget - budget_left;
 
   std::uint32_t function = invocation.function;
   const std::byte* pc = all_code + FUNCTION(function, code_offset);
@@ -98,6 +100,8 @@ Trap Interpreter::run(const bytecode::Invocation& invocation, std::span<std::byt
   std::uint32_t callee = 0;
   std::byte* callee_self = nullptr;
   const std::byte* resume = nullptr;  // where the caller goes on
+  if (FUNCTION(function, code_size) > budget_left)
+    budget_left = slices.refill(budget_left, FUNCTION(function, code_size));
   if (FUNCTION(function, code_size) > budget_left) return {TrapCode::Watchdog, function, 0};
   budget_left -= FUNCTION(function, code_size);
   for (Slot* local = bottom; local < sp; ++local) *local = 0;
@@ -173,8 +177,7 @@ op_MemCopy : {
   const auto size = OPERAND(std::uint32_t, 0);
   if (!within(top, size, memory_size)) FAULT(reference_fault(top));
   if (!within(sp[-1], size, memory_size)) FAULT(reference_fault(sp[-1]));
-  if (size / 16 > budget_left) FAULT(TrapCode::Watchdog);
-  budget_left -= size / 16;
+  CHARGE(size / 16, FAULT(TrapCode::Watchdog));
   std::memmove(memory + sp[-1], memory + top, size);
   --sp;
   POP();
@@ -184,10 +187,10 @@ op_MemCopy : {
 op_StringOp : {
   *sp = top;
   Slot* free = sp + 1;  // copies, so that sp and the budget may live in registers
-  std::uint64_t left = budget_left;
+  std::uint64_t left = budget_left + slices.reserve;
   const TrapCode code = call_string_op(OPERAND(bytecode::StringOpId, 0), free, memory_block, left);
   if (code != TrapCode::None) FAULT(code);
-  budget_left = left;
+  budget_left = slices.after(budget_left, left);
   sp = free;
   POP();
   DONE(StringOp);
@@ -356,8 +359,7 @@ op_CallInstanceInd:
 // Starts `callee` on `callee_self`; its parameters are on top of the stack and become its first locals.
 call : {
   const std::uint32_t code_size = FUNCTION(callee, code_size);
-  if (code_size > budget_left) FAULT(TrapCode::Watchdog);
-  budget_left -= code_size;
+  CHARGE(code_size, FAULT(TrapCode::Watchdog));
   *sp++ = top;
   Slot* const locals = sp - FUNCTION(callee, param_count);
   Slot* const saved = locals + FUNCTION(callee, local_count);
@@ -375,7 +377,7 @@ call : {
 // The stack holds the result at most.
 op_Return : {
   if (frame == bottom) {
-    budget = budget_left;
+    budget = budget_left + slices.reserve;
     return {};
   }
   const bool gives_result = FUNCTION(function, result) != bytecode::kNoResult;
@@ -410,7 +412,7 @@ original:
   goto* kHandlers[static_cast<std::uint8_t>(file_code[pc - 1 - all_code])];
 
 trapped : {
-  budget = budget_left;
+  budget = budget_left + slices.reserve;
   Trap trap{fault, function, static_cast<std::uint32_t>(pc - (all_code + FUNCTION(function, code_offset)))};
   // Back to the call that led out of what the user wrote.
   while ((FUNCTION(function, flags) & bytecode::kFunctionOfLibrary) != 0 && frame != bottom) {

@@ -34,11 +34,13 @@ class Interpreter final : public bytecode::Engine {
   // Requires a function that a task calls (ProgramCallRecord): the stack is sized for those.
   bytecode::Trap run(const bytecode::Invocation& invocation, std::span<std::byte> memory,
                      std::uint64_t& budget) override;
+  void set_interrupt(const bytecode::Interrupt* interrupt) override { interrupt_ = interrupt; }
 
  private:
   bytecode::Program program_;
   std::span<std::uint64_t> stack_;
   std::span<const std::byte> code_;  // the file's, or its quick form
+  const bytecode::Interrupt* interrupt_ = nullptr;
 };
 
 }  // namespace stepwright::vm

@@ -97,8 +97,7 @@
     const auto distance = OPERAND(std::int32_t, at[n]);                                      \
     if (distance < 0) {                                                                      \
       const std::uint64_t cost = negate(static_cast<std::uint64_t>(std::int64_t{distance})); \
-      if (cost > budget_left) FAULT_IN(n, TrapCode::Watchdog);                               \
-      budget_left -= cost;                                                                   \
+      CHARGE(cost, FAULT_IN(n, TrapCode::Watchdog));                                         \
     }                                                                                        \
     pc += distance;                                                                          \
   }

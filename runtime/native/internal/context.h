@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "runtime/bytecode/container_format.h"
+#include "runtime/bytecode/interrupt.h"
 
 namespace stepwright::native {
 
@@ -23,6 +24,8 @@ struct Context {
   std::uint32_t return_count;   // of them; there is room for kMostCalls
   std::uint32_t trap_code;      // of a trap whose site does not say why
   std::uint8_t condition;       // a comparison's result, while a register is made free for it
+  std::uint32_t cost;           // what the slice of the budget is too small for
+  bytecode::BudgetSlices slices;
 };
 
 // As deep as the verifier lets calls go, and the call of the entry.

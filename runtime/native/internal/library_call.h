@@ -16,4 +16,7 @@ using LibraryCall = std::uint32_t (*)(Context* context, std::uint32_t operation,
 std::uint32_t run_string_op(Context* context, std::uint32_t operation, operations::Slot* sp);
 std::uint32_t run_intrinsic(Context* context, std::uint32_t operation, operations::Slot* sp);
 
+// More of the budget for what `cost` of the context says, if there is more.
+void refill_budget(Context* context);
+
 }  // namespace stepwright::native

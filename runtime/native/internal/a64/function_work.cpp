@@ -65,19 +65,36 @@ void FunctionWork::settle_nan(StackType type, RegisterId result, RegisterId x, R
   out().bind(cold.back);
 }
 
-void FunctionWork::charge(std::uint32_t bytes) {
+void FunctionWork::take(std::uint32_t bytes) {
   if (bytes < 4096) {
     out().subs(kBudget, kBudget, bytes);
   } else {
     emit_.constant(x(kScratch), bytes);
     out().subs(kBudget, kBudget, x(kScratch));
   }
+}
+
+void FunctionWork::charge(std::uint32_t bytes) {
+  take(bytes);
   emit_.branch(CondCode::kLO, trap(TrapCode::Watchdog, bytes));
+  cold_.back().paid = out().newLabel();
+  out().bind(cold_.back().paid);
+}
+
+// The slice of the budget is too small: another one, if there is any.
+void FunctionWork::emit_refill(const Cold& cold) {
+  emit_.add(kBudget, kBudget, cold.refund);
+  emit_.constant(w(kScratch), cold.refund);
+  out().str(w(kScratch), field(offsetof(Context, cost)));
+  out().bl(program_.refill);
+  take(cold.refund);
+  emit_.branch(CondCode::kHS, cold.paid);
 }
 
 void FunctionWork::emit_cold() {
   for (const Cold& cold : cold_) {
     out().bind(cold.label);
+    if (cold.paid.isValid()) emit_refill(cold);
     cold.site != 0 ? emit_trap(cold) : emit_nan(cold);
   }
   cold_.clear();

@@ -19,6 +19,7 @@ struct ProgramWork {
   Assembler& out;
   std::vector<asmjit::Label> functions;
   asmjit::Label trapped;               // with the number of the trap's site in w0
+  asmjit::Label refill;                // more budget for the cost in the context; keeps the values' registers
   std::vector<bytecode::Trap>& sites;  // numbered from 1
   std::vector<CallSite>& calls;        // in the order of their offsets
 };
@@ -81,6 +82,7 @@ class FunctionWork {
     RegisterId result = kNoRegister;
     RegisterId x = kNoRegister;
     RegisterId y = kNoRegister;
+    asmjit::Label paid;  // of a charge: where to go on if there is more budget
   };
 
   std::uint64_t local_offset(std::uint32_t index) const {
@@ -88,6 +90,8 @@ class FunctionWork {
   }
   void emit_trap(const Cold& cold);
   void emit_nan(const Cold& cold);
+  void emit_refill(const Cold& cold);
+  void take(std::uint32_t bytes);
 
   ProgramWork& program_;
   std::uint32_t function_;

@@ -1,6 +1,7 @@
 #include "runtime/native/internal/program_code.h"
 
 #include "runtime/native/internal/a64/translate.h"
+#include "runtime/native/internal/library_call.h"
 
 namespace stepwright::native {
 
@@ -56,6 +57,46 @@ void emit_entry(Assembler& out, asmjit::Label entry, asmjit::Label trapped) {
   out.b(leave);
 }
 
+// Called from the middle of a function: every register of values that the platform's calls may change is
+// kept.
+void emit_refill(Assembler& out, asmjit::Label refill) {
+  constexpr std::uint32_t kGeneral = 16;  // x0 to x15; behind them only x30
+  constexpr std::int32_t kPair = 16;
+  const GpX stack(GpX::kIdSp);
+  const auto vectors = [](const auto& each) {
+    for (std::uint32_t i = 0; i < 32; i += 2) {
+      if (i < 8 || i >= 16) each(VecD(i), VecD(i + 1));
+    }
+  };
+  constexpr std::int32_t kVectors = 24;
+  constexpr std::int32_t kBytes = (kGeneral + 2 + kVectors) * 8;
+  out.bind(refill);
+  out.sub(stack, stack, kBytes);
+  std::int32_t at = 0;
+  for (std::uint32_t i = 0; i < kGeneral; i += 2, at += kPair) out.stp(x(i), x(i + 1), ptr(stack, at));
+  out.str(GpX(30), ptr(stack, at));
+  at += kPair;
+  vectors([&](VecD first, VecD second) {
+    out.stp(first, second, ptr(stack, at));
+    at += kPair;
+  });
+  out.str(kBudget, field(offsetof(Context, budget)));
+  out.mov(GpX(0), kContext);
+  out.mov(x(kScratch), asmjit::Imm(reinterpret_cast<std::uint64_t>(&refill_budget)));
+  out.blr(x(kScratch));
+  out.ldr(kBudget, field(offsetof(Context, budget)));
+  at = 0;
+  for (std::uint32_t i = 0; i < kGeneral; i += 2, at += kPair) out.ldp(x(i), x(i + 1), ptr(stack, at));
+  out.ldr(GpX(30), ptr(stack, at));
+  at += kPair;
+  vectors([&](VecD first, VecD second) {
+    out.ldp(first, second, ptr(stack, at));
+    at += kPair;
+  });
+  out.add(stack, stack, kBytes);
+  out.ret(GpX(30));
+}
+
 }  // namespace
 
 }  // namespace a64
@@ -66,10 +107,12 @@ asmjit::Error make_code(const ProgramFacts& facts, ProgramCode& out) {
   if (const asmjit::Error error = holder.init(asmjit::Environment::host())) return error;
   holder.setErrorHandler(&errors);
   a64::Assembler assembler(&holder);
-  a64::ProgramWork work{facts, assembler, {}, assembler.newLabel(), out.sites, out.calls};
+  a64::ProgramWork work{facts,     assembler, {}, assembler.newLabel(), assembler.newLabel(),
+                        out.sites, out.calls};
   for (std::uint32_t i = 0; i < facts.function_count(); ++i) work.functions.push_back(assembler.newLabel());
   const asmjit::Label entry = assembler.newLabel();
   a64::emit_entry(assembler, entry, work.trapped);
+  a64::emit_refill(assembler, work.refill);
   for (std::uint32_t i = 0; i < facts.function_count(); ++i) a64::translate_function(work, i);
   if (errors.first != asmjit::kErrorOk) return errors.first;
   return out.place(holder, entry, work.functions);

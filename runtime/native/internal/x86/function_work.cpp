@@ -6,6 +6,7 @@ using bytecode::AddressMode;
 using bytecode::MemType;
 using bytecode::Opcode;
 using bytecode::StackType;
+using bytecode::TrapCode;
 
 FunctionWork::FunctionWork(ProgramWork& program, std::uint32_t function)
     : program_(program),
@@ -69,6 +70,31 @@ asmjit::Label FunctionWork::trap(bytecode::TrapCode code, std::uint32_t refund) 
   return cold.label;
 }
 
+void FunctionWork::charge(std::uint32_t cost, asmjit::Label paid) {
+  out().sub(kBudget, cost);
+  out().jae(paid);
+  const asmjit::Label refused = trap(TrapCode::Watchdog, cost);
+  cold_.back().paid = paid;
+  out().jmp(refused);
+}
+
+void FunctionWork::charge(std::uint32_t cost) {
+  const asmjit::Label paid = out().newLabel();
+  out().sub(kBudget, cost);
+  out().jb(trap(TrapCode::Watchdog, cost));
+  cold_.back().paid = paid;
+  out().bind(paid);
+}
+
+// The slice of the budget is too small: another one, if there is any.
+void FunctionWork::emit_refill(const Cold& cold) {
+  out().add(kBudget, cold.refund);
+  out().mov(asmjit::x86::ptr(kContext, static_cast<std::int32_t>(offsetof(Context, cost)), 4), cold.refund);
+  out().call(program_.refill);
+  out().sub(kBudget, cold.refund);
+  out().jae(cold.paid);
+}
+
 asmjit::Label FunctionWork::reference_trap(RegisterId reference) {
   const asmjit::Label label = trap(bytecode::TrapCode::BadReference);
   program_.sites.push_back({bytecode::TrapCode::NullReference, function_, current().pc});
@@ -88,6 +114,7 @@ asmjit::Label FunctionWork::leaving(asmjit::Label target) {
 void FunctionWork::emit_cold() {
   for (const Cold& cold : cold_) {
     out().bind(cold.label);
+    if (cold.paid.isValid()) emit_refill(cold);
     if (cold.loop != nullptr) write_back(*cold.loop);
     if (cold.target.isValid()) {
       out().jmp(cold.target);

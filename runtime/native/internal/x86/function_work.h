@@ -20,6 +20,7 @@ struct ProgramWork {
   ConstantPool& pool;
   std::vector<asmjit::Label> functions;
   asmjit::Label trapped;               // with the number of the trap's site in eax
+  asmjit::Label refill;                // more budget for the cost in the context; keeps every register
   std::vector<bytecode::Trap>& sites;  // numbered from 1
   std::vector<CallSite>& calls;        // in the order of their offsets
 };
@@ -55,6 +56,10 @@ class FunctionWork {
 
   // Where to go for a trap of the current instruction, after giving back `refund` of the budget.
   asmjit::Label trap(bytecode::TrapCode code, std::uint32_t refund = 0);
+  // Takes that much off the budget and goes on at `paid`; traps if the budget is used up.
+  void charge(std::uint32_t cost, asmjit::Label paid);
+  // The same, and goes on behind it.
+  void charge(std::uint32_t cost);
   // The same for a reference, in a general register, that leads out of the memory.
   asmjit::Label reference_trap(RegisterId reference);
   // Where to go to leave the loop for that label.
@@ -83,9 +88,11 @@ class FunctionWork {
     std::uint32_t site = 0;
     std::uint32_t refund = 0;
     RegisterId reference = kNoRegister;  // decides between this site and the next
+    asmjit::Label paid;                  // of a charge: where to go on if there is more budget
   };
 
   void write_back(const Loop& loop);
+  void emit_refill(const Cold& cold);
 
   ProgramWork& program_;
   std::uint32_t function_;

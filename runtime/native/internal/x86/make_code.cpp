@@ -1,5 +1,6 @@
 #include "runtime/native/internal/program_code.h"
 
+#include "runtime/native/internal/library_call.h"
 #include "runtime/native/internal/x86/translate.h"
 
 namespace stepwright::native {
@@ -50,6 +51,28 @@ void emit_entry(x86::Assembler& out, asmjit::Label entry, asmjit::Label trapped)
   out.jmp(leave);
 }
 
+// Called from the middle of a function: every register that the platform's calls may change is kept.
+void emit_refill(x86::Assembler& out, asmjit::Label refill) {
+  constexpr x86::Gp kKept[] = {x86::rax, x86::rcx, x86::rdx, x86::rsi, x86::rdi,
+                               x86::r8,  x86::r9,  x86::r10, x86::r11};
+  constexpr std::int32_t kVectors = 16;
+  constexpr std::int32_t kVectorBytes = 16;
+  out.bind(refill);
+  for (const x86::Gp& kept : kKept) out.push(kept);
+  out.sub(x86::rsp, kVectors * kVectorBytes);
+  for (std::int32_t i = 0; i < kVectors; ++i)
+    out.movups(x86::ptr(x86::rsp, i * kVectorBytes), x86::xmm(static_cast<std::uint32_t>(i)));
+  out.mov(field(offsetof(Context, budget)), kBudget);
+  out.mov(x86::rdi, kContext);
+  call_aligned(out, reinterpret_cast<std::uint64_t>(&refill_budget));
+  out.mov(kBudget, field(offsetof(Context, budget)));
+  for (std::int32_t i = 0; i < kVectors; ++i)
+    out.movups(x86::xmm(static_cast<std::uint32_t>(i)), x86::ptr(x86::rsp, i * kVectorBytes));
+  out.add(x86::rsp, kVectors * kVectorBytes);
+  for (auto kept = std::rbegin(kKept); kept != std::rend(kKept); ++kept) out.pop(*kept);
+  out.ret();
+}
+
 }  // namespace
 
 asmjit::Error make_code(const ProgramFacts& facts, ProgramCode& out) {
@@ -59,11 +82,13 @@ asmjit::Error make_code(const ProgramFacts& facts, ProgramCode& out) {
   holder.setErrorHandler(&errors);
   x86::Assembler assembler(&holder);
   ConstantPool pool;
-  ProgramWork work{facts, assembler, pool, {}, assembler.newLabel(), out.sites, out.calls};
+  ProgramWork work{facts,     assembler, pool, {}, assembler.newLabel(), assembler.newLabel(),
+                   out.sites, out.calls};
   for (std::uint32_t i = 0; i < facts.function_count(); ++i) work.functions.push_back(assembler.newLabel());
 
   const asmjit::Label entry = assembler.newLabel();
   emit_entry(assembler, entry, work.trapped);
+  emit_refill(assembler, work.refill);
   for (std::uint32_t i = 0; i < facts.function_count(); ++i) {
     assembler.align(asmjit::AlignMode::kCode, 16);
     translate_function(work, i);

@@ -28,11 +28,6 @@ void pass_arguments(FunctionWork& work, std::uint32_t callee, const FunctionReco
   }
 }
 
-void charge_entry(FunctionWork& work, const FunctionRecord& callee) {
-  work.out().sub(kBudget, callee.code_size);
-  work.out().jb(work.trap(TrapCode::Watchdog, callee.code_size));
-}
-
 void emit_call(FunctionWork& work, std::uint32_t callee) {
   const FunctionCode::Item& item = work.current();
   work.out().call(work.program().functions[callee]);
@@ -64,7 +59,7 @@ void call_function(FunctionWork& work, std::uint32_t callee) {
   const FunctionRecord record = work.view().record<Section::Functions>(callee);
   pass_arguments(work, callee, record);
   operands.save_for_call();
-  charge_entry(work, record);
+  work.charge(record.code_size);
   SelfGuard guard(work, callee);
   emit_call(work, callee);
   guard.restore();
@@ -101,7 +96,7 @@ void call_instance(FunctionWork& work, const Instruction& in) {
     work.out().ja(work.reference_trap(ref));
   }
   operands.save_for_call();
-  charge_entry(work, record);
+  work.charge(record.code_size);
   SelfGuard guard(work, in.a);
   if (work.facts().facts(in.a).uses_self) set_self(work, in, ref);
   if (ref != kNoRegister) operands.registers().release(ref);
@@ -163,8 +158,7 @@ void copy(FunctionWork& work, std::uint32_t bytes) {
   operands.before_write(to.extent(bytes));
   if (cost != 0) {
     operands.settle_flags();
-    work.out().sub(kBudget, cost);
-    work.out().jb(work.trap(TrapCode::Watchdog, cost));
+    work.charge(cost);
   }
   if (bytes > 0 && bytes <= kLargestInlineCopy) {
     copy_in_place(work, to, from, bytes);

@@ -165,9 +165,7 @@ class FunctionTranslator {
       work_.out().jmp(edge(target));
       return;
     }
-    work_.out().sub(kBudget, cost);
-    work_.out().jae(edge(target));
-    work_.out().jmp(work_.trap(TrapCode::Watchdog, cost));
+    work_.charge(cost, edge(target));
   }
 
   // The condition under which the popped value is TRUE.

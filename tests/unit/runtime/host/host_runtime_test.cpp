@@ -106,7 +106,7 @@ TEST(HostRuntime, WhenProgramsFollowEachOther_ThenTimeScansAndTraceGoOnWhateverT
 
 TEST(HostRuntime, WhenStopped_ThenOutputsAreSafeAndTheReasonIsReported) {
   HostConfig config;
-  config.safe_outputs = {{0, 0x80, scan::SafeMode::Value, 0x80}};
+  config.safety.safe_state = SafeTable::of_all_causes({{0, 0x80, scan::SafeMode::Value, 0x80}});
   Harness harness(config);
   harness.load(step_program());
   harness.start(true);

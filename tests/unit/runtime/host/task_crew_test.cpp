@@ -277,7 +277,7 @@ TEST(OverrunPolicy, WhenScansAreSkipped_ThenTheyAreCountedAndLeftOut) {
 
 TEST(OverrunPolicy, WhenScansAreCaughtUp_ThenNoneIsLeftOut) {
   HostConfig config = real_time();
-  config.tasks.push_back({"T", {.overrun = scan::OverrunPolicy::CatchUp}});
+  config.tasks.push_back({.name = "T", .overrun = scan::OverrunPolicy::CatchUp});
   Tasks tasks(kOneTask, config);
   hold_up(tasks);
   EXPECT_GE(tasks.task(0).overruns, 8u);
@@ -286,7 +286,7 @@ TEST(OverrunPolicy, WhenScansAreCaughtUp_ThenNoneIsLeftOut) {
 
 TEST(OverrunPolicy, WhenItIsAFault_ThenTheProgramEndsAndSaysWhy) {
   HostConfig config = real_time();
-  config.tasks.push_back({"t", {.overrun = scan::OverrunPolicy::Fault}});
+  config.tasks.push_back({.name = "t", .overrun = scan::OverrunPolicy::Fault});
   Tasks tasks(kOneTask, config);
   hold_up(tasks);
   EXPECT_EQ(tasks.harness.event().kind, EventKind::Started);
@@ -298,14 +298,14 @@ TEST(OverrunPolicy, WhenItIsAFault_ThenTheProgramEndsAndSaysWhy) {
 
 TEST(TaskSettings, WhenTheyNameNoTask_ThenTheStatusSaysSo) {
   HostConfig config = real_time();
-  config.tasks.push_back({"tt", {}});
+  config.tasks.push_back({.name = "tt"});
   Tasks tasks(kOneTask, config);
   EXPECT_NE(tasks.harness.runtime->status().detail.find("no task is called tt"), std::string::npos);
 }
 
 TEST(TaskSettings, WhenATaskHasAPhase_ThenSimulatedTimeBeginsThere) {
   HostConfig config;
-  config.tasks.push_back({"slow", {.phase_ns = 3'000'000}});
+  config.tasks.push_back({.name = "slow", .phase_ns = 3'000'000});
   Tasks tasks(kFastAndSlow, config);
   tasks.harness.start();
   EXPECT_TRUE(tasks.wait_for("slow_count", 5));

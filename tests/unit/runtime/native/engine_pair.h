@@ -34,6 +34,9 @@ class EnginePair {
     auto compiled = NativeEngine::compile(loaded_.program());
     if (!compiled) throw std::runtime_error(result::to_string(compiled.error()));
     native_ = std::move(*compiled);
+    // Nobody asks; but budgets are handed out in slices, which must make no difference.
+    native_->set_interrupt(&interrupt_);
+    quick_.set_interrupt(&interrupt_);
     const auto initial = loaded_.program().container().section(bytecode::Section::InitialData);
     for (auto& image : images_) std::copy(initial.begin(), initial.end(), image.begin());
   }
@@ -76,6 +79,9 @@ class EnginePair {
   }
 
   NativeEngine& native() { return *native_; }
+  vm::Interpreter& quick() { return quick_; }
+  // Of the native engine and of the interpreter with its quick form.
+  bytecode::Interrupt& interrupt() { return interrupt_; }
   std::span<std::byte> native_image() { return images_[1]; }
   const reader::LoadedProgram& loaded() const { return loaded_; }
 
@@ -110,6 +116,7 @@ class EnginePair {
   vm::Interpreter interpreter_;
   vm::Interpreter quick_;
   std::unique_ptr<NativeEngine> native_;
+  bytecode::Interrupt interrupt_;
   std::vector<std::byte> images_[3];
   bytecode::Trap trap_;
 };

@@ -90,7 +90,9 @@ TEST(ScanCycle, Forces_WhenSet_ThenHoldForInputsAndOutputs) {
 TEST(ScanCycle, Stop_WhenOutputsAreOn_ThenEachTakesItsSafeState) {
   const std::vector<SafeOutput> safe = {{.byte = 0, .mask = 0x0C, .mode = SafeMode::Hold},
                                         {.byte = 1, .mask = 0xFF, .mode = SafeMode::Value, .value = 0x55}};
-  ScanFixture f({.safe_outputs = safe});
+  SafeMatrix matrix;
+  matrix[static_cast<std::size_t>(SafeCause::Stop)].outputs = safe;
+  ScanFixture f({.safe_state = matrix});
   f.cycle.start({});
   f.program.image().outputs()[0] = std::byte{0xFF};
   f.cycle.stop();

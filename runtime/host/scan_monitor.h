@@ -1,0 +1,98 @@
+#pragma once
+
+// Sees from outside whether the scan comes back. Each scanning thread holds a Lifeline, on which it says
+// until when it will be heard of again; the monitor's own thread looks at all of them. An execution that
+// lasts beyond what its watchdog allows is ended through the engine's interrupt; a thread that is not heard
+// of (a driver that blocks, a deadlock) cannot be helped from inside the process: the runtime is not healthy
+// then, and the heartbeat that the guard and systemd live on stops.
+//
+//   ScanMonitor monitor(20'000'000, [&] { driver.beat(); });
+//   monitor.watch(loop.lifeline());
+//   monitor.start();
+//   if (!monitor.healthy()) ...                       // any thread
+//
+// Threads: a Lifeline's functions belong to its scanning thread, unless they say otherwise; no heap, lock or
+// system call in them. start by one thread; watch, unwatch, healthy and silent_ns by any that does not scan.
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "runtime/bytecode/interrupt.h"
+#include "runtime/host/doorbell.h"
+#include "runtime/host/real_time.h"
+#include "runtime/scan/task_watchdog.h"
+
+namespace stepwright::host {
+
+class Lifeline final : public scan::TaskWatch {
+ public:
+  // `stall_ns`: how much later than it said the thread may be.
+  explicit Lifeline(std::int64_t stall_ns) : stall_ns_(stall_ns) {}
+
+  // The thread waits until that instant of the monotonic clock, or as long as nobody wants anything of it.
+  void rest_until(std::int64_t instant_ns) { expect(instant_ns); }
+  void rest() { heard_until_ns_.store(kNever, std::memory_order_relaxed); }
+  // The thread does what takes no time worth mentioning: I/O, commands, bookkeeping.
+  void busy() { expect(clock_.now_ns()); }
+
+  // An execution of a program; without a limit the budget of the scan ends it.
+  void begin(std::int64_t until_ns) override;
+  void end() override;
+  const bytecode::Interrupt* interrupt() const override { return &interrupt_; }
+
+  // The monitor's thread: ends an execution that has lasted too long; how long the thread should have been
+  // heard of, 0 if it has time.
+  void end_if_late(std::int64_t now_ns);
+  std::int64_t silent_ns(std::int64_t now_ns) const;
+
+ private:
+  static constexpr std::int64_t kNever = scan::TaskWatchdog::kNoLimit;
+
+  void expect(std::int64_t instant_ns) {
+    heard_until_ns_.store(instant_ns + stall_ns_, std::memory_order_relaxed);
+  }
+
+  MonotonicClock clock_;
+  std::int64_t stall_ns_;
+  bytecode::Interrupt interrupt_;
+  std::atomic<std::int64_t> execution_until_ns_{kNever};
+  std::atomic<std::int64_t> heard_until_ns_{kNever};
+};
+
+class ScanMonitor {
+ public:
+  // Looks every `period_ns` and calls `beat` on its thread whenever all is well: no lock, nothing that waits.
+  ScanMonitor(std::int64_t period_ns, std::function<void()> beat);
+  ~ScanMonitor();
+  ScanMonitor(const ScanMonitor&) = delete;
+  ScanMonitor& operator=(const ScanMonitor&) = delete;
+
+  // Looks at it until unwatch, or for the rest of the monitor's life. Any thread but a scanning one.
+  void watch(Lifeline& lifeline);
+  void unwatch(Lifeline& lifeline);
+  void start();
+
+  // Every thread was heard of in time when the monitor looked last.
+  bool healthy() const { return silent_ns() == 0; }
+  // How long the one that has been silent longest should have been heard of.
+  std::int64_t silent_ns() const { return silent_ns_.load(std::memory_order_relaxed); }
+
+ private:
+  void run();
+
+  std::int64_t period_ns_;
+  std::function<void()> beat_;
+  std::mutex mutex_;  // of the list; never taken by a thread that scans
+  std::vector<Lifeline*> lifelines_;
+  MonotonicClock clock_;
+  Doorbell end_;
+  std::atomic<bool> quit_{false};
+  std::atomic<std::int64_t> silent_ns_{0};
+  std::thread thread_;
+};
+
+}  // namespace stepwright::host

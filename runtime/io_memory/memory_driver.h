@@ -1,0 +1,48 @@
+#pragma once
+
+// I/O over a shared-memory area: the plant is another process, and the outputs stay when this one is killed,
+// for the guard to drive.
+//
+// The driver takes the lease with its first write: until a guard that drives has given way it writes nothing
+// (a few milliseconds; after a second the I/O counts as lost). From then on it alone writes.
+//
+// Threads: the scan thread; beat by any one other. A scan takes no heap, lock or system call, but one system
+// call while the lease is being taken. Invariants: outputs are written under the lease only; inputs that
+// cannot be read stay as they were; Lost when the plant announced how long it may be silent and is silent for
+// longer.
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+#include "runtime/image/io_driver.h"
+#include "runtime/io_memory/io_area.h"
+
+namespace stepwright::io_memory {
+
+class MemoryDriver final : public image::IoDriver {
+ public:
+  explicit MemoryDriver(std::unique_ptr<IoArea> area) : area_(std::move(area)) {}
+  // Says farewell: nobody drives the outputs any more, and the guard leaves them alone.
+  ~MemoryDriver() override;
+
+  // Requires the sizes of the area.
+  image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override;
+  image::IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) override;
+  bool left_outputs(std::span<std::byte> outputs) override;
+  void safe(std::uint8_t cause, bool settled) override;
+  void beat() override;
+
+  // A guard watches this area, and not one that is about to end because the last runtime said farewell.
+  bool guarded() const;
+
+ private:
+  bool take_lease(std::int64_t now_ns);
+
+  std::unique_ptr<IoArea> area_;
+  std::atomic<bool> leased_{false};
+  std::uint64_t generation_ = 0;
+  std::int64_t wanted_since_ns_ = 0;
+};
+
+}  // namespace stepwright::io_memory

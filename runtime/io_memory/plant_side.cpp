@@ -1,0 +1,42 @@
+#include "runtime/io_memory/plant_side.h"
+
+namespace stepwright::io_memory {
+
+result::Result<std::unique_ptr<PlantSide>> PlantSide::open(const std::string& name, std::uint32_t input_bytes,
+                                                           std::uint32_t output_bytes) {
+  auto area = IoArea::open(name, input_bytes, output_bytes);
+  if (!area) return result::forward(area);
+  if (!(*area)->try_lock(AreaLock::Plant)) {
+    return result::fail("R0044", {(*area)->path().string(), 0, 0}, "another plant is attached to this area");
+  }
+  (*area)->header().plant_timeout_ns.store(0, std::memory_order_release);
+  return std::unique_ptr<PlantSide>(new PlantSide(std::move(*area)));
+}
+
+void PlantSide::announce(std::int64_t timeout_ns) {
+  beat();
+  area_->header().plant_timeout_ns.store(static_cast<std::uint64_t>(timeout_ns), std::memory_order_release);
+}
+
+void PlantSide::beat() {
+  area_->header().plant_heartbeat_ns.store(static_cast<std::uint64_t>(monotonic_ns()),
+                                           std::memory_order_release);
+}
+
+void PlantSide::write_inputs(std::span<const std::byte> inputs) {
+  const std::int64_t now_ns = monotonic_ns();
+  area_->inputs().write({0, static_cast<std::uint64_t>(now_ns)}, inputs);
+  area_->header().plant_heartbeat_ns.store(static_cast<std::uint64_t>(now_ns), std::memory_order_release);
+}
+
+std::optional<OutputStamp> PlantSide::read_outputs(std::span<std::byte> outputs) {
+  SlotHeader header{};
+  if (!area_->outputs().read(header, outputs)) return std::nullopt;
+  return OutputStamp{header.generation, static_cast<std::int64_t>(header.time_ns)};
+}
+
+Owner PlantSide::owner() {
+  return static_cast<Owner>(area_->header().owner.load(std::memory_order_acquire));
+}
+
+}  // namespace stepwright::io_memory
