@@ -92,26 +92,29 @@ result::Result<void> BootProgram::load_and_start() {
     for (result::Diagnostic& each : loaded.error()) each.where.file = file.string();
     return loaded;
   }
-  if (auto done = complete(nullptr); !done) return done;
-  if (!config_.autostart) return {};
+  if (!config_.autostart) return complete(1);
+  // Both at once: between two commands a stopped program waits for its next inputs.
   host::Command start;
   start.kind = host::CommandKind::Start;
-  return complete(&start);
+  if (!runtime_.submit(start)) return result::fail("R0006", {}, "the runtime is busy");
+  return complete(2);
 }
 
-// Gives the command, if there is one, and waits for the one that is under way.
-result::Result<void> BootProgram::complete(const host::Command* command) {
-  if (command != nullptr && !runtime_.submit(*command))
-    return result::fail("R0006", {}, "the runtime is busy");
-  while (true) {
+// Waits for the commands that are under way.
+result::Result<void> BootProgram::complete(int commands) {
+  result::Diagnostics problems;
+  while (commands > 0) {
     if (auto completion = runtime_.take_completion()) {
-      if (!completion->problems.empty()) return tl::unexpected(std::move(completion->problems));
-      return {};
+      problems.insert(problems.end(), completion->problems.begin(), completion->problems.end());
+      --commands;
+      continue;
     }
     pollfd entry{runtime_.descriptor(), POLLIN, 0};
     if (poll(&entry, 1, kPatienceMs) == 0) return result::fail("R0006", {}, "the runtime does not answer");
     runtime_.clear();
   }
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return {};
 }
 
 }  // namespace stepwright::cell_runtime

@@ -44,7 +44,7 @@ class BootProgram {
  private:
   [[nodiscard]] result::Result<void> load_and_start();
   [[nodiscard]] result::Result<std::optional<std::vector<std::byte>>> find(std::filesystem::path& file) const;
-  [[nodiscard]] result::Result<void> complete(const host::Command* command);
+  [[nodiscard]] result::Result<void> complete(int commands);
   void keep_on();
 
   const config::BootSection config_;

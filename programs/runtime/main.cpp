@@ -15,6 +15,7 @@
 #include "programs/runtime/guard_process.h"
 #include "programs/runtime/host_options.h"
 #include "runtime/host/host_runtime.h"
+#include "runtime/host/thread_stacks.h"
 #include "runtime/result/exit_code.h"
 #include "runtime/service/server.h"
 
@@ -48,6 +49,7 @@ result::Result<void> make_state_dir(const config::CellConfig& config) {
 }
 
 int run(const config::CellConfig& config) {
+  static_cast<void>(host::limit_thread_stacks());  // a refusal costs memory only
   const process::StopSignal stop;
   auto options = host_options(config);
   if (!options) return fail(options.error(), ExitCode::BadInput);
