@@ -22,7 +22,7 @@ constexpr std::int64_t kNsPerMs = 1'000'000;
 
 // The rules of one cause: its own, and those for every cause that they leave.
 host::SafeTable::Column column_of(const std::vector<SafeRule>& all, const std::vector<SafeRule>& own,
-                                  const char* cause, result::Diagnostics& problems) {
+                                  result::Diagnostics& problems) {
   std::vector<const SafeRule*> rules;
   for (const SafeRule& rule : all) {
     const bool replaced = std::ranges::any_of(own, [&](const SafeRule& other) { return other.covers(rule); });
@@ -41,11 +41,12 @@ host::SafeTable::Column column_of(const std::vector<SafeRule>& all, const std::v
     column.outputs.insert(column.outputs.end(), rule->outputs.begin(), rule->outputs.end());
     if (!rule->ramp) continue;
     column.ramps.push_back(*rule->ramp);
-    if (column.ramps.size() == scan::kMaxRamps + 1) {
-      problems.push_back(
-          {"C0445", result::Severity::Error, rule->where,
-           "there are more than " + std::to_string(scan::kMaxRamps) + " ramps for the cause '" + cause + "'",
-           ""});
+    const bool told =
+        !problems.empty() && problems.back().where.line == rule->where.line;  // for another cause
+    if (column.ramps.size() == scan::kMaxRamps + 1 && !told) {
+      problems.push_back({"C0445", result::Severity::Error, rule->where,
+                          "there are more than " + std::to_string(scan::kMaxRamps) + " ramps for a cause",
+                          ""});
     }
   }
   return column;
@@ -56,7 +57,7 @@ void read_safe_states(const TomlTable& table, std::uint32_t output_bytes, host::
   const std::vector<SafeRule> all = read_safe_rules(table.table("outputs"), output_bytes, problems);
   for (std::size_t i = 0; i < kCauseTables.size(); ++i) {
     const std::vector<SafeRule> own = read_safe_rules(table.table(kCauseTables[i]), output_bytes, problems);
-    safe.columns[i] = column_of(all, own, kCauseTables[i], problems);
+    safe.columns[i] = column_of(all, own, problems);
   }
 }
 

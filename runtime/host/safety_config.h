@@ -1,7 +1,7 @@
 #pragma once
 
 // What a cell's configuration says about safety: the safe state by cause and output, and the watchdogs of
-// tasks. The guard process reads the same.
+// tasks. The guard process reads the same. All of it is in this header: the guard links no host.
 //
 // Threads: plain data. Invariant: what `matrix` refers to is the table itself, which must outlive its use.
 
@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/naming/ascii_names.h"
 #include "runtime/scan/safe_state.h"
 #include "runtime/scan/task_watchdog.h"
 
@@ -54,7 +55,12 @@ struct SafetyConfig {
   std::int64_t stall_ns = 100'000'000;   // later than this, a scan thread does not come back
 
   // Of the task with this name.
-  scan::WatchdogLimits watchdog_of(const std::string& task) const;
+  scan::WatchdogLimits watchdog_of(const std::string& task) const {
+    for (const NamedWatchdog& named : watchdogs) {
+      if (naming::same_name(named.task, task)) return named.limits;
+    }
+    return watchdog;
+  }
 };
 
 }  // namespace stepwright::host

@@ -89,6 +89,10 @@ TEST(Guard, WhenTheRuntimeIsKilledAtRandomInstants_ThenTheOutputsAreSafeSoonAndN
     newest = cell.stamp.generation;
     ASSERT_EQ(newest, of_runtime + 1);
     ASSERT_EQ(cell.output(1), 0x22);
+    for (int look = 0; look < 100; ++look) {
+      ASSERT_EQ(cell.output(0), kKilled);
+      ASSERT_EQ(cell.stamp.generation, newest);
+    }
   }
   std::ranges::sort(took_ms);
   std::printf("from SIGKILL to safe outputs, %d kills: p50 %.2f ms, p99 %.2f ms, max %.2f ms\n", kKills,
