@@ -77,6 +77,25 @@ void ScanCycle::skip_to(std::int64_t time_ns) {
   }
 }
 
+CyclePoint ScanCycle::point() const {
+  CyclePoint point{state_, scan_, last_time_ns_, trace_hash_, static_cast<std::uint32_t>(task_count_), {}};
+  for (std::size_t i = 0; i < task_count_; ++i) point.tasks[i] = {tasks_[i].due_ns, tasks_[i].triggered};
+  return point;
+}
+
+void ScanCycle::resume(const CyclePoint& point) {
+  assert(point.task_count == task_count_);
+  state_ = point.state;
+  scan_ = point.scan;
+  last_time_ns_ = point.last_time_ns;
+  trace_hash_ = point.trace_hash;
+  last_trap_ = {};
+  for (std::size_t i = 0; i < task_count_; ++i) {
+    tasks_[i].due_ns = point.tasks[i].due_ns;
+    tasks_[i].triggered = point.tasks[i].triggered;
+  }
+}
+
 ScanReport ScanCycle::run_scan() {
   const std::int64_t begin_ns = clock_.now_ns();
   const std::int64_t time_ns = next_time_ns();

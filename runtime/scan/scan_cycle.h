@@ -64,6 +64,20 @@ struct ScanStatistics {
   std::uint64_t io_losses = 0;
 };
 
+// Where a cycle stands between two scans: with the image and the forces, all that the next scan depends on.
+struct CyclePoint {
+  struct Task {
+    std::int64_t due_ns = 0;
+    bool triggered = false;
+  };
+  ScanState state = ScanState::Stopped;
+  std::uint64_t scan = 0;
+  std::int64_t last_time_ns = 0;  // of the newest scan
+  std::uint64_t trace_hash = 0;
+  std::uint32_t task_count = 0;
+  std::array<Task, bytecode::kMaxTasks> tasks{};  // in the order of their priority
+};
+
 class ScanCycle {
  public:
   // Everything passed in must outlive the cycle. Requires an image of layout_of(program).
@@ -84,6 +98,11 @@ class ScanCycle {
 
   // Leaves out what is due before `time_ns` (a real-time overrun); tasks keep their phase.
   void skip_to(std::int64_t time_ns);
+
+  // Where it stands, and how it goes on from there: of the same program, with an image as it was then. Forces
+  // stay as they are.
+  CyclePoint point() const;
+  void resume(const CyclePoint& point);
 
   ScanState state() const { return state_; }
   std::uint64_t scan() const { return scan_; }
