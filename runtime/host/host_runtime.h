@@ -48,6 +48,10 @@ class HostRuntime final : public RuntimePort {
   int descriptor() const override;
   void clear() override;
   int snapshot_descriptor() const override;
+  std::vector<image::Force> forces() const override;
+  [[nodiscard]] result::Result<void> record(std::uint64_t ticket,
+                                            const record::RecordingOptions& options) override;
+  record::RecordingStatus recording() const override { return recorder_.status(); }
 
  private:
   HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
@@ -62,6 +66,7 @@ class HostRuntime final : public RuntimePort {
   std::unique_ptr<SnapshotWriter> snapshots_;
   std::unique_ptr<SnapshotReader> reader_;
   std::uint64_t incarnation_;
+  record::Recorder recorder_;  // ends after the scan thread
   std::unique_ptr<ScanLoop> loop_;
   std::string refused_;  // what the system refused to the scan thread
   std::string detail_;   // of the newest event that has one

@@ -71,6 +71,13 @@ struct BodyWriter {
     out.read(command);
   }
   void operator()(const DownloadChunk&) const {}  // travels as a ProgramChunk
+  // For people at the machine of the runtime: asked on its socket only, never over the network.
+  void operator()(const ReadForces&) const {}
+  void operator()(const Step&) const {}
+  void operator()(const Continue&) const {}
+  void operator()(const BeginRecording&) const {}
+  void operator()(const EndRecording&) const {}
+  void operator()(const ReadRecording&) const {}
 
  private:
   void event(std::uint64_t sequence, idl::CommandKind kind) const {
