@@ -58,23 +58,13 @@ AreaPlace place_of(naming::Area area, const bytecode::SizesRecord& sizes) {
   return {sizes.input_bytes + sizes.output_bytes, sizes.marker_bytes, "markers"};
 }
 
-// The variable that is declared with this address and size; else a plain one.
-Variable variable_at(const ProgramInfo& info, const naming::DirectAddress& address, std::uint32_t at) {
-  Variable variable;
-  variable.address = at;
-  if (address.bits == 1) {
-    variable.bit = address.bit;
-    return variable;
-  }
+// The variable that is declared there; null if none is.
+const Tag* tag_at(const ProgramInfo& info, std::uint32_t address, std::uint8_t bit, std::uint8_t size) {
   for (const Tag& tag : info.tags()) {
-    const bool same = tag.variable.address == at && tag.variable.bit == bytecode::kNoBit;
-    if (same && size_of(tag.variable) == address.bits / 8u) return tag.variable;
+    const bool same = tag.variable.address == address && tag.variable.bit == bit;
+    if (same && size_of(tag.variable) == size) return &tag;
   }
-  variable.type = address.bits == 8    ? ElementaryType::Byte
-                  : address.bits == 16 ? ElementaryType::Word
-                  : address.bits == 32 ? ElementaryType::Dword
-                                       : ElementaryType::Lword;
-  return variable;
+  return nullptr;
 }
 
 // What to do about a name that is none.
@@ -114,11 +104,44 @@ result::Result<NamedVariable> resolve_name(const ProgramInfo& info, std::string_
       return result::fail(code, where, "`" + path + "` lies beyond the " + area.name + " of the program",
                           "it has " + std::to_string(area.bytes) + " bytes of them");
     }
-    return NamedVariable{path, variable_at(info, *address, area.begin + address->byte)};
+    const std::uint8_t bit = address->bits == 1 ? address->bit : bytecode::kNoBit;
+    const auto size = static_cast<std::uint8_t>(bytes);
+    return NamedVariable{path, variable_of_place(info, area.begin + address->byte, bit, size)};
   }
   if (const Tag* tag = info.find_tag(path)) return NamedVariable{tag->name, tag->variable};
   return result::fail(code, where, "there is no variable `" + path + "` with a single value",
                       hint_for(info, path));
+}
+
+Variable variable_of_place(const ProgramInfo& info, std::uint32_t address, std::uint8_t bit,
+                           std::uint8_t size) {
+  if (const Tag* tag = tag_at(info, address, bit, size)) return tag->variable;
+  Variable variable;
+  variable.address = address;
+  variable.bit = bit;
+  if (bit != bytecode::kNoBit) return variable;
+  variable.type = size == 1   ? ElementaryType::Byte
+                  : size == 2 ? ElementaryType::Word
+                  : size == 4 ? ElementaryType::Dword
+                              : ElementaryType::Lword;
+  return variable;
+}
+
+std::string name_of_place(const ProgramInfo& info, std::uint32_t address, std::uint8_t bit,
+                          std::uint8_t size) {
+  if (const Tag* tag = tag_at(info, address, bit, size)) return tag->name;
+  constexpr std::array kAreas = {naming::Area::Input, naming::Area::Output, naming::Area::Marker};
+  for (const naming::Area area : kAreas) {
+    const AreaPlace place = place_of(area, info.sizes());
+    if (address < place.begin || address + size > place.begin + place.bytes) continue;
+    const std::uint32_t byte = address - place.begin;
+    std::string text = std::string("%") + "IQM"[static_cast<std::size_t>(area)];
+    if (bit != bytecode::kNoBit) return text + "X" + std::to_string(byte) + "." + std::to_string(bit);
+    if (byte % size != 0) break;
+    text += size == 1 ? 'B' : size == 2 ? 'W' : size == 4 ? 'D' : 'L';
+    return text + std::to_string(byte / size);
+  }
+  return std::to_string(size) + " bytes at byte " + std::to_string(address) + " of the image";
 }
 
 }  // namespace stepwright::reader
