@@ -26,7 +26,7 @@ result::Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std
     return result::fail("R0054", {path, 0, 0}, "the file is no recording",
                         "recordings are made by `stepwright record` or [record] file");
   }
-  if (header.version != kFormatVersion) {
+  if (header.version != kFormatVersion || header.reserved != 0) {
     return result::fail("R0059", {path, 0, 0},
                         "the recording has version " + std::to_string(header.version) +
                             ", this program reads version " + std::to_string(kFormatVersion));

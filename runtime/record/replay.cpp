@@ -9,6 +9,7 @@
 
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/bytecode/reader/read_value.h"
+#include "runtime/bytecode/reader/resolve_name.h"
 #include "runtime/image/io_driver.h"
 #include "runtime/record/recording_format.h"
 #include "runtime/record/recording_reader.h"
@@ -278,6 +279,7 @@ result::Result<void> Player::take_state(base::ByteReader in) {
     return nonsense("an image of another size");
   std::copy(bytes.begin(), bytes.end(), image.bytes().begin());
   machine_->cycle.resume(point);
+  report_.trace_hash = point.trace_hash;
   io_.inputs.assign(image.inputs().size(), std::byte{0});
   time_ns_ = point.last_time_ns;
   step_ns_ = 0;
@@ -397,12 +399,21 @@ void Player::compare_variables(Bytes recorded) {
   const auto info = reader::ProgramInfo::read(machine_->loaded.bytes());
   if (!info) return;
   const Bytes replayed = machine_->image.bytes();
+  std::vector<bool> named(replayed.size(), false);
   for (const reader::Tag& tag : info->tags()) {
+    named[tag.variable.address] = true;
     std::string before = reader::read_text(tag.variable, recorded);
     std::string now = reader::read_text(tag.variable, replayed);
-    if (before == now) continue;
+    if (before == now || difference.variables.size() == kMaxDifferences) continue;
     difference.variables.push_back({tag.name, std::move(before), std::move(now)});
-    if (difference.variables.size() == kMaxDifferences) return;
+  }
+  // Inputs and outputs that no variable stands for.
+  const std::size_t areas = machine_->image.inputs().size() + machine_->image.outputs().size();
+  for (std::uint32_t at = 0; at < areas; ++at) {
+    if (named[at] || recorded[at] == replayed[at] || difference.variables.size() == kMaxDifferences) continue;
+    const auto text = [at](Bytes image) { return std::to_string(std::to_integer<unsigned>(image[at])); };
+    difference.variables.push_back(
+        {reader::name_of_place(*info, at, bytecode::kNoBit, 1), text(recorded), text(replayed)});
   }
 }
 
