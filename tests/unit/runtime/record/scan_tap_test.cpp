@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdio>
+
 #include "tests/support/malloc_guard.h"
 #include "tests/unit/runtime/record/recorded_run.h"
 
@@ -90,6 +93,29 @@ TEST(ScanTap, WhenItRecords_ThenItNeitherAllocatesNorLocks) {
   run.tap.stopped("test");
   run.tap.end("test");
   EXPECT_EQ(support::guard_counts(), before);
+}
+
+// Beside the same scans without a recording, in the same minute.
+TEST(ScanTap, WhenItRecords_ThenItsCostIsSmall) {
+  TemporaryFolder folder;
+  Recorder recorder;
+  RecordedRun run;
+  const auto nanoseconds = [&] {
+    constexpr int kScans = 20'000;
+    const auto begin = std::chrono::steady_clock::now();
+    run.scans(kScans);
+    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count() /
+           kScans;
+  };
+  nanoseconds();
+  const double plain = nanoseconds();
+  ASSERT_TRUE(run.begin(recorder, {.file = folder / "run"}));
+  const double recorded = nanoseconds();
+  run.tap.end("test");
+  std::printf("a scan takes %.0f ns, recorded %.0f ns\n", plain, recorded);
+  RecordProperty("scan_ns", std::to_string(plain));
+  RecordProperty("recorded_scan_ns", std::to_string(recorded));
+  EXPECT_LT(recorded, 20.0 * plain + 20'000.0);  // no system call, whatever the machine does beside it
 }
 
 TEST(ScanTap, WhenNothingIsRecorded_ThenEveryCallReturns) {
