@@ -35,17 +35,22 @@ void put_difference(Encoder& out, std::span<const std::byte> before, std::span<c
 
 }  // namespace
 
+Session::Session(std::size_t ring_bytes, std::uint32_t hash_every_scans, std::uint32_t keyframe_every_scans)
+    : ring(ring_bytes),
+      inputs(kMaxInputs),
+      scratch(kScratch),
+      hash_every(hash_every_scans),
+      keyframe_every(keyframe_every_scans) {}
+
 void ScanTap::begin(Session* session) {
   if (session_ != nullptr) session_->released.store(true, std::memory_order_release);
   session_ = session;
-  inputs_.assign(kMaxInputs, std::byte{0});
-  scratch_.resize(kScratch);
   in_gap_ = false;
 }
 
 void ScanTap::end(std::string_view reason) {
   if (session_ == nullptr) return;
-  Encoder out(scratch_);
+  Encoder out(session_->scratch);
   out.put(RecordKind::End).put(scan_).put_block(bytes_of(reason));
   // Without room the recording ends without its mark, as after a kill.
   static_cast<void>(session_->ring.push({out.bytes()}));
@@ -88,11 +93,11 @@ void ScanTap::state(StateCause cause, const Running& program) {
 
 bool ScanTap::push_state(StateCause cause, const Running& program) {
   const scan::CyclePoint point = program.cycle.point();
-  Encoder out(scratch_);
+  Encoder out(session_->scratch);
   if (cause == StateCause::Resume) {
     // The gap stands before the state in one record of its own, pushed only if both have room.
     if (session_->ring.room() < program.image.bytes().size() + kHeads) return false;
-    Encoder gap(scratch_);
+    Encoder gap(session_->scratch);
     gap.put(RecordKind::Gap).put(scan_ + 1);
     if (!session_->ring.push({gap.bytes()})) return false;
   }
@@ -112,7 +117,7 @@ bool ScanTap::push_state(StateCause cause, const Running& program) {
   scan_ = point.scan;
   time_ns_ = point.last_time_ns;
   step_ns_ = 0;
-  std::fill_n(inputs_.begin(), program.image.inputs().size(), std::byte{0});
+  std::fill_n(session_->inputs.begin(), program.image.inputs().size(), std::byte{0});
   return true;
 }
 
@@ -126,7 +131,7 @@ void ScanTap::scanned(const scan::ScanReport& report, const ScanIo& io, const Ru
   if (!push_scan(report, io)) return lose(report.scan);
   session_->scans.fetch_add(1, std::memory_order_relaxed);
   if (session_->keyframe_every > 0 && report.scan % session_->keyframe_every == 0) {
-    Encoder out(scratch_);
+    Encoder out(session_->scratch);
     out.put(RecordKind::Keyframe).put_varint(program.image.bytes().size());
     // One that finds no room is left out: the hashes tell that all is well without it.
     static_cast<void>(session_->ring.push({out.bytes(), program.image.bytes()}));
@@ -139,7 +144,7 @@ void ScanTap::scanned(const scan::ScanReport& report, const ScanIo& io, const Ru
 
 bool ScanTap::push_scan(const scan::ScanReport& report, const ScanIo& io) {
   const std::int64_t step_ns = report.time_ns - time_ns_;
-  const auto before = std::span<const std::byte>(inputs_).first(io.inputs.size());
+  const auto before = std::span<const std::byte>(session_->inputs).first(io.inputs.size());
   const bool changed = !std::equal(io.inputs.begin(), io.inputs.end(), before.begin());
   const bool hashed = report.scan % session_->hash_every == 0 || report.state != scan::ScanState::Running;
   unsigned flags = static_cast<unsigned>(report.state) << kScanStateShift;
@@ -148,13 +153,13 @@ bool ScanTap::push_scan(const scan::ScanReport& report, const ScanIo& io) {
   if (!io.write_good) flags |= kScanWriteLost;
   if (hashed) flags |= kScanHash;
   if (step_ns != step_ns_) flags |= kScanStep;
-  Encoder out(scratch_);
+  Encoder out(session_->scratch);
   out.put(RecordKind::Scan).put(static_cast<std::uint8_t>(flags));
   if ((flags & kScanStep) != 0) out.put_varint(zigzag(step_ns));
   if (hashed) out.put(report.image_hash);
   if (changed) put_difference(out, before, io.inputs);
   if (!out.good() || !session_->ring.push({out.bytes()})) return false;
-  if (changed) std::copy(io.inputs.begin(), io.inputs.end(), inputs_.begin());
+  if (changed) std::copy(io.inputs.begin(), io.inputs.end(), session_->inputs.begin());
   scan_ = report.scan;
   time_ns_ = report.time_ns;
   step_ns_ = step_ns;
@@ -163,31 +168,31 @@ bool ScanTap::push_scan(const scan::ScanReport& report, const ScanIo& io) {
 
 void ScanTap::loaded(std::string_view digest) {
   if (!usable()) return;
-  Encoder out(scratch_);
+  Encoder out(session_->scratch);
   push(out.put(RecordKind::Load).put_block(bytes_of(digest)).bytes());
 }
 
 void ScanTap::stopped(std::string_view reason) {
   if (!usable()) return;
-  Encoder out(scratch_);
+  Encoder out(session_->scratch);
   push(out.put(RecordKind::Stop).put_block(bytes_of(reason)).bytes());
 }
 
 void ScanTap::forced(const image::Force& force) {
   if (!usable()) return;
-  Encoder out(scratch_);
+  Encoder out(session_->scratch);
   push(out.put(RecordKind::Force).put(force.address).put(force.bit).put(force.size).put(force.value).bytes());
 }
 
 void ScanTap::unforced(std::uint32_t address, std::uint8_t bit) {
   if (!usable()) return;
-  Encoder out(scratch_);
+  Encoder out(session_->scratch);
   push(out.put(RecordKind::Unforce).put(address).put(bit).bytes());
 }
 
 void ScanTap::wrote(std::uint32_t address, std::span<const std::byte> bytes) {
   if (!usable()) return;
-  Encoder out(scratch_);
+  Encoder out(session_->scratch);
   push(out.put(RecordKind::Write).put(address).put_block(bytes).bytes());
 }
 

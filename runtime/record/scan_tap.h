@@ -31,10 +31,12 @@ namespace stepwright::record {
 
 // What scan thread and writer thread share of one recording. Belongs to the Recorder.
 struct Session {
-  Session(std::size_t ring_bytes, std::uint32_t hash_every_scans, std::uint32_t keyframe_every_scans)
-      : ring(ring_bytes), hash_every(hash_every_scans), keyframe_every(keyframe_every_scans) {}
+  // Takes all memory that recording needs.
+  Session(std::size_t ring_bytes, std::uint32_t hash_every_scans, std::uint32_t keyframe_every_scans);
 
   ByteRing ring;
+  std::vector<std::byte> inputs;          // the scan thread's: of the scan before
+  std::vector<std::byte> scratch;         // the scan thread's: for one record without its image
   const std::uint32_t hash_every;         // scans; 1: every scan
   const std::uint32_t keyframe_every;     // scans; 0: none
   std::atomic<bool> failed{false};        // set by the writer: nobody empties the ring any more
@@ -86,10 +88,8 @@ class ScanTap {
   void lose(std::uint64_t scan);
 
   Session* session_ = nullptr;
-  std::vector<std::byte> inputs_;   // of the scan before
-  std::vector<std::byte> scratch_;  // of one record without its image
-  std::int64_t time_ns_ = 0;        // of the scan before
-  std::int64_t step_ns_ = 0;        // between the two scans before
+  std::int64_t time_ns_ = 0;  // of the scan before
+  std::int64_t step_ns_ = 0;  // between the two scans before
   std::uint64_t scan_ = 0;
   bool in_gap_ = false;
 };

@@ -71,7 +71,7 @@ struct BodyWriter {
     out.read(command);
   }
   void operator()(const DownloadChunk&) const {}  // travels as a ProgramChunk
-  // For people at the machine of the runtime: asked on its socket only, never over the network.
+  // These do not travel.
   void operator()(const ReadForces&) const {}
   void operator()(const Step&) const {}
   void operator()(const Continue&) const {}
@@ -130,6 +130,12 @@ std::optional<RequestBody> from_body(const idl::CommandBody& body) {
 }
 
 }  // namespace
+
+bool travels(const RequestBody& body) {
+  return !std::holds_alternative<ReadForces>(body) && !std::holds_alternative<Step>(body) &&
+         !std::holds_alternative<Continue>(body) && !std::holds_alternative<BeginRecording>(body) &&
+         !std::holds_alternative<EndRecording>(body) && !std::holds_alternative<ReadRecording>(body);
+}
 
 idl::Command to_command(const std::string& runtime_id, const Request& request) {
   idl::Command sample;
