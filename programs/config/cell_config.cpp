@@ -145,6 +145,7 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   config.hmi.host = hmi.text("host", config.hmi.host);
   config.hmi.port = static_cast<std::uint16_t>(hmi.integer("port", 8080, {0, 65'535}));
   read_retain(root, folder, config.state_dir, config.retain, config.boot);
+  config.record = read_record(root.table("record"), config.state_dir);
   result::Diagnostics problems = (*document)->finish();
   problems.insert(problems.end(), unsafe.begin(), unsafe.end());
   if (result::has_errors(problems)) return tl::unexpected(std::move(problems));

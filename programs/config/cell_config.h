@@ -16,6 +16,7 @@
 #include "programs/config/retain_config.h"
 #include "programs/config/safety_config.h"
 #include "programs/config/task_config.h"
+#include "programs/config/record_config.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::config {
@@ -110,6 +111,7 @@ struct CellConfig {
   HmiConfig hmi;
   RetainSection retain;
   BootSection boot;
+  RecordConfig record;
 
   std::filesystem::path socket_path() const;   // the runtime's Unix socket
   std::filesystem::path journal_path() const;  // the executive's journal

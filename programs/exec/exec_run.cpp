@@ -1,5 +1,6 @@
 #include "programs/exec/exec_run.h"
 
+#include "programs/trace/names.h"
 #include "runtime/image/no_io.h"
 #include "runtime/image/process_image.h"
 #include "runtime/scan/no_clock.h"
@@ -9,21 +10,12 @@ namespace stepwright::exec {
 
 namespace {
 
-result::Result<std::vector<reader::Variable>> resolve(const reader::LoadedProgram& loaded,
-                                                      const std::vector<std::string>& names) {
-  std::vector<reader::Variable> variables;
-  if (names.empty()) return variables;
+result::Result<std::vector<reader::NamedVariable>> resolve(const reader::LoadedProgram& loaded,
+                                                           const std::vector<std::string>& names) {
+  if (names.empty()) return std::vector<reader::NamedVariable>();
   auto info = reader::ProgramInfo::read(loaded.bytes());
   if (!info) return result::forward(info);
-  for (const std::string& name : names) {
-    const reader::Variable* variable = info->find(name);
-    if (variable == nullptr) {
-      return result::fail("B0300", {}, "there is no variable `" + name + "` with a single value",
-                          "variables are named INSTANCE.variable, e.g. MAIN.level or MAIN.table[3]");
-    }
-    variables.push_back(*variable);
-  }
-  return variables;
+  return trace::resolve_names(*info, trace::asked(names), "B0300");
 }
 
 }  // namespace
@@ -42,6 +34,9 @@ result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOp
   scan::ScanCycle cycle(program, **engine, image, io, clock, {});
   cycle.start({});
 
+  if (options.csv != nullptr) {
+    if (auto begun = options.csv->columns(*variables); !begun) return result::forward(begun);
+  }
   ExecReport report;
   report.image_hash = image.hash();
   for (const std::string& name : options.trace) report.trace.emplace_back(name, std::vector<reader::Value>());
@@ -50,8 +45,9 @@ result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOp
     report.scans = scanned.scan;
     report.image_hash = scanned.image_hash;
     for (std::size_t i = 0; i < variables->size(); ++i) {
-      report.trace[i].second.push_back(reader::read_value((*variables)[i], image.bytes()));
+      report.trace[i].second.push_back(reader::read_value((*variables)[i].variable, image.bytes()));
     }
+    if (options.csv != nullptr) options.csv->row(scanned.scan, scanned.time_ns, image.bytes());
     if (scanned.trap) {
       report.traps.push_back({scanned.scan, scanned.trap, reader::describe(program, scanned.trap)});
     }

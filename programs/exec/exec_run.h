@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "programs/trace/csv_trace.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/reader/read_value.h"
 #include "runtime/bytecode/trap.h"
@@ -19,6 +20,7 @@ struct ExecOptions {
   host::EngineKind engine = host::EngineKind::Vm;
   std::uint64_t scans = 1;
   std::vector<std::string> trace;  // names of variables
+  trace::CsvTrace* csv = nullptr;  // gets a row with them after every scan; the caller finishes it
 };
 
 struct TrapReport {

@@ -1,17 +1,19 @@
-// stepwright exec IMAGE.swb [--scans N] [--engine vm|native] [--trace VARS] [--json FILE]
+// stepwright exec IMAGE.swb [--scans N] [--engine vm|native] [--trace VARS] [--csv FILE] [--json FILE]
 
 #include "programs/exec/exec_run.h"
 #include "programs/process/command_line.h"
+#include "programs/trace/csv_trace.h"
+#include "programs/trace/names.h"
+#include "programs/trace/value_json.h"
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/result/exit_code.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,56 +25,25 @@ namespace exec = stepwright::exec;
 namespace process = stepwright::process;
 namespace reader = stepwright::reader;
 namespace result = stepwright::result;
+namespace trace = stepwright::trace;
+using trace::hex;
+using trace::to_json;
 
 struct Arguments {
   std::string image;
   std::string engine = "vm";
   std::string json_file;
+  std::string csv_file;
   std::string trace;
   exec::ExecOptions options;
 };
 
-// Names between commas; a comma between brackets belongs to the name ("a[1,2],b").
-std::vector<std::string> split_names(const std::string& list) {
-  std::vector<std::string> names;
-  std::string name;
-  int brackets = 0;
-  const auto finish = [&] {
-    if (!name.empty()) names.push_back(std::move(name));
-    name.clear();
-  };
-  for (const char c : list) {
-    brackets += c == '[' ? 1 : c == ']' ? -1 : 0;
-    if (c == ',' && brackets == 0) {
-      finish();
-    } else if (c != ' ') {
-      name += c;
-    }
-  }
-  finish();
-  return names;
-}
-
-// JSON has no infinities: they are written as their names.
-nlohmann::json to_json(const reader::Value& value) {
-  if (const double* number = std::get_if<double>(&value); number != nullptr && !std::isfinite(*number)) {
-    return std::isnan(*number) ? "NaN" : *number > 0 ? "Infinity" : "-Infinity";
-  }
-  return std::visit([](const auto& plain) { return nlohmann::json(plain); }, value);
-}
-
-std::string hex(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(value));
-  return text;
-}
-
 nlohmann::json to_json(const exec::ExecReport& report, const std::string& engine) {
-  nlohmann::json trace = nlohmann::json::object();
+  nlohmann::json traced = nlohmann::json::object();
   for (const auto& [name, values] : report.trace) {
     nlohmann::json list = nlohmann::json::array();
     for (const reader::Value& value : values) list.push_back(to_json(value));
-    trace[name] = std::move(list);
+    traced[name] = std::move(list);
   }
   nlohmann::json traps = nlohmann::json::array();
   for (const exec::TrapReport& trap : report.traps) {
@@ -88,7 +59,7 @@ nlohmann::json to_json(const exec::ExecReport& report, const std::string& engine
   }
   return {{"engine", engine},
           {"scans", report.scans},
-          {"trace", std::move(trace)},
+          {"trace", std::move(traced)},
           {"traps", std::move(traps)},
           {"image_hash", hex(report.image_hash)},
           {"trace_hash", hex(report.trace_hash)}};
@@ -106,8 +77,17 @@ void print(const exec::ExecReport& report) {
 int execute(const Arguments& arguments) {
   auto loaded = reader::LoadedProgram::load_file(arguments.image);
   if (!loaded) return process::fail(loaded.error(), ExitCode::BadInput);
-  const auto report = exec::run(*loaded, arguments.options);
+  exec::ExecOptions options = arguments.options;
+  std::optional<trace::CsvTrace> csv;
+  if (!arguments.csv_file.empty()) {
+    csv.emplace(arguments.csv_file);
+    options.csv = &*csv;
+  }
+  const auto report = exec::run(*loaded, options);
   if (!report) return process::fail(report.error(), ExitCode::BadInput);
+  if (csv) {
+    if (auto written = csv->finish(); !written) return process::fail(written.error(), ExitCode::BadInput);
+  }
 
   if (!arguments.json_file.empty()) {
     std::ofstream file(arguments.json_file);
@@ -137,9 +117,10 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"vm", "native"}));
   app.add_option("--trace", arguments.trace,
                  "variables to record after every scan, e.g. MAIN.level,MAIN.pump");
+  app.add_option("--csv", arguments.csv_file, "write these variables as a table, a row for each scan");
   app.add_option("--json", arguments.json_file, "write the report as JSON");
   if (const auto exit = process::parse(app, argc, argv)) return *exit;
   if (arguments.engine == "native") arguments.options.engine = stepwright::host::EngineKind::Native;
-  arguments.options.trace = split_names(arguments.trace);
+  arguments.options.trace = trace::split_names(arguments.trace);
   return execute(arguments);
 }

@@ -48,6 +48,19 @@ result::Result<void> make_state_dir(const config::CellConfig& config) {
                       "the state folder cannot be made: " + error.message());
 }
 
+// From the first scan on, if the configuration asks for it.
+result::Result<void> begin_recording(host::HostRuntime& runtime, const config::RecordConfig& config) {
+  constexpr std::uint64_t kMegabyte = 1'000'000;
+  constexpr std::uint64_t kNobodysTicket = 0;
+  if (config.file.empty()) return {};
+  record::RecordingOptions options;
+  options.file = config.file;
+  options.max_bytes = config.max_mb * kMegabyte;
+  options.hash_every = config.hash_every;
+  options.keyframe_every = config.keyframe_every;
+  return runtime.record(kNobodysTicket, options);
+}
+
 int run(const config::CellConfig& config) {
   static_cast<void>(host::limit_thread_stacks());  // a refusal costs memory only
   const process::StopSignal stop;
@@ -70,6 +83,10 @@ int run(const config::CellConfig& config) {
   // Only now: the socket says that this is the one runtime of the folder, and so of what is retained in it.
   if (const auto problems = boot.run(); !problems.empty())
     std::fprintf(stderr, "%s\n", result::to_string(problems).c_str());
+  // Not before the socket is this one's: the recording of another runtime would be put aside.
+  if (auto recording = begin_recording(**runtime, config.record); !recording) {
+    return fail(recording.error(), ExitCode::BadInput);
+  }
   std::printf("runtime '%s' listens on %s (%s)\n", config.name.c_str(), config.socket_path().c_str(),
               describe(config.clock).c_str());
   if (const std::string detail = (*runtime)->status().detail; !detail.empty()) {

@@ -44,6 +44,16 @@ constexpr std::array kCommands = {
     Command{"link", "stepwright-link", "carry the runtime's service over Fast DDS"},
     Command{"supervisor", "stepwright-supervisor", "plan, download, watch and replan"},
     Command{"hmi", "stepwright-hmi", "show the cell in a browser"},
+    Command{"force", "stepwright-monitor", "hold a variable of a runtime at a value"},
+    Command{"unforce", "stepwright-monitor", "release a variable, or all"},
+    Command{"forces", "stepwright-monitor", "list what is forced"},
+    Command{"watch", "stepwright-monitor", "print values of a runtime again and again"},
+    Command{"snapshot", "stepwright-monitor", "print all values of one scan"},
+    Command{"step", "stepwright-monitor", "stand still in simulated time and run some scans"},
+    Command{"continue", "stepwright-monitor", "end the standing still"},
+    Command{"record", "stepwright-monitor", "record everything that decides the scans"},
+    Command{"trace", "stepwright-monitor", "write variables as a table, a row for every scan"},
+    Command{"replay", "stepwright-replay", "run a recording again and compare every image"},
 };
 
 void print_usage(std::FILE* out) {

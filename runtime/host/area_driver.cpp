@@ -9,6 +9,8 @@ image::IoStatus AreaDriver::read_inputs(std::int64_t now_ns, std::span<std::byte
   assert(inputs.size() <= inputs_.size());
   const image::IoStatus status = driver_.read_inputs(now_ns, inputs_);
   std::copy_n(inputs_.begin(), inputs.size(), inputs.begin());
+  read_good_ = status == image::IoStatus::Good;
+  write_good_ = true;
   return status;
 }
 
@@ -17,7 +19,9 @@ image::IoStatus AreaDriver::write_outputs(std::int64_t now_ns, std::span<const s
   const auto rest = std::copy(outputs.begin(), outputs.end(), outputs_.begin());
   std::fill(rest, outputs_.end(), std::byte{0});
   written_ = true;
-  return driver_.write_outputs(now_ns, outputs_);
+  const image::IoStatus status = driver_.write_outputs(now_ns, outputs_);
+  write_good_ = write_good_ && status == image::IoStatus::Good;
+  return status;
 }
 
 std::span<const std::byte> AreaDriver::outputs() {

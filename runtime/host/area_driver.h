@@ -33,11 +33,18 @@ class AreaDriver final : public image::IoDriver {
   std::size_t input_bytes() const { return inputs_.size(); }
   std::size_t output_bytes() const { return outputs_.size(); }
 
+  // What the driver gave at the newest read, and how it answered then and at the writes since.
+  std::span<const std::byte> inputs() const { return inputs_; }
+  bool read_good() const { return read_good_; }
+  bool write_good() const { return write_good_; }
+
  private:
   image::IoDriver& driver_;
   std::vector<std::byte> inputs_;
   std::vector<std::byte> outputs_;
   bool written_ = false;
+  bool read_good_ = true;
+  bool write_good_ = true;
 };
 
 }  // namespace stepwright::host

@@ -11,6 +11,10 @@
 #include "runtime/host/messages.h"
 #include "runtime/result/diagnostic.h"
 
+namespace stepwright::record {
+struct Session;
+}
+
 namespace stepwright::host {
 
 class PreparedProgram;
@@ -26,6 +30,10 @@ enum class CommandKind : std::uint8_t {
   InjectFault,      // text: the name; value
   SupervisorAlive,  // barriers hold again
   SupervisorLost,   // the policy of the configuration applies
+  Step,             // count scans, then stand still (simulated clock only); 0: stand still
+  Continue,         // ends the standing still
+  RecordBegin,      // recording
+  RecordEnd,
 };
 
 struct Command {
@@ -38,6 +46,8 @@ struct Command {
   FixedText<kMaxReasonBytes> text;
   PreparedProgram* program = nullptr;
   bool cold = false;  // retained variables have their initial values too
+  std::uint64_t count = 0;
+  record::Session* recording = nullptr;
 };
 
 enum class Outcome : std::uint8_t {
@@ -50,12 +60,14 @@ enum class Outcome : std::uint8_t {
   NoPlant,         // a fault without a simulated plant
   PlantRefused,    // see the problems
   RetainRefused,   // what is retained does not fit the program; see the problems
+  NotSimulated,    // stepping in real time
 };
 
 struct Completion {
   std::uint64_t ticket = 0;
   Outcome outcome = Outcome::Done;
   result::Diagnostics problems;
+  std::uint64_t scan = 0;  // CommandKind::Step: the last of the scans asked for
 };
 
 }  // namespace stepwright::host

@@ -96,15 +96,31 @@ result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::by
   command.kind = CommandKind::Load;
   command.ticket = ticket;
   command.program = program->get();
+  if (recorder_.active()) recorder_.announce((*program)->digest(), (*program)->loaded().bytes());
   if (!send(command)) return result::fail("R0006", {}, "the runtime is busy", "try again");
   programs_.push_back(std::move(*program));
   load_tickets_.push_back(ticket);
   return {};
 }
 
-// In simulated time nothing depends on how long the machine takes.
-SafetyConfig HostRuntime::safety() const {
-  return config_.clock == ClockMode::Real ? config_.safety : SafetyConfig{};
+result::Result<void> HostRuntime::record(std::uint64_t ticket, const record::RecordingOptions& options) {
+  const record::RuntimeFacts facts{config_.clock == ClockMode::Real, scan::ScanConfig{}.budget,
+                                   config_.safety.safe_state.matrix()};
+  auto session = recorder_.begin(options, facts);
+  if (!session) return result::forward(session);
+  for (const auto& program : programs_) recorder_.announce(program->digest(), program->loaded().bytes());
+  Command command;
+  command.kind = CommandKind::RecordBegin;
+  command.ticket = ticket;
+  command.recording = *session;
+  if (send(command)) return {};
+  recorder_.abandon();
+  return result::fail("R0006", {}, "the runtime is busy", "try again");
+}
+
+std::vector<image::Force> HostRuntime::forces() const {
+  const ForceList list = loop_->forces();
+  return {list.forces.begin(), list.forces.begin() + static_cast<std::ptrdiff_t>(list.count)};
 }
 
 bool HostRuntime::submit(const Command& command) {

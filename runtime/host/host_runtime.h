@@ -50,6 +50,10 @@ class HostRuntime final : public RuntimePort {
   int descriptor() const override;
   void clear() override;
   int snapshot_descriptor() const override;
+  std::vector<image::Force> forces() const override;
+  [[nodiscard]] result::Result<void> record(std::uint64_t ticket,
+                                            const record::RecordingOptions& options) override;
+  record::RecordingStatus recording() const override { return recorder_.status(); }
 
   // The task of the loaded program that the scan thread leads with, and how punctual a task is; whole after a
   // stop, else up to 0.1 s old. Require a loaded program.
@@ -67,7 +71,6 @@ class HostRuntime final : public RuntimePort {
               std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader);
 
   bool send(const Command& command);
-  SafetyConfig safety() const;
   StepEvent to_event(const PreparedProgram& program, const EventRing::Slot& slot) const;
 
   HostConfig config_;
@@ -77,6 +80,7 @@ class HostRuntime final : public RuntimePort {
   std::unique_ptr<SnapshotReader> reader_;
   std::uint64_t incarnation_;
   std::unique_ptr<record::RetainKeeper> retain_;
+  record::Recorder recorder_;  // ends after the scan thread
   std::unique_ptr<ScanLoop> loop_;
   ScanMonitor monitor_;  // between what it looks at all the time and the programs, whose tasks come and go
   std::string refused_;  // what the system refused to the scan thread

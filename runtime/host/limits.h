@@ -13,6 +13,7 @@ inline constexpr std::size_t kMaxContainerBytes = 16u << 20;  // of one program
 inline constexpr std::size_t kMaxChunkBytes = 32u << 10;      // of a program in one message
 inline constexpr std::size_t kMaxPlantValues = 128;           // truth values of a simulated plant
 inline constexpr std::size_t kMaxNameBytes = 64;              // plant values, faults, runtime ids
+inline constexpr std::size_t kMaxPathBytes = 4'096;           // of a file that a runtime is to write
 inline constexpr std::size_t kMaxReasonBytes = 200;           // why a runtime is stopped
 
 }  // namespace stepwright::host

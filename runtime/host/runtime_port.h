@@ -13,6 +13,8 @@
 
 #include "runtime/host/command.h"
 #include "runtime/host/messages.h"
+#include "runtime/image/force_table.h"
+#include "runtime/record/recorder.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::host {
@@ -40,6 +42,17 @@ class RuntimePort {
   virtual void clear() = 0;
   // Of the shared snapshot memory, read-only.
   virtual int snapshot_descriptor() const = 0;
+
+  // What is forced, as of the newest completion.
+  virtual std::vector<image::Force> forces() const { return {}; }
+  // Begins a recording; the completion carries `ticket`. CommandKind::RecordEnd ends it. Fails with R0051 or
+  // R0052, or R0006 if too many commands are under way.
+  [[nodiscard]] virtual result::Result<void> record(std::uint64_t ticket,
+                                                    const record::RecordingOptions& options) {
+    static_cast<void>(ticket);
+    return result::fail("R0052", {options.file.string(), 0, 0}, "this runtime does not record");
+  }
+  virtual record::RecordingStatus recording() const { return {}; }
 };
 
 }  // namespace stepwright::host

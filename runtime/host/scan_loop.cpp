@@ -14,6 +14,7 @@ constexpr std::int64_t kPublishPeriodNs = 5'000'000;
 constexpr std::int64_t kTimingPeriodNs = 100'000'000;
 // Simulated with a speed: what the simulation lags behind more than this is not caught up.
 constexpr std::int64_t kMaxLagNs = 100'000'000;
+constexpr std::int64_t kRecordingWaitNs = 1'000'000;
 
 // Why a program is at fault, beside its trap. No heap: it is the scan thread's.
 FixedText<kMaxReasonBytes> reason_of(const scan::ScanCycle& cycle) {
@@ -62,6 +63,7 @@ void ScanLoop::run() {
   }
   const auto hold = hold_tasks();
   stop("the runtime ends");
+  tap_.end("the runtime ends");
 }
 
 void ScanLoop::quit() {
@@ -95,10 +97,13 @@ void ScanLoop::turn_real() {
 }
 
 void ScanLoop::turn_simulated() {
-  const bool held = now_.state != RuntimeState::Running || now_.waiting_for_supervisor;
+  const bool held =
+      now_.state != RuntimeState::Running || now_.waiting_for_supervisor || !stepper_.may_scan();
   // A full ring holds the clock too: no event is lost in simulated time.
   if (held || program_->events().full()) return wait(-1);
-  if (config_.speed > 0.0 && early(program_->cycle().next_time_ns())) return;
+  // So does a recording that cannot follow; its writer looks for news by itself.
+  if (!tap_.has_room(program_->image().bytes().size())) return wait(kRecordingWaitNs);
+  if (config_.speed > 0.0 && !stepper_.on() && early(program_->cycle().next_time_ns())) return;
   scan_once();
 }
 
@@ -126,11 +131,18 @@ bool ScanLoop::early(std::int64_t next_ns) {
 void ScanLoop::scan_once() {
   lifeline_.busy();
   inject_scheduled(program_->cycle().next_time_ns());
+  if (tap_.recording() && !program_->crew().empty()) tap_.state(record::StateCause::Tasks, running());
   const scan::ScanReport report = program_->cycle().run_scan();
   now_.scan = report.scan;
   now_.time_ns = report.time_ns;
   now_.trace_hash = program_->cycle().trace_hash();
   now_.overruns = earlier_overruns_ + program_->cycle().statistics().overruns;
+  if (tap_.recording()) {
+    tap_.scanned(report,
+                 {io_.inputs().first(program_->image().inputs().size()), io_.read_good(), io_.write_good()},
+                 running());
+  }
+  const bool stands = stepper_.scanned();
   const bool changed = program_->steps().changed(program_->image().bytes());
   if (report.state == scan::ScanState::Running) retain_.offer(program_->image().bytes(), clock_.now_ns());
   if (report.state != scan::ScanState::Running) {
@@ -146,6 +158,9 @@ void ScanLoop::scan_once() {
       end_stretch();
     }
     emit(EventKind::StepChange, {}, {});
+  } else if (stands) {
+    publish();
+    news_.ring();
   } else {
     publish_if_due();
   }
@@ -188,6 +203,7 @@ void ScanLoop::release_barrier() {
 }
 
 void ScanLoop::begin_stretch() {
+  if (stepper_.on()) return;  // what a person steps through says nothing about speed
   stretch_wall_ns_ = clock_.now_ns();
   stretch_scan_ns_ = now_.time_ns;
   pace_wall_ns_ = stretch_wall_ns_;

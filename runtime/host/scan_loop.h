@@ -10,6 +10,7 @@
 // in their safe state; in simulated time the clock moves only while the state is Running and no barrier
 // holds.
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <optional>
@@ -27,6 +28,8 @@
 #include "runtime/host/seq_cell.h"
 #include "runtime/host/snapshot_memory.h"
 #include "runtime/host/spsc_queue.h"
+#include "runtime/host/stepper.h"
+#include "runtime/record/scan_tap.h"
 #include "runtime/scan/histogram.h"
 
 namespace stepwright::host {
@@ -47,6 +50,12 @@ struct ScanFigures {
   double realtime_factor = 0.0;
 };
 
+// What is forced, as of the newest command.
+struct ForceList {
+  std::array<image::Force, image::ForceTable::kCapacity> forces;
+  std::size_t count = 0;
+};
+
 class ScanLoop {
  public:
   // What is passed by reference must outlive the loop; `plant` may be null.
@@ -61,6 +70,7 @@ class ScanLoop {
   bool submit(Command command);
   std::optional<Completion> take_completion() { return completions_.pop(); }
   ScanFigures figures() const { return figures_.load(); }
+  ForceList forces() const { return forces_.load(); }
   // Rings when completions or events are there.
   Doorbell& news() { return news_; }
   // The event ring of the program that runs was full and has room again.
@@ -88,6 +98,10 @@ class ScanLoop {
   Outcome write(const ImageBits& bits);
   Completion inject_fault(const Command& command);
   void supervisor_lost();
+  Completion step(const Command& command);
+  void record(record::Session* session);
+  record::Running running();
+  void publish_forces();
 
   // One turn of the loop (scan_loop.cpp).
   void turn_real();
@@ -120,6 +134,7 @@ class ScanLoop {
   Doorbell wake_;
   Doorbell news_;
   SeqCell<ScanFigures> figures_;
+  SeqCell<ForceList> forces_;
   std::atomic<bool> quit_{false};
   Lifeline lifeline_;
 
@@ -145,6 +160,8 @@ class ScanLoop {
   std::int64_t ran_scan_ns_ = 0;
   std::int64_t published_ns_ = 0;
   std::int64_t timings_published_ns_ = 0;
+  Stepper stepper_;
+  record::ScanTap tap_;
 };
 
 }  // namespace stepwright::host

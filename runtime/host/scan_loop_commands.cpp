@@ -34,6 +34,7 @@ void ScanLoop::take_commands() {
   while (auto command = commands_.pop()) {
     // What is held is let go first: who learns of a load may destroy the program before.
     Completion completion = held_apply(*command);
+    publish_forces();
     // There is room: the service has no more commands under way than either queue holds.
     [[maybe_unused]] const bool pushed = completions_.push(std::move(completion));
     assert(pushed);
@@ -77,6 +78,18 @@ Completion ScanLoop::apply(const Command& command) {
     case CommandKind::SupervisorLost:
       supervisor_lost();
       return done(Outcome::Done);
+    case CommandKind::Step:
+      return step(command);
+    case CommandKind::Continue:
+      stepper_.release();
+      if (now_.state == RuntimeState::Running && !now_.waiting_for_supervisor) begin_stretch();
+      return done(Outcome::Done);
+    case CommandKind::RecordBegin:
+      record(command.recording);
+      return done(Outcome::Done);
+    case CommandKind::RecordEnd:
+      tap_.end("it was told to");
+      return done(Outcome::Done);
   }
   return done(Outcome::Done);
 }
@@ -92,6 +105,7 @@ Outcome ScanLoop::load(PreparedProgram* program) {
   program->cycle().take_over(io_.outputs(), cause, safe_time_ns());
   program_ = program;
   now_.state = RuntimeState::Stopped;
+  tap_.loaded(program->digest());
   return Outcome::Done;
 }
 
@@ -114,6 +128,7 @@ Outcome ScanLoop::start(const Command& command) {
   program_->crew().start(next_start_ns_);
   barrier_ = command.barrier;
   now_.state = RuntimeState::Running;
+  tap_.state(record::StateCause::Start, running());
   emit(EventKind::Started, {}, {});
   begin_stretch();
   return Outcome::Done;
@@ -131,6 +146,7 @@ Outcome ScanLoop::stop(std::string_view reason, scan::SafeCause cause) {
   program_->publish_timings();
   now_.state = RuntimeState::Stopped;
   now_.waiting_for_supervisor = false;
+  tap_.stopped(reason);
   emit(EventKind::Stopped, {}, reason);
   return Outcome::Done;
 }
@@ -146,7 +162,10 @@ Outcome ScanLoop::force(const ImageBits& bits) {
     return Outcome::OutOfBounds;  // a BOOL in a byte of its own has no other bit
   }
   image::ForceTable& forces = program_->cycle().forces();
-  if (forces.set(*wanted, program_->image().bytes().size())) return Outcome::Done;
+  if (forces.set(*wanted, program_->image().bytes().size())) {
+    tap_.forced(*wanted);
+    return Outcome::Done;
+  }
   const bool full = forces.forces().size() == image::ForceTable::kCapacity;
   const bool inside = wanted->address + std::size_t{wanted->size} <= program_->image().bytes().size();
   return full && inside ? Outcome::ForcesFull : Outcome::OutOfBounds;
@@ -156,7 +175,9 @@ Outcome ScanLoop::unforce(const ImageBits& bits) {
   if (program_ == nullptr) return Outcome::NoProgram;
   const auto wanted = to_force(bits);
   if (!wanted) return Outcome::OutOfBounds;
-  return program_->cycle().forces().clear(wanted->address, wanted->bit) ? Outcome::Done : Outcome::NotForced;
+  if (!program_->cycle().forces().clear(wanted->address, wanted->bit)) return Outcome::NotForced;
+  tap_.unforced(wanted->address, wanted->bit);
+  return Outcome::Done;
 }
 
 Outcome ScanLoop::write(const ImageBits& bits) {
@@ -171,6 +192,7 @@ Outcome ScanLoop::write(const ImageBits& bits) {
   value = (value & ~bits.mask) | (bits.value & bits.mask);
   value = program_->bools().settled(bits.byte_offset, static_cast<std::uint32_t>(bytes), value);
   std::memcpy(image.data() + bits.byte_offset, &value, bytes);
+  tap_.wrote(bits.byte_offset, image.subspan(bits.byte_offset, bytes));
   return Outcome::Done;
 }
 

@@ -58,6 +58,8 @@ class TaskCrew {
   };
   [[nodiscard]] Hold hold() { return Hold(workers_.empty() ? nullptr : &share_.mutex); }
 
+  bool empty() const { return workers_.empty(); }
+
   // All tasks anew, their first cycles at `time_ns` and their phases.
   void start(std::int64_t time_ns);
   // What a task is doing just now no longer counts.

@@ -44,7 +44,8 @@ TaskPlan plan_tasks(const reader::ProgramInfo& info, const HostConfig& config) {
     entry.placement.background = task.interval_us == 0 && task.trigger.empty();
     entry.placement.cpu = config.cpu;
     scan::TaskOptions options;
-    options.watchdog = config.safety.watchdog_of(task.name);
+    // In simulated time nothing depends on how long the machine takes.
+    if (config.clock == ClockMode::Real) options.watchdog = config.safety.watchdog_of(task.name);
     for (const TaskSettings& settings : config.tasks) {
       if (!naming::same_name(settings.name, task.name)) continue;
       options.overrun = settings.overrun;

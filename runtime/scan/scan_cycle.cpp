@@ -92,6 +92,39 @@ void ScanCycle::settle_overruns(std::int64_t time_ns) {
   }
 }
 
+CyclePoint ScanCycle::point() const {
+  CyclePoint point{state_, scan_, last_time_ns_, trace_hash_, 0, {}};
+  for (const Task& task : table_.tasks()) {
+    point.tasks[point.task_count++] = {task.index, task.due_ns, task.triggered};
+  }
+  return point;
+}
+
+void ScanCycle::resume(const CyclePoint& point) {
+  assert(point.task_count == table_.tasks().size());
+  state_ = point.state;
+  fault_reported_ = true;
+  scan_ = point.scan;
+  last_time_ns_ = io_time_ns_ = point.last_time_ns;
+  trace_hash_ = point.trace_hash;
+  last_trap_ = {};
+  watchdog_report_ = {};
+  std::uint32_t i = 0;
+  for (Task& task : table_.tasks()) {
+    task.due_at(point.tasks[i].due_ns);
+    task.triggered = point.tasks[i++].triggered;
+  }
+  if (state_ == ScanState::Running) safe_.driven(image_.outputs());
+}
+
+void ScanCycle::skip_to(std::int64_t time_ns) {
+  for (Task& task : table_.tasks()) {
+    if (task.due_ns >= time_ns) continue;  // also what waits for its trigger only
+    const std::int64_t missed = (time_ns - task.due_ns + task.interval_ns - 1) / task.interval_ns;
+    task.due_at(task.freewheeling ? time_ns : task.due_ns + missed * task.interval_ns);
+  }
+}
+
 void ScanCycle::foreign_overrun(const Overrun& overrun, std::int64_t time_ns) {
   statistics_.overruns += overrun.missed;
   if (!overrun.fault || overrun.missed == 0 || state_ != ScanState::Running) return;

@@ -16,6 +16,7 @@
 //   cycle.start({});
 //   while (...) { wait_until(cycle.next_time_ns()); const scan::ScanReport report = cycle.run_scan(); }
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -89,6 +90,21 @@ struct ScanStatistics {
   std::uint64_t overruns = 0;  // of all tasks
 };
 
+// Where a cycle stands between two scans: with the image and the forces, all that the next scan depends on.
+struct CyclePoint {
+  struct Task {
+    std::uint32_t index = 0;  // in the container's table
+    std::int64_t due_ns = 0;
+    bool triggered = false;
+  };
+  ScanState state = ScanState::Stopped;
+  std::uint64_t scan = 0;
+  std::int64_t last_time_ns = 0;  // of the newest scan
+  std::uint64_t trace_hash = 0;
+  std::uint32_t task_count = 0;
+  std::array<Task, bytecode::kMaxTasks> tasks{};  // the cycle's own, in the order of their priority
+};
+
 class ScanCycle {
  public:
   // Everything passed in must outlive the cycle. Requires an image of layout_of(program).
@@ -119,12 +135,20 @@ class ScanCycle {
   // policy says. A fault leaves the outputs in their safe state; run_scan reports it.
   void settle_overruns(std::int64_t time_ns);
 
+  // Leaves out what is due before `time_ns`; tasks keep their phase.
+  void skip_to(std::int64_t time_ns);
+
   // A task that is not this cycle's own begins at `time_ns`: inputs are read. False if it may not run.
   bool begin_foreign(std::int64_t time_ns);
   // It was executed and, unless it trapped, its values are in the image: outputs are written.
   void end_foreign(std::int64_t time_ns, const Execution& done);
   // It was late; `fault`: as OverrunPolicy::Fault wants it.
   void foreign_overrun(const Overrun& overrun, std::int64_t time_ns);
+
+  // Where it stands, and how it goes on from there: of the same program, with an image as it was then. Forces
+  // stay as they are.
+  CyclePoint point() const;
+  void resume(const CyclePoint& point);
 
   ScanState state() const { return state_; }
   std::uint64_t scan() const { return scan_; }

@@ -86,6 +86,17 @@ template <typename A, Like<ResendEvents> T>
 void fields(A& a, T& m) {
   a(m.first);
 }
+template <typename A, typename T>
+requires Like<T, ReadForces> || Like<T, Continue> || Like<T, EndRecording> || Like<T, ReadRecording>
+void fields(A&, T&) {}
+template <typename A, Like<Step> T>
+void fields(A& a, T& m) {
+  a(m.scans);
+}
+template <typename A, Like<BeginRecording> T>
+void fields(A& a, T& m) {
+  a(m.file, m.max_bytes, m.hash_every, m.keyframe_every);
+}
 template <typename A, Like<Request> T>
 void fields(A& a, T& m) {
   a(m.client, m.id, m.body);

@@ -69,8 +69,28 @@ struct ResendEvents {
   std::uint64_t first = 1;
 };
 
+// What is forced: Reply::data, see monitor_answers.h. Observers may ask.
+struct ReadForces {};
+// Simulated clock only: that many scans, then it stands still until the next Step or Continue; Reply::offset
+// is the last of them. 0: stands still at once.
+struct Step {
+  std::uint64_t scans = 1;
+};
+struct Continue {};
+// Records into a file that the runtime can write, until EndRecording.
+struct BeginRecording {
+  std::string file;             // absolute, up to kMaxPathBytes
+  std::uint64_t max_bytes = 0;  // see record::RecordingOptions
+  std::uint32_t hash_every = 1;
+  std::uint32_t keyframe_every = 1'000;
+};
+struct EndRecording {};
+// How the recording stands: Reply::data, see monitor_answers.h. Observers may ask.
+struct ReadRecording {};
+
 using RequestBody = std::variant<Start, Stop, Acknowledge, Force, Unforce, Write, InjectFault, DownloadBegin,
-                                 DownloadChunk, DownloadCommit, ReadProgram, ResendEvents>;
+                                 DownloadChunk, DownloadCommit, ReadProgram, ResendEvents, ReadForces, Step,
+                                 Continue, BeginRecording, EndRecording, ReadRecording>;
 
 struct Request {
   std::uint64_t client = 0;

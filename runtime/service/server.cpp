@@ -172,8 +172,10 @@ void Server::State::greet(Session& session, const Hello& hello) {
 }
 
 void Server::State::request(Session& session, const Request& request) {
-  const bool reads =
-      std::holds_alternative<ReadProgram>(request.body) || std::holds_alternative<ResendEvents>(request.body);
+  const bool reads = std::holds_alternative<ReadProgram>(request.body) ||
+                     std::holds_alternative<ResendEvents>(request.body) ||
+                     std::holds_alternative<ReadForces>(request.body) ||
+                     std::holds_alternative<ReadRecording>(request.body);
   if (session.role != Role::Controller && !reads) {
     Reply reply;
     reply.client = request.client;

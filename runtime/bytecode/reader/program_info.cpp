@@ -146,8 +146,13 @@ result::Result<ProgramInfo> ProgramInfo::read(std::span<const std::byte> contain
 }
 
 const Variable* ProgramInfo::find(std::string_view name) const {
+  const Tag* tag = find_tag(name);
+  return tag == nullptr ? nullptr : &tag->variable;
+}
+
+const Tag* ProgramInfo::find_tag(std::string_view name) const {
   const auto found = by_name_.find(upper(name));
-  return found == by_name_.end() ? nullptr : &tags_[found->second].variable;
+  return found == by_name_.end() ? nullptr : &tags_[found->second];
 }
 
 const ChartInfo* ProgramInfo::chart(std::string_view name) const {

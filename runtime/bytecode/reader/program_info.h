@@ -79,6 +79,7 @@ class ProgramInfo {
   // By path, upper and lower case alike; null if there is none or if it is not a single value (a reference is
   // none: what it refers to is found under its own name).
   const Variable* find(std::string_view name) const;
+  const Tag* find_tag(std::string_view name) const;
   const ChartInfo* chart(std::string_view name) const;
 
   const std::vector<Tag>& tags() const { return tags_; }  // in the order of the container

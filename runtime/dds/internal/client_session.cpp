@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "runtime/dds/internal/convert.h"
 #include "runtime/dds/internal/topics.h"
 
 namespace stepwright::dds::internal {
@@ -71,6 +72,7 @@ bool ClientSession::wait_for_runtime(std::chrono::milliseconds timeout) {
 }
 
 result::Result<service::Reply> ClientSession::ask(service::RequestBody body) {
+  if (!travels(body)) return result::fail("R0002", {}, "this is asked on the socket of the runtime only");
   const auto deadline = Clock::now() + kRequestTimeout;
   // Where this client's events start must be known before it causes any.
   if (!wait_for_runtime(kRequestTimeout)) {

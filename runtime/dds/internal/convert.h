@@ -12,7 +12,9 @@
 
 namespace stepwright::dds::internal {
 
-// A request other than a DownloadChunk.
+// False for what is for people at the machine of the runtime: asked on its socket, never over the network.
+bool travels(const service::RequestBody& body);
+// A request that travels, other than a DownloadChunk.
 idl::Command to_command(const std::string& runtime_id, const service::Request& request);
 idl::ProgramChunk to_chunk(const std::string& runtime_id, const service::Request& request);
 std::optional<service::Request> from_command(const idl::Command& sample);

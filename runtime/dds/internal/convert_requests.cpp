@@ -72,6 +72,13 @@ struct BodyWriter {
     out.read(command);
   }
   void operator()(const DownloadChunk&) const {}  // travels as a ProgramChunk
+  // These do not travel.
+  void operator()(const ReadForces&) const {}
+  void operator()(const Step&) const {}
+  void operator()(const Continue&) const {}
+  void operator()(const BeginRecording&) const {}
+  void operator()(const EndRecording&) const {}
+  void operator()(const ReadRecording&) const {}
 
  private:
   void event(std::uint64_t sequence, idl::CommandKind kind) const {
@@ -124,6 +131,12 @@ std::optional<RequestBody> from_body(const idl::CommandBody& body) {
 }
 
 }  // namespace
+
+bool travels(const RequestBody& body) {
+  return !std::holds_alternative<ReadForces>(body) && !std::holds_alternative<Step>(body) &&
+         !std::holds_alternative<Continue>(body) && !std::holds_alternative<BeginRecording>(body) &&
+         !std::holds_alternative<EndRecording>(body) && !std::holds_alternative<ReadRecording>(body);
+}
 
 idl::Command to_command(const std::string& runtime_id, const Request& request) {
   idl::Command sample;

@@ -5,6 +5,7 @@
 
 #include "runtime/host/limits.h"
 #include "runtime/service/digest.h"
+#include "runtime/service/monitor_answers.h"
 
 namespace stepwright::service::internal {
 namespace {
@@ -42,6 +43,9 @@ result::Diagnostics explain(const host::Completion& completion) {
     case Outcome::PlantRefused:
     case Outcome::RetainRefused:
       return completion.problems;
+    case Outcome::NotSimulated:
+      return one("R0002", "in real time nothing stands still",
+                 "step mode needs [clock] mode = \"simulated\"");
   }
   return {};
 }
@@ -81,6 +85,19 @@ std::optional<host::Command> to_command(const RequestBody& body) {
                        command.value = fault.value;
                        return true;
                      },
+                     [&](const Step& step) {
+                       command.kind = CommandKind::Step;
+                       command.count = step.scans;
+                       return true;
+                     },
+                     [&](const Continue&) {
+                       command.kind = CommandKind::Continue;
+                       return true;
+                     },
+                     [&](const EndRecording&) {
+                       command.kind = CommandKind::RecordEnd;
+                       return true;
+                     },
                      [](const auto&) { return false; },
                  },
                  body);
@@ -89,7 +106,8 @@ std::optional<host::Command> to_command(const RequestBody& body) {
 
 // What only reads is performed again instead of remembered: its answer is large, or the events themselves.
 bool remembered(const RequestBody& body) {
-  return !std::holds_alternative<ReadProgram>(body) && !std::holds_alternative<ResendEvents>(body);
+  return !std::holds_alternative<ReadProgram>(body) && !std::holds_alternative<ResendEvents>(body) &&
+         !std::holds_alternative<ReadForces>(body) && !std::holds_alternative<ReadRecording>(body);
 }
 
 }  // namespace
@@ -121,6 +139,7 @@ std::optional<Answer> RequestHandler::complete(const host::Completion& completio
   Answer answer{found->second.session, std::move(found->second.reply)};
   pending_.erase(found);
   answer.reply.problems = explain(completion);
+  answer.reply.offset = completion.scan;
   replies_.add(answer.reply);
   return answer;
 }
@@ -145,7 +164,30 @@ result::Result<bool> RequestHandler::perform(const Request& request, std::uint64
     reply.offset = first == nullptr ? events_.last() + 1 : first->sequence;
     return true;
   }
+  if (std::holds_alternative<ReadForces>(request.body)) {
+    reply.data = encode_forces(port_.forces());
+    return true;
+  }
+  if (std::holds_alternative<ReadRecording>(request.body)) {
+    reply.data = encode_recording(port_.recording());
+    return true;
+  }
+  if (const auto* body = std::get_if<BeginRecording>(&request.body)) return record(*body, ticket);
   return submit(request.body, ticket);
+}
+
+result::Result<bool> RequestHandler::record(const BeginRecording& body, std::uint64_t ticket) {
+  if (body.file.empty() || body.file.front() != '/' || body.file.size() > host::kMaxPathBytes) {
+    return result::fail("R0004", {body.file, 0, 0}, "the file of a recording needs an absolute path");
+  }
+  record::RecordingOptions options;
+  options.file = body.file;
+  options.max_bytes = body.max_bytes;
+  options.hash_every = body.hash_every;
+  options.keyframe_every = body.keyframe_every;
+  auto begun = port_.record(ticket, options);
+  if (!begun) return result::forward(begun);
+  return false;
 }
 
 result::Result<bool> RequestHandler::submit(const RequestBody& body, std::uint64_t ticket) {

@@ -131,5 +131,19 @@ TEST_F(CellConfigTest, WhenFaultsAreListed_ThenTheyAreReadInOrder) {
   EXPECT_DOUBLE_EQ(config->faults[0].at_s, 3.5);
 }
 
+TEST_F(CellConfigTest, WhenARecordingIsConfigured_ThenItsFileIsInTheStateFolder) {
+  EXPECT_TRUE(load_cell_config(write(""))->record.file.empty());
+  const auto config = load_cell_config(
+      write("[cell]\nstate_dir = \"state\"\n[record]\nfile = \"run.swrec\"\nmax_mb = 5\nhash_every = 2\n"));
+  ASSERT_TRUE(config) << result::to_string(config.error());
+  EXPECT_EQ(config->record.file, folder_ / "state/run.swrec");
+  EXPECT_EQ(config->record.max_mb, 5u);
+  EXPECT_EQ(config->record.hash_every, 2u);
+  EXPECT_EQ(load_cell_config(write("[record]\nfile = \"/var/run.swrec\"\n"))->record.file, "/var/run.swrec");
+  const auto wrong = load_cell_config(write("[record]\nfiel = \"x\"\nhash_every = 0\n"));
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().size(), 2u);
+}
+
 }  // namespace
 }  // namespace stepwright::config

@@ -79,6 +79,16 @@ TEST_F(ExecCommand, Run_WhenTracing_ThenTheReportHasOneValuePerScan) {
   EXPECT_EQ(json["image_hash"].get<std::string>().size(), 16u);
 }
 
+TEST_F(ExecCommand, Run_WhenATableIsAskedFor_ThenItHasARowPerScan) {
+  const std::string image = write("a.swb", sample());
+  ASSERT_EQ(run(image + " --scans 2 --trace main.COUNT,MAIN.level --csv " + path("t.csv")), 0) << errors;
+  EXPECT_EQ(text("t.csv"),
+            "scan,time_s,MAIN.count,MAIN.level\r\n1,0.000000000,1,0.0\r\n2,0.010000000,2,0.0\r\n");
+  EXPECT_EQ(run(image + " --trace MAIN.levle --csv " + path("none.csv")), 1);
+  EXPECT_NE(errors.find("did you mean `MAIN.level`"), std::string::npos) << errors;
+  EXPECT_FALSE(std::filesystem::exists(path("none.csv")));
+}
+
 TEST_F(ExecCommand, Run_WhenRepeated_ThenTheReportsAreEqual) {
   const std::string image = write("a.swb", sample());
   ASSERT_EQ(run(image + " --scans 50 --json " + path("report.json")), 0);

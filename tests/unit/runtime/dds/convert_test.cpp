@@ -113,5 +113,14 @@ TEST(Convert, WhenARequestIsTooLong_ThenItIsDropped) {
   EXPECT_FALSE(from_chunk(to_chunk("bench", {1, 2, chunk})).has_value());
 }
 
+TEST(Convert, WhenARequestIsForTheSocketOnly_ThenItDoesNotTravel) {
+  EXPECT_TRUE(travels(service::Start{}));
+  EXPECT_TRUE(travels(service::Force{}));
+  EXPECT_FALSE(travels(service::BeginRecording{"/tmp/x"}));
+  EXPECT_FALSE(travels(service::EndRecording{}));
+  EXPECT_FALSE(travels(service::Step{1}));
+  EXPECT_FALSE(travels(service::Continue{}));
+}
+
 }  // namespace
 }  // namespace stepwright::dds::internal

@@ -24,6 +24,7 @@ class FakeDriver final : public image::IoDriver {
   image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override {
     if (on_read) on_read(now_ns);
     inputs[0] = std::byte{0x5A};
+    if (fill) fill(inputs);
     reads.fetch_add(1);
     return lost ? image::IoStatus::Lost : image::IoStatus::Good;
   }
@@ -33,6 +34,7 @@ class FakeDriver final : public image::IoDriver {
   }
 
   std::function<void(std::int64_t)> on_read;
+  std::function<void(std::span<std::byte>)> fill;  // gives the inputs, on the scan thread
   std::atomic<bool> lost{false};
   std::atomic<int> output{-1};
   std::atomic<std::uint64_t> reads{0};
@@ -76,6 +78,11 @@ class Harness {
   Outcome load(std::vector<std::byte> container, const std::string& digest = "program") {
     auto loading = runtime->load(++ticket_, std::move(container), digest);
     EXPECT_TRUE(loading) << (loading ? "" : result::to_string(loading.error()));
+    return completion().outcome;
+  }
+  Outcome record(const record::RecordingOptions& options) {
+    auto begun = runtime->record(++ticket_, options);
+    EXPECT_TRUE(begun) << (begun ? "" : result::to_string(begun.error()));
     return completion().outcome;
   }
   Outcome start(bool barrier = false) {

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
 #include <vector>
 
 #include "tests/support/malloc_guard.h"
@@ -10,9 +14,11 @@ namespace {
 
 // Counts on the scan thread from one read of the inputs to the next: the whole path of a scan, events
 // included.
-void expect_quiet_scans(const HostConfig& config, std::uint32_t interval_us) {
+void expect_quiet_scans(const HostConfig& config, std::uint32_t interval_us,
+                        const std::string& recording = {}) {
   if (!support::guard_is_active()) GTEST_SKIP() << "a sanitizer owns malloc";
   Harness harness(config);
+  if (!recording.empty()) harness.record({.file = recording, .keyframe_every = 5});
   support::GuardCounts before;
   std::uint64_t scans = 0;
   std::uint64_t noisy = 0;
@@ -42,6 +48,16 @@ TEST(ScanPath, WhenReal_ThenScansNeitherAllocateNorLock) {
   HostConfig config;
   config.clock = ClockMode::Real;
   expect_quiet_scans(config, 500);
+}
+
+TEST(ScanPath, WhenItIsRecorded_ThenScansNeitherAllocateNorLock) {
+  const std::string file = ::testing::TempDir() + "scan_path_" + std::to_string(::getpid());
+  for (const ClockMode clock : {ClockMode::Simulated, ClockMode::Real}) {
+    HostConfig config;
+    config.clock = clock;
+    expect_quiet_scans(config, 500, file);
+  }
+  for (const char* end : {"", ".1"}) std::remove((file + end).c_str());
 }
 
 }  // namespace

@@ -45,7 +45,13 @@ std::vector<Message> every_kind() {
                                         DownloadChunk{32, bytes},
                                         DownloadCommit{100, digest},
                                         ReadProgram{64},
-                                        ResendEvents{3}};
+                                        ResendEvents{3},
+                                        ReadForces{},
+                                        Step{12},
+                                        Continue{},
+                                        BeginRecording{"/tmp/run", 5, 6, 7},
+                                        EndRecording{},
+                                        ReadRecording{}};
   for (const RequestBody& body : bodies) messages.emplace_back(Request{11, 12, body});
   Reply reply{1, 2, {}, "ab", 3, 4, bytes};
   reply.problems.push_back(diagnostic());

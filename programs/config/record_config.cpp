@@ -1,0 +1,17 @@
+#include "programs/config/record_config.h"
+
+#include "runtime/settings/toml_document.h"
+
+namespace stepwright::config {
+
+RecordConfig read_record(const settings::TomlTable& table, const std::filesystem::path& state_dir) {
+  RecordConfig config;
+  const std::string file = table.text("file", {});
+  if (!file.empty()) config.file = std::filesystem::absolute(state_dir / file).lexically_normal();
+  config.max_mb = static_cast<std::uint64_t>(table.integer("max_mb", 0, {0, 1e9}));
+  config.hash_every = static_cast<std::uint32_t>(table.integer("hash_every", 1, {1, 1e6}));
+  config.keyframe_every = static_cast<std::uint32_t>(table.integer("keyframe_every", 1'000, {0, 1e9}));
+  return config;
+}
+
+}  // namespace stepwright::config

@@ -1,0 +1,26 @@
+#pragma once
+
+// What a runtime answers to people who look on, as the bytes of Reply::data.
+//
+//   auto reply = connection.call(ReadForces{}, 1s);
+//   auto forces = decode_forces(reply->data);
+//
+// Pure functions; any thread. Any bytes are safe to decode: what is malformed fails with R0005.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "runtime/image/force_table.h"
+#include "runtime/record/recorder.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::service {
+
+std::vector<std::byte> encode_forces(std::span<const image::Force> forces);
+[[nodiscard]] result::Result<std::vector<image::Force>> decode_forces(std::span<const std::byte> data);
+
+std::vector<std::byte> encode_recording(const record::RecordingStatus& status);
+[[nodiscard]] result::Result<record::RecordingStatus> decode_recording(std::span<const std::byte> data);
+
+}  // namespace stepwright::service

@@ -1,0 +1,118 @@
+// What people ask of a runtime over its socket: forces, steps, recordings.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "runtime/service/monitor_answers.h"
+#include "tests/support/step_program.h"
+#include "tests/unit/runtime/service/service_harness.h"
+
+namespace stepwright::service {
+namespace {
+
+using Layout = support::StepProgramLayout;
+
+TEST(Monitoring, WhenVariablesAreForced_ThenObserversReadTheList) {
+  ServiceHarness harness;
+  const auto client = harness.connect();
+  ASSERT_TRUE(client->download(support::step_program(), kPatience));
+  ASSERT_TRUE(client->call(Force{{Layout::kCount, 0xFFFFFFFF, 5}}, kPatience));
+  ASSERT_TRUE(client->call(Force{{Layout::kOutput, 4, 4}}, kPatience));
+  const auto observer = harness.connect(Role::Observer);
+  const auto reply = observer->call(ReadForces{}, kPatience);
+  ASSERT_TRUE(reply);
+  const auto forces = decode_forces(reply->data);
+  ASSERT_TRUE(forces);
+  ASSERT_EQ(forces->size(), 2u);
+  EXPECT_EQ((*forces)[0].address, Layout::kCount);
+  EXPECT_EQ((*forces)[0].value, 5u);
+  EXPECT_EQ((*forces)[1].bit, 2);
+}
+
+TEST(Monitoring, WhenItIsStepped_ThenTheReplyNamesTheLastScan) {
+  ServiceHarness harness;
+  const auto client = harness.connect();
+  EXPECT_EQ(client->call(Step{1}, kPatience).error()[0].code, "R0002");  // nothing is loaded
+  ASSERT_TRUE(client->download(support::step_program(), kPatience));
+  ASSERT_TRUE(client->call(Step{0}, kPatience));
+  ASSERT_TRUE(client->call(Start{}, kPatience));
+  for (const std::uint64_t target : {3u, 6u, 9u}) {
+    const auto reply = client->call(Step{3}, kPatience);
+    ASSERT_TRUE(reply);
+    EXPECT_EQ(reply->offset, target);
+    while (client->snapshot()->scan < target) std::this_thread::yield();
+    EXPECT_EQ(client->snapshot()->scan, target);
+  }
+  EXPECT_TRUE(client->call(Continue{}, kPatience));
+}
+
+TEST(Monitoring, WhenTheClockIsReal_ThenAStepIsRefusedWithTheReason) {
+  host::HostConfig config;
+  config.clock = host::ClockMode::Real;
+  ServiceHarness harness(config);
+  const auto client = harness.connect();
+  ASSERT_TRUE(client->download(support::step_program(), kPatience));
+  const auto refused = client->call(Step{1}, kPatience);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error()[0].code, "R0002");
+  EXPECT_NE(refused.error()[0].message.find("real time"), std::string::npos);
+}
+
+TEST(Monitoring, WhenARecordingIsAskedFor_ThenItsStatusFollows) {
+  ServiceHarness harness;
+  TemporaryFolder folder;
+  const auto client = harness.connect();
+  const std::string file = folder.path() / "run";
+  const auto status = [&] {
+    return decode_recording(client->call(ReadRecording{}, kPatience)->data).value();
+  };
+  EXPECT_EQ(status().state, record::RecordingState::Off);
+  EXPECT_EQ(client->call(BeginRecording{"relative", 0, 1, 0}, kPatience).error()[0].code, "R0004");
+  EXPECT_EQ(client->call(BeginRecording{"/no/such/folder", 0, 1, 0}, kPatience).error()[0].code, "R0051");
+  ASSERT_TRUE(client->call(BeginRecording{file, 0, 1, 10}, kPatience));
+  EXPECT_EQ(status().state, record::RecordingState::Recording);
+  EXPECT_EQ(client->call(BeginRecording{file, 0, 1, 10}, kPatience).error()[0].code, "R0052");
+  ASSERT_TRUE(client->download(support::step_program(), kPatience));
+  ASSERT_TRUE(client->call(Start{}, kPatience));
+  while (status().scans < 100) std::this_thread::yield();
+  ASSERT_TRUE(client->call(EndRecording{}, kPatience));
+  while (status().state == record::RecordingState::Recording) std::this_thread::yield();
+  EXPECT_EQ(status().state, record::RecordingState::Done);
+  EXPECT_EQ(status().file, file);
+  EXPECT_GT(std::filesystem::file_size(file), 1'000u);
+}
+
+TEST(Monitoring, WhenAnObserverWantsToStepOrRecord_ThenItIsRefused) {
+  ServiceHarness harness;
+  const auto observer = harness.connect(Role::Observer);
+  EXPECT_FALSE(observer->call(Step{1}, kPatience));
+  EXPECT_FALSE(observer->call(BeginRecording{"/tmp/x", 0, 1, 0}, kPatience));
+  EXPECT_TRUE(observer->call(ReadRecording{}, kPatience));
+}
+
+TEST(MonitorAnswers, WhenBytesAreCutOrRandom_ThenTheyAreRefusedOrDecoded) {
+  record::RecordingStatus status;
+  status.state = record::RecordingState::Failed;
+  status.file = "/tmp/run";
+  status.problem = "no room";
+  status.scans = 1'000;
+  const auto bytes = encode_recording(status);
+  const auto decoded = decode_recording(bytes);
+  ASSERT_TRUE(decoded);
+  EXPECT_EQ(decoded->problem, status.problem);
+  EXPECT_EQ(decoded->scans, status.scans);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(decode_recording(std::span(bytes).first(size))) << size;
+  }
+  std::mt19937 random(1);
+  for (int i = 0; i < 10'000; ++i) {
+    std::vector<std::byte> noise(random() % 100);
+    for (std::byte& byte : noise) byte = static_cast<std::byte>(random());
+    static_cast<void>(decode_recording(noise));
+    static_cast<void>(decode_forces(noise));
+  }
+}
+
+}  // namespace
+}  // namespace stepwright::service
