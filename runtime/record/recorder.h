@@ -45,7 +45,7 @@ struct RecordingOptions {
 // What a replay must know of the runtime beside its programs.
 struct RuntimeFacts {
   bool real_time = false;
-  std::uint64_t budget = 0;  // scan::ScanConfig
+  std::uint64_t budget = 0;          // scan::ScanConfig
   scan::SafeMatrix safe_state = {};  // what it refers to must outlive the recorder
 };
 
