@@ -5,7 +5,9 @@
 //   auto config = load_cell_config("tests/cells/bench/cell.toml", {"plant.seed=7"});
 //
 // Relative paths in the file are taken from the file's folder. Every field has a safe default; unknown keys,
-// wrong types and values out of range are diagnostics with their place (C0001 to C0006).
+// wrong types and values out of range are diagnostics with their place (C0001 to C0006). C0461: a name that
+// cannot name a runtime or a folder; C0462: a state folder whose socket would have too long a path; C0466: no
+// IPv4 address.
 
 #include <chrono>
 #include <cstdint>
@@ -13,7 +15,9 @@
 #include <string>
 #include <vector>
 
+#include "programs/config/log_config.h"
 #include "runtime/result/result.h"
+#include "runtime/settings/toml_document.h"
 
 namespace stepwright::config {
 
@@ -49,6 +53,7 @@ struct ScheduledFault {
   double at_s = 0.0;
   std::string name;
   double value = 0.0;
+  result::Location where;
 };
 
 // True for a change of what is asked for, false for a fault of the plant.
@@ -57,6 +62,7 @@ bool is_goal_change(const ScheduledFault& fault);
 struct SafeOutput {
   std::string address;  // "%QX0.0"
   SafeAction action = SafeAction::Zero;
+  result::Location where;
 };
 
 struct ImageConfig {
@@ -84,16 +90,22 @@ struct DdsConfig {
   std::uint32_t domain_id = 0;
   std::string
       runtime_id;  // this cell's runtime in the domain, which no other may share; default: the cell's name
+  // IPv4 addresses of this machine that Fast DDS may use; nothing listens on any other.
+  std::vector<std::string> interfaces = {"127.0.0.1"};
+  std::vector<std::string> peers;  // IPv4 addresses of other machines, where multicast does not reach
 };
 
 struct HmiConfig {
   std::string host = "127.0.0.1";
   std::uint16_t port = 8080;
+  std::vector<std::string>
+      metrics_of;  // runtimes of the domain beside the cell's own whose figures /metrics gives
 };
 
 struct CellConfig {
-  std::filesystem::path file;       // the configuration file itself
-  std::string name = "cell";        // also the id of the cell's runtime on Fast DDS
+  std::filesystem::path file;          // the configuration file itself
+  std::vector<std::string> overrides;  // what was given with --set
+  std::string name = "cell";           // also the id of the cell's runtime on Fast DDS
   std::filesystem::path state_dir;  // sockets, journals and reports; created on demand (default: a folder of
                                     // the name in the temporary folder)
   ClockConfig clock;
@@ -108,6 +120,8 @@ struct CellConfig {
   ExecutiveConfig executive;
   DdsConfig dds;
   HmiConfig hmi;
+  LogConfig log;
+  settings::SettingTexts values;  // everything that the file says, to compare it with what it says later
 
   std::filesystem::path socket_path() const;   // the runtime's Unix socket
   std::filesystem::path journal_path() const;  // the executive's journal
@@ -119,6 +133,17 @@ struct CellConfig {
 // That of the environment or, if it names none that exists, /tmp.
 std::filesystem::path temporary_folder();
 
+// A file as far as it can be read: what is wrong in it has its default in `config` and its diagnostic in
+// `problems`, so that a check can go on and find everything else.
+struct CellReading {
+  CellConfig config;
+  result::Diagnostics problems;
+};
+
+[[nodiscard]] CellReading read_cell_config(const std::filesystem::path& file,
+                                           const std::vector<std::string>& overrides = {});
+
+// The same, for whoever wants to run the cell: any error is a refusal.
 // `overrides` are "dotted.key=value" texts that win over the file (--set).
 [[nodiscard]] result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
                                                           const std::vector<std::string>& overrides = {});

@@ -22,6 +22,15 @@ StopSignal::~StopSignal() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
+bool StopSignal::came() const {
+  return wait_for(std::chrono::milliseconds(0));
+}
+
+bool StopSignal::wait_for(std::chrono::milliseconds time) const {
+  pollfd ready{descriptor_, POLLIN, 0};
+  return poll(&ready, 1, static_cast<int>(time.count())) > 0;
+}
+
 void StopSignal::wait() const {
   pollfd ready{descriptor_, POLLIN, 0};
   while (poll(&ready, 1, -1) < 0 && errno == EINTR) {

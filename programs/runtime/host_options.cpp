@@ -35,8 +35,8 @@ result::Result<std::vector<scan::SafeOutput>> safe_outputs(const config::CellCon
   const auto report = [&](const result::Diagnostics& found) {
     problems.insert(problems.end(), found.begin(), found.end());
   };
-  const result::Location where{config.file.string(), 0, 0};
   for (const config::SafeOutput& output : config.safe_outputs) {
+    const result::Location& where = output.where;
     const auto address = bridge::parse_io_address(output.address, where);
     if (!address) {
       report(address.error());

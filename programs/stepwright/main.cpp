@@ -37,11 +37,13 @@ constexpr std::array kCommands = {
     Command{"show", "stepwright-show", "print programs as text or as pages (SVG)"},
     Command{"exec", "stepwright-exec", "run an image without a clock"},
     Command{"test", "stepwright-test", "run the tests of ST sources in simulated time"},
-    Command{"check", "stepwright-demo", "check a cell's configuration, planning files and program"},
+    Command{"check", "stepwright-check", "check a cell's configuration, planning files and program"},
     Command{"runtime", "stepwright-runtime", "the scan process"},
     Command{"link", "stepwright-link", "carry the runtime's service over Fast DDS"},
     Command{"supervisor", "stepwright-supervisor", "plan, download, watch and replan"},
     Command{"hmi", "stepwright-hmi", "show the cell in a browser"},
+    Command{"metrics", "stepwright-attend", "the figures of a runtime in the text form of Prometheus"},
+    Command{"reload", "stepwright-attend", "have a runtime read its configuration again"},
 };
 
 void print_usage(std::FILE* out) {

@@ -106,6 +106,7 @@ std::optional<StepEvent> HostRuntime::take_event() {
       oldest.events().pop();
       if (was_full) loop_->events_taken();
       detail_ = event.detail;
+      if (event.kind == EventKind::Trap) ++traps_;
       return event;
     }
     // Only a program that another one has replaced can have no further events.
@@ -129,7 +130,7 @@ StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing:
   if (slot.note.kind == EventKind::Trap) {
     event.detail = slot.note.trap
                        ? result::to_string(reader::describe(program.loaded().program(), slot.note.trap))
-                       : "the I/O driver does not answer";
+                       : kIoLost;
   }
   event.image = slot.image;
   for (std::size_t i = 0; i < slot.plant.size(); ++i) event.plant.push_back({plant_names_[i], slot.plant[i]});
@@ -158,6 +159,8 @@ RuntimeStatus HostRuntime::status() const {
     status.detail += text;
   };
   if (!refused_.empty()) note(refused_);
+  status.process.traps = traps_;
+  status.process.lost_events = figures.lost_events;
   if (figures.lost_events > 0) note(std::to_string(figures.lost_events) + " events were lost");
   if (auto snapshot = reader_->read()) status.plant = std::move(snapshot->plant);
   return status;

@@ -63,8 +63,9 @@ class HostRuntime final : public RuntimePort {
   std::unique_ptr<SnapshotReader> reader_;
   std::uint64_t incarnation_;
   std::unique_ptr<ScanLoop> loop_;
-  std::string refused_;  // what the system refused to the scan thread
-  std::string detail_;   // of the newest event that has one
+  std::string refused_;      // what the system refused to the scan thread
+  std::string detail_;       // of the newest event that has one
+  std::uint64_t traps_ = 0;  // that the service has heard of
   // In the order of loading. Those before `current_` have ended but may hold events that nobody has taken
   // yet.
   std::deque<std::unique_ptr<PreparedProgram>> programs_;

@@ -153,12 +153,21 @@ idl::Status to_status(const std::string& runtime_id, const RuntimeStatus& status
   sample.waiting_for_supervisor(status.waiting_for_supervisor);
   sample.detail(cut(status.detail, idl::TEXT_BOUND));
   sample.plant(to_plant(status.plant));
+  idl::ProcessFigures process;
+  process.version(cut(status.process.version, idl::TEXT_BOUND));
+  process.uptime_s(status.process.uptime_s);
+  process.resident_bytes(status.process.resident_bytes);
+  process.clients(status.process.clients);
+  process.traps(status.process.traps);
+  process.lost_events(status.process.lost_events);
+  sample.process(process);
   return sample;
 }
 
 std::optional<RuntimeStatus> from_status(const idl::Status& sample) {
   auto plant = from_plant(sample.plant());
   if (!plant || !fits_digest(sample.program_digest()) || sample.detail().size() > idl::TEXT_BOUND ||
+      sample.process().version().size() > idl::TEXT_BOUND ||
       sample.state() > static_cast<std::uint8_t>(RuntimeState::Fault)) {
     return std::nullopt;
   }
@@ -178,6 +187,9 @@ std::optional<RuntimeStatus> from_status(const idl::Status& sample) {
   status.waiting_for_supervisor = sample.waiting_for_supervisor();
   status.detail = sample.detail();
   status.plant = std::move(*plant);
+  const idl::ProcessFigures& process = sample.process();
+  status.process = {process.version(), process.uptime_s(), process.resident_bytes(),
+                    process.clients(), process.traps(),    process.lost_events()};
   return status;
 }
 

@@ -71,6 +71,7 @@ struct BodyWriter {
     out.read(command);
   }
   void operator()(const DownloadChunk&) const {}  // travels as a ProgramChunk
+  void operator()(const Reload&) const {}         // for those at the machine: no RuntimeClient sends it
 
  private:
   void event(std::uint64_t sequence, idl::CommandKind kind) const {
