@@ -22,18 +22,19 @@ class Log(unittest.TestCase):
             eventually(lambda: any(line["kind"] == "listens" for line in lines(log)))
             link = cell.start("link")
             eventually(lambda: any(line["kind"] == "connected" for line in lines(log)))
-            digest = cell.load(1_000_000, "trap")
-            eventually(lambda: any(line["kind"] == "started" for line in lines(log)))
+            cell.load(1_000_000)
+            digest = cell.load(500_000, "trap")
+            eventually(lambda: any(line["kind"] == "trap" for line in lines(log)))
             runtime.end()
             link.end()
             found = lines(log)
             self.assertEqual({line["process"] for line in found}, {"runtime", "link"})
             kinds = {line["kind"] for line in found}
-            self.assertLessEqual({"listens", "connected", "client", "loaded", "started", "stopped", "ends"}, kinds)
+            self.assertLessEqual({"listens", "connected", "client", "loaded", "started", "stopped", "trap", "ends"}, kinds)
             for line in found:
                 self.assertLessEqual({"time", "level", "process", "kind", "message"}, set(line))
-            started = next(line for line in found if line["kind"] == "started")
-            self.assertEqual(started["digest"], digest)
+            trap = next(line for line in found if line["kind"] == "trap")
+            self.assertEqual((trap["digest"], trap["level"]), (digest, "error"))
             self.assertEqual(runtime.output(), "")
 
     def test_a_trap_is_an_error_with_its_place(self):

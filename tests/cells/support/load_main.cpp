@@ -1,7 +1,7 @@
-// cells_load SOCKET INTERVAL_US [trap|damaged|hello]: downloads a program with one task of that interval to
-// the runtime behind the socket, starts it without a barrier and ends. Two steps follow each other after 10
-// scans, the last one stays; with `trap` it ends in a trap. `damaged` downloads one that the verifier
-// refuses, `hello` nothing.
+// cells_load SOCKET INTERVAL_US [trap|damaged|barrier|hello]: downloads a program with one task of that
+// interval to the runtime behind the socket, starts it and ends. Two steps follow each other after 10 scans,
+// the last one stays; with `trap` it ends in a trap. `damaged` downloads one that the verifier refuses,
+// `barrier` starts with one, `hello` only says hello.
 
 #include <chrono>
 #include <cstdio>
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   constexpr std::chrono::seconds kPatience{30};
   auto digest = (*connection)->download(program, kPatience);
   if (!digest) return std::fprintf(stderr, "%s\n", result::to_string(digest.error()).c_str()), 1;
-  auto started = (*connection)->call(service::Start{.barrier = false}, kPatience);
+  auto started = (*connection)->call(service::Start{.barrier = what == "barrier"}, kPatience);
   if (!started) return std::fprintf(stderr, "%s\n", result::to_string(started.error()).c_str()), 1;
   std::puts(digest->c_str());
   return 0;
