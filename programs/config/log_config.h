@@ -30,10 +30,6 @@ struct LogConfig {
   std::filesystem::path file;      // empty: standard error
   std::uint32_t limit_per_s = 10;  // lines of one kind per second
   result::Location where;          // of `file`, for diagnostics
-
-  friend bool operator==(const LogConfig& a, const LogConfig& b) {
-    return a.format == b.format && a.level == b.level && a.file == b.file && a.limit_per_s == b.limit_per_s;
-  }
 };
 
 // `folder` is that of the configuration.

@@ -97,7 +97,8 @@ result::Diagnostics Attendant::reload() {
     if (auto options = host_options(again->wanted); !options) problems = std::move(options.error());
     const result::Diagnostics io = check_cell_io(again->wanted);
     problems.insert(problems.end(), io.begin(), io.end());
-    if (!result::has_errors(problems) && !(again->config.log == config_.log)) {
+    // Also when it is the same: its file may have been moved away.
+    if (!result::has_errors(problems)) {
       if (auto opened = log_.reopen(again->config.log); !opened) problems = std::move(opened.error());
     }
   }

@@ -3,7 +3,11 @@
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <map>
 #include <set>
 #include <sstream>
@@ -83,6 +87,10 @@ result::Result<std::unique_ptr<TomlDocument>> TomlDocument::load(const std::file
   if (!std::filesystem::is_regular_file(file, error)) {
     return result::fail(code + "0001", {file.string(), 0, 0}, "there is no such file",
                         "check the path; it is taken from the current directory");
+  }
+  if (::access(file.c_str(), R_OK) != 0) {
+    return result::fail(code + "0001", {file.string(), 0, 0},
+                        std::string("the file cannot be read: ") + std::strerror(errno));
   }
   std::unique_ptr<TomlDocument> document(new TomlDocument());
   document->state_->file = file.string();

@@ -95,6 +95,7 @@ class Cell:
         self.config = self.folder / "cell.toml"
         self.state = self.folder / "state"
         self.processes = []
+        self.started = 0
         self.write(more)
 
     def write(self, more):
@@ -114,7 +115,8 @@ class Cell:
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def start(self, command, *arguments, **options):
-        log = self.folder / f"{command}{len(self.processes)}.log"
+        self.started += 1
+        log = self.folder / f"{command}{self.started}.log"
         process = Process([*self.prefix, STEPWRIGHT, command, "--config", self.config, *arguments], log, **options)
         self.processes.append(process)
         return process
