@@ -24,6 +24,8 @@ constexpr std::int32_t kQueuedSamples = 512;
 
 // Of all participants of all domains (RTPS 2.3, 9.6.1.4.1).
 constexpr const char* kDiscoveryGroup = "239.255.0.1";
+constexpr std::uint32_t kPortBase = 7'400;
+constexpr std::uint32_t kPortsPerDomain = 250;
 
 // Its port follows from domain and participant.
 Locator_t locator(const std::string& address) {
@@ -89,8 +91,11 @@ DomainParticipantQos participant_qos(const ParticipantConfig& config) {
     multicast = multicast || !is_loopback(address);
   }
   if (multicast) {
-    builtin.metatrafficMulticastLocatorList.push_back(locator(kDiscoveryGroup));
-    builtin.initialPeersList.push_back(locator(kDiscoveryGroup));
+    // Left to itself, Fast DDS would announce to the group on the unicast ports of single participants.
+    Locator_t group = locator(kDiscoveryGroup);
+    group.port = kPortBase + kPortsPerDomain * config.domain_id;
+    builtin.metatrafficMulticastLocatorList.push_back(group);
+    builtin.initialPeersList.push_back(group);
   }
   for (const std::string& address : config.peers) builtin.initialPeersList.push_back(locator(address));
   auto& discovery = qos.wire_protocol().builtin.discovery_config;

@@ -28,7 +28,7 @@ class Malformed(unittest.TestCase):
 
     def attend(self):
         """The supervisor's end of Fast DDS."""
-        process = Process([*MEMORY, TESTS / "cells_attend", str(self.cell.domain), "127.0.0.1", self.cell.name],
+        process = Process([*MEMORY, TESTS / "cells_attend", str(self.cell.domain), "127.0.0.1", "0", self.cell.name],
                           self.cell.folder / f"attend{time.monotonic_ns()}.log", stdin=subprocess.PIPE)
         self.cell.processes.append(process)
         return process

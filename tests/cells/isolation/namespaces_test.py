@@ -27,8 +27,8 @@ class Namespaces(unittest.TestCase):
             self.addCleanup(self.cells[each].__exit__)
             self.cells[each].runtime = self.cells[each].start_runtime()
             self.cells[each].link = self.cells[each].start("link")
-        self.supervisor = Process([*self.network.prefix("s"), TESTS / "cells_attend", str(DOMAIN), HOSTS["s"], "line-a",
-                                   "line-b"], self.cells["a"].folder / "attend.log", stdin=subprocess.PIPE)
+        self.supervisor = Process([*self.network.prefix("s"), TESTS / "cells_attend", str(DOMAIN), HOSTS["s"], "10000",
+                                   "line-a", "line-b"], self.cells["a"].folder / "attend.log", stdin=subprocess.PIPE)
         self.cells["a"].processes.append(self.supervisor)
         for each in ("a", "b"):
             self.supervisor.wait_for(rf"running line-{each} \d+ ")

@@ -1,6 +1,6 @@
-// cells_attend DOMAIN INTERFACE RUNTIME_ID...: a supervisor of several runtimes over Fast DDS. Downloads a
-// program to each, starts it, and then says line by line what it sees, with the time of the monotonic clock
-// in seconds:
+// cells_attend DOMAIN INTERFACE INTERVAL_US RUNTIME_ID...: a supervisor of several runtimes over Fast DDS.
+// Downloads a program with one task of that interval to each and starts it (0: leaves them what they run),
+// and then says line by line what it sees, with the time of the monotonic clock in seconds:
 //   found ID TIME | running ID SCAN TIME | gone ID TIME | back ID TIME
 // until its standard input ends.
 
@@ -60,10 +60,11 @@ void look(Attended& each) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) return 2;
+  if (argc < 5) return 2;
+  const auto interval_us = static_cast<std::uint32_t>(std::atoi(argv[3]));
   const auto domain = static_cast<std::uint32_t>(std::atoi(argv[1]));
   std::vector<Attended> all;
-  for (int i = 3; i < argc; ++i) {
+  for (int i = 4; i < argc; ++i) {
     auto client =
         dds::RuntimeClient::connect({domain, "attend", argv[i], {argv[2]}}, dds::ClientRole::Supervisor);
     if (failed("connect", client)) return 1;
@@ -75,7 +76,9 @@ int main(int argc, char** argv) {
     }
     each.alive = true;
     say("found", each.id);
-    if (failed("download", each.client->download(support::step_program({.steps = 2})))) return 1;
+    if (interval_us == 0) continue;
+    const auto program = support::step_program({.steps = 2, .interval_us = interval_us});
+    if (failed("download", each.client->download(program))) return 1;
     if (failed("start", each.client->start({.barrier = false}))) return 1;
   }
   pollfd input{STDIN_FILENO, POLLIN, 0};
