@@ -23,7 +23,7 @@ class Manual(unittest.TestCase):
     def test_the_formatter_finds_nothing_wrong(self):
         done = subprocess.run(["groff", "-man", "-ww", "-Tutf8", PAGE], capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertIn("EXIT STATUS", done.stdout)
+        self.assertIn("EXIT STATUS", re.sub(".\b", "", done.stdout))  # without bold and underlined
 
     @unittest.skipUnless(shutil.which("groff"), "no groff on this machine")
     def test_the_formatter_can_find_something(self):

@@ -78,6 +78,8 @@ class Process:
             except subprocess.TimeoutExpired:
                 self.process.kill()
         code = self.process.wait()
+        if self.process.stdin:
+            self.process.stdin.close()
         if not self.file.closed:
             self.file.close()
         return code
