@@ -1,6 +1,8 @@
 #include "programs/check/check_command.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
 
 #include "programs/config/executive_options.h"
@@ -47,6 +49,9 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   report.problems = std::move(cell.problems);
   if (auto options = cell_runtime::host_options(cell.config); !options) add(report.problems, options.error());
   add(report.problems, cell_runtime::check_cell_io(cell.config));
+  std::stable_sort(report.problems.begin(), report.problems.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.where.file, a.where.line) < std::tie(b.where.file, b.where.line);
+  });
   // Planning costs seconds: not for a file that has to be changed anyway.
   const bool plans = !cell.config.planning.domain.empty();
   if (plans && !result::has_errors(report.problems)) check_planning(cell.config, report);

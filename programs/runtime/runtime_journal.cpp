@@ -62,9 +62,12 @@ void RuntimeJournal::status(const host::RuntimeStatus& status) {
 }
 
 void RuntimeJournal::client(const std::string& name, service::Role role, bool came) {
-  const char* const word = role == service::Role::Controller ? "controller" : "observer";
-  log_.info("client", std::string("client '") + name + "' (" + word + (came ? ") came" : ") left"),
-            {{"name", name}, {"role", word}, {"came", came}});
+  const bool controls = role == service::Role::Controller;
+  const char* const word = controls ? "controller" : "observer";
+  const std::string text = "client '" + name + "' (" + word + (came ? ") came" : ") left");
+  const std::initializer_list<log::Field> fields = {{"name", name}, {"role", word}, {"came", came}};
+  // Who only looks may come every few seconds, for the figures.
+  controls ? log_.info("client", text, fields) : log_.debug("client", text, fields);
 }
 
 void RuntimeJournal::refusal(const std::string& client, const service::Request& request,

@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import unittest
@@ -64,6 +65,7 @@ class Log(unittest.TestCase):
             self.assertEqual(len(written) + suppressed, 60)
             self.assertGreater(suppressed, 0)
 
+    @unittest.skipUnless(shutil.which("strace") and os.geteuid() == 0, "needs strace, and root to attach it")
     def test_the_scan_thread_never_writes(self):
         with Cell(NO_PLANT + '[clock]\nmode = "real"\n[log]\nlevel = "debug"\n') as cell:
             runtime = cell.start_runtime()

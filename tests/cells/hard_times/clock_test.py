@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -60,6 +61,7 @@ class Clock(unittest.TestCase):
             self.assertEqual(cell.metrics()[("stepwright_state", key)], 1)
             self.assertNotIn("supervisor was lost", runtime.output())
 
+    @unittest.skipUnless(shutil.which("strace") and os.geteuid() == 0, "needs strace, and root to attach it")
     def test_no_system_call_waits_by_the_calendar(self):
         with Cell(REAL) as cell:
             runtime = cell.start_runtime()
