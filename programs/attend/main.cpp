@@ -67,7 +67,10 @@ int reload_main(int argc, char** argv) {
   config::CellOptions options;
   config::add_cell_options(app, options);
   if (const auto exit = process::parse(app, argc, argv)) return *exit;
-  return run_reload(config::read_cell_config(options.config, options.overrides).config);
+  const config::CellReading cell = config::read_cell_config(options.config, options.overrides);
+  // Of a file that is no TOML not even the socket is known; the runtime would refuse it as well.
+  if (cell.config.state_dir.empty()) return fail(cell.problems, ExitCode::BadInput);
+  return run_reload(cell.config);
 }
 
 int metrics_main(int argc, char** argv) {

@@ -41,12 +41,12 @@ class Disk(unittest.TestCase):
         self.assertEqual(runtime.end(), 0)
 
     def test_a_log_on_a_full_disk_loses_lines_and_nothing_else(self):
-        cell = self.cell(REAL + '[log]\nformat = "json"\nfile = "state/cell.log"\n')
+        cell = self.cell(REAL + '[log]\nformat = "json"\nfile = "state/cell.log"\nlimit_per_s = 1000\n')
         runtime = cell.start("runtime")
         self.assertTrue(eventually(cell.socket.exists))
         cell.load(1_000)
         fill(cell.state)
-        for _ in range(5):
+        for _ in range(30):  # more than its last page still has room for
             cell.load(1_000, "hello")
         self.scans_go_on(cell)
         self.assertTrue(eventually(lambda: "No space left on device" in runtime.output()), runtime.output())
