@@ -40,6 +40,8 @@ struct HttpServer::State {
   tcp::acceptor acceptor{io};
   asio::steady_timer accept_retry{io};
   std::vector<std::weak_ptr<ViewerSession>> viewers;
+  std::function<std::string()> metrics;
+  std::string metrics_type;
 };
 
 namespace {
@@ -69,6 +71,13 @@ void fill_with_asset(Response& response, const Decision& decision, bool accepts_
   const std::string_view body = accepts_gzip ? asset.gzip : asset.body;
   response.content_length(body.size());
   if (!head_only) response.body() = std::string(body);
+}
+
+void fill_with_metrics(Response& response, std::string text, const std::string& type, bool head_only) {
+  response.set(http::field::content_type, type);
+  response.set(http::field::cache_control, "no-store");
+  response.content_length(text.size());
+  if (!head_only) response.body() = std::move(text);
 }
 
 void fill_with_error(Response& response, const Decision& decision, bool head_only) {
@@ -108,7 +117,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void answer() {
     const HttpRequest& request = parser_->get();
     const auto header = [&](http::field name) { return view(request[name]); };
-    const Decision decision =
+    Decision decision =
         server_.policy->decide({view(request.method_string()), view(request.target()),
                                 header(http::field::host), header(http::field::origin),
                                 header(http::field::if_none_match), beast::websocket::is_upgrade(request)});
@@ -118,12 +127,16 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
       server_.add_viewer(stream_.release_socket(), parser_->release());
       return;
     }
+    const bool figures = decision.status == 200 && decision.asset == nullptr;
+    if (figures && !server_.metrics) decision = {404, nullptr, "there is nothing here"};
     const bool head_only = request.method() == http::verb::head;
     response_ = Response(static_cast<http::status>(decision.status), request.version());
     add_common_fields(response_);
     if (decision.asset != nullptr) {
       const bool gzip = header(http::field::accept_encoding).find("gzip") != std::string_view::npos;
       fill_with_asset(response_, decision, gzip, head_only);
+    } else if (figures && server_.metrics) {
+      fill_with_metrics(response_, server_.metrics(), server_.metrics_type, head_only);
     } else {
       fill_with_error(response_, decision, head_only);
     }
@@ -242,6 +255,11 @@ result::Result<std::unique_ptr<HttpServer>> HttpServer::listen(const ListenAddre
 
 HttpServer::HttpServer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 HttpServer::~HttpServer() = default;
+
+void HttpServer::serve_metrics(std::function<std::string()> text, std::string content_type) {
+  state_->metrics = std::move(text);
+  state_->metrics_type = std::move(content_type);
+}
 
 std::uint16_t HttpServer::port() const {
   return state_->acceptor.local_endpoint().port();

@@ -14,7 +14,9 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <string>
 
 #include "hmi_web/protocol/asset.h"
 #include "hmi_web/server/feed.h"
@@ -38,6 +40,10 @@ class HttpServer {
                                                                           const Feed& feed,
                                                                           const ServerLimits& limits = {});
   ~HttpServer();
+
+  // What kMetricsPath answers, made by the thread of run() for each request; without it there is nothing
+  // there. Before run().
+  void serve_metrics(std::function<std::string()> text, std::string content_type);
 
   // The port that is bound.
   std::uint16_t port() const;

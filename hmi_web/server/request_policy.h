@@ -37,7 +37,8 @@ struct RequestHead {
 };
 
 struct Decision {
-  unsigned status = 0;  // 101 = upgrade, 200 and 304 = `asset`, anything else = an error with `reason`
+  // 101 = upgrade, 200 and 304 = `asset` (without one: the metrics), anything else = an error with `reason`
+  unsigned status = 0;
   const protocol::Asset* asset = nullptr;
   std::string_view reason = {};
 };
@@ -54,7 +55,8 @@ inline constexpr std::array kSecurityHeaders = {
     std::pair<std::string_view, std::string_view>{"Cross-Origin-Resource-Policy", "same-origin"},
 };
 
-inline constexpr std::string_view kLivePath = "/live";  // of the WebSocket
+inline constexpr std::string_view kLivePath = "/live";        // of the WebSocket
+inline constexpr std::string_view kMetricsPath = "/metrics";  // made for each request, where there are any
 
 class RequestPolicy {
  public:

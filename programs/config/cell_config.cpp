@@ -1,6 +1,10 @@
 #include "programs/config/cell_config.h"
 
+#include <arpa/inet.h>
+
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <span>
 
@@ -11,6 +15,9 @@ namespace stepwright::config {
 namespace {
 
 using settings::TomlTable;
+
+constexpr std::size_t kMaxNameBytes = 64;         // as runtime/host/limits.h
+constexpr std::size_t kMaxSocketPathBytes = 108;  // of a Unix socket's address, with its end
 
 void read_clock(const TomlTable& table, ClockConfig& clock) {
   const std::string mode = table.choice("mode", "simulated", {"simulated", "real"});
@@ -61,6 +68,47 @@ void read_planning(const TomlTable& table, const std::filesystem::path& folder, 
   planning.time = std::chrono::milliseconds(table.integer("time_ms", planning.time.count(), {1, 86'400'000}));
 }
 
+void read_addresses(const TomlTable& table, DdsConfig& dds) {
+  if (table.has("interfaces")) dds.interfaces = table.texts("interfaces");
+  dds.peers = table.texts("peers");
+  const auto check = [&](const char* key, const std::vector<std::string>& addresses) {
+    for (const std::string& address : addresses) {
+      in_addr parsed{};
+      if (inet_pton(AF_INET, address.c_str(), &parsed) == 1) continue;
+      table.report(key, "'" + address + "' is no IPv4 address", "for example 127.0.0.1", "0466");
+    }
+  };
+  check("interfaces", dds.interfaces);
+  check("peers", dds.peers);
+  if (dds.interfaces.empty()) {
+    table.report("interfaces", "an empty list leaves Fast DDS no way to others",
+                 "[\"127.0.0.1\"] is this machine only", "0466");
+  }
+}
+
+// What names a runtime on Fast DDS, where '*' and '?' would be a pattern, and what names a folder.
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && name.size() <= kMaxNameBytes &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) {
+           return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+         });
+}
+
+void check_names(const TomlTable& cell, const TomlTable& dds, const CellConfig& config) {
+  const char* const hint = "1 to 64 letters, digits, '_', '-' and '.'";
+  if (!is_plain_name(config.name)) {
+    cell.report("name", "'" + config.name + "' cannot name a cell", hint, "0461");
+  } else if (!is_plain_name(config.dds.runtime_id)) {
+    dds.report("runtime_id", "'" + config.dds.runtime_id + "' cannot name a runtime", hint, "0461");
+  }
+  const std::filesystem::path socket = config.socket_path();
+  if (socket.native().size() < kMaxSocketPathBytes) return;
+  cell.report("state_dir",
+              "the path of the socket " + socket.string() + " is longer than " +
+                  std::to_string(kMaxSocketPathBytes - 1) + " bytes",
+              "choose a shorter state_dir", "0462");
+}
+
 }  // namespace
 
 std::filesystem::path temporary_folder() {
@@ -98,22 +146,27 @@ std::filesystem::path CellConfig::journal_path() const {
   return state_dir / "executive.json";
 }
 
-result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
-                                            const std::vector<std::string>& overrides) {
+CellReading read_cell_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  CellReading reading;
+  CellConfig& config = reading.config;
+  config.file = file;
+  config.overrides = overrides;
   auto document = settings::TomlDocument::load(file);
-  if (!document) return result::forward(document);
+  if (!document) {
+    reading.problems = std::move(document.error());
+    return reading;
+  }
   for (const std::string& entry : overrides) {
     const std::size_t equals = entry.find('=');
     const std::string key = entry.substr(0, equals);
     auto applied =
         (*document)->override_value(key, equals == std::string::npos ? "" : entry.substr(equals + 1));
-    if (!applied) return tl::unexpected(std::move(applied.error()));
+    if (applied) continue;
+    reading.problems = std::move(applied.error());
+    return reading;
   }
   const TomlTable root = (*document)->root();
   const std::filesystem::path folder = file.parent_path();
-  CellConfig config;
-  config.file = file;
-  config.overrides = overrides;
   const TomlTable cell = root.table("cell");
   config.name = cell.text("name", config.name);
   const std::string state_dir = cell.text("state_dir", {});
@@ -132,7 +185,7 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   if (root.has("planning")) read_planning(root.table("planning"), folder, config.planning);
   for (const TomlTable& fault : root.tables("faults")) {
     config.faults.push_back({fault.required_number("at_s", {0.0, 1e9}), fault.required_text("name"),
-                             fault.required_number("value")});
+                             fault.required_number("value"), fault.where("name")});
   }
   const TomlTable executive = root.table("executive");
   config.executive.max_replans = static_cast<int>(executive.integer("max_replans", 8, {0, 1'000}));
@@ -141,15 +194,26 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   const TomlTable dds = root.table("dds");
   config.dds.domain_id = static_cast<std::uint32_t>(dds.integer("domain_id", 0, {0, 232}));
   config.dds.runtime_id = dds.text("runtime_id", config.name);
+  read_addresses(dds, config.dds);
   const TomlTable hmi = root.table("hmi");
   config.hmi.host = hmi.text("host", config.hmi.host);
   config.hmi.port = static_cast<std::uint16_t>(hmi.integer("port", 8080, {0, 65'535}));
+  config.hmi.metrics_of = hmi.texts("metrics_of");
+  config.log = read_log(root, folder);
   read_retain(root, folder, config.state_dir, config.retain, config.boot);
   config.record = read_record(root.table("record"), config.state_dir);
-  result::Diagnostics problems = (*document)->finish();
-  problems.insert(problems.end(), unsafe.begin(), unsafe.end());
-  if (result::has_errors(problems)) return tl::unexpected(std::move(problems));
-  return config;
+  check_names(cell, dds, config);
+  config.values = (*document)->values();
+  reading.problems = (*document)->finish();
+  reading.problems.insert(reading.problems.end(), unsafe.begin(), unsafe.end());
+  return reading;
+}
+
+result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
+                                            const std::vector<std::string>& overrides) {
+  CellReading reading = read_cell_config(file, overrides);
+  if (result::has_errors(reading.problems)) return tl::unexpected(std::move(reading.problems));
+  return std::move(reading.config);
 }
 
 }  // namespace stepwright::config

@@ -5,7 +5,9 @@
 //   auto config = load_cell_config("tests/cells/bench/cell.toml", {"plant.seed=7"});
 //
 // Relative paths in the file are taken from the file's folder. Every field has a safe default; unknown keys,
-// wrong types and values out of range are diagnostics with their place (C0001 to C0006).
+// wrong types and values out of range are diagnostics with their place (C0001 to C0006). C0461: a name that
+// cannot name a runtime or a folder; C0462: a state folder whose socket would have too long a path; C0466: no
+// IPv4 address.
 
 #include <chrono>
 #include <cstdint>
@@ -13,11 +15,13 @@
 #include <string>
 #include <vector>
 
+#include "programs/config/log_config.h"
+#include "programs/config/record_config.h"
 #include "programs/config/retain_config.h"
 #include "programs/config/safety_config.h"
 #include "programs/config/task_config.h"
-#include "programs/config/record_config.h"
 #include "runtime/result/result.h"
+#include "runtime/settings/toml_document.h"
 
 namespace stepwright::config {
 
@@ -52,6 +56,7 @@ struct ScheduledFault {
   double at_s = 0.0;
   std::string name;
   double value = 0.0;
+  result::Location where;
 };
 
 // True for a change of what is asked for, false for a fault of the plant.
@@ -82,11 +87,16 @@ struct DdsConfig {
   std::uint32_t domain_id = 0;
   std::string
       runtime_id;  // this cell's runtime in the domain, which no other may share; default: the cell's name
+  // IPv4 addresses of this machine that Fast DDS may use; nothing listens on any other.
+  std::vector<std::string> interfaces = {"127.0.0.1"};
+  std::vector<std::string> peers;  // IPv4 addresses of other machines, where multicast does not reach
 };
 
 struct HmiConfig {
   std::string host = "127.0.0.1";
   std::uint16_t port = 8080;
+  std::vector<std::string>
+      metrics_of;  // runtimes of the domain beside the cell's own whose figures /metrics gives
 };
 
 struct CellConfig {
@@ -112,6 +122,8 @@ struct CellConfig {
   RetainSection retain;
   BootSection boot;
   RecordConfig record;
+  LogConfig log;
+  settings::SettingTexts values;  // everything that the file says, to compare it with what it says later
 
   std::filesystem::path socket_path() const;   // the runtime's Unix socket
   std::filesystem::path journal_path() const;  // the executive's journal
@@ -123,6 +135,17 @@ struct CellConfig {
 // That of the environment or, if it names none that exists, /tmp.
 std::filesystem::path temporary_folder();
 
+// A file as far as it can be read: what is wrong in it has its default in `config` and its diagnostic in
+// `problems`, so that a check can go on and find everything else.
+struct CellReading {
+  CellConfig config;
+  result::Diagnostics problems;
+};
+
+[[nodiscard]] CellReading read_cell_config(const std::filesystem::path& file,
+                                           const std::vector<std::string>& overrides = {});
+
+// The same, for whoever wants to run the cell: any error is a refusal.
 // `overrides` are "dotted.key=value" texts that win over the file (--set).
 [[nodiscard]] result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
                                                           const std::vector<std::string>& overrides = {});

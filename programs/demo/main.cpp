@@ -1,5 +1,4 @@
-// `stepwright demo CELL`: all processes of a cell, its main job, a report. `stepwright check --config
-// CELL.toml`: everything that can be checked without running it.
+// `stepwright demo CELL`: all processes of a cell, its main job, a report.
 
 #include <signal.h>
 #include <stdlib.h>
@@ -11,12 +10,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "programs/config/cell_options.h"
-#include "programs/config/executive_options.h"
+#include "programs/config/cell_config.h"
 #include "programs/demo/cell_run.h"
 #include "programs/demo/summary.h"
 #include "programs/process/command_line.h"
-#include "supervisor/pddl/describe_run.h"
 
 namespace stepwright::demo {
 namespace {
@@ -177,25 +174,6 @@ int run_demo(const DemoOptions& options) {
   return to_int(run->exit);
 }
 
-int run_check(const config::CellConfig& config) {
-  if (!config.planning.domain.empty()) {
-    auto desk = executive::PlanningDesk::open(config::desk_options(config));
-    if (!desk) return fail(desk.error(), ExitCode::BadInput);
-    auto outcome =
-        desk->prepare({.planning = pddl::to_named(desk->task().initial()), .measured = {}, .tare = {}});
-    if (!outcome) return fail(outcome.error(), ExitCode::BadInput);
-    if (outcome->status != executive::PrepareStatus::Ready) {
-      std::fprintf(stderr, "there is no plan: %s\n", outcome->reason.c_str());
-      return to_int(outcome->status == executive::PrepareStatus::Infeasible ? ExitCode::NoPlan
-                                                                            : ExitCode::BudgetExhausted);
-    }
-    std::printf("plan: %zu actions, cost %g; program: %zu bytes\n", outcome->prepared.plan.actions.size(),
-                outcome->prepared.plan.cost, outcome->prepared.container.size());
-  }
-  std::printf("%s: sound\n", config.file.c_str());
-  return to_int(ExitCode::Done);
-}
-
 int demo_main(int argc, char** argv) {
   CLI::App app{"Run a cell: all its processes, its main job, a report", "stepwright demo"};
   DemoOptions options;
@@ -215,14 +193,6 @@ int demo_main(int argc, char** argv) {
   return run_demo(options);
 }
 
-int check_main(int argc, char** argv) {
-  CLI::App app{"Check a cell's configuration, planning files and program", "stepwright check"};
-  config::CellOptions options;
-  config::add_cell_options(app, options);
-  const auto config = config::parse_cell(app, options, argc, argv);
-  return config ? run_check(*config) : config.error();
-}
-
 }  // namespace
 }  // namespace stepwright::demo
 
@@ -231,6 +201,5 @@ int main(int argc, char** argv) {
   action.sa_handler = [](int) { stepwright::demo::stop_requested = true; };
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  const bool check = argc > 1 && std::string(argv[1]) == "check";
-  return check ? stepwright::demo::check_main(argc, argv) : stepwright::demo::demo_main(argc, argv);
+  return stepwright::demo::demo_main(argc, argv);
 }

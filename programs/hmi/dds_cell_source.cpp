@@ -1,8 +1,8 @@
 #include "programs/hmi/dds_cell_source.h"
 
-#include <cstdio>
 #include <utility>
 
+#include "programs/config/dds_options.h"
 #include "programs/hmi/sensor_tare.h"
 #include "runtime/service/digest.h"
 
@@ -43,13 +43,14 @@ server::ImageSnapshot snapshot_of(dds::Snapshot snapshot) {
 
 }  // namespace
 
-result::Result<std::unique_ptr<DdsCellSource>> DdsCellSource::connect(const config::CellConfig& config) {
-  const dds::ParticipantConfig participant{config.dds.domain_id, "hmi", config.dds.runtime_id};
+result::Result<std::unique_ptr<DdsCellSource>> DdsCellSource::connect(const config::CellConfig& config,
+                                                                      log::Logger& log) {
+  const dds::ParticipantConfig participant = config::participant_of(config.dds, "hmi");
   auto runtime = dds::RuntimeClient::connect(participant, dds::ClientRole::Viewer);
   if (!runtime) return result::forward(runtime);
   auto plans = dds::PlanSubscriber::create(participant);
   if (!plans) return result::forward(plans);
-  return std::unique_ptr<DdsCellSource>(new DdsCellSource(std::move(*runtime), std::move(*plans)));
+  return std::unique_ptr<DdsCellSource>(new DdsCellSource(std::move(*runtime), std::move(*plans), log));
 }
 
 server::Observation DdsCellSource::observe() {
@@ -83,7 +84,7 @@ void DdsCellSource::fetch_program(const std::string& digest) {
   auto layout = server::read_layout(*container, digest);
   if (!layout) {
     next_fetch_ = now + kFetchPause;
-    std::fprintf(stderr, "%s\n", result::to_string(layout.error()).c_str());
+    log_.warning("program", result::to_string(layout.error()), {{"digest", digest}});
     return;
   }
   layout_ = std::make_shared<const server::ProgramLayout>(std::move(*layout));

@@ -11,6 +11,7 @@
 
 #include "hmi_web/server/cell_source.h"
 #include "programs/config/cell_config.h"
+#include "programs/log/logger.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/dds/runtime_client.h"
 #include "runtime/result/result.h"
@@ -19,20 +20,24 @@ namespace stepwright::hmi {
 
 class DdsCellSource : public server::CellSource {
  public:
-  // Joins the cell's domain; nobody needs to be there yet. Fails with D0005.
+  // Joins the cell's domain; nobody needs to be there yet. The log must outlive it. Fails with D0005.
   [[nodiscard]] static result::Result<std::unique_ptr<DdsCellSource>> connect(
-      const config::CellConfig& config);
+      const config::CellConfig& config, log::Logger& log);
 
   server::Observation observe() override;
+  // Its figures may be asked for by any thread.
+  const dds::RuntimeClient& runtime() const { return *runtime_; }
 
  private:
-  DdsCellSource(std::unique_ptr<dds::RuntimeClient> runtime, std::unique_ptr<dds::PlanSubscriber> plans)
-      : runtime_(std::move(runtime)), plans_(std::move(plans)) {}
+  DdsCellSource(std::unique_ptr<dds::RuntimeClient> runtime, std::unique_ptr<dds::PlanSubscriber> plans,
+                log::Logger& log)
+      : runtime_(std::move(runtime)), plans_(std::move(plans)), log_(log) {}
 
   void fetch_program(const std::string& digest);
 
   std::unique_ptr<dds::RuntimeClient> runtime_;
   std::unique_ptr<dds::PlanSubscriber> plans_;
+  log::Logger& log_;
   std::shared_ptr<const server::ProgramLayout> layout_;  // of the program with its digest; shared with views
   std::chrono::steady_clock::time_point next_fetch_{};   // a fetch that failed is not repeated at once
   std::string tare_source_;                              // the plan document that `tare_` was read from

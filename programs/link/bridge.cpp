@@ -3,7 +3,6 @@
 #include <poll.h>
 
 #include <array>
-#include <cstdio>
 
 namespace stepwright::link {
 namespace {
@@ -18,11 +17,6 @@ constexpr auto kConnectPeriod = 50ms;
 constexpr auto kSilence = 600ms;
 
 }  // namespace
-
-void Bridge::run(int stop_descriptor) {
-  pollfd stop{stop_descriptor, POLLIN, 0};
-  while (poll(&stop, 1, 0) == 0) turn(stop_descriptor);
-}
 
 void Bridge::turn(int stop_descriptor) {
   if (!connection_ && Clock::now() >= connect_at_) connect();
@@ -42,8 +36,7 @@ void Bridge::connect() {
   if (!connection) return;
   connection_ = std::move(*connection);
   heard_ = {};  // until this runtime's own status is here
-  std::printf("connected to %s\n", socket_.c_str());
-  std::fflush(stdout);
+  log_.info("connected", "connected to " + socket_.string(), {{"socket", socket_.string()}});
 }
 
 // Without a runtime requests are dropped: their senders repeat them.
@@ -59,8 +52,7 @@ void Bridge::pass_messages() {
   while (auto message = connection_->receive(0ms)) pass(*message);
   if (!connection_->closed()) return;
   connection_.reset();
-  std::printf("the runtime at %s is gone\n", socket_.c_str());
-  std::fflush(stdout);
+  log_.warning("gone", "the runtime at " + socket_.string() + " is gone", {{"socket", socket_.string()}});
 }
 
 void Bridge::pass(const service::Message& message) {

@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 
+#include "programs/log/logger.h"
 #include "runtime/dds/link_endpoint.h"
 #include "runtime/service/connection.h"
 
@@ -18,16 +19,16 @@ namespace stepwright::link {
 
 class Bridge {
  public:
-  Bridge(std::unique_ptr<dds::LinkEndpoint> endpoint, std::filesystem::path socket)
-      : endpoint_(std::move(endpoint)), socket_(std::move(socket)) {}
+  // The log must outlive it.
+  Bridge(std::unique_ptr<dds::LinkEndpoint> endpoint, std::filesystem::path socket, log::Logger& log)
+      : endpoint_(std::move(endpoint)), socket_(std::move(socket)), log_(log) {}
 
-  // Until `stop_descriptor` is readable.
-  void run(int stop_descriptor);
+  // Waits for something to pass on, a moment at most, and passes it on.
+  void turn(int stop_descriptor);
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void turn(int stop_descriptor);
   void connect();
   void pass_requests();
   void pass_messages();
@@ -39,6 +40,7 @@ class Bridge {
 
   std::unique_ptr<dds::LinkEndpoint> endpoint_;
   std::filesystem::path socket_;
+  log::Logger& log_;
   std::unique_ptr<service::Connection> connection_;  // null while no runtime serves the socket
   host::RuntimeStatus status_;                       // the newest
   bool was_answering_ = false;

@@ -5,8 +5,13 @@
 #include <cstdio>
 
 #include "programs/config/cell_options.h"
+#include "programs/config/dds_options.h"
 #include "programs/link/bridge.h"
+#include "programs/log/logger.h"
+#include "programs/log/reload_log.h"
 #include "programs/process/command_line.h"
+#include "programs/process/notify_socket.h"
+#include "programs/process/reload_signal.h"
 #include "programs/process/stop_signal.h"
 #include "runtime/result/exit_code.h"
 
@@ -17,13 +22,27 @@ using result::ExitCode;
 
 int run(const config::CellConfig& config) {
   const process::StopSignal stop;
-  auto endpoint = dds::LinkEndpoint::create({config.dds.domain_id, "link", config.dds.runtime_id});
+  process::ReloadSignal reload;
+  process::NotifySocket init;
+  auto log = log::Logger::open("link", config.log);
+  if (!log) return process::fail(log.error(), ExitCode::BadInput);
+  config::CellConfig running = config;
+  auto endpoint = dds::LinkEndpoint::create(config::participant_of(config.dds, "link"));
   if (!endpoint) return process::fail(endpoint.error(), ExitCode::BadInput);
-  std::printf("link of '%s' between %s and Fast DDS domain %u\n", config.name.c_str(),
-              config.socket_path().c_str(), config.dds.domain_id);
-  std::fflush(stdout);
-  Bridge(std::move(*endpoint), config.socket_path()).run(stop.descriptor());
-  std::printf("link of '%s' ends\n", config.name.c_str());
+  const std::string between = "link of '" + config.name + "' between " + config.socket_path().string() +
+                              " and Fast DDS domain " + std::to_string(config.dds.domain_id);
+  (*log)->info("listens", between, {{"cell", config.name}, {"domain_id", config.dds.domain_id}});
+  init.ready(between);
+  Bridge bridge(std::move(*endpoint), config.socket_path(), **log);
+  process::Heartbeat heartbeat(init);
+  while (!stop.came()) {
+    bridge.turn(stop.descriptor());
+    if (reload.take()) log::reload_log(running, **log, init);
+    heartbeat.turn();
+    (*log)->tick();
+  }
+  init.stopping();
+  (*log)->info("ends", "link of '" + config.name + "' ends");
   return to_int(ExitCode::Done);
 }
 

@@ -23,8 +23,12 @@ StopSignal::~StopSignal() {
 }
 
 bool StopSignal::came() const {
+  return wait_for(std::chrono::milliseconds(0));
+}
+
+bool StopSignal::wait_for(std::chrono::milliseconds time) const {
   pollfd ready{descriptor_, POLLIN, 0};
-  return poll(&ready, 1, 0) == 1;
+  return poll(&ready, 1, static_cast<int>(time.count())) > 0;
 }
 
 void StopSignal::wait() const {

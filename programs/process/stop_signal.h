@@ -3,6 +3,8 @@
 // SIGTERM and SIGINT as a descriptor to poll, so that a process ends between two turns of its loop and never
 // in the middle of one. Make it before any thread is started: threads inherit the blocked signals.
 
+#include <chrono>
+
 namespace stepwright::process {
 
 class StopSignal {
@@ -14,8 +16,10 @@ class StopSignal {
 
   // Readable, for good, once one of the signals came.
   int descriptor() const { return descriptor_; }
-  // One of the signals came.
+  // True once one of the signals came.
   bool came() const;
+  // Waits for one of the signals, at most this long; true if it came.
+  bool wait_for(std::chrono::milliseconds time) const;
   // Returns once one of the signals came.
   void wait() const;
 

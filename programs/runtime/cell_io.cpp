@@ -7,6 +7,7 @@
 
 #include "plant_models/assemblies/tank_bench.h"
 #include "plant_models/bridge/plant_driver.h"
+#include "plant_models/bridge/port_map.h"
 #include "programs/runtime/plant_memory.h"
 #include "runtime/image/no_io.h"
 #include "runtime/io_memory/memory_driver.h"
@@ -66,6 +67,15 @@ class KeptDriver final : public image::IoDriver {
   std::array<core::TruthId, kKeptTruths.size()> kept_;
 };
 
+std::vector<bridge::PortWire> wires_of(const config::CellConfig& config) {
+  std::vector<bridge::PortWire> wires;
+  for (const config::PortAddress& wire : config.plant.ports) {
+    wires.push_back({wire.port, wire.address, wire.where});
+  }
+  if (wires.empty()) wires = bridge::default_bench_wires();
+  return wires;
+}
+
 class PlantIo final : public CellIo, private host::PlantAccess {
  public:
   PlantIo(std::unique_ptr<core::Plant> plant, std::unique_ptr<PlantMemory> memory)
@@ -74,13 +84,8 @@ class PlantIo final : public CellIo, private host::PlantAccess {
   }
 
   [[nodiscard]] result::Result<void> wire(const config::CellConfig& config) {
-    std::vector<bridge::PortWire> wires;
-    for (const config::PortAddress& wire : config.plant.ports) {
-      wires.push_back({wire.port, wire.address, wire.where});
-    }
-    if (wires.empty()) wires = bridge::default_bench_wires();
-    auto driver =
-        bridge::PlantDriver::create(*plant_, wires, {config.image.input_bytes, config.image.output_bytes});
+    auto driver = bridge::PlantDriver::create(*plant_, wires_of(config),
+                                              {config.image.input_bytes, config.image.output_bytes});
     if (!driver) return result::forward(driver);
     driver_ = std::make_unique<KeptDriver>(std::move(*driver), *plant_, *memory_);
     return {};
@@ -132,7 +137,7 @@ result::Result<void> check_faults(const config::CellConfig& config) {
     auto injected = (*trial)->inject_fault(fault.name, fault.value);
     if (injected) continue;
     for (result::Diagnostic& problem : injected.error()) {
-      if (problem.where.file.empty()) problem.where.file = config.file.string();
+      if (problem.where.file.empty()) problem.where = fault.where;
       problems.push_back(std::move(problem));
     }
   }
@@ -141,6 +146,18 @@ result::Result<void> check_faults(const config::CellConfig& config) {
 }
 
 }  // namespace
+
+result::Diagnostics check_cell_io(const config::CellConfig& config) {
+  if (config.plant.kind == "none") return {};
+  result::Diagnostics problems;
+  if (auto faults = check_faults(config); !faults) problems = std::move(faults.error());
+  auto plant = make_bench(config.plant, std::nullopt);
+  if (!plant) return problems;  // check_faults said why
+  auto wired =
+      bridge::check_wires(**plant, wires_of(config), {config.image.input_bytes, config.image.output_bytes});
+  if (!wired) problems.insert(problems.end(), wired.error().begin(), wired.error().end());
+  return problems;
+}
 
 result::Result<std::unique_ptr<CellIo>> CellIo::create(const config::CellConfig& config) {
   if (config.safety.io.shared_memory) {

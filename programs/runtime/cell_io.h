@@ -25,4 +25,7 @@ class CellIo {
   [[nodiscard]] static result::Result<std::unique_ptr<CellIo>> create(const config::CellConfig& config);
 };
 
+// Everything that create() would refuse, found without leaving a trace: nothing is opened or kept.
+result::Diagnostics check_cell_io(const config::CellConfig& config);
+
 }  // namespace stepwright::cell_runtime

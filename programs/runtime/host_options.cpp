@@ -11,8 +11,8 @@ host::TaskSettings task_settings(const config::TaskConfig& task) {
   settings.name = task.name;
   settings.phase_ns = task.phase_us * 1'000;
   settings.overrun = task.overrun == config::OverrunAction::Fault     ? scan::OverrunPolicy::Fault
-                             : task.overrun == config::OverrunAction::CatchUp ? scan::OverrunPolicy::CatchUp
-                                                                              : scan::OverrunPolicy::Skip;
+                     : task.overrun == config::OverrunAction::CatchUp ? scan::OverrunPolicy::CatchUp
+                                                                      : scan::OverrunPolicy::Skip;
   settings.cpu = task.cpu;
   return settings;
 }

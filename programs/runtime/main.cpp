@@ -8,8 +8,12 @@
 #include <string>
 
 #include "programs/config/cell_options.h"
+#include "programs/log/logger.h"
 #include "programs/process/command_line.h"
+#include "programs/process/notify_socket.h"
+#include "programs/process/reload_signal.h"
 #include "programs/process/stop_signal.h"
+#include "programs/runtime/attendant.h"
 #include "programs/runtime/boot_program.h"
 #include "programs/runtime/cell_io.h"
 #include "programs/runtime/guard_process.h"
@@ -64,6 +68,11 @@ result::Result<void> begin_recording(host::HostRuntime& runtime, const config::R
 int run(const config::CellConfig& config) {
   static_cast<void>(host::limit_thread_stacks());  // a refusal costs memory only
   const process::StopSignal stop;
+  process::ReloadSignal reload;
+  process::NotifySocket init;
+  auto opened = log::Logger::open("runtime", config.log);
+  if (!opened) return fail(opened.error(), ExitCode::BadInput);
+  log::Logger& log = **opened;
   auto options = host_options(config);
   if (!options) return fail(options.error(), ExitCode::BadInput);
   if (auto made = make_state_dir(config); !made) return fail(made.error(), ExitCode::BadInput);
@@ -76,25 +85,33 @@ int run(const config::CellConfig& config) {
 
   auto runtime = host::HostRuntime::create(*options, (*io)->driver(), (*io)->plant());
   if (!runtime) return fail(runtime.error(), ExitCode::RuntimeFault);
+  Attendant attendant(config, log, init);
   BootProgram boot(config.boot, **runtime);
-  auto server =
-      service::Server::create({config.socket_path(), config.supervisor_lost_after, boot.keeper()}, **runtime);
+  auto server = service::Server::create(
+      {config.socket_path(), config.supervisor_lost_after, STEPWRIGHT_VERSION, &attendant, boot.keeper()},
+      **runtime);
   if (!server) return fail(server.error(), ExitCode::BadInput);
+  attendant.attach(**server, **runtime);
   // Only now: the socket says that this is the one runtime of the folder, and so of what is retained in it.
-  if (const auto problems = boot.run(); !problems.empty())
-    std::fprintf(stderr, "%s\n", result::to_string(problems).c_str());
+  if (const auto problems = boot.run(); !problems.empty()) log.error("boot", result::to_string(problems));
   // Not before the socket is this one's: the recording of another runtime would be put aside.
   if (auto recording = begin_recording(**runtime, config.record); !recording) {
     return fail(recording.error(), ExitCode::BadInput);
   }
-  std::printf("runtime '%s' listens on %s (%s)\n", config.name.c_str(), config.socket_path().c_str(),
-              describe(config.clock).c_str());
+  const std::string listens = "runtime '" + config.name + "' listens on " + config.socket_path().string() +
+                              " (" + describe(config.clock) + ")";
+  log.info("listens", listens, {{"cell", config.name}, {"socket", config.socket_path().string()}});
   if (const std::string detail = (*runtime)->status().detail; !detail.empty()) {
-    std::printf("note: %s\n", detail.c_str());
+    log.warning("note", "note: " + detail);
   }
-  std::fflush(stdout);
-  (*server)->run(stop.descriptor());
-  std::printf("runtime '%s' ends\n", config.name.c_str());
+  init.ready(listens);
+  while (!stop.came()) {
+    (*server)->turn(service::kStatusPeriod, stop.descriptor());
+    if (reload.take()) (void)attendant.reload();
+    attendant.turn();
+  }
+  init.stopping();
+  log.info("ends", "runtime '" + config.name + "' ends");
   return to_int(ExitCode::Done);
 }
 

@@ -38,7 +38,7 @@ constexpr std::array kCommands = {
     Command{"exec", "stepwright-exec", "run an image without a clock"},
     Command{"test", "stepwright-test", "run the tests of ST sources in simulated time"},
     Command{"scan-test", "stepwright-scan-test", "measure scan timing beside a bare wake-up loop"},
-    Command{"check", "stepwright-demo", "check a cell's configuration, planning files and program"},
+    Command{"check", "stepwright-check", "check a cell's configuration, planning files and program"},
     Command{"runtime", "stepwright-runtime", "the scan process"},
     Command{"guard", "stepwright-guard", "drive the outputs to their safe state when the runtime is lost"},
     Command{"link", "stepwright-link", "carry the runtime's service over Fast DDS"},
@@ -54,6 +54,8 @@ constexpr std::array kCommands = {
     Command{"record", "stepwright-monitor", "record everything that decides the scans"},
     Command{"trace", "stepwright-monitor", "write variables as a table, a row for every scan"},
     Command{"replay", "stepwright-replay", "run a recording again and compare every image"},
+    Command{"metrics", "stepwright-attend", "the figures of a runtime in the text form of Prometheus"},
+    Command{"reload", "stepwright-attend", "have a runtime read its configuration again"},
 };
 
 void print_usage(std::FILE* out) {

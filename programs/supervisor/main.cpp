@@ -9,8 +9,13 @@
 #include <thread>
 
 #include "programs/config/cell_options.h"
+#include "programs/config/dds_options.h"
 #include "programs/config/executive_options.h"
+#include "programs/log/logger.h"
+#include "programs/log/reload_log.h"
 #include "programs/process/command_line.h"
+#include "programs/process/notify_socket.h"
+#include "programs/process/reload_signal.h"
 #include "programs/supervisor/operator_request.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/result/exit_code.h"
@@ -24,9 +29,9 @@ using process::fail;
 using result::ExitCode;
 using std::chrono::milliseconds;
 
-void obey(executive::Executive& executive, const std::string& text) {
-  const auto refuse = [](const result::Diagnostics& why) {
-    std::fprintf(stderr, "operator request refused: %s\n", result::to_string(why).c_str());
+void obey(executive::Executive& executive, const std::string& text, log::Logger& log) {
+  const auto refuse = [&](const result::Diagnostics& why) {
+    log.warning("refused", "operator request refused: " + result::to_string(why));
   };
   auto request = supervisor_program::parse_operator_request(text);
   if (!request) return refuse(request.error());
@@ -36,11 +41,10 @@ void obey(executive::Executive& executive, const std::string& text) {
 }
 
 // One line for each change of phase.
-void narrate(const executive::RunRecord& record, std::string& last) {
+void narrate(const executive::RunRecord& record, std::string& last, log::Logger& log) {
   std::string line = std::string(to_string(record.phase)) + ": " + record.message;
   if (line == last) return;
-  std::printf("%s\n", line.c_str());
-  std::fflush(stdout);
+  log.info("phase", line, {{"phase", to_string(record.phase)}});
   last = std::move(line);
 }
 
@@ -75,9 +79,14 @@ int run(const config::CellConfig& config, bool once) {
                                      "the state folder cannot be made: " + error.message());
     return fail(failed.value(), ExitCode::BadInput);
   }
+  process::ReloadSignal reload;
+  process::NotifySocket init;
+  auto opened = log::Logger::open("supervisor", config.log);
+  if (!opened) return fail(opened.error(), ExitCode::BadInput);
+  log::Logger& log = **opened;
   auto desk = executive::PlanningDesk::open(config::desk_options(config));
   if (!desk) return fail(desk.error(), ExitCode::BadInput);
-  const dds::ParticipantConfig participant{config.dds.domain_id, "supervisor", config.dds.runtime_id};
+  const dds::ParticipantConfig participant = config::participant_of(config.dds, "supervisor");
   auto controller = executive::DdsController::connect(participant);
   if (!controller) return fail(controller.error(), ExitCode::RuntimeFault);
   auto publisher = dds::PlanPublisher::create(participant);
@@ -86,19 +95,24 @@ int run(const config::CellConfig& config, bool once) {
   std::string last_line;
   executive::Executive executive(*desk, **controller, config::executive_options(config),
                                  [&](const executive::RunRecord& record) {
-                                   narrate(record, last_line);
+                                   narrate(record, last_line, log);
                                    (void)(*publisher)->publish(to_json(record));  // viewers keep the last one
                                  });
   std::jthread requests([&](const std::stop_token& stop) {
+    config::CellConfig running = config;
     while (!stop.stop_requested()) {
-      if (auto request = (*publisher)->wait_request(milliseconds(200))) obey(executive, *request);
+      if (auto request = (*publisher)->wait_request(milliseconds(200))) obey(executive, *request, log);
+      if (reload.take()) log::reload_log(running, log, init);
+      log.tick();
     }
   });
+  init.ready("attends '" + config.dds.runtime_id + "'");
   const executive::RunRecord record = executive.run();
   const executive::Report report{record, final_status(**controller)};
   write_file(config.report_path(), executive::to_json(report));
   std::printf("%s", executive::report_table(record).c_str());
   std::fflush(stdout);
+  init.status(to_string(record.phase));
   while (!once) std::this_thread::sleep_for(std::chrono::hours(1));  // viewers still want the document
   return to_int(record.exit);
 }

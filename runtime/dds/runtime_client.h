@@ -12,7 +12,8 @@
 // the runtime answered or `kRequestTimeout` passed; they are resent meanwhile and carry ids, so that a link
 // or a runtime that dies in between never performs one twice. Diagnostics: D0001 no runtime answers, D0002
 // refused by the runtime in its present state, D0003 the container was refused (the verifier's own
-// diagnostics follow), D0004 request out of bounds, D0005 Fast DDS could not start.
+// diagnostics follow), D0004 request out of bounds, D0005 Fast DDS could not start, D0006 an
+// address that is none of this machine.
 
 #include <chrono>
 #include <cstddef>

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "runtime/host/messages.h"
 
@@ -26,6 +27,10 @@ struct ParticipantConfig {
   std::uint32_t domain_id = 0;       // 0 to 232; every test its own
   std::string name;                  // of this process, for diagnostics: "supervisor"
   std::string runtime_id = "bench";  // the runtime it speaks to; several share a domain
+  // IPv4 addresses of this machine that Fast DDS may use, and no others. Beyond loopback, participants also
+  // find each other by multicast.
+  std::vector<std::string> interfaces = {"127.0.0.1"};
+  std::vector<std::string> peers = {};  // hosts to announce to where multicast does not reach
 };
 
 enum class ClientRole : std::uint8_t {

@@ -155,6 +155,7 @@ std::optional<StepEvent> HostRuntime::take_event() {
       oldest.events().pop();
       if (was_full) loop_->events_taken();
       detail_ = event.detail;
+      if (event.kind == EventKind::Trap) ++traps_;
       return event;
     }
     // Only a program that another one has replaced can have no further events.
@@ -212,6 +213,8 @@ RuntimeStatus HostRuntime::status() const {
   }
   if (const std::int64_t silent_ns = monitor_.silent_ns(); silent_ns > 0)
     note("the scan has not come back for " + std::to_string(silent_ns / 1'000'000) + " ms");
+  status.process.traps = traps_;
+  status.process.lost_events = figures.lost_events;
   if (figures.lost_events > 0) note(std::to_string(figures.lost_events) + " events were lost");
   if (current_ != nullptr) {
     const TaskPlan& plan = current_->tasks();

@@ -85,6 +85,7 @@ class HostRuntime final : public RuntimePort {
   ScanMonitor monitor_;  // between what it looks at all the time and the programs, whose tasks come and go
   std::string refused_;  // what the system refused to the scan thread
   std::string detail_;   // of the newest event that has one
+  std::uint64_t traps_ = 0;  // that the service has heard of
   mutable std::mutex note_mutex_;
   std::string note_;
   // In the order of loading. Those before `current_` have ended but may hold events that nobody has taken

@@ -63,6 +63,18 @@ struct TaskStatus {
   friend bool operator==(const TaskStatus&, const TaskStatus&) = default;
 };
 
+// What the process around the scan says about itself, for monitoring.
+struct ProcessFigures {
+  std::string version;               // of Stepwright
+  double uptime_s = 0.0;             // since the service began
+  std::uint64_t resident_bytes = 0;  // of memory, at most a second old
+  std::uint64_t clients = 0;         // of the service: a link, tools
+  std::uint64_t traps = 0;           // program faults and lost I/O since the process began
+  std::uint64_t lost_events = 0;     // that the service did not take in time (real clock only)
+
+  friend bool operator==(const ProcessFigures&, const ProcessFigures&) = default;
+};
+
 struct RuntimeStatus {
   std::uint64_t incarnation =
       0;  // differs from one runtime process to the next; sequences start again with it
@@ -81,6 +93,7 @@ struct RuntimeStatus {
   std::string detail;                   // why it is in this state; what it could not get from the system
   std::vector<NamedValue> plant;        // truth of the simulated plant, for reports
   std::vector<TaskStatus> tasks;        // in the order of the program; at most bytecode::kMaxTasks
+  ProcessFigures process;
 
   friend bool operator==(const RuntimeStatus&, const RuntimeStatus&) = default;
 };

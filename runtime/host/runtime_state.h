@@ -24,4 +24,7 @@ enum class EventKind : std::uint8_t {
 // The detail of a Stopped event after the policy for a lost supervisor stopped the program.
 inline constexpr const char* kSupervisorLost = "the supervisor was lost";
 
+// The detail of a Trap event that no program caused.
+inline constexpr const char* kIoLost = "the I/O driver does not answer";
+
 }  // namespace stepwright::host

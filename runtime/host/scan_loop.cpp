@@ -20,8 +20,7 @@ constexpr std::int64_t kRecordingWaitNs = 1'000'000;
 FixedText<kMaxReasonBytes> reason_of(const scan::ScanCycle& cycle) {
   if (cycle.state() == scan::ScanState::Overrun)
     return FixedText<kMaxReasonBytes>("a task was late, and its overrun policy is fault");
-  if (cycle.state() == scan::ScanState::IoLost)
-    return FixedText<kMaxReasonBytes>("the I/O driver does not answer");
+  if (cycle.state() == scan::ScanState::IoLost) return FixedText<kMaxReasonBytes>(kIoLost);
   const scan::WatchdogReport& report = cycle.watchdog_report();
   if (report.took_ns == 0) return {};
   std::array<char, kMaxReasonBytes> text{};

@@ -97,6 +97,8 @@ template <typename A, Like<BeginRecording> T>
 void fields(A& a, T& m) {
   a(m.file, m.max_bytes, m.hash_every, m.keyframe_every);
 }
+template <typename A, Like<Reload> T>
+void fields(A&, T&) {}
 template <typename A, Like<Request> T>
 void fields(A& a, T& m) {
   a(m.client, m.id, m.body);
@@ -133,7 +135,8 @@ template <typename A, Like<host::RuntimeStatus> T>
 void fields(A& a, T& m) {
   a(m.incarnation, m.state, m.program_digest, m.scan, m.time_ns, m.last_event, m.overruns, m.scan_p50_us,
     m.scan_p99_us, m.scan_max_us, m.realtime_factor, m.trace_hash, m.waiting_for_supervisor, m.detail,
-    m.plant, m.tasks);
+    m.plant, m.tasks, m.process.version, m.process.uptime_s, m.process.resident_bytes, m.process.clients,
+    m.process.traps, m.process.lost_events);
 }
 
 class Encoder {

@@ -64,6 +64,8 @@ struct DownloadCommit {
 struct ReadProgram {
   std::uint64_t offset = 0;
 };
+// The configuration is read again: what can change at run time changes. Only on the service socket.
+struct Reload {};
 // Every event from this sequence on that the runtime still holds, sent again as events.
 struct ResendEvents {
   std::uint64_t first = 1;
@@ -90,7 +92,7 @@ struct ReadRecording {};
 
 using RequestBody = std::variant<Start, Stop, Acknowledge, Force, Unforce, Write, InjectFault, DownloadBegin,
                                  DownloadChunk, DownloadCommit, ReadProgram, ResendEvents, ReadForces, Step,
-                                 Continue, BeginRecording, EndRecording, ReadRecording>;
+                                 Continue, BeginRecording, EndRecording, ReadRecording, Reload>;
 
 struct Request {
   std::uint64_t client = 0;

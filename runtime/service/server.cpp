@@ -9,6 +9,7 @@
 
 #include "runtime/service/internal/event_history.h"
 #include "runtime/service/internal/listener.h"
+#include "runtime/service/internal/process_watch.h"
 #include "runtime/service/internal/request_handler.h"
 #include "runtime/service/internal/session.h"
 #include "runtime/service/internal/supervisor_watch.h"
@@ -29,13 +30,15 @@ constexpr std::uint64_t kOwnTicket = 0;
 }  // namespace
 
 struct Server::State {
-  State(Listener l, host::RuntimePort& p, const ServerConfig& c)
+  State(Listener l, host::RuntimePort& p, const ServerConfig& config)
       : listener(std::move(l)),
         port(p),
         handler(p, events),
-        supervisor(c.supervisor_lost_after),
-        on_program(c.on_program),
-        program(p.status().program_digest) {}
+        supervisor(config.supervisor_lost_after),
+        on_program(config.on_program),
+        program(p.status().program_digest),
+        process(config.version),
+        observer(config.observer == nullptr ? nobody : *config.observer) {}
 
   void accept_clients();
   void take_news();
@@ -43,10 +46,13 @@ struct Server::State {
   void receive(Session& session, const Message& message);
   void greet(Session& session, const Hello& hello);
   void request(Session& session, const Request& request);
+  void reload(Session& session, const Request& request);
   void push_events(Session& session);
   void push_status();
   void watch_supervisor();
   void watch_program();
+  void forget_closed();
+  std::size_t clients() const;
 
   Listener listener;
   host::RuntimePort& port;
@@ -55,6 +61,9 @@ struct Server::State {
   SupervisorWatch supervisor;
   std::function<void(std::span<const std::byte>)> on_program;
   std::string program;  // its digest, as it was last looked at
+  ProcessWatch process;
+  ServiceObserver nobody;
+  ServiceObserver& observer;
   std::list<Session> sessions;
   std::uint64_t last_session = 0;
   bool status_due = false;
@@ -103,7 +112,25 @@ void Server::turn(milliseconds timeout, int stop_descriptor) {
   for (Session& session : s.sessions) {
     if (session.wants_to_write()) session.write();
   }
-  s.sessions.remove_if([](const Session& session) { return session.closed(); });
+  s.forget_closed();
+}
+
+void Server::set_supervisor_lost_after(milliseconds lost_after) {
+  state_->supervisor.set_lost_after(lost_after);
+}
+
+void Server::State::forget_closed() {
+  const std::size_t known = clients();
+  for (const Session& session : sessions) {
+    if (session.closed() && session.greeted) observer.on_client(session.name, session.role, false);
+  }
+  sessions.remove_if([](const Session& session) { return session.closed(); });
+  if (clients() != known) status_due = true;
+}
+
+std::size_t Server::State::clients() const {
+  return static_cast<std::size_t>(std::count_if(sessions.begin(), sessions.end(),
+                                                [](const Session& session) { return session.greeted; }));
 }
 
 void Server::State::accept_clients() {
@@ -118,6 +145,7 @@ void Server::State::accept_clients() {
 void Server::State::take_news() {
   port.clear();
   while (auto event = port.take_event()) {
+    observer.on_event(*event);
     events.append(std::move(*event));
     status_due = true;
   }
@@ -167,8 +195,12 @@ void Server::State::greet(Session& session, const Hello& hello) {
   session.greeted = true;
   session.role = hello.role;
   session.next_event = hello.first_event == 0 ? events.last() + 1 : hello.first_event;
+  session.name = hello.name;
+  observer.on_client(session.name, session.role, true);
   session.welcome(port.snapshot_descriptor());
-  session.send(port.status());
+  host::RuntimeStatus status = port.status();
+  process.fill(status.process, clients());
+  session.send(status);
 }
 
 void Server::State::request(Session& session, const Request& request) {
@@ -190,12 +222,23 @@ void Server::State::request(Session& session, const Request& request) {
   if ((start != nullptr && start->barrier) || std::holds_alternative<Acknowledge>(request.body)) {
     supervisor.heard(Clock::now());
   }
+  if (std::holds_alternative<Reload>(request.body)) return reload(session, request);
   auto reply = handler.handle(session.number(), request);
   if (!reply) return;
+  if (!reply->accepted()) observer.on_refusal(session.name, request, *reply);
   if (std::holds_alternative<ResendEvents>(request.body) && reply->accepted()) {
     session.next_event = std::min(session.next_event, reply->offset);
   }
   session.send(std::move(*reply));
+}
+
+// Not remembered: reading a file twice does no harm.
+void Server::State::reload(Session& session, const Request& request) {
+  Reply reply;
+  reply.client = request.client;
+  reply.id = request.id;
+  reply.problems = observer.on_reload();
+  session.send(reply);
 }
 
 void Server::State::push_events(Session& session) {
@@ -211,10 +254,9 @@ void Server::State::push_events(Session& session) {
 void Server::State::push_status() {
   status_due = false;
   status_at = Clock::now();
-  const bool anyone =
-      std::any_of(sessions.begin(), sessions.end(), [](const Session& session) { return session.greeted; });
-  if (!anyone) return;
-  const host::RuntimeStatus status = port.status();
+  host::RuntimeStatus status = port.status();
+  process.fill(status.process, clients());
+  observer.on_status(status);
   for (Session& session : sessions) {
     if (session.greeted && session.keeps_up()) session.send(status);
   }
@@ -223,6 +265,7 @@ void Server::State::push_status() {
 void Server::State::watch_supervisor() {
   const auto change = supervisor.check(Clock::now());
   if (change == SupervisorWatch::Change::None) return;
+  observer.on_supervisor(change == SupervisorWatch::Change::Came);
   host::Command command;
   command.ticket = kOwnTicket;
   command.kind = change == SupervisorWatch::Change::Came ? host::CommandKind::SupervisorAlive

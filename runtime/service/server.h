@@ -14,9 +14,11 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "runtime/host/runtime_port.h"
 #include "runtime/result/result.h"
+#include "runtime/service/service_observer.h"
 
 namespace stepwright::service {
 
@@ -24,6 +26,8 @@ struct ServerConfig {
   std::filesystem::path socket;  // in a folder that exists
   // After the last sign of life of a supervisor the runtime's policy applies.
   std::chrono::milliseconds supervisor_lost_after{1'000};
+  std::string version = {};             // of the program, for its status
+  ServiceObserver* observer = nullptr;  // told of everything that happens; outlives the server
   // Called with the container whenever another program has been loaded.
   std::function<void(std::span<const std::byte>)> on_program{};
 };
@@ -39,6 +43,8 @@ class Server {
   void run(int stop_descriptor);
   // One turn: waits for something to do, at most `timeout`, and does it.
   void turn(std::chrono::milliseconds timeout, int stop_descriptor = -1);
+  // From now on.
+  void set_supervisor_lost_after(std::chrono::milliseconds lost_after);
 
  private:
   struct State;

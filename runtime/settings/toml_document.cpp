@@ -3,7 +3,11 @@
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <map>
 #include <set>
 #include <sstream>
@@ -15,10 +19,16 @@ struct TomlDocument::State {
   std::string code;
   toml::table root;
   result::Diagnostics problems;
+  std::map<std::string, std::string> origins;                       // dotted key -> the override that set it
   std::map<const void*, std::set<std::string, std::less<>>> asked;  // table -> keys that were read
 
   result::Location place(const toml::source_region& source) const {
     return {file, source.begin.line, source.begin.column};
+  }
+  // What came from an override stands in no line of the file.
+  result::Location place(const std::string& path, const toml::source_region& source) const {
+    const auto found = origins.find(path);
+    return found != origins.end() ? result::Location{found->second, 0, 0} : place(source);
   }
   void add(const char* number, result::Location where, std::string message, std::string hint) {
     problems.push_back(
@@ -78,6 +88,10 @@ result::Result<std::unique_ptr<TomlDocument>> TomlDocument::load(const std::file
     return result::fail(code + "0001", {file.string(), 0, 0}, "there is no such file",
                         "check the path; it is taken from the current directory");
   }
+  if (::access(file.c_str(), R_OK) != 0) {
+    return result::fail(code + "0001", {file.string(), 0, 0},
+                        std::string("the file cannot be read: ") + std::strerror(errno));
+  }
   std::unique_ptr<TomlDocument> document(new TomlDocument());
   document->state_->file = file.string();
   document->state_->code = code;
@@ -106,6 +120,7 @@ result::Result<std::unique_ptr<TomlDocument>> TomlDocument::parse(std::string_vi
 
 result::Result<void> TomlDocument::override_value(const std::string& dotted_key, const std::string& value) {
   toml::table parsed;
+  const std::string origin = "--set " + dotted_key + "=" + value;
   try {
     parsed = toml::parse(dotted_key + " = " + value);
   } catch (const toml::parse_error&) {
@@ -118,11 +133,63 @@ result::Result<void> TomlDocument::override_value(const std::string& dotted_key,
   // A key that begins a comment, or a value that begins another line.
   if (parsed.size() != 1) return not_an_override(state_->code, dotted_key, value);
   merge(parsed, state_->root);
+  state_->origins[dotted_key] = origin;
   return {};
 }
 
 TomlTable TomlDocument::root() {
   return {this, &state_->root, ""};
+}
+
+namespace {
+
+// Words that differ where the values differ; nobody reads them as TOML.
+std::string scalar_text(const toml::node& node) {
+  std::ostringstream text;
+  text.precision(17);
+  if (const auto words = node.value_exact<std::string>()) {
+    text << '"' << *words << '"';
+  } else if (const auto whole = node.value_exact<std::int64_t>()) {
+    text << *whole;
+  } else if (const auto number = node.value_exact<double>()) {
+    text << *number;
+  } else if (const auto truth = node.value_exact<bool>()) {
+    text << (*truth ? "true" : "false");
+  } else if (const auto date = node.value_exact<toml::date>()) {
+    text << *date;
+  } else if (const auto time = node.value_exact<toml::time>()) {
+    text << *time;
+  } else if (const auto instant = node.value_exact<toml::date_time>()) {
+    text << *instant;
+  }
+  return text.str();
+}
+
+template <typename Place>
+void collect(const toml::node& node, const std::string& path, const Place& place, SettingTexts& texts) {
+  if (const toml::table* table = node.as_table()) {
+    const std::string prefix = path.empty() ? "" : path + ".";
+    for (const auto& [key, value] : *table) collect(value, prefix + std::string(key.str()), place, texts);
+  } else if (const toml::array* array = node.as_array()) {
+    for (std::size_t i = 0; i < array->size(); ++i) {
+      collect(*array->get(i), path + "[" + std::to_string(i) + "]", place, texts);
+    }
+  } else {
+    texts[path] = {scalar_text(node), place(path, node.source())};
+  }
+}
+
+}  // namespace
+
+SettingTexts TomlDocument::values() const {
+  SettingTexts texts;
+  collect(
+      state_->root, "",
+      [this](const std::string& path, const toml::source_region& source) {
+        return state_->place(path, source);
+      },
+      texts);
+  return texts;
 }
 
 void TomlDocument::State::report_unknown(const toml::table& table, const std::string& path) {
@@ -134,7 +201,7 @@ void TomlDocument::State::report_unknown(const toml::table& table, const std::st
     if (std::find(names.begin(), names.end(), name) == names.end()) {
       const std::string meant = closest(name, names);
       std::string hint = meant.empty() ? "known here: " + joined(names) : "did you mean '" + meant + "'?";
-      add("0002", place(key.source()), "unknown key '" + path + name + "'", std::move(hint));
+      add("0002", place(path + name, key.source()), "unknown key '" + path + name + "'", std::move(hint));
     } else if (const toml::table* inner = node.as_table(); inner != nullptr && asked.count(inner) != 0) {
       report_unknown(*inner, path + name + ".");
     } else if (const toml::array* array = node.as_array()) {
@@ -340,11 +407,13 @@ std::vector<std::string> TomlTable::keys() const {
 result::Location TomlTable::where(std::string_view key) const {
   if (node_ == nullptr) return {document_->state_->file, 0, 0};
   const toml::node* node = key.empty() ? nullptr : as_table(node_)->get(key);
-  return document_->state_->place(node != nullptr ? node->source() : as_table(node_)->source());
+  return document_->state_->place(path_ + std::string(key),
+                                  node != nullptr ? node->source() : as_table(node_)->source());
 }
 
-void TomlTable::report(std::string_view key, std::string message, std::string hint) const {
-  document_->state_->add("0006", where(key), std::move(message), std::move(hint));
+void TomlTable::report(std::string_view key, std::string message, std::string hint,
+                       const char* number) const {
+  document_->state_->add(number, where(key), std::move(message), std::move(hint));
 }
 
 }  // namespace stepwright::settings

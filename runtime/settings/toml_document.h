@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -28,6 +29,14 @@ struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 };
+
+// One value of a document as text, to tell whether a file says something else than before.
+struct SettingText {
+  std::string text;
+  result::Location where;
+};
+// By dotted key: "plant.seed", "faults[0].name".
+using SettingTexts = std::map<std::string, SettingText>;
 
 class TomlDocument;
 
@@ -62,8 +71,10 @@ class TomlTable {
 
   // Where a key's value (or, without it, the table) stands in the file.
   result::Location where(std::string_view key = {}) const;
-  // Reports a problem that only the caller can see, at the key's place.
-  void report(std::string_view key, std::string message, std::string hint = {}) const;
+  // Reports a problem that only the caller can see, at the key's place, under a code of its own if it has
+  // one.
+  void report(std::string_view key, std::string message, std::string hint = {},
+              const char* number = "0006") const;
 
  private:
   friend class TomlDocument;
@@ -93,6 +104,8 @@ class TomlDocument {
   [[nodiscard]] result::Result<void> override_value(const std::string& dotted_key, const std::string& value);
 
   TomlTable root();
+  // Every value that the document holds, overrides included.
+  SettingTexts values() const;
   // Every problem so far, and every key that was never asked for. Call it last.
   result::Diagnostics finish();
 

@@ -12,3 +12,4 @@ find_package(SUNDIALS REQUIRED COMPONENTS cvode nvecserial sunnonlinsolfixedpoin
 find_package(Threads REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(benchmark REQUIRED)
+find_package(spdlog REQUIRED)

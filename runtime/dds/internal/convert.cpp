@@ -200,12 +200,21 @@ idl::Status to_status(const std::string& runtime_id, const RuntimeStatus& status
   for (const host::TaskStatus& task : status.tasks) {
     if (sample.tasks().size() < idl::TASK_BOUND) sample.tasks().push_back(to_task(task));
   }
+  idl::ProcessFigures process;
+  process.version(cut(status.process.version, idl::TEXT_BOUND));
+  process.uptime_s(status.process.uptime_s);
+  process.resident_bytes(status.process.resident_bytes);
+  process.clients(status.process.clients);
+  process.traps(status.process.traps);
+  process.lost_events(status.process.lost_events);
+  sample.process(process);
   return sample;
 }
 
 std::optional<RuntimeStatus> from_status(const idl::Status& sample) {
   auto plant = from_plant(sample.plant());
   if (!plant || !fits_digest(sample.program_digest()) || sample.detail().size() > idl::TEXT_BOUND ||
+      sample.process().version().size() > idl::TEXT_BOUND ||
       sample.state() > static_cast<std::uint8_t>(RuntimeState::Fault) ||
       sample.tasks().size() > idl::TASK_BOUND) {
     return std::nullopt;
@@ -230,6 +239,9 @@ std::optional<RuntimeStatus> from_status(const idl::Status& sample) {
   status.waiting_for_supervisor = sample.waiting_for_supervisor();
   status.detail = sample.detail();
   status.plant = std::move(*plant);
+  const idl::ProcessFigures& process = sample.process();
+  status.process = {process.version(), process.uptime_s(), process.resident_bytes(),
+                    process.clients(), process.traps(),    process.lost_events()};
   return status;
 }
 

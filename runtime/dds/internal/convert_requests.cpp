@@ -79,6 +79,7 @@ struct BodyWriter {
   void operator()(const BeginRecording&) const {}
   void operator()(const EndRecording&) const {}
   void operator()(const ReadRecording&) const {}
+  void operator()(const Reload&) const {}  // for those at the machine: no RuntimeClient sends it
 
  private:
   void event(std::uint64_t sequence, idl::CommandKind kind) const {

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <set>
 
+#include "runtime/dds/internal/addresses.h"
 #include "runtime/host/limits.h"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -60,7 +61,7 @@ fdds::DomainParticipant* create_lowest(const ParticipantConfig& config) {
   for (const fdds::DomainParticipant* other : factory->lookup_participants(config.domain_id)) {
     used.insert(other->get_qos().wire_protocol().participant_id);
   }
-  fdds::DomainParticipantQos qos = participant_qos(config.name);
+  fdds::DomainParticipantQos qos = participant_qos(config);
   fdds::DomainParticipant* created = nullptr;
   for (std::int32_t number = 0; created == nullptr && number < kParticipantsPerDomain; ++number) {
     if (used.contains(number)) continue;
@@ -80,6 +81,7 @@ result::Result<std::unique_ptr<Participant>> Participant::create(const Participa
     return result::fail("D0004", {}, "'" + config.runtime_id + "' cannot name a runtime",
                         "1 to 64 letters, digits, '_', '-' and '.'");
   }
+  if (auto usable = check_addresses(config); !usable) return result::forward(usable);
   std::unique_ptr<Participant> self(new Participant());
   self->runtime_id_ = config.runtime_id;
   // A profile file in the working folder must not change how a cell communicates.

@@ -22,6 +22,23 @@ const Duration_t kMaxBlocking(0, 50'000'000u);
 constexpr std::uint32_t kSocketBufferBytes = 4u << 20;
 constexpr std::int32_t kQueuedSamples = 512;
 
+// Of all participants of all domains (RTPS 2.3, 9.6.1.4.1).
+constexpr const char* kDiscoveryGroup = "239.255.0.1";
+constexpr std::uint32_t kPortBase = 7'400;
+constexpr std::uint32_t kPortsPerDomain = 250;
+
+// Its port follows from domain and participant.
+Locator_t locator(const std::string& address) {
+  Locator_t where;
+  where.kind = LOCATOR_KIND_UDPv4;
+  IPLocator::setIPv4(where, address);
+  return where;
+}
+
+bool is_loopback(const std::string& address) {
+  return address.starts_with("127.");
+}
+
 template <typename Qos>
 void apply(Profile profile, Qos& qos) {
   const bool best_effort = profile == Profile::Heartbeat || profile == Profile::Picture;
@@ -51,12 +68,12 @@ void apply(Profile profile, Qos& qos) {
 
 }  // namespace
 
-DomainParticipantQos participant_qos(const std::string& name) {
+DomainParticipantQos participant_qos(const ParticipantConfig& config) {
   DomainParticipantQos qos;
-  qos.name(name);
+  qos.name(config.name);
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
-  // Loopback only: nothing of a cell is reachable from another machine until security is configured.
-  udp->interfaceWhiteList.emplace_back("127.0.0.1");
+  // Loopback only, unless the cell lists other interfaces: nothing is reachable from elsewhere by itself.
+  udp->interfaceWhiteList = config.interfaces;
   udp->maxInitialPeersRange = static_cast<std::uint32_t>(kParticipantsPerDomain);
   udp->sendBufferSize = kSocketBufferBytes;
   udp->receiveBufferSize = kSocketBufferBytes;
@@ -65,10 +82,22 @@ DomainParticipantQos participant_qos(const std::string& name) {
   qos.transport().user_transports.push_back(udp);
   // The loopback interface carries no multicast on most machines: announce to each possible process instead.
   // A listed locator for incoming announcements keeps Fast DDS from adding its multicast one.
-  Locator_t peer;
-  IPLocator::setIPv4(peer, 127, 0, 0, 1);
-  qos.wire_protocol().builtin.initialPeersList.push_back(peer);
-  qos.wire_protocol().builtin.metatrafficUnicastLocatorList.push_back(peer);
+  auto& builtin = qos.wire_protocol().builtin;
+  bool multicast = false;
+  for (const std::string& address : config.interfaces) {
+    const Locator_t here = locator(address);
+    builtin.metatrafficUnicastLocatorList.push_back(here);
+    if (is_loopback(address)) builtin.initialPeersList.push_back(here);
+    multicast = multicast || !is_loopback(address);
+  }
+  if (multicast) {
+    // Left to itself, Fast DDS would announce to the group on the unicast ports of single participants.
+    Locator_t group = locator(kDiscoveryGroup);
+    group.port = kPortBase + kPortsPerDomain * config.domain_id;
+    builtin.metatrafficMulticastLocatorList.push_back(group);
+    builtin.initialPeersList.push_back(group);
+  }
+  for (const std::string& address : config.peers) builtin.initialPeersList.push_back(locator(address));
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
   discovery.leaseDuration = kParticipantLease;
   discovery.leaseDuration_announcementperiod = kAnnouncement;

@@ -8,6 +8,8 @@
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 #include <string>
 
+#include "runtime/dds/types.h"
+
 namespace stepwright::dds::internal {
 
 // How many processes of one domain find each other on this machine.
@@ -24,7 +26,7 @@ enum class Profile {
   Document,   // PlanDocument: reliable, the newest one also for those who join late
 };
 
-eprosima::fastdds::dds::DomainParticipantQos participant_qos(const std::string& name);
+eprosima::fastdds::dds::DomainParticipantQos participant_qos(const ParticipantConfig& config);
 eprosima::fastdds::dds::DataWriterQos writer_qos(Profile profile);
 eprosima::fastdds::dds::DataReaderQos reader_qos(Profile profile);
 

@@ -41,6 +41,7 @@ class Session {
   // Set by Hello.
   bool greeted = false;
   Role role = Role::Observer;
+  std::string name;
   std::uint64_t next_event = 0;
 
  private:

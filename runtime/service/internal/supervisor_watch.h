@@ -20,6 +20,7 @@ class SupervisorWatch {
     heard_ = true;
     last_ = now;
   }
+  void set_lost_after(std::chrono::milliseconds lost_after) { lost_after_ = lost_after; }
   // What has changed since the last call.
   Change check(Clock::time_point now) {
     const bool alive = heard_ && now - last_ <= lost_after_;

@@ -71,6 +71,26 @@ class HttpServerTest : public testing::Test {
   std::thread network_;
 };
 
+TEST_F(HttpServerTest, WhenNobodyGivesMetrics_ThenThereIsNothing) {
+  EXPECT_NE(get("/metrics").find("HTTP/1.1 404"), std::string::npos);
+}
+
+TEST_F(HttpServerTest, WhenMetricsAreAskedFor_ThenTheyAreMadeForThatRequest) {
+  end();
+  auto server = HttpServer::listen({"127.0.0.1", 0}, kAssets, feed_);
+  ASSERT_TRUE(server) << result::to_string(server.error());
+  server_ = std::move(*server);
+  int asked = 0;
+  server_->serve_metrics([&asked] { return "asked " + std::to_string(++asked) + "\n"; },
+                         "text/plain; version=0.0.4");
+  network_ = std::thread([this] { server_->run(); });
+  EXPECT_NE(get("/metrics").find("\r\n\r\nasked 1\n"), std::string::npos);
+  const std::string second = get("/metrics?x=1");
+  EXPECT_NE(second.find("\r\n\r\nasked 2\n"), std::string::npos);
+  EXPECT_NE(second.find("Content-Type: text/plain; version=0.0.4"), std::string::npos) << second;
+  EXPECT_NE(second.find("X-Content-Type-Options: nosniff"), std::string::npos);
+}
+
 TEST_F(HttpServerTest, WhenThePageIsAskedFor_ThenItComesWithItsSafetyHeaders) {
   const std::string response = get("/");
 

@@ -145,5 +145,60 @@ TEST_F(CellConfigTest, WhenARecordingIsConfigured_ThenItsFileIsInTheStateFolder)
   EXPECT_EQ(wrong.error().size(), 2u);
 }
 
+TEST_F(CellConfigTest, WhenAnOverrideIsWrong_ThenItIsNamedInsteadOfALine) {
+  const auto config = load_cell_config(write("[cell]\nname = \"line\"\n"), {"plant.seed=-4"});
+  ASSERT_FALSE(config.has_value());
+  EXPECT_EQ(result::to_string(config.error()[0]).substr(0, 23), "--set plant.seed=-4: C0");
+}
+
+TEST_F(CellConfigTest, WhenFaultsAreListed_ThenTheyKeepTheirPlaces) {
+  const auto config = load_cell_config(write(
+      "[safe_state.outputs]\n\"%QX0.0\" = \"one\"\n[[faults]]\nat_s = 1\nname = \"leak_a1\"\nvalue = 1\n"));
+  ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
+  EXPECT_EQ(config->faults.at(0).where.line, 5u);
+}
+
+TEST_F(CellConfigTest, WhenANameCannotNameARuntime_ThenItIsRefusedAtItsPlace) {
+  for (const char* text : {"[cell]\nname = \"a b\"\n", "[dds]\nruntime_id = \"*\"\n"}) {
+    const auto config = load_cell_config(write(text));
+    ASSERT_FALSE(config.has_value()) << text;
+    EXPECT_EQ(config.error()[0].code, "C0461");
+    EXPECT_EQ(config.error()[0].where.line, 2u);
+  }
+}
+
+TEST_F(CellConfigTest, WhenTheStateFolderIsTooLongForASocket_ThenItIsRefusedAtItsPlace) {
+  const auto config = load_cell_config(write("[cell]\nstate_dir = \"" + std::string(120, 'x') + "\"\n"));
+  ASSERT_FALSE(config.has_value());
+  EXPECT_EQ(config.error()[0].code, "C0462");
+  EXPECT_EQ(config.error()[0].where.line, 2u);
+}
+
+TEST_F(CellConfigTest, WhenAnInterfaceIsNoAddress_ThenItIsRefusedAtItsPlace) {
+  for (const char* text :
+       {"[dds]\ninterfaces = [\"eth0\"]\n", "[dds]\npeers = [\"1.2.3\"]\n", "[dds]\ninterfaces = []\n"}) {
+    const auto config = load_cell_config(write(text));
+    ASSERT_FALSE(config.has_value()) << text;
+    EXPECT_EQ(config.error()[0].code, "C0466");
+    EXPECT_EQ(config.error()[0].where.line, 2u);
+  }
+}
+
+TEST_F(CellConfigTest, WhenTheLogIsConfigured_ThenItsFileIsTakenFromTheFolder) {
+  const auto config = load_cell_config(
+      write("[log]\nformat = \"json\"\nlevel = \"warning\"\nfile = \"cell.log\"\nlimit_per_s = 3\n"));
+  ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
+  EXPECT_EQ(config->log.format, LogFormat::Json);
+  EXPECT_EQ(config->log.level, LogLevel::Warning);
+  EXPECT_EQ(config->log.file, folder_ / "cell.log");
+  EXPECT_EQ(config->log.limit_per_s, 3u);
+}
+
+TEST_F(CellConfigTest, WhenOneThingIsWrong_ThenTheReadingStillHasTheRest) {
+  const CellReading reading = read_cell_config(write("[clock]\nmood = \"real\"\n[plant]\nseed = 9\n"));
+  EXPECT_EQ(reading.problems.size(), 1u);
+  EXPECT_EQ(reading.config.plant.seed, 9u);
+}
+
 }  // namespace
 }  // namespace stepwright::config

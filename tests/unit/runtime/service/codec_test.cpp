@@ -51,7 +51,8 @@ std::vector<Message> every_kind() {
                                         Continue{},
                                         BeginRecording{"/tmp/run", 5, 6, 7},
                                         EndRecording{},
-                                        ReadRecording{}};
+                                        ReadRecording{},
+                                        Reload{}};
   for (const RequestBody& body : bodies) messages.emplace_back(Request{11, 12, body});
   Reply reply{1, 2, {}, "ab", 3, 4, bytes};
   reply.problems.push_back(diagnostic());
@@ -117,7 +118,7 @@ TEST(Codec, WhenOneByteOfAMessageChanges_ThenWhatIsDecodedIsAMessageAgainOrRefus
 }
 
 TEST(Codec, WhenACountClaimsMoreThanThereIs_ThenNoMemoryIsTakenForIt) {
-  auto frame = frame_of(host::RuntimeStatus{});
+  auto frame = frame_of(host::StepEvent{});
   const std::uint32_t huge = 0xFFFFFFFF;
   std::memcpy(frame.data() + frame.size() - sizeof huge, &huge, sizeof huge);
   EXPECT_FALSE(decode(body_of(frame)));

@@ -1,0 +1,74 @@
+#include "programs/check/check_command.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <tuple>
+#include <utility>
+
+#include "programs/config/executive_options.h"
+#include "programs/process/diagnostics_json.h"
+#include "programs/runtime/cell_io.h"
+#include "programs/runtime/host_options.h"
+#include "supervisor/pddl/describe_run.h"
+
+namespace stepwright::check {
+namespace {
+
+void add(result::Diagnostics& problems, const result::Diagnostics& found) {
+  problems.insert(problems.end(), found.begin(), found.end());
+}
+
+// The cell's own problem: planned, translated and compiled, as the supervisor would do it at its start.
+void check_planning(const config::CellConfig& config, CheckReport& report) {
+  auto desk = executive::PlanningDesk::open(config::desk_options(config));
+  if (!desk) return add(report.problems, desk.error());
+  auto outcome =
+      desk->prepare({.planning = pddl::to_named(desk->task().initial()), .measured = {}, .tare = {}});
+  if (!outcome) return add(report.problems, outcome.error());
+  if (outcome->status == executive::PrepareStatus::Ready) {
+    report.plan = {outcome->prepared.plan.actions.size(), outcome->prepared.plan.cost,
+                   outcome->prepared.container.size()};
+    return;
+  }
+  report.no_plan = outcome->reason;
+  report.plan_exit = outcome->status == executive::PrepareStatus::Infeasible
+                         ? result::ExitCode::NoPlan
+                         : result::ExitCode::BudgetExhausted;
+}
+
+}  // namespace
+
+result::ExitCode CheckReport::exit() const {
+  return result::has_errors(problems) ? result::ExitCode::BadInput : plan_exit;
+}
+
+CheckReport check_cell(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  config::CellReading cell = config::read_cell_config(file, overrides);
+  CheckReport report;
+  report.file = file;
+  report.problems = std::move(cell.problems);
+  if (auto options = cell_runtime::host_options(cell.config); !options) add(report.problems, options.error());
+  add(report.problems, cell_runtime::check_cell_io(cell.config));
+  std::stable_sort(report.problems.begin(), report.problems.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.where.file, a.where.line) < std::tie(b.where.file, b.where.line);
+  });
+  // Planning costs seconds: not for a file that has to be changed anyway.
+  const bool plans = !cell.config.planning.domain.empty();
+  if (plans && !result::has_errors(report.problems)) check_planning(cell.config, report);
+  return report;
+}
+
+std::string to_json(const CheckReport& report) {
+  nlohmann::json json = {{"file", report.file.string()},
+                         {"sound", report.sound()},
+                         {"diagnostics", process::diagnostics_json(report.problems)}};
+  if (report.plan) {
+    json["plan_steps"] = report.plan->actions;
+    json["plan_cost"] = report.plan->cost;
+    json["program_bytes"] = report.plan->program_bytes;
+  }
+  if (!report.no_plan.empty()) json["no_plan"] = report.no_plan;
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace stepwright::check

@@ -1,0 +1,46 @@
+#pragma once
+
+// Everything about a cell that can be known without running it: its configuration with all tables, the wires
+// of its plant, its safe outputs and scheduled faults, and, where it plans, its planning files, plan and
+// program.
+//
+//   const CheckReport report = check_cell("cell.toml", {"plant.seed=7"});
+//   report.exit();                    // Done if it is sound
+//
+// One run finds all problems: what is wrong takes its default and the check goes on. Nothing is opened for
+// writing, and no process of the cell is disturbed.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/result/diagnostic.h"
+#include "runtime/result/exit_code.h"
+
+namespace stepwright::check {
+
+// What the cell's own problem comes to.
+struct PlanFigures {
+  std::size_t actions = 0;
+  double cost = 0.0;
+  std::size_t program_bytes = 0;
+};
+
+struct CheckReport {
+  std::filesystem::path file;
+  result::Diagnostics problems;
+  std::optional<PlanFigures> plan;  // only of a cell that plans, without problems
+  std::string no_plan;              // why there is none, although nothing is wrong with the files
+  result::ExitCode plan_exit = result::ExitCode::Done;
+
+  bool sound() const { return !result::has_errors(problems) && no_plan.empty(); }
+  result::ExitCode exit() const;
+};
+
+CheckReport check_cell(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+// One object: file, sound, diagnostics, and of the plan plan_steps, plan_cost, program_bytes or no_plan.
+std::string to_json(const CheckReport& report);
+
+}  // namespace stepwright::check

@@ -1,0 +1,42 @@
+// `stepwright check --config CELL.toml [--json F]`: everything about a cell that can be known without running
+// it, in one run.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "programs/check/check_command.h"
+#include "programs/config/cell_options.h"
+#include "programs/process/command_line.h"
+#include "programs/process/files.h"
+
+namespace stepwright::check {
+namespace {
+
+int run(const config::CellOptions& options, const std::string& json) {
+  const CheckReport report = check_cell(options.config, options.overrides);
+  if (!report.problems.empty()) std::fprintf(stderr, "%s\n", result::to_string(report.problems).c_str());
+  if (!report.no_plan.empty()) std::fprintf(stderr, "there is no plan: %s\n", report.no_plan.c_str());
+  if (report.plan) {
+    std::printf("plan: %zu actions, cost %g; program: %zu bytes\n", report.plan->actions, report.plan->cost,
+                report.plan->program_bytes);
+  }
+  if (report.sound()) std::printf("%s: sound\n", report.file.c_str());
+  if (!json.empty()) {
+    const result::Diagnostics failed = process::write_file(json, to_json(report) + "\n");
+    if (!failed.empty()) return process::fail(failed, result::ExitCode::BadInput);
+  }
+  return to_int(report.exit());
+}
+
+}  // namespace
+}  // namespace stepwright::check
+
+int main(int argc, char** argv) {
+  CLI::App app{"Check a cell's configuration, planning files and program", "stepwright check"};
+  stepwright::config::CellOptions options;
+  std::string json;
+  stepwright::config::add_cell_options(app, options);
+  app.add_option("--json", json, "write what was found to this file");
+  if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
+  return stepwright::check::run(options, json);
+}

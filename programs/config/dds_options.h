@@ -1,0 +1,20 @@
+#pragma once
+
+// What a cell's configuration says to those of its processes that speak Fast DDS.
+
+#include <string>
+#include <utility>
+
+#include "programs/config/cell_config.h"
+#include "runtime/dds/types.h"
+
+namespace stepwright::config {
+
+// `process` is for diagnostics; `runtime_id` is another runtime of the domain, or empty for the cell's own.
+inline dds::ParticipantConfig participant_of(const DdsConfig& dds, std::string process,
+                                             const std::string& runtime_id = {}) {
+  return {dds.domain_id, std::move(process), runtime_id.empty() ? dds.runtime_id : runtime_id, dds.interfaces,
+          dds.peers};
+}
+
+}  // namespace stepwright::config

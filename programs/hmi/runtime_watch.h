@@ -1,0 +1,37 @@
+#pragma once
+
+// The figures of one or more runtimes of the domain, heard over Fast DDS, for /metrics: the cell's own, and
+// those that [hmi] metrics_of names.
+//
+// Threads: `metrics` from any; nothing blocks.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "programs/config/cell_config.h"
+#include "programs/metrics/metrics_text.h"
+#include "runtime/dds/runtime_client.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::hmi {
+
+class RuntimeWatch {
+ public:
+  // Joins the domain once for each other runtime; nobody needs to be there yet. `own` outlives it. Fails with
+  // D0004 to D0006.
+  [[nodiscard]] static result::Result<std::unique_ptr<RuntimeWatch>> connect(const config::CellConfig& config,
+                                                                             const dds::RuntimeClient& own);
+
+  std::string metrics() const;
+
+ private:
+  struct Watched {
+    std::string runtime;
+    const dds::RuntimeClient* client;
+  };
+  std::vector<Watched> watched_;
+  std::vector<std::unique_ptr<dds::RuntimeClient>> others_;
+};
+
+}  // namespace stepwright::hmi

@@ -1,0 +1,149 @@
+#include "programs/metrics/metrics_text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace stepwright::metrics {
+namespace {
+
+using host::RuntimeState;
+using host::RuntimeStatus;
+
+std::string number(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value > 0 ? "+Inf" : "-Inf";
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
+}
+
+// Inside the quotes of a label.
+std::string escaped(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '\\' || c == '"') safe += '\\';
+    if (c == '\n') {
+      safe += "\\n";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string label(std::string_view name, std::string_view value) {
+  return std::string(name) + "=\"" + escaped(value) + "\"";
+}
+
+struct Sample {
+  std::string more_labels;  // beside that of the runtime
+  double value = 0.0;
+};
+
+// One metric: its name, kind and help, and what it is worth for one runtime (several samples if it has
+// labels).
+struct Metric {
+  const char* name;
+  const char* type;
+  const char* help;
+  std::vector<Sample> (*samples)(const RuntimeStatus&);
+};
+
+std::vector<Sample> one(double value) {
+  return {{"", value}};
+}
+std::vector<Sample> one(std::uint64_t value) {
+  return one(static_cast<double>(value));
+}
+
+// Divided by, so that a figure stays as round as it was.
+constexpr double kUsPerS = 1e6;
+constexpr double kNsPerS = 1e9;
+
+std::vector<Sample> states(const RuntimeStatus& status) {
+  constexpr std::array<std::pair<RuntimeState, const char*>, 4> kStates = {
+      {{RuntimeState::Empty, "empty"},
+       {RuntimeState::Stopped, "stopped"},
+       {RuntimeState::Running, "running"},
+       {RuntimeState::Fault, "fault"}}};
+  std::vector<Sample> samples;
+  for (const auto& [state, word] : kStates) {
+    samples.push_back({label("state", word), status.state == state ? 1.0 : 0.0});
+  }
+  return samples;
+}
+
+// Figures per task go here as further lines, each sample with label("task", name).
+constexpr std::array kMetrics = {
+    Metric{"stepwright_build_info", "gauge", "Version of the runtime; always 1.",
+           [](const RuntimeStatus& s) {
+             return std::vector<Sample>{{label("version", s.process.version), 1.0}};
+           }},
+    Metric{"stepwright_state", "gauge", "1 for the state that the runtime is in.", states},
+    Metric{"stepwright_waiting_for_supervisor", "gauge", "1 while the simulated clock stands at a barrier.",
+           [](const RuntimeStatus& s) { return one(s.waiting_for_supervisor ? 1.0 : 0.0); }},
+    Metric{"stepwright_scans_total", "counter", "Scans since the process began.",
+           [](const RuntimeStatus& s) { return one(s.scan); }},
+    Metric{"stepwright_scan_overruns_total", "counter", "Scans that began later than their period allows.",
+           [](const RuntimeStatus& s) { return one(s.overruns); }},
+    Metric{"stepwright_scan_duration_seconds", "summary", "Duration of a scan without the wait for the next.",
+           [](const RuntimeStatus& s) {
+             return std::vector<Sample>{{label("quantile", "0.5"), s.scan_p50_us / kUsPerS},
+                                        {label("quantile", "0.99"), s.scan_p99_us / kUsPerS}};
+           }},
+    Metric{"stepwright_scan_duration_max_seconds", "gauge", "The longest scan since the process began.",
+           [](const RuntimeStatus& s) { return one(s.scan_max_us / kUsPerS); }},
+    Metric{"stepwright_scan_clock_seconds_total", "counter", "Scan clock since the process began.",
+           [](const RuntimeStatus& s) { return one(static_cast<double>(s.time_ns) / kNsPerS); }},
+    Metric{"stepwright_realtime_factor", "gauge", "Seconds of the scan clock per second of computing.",
+           [](const RuntimeStatus& s) { return one(s.realtime_factor); }},
+    Metric{"stepwright_traps_total", "counter", "Program faults and lost I/O since the process began.",
+           [](const RuntimeStatus& s) { return one(s.process.traps); }},
+    Metric{"stepwright_events_total", "counter", "Events since the process began.",
+           [](const RuntimeStatus& s) { return one(s.last_event); }},
+    Metric{"stepwright_lost_events_total", "counter", "Events that nobody took in time.",
+           [](const RuntimeStatus& s) { return one(s.process.lost_events); }},
+    Metric{"stepwright_service_clients", "gauge", "Clients of the service socket.",
+           [](const RuntimeStatus& s) { return one(s.process.clients); }},
+    Metric{"stepwright_uptime_seconds", "gauge", "Time since the service began.",
+           [](const RuntimeStatus& s) { return one(s.process.uptime_s); }},
+    Metric{"stepwright_resident_memory_bytes", "gauge", "Resident memory of the runtime's process.",
+           [](const RuntimeStatus& s) { return one(s.process.resident_bytes); }},
+};
+
+void head(std::string& text, const char* name, const char* type, const char* help) {
+  text += std::string("# HELP ") + name + " " + help + "\n# TYPE " + name + " " + type + "\n";
+}
+
+void sample(std::string& text, const char* name, const std::string& runtime, const Sample& sample) {
+  text += std::string(name) + "{" + label("runtime", runtime);
+  if (!sample.more_labels.empty()) text += "," + sample.more_labels;
+  text += "} " + number(sample.value) + "\n";
+}
+
+}  // namespace
+
+std::string metrics_text(std::span<const RuntimeMetrics> runtimes) {
+  std::string text;
+  head(text, "stepwright_up", "gauge", "1 if the runtime answers.");
+  bool any = false;
+  for (const RuntimeMetrics& each : runtimes) {
+    const bool up = each.up && each.status;
+    any = any || up;
+    sample(text, "stepwright_up", each.runtime, {"", up ? 1.0 : 0.0});
+  }
+  if (!any) return text;
+  for (const Metric& metric : kMetrics) {
+    head(text, metric.name, metric.type, metric.help);
+    for (const RuntimeMetrics& each : runtimes) {
+      if (!each.up || !each.status) continue;
+      for (const Sample& value : metric.samples(*each.status)) sample(text, metric.name, each.runtime, value);
+    }
+  }
+  return text;
+}
+
+}  // namespace stepwright::metrics

@@ -1,0 +1,100 @@
+"""`stepwright check`: every problem of a configuration in one run, each with its place, for people and for machines."""
+
+import json
+import pathlib
+import re
+import tempfile
+import unittest
+
+from processes import SOURCES, stepwright
+
+# One mistake per line that carries a code; `at` is where it must be reported.
+MISTAKES = """\
+[cell]
+name = "bad name"                 # at 2:8 C0461
+[clock]
+mode = "reel"                     # at 4:8 C0006 real
+speed = -1                        # at 5:9 C0004
+interval_us = "fast"              # at 6:15 C0003
+[plant.ports]
+fc9 = "%IX0.0"                    # at 8:7 C0301
+fc1 = "%IX64.0"                   # at 9:7 C0303
+[safe_state.outputs]
+"%QX64.0" = "one"                 # at 11:13 C0303
+"Q0" = "one"                      # at 12:8 C0302
+[[faults]]
+at_s = 1.0
+name = "leek_a1"                  # at 15:8 C0311 leak_a1
+value = 1.0
+[log]
+levl = "debug"                    # at 18:1 C0002 level
+[dds]
+interfaces = ["eth0"]             # at 20:14 C0466
+[planning]
+domain = "gone.pddl"              # at 22:10 C0006
+problem = "gone.pddl"             # at 23:11 C0006
+binding = "gone.toml"             # at 24:11 C0006
+[typo]                            # at 25:2 C0002
+"""
+
+
+class Check(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory(prefix="stepwright-test-")
+        self.folder = pathlib.Path(self.temporary.name)
+        self.addCleanup(self.temporary.cleanup)
+        self.file = self.folder / "cell.toml"
+        self.json = self.folder / "check.json"
+
+    def check(self, text, *options):
+        self.file.write_text(text, encoding="utf-8")
+        return stepwright("check", "--config", self.file, "--json", self.json, *options)
+
+    def test_every_mistake_is_found_in_one_run_at_its_place(self):
+        result = self.check(MISTAKES)
+        self.assertEqual(result.returncode, 1)
+        expected = [re.search(r"# at (\d+):(\d+) (C\d+) ?(\w*)", line) for line in MISTAKES.splitlines()]
+        expected = [match.groups() for match in expected if match]
+        report = json.loads(self.json.read_text(encoding="utf-8"))
+        self.assertFalse(report["sound"])
+        found = {(each["line"], each["column"], each["code"]): each for each in report["diagnostics"]}
+        for line, column, code, meant in expected:
+            key = (int(line), int(column), code)
+            self.assertIn(key, found, result.stderr)
+            self.assertIn(meant, found[key]["hint"])
+            self.assertIn(f"cell.toml:{line}:{column}: {code}: ", result.stderr)
+        self.assertEqual(len(found), len(expected), result.stderr)
+
+    def test_a_cell_without_planning_is_sound(self):
+        result = self.check('[cell]\nname = "line"\n[plant]\nkind = "none"\n')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("sound", result.stdout)
+        self.assertNotIn("plan", result.stdout)
+        self.assertTrue(json.loads(self.json.read_text(encoding="utf-8"))["sound"])
+
+    def test_the_bench_is_sound_and_its_plan_is_told(self):
+        result = stepwright("check", "--config", SOURCES / "tests/cells/bench/cell.toml", "--json", self.json)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(json.loads(self.json.read_text(encoding="utf-8"))["plan_steps"], 17)
+
+    def test_a_wrong_override_is_named(self):
+        result = self.check('[plant]\nkind = "none"\n', "--set", "plant.seed=-4")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("--set plant.seed=-4: C0004", result.stderr)
+
+    def test_a_file_that_is_no_toml_or_is_not_there(self):
+        result = self.check("[cell\n")
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"cell\.toml:\d+:\d+: C0001")
+        self.file.unlink()
+        result = stepwright("check", "--config", self.file)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("there is no such file", result.stderr)
+
+    def test_checking_leaves_nothing_behind(self):
+        self.check('[cell]\nname = "line"\nstate_dir = "state"\n')
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["cell.toml", "check.json"])
+
+
+if __name__ == "__main__":
+    unittest.main()

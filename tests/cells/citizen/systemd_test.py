@@ -1,0 +1,208 @@
+"""The processes and their init system: READY, STATUS, the watchdog's beat and its silence, STOPPING, RELOADING; and
+the units as systemd itself reads and judges them."""
+
+import ctypes
+import os
+import pathlib
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+import unittest
+
+from processes import NO_PLANT, SOURCES, Cell, eventually
+
+UNITS = sorted((SOURCES / "programs/systemd").glob("*.service"))
+REAL = NO_PLANT + '[clock]\nmode = "real"\n'
+WATCHDOG_USEC = 400_000
+
+PTRACE_SEIZE, PTRACE_INTERRUPT, PTRACE_DETACH = 0x4206, 0x4207, 17
+libc = ctypes.CDLL(None, use_errno=True)
+libc.ptrace.argtypes = [ctypes.c_long, ctypes.c_long, ctypes.c_void_p, ctypes.c_void_p]
+
+
+class InitSystem:
+    """The end of the notify protocol that systemd has."""
+
+    def __init__(self, folder, watchdog=True):
+        self.path = str(folder / "notify")
+        self.socket = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+        self.socket.bind(self.path)
+        self.socket.settimeout(0.05)
+        self.environment = {**os.environ, "NOTIFY_SOCKET": self.path}
+        if watchdog:
+            self.environment["WATCHDOG_USEC"] = str(WATCHDOG_USEC)
+        self.messages = []
+
+    def listen(self, seconds=0.0):
+        """Takes what came, and what comes within the time; all of it so far."""
+        deadline = time.monotonic() + seconds
+        while True:
+            try:
+                self.messages.append(self.socket.recv(4096).decode())
+            except TimeoutError:
+                if time.monotonic() >= deadline:
+                    return self.messages
+
+    def heard(self, pattern):
+        return eventually(lambda: any(re.search(pattern, each) for each in self.listen()), pause_s=0.0)
+
+    def beats(self, seconds):
+        """How often the watchdog is fed in so many seconds from now."""
+        self.listen()
+        before = len(self.messages)
+        self.listen(seconds)
+        return self.messages[before:].count("WATCHDOG=1")
+
+    def close(self):
+        self.socket.close()
+
+
+class Notify(unittest.TestCase):
+    def cell(self, more):
+        cell = Cell(more)
+        self.addCleanup(cell.__exit__)
+        return cell
+
+    def init(self, cell, **options):
+        init = InitSystem(cell.folder, **options)
+        self.addCleanup(init.close)
+        return init
+
+    def test_it_is_ready_when_it_serves_and_says_when_it_stops(self):
+        cell = self.cell(REAL)
+        init = self.init(cell)
+        runtime = cell.start("runtime", env=init.environment)
+        self.assertTrue(init.heard(r"^READY=1\nSTATUS=.*listens on"))
+        self.assertTrue(cell.socket.exists())
+        self.assertTrue(init.heard(r"^STATUS=no program is loaded"))
+        cell.load(1_000)
+        self.assertTrue(init.heard(r"^STATUS=running"))
+        self.assertEqual(runtime.end(), 0)
+        self.assertIn("STOPPING=1", init.listen())
+
+    def test_a_runtime_that_refuses_is_never_ready(self):
+        cell = self.cell('[plant.ports]\nfc9 = "%IX0.0"\n')
+        init = self.init(cell)
+        self.assertEqual(cell.start("runtime", env=init.environment).wait(), 1)
+        self.assertEqual([each for each in init.listen() if "READY" in each], [])
+
+    def test_the_watchdog_is_fed_while_the_scan_is_alive_and_not_while_it_hangs(self):
+        cell = self.cell(REAL)
+        init = self.init(cell)
+        runtime = cell.start("runtime", env=init.environment)
+        self.assertTrue(init.heard("READY=1"))
+        self.assertGreaterEqual(init.beats(2.0), 4)
+        cell.load(1_000)
+        self.assertGreaterEqual(init.beats(2.0), 4)
+        threads = [int(tid) for tid in os.listdir(f"/proc/{runtime.pid}/task") if int(tid) != runtime.pid]
+        try:
+            for tid in threads:
+                self.assertEqual(libc.ptrace(PTRACE_SEIZE, tid, None, None), 0, os.strerror(ctypes.get_errno()))
+                libc.ptrace(PTRACE_INTERRUPT, tid, None, None)
+            time.sleep(1.0)  # until the patience with the scan is over
+            self.assertEqual(init.beats(2.0), 0)
+            # The service itself lives: it is the scan that it no longer vouches for.
+            self.assertEqual(cell.figure("stepwright_up"), 1)
+        finally:
+            for tid in threads:
+                os.waitpid(tid, 0x40000000)  # __WALL: it has stopped
+                libc.ptrace(PTRACE_DETACH, tid, None, None)
+        self.assertTrue(eventually(lambda: init.beats(0.5) > 0))
+
+    def test_a_process_that_is_stopped_altogether_falls_silent(self):
+        cell = self.cell(REAL)
+        init = self.init(cell)
+        runtime = cell.start("runtime", env=init.environment)
+        self.assertTrue(init.heard("READY=1"))
+        runtime.send(signal.SIGSTOP)
+        self.assertEqual(init.beats(1.0), 0)
+        runtime.send(signal.SIGCONT)
+        self.assertTrue(eventually(lambda: init.beats(0.5) > 0))
+
+    def test_without_a_watchdog_there_is_no_beat(self):
+        cell = self.cell(REAL)
+        init = self.init(cell, watchdog=False)
+        cell.start("runtime", env=init.environment)
+        self.assertTrue(init.heard("READY=1"))
+        self.assertEqual(init.beats(0.5), 0)
+
+    def test_a_barrier_is_no_hanging_scan(self):
+        cell = self.cell(NO_PLANT + "[clock]\nspeed = 1.0\n[safe_state]\nsupervisor_lost_after_ms = 60000\n")
+        init = self.init(cell)
+        cell.start("runtime", env=init.environment)
+        self.assertTrue(init.heard("READY=1"))
+        cell.load(10_000, "barrier")
+        self.assertTrue(init.heard("waiting for the supervisor"))
+        time.sleep(1.0)
+        self.assertGreaterEqual(init.beats(2.0), 4)
+
+    def test_reloading_is_told(self):
+        cell = self.cell(REAL)
+        init = self.init(cell)
+        runtime = cell.start("runtime", env=init.environment)
+        self.assertTrue(init.heard("READY=1"))
+        runtime.send(signal.SIGHUP)
+        self.assertTrue(init.heard(r"^RELOADING=1\nMONOTONIC_USEC=\d+"))
+        self.assertTrue(eventually(lambda: sum("READY=1" in each for each in init.listen()) == 2))
+
+    def test_link_and_page_are_ready_and_alive_too(self):
+        cell = self.cell(NO_PLANT + "[hmi]\nport = 0\n")
+        for name in ("link", "hmi"):
+            folder = cell.folder / name
+            folder.mkdir()
+            init = InitSystem(folder)
+            self.addCleanup(init.close)
+            process = cell.start(name, env=init.environment)
+            self.assertTrue(init.heard("READY=1"), process.output())
+            self.assertGreaterEqual(init.beats(2.0), 4)
+            self.assertEqual(process.end(), 0)
+            self.assertIn("STOPPING=1", init.listen())
+
+
+@unittest.skipUnless(shutil.which("systemd-analyze"), "no systemd-analyze on this machine")
+class Units(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="stepwright-test-")
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+        for unit in UNITS:  # the command need not be installed for the rest to be judged
+            text = unit.read_text(encoding="utf-8").replace("/usr/bin/stepwright ", "/bin/true ")
+            (self.folder / unit.name).write_text(text, encoding="utf-8")
+
+    def test_there_is_one_for_each_process(self):
+        self.assertEqual([unit.name for unit in UNITS],
+                         [f"stepwright-{name}@.service" for name in ("hmi", "link", "runtime", "supervisor")])
+
+    def test_systemd_finds_nothing_wrong(self):
+        for unit in UNITS:
+            instance = unit.name.replace("@", "@cell")
+            done = subprocess.run(["systemd-analyze", "verify", self.folder / instance], capture_output=True, text=True,
+                                  timeout=60, check=False)
+            found = [line for line in done.stderr.splitlines() if "stepwright" in line and "man stepwright" not in line]
+            self.assertEqual(found, [])
+
+    def test_their_exposure_is_at_most_2_5(self):
+        for unit in UNITS:
+            done = subprocess.run(["systemd-analyze", "security", "--offline=yes", "--no-pager", self.folder / unit.name],
+                                  capture_output=True, text=True, timeout=60, check=False)
+            level = re.search(r"Overall exposure level for \S+: ([\d.]+)", done.stdout)
+            self.assertTrue(level, done.stdout + done.stderr)
+            print(unit.name, level.group(1))
+            self.assertLessEqual(float(level.group(1)), 2.5)
+
+    def test_what_the_scan_needs_is_granted_and_no_more(self):
+        text = (SOURCES / "programs/systemd/stepwright-runtime@.service").read_text(encoding="utf-8")
+        for line in ("AmbientCapabilities=CAP_SYS_NICE CAP_IPC_LOCK", "CapabilityBoundingSet=CAP_SYS_NICE CAP_IPC_LOCK",
+                     "NoNewPrivileges=yes", "ProtectSystem=strict", "RestrictAddressFamilies=AF_UNIX", "WatchdogSec=2",
+                     "Restart=on-failure", "Type=notify", "LimitMEMLOCK=infinity"):
+            self.assertIn(f"\n{line}\n", text)
+        self.assertRegex(text, r"\nMemoryMax=\d+M\n")
+        self.assertRegex(text, r"\nLimitRTPRIO=\d+\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
