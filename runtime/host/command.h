@@ -13,6 +13,7 @@
 
 namespace stepwright::host {
 
+class ChangePlan;
 class PreparedProgram;
 
 enum class CommandKind : std::uint8_t {
@@ -26,6 +27,7 @@ enum class CommandKind : std::uint8_t {
   InjectFault,      // text: the name; value
   SupervisorAlive,  // barriers hold again
   SupervisorLost,   // the policy of the configuration applies
+  Change,           // program, change
 };
 
 struct Command {
@@ -37,6 +39,7 @@ struct Command {
   ImageBits bits;
   FixedText<kMaxReasonBytes> text;
   PreparedProgram* program = nullptr;
+  const ChangePlan* change = nullptr;
 };
 
 enum class Outcome : std::uint8_t {
@@ -48,12 +51,17 @@ enum class Outcome : std::uint8_t {
   NotForced,       // unforce of what is not forced
   NoPlant,         // a fault without a simulated plant
   PlantRefused,    // see the problems
+  NotRunning,      // an online change of a program that does not run
+  ChangeOutdated,  // the program that it was planned for is not the one that runs
+  StepLost,        // an active step has no counterpart; `detail` is its number in the plan
 };
 
 struct Completion {
   std::uint64_t ticket = 0;
   Outcome outcome = Outcome::Done;
   result::Diagnostics problems;
+  std::uint32_t detail = 0;
+  ChangeReport change;  // of an online change
 };
 
 }  // namespace stepwright::host

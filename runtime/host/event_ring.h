@@ -18,6 +18,8 @@
 
 namespace stepwright::host {
 
+class PreparedProgram;
+
 // What the scan thread says about an event beside the image.
 struct EventNote {
   std::uint64_t sequence = 0;
@@ -26,6 +28,7 @@ struct EventNote {
   EventKind kind = EventKind::StepChange;
   bytecode::Trap trap;                // EventKind::Trap; without a code: I/O was lost
   FixedText<kMaxReasonBytes> reason;  // EventKind::Stopped
+  const PreparedProgram* other = nullptr;  // EventKind::Changed: the old one; RolledBack: the one that trapped
 };
 
 class EventRing {

@@ -39,6 +39,7 @@ struct HostConfig {
   std::vector<scan::SafeOutput> safe_outputs;  // outputs without a rule go to zero
   LostSupervisor on_lost_supervisor = LostSupervisor::Continue;
   std::vector<ScheduledFault> faults;
+  std::uint32_t change_trial_scans = 10;  // in which a trap of a changed program brings the old one back
 };
 
 }  // namespace stepwright::host

@@ -58,19 +58,28 @@ HostRuntime::~HostRuntime() {
   thread_.join();
 }
 
+result::Result<std::unique_ptr<PreparedProgram>> HostRuntime::prepare(std::vector<std::byte> container,
+                                                                      std::string digest) {
+  return PreparedProgram::create(std::move(container), std::move(digest), io_, loop_->clock(),
+                                 {.safe_outputs = config_.safe_outputs}, plant_names_.size(), config_.engine);
+}
+
 result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::byte> container,
                                        std::string digest) {
-  auto program =
-      PreparedProgram::create(std::move(container), std::move(digest), io_, loop_->clock(),
-                              {.safe_outputs = config_.safe_outputs}, plant_names_.size(), config_.engine);
+  auto program = prepare(std::move(container), std::move(digest));
   if (!program) return result::forward(program);
   Command command;
   command.kind = CommandKind::Load;
   command.ticket = ticket;
-  command.program = program->get();
+  return send(std::move(command), std::move(*program), nullptr);
+}
+
+result::Result<void> HostRuntime::send(Command command, std::unique_ptr<PreparedProgram> program,
+                                       std::unique_ptr<ChangePlan> plan) {
+  command.program = program.get();
+  command.change = plan.get();
   if (!send(command)) return result::fail("R0006", {}, "the runtime is busy", "try again");
-  programs_.push_back(std::move(*program));
-  load_tickets_.push_back(ticket);
+  programs_.add(std::move(program), std::move(plan), command.ticket);
   return {};
 }
 
@@ -88,34 +97,25 @@ std::optional<Completion> HostRuntime::take_completion() {
   auto completion = loop_->take_completion();
   if (!completion) return std::nullopt;
   --commands_under_way_;
-  if (!load_tickets_.empty() && load_tickets_.front() == completion->ticket) {
-    // Commands are performed in order, so that this is the oldest program that was not current yet.
-    const std::size_t index = programs_.size() - load_tickets_.size();
-    current_ = programs_[index].get();
-    load_tickets_.pop_front();
-  }
+  const ProgramShelf::Held* held = programs_.done(completion->ticket);
+  if (held != nullptr && held->plan != nullptr) explain(*held, *completion);
   return completion;
 }
 
 std::optional<StepEvent> HostRuntime::take_event() {
-  while (!programs_.empty()) {
-    PreparedProgram& oldest = *programs_.front();
-    if (const EventRing::Slot* slot = oldest.events().front()) {
-      const bool was_full = oldest.events().full();
-      StepEvent event = to_event(oldest, *slot);
-      oldest.events().pop();
-      if (was_full) loop_->events_taken();
-      detail_ = event.detail;
-      return event;
-    }
-    // Only a program that another one has replaced can have no further events.
-    const bool ended = current_ != nullptr && &oldest != current_ &&
-                       std::any_of(programs_.begin() + 1, programs_.end(),
-                                   [this](const auto& program) { return program.get() == current_; });
-    if (!ended) return std::nullopt;
-    programs_.pop_front();
+  const ScanFigures figures = loop_->figures();
+  const ProgramShelf::Held* held = programs_.next_event();
+  if (held == nullptr) {
+    programs_.clear(figures.program, figures.kept);
+    return std::nullopt;
   }
-  return std::nullopt;
+  EventRing& ring = held->program->events();
+  const bool was_full = ring.full();
+  StepEvent event = to_event(*held->program, *ring.front());
+  ring.pop();
+  if (was_full) loop_->events_taken();
+  detail_ = event.detail;
+  return event;
 }
 
 StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing::Slot& slot) const {
@@ -131,6 +131,12 @@ StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing:
                        ? result::to_string(reader::describe(program.loaded().program(), slot.note.trap))
                        : "the I/O driver does not answer";
   }
+  if (slot.note.kind == EventKind::Changed) event.detail = "from " + slot.note.other->digest() + " to " + program.digest();
+  if (slot.note.kind == EventKind::RolledBack) {
+    event.detail =
+        slot.note.other->digest() + " trapped: " +
+        result::to_string(reader::describe(slot.note.other->loaded().program(), slot.note.trap));
+  }
   event.image = slot.image;
   for (std::size_t i = 0; i < slot.plant.size(); ++i) event.plant.push_back({plant_names_[i], slot.plant[i]});
   return event;
@@ -141,7 +147,7 @@ RuntimeStatus HostRuntime::status() const {
   RuntimeStatus status;
   status.incarnation = incarnation_;
   status.state = figures.state;
-  if (current_ != nullptr) status.program_digest = current_->digest();
+  if (figures.program != nullptr) status.program_digest = figures.program->digest();
   status.scan = figures.scan;
   status.time_ns = figures.time_ns;
   status.last_event = figures.last_event;
@@ -152,6 +158,8 @@ RuntimeStatus HostRuntime::status() const {
   status.realtime_factor = figures.realtime_factor;
   status.trace_hash = figures.trace_hash;
   status.waiting_for_supervisor = figures.waiting_for_supervisor;
+  status.changes = figures.changes;
+  status.last_change_pause_us = static_cast<double>(figures.last_change_pause_ns) / kNsPerUs;
   status.detail = detail_;
   const auto note = [&](const std::string& text) {
     if (!status.detail.empty()) status.detail += "; ";
@@ -164,7 +172,8 @@ RuntimeStatus HostRuntime::status() const {
 }
 
 std::span<const std::byte> HostRuntime::program() const {
-  return current_ == nullptr ? std::span<const std::byte>{} : current_->loaded().bytes();
+  const PreparedProgram* loaded = loop_->figures().program;
+  return loaded == nullptr ? std::span<const std::byte>{} : loaded->loaded().bytes();
 }
 
 int HostRuntime::descriptor() const {

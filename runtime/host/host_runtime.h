@@ -14,14 +14,14 @@
 // Threads: create, use and destroy it on one thread (the service's); it brings its own for the scan. Driver
 // and plant are called by the scan thread only and must outlive the runtime. States: Empty -load-> Stopped
 // -start-> Running -stop, load, lost supervisor-> Stopped; Running -trap, lost I/O-> Fault -start-> Running;
-// Fault -load-> Stopped.
+// Fault -load-> Stopped; an online change, and its rollback, stay in Running.
 
-#include <deque>
 #include <memory>
 #include <thread>
 
 #include "runtime/host/host_config.h"
 #include "runtime/host/plant_access.h"
+#include "runtime/host/program_shelf.h"
 #include "runtime/host/runtime_port.h"
 #include "runtime/host/scan_loop.h"
 #include "runtime/image/io_driver.h"
@@ -40,6 +40,8 @@ class HostRuntime final : public RuntimePort {
 
   [[nodiscard]] result::Result<void> load(std::uint64_t ticket, std::vector<std::byte> container,
                                           std::string digest) override;
+  [[nodiscard]] result::Result<void> change(std::uint64_t ticket, std::vector<std::byte> container,
+                                            std::string digest, DownloadMode mode) override;
   [[nodiscard]] bool submit(const Command& command) override;
   std::optional<Completion> take_completion() override;
   std::optional<StepEvent> take_event() override;
@@ -54,6 +56,11 @@ class HostRuntime final : public RuntimePort {
               std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader);
 
   bool send(const Command& command);
+  [[nodiscard]] result::Result<std::unique_ptr<PreparedProgram>> prepare(std::vector<std::byte> container,
+                                                                         std::string digest);
+  [[nodiscard]] result::Result<void> send(Command command, std::unique_ptr<PreparedProgram> program,
+                                          std::unique_ptr<ChangePlan> plan);
+  void explain(const ProgramShelf::Held& held, Completion& completion) const;
   StepEvent to_event(const PreparedProgram& program, const EventRing::Slot& slot) const;
 
   HostConfig config_;
@@ -65,12 +72,8 @@ class HostRuntime final : public RuntimePort {
   std::unique_ptr<ScanLoop> loop_;
   std::string refused_;  // what the system refused to the scan thread
   std::string detail_;   // of the newest event that has one
-  // In the order of loading. Those before `current_` have ended but may hold events that nobody has taken
-  // yet.
-  std::deque<std::unique_ptr<PreparedProgram>> programs_;
+  ProgramShelf programs_;
   std::size_t commands_under_way_ = 0;
-  PreparedProgram* current_ = nullptr;
-  std::deque<std::uint64_t> load_tickets_;
   std::thread thread_;
 };
 

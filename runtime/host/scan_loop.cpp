@@ -100,6 +100,7 @@ void ScanLoop::scan_once() {
   now_.time_ns = report.time_ns;
   now_.trace_hash = program_->cycle().trace_hash();
   const bool changed = program_->steps().changed(program_->image().bytes());
+  if (trial_.active() && tried(report)) return;
   if (report.state != scan::ScanState::Running) {
     end_stretch();
     now_.state = RuntimeState::Fault;
@@ -134,7 +135,8 @@ void ScanLoop::inject_scheduled(std::int64_t time_ns) {
   }
 }
 
-void ScanLoop::emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason) {
+void ScanLoop::emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
+                    const PreparedProgram* other) {
   EventNote note;
   note.sequence = ++now_.last_event;
   note.scan = now_.scan;
@@ -142,6 +144,7 @@ void ScanLoop::emit(EventKind kind, const bytecode::Trap& trap, std::string_view
   note.kind = kind;
   note.trap = trap;
   note.reason = FixedText<kMaxReasonBytes>(reason);
+  note.other = other;
   if (plant_ != nullptr) plant_->read_values(truths_);
   // The figures first: who sees the event must find a status that is at least as new.
   publish();

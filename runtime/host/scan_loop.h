@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "runtime/host/area_driver.h"
+#include "runtime/host/change_trial.h"
 #include "runtime/host/command.h"
 #include "runtime/host/doorbell.h"
 #include "runtime/host/host_config.h"
@@ -44,6 +45,12 @@ struct ScanFigures {
   std::int64_t scan_p99_ns = 0;
   std::int64_t scan_max_ns = 0;
   double realtime_factor = 0.0;
+  // The programs that the scan thread uses: the one that is loaded; the one before it while a change is on
+  // trial, or that a rollback put away until its event is out. Null: none.
+  const PreparedProgram* program = nullptr;
+  const PreparedProgram* kept = nullptr;
+  std::uint64_t changes = 0;
+  std::int64_t last_change_pause_ns = 0;
 };
 
 class ScanLoop {
@@ -80,6 +87,13 @@ class ScanLoop {
   Outcome write(const ImageBits& bits);
   Completion inject_fault(const Command& command);
   void supervisor_lost();
+  void adopt(PreparedProgram& program);
+
+  // Online change (scan_loop_change.cpp).
+  Completion change(const Command& command);
+  bool tried(const scan::ScanReport& report);
+  void roll_back(const bytecode::Trap& trap);
+  void end_trial();
 
   // One turn of the loop (scan_loop.cpp).
   void turn_real();
@@ -88,7 +102,8 @@ class ScanLoop {
   void idle_io(std::int64_t time_ns);
   bool early(std::int64_t next_ns);
   void inject_scheduled(std::int64_t time_ns);
-  void emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason);
+  void emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
+            const PreparedProgram* other = nullptr);
   void release_barrier();
   void begin_stretch();
   void end_stretch();
@@ -131,6 +146,7 @@ class ScanLoop {
   std::int64_t ran_wall_ns_ = 0;  // sums over all stretches that ended
   std::int64_t ran_scan_ns_ = 0;
   std::int64_t published_ns_ = 0;
+  ChangeTrial trial_;
 };
 
 }  // namespace stepwright::host

@@ -82,6 +82,8 @@ Completion ScanLoop::apply(const Command& command) {
     case CommandKind::SupervisorLost:
       supervisor_lost();
       return done(Outcome::Done);
+    case CommandKind::Change:
+      return change(command);
   }
   return done(Outcome::Done);
 }
@@ -89,10 +91,17 @@ Completion ScanLoop::apply(const Command& command) {
 Outcome ScanLoop::load(PreparedProgram* program) {
   stop("another program was loaded");
   if (program_ != nullptr) earlier_scans_.add(program_->cycle().statistics().scan_time);
-  program_ = program;
-  period_ns_ = shortest_interval_ns(program->loaded().program());
+  adopt(*program);
   now_.state = RuntimeState::Stopped;
+  publish();  // before the completion: the service lets go of what the figures do not name
   return Outcome::Done;
+}
+
+void ScanLoop::adopt(PreparedProgram& program) {
+  program_ = &program;
+  period_ns_ = shortest_interval_ns(program.loaded().program());
+  program.steps().reset(program.image().bytes());
+  now_.program = &program;
 }
 
 Outcome ScanLoop::start(bool barrier) {
@@ -114,6 +123,7 @@ Outcome ScanLoop::start(bool barrier) {
 // Without effect unless it runs: what is stopped or trapped has its outputs in their safe state already.
 Outcome ScanLoop::stop(std::string_view reason) {
   if (now_.state != RuntimeState::Running) return program_ == nullptr ? Outcome::NoProgram : Outcome::Done;
+  end_trial();
   end_stretch();
   next_start_ns_ = program_->cycle().next_time_ns();
   idle_due_ns_ = next_start_ns_;

@@ -30,6 +30,7 @@ void ScanCycle::load_tasks() {
     for (; at > 0 && tasks_[at - 1].priority > record.priority; --at) tasks_[at] = tasks_[at - 1];
     TaskState& task = tasks_[at];
     task = {};
+    task.index = i;
     task.interval_ns = std::int64_t{record.interval_us} * 1000;
     task.priority = record.priority;
     task.first_call = record.first_call;
@@ -59,6 +60,29 @@ void ScanCycle::start(const StartPoint& at) {
 void ScanCycle::stop() {
   state_ = ScanState::Stopped;
   write_outputs(last_time_ns_);
+}
+
+void ScanCycle::take_over(const ScanCycle& before, std::span<const std::uint32_t> counterparts) {
+  assert(before.state_ != ScanState::Stopped && counterparts.size() >= task_count_);
+  const std::int64_t next_ns = before.next_time_ns();
+  for (TaskState& task : tasks()) {
+    task.due_ns = task.interval_ns > 0 ? next_ns : kNever;
+    task.triggered = false;
+    for (const TaskState& other : before.tasks()) {
+      if (other.index != counterparts[task.index]) continue;
+      task.triggered = other.triggered;
+      if (task.interval_ns == 0 || other.interval_ns == 0) continue;
+      // A shorter interval must not wait for the end of the longer one before it.
+      const std::int64_t latest_ns = next_ns + task.interval_ns;
+      task.due_ns = other.due_ns < latest_ns ? other.due_ns : latest_ns;
+    }
+  }
+  scan_ = before.scan_;
+  last_time_ns_ = before.last_time_ns_;
+  trace_hash_ = before.trace_hash_;
+  statistics_ = before.statistics_;
+  last_trap_ = {};
+  state_ = ScanState::Running;
 }
 
 std::int64_t ScanCycle::next_time_ns() const {
@@ -91,7 +115,7 @@ ScanReport ScanCycle::run_scan() {
   }
   if (state_ == ScanState::Running) run_tasks(time_ns);
   advance(time_ns);
-  write_outputs(time_ns);
+  if (state_ != ScanState::Trapped || !hold_outputs_on_trap_) write_outputs(time_ns);
 
   ScanReport report{state_, scan_, time_ns, image_.hash(), {}};
   if (was_running && state_ == ScanState::Trapped) report.trap = last_trap_;

@@ -8,7 +8,7 @@
 //
 // Thread rule: one thread. No heap, lock, exception or log inside; memory is sized before the first scan.
 // Invariants: while the state is not Running no task runs and every scan leaves the outputs in their safe
-// state; a fault is left by start() only.
+// state (but see hold_outputs_on_trap); a fault is left by start() or take_over() only.
 //
 //   scan::ScanCycle cycle(program, engine, image, driver, clock, {});
 //   cycle.start({});
@@ -76,6 +76,17 @@ class ScanCycle {
   // No task runs any more. The outputs are in their safe state when it returns.
   void stop();
 
+  // Goes on where `before` stands, between two of its scans: scan number, time, trace, statistics and the
+  // phases of the tasks. Image and forces are the caller's business; `before` stays as it is, so that it can
+  // take over in its turn. `counterparts[i]` is the task of `before` (its index in the table) that task i of
+  // this program stands for, or kNoIndex: such a task is due with the next scan. Requires a running `before`
+  // and an entry for every task.
+  void take_over(const ScanCycle& before, std::span<const std::uint32_t> counterparts);
+
+  // While set, a trap does not put the outputs into their safe state: the caller has another program that
+  // drives them from the next scan on, and until then they stay as the scan before left them.
+  void hold_outputs_on_trap(bool hold) { hold_outputs_on_trap_ = hold; }
+
   // One scan at next_time_ns(): runs every task that is due then.
   ScanReport run_scan();
 
@@ -97,6 +108,7 @@ class ScanCycle {
 
  private:
   struct TaskState {
+    std::uint32_t index = 0;  // in the table
     std::int64_t interval_ns = 0;
     std::int64_t due_ns = 0;
     std::uint32_t priority = 0;
@@ -110,6 +122,7 @@ class ScanCycle {
   static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
   std::span<TaskState> tasks() { return std::span(tasks_).first(task_count_); }
+  std::span<const TaskState> tasks() const { return std::span(tasks_).first(task_count_); }
   void load_tasks();
   void run_tasks(std::int64_t time_ns);
   bool is_to_run(TaskState& task, std::int64_t time_ns) const;
@@ -132,6 +145,7 @@ class ScanCycle {
   std::int64_t last_time_ns_ = 0;
   std::uint64_t trace_hash_ = 0;
   ScanStatistics statistics_;
+  bool hold_outputs_on_trap_ = false;
 };
 
 }  // namespace stepwright::scan

@@ -80,6 +80,12 @@ idl::Reply to_reply(const std::string& runtime_id, const service::Reply& reply) 
   sample.total_bytes(reply.total_bytes);
   sample.offset(reply.offset);
   sample.data(to_octets(reply.data));
+  sample.change().carried(reply.change.carried);
+  sample.change().initialised(reply.change.initialised);
+  sample.change().dropped(reply.change.dropped);
+  sample.change().retyped(reply.change.retyped);
+  sample.change().dropped_forces(reply.change.dropped_forces);
+  sample.change().pause_us(reply.change.pause_us);
   return sample;
 }
 
@@ -89,7 +95,7 @@ std::optional<service::Reply> from_reply(const idl::Reply& sample) {
     return std::nullopt;
   }
   service::Reply reply{sample.client(),      sample.request(), {}, sample.digest(),
-                       sample.total_bytes(), sample.offset(),  {}};
+                       sample.total_bytes(), sample.offset(),  {}, {}};
   for (const idl::Problem& problem : sample.problems()) {
     if (!within_bounds(problem)) return std::nullopt;
     reply.problems.push_back({problem.code(),
@@ -99,6 +105,9 @@ std::optional<service::Reply> from_reply(const idl::Reply& sample) {
                               problem.hint()});
   }
   reply.data = from_octets(sample.data());
+  const idl::ChangeReport& change = sample.change();
+  reply.change = {change.carried(), change.initialised(),    change.dropped(),
+                  change.retyped(), change.dropped_forces(), change.pause_us()};
   return reply;
 }
 
@@ -121,7 +130,7 @@ std::optional<StepEvent> from_event(const idl::Event& sample) {
   auto plant = from_plant(sample.plant());
   if (!plant || sample.image().size() > idl::IMAGE_BOUND || !fits_digest(sample.program_digest()) ||
       sample.detail().size() > idl::TEXT_BOUND ||
-      sample.kind() > static_cast<std::uint8_t>(EventKind::Trap)) {
+      sample.kind() > static_cast<std::uint8_t>(EventKind::RolledBack)) {
     return std::nullopt;
   }
   return StepEvent{sample.event(),
@@ -153,6 +162,8 @@ idl::Status to_status(const std::string& runtime_id, const RuntimeStatus& status
   sample.waiting_for_supervisor(status.waiting_for_supervisor);
   sample.detail(cut(status.detail, idl::TEXT_BOUND));
   sample.plant(to_plant(status.plant));
+  sample.changes(status.changes);
+  sample.last_change_pause_us(status.last_change_pause_us);
   return sample;
 }
 
@@ -178,6 +189,8 @@ std::optional<RuntimeStatus> from_status(const idl::Status& sample) {
   status.waiting_for_supervisor = sample.waiting_for_supervisor();
   status.detail = sample.detail();
   status.plant = std::move(*plant);
+  status.changes = sample.changes();
+  status.last_change_pause_us = sample.last_change_pause_us();
   return status;
 }
 

@@ -24,7 +24,7 @@ result::Diagnostics explain(const host::Completion& completion) {
   };
   switch (completion.outcome) {
     case Outcome::Done:
-      return {};
+      return completion.problems;  // notes, if any
     case Outcome::NoProgram:
       return one("R0002", "no program is loaded", "download one first");
     case Outcome::AlreadyRunning:
@@ -40,6 +40,9 @@ result::Diagnostics explain(const host::Completion& completion) {
     case Outcome::NoPlant:
       return one("R0002", "this runtime has no simulated plant", "");
     case Outcome::PlantRefused:
+    case Outcome::NotRunning:
+    case Outcome::ChangeOutdated:
+    case Outcome::StepLost:
       return completion.problems;
   }
   return {};
@@ -119,6 +122,7 @@ std::optional<Answer> RequestHandler::complete(const host::Completion& completio
   Answer answer{found->second.session, std::move(found->second.reply)};
   pending_.erase(found);
   answer.reply.problems = explain(completion);
+  answer.reply.change = completion.change;
   replies_.add(answer.reply);
   return answer;
 }
@@ -164,7 +168,9 @@ result::Result<bool> RequestHandler::commit(const Request& request, const Downlo
   auto container = downloads_.commit(request.client, body);
   if (!container) return result::forward(container);
   reply.digest = to_hex(body.digest);
-  auto loading = port_.load(ticket, std::move(*container), reply.digest);
+  auto loading = body.mode == host::DownloadMode::Replace
+                     ? port_.load(ticket, std::move(*container), reply.digest)
+                     : port_.change(ticket, std::move(*container), reply.digest, body.mode);
   if (!loading) return result::forward(loading);
   return false;
 }

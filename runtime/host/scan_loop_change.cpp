@@ -1,0 +1,85 @@
+// Online change and rollback, as the scan thread performs them between two scans (runtime/doc/online_change.md).
+
+#include "runtime/host/change_plan.h"
+#include "runtime/host/scan_loop.h"
+
+namespace stepwright::host {
+namespace {
+
+constexpr double kNsPerUs = 1'000.0;
+
+}  // namespace
+
+Completion ScanLoop::change(const Command& command) {
+  const std::int64_t begin_ns = clock_.now_ns();
+  const ChangePlan& plan = *command.change;
+  Completion completion;
+  completion.ticket = command.ticket;
+  const auto refused = [&](Outcome outcome) {
+    completion.outcome = outcome;
+    return completion;
+  };
+  if (now_.state != RuntimeState::Running) return refused(Outcome::NotRunning);
+  if (program_ != &plan.from()) return refused(Outcome::ChangeOutdated);
+  PreparedProgram& before = plan.from();
+  if (const auto step = plan.lost_step(before.image().bytes())) {
+    completion.detail = *step;
+    return refused(Outcome::StepLost);
+  }
+  PreparedProgram& next = plan.to();
+  plan.carry(before.image(), next.image());
+  completion.change.dropped_forces = plan.move_forces(before.cycle().forces(), next.cycle().forces());
+  next.cycle().take_over(before.cycle(), plan.tasks());
+  end_trial();  // of an earlier change: it has run without a trap so far
+  adopt(next);
+  if (config_.change_trial_scans > 0) {
+    trial_ = {&plan, config_.change_trial_scans};
+    now_.kept = &before;
+    next.cycle().hold_outputs_on_trap(true);
+  }
+  ++now_.changes;
+  // Whoever changed the program has decided; nothing waits for its word any more.
+  release_barrier();
+  emit(EventKind::Changed, {}, {}, &before);
+  now_.last_change_pause_ns = clock_.now_ns() - begin_ns;
+  completion.change.pause_us = static_cast<double>(now_.last_change_pause_ns) / kNsPerUs;
+  return completion;
+}
+
+// After each scan of a program on trial. True if the old program has taken over again.
+bool ScanLoop::tried(const scan::ScanReport& report) {
+  if (report.state == scan::ScanState::Trapped) {
+    roll_back(report.trap);
+    return true;
+  }
+  if (report.state != scan::ScanState::Running || --trial_.scans_left == 0) end_trial();
+  return false;
+}
+
+// The outputs are as the scan before the trap left them; the old program drives them from the next scan on,
+// with fresh inputs and the values that it had at the swap.
+void ScanLoop::roll_back(const bytecode::Trap& trap) {
+  const ChangePlan& plan = *trial_.plan;
+  PreparedProgram& failed = plan.to();
+  PreparedProgram& before = plan.from();
+  before.cycle().take_over(failed.cycle(), plan.tasks_back());
+  plan.move_forces_back(failed.cycle().forces(), before.cycle().forces());
+  adopt(before);
+  trial_ = {};
+  now_.kept = &failed;  // until the event, which speaks of it, is on its way
+  if (barrier_ && !supervisor_lost_ && !real()) {
+    now_.waiting_for_supervisor = true;
+    end_stretch();
+  }
+  emit(EventKind::RolledBack, trap, {}, &failed);
+  now_.kept = nullptr;
+}
+
+void ScanLoop::end_trial() {
+  if (!trial_.active()) return;
+  program_->cycle().hold_outputs_on_trap(false);
+  trial_ = {};
+  now_.kept = nullptr;
+}
+
+}  // namespace stepwright::host
