@@ -132,6 +132,17 @@ std::uint32_t SymbolTable::reference_type(const Type& type) {
   return index;
 }
 
+void SymbolTable::add_member(const Variable& variable, std::vector<writer::Member>& out) {
+  // An input that is CONSTANT has the value of its latest argument.
+  const bool constant = variable.constant && variable.section != semantics::Section::Input;
+  const std::uint32_t type = this->type(*variable.type);
+  const std::uint32_t offset = variable.place.offset;
+  out.push_back({variable.spelling, type, offset, constant ? bytecode::kMemberConstant : 0u});
+  // R_EDGE, F_EDGE: behind the input lies what it was at the call before.
+  if (variable.edge == syntax::Edge::None) return;
+  out.push_back({variable.spelling + "#BEFORE", type, offset + variable.type->size, bytecode::kMemberHidden});
+}
+
 std::uint32_t SymbolTable::member_type(const Type& type) {
   writer::Type out;
   out.name = type.name;
@@ -142,8 +153,7 @@ std::uint32_t SymbolTable::member_type(const Type& type) {
   if (type.pou != nullptr) {
     for (const Variable& each : type.pou->variables)
       // VAR_CONFIG gives an open address a symbol of its own.
-      if (is_member(each) && !each.open_address)
-        out.members.push_back({each.spelling, this->type(*each.type), each.place.offset});
+      if (is_member(each) && !each.open_address) add_member(each, out.members);
   }
   return add(std::move(out));
 }

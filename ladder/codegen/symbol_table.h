@@ -31,6 +31,7 @@ class SymbolTable {
   std::uint32_t type(const semantics::Type& type);
   std::uint32_t array_type(const semantics::Type& type, std::size_t dimension);
   std::uint32_t member_type(const semantics::Type& type);
+  void add_member(const semantics::Variable& variable, std::vector<writer::Member>& out);
   std::uint32_t enumeration_type(const semantics::Type& type);
   std::uint32_t subrange_type(const semantics::Type& type);
   std::uint32_t reference_type(const semantics::Type& type);

@@ -15,7 +15,7 @@
 namespace stepwright::bytecode {
 
 inline constexpr std::uint32_t kMagic = 0x31425753;  // "SWB1"
-inline constexpr std::uint16_t kVersion = 3;
+inline constexpr std::uint16_t kVersion = 4;
 inline constexpr std::uint8_t kNoBit = 0xFF;  // an address that is a byte address, not a bit
 inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFF;
 
@@ -112,11 +112,18 @@ struct TypeRecord {
   std::int64_t upper;   // Array: index of the last element. Subrange: upper bound
 };
 
+enum MemberFlag : std::uint32_t {
+  kMemberConstant = 1,  // its value is the program's, not the process': nothing carries it over
+  kMemberHidden = 2,    // state that the compiler keeps; no name of the program, and no viewer shows it
+};
+inline constexpr std::uint32_t kMemberFlagMask = 3;
+
 struct MemberRecord {
   StringRef name;
   std::uint32_t type;  // kNoIndex for an enumerator
   std::uint32_t
       offset;  // from the start of the struct or instance; the value of an enumerator (signed: as i32)
+  std::uint32_t flags;  // MemberFlag; 0 for an enumerator
 };
 
 // VAR_IN_OUT, VAR_TEMP and the variables of functions are not listed: they have no value between scans.
@@ -231,7 +238,7 @@ struct SourceMapRecord {
 };
 
 static_assert(sizeof(FileHeader) == 24 && sizeof(SectionEntry) == 16 && sizeof(SizesRecord) == 28);
-static_assert(sizeof(StringRef) == 8 && sizeof(TypeRecord) == 40 && sizeof(MemberRecord) == 16);
+static_assert(sizeof(StringRef) == 8 && sizeof(TypeRecord) == 40 && sizeof(MemberRecord) == 20);
 static_assert(sizeof(SymbolRecord) == 20 && sizeof(TaskRecord) == 28 && sizeof(ProgramCallRecord) == 16);
 static_assert(sizeof(FunctionRecord) == 48 && sizeof(IoRecord) == 12 && sizeof(RetainRecord) == 8);
 static_assert(sizeof(SfcChartRecord) == 24 && sizeof(SfcStepRecord) == 24);

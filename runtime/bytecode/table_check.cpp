@@ -19,7 +19,7 @@ class TableChecker {
     const auto next = [&](auto check) {
       if (result.ok()) result = check();
     };
-    next([&] { return each<Section::Members>([&](auto& r, auto) { return string(r.name); }); });
+    next([&] { return each<Section::Members>([&](auto& r, auto) { return member(r); }); });
     next([&] { return each<Section::Types>([&](auto& r, auto i) { return type(r, i); }); });
     next([&] { return each<Section::Symbols>([&](auto& r, auto) { return symbol(r); }); });
     next([&] { return each<Section::Locals>([&](auto& r, auto) { return valid(r < kStackTypeCount); }); });
@@ -86,6 +86,11 @@ class TableChecker {
       return {Status::TooLarge, Section::Sizes, 0, 0};
     }
     return {};
+  }
+
+  Status member(const MemberRecord& r) const {
+    const std::uint32_t possible = r.type == kNoIndex ? 0 : kMemberFlagMask;
+    return first_of(valid((r.flags & ~possible) == 0), string(r.name));
   }
 
   Status type(const TypeRecord& r, std::uint32_t index) {

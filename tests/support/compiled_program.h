@@ -43,6 +43,9 @@ class CompiledProgram {
 
   scan::ScanReport scan() { return cycle_.run_scan(); }
 
+  // Starts again, as if scans had run until then.
+  void start_at(std::int64_t time_ns) { cycle_.start({.time_ns = time_ns}); }
+
   reader::Value value(const std::string& path) const { return reader::read_value(find(path), memory_); }
 
   // As a person writes it: an enumerator by its name, D#2026-11-21.
@@ -80,6 +83,7 @@ class CompiledProgram {
   }
 
   const reader::LoadedProgram& loaded() const { return loaded_; }
+  image::ProcessImage& image() { return image_; }
 
  private:
   static reader::LoadedProgram load(const driver::CompileInput& input) {

@@ -53,6 +53,7 @@ class Flattener {
       case bytecode::TypeKind::Instance:
         for (std::uint32_t i = 0; i < type.count && visited_ < kMaxVisits; ++i) {
           const auto member = view_.record<Section::Members>(type.first + i);
+          if ((member.flags & bytecode::kMemberHidden) != 0) continue;
           const Variable inside{place.type, place.address + member.offset, bytecode::kNoBit};
           add(name + "." + text_of(view_, member.name), member.type, inside, flags, depth + 1);
         }

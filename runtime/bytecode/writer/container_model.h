@@ -36,6 +36,7 @@ struct Member {
   std::string name;
   std::uint32_t type = 0;
   std::uint32_t offset = 0;  // an enumerator's value
+  std::uint32_t flags = 0;   // bytecode::MemberFlag
 };
 
 // One data type; references to other types are indexes into ContainerModel::types and must point backwards.

@@ -35,7 +35,7 @@ void add_parts(const Type& type, bytecode::TypeRecord& record, SectionBuffers& o
   record.count = size32(type.members.size());
   for (const Member& member : type.members) {
     const std::uint32_t member_type = enumeration ? bytecode::kNoIndex : member.type;
-    out.add<Section::Members>({out.string(member.name), member_type, member.offset});
+    out.add<Section::Members>({out.string(member.name), member_type, member.offset, member.flags});
   }
 }
 
