@@ -61,7 +61,7 @@ struct Completion {
   Outcome outcome = Outcome::Done;
   result::Diagnostics problems;
   std::uint32_t detail = 0;
-  ChangeReport change;  // of an online change
+  ChangeReport change = {};  // of an online change
 };
 
 }  // namespace stepwright::host
