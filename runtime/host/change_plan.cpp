@@ -143,11 +143,12 @@ result::Result<void> ChangePlan::check_outputs(const record::StateLayout& from,
     const bool stays = old.address - from.areas().inputs == now->address - to.areas().inputs &&
                        old.bit == now->bit && from.type_of(old).size == to.type_of(*now).size;
     if (stays) continue;
-    problems.push_back({"R0034",
-                        result::Severity::Error,
-                        {kWhere, 0, 0},
-                        "the output " + old.path + " would move to another address or size while it is driven",
-                        "give it another name, or replace the program (its outputs are safe then)"});
+    problems.push_back(
+        {"R0034",
+         result::Severity::Error,
+         {kWhere, 0, 0},
+         "the output " + old.path + " would move to another address or size while it is driven",
+         "give it another name, or replace the program (its outputs are safe then)"});
   }
   if (!problems.empty()) return tl::unexpected(std::move(problems));
   return {};

@@ -28,7 +28,8 @@ struct EventNote {
   EventKind kind = EventKind::StepChange;
   bytecode::Trap trap;                // EventKind::Trap; without a code: I/O was lost
   FixedText<kMaxReasonBytes> reason;  // EventKind::Stopped
-  const PreparedProgram* other = nullptr;  // EventKind::Changed: the old one; RolledBack: the one that trapped
+  const PreparedProgram* other =
+      nullptr;  // EventKind::Changed: the old one; RolledBack: the one that trapped
 };
 
 class EventRing {

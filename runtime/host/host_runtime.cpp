@@ -131,11 +131,11 @@ StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing:
                        ? result::to_string(reader::describe(program.loaded().program(), slot.note.trap))
                        : "the I/O driver does not answer";
   }
-  if (slot.note.kind == EventKind::Changed) event.detail = "from " + slot.note.other->digest() + " to " + program.digest();
+  if (slot.note.kind == EventKind::Changed)
+    event.detail = "from " + slot.note.other->digest() + " to " + program.digest();
   if (slot.note.kind == EventKind::RolledBack) {
-    event.detail =
-        slot.note.other->digest() + " trapped: " +
-        result::to_string(reader::describe(slot.note.other->loaded().program(), slot.note.trap));
+    event.detail = slot.note.other->digest() + " trapped: " +
+                   result::to_string(reader::describe(slot.note.other->loaded().program(), slot.note.trap));
   }
   event.image = slot.image;
   for (std::size_t i = 0; i < slot.plant.size(); ++i) event.plant.push_back({plant_names_[i], slot.plant[i]});

@@ -50,9 +50,8 @@ void HostRuntime::explain(const ProgramShelf::Held& held, Completion& completion
       completion.problems = {held.plan->lost_step_problem(completion.detail)};
       return;
     case Outcome::ChangeOutdated:
-      completion.problems =
-          problem("R0035", "the program that ran when this change was prepared was replaced meanwhile",
-                  "try again");
+      completion.problems = problem(
+          "R0035", "the program that ran when this change was prepared was replaced meanwhile", "try again");
       return;
     default:
       completion.problems = not_running();

@@ -38,8 +38,7 @@ const ProgramShelf::Held* ProgramShelf::next_event() const {
     for (const Held& held : held_) {
       const EventRing::Slot* slot = held.program->events().front();
       if (slot == nullptr) continue;
-      if (oldest != nullptr &&
-          oldest->program->events().front()->note.sequence <= slot->note.sequence) {
+      if (oldest != nullptr && oldest->program->events().front()->note.sequence <= slot->note.sequence) {
         continue;
       }
       oldest = &held;

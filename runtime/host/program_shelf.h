@@ -1,8 +1,8 @@
 #pragma once
 
-// The programs of a runtime from their preparation until nothing needs them any more: the one that runs, those
-// on their way to the scan thread, the one before the newest change while that is on trial, and those that
-// ended but still hold events that nobody has taken.
+// The programs of a runtime from their preparation until nothing needs them any more: the one that runs,
+// those on their way to the scan thread, the one before the newest change while that is on trial, and those
+// that ended but still hold events that nobody has taken.
 //
 // Threads: the service's. Invariant: events come in the order of their sequence, whichever program they are
 // of. Engines are destroyed here, never on the scan thread.

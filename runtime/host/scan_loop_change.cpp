@@ -1,4 +1,5 @@
-// Online change and rollback, as the scan thread performs them between two scans (runtime/doc/online_change.md).
+// Online change and rollback, as the scan thread performs them between two scans
+// (runtime/doc/online_change.md).
 
 #include "runtime/host/change_plan.h"
 #include "runtime/host/scan_loop.h"

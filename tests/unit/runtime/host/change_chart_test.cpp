@@ -30,28 +30,32 @@ std::string filling(const std::string& more = "", const std::string& extra = "",
          "STEP LeftFull: END_STEP\n"
          "STEP FillRight: right(D, T#50ms); END_STEP\n"
          "STEP RightFull: watch(SL, T#200ms); END_STEP\n"
-         "STEP " + drain + ": open(N); horn(R); tally(P); END_STEP\n"
+         "STEP " +
+         drain +
+         ": open(N); horn(R); tally(P); END_STEP\n"
          "TRANSITION FROM Idle TO (FillLeft, FillRight) := Idle.T >= T#20ms; END_TRANSITION\n"
          "TRANSITION FROM FillLeft TO LeftFull := FillLeft.T >= T#100ms; END_TRANSITION\n"
          "TRANSITION FROM FillRight TO RightFull := FillRight.T >= T#150ms; END_TRANSITION\n"
-         "TRANSITION FROM (LeftFull, RightFull) TO " + drain + " := RightFull.T >= T#30ms; END_TRANSITION\n"
-         "TRANSITION FROM " + drain + " TO Idle := " + drain + ".T >= T#40ms; END_TRANSITION\n" + extra +
+         "TRANSITION FROM (LeftFull, RightFull) TO " +
+         drain +
+         " := RightFull.T >= T#30ms; END_TRANSITION\n"
+         "TRANSITION FROM " +
+         drain + " TO Idle := " + drain + ".T >= T#40ms; END_TRANSITION\n" + extra +
          "ACTION count: runs := runs + 1; END_ACTION\n"
          "ACTION tally: rounds := rounds + 1; END_ACTION\n"
          "ACTION watch: runs := runs + 1000; END_ACTION\n"
          "END_PROGRAM\n";
 }
 
-const std::vector<std::string> kWatched = {"main.left", "main.right", "main.open", "main.horn", "main.rounds",
-                                           "main.runs"};
+const std::vector<std::string> kWatched = {"main.left", "main.right",  "main.open",
+                                           "main.horn", "main.rounds", "main.runs"};
 
 TEST(ChangeChart, WhenChangedInAnyScan_ThenTheChartGoesOnAsIfNothingHadHappened) {
   // Everything moves: another variable in front, another step at the end.
-  const std::string changed_text =
-      filling("VAR pad : ARRAY[0..4] OF LINT; END_VAR\n",
-              "STEP Spare: END_STEP\n"
-              "TRANSITION FROM Idle TO Spare := FALSE; END_TRANSITION\n"
-              "TRANSITION FROM Spare TO Idle := TRUE; END_TRANSITION\n");
+  const std::string changed_text = filling("VAR pad : ARRAY[0..4] OF LINT; END_VAR\n",
+                                           "STEP Spare: END_STEP\n"
+                                           "TRANSITION FROM Idle TO Spare := FALSE; END_TRANSITION\n"
+                                           "TRANSITION FROM Spare TO Idle := TRUE; END_TRANSITION\n");
   for (int before = 1; before < 60; ++before) {
     ChangePair changed(filling(), changed_text);
     ChangePair reference(filling(), filling());
@@ -109,7 +113,8 @@ TEST(ChangeChart, WhenTheChartsRestart_ThenTheyBeginAnewAndVariablesStay) {
 TEST(ChangeChart, WhenOtherLogicHoldsAnOutput_ThenARestartOfTheChartsLeavesIt) {
   const std::string text =
       "PROGRAM seal VAR pump AT %QX1.0 : BOOL; n : INT; END_VAR\n"
-      "n := n + 1; IF n = 1 THEN pump := TRUE; END_IF;\nEND_PROGRAM\n" + filling() +
+      "n := n + 1; IF n = 1 THEN pump := TRUE; END_IF;\nEND_PROGRAM\n" +
+      filling() +
       "CONFIGURATION c RESOURCE r ON plc TASK t(INTERVAL := T#10ms, PRIORITY := 0);\n"
       "PROGRAM main WITH t : main; PROGRAM s WITH t : seal; END_RESOURCE END_CONFIGURATION\n";
   ChangePair pair(text, text, DownloadMode::ChangeRestartCharts);
@@ -133,11 +138,10 @@ TEST(ChangeChart, WhenChartsAreInBlocks_ThenEachInstanceGoesOnByItself) {
   const auto text = [](const char* names) {
     return std::string(
                "FUNCTION_BLOCK Blink VAR_INPUT t : TIME; END_VAR VAR_OUTPUT q : BOOL; END_VAR\n"
-               "INITIAL_STEP Off: END_STEP STEP On: q(N); END_STEP\n"
-               "TRANSITION FROM Off TO On := Off.T >= t; END_TRANSITION\n"
-               "TRANSITION FROM On TO Off := On.T >= t; END_TRANSITION\nEND_FUNCTION_BLOCK\n") +
-           program_text("VAR " + std::string(names) + " : Blink; END_VAR",
-                        "a(t := T#30ms); b(t := T#50ms);");
+               "INITIAL_STEP Off: END_STEP STEP Lit: q(N); END_STEP\n"
+               "TRANSITION FROM Off TO Lit := Off.T >= t; END_TRANSITION\n"
+               "TRANSITION FROM Lit TO Off := Lit.T >= t; END_TRANSITION\nEND_FUNCTION_BLOCK\n") +
+           program_text("VAR " + std::string(names) + " : Blink; END_VAR", "a(t := T#30ms); b(t := T#50ms);");
   };
   for (int before = 1; before < 30; ++before) {
     ChangePair changed(text("a, b"), text("x, b, a"));

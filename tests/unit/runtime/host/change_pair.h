@@ -73,17 +73,18 @@ class ChangePair {
   std::string text_before(const std::string& path) { return text_in(*before_, path); }
   void set(const std::string& path, std::int64_t value) {
     const reader::Variable variable = find(*running_, path);
-    const auto size = variable.bit == bytecode::kNoBit
-                          ? bytecode::size_of(bytecode::mem_type(variable.type))
-                          : 1;
+    const auto size =
+        variable.bit == bytecode::kNoBit ? bytecode::size_of(bytecode::mem_type(variable.type)) : 1;
     std::memcpy(running_->image().bytes().data() + variable.address, &value, size);
   }
   // Of a whole variable, or of the bit of a located BOOL.
   void force(const std::string& path, std::uint64_t value) {
     const reader::Variable variable = find(*running_, path);
     image::Force force{variable.address, image::kWholeBytes, 1, value};
-    if (variable.bit != bytecode::kNoBit) force.bit = variable.bit;
-    else force.size = static_cast<std::uint8_t>(bytecode::size_of(bytecode::mem_type(variable.type)));
+    if (variable.bit != bytecode::kNoBit)
+      force.bit = variable.bit;
+    else
+      force.size = static_cast<std::uint8_t>(bytecode::size_of(bytecode::mem_type(variable.type)));
     EXPECT_TRUE(running_->cycle().forces().set(force, running_->image().bytes().size()));
   }
 

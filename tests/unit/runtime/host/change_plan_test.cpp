@@ -30,14 +30,14 @@ void expect_unnoticed(const std::string& declarations, const std::string& body, 
 
 TEST(ChangePlan, WhenTimersRun_ThenTheyGoOnAsIfNothingHadHappened) {
   for (const int scans : {1, 30, 49, 50, 51, 70}) {
-    expect_unnoticed("VAR on : TON; off : TOF; pulse : TP; n : DINT; END_VAR",
-                     "n := n + 1;\n"
-                     "on(IN := TRUE, PT := T#500ms);\n"
-                     "off(IN := n < 20, PT := T#300ms);\n"
-                     "pulse(IN := n > 10, PT := T#450ms);\n",
-                     scans, 20,
-                     {"main.on.Q", "main.on.ET", "main.off.Q", "main.off.ET", "main.pulse.Q", "main.pulse.ET",
-                      "main.n"});
+    expect_unnoticed(
+        "VAR on : TON; off : TOF; pulse : TP; n : DINT; END_VAR",
+        "n := n + 1;\n"
+        "on(IN := TRUE, PT := T#500ms);\n"
+        "off(IN := n < 20, PT := T#300ms);\n"
+        "pulse(IN := n > 10, PT := T#450ms);\n",
+        scans, 20,
+        {"main.on.Q", "main.on.ET", "main.off.Q", "main.off.ET", "main.pulse.Q", "main.pulse.ET", "main.n"});
   }
 }
 
@@ -107,15 +107,17 @@ TEST(ChangePlan, WhenVariablesAreAddedRemovedRenamedOrRetyped_ThenOnlyTheOthersK
 }
 
 TEST(ChangePlan, WhenAnOutputMovesToAnotherTerminal_ThenTheChangeIsRefused) {
-  ChangePair pair(program_text("VAR pump AT %QX0.0 : BOOL; valve AT %QX0.1 : BOOL; END_VAR", "pump := TRUE;"),
-                  program_text("VAR pump AT %QX0.3 : BOOL; valve AT %QX0.1 : BOOL; END_VAR", "pump := TRUE;"));
+  ChangePair pair(
+      program_text("VAR pump AT %QX0.0 : BOOL; valve AT %QX0.1 : BOOL; END_VAR", "pump := TRUE;"),
+      program_text("VAR pump AT %QX0.3 : BOOL; valve AT %QX0.1 : BOOL; END_VAR", "pump := TRUE;"));
   ASSERT_EQ(pair.refusal.size(), 1u);
   EXPECT_EQ(pair.refusal[0].code, "R0034");
   EXPECT_NE(pair.refusal[0].message.find("main.pump"), std::string::npos);
 }
 
 TEST(ChangePlan, WhenNobodyDrivesAnOutputAnyMore_ThenItDoesNotStayOn) {
-  const std::string outputs = "VAR pump AT %QX0.0 : BOOL; lamp AT %QX0.1 : BOOL; speed AT %QW2 : INT; END_VAR";
+  const std::string outputs =
+      "VAR pump AT %QX0.0 : BOOL; lamp AT %QX0.1 : BOOL; speed AT %QW2 : INT; END_VAR";
   ChangePair pair(program_text(outputs, "pump := TRUE; lamp := TRUE; speed := 1200;"),
                   program_text(outputs, "IF FALSE THEN lamp := FALSE; END_IF;"));
   pair.scan(2);
@@ -128,8 +130,9 @@ TEST(ChangePlan, WhenNobodyDrivesAnOutputAnyMore_ThenItDoesNotStayOn) {
 
 TEST(ChangePlan, WhenVariablesAreForced_ThenTheForcesGoWithThem) {
   ChangePair pair(
-      program_text("VAR a, b : INT; gone : DINT; c : BOOL; in AT %IX1.2 : BOOL; out AT %QX0.4 : BOOL; END_VAR",
-                   "a := 1; c := FALSE; out := FALSE;"),
+      program_text(
+          "VAR a, b : INT; gone : DINT; c : BOOL; in AT %IX1.2 : BOOL; out AT %QX0.4 : BOOL; END_VAR",
+          "a := 1; c := FALSE; out := FALSE;"),
       program_text("VAR x : LINT; c : BOOL; b, a : INT; in AT %IX1.2 : BOOL; out AT %QX0.4 : BOOL; END_VAR",
                    "a := 1; c := FALSE; out := FALSE; b := a;"));
   pair.force("main.a", 77);
@@ -153,8 +156,8 @@ TEST(ChangePlan, WhenTasksStay_ThenTheyKeepTheirPhase) {
   const auto text = [](const std::string& fast, const std::string& more) {
     return "PROGRAM a VAR n : DINT; END_VAR n := n + 1; END_PROGRAM\n"
            "CONFIGURATION c RESOURCE r ON plc\n"
-           "TASK slow(INTERVAL := T#70ms, PRIORITY := 2);\nTASK fast(INTERVAL := " + fast +
-           ", PRIORITY := 1);\n" + more +
+           "TASK slow(INTERVAL := T#70ms, PRIORITY := 2);\nTASK fast(INTERVAL := " +
+           fast + ", PRIORITY := 1);\n" + more +
            "PROGRAM one WITH slow : a;\nPROGRAM two WITH fast : a;\nEND_RESOURCE END_CONFIGURATION\n";
   };
   ChangePair same(text("T#30ms", ""), text("T#30ms", "TASK spare(INTERVAL := T#500ms, PRIORITY := 0);\n"));
