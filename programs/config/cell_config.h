@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "programs/config/change_config.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::config {
@@ -108,6 +109,7 @@ struct CellConfig {
   ExecutiveConfig executive;
   DdsConfig dds;
   HmiConfig hmi;
+  ChangeConfig change;
 
   std::filesystem::path socket_path() const;   // the runtime's Unix socket
   std::filesystem::path journal_path() const;  // the executive's journal

@@ -42,6 +42,7 @@ constexpr std::array kCommands = {
     Command{"link", "stepwright-link", "carry the runtime's service over Fast DDS"},
     Command{"supervisor", "stepwright-supervisor", "plan, download, watch and replan"},
     Command{"hmi", "stepwright-hmi", "show the cell in a browser"},
+    Command{"download", "stepwright-download", "bring a program to a running cell, also by an online change"},
 };
 
 void print_usage(std::FILE* out) {

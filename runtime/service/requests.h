@@ -88,7 +88,7 @@ struct Reply {
   std::uint64_t total_bytes = 0;  // of the container read
   std::uint64_t offset = 0;       // of `data` in it
   std::vector<std::byte> data;
-  host::ChangeReport change;  // of an online change; notes among the problems name variables
+  host::ChangeReport change = {};  // of an online change; notes among the problems name variables
 
   bool accepted() const { return !result::has_errors(problems); }
 };

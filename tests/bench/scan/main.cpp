@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "runtime/scan/scan_cycle.h"
+#include "tests/bench/scan/change.h"
 #include "tests/bench/scan/workloads.h"
 #include "tests/support/test_program.h"
 
@@ -197,6 +198,17 @@ nlohmann::json summarise(const std::map<std::string, double>& times_us) {
   return out;
 }
 
+// The pause is that of the worst change; beside the missed scans those of an equally long run without changes.
+void add_changes(nlohmann::json& summary) {
+  const ChangeFigures figures = measure_changes();
+  print(figures);
+  summary["online_change_pause_us"] = figures.pause_max_us;
+  summary["online_change_pause_p50_us"] = figures.pause_p50_us;
+  summary["online_change_prepared_ms"] = figures.prepared_p50_ms;
+  summary["missed_scans"] = figures.missed;
+  summary["missed_scans_baseline"] = figures.baseline_missed;
+}
+
 }  // namespace stepwright::bench
 
 int main(int argc, char** argv) {
@@ -217,7 +229,8 @@ int main(int argc, char** argv) {
   add("scan_60_rungs", small_scan);
   Keeper keeper;
   benchmark::RunSpecifiedBenchmarks(&keeper);
-  const nlohmann::json summary = summarise(keeper.times_us);
+  nlohmann::json summary = summarise(keeper.times_us);
+  add_changes(summary);
   if (json_file.empty()) return 0;
   std::ofstream file(json_file);
   file << summary.dump(2) << "\n";
