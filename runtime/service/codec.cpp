@@ -124,7 +124,7 @@ template <typename A, Like<host::RuntimeStatus> T>
 void fields(A& a, T& m) {
   a(m.incarnation, m.state, m.program_digest, m.scan, m.time_ns, m.last_event, m.overruns, m.scan_p50_us,
     m.scan_p99_us, m.scan_max_us, m.realtime_factor, m.trace_hash, m.waiting_for_supervisor, m.detail,
-    m.plant, m.changes, m.last_change_pause_us);
+    m.changes, m.last_change_pause_us, m.plant);
 }
 
 class Encoder {

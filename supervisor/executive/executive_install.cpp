@@ -1,5 +1,5 @@
-// Bringing a program to run: by an online change from the program that runs, so that the plant is never without
-// control, or by download and start.
+// Bringing a program to run: by an online change from the program that runs, so that the plant is never
+// without control, or by download and start.
 
 #include <chrono>
 #include <utility>
@@ -27,8 +27,8 @@ result::Result<ImageReader> Executive::reader_of(const PreparedPlan& prepared) c
 
 // False if the runtime is lost (phase unchanged) or refuses (phase Safe).
 bool Executive::install(const PreparedPlan& prepared, Kind kind) {
-  // The first plan starts the trace of a run from nothing. One observer does not relieve another: the means of
-  // the first would go into those of the second.
+  // The first plan starts the trace of a run from nothing. One observer does not relieve another: the means
+  // of the first would go into those of the second.
   const bool relieves = !record_.replans.empty() && !(kind == Kind::Observer && kind_ == Kind::Observer);
   const bool runs = (relieves && can_take_over() && take_over(prepared)) || download_and_start(prepared);
   if (runs) kind_ = kind;

@@ -31,8 +31,8 @@ void require(bool good, const std::string& what) {
   std::abort();
 }
 
-// Single variables of many types; a tenth of them changes in every scan. Of the other order, no two neighbours
-// stay neighbours.
+// Single variables of many types; a tenth of them changes in every scan. Of the other order, no two
+// neighbours stay neighbours.
 std::vector<std::byte> program(bool other_order) {
   static constexpr const char* kTypes[] = {"DINT", "BOOL", "REAL", "LINT", "INT"};
   std::string declarations = "PROGRAM main\nVAR\n";

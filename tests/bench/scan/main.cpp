@@ -198,7 +198,8 @@ nlohmann::json summarise(const std::map<std::string, double>& times_us) {
   return out;
 }
 
-// The pause is that of the worst change; beside the missed scans those of an equally long run without changes.
+// The pause is that of the worst change; beside the missed scans those of an equally long run without
+// changes.
 void add_changes(nlohmann::json& summary) {
   const ChangeFigures figures = measure_changes();
   print(figures);

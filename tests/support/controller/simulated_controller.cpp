@@ -117,6 +117,7 @@ result::Result<std::string> SimulatedController::change(std::span<const std::byt
   loaded_ = std::make_unique<Loaded>(std::move(*program));
   loaded_->last_steps = loaded_->steps();
   ++changes_;
+  if (on_change) on_change(loaded_->program->image().outputs());
   push_event(host::EventKind::Changed, {});
   return loaded_->program->digest();
 }

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,6 +43,7 @@ class SimulatedController final : public executive::Controller {
   void kill_runtime() { killed_ = true; }
   void refuse_changes() { refuse_changes_ = true; }
   int changes() const { return changes_; }
+  std::function<void(std::span<const std::byte> outputs)> on_change;  // as they are after the swap
   int stops() const { return stops_; }
 
   bool wait_for_runtime(std::chrono::milliseconds) override;
