@@ -77,7 +77,7 @@ result::Result<Download> RuntimeClient::download(std::span<const std::byte> cont
 }
 
 result::Result<void> RuntimeClient::start(const StartOptions& options) {
-  return done(state_->session.ask(service::Start{options.barrier}));
+  return done(state_->session.ask(service::Start{options.barrier, options.cold}));
 }
 
 result::Result<void> RuntimeClient::stop(const std::string& reason) {

@@ -18,7 +18,7 @@ class PreparedProgram;
 
 enum class CommandKind : std::uint8_t {
   Load,             // program
-  Start,            // barrier
+  Start,            // barrier, cold
   Stop,             // text: the reason
   Acknowledge,      // event
   Force,            // bits
@@ -39,6 +39,7 @@ struct Command {
   ImageBits bits;
   FixedText<kMaxReasonBytes> text;
   PreparedProgram* program = nullptr;
+  bool cold = false;  // retained variables have their initial values too
   const ChangePlan* change = nullptr;
 };
 
@@ -51,6 +52,7 @@ enum class Outcome : std::uint8_t {
   NotForced,       // unforce of what is not forced
   NoPlant,         // a fault without a simulated plant
   PlantRefused,    // see the problems
+  RetainRefused,   // what is retained does not fit the program; see the problems
   NotRunning,      // an online change of a program that does not run
   ChangeOutdated,  // the program that it was planned for is not the one that runs
   StepLost,        // an active step has no counterpart; `detail` is its number in the plan

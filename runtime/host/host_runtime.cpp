@@ -50,7 +50,8 @@ HostRuntime::HostRuntime(const HostConfig& config, image::IoDriver& driver, Plan
       snapshots_(std::move(snapshots)),
       reader_(std::move(reader)),
       incarnation_(random_incarnation()),
-      loop_(std::make_unique<ScanLoop>(config_, io_, plant, *snapshots_)) {}
+      retain_(record::RetainKeeper::open(config_.retain)),
+      loop_(std::make_unique<ScanLoop>(config_, io_, plant, *snapshots_, *retain_)) {}
 
 HostRuntime::~HostRuntime() {
   if (!thread_.joinable()) return;
@@ -60,8 +61,14 @@ HostRuntime::~HostRuntime() {
 
 result::Result<std::unique_ptr<PreparedProgram>> HostRuntime::prepare(std::vector<std::byte> container,
                                                                       std::string digest) {
-  return PreparedProgram::create(std::move(container), std::move(digest), io_, loop_->clock(),
-                                 {.safe_outputs = config_.safe_outputs}, plant_names_.size(), config_.engine);
+  auto program =
+      PreparedProgram::create(std::move(container), std::move(digest), io_, loop_->clock(),
+                              {.safe_outputs = config_.safe_outputs}, plant_names_.size(), config_.engine);
+  if (!program) return result::forward(program);
+  auto retained = retain_->prepare((*program)->loaded().program());
+  if (!retained) return result::forward(retained);
+  (*program)->set_retained(std::move(*retained));
+  return program;
 }
 
 result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::byte> container,
@@ -166,6 +173,8 @@ RuntimeStatus HostRuntime::status() const {
     status.detail += text;
   };
   if (!refused_.empty()) note(refused_);
+  if (const std::string retain = retain_->note(); !retain.empty()) note(retain);
+  if (!note_.empty()) note(note_);
   if (figures.lost_events > 0) note(std::to_string(figures.lost_events) + " events were lost");
   if (auto snapshot = reader_->read()) status.plant = std::move(snapshot->plant);
   return status;

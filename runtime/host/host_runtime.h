@@ -51,6 +51,9 @@ class HostRuntime final : public RuntimePort {
   void clear() override;
   int snapshot_descriptor() const override;
 
+  // Something about this process that its status should say, behind the rest.
+  void set_note(std::string note) { note_ = std::move(note); }
+
  private:
   HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
               std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader);
@@ -69,9 +72,11 @@ class HostRuntime final : public RuntimePort {
   std::unique_ptr<SnapshotWriter> snapshots_;
   std::unique_ptr<SnapshotReader> reader_;
   std::uint64_t incarnation_;
+  std::unique_ptr<record::RetainKeeper> retain_;
   std::unique_ptr<ScanLoop> loop_;
   std::string refused_;  // what the system refused to the scan thread
   std::string detail_;   // of the newest event that has one
+  std::string note_;
   ProgramShelf programs_;
   std::size_t commands_under_way_ = 0;
   std::thread thread_;

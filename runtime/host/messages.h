@@ -91,6 +91,7 @@ struct ChangeReport {
 
 struct StartOptions {
   bool barrier = false;  // simulated clock only: stand still at every step change until it is acknowledged
+  bool cold = false;     // retained variables have their initial values too
 };
 
 // Up to 64 bits of the image, little-endian from `byte_offset`: the bits set in `mask` take those of `value`.

@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/bytecode/reader/loaded_program.h"
@@ -17,6 +18,7 @@
 #include "runtime/host/event_ring.h"
 #include "runtime/host/step_watch.h"
 #include "runtime/image/process_image.h"
+#include "runtime/record/retained_values.h"
 #include "runtime/result/result.h"
 #include "runtime/scan/scan_cycle.h"
 
@@ -36,6 +38,10 @@ class PreparedProgram {
 
   const std::string& digest() const { return digest_; }
   const reader::LoadedProgram& loaded() const { return loaded_; }
+
+  // What it retains, with the buffers for it; set before it is handed over.
+  record::RetainChannel& retained() const { return *retained_; }
+  void set_retained(std::shared_ptr<record::RetainChannel> retained) { retained_ = std::move(retained); }
 
   // Scan thread only.
   image::ProcessImage& image() { return image_; }
@@ -61,6 +67,7 @@ class PreparedProgram {
   scan::ScanCycle cycle_;
   StepWatch steps_;
   EventRing events_;
+  std::shared_ptr<record::RetainChannel> retained_;  // shared with the thread that writes the store
 };
 
 }  // namespace stepwright::host

@@ -15,7 +15,7 @@ enum class RuntimeState : std::uint8_t {
 };
 
 enum class EventKind : std::uint8_t {
-  Started = 0,     // a cold start: the image holds its initial values, no scan has run
+  Started = 0,     // the image holds initial and, unless it is a cold start, retained values; no scan has run
   StepChange = 1,  // at least one step bit changed in this scan
   Stopped = 2,     // by command, by a download or because the supervisor was lost (see the detail)
   Trap = 3,        // a program fault or lost I/O (see the detail)

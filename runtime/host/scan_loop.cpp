@@ -13,11 +13,13 @@ constexpr std::int64_t kMaxLagNs = 100'000'000;
 
 }  // namespace
 
-ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots)
+ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots,
+                   record::RetainKeeper& retain)
     : config_(config),
       io_(io),
       plant_(plant),
       snapshots_(snapshots),
+      retain_(retain),
       commands_(kQueue),
       completions_(kQueue),
       faults_(config.faults),
@@ -101,7 +103,9 @@ void ScanLoop::scan_once() {
   now_.trace_hash = program_->cycle().trace_hash();
   const bool changed = program_->steps().changed(program_->image().bytes());
   if (trial_.active() && tried(report)) return;
+  if (report.state == scan::ScanState::Running) retain_.offer(program_->image().bytes(), clock_.now_ns());
   if (report.state != scan::ScanState::Running) {
+    retain_.finish(program_->image().bytes());
     end_stretch();
     now_.state = RuntimeState::Fault;
     next_start_ns_ = program_->cycle().next_time_ns();

@@ -56,7 +56,8 @@ struct ScanFigures {
 class ScanLoop {
  public:
   // What is passed by reference must outlive the loop; `plant` may be null.
-  ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots);
+  ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant, SnapshotWriter& snapshots,
+           record::RetainKeeper& retain);
 
   // Until `quit`; then the outputs are in their safe state.
   void run();
@@ -80,7 +81,8 @@ class ScanLoop {
   void take_commands();
   Completion apply(const Command& command);
   Outcome load(PreparedProgram* program);
-  Outcome start(bool barrier);
+  Outcome start(const Command& command);
+  result::Diagnostics refused_start(const Command& command) const;
   Outcome stop(std::string_view reason);
   Outcome force(const ImageBits& bits);
   Outcome unforce(const ImageBits& bits);
@@ -93,6 +95,7 @@ class ScanLoop {
   Completion change(const Command& command);
   bool tried(const scan::ScanReport& report);
   void roll_back(const bytecode::Trap& trap);
+  void retain_from(PreparedProgram& next);
   void end_trial();
 
   // One turn of the loop (scan_loop.cpp).
@@ -116,6 +119,7 @@ class ScanLoop {
   AreaDriver& io_;
   PlantAccess* plant_;
   SnapshotWriter& snapshots_;
+  record::RetainKeeper& retain_;
   MonotonicClock clock_;
 
   SpscQueue<Command> commands_;

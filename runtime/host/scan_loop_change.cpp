@@ -32,6 +32,7 @@ Completion ScanLoop::change(const Command& command) {
   completion.change.dropped_forces = plan.move_forces(before.cycle().forces(), next.cycle().forces());
   next.cycle().take_over(before.cycle(), plan.tasks());
   end_trial();  // of an earlier change: it has run without a trap so far
+  retain_from(next);
   adopt(next);
   if (config_.change_trial_scans > 0) {
     trial_ = {&plan, config_.change_trial_scans};
@@ -65,6 +66,7 @@ void ScanLoop::roll_back(const bytecode::Trap& trap) {
   PreparedProgram& before = plan.from();
   before.cycle().take_over(failed.cycle(), plan.tasks_back());
   plan.move_forces_back(failed.cycle().forces(), before.cycle().forces());
+  retain_from(before);
   adopt(before);
   trial_ = {};
   now_.kept = &failed;  // until the event, which speaks of it, is on its way
@@ -74,6 +76,13 @@ void ScanLoop::roll_back(const bytecode::Trap& trap) {
   }
   emit(EventKind::RolledBack, trap, {}, &failed);
   now_.kept = nullptr;
+}
+
+// What another program retains is kept from now on. One that retains nothing leaves what there is for the
+// program that wants it.
+void ScanLoop::retain_from(PreparedProgram& next) {
+  if (next.retained().values.size() == 0) retain_.finish(program_->image().bytes());
+  retain_.change(next.retained(), next.image().bytes());
 }
 
 void ScanLoop::end_trial() {

@@ -62,7 +62,9 @@ Completion ScanLoop::apply(const Command& command) {
     case CommandKind::Load:
       return done(load(command.program));
     case CommandKind::Start:
-      return done(start(command.barrier));
+      if (auto problems = refused_start(command); !problems.empty())
+        return {command.ticket, Outcome::RetainRefused, std::move(problems)};
+      return done(start(command));
     case CommandKind::Stop:
       return done(stop(command.text.view()));
     case CommandKind::Acknowledge:
@@ -104,16 +106,23 @@ void ScanLoop::adopt(PreparedProgram& program) {
   now_.program = &program;
 }
 
-Outcome ScanLoop::start(bool barrier) {
+// Why the start would lose what the user wants kept.
+result::Diagnostics ScanLoop::refused_start(const Command& command) const {
+  if (program_ == nullptr || now_.state == RuntimeState::Running) return {};
+  return retain_.refusal(program_->retained(), command.cold);
+}
+
+Outcome ScanLoop::start(const Command& command) {
   if (program_ == nullptr) return Outcome::NoProgram;
   if (now_.state == RuntimeState::Running) return Outcome::AlreadyRunning;
   if (real()) next_start_ns_ = clock_.now_ns() - origin_ns_;
-  // A cold start of the variables; what somebody forced stays forced.
+  // Initial values, then what is retained; what somebody forced stays forced.
   const image::ForceTable forces = program_->cycle().forces();
   program_->cycle().start({next_start_ns_, now_.scan, now_.trace_hash});
   program_->cycle().forces() = forces;
+  retain_.begin(program_->retained(), program_->image().bytes(), command.cold);
   program_->steps().reset(program_->image().bytes());
-  barrier_ = barrier;
+  barrier_ = command.barrier;
   now_.state = RuntimeState::Running;
   emit(EventKind::Started, {}, {});
   begin_stretch();
@@ -127,6 +136,7 @@ Outcome ScanLoop::stop(std::string_view reason) {
   end_stretch();
   next_start_ns_ = program_->cycle().next_time_ns();
   idle_due_ns_ = next_start_ns_;
+  retain_.finish(program_->image().bytes());  // before outputs go to their safe state
   program_->cycle().stop();
   now_.state = RuntimeState::Stopped;
   now_.waiting_for_supervisor = false;

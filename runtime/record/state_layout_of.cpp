@@ -153,6 +153,9 @@ std::uint16_t symbol_flags(const bytecode::SymbolRecord& symbol) {
   std::uint16_t flags = 0;
   if ((symbol.flags & bytecode::kSymbolLocated) != 0) flags |= kStateLocated;
   if ((symbol.flags & bytecode::kSymbolConstant) != 0) flags |= kStateConstant;
+  // The map retains whole bytes: of a bit only its declaration says it.
+  const bool bit = symbol.bit != bytecode::kNoBit;
+  if (bit && (symbol.flags & bytecode::kSymbolRetain) != 0) flags |= kStateRetain;
   return flags;
 }
 
@@ -180,7 +183,11 @@ result::Result<StateLayout> StateLayout::of(const bytecode::Program& program) {
   for (StateVariable& variable : layout.variables_) {
     const std::uint32_t bytes = variable.count * layout.type_of(variable).size;
     if (variable.address + bytes <= sizes.input_bytes) variable.flags |= kStateInput;
-    if (retained.holds(variable.address, bytes)) variable.flags |= kStateRetain;
+    if (!retained.holds(variable.address, bytes)) {
+      variable.flags &= static_cast<std::uint16_t>(~kStateRetain);
+    } else if (variable.bit == bytecode::kNoBit) {
+      variable.flags |= kStateRetain;
+    }
     const auto step = steps.find({variable.address, variable.bit});
     if (step != steps.end()) variable.flags |= step->second;
   }

@@ -49,7 +49,7 @@ void fields(A& a, T& m) {
 }
 template <typename A, Like<Start> T>
 void fields(A& a, T& m) {
-  a(m.barrier);
+  a(m.barrier, m.cold);
 }
 template <typename A, Like<Stop> T>
 void fields(A& a, T& m) {

@@ -27,6 +27,7 @@ using Sha256 = std::array<std::byte, 32>;
 
 struct Start {
   bool barrier = false;
+  bool cold = false;
 };
 struct Stop {
   std::string reason;

@@ -41,6 +41,7 @@ struct BodyWriter {
   void operator()(const Start& body) const {
     idl::StartCommand command;
     command.barrier(body.barrier);
+    command.cold(body.cold);
     out.start(command);
   }
   void operator()(const Stop& body) const {
@@ -97,7 +98,7 @@ struct BodyWriter {
 std::optional<RequestBody> from_body(const idl::CommandBody& body) {
   switch (body._d()) {
     case idl::CMD_START:
-      return Start{body.start().barrier()};
+      return Start{body.start().barrier(), body.start().cold()};
     case idl::CMD_STOP:
       if (body.stop().reason().size() > host::kMaxReasonBytes) return std::nullopt;
       return Stop{body.stop().reason()};

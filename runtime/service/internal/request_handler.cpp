@@ -43,6 +43,7 @@ result::Diagnostics explain(const host::Completion& completion) {
     case Outcome::NotRunning:
     case Outcome::ChangeOutdated:
     case Outcome::StepLost:
+    case Outcome::RetainRefused:
       return completion.problems;
   }
   return {};
@@ -61,6 +62,7 @@ std::optional<host::Command> to_command(const RequestBody& body) {
                      [&](const Start& start) {
                        command.kind = CommandKind::Start;
                        command.barrier = start.barrier;
+                       command.cold = start.cold;
                        return true;
                      },
                      [&](const Stop& stop) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <filesystem>
 #include <thread>
 
 #include "runtime/bytecode/reader/program_info.h"
@@ -205,6 +206,37 @@ TEST(OnlineChange, WhenAStepWouldBeLost_ThenTheCompletionNamesItAndTheProgramGoe
       run.harness.change(compiled(chart("Kept")), "second", DownloadMode::ChangeRestartCharts);
   EXPECT_EQ(restarted.outcome, Outcome::Done) << result::to_string(restarted.problems);
   EXPECT_EQ(run.status().program_digest, "second");
+}
+
+TEST(OnlineChange, WhenTheProgramRetains_ThenTheStoreFollowsTheChangeAndTheNextStartFindsItsValues) {
+  const std::filesystem::path store = std::filesystem::path(testing::TempDir()) / "online_change.store";
+  std::filesystem::remove(store);
+  const auto text = [](const std::string& more) {
+    return "PROGRAM main\n" + more +
+           "VAR RETAIN kept : DINT; END_VAR VAR n : DINT; END_VAR\nn := n + 1; kept := n;\nEND_PROGRAM\n";
+  };
+  HostConfig config;
+  config.retain.store = store;
+  config.retain.period_ns = 1'000'000;
+  const std::vector<std::byte> second = compiled(text("VAR RETAIN pad : LINT := 3; END_VAR\n"));
+  double last = 0;
+  {
+    Running run(text(""), config);
+    ASSERT_TRUE(run.reach(20));
+    ASSERT_EQ(run.harness.change(second).outcome, Outcome::Done);
+    const StepEvent changed = run.harness.event();
+    EXPECT_EQ(number(changed, second, "main.kept"), static_cast<double>(changed.scan));
+    ASSERT_TRUE(run.reach(changed.scan + 20));
+    ASSERT_EQ(run.harness.stop(), Outcome::Done);
+    last = number(run.harness.event(), second, "main.kept");
+    EXPECT_GT(last, static_cast<double>(changed.scan));
+  }
+  Harness again(config);
+  ASSERT_EQ(again.load(second), Outcome::Done);
+  ASSERT_EQ(again.start(), Outcome::Done);
+  const StepEvent started = again.event();
+  EXPECT_EQ(number(started, second, "main.kept"), last);
+  EXPECT_EQ(number(started, second, "main.pad"), 3.0);
 }
 
 // The driver's every output from a change on: none may be the safe state, 0.

@@ -1,0 +1,194 @@
+#include "runtime/record/retain_store.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+
+#include "runtime/record/crc32c.h"
+#include "runtime/record/durable_file.h"
+#include "tests/unit/runtime/record/retained_machine.h"
+
+namespace stepwright::record {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+// Two values that belong together.
+StateLayout pair_layout() {
+  std::vector<StateType> types(1);
+  types[0].elementary = bytecode::ElementaryType::Lint;
+  types[0].size = 8;
+  StateVariable first;
+  first.path = "MAIN.first";
+  StateVariable second;
+  second.path = "MAIN.second";
+  second.address = 8;
+  return {types, {first, second}, 16};
+}
+
+Bytes pair_of(std::int64_t value) {
+  Bytes payload(16);
+  std::memcpy(payload.data(), &value, 8);
+  std::memcpy(payload.data() + 8, &value, 8);
+  return payload;
+}
+
+Bytes content(const std::filesystem::path& path) {
+  return read_whole(path, 1u << 20).value().value();
+}
+
+void put(const std::filesystem::path& path, const Bytes& bytes) {
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+// A store that was made with 1 and into which 2 was written, and then 3.
+class Written : public testing::Test {
+ protected:
+  Written() {
+    auto store = RetainStore::create(folder.store(), pair_layout(), pair_of(1), 7);
+    EXPECT_TRUE(store);
+    EXPECT_TRUE(store->write(pair_of(2)));
+    before = content(folder.store());
+    EXPECT_TRUE(store->write(pair_of(3)));
+    after = content(folder.store());
+  }
+
+  // What is read is the value of one write, whole, or refused with a place: R0023.
+  enum class Read { Old, New, Refused };
+  Read read(const Bytes& bytes) {
+    put(folder.store(), bytes);
+    auto found = RetainStore::read(folder.store());
+    if (!found) {
+      EXPECT_EQ(found.error()[0].code, "R0023");
+      EXPECT_EQ(found.error()[0].where.file, folder.store().string());
+      EXPECT_FALSE(found.error()[0].message.empty());
+      return Read::Refused;
+    }
+    EXPECT_TRUE(*found);
+    EXPECT_EQ((*found)->layout, pair_layout());
+    if ((*found)->payload == pair_of(3)) return Read::New;
+    EXPECT_EQ((*found)->payload, pair_of(2));
+    return Read::Old;
+  }
+
+  TestFolder folder;
+  Bytes before;
+  Bytes after;
+};
+using RetainStoreWritten = Written;
+
+TEST(RetainStore, WhenThereIsNoFile_ThenThereAreNoValues) {
+  const TestFolder folder;
+  const auto found = RetainStore::read(folder.store());
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(*found);
+}
+
+TEST(Crc32c, WhenTheBytesAreThoseOfTheStandard_ThenSoIsTheSum) {
+  const std::string text = "123456789";
+  const auto bytes = std::as_bytes(std::span(text));
+  EXPECT_EQ(crc32c(bytes), 0xE3069283u);
+  EXPECT_EQ(crc32c(bytes.first(4), bytes.subspan(4)), 0xE3069283u);
+}
+
+TEST_F(RetainStoreWritten, WhenWhole_ThenTheNewestValuesAreRead) {
+  EXPECT_EQ(read(before), Read::Old);
+  EXPECT_EQ(read(after), Read::New);
+}
+
+// A write that ends at any byte: the values before it, until all of it is there.
+TEST_F(RetainStoreWritten, WhenAWriteIsTorn_ThenTheValuesBeforeItHold) {
+  ASSERT_EQ(before.size(), after.size());
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    if (before[i] != after[i]) last = i;
+  }
+  Bytes torn = before;
+  for (std::size_t i = 0; i <= last; ++i) {
+    torn[i] = after[i];
+    ASSERT_EQ(read(torn), i == last ? Read::New : Read::Old) << i;
+  }
+}
+
+// The blocks of a write reach the disk in any order.
+TEST_F(RetainStoreWritten, WhenAWriteIsTornFromBehind_ThenTheValuesBeforeItHold) {
+  std::size_t first = after.size();
+  for (std::size_t i = after.size(); i-- > 0;) {
+    if (before[i] != after[i]) first = i;
+  }
+  Bytes torn = before;
+  for (std::size_t i = after.size(); i-- > first;) {
+    torn[i] = after[i];
+    ASSERT_EQ(read(torn), i == first ? Read::New : Read::Old) << i;
+  }
+}
+
+TEST_F(RetainStoreWritten, WhenItIsCutAnywhere_ThenWhatIsReadIsWholeOrRefused) {
+  std::size_t refused = 0;
+  std::size_t old = 0;
+  for (std::size_t size = 0; size < after.size(); ++size) {
+    const Read found = read(Bytes(after.begin(), after.begin() + static_cast<std::ptrdiff_t>(size)));
+    refused += found == Read::Refused ? 1u : 0u;
+    old += found == Read::Old ? 1u : 0u;
+  }
+  EXPECT_GT(refused, 4096u);  // without names and a slot there is nothing
+  EXPECT_GT(refused + old, 4096u);
+}
+
+TEST_F(RetainStoreWritten, WhenAnyByteIsWrong_ThenWhatIsReadIsWholeOrRefused) {
+  std::array<std::size_t, 3> seen{};
+  for (std::size_t at = 0; at < after.size(); ++at) {
+    for (const int flip : {0xFF, 1 << (at % 8)}) {
+      Bytes bytes = after;
+      bytes[at] ^= static_cast<std::byte>(flip);
+      ++seen[static_cast<std::size_t>(read(bytes))];
+    }
+  }
+  for (const std::size_t each : seen) EXPECT_GT(each, 0u);
+}
+
+TEST_F(RetainStoreWritten, WhenOneCopyIsDamaged_ThenTheOtherIsReadAndTheDamageIsSaid) {
+  Bytes bytes = after;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    if (before[i] != after[i]) bytes[i] ^= std::byte{1};
+  }
+  EXPECT_EQ(read(bytes), Read::Old);
+  EXPECT_NE(RetainStore::read(folder.store()).value()->damage.find("damaged"), std::string::npos);
+}
+
+TEST_F(RetainStoreWritten, WhenItGoesOnAfterTheDamage_ThenTheDamagedCopyIsWritten) {
+  Bytes bytes = after;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    if (before[i] != after[i]) bytes[i] ^= std::byte{1};
+  }
+  put(folder.store(), bytes);
+  auto store = RetainStore::resume(folder.store(), *RetainStore::read(folder.store()).value());
+  ASSERT_TRUE(store);
+  ASSERT_TRUE(store->write(pair_of(4)));
+  const auto found = RetainStore::read(folder.store()).value();
+  EXPECT_EQ(found->payload, pair_of(4));
+  EXPECT_EQ(found->damage, "");
+}
+
+TEST_F(RetainStoreWritten, WhenItIsForeignOrOfAnotherVersion_ThenItIsRefusedWithItsPlace) {
+  put(folder.store(), Bytes(20'000, std::byte{'x'}));
+  auto found = RetainStore::read(folder.store());
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.error()[0].message.find("byte 0"), std::string::npos);
+  Bytes bytes = after;
+  bytes[8] = std::byte{9};
+  put(folder.store(), bytes);
+  found = RetainStore::read(folder.store());
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.error()[0].message.find("version 9"), std::string::npos);
+  std::filesystem::remove(folder.store());
+  std::filesystem::create_directory(folder.store());
+  found = RetainStore::read(folder.store());
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error()[0].code, "R0024");
+}
+
+}  // namespace
+}  // namespace stepwright::record

@@ -1,0 +1,100 @@
+#pragma once
+
+// A program that retains some values, and a keeper for them, without a scan: the test plays the scan thread.
+//
+//   RetainedMachine machine("VAR RETAIN n : DINT; END_VAR", {.store = folder.path() / "retain.store"});
+//   machine.start();
+//   machine.set("MAIN.n", 7);
+//   machine.stop();
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "runtime/record/retain_keeper.h"
+#include "tests/support/compiled_program.h"
+
+namespace stepwright::record {
+
+// A folder that goes with the test. In memory, where there is such a place and it is asked for, a thousand
+// writes take no longer on a busy disk.
+class TestFolder {
+ public:
+  explicit TestFolder(bool in_memory = false) {
+    const std::filesystem::path memory = "/dev/shm";
+    const bool possible = in_memory && access(memory.c_str(), W_OK) == 0;
+    const std::filesystem::path around = possible ? memory : std::filesystem::path(testing::TempDir());
+    std::string name = (around / "retain-XXXXXX").string();
+    EXPECT_NE(mkdtemp(name.data()), nullptr);
+    path_ = name;
+  }
+  ~TestFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TestFolder(const TestFolder&) = delete;
+  TestFolder& operator=(const TestFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path store() const { return path_ / "retain.store"; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+class RetainedMachine {
+ public:
+  RetainedMachine(const std::string& declarations, const RetainConfig& config)
+      : keeper_(RetainKeeper::open(config)), program_(compile(declarations)) {
+    channel_ = keeper_->prepare(program_->loaded().program()).value();
+  }
+
+  // Another program takes the place of this one.
+  void load(const std::string& declarations) {
+    program_ = compile(declarations);
+    channel_ = keeper_->prepare(program_->loaded().program()).value();
+  }
+  result::Diagnostics start(bool cold = false) {
+    if (auto problems = keeper_->refusal(*channel_, cold); !problems.empty()) return problems;
+    program_->start_at(0);
+    keeper_->begin(*channel_, image(), cold);
+    return {};
+  }
+  void stop() { keeper_->finish(image()); }
+  void offer() { keeper_->offer(image(), ++now_ns_ * 1'000'000'000); }
+
+  // True once the disk has everything that was published; false after a generous time.
+  bool settled() {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (keeper_->committed() < keeper_->published()) {
+      if (std::chrono::steady_clock::now() > deadline) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
+
+  void set(const std::string& path, std::int64_t value) { program_->set(path, value); }
+  std::int64_t get(const std::string& path) { return program_->get(path); }
+  std::string text(const std::string& path) { return program_->text(path); }
+  RetainKeeper& keeper() { return *keeper_; }
+  std::span<std::byte> image() { return program_->image().bytes(); }
+
+ private:
+  static std::unique_ptr<support::CompiledProgram> compile(const std::string& declarations) {
+    const std::string text = "PROGRAM MAIN\n" + declarations + "\nEND_PROGRAM\n";
+    return std::make_unique<support::CompiledProgram>(driver::CompileInput{{{"test.st", text}}});
+  }
+
+  std::unique_ptr<RetainKeeper> keeper_;
+  std::unique_ptr<support::CompiledProgram> program_;
+  std::shared_ptr<RetainChannel> channel_;
+  std::int64_t now_ns_ = 0;
+};
+
+}  // namespace stepwright::record
