@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/host/chart_memory.h"
 #include "runtime/naming/ascii_names.h"
 
 namespace stepwright::host {
@@ -20,37 +21,6 @@ constexpr const char* kWhere = "download";
 std::string folded(std::string name) {
   for (char& c : name) c = naming::to_upper(c);
   return name;
-}
-
-bool get(std::span<const std::byte> image, std::uint32_t address, std::uint8_t bit) {
-  const auto byte = std::to_integer<unsigned>(image[address]);
-  return bit == bytecode::kNoBit ? byte != 0 : ((byte >> bit) & 1u) != 0;
-}
-
-void put(std::span<std::byte> image, std::uint32_t address, std::uint8_t bit, bool value) {
-  if (bit == bytecode::kNoBit) {
-    image[address] = std::byte{value};
-  } else {
-    image::set_bit(image, address, bit, value);
-  }
-}
-
-struct NamedStep {
-  std::string name;
-  bytecode::SfcStepRecord record;
-};
-
-std::vector<NamedStep> steps_of(const bytecode::ContainerView& view) {
-  std::vector<NamedStep> steps;
-  for (std::uint32_t c = 0; c < view.count<Section::SfcCharts>(); ++c) {
-    const auto chart = view.record<Section::SfcCharts>(c);
-    const std::string path = reader::text_of(view, chart.name);
-    for (std::uint32_t i = 0; i < chart.step_count; ++i) {
-      const auto step = view.record<Section::SfcSteps>(chart.first_step + i);
-      steps.push_back({path + "." + reader::text_of(view, step.name), step});
-    }
-  }
-  return steps;
 }
 
 std::map<std::string, std::uint32_t> tasks_by_name(const bytecode::ContainerView& view) {
@@ -117,11 +87,7 @@ result::Result<void> ChangePlan::plan() {
   transfer_ = record::VariableTransfer::between(*from, *to);
   forward_ = AddressMap(*from, *to);
   backward_ = AddressMap(*to, *from);
-  if (mode_ == DownloadMode::ChangeRestartCharts) {
-    restarted_ = ChartMemory::of(to_.loaded().program()).ranges();
-  } else {
-    pair_steps();
-  }
+  charts_ = ChartCarry(from_.loaded().program(), to_.loaded().program(), {*from, *to}, mode_);
   pair_tasks();
   clear_outputs();
   return {};
@@ -154,21 +120,6 @@ result::Result<void> ChangePlan::check_outputs(const record::StateLayout& from,
   return {};
 }
 
-// By chart and step, whatever the compiler called their bits.
-void ChangePlan::pair_steps() {
-  std::map<std::string, Place> known;
-  for (const NamedStep& step : steps_of(to_.loaded().program().container()))
-    known.emplace(folded(step.name), Place{step.record.address, step.record.bit});
-  for (const NamedStep& step : steps_of(from_.loaded().program().container())) {
-    const Place place{step.record.address, step.record.bit};
-    if (const auto found = known.find(folded(step.name)); found != known.end()) {
-      steps_.push_back({place, found->second});
-    } else {
-      lost_steps_.push_back({place, step.name});
-    }
-  }
-}
-
 void ChangePlan::pair_tasks() {
   const bytecode::ContainerView& from = from_.loaded().program().container();
   const bytecode::ContainerView& to = to_.loaded().program().container();
@@ -190,14 +141,6 @@ void ChangePlan::clear_outputs() {
     initial_outputs_[i] = static_cast<std::uint8_t>(~driven.mask(i) | ended.mask(i));
 }
 
-std::optional<std::uint32_t> ChangePlan::lost_step(std::span<const std::byte> image) const {
-  for (std::uint32_t i = 0; i < lost_steps_.size(); ++i) {
-    const Place& place = lost_steps_[i].place;
-    if (get(image, place.address, place.bit)) return i;
-  }
-  return std::nullopt;
-}
-
 void ChangePlan::carry(const image::ProcessImage& from, image::ProcessImage& to) const {
   const std::span<const std::byte> initial = to_.loaded().program().container().section(Section::InitialData);
   const auto initial_byte = [&](std::size_t at) { return at < initial.size() ? initial[at] : std::byte{0}; };
@@ -206,11 +149,7 @@ void ChangePlan::carry(const image::ProcessImage& from, image::ProcessImage& to)
   // Fresh ones come before the next scan; until then an observer sees the ones that the decision stood on.
   std::memcpy(image.data(), old.data(), std::min(from.layout().inputs, to.layout().inputs));
   transfer_.apply(old, image);
-  for (const StepPair& step : steps_)
-    put(image, step.to.address, step.to.bit, get(old, step.from.address, step.from.bit));
-  for (const ChartMemory::Range& range : restarted_) {
-    for (std::uint32_t i = range.address; i < range.address + range.size; ++i) image[i] = initial_byte(i);
-  }
+  charts_.apply(old, image);
   const std::span<std::byte> outputs = to.outputs();
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const std::byte mask{initial_outputs_[i]};
@@ -230,7 +169,7 @@ result::Diagnostic ChangePlan::lost_step_problem(std::uint32_t step) const {
   return {"R0033",
           result::Severity::Error,
           {kWhere, 0, 0},
-          "the step " + lost_steps_[step].name + " is active, and the new program has no such step",
+          "the step " + charts_.lost_step_name(step) + " is active, and the new program has no such step",
           "wait until the chart has left it, or restart the charts (variables keep their values)"};
 }
 

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "runtime/host/address_map.h"
-#include "runtime/host/chart_memory.h"
+#include "runtime/host/chart_carry.h"
 #include "runtime/host/messages.h"
 #include "runtime/host/output_drivers.h"
 #include "runtime/host/prepared_program.h"
@@ -46,7 +46,9 @@ class ChangePlan {
 
   // Scan thread.
   // A step that is active in this image of the old program and has no counterpart; none: the change is safe.
-  std::optional<std::uint32_t> lost_step(std::span<const std::byte> image) const;
+  std::optional<std::uint32_t> lost_step(std::span<const std::byte> image) const {
+    return charts_.lost_step(image);
+  }
   // Fills the new image, which holds its initial values.
   void carry(const image::ProcessImage& from, image::ProcessImage& to) const;
   // The forces of one program as forces of the other, by variable. Returns how many had no place any more.
@@ -64,24 +66,10 @@ class ChangePlan {
   ChangeReport report() const;
 
  private:
-  struct Place {
-    std::uint32_t address = 0;
-    std::uint8_t bit = bytecode::kNoBit;
-  };
-  struct StepPair {
-    Place from;
-    Place to;
-  };
-  struct LostStep {
-    Place place;
-    std::string name;  // "main.CHART.STEP" as far as it has one
-  };
-
   ChangePlan(PreparedProgram& from, PreparedProgram& to, DownloadMode mode);
   [[nodiscard]] result::Result<void> plan();
   [[nodiscard]] result::Result<void> check_outputs(const record::StateLayout& from,
                                                    const record::StateLayout& to) const;
-  void pair_steps();
   void pair_tasks();
   void clear_outputs();
 
@@ -91,9 +79,7 @@ class ChangePlan {
   record::VariableTransfer transfer_;
   AddressMap forward_;
   AddressMap backward_;
-  std::vector<StepPair> steps_;
-  std::vector<LostStep> lost_steps_;
-  std::vector<ChartMemory::Range> restarted_;  // of the new image: to their initial values
+  ChartCarry charts_;
   std::vector<std::uint8_t> initial_outputs_;  // per byte of the output area: bits with their initial values
   std::vector<std::uint32_t> tasks_;
   std::vector<std::uint32_t> tasks_back_;

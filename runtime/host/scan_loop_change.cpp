@@ -44,6 +44,7 @@ Completion ScanLoop::change(const Command& command) {
   release_barrier();
   emit(EventKind::Changed, {}, {}, &before);
   now_.last_change_pause_ns = clock_.now_ns() - begin_ns;
+  figures_.store(now_);
   completion.change.pause_us = static_cast<double>(now_.last_change_pause_ns) / kNsPerUs;
   return completion;
 }

@@ -45,14 +45,16 @@ std::optional<image::Force> to_force(const ImageBits& bits) {
 
 void ScanLoop::take_commands() {
   bool any = false;
+  bool stale = false;
   while (auto command = commands_.pop()) {
     // There is room: the service has no more commands under way than either queue holds.
     [[maybe_unused]] const bool pushed = completions_.push(apply(*command));
     assert(pushed);
     any = true;
+    stale = stale || command->kind != CommandKind::Change;  // a change publishes itself, as part of its pause
   }
   if (!any) return;
-  publish();
+  if (stale) publish();
   news_.ring();
 }
 

@@ -55,6 +55,12 @@ class TransferBuilder {
       }
     }
     join(out_.runs_);
+    // Copies of one size behind each other: the loop over them then takes the same branch again and again.
+    const auto by_size = [](const Run& run) {
+      return run.size == 1 || run.size == 2 || run.size == 4 || run.size == 8 ? run.size : 16;
+    };
+    std::stable_sort(out_.runs_.begin(), out_.runs_.end(),
+                     [&](const Run& a, const Run& b) { return by_size(a) < by_size(b); });
   }
 
  private:

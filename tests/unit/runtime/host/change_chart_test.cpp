@@ -134,6 +134,39 @@ TEST(ChangeChart, WhenAChartIsNew_ThenItBeginsAtItsInitialStep) {
   EXPECT_EQ(active_steps(pair), "main.Idle ");
 }
 
+// Idle, then Hold until the condition.
+std::string holding(const std::string& condition) {
+  return "PROGRAM main VAR go : BOOL; END_VAR\nINITIAL_STEP Idle: END_STEP\nSTEP Hold: END_STEP\n"
+         "STEP Over: END_STEP\n"
+         "TRANSITION FROM Idle TO Hold := Idle.T >= T#200ms; END_TRANSITION\n"
+         "TRANSITION FROM Hold TO Over := " +
+         condition +
+         "; END_TRANSITION\n"
+         "TRANSITION FROM Over TO Idle := FALSE; END_TRANSITION\nEND_PROGRAM\n";
+}
+
+TEST(ChangeChart, WhenTheTimeOfAnActiveStepIsNew_ThenItCountsFromTheChange) {
+  ChangePair pair(holding("go"), holding("Hold.T >= T#100ms"));
+  pair.scan(40);
+  ASSERT_EQ(active_steps(pair), "main.Hold ");
+  ASSERT_TRUE(pair.change());
+  pair.scan(9);
+  EXPECT_EQ(active_steps(pair), "main.Hold ");
+  pair.scan(3);
+  EXPECT_EQ(active_steps(pair), "main.Over ");
+}
+
+TEST(ChangeChart, WhenTheTimeOfAnActiveStepStays_ThenItGoesOn) {
+  ChangePair pair(holding("Hold.T >= T#300ms"), holding("Hold.T >= T#310ms"));
+  pair.scan(40);
+  ASSERT_EQ(active_steps(pair), "main.Hold ");
+  ASSERT_TRUE(pair.change());
+  pair.scan(10);
+  EXPECT_EQ(active_steps(pair), "main.Hold ");
+  pair.scan(4);
+  EXPECT_EQ(active_steps(pair), "main.Over ");
+}
+
 TEST(ChangeChart, WhenChartsAreInBlocks_ThenEachInstanceGoesOnByItself) {
   const auto text = [](const char* names) {
     return std::string(
