@@ -1,6 +1,7 @@
 #include "runtime/record/variable_transfer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cstring>
 
@@ -38,6 +39,11 @@ void set(std::span<std::byte> image, std::uint32_t address, std::uint8_t bit, bo
 
 }  // namespace
 
+template <std::size_t kBytes, typename Singles>
+void copy_singles(const Singles& singles, std::span<const std::byte> from, std::span<std::byte> to) {
+  for (const auto& each : singles) std::memcpy(to.data() + each.to, from.data() + each.from, kBytes);
+}
+
 class TransferBuilder {
  public:
   TransferBuilder(const StateLayout& from, const StateLayout& to, VariableTransfer& out)
@@ -55,12 +61,7 @@ class TransferBuilder {
       }
     }
     join(out_.runs_);
-    // Copies of one size behind each other: the loop over them then takes the same branch again and again.
-    const auto by_size = [](const Run& run) {
-      return run.size == 1 || run.size == 2 || run.size == 4 || run.size == 8 ? run.size : 16;
-    };
-    std::stable_sort(out_.runs_.begin(), out_.runs_.end(),
-                     [&](const Run& a, const Run& b) { return by_size(a) < by_size(b); });
+    take_out_singles();
   }
 
  private:
@@ -127,6 +128,15 @@ class TransferBuilder {
     }
   }
 
+  // A change between programs whose variables lie in another order is thousands of copies of single values:
+  // those of one size go behind each other, so that a copy is two moves and no decision.
+  void take_out_singles() {
+    const auto single = [](std::uint32_t size) { return size == 1 || size == 2 || size == 4 || size == 8; };
+    for (const Run& run : out_.runs_)
+      if (single(run.size)) out_.singles_[std::countr_zero(run.size)].push_back({run.from, run.to});
+    std::erase_if(out_.runs_, [&](const Run& run) { return single(run.size); });
+  }
+
   // Neighbours in both images become one copy.
   static void join(std::vector<Run>& runs) {
     std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.to < b.to; });
@@ -160,26 +170,12 @@ void VariableTransfer::apply(std::span<const std::byte> from, std::span<std::byt
   for (const Run& run : areas_) std::memcpy(to.data() + run.to, from.data() + run.from, run.size);
   for (const Run& run : runs_) {
     assert(run.from + std::size_t{run.size} <= from.size() && run.to + std::size_t{run.size} <= to.size());
-    std::byte* const target = to.data() + run.to;
-    const std::byte* const source = from.data() + run.from;
-    // Single values are most of the runs of a changed program; a call for each would be most of the time.
-    switch (run.size) {
-      case 1:
-        std::memcpy(target, source, 1);
-        break;
-      case 2:
-        std::memcpy(target, source, 2);
-        break;
-      case 4:
-        std::memcpy(target, source, 4);
-        break;
-      case 8:
-        std::memcpy(target, source, 8);
-        break;
-      default:
-        std::memcpy(target, source, run.size);
-    }
+    std::memcpy(to.data() + run.to, from.data() + run.from, run.size);
   }
+  copy_singles<1>(singles_[0], from, to);
+  copy_singles<2>(singles_[1], from, to);
+  copy_singles<4>(singles_[2], from, to);
+  copy_singles<8>(singles_[3], from, to);
   for (const Bit& bit : bits_) set(to, bit.to, bit.to_bit, get(from, bit.from, bit.from_bit));
   for (const Text& text : texts_) {
     std::uint16_t length = 0;

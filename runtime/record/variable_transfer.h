@@ -17,6 +17,7 @@
 //   image.reset(initial_data);
 //   transfer.apply(old_image, new_image);
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -67,6 +68,10 @@ class VariableTransfer {
     std::uint32_t to = 0;
     std::uint32_t size = 0;
   };
+  struct Single {
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
+  };
   struct Bit {  // kNoBit: a byte, 0 or 1
     std::uint32_t from = 0;
     std::uint32_t to = 0;
@@ -82,6 +87,7 @@ class VariableTransfer {
 
   std::vector<Run> areas_;  // before all others
   std::vector<Run> runs_;
+  std::array<std::vector<Single>, 4> singles_;  // of 1, 2, 4 and 8 bytes
   std::vector<Bit> bits_;
   std::vector<Text> texts_;
   TransferReport report_;
