@@ -88,6 +88,8 @@ result::Result<void> ChangePlan::plan() {
   forward_ = AddressMap(*from, *to);
   backward_ = AddressMap(*to, *from);
   charts_ = ChartCarry(from_.loaded().program(), to_.loaded().program(), {*from, *to}, mode_);
+  if (mode_ == DownloadMode::Change)
+    situations_ = ChartSituations(from_.loaded().program(), to_.loaded().program());
   pair_tasks();
   clear_outputs();
   return {};
@@ -171,6 +173,15 @@ result::Diagnostic ChangePlan::lost_step_problem(std::uint32_t step) const {
           {kWhere, 0, 0},
           "the step " + charts_.lost_step_name(step) + " is active, and the new program has no such step",
           "wait until the chart has left it, or restart the charts (variables keep their values)"};
+}
+
+result::Diagnostic ChangePlan::impossible_chart_problem(std::uint32_t chart) const {
+  return {"R0036",
+          result::Severity::Error,
+          {kWhere, 0, 0},
+          "the steps of " + situations_.chart_name(chart) +
+              " that are active now can never be active together in the new chart",
+          "wait until the chart is elsewhere, or restart the charts (variables keep their values)"};
 }
 
 result::Diagnostics ChangePlan::notes() const {

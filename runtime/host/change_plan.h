@@ -24,6 +24,7 @@
 
 #include "runtime/host/address_map.h"
 #include "runtime/host/chart_carry.h"
+#include "runtime/host/chart_situations.h"
 #include "runtime/host/messages.h"
 #include "runtime/host/output_drivers.h"
 #include "runtime/host/prepared_program.h"
@@ -49,6 +50,10 @@ class ChangePlan {
   std::optional<std::uint32_t> lost_step(std::span<const std::byte> image) const {
     return charts_.lost_step(image);
   }
+  // A chart of the new program that could never have these steps active together; none: the change is safe.
+  std::optional<std::uint32_t> impossible_chart(std::span<const std::byte> image) const {
+    return situations_.impossible(image);
+  }
   // Fills the new image, which holds its initial values.
   void carry(const image::ProcessImage& from, image::ProcessImage& to) const;
   // The forces of one program as forces of the other, by variable. Returns how many had no place any more.
@@ -60,6 +65,7 @@ class ChangePlan {
 
   // Service thread.
   result::Diagnostic lost_step_problem(std::uint32_t step) const;
+  result::Diagnostic impossible_chart_problem(std::uint32_t chart) const;
   // What is carried and what is not, as notes; bounded, with the first names of each kind.
   result::Diagnostics notes() const;
   // Pause and forces are not known yet.
@@ -80,6 +86,7 @@ class ChangePlan {
   AddressMap forward_;
   AddressMap backward_;
   ChartCarry charts_;
+  ChartSituations situations_;
   std::vector<std::uint8_t> initial_outputs_;  // per byte of the output area: bits with their initial values
   std::vector<std::uint32_t> tasks_;
   std::vector<std::uint32_t> tasks_back_;

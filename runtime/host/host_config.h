@@ -41,7 +41,7 @@ struct HostConfig {
   LostSupervisor on_lost_supervisor = LostSupervisor::Continue;
   std::vector<ScheduledFault> faults;
   std::uint32_t change_trial_scans = 10;  // in which a trap of a changed program brings the old one back
-  record::RetainConfig retain;  // without a store retained values end with the process
+  record::RetainConfig retain;            // without a store retained values end with the process
 };
 
 }  // namespace stepwright::host

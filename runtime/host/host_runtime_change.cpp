@@ -49,6 +49,9 @@ void HostRuntime::explain(const ProgramShelf::Held& held, Completion& completion
     case Outcome::StepLost:
       completion.problems = {held.plan->lost_step_problem(completion.detail)};
       return;
+    case Outcome::StepsUnfit:
+      completion.problems = {held.plan->impossible_chart_problem(completion.detail)};
+      return;
     case Outcome::ChangeOutdated:
       completion.problems = problem(
           "R0035", "the program that ran when this change was prepared was replaced meanwhile", "try again");

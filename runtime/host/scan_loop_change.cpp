@@ -27,6 +27,10 @@ Completion ScanLoop::change(const Command& command) {
     completion.detail = *step;
     return refused(Outcome::StepLost);
   }
+  if (const auto chart = plan.impossible_chart(before.image().bytes())) {
+    completion.detail = *chart;
+    return refused(Outcome::StepsUnfit);
+  }
   PreparedProgram& next = plan.to();
   plan.carry(before.image(), next.image());
   completion.change.dropped_forces = plan.move_forces(before.cycle().forces(), next.cycle().forces());

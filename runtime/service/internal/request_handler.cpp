@@ -43,6 +43,7 @@ result::Diagnostics explain(const host::Completion& completion) {
     case Outcome::NotRunning:
     case Outcome::ChangeOutdated:
     case Outcome::StepLost:
+    case Outcome::StepsUnfit:
     case Outcome::RetainRefused:
       return completion.problems;
   }

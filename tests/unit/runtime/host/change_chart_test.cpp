@@ -167,6 +167,44 @@ TEST(ChangeChart, WhenTheTimeOfAnActiveStepStays_ThenItGoesOn) {
   EXPECT_EQ(active_steps(pair), "main.Over ");
 }
 
+// Left and Right at the same time, or one of the two.
+std::string branches(bool simultaneous) {
+  const std::string steps =
+      "PROGRAM main VAR go : BOOL; END_VAR\nINITIAL_STEP Idle: END_STEP\nSTEP Left: END_STEP\n"
+      "STEP Right: END_STEP\n";
+  return steps +
+         (simultaneous ? "TRANSITION FROM Idle TO (Left, Right) := Idle.T >= T#50ms; END_TRANSITION\n"
+                         "TRANSITION FROM (Left, Right) TO Idle := go; END_TRANSITION\n"
+                       : "TRANSITION FROM Idle TO Left := Idle.T >= T#50ms AND NOT go; END_TRANSITION\n"
+                         "TRANSITION FROM Idle TO Right := Idle.T >= T#50ms AND go; END_TRANSITION\n"
+                         "TRANSITION FROM Left TO Idle := go; END_TRANSITION\n"
+                         "TRANSITION FROM Right TO Idle := go; END_TRANSITION\n") +
+         "END_PROGRAM\n";
+}
+
+TEST(ChangeChart, WhenActiveStepsCannotBeActiveTogetherAnyMore_ThenTheChangeIsRefused) {
+  ChangePair pair(branches(true), branches(false));
+  pair.scan(10);
+  ASSERT_EQ(active_steps(pair), "main.Left main.Right ");
+  EXPECT_FALSE(pair.change());
+  ASSERT_EQ(pair.refusal.size(), 1u);
+  EXPECT_EQ(pair.refusal[0].code, "R0036");
+  EXPECT_NE(pair.refusal[0].message.find("main"), std::string::npos);
+
+  ChangePair idle(branches(true), branches(false));
+  idle.scan(2);
+  EXPECT_TRUE(idle.change()) << result::to_string(idle.refusal);
+
+  ChangePair half(branches(false), branches(true));
+  half.scan(10);
+  ASSERT_EQ(active_steps(half), "main.Left ");
+  EXPECT_FALSE(half.change());
+
+  ChangePair restarted(branches(true), branches(false), DownloadMode::ChangeRestartCharts);
+  restarted.scan(10);
+  EXPECT_TRUE(restarted.change());
+}
+
 TEST(ChangeChart, WhenChartsAreInBlocks_ThenEachInstanceGoesOnByItself) {
   const auto text = [](const char* names) {
     return std::string(

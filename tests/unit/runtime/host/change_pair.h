@@ -61,6 +61,10 @@ class ChangePair {
       refusal = {plan_->lost_step_problem(*step)};
       return false;
     }
+    if (const auto chart = plan_->impossible_chart(before_->image().bytes())) {
+      refusal = {plan_->impossible_chart_problem(*chart)};
+      return false;
+    }
     plan_->carry(before_->image(), after_->image());
     dropped_forces = plan_->move_forces(before_->cycle().forces(), after_->cycle().forces());
     after_->cycle().take_over(before_->cycle(), plan_->tasks());

@@ -43,8 +43,8 @@ TEST(ExecutiveChange, WhenTheRuntimeRefusesChanges_ThenThePlanIsReplacedAsBefore
   EXPECT_NEAR(controller.plant_value("level_a1_percent"), 50.0, 2.0);
 }
 
-// At the moment of the change everything that the old plan drove is off, and only what the new one wants comes
-// on: no pump outlives its plan.
+// At the moment of the change everything that the old plan drove is off, and only what the new one wants
+// comes on: no pump outlives its plan.
 TEST(ExecutiveChange, WhenAnActionIsInterrupted_ThenItsOutputIsOffBeforeTheNextScan) {
   SimulatedController controller({}, {{8.0, "stuck_fc1", 0.0}});
   int seen = 0;
