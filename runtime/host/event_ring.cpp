@@ -21,6 +21,11 @@ EventRing::EventRing(std::size_t image_bytes, std::size_t plant_values) {
   }
 }
 
+void EventRing::warm() {
+  std::vector<std::byte>& image = slots_.front().image;
+  std::fill(image.begin(), image.end(), std::byte{0});
+}
+
 bool EventRing::full() const {
   return after(tail_.load(std::memory_order_relaxed)) == head_.load(std::memory_order_acquire);
 }

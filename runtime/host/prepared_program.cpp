@@ -55,4 +55,9 @@ PreparedProgram::PreparedProgram(reader::LoadedProgram loaded, Machine machine, 
   image_.reset(loaded_.program().container().section(bytecode::Section::InitialData));
 }
 
+void PreparedProgram::warm() {
+  image_.reset(loaded_.program().container().section(bytecode::Section::InitialData));
+  events_.warm();
+}
+
 }  // namespace stepwright::host

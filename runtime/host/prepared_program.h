@@ -43,6 +43,9 @@ class PreparedProgram {
   record::RetainChannel& retained() const { return *retained_; }
   void set_retained(std::shared_ptr<record::RetainChannel> retained) { retained_ = std::move(retained); }
 
+  // Before it is handed over: what the swap of an online change writes first is near the processors then.
+  void warm();
+
   // Scan thread only.
   image::ProcessImage& image() { return image_; }
   scan::ScanCycle& cycle() { return cycle_; }
