@@ -148,6 +148,7 @@ result::Result<CellConfig> load_cell_config(const std::filesystem::path& file,
   const TomlTable hmi = root.table("hmi");
   config.hmi.host = hmi.text("host", config.hmi.host);
   config.hmi.port = static_cast<std::uint16_t>(hmi.integer("port", 8080, {0, 65'535}));
+  read_retain(root, folder, config.state_dir, config.retain, config.boot);
   result::Diagnostics problems = (*document)->finish();
   if (result::has_errors(problems)) return tl::unexpected(std::move(problems));
   return config;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "programs/config/change_config.h"
+#include "programs/config/retain_config.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::config {
@@ -110,6 +111,8 @@ struct CellConfig {
   DdsConfig dds;
   HmiConfig hmi;
   ChangeConfig change;
+  RetainSection retain;
+  BootSection boot;
 
   std::filesystem::path socket_path() const;   // the runtime's Unix socket
   std::filesystem::path journal_path() const;  // the executive's journal

@@ -10,9 +10,11 @@
 #include "programs/config/cell_options.h"
 #include "programs/process/command_line.h"
 #include "programs/process/stop_signal.h"
+#include "programs/runtime/boot_program.h"
 #include "programs/runtime/cell_io.h"
 #include "programs/runtime/host_options.h"
 #include "runtime/host/host_runtime.h"
+#include "runtime/host/thread_stacks.h"
 #include "runtime/result/exit_code.h"
 #include "runtime/service/server.h"
 
@@ -46,6 +48,7 @@ result::Result<void> make_state_dir(const config::CellConfig& config) {
 }
 
 int run(const config::CellConfig& config) {
+  static_cast<void>(host::limit_thread_stacks());  // a refusal costs memory only
   const process::StopSignal stop;
   auto options = host_options(config);
   if (!options) return fail(options.error(), ExitCode::BadInput);
@@ -55,8 +58,13 @@ int run(const config::CellConfig& config) {
 
   auto runtime = host::HostRuntime::create(*options, (*io)->driver(), (*io)->plant());
   if (!runtime) return fail(runtime.error(), ExitCode::RuntimeFault);
-  auto server = service::Server::create({config.socket_path(), config.supervisor_lost_after}, **runtime);
+  BootProgram boot(config.boot, **runtime);
+  auto server =
+      service::Server::create({config.socket_path(), config.supervisor_lost_after, boot.keeper()}, **runtime);
   if (!server) return fail(server.error(), ExitCode::BadInput);
+  // Only now: the socket says that this is the one runtime of the folder, and so of what is retained in it.
+  if (const auto problems = boot.run(); !problems.empty())
+    std::fprintf(stderr, "%s\n", result::to_string(problems).c_str());
   std::printf("runtime '%s' listens on %s (%s)\n", config.name.c_str(), config.socket_path().c_str(),
               describe(config.clock).c_str());
   if (const std::string detail = (*runtime)->status().detail; !detail.empty()) {

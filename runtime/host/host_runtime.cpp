@@ -174,10 +174,18 @@ RuntimeStatus HostRuntime::status() const {
   };
   if (!refused_.empty()) note(refused_);
   if (const std::string retain = retain_->note(); !retain.empty()) note(retain);
-  if (!note_.empty()) note(note_);
+  {
+    const std::lock_guard lock(note_mutex_);
+    if (!note_.empty()) note(note_);
+  }
   if (figures.lost_events > 0) note(std::to_string(figures.lost_events) + " events were lost");
   if (auto snapshot = reader_->read()) status.plant = std::move(snapshot->plant);
   return status;
+}
+
+void HostRuntime::set_note(std::string note) {
+  const std::lock_guard lock(note_mutex_);
+  note_ = std::move(note);
 }
 
 std::span<const std::byte> HostRuntime::program() const {

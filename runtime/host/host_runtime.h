@@ -17,6 +17,7 @@
 // Fault -load-> Stopped; an online change, and its rollback, stay in Running.
 
 #include <memory>
+#include <mutex>
 #include <thread>
 
 #include "runtime/host/host_config.h"
@@ -51,8 +52,8 @@ class HostRuntime final : public RuntimePort {
   void clear() override;
   int snapshot_descriptor() const override;
 
-  // Something about this process that its status should say, behind the rest.
-  void set_note(std::string note) { note_ = std::move(note); }
+  // Something about this process that its status should say, behind the rest. Any thread.
+  void set_note(std::string note);
 
  private:
   HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
@@ -76,6 +77,7 @@ class HostRuntime final : public RuntimePort {
   std::unique_ptr<ScanLoop> loop_;
   std::string refused_;  // what the system refused to the scan thread
   std::string detail_;   // of the newest event that has one
+  mutable std::mutex note_mutex_;
   std::string note_;
   ProgramShelf programs_;
   std::size_t commands_under_way_ = 0;

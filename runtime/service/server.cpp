@@ -29,8 +29,13 @@ constexpr std::uint64_t kOwnTicket = 0;
 }  // namespace
 
 struct Server::State {
-  State(Listener l, host::RuntimePort& p, milliseconds lost_after)
-      : listener(std::move(l)), port(p), handler(p, events), supervisor(lost_after) {}
+  State(Listener l, host::RuntimePort& p, const ServerConfig& c)
+      : listener(std::move(l)),
+        port(p),
+        handler(p, events),
+        supervisor(c.supervisor_lost_after),
+        on_program(c.on_program),
+        program(p.status().program_digest) {}
 
   void accept_clients();
   void take_news();
@@ -41,12 +46,15 @@ struct Server::State {
   void push_events(Session& session);
   void push_status();
   void watch_supervisor();
+  void watch_program();
 
   Listener listener;
   host::RuntimePort& port;
   EventHistory events;
   RequestHandler handler;
   SupervisorWatch supervisor;
+  std::function<void(std::span<const std::byte>)> on_program;
+  std::string program;  // its digest, as it was last looked at
   std::list<Session> sessions;
   std::uint64_t last_session = 0;
   bool status_due = false;
@@ -59,8 +67,7 @@ Server::~Server() = default;
 result::Result<std::unique_ptr<Server>> Server::create(const ServerConfig& config, host::RuntimePort& port) {
   auto listener = Listener::bind(config.socket);
   if (!listener) return result::forward(listener);
-  return std::unique_ptr<Server>(
-      new Server(std::make_unique<State>(std::move(*listener), port, config.supervisor_lost_after)));
+  return std::unique_ptr<Server>(new Server(std::make_unique<State>(std::move(*listener), port, config)));
 }
 
 void Server::run(int stop_descriptor) {
@@ -114,14 +121,25 @@ void Server::State::take_news() {
     events.append(std::move(*event));
     status_due = true;
   }
+  bool completed = false;
   while (auto completion = port.take_completion()) {
     status_due = true;
+    completed = true;
     auto answer = handler.complete(*completion);
     if (!answer) continue;
     for (Session& session : sessions) {
       if (session.number() == answer->session) session.send(std::move(answer->reply));
     }
   }
+  if (completed) watch_program();
+}
+
+void Server::State::watch_program() {
+  if (!on_program) return;
+  std::string now = port.status().program_digest;
+  if (now == program) return;
+  program = std::move(now);
+  on_program(port.program());
 }
 
 void Server::State::serve(Session& session) {

@@ -9,8 +9,11 @@
 // stop; a malformed message ends the connection that it came from. Clients of the same user only (mode 0600).
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <span>
 
 #include "runtime/host/runtime_port.h"
 #include "runtime/result/result.h"
@@ -21,6 +24,8 @@ struct ServerConfig {
   std::filesystem::path socket;  // in a folder that exists
   // After the last sign of life of a supervisor the runtime's policy applies.
   std::chrono::milliseconds supervisor_lost_after{1'000};
+  // Called with the container whenever another program has been loaded.
+  std::function<void(std::span<const std::byte>)> on_program{};
 };
 
 class Server {

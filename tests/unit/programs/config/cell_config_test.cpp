@@ -83,6 +83,44 @@ TEST_F(CellConfigTest, WhenTheTemporaryFolderIsGone_ThenThereIsStillAStateFolder
   EXPECT_EQ(config->state_dir, "/tmp/stepwright-line");
 }
 
+TEST_F(CellConfigTest, WhenNothingIsSaidOfRetain_ThenValuesAreKeptInTheStateFolderAndProgramsAreNot) {
+  const auto config = load_cell_config(write("[cell]\nstate_dir = \"s\"\n"));
+  ASSERT_TRUE(config.has_value());
+  EXPECT_EQ(config->retain.file, folder_ / "s" / "retain.store");
+  EXPECT_EQ(config->retain.period.count(), 100);
+  EXPECT_EQ(config->retain.policy, RetainPolicy::Carry);
+  EXPECT_TRUE(config->boot.program.empty());
+  EXPECT_TRUE(config->boot.keep.empty());
+  EXPECT_FALSE(config->boot.autostart);
+}
+
+TEST_F(CellConfigTest, WhenRetainAndBootAreSet_ThenPathsHaveTheirFolders) {
+  const auto config = load_cell_config(
+      write("[cell]\nstate_dir = \"s\"\n[retain]\nfile = \"\"\nperiod_ms = 7\npolicy = \"refuse\"\n"
+            "[runtime]\nprogram = \"line.swb\"\nautostart = true\nboot = true\n"));
+  ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
+  EXPECT_TRUE(config->retain.file.empty());
+  EXPECT_EQ(config->retain.period.count(), 7);
+  EXPECT_EQ(config->retain.policy, RetainPolicy::Refuse);
+  EXPECT_EQ(config->boot.program, folder_ / "line.swb");
+  EXPECT_EQ(config->boot.keep, folder_ / "s" / "boot.swb");
+}
+
+TEST_F(CellConfigTest, WhenRetainIsWrong_ThenEachPlaceIsNamed) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"[retain]\nperiod_ms = 0\n", "cell.toml:2:13: C0004"},
+      {"[retain]\npolicy = \"maybe\"\n", "cell.toml:2:10: C000"},
+      {"[retain]\nfiles = \"x\"\n", "cell.toml:2:1: C0002"},
+      {"[runtime]\nautostart = true\n", "cell.toml:2:13: C0006"},
+  };
+  for (const auto& [text, place] : wrong) {
+    const auto config = load_cell_config(write(text));
+    ASSERT_FALSE(config.has_value()) << text;
+    EXPECT_NE(result::to_string(config.error()).find(place), std::string::npos)
+        << result::to_string(config.error());
+  }
+}
+
 TEST_F(CellConfigTest, WhenFaultsAreListed_ThenTheyAreReadInOrder) {
   const auto config =
       load_cell_config(write("[[faults]]\nat_s = 3.5\nname = \"leak_a1\"\nvalue = 0.2\n[[faults]]\nat_s = "

@@ -140,6 +140,7 @@ TEST(ExtensionCheck, Types_WhenAKindsRuleIsBroken_ThenAreRefused) {
   EXPECT_EQ(type(kColour, [](auto& r) { r.size = 4; }), V::BadType);
   EXPECT_EQ(type(kColour, [](auto& r) { r.count = 1; }), V::BadType) << "a gap in the members";
   EXPECT_EQ(changed<S::Members>(0, [](auto& r) { r.type = kBool; }), V::BadType);
+  EXPECT_EQ(changed<S::Members>(0, [](auto& r) { r.flags = kMemberConstant; }), V::BadRecord);
   EXPECT_EQ(type(kPointer, [](auto& r) { r.first = 9; }), V::BadType);
   EXPECT_EQ(type(kPointer, [](auto& r) { r.size = 8; }), V::BadType);
   EXPECT_EQ(type(kSmall, [](auto& r) { r.lower = 6; }), V::BadType);

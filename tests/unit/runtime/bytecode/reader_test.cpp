@@ -72,6 +72,30 @@ TEST(ProgramInfo, Variables_WhenAskedByPath_ThenAreFoundInsideInstancesAndArrays
   EXPECT_EQ(info.find("MAIN.timer"), nullptr);
 }
 
+TEST(ProgramInfo, Variables_WhenTheCompilerHidesThem_ThenNobodySeesThem) {
+  writer::ContainerModel model;
+  model.sizes.data_bytes = 2;
+  const auto boolean = model.add_type(writer::elementary(bytecode::ElementaryType::Bool));
+  writer::Type block;
+  block.name = "BLOCK";
+  block.kind = bytecode::TypeKind::Instance;
+  block.size = 2;
+  block.members.push_back({"go", boolean, 0});
+  block.members.push_back({"go#BEFORE", boolean, 1, bytecode::kMemberHidden});
+  const auto type = model.add_type(std::move(block));
+  writer::Symbol symbol;
+  symbol.name = "MAIN";
+  symbol.type = type;
+  model.symbols.push_back(std::move(symbol));
+  writer::FunctionBuilder main("MAIN", bytecode::FunctionKind::Program, 2);
+  main.emit(bytecode::Opcode::Return);
+  model.functions.push_back(std::move(main).take());
+  model.tasks.push_back({.name = "t", .interval_us = 1'000, .priority = 0, .calls = {{"MAIN", 0, 0}}});
+  const ProgramInfo info = ProgramInfo::read(writer::write_container(model).value()).value();
+  ASSERT_EQ(info.tags().size(), 1u);
+  EXPECT_EQ(info.tags()[0].name, "MAIN.go");
+}
+
 TEST(ProgramInfo, Charts_WhenRead_ThenHaveStepsAndLinks) {
   const ProgramInfo info = ProgramInfo::read(sample_bytes()).value();
   const ChartInfo* chart = info.chart("main");

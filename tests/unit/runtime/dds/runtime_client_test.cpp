@@ -58,7 +58,7 @@ TEST(RuntimeClient, WhenLinkIsThere_ThenRequestsReachItWithTheirValues) {
   });
   auto client = client_of(31);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
-  ASSERT_TRUE(client->start({.barrier = true}));
+  ASSERT_TRUE(client->start({.barrier = true, .cold = true}));
   ASSERT_TRUE(client->stop("enough"));
   ASSERT_TRUE(client->acknowledge(42));
   ASSERT_TRUE(client->force({8, 0xF0, 0x50}));
@@ -68,6 +68,7 @@ TEST(RuntimeClient, WhenLinkIsThere_ThenRequestsReachItWithTheirValues) {
   const std::scoped_lock lock(mutex);
   ASSERT_EQ(seen.size(), 7u);
   EXPECT_TRUE(std::get<service::Start>(seen[0].body).barrier);
+  EXPECT_TRUE(std::get<service::Start>(seen[0].body).cold);
   EXPECT_EQ(std::get<service::Stop>(seen[1].body).reason, "enough");
   EXPECT_EQ(std::get<service::Acknowledge>(seen[2].body).event, 42u);
   EXPECT_EQ(std::get<service::Force>(seen[3].body).bits, (ForceRequest{8, 0xF0, 0x50}));

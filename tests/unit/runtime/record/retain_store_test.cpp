@@ -73,7 +73,7 @@ class Written : public testing::Test {
     return Read::Old;
   }
 
-  TestFolder folder;
+  TestFolder folder{true};
   Bytes before;
   Bytes after;
 };

@@ -135,6 +135,49 @@ TEST(VariableTransfer, WhenTimersAndCountersRun_ThenTheyGoOn) {
   EXPECT_EQ(change.after.get("MAIN.t.Q"), 1);
 }
 
+// A chart of these steps, each left after 30 ms.
+string chart(const std::vector<string>& steps, const string& more = "") {
+  string text = "PROGRAM MAIN VAR " + more + " done : INT; END_VAR\n";
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    text += (i == 0 ? "INITIAL_STEP " : "STEP ") + steps[i] + ": END_STEP\n";
+    const string& next = steps[(i + 1) % steps.size()];
+    text +=
+        "TRANSITION FROM " + steps[i] + " TO " + next + " := " + steps[i] + ".T >= T#30ms; END_TRANSITION\n";
+  }
+  return text + "END_PROGRAM\n";
+}
+
+TEST(VariableTransfer, WhenAStepIsActive_ThenItStaysSoAndItsTimeGoesOn) {
+  TwoPrograms change(chart({"A", "B", "C"}), chart({"NEW", "C", "B", "A"}, "fresh : LINT;"));
+  int scans = 0;
+  while (change.before.get("MAIN.B_X") == 0) {
+    change.before.scan();
+    ASSERT_LT(++scans, 20);
+  }
+  change.before.scan();
+  change.after.start_at(std::int64_t{scans + 1} * 10'000'000);
+  change.carry();
+  EXPECT_EQ(change.after.get("MAIN.B_X"), 1);
+  EXPECT_EQ(change.after.text("MAIN.B_T"), change.before.text("MAIN.B_T"));
+  EXPECT_TRUE(change.transfer.lost_active_steps(change.before.image().bytes()).empty());
+  ASSERT_EQ(change.report().new_steps.size(), 1u);
+  EXPECT_EQ(change.report().new_steps[0].path, "MAIN.NEW_X");
+  EXPECT_TRUE(change.report().new_steps[0].initial);
+  change.before.scan();
+  change.after.scan();
+  EXPECT_EQ(change.after.get("MAIN.B_X"), change.before.get("MAIN.B_X"));
+  EXPECT_EQ(change.after.text("MAIN.B_T"), change.before.text("MAIN.B_T"));
+}
+
+TEST(VariableTransfer, WhenAnActiveStepIsGone_ThenTheReportNamesIt) {
+  TwoPrograms change(chart({"A", "B", "C"}), chart({"A", "C"}));
+  EXPECT_TRUE(change.transfer.lost_active_steps(change.before.image().bytes()).empty());
+  change.before.set("MAIN.B_X", 1);
+  const auto lost = change.transfer.lost_active_steps(change.before.image().bytes());
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_EQ(lost[0].path, "MAIN.B_X");
+}
+
 TEST(VariableTransfer, WhenVariablesAreLocated_ThenBitsAndUnnamedMarkersAreCarried) {
   TwoPrograms change(
       program("VAR o AT %QX0.3 : BOOL; m AT %MX1.2 : BOOL; b : BOOL; i AT %IX0.0 : BOOL; END_VAR",

@@ -34,7 +34,7 @@ std::vector<Message> every_kind() {
   Sha256 digest{};
   digest.fill(std::byte{0xAB});
   std::vector<Message> messages{Hello{1, Role::Controller, 42, "link"}, Welcome{1}, SupervisorLife{true}};
-  const std::vector<RequestBody> bodies{Start{true},
+  const std::vector<RequestBody> bodies{Start{true, true},
                                         Stop{"why"},
                                         Acknowledge{7},
                                         Force{{8, 0xFF, 3}},

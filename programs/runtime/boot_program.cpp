@@ -1,0 +1,120 @@
+#include "programs/runtime/boot_program.h"
+
+#include <poll.h>
+
+#include <utility>
+
+#include "runtime/host/limits.h"
+#include "runtime/record/durable_file.h"
+#include "runtime/service/digest.h"
+
+namespace stepwright::cell_runtime {
+namespace {
+
+// Commands are answered within a scan of an empty runtime; this is for a machine in trouble.
+constexpr int kPatienceMs = 10'000;
+
+}  // namespace
+
+BootProgram::BootProgram(config::BootSection config, host::HostRuntime& runtime)
+    : config_(std::move(config)), runtime_(runtime) {
+  if (!config_.keep.empty()) thread_ = std::thread([this] { keep_on(); });
+}
+
+BootProgram::~BootProgram() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    quit_ = true;
+  }
+  news_.notify_one();
+  thread_.join();
+}
+
+std::function<void(std::span<const std::byte>)> BootProgram::keeper() {
+  if (config_.keep.empty()) return {};
+  return [this](std::span<const std::byte> container) {
+    {
+      const std::lock_guard lock(mutex_);
+      next_.emplace(container.begin(), container.end());
+    }
+    news_.notify_one();
+  };
+}
+
+void BootProgram::keep_on() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    news_.wait(lock, [this] { return quit_ || next_; });
+    if (!next_) return;
+    const std::vector<std::byte> container = std::move(*next_);
+    next_.reset();
+    lock.unlock();
+    const auto kept = record::replace_file(config_.keep, container);
+    runtime_.set_note(kept
+                          ? std::string()
+                          : "the program is not kept for the next start: " + result::to_string(kept.error()));
+    lock.lock();
+  }
+}
+
+result::Diagnostics BootProgram::run() {
+  auto done = load_and_start();
+  if (done) return {};
+  runtime_.set_note(result::to_string(done.error()));
+  return std::move(done.error());
+}
+
+// The program and the file it comes from; nothing if there is none to load.
+result::Result<std::optional<std::vector<std::byte>>> BootProgram::find(std::filesystem::path& file) const {
+  for (const std::filesystem::path& each : {config_.keep, config_.program}) {
+    if (each.empty()) continue;
+    auto content = record::read_whole(each, host::kMaxContainerBytes);
+    if (!content) return result::forward(content);
+    if (!*content) continue;
+    file = each;
+    return content;
+  }
+  if (config_.program.empty()) return std::nullopt;
+  return result::fail("R0026", {config_.program.string(), 0, 0}, "there is no such program",
+                      "[runtime] program of the cell's configuration names it");
+}
+
+result::Result<void> BootProgram::load_and_start() {
+  std::filesystem::path file;
+  auto content = find(file);
+  if (!content) return result::forward(content);
+  if (!*content) return {};
+  std::string digest = service::to_hex(service::sha256(**content));
+  auto loaded = runtime_.load(0, std::move(**content), std::move(digest));
+  if (!loaded) {
+    // It was no download.
+    for (result::Diagnostic& each : loaded.error()) each.where.file = file.string();
+    return loaded;
+  }
+  if (!config_.autostart) return complete(1);
+  // Both at once: between two commands a stopped program waits for its next inputs.
+  host::Command start;
+  start.kind = host::CommandKind::Start;
+  if (!runtime_.submit(start)) return result::fail("R0006", {}, "the runtime is busy");
+  return complete(2);
+}
+
+// Waits for the commands that are under way.
+result::Result<void> BootProgram::complete(int commands) {
+  result::Diagnostics problems;
+  while (commands > 0) {
+    if (auto completion = runtime_.take_completion()) {
+      problems.insert(problems.end(), completion->problems.begin(), completion->problems.end());
+      --commands;
+      continue;
+    }
+    pollfd entry{runtime_.descriptor(), POLLIN, 0};
+    if (poll(&entry, 1, kPatienceMs) == 0) return result::fail("R0006", {}, "the runtime does not answer");
+    runtime_.clear();
+  }
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return {};
+}
+
+}  // namespace stepwright::cell_runtime
