@@ -143,6 +143,11 @@ void ChangePlan::clear_outputs() {
     initial_outputs_[i] = static_cast<std::uint8_t>(~driven.mask(i) | ended.mask(i));
 }
 
+void ChangePlan::warm() const {
+  touched_ = transfer_.touch();
+  to_.warm();
+}
+
 void ChangePlan::carry(const image::ProcessImage& from, image::ProcessImage& to) const {
   const std::span<const std::byte> initial = to_.loaded().program().container().section(Section::InitialData);
   const auto initial_byte = [&](std::size_t at) { return at < initial.size() ? initial[at] : std::byte{0}; };

@@ -8,6 +8,8 @@
 
 #include <cstdint>
 
+#include "runtime/host/command.h"
+
 namespace stepwright::host {
 
 class ChangePlan;
@@ -17,6 +19,13 @@ struct ChangeTrial {
   std::uint32_t scans_left = 0;
 
   bool active() const { return plan != nullptr; }
+};
+
+// A change whose memory was brought near the processor in one pause between two scans; it is performed in the
+// next one, before any later command.
+struct WarmChange {
+  Command command;
+  bool waiting = false;
 };
 
 }  // namespace stepwright::host

@@ -22,7 +22,8 @@ EventRing::EventRing(std::size_t image_bytes, std::size_t plant_values) {
 }
 
 void EventRing::warm() {
-  std::vector<std::byte>& image = slots_.front().image;
+  if (full()) return;
+  std::vector<std::byte>& image = slots_[tail_.load(std::memory_order_relaxed)].image;
   std::fill(image.begin(), image.end(), std::byte{0});
 }
 

@@ -42,10 +42,9 @@ class EventRing {
 
   EventRing(std::size_t image_bytes, std::size_t plant_values);
 
-  // Before the ring is handed over: brings the memory of the first event near the processors.
-  void warm();
-
   // Producer.
+  // Brings the memory of the next event near the processor.
+  void warm();
   bool full() const;
   // False if the ring is full. Requires the sizes of the constructor.
   bool push(const EventNote& note, std::span<const std::byte> image, std::span<const double> plant);

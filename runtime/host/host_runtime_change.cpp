@@ -29,7 +29,6 @@ result::Result<void> HostRuntime::change(std::uint64_t ticket, std::vector<std::
   if (!program) return result::forward(program);
   auto plan = ChangePlan::make(*running, **program, mode);
   if (!plan) return result::forward(plan);
-  (*program)->warm();
   Command command;
   command.kind = CommandKind::Change;
   command.ticket = ticket;

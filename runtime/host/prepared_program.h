@@ -43,10 +43,9 @@ class PreparedProgram {
   record::RetainChannel& retained() const { return *retained_; }
   void set_retained(std::shared_ptr<record::RetainChannel> retained) { retained_ = std::move(retained); }
 
-  // Before it is handed over: what the swap of an online change writes first is near the processors then.
-  void warm();
-
   // Scan thread only.
+  // Before its first scan: what an online change is about to write comes near the processor.
+  void warm();
   image::ProcessImage& image() { return image_; }
   scan::ScanCycle& cycle() { return cycle_; }
   StepWatch& steps() { return steps_; }

@@ -141,19 +141,25 @@ void ScanLoop::inject_scheduled(std::int64_t time_ns) {
 
 void ScanLoop::emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
                     const PreparedProgram* other) {
-  EventNote note;
-  note.sequence = ++now_.last_event;
-  note.scan = now_.scan;
-  note.time_ns = now_.time_ns;
-  note.kind = kind;
-  note.trap = trap;
-  note.reason = FixedText<kMaxReasonBytes>(reason);
-  note.other = other;
+  note(kind, trap, reason, other);
+  news_.ring();
+}
+
+// The event without the bell: behind a command it rings anyway.
+void ScanLoop::note(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
+                    const PreparedProgram* other) {
+  EventNote event;
+  event.sequence = ++now_.last_event;
+  event.scan = now_.scan;
+  event.time_ns = now_.time_ns;
+  event.kind = kind;
+  event.trap = trap;
+  event.reason = FixedText<kMaxReasonBytes>(reason);
+  event.other = other;
   if (plant_ != nullptr) plant_->read_values(truths_);
   // The figures first: who sees the event must find a status that is at least as new.
   publish();
-  if (!program_->events().push(note, program_->image().bytes(), truths_)) ++now_.lost_events;
-  news_.ring();
+  if (!program_->events().push(event, program_->image().bytes(), truths_)) ++now_.lost_events;
 }
 
 void ScanLoop::release_barrier() {

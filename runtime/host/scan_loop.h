@@ -92,6 +92,7 @@ class ScanLoop {
   void adopt(PreparedProgram& program);
 
   // Online change (scan_loop_change.cpp).
+  std::optional<Command> next_command();
   Completion change(const Command& command);
   bool tried(const scan::ScanReport& report);
   void roll_back(const bytecode::Trap& trap);
@@ -107,6 +108,8 @@ class ScanLoop {
   void inject_scheduled(std::int64_t time_ns);
   void emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
             const PreparedProgram* other = nullptr);
+  void note(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
+            const PreparedProgram* other);
   void release_barrier();
   void begin_stretch();
   void end_stretch();
@@ -151,6 +154,7 @@ class ScanLoop {
   std::int64_t ran_scan_ns_ = 0;
   std::int64_t published_ns_ = 0;
   ChangeTrial trial_;
+  WarmChange warm_change_;
 };
 
 }  // namespace stepwright::host

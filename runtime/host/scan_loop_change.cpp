@@ -1,6 +1,8 @@
 // Online change and rollback, as the scan thread performs them between two scans
 // (runtime/doc/online_change.md).
 
+#include <utility>
+
 #include "runtime/host/change_plan.h"
 #include "runtime/host/scan_loop.h"
 
@@ -10,6 +12,19 @@ namespace {
 constexpr double kNsPerUs = 1'000.0;
 
 }  // namespace
+
+// The commands in their order. In real time a change is warmed up in this pause between two scans and
+// performed in the next one, with the commands behind it waiting; the simulated clock stands still meanwhile
+// anyway.
+std::optional<Command> ScanLoop::next_command() {
+  if (std::exchange(warm_change_.waiting, false)) return warm_change_.command;
+  auto command = commands_.pop();
+  const bool running = now_.state == RuntimeState::Running;
+  if (!command || command->kind != CommandKind::Change || !real() || !running) return command;
+  command->change->warm();
+  warm_change_ = {*command, true};
+  return std::nullopt;
+}
 
 Completion ScanLoop::change(const Command& command) {
   const std::int64_t begin_ns = clock_.now_ns();
@@ -46,7 +61,7 @@ Completion ScanLoop::change(const Command& command) {
   ++now_.changes;
   // Whoever changed the program has decided; nothing waits for its word any more.
   release_barrier();
-  emit(EventKind::Changed, {}, {}, &before);
+  note(EventKind::Changed, {}, {}, &before);
   now_.last_change_pause_ns = clock_.now_ns() - begin_ns;
   figures_.store(now_);
   completion.change.pause_us = static_cast<double>(now_.last_change_pause_ns) / kNsPerUs;

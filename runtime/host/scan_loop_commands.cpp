@@ -46,7 +46,7 @@ std::optional<image::Force> to_force(const ImageBits& bits) {
 void ScanLoop::take_commands() {
   bool any = false;
   bool stale = false;
-  while (auto command = commands_.pop()) {
+  while (auto command = next_command()) {
     // There is room: the service has no more commands under way than either queue holds.
     [[maybe_unused]] const bool pushed = completions_.push(apply(*command));
     assert(pushed);

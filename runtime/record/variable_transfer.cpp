@@ -196,6 +196,16 @@ void VariableTransfer::apply(std::span<const std::byte> from, std::span<std::byt
   }
 }
 
+std::uint32_t VariableTransfer::touch() const {
+  std::uint32_t sum = 0;
+  for (const Run& run : runs_) sum += run.from;
+  for (const std::vector<Single>& singles : singles_)
+    for (const Single& each : singles) sum += each.from;
+  for (const Bit& bit : bits_) sum += bit.from;
+  for (const Text& text : texts_) sum += text.from;
+  return sum;
+}
+
 std::vector<StepPlace> VariableTransfer::lost_active_steps(std::span<const std::byte> from) const {
   std::vector<StepPlace> active;
   for (const StepPlace& step : report_.lost_steps) {

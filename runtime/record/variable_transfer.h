@@ -58,6 +58,9 @@ class VariableTransfer {
   // Requires blocks as large as the two layouts say.
   void apply(std::span<const std::byte> from, std::span<std::byte> to) const;
 
+  // Reads the list of copies, so that `apply` finds it near the processor. The value means nothing.
+  std::uint32_t touch() const;
+
   // The steps of the old program that the new one lacks and that are active in this old image.
   std::vector<StepPlace> lost_active_steps(std::span<const std::byte> from) const;
 
