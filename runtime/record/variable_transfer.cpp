@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <map>
+
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::record {
 namespace {
@@ -20,6 +23,13 @@ bool is_bool(const StateType& type) {
 
 StepPlace place_of(const StateVariable& step) {
   return {step.path, step.address, step.bit, (step.flags & kStateInitialStep) != 0};
+}
+
+// What holds the variable: of a step the instance of its chart.
+std::string owner_of(const std::string& path) {
+  std::string owner = path.substr(0, path.rfind('.'));
+  for (char& c : owner) c = naming::to_upper(c);
+  return owner;
 }
 
 bool get(std::span<const std::byte> image, std::uint32_t address, std::uint8_t bit) {
@@ -55,6 +65,9 @@ class TransferBuilder {
       }
     }
     join(out_.runs_);
+    for (auto& [owner, chart] : charts_) {
+      if (!chart.carried.empty() && !chart.fresh.empty()) out_.charts_.push_back(std::move(chart));
+    }
   }
 
  private:
@@ -74,7 +87,7 @@ class TransferBuilder {
     const StateVariable* from = from_.find(to.path);
     if (from == nullptr || !is_carried_at_all(*from)) {
       report.initialised.push_back(to.path);
-      if ((to.flags & kStateStep) != 0) report.new_steps.push_back(place_of(to));
+      add_step(to);
       return;
     }
     const StateType& old_type = from_.type_of(*from);
@@ -82,7 +95,7 @@ class TransferBuilder {
     if (from->is_array != to.is_array || !takes(new_type, old_type)) {
       report.retyped.push_back(to.path);
       if ((from->flags & kStateStep) != 0) report.lost_steps.push_back(place_of(*from));
-      if ((to.flags & kStateStep) != 0) report.new_steps.push_back(place_of(to));
+      add_step(to);
       return;
     }
     if (new_type.kind == TypeKind::Reference && !same_layout_) {
@@ -90,6 +103,15 @@ class TransferBuilder {
       return;
     }
     copy(*from, old_type, to, new_type);
+    const bool step = (from->flags & to.flags & kStateStep) != 0;
+    if (step) charts_[owner_of(to.path)].carried.push_back(place_of(*from));
+  }
+
+  // A step that only the new program has.
+  void add_step(const StateVariable& to) {
+    if ((to.flags & kStateStep) == 0) return;
+    out_.report_.new_steps.push_back(place_of(to));
+    charts_[owner_of(to.path)].fresh.push_back(place_of(to));
   }
 
   // The elements that both have.
@@ -142,6 +164,7 @@ class TransferBuilder {
   const StateLayout& to_;
   VariableTransfer& out_;
   bool same_layout_;
+  std::map<std::string, VariableTransfer::Chart> charts_;  // by what holds them
 };
 
 VariableTransfer VariableTransfer::between(const StateLayout& from, const StateLayout& to) {
@@ -191,6 +214,12 @@ void VariableTransfer::apply(std::span<const std::byte> from, std::span<std::byt
     std::byte* const target = to.data() + text.to;
     std::memcpy(target + sizeof capacity, &length, sizeof length);
     std::memcpy(target + bytecode::kStringHeaderBytes, source, std::size_t{length} * text.character_bytes);
+  }
+  for (const Chart& chart : charts_) {
+    const bool active = std::any_of(chart.carried.begin(), chart.carried.end(),
+                                    [&](const StepPlace& step) { return get(from, step.address, step.bit); });
+    if (!active) continue;
+    for (const StepPlace& step : chart.fresh) set(to, step.address, step.bit, false);
   }
 }
 

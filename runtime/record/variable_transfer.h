@@ -8,7 +8,8 @@
 // strings cut to the new capacity, arrays by index where both have the element. Anything else has the initial
 // value of the new program. Constants and inputs are never carried. Outputs and markers are memory with
 // public addresses: they are copied by address first, what has a name in them then by name. A reference holds
-// an address: it is carried only between equal layouts.
+// an address: it is carried only between equal layouts. A step that only the new program has begins inactive
+// where its chart is carried with an active one, also an initial step: the chart has its token already.
 //
 // Threads: made on any; `apply` on the one that owns both images: no heap, no lock, no failure, O(bytes).
 //
@@ -80,10 +81,17 @@ class VariableTransfer {
     std::uint8_t character_bytes = 1;
   };
 
+  // Of one chart that both programs have: places in the old image, which are carried, and in the new one.
+  struct Chart {
+    std::vector<StepPlace> carried;
+    std::vector<StepPlace> fresh;
+  };
+
   std::vector<Run> areas_;  // before all others
   std::vector<Run> runs_;
   std::vector<Bit> bits_;
   std::vector<Text> texts_;
+  std::vector<Chart> charts_;
   TransferReport report_;
 };
 

@@ -158,6 +158,7 @@ TEST(VariableTransfer, WhenAStepIsActive_ThenItStaysSoAndItsTimeGoesOn) {
   change.after.start_at(std::int64_t{scans + 1} * 10'000'000);
   change.carry();
   EXPECT_EQ(change.after.get("MAIN.B_X"), 1);
+  EXPECT_EQ(change.after.get("MAIN.NEW_X"), 0);  // initial, but the chart has its token already
   EXPECT_EQ(change.after.text("MAIN.B_T"), change.before.text("MAIN.B_T"));
   EXPECT_TRUE(change.transfer.lost_active_steps(change.before.image().bytes()).empty());
   ASSERT_EQ(change.report().new_steps.size(), 1u);
