@@ -61,12 +61,13 @@ class TransferBuilder {
     for (const StateVariable& variable : from_.variables()) {
       if (is_carried_at_all(variable) && to_.find(variable.path) == nullptr) {
         out_.report_.dropped.push_back(variable.path);
-        if ((variable.flags & kStateStep) != 0) out_.report_.lost_steps.push_back(place_of(variable));
+        lose_step(variable);
       }
     }
     join(out_.runs_);
     for (auto& [owner, chart] : charts_) {
-      if (!chart.carried.empty() && !chart.fresh.empty()) out_.charts_.push_back(std::move(chart));
+      const bool changed = !chart.fresh.empty() || !chart.lost.empty();
+      if (!chart.carried.empty() && changed) out_.charts_.push_back(std::move(chart));
     }
   }
 
@@ -94,7 +95,7 @@ class TransferBuilder {
     const StateType& new_type = to_.type_of(to);
     if (from->is_array != to.is_array || !takes(new_type, old_type)) {
       report.retyped.push_back(to.path);
-      if ((from->flags & kStateStep) != 0) report.lost_steps.push_back(place_of(*from));
+      lose_step(*from);
       add_step(to);
       return;
     }
@@ -104,14 +105,25 @@ class TransferBuilder {
     }
     copy(*from, old_type, to, new_type);
     const bool step = (from->flags & to.flags & kStateStep) != 0;
-    if (step) charts_[owner_of(to.path)].carried.push_back(place_of(*from));
+    if (!step) return;
+    VariableTransfer::Chart& chart = charts_[owner_of(to.path)];
+    chart.carried.push_back(place_of(*from));
+    if ((to.flags & kStateInitialStep) != 0) chart.initial.push_back(place_of(to));
   }
 
   // A step that only the new program has.
   void add_step(const StateVariable& to) {
     if ((to.flags & kStateStep) == 0) return;
     out_.report_.new_steps.push_back(place_of(to));
-    charts_[owner_of(to.path)].fresh.push_back(place_of(to));
+    VariableTransfer::Chart& chart = charts_[owner_of(to.path)];
+    chart.fresh.push_back(place_of(to));
+    if ((to.flags & kStateInitialStep) != 0) chart.initial.push_back(place_of(to));
+  }
+
+  void lose_step(const StateVariable& from) {
+    if ((from.flags & kStateStep) == 0) return;
+    out_.report_.lost_steps.push_back(place_of(from));
+    charts_[owner_of(from.path)].lost.push_back(place_of(from));
   }
 
   // The elements that both have.
@@ -216,10 +228,12 @@ void VariableTransfer::apply(std::span<const std::byte> from, std::span<std::byt
     std::memcpy(target + bytecode::kStringHeaderBytes, source, std::size_t{length} * text.character_bytes);
   }
   for (const Chart& chart : charts_) {
-    const bool active = std::any_of(chart.carried.begin(), chart.carried.end(),
-                                    [&](const StepPlace& step) { return get(from, step.address, step.bit); });
-    if (!active) continue;
-    for (const StepPlace& step : chart.fresh) set(to, step.address, step.bit, false);
+    const auto active = [&](const StepPlace& step) { return get(from, step.address, step.bit); };
+    if (std::any_of(chart.carried.begin(), chart.carried.end(), active)) {
+      for (const StepPlace& step : chart.fresh) set(to, step.address, step.bit, false);
+    } else if (std::any_of(chart.lost.begin(), chart.lost.end(), active)) {
+      for (const StepPlace& step : chart.initial) set(to, step.address, step.bit, true);
+    }
   }
 }
 

@@ -9,7 +9,8 @@
 // value of the new program. Constants and inputs are never carried. Outputs and markers are memory with
 // public addresses: they are copied by address first, what has a name in them then by name. A reference holds
 // an address: it is carried only between equal layouts. A step that only the new program has begins inactive
-// where its chart is carried with an active one, also an initial step: the chart has its token already.
+// where its chart is carried with an active one, also an initial step: the chart has its token already. A
+// chart that loses its last active step begins anew, at its initial steps.
 //
 // Threads: made on any; `apply` on the one that owns both images: no heap, no lock, no failure, O(bytes).
 //
@@ -81,10 +82,12 @@ class VariableTransfer {
     std::uint8_t character_bytes = 1;
   };
 
-  // Of one chart that both programs have: places in the old image, which are carried, and in the new one.
+  // Steps of one chart that both programs have, with their places in the old image or in the new one.
   struct Chart {
-    std::vector<StepPlace> carried;
-    std::vector<StepPlace> fresh;
+    std::vector<StepPlace> carried;  // old
+    std::vector<StepPlace> lost;     // old
+    std::vector<StepPlace> fresh;    // new
+    std::vector<StepPlace> initial;  // new
   };
 
   std::vector<Run> areas_;  // before all others
