@@ -4,6 +4,9 @@
 #include <bit>
 #include <cassert>
 #include <cstring>
+#include <map>
+
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::record {
 namespace {
@@ -21,6 +24,13 @@ bool is_bool(const StateType& type) {
 
 StepPlace place_of(const StateVariable& step) {
   return {step.path, step.address, step.bit, (step.flags & kStateInitialStep) != 0};
+}
+
+// What holds the variable: of a step the instance of its chart.
+std::string owner_of(const std::string& path) {
+  std::string owner = path.substr(0, path.rfind('.'));
+  for (char& c : owner) c = naming::to_upper(c);
+  return owner;
 }
 
 bool get(std::span<const std::byte> image, std::uint32_t address, std::uint8_t bit) {
@@ -57,11 +67,15 @@ class TransferBuilder {
     for (const StateVariable& variable : from_.variables()) {
       if (is_carried_at_all(variable) && to_.find(variable.path) == nullptr) {
         out_.report_.dropped.push_back(variable.path);
-        if ((variable.flags & kStateStep) != 0) out_.report_.lost_steps.push_back(place_of(variable));
+        lose_step(variable);
       }
     }
     join(out_.runs_);
     take_out_singles();
+    for (auto& [owner, chart] : charts_) {
+      const bool changed = !chart.fresh.empty() || !chart.lost.empty();
+      if (!chart.carried.empty() && changed) out_.charts_.push_back(std::move(chart));
+    }
   }
 
  private:
@@ -81,15 +95,15 @@ class TransferBuilder {
     const StateVariable* from = from_.find(to.path);
     if (from == nullptr || !is_carried_at_all(*from)) {
       report.initialised.push_back(to.path);
-      if ((to.flags & kStateStep) != 0) report.new_steps.push_back(place_of(to));
+      add_step(to);
       return;
     }
     const StateType& old_type = from_.type_of(*from);
     const StateType& new_type = to_.type_of(to);
     if (from->is_array != to.is_array || !takes(new_type, old_type)) {
       report.retyped.push_back(to.path);
-      if ((from->flags & kStateStep) != 0) report.lost_steps.push_back(place_of(*from));
-      if ((to.flags & kStateStep) != 0) report.new_steps.push_back(place_of(to));
+      lose_step(*from);
+      add_step(to);
       return;
     }
     if (new_type.kind == TypeKind::Reference && !same_layout_) {
@@ -97,6 +111,26 @@ class TransferBuilder {
       return;
     }
     copy(*from, old_type, to, new_type);
+    const bool step = (from->flags & to.flags & kStateStep) != 0;
+    if (!step) return;
+    VariableTransfer::Chart& chart = charts_[owner_of(to.path)];
+    chart.carried.push_back(place_of(*from));
+    if ((to.flags & kStateInitialStep) != 0) chart.initial.push_back(place_of(to));
+  }
+
+  // A step that only the new program has.
+  void add_step(const StateVariable& to) {
+    if ((to.flags & kStateStep) == 0) return;
+    out_.report_.new_steps.push_back(place_of(to));
+    VariableTransfer::Chart& chart = charts_[owner_of(to.path)];
+    chart.fresh.push_back(place_of(to));
+    if ((to.flags & kStateInitialStep) != 0) chart.initial.push_back(place_of(to));
+  }
+
+  void lose_step(const StateVariable& from) {
+    if ((from.flags & kStateStep) == 0) return;
+    out_.report_.lost_steps.push_back(place_of(from));
+    charts_[owner_of(from.path)].lost.push_back(place_of(from));
   }
 
   // The elements that both have.
@@ -158,6 +192,7 @@ class TransferBuilder {
   const StateLayout& to_;
   VariableTransfer& out_;
   bool same_layout_;
+  std::map<std::string, VariableTransfer::Chart> charts_;  // by what holds them
 };
 
 VariableTransfer VariableTransfer::between(const StateLayout& from, const StateLayout& to) {
@@ -193,6 +228,14 @@ void VariableTransfer::apply(std::span<const std::byte> from, std::span<std::byt
     std::byte* const target = to.data() + text.to;
     std::memcpy(target + sizeof capacity, &length, sizeof length);
     std::memcpy(target + bytecode::kStringHeaderBytes, source, std::size_t{length} * text.character_bytes);
+  }
+  for (const Chart& chart : charts_) {
+    const auto active = [&](const StepPlace& step) { return get(from, step.address, step.bit); };
+    if (std::any_of(chart.carried.begin(), chart.carried.end(), active)) {
+      for (const StepPlace& step : chart.fresh) set(to, step.address, step.bit, false);
+    } else if (std::any_of(chart.lost.begin(), chart.lost.end(), active)) {
+      for (const StepPlace& step : chart.initial) set(to, step.address, step.bit, true);
+    }
   }
 }
 

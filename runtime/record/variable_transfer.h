@@ -8,7 +8,9 @@
 // strings cut to the new capacity, arrays by index where both have the element. Anything else has the initial
 // value of the new program. Constants and inputs are never carried. Outputs and markers are memory with
 // public addresses: they are copied by address first, what has a name in them then by name. A reference holds
-// an address: it is carried only between equal layouts.
+// an address: it is carried only between equal layouts. A step that only the new program has begins inactive
+// where its chart is carried with an active one, also an initial step: the chart has its token already. A
+// chart that loses its last active step begins anew, at its initial steps.
 //
 // Threads: made on any; `apply` on the one that owns both images: no heap, no lock, no failure, O(bytes).
 //
@@ -88,11 +90,20 @@ class VariableTransfer {
     std::uint8_t character_bytes = 1;
   };
 
+  // Steps of one chart that both programs have, with their places in the old image or in the new one.
+  struct Chart {
+    std::vector<StepPlace> carried;  // old
+    std::vector<StepPlace> lost;     // old
+    std::vector<StepPlace> fresh;    // new
+    std::vector<StepPlace> initial;  // new
+  };
+
   std::vector<Run> areas_;  // before all others
   std::vector<Run> runs_;
   std::array<std::vector<Single>, 4> singles_;  // of 1, 2, 4 and 8 bytes
   std::vector<Bit> bits_;
   std::vector<Text> texts_;
+  std::vector<Chart> charts_;
   TransferReport report_;
 };
 
