@@ -195,6 +195,7 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.dds.domain_id = static_cast<std::uint32_t>(dds.integer("domain_id", 0, {0, 232}));
   config.dds.runtime_id = dds.text("runtime_id", config.name);
   read_addresses(dds, config.dds);
+  config.change = read_change(root);
   const TomlTable hmi = root.table("hmi");
   config.hmi.host = hmi.text("host", config.hmi.host);
   config.hmi.port = static_cast<std::uint16_t>(hmi.integer("port", 8080, {0, 65'535}));

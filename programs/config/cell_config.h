@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "programs/config/change_config.h"
 #include "programs/config/log_config.h"
 #include "programs/config/record_config.h"
 #include "programs/config/retain_config.h"
@@ -119,6 +120,7 @@ struct CellConfig {
   ExecutiveConfig executive;
   DdsConfig dds;
   HmiConfig hmi;
+  ChangeConfig change;
   RetainSection retain;
   BootSection boot;
   RecordConfig record;

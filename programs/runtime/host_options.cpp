@@ -41,6 +41,7 @@ result::Result<host::HostConfig> host_options(const config::CellConfig& config) 
     if (config::is_goal_change(fault)) continue;
     options.faults.push_back({std::llround(fault.at_s * 1e9), fault.name, fault.value});
   }
+  options.change_trial_scans = config.change.trial_scans;
   options.retain = {config.retain.file, std::chrono::nanoseconds(config.retain.period).count(),
                     config.retain.policy == config::RetainPolicy::Initialise
                         ? record::RetainPolicy::Initialise

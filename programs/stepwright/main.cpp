@@ -44,6 +44,7 @@ constexpr std::array kCommands = {
     Command{"link", "stepwright-link", "carry the runtime's service over Fast DDS"},
     Command{"supervisor", "stepwright-supervisor", "plan, download, watch and replan"},
     Command{"hmi", "stepwright-hmi", "show the cell in a browser"},
+    Command{"download", "stepwright-download", "bring a program to a running cell, also by an online change"},
     Command{"force", "stepwright-monitor", "hold a variable of a runtime at a value"},
     Command{"unforce", "stepwright-monitor", "release a variable, or all"},
     Command{"forces", "stepwright-monitor", "list what is forced"},

@@ -52,6 +52,12 @@ bool RuntimeClient::runtime_alive() const {
 }
 
 result::Result<std::string> RuntimeClient::download(std::span<const std::byte> container) {
+  auto reply = download(container, DownloadMode::Replace);
+  if (!reply) return result::forward(reply);
+  return std::move(reply->digest);
+}
+
+result::Result<Download> RuntimeClient::download(std::span<const std::byte> container, DownloadMode mode) {
   if (container.empty() || container.size() > host::kMaxContainerBytes) {
     return result::fail("D0004", {},
                         "a container of " + std::to_string(container.size()) + " bytes is refused",
@@ -65,9 +71,9 @@ result::Result<std::string> RuntimeClient::download(std::span<const std::byte> c
     auto sent = state_->session.ask(service::DownloadChunk{offset, {part.begin(), part.end()}});
     if (!sent) return result::forward(sent);
   }
-  auto reply = state_->session.ask(service::DownloadCommit{container.size(), digest});
+  auto reply = state_->session.ask(service::DownloadCommit{container.size(), digest, mode});
   if (!reply) return result::forward(reply);
-  return std::move(reply->digest);
+  return Download{std::move(reply->digest), reply->change, std::move(reply->problems)};
 }
 
 result::Result<void> RuntimeClient::start(const StartOptions& options) {

@@ -32,6 +32,13 @@ namespace stepwright::dds {
 // Longer than a restart of the link process takes.
 inline constexpr std::chrono::milliseconds kRequestTimeout{5'000};
 
+// What came of a download.
+struct Download {
+  std::string digest;
+  ChangeReport change;        // of an online change
+  result::Diagnostics notes;  // what an online change carried, in words
+};
+
 class RuntimeClient {
  public:
   // Joins the domain; does not wait for anyone. Fails with D0005.
@@ -48,6 +55,8 @@ class RuntimeClient {
   // stopped first; the new one stays stopped. Returns the digest in hexadecimal. A refused or cut download
   // leaves what ran.
   [[nodiscard]] result::Result<std::string> download(std::span<const std::byte> container);
+  // The same with a mode: an online change takes over from the running program between two scans.
+  [[nodiscard]] result::Result<Download> download(std::span<const std::byte> container, DownloadMode mode);
   // Cold start of the loaded program. In simulated time the clock goes on from where it stands.
   [[nodiscard]] result::Result<void> start(const StartOptions& options);
   // Outputs to their safe state; `reason` (up to 200 bytes) comes back in the Stopped event.

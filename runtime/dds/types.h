@@ -11,6 +11,8 @@
 
 namespace stepwright::dds {
 
+using host::ChangeReport;
+using host::DownloadMode;
 using host::EventKind;
 using host::ForceRequest;
 using host::NamedValue;

@@ -17,6 +17,7 @@ struct Session;
 
 namespace stepwright::host {
 
+class ChangePlan;
 class PreparedProgram;
 
 enum class CommandKind : std::uint8_t {
@@ -34,6 +35,7 @@ enum class CommandKind : std::uint8_t {
   Continue,         // ends the standing still
   RecordBegin,      // recording
   RecordEnd,
+  Change,  // program, change
 };
 
 struct Command {
@@ -48,6 +50,7 @@ struct Command {
   bool cold = false;  // retained variables have their initial values too
   std::uint64_t count = 0;
   record::Session* recording = nullptr;
+  const ChangePlan* change = nullptr;
 };
 
 enum class Outcome : std::uint8_t {
@@ -61,6 +64,10 @@ enum class Outcome : std::uint8_t {
   PlantRefused,    // see the problems
   RetainRefused,   // what is retained does not fit the program; see the problems
   NotSimulated,    // stepping in real time
+  NotRunning,      // an online change of a program that does not run
+  ChangeOutdated,  // the program that it was planned for is not the one that runs
+  StepLost,        // an active step has no counterpart; `detail` is its number in the plan
+  StepsUnfit,  // active steps are no situation of the new chart; `detail` is the chart's number in the plan
 };
 
 struct Completion {
@@ -68,6 +75,8 @@ struct Completion {
   Outcome outcome = Outcome::Done;
   result::Diagnostics problems;
   std::uint64_t scan = 0;  // CommandKind::Step: the last of the scans asked for
+  std::uint32_t detail = 0;
+  ChangeReport change = {};  // of an online change
 };
 
 }  // namespace stepwright::host

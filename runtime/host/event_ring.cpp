@@ -21,6 +21,12 @@ EventRing::EventRing(std::size_t image_bytes, std::size_t plant_values) {
   }
 }
 
+void EventRing::warm() {
+  if (full()) return;
+  std::vector<std::byte>& image = slots_[tail_.load(std::memory_order_relaxed)].image;
+  std::fill(image.begin(), image.end(), std::byte{0});
+}
+
 bool EventRing::full() const {
   return after(tail_.load(std::memory_order_relaxed)) == head_.load(std::memory_order_acquire);
 }

@@ -18,6 +18,8 @@
 
 namespace stepwright::host {
 
+class PreparedProgram;
+
 // What the scan thread says about an event beside the image.
 struct EventNote {
   std::uint64_t sequence = 0;
@@ -26,6 +28,8 @@ struct EventNote {
   EventKind kind = EventKind::StepChange;
   bytecode::Trap trap;                // EventKind::Trap; without a code: see the reason
   FixedText<kMaxReasonBytes> reason;  // EventKind::Stopped, and Trap without a code
+  const PreparedProgram* other =
+      nullptr;  // EventKind::Changed: the old one; RolledBack: the one that trapped
 };
 
 class EventRing {
@@ -39,6 +43,8 @@ class EventRing {
   EventRing(std::size_t image_bytes, std::size_t plant_values);
 
   // Producer.
+  // Brings the memory of the next event near the processor.
+  void warm();
   bool full() const;
   // False if the ring is full. Requires the sizes of the constructor.
   bool push(const EventNote& note, std::span<const std::byte> image, std::span<const double> plant);

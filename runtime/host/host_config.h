@@ -41,9 +41,10 @@ struct HostConfig {
   SafetyConfig safety;
   LostSupervisor on_lost_supervisor = LostSupervisor::Continue;
   std::vector<ScheduledFault> faults;
-  std::vector<TaskSettings> tasks;  // by name; a task without an entry has the defaults
-  int cpu = -1;                     // real clock: the only processor of the scan; -1: any
-  record::RetainConfig retain;      // without a store retained values end with the process
+  std::vector<TaskSettings> tasks;        // by name; a task without an entry has the defaults
+  int cpu = -1;                           // real clock: the only processor of the scan; -1: any
+  std::uint32_t change_trial_scans = 10;  // in which a trap of a changed program brings the old one back
+  record::RetainConfig retain;            // without a store retained values end with the process
 };
 
 }  // namespace stepwright::host

@@ -83,23 +83,35 @@ HostRuntime::~HostRuntime() {
   thread_.join();
 }
 
-result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::byte> container,
-                                       std::string digest) {
+result::Result<std::unique_ptr<PreparedProgram>> HostRuntime::prepare(std::vector<std::byte> container,
+                                                                      std::string digest) {
   auto program = PreparedProgram::create(std::move(container), std::move(digest),
-                                         {io_, loop_->clock(), config_, loop_->lifeline(), monitor_,
+                                         {io_, loop_->clock(), config_, &loop_->lifeline(), &monitor_,
                                           loop_->clock_origin_ns(), plant_names_.size()});
   if (!program) return result::forward(program);
   auto retained = retain_->prepare((*program)->loaded().program());
   if (!retained) return result::forward(retained);
   (*program)->set_retained(std::move(*retained));
+  return program;
+}
+
+result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::byte> container,
+                                       std::string digest) {
+  auto program = prepare(std::move(container), std::move(digest));
+  if (!program) return result::forward(program);
   Command command;
   command.kind = CommandKind::Load;
   command.ticket = ticket;
-  command.program = program->get();
-  if (recorder_.active()) recorder_.announce((*program)->digest(), (*program)->loaded().bytes());
+  return send(std::move(command), std::move(*program), nullptr);
+}
+
+result::Result<void> HostRuntime::send(Command command, std::unique_ptr<PreparedProgram> program,
+                                       std::unique_ptr<ChangePlan> plan) {
+  command.program = program.get();
+  command.change = plan.get();
+  if (recorder_.active()) recorder_.announce(program->digest(), program->loaded().bytes());
   if (!send(command)) return result::fail("R0006", {}, "the runtime is busy", "try again");
-  programs_.push_back(std::move(*program));
-  load_tickets_.push_back(ticket);
+  programs_.add(std::move(program), std::move(plan), command.ticket);
   return {};
 }
 
@@ -108,7 +120,9 @@ result::Result<void> HostRuntime::record(std::uint64_t ticket, const record::Rec
                                    config_.safety.safe_state.matrix()};
   auto session = recorder_.begin(options, facts);
   if (!session) return result::forward(session);
-  for (const auto& program : programs_) recorder_.announce(program->digest(), program->loaded().bytes());
+  programs_.for_each([this](const PreparedProgram& program) {
+    recorder_.announce(program.digest(), program.loaded().bytes());
+  });
   Command command;
   command.kind = CommandKind::RecordBegin;
   command.ticket = ticket;
@@ -137,35 +151,26 @@ std::optional<Completion> HostRuntime::take_completion() {
   auto completion = loop_->take_completion();
   if (!completion) return std::nullopt;
   --commands_under_way_;
-  if (!load_tickets_.empty() && load_tickets_.front() == completion->ticket) {
-    // Commands are performed in order, so that this is the oldest program that was not current yet.
-    const std::size_t index = programs_.size() - load_tickets_.size();
-    current_ = programs_[index].get();
-    load_tickets_.pop_front();
-  }
+  const ProgramShelf::Held* held = programs_.done(completion->ticket);
+  if (held != nullptr && held->plan != nullptr) explain(*held, *completion);
   return completion;
 }
 
 std::optional<StepEvent> HostRuntime::take_event() {
-  while (!programs_.empty()) {
-    PreparedProgram& oldest = *programs_.front();
-    if (const EventRing::Slot* slot = oldest.events().front()) {
-      const bool was_full = oldest.events().full();
-      StepEvent event = to_event(oldest, *slot);
-      oldest.events().pop();
-      if (was_full) loop_->events_taken();
-      detail_ = event.detail;
-      if (event.kind == EventKind::Trap) ++traps_;
-      return event;
-    }
-    // Only a program that another one has replaced can have no further events.
-    const bool ended = current_ != nullptr && &oldest != current_ &&
-                       std::any_of(programs_.begin() + 1, programs_.end(),
-                                   [this](const auto& program) { return program.get() == current_; });
-    if (!ended) return std::nullopt;
-    programs_.pop_front();
+  const ScanFigures figures = loop_->figures();
+  const ProgramShelf::Held* held = programs_.next_event();
+  if (held == nullptr) {
+    programs_.clear(figures.program, figures.kept);
+    return std::nullopt;
   }
-  return std::nullopt;
+  EventRing& ring = held->program->events();
+  const bool was_full = ring.full();
+  StepEvent event = to_event(*held->program, *ring.front());
+  ring.pop();
+  if (was_full) loop_->events_taken();
+  detail_ = event.detail;
+  if (event.kind == EventKind::Trap) ++traps_;
+  return event;
 }
 
 StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing::Slot& slot) const {
@@ -179,6 +184,12 @@ StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing:
   if (slot.note.trap) {
     event.detail = trap_text(program.loaded().program(), slot.note);
   }
+  if (slot.note.kind == EventKind::Changed)
+    event.detail = "from " + slot.note.other->digest() + " to " + program.digest();
+  if (slot.note.kind == EventKind::RolledBack) {
+    event.detail = slot.note.other->digest() + " trapped: " +
+                   result::to_string(reader::describe(slot.note.other->loaded().program(), slot.note.trap));
+  }
   event.image = slot.image;
   for (std::size_t i = 0; i < slot.plant.size(); ++i) event.plant.push_back({plant_names_[i], slot.plant[i]});
   return event;
@@ -189,7 +200,7 @@ RuntimeStatus HostRuntime::status() const {
   RuntimeStatus status;
   status.incarnation = incarnation_;
   status.state = figures.state;
-  if (current_ != nullptr) status.program_digest = current_->digest();
+  if (figures.program != nullptr) status.program_digest = figures.program->digest();
   status.scan = figures.scan;
   status.time_ns = figures.time_ns;
   status.last_event = figures.last_event;
@@ -200,6 +211,8 @@ RuntimeStatus HostRuntime::status() const {
   status.realtime_factor = figures.realtime_factor;
   status.trace_hash = figures.trace_hash;
   status.waiting_for_supervisor = figures.waiting_for_supervisor;
+  status.changes = figures.changes;
+  status.last_change_pause_us = static_cast<double>(figures.last_change_pause_ns) / kNsPerUs;
   status.detail = detail_;
   const auto note = [&](const std::string& text) {
     if (!status.detail.empty()) status.detail += "; ";
@@ -216,11 +229,11 @@ RuntimeStatus HostRuntime::status() const {
   status.process.traps = traps_;
   status.process.lost_events = figures.lost_events;
   if (figures.lost_events > 0) note(std::to_string(figures.lost_events) + " events were lost");
-  if (current_ != nullptr) {
-    const TaskPlan& plan = current_->tasks();
+  if (figures.program != nullptr) {
+    const TaskPlan& plan = figures.program->tasks();
     if (!plan.unknown.empty()) note(plan.unknown);
     for (std::uint32_t i = 0; i < plan.tasks.size(); ++i) {
-      status.tasks.push_back(task_status(plan.tasks[i], current_->timing(i)));
+      status.tasks.push_back(task_status(plan.tasks[i], figures.program->timing(i)));
     }
   }
   if (auto snapshot = reader_->read()) status.plant = std::move(snapshot->plant);
@@ -233,7 +246,8 @@ void HostRuntime::set_note(std::string note) {
 }
 
 std::span<const std::byte> HostRuntime::program() const {
-  return current_ == nullptr ? std::span<const std::byte>{} : current_->loaded().bytes();
+  const PreparedProgram* loaded = loop_->figures().program;
+  return loaded == nullptr ? std::span<const std::byte>{} : loaded->loaded().bytes();
 }
 
 int HostRuntime::descriptor() const {

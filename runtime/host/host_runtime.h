@@ -14,15 +14,15 @@
 // Threads: create, use and destroy it on one thread (the service's); it brings its own for the scan. Driver
 // and plant are called by the scan thread only and must outlive the runtime. States: Empty -load-> Stopped
 // -start-> Running -stop, load, lost supervisor-> Stopped; Running -trap, lost I/O-> Fault -start-> Running;
-// Fault -load-> Stopped.
+// Fault -load-> Stopped; an online change, and its rollback, stay in Running.
 
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <thread>
 
 #include "runtime/host/host_config.h"
 #include "runtime/host/plant_access.h"
+#include "runtime/host/program_shelf.h"
 #include "runtime/host/runtime_port.h"
 #include "runtime/host/scan_loop.h"
 #include "runtime/host/scan_monitor.h"
@@ -42,6 +42,8 @@ class HostRuntime final : public RuntimePort {
 
   [[nodiscard]] result::Result<void> load(std::uint64_t ticket, std::vector<std::byte> container,
                                           std::string digest) override;
+  [[nodiscard]] result::Result<void> change(std::uint64_t ticket, std::vector<std::byte> container,
+                                            std::string digest, DownloadMode mode) override;
   [[nodiscard]] bool submit(const Command& command) override;
   std::optional<Completion> take_completion() override;
   std::optional<StepEvent> take_event() override;
@@ -57,8 +59,8 @@ class HostRuntime final : public RuntimePort {
 
   // The task of the loaded program that the scan thread leads with, and how punctual a task is; whole after a
   // stop, else up to 0.1 s old. Require a loaded program.
-  std::uint32_t leading_task() const { return current_->tasks().leader; }
-  scan::TaskTiming timing(std::uint32_t task) const { return current_->timing(task); }
+  std::uint32_t leading_task() const { return loop_->figures().program->tasks().leader; }
+  scan::TaskTiming timing(std::uint32_t task) const { return loop_->figures().program->timing(task); }
   // What the monotonic clock shows at scan time 0.
   std::int64_t clock_origin_ns() const { return loop_->clock_origin_ns(); }
   // Something about this process that its status should say, behind the rest. Any thread.
@@ -71,6 +73,11 @@ class HostRuntime final : public RuntimePort {
               std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader);
 
   bool send(const Command& command);
+  [[nodiscard]] result::Result<std::unique_ptr<PreparedProgram>> prepare(std::vector<std::byte> container,
+                                                                         std::string digest);
+  [[nodiscard]] result::Result<void> send(Command command, std::unique_ptr<PreparedProgram> program,
+                                          std::unique_ptr<ChangePlan> plan);
+  void explain(const ProgramShelf::Held& held, Completion& completion) const;
   StepEvent to_event(const PreparedProgram& program, const EventRing::Slot& slot) const;
 
   HostConfig config_;
@@ -88,12 +95,8 @@ class HostRuntime final : public RuntimePort {
   std::uint64_t traps_ = 0;  // that the service has heard of
   mutable std::mutex note_mutex_;
   std::string note_;
-  // In the order of loading. Those before `current_` have ended but may hold events that nobody has taken
-  // yet.
-  std::deque<std::unique_ptr<PreparedProgram>> programs_;
+  ProgramShelf programs_;
   std::size_t commands_under_way_ = 0;
-  PreparedProgram* current_ = nullptr;
-  std::deque<std::uint64_t> load_tickets_;
   std::thread thread_;
 };
 

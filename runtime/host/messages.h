@@ -94,6 +94,8 @@ struct RuntimeStatus {
   std::vector<NamedValue> plant;        // truth of the simulated plant, for reports
   std::vector<TaskStatus> tasks;        // in the order of the program; at most bytecode::kMaxTasks
   ProcessFigures process;
+  std::uint64_t changes = 0;          // online changes so far, those that were rolled back included
+  double last_change_pause_us = 0.0;  // by which the newest one made the scan thread later
 
   friend bool operator==(const RuntimeStatus&, const RuntimeStatus&) = default;
 };
@@ -107,6 +109,25 @@ struct Snapshot {
   std::vector<NamedValue> plant;
 
   friend bool operator==(const Snapshot&, const Snapshot&) = default;
+};
+
+// What a download does to the program that runs.
+enum class DownloadMode : std::uint8_t {
+  Replace = 0,              // stops it; the new one is loaded and stays stopped
+  Change = 1,               // takes over between two scans with the values, steps and forces of the old one
+  ChangeRestartCharts = 2,  // the same, but every chart starts at its initial steps
+};
+
+// What an online change carried; all zero after any other download.
+struct ChangeReport {
+  std::uint32_t carried = 0;         // variables with the values of the old program
+  std::uint32_t initialised = 0;     // new ones, with their initial values
+  std::uint32_t dropped = 0;         // of the old program, that the new one lacks
+  std::uint32_t retyped = 0;         // of a type that does not take the old values: initial values
+  std::uint32_t dropped_forces = 0;  // forces that have no place in the new program
+  double pause_us = 0.0;             // by which the change made the scan thread later
+
+  friend bool operator==(const ChangeReport&, const ChangeReport&) = default;
 };
 
 struct StartOptions {

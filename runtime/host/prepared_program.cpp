@@ -76,7 +76,7 @@ PreparedProgram::PreparedProgram(reader::LoadedProgram loaded, Machine machine, 
               .safe_memory = machine_.safe_memory,
               .tasks = machine_.plan.options,
               .timings = timings_,
-              .watch = &around.lifeline,
+              .watch = around.lifeline,
               .own_tasks = machine_.plan.own_tasks,
               .clock_origin_ns = around.config.clock == ClockMode::Real ? around.clock_origin_ns
                                                                         : scan::ScanConfig::kNoOrigin}),
@@ -94,6 +94,11 @@ void PreparedProgram::publish_timings() {
   for (std::uint32_t i = 0; i < timings_.size(); ++i) {
     if (((machine_.plan.own_tasks >> i) & 1u) != 0) published_[i].store(timings_[i]);
   }
+}
+
+void PreparedProgram::warm() {
+  image_.reset(loaded_.program().container().section(bytecode::Section::InitialData));
+  events_.warm();
 }
 
 }  // namespace stepwright::host

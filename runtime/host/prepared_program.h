@@ -37,8 +37,8 @@ class PreparedProgram {
     AreaDriver& io;
     scan::Clock& clock;
     const HostConfig& config;
-    Lifeline& lifeline;                // of the scan thread
-    ScanMonitor& monitor;              // looks at the threads of other tasks
+    Lifeline* lifeline = nullptr;      // of the scan thread; null: nobody looks at it
+    ScanMonitor* monitor = nullptr;    // looks at the threads of other tasks; null: nobody does
     std::int64_t clock_origin_ns = 0;  // what the clock shows at scan time 0
     std::size_t plant_values = 0;
   };
@@ -61,6 +61,8 @@ class PreparedProgram {
   void set_retained(std::shared_ptr<record::RetainChannel> retained) { retained_ = std::move(retained); }
 
   // Scan thread only.
+  // Before its first scan: what an online change is about to write comes near the processor.
+  void warm();
   image::ProcessImage& image() { return image_; }
   scan::ScanCycle& cycle() { return cycle_; }
   StepWatch& steps() { return steps_; }

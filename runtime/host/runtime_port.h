@@ -27,7 +27,12 @@ class RuntimePort {
   // carries `ticket`. Refused containers fail at once and change nothing.
   [[nodiscard]] virtual result::Result<void> load(std::uint64_t ticket, std::vector<std::byte> container,
                                                   std::string digest) = 0;
-  // Any command but Load. False if too many are under way; then nothing happens.
+  // The same beside the running program, which the new one takes over from between two scans; its values,
+  // steps and forces go with it (runtime/doc/online_change.md). What is refused later, because of the steps
+  // that are active then, comes with the completion. Requires a mode other than Replace.
+  [[nodiscard]] virtual result::Result<void> change(std::uint64_t ticket, std::vector<std::byte> container,
+                                                    std::string digest, DownloadMode mode) = 0;
+  // Any command but Load and Change. False if too many are under way; then nothing happens.
   [[nodiscard]] virtual bool submit(const Command& command) = 0;
   virtual std::optional<Completion> take_completion() = 0;
   // Events in the order of their sequence.

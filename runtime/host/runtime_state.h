@@ -19,6 +19,8 @@ enum class EventKind : std::uint8_t {
   StepChange = 1,  // at least one step bit changed in this scan
   Stopped = 2,     // by command, by a download or because the supervisor was lost (see the detail)
   Trap = 3,        // a program fault or lost I/O (see the detail)
+  Changed = 4,     // an online change: the image is that of the new program before its first scan
+  RolledBack = 5,  // the new program trapped in its first scans; the old one goes on (see the detail)
 };
 
 // The detail of a Stopped event after the policy for a lost supervisor stopped the program.

@@ -89,10 +89,12 @@ void ScanLoop::turn_real() {
     idle_due_ns_ = due_ns + late_ns + config_.idle_interval_ns;
     return publish_if_due();
   }
+  PreparedProgram* const scanned = program_;
   const auto hold = hold_tasks();
   program_->cycle().settle_overruns(due_ns + late_ns);
   scan_once();
-  program_->crew().look_at_triggers();
+  // After a rollback another crew is at work, which is not held.
+  if (program_ == scanned) program_->crew().look_at_triggers();
 }
 
 void ScanLoop::turn_simulated() {
@@ -136,13 +138,15 @@ void ScanLoop::scan_once() {
   now_.time_ns = report.time_ns;
   now_.trace_hash = program_->cycle().trace_hash();
   now_.overruns = earlier_overruns_ + program_->cycle().statistics().overruns;
+  const bool stands = stepper_.scanned();
+  const bool changed = program_->steps().changed(program_->image().bytes());
+  // A scan that is taken back is no part of a recording.
+  if (trial_.active() && tried(report)) return;
   if (tap_.recording()) {
     tap_.scanned(report,
                  {io_.inputs().first(program_->image().inputs().size()), io_.read_good(), io_.write_good()},
                  running());
   }
-  const bool stands = stepper_.scanned();
-  const bool changed = program_->steps().changed(program_->image().bytes());
   if (report.state == scan::ScanState::Running) retain_.offer(program_->image().bytes(), clock_.now_ns());
   if (report.state != scan::ScanState::Running) {
     retain_.finish(program_->image().bytes());
@@ -180,19 +184,27 @@ void ScanLoop::inject_scheduled(std::int64_t time_ns) {
   }
 }
 
-void ScanLoop::emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason) {
-  EventNote note;
-  note.sequence = ++now_.last_event;
-  note.scan = now_.scan;
-  note.time_ns = now_.time_ns;
-  note.kind = kind;
-  note.trap = trap;
-  note.reason = FixedText<kMaxReasonBytes>(reason);
+void ScanLoop::emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
+                    const PreparedProgram* other) {
+  note(kind, trap, reason, other);
+  news_.ring();
+}
+
+// The event without the bell: behind a command it rings anyway.
+void ScanLoop::note(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
+                    const PreparedProgram* other) {
+  EventNote event;
+  event.sequence = ++now_.last_event;
+  event.scan = now_.scan;
+  event.time_ns = now_.time_ns;
+  event.kind = kind;
+  event.trap = trap;
+  event.reason = FixedText<kMaxReasonBytes>(reason);
+  event.other = other;
   if (plant_ != nullptr) plant_->read_values(truths_);
   // The figures first: who sees the event must find a status that is at least as new.
   publish();
-  if (!program_->events().push(note, program_->image().bytes(), truths_)) ++now_.lost_events;
-  news_.ring();
+  if (!program_->events().push(event, program_->image().bytes(), truths_)) ++now_.lost_events;
 }
 
 void ScanLoop::release_barrier() {

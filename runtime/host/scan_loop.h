@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "runtime/host/area_driver.h"
+#include "runtime/host/change_trial.h"
 #include "runtime/host/command.h"
 #include "runtime/host/doorbell.h"
 #include "runtime/host/host_config.h"
@@ -48,6 +49,12 @@ struct ScanFigures {
   std::int64_t scan_p99_ns = 0;
   std::int64_t scan_max_ns = 0;
   double realtime_factor = 0.0;
+  // The programs that the scan thread uses: the one that is loaded; the one before it while a change is on
+  // trial, or that a rollback put away until its event is out. Null: none.
+  const PreparedProgram* program = nullptr;
+  const PreparedProgram* kept = nullptr;
+  std::uint64_t changes = 0;
+  std::int64_t last_change_pause_ns = 0;
 };
 
 // What is forced, as of the newest command.
@@ -102,6 +109,15 @@ class ScanLoop {
   void record(record::Session* session);
   record::Running running();
   void publish_forces();
+  void adopt(PreparedProgram& program);
+
+  // Online change (scan_loop_change.cpp).
+  std::optional<Command> next_command();
+  Completion change(const Command& command);
+  bool tried(const scan::ScanReport& report);
+  void roll_back(const bytecode::Trap& trap);
+  void retain_from(PreparedProgram& next);
+  void end_trial();
 
   // One turn of the loop (scan_loop.cpp).
   void turn_real();
@@ -110,7 +126,10 @@ class ScanLoop {
   void idle_io(std::int64_t time_ns);
   bool early(std::int64_t next_ns);
   void inject_scheduled(std::int64_t time_ns);
-  void emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason);
+  void emit(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
+            const PreparedProgram* other = nullptr);
+  void note(EventKind kind, const bytecode::Trap& trap, std::string_view reason,
+            const PreparedProgram* other);
   void release_barrier();
   void begin_stretch();
   void end_stretch();
@@ -162,6 +181,8 @@ class ScanLoop {
   std::int64_t timings_published_ns_ = 0;
   Stepper stepper_;
   record::ScanTap tap_;
+  ChangeTrial trial_;
+  WarmChange warm_change_;
 };
 
 }  // namespace stepwright::host

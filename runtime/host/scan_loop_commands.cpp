@@ -31,7 +31,8 @@ std::optional<image::Force> to_force(const ImageBits& bits) {
 
 void ScanLoop::take_commands() {
   bool any = false;
-  while (auto command = commands_.pop()) {
+  bool stale = false;
+  while (auto command = next_command()) {
     // What is held is let go first: who learns of a load may destroy the program before.
     Completion completion = held_apply(*command);
     publish_forces();
@@ -39,15 +40,25 @@ void ScanLoop::take_commands() {
     [[maybe_unused]] const bool pushed = completions_.push(std::move(completion));
     assert(pushed);
     any = true;
+    stale = stale || command->kind != CommandKind::Change;  // a change publishes itself, as part of its pause
   }
   if (!any) return;
-  publish();
+  if (stale) publish();
   news_.ring();
 }
 
 Completion ScanLoop::held_apply(const Command& command) {
-  const auto hold = hold_tasks();
-  return apply(command);
+  Completion completion;
+  {
+    const auto hold = hold_tasks();
+    completion = apply(command);
+  }
+  // The program that was held may go now, unless a trial needs it.
+  if (now_.kept != nullptr && !trial_.active()) {
+    now_.kept = nullptr;
+    figures_.store(now_);
+  }
+  return completion;
 }
 
 Completion ScanLoop::apply(const Command& command) {
@@ -90,6 +101,8 @@ Completion ScanLoop::apply(const Command& command) {
     case CommandKind::RecordEnd:
       tap_.end("it was told to");
       return done(Outcome::Done);
+    case CommandKind::Change:
+      return change(command);
   }
   return done(Outcome::Done);
 }
@@ -102,11 +115,19 @@ Outcome ScanLoop::load(PreparedProgram* program) {
   }
   // The outputs stay as safe as they are, and for the same reason, until the new program is started.
   const auto cause = program_ == nullptr ? scan::SafeCause::Stop : program_->cycle().safe_state().cause();
-  program->cycle().take_over(io_.outputs(), cause, safe_time_ns());
-  program_ = program;
+  program->cycle().inherit_outputs(io_.outputs(), cause, safe_time_ns());
+  now_.kept = program_;  // until its tasks are let go
+  adopt(*program);
   now_.state = RuntimeState::Stopped;
   tap_.loaded(program->digest());
+  publish();  // before the completion: the service lets go of what the figures do not name
   return Outcome::Done;
+}
+
+void ScanLoop::adopt(PreparedProgram& program) {
+  program_ = &program;
+  program.steps().reset(program.image().bytes());
+  now_.program = &program;
 }
 
 // Why the start would lose what the user wants kept.
@@ -137,6 +158,7 @@ Outcome ScanLoop::start(const Command& command) {
 // Without effect unless it runs: what is stopped or trapped has its outputs in their safe state already.
 Outcome ScanLoop::stop(std::string_view reason, scan::SafeCause cause) {
   if (now_.state != RuntimeState::Running) return program_ == nullptr ? Outcome::NoProgram : Outcome::Done;
+  end_trial();
   end_stretch();
   next_start_ns_ = program_->cycle().next_time_ns();
   idle_due_ns_ = next_start_ns_;

@@ -48,11 +48,18 @@ using Word = std::uint64_t;
 // whoever sees one word of a write sees that the write has begun (on x86-64 that costs nothing).
 void store_words(std::byte* to, const void* from, std::size_t bytes) {
   auto* words = reinterpret_cast<Word*>(to);
-  for (std::size_t i = 0; i < bytes; i += sizeof(Word)) {
-    Word word = 0;
-    std::memcpy(&word, static_cast<const std::byte*>(from) + i, std::min(sizeof(Word), bytes - i));
-    std::atomic_ref(words[i / sizeof(Word)]).store(word, std::memory_order_release);
+  const auto* source = static_cast<const std::byte*>(from);
+  const std::size_t whole = bytes / sizeof(Word);
+  // Of a length that the compiler knows, so that no word costs a call.
+  for (std::size_t i = 0; i < whole; ++i) {
+    Word word;
+    std::memcpy(&word, source + i * sizeof(Word), sizeof(Word));
+    std::atomic_ref(words[i]).store(word, std::memory_order_release);
   }
+  if (whole * sizeof(Word) == bytes) return;
+  Word word = 0;
+  std::memcpy(&word, source + whole * sizeof(Word), bytes - whole * sizeof(Word));
+  std::atomic_ref(words[whole]).store(word, std::memory_order_release);
 }
 
 // The memory is mapped for reading only; an atomic load does not write.

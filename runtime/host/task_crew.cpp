@@ -29,6 +29,20 @@ void TaskCrew::start(std::int64_t time_ns) {
   for (const auto& worker : workers_) worker->start(time_ns);
 }
 
+void TaskCrew::take_over(TaskCrew& before, std::span<const std::uint32_t> counterparts,
+                         std::int64_t time_ns) {
+  before.stop();
+  ++share_.epoch;
+  share_.running = true;
+  for (const auto& worker : workers_) {
+    const scan::Task* counterpart = nullptr;
+    for (const auto& other : before.workers_) {
+      if (other->task().index == counterparts[worker->task().index]) counterpart = &other->task();
+    }
+    worker->take_over(counterpart, time_ns);
+  }
+}
+
 void TaskCrew::stop() {
   if (!share_.running) return;
   share_.running = false;

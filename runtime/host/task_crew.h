@@ -25,10 +25,10 @@ namespace stepwright::host {
 struct CrewSetup {
   const MergeMap& merge_map;
   scan::Clock& clock;
-  ScanMonitor& monitor;
-  std::int64_t stall_ns = 0;   // see Lifeline
-  std::int64_t origin_ns = 0;  // what the clock shows at scan time 0
-  std::uint64_t budget = 0;    // of a task's cycle
+  ScanMonitor* monitor = nullptr;  // null: nobody looks at the threads
+  std::int64_t stall_ns = 0;       // see Lifeline
+  std::int64_t origin_ns = 0;      // what the clock shows at scan time 0
+  std::uint64_t budget = 0;        // of a task's cycle
 };
 
 class TaskCrew {
@@ -62,6 +62,9 @@ class TaskCrew {
 
   // All tasks anew, their first cycles at `time_ns` and their phases.
   void start(std::int64_t time_ns);
+  // Go on where the tasks of another program stand: `counterparts[i]` is the one that task i stands for, or
+  // kNoIndex. Requires that both crews are held; that of `before` stops.
+  void take_over(TaskCrew& before, std::span<const std::uint32_t> counterparts, std::int64_t time_ns);
   // What a task is doing just now no longer counts.
   void stop();
   void look_at_triggers() {

@@ -28,7 +28,7 @@ TaskWorker::TaskWorker(CrewShare& share, const scan::Task& task, std::unique_ptr
       wake_ns_(scan::kNever) {
   sem_init(&wake_, 0, 0);
   engine_->set_interrupt(lifeline_.interrupt());
-  share_.monitor.watch(lifeline_);
+  if (share_.monitor != nullptr) share_.monitor->watch(lifeline_);
   thread_ = std::thread([this, placement] { run(placement); });
 }
 
@@ -36,12 +36,22 @@ TaskWorker::~TaskWorker() {
   quit_.store(true, std::memory_order_release);
   sem_post(&wake_);
   thread_.join();
-  share_.monitor.unwatch(lifeline_);
+  if (share_.monitor != nullptr) share_.monitor->unwatch(lifeline_);
   sem_destroy(&wake_);
 }
 
 void TaskWorker::start(std::int64_t time_ns) {
   task_.restart(time_ns);
+  go_on();
+}
+
+void TaskWorker::take_over(const scan::Task* before, std::int64_t time_ns) {
+  task_.restart(time_ns);
+  if (before != nullptr) task_.take_over(*before, time_ns);
+  go_on();
+}
+
+void TaskWorker::go_on() {
   timing_.interrupted();
   active_ = true;
   pending_ = false;

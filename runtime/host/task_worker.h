@@ -36,7 +36,7 @@ struct CrewShare {
   scan::ScanCycle& cycle;
   scan::Clock& clock;
   const MergeMap& merge_map;
-  ScanMonitor& monitor;
+  ScanMonitor* monitor = nullptr;
   std::int64_t stall_ns = 0;   // of the workers' lifelines
   std::int64_t origin_ns = 0;  // what the clock shows at scan time 0
   std::uint64_t budget = 0;    // of a task's cycle
@@ -60,6 +60,8 @@ class TaskWorker {
 
   // Crew: the task starts anew, due from `time_ns` on.
   void start(std::int64_t time_ns);
+  // Crew: the same, but as `before`, a task of another program, would go on; null: due at `time_ns`.
+  void take_over(const scan::Task* before, std::int64_t time_ns);
   // Crew: wakes the thread, which finds that nothing runs.
   void rest();
   // Crew, after anything was written to the shared image: sets the task off if its trigger has risen.
@@ -68,6 +70,7 @@ class TaskWorker {
   const scan::Task& task() const { return task_; }
 
  private:
+  void go_on();
   void run(const ThreadPlacement& placement);
   void wait();
   void cycle();

@@ -1,8 +1,12 @@
 #include "runtime/record/variable_transfer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cstring>
+#include <map>
+
+#include "runtime/naming/ascii_names.h"
 
 namespace stepwright::record {
 namespace {
@@ -22,6 +26,13 @@ StepPlace place_of(const StateVariable& step) {
   return {step.path, step.address, step.bit, (step.flags & kStateInitialStep) != 0};
 }
 
+// What holds the variable: of a step the instance of its chart.
+std::string owner_of(const std::string& path) {
+  std::string owner = path.substr(0, path.rfind('.'));
+  for (char& c : owner) c = naming::to_upper(c);
+  return owner;
+}
+
 bool get(std::span<const std::byte> image, std::uint32_t address, std::uint8_t bit) {
   const auto byte = std::to_integer<unsigned>(image[address]);
   return bit == kNoBit ? byte != 0 : ((byte >> bit) & 1u) != 0;
@@ -38,6 +49,11 @@ void set(std::span<std::byte> image, std::uint32_t address, std::uint8_t bit, bo
 
 }  // namespace
 
+template <std::size_t kBytes, typename Singles>
+void copy_singles(const Singles& singles, std::span<const std::byte> from, std::span<std::byte> to) {
+  for (const auto& each : singles) std::memcpy(to.data() + each.to, from.data() + each.from, kBytes);
+}
+
 class TransferBuilder {
  public:
   TransferBuilder(const StateLayout& from, const StateLayout& to, VariableTransfer& out)
@@ -51,10 +67,15 @@ class TransferBuilder {
     for (const StateVariable& variable : from_.variables()) {
       if (is_carried_at_all(variable) && to_.find(variable.path) == nullptr) {
         out_.report_.dropped.push_back(variable.path);
-        if ((variable.flags & kStateStep) != 0) out_.report_.lost_steps.push_back(place_of(variable));
+        lose_step(variable);
       }
     }
     join(out_.runs_);
+    take_out_singles();
+    for (auto& [owner, chart] : charts_) {
+      const bool changed = !chart.fresh.empty() || !chart.lost.empty();
+      if (!chart.carried.empty() && changed) out_.charts_.push_back(std::move(chart));
+    }
   }
 
  private:
@@ -74,15 +95,15 @@ class TransferBuilder {
     const StateVariable* from = from_.find(to.path);
     if (from == nullptr || !is_carried_at_all(*from)) {
       report.initialised.push_back(to.path);
-      if ((to.flags & kStateStep) != 0) report.new_steps.push_back(place_of(to));
+      add_step(to);
       return;
     }
     const StateType& old_type = from_.type_of(*from);
     const StateType& new_type = to_.type_of(to);
     if (from->is_array != to.is_array || !takes(new_type, old_type)) {
       report.retyped.push_back(to.path);
-      if ((from->flags & kStateStep) != 0) report.lost_steps.push_back(place_of(*from));
-      if ((to.flags & kStateStep) != 0) report.new_steps.push_back(place_of(to));
+      lose_step(*from);
+      add_step(to);
       return;
     }
     if (new_type.kind == TypeKind::Reference && !same_layout_) {
@@ -90,6 +111,26 @@ class TransferBuilder {
       return;
     }
     copy(*from, old_type, to, new_type);
+    const bool step = (from->flags & to.flags & kStateStep) != 0;
+    if (!step) return;
+    VariableTransfer::Chart& chart = charts_[owner_of(to.path)];
+    chart.carried.push_back(place_of(*from));
+    if ((to.flags & kStateInitialStep) != 0) chart.initial.push_back(place_of(to));
+  }
+
+  // A step that only the new program has.
+  void add_step(const StateVariable& to) {
+    if ((to.flags & kStateStep) == 0) return;
+    out_.report_.new_steps.push_back(place_of(to));
+    VariableTransfer::Chart& chart = charts_[owner_of(to.path)];
+    chart.fresh.push_back(place_of(to));
+    if ((to.flags & kStateInitialStep) != 0) chart.initial.push_back(place_of(to));
+  }
+
+  void lose_step(const StateVariable& from) {
+    if ((from.flags & kStateStep) == 0) return;
+    out_.report_.lost_steps.push_back(place_of(from));
+    charts_[owner_of(from.path)].lost.push_back(place_of(from));
   }
 
   // The elements that both have.
@@ -121,6 +162,15 @@ class TransferBuilder {
     }
   }
 
+  // A change between programs whose variables lie in another order is thousands of copies of single values:
+  // those of one size go behind each other, so that a copy is two moves and no decision.
+  void take_out_singles() {
+    const auto single = [](std::uint32_t size) { return size == 1 || size == 2 || size == 4 || size == 8; };
+    for (const Run& run : out_.runs_)
+      if (single(run.size)) out_.singles_[std::countr_zero(run.size)].push_back({run.from, run.to});
+    std::erase_if(out_.runs_, [&](const Run& run) { return single(run.size); });
+  }
+
   // Neighbours in both images become one copy.
   static void join(std::vector<Run>& runs) {
     std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.to < b.to; });
@@ -142,6 +192,7 @@ class TransferBuilder {
   const StateLayout& to_;
   VariableTransfer& out_;
   bool same_layout_;
+  std::map<std::string, VariableTransfer::Chart> charts_;  // by what holds them
 };
 
 VariableTransfer VariableTransfer::between(const StateLayout& from, const StateLayout& to) {
@@ -154,26 +205,12 @@ void VariableTransfer::apply(std::span<const std::byte> from, std::span<std::byt
   for (const Run& run : areas_) std::memcpy(to.data() + run.to, from.data() + run.from, run.size);
   for (const Run& run : runs_) {
     assert(run.from + std::size_t{run.size} <= from.size() && run.to + std::size_t{run.size} <= to.size());
-    std::byte* const target = to.data() + run.to;
-    const std::byte* const source = from.data() + run.from;
-    // Single values are most of the runs of a changed program; a call for each would be most of the time.
-    switch (run.size) {
-      case 1:
-        std::memcpy(target, source, 1);
-        break;
-      case 2:
-        std::memcpy(target, source, 2);
-        break;
-      case 4:
-        std::memcpy(target, source, 4);
-        break;
-      case 8:
-        std::memcpy(target, source, 8);
-        break;
-      default:
-        std::memcpy(target, source, run.size);
-    }
+    std::memcpy(to.data() + run.to, from.data() + run.from, run.size);
   }
+  copy_singles<1>(singles_[0], from, to);
+  copy_singles<2>(singles_[1], from, to);
+  copy_singles<4>(singles_[2], from, to);
+  copy_singles<8>(singles_[3], from, to);
   for (const Bit& bit : bits_) set(to, bit.to, bit.to_bit, get(from, bit.from, bit.from_bit));
   for (const Text& text : texts_) {
     std::uint16_t length = 0;
@@ -192,6 +229,24 @@ void VariableTransfer::apply(std::span<const std::byte> from, std::span<std::byt
     std::memcpy(target + sizeof capacity, &length, sizeof length);
     std::memcpy(target + bytecode::kStringHeaderBytes, source, std::size_t{length} * text.character_bytes);
   }
+  for (const Chart& chart : charts_) {
+    const auto active = [&](const StepPlace& step) { return get(from, step.address, step.bit); };
+    if (std::any_of(chart.carried.begin(), chart.carried.end(), active)) {
+      for (const StepPlace& step : chart.fresh) set(to, step.address, step.bit, false);
+    } else if (std::any_of(chart.lost.begin(), chart.lost.end(), active)) {
+      for (const StepPlace& step : chart.initial) set(to, step.address, step.bit, true);
+    }
+  }
+}
+
+std::uint32_t VariableTransfer::touch() const {
+  std::uint32_t sum = 0;
+  for (const Run& run : runs_) sum += run.from;
+  for (const std::vector<Single>& singles : singles_)
+    for (const Single& each : singles) sum += each.from;
+  for (const Bit& bit : bits_) sum += bit.from;
+  for (const Text& text : texts_) sum += text.from;
+  return sum;
 }
 
 std::vector<StepPlace> VariableTransfer::lost_active_steps(std::span<const std::byte> from) const {

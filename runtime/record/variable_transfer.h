@@ -8,7 +8,9 @@
 // strings cut to the new capacity, arrays by index where both have the element. Anything else has the initial
 // value of the new program. Constants and inputs are never carried. Outputs and markers are memory with
 // public addresses: they are copied by address first, what has a name in them then by name. A reference holds
-// an address: it is carried only between equal layouts.
+// an address: it is carried only between equal layouts. A step that only the new program has begins inactive
+// where its chart is carried with an active one, also an initial step: the chart has its token already. A
+// chart that loses its last active step begins anew, at its initial steps.
 //
 // Threads: made on any; `apply` on the one that owns both images: no heap, no lock, no failure, O(bytes).
 //
@@ -17,6 +19,7 @@
 //   image.reset(initial_data);
 //   transfer.apply(old_image, new_image);
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -57,6 +60,9 @@ class VariableTransfer {
   // Requires blocks as large as the two layouts say.
   void apply(std::span<const std::byte> from, std::span<std::byte> to) const;
 
+  // Reads the list of copies, so that `apply` finds it near the processor. The value means nothing.
+  std::uint32_t touch() const;
+
   // The steps of the old program that the new one lacks and that are active in this old image.
   std::vector<StepPlace> lost_active_steps(std::span<const std::byte> from) const;
 
@@ -66,6 +72,10 @@ class VariableTransfer {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
     std::uint32_t size = 0;
+  };
+  struct Single {
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
   };
   struct Bit {  // kNoBit: a byte, 0 or 1
     std::uint32_t from = 0;
@@ -80,10 +90,20 @@ class VariableTransfer {
     std::uint8_t character_bytes = 1;
   };
 
+  // Steps of one chart that both programs have, with their places in the old image or in the new one.
+  struct Chart {
+    std::vector<StepPlace> carried;  // old
+    std::vector<StepPlace> lost;     // old
+    std::vector<StepPlace> fresh;    // new
+    std::vector<StepPlace> initial;  // new
+  };
+
   std::vector<Run> areas_;  // before all others
   std::vector<Run> runs_;
+  std::array<std::vector<Single>, 4> singles_;  // of 1, 2, 4 and 8 bytes
   std::vector<Bit> bits_;
   std::vector<Text> texts_;
+  std::vector<Chart> charts_;
   TransferReport report_;
 };
 

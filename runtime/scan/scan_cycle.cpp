@@ -50,11 +50,34 @@ void ScanCycle::stop(SafeCause cause) {
   write_outputs(last_time_ns_);
 }
 
-void ScanCycle::take_over(std::span<const std::byte> driven, SafeCause cause, std::int64_t time_ns) {
+void ScanCycle::inherit_outputs(std::span<const std::byte> driven, SafeCause cause, std::int64_t time_ns) {
   assert(state_ != ScanState::Running);
   last_time_ns_ = time_ns;
   safe_.driven(driven);
   safe_.enter(cause, time_ns);
+}
+
+void ScanCycle::take_over(const ScanCycle& before, std::span<const std::uint32_t> counterparts) {
+  assert(before.state_ != ScanState::Stopped);
+  const std::int64_t next_ns = before.next_time_ns();
+  for (Task& task : table_.tasks()) {
+    assert(task.index < counterparts.size());
+    task.restart(next_ns);
+    for (const Task& other : before.table_.tasks()) {
+      if (other.index == counterparts[task.index]) task.take_over(other, next_ns);
+    }
+  }
+  scan_ = before.scan_;
+  last_time_ns_ = before.last_time_ns_;
+  io_time_ns_ = before.io_time_ns_;
+  trace_hash_ = before.trace_hash_;
+  statistics_ = before.statistics_;
+  last_trap_ = {};
+  watchdog_report_ = {};
+  fault_reported_ = true;
+  // What a safe state would hold is what is driven now.
+  if (before.state_ == ScanState::Running) safe_.driven(before.safe_.outputs());
+  state_ = ScanState::Running;
 }
 
 // A driver that does not answer is no news while nothing runs.
@@ -142,7 +165,12 @@ bool ScanCycle::begin_foreign(std::int64_t time_ns) {
 void ScanCycle::end_foreign(std::int64_t time_ns, const Execution& done) {
   if (state_ != ScanState::Running) return;
   if (done.trap) fail(done, time_ns);
-  write_outputs(time_ns);
+  if (!holds_outputs()) write_outputs(time_ns);
+}
+
+// A program on trial that failed: another one drives the outputs from the next scan on.
+bool ScanCycle::holds_outputs() const {
+  return hold_outputs_on_trap_ && (state_ == ScanState::Trapped || state_ == ScanState::WatchdogExpired);
 }
 
 ScanReport ScanCycle::run_scan() {
@@ -154,7 +182,7 @@ ScanReport ScanCycle::run_scan() {
   read_inputs(time_ns);
   if (state_ == ScanState::Running) run_tasks(time_ns);
   advance(time_ns);
-  write_outputs(time_ns);
+  if (!holds_outputs()) write_outputs(time_ns);
 
   ScanReport report{state_, scan_, time_ns, image_.hash(), {}};
   const bool program_failed = state_ == ScanState::Trapped || state_ == ScanState::WatchdogExpired;

@@ -10,7 +10,7 @@
 // that run on copies of the image then report what they did by begin_foreign and end_foreign, between two
 // scans. No heap, lock, exception or log inside; memory is sized before the first scan.
 // Invariants: while the state is not Running no task runs and every scan leaves the outputs in their safe
-// state; a fault is left by start() only.
+// state (but see hold_outputs_on_trap); a fault is left by start() or take_over() only.
 //
 //   scan::ScanCycle cycle(program, engine, image, driver, clock, {});
 //   cycle.start({});
@@ -120,10 +120,21 @@ class ScanCycle {
 
   // The outputs go on as somebody drove them before: the cycle of another program, or a process that is gone.
   // At `time_ns` the cause comes again, so that ramps begin where they were left. Requires that nothing runs.
-  void take_over(std::span<const std::byte> driven, SafeCause cause, std::int64_t time_ns);
+  void inherit_outputs(std::span<const std::byte> driven, SafeCause cause, std::int64_t time_ns);
 
   // While no program runs: fresh inputs, safe outputs. Requires that.
   void idle(std::int64_t time_ns);
+
+  // Goes on where `before` stands, between two of its scans: scan number, time, trace, statistics and the
+  // phases of the tasks. Image and forces are the caller's business; `before` stays as it is, so that it can
+  // take over in its turn. `counterparts[i]` is the task of `before` (its index in the table) that task i of
+  // this program stands for, or kNoIndex: such a task is due with the next scan. Requires a running `before`
+  // and an entry for every task.
+  void take_over(const ScanCycle& before, std::span<const std::uint32_t> counterparts);
+
+  // While set, a trap does not put the outputs into their safe state: the caller has another program that
+  // drives them from the next scan on, and until then they stay as the scan before left them.
+  void hold_outputs_on_trap(bool hold) { hold_outputs_on_trap_ = hold; }
 
   // One scan at next_time_ns(): runs every task that is due then.
   ScanReport run_scan();
@@ -168,6 +179,7 @@ class ScanCycle {
   void fail(ScanState state, SafeCause cause, std::int64_t time_ns);
   void fail(const Execution& done, std::int64_t time_ns);
   void make_safe(std::int64_t time_ns);
+  bool holds_outputs() const;
   std::int64_t io_time(std::int64_t time_ns);
   void read_inputs(std::int64_t time_ns);
   void run_tasks(std::int64_t time_ns);
@@ -194,6 +206,7 @@ class ScanCycle {
   ScanStatistics statistics_;
   SafeState safe_;
   WatchdogReport watchdog_report_;
+  bool hold_outputs_on_trap_ = false;
 };
 
 }  // namespace stepwright::scan

@@ -16,6 +16,14 @@ void Task::restart(std::int64_t time_ns) {
   watchdog.reset();
 }
 
+// A shorter interval must not wait for the end of the longer one before it.
+void Task::take_over(const Task& other, std::int64_t next_ns) {
+  triggered = other.triggered;
+  if (interval_ns == 0 || other.interval_ns == 0) return;
+  const std::int64_t latest_ns = next_ns + interval_ns;
+  due_at(other.due_ns < latest_ns ? other.due_ns : latest_ns);
+}
+
 Overrun settle_overrun(Task& task, std::int64_t now_ns) {
   Overrun found;
   if (task.interval_ns == 0 || task.freewheeling || now_ns - task.due_ns < task.interval_ns) return found;

@@ -44,6 +44,9 @@ struct Task {
   bool trigger_now(std::span<const std::byte> image) const;
   // Its next cycle is due at `time_ns`.
   void due_at(std::int64_t time_ns) { due_ns = wanted_ns = time_ns; }
+  // Goes on as `other`, a task of another program, would: its phase and what it saw of its trigger. Not due
+  // later than one interval behind `next_ns`.
+  void take_over(const Task& other, std::int64_t next_ns);
   // From `time_ns` on; the trigger counts as not seen.
   void restart(std::int64_t time_ns);
 };

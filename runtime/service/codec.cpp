@@ -22,7 +22,10 @@ constexpr Role last_of(Role) {
   return Role::Controller;
 }
 constexpr host::EventKind last_of(host::EventKind) {
-  return host::EventKind::Trap;
+  return host::EventKind::RolledBack;
+}
+constexpr host::DownloadMode last_of(host::DownloadMode) {
+  return host::DownloadMode::ChangeRestartCharts;
 }
 constexpr host::RuntimeState last_of(host::RuntimeState) {
   return host::RuntimeState::Fault;
@@ -69,10 +72,13 @@ template <typename A, Like<InjectFault> T>
 void fields(A& a, T& m) {
   a(m.name, m.value);
 }
-template <typename A, typename T>
-requires Like<T, DownloadBegin> || Like<T, DownloadCommit>
+template <typename A, Like<DownloadBegin> T>
 void fields(A& a, T& m) {
   a(m.total_bytes, m.digest);
+}
+template <typename A, Like<DownloadCommit> T>
+void fields(A& a, T& m) {
+  a(m.total_bytes, m.digest, m.mode);
 }
 template <typename A, Like<DownloadChunk> T>
 void fields(A& a, T& m) {
@@ -111,9 +117,13 @@ template <typename A, Like<result::Diagnostic> T>
 void fields(A& a, T& m) {
   a(m.code, m.severity, m.where, m.message, m.hint);
 }
+template <typename A, Like<host::ChangeReport> T>
+void fields(A& a, T& m) {
+  a(m.carried, m.initialised, m.dropped, m.retyped, m.dropped_forces, m.pause_us);
+}
 template <typename A, Like<Reply> T>
 void fields(A& a, T& m) {
-  a(m.client, m.id, m.problems, m.digest, m.total_bytes, m.offset, m.data);
+  a(m.client, m.id, m.problems, m.digest, m.total_bytes, m.offset, m.data, m.change);
 }
 template <typename A, Like<host::NamedValue> T>
 void fields(A& a, T& m) {
@@ -135,8 +145,8 @@ template <typename A, Like<host::RuntimeStatus> T>
 void fields(A& a, T& m) {
   a(m.incarnation, m.state, m.program_digest, m.scan, m.time_ns, m.last_event, m.overruns, m.scan_p50_us,
     m.scan_p99_us, m.scan_max_us, m.realtime_factor, m.trace_hash, m.waiting_for_supervisor, m.detail,
-    m.plant, m.tasks, m.process.version, m.process.uptime_s, m.process.resident_bytes, m.process.clients,
-    m.process.traps, m.process.lost_events);
+    m.changes, m.last_change_pause_us, m.plant, m.tasks, m.process.version, m.process.uptime_s,
+    m.process.resident_bytes, m.process.clients, m.process.traps, m.process.lost_events);
 }
 
 class Encoder {

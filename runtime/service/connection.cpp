@@ -186,15 +186,21 @@ result::Result<Reply> Connection::call(RequestBody body, milliseconds timeout) {
 }
 
 result::Result<std::string> Connection::download(std::span<const std::byte> container, milliseconds timeout) {
+  auto reply = download(container, host::DownloadMode::Replace, timeout);
+  if (!reply) return result::forward(reply);
+  return std::move(reply->digest);
+}
+
+result::Result<Reply> Connection::download(std::span<const std::byte> container, host::DownloadMode mode,
+                                           milliseconds timeout) {
   const Sha256 digest = sha256(container);
   auto reply = call(DownloadBegin{container.size(), digest}, timeout);
   for (std::size_t at = 0; reply && at < container.size(); at += host::kMaxChunkBytes) {
     const auto part = container.subspan(at, std::min(host::kMaxChunkBytes, container.size() - at));
     reply = call(DownloadChunk{at, {part.begin(), part.end()}}, timeout);
   }
-  if (reply) reply = call(DownloadCommit{container.size(), digest}, timeout);
-  if (!reply) return result::forward(reply);
-  return std::move(reply->digest);
+  if (reply) reply = call(DownloadCommit{container.size(), digest, mode}, timeout);
+  return reply;
 }
 
 }  // namespace stepwright::service

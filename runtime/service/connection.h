@@ -54,6 +54,9 @@ class Connection {
   // Begin, chunks and commit. Returns the digest.
   [[nodiscard]] result::Result<std::string> download(std::span<const std::byte> container,
                                                      std::chrono::milliseconds timeout);
+  // The same with the whole answer: what an online change carried, and notes on it.
+  [[nodiscard]] result::Result<Reply> download(std::span<const std::byte> container, host::DownloadMode mode,
+                                               std::chrono::milliseconds timeout);
 
  private:
   struct State;

@@ -7,7 +7,8 @@
 // performs it twice. That is what lets a link process die and come back unnoticed.
 //
 // Diagnostics of the runtime: R0001 the socket, R0002 refused in the present state, R0003 a download that is
-// broken, R0004 out of bounds, R0005 a malformed message, R0006 too busy, R0007 an unknown name; a refused
+// broken, R0004 out of bounds, R0005 a malformed message, R0006 too busy, R0007 an unknown name,
+// R0031 to R0038 online change (runtime/host/change_plan.h); a refused
 // container brings the diagnostics of the verifier.
 
 #include <array>
@@ -59,6 +60,7 @@ struct DownloadChunk {
 struct DownloadCommit {
   std::uint64_t total_bytes = 0;
   Sha256 digest{};
+  host::DownloadMode mode = host::DownloadMode::Replace;
 };
 // The container that is loaded, up to kMaxChunkBytes from `offset`.
 struct ReadProgram {
@@ -109,6 +111,7 @@ struct Reply {
   std::uint64_t total_bytes = 0;  // of the container read
   std::uint64_t offset = 0;       // of `data` in it
   std::vector<std::byte> data;
+  host::ChangeReport change = {};  // of an online change; notes among the problems name variables
 
   bool accepted() const { return !result::has_errors(problems); }
 };

@@ -144,12 +144,14 @@ void Server::State::accept_clients() {
 
 void Server::State::take_news() {
   port.clear();
+  bool completed = false;
   while (auto event = port.take_event()) {
     observer.on_event(*event);
+    // A rollback brings a program that no command has loaded.
+    completed = completed || event->kind == host::EventKind::RolledBack;
     events.append(std::move(*event));
     status_due = true;
   }
-  bool completed = false;
   while (auto completion = port.take_completion()) {
     status_due = true;
     completed = true;

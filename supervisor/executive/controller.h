@@ -28,6 +28,10 @@ class Controller {
 
   // Puts a verified program in place of the running one, stopped. Returns its digest in hexadecimal.
   [[nodiscard]] virtual result::Result<std::string> download(std::span<const std::byte> container) = 0;
+  // Has a verified program take over from the running one between two scans, without a stop: its charts begin
+  // at their initial steps, what the old charts drove is off, variables of the same name and type keep their
+  // values. Returns its digest. Fails where nothing runs or the change would be unsafe; then nothing happens.
+  [[nodiscard]] virtual result::Result<std::string> change(std::span<const std::byte> container) = 0;
   // Starts it; with `barrier` the simulated clock stands still from each event until it is acknowledged.
   [[nodiscard]] virtual result::Result<void> start(bool barrier) = 0;
   // Outputs go to their safe state.

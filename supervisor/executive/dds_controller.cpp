@@ -23,6 +23,12 @@ result::Result<std::string> DdsController::download(std::span<const std::byte> c
   return client_->download(container);
 }
 
+result::Result<std::string> DdsController::change(std::span<const std::byte> container) {
+  auto changed = client_->download(container, dds::DownloadMode::ChangeRestartCharts);
+  if (!changed) return result::forward(changed);
+  return std::move(changed->digest);
+}
+
 result::Result<void> DdsController::start(bool barrier) {
   return client_->start({.barrier = barrier});
 }

@@ -18,6 +18,7 @@ class DdsController final : public Controller {
   bool wait_for_runtime(std::chrono::milliseconds timeout) override;
   bool alive() const override;
   result::Result<std::string> download(std::span<const std::byte> container) override;
+  result::Result<std::string> change(std::span<const std::byte> container) override;
   result::Result<void> start(bool barrier) override;
   result::Result<void> stop(const std::string& reason) override;
   result::Result<void> acknowledge(std::uint64_t event_sequence) override;

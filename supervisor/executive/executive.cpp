@@ -11,18 +11,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Longer than any restart that somebody waits for; after it the answer counts as missing.
-constexpr milliseconds kPatience{5'000};
 constexpr int kMaxSilentRounds = 5;
-
-std::vector<std::string> watched_variables(const translate::Binding& binding) {
-  std::vector<std::string> variables;
-  for (const translate::Sensor& sensor : binding.sensors) {
-    variables.push_back(translate::filtered_variable(sensor));
-  }
-  for (const translate::ObservedFact& fact : binding.facts) variables.push_back(fact.tag);
-  return variables;
-}
 
 result::ExitCode exit_code_of(PrepareStatus status) {
   return status == PrepareStatus::Infeasible ? result::ExitCode::NoPlan : result::ExitCode::BudgetExhausted;
@@ -126,8 +115,7 @@ bool Executive::recover_runtime() {
   const bool runs = program && *program == current_.container && status &&
                     status->state == host::RuntimeState::Running && status->program_digest == digest_;
   if (!runs) return replan("the runtime was restarted or stopped while nobody watched it");
-  auto reader = ImageReader::create(current_.container, current_.translation.instance,
-                                    watched_variables(desk_.binding()));
+  auto reader = reader_of(current_);
   if (!reader) return give_up("the program cannot be read", reader.error());
   reader_ = std::move(*reader);
   confirmed_ = true;
@@ -157,9 +145,9 @@ bool Executive::replan(const std::string& cause) {
   }
   record_.replans.push_back({time_s_, cause, last_done});
   set_phase(Phase::Replanning, cause);
-  // At once, not only with the download that follows; a runtime that is gone or was restarted has nothing to
-  // stop.
-  (void)controller_.stop(cause.substr(0, 200));
+  // A program that runs is relieved by the next one, without a stop. Anything else stops at once, not only
+  // with the download that follows; a runtime that is gone or was restarted has nothing to stop.
+  if (!can_take_over()) (void)controller_.stop(cause.substr(0, 200));
   const model::NamedState tracked = with_changes(
       progress_.actions.empty() ? pddl::to_named(desk_.task().initial())
                                 : translate::expected_state(current_.translation, progress_.done()));
@@ -202,7 +190,7 @@ bool Executive::observe(bool locate) {
 
 // False with `lost` if the runtime went away meanwhile; false without it if the run is over.
 bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
-  if (!install(observer)) {
+  if (!install(observer, Kind::Observer)) {
     lost = record_.phase != Phase::Safe;
     return false;
   }
@@ -213,6 +201,9 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
       lost = runtime_lost();
       if (lost) return false;
       continue;
+    }
+    if (event->kind == host::EventKind::RolledBack) {
+      return give_up("the program that reads the sensors trapped: " + event->detail);
     }
     if (event->program_digest == digest_) {
       take_time(event->time_ns);
@@ -240,7 +231,7 @@ bool Executive::launch() {
   progress_.actions.assign(current_.plan.actions.size(), ActionState::Pending);
   if (record_.episodes.size() == 1) record_.started_s = time_s_;
   record_.episodes.back().started_s = time_s_;
-  while (!install(current_)) {
+  while (!install(current_, Kind::Plan)) {
     if (record_.phase == Phase::Safe) return false;
     if (!await_runtime()) return false;
   }
@@ -248,34 +239,6 @@ bool Executive::launch() {
   set_phase(Phase::Executing,
             "executing a plan of " + std::to_string(current_.plan.actions.size()) + " actions");
   return true;
-}
-
-// Downloads and starts a program and waits for the news that it has started. False if the runtime is lost
-// (phase unchanged) or refuses (phase Safe).
-bool Executive::install(const PreparedPlan& prepared) {
-  auto reader = ImageReader::create(prepared.container, prepared.translation.instance,
-                                    watched_variables(desk_.binding()));
-  if (!reader) return give_up("the program cannot be read", reader.error());
-  auto digest = controller_.download(prepared.container);
-  if (!digest)
-    return controller_.alive() ? give_up("the runtime refuses the program", digest.error()) : false;
-  reader_ = std::move(*reader);
-  digest_ = std::move(*digest);
-  confirmed_ = false;
-  silent_rounds_ = 0;
-  if (auto started = controller_.start(options_.barrier); !started) {
-    return controller_.alive() ? give_up("the runtime does not start the program", started.error()) : false;
-  }
-  for (const auto deadline = std::chrono::steady_clock::now() + kPatience;
-       std::chrono::steady_clock::now() < deadline && controller_.alive();) {
-    const auto event = controller_.wait_event(milliseconds(200));
-    if (!event) continue;
-    (void)controller_.acknowledge(event->sequence);
-    if (event->kind != host::EventKind::Started || event->program_digest != digest_) continue;
-    take_time(event->time_ns);
-    return true;
-  }
-  return false;
 }
 
 // Asked after a while without news. Gone, or back so quickly that it was never missed: then it has not our

@@ -82,7 +82,6 @@ class Executive {
   bool observe(bool locate);
   bool observe_once(const PreparedPlan& observer, bool& lost);
   bool launch();
-  bool install(const PreparedPlan& prepared);
   bool await_runtime();
   bool runtime_lost();
   bool recover_runtime();
@@ -92,6 +91,15 @@ class Executive {
   bool give_up(const std::string& what, const result::Diagnostics& diagnostics);
   void set_phase(Phase phase, std::string message);
   void publish();
+
+  // executive_install.cpp: bringing a program to run.
+  enum class Kind : std::uint8_t { Observer, Plan };
+  bool install(const PreparedPlan& prepared, Kind kind);
+  [[nodiscard]] result::Result<ImageReader> reader_of(const PreparedPlan& prepared) const;
+  bool can_take_over() const;
+  bool take_over(const PreparedPlan& prepared);
+  bool download_and_start(const PreparedPlan& prepared);
+  bool await_event(host::EventKind kind);
 
   // executive_follow.cpp: watching one program.
   Decision follow();
@@ -116,6 +124,7 @@ class Executive {
   PreparedPlan current_;               // the plan that runs
   std::optional<ImageReader> reader_;  // of the program that runs (the plan's or the observer's)
   std::string digest_;                 // of that program
+  Kind kind_ = Kind::Plan;             // of that program
   bool confirmed_ = false;             // a status has said that the runtime has that program
   bool unwatched_ = false;             // steps may have come and gone since the last event
   int silent_rounds_ = 0;              // without news and without that status

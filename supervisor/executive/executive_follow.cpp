@@ -28,10 +28,15 @@ Executive::Decision Executive::follow() {
 }
 
 Executive::Decision Executive::judge(const host::StepEvent& event) {
+  // The old program drives the plant again, which knows nothing of this plan.
+  if (event.kind == host::EventKind::RolledBack)
+    return {Verdict::GiveUp, "the program trapped and was rolled back: " + event.detail};
   if (event.program_digest != digest_) return {};  // news of a program that was replaced since
   take_time(event.time_ns);
   switch (event.kind) {
     case host::EventKind::Started:
+    case host::EventKind::Changed:
+    case host::EventKind::RolledBack:
       return {};
     case host::EventKind::StepChange:
       return judge_steps(event.image, time_s_);

@@ -80,6 +80,12 @@ idl::Reply to_reply(const std::string& runtime_id, const service::Reply& reply) 
   sample.total_bytes(reply.total_bytes);
   sample.offset(reply.offset);
   sample.data(to_octets(reply.data));
+  sample.change().carried(reply.change.carried);
+  sample.change().initialised(reply.change.initialised);
+  sample.change().dropped(reply.change.dropped);
+  sample.change().retyped(reply.change.retyped);
+  sample.change().dropped_forces(reply.change.dropped_forces);
+  sample.change().pause_us(reply.change.pause_us);
   return sample;
 }
 
@@ -89,7 +95,7 @@ std::optional<service::Reply> from_reply(const idl::Reply& sample) {
     return std::nullopt;
   }
   service::Reply reply{sample.client(),      sample.request(), {}, sample.digest(),
-                       sample.total_bytes(), sample.offset(),  {}};
+                       sample.total_bytes(), sample.offset(),  {}, {}};
   for (const idl::Problem& problem : sample.problems()) {
     if (!within_bounds(problem)) return std::nullopt;
     reply.problems.push_back({problem.code(),
@@ -99,6 +105,9 @@ std::optional<service::Reply> from_reply(const idl::Reply& sample) {
                               problem.hint()});
   }
   reply.data = from_octets(sample.data());
+  const idl::ChangeReport& change = sample.change();
+  reply.change = {change.carried(), change.initialised(),    change.dropped(),
+                  change.retyped(), change.dropped_forces(), change.pause_us()};
   return reply;
 }
 
@@ -121,7 +130,7 @@ std::optional<StepEvent> from_event(const idl::Event& sample) {
   auto plant = from_plant(sample.plant());
   if (!plant || sample.image().size() > idl::IMAGE_BOUND || !fits_digest(sample.program_digest()) ||
       sample.detail().size() > idl::TEXT_BOUND ||
-      sample.kind() > static_cast<std::uint8_t>(EventKind::Trap)) {
+      sample.kind() > static_cast<std::uint8_t>(EventKind::RolledBack)) {
     return std::nullopt;
   }
   return StepEvent{sample.event(),
@@ -208,6 +217,8 @@ idl::Status to_status(const std::string& runtime_id, const RuntimeStatus& status
   process.traps(status.process.traps);
   process.lost_events(status.process.lost_events);
   sample.process(process);
+  sample.changes(status.changes);
+  sample.last_change_pause_us(status.last_change_pause_us);
   return sample;
 }
 
@@ -242,6 +253,8 @@ std::optional<RuntimeStatus> from_status(const idl::Status& sample) {
   const idl::ProcessFigures& process = sample.process();
   status.process = {process.version(), process.uptime_s(), process.resident_bytes(),
                     process.clients(), process.traps(),    process.lost_events()};
+  status.changes = sample.changes();
+  status.last_change_pause_us = sample.last_change_pause_us();
   return status;
 }
 

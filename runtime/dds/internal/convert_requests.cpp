@@ -61,10 +61,10 @@ struct BodyWriter {
     out.fault(command);
   }
   void operator()(const DownloadBegin& body) const {
-    download(body.total_bytes, body.digest, idl::CMD_DOWNLOAD_BEGIN);
+    download(body.total_bytes, body.digest, host::DownloadMode::Replace, idl::CMD_DOWNLOAD_BEGIN);
   }
   void operator()(const DownloadCommit& body) const {
-    download(body.total_bytes, body.digest, idl::CMD_DOWNLOAD_COMMIT);
+    download(body.total_bytes, body.digest, body.mode, idl::CMD_DOWNLOAD_COMMIT);
   }
   void operator()(const ReadProgram& body) const {
     idl::ReadProgramCommand command;
@@ -92,10 +92,12 @@ struct BodyWriter {
     out.bits(to_bits(value));
     out._d(kind);
   }
-  void download(std::uint64_t total, const Sha256& digest, idl::CommandKind kind) const {
+  void download(std::uint64_t total, const Sha256& digest, host::DownloadMode mode,
+                idl::CommandKind kind) const {
     idl::DownloadCommand command;
     command.total_bytes(total);
     command.digest(to_digest(digest));
+    command.mode(static_cast<std::uint8_t>(mode));
     out.download(command);
     out._d(kind);
   }
@@ -124,7 +126,10 @@ std::optional<RequestBody> from_body(const idl::CommandBody& body) {
     case idl::CMD_DOWNLOAD_BEGIN:
       return DownloadBegin{body.download().total_bytes(), from_digest(body.download().digest())};
     case idl::CMD_DOWNLOAD_COMMIT:
-      return DownloadCommit{body.download().total_bytes(), from_digest(body.download().digest())};
+      if (body.download().mode() > static_cast<std::uint8_t>(host::DownloadMode::ChangeRestartCharts))
+        return std::nullopt;
+      return DownloadCommit{body.download().total_bytes(), from_digest(body.download().digest()),
+                            static_cast<host::DownloadMode>(body.download().mode())};
     case idl::CMD_READ_PROGRAM:
       return ReadProgram{body.read().offset()};
   }

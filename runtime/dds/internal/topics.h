@@ -5,11 +5,11 @@
 
 namespace stepwright::dds::internal {
 
-inline constexpr char kCommandTopic[] = "stepwright/command/1";
+inline constexpr char kCommandTopic[] = "stepwright/command/2";
 inline constexpr char kChunkTopic[] = "stepwright/program_chunk/1";
-inline constexpr char kReplyTopic[] = "stepwright/reply/1";
+inline constexpr char kReplyTopic[] = "stepwright/reply/2";
 inline constexpr char kEventTopic[] = "stepwright/event/1";
-inline constexpr char kStatusTopic[] = "stepwright/status/1";
+inline constexpr char kStatusTopic[] = "stepwright/status/2";
 inline constexpr char kSnapshotTopic[] = "stepwright/snapshot/1";
 inline constexpr char kPresenceTopic[] = "stepwright/presence/1";
 inline constexpr char kDocumentTopic[] = "stepwright/plan_document/1";

@@ -25,7 +25,7 @@ result::Diagnostics explain(const host::Completion& completion) {
   };
   switch (completion.outcome) {
     case Outcome::Done:
-      return {};
+      return completion.problems;  // notes, if any
     case Outcome::NoProgram:
       return one("R0002", "no program is loaded", "download one first");
     case Outcome::AlreadyRunning:
@@ -41,6 +41,10 @@ result::Diagnostics explain(const host::Completion& completion) {
     case Outcome::NoPlant:
       return one("R0002", "this runtime has no simulated plant", "");
     case Outcome::PlantRefused:
+    case Outcome::NotRunning:
+    case Outcome::ChangeOutdated:
+    case Outcome::StepLost:
+    case Outcome::StepsUnfit:
     case Outcome::RetainRefused:
       return completion.problems;
     case Outcome::NotSimulated:
@@ -140,6 +144,7 @@ std::optional<Answer> RequestHandler::complete(const host::Completion& completio
   pending_.erase(found);
   answer.reply.problems = explain(completion);
   answer.reply.offset = completion.scan;
+  answer.reply.change = completion.change;
   replies_.add(answer.reply);
   return answer;
 }
@@ -208,7 +213,9 @@ result::Result<bool> RequestHandler::commit(const Request& request, const Downlo
   auto container = downloads_.commit(request.client, body);
   if (!container) return result::forward(container);
   reply.digest = to_hex(body.digest);
-  auto loading = port_.load(ticket, std::move(*container), reply.digest);
+  auto loading = body.mode == host::DownloadMode::Replace
+                     ? port_.load(ticket, std::move(*container), reply.digest)
+                     : port_.change(ticket, std::move(*container), reply.digest, body.mode);
   if (!loading) return result::forward(loading);
   return false;
 }

@@ -19,8 +19,9 @@
 #include <vector>
 
 #include "runtime/scan/scan_cycle.h"
-#include "tests/bench/scan/wakeup.h"
+#include "tests/bench/scan/change.h"
 #include "tests/bench/scan/start.h"
+#include "tests/bench/scan/wakeup.h"
 #include "tests/bench/scan/workloads.h"
 #include "tests/support/test_program.h"
 
@@ -201,6 +202,18 @@ nlohmann::json summarise(const std::map<std::string, double>& times_us) {
   return out;
 }
 
+// The pause is that of the worst change; beside the missed scans those of an equally long run without
+// changes.
+void add_changes(nlohmann::json& summary) {
+  const ChangeFigures figures = measure_changes();
+  print(figures);
+  summary["online_change_pause_us"] = figures.pause_max_us;
+  summary["online_change_pause_p50_us"] = figures.pause_p50_us;
+  summary["online_change_prepared_ms"] = figures.prepared_p50_ms;
+  summary["missed_scans"] = figures.missed;
+  summary["missed_scans_baseline"] = figures.baseline_missed;
+}
+
 }  // namespace stepwright::bench
 
 int main(int argc, char** argv) {
@@ -223,6 +236,7 @@ int main(int argc, char** argv) {
   benchmark::RunSpecifiedBenchmarks(&keeper);
   nlohmann::json summary = summarise(keeper.times_us);
   measure_wakeup(kWakeupSeconds, summary);
+  add_changes(summary);
   const StartFigures start = measure_start();
   summary["first_scan_ms"] = start.first_scan_ms;
   summary["first_scan_max_ms"] = start.first_scan_max_ms;

@@ -10,6 +10,8 @@ namespace {
 // A test that scans longer than this without news hangs; it fails instead.
 constexpr std::uint64_t kMaxQuietScans = 200'000;
 
+using host::DownloadMode;
+
 class CountingClock final : public scan::Clock {
  public:
   std::int64_t now_ns() override { return ++now_; }
@@ -27,42 +29,33 @@ T taken(result::Result<T> value) {
 }  // namespace
 
 struct SimulatedController::Loaded {
-  Loaded(reader::LoadedProgram program_in, image::IoDriver& driver)
-      : program(std::move(program_in)),
-        info(taken(reader::ProgramInfo::read(program.bytes()))),
-        memory(program.program().memory_size()),
-        image(memory, scan::layout_of(program.program())),
-        stack(program.program().sizes().stack_slots),
-        engine(program.program(), stack),
-        cycle(program.program(), engine, image, driver, clock, {}) {}
+  Loaded(std::unique_ptr<host::PreparedProgram> prepared)
+      : program(std::move(prepared)), info(taken(reader::ProgramInfo::read(program->loaded().bytes()))) {}
 
-  std::vector<std::byte> image_copy() const { return {image.bytes().begin(), image.bytes().end()}; }
+  scan::ScanCycle& cycle() const { return program->cycle(); }
+  std::span<const std::byte> image() const { return program->image().bytes(); }
 
   std::vector<bool> steps() const {
     std::vector<bool> bits;
     for (const reader::ChartInfo& chart : info.charts()) {
       for (const reader::StepInfo& step : chart.steps)
-        bits.push_back(reader::read_number(step.active, memory) != 0.0);
+        bits.push_back(reader::read_number(step.active, image()) != 0.0);
     }
     return bits;
   }
 
-  reader::LoadedProgram program;
+  std::unique_ptr<host::PreparedProgram> program;
   reader::ProgramInfo info;
-  std::vector<std::byte> memory;
-  image::ProcessImage image;
-  std::vector<std::uint64_t> stack;
-  vm::Interpreter engine;
-  CountingClock clock;
-  scan::ScanCycle cycle;
-  std::string digest;
   std::vector<bool> last_steps;
 };
 
 SimulatedController::SimulatedController(const assemblies::BenchParameters& parameters,
                                          std::vector<PlantFault> faults)
-    : plant_(taken(assemblies::TankBench::create(parameters))), faults_(std::move(faults)) {
+    : plant_(taken(assemblies::TankBench::create(parameters))),
+      clock_(std::make_unique<CountingClock>()),
+      faults_(std::move(faults)) {
   driver_ = taken(bridge::PlantDriver::create(*plant_, bridge::default_bench_wires(), {8, 1}));
+  areas_.emplace(*driver_, 8, 1);
 }
 
 SimulatedController::~SimulatedController() = default;
@@ -77,8 +70,12 @@ double SimulatedController::plant_value(const std::string& name) const {
 
 bool SimulatedController::any_output() const {
   if (!loaded_) return false;
-  const auto outputs = loaded_->image.outputs();
+  const auto outputs = loaded_->program->image().outputs();
   return std::any_of(outputs.begin(), outputs.end(), [](std::byte b) { return b != std::byte{0}; });
+}
+
+bool SimulatedController::running() const {
+  return loaded_ && loaded_->cycle().state() == scan::ScanState::Running;
 }
 
 bool SimulatedController::wait_for_runtime(std::chrono::milliseconds) {
@@ -93,19 +90,41 @@ bool SimulatedController::wait_for_runtime(std::chrono::milliseconds) {
   return true;
 }
 
-result::Result<std::string> SimulatedController::download(std::span<const std::byte> container) {
+result::Result<std::unique_ptr<host::PreparedProgram>> SimulatedController::prepare(
+    std::span<const std::byte> container) {
   if (killed_) return result::fail("D0001", {}, "no runtime answers");
-  auto program = reader::LoadedProgram::load({container.begin(), container.end()}, "download");
+  return host::PreparedProgram::create({container.begin(), container.end()},
+                                       std::to_string(base::hash_bytes(container)),
+                                       {*areas_, *clock_, config_});
+}
+
+result::Result<std::string> SimulatedController::download(std::span<const std::byte> container) {
+  auto program = prepare(container);
   if (!program) return result::forward(program);
-  if (loaded_ && loaded_->cycle.state() == scan::ScanState::Running) (void)stop("replaced");
-  loaded_ = std::make_unique<Loaded>(std::move(*program), *driver_);
-  loaded_->digest = std::to_string(base::hash_bytes(container));
-  return loaded_->digest;
+  if (running()) (void)stop("replaced");
+  loaded_ = std::make_unique<Loaded>(std::move(*program));
+  return loaded_->program->digest();
+}
+
+result::Result<std::string> SimulatedController::change(std::span<const std::byte> container) {
+  auto program = prepare(container);
+  if (!program) return result::forward(program);
+  if (!running() || refuse_changes_) return result::fail("R0031", {}, "no program is running");
+  auto plan = host::ChangePlan::make(*loaded_->program, **program, DownloadMode::ChangeRestartCharts);
+  if (!plan) return result::forward(plan);
+  (*plan)->carry(loaded_->program->image(), (*program)->image());
+  (*program)->cycle().take_over(loaded_->cycle(), (*plan)->tasks());
+  loaded_ = std::make_unique<Loaded>(std::move(*program));
+  loaded_->last_steps = loaded_->steps();
+  ++changes_;
+  if (on_change) on_change(loaded_->program->image().outputs());
+  push_event(host::EventKind::Changed, {});
+  return loaded_->program->digest();
 }
 
 result::Result<void> SimulatedController::start(bool) {
   if (!loaded_ || killed_) return result::fail("D0002", {}, "there is no program");
-  loaded_->cycle.start(next_start_);
+  loaded_->cycle().start(next_start_);
   loaded_->last_steps = loaded_->steps();
   push_event(host::EventKind::Started, {});
   return {};
@@ -113,9 +132,10 @@ result::Result<void> SimulatedController::start(bool) {
 
 result::Result<void> SimulatedController::stop(const std::string& reason) {
   if (killed_) return result::fail("D0001", {}, "no runtime answers");
-  if (!loaded_ || loaded_->cycle.state() != scan::ScanState::Running) return {};
-  loaded_->cycle.stop();
-  next_start_ = {loaded_->cycle.next_time_ns(), loaded_->cycle.scan(), loaded_->cycle.trace_hash()};
+  if (!loaded_ || loaded_->cycle().state() != scan::ScanState::Running) return {};
+  loaded_->cycle().stop();
+  ++stops_;
+  next_start_ = {loaded_->cycle().next_time_ns(), loaded_->cycle().scan(), loaded_->cycle().trace_hash()};
   push_event(host::EventKind::Stopped, reason);
   return {};
 }
@@ -128,18 +148,19 @@ result::Result<void> SimulatedController::acknowledge(std::uint64_t event_sequen
 
 result::Result<std::vector<std::byte>> SimulatedController::program() {
   if (!loaded_) return result::fail("D0002", {}, "there is no program");
-  return std::vector<std::byte>(loaded_->program.bytes().begin(), loaded_->program.bytes().end());
+  const auto bytes = loaded_->program->loaded().bytes();
+  return std::vector<std::byte>(bytes.begin(), bytes.end());
 }
 
 void SimulatedController::push_event(host::EventKind kind, std::string detail) {
   host::StepEvent event;
   event.sequence = ++sequence_;
-  event.scan = loaded_->cycle.scan();
+  event.scan = loaded_->cycle().scan();
   event.time_ns = plant_->now().count();
   event.kind = kind;
-  event.program_digest = loaded_->digest;
+  event.program_digest = loaded_->program->digest();
   event.detail = std::move(detail);
-  event.image = loaded_->image_copy();
+  event.image = {loaded_->image().begin(), loaded_->image().end()};
   events_.push_back(std::move(event));
 }
 
@@ -151,7 +172,7 @@ bool SimulatedController::scan_once() {
     }
     faults_.erase(faults_.begin());
   }
-  const scan::ScanReport report = loaded_->cycle.run_scan();
+  const scan::ScanReport report = loaded_->cycle().run_scan();
   if (report.state != scan::ScanState::Running) {
     push_event(host::EventKind::Trap, "trapped");
     return false;
@@ -167,8 +188,7 @@ bool SimulatedController::scan_once() {
 std::optional<host::StepEvent> SimulatedController::wait_event(std::chrono::milliseconds) {
   if (killed_) return std::nullopt;
   for (std::uint64_t i = 0; events_.empty(); ++i) {
-    const bool running = loaded_ && loaded_->cycle.state() == scan::ScanState::Running;
-    if (!running || acknowledged_ < sequence_) return std::nullopt;
+    if (!running() || acknowledged_ < sequence_) return std::nullopt;
     if (i > kMaxQuietScans) throw std::runtime_error("no step event for a very long time");
     scan_once();
   }
@@ -180,21 +200,20 @@ std::optional<host::StepEvent> SimulatedController::wait_event(std::chrono::mill
 std::optional<host::RuntimeStatus> SimulatedController::status() const {
   host::RuntimeStatus status;
   if (!loaded_) return status;
-  const bool running = loaded_->cycle.state() == scan::ScanState::Running;
-  status.state = running ? host::RuntimeState::Running : host::RuntimeState::Stopped;
-  status.program_digest = loaded_->digest;
-  status.scan = loaded_->cycle.scan();
-  status.trace_hash = loaded_->cycle.trace_hash();
+  status.state = running() ? host::RuntimeState::Running : host::RuntimeState::Stopped;
+  status.program_digest = loaded_->program->digest();
+  status.scan = loaded_->cycle().scan();
+  status.trace_hash = loaded_->cycle().trace_hash();
   return status;
 }
 
 std::optional<host::Snapshot> SimulatedController::snapshot() const {
   if (!loaded_) return std::nullopt;
   host::Snapshot snapshot;
-  snapshot.scan = loaded_->cycle.scan();
+  snapshot.scan = loaded_->cycle().scan();
   snapshot.time_ns = plant_->now().count();
-  snapshot.program_digest = loaded_->digest;
-  snapshot.image = loaded_->image_copy();
+  snapshot.program_digest = loaded_->program->digest();
+  snapshot.image = {loaded_->image().begin(), loaded_->image().end()};
   return snapshot;
 }
 

@@ -10,17 +10,16 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "plant_models/assemblies/tank_bench.h"
 #include "plant_models/bridge/plant_driver.h"
-#include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/reader/program_info.h"
-#include "runtime/image/process_image.h"
+#include "runtime/host/change_plan.h"
 #include "runtime/scan/scan_cycle.h"
-#include "runtime/vm/interpreter.h"
 #include "supervisor/executive/controller.h"
 
 namespace stepwright::support {
@@ -42,10 +41,15 @@ class SimulatedController final : public executive::Controller {
   bool any_output() const;
   // The next call finds the runtime gone; a new one, empty, is there after that. The plant stays.
   void kill_runtime() { killed_ = true; }
+  void refuse_changes() { refuse_changes_ = true; }
+  int changes() const { return changes_; }
+  std::function<void(std::span<const std::byte> outputs)> on_change;  // as they are after the swap
+  int stops() const { return stops_; }
 
   bool wait_for_runtime(std::chrono::milliseconds) override;
   bool alive() const override { return !killed_; }
   result::Result<std::string> download(std::span<const std::byte> container) override;
+  result::Result<std::string> change(std::span<const std::byte> container) override;
   result::Result<void> start(bool barrier) override;
   result::Result<void> stop(const std::string& reason) override;
   result::Result<void> acknowledge(std::uint64_t event_sequence) override;
@@ -58,9 +62,14 @@ class SimulatedController final : public executive::Controller {
   struct Loaded;  // a program with its memory
   void push_event(host::EventKind kind, std::string detail);
   bool scan_once();
+  bool running() const;
+  result::Result<std::unique_ptr<host::PreparedProgram>> prepare(std::span<const std::byte> container);
 
   std::unique_ptr<assemblies::TankBench> plant_;
   std::optional<bridge::PlantDriver> driver_;
+  std::optional<host::AreaDriver> areas_;
+  host::HostConfig config_;
+  std::unique_ptr<scan::Clock> clock_;
   std::unique_ptr<Loaded> loaded_;
   std::vector<PlantFault> faults_;  // not yet injected, in order of time
   std::deque<host::StepEvent> events_;
@@ -68,6 +77,9 @@ class SimulatedController final : public executive::Controller {
   std::uint64_t acknowledged_ = 0;
   scan::StartPoint next_start_;
   bool killed_ = false;
+  bool refuse_changes_ = false;
+  int changes_ = 0;
+  int stops_ = 0;
 };
 
 }  // namespace stepwright::support

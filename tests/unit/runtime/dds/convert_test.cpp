@@ -45,7 +45,7 @@ TEST(Convert, WhenAnEventBreaksABound_ThenItIsDropped) {
   bad.program_digest(kLong);
   EXPECT_FALSE(from_event(bad).has_value());
   bad = good;
-  bad.kind(4);
+  bad.kind(static_cast<std::uint8_t>(EventKind::RolledBack) + 1);
   EXPECT_FALSE(from_event(bad).has_value());
   bad = good;
   bad.plant()[0].name(kLong);
@@ -81,6 +81,30 @@ TEST(Convert, WhenASnapshotBreaksABound_ThenItIsDropped) {
   bad = good;
   bad.image().resize(idl::IMAGE_BOUND + 1);
   EXPECT_FALSE(from_snapshot(bad).has_value());
+}
+
+TEST(Convert, WhenADownloadHasAMode_ThenItArrivesAndAnUnknownOneIsDropped) {
+  for (const DownloadMode mode :
+       {DownloadMode::Replace, DownloadMode::Change, DownloadMode::ChangeRestartCharts}) {
+    const service::Request request{1, 2, service::DownloadCommit{100, {}, mode}};
+    idl::Command sample = to_command("bench", request);
+    const auto back = from_command(sample);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(std::get<service::DownloadCommit>(back->body).mode, mode);
+    idl::DownloadCommand unknown = sample.body().download();
+    unknown.mode(3);
+    sample.body().download(unknown);
+    sample.body()._d(idl::CMD_DOWNLOAD_COMMIT);
+    EXPECT_FALSE(from_command(sample));
+  }
+}
+
+TEST(Convert, WhenAReplyTellsOfAChange_ThenItsFiguresArrive) {
+  service::Reply reply;
+  reply.change = {1, 2, 3, 4, 5, 6.5};
+  const auto back = from_reply(to_reply("bench", reply));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->change, reply.change);
 }
 
 TEST(Convert, WhenAReplyBreaksABound_ThenItIsDropped) {

@@ -85,6 +85,13 @@ class Harness {
     EXPECT_TRUE(begun) << (begun ? "" : result::to_string(begun.error()));
     return completion().outcome;
   }
+  // An online change; what is refused at once comes as ChangeOutdated with its problems.
+  Completion change(std::vector<std::byte> container, const std::string& digest = "changed",
+                    DownloadMode mode = DownloadMode::Change) {
+    auto changing = runtime->change(++ticket_, std::move(container), digest, mode);
+    if (!changing) return {ticket_, Outcome::ChangeOutdated, changing.error()};
+    return completion();
+  }
   Outcome start(bool barrier = false) {
     Command command;
     command.kind = CommandKind::Start;

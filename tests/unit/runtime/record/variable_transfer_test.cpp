@@ -158,6 +158,7 @@ TEST(VariableTransfer, WhenAStepIsActive_ThenItStaysSoAndItsTimeGoesOn) {
   change.after.start_at(std::int64_t{scans + 1} * 10'000'000);
   change.carry();
   EXPECT_EQ(change.after.get("MAIN.B_X"), 1);
+  EXPECT_EQ(change.after.get("MAIN.NEW_X"), 0);  // initial, but the chart has its token already
   EXPECT_EQ(change.after.text("MAIN.B_T"), change.before.text("MAIN.B_T"));
   EXPECT_TRUE(change.transfer.lost_active_steps(change.before.image().bytes()).empty());
   ASSERT_EQ(change.report().new_steps.size(), 1u);
@@ -176,6 +177,16 @@ TEST(VariableTransfer, WhenAnActiveStepIsGone_ThenTheReportNamesIt) {
   const auto lost = change.transfer.lost_active_steps(change.before.image().bytes());
   ASSERT_EQ(lost.size(), 1u);
   EXPECT_EQ(lost[0].path, "MAIN.B_X");
+  // With its only active step gone the chart begins anew.
+  change.before.set("MAIN.A_X", 0);
+  change.carry();
+  EXPECT_EQ(change.after.get("MAIN.A_X"), 1);
+  EXPECT_EQ(change.after.get("MAIN.C_X"), 0);
+  change.before.set("MAIN.B_X", 0);
+  change.before.set("MAIN.C_X", 1);
+  change.carry();
+  EXPECT_EQ(change.after.get("MAIN.A_X"), 0);
+  EXPECT_EQ(change.after.get("MAIN.C_X"), 1);
 }
 
 TEST(VariableTransfer, WhenVariablesAreLocated_ThenBitsAndUnnamedMarkersAreCarried) {

@@ -43,7 +43,7 @@ std::vector<Message> every_kind() {
                                         InjectFault{"leak", -0.5},
                                         DownloadBegin{100, digest},
                                         DownloadChunk{32, bytes},
-                                        DownloadCommit{100, digest},
+                                        DownloadCommit{100, digest, host::DownloadMode::ChangeRestartCharts},
                                         ReadProgram{64},
                                         ResendEvents{3},
                                         ReadForces{},
@@ -54,7 +54,8 @@ std::vector<Message> every_kind() {
                                         ReadRecording{},
                                         Reload{}};
   for (const RequestBody& body : bodies) messages.emplace_back(Request{11, 12, body});
-  Reply reply{1, 2, {}, "ab", 3, 4, bytes};
+  Reply reply{1, 2, {}, "ab", 3, 4, bytes, {}};
+  reply.change = {5, 6, 7, 8, 9, 10.5};
   reply.problems.push_back(diagnostic());
   messages.emplace_back(reply);
   messages.emplace_back(

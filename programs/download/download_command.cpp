@@ -1,0 +1,158 @@
+#include "programs/download/download_command.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "programs/config/cell_options.h"
+#include "programs/process/command_line.h"
+#include "programs/process/diagnostics_json.h"
+#include "programs/process/files.h"
+#include "runtime/result/exit_code.h"
+#include "runtime/service/connection.h"
+
+namespace stepwright::download {
+namespace {
+
+using host::DownloadMode;
+using host::RuntimeState;
+using result::ExitCode;
+using std::chrono::milliseconds;
+
+// A large program takes a moment to verify and to turn into machine code.
+constexpr milliseconds kPatience{30'000};
+constexpr milliseconds kGreeting{2'000};
+
+struct Arguments {
+  std::string image;
+  std::string json;
+  bool change = false;
+  bool restart_charts = false;
+  bool replace = false;
+};
+
+const char* name_of(DownloadMode mode) {
+  switch (mode) {
+    case DownloadMode::Replace:
+      return "replace";
+    case DownloadMode::Change:
+      return "change";
+    case DownloadMode::ChangeRestartCharts:
+      return "restart_charts";
+  }
+  return "";
+}
+
+// The status that follows the greeting.
+std::optional<host::RuntimeStatus> status_of(service::Connection& connection) {
+  const auto deadline = std::chrono::steady_clock::now() + kGreeting;
+  while (std::chrono::steady_clock::now() < deadline && !connection.closed()) {
+    const auto message = connection.receive(milliseconds(100));
+    if (!message) continue;
+    if (const auto* status = std::get_if<host::RuntimeStatus>(&*message)) return *status;
+  }
+  return std::nullopt;
+}
+
+// Nobody stops a machine by leaving a word out.
+result::Result<DownloadMode> mode_of(const Arguments& arguments, const host::RuntimeStatus& status) {
+  if (arguments.change) return DownloadMode::Change;
+  if (arguments.restart_charts) return DownloadMode::ChangeRestartCharts;
+  if (arguments.replace || status.state != RuntimeState::Running) return DownloadMode::Replace;
+  return result::fail("R0039", {}, "a program is running",
+                      "say what becomes of it: --change (it goes on as the new one), --restart-charts (its "
+                      "charts begin anew), or --replace (it stops, outputs are safe)");
+}
+
+nlohmann::json report(DownloadMode mode, const service::Reply& reply) {
+  const host::ChangeReport& change = reply.change;
+  return {{"mode", name_of(mode)},
+          {"digest", reply.digest},
+          {"carried", change.carried},
+          {"initialised", change.initialised},
+          {"dropped", change.dropped},
+          {"retyped", change.retyped},
+          {"dropped_forces", change.dropped_forces},
+          {"pause_us", change.pause_us},
+          {"diagnostics", process::diagnostics_json(reply.problems)}};
+}
+
+ExitCode write_report(const std::string& file, const nlohmann::json& json) {
+  if (file.empty()) return ExitCode::Done;
+  const result::Diagnostics unwritten = process::write_file(file, json.dump(2) + "\n");
+  if (unwritten.empty()) return ExitCode::Done;
+  static_cast<void>(process::fail(unwritten, ExitCode::RuntimeFault));
+  return ExitCode::RuntimeFault;
+}
+
+int refuse(const Arguments& arguments, const result::Diagnostics& problems, ExitCode exit) {
+  static_cast<void>(write_report(arguments.json, {{"diagnostics", process::diagnostics_json(problems)}}));
+  return process::fail(problems, exit);
+}
+
+void print(DownloadMode mode, const service::Reply& reply) {
+  const std::string digest = reply.digest.substr(0, 12);
+  if (mode == DownloadMode::Replace) {
+    std::printf("%s is loaded; it is stopped\n", digest.c_str());
+    return;
+  }
+  std::printf("%s runs; it took over within %.1f us\n", digest.c_str(), reply.change.pause_us);
+  for (const result::Diagnostic& note : reply.problems) std::printf("  %s\n", note.message.c_str());
+  if (reply.change.dropped_forces > 0)
+    std::printf("  %u forces are gone with their variables\n", reply.change.dropped_forces);
+}
+
+int download(const config::CellConfig& config, const Arguments& arguments) {
+  const auto image = process::read_file(arguments.image);
+  if (!image) return refuse(arguments, image.error(), ExitCode::BadInput);
+  auto connection = service::Connection::open(config.socket_path(),
+                                              {.role = service::Role::Controller, .name = "download"});
+  if (!connection) return refuse(arguments, connection.error(), ExitCode::RuntimeFault);
+  const auto status = status_of(**connection);
+  if (!status) {
+    return refuse(arguments,
+                  {{"R0001",
+                    result::Severity::Error,
+                    {config.socket_path().string(), 0, 0},
+                    "the runtime does not say how it is",
+                    {}}},
+                  ExitCode::RuntimeFault);
+  }
+  const auto mode = mode_of(arguments, *status);
+  if (!mode) return refuse(arguments, mode.error(), ExitCode::BadInput);
+  const auto reply = (*connection)->download(std::as_bytes(std::span(*image)), *mode, kPatience);
+  if (!reply) {
+    return refuse(arguments, reply.error(),
+                  (*connection)->closed() ? ExitCode::RuntimeFault : ExitCode::BadInput);
+  }
+  print(*mode, *reply);
+  return to_int(write_report(arguments.json, report(*mode, *reply)));
+}
+
+}  // namespace
+
+int run_download(int argc, char** argv) {
+  CLI::App app{"Bring a compiled program to a running cell", "stepwright download"};
+  config::CellOptions options;
+  Arguments arguments;
+  config::add_cell_options(app, options);
+  app.add_option("image", arguments.image, "the program (stepwright compile)")->required();
+  auto* change = app.add_flag("--change", arguments.change,
+                              "the running program goes on as this one: values, steps and forces stay");
+  auto* restart = app.add_flag("--restart-charts", arguments.restart_charts,
+                               "the same, but every chart begins at its initial steps");
+  auto* replace = app.add_flag("--replace", arguments.replace, "stop the running program and load this one");
+  change->excludes(restart)->excludes(replace);
+  restart->excludes(replace);
+  app.add_option("--json", arguments.json, "write a report to this file");
+  const auto config = config::parse_cell(app, options, argc, argv);
+  return config ? download(*config, arguments) : config.error();
+}
+
+}  // namespace stepwright::download

@@ -1,0 +1,121 @@
+// Online change and rollback, as the scan thread performs them between two scans
+// (runtime/doc/online_change.md).
+
+#include <utility>
+
+#include "runtime/host/change_plan.h"
+#include "runtime/host/scan_loop.h"
+
+namespace stepwright::host {
+namespace {
+
+constexpr double kNsPerUs = 1'000.0;
+
+}  // namespace
+
+// The commands in their order. In real time a change is warmed up in this pause between two scans and
+// performed in the next one, with the commands behind it waiting; the simulated clock stands still meanwhile
+// anyway.
+std::optional<Command> ScanLoop::next_command() {
+  if (std::exchange(warm_change_.waiting, false)) return warm_change_.command;
+  auto command = commands_.pop();
+  const bool running = now_.state == RuntimeState::Running;
+  if (!command || command->kind != CommandKind::Change || !real() || !running) return command;
+  command->change->warm();
+  warm_change_ = {*command, true};
+  return std::nullopt;
+}
+
+Completion ScanLoop::change(const Command& command) {
+  const std::int64_t begin_ns = clock_.now_ns();
+  const ChangePlan& plan = *command.change;
+  Completion completion;
+  completion.ticket = command.ticket;
+  const auto refused = [&](Outcome outcome) {
+    completion.outcome = outcome;
+    return completion;
+  };
+  if (now_.state != RuntimeState::Running) return refused(Outcome::NotRunning);
+  if (program_ != &plan.from()) return refused(Outcome::ChangeOutdated);
+  PreparedProgram& before = plan.from();
+  if (const auto step = plan.lost_step(before.image().bytes())) {
+    completion.detail = *step;
+    return refused(Outcome::StepLost);
+  }
+  if (const auto chart = plan.impossible_chart(before.image().bytes())) {
+    completion.detail = *chart;
+    return refused(Outcome::StepsUnfit);
+  }
+  PreparedProgram& next = plan.to();
+  plan.carry(before.image(), next.image());
+  completion.change.dropped_forces = plan.move_forces(before.cycle().forces(), next.cycle().forces());
+  const auto hold = next.crew().hold();
+  next.cycle().take_over(before.cycle(), plan.tasks());
+  next.crew().take_over(before.crew(), plan.tasks(), next.cycle().next_time_ns());
+  end_trial();  // of an earlier change: it has run without a trap so far
+  retain_from(next);
+  adopt(next);
+  tap_.state(record::StateCause::Change, running());
+  now_.kept = &before;  // without a trial until its tasks are let go
+  if (config_.change_trial_scans > 0) {
+    trial_ = {&plan, config_.change_trial_scans};
+    next.cycle().hold_outputs_on_trap(true);
+  }
+  ++now_.changes;
+  // Whoever changed the program has decided; nothing waits for its word any more.
+  release_barrier();
+  note(EventKind::Changed, {}, {}, &before);
+  now_.last_change_pause_ns = clock_.now_ns() - begin_ns;
+  figures_.store(now_);
+  completion.change.pause_us = static_cast<double>(now_.last_change_pause_ns) / kNsPerUs;
+  return completion;
+}
+
+// After each scan of a program on trial. True if the old program has taken over again.
+bool ScanLoop::tried(const scan::ScanReport& report) {
+  if (report.state == scan::ScanState::Trapped || report.state == scan::ScanState::WatchdogExpired) {
+    roll_back(report.trap);
+    return true;
+  }
+  if (report.state != scan::ScanState::Running || --trial_.scans_left == 0) end_trial();
+  return false;
+}
+
+// The outputs are as the scan before the trap left them; the old program drives them from the next scan on,
+// with fresh inputs and the values that it had at the swap.
+void ScanLoop::roll_back(const bytecode::Trap& trap) {
+  const ChangePlan& plan = *trial_.plan;
+  PreparedProgram& failed = plan.to();
+  PreparedProgram& before = plan.from();
+  const auto hold = before.crew().hold();
+  before.cycle().take_over(failed.cycle(), plan.tasks_back());
+  before.crew().take_over(failed.crew(), plan.tasks_back(), before.cycle().next_time_ns());
+  plan.move_forces_back(failed.cycle().forces(), before.cycle().forces());
+  retain_from(before);
+  adopt(before);
+  tap_.state(record::StateCause::Change, running());
+  trial_ = {};
+  now_.kept = &failed;  // until the event, which speaks of it, is on its way
+  if (barrier_ && !supervisor_lost_ && !real()) {
+    now_.waiting_for_supervisor = true;
+    end_stretch();
+  }
+  emit(EventKind::RolledBack, trap, {}, &failed);
+  now_.kept = nullptr;
+}
+
+// What another program retains is kept from now on. One that retains nothing leaves what there is for the
+// program that wants it.
+void ScanLoop::retain_from(PreparedProgram& next) {
+  if (next.retained().values.size() == 0) retain_.finish(program_->image().bytes());
+  retain_.change(next.retained(), next.image().bytes());
+}
+
+void ScanLoop::end_trial() {
+  if (!trial_.active()) return;
+  program_->cycle().hold_outputs_on_trap(false);
+  trial_ = {};
+  now_.kept = nullptr;
+}
+
+}  // namespace stepwright::host

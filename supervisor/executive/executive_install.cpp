@@ -1,0 +1,91 @@
+// Bringing a program to run: by an online change from the program that runs, so that the plant is never
+// without control, or by download and start.
+
+#include <chrono>
+#include <utility>
+
+#include "supervisor/executive/executive.h"
+
+namespace stepwright::executive {
+namespace {
+
+using std::chrono::milliseconds;
+
+// Longer than any restart that somebody waits for; after it the answer counts as missing.
+constexpr milliseconds kPatience{5'000};
+
+}  // namespace
+
+result::Result<ImageReader> Executive::reader_of(const PreparedPlan& prepared) const {
+  std::vector<std::string> variables;
+  for (const translate::Sensor& sensor : desk_.binding().sensors) {
+    variables.push_back(translate::filtered_variable(sensor));
+  }
+  for (const translate::ObservedFact& fact : desk_.binding().facts) variables.push_back(fact.tag);
+  return ImageReader::create(prepared.container, prepared.translation.instance, variables);
+}
+
+// False if the runtime is lost (phase unchanged) or refuses (phase Safe).
+bool Executive::install(const PreparedPlan& prepared, Kind kind) {
+  // The first plan starts the trace of a run from nothing. One observer does not relieve another: the means
+  // of the first would go into those of the second.
+  const bool relieves = !record_.replans.empty() && !(kind == Kind::Observer && kind_ == Kind::Observer);
+  const bool runs = (relieves && can_take_over() && take_over(prepared)) || download_and_start(prepared);
+  if (runs) kind_ = kind;
+  return runs;
+}
+
+// As far as the newest status tells; the runtime knows for sure.
+bool Executive::can_take_over() const {
+  const auto status = controller_.status();
+  return !digest_.empty() && status && status->state == host::RuntimeState::Running &&
+         status->program_digest == digest_ && controller_.alive();
+}
+
+// False if it is refused, or if no news of it came: then the program is installed as if none ran.
+bool Executive::take_over(const PreparedPlan& prepared) {
+  auto reader = reader_of(prepared);
+  if (!reader) return false;  // said by download_and_start
+  auto digest = controller_.change(prepared.container);
+  if (!digest) {
+    (void)controller_.stop("the next program cannot take over");
+    return false;
+  }
+  reader_ = std::move(*reader);
+  digest_ = std::move(*digest);
+  confirmed_ = false;
+  silent_rounds_ = 0;
+  return await_event(host::EventKind::Changed);
+}
+
+bool Executive::download_and_start(const PreparedPlan& prepared) {
+  auto reader = reader_of(prepared);
+  if (!reader) return give_up("the program cannot be read", reader.error());
+  auto digest = controller_.download(prepared.container);
+  if (!digest)
+    return controller_.alive() ? give_up("the runtime refuses the program", digest.error()) : false;
+  reader_ = std::move(*reader);
+  digest_ = std::move(*digest);
+  confirmed_ = false;
+  silent_rounds_ = 0;
+  if (auto started = controller_.start(options_.barrier); !started) {
+    return controller_.alive() ? give_up("the runtime does not start the program", started.error()) : false;
+  }
+  return await_event(host::EventKind::Started);
+}
+
+// The news that the program runs. What comes before it is of the one before.
+bool Executive::await_event(host::EventKind kind) {
+  for (const auto deadline = std::chrono::steady_clock::now() + kPatience;
+       std::chrono::steady_clock::now() < deadline && controller_.alive();) {
+    const auto event = controller_.wait_event(milliseconds(200));
+    if (!event) continue;
+    (void)controller_.acknowledge(event->sequence);
+    if (event->kind != kind || event->program_digest != digest_) continue;
+    take_time(event->time_ns);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace stepwright::executive

@@ -1,0 +1,31 @@
+#pragma once
+
+// What an online change costs the scan: 100 changes to and fro between two programs with 10,000 variables, in
+// real time at 1 ms. Every variable lies elsewhere in the other program. Beside it the baseline: the scans
+// that an equally long run of the same program in the same process misses without a change.
+//
+//   const ChangeFigures figures = measure_changes();
+//   print(figures);
+
+#include <cstdint>
+
+namespace stepwright::bench {
+
+struct ChangeFigures {
+  std::uint32_t variables = 0;
+  std::uint32_t changes = 0;
+  double pause_p50_us = 0.0;  // by which a change makes the scan thread later
+  double pause_max_us = 0.0;
+  double prepared_p50_ms = 0.0;  // beside the running program: verified, engine made, transfer planned
+  std::uint64_t scans = 0;       // while the programs were changed
+  std::uint64_t missed = 0;      // of them
+  std::uint64_t baseline_scans = 0;
+  std::uint64_t baseline_missed = 0;
+};
+
+// Aborts the process with a message if something does not run.
+ChangeFigures measure_changes();
+
+void print(const ChangeFigures& figures);
+
+}  // namespace stepwright::bench
