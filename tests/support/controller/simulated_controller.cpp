@@ -54,6 +54,7 @@ SimulatedController::SimulatedController(const assemblies::BenchParameters& para
     : plant_(taken(assemblies::TankBench::create(parameters))),
       clock_(std::make_unique<CountingClock>()),
       faults_(std::move(faults)) {
+  config_.engine = host::EngineKind::Vm;
   driver_ = taken(bridge::PlantDriver::create(*plant_, bridge::default_bench_wires(), {8, 1}));
   areas_.emplace(*driver_, 8, 1);
 }
