@@ -3,6 +3,7 @@
 // outputs.
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -66,6 +67,7 @@ result::Result<void> begin_recording(host::HostRuntime& runtime, const config::R
 }
 
 int run(const config::CellConfig& config) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk, not the end
   static_cast<void>(host::limit_thread_stacks());  // a refusal costs memory only
   const process::StopSignal stop;
   process::ReloadSignal reload;
