@@ -88,11 +88,12 @@ asmjit::Error make_code(const ProgramFacts& facts, ProgramCode& out) {
 
   const asmjit::Label entry = assembler.newLabel();
   emit_entry(assembler, entry, work.trapped);
-  emit_refill(assembler, work.refill);
   for (std::uint32_t i = 0; i < facts.function_count(); ++i) {
     assembler.align(asmjit::AlignMode::kCode, 16);
     translate_function(work, i);
   }
+  emit_refill(assembler,
+              work.refill);  // behind the functions, whose places in their cache lines it leaves alone
   pool.emit(assembler);
   if (errors.first != asmjit::kErrorOk) return errors.first;
 

@@ -60,5 +60,20 @@ TEST(ScanPath, WhenItIsRecorded_ThenScansNeitherAllocateNorLock) {
   for (const char* end : {"", ".1"}) std::remove((file + end).c_str());
 }
 
+// Ends in the safe state, whose scans are counted as well.
+TEST(ScanPath, WhenWatchdogsAndRampsAreOn_ThenScansNeitherAllocateNorLock) {
+  for (const EngineKind engine : {EngineKind::Auto, EngineKind::Vm}) {
+    HostConfig config;
+    config.clock = ClockMode::Real;
+    config.engine = engine;
+    config.idle_interval_ns = 500'000;
+    config.safety.watchdog = {.time_ns = 1'000'000'000, .sensitivity = 2};
+    config.safety.monitor_ns = 1'000'000;
+    for (auto& column : config.safety.safe_state.columns)
+      column.ramps = {{.byte = 0, .type = scan::RampType::U8, .target = 200, .per_second = 100}};
+    expect_quiet_scans(config, 500);
+  }
+}
+
 }  // namespace
 }  // namespace stepwright::host
