@@ -144,6 +144,11 @@ int trace_to_csv(const config::CellConfig& config, const TraceArguments& argumen
   const process::StopSignal stop;
   auto names = all_names(arguments.names, arguments.list_file);
   if (!names) return fail(names.error(), ExitCode::BadInput);
+  if (names->empty()) {
+    const auto none =
+        result::fail("R0057", {}, "nothing to trace", "name variables, or a file of names with --list");
+    return fail(none.value(), ExitCode::BadInput);
+  }
   auto runtime = Attached::open(config, service::Role::Controller);
   if (!runtime) return fail(runtime.error(), ExitCode::BadInput);
   // Wrong names are told before anything is recorded.

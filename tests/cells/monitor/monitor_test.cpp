@@ -313,6 +313,8 @@ TEST_F(Monitor, WhenItIsTraced_ThenTheTableHasEveryScan) {
   EXPECT_GT(rows, 10u);
   EXPECT_EQ(run("trace", "MAIN.cuont --csv " + path("t.csv")), 1);
   EXPECT_NE(err.find("did you mean"), std::string::npos);
+  EXPECT_EQ(run("trace", "--csv " + path("t.csv")), 1);
+  EXPECT_NE(err.find("nothing to trace"), std::string::npos);
   // Nothing of its recording is left.
   for (const auto& entry : std::filesystem::directory_iterator(path("state"))) {
     EXPECT_NE(entry.path().extension(), ".swrec");

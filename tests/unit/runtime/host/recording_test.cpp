@@ -10,6 +10,7 @@
 #include "ladder/driver/compile.h"
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/record/replay.h"
+#include "tests/fuzz/st/extras/ladder.h"
 #include "tests/fuzz/st/generator.h"
 #include "tests/fuzz/st/st_writer.h"
 #include "tests/unit/runtime/host/harness.h"
@@ -17,9 +18,14 @@
 namespace stepwright::host {
 namespace {
 
+// Every third one plain ST, the others with charts, references, strings, several tasks.
 std::vector<std::byte> random_program(std::uint64_t seed) {
-  const auto program = st_fuzz::generate(seed, st_fuzz::Language::Common);
+  const auto language = seed % 3 == 0 ? st_fuzz::Language::Common : st_fuzz::Language::Whole;
+  const auto program = st_fuzz::generate(seed, language);
+  const graphic::Project ladder =
+      program->ladder ? st_fuzz::random_ladder(program->seed) : graphic::Project{};
   driver::CompileInput input;
+  if (program->ladder) input.projects.push_back(&ladder);
   input.texts.push_back({"fuzz.st", st_fuzz::write_st(*program, {})});
   auto output = driver::compile(input);
   EXPECT_TRUE(output) << (output ? "" : result::to_string(output.error()));
@@ -110,6 +116,7 @@ TEST_F(RecordingHost, WhenItRunsInRealTime_ThenTheReplayHasItsTraceHash) {
 }
 
 TEST_F(RecordingHost, WhenProgramsAndCommandsAreRandom_ThenBothEnginesReplayThem) {
+  std::uint64_t scans = 0;
   for (std::uint64_t seed = 1; seed <= 25; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     auto harness = std::make_unique<Harness>();
@@ -158,7 +165,10 @@ TEST_F(RecordingHost, WhenProgramsAndCommandsAreRandom_ThenBothEnginesReplayThem
     const RuntimeStatus status = harness->runtime->status();
     harness.reset();
     expect_equal(status.trace_hash, status.scan);
+    scans += status.scan;
   }
+  EXPECT_GT(scans, 1'000u);
+  RecordProperty("scans", std::to_string(scans));
 }
 
 TEST_F(RecordingHost, WhenTheRingIsSmall_ThenSimulatedTimeWaitsAndNothingIsLost) {
