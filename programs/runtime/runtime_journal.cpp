@@ -33,6 +33,12 @@ void RuntimeJournal::event(const host::StepEvent& event) {
       return log_.error(event.detail == host::kIoLost ? "lost_io" : "trap",
                         "scan " + std::to_string(event.scan) + ": " + event.detail,
                         {{"digest", event.program_digest}, {"scan", event.scan}, {"reason", event.detail}});
+    case host::EventKind::Changed:
+      return log_.info("changed", "program changed online " + event.detail,
+                       {{"digest", event.program_digest}, {"scan", event.scan}});
+    case host::EventKind::RolledBack:
+      return log_.error("rolled_back", "the changed program was taken back: " + event.detail,
+                        {{"digest", event.program_digest}, {"scan", event.scan}, {"reason", event.detail}});
     case host::EventKind::StepChange:
       return log_.debug("step", "steps changed in scan " + std::to_string(event.scan),
                         {{"sequence", event.sequence}, {"scan", event.scan}});

@@ -75,6 +75,18 @@ class Abuse(unittest.TestCase):
             link.end()
         self.link()
 
+    def test_the_measure_sees_a_scan_that_is_disturbed(self):
+        def stop():
+            for _ in range(5):
+                time.sleep(STRETCH_S / 10)
+                self.runtime.send(signal.SIGSTOP)
+                time.sleep(STRETCH_S / 10)
+                self.runtime.send(signal.SIGCONT)
+
+        disturbed = watch(self.cell, stop)
+        with self.assertRaises(AssertionError):
+            no_worse(self, self.quiet, disturbed)
+
     def test_a_crowd_at_the_service_socket(self):
         def crowd():
             deadline = time.monotonic() + STRETCH_S

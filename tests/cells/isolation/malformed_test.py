@@ -19,8 +19,8 @@ QUIET_S = 5.0
 ABUSE_S = 20.0
 SEED = int(os.environ.get("SEED", "1"))
 READY = {"link": "connected", "hmi": "at http"}
-# What the units give them: a frame that makes a process take memory must not take the machine's.
-MEMORY = ("prlimit", f"--as={3 << 30}")
+# As the units have it: a frame that makes a process take memory must not take the machine's, nor its death a core.
+MEMORY = ("prlimit", f"--data={256 << 20}", "--core=0")
 
 
 class Malformed(unittest.TestCase):

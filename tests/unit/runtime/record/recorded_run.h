@@ -52,6 +52,7 @@ class OwningInterpreter final : public bytecode::Engine {
                      std::uint64_t& budget) override {
     return interpreter_.run(invocation, memory, budget);
   }
+  void set_interrupt(const bytecode::Interrupt* interrupt) override { interpreter_.set_interrupt(interrupt); }
 
  private:
   std::vector<std::uint64_t> stack_;
