@@ -34,6 +34,12 @@ BootProgram::~BootProgram() {
 std::function<void(std::span<const std::byte>)> BootProgram::keeper() {
   if (config_.keep.empty()) return {};
   return [this](std::span<const std::byte> container) {
+    // What was loaded at the start was not downloaded.
+    const std::string digest = service::to_hex(service::sha256(container));
+    if (std::exchange(booted_, {}) == digest) {
+      booted_ = digest;
+      return;
+    }
     {
       const std::lock_guard lock(mutex_);
       next_.emplace(container.begin(), container.end());
@@ -86,12 +92,13 @@ result::Result<void> BootProgram::load_and_start() {
   if (!content) return result::forward(content);
   if (!*content) return {};
   std::string digest = service::to_hex(service::sha256(**content));
-  auto loaded = runtime_.load(0, std::move(**content), std::move(digest));
+  auto loaded = runtime_.load(0, std::move(**content), digest);
   if (!loaded) {
     // It was no download.
     for (result::Diagnostic& each : loaded.error()) each.where.file = file.string();
     return loaded;
   }
+  booted_ = std::move(digest);
   if (!config_.autostart) return complete(1);
   // Both at once: between two commands a stopped program waits for its next inputs.
   host::Command start;

@@ -17,6 +17,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -49,6 +50,7 @@ class BootProgram {
 
   const config::BootSection config_;
   host::HostRuntime& runtime_;
+  std::string booted_;  // digest of what was loaded at the start, until another program comes
 
   std::mutex mutex_;  // of the two below
   std::condition_variable news_;

@@ -3,6 +3,7 @@
 // outputs.
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -48,6 +49,7 @@ result::Result<void> make_state_dir(const config::CellConfig& config) {
 }
 
 int run(const config::CellConfig& config) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk, not the end
   static_cast<void>(host::limit_thread_stacks());  // a refusal costs memory only
   const process::StopSignal stop;
   auto options = host_options(config);

@@ -134,6 +134,23 @@ TEST(RetainProcess, WhenTheBootProgramIsWrong_ThenItSaysWhereAndWaitsForADownloa
   EXPECT_TRUE(eventually([&] { return status(*client).scan > 5; }));
 }
 
+TEST(RetainProcess, WhenTheProgramIsThatOfTheConfiguration_ThenItIsNotKeptAsADownload) {
+  TestCell cell(97, std::string(kReal) + "[runtime]\nboot = true\nprogram = \"line.swb\"\n");
+  const std::vector<std::byte> container = counting_program();
+  std::ofstream(cell.folder() / "line.swb", std::ios::binary)
+      .write(reinterpret_cast<const char*>(container.data()), static_cast<std::streamsize>(container.size()));
+  TestProcess runtime = cell.start_runtime();
+  const auto client = cell.attach(service::Role::Controller);
+  ASSERT_TRUE(ok(client->call(service::Start{}, kPatience)));
+  ASSERT_TRUE(ok(client->call(service::Stop{"test"}, kPatience)));
+  const std::filesystem::path kept = cell.folder() / "state" / "boot.swb";
+  EXPECT_FALSE(std::filesystem::exists(kept));
+  ASSERT_TRUE(ok(client->download(counting_program("VAR more : INT; END_VAR\n"), kPatience)));
+  runtime.send(SIGTERM);
+  EXPECT_EQ(runtime.wait(), 0);
+  EXPECT_TRUE(std::filesystem::exists(kept));  // it is kept when the process ends, at the latest
+}
+
 TEST(RetainProcess, WhenTheStoreIsDamaged_ThenItIsKeptAsideAndTheStatusSaysSo) {
   TestCell cell(95, kReal);
   std::filesystem::create_directories(cell.folder() / "state");
