@@ -1,6 +1,8 @@
 #pragma once
 
-// The first scans of a program that took over by an online change: until they have passed without a trap, the
+// What the scan thread remembers of an online change from one scan to the next.
+//
+// On trial are the first scans of a program that took over: until they have passed without a trap, the
 // program before it stands by with its image as of the swap.
 //
 // Threads: the scan thread. Plain data; the pointers outlive the trial, as the service thread keeps both
