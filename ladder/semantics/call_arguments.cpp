@@ -23,6 +23,15 @@ bool is_parameter(const Variable& variable) {
          variable.section == Section::InOut;
 }
 
+// A mistake in the declaration of a parameter, which was reported, took its name.
+bool has_lost_parameter(const Pou& pou) {
+  return std::ranges::any_of(pou.declaration->variables, [](const syntax::VariableDeclaration& line) {
+    const bool parameter =
+        line.section == Section::Input || line.section == Section::Output || line.section == Section::InOut;
+    return parameter && line.names.empty();
+  });
+}
+
 }  // namespace
 
 // `out` holds, for each variable of the POU, its argument or null.
@@ -56,8 +65,9 @@ bool ExpressionAnalyzer::match_given(const std::vector<Argument>& given, const P
     std::size_t index = 0;
     if (!each.formal) {
       if (next >= positional.size()) {
-        a_.error(code::kArgumentCount, each.value->where,
-                 quote(pou.spelling) + " takes " + std::to_string(positional.size()) + " arguments");
+        if (!has_lost_parameter(pou))
+          a_.error(code::kArgumentCount, each.value->where,
+                   quote(pou.spelling) + " takes " + std::to_string(positional.size()) + " arguments");
         return false;
       }
       index = positional[next++];

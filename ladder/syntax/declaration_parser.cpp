@@ -99,7 +99,12 @@ bool Parser::variable_line(const VariableDeclaration& model, std::vector<Variabl
   line.constant = model.constant;
   line.retain = model.retain;
   line.non_retain = model.non_retain;
-  if (!at(Keyword::At) && !variable_names(line)) return false;
+  if (!at(Keyword::At) && !variable_names(line)) {
+    // Its name is lost, not that there is one more: calls that give it an argument are right.
+    line.type = std::make_unique<TypeSpec>();
+    out.push_back(std::move(line));
+    return false;
+  }
   const bool understood = typed_line(line);
   // Declared in any case, so that its uses are not reported too.
   if (!understood) line.type = std::make_unique<TypeSpec>();

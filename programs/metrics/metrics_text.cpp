@@ -76,7 +76,33 @@ std::vector<Sample> states(const RuntimeStatus& status) {
   return samples;
 }
 
-// Figures per task go here as further lines, each sample with label("task", name).
+// A sample for each task.
+template <typename Figure>
+std::vector<Sample> per_task(const RuntimeStatus& status, const Figure& figure) {
+  std::vector<Sample> samples;
+  for (const host::TaskStatus& task : status.tasks) {
+    samples.push_back({label("task", task.name), static_cast<double>(figure(task))});
+  }
+  return samples;
+}
+
+// The percentiles of a duration of each task.
+template <typename Spread>
+std::vector<Sample> task_quantiles(const RuntimeStatus& status, const Spread& spread_of) {
+  std::vector<Sample> samples;
+  for (const host::TaskStatus& task : status.tasks) {
+    const host::DurationSpread spread = spread_of(task);
+    const std::pair<const char*, double> quantiles[] = {{"0.5", spread.p50_us},
+                                                        {"0.99", spread.p99_us},
+                                                        {"0.999", spread.p999_us},
+                                                        {"0.9999", spread.p9999_us}};
+    for (const auto& [quantile, us] : quantiles) {
+      samples.push_back({label("task", task.name) + "," + label("quantile", quantile), us / kUsPerS});
+    }
+  }
+  return samples;
+}
+
 constexpr std::array kMetrics = {
     Metric{"stepwright_build_info", "gauge", "Version of the runtime; always 1.",
            [](const RuntimeStatus& s) {
@@ -96,6 +122,24 @@ constexpr std::array kMetrics = {
            }},
     Metric{"stepwright_scan_duration_max_seconds", "gauge", "The longest scan since the process began.",
            [](const RuntimeStatus& s) { return one(s.scan_max_us / kUsPerS); }},
+    Metric{"stepwright_task_cycles_total", "counter", "Cycles of a task since its program was loaded.",
+           [](const RuntimeStatus& s) { return per_task(s, [](const auto& task) { return task.cycles; }); }},
+    Metric{
+        "stepwright_task_overruns_total", "counter", "Cycles due while an earlier one had not begun.",
+        [](const RuntimeStatus& s) { return per_task(s, [](const auto& task) { return task.overruns; }); }},
+    Metric{"stepwright_task_latency_seconds", "summary",
+           "From the instant at which a cycle was due to its begin.",
+           [](const RuntimeStatus& s) {
+             return task_quantiles(s, [](const auto& task) { return task.latency; });
+           }},
+    Metric{"stepwright_task_execution_seconds", "summary", "Duration of a task's cycle.",
+           [](const RuntimeStatus& s) {
+             return task_quantiles(s, [](const auto& task) { return task.execution; });
+           }},
+    Metric{"stepwright_task_jitter_seconds", "summary", "Distance of a task's period from its interval.",
+           [](const RuntimeStatus& s) {
+             return task_quantiles(s, [](const auto& task) { return task.jitter; });
+           }},
     Metric{"stepwright_scan_clock_seconds_total", "counter", "Scan clock since the process began.",
            [](const RuntimeStatus& s) { return one(static_cast<double>(s.time_ns) / kNsPerS); }},
     Metric{"stepwright_realtime_factor", "gauge", "Seconds of the scan clock per second of computing.",

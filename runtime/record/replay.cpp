@@ -362,6 +362,7 @@ result::Result<void> Player::take_scan(base::ByteReader in) {
   if (options_.on_scan) options_.on_scan(report, machine_->image);
 
   const auto state = static_cast<scan::ScanState>(flags >> kScanStateShift & 7);
+  if (state > scan::ScanState::Overrun) return nonsense("a scan that ends in no state");
   if (state == scan::ScanState::WatchdogExpired || state == scan::ScanState::Overrun) {
     // How long something took is not in a recording: its end is taken as it is.
     machine_->cycle.stop(scan::SafeCause::Watchdog);

@@ -133,8 +133,8 @@ const ErrorCase kCases[] = {
     {"UnknownProgram", "E0603", 5, 22,
      "PROGRAM a\nEND_PROGRAM\nCONFIGURATION c\nTASK fast(INTERVAL := T#1ms);\nPROGRAM p WITH fast: "
      "b;\nEND_CONFIGURATION"},
-    {"TaskWithoutInterval", "E0604", 4, 6,
-     "PROGRAM a\nEND_PROGRAM\nCONFIGURATION c\nTASK fast(PRIORITY := 1);\nPROGRAM p WITH fast: "
+    {"TaskOfNoTime", "E0604", 4, 23,
+     "PROGRAM a\nEND_PROGRAM\nCONFIGURATION c\nTASK fast(INTERVAL := T#0s);\nPROGRAM p WITH fast: "
      "a;\nEND_CONFIGURATION"},
     {"TwoConfigurations", "E0605", 8, 15,
      "PROGRAM a\nEND_PROGRAM\nCONFIGURATION c\nTASK f(INTERVAL := T#1ms);\nPROGRAM p WITH f: "

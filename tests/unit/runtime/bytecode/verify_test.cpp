@@ -87,7 +87,7 @@ TEST(Verify, Records_WhenOneIsInconsistent_ThenItIsNamed) {
   expect(with_record<S::Symbols>(0, [](auto& r) { r.bit = 8; }), V::BadRecord, S::Symbols);
   expect(with_record<S::Symbols>(1, [](auto& r) { r.bit = 1; }), V::BadRecord, S::Symbols);
   expect(with_record<S::Symbols>(4, [](auto& r) { r.address += 1; }), V::BadAddress, S::Symbols);
-  expect(with_record<S::Tasks>(0, [](auto& r) { r.interval_us = 0; }), V::BadRecord, S::Tasks);
+  expect(with_record<S::Tasks>(0, [](auto& r) { r.trigger = 99; }), V::BadRecord, S::Tasks);
   expect(with_record<S::Tasks>(1, [](auto& r) { r.call_count = 2; }), V::BadRecord, S::Tasks);
   expect(with_record<S::ProgramCalls>(0, [](auto& r) { r.function = 1; }), V::BadRecord, S::ProgramCalls);
   expect(with_record<S::ProgramCalls>(0, [](auto& r) { r.instance += 1; }), V::BadAddress, S::ProgramCalls);

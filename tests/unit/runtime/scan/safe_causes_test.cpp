@@ -219,7 +219,8 @@ TEST(SafeCauses, WhenAnotherCycleTakesOver_ThenOutputsAndRampGoOn) {
   EXPECT_LT(before, kStart);
   Plant next;
   next.cycle.stop();
-  next.cycle.inherit_outputs(plant.cycle.safe_state().outputs(), plant.cycle.safe_state().cause(), 1'000'000'000);
+  next.cycle.inherit_outputs(plant.cycle.safe_state().outputs(), plant.cycle.safe_state().cause(),
+                             1'000'000'000);
   next.cycle.idle(1'000'000'000);
   EXPECT_TRUE(next.safe(SafeCause::Stop, before));
   next.cycle.idle(1'100'000'000);
