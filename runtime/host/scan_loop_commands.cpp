@@ -36,6 +36,8 @@ void ScanLoop::take_commands() {
     // What is held is let go first: who learns of a load may destroy the program before.
     Completion completion = held_apply(*command);
     publish_forces();
+    // Who sees the completion must find a status that knows of it.
+    figures_.store(now_);
     // There is room: the service has no more commands under way than either queue holds.
     [[maybe_unused]] const bool pushed = completions_.push(std::move(completion));
     assert(pushed);
