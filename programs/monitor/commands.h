@@ -11,6 +11,12 @@
 
 namespace stepwright::monitor {
 
+struct StartArguments {
+  bool cold = false;  // retained variables have their initial values too
+};
+int start(const config::CellConfig& config, const StartArguments& arguments);
+int stop(const config::CellConfig& config);
+
 struct ForceArguments {
   std::string name;
   std::string value;

@@ -1,4 +1,4 @@
-// The process behind the commands for people who look at a runtime: force, unforce, forces, watch, snapshot,
+// The process behind the commands for people who attend a runtime: start, stop, force, unforce, forces, watch, snapshot,
 // step, continue, record, trace.
 
 #include <CLI/CLI.hpp>
@@ -16,6 +16,7 @@ namespace {
 class Commands {
  public:
   explicit Commands(CLI::App& app) : app_(app) {
+    add_runs();
     add_forces();
     add_watches();
     add_steps();
@@ -38,6 +39,7 @@ class Commands {
     command->add_option("--json", file, "write the report as JSON");
   }
 
+  void add_runs();
   void add_forces();
   void add_watches();
   void add_steps();
@@ -46,12 +48,21 @@ class Commands {
   CLI::App& app_;
   config::CellOptions cell_;
   std::function<int(const config::CellConfig&)> chosen_;
+  StartArguments start_;
   ForceArguments force_;
   WatchArguments watch_;
   StepArguments step_;
   RecordArguments record_;
   TraceArguments trace_;
 };
+
+void Commands::add_runs() {
+  CLI::App* command = add("start", "start the loaded program, or leave a fault",
+                          [this](const auto& config) { return start(config, start_); });
+  command->add_flag("--cold", start_.cold, "retained variables have their initial values too");
+  add("stop", "stop the program; its outputs go to their safe state",
+      [](const auto& config) { return stop(config); });
+}
 
 void Commands::add_forces() {
   CLI::App* command = add("force", "hold a variable at a value, whatever program and inputs say",

@@ -45,6 +45,8 @@ constexpr std::array kCommands = {
     Command{"supervisor", "stepwright-supervisor", "plan, download, watch and replan"},
     Command{"hmi", "stepwright-hmi", "show the cell in a browser"},
     Command{"download", "stepwright-download", "bring a program to a running cell, also by an online change"},
+    Command{"start", "stepwright-monitor", "start the loaded program of a runtime"},
+    Command{"stop", "stepwright-monitor", "stop it, with its outputs in their safe state"},
     Command{"force", "stepwright-monitor", "hold a variable of a runtime at a value"},
     Command{"unforce", "stepwright-monitor", "release a variable, or all"},
     Command{"forces", "stepwright-monitor", "list what is forced"},

@@ -1,14 +1,14 @@
 #include "runtime/service/digest.h"
 
-#include <openssl/sha.h>
+#include <sodium/crypto_hash_sha256.h>
 
 namespace stepwright::service {
 
 Sha256 sha256(std::span<const std::byte> bytes) {
-  static_assert(std::tuple_size_v<Sha256> == SHA256_DIGEST_LENGTH);
+  static_assert(std::tuple_size_v<Sha256> == crypto_hash_sha256_BYTES);
   Sha256 digest;
-  SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
-         reinterpret_cast<unsigned char*>(digest.data()));
+  crypto_hash_sha256(reinterpret_cast<unsigned char*>(digest.data()),
+                     reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
   return digest;
 }
 

@@ -150,6 +150,16 @@ TEST_F(Monitor, WhenVariablesOfEveryTypeAreForced_ThenTheyHoldAndAreListed) {
   EXPECT_TRUE(json()["forces"].empty());
 }
 
+TEST_F(Monitor, WhenItIsStoppedAndStarted_ThenItRunsAgain) {
+  start(kReal, kProgram, false);
+  EXPECT_EQ(run("start", ""), 0) << err;
+  EXPECT_NE(run("start", ""), 0) << "it runs already";
+  EXPECT_NE(err.find("R0002"), std::string::npos) << err;
+  EXPECT_EQ(run("stop", ""), 0) << err;
+  EXPECT_EQ(run("start", "--cold"), 0) << err;
+  EXPECT_NE(out.find("initial values"), std::string::npos) << out;
+}
+
 TEST_F(Monitor, WhenAForceIsWrong_ThenItIsRefusedWithAHintAndNothingIsForced) {
   start(kStill);
   const std::vector<std::array<const char*, 3>> wrong = {
