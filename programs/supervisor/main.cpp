@@ -1,14 +1,19 @@
-// `stepwright supervisor --config CELL.toml`: plans the cell's problem, executes it on the runtime behind
-// Fast DDS, and keeps the plan document up to date for viewers. A supervisor that is killed and started again
-// goes on with the plan that runs.
+// `stepwright supervisor --config CELL.toml [--config OTHER.toml ...]`: plans the problem of each cell,
+// executes it on the cell's runtime behind Fast DDS, and keeps the plan document up to date for viewers. A
+// supervisor that is killed and started again goes on with the plans that run. Each cell has a thread of its
+// own; what becomes of one does not concern the others.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <future>
+#include <mutex>
+#include <span>
 #include <thread>
+#include <vector>
 
-#include "programs/config/cell_options.h"
+#include "programs/config/cell_config.h"
 #include "programs/config/dds_options.h"
 #include "programs/config/executive_options.h"
 #include "programs/log/logger.h"
@@ -29,9 +34,22 @@ using process::fail;
 using result::ExitCode;
 using std::chrono::milliseconds;
 
-void obey(executive::Executive& executive, const std::string& text, log::Logger& log) {
+// What the cells of one supervisor share.
+struct Shared {
+  log::Logger& log;
+  process::NotifySocket& init;
+  std::size_t cells = 1;
+  std::mutex joining{};  // Fast DDS gives two participants that are made at the same time the same number
+  std::size_t attended = 0;
+
+  // In front of what is said of one of several.
+  std::string of(const config::CellConfig& config) const { return cells > 1 ? config.name + ": " : ""; }
+};
+
+void obey(executive::Executive& executive, const std::string& text, const std::string& cell,
+          log::Logger& log) {
   const auto refuse = [&](const result::Diagnostics& why) {
-    log.warning("refused", "operator request refused: " + result::to_string(why));
+    log.warning("refused", cell + "operator request refused: " + result::to_string(why));
   };
   auto request = supervisor_program::parse_operator_request(text);
   if (!request) return refuse(request.error());
@@ -41,10 +59,11 @@ void obey(executive::Executive& executive, const std::string& text, log::Logger&
 }
 
 // One line for each change of phase.
-void narrate(const executive::RunRecord& record, std::string& last, log::Logger& log) {
-  std::string line = std::string(to_string(record.phase)) + ": " + record.message;
+void narrate(const executive::RunRecord& record, std::string& last, const config::CellConfig& config,
+             const Shared& shared) {
+  std::string line = shared.of(config) + std::string(to_string(record.phase)) + ": " + record.message;
   if (line == last) return;
-  log.info("phase", line, {{"phase", to_string(record.phase)}});
+  shared.log.info("phase", line, {{"cell", config.name}, {"phase", to_string(record.phase)}});
   last = std::move(line);
 }
 
@@ -66,12 +85,8 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
   std::filesystem::rename(fresh, file, ignored);
 }
 
-int run(const config::CellConfig& config, bool once) {
-  if (config.planning.domain.empty()) {
-    const auto missing = result::fail("C0005", {config.file.string(), 0, 0}, "there is no [planning] table",
-                                      "name domain, problem and binding there");
-    return fail(missing.value(), ExitCode::BadInput);
-  }
+// Attends one cell. Returns when that cannot be done, or, with `once`, when its run is over.
+int attend(const config::CellConfig& config, bool once, Shared& shared) {
   std::error_code error;
   std::filesystem::create_directories(config.state_dir, error);
   if (error) {
@@ -79,53 +94,106 @@ int run(const config::CellConfig& config, bool once) {
                                      "the state folder cannot be made: " + error.message());
     return fail(failed.value(), ExitCode::BadInput);
   }
-  process::ReloadSignal reload;
-  process::NotifySocket init;
-  auto opened = log::Logger::open("supervisor", config.log);
-  if (!opened) return fail(opened.error(), ExitCode::BadInput);
-  log::Logger& log = **opened;
   auto desk = executive::PlanningDesk::open(config::desk_options(config));
   if (!desk) return fail(desk.error(), ExitCode::BadInput);
   const dds::ParticipantConfig participant = config::participant_of(config.dds, "supervisor");
+  std::unique_lock joining(shared.joining);
   auto controller = executive::DdsController::connect(participant);
   if (!controller) return fail(controller.error(), ExitCode::RuntimeFault);
   auto publisher = dds::PlanPublisher::create(participant);
   if (!publisher) return fail(publisher.error(), ExitCode::RuntimeFault);
+  if (++shared.attended == shared.cells) {
+    shared.init.ready(shared.cells > 1 ? "attends " + std::to_string(shared.cells) + " cells"
+                                       : "attends '" + config.dds.runtime_id + "'");
+  }
+  joining.unlock();
 
   std::string last_line;
   executive::Executive executive(*desk, **controller, config::executive_options(config),
                                  [&](const executive::RunRecord& record) {
-                                   narrate(record, last_line, log);
+                                   narrate(record, last_line, config, shared);
                                    (void)(*publisher)->publish(to_json(record));  // viewers keep the last one
                                  });
   std::jthread requests([&](const std::stop_token& stop) {
-    config::CellConfig running = config;
     while (!stop.stop_requested()) {
-      if (auto request = (*publisher)->wait_request(milliseconds(200))) obey(executive, *request, log);
-      if (reload.take()) log::reload_log(running, log, init);
-      log.tick();
+      if (auto request = (*publisher)->wait_request(milliseconds(200)))
+        obey(executive, *request, shared.of(config), shared.log);
     }
   });
-  init.ready("attends '" + config.dds.runtime_id + "'");
   const executive::RunRecord record = executive.run();
   const executive::Report report{record, final_status(**controller)};
   write_file(config.report_path(), executive::to_json(report));
-  std::printf("%s", executive::report_table(record).c_str());
+  std::printf("%s%s", shared.of(config).c_str(), executive::report_table(record).c_str());
   std::fflush(stdout);
-  init.status(to_string(record.phase));
+  shared.init.status(shared.of(config) + to_string(record.phase));
   while (!once) std::this_thread::sleep_for(std::chrono::hours(1));  // viewers still want the document
   return to_int(record.exit);
+}
+
+// Every cell that cannot be attended, before any is.
+result::Diagnostics check(std::span<const config::CellConfig> cells) {
+  result::Diagnostics problems;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const result::Location where{cells[i].file.string(), 0, 0};
+    if (cells[i].planning.domain.empty()) {
+      problems.push_back({"C0005", result::Severity::Error, where, "there is no [planning] table",
+                          "name domain, problem and binding there"});
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool same = cells[i].dds.runtime_id == cells[j].dds.runtime_id &&
+                        cells[i].dds.domain_id == cells[j].dds.domain_id;
+      if (!same) continue;
+      problems.push_back({"C0467", result::Severity::Error, where,
+                          "this is the runtime of " + cells[j].file.string() + " again",
+                          "each cell of a supervisor has a runtime_id of its own"});
+    }
+  }
+  return problems;
+}
+
+int run(const std::vector<config::CellConfig>& cells, bool once) {
+  if (const auto problems = check(cells); !problems.empty()) return fail(problems, ExitCode::BadInput);
+  process::ReloadSignal reload;
+  process::NotifySocket init;
+  auto opened = log::Logger::open("supervisor", cells.front().log);
+  if (!opened) return fail(opened.error(), ExitCode::BadInput);
+  log::Logger& log = **opened;
+  Shared shared{log, init, cells.size()};
+  std::vector<std::future<int>> runs;
+  for (const config::CellConfig& cell : cells)
+    runs.push_back(std::async(std::launch::async, [&] { return attend(cell, once, shared); }));
+  config::CellConfig running = cells.front();
+  int exit = to_int(ExitCode::Done);
+  for (std::future<int>& each : runs) {
+    while (each.wait_for(milliseconds(200)) != std::future_status::ready) {
+      if (reload.take()) log::reload_log(running, log, init);
+      log.tick();
+    }
+    if (exit == 0) exit = each.get();
+  }
+  return exit;
 }
 
 }  // namespace
 }  // namespace stepwright
 
 int main(int argc, char** argv) {
+  namespace config = stepwright::config;
   CLI::App app{"Plan, download, watch and replan", "stepwright supervisor"};
-  stepwright::config::CellOptions options;
+  std::vector<std::string> files;
+  std::vector<std::string> overrides;
   bool once = false;
-  stepwright::config::add_cell_options(app, options);
-  app.add_flag("--once", once, "end with the run instead of keeping its result for viewers");
-  const auto config = stepwright::config::parse_cell(app, options, argc, argv);
-  return config ? stepwright::run(*config, once) : config.error();
+  app.add_option("--config", files, "configuration file of a cell; may be repeated")
+      ->required()
+      ->allow_extra_args(false);
+  app.add_option("--set", overrides, "KEY=VALUE that wins over the files, e.g. plant.seed=7");
+  app.add_flag("--once", once, "end with the runs instead of keeping their results for viewers");
+  if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
+  std::vector<config::CellConfig> cells;
+  for (const std::string& file : files) {
+    auto cell = config::load_cell_config(file, overrides);
+    if (!cell) return stepwright::process::fail(cell.error(), stepwright::result::ExitCode::BadInput);
+    cells.push_back(std::move(*cell));
+  }
+  return stepwright::run(cells, once);
 }
