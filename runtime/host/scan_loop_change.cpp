@@ -21,6 +21,7 @@ std::optional<Command> ScanLoop::next_command() {
   auto command = commands_.pop();
   const bool running = now_.state == RuntimeState::Running;
   if (!command || command->kind != CommandKind::Change || !real() || !running) return command;
+  const auto hold = hold_tasks();
   command->change->warm();
   warm_change_ = {*command, true};
   return std::nullopt;
@@ -87,6 +88,7 @@ void ScanLoop::roll_back(const bytecode::Trap& trap) {
   const ChangePlan& plan = *trial_.plan;
   PreparedProgram& failed = plan.to();
   PreparedProgram& before = plan.from();
+  // Two crews are held only here and in change(), by this one thread: their order does not matter.
   const auto hold = before.crew().hold();
   before.cycle().take_over(failed.cycle(), plan.tasks_back());
   before.crew().take_over(failed.crew(), plan.tasks_back(), before.cycle().next_time_ns());

@@ -45,7 +45,10 @@ void ScanLoop::take_commands() {
     stale = stale || command->kind != CommandKind::Change;  // a change publishes itself, as part of its pause
   }
   if (!any) return;
-  if (stale) publish();
+  if (stale) {
+    const auto hold = hold_tasks();
+    publish();
+  }
   news_.ring();
 }
 

@@ -23,6 +23,7 @@ class FakeDriver final : public image::IoDriver {
  public:
   image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override {
     if (on_read) on_read(now_ns);
+    if (intervenes_.load(std::memory_order_acquire)) late_(now_ns);
     inputs[0] = std::byte{0x5A};
     if (fill) fill(inputs);
     reads.fetch_add(1);
@@ -33,11 +34,21 @@ class FakeDriver final : public image::IoDriver {
     return image::IoStatus::Good;
   }
 
-  std::function<void(std::int64_t)> on_read;
+  // The same as on_read, set once while scans run already.
+  void intervene(std::function<void(std::int64_t)> act) {
+    late_ = std::move(act);
+    intervenes_.store(true, std::memory_order_release);
+  }
+
+  std::function<void(std::int64_t)> on_read;       // before anything scans
   std::function<void(std::span<std::byte>)> fill;  // gives the inputs, on the scan thread
   std::atomic<bool> lost{false};
   std::atomic<int> output{-1};
   std::atomic<std::uint64_t> reads{0};
+
+ private:
+  std::function<void(std::int64_t)> late_;
+  std::atomic<bool> intervenes_{false};
 };
 
 // One value, which counts the faults injected.

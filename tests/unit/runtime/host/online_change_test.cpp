@@ -117,18 +117,22 @@ TEST(OnlineChange, WhenNothingRuns_ThenItIsRefused) {
 }
 
 TEST(OnlineChange, WhenTwoComeAtOnce_ThenTheSecondIsRefused) {
-  Running run(counting());
-  std::atomic<bool> hold{true};
-  run.harness.driver.on_read = [&](std::int64_t) {
+  Harness harness;
+  std::atomic<bool> hold{false};
+  harness.driver.on_read = [&](std::int64_t) {
     while (hold) std::this_thread::yield();
   };
-  HostRuntime& runtime = *run.harness.runtime;
+  ASSERT_EQ(harness.load(compiled(counting()), "first"), Outcome::Done);
+  ASSERT_EQ(harness.start(), Outcome::Done);
+  EXPECT_EQ(harness.event().kind, EventKind::Started);
+  hold = true;
+  HostRuntime& runtime = *harness.runtime;
   ASSERT_TRUE(runtime.change(901, compiled(counting()), "second", DownloadMode::Change));
   const auto refused = runtime.change(902, compiled(counting()), "third", DownloadMode::Change);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error()[0].code, "R0032");
   hold = false;
-  EXPECT_TRUE(run.harness.wait([&] { return runtime.take_completion().has_value(); }));
+  EXPECT_TRUE(harness.wait([&] { return runtime.take_completion().has_value(); }));
   EXPECT_EQ(runtime.status().program_digest, "second");
 }
 
@@ -137,10 +141,10 @@ TEST(OnlineChange, WhenARollbackComesFirst_ThenTheChangePlannedForTheOtherProgra
   HostRuntime& runtime = *run.harness.runtime;
   std::atomic<std::uint64_t> reads{0};
   std::atomic<std::uint64_t> allowed{~std::uint64_t{0}};
-  run.harness.driver.on_read = [&](std::int64_t) {
+  run.harness.driver.intervene([&](std::int64_t) {
     ++reads;
     while (reads > allowed) std::this_thread::yield();
-  };
+  });
   allowed = 0;
   ASSERT_TRUE(run.harness.wait([&] { return reads > 0; }));
   // The scan thread stands at the inputs of a scan of the first program.
@@ -390,11 +394,11 @@ TEST(OnlineChange, WhenTheScanThreadSwaps_ThenItNeitherAllocatesNorLocks) {
   ASSERT_TRUE(run.reach(10));
   ASSERT_EQ(run.harness.stop(), Outcome::Done);
   EXPECT_EQ(run.harness.event().kind, EventKind::Stopped);
-  run.harness.driver.on_read = [&](std::int64_t) {
+  run.harness.driver.intervene([&](std::int64_t) {
     const support::GuardCounts now = support::guard_counts();
     if (++scans > 1 && !(now == before)) ++noisy;
     before = now;
-  };
+  });
   ASSERT_EQ(run.harness.start(), Outcome::Done);
   EXPECT_EQ(run.harness.event().kind, EventKind::Started);
   for (int i = 0; i < 20; ++i) {

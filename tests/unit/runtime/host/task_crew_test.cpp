@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <thread>
 
 #include "runtime/bytecode/reader/program_info.h"
@@ -252,17 +253,17 @@ END_PROGRAM
 
 // Holds up one read of the inputs for ten intervals.
 void hold_up(Tasks& tasks) {
-  std::atomic<bool> once{false};
-  const std::uint64_t reads = tasks.harness.driver.reads.load();
-  tasks.harness.driver.on_read = [&once, &tasks, reads](std::int64_t) {
-    if (tasks.harness.driver.reads.load() > reads + 20 && !once.exchange(true)) {
-      std::this_thread::sleep_for(50ms);
-    }
-  };
+  // The driver keeps it for longer than this function lasts.
+  const auto once = std::make_shared<std::atomic<bool>>(false);
+  FakeDriver& driver = tasks.harness.driver;
+  const std::uint64_t reads = driver.reads.load();
+  driver.intervene([once, &driver, reads](std::int64_t) {
+    if (driver.reads.load() > reads + 20 && !once->exchange(true)) std::this_thread::sleep_for(50ms);
+  });
   tasks.harness.start();
   EXPECT_TRUE(tasks.harness.wait([&] {
     const bool fault = tasks.harness.runtime->status().state == RuntimeState::Fault;
-    return fault || (once.load() && tasks.task(0).cycles > 60);
+    return fault || (once->load() && tasks.task(0).cycles > 60);
   }));
 }
 
