@@ -1,5 +1,5 @@
-// The process behind the commands for people who attend a runtime: start, stop, force, unforce, forces, watch, snapshot,
-// step, continue, record, trace.
+// The process behind the commands for people who attend a runtime: start, stop, force, unforce, forces,
+// watch, snapshot, step, continue, record, trace.
 
 #include <CLI/CLI.hpp>
 #include <functional>
