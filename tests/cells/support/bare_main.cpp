@@ -1,5 +1,5 @@
-// A bare wake-up loop every millisecond, in a process of its own: what the machine does to any thread of a scan's
-// priority while something else goes on. Until its input ends; then prints "CYCLES OVERRUNS".
+// A bare wake-up loop every millisecond, in a process of its own: what the machine does to any thread of a
+// scan's priority while something else goes on. Until its input ends; then prints "CYCLES OVERRUNS".
 
 #include <cstdint>
 #include <cstdio>
