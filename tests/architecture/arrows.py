@@ -28,6 +28,7 @@ ARROWS = {
     "runtime/record": ["runtime/scan", "runtime/bytecode/reader"],
     "runtime/service": ["runtime/host"],
     "runtime/dds": ["runtime/service"],
+    "runtime/modbus/control": ["runtime/base"],
     "ladder/source": ["runtime/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
     "ladder/graphic": ["runtime/result", "runtime/base"],
