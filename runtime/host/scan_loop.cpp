@@ -202,8 +202,14 @@ void ScanLoop::note(EventKind kind, const bytecode::Trap& trap, std::string_view
   event.reason = FixedText<kMaxReasonBytes>(reason);
   event.other = other;
   if (plant_ != nullptr) plant_->read_values(truths_);
-  // The figures first: who sees the event must find a status that is at least as new.
-  publish();
+  // The figures first: who sees the event must find a status that is at least as new. After a change in real
+  // time the scan is in a hurry: snapshot and distributions follow with the next turn.
+  if (kind == EventKind::Changed && real()) {
+    figures_.store(now_);
+    published_ns_ = 0;
+  } else {
+    publish();
+  }
   if (!program_->events().push(event, program_->image().bytes(), truths_)) ++now_.lost_events;
 }
 

@@ -14,6 +14,7 @@
 
 #include "ladder/driver/compile.h"
 #include "runtime/host/host_runtime.h"
+#include "runtime/host/real_time.h"
 #include "runtime/image/no_io.h"
 
 namespace stepwright::bench {
@@ -23,6 +24,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kVariables = 10'000;
 constexpr std::uint32_t kChanges = 100;
+constexpr double kGoalUs = 50.0;
+constexpr std::uint64_t kProbeRounds = 1'000;
 constexpr auto kBetween = std::chrono::milliseconds(25);  // more than the scans on trial
 
 void require(bool good, const std::string& what) {
@@ -83,9 +86,47 @@ class Runtime {
   std::unique_ptr<host::HostRuntime> runtime_;
 };
 
-double middle(std::vector<double> values) {
+double percentile(std::vector<double> values, double part) {
   std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+std::uint32_t count_over_goal(const std::vector<double>& values_us) {
+  return static_cast<std::uint32_t>(
+      std::count_if(values_us.begin(), values_us.end(), [](double us) { return us > kGoalUs; }));
+}
+
+double since_us(Clock::time_point begin) {
+  return std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
+}
+
+// Work of a given length, as often as there are changes and as far apart, on a thread placed like the scan's:
+// how long it really took, each time.
+std::vector<double> bare_work_us(double work_us) {
+  std::vector<double> took_us;
+  std::thread worker([&] {
+    host::place_thread({});
+    volatile std::uint64_t sink = 0;
+    const auto work = [&](std::uint64_t rounds) {
+      for (std::uint64_t i = 0; i < rounds; ++i) sink = sink + i;
+    };
+    // The quickest of many tries says how fast this processor counts.
+    double round_us = 1.0;
+    for (int i = 0; i < 200; ++i) {
+      const auto begin = Clock::now();
+      work(kProbeRounds);
+      round_us = std::min(round_us, since_us(begin) / kProbeRounds);
+    }
+    const auto rounds = static_cast<std::uint64_t>(work_us / round_us);
+    for (std::uint32_t i = 0; i < kChanges; ++i) {
+      std::this_thread::sleep_for(kBetween);
+      const auto begin = Clock::now();
+      work(rounds);
+      took_us.push_back(since_us(begin));
+    }
+  });
+  worker.join();
+  return took_us;
 }
 
 }  // namespace
@@ -125,9 +166,14 @@ ChangeFigures measure_changes() {
   require(second.state == host::RuntimeState::Running, "the program stopped");
   std::this_thread::sleep_for(took);
   const host::RuntimeStatus third = runtime->status();
-  figures.pause_p50_us = middle(pauses_us);
+  figures.pause_p50_us = percentile(pauses_us, 0.5);
+  figures.pause_p90_us = percentile(pauses_us, 0.9);
   figures.pause_max_us = *std::max_element(pauses_us.begin(), pauses_us.end());
-  figures.prepared_p50_ms = middle(prepared_ms);
+  figures.over_goal = count_over_goal(pauses_us);
+  const std::vector<double> bare_us = bare_work_us(figures.pause_p50_us);
+  figures.bare_max_us = *std::max_element(bare_us.begin(), bare_us.end());
+  figures.bare_over_goal = count_over_goal(bare_us);
+  figures.prepared_p50_ms = percentile(prepared_ms, 0.5);
   figures.scans = second.scan - first.scan;
   figures.missed = second.overruns - first.overruns;
   figures.baseline_scans = third.scan - second.scan;
@@ -138,8 +184,12 @@ ChangeFigures measure_changes() {
 void print(const ChangeFigures& figures) {
   std::printf("online change         %u changes between programs of %u variables, 1 ms in real time\n",
               figures.changes, figures.variables);
-  std::printf("  pause               p50 %.1f us, max %.1f us (prepared beside it in %.0f ms)\n",
-              figures.pause_p50_us, figures.pause_max_us, figures.prepared_p50_ms);
+  std::printf(
+      "  pause               p50 %.1f us, p90 %.1f us, max %.1f us, %u above %.0f us (prepared in %.0f ms)\n",
+      figures.pause_p50_us, figures.pause_p90_us, figures.pause_max_us, figures.over_goal, kGoalUs,
+      figures.prepared_p50_ms);
+  std::printf("  bare work of p50    max %.1f us, %u above %.0f us\n", figures.bare_max_us,
+              figures.bare_over_goal, kGoalUs);
   std::printf("  missed scans        %llu of %llu; without changes %llu of %llu\n",
               static_cast<unsigned long long>(figures.missed), static_cast<unsigned long long>(figures.scans),
               static_cast<unsigned long long>(figures.baseline_missed),

@@ -209,6 +209,10 @@ void add_changes(nlohmann::json& summary) {
   print(figures);
   summary["online_change_pause_us"] = figures.pause_max_us;
   summary["online_change_pause_p50_us"] = figures.pause_p50_us;
+  summary["online_change_pause_p90_us"] = figures.pause_p90_us;
+  summary["online_change_over_50_us"] = figures.over_goal;
+  summary["bare_work_pause_us"] = figures.bare_max_us;
+  summary["bare_work_over_50_us"] = figures.bare_over_goal;
   summary["online_change_prepared_ms"] = figures.prepared_p50_ms;
   summary["missed_scans"] = figures.missed;
   summary["missed_scans_baseline"] = figures.baseline_missed;
