@@ -29,6 +29,7 @@ ARROWS = {
     "runtime/service": ["runtime/host"],
     "runtime/dds": ["runtime/service"],
     "runtime/modbus/control": ["runtime/base"],
+    "runtime/modbus/master": ["runtime/result"],
     "ladder/source": ["runtime/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
     "ladder/graphic": ["runtime/result", "runtime/base"],
