@@ -31,6 +31,7 @@ ARROWS = {
     "runtime/modbus/control": ["runtime/base"],
     "runtime/modbus/pdu": [],
     "runtime/modbus/server": ["runtime/modbus/pdu", "runtime/service"],
+    "runtime/modbus/master": ["runtime/result"],
     "ladder/source": ["runtime/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
     "ladder/graphic": ["runtime/result", "runtime/base"],
