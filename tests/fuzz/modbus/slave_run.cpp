@@ -1,6 +1,7 @@
 #include "tests/fuzz/modbus/slave_run.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "runtime/modbus/pdu/request.h"
@@ -17,7 +18,6 @@ namespace {
 namespace pdu = stepwright::modbus::pdu;
 
 const Bytes kValid{0x03, 0x00, 0x00, 0x00, 0x02};
-constexpr std::size_t kValidAnswer = 6;  // function, byte count, two registers
 // A slave that begins a request of the longest kind in noise needs this many valid ones until it sees the
 // next.
 constexpr int kMostLost = 80;
@@ -57,20 +57,41 @@ std::string wrong_answer(std::span<const std::byte> request, std::span<const std
   }
 }
 
+// Memory at guard pages, mapped once: mapping it for each run would take longer than the run.
+struct Pages {
+  explicit Pages(Side side) : pdu_out(pdu::kMaxPdu, side), frame_out(pdu::kMaxRtuFrame, side) {}
+
+  // A copy behind which nothing may be read.
+  std::span<const std::byte> view(std::span<const std::uint8_t> bytes) {
+    const std::span<std::uint8_t> tail = input.inner().last(bytes.size());
+    std::ranges::copy(bytes, tail.begin());
+    return std::as_bytes(tail);
+  }
+
+  Guarded<std::uint8_t> input{pdu::kMaxTcpFrame, Side::Back};
+  Guarded<std::uint8_t> pdu_out;
+  Guarded<std::uint8_t> frame_out;
+};
+
+Pages& pages_of(Side side) {
+  static Pages front(Side::Front), back(Side::Back);
+  return side == Side::Front ? front : back;
+}
+
 // A slave as the host has it: a buffer of one frame, in which what is left over moves to the front.
 class TcpSlave {
  public:
-  explicit TcpSlave(Side side) : input_(pdu::kMaxTcpFrame, side), output_(pdu::kMaxPdu, side) {}
+  explicit TcpSlave(Pages& pages) : pages_(pages) {}
 
   // False at a frame that ends the connection, or at a finding.
   bool take(std::span<const std::uint8_t> piece, Run& run) {
     while (!piece.empty()) {
-      const std::size_t room = std::min(piece.size(), input_.inner().size() - used_);
-      std::copy_n(piece.begin(), room, input_.inner().begin() + static_cast<std::ptrdiff_t>(used_));
+      const std::size_t room = std::min(piece.size(), input_.size() - used_);
+      std::copy_n(piece.begin(), room, input_.begin() + static_cast<std::ptrdiff_t>(used_));
       used_ += room;
       piece = piece.subspan(room);
       if (!serve_all(run)) return false;
-      if (used_ == input_.inner().size()) {
+      if (used_ == input_.size()) {
         run.finding = "a full buffer without a frame";
         return false;
       }
@@ -81,35 +102,31 @@ class TcpSlave {
  private:
   bool serve_all(Run& run) {
     while (true) {
-      // A view that ends where the bytes do, copied against the guard: nothing may be read behind it.
-      Guarded<std::uint8_t> view(used_, Side::Back);
-      std::copy_n(input_.inner().begin(), used_, view.inner().begin());
-      const pdu::TcpTake taken = pdu::take_frame(std::as_bytes(view.inner()));
+      const pdu::TcpTake taken = pdu::take_frame(pages_.view(std::span(input_).first(used_)));
       if (taken.state == pdu::TcpTake::State::Bad) return false;
       if (taken.state == pdu::TcpTake::State::NeedsMore) return true;
       ++run.frames;
-      const auto out = std::as_writable_bytes(output_.inner());
+      const auto out = std::as_writable_bytes(pages_.pdu_out.inner());
       const std::size_t length = pdu::serve(model_, taken.frame.pdu, out);
       if (length > out.size()) run.finding = "an answer that is too long";
       if (run.finding.empty()) run.finding = wrong_answer(taken.frame.pdu, out.first(length));
       if (!run.finding.empty()) return false;
       if (length > 2) ++run.answers;
       const std::size_t bytes = taken.frame.bytes;
-      std::copy(input_.inner().begin() + static_cast<std::ptrdiff_t>(bytes),
-                input_.inner().begin() + static_cast<std::ptrdiff_t>(used_), input_.inner().begin());
+      std::ranges::copy(std::span(input_).subspan(bytes, used_ - bytes), input_.begin());
       used_ -= bytes;
     }
   }
 
-  Guarded<std::uint8_t> input_;
-  Guarded<std::uint8_t> output_;
+  Pages& pages_;
+  std::array<std::uint8_t, pdu::kMaxTcpFrame> input_{};
   std::size_t used_ = 0;
   StrictModel model_;
 };
 
 class RtuSlave {
  public:
-  explicit RtuSlave(Side side) : output_(pdu::kMaxRtuFrame, side) {}
+  explicit RtuSlave(Pages& pages) : pages_(pages) {}
 
   void take(std::span<const std::uint8_t> bytes, Run& run) {
     for (const std::uint8_t byte : bytes) {
@@ -124,7 +141,8 @@ class RtuSlave {
     ++run.frames;
     const std::vector<std::byte> request(frame.pdu.begin(), frame.pdu.end());
     const std::uint8_t address = frame.address;
-    const auto out = std::as_writable_bytes(output_.inner());
+    const std::span<std::uint8_t> bytes = pages_.frame_out.inner();
+    const auto out = std::as_writable_bytes(bytes);
     const std::size_t length = pdu::serve_rtu(model_, frame, out);
     if (address != kAddress && address != pdu::kBroadcast) run.finding = "a frame of another slave";
     if (address == pdu::kBroadcast && length != 0) run.finding = "a broadcast was answered";
@@ -133,16 +151,15 @@ class RtuSlave {
       run.finding = "an answer frame of " + std::to_string(length);
       return;
     }
-    const Bytes body(output_.inner().begin() + 1,
-                     output_.inner().begin() + static_cast<std::ptrdiff_t>(length - 2));
-    const Bytes whole(output_.inner().begin(), output_.inner().begin() + static_cast<std::ptrdiff_t>(length));
+    const Bytes whole(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
+    const Bytes body(whole.begin() + 1, whole.end() - 2);
     if (whole != rtu_frame(body, kAddress)) run.finding = "an answer with another address or a wrong CRC";
     if (run.finding.empty()) run.finding = wrong_answer(request, out.subspan(1, length - 3));
     if (length > 5) ++run.answers;
   }
 
+  Pages& pages_;
   pdu::RtuReceiver receiver_{kAddress};
-  Guarded<std::uint8_t> output_;
   StrictModel model_;
 };
 
@@ -150,7 +167,7 @@ class RtuSlave {
 
 Run run_tcp(std::span<const std::uint8_t> stream, std::uint32_t pieces, Side side) {
   Run run;
-  TcpSlave slave(side);
+  TcpSlave slave(pages_of(side));
   bool open = true;
   while (open && !stream.empty()) {
     pieces = pieces * 1664525u + 1013904223u;
@@ -160,21 +177,22 @@ Run run_tcp(std::span<const std::uint8_t> stream, std::uint32_t pieces, Side sid
   }
   if (!run.finding.empty()) return run;
   // The next client's request.
-  TcpSlave next(side);
+  TcpSlave next(pages_of(side));
   Run valid;
   next.take(tcp_frame(kValid, 7), valid);
   if (!valid.finding.empty() || valid.answers != 1)
     run.finding = "a valid request has no answer: " + valid.finding;
+  if (run.finding.empty() && !pages_of(side).pdu_out.intact())
+    run.finding = "bytes beside the answer were written";
   return run;
 }
 
 Run run_rtu(std::span<const std::uint8_t> line, Side side) {
-  static_assert(kValidAnswer > 2);
   Run run;
   const Bytes valid = rtu_frame(kValid, kAddress);
   {
     // Without any silence: requests that go on coming must get through.
-    RtuSlave slave(side);
+    RtuSlave slave(pages_of(side));
     slave.take(line, run);
     Run after;
     for (int tries = 0; tries < kMostLost && after.answers == 0; ++tries) slave.take(valid, after);
@@ -182,13 +200,15 @@ Run run_rtu(std::span<const std::uint8_t> line, Side side) {
       run.finding = "no valid request gets through: " + after.finding;
   }
   if (!run.finding.empty()) return run;
-  RtuSlave slave(side);
+  RtuSlave slave(pages_of(side));
   Run ignored, after;
   slave.take(line, ignored);
   slave.silence();
   slave.take(valid, after);
   if (after.answers != 1 || !after.finding.empty())
     run.finding = "a valid request after a silence has no answer: " + after.finding;
+  if (run.finding.empty() && !pages_of(side).frame_out.intact())
+    run.finding = "bytes beside the answer were written";
   return run;
 }
 
