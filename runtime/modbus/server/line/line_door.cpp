@@ -1,0 +1,103 @@
+#include "runtime/modbus/server/line/line_door.h"
+
+#include <sys/timerfd.h>
+#include <unistd.h>
+
+#include <utility>
+
+namespace stepwright::modbus::server {
+
+struct LineDoor::State {
+  State(LineOptions o, OnTrouble t, std::chrono::milliseconds r)
+      : options(std::move(o)), on_trouble(std::move(t)), retry(r) {
+    timer = ::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC);
+    wake_after(std::chrono::milliseconds(1));
+  }
+  ~State() {
+    if (timer >= 0) ::close(timer);
+  }
+
+  void wake_after(std::chrono::milliseconds time) {
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
+    itimerspec due{};
+    due.it_value.tv_sec = seconds.count();
+    due.it_value.tv_nsec = std::chrono::nanoseconds(time - seconds).count();
+    ::timerfd_settime(timer, 0, &due, nullptr);
+  }
+  // False if it is not time yet; the timer's descriptor is no longer readable.
+  bool is_due() {
+    std::uint64_t times = 0;
+    return ::read(timer, &times, sizeof times) == static_cast<ssize_t>(sizeof times);
+  }
+
+  LineOptions options;
+  OnTrouble on_trouble;
+  std::chrono::milliseconds retry;
+  int timer = -1;
+  std::string told;  // the newest trouble
+};
+
+namespace {
+
+// `Freed` is called when the line is closed.
+template <typename Freed>
+class LineTransport final : public Transport {
+ public:
+  LineTransport(SerialLine line, std::string device, Freed freed)
+      : line_(std::move(line)), freed_(std::move(freed)) {
+    peer_.address = std::move(device);
+  }
+  ~LineTransport() override { freed_(); }
+
+  int descriptor() const override { return line_.descriptor(); }
+  Moved read(std::span<std::byte> into) override { return line_.read(into); }
+  Moved write(std::span<const std::byte> from) override { return line_.write(from); }
+  const Peer* peer() const override { return &peer_; }
+  Framing framing() const override { return Framing::Rtu; }
+
+ private:
+  SerialLine line_;
+  Freed freed_;
+  Peer peer_;
+};
+
+}  // namespace
+
+LineDoor::LineDoor(std::shared_ptr<State> state) : state_(std::move(state)) {}
+LineDoor::~LineDoor() = default;
+
+std::unique_ptr<LineDoor> LineDoor::create(LineOptions options, OnTrouble on_trouble,
+                                           std::chrono::milliseconds retry) {
+  return std::unique_ptr<LineDoor>(
+      new LineDoor(std::make_shared<State>(std::move(options), std::move(on_trouble), retry)));
+}
+
+int LineDoor::descriptor() const {
+  return state_->timer;
+}
+
+std::unique_ptr<Transport> LineDoor::admit() {
+  if (!state_->is_due()) return nullptr;
+  auto line = SerialLine::open(state_->options);
+  if (!line) {
+    const std::string trouble = result::to_string(line.error());
+    if (trouble != state_->told && state_->on_trouble) state_->on_trouble(line.error());
+    state_->told = trouble;
+    state_->wake_after(state_->retry);
+    return nullptr;
+  }
+  state_->told.clear();
+  auto freed = [state = state_] { state->wake_after(state->retry); };
+  return std::make_unique<LineTransport<decltype(freed)>>(std::move(*line), state_->options.device.string(),
+                                                          std::move(freed));
+}
+
+void LineDoor::turn_away() {
+  if (state_->is_due()) state_->wake_after(state_->retry);
+}
+
+std::string LineDoor::name() const {
+  return "rtu " + state_->options.device.string() + " " + line_text(state_->options);
+}
+
+}  // namespace stepwright::modbus::server

@@ -1,0 +1,38 @@
+#pragma once
+
+// TLS around any other door: whoever comes in there has to show a certificate first.
+//
+//   server.add(std::make_unique<TlsDoor>(std::move(tcp_door), *TlsContext::create(...), on_refused));
+//
+// Allow-list, limits and socket options are the inner door's. Threads: that of the server.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "runtime/modbus/server/tls/tls_context.h"
+#include "runtime/modbus/server/transport.h"
+
+namespace stepwright::modbus::server {
+
+// Why a client was not let in: "192.168.1.7", "certificate has expired". For logs, whose rate is the log's to
+// limit.
+using OnRefused = std::function<void(const std::string& address, const std::string& reason)>;
+
+class TlsDoor final : public Door {
+ public:
+  TlsDoor(std::unique_ptr<Door> inner, TlsContext context, OnRefused on_refused);
+
+  int descriptor() const override { return inner_->descriptor(); }
+  // The transport's peer() has the role of the certificate, and is authenticated.
+  std::unique_ptr<Transport> admit() override;
+  void turn_away() override { inner_->turn_away(); }
+  std::string name() const override;  // "tls ..." for "tcp ..."
+
+ private:
+  std::unique_ptr<Door> inner_;
+  TlsContext context_;
+  OnRefused on_refused_;
+};
+
+}  // namespace stepwright::modbus::server

@@ -1,0 +1,89 @@
+#include "tests/fuzz/modbus/socket_frames.h"
+
+#include <algorithm>
+#include <array>
+
+#include "tests/fuzz/modbus/mutation.h"
+
+namespace stepwright::fuzz::modbus {
+
+namespace {
+
+constexpr std::size_t kUnitAt = 6;
+constexpr std::size_t kLengthAt = 4;
+
+void append(Bytes& out, const Bytes& more) {
+  out.resize(out.size() + more.size());
+  std::ranges::copy(more, out.end() - static_cast<std::ptrdiff_t>(more.size()));
+}
+
+}  // namespace
+
+// All 256 function codes x 256 units in 65536 turns; the body is random, or of a kind that may be right.
+Bytes SocketFrames::any_pdu() {
+  constexpr std::array<unsigned, 8> kCounts{0, 1, 8, 123, 125, 126, 2000, 0xFFFF};
+  const auto function = static_cast<std::uint8_t>(turn_ & 0xFF);
+  Bytes pdu{function};
+  if (below(3) == 0) {
+    pdu.resize(1 + below(252));
+    for (std::size_t i = 1; i < pdu.size(); ++i) pdu[i] = static_cast<std::uint8_t>(random_());
+    return pdu;
+  }
+  const unsigned address = static_cast<unsigned>(below(2) == 0 ? below(64) : below(65536));
+  const unsigned count = kCounts[below(kCounts.size())];
+  for (const unsigned word : {address, count}) {
+    pdu.push_back(static_cast<std::uint8_t>(word >> 8));
+    pdu.push_back(static_cast<std::uint8_t>(word));
+  }
+  if (function != 15 && function != 16) return pdu;
+  const std::size_t bytes = std::min<std::size_t>(function == 15 ? (count + 7) / 8 : count * 2, 246);
+  pdu.push_back(static_cast<std::uint8_t>(bytes));
+  pdu.resize(pdu.size() + bytes, static_cast<std::uint8_t>(random_()));
+  return pdu;
+}
+
+Bytes SocketFrames::any_frame() {
+  ++turn_;
+  switch (below(4)) {
+    case 0:
+      return seeds_[below(seeds_.size())].bytes;
+    case 1:
+      return mutated(seeds_[below(seeds_.size())].bytes, seeds_, random_);
+    default: {
+      Bytes frame = tcp_frame(any_pdu(), static_cast<std::uint16_t>(random_()));
+      frame[kUnitAt] = static_cast<std::uint8_t>(turn_ >> 8);
+      return frame;
+    }
+  }
+}
+
+Bytes SocketFrames::wrong_length(Bytes frame) {
+  if (frame.size() <= kUnitAt) return frame;
+  const std::size_t other = below(2) == 0 ? below(65536) : below(300);
+  frame[kLengthAt] = static_cast<std::uint8_t>(other >> 8);
+  frame[kLengthAt + 1] = static_cast<std::uint8_t>(other);
+  return frame;
+}
+
+Burst SocketFrames::next() {
+  Burst burst;
+  Bytes stream;
+  // Most come alone; some are merged or pipelined.
+  burst.frames = below(4) == 0 ? 1 + static_cast<unsigned>(below(20)) : 1;
+  for (unsigned i = 0; i < burst.frames; ++i) {
+    Bytes frame = any_frame();
+    append(stream, below(8) == 0 ? wrong_length(std::move(frame)) : frame);
+  }
+  if (below(4) != 0) {
+    burst.pieces.push_back(std::move(stream));
+    return burst;
+  }
+  while (!stream.empty()) {
+    const auto cut = static_cast<std::ptrdiff_t>(1 + below(stream.size()));
+    burst.pieces.emplace_back(stream.begin(), stream.begin() + cut);
+    stream.erase(stream.begin(), stream.begin() + cut);
+  }
+  return burst;
+}
+
+}  // namespace stepwright::fuzz::modbus
