@@ -30,6 +30,7 @@ ARROWS = {
     "runtime/dds": ["runtime/service"],
     "runtime/modbus/control": ["runtime/base"],
     "runtime/modbus/master": ["runtime/result"],
+    "runtime/modbus/pdu": [],
     "ladder/source": ["runtime/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
     "ladder/graphic": ["runtime/result", "runtime/base"],

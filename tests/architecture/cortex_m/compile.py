@@ -12,7 +12,7 @@ import sys
 import tempfile
 
 FOLDERS = ["runtime/base", "runtime/bytecode", "runtime/image", "runtime/operations", "runtime/vm", "runtime/scan",
-           "runtime/modbus/control"]
+           "runtime/modbus/control", "runtime/modbus/pdu"]
 STANDARD = {"array", "atomic", "bit", "cassert", "charconv", "compare", "concepts", "cstddef", "cstdint", "cstring", "limits", "span",
             "type_traits"}
 FLAGS = ["-mcpu=cortex-m3", "-mthumb", "-std=c++20", "-Os", "-fno-exceptions", "-fno-rtti", "-ffp-contract=off",
