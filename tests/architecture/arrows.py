@@ -31,6 +31,7 @@ ARROWS = {
     "runtime/modbus/control": ["runtime/base"],
     "runtime/modbus/master": ["runtime/result"],
     "runtime/modbus/pdu": [],
+    "runtime/remote": ["runtime/service", "runtime/modbus/control", "runtime/modbus/master"],
     "ladder/source": ["runtime/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
     "ladder/graphic": ["runtime/result", "runtime/base"],
