@@ -100,10 +100,9 @@ TEST(RemoteRuntime_WhenBitsAreForcedAndWritten, ThenTheControllersImageHasThem) 
   EXPECT_EQ(bench.runtime->forces()[0].bit, 2);
   bench.driver.start(true);
   bench.driver.event();
+  const std::uint64_t barrier = bench.driver.event().sequence;  // here the clock stands
   EXPECT_EQ(bench.driver.bits(CommandKind::Write, free).outcome, Outcome::Done);
-  host::Command step;
-  step.kind = CommandKind::Step;
-  step.count = 0;
+  bench.driver.acknowledge(barrier);
   const host::StepEvent event = bench.driver.event();
   EXPECT_EQ(event.image[0], std::byte{0x04});
   std::uint64_t value = 0;
