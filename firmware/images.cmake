@@ -10,7 +10,7 @@ set(firmware_here ${CMAKE_CURRENT_LIST_DIR})
 set(firmware_flags
     -std=c++20 -Os -g1 -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-unwind-tables
     -fno-asynchronous-unwind-tables -ffunction-sections -fdata-sections -ffp-contract=off -fno-math-errno -fno-common
-    -DNDEBUG -DSTEPWRIGHT_HISTOGRAM_BITS=1 -DSTEPWRIGHT_VERSION="${PROJECT_VERSION}"
+    -DNDEBUG -DSTEPWRIGHT_HISTOGRAM_BITS=1 -DSTEPWRIGHT_PLAIN_INTERPRETER -DSTEPWRIGHT_VERSION="${PROJECT_VERSION}"
     -Wall -Wextra -Wshadow -Wconversion -Werror -Wno-psabi)
 set(firmware_folders runtime/base runtime/bytecode runtime/image runtime/operations runtime/vm runtime/scan runtime/modbus/pdu
                      firmware/app firmware/decimal)

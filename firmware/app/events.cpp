@@ -17,8 +17,7 @@ bool Events::steps_changed(const bytecode::Program& program, std::span<const std
   const bytecode::ContainerView& view = program.container();
   for (std::uint32_t i = 0; i < view.count<Section::SfcSteps>(); ++i) {
     const auto step = view.record<Section::SfcSteps>(i);
-    const std::byte mask =
-        step.bit == bytecode::kNoBit ? std::byte{0xFF} : std::byte{1} << step.bit;
+    const std::byte mask = step.bit == bytecode::kNoBit ? std::byte{0xFF} : std::byte{1} << step.bit;
     if (((image[step.address] ^ copy_[step.address]) & mask) != std::byte{0}) return true;
   }
   return false;

@@ -9,15 +9,11 @@ namespace control = modbus::control;
 using bytecode::Section;
 using control::Refusal;
 
-std::uint32_t code_bytes(const bytecode::Program& program) {
-  return static_cast<std::uint32_t>(program.container().section(Section::Code).size());
-}
-
 // What load() takes from the arena.
 std::uint64_t need_of(const bytecode::Program& program) {
-  return Arena::rounded(program.memory_size()) + Arena::rounded(std::uint64_t{program.sizes().stack_slots} * 8) +
-         Arena::rounded(code_bytes(program)) + Arena::rounded(program.image_size()) +
-         Arena::rounded(retain_bytes(program));
+  return Arena::rounded(program.memory_size()) +
+         Arena::rounded(std::uint64_t{program.sizes().stack_slots} * 8) +
+         Arena::rounded(program.image_size()) + Arena::rounded(retain_bytes(program));
 }
 
 Lacking lacking(const bytecode::Program& program, std::size_t memory) {
@@ -41,7 +37,8 @@ Judgement Machine::judge(std::span<const std::byte> container) {
   if (bytecode::verify_scratch_words(container) > scratch.size()) return not_supported(Lacking::Scratch);
   const bytecode::VerifyResult result = bytecode::verify(container, scratch, judged_);
   if (!result.ok()) return {Refusal::NotVerified, static_cast<std::uint32_t>(result.status)};
-  if (const Lacking what = lacking(judged_, arena_.size()); what != Lacking::Nothing) return not_supported(what);
+  if (const Lacking what = lacking(judged_, arena_.size()); what != Lacking::Nothing)
+    return not_supported(what);
   judged_bytes_ = container;
   return {};
 }
@@ -61,7 +58,7 @@ void Machine::load(const Digest& digest) {
   std::memset(memory.data(), 0, memory.size());
   image_.emplace(memory, scan::layout_of(program_));
   const auto stack = arena_.take<std::uint64_t>(program_.sizes().stack_slots);
-  engine_.emplace(program_, stack, arena_.take<std::byte>(code_bytes(program_)));
+  engine_.emplace(program_, stack);  // its code is run where it stands in the flash
   events_.use(arena_.take<std::byte>(program_.image_size()));
   retain_copy_ = arena_.take<std::byte>(static_cast<std::size_t>(retain_bytes(program_)));
   image_->reset(program_.container().section(Section::InitialData));
@@ -89,8 +86,7 @@ Refusal Machine::start(const StartOptions& options) {
   if (running()) return Refusal::AlreadyRunning;
   lock_step_ = options.lock_step;
   origin_ns_ = options.now_ns - next_.time_ns;
-  make_cycle({.budget = kBudget,
-              .clock_origin_ns = lock_step_ ? scan::ScanConfig::kNoOrigin : origin_ns_});
+  make_cycle({.budget = kBudget, .clock_origin_ns = lock_step_ ? scan::ScanConfig::kNoOrigin : origin_ns_});
   const image::ForceTable forces = cycle_->forces();
   cycle_->start({next_.time_ns, figures_.scan, figures_.trace_hash});
   cycle_->forces() = forces;

@@ -10,7 +10,7 @@ using modbus::pdu::RegisterTable;
 
 namespace {
 
-constexpr std::uint32_t kWords = 1024;     // of %IW, %QW and %MW
+constexpr std::uint32_t kWords = 1024;  // of %IW, %QW and %MW
 constexpr std::uint32_t kMarkerWords = 1024;
 constexpr std::uint32_t kMarkerDoubles = 2048;
 constexpr std::uint32_t kMarkerLongs = 4096;
@@ -37,8 +37,7 @@ Exception ProgramMap::read_bits(BitTable table, std::uint16_t address, std::uint
   const std::span<std::byte> area = table == BitTable::Coils ? machine_.outputs() : machine_.inputs();
   if (std::uint32_t{address} + count > area.size() * 8) return Exception::IllegalDataAddress;
   for (std::byte& byte : packed) byte = std::byte{0};
-  for (std::uint32_t i = 0; i < count; ++i)
-    packed[i / 8] |= std::byte{get(area, address + i)} << (i % 8);
+  for (std::uint32_t i = 0; i < count; ++i) packed[i / 8] |= std::byte{get(area, address + i)} << (i % 8);
   return Exception::None;
 }
 

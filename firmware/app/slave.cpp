@@ -71,7 +71,8 @@ Exception Slave::read_write_registers(const ReadWrite& what, std::span<std::byte
 }
 
 std::span<const std::byte> Slave::identification(std::uint8_t object) const {
-  constexpr const char* kTexts[] = {"Stepwright", nullptr, STEPWRIGHT_VERSION, "", "Stepwright firmware", "", ""};
+  constexpr const char* kTexts[] = {"Stepwright", nullptr, STEPWRIGHT_VERSION, "", "Stepwright firmware",
+                                    "",           ""};
   if (object >= std::size(kTexts)) return {};
   const char* text = object == 1 ? controller_.board_name() : kTexts[object];
   return std::as_bytes(std::span(text, std::strlen(text)));

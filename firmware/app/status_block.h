@@ -16,8 +16,7 @@ struct Selection {
 };
 
 // Each fills a whole block; the words come as zeros.
-void fill_status(Controller& controller,
-                 std::span<std::uint16_t, modbus::control::status::kCount> words);
+void fill_status(Controller& controller, std::span<std::uint16_t, modbus::control::status::kCount> words);
 void fill_outputs(Controller& controller, std::span<std::uint16_t, modbus::control::kMaxRead> words);
 void fill_window(Controller& controller, const Selection& selection,
                  std::span<std::uint16_t, modbus::control::window::kCount> words);

@@ -60,7 +60,8 @@ char* put_number(char* at, std::uint64_t value) {
 
 char* put_digits(char* at, const Digits& digits, int first, int count) {
   for (int i = first; i < first + count; ++i)
-    *at++ = static_cast<char>('0' + (i >= 0 && i < digits.count ? digits.digit[static_cast<std::size_t>(i)] : 0));
+    *at++ =
+        static_cast<char>('0' + (i >= 0 && i < digits.count ? digits.digit[static_cast<std::size_t>(i)] : 0));
   return at;
 }
 

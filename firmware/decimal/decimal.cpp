@@ -126,8 +126,7 @@ bool nearest(const char* digits, int count, int exponent, const Format& format, 
   if (count == 0) return true;
   if (count + exponent > 310 || count + exponent < -330) return false;
   BigNumber n;
-  for (int i = 0; i < count; ++i)
-    n.multiply(10, static_cast<std::uint32_t>(digits[i]));
+  for (int i = 0; i < count; ++i) n.multiply(10, static_cast<std::uint32_t>(digits[i]));
   BigNumber d(1);
   (exponent >= 0 ? n : d).multiply_by_power_of_ten(exponent >= 0 ? exponent : -exponent);
   const int power = normalise(n, d);

@@ -19,7 +19,7 @@ struct Board {
   Uart& uart;
   Flash& flash;
   Watchdog& watchdog;
-  // For programs: image, stack, quick code, and scratch of the verifier. Aligned to 8 bytes.
+  // For programs: image, stack, and scratch of the verifier. Aligned to 8 bytes.
   std::span<std::byte> memory;
 };
 

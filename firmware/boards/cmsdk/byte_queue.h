@@ -11,7 +11,9 @@ namespace stepwright::boards {
 
 class ByteQueue {
  public:
-  bool empty() const { return head_.load(std::memory_order_acquire) == tail_.load(std::memory_order_acquire); }
+  bool empty() const {
+    return head_.load(std::memory_order_acquire) == tail_.load(std::memory_order_acquire);
+  }
 
   // False if it is full.
   bool push(std::byte byte) {
