@@ -67,6 +67,7 @@ enum class Outcome : std::uint8_t {
   NotRunning,      // an online change of a program that does not run
   ChangeOutdated,  // the program that it was planned for is not the one that runs
   StepLost,        // an active step has no counterpart; `detail` is its number in the plan
+  Refused,     // by a controller behind a line, or by the line; see the problems
   StepsUnfit,  // active steps are no situation of the new chart; `detail` is the chart's number in the plan
 };
 

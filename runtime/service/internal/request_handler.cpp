@@ -46,6 +46,7 @@ result::Diagnostics explain(const host::Completion& completion) {
     case Outcome::StepLost:
     case Outcome::StepsUnfit:
     case Outcome::RetainRefused:
+    case Outcome::Refused:
       return completion.problems;
     case Outcome::NotSimulated:
       return one("R0002", "in real time nothing stands still",
