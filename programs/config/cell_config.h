@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "programs/config/change_config.h"
+#include "programs/config/controller_config.h"
 #include "programs/config/log_config.h"
 #include "programs/config/record_config.h"
 #include "programs/config/retain_config.h"
@@ -121,6 +122,7 @@ struct CellConfig {
   DdsConfig dds;
   HmiConfig hmi;
   ChangeConfig change;
+  ControllerConfig controller;  // where the program runs: in `stepwright runtime`, or behind Modbus
   RetainSection retain;
   BootSection boot;
   RecordConfig record;
