@@ -34,8 +34,6 @@ ARROWS = {
     "runtime/modbus/server": ["runtime/modbus/map", "runtime/service"],
     "runtime/modbus/master": ["runtime/result"],
     "runtime/modbus/client": ["runtime/modbus/master", "runtime/scan"],
-    "runtime/modbus/master": ["runtime/result"],
-    "runtime/modbus/pdu": [],
     "runtime/remote": ["runtime/service", "runtime/modbus/control", "runtime/modbus/master"],
     "ladder/source": ["runtime/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
