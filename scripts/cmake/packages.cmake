@@ -17,3 +17,8 @@ find_package(spdlog REQUIRED)
 find_library(STEPWRIGHT_SODIUM sodium REQUIRED)
 add_library(sodium::sodium UNKNOWN IMPORTED)
 set_target_properties(sodium::sodium PROPERTIES IMPORTED_LOCATION ${STEPWRIGHT_SODIUM})
+
+# libmodbus brings pkg-config only.
+find_library(STEPWRIGHT_MODBUS modbus REQUIRED)
+add_library(modbus::modbus UNKNOWN IMPORTED)
+set_target_properties(modbus::modbus PROPERTIES IMPORTED_LOCATION ${STEPWRIGHT_MODBUS})

@@ -32,6 +32,7 @@ ARROWS = {
     "runtime/modbus/pdu": [],
     "runtime/modbus/map": ["runtime/modbus/pdu", "runtime/host"],
     "runtime/modbus/server": ["runtime/modbus/map", "runtime/service"],
+    "runtime/modbus/master": ["runtime/result"],
     "ladder/source": ["runtime/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
     "ladder/graphic": ["runtime/result", "runtime/base"],

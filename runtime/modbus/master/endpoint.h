@@ -1,0 +1,38 @@
+#pragma once
+
+// Where slaves are reached: a TCP address, or a serial line that several share. Values; any thread.
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <variant>
+
+namespace stepwright::modbus::master {
+
+struct TcpEndpoint {
+  std::string host =
+      "127.0.0.1";  // IPv4, IPv6, or a name, whose look-up may block for as long as the resolver does
+  std::uint16_t port = 502;
+};
+
+enum class Parity : std::uint8_t { None, Even, Odd };
+
+// Defaults are those of Modbus over Serial Line V1.02, 2.5.1.
+struct SerialEndpoint {
+  std::string device = {};  // "/dev/ttyUSB0", a pty
+  std::uint32_t baud = 19'200;
+  Parity parity = Parity::Even;
+  std::uint8_t data_bits = 8;  // 7 or 8
+  std::uint8_t stop_bits = 1;  // 1 or 2
+  bool rs485 = false;          // the kernel's driver switches the direction
+};
+
+using Endpoint = std::variant<TcpEndpoint, SerialEndpoint>;
+
+// "192.168.1.10:502", "[::1]:502", "/dev/ttyUSB0": one text for one connection.
+std::string name_of(const Endpoint& endpoint);
+
+// The silence between two frames: 3.5 characters of 11 bits, 1.75 ms above 19,200 baud (2.5.1.1).
+std::chrono::microseconds frame_gap(std::uint32_t baud);
+
+}  // namespace stepwright::modbus::master

@@ -1,0 +1,112 @@
+// The master on a serial line: a pair of ptys of socat, a slave of libmodbus at the other end.
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <thread>
+
+#include "runtime/modbus/master/master.h"
+#include "tests/support/modbus_slave/modbus_slave.h"
+#include "tests/support/test_process.h"
+
+namespace stepwright::modbus::master {
+namespace {
+
+using namespace std::chrono_literals;
+using support::ModbusSlave;
+
+class SerialLine : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string path = (std::filesystem::temp_directory_path() / "stepwright-line-XXXXXX").string();
+    ASSERT_NE(mkdtemp(path.data()), nullptr);
+    folder_ = path;
+    start_socat();
+  }
+  void start_socat() {
+    socat_ = std::make_unique<support::TestProcess>(
+        std::vector<std::string>{"/usr/bin/socat", "pty,raw,echo=0,link=" + end("a"),
+                                 "pty,raw,echo=0,link=" + end("b")},
+        folder_ / "socat.log");
+    for (int i = 0; i < 500 && !std::filesystem::exists(end("b")); ++i) std::this_thread::sleep_for(10ms);
+    ASSERT_TRUE(std::filesystem::exists(end("b")));
+  }
+  void TearDown() override {
+    socat_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+  std::string end(const char* name) const { return (folder_ / name).string(); }
+  Master master(std::chrono::milliseconds timeout = 1s) const {
+    auto made = Master::create(SerialEndpoint{.device = end("a")}, {.timeout = timeout});
+    EXPECT_TRUE(made);
+    return std::move(*made);
+  }
+
+  std::filesystem::path folder_;
+  std::unique_ptr<support::TestProcess> socat_;
+};
+
+TEST_F(SerialLine, WhenASlaveIsThere_ThenItAnswersAndOtherUnitsDoNot) {
+  ModbusSlave slave({.device = end("b"), .unit = 5});
+  slave.set_holding(10, 1'234);
+  Master line = master();
+  ASSERT_TRUE(line.connect().good());
+  std::array<std::uint16_t, 2> words{};
+  ASSERT_TRUE(line.select_unit(5).good());
+  ASSERT_TRUE(line.read_registers(RegisterTable::Holding, 10, words).good());
+  EXPECT_EQ(words[0], 1'234);
+  EXPECT_TRUE(line.write_registers(20, words).good());
+  EXPECT_EQ(slave.holding(20), 1'234);
+  line.set_timeout(100ms);
+  ASSERT_TRUE(line.select_unit(6).good());
+  EXPECT_EQ(line.read_registers(RegisterTable::Holding, 10, words).fault, Fault::Timeout);
+  // A slave of libmodbus takes what follows a request to another unit for that unit's answer, for half a
+  // second.
+  ASSERT_TRUE(line.select_unit(5).good());
+  Outcome outcome{Fault::Timeout, 0, 0};
+  for (int i = 0; i < 10 && !outcome.good(); ++i)
+    outcome = line.read_registers(RegisterTable::Holding, 10, words);
+  EXPECT_TRUE(outcome.good());
+  EXPECT_EQ(line.select_unit(0).fault, Fault::BadRequest);
+}
+
+TEST_F(SerialLine, WhenNoiseIsOnTheLine_ThenItIsThrownAway) {
+  ModbusSlave slave({.device = end("b")});
+  Master line = master();
+  ASSERT_TRUE(line.connect().good());
+  slave.silence(1, true);
+  std::array<std::uint16_t, 1> word{};
+  line.set_timeout(50ms);
+  EXPECT_EQ(line.read_registers(RegisterTable::Holding, 0, word).fault, Fault::Timeout);
+  slave.silence(1, false);
+  slave.answer_after_ms(100);
+  EXPECT_EQ(line.read_registers(RegisterTable::Holding, 0, word).fault, Fault::Timeout);
+  std::this_thread::sleep_for(150ms);  // the late answer is on the line
+  slave.answer_after_ms(0);
+  slave.set_holding(1, 9);
+  line.set_timeout(1s);
+  ASSERT_TRUE(line.read_registers(RegisterTable::Holding, 1, word).good());
+  EXPECT_EQ(word[0], 9);
+}
+
+TEST_F(SerialLine, WhenTheDeviceGoes_ThenTheConnectionIsLostUntilItIsBack) {
+  Master line = master(200ms);
+  {
+    ModbusSlave slave({.device = end("b")});
+    ASSERT_TRUE(line.connect().good());
+    EXPECT_TRUE(line.write_register(0, 1).good());
+  }
+  socat_->kill();
+  EXPECT_FALSE(line.write_register(0, 1).good());
+  EXPECT_FALSE(line.connect().good());
+  std::filesystem::remove(end("a"));
+  std::filesystem::remove(end("b"));
+  start_socat();
+  ModbusSlave slave({.device = end("b")});
+  ASSERT_TRUE(line.connect().good());
+  EXPECT_TRUE(line.write_register(0, 1).good());
+}
+
+}  // namespace
+}  // namespace stepwright::modbus::master
