@@ -30,13 +30,9 @@ ARROWS = {
     "runtime/dds": ["runtime/service"],
     "runtime/modbus/control": ["runtime/base"],
     "runtime/modbus/pdu": [],
-<<<<<<< HEAD
-    "runtime/modbus/server": ["runtime/modbus/pdu", "runtime/service"],
-    "runtime/modbus/master": ["runtime/result"],
-=======
     "runtime/modbus/map": ["runtime/modbus/pdu", "runtime/host"],
     "runtime/modbus/server": ["runtime/modbus/map", "runtime/service"],
->>>>>>> server
+    "runtime/modbus/master": ["runtime/result"],
     "ladder/source": ["runtime/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
     "ladder/graphic": ["runtime/result", "runtime/base"],
