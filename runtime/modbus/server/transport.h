@@ -68,9 +68,14 @@ class Transport {
   // True if read() has bytes in a buffer of its own, which epoll does not know of.
   virtual bool has_buffered() const { return false; }
 
+  // Where it comes from, known from the beginning: what limits per address go by (the same text as
+  // Peer::address).
+  virtual const std::string& address() const = 0;
   // Null until it is known who it is. Then the same for ever.
   virtual const Peer* peer() const = 0;
   virtual Framing framing() const { return Framing::Tcp; }
+  // Of Framing::Rtu: the slave's address on the line, 1 to 247.
+  virtual std::uint8_t unit() const { return 1; }
 };
 
 class Door {
