@@ -136,8 +136,8 @@ void Server::admit(Door& door) {
 
 void Server::enter(std::unique_ptr<Transport> transport) {
   const std::string address = transport->address();
-  std::size_t& here = by_address_[address];
-  if (here >= options_.max_per_address) {
+  const auto here = by_address_.find(address);
+  if (here != by_address_.end() && here->second >= options_.max_per_address) {
     ++figures_.turned_away;
     return;
   }
@@ -153,7 +153,8 @@ void Server::enter(std::unique_ptr<Transport> transport) {
   Visitor& visitor = visitors_[slot];
   visitor.session = std::make_unique<Session>(ticket, std::move(transport), shared_, now_);
   visitor.events = EPOLLIN;
-  ++here;
+  visitor.address = address;
+  if (!address.empty()) ++by_address_[address];
   ++figures_.connections;
   ++figures_.accepted;
   if (!add_to(epoll_, descriptor, ticket, EPOLLIN)) leave(ticket);
@@ -162,7 +163,7 @@ void Server::enter(std::unique_ptr<Transport> transport) {
 void Server::leave(std::uint64_t ticket) {
   const std::size_t slot = ticket & kSlotMask;
   Visitor& visitor = visitors_[slot];
-  const auto found = by_address_.find(visitor.session->transport().address());
+  const auto found = by_address_.find(visitor.address);
   if (found != by_address_.end() && --found->second == 0) by_address_.erase(found);
   epoll_ctl(epoll_, EPOLL_CTL_DEL, visitor.session->transport().descriptor(), nullptr);
   visitor.session.reset();

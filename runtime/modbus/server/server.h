@@ -47,6 +47,7 @@ class Server {
   struct Visitor {
     std::unique_ptr<Session> session;
     std::uint32_t events = 0;  // that epoll looks for
+    std::string address;       // under which it is counted
   };
   class Identity final : public pdu::Identity {
    public:

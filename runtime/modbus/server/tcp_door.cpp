@@ -58,7 +58,6 @@ class TcpTransport final : public Transport {
   Moved write(std::span<const std::byte> from) override {
     return moved(::send(socket_, from.data(), from.size(), MSG_NOSIGNAL), false);
   }
-  const std::string& address() const override { return peer_.address; }
   const Peer* peer() const override { return &peer_; }
 
  private:

@@ -68,11 +68,11 @@ class Transport {
   // True if read() has bytes in a buffer of its own, which epoll does not know of.
   virtual bool has_buffered() const { return false; }
 
-  // Where it comes from, known from the beginning: what limits per address go by (the same text as
-  // Peer::address).
-  virtual const std::string& address() const = 0;
   // Null until it is known who it is. Then the same for ever.
   virtual const Peer* peer() const = 0;
+  // Where it comes from, asked once, on arrival: what the limit per address counts by. Empty: it is not
+  // counted.
+  virtual std::string address() const { return peer() == nullptr ? std::string() : peer()->address; }
   virtual Framing framing() const { return Framing::Tcp; }
   // Of Framing::Rtu: the slave's address on the line, 1 to 247.
   virtual std::uint8_t unit() const { return 1; }

@@ -41,7 +41,11 @@ class RtuServer : public testing::Test {
  protected:
   RtuServer() {
     data.registers[1] = 0x1234;
-    server = std::move(*Server::create({}, data));
+    ServerOptions options;
+    ClientRule everybody;
+    everybody.read = everybody.write = {{map::Table::HoldingRegisters}};
+    options.clients = {everybody};
+    server = std::move(*Server::create(options, data));
     LineOptions line;
     line.device = pty.device;
     line.parity = Parity::None;
