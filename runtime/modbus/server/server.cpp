@@ -77,11 +77,21 @@ void Server::turn(milliseconds timeout) {
       take_written();
     } else if ((key & kDoor) != 0) {
       admit(*doors_[key & ~kDoor]);
-    } else if (key != kWatched) {
+    } else if (key == kWatched) {
+      interrupted_ = true;
+    } else {
       serve(key, events[static_cast<std::size_t>(i)].events);
     }
   }
   if (now_ >= next_check_) check_all();
+}
+
+void Server::run_for(milliseconds time) {
+  interrupted_ = false;
+  const auto end = now_ + time;
+  do {
+    turn(time);
+  } while (!interrupted_ && now_ < end);
 }
 
 void Server::serve(std::uint64_t key, std::uint32_t events) {

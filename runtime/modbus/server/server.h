@@ -5,7 +5,7 @@
 //
 //   auto server = Server::create(options, data);
 //   (*server)->add(std::move(*TcpDoor::open({...})));
-//   while (!stop.came()) (*server)->turn(100ms);
+//   while (!stop.came()) (*server)->run_for(100ms);
 //
 // Thread rule: everything on one thread. Invariants: at most max_connections sessions, each with the buffers
 // of its Session and nothing else; what one client does or fails to do costs the others the time of its own
@@ -40,6 +40,8 @@ class Server {
 
   // Waits for something to do, at most `timeout`, and does it.
   void turn(std::chrono::milliseconds timeout);
+  // Turns until so much time has passed or a watched descriptor is readable.
+  void run_for(std::chrono::milliseconds time);
 
   const ServerFigures& figures() const { return figures_; }
 
@@ -76,6 +78,7 @@ class Server {
   int epoll_;
   Clock::time_point now_;
   Clock::time_point next_check_;
+  bool interrupted_ = false;  // a watched descriptor is readable
   std::uint64_t last_ticket_ = 0;
   std::vector<std::unique_ptr<Door>> doors_;  // outlive the sessions
   std::vector<Visitor> visitors_;             // by slot
