@@ -95,8 +95,9 @@ async function modbusSerial() {
     writeRegister: (at, value) => client.writeRegister(at, value),
     holding: (at, count) => client.readHoldingRegisters(at, count).then(data(count)),
     input: (at, count) => client.readInputRegisters(at, count).then(data(count)),
-    mask: (at, and, or) => client.maskWriteRegister(at, and, or),
-    readWrite,
+    // Over a serial line it does not know how long the answers of FC 22 and 23 are.
+    mask: kind === 'tcp' && ((at, and, or) => client.maskWriteRegister(at, and, or)),
+    readWrite: kind === 'tcp' && readWrite,
     vendor: () => client.readDeviceIdentification(1, 0).then((done) => String(done.data[0])),
   });
   await new Promise((resolve) => client.close(resolve));

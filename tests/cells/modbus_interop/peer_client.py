@@ -40,9 +40,10 @@ def main():
     tell("FC6", client.write_register(14, 0xABCD, slave=1))
     tell("FC3", client.read_holding_registers(10, 5, slave=1), lambda r: r.registers == [*WORDS, 0xABCD])
     tell("FC4", client.read_input_registers(20, 10, slave=1), lambda r: r.registers == [3 * i + 7 for i in range(20, 30)])
-    tell("FC22", client.mask_write_register(address=10, and_mask=0xFF00, or_mask=0x0055, slave=1))
+    # These two take the unit under another name, and else are broadcasts.
+    tell("FC22", client.mask_write_register(address=10, and_mask=0xFF00, or_mask=0x0055, unit=1))
     tell("FC22-value", client.read_holding_registers(10, 1, slave=1), lambda r: r.registers == [0x1255])
-    tell("FC23", client.readwrite_registers(read_address=29, read_count=3, write_address=30, write_registers=WORDS, slave=1),
+    tell("FC23", client.readwrite_registers(read_address=29, read_count=3, write_address=30, write_registers=WORDS, unit=1),
          lambda r: r.registers[1:] == WORDS[:2])
     tell("FC43", client.execute(ReadDeviceInformationRequest(read_code=1, object_id=0, unit=1)),
          lambda r: r.information[0] == b"Stepwright")

@@ -41,7 +41,10 @@ SocketClient::~SocketClient() {
 }
 
 void SocketClient::connect() {
-  if (socket_ >= 0) ::close(socket_);
+  if (socket_ >= 0) {
+    ::close(socket_);
+    ++reconnections_;
+  }
   unread_.clear();
   socket_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address{};
@@ -65,8 +68,6 @@ bool SocketClient::send(std::span<const std::uint8_t> bytes) {
     // A server that reads no more is one that waits for us to read.
     if (full && wait_for(socket_, POLLIN | POLLOUT, patience_) && receive(false)) continue;
     if (full) broken("the server takes no bytes any more");
-    ++reconnections_;
-    connect();
     return false;
   }
   return true;
@@ -103,11 +104,15 @@ void SocketClient::take_frames() {
   unread_.erase(unread_.begin(), unread_.begin() + static_cast<std::ptrdiff_t>(at));
 }
 
-void SocketClient::drain() {
-  if (!wait_for(socket_, POLLIN, std::chrono::milliseconds(0))) return;
-  if (receive(false)) return;
-  ++reconnections_;
-  connect();
+void SocketClient::await_answers(std::uint64_t count) {
+  for (const std::uint64_t enough = answers_ + count; answers_ < enough;) {
+    if (!receive(true)) broken("the server closed a connection on which frames were right");
+  }
+}
+
+void SocketClient::await_close() {
+  while (receive(true)) {
+  }
 }
 
 Bytes SocketClient::ask(const Bytes& pdu) {

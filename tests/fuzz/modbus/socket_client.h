@@ -20,10 +20,14 @@ class SocketClient {
   SocketClient(const SocketClient&) = delete;
 
   // Sends as the kernel takes it and reads what is there meanwhile, so that neither side waits for the other.
-  // False when the server has closed the connection: a new one is opened.
+  // False when the server has closed the connection.
   bool send(std::span<const std::uint8_t> bytes);
-  // Reads what is there. Every byte must belong to a frame of Modbus/TCP.
-  void drain();
+  // Until so many answers more have come than before. Every byte must belong to a frame of Modbus/TCP.
+  void await_answers(std::uint64_t count);
+  // Until the server has closed the connection.
+  void await_close();
+  // A new connection; what was begun on the old one is left as it is.
+  void connect();
 
   // Sends a request and waits for the one answer with its transaction. Requires a connection that nothing
   // else uses.
@@ -34,7 +38,6 @@ class SocketClient {
   std::uint64_t reconnections() const { return reconnections_; }
 
  private:
-  void connect();
   bool receive(bool wait);
   void take_frames();
 

@@ -17,6 +17,35 @@ void append(Bytes& out, const Bytes& more) {
   std::ranges::copy(more, out.end() - static_cast<std::ptrdiff_t>(more.size()));
 }
 
+// So that a mutation gets as far as the engine.
+Bytes with_right_length(Bytes frame) {
+  frame.resize(std::clamp<std::size_t>(frame.size(), 8, 260));
+  frame[2] = frame[3] = frame[kLengthAt] = 0;
+  frame[kLengthAt + 1] = static_cast<std::uint8_t>(frame.size() - kLengthAt - 2);
+  return frame;
+}
+
+// Not pdu::take_frame: a server must not be tested with its own mistake.
+void judge(const Bytes& stream, Burst& burst) {
+  constexpr std::size_t kMostLength = 254;
+  std::size_t at = 0;
+  while (at < stream.size()) {
+    const std::size_t left = stream.size() - at;
+    const bool other = left >= 4 && (stream[at + 2] != 0 || stream[at + 3] != 0);
+    const std::size_t length = left >= 6 ? static_cast<std::size_t>(stream[at + 4] << 8 | stream[at + 5]) : 2;
+    if (other || length < 2 || length > kMostLength) {
+      burst.ending = Ending::Bad;
+      return;
+    }
+    if (left < 6 + length) {
+      burst.ending = Ending::Half;
+      return;
+    }
+    at += 6 + length;
+    ++burst.whole;
+  }
+}
+
 }  // namespace
 
 // All 256 function codes x 256 units in 65536 turns; the body is random, or of a kind that may be right.
@@ -44,17 +73,13 @@ Bytes SocketFrames::any_pdu() {
 
 Bytes SocketFrames::any_frame() {
   ++turn_;
-  switch (below(4)) {
-    case 0:
-      return seeds_[below(seeds_.size())].bytes;
-    case 1:
-      return mutated(seeds_[below(seeds_.size())].bytes, seeds_, random_);
-    default: {
-      Bytes frame = tcp_frame(any_pdu(), static_cast<std::uint16_t>(random_()));
-      frame[kUnitAt] = static_cast<std::uint8_t>(turn_ >> 8);
-      return frame;
-    }
-  }
+  const std::size_t kind = below(20);
+  if (kind < 2) return mutated(seeds_[below(seeds_.size())].bytes, seeds_, random_);
+  if (kind < 6) return seeds_[below(seeds_.size())].bytes;
+  if (kind < 9) return with_right_length(mutated(seeds_[below(seeds_.size())].bytes, seeds_, random_));
+  Bytes frame = tcp_frame(any_pdu(), static_cast<std::uint16_t>(random_()));
+  frame[kUnitAt] = static_cast<std::uint8_t>(turn_ >> 8);
+  return frame;
 }
 
 Bytes SocketFrames::wrong_length(Bytes frame) {
@@ -72,8 +97,9 @@ Burst SocketFrames::next() {
   burst.frames = below(4) == 0 ? 1 + static_cast<unsigned>(below(20)) : 1;
   for (unsigned i = 0; i < burst.frames; ++i) {
     Bytes frame = any_frame();
-    append(stream, below(8) == 0 ? wrong_length(std::move(frame)) : frame);
+    append(stream, below(60) == 0 ? wrong_length(std::move(frame)) : frame);
   }
+  judge(stream, burst);
   if (below(4) != 0) {
     burst.pieces.push_back(std::move(stream));
     return burst;

@@ -3,6 +3,7 @@
 // What the socket fuzz sends: every function code to every unit, seeds and their mutations, frames with wrong
 // lengths, several at once, half of one.
 
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -10,9 +11,19 @@
 
 namespace stepwright::fuzz::modbus {
 
+// How a stream ends, as the framing of Modbus/TCP has it (Messaging on TCP/IP Implementation Guide
+// V1.0b, 3.1.3).
+enum class Ending : std::uint8_t {
+  Clean,
+  Half,  // in the middle of a frame
+  Bad,   // in what is no frame: the connection cannot go on
+};
+
 struct Burst {
   std::vector<Bytes> pieces;  // sent one by one
   unsigned frames = 0;        // that it has, as they were meant
+  unsigned whole = 0;         // that are whole, before its end
+  Ending ending = Ending::Clean;
 };
 
 class SocketFrames {

@@ -39,6 +39,24 @@ void ask_valid(SocketClient& good, Figures& figures) {
   ++figures.valid;
 }
 
+// Every whole frame is answered; what is no frame ends the connection, and nothing else does.
+void play(const Burst& burst, SocketClient& bad) {
+  const std::uint64_t before = bad.answers();
+  for (const Bytes& piece : burst.pieces) {
+    if (bad.send(piece)) continue;
+    if (burst.ending != Ending::Bad)
+      throw std::runtime_error("the server closed a connection on which frames were right");
+    break;
+  }
+  if (burst.ending == Ending::Bad) {
+    bad.await_close();
+  } else {
+    bad.await_answers(burst.whole - (bad.answers() - before));
+  }
+  if (bad.answers() - before > burst.whole) throw std::runtime_error("more answers than requests");
+  if (burst.ending != Ending::Clean) bad.connect();
+}
+
 void run(std::uint16_t port, std::uint64_t frames, std::uint32_t seed, bool after_each, Figures& figures) {
   SocketFrames source(read_seeds(STEPWRIGHT_SOURCE_DIR "/tests/fuzz/modbus/seeds.txt").tcp, seed);
   SocketClient bad(port, kPatience), good(port, kPatience);
@@ -46,10 +64,7 @@ void run(std::uint16_t port, std::uint64_t frames, std::uint32_t seed, bool afte
   std::uint64_t next = kBatch;
   while (figures.frames < frames) {
     const Burst burst = source.next();
-    for (const Bytes& piece : burst.pieces) {
-      bad.send(piece);
-      bad.drain();
-    }
+    play(burst, bad);
     figures.frames += burst.frames;
     if (!after_each && figures.frames < next) continue;
     next = figures.frames + kBatch;

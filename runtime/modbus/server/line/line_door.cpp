@@ -43,9 +43,9 @@ namespace {
 template <typename Freed>
 class LineTransport final : public Transport {
  public:
-  LineTransport(SerialLine line, std::string device, Freed freed)
-      : line_(std::move(line)), freed_(std::move(freed)) {
-    peer_.address = std::move(device);
+  LineTransport(SerialLine line, const LineOptions& options, Freed freed)
+      : line_(std::move(line)), unit_(options.unit), freed_(std::move(freed)) {
+    peer_.address = options.device.string();
   }
   ~LineTransport() override { freed_(); }
 
@@ -54,9 +54,11 @@ class LineTransport final : public Transport {
   Moved write(std::span<const std::byte> from) override { return line_.write(from); }
   const Peer* peer() const override { return &peer_; }
   Framing framing() const override { return Framing::Rtu; }
+  std::uint8_t unit() const override { return unit_; }
 
  private:
   SerialLine line_;
+  std::uint8_t unit_;
   Freed freed_;
   Peer peer_;
 };
@@ -88,7 +90,7 @@ std::unique_ptr<Transport> LineDoor::admit() {
   }
   state_->told.clear();
   auto freed = [state = state_] { state->wake_after(state->retry); };
-  return std::make_unique<LineTransport<decltype(freed)>>(std::move(*line), state_->options.device.string(),
+  return std::make_unique<LineTransport<decltype(freed)>>(std::move(*line), state_->options,
                                                           std::move(freed));
 }
 
@@ -97,7 +99,9 @@ void LineDoor::turn_away() {
 }
 
 std::string LineDoor::name() const {
-  return "rtu " + state_->options.device.string() + " " + line_text(state_->options);
+  const LineOptions& options = state_->options;
+  return "rtu " + options.device.string() + " " + line_text(options) + " unit " +
+         std::to_string(options.unit);
 }
 
 }  // namespace stepwright::modbus::server

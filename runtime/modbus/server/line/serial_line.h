@@ -30,6 +30,7 @@ struct LineOptions {
   Parity parity = Parity::Even;
   std::uint8_t stop_bits = 1;  // 1 or 2; there are always 8 data bits
   bool rs485 = false;          // the kernel's driver switches the transmitter (TIOCSRS485)
+  std::uint8_t unit = 1;       // the address of this slave on the line, 1 to 247
   result::Location where;      // of the settings, for diagnostics
 };
 

@@ -24,6 +24,7 @@ class TlsTransport final : public Transport {
   Moved write(std::span<const std::byte> from) override;
   bool needs_writable() const override { return needs_writable_; }
   bool has_buffered() const override;
+  std::string address() const override { return inner_->address(); }
   const Peer* peer() const override { return ready_ ? &peer_ : nullptr; }
 
  private:

@@ -1,9 +1,6 @@
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
-#include <pty.h>
-#include <sys/file.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -12,6 +9,7 @@
 #include <vector>
 
 #include "runtime/modbus/server/line/line_door.h"
+#include "tests/unit/runtime/modbus/server/line/pty.h"
 
 namespace stepwright::modbus::server {
 namespace {
@@ -25,28 +23,6 @@ using testing::SizeIs;
 
 constexpr milliseconds kRetry{20};
 constexpr int kPatienceMs = 5'000;
-
-// A pseudo terminal: what the test writes into it comes out of its device.
-struct Pty {
-  Pty() {
-    std::array<char, 128> name{};
-    if (::openpty(&master, &slave, name.data(), nullptr, nullptr) != 0) throw std::runtime_error("no pty");
-    ::fcntl(master, F_SETFL, O_NONBLOCK);
-    device = name.data();
-  }
-  ~Pty() { close(); }
-  // As if the adapter were pulled out.
-  void close() {
-    for (int* each : {&master, &slave}) {
-      if (*each >= 0) ::close(*each);
-      *each = -1;
-    }
-  }
-
-  int master = -1;
-  int slave = -1;
-  std::string device;
-};
 
 LineOptions options_of(const Pty& pty) {
   LineOptions out;
@@ -180,7 +156,7 @@ TEST(LineDoor, Line_WhenTurnedAway_ThenTheDescriptorRests) {
   door->turn_away();
   EXPECT_FALSE(is_readable(door->descriptor(), 0));
   EXPECT_TRUE(is_readable(door->descriptor(), kPatienceMs));
-  EXPECT_EQ(door->name(), "rtu " + pty.device + " 19200 8N2");
+  EXPECT_EQ(door->name(), "rtu " + pty.device + " 19200 8N2 unit 1");
 }
 
 }  // namespace

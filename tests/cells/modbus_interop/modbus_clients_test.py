@@ -1,0 +1,126 @@
+"""Clients that others wrote against our server: mbpoll, pymodbus, npm's jsmodbus and modbus-serial, over TCP and over a
+serial line. tshark looks at every frame on TCP: none may be malformed, none an error."""
+
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from lines import Line
+from namespaces import need_network_of_its_own
+from processes import TESTS, Process, eventually
+
+HERE = pathlib.Path(__file__).parent
+PORT = 1502
+CLIENTS = {
+    "pymodbus": ["/usr/bin/python3", HERE / "peer_client.py"],
+    "jsmodbus": ["node", HERE / "peer_client.mjs", "jsmodbus"],
+    "modbus-serial": ["node", HERE / "peer_client.mjs", "modbus-serial"],
+}
+ALL = ["FC15", "FC5", "FC1", "FC2", "FC16", "FC6", "FC3", "FC4", "FC22", "FC22-value", "FC23", "FC43", "beyond", "most"]
+# What a client offers must work, all of it. Over a serial line modbus-serial does not offer all.
+RARE = ["FC22", "FC22-value", "FC23"]
+NOT_OFFERED = {("jsmodbus", "tcp"): RARE, ("jsmodbus", "rtu"): RARE, ("modbus-serial", "rtu"): RARE}
+
+
+def expected(name, kind):
+    offered = [each for each in ALL if each not in NOT_OFFERED.get((name, kind), [])]
+    return {each: "exception 2" if each == "beyond" else "ok" for each in offered}
+
+
+def mbpoll(mode, *arguments):
+    """mbpoll, once; the values that it prints, by reference."""
+    done = subprocess.run(["mbpoll", "-0", "-1", "-a", "1", "-o", "3", *mode, *map(str, arguments)], capture_output=True,
+                          text=True, timeout=30, check=False)
+    return done, {int(at): value for at, value in re.findall(r"^\[(\d+)\]:\s+(\S+)", done.stdout, re.M)}
+
+
+class Capture:
+    """What goes over the loopback while it lives."""
+
+    def __init__(self, folder):
+        self.file = folder / "capture.pcapng"
+        self.process = Process(["tshark", "-q", "-i", "lo", "-f", f"tcp port {PORT}", "-w", self.file], folder / "tshark.log")
+        self.process.wait_for("Capturing on", 30)
+
+    def close(self):
+        self.process.end(2)
+
+    def look(self, display_filter):
+        """Summaries of the frames that the filter finds."""
+        done = subprocess.run(["tshark", "-r", self.file, "-d", f"tcp.port=={PORT},mbtcp", "-Y", display_filter],
+                              capture_output=True, text=True, timeout=120, check=True)
+        return done.stdout.splitlines()
+
+
+class Clients(unittest.TestCase):
+    def setUp(self):
+        need_network_of_its_own()
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="stepwright-interop-"))
+        self.addCleanup(shutil.rmtree, self.folder, True)
+
+    def start(self, *arguments):
+        server = Process([TESTS / "modbus_interop_slave", *arguments], self.folder / "slave.log")
+        self.addCleanup(server.end)
+        server.wait_for("ready", 30)
+        return server
+
+    def run_client(self, name, kind, where):
+        done = subprocess.run([*CLIENTS[name], kind, str(where)], capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(json.loads(done.stdout), expected(name, kind))
+
+    def run_mbpoll(self, mode, where):
+        def poll(*arguments):
+            done, values = mbpoll(mode, *arguments)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            return values
+        poll("-t", 0, "-r", 40, where, 1, 0, 1)  # FC 15
+        poll("-t", 0, "-r", 43, where, 1)  # FC 5
+        self.assertEqual(poll("-t", 0, "-r", 40, "-c", 4, where), {40: "1", 41: "0", 42: "1", 43: "1"})
+        self.assertEqual(poll("-t", 1, "-r", 9, "-c", 4, where), {9: "1", 10: "0", 11: "0", 12: "1"})
+        poll("-t", 4, "-r", 50, where, 1000, 2000)  # FC 16
+        poll("-t", 4, "-r", 52, where, 3000)  # FC 6
+        self.assertEqual(poll("-t", 4, "-r", 50, "-c", 3, where), {50: "1000", 51: "2000", 52: "3000"})
+        self.assertEqual(poll("-t", 3, "-r", 20, "-c", 2, where), {20: "67", 21: "70"})
+        done, _ = mbpoll(mode, "-t", 4, "-r", 60000, where)
+        self.assertIn("Illegal data address", done.stdout + done.stderr)
+
+    def test_tcp(self):
+        self.start("tcp", PORT)
+        capture = Capture(self.folder)
+        self.addCleanup(capture.close)
+        self.run_mbpoll(["-m", "tcp", "-p", str(PORT)], "127.0.0.1")
+        for name in CLIENTS:
+            with self.subTest(name):
+                self.run_client(name, "tcp", PORT)
+        master = subprocess.run([TESTS / "modbus_interop_master", "tcp", str(PORT)], capture_output=True, text=True, timeout=60,
+                                check=False)
+        self.assertEqual(master.returncode, 0, master.stdout + master.stderr)
+        self.assertTrue(eventually(lambda: capture.file.exists() and capture.file.stat().st_size > 1000, 10))
+        capture.close()
+        frames = capture.look("mbtcp")
+        self.assertGreater(len(frames), 60, "the capture has too little in it")
+        functions = {int(each) for each in re.findall(r"Func:\s+(\d+)", "\n".join(frames))}
+        self.assertLessEqual({1, 2, 3, 4, 5, 6, 15, 16, 22, 23, 43}, functions)
+        # A refused request is an answer of Modbus, which tshark notes as such.
+        self.assertEqual(capture.look('_ws.malformed || (_ws.expert.severity == "Error")'), [])
+
+    def test_rtu(self):
+        line = Line(self.folder)
+        self.addCleanup(line.close)
+        self.start("rtu", line.slave)
+        self.run_mbpoll(["-m", "rtu", "-b", "19200", "-P", "none"], line.master)
+        for name in CLIENTS:
+            with self.subTest(name):
+                self.run_client(name, "rtu", line.master)
+        master = subprocess.run([TESTS / "modbus_interop_master", "rtu", line.master], capture_output=True, text=True, timeout=60,
+                                check=False)
+        self.assertEqual(master.returncode, 0, master.stdout + master.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
