@@ -23,7 +23,8 @@ LineParity read_parity(const TomlTable& table) {
   return parity == "even" ? LineParity::Even : parity == "odd" ? LineParity::Odd : LineParity::None;
 }
 
-milliseconds read_ms(const TomlTable& table, const char* key, milliseconds fallback, double low, double high) {
+milliseconds read_ms(const TomlTable& table, const char* key, milliseconds fallback, double low,
+                     double high) {
   return milliseconds(table.integer(key, fallback.count(), {low, high}));
 }
 

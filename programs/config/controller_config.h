@@ -28,18 +28,18 @@ enum class LineParity : std::uint8_t { None, Even, Odd };
 
 struct ControllerConfig {
   ControllerKind kind = ControllerKind::Host;
-  std::string device;                // of the serial line
-  std::uint32_t baud = 115'200;      // bits a second
+  std::string device;            // of the serial line
+  std::uint32_t baud = 115'200;  // bits a second
   LineParity parity = LineParity::None;
   std::uint8_t stop_bits = 1;
-  std::string host;                  // name or address
+  std::string host;  // name or address
   std::uint16_t port = 502;
-  std::uint8_t unit = 1;             // address of the slave
-  std::chrono::milliseconds timeout{300};      // from a request to the end of its answer
+  std::uint8_t unit = 1;                        // address of the slave
+  std::chrono::milliseconds timeout{300};       // from a request to the end of its answer
   std::chrono::milliseconds lost_after{1'000};  // without an answer for this long the controller is lost
-  std::chrono::milliseconds exchange{10};      // real clock: period of inputs and outputs
-  std::chrono::milliseconds image{100};        // how often the whole image is read between events
-  result::Location where;                      // of the table
+  std::chrono::milliseconds exchange{10};       // real clock: period of inputs and outputs
+  std::chrono::milliseconds image{100};         // how often the whole image is read between events
+  result::Location where;                       // of the table
 
   bool remote() const { return kind != ControllerKind::Host; }
 };

@@ -60,11 +60,11 @@ class LineJournal {
 
 int run(const config::CellConfig& config) {
   if (!config.controller.remote()) {
-    return fail(result::fail("C0544", {config.file.string(), 0, 0},
-                             "the cell has no controller behind Modbus",
-                             "[controller] kind = \"modbus-rtu\" or \"modbus-tcp\"; else `stepwright runtime`")
-                    .value(),
-                ExitCode::BadInput);
+    return fail(
+        result::fail("C0544", {config.file.string(), 0, 0}, "the cell has no controller behind Modbus",
+                     "[controller] kind = \"modbus-rtu\" or \"modbus-tcp\"; else `stepwright runtime`")
+            .value(),
+        ExitCode::BadInput);
   }
   const process::StopSignal stop;
   process::ReloadSignal reload;
