@@ -206,12 +206,16 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.record = read_record(root.table("record"), config.state_dir);
   const result::Diagnostics unserved =
       read_modbus_server(root.table("modbus").table("server"), config.modbus_server);
+  const result::Diagnostics closed =
+      read_modbus_doors(root.table("modbus").table("server"), folder, config.modbus_server.tcp,
+                        config.modbus_server.server, config.modbus_server.doors);
   check_names(cell, dds, config);
   config.values = (*document)->values();
   reading.problems = (*document)->finish();
   reading.problems.insert(reading.problems.end(), unsafe.begin(), unsafe.end());
   reading.problems.insert(reading.problems.end(), controller.begin(), controller.end());
   reading.problems.insert(reading.problems.end(), unserved.begin(), unserved.end());
+  reading.problems.insert(reading.problems.end(), closed.begin(), closed.end());
   return reading;
 }
 

@@ -127,7 +127,9 @@ class Reader {
     if (address.empty() && rule.role.empty())
       refuse("C0508", table, "", "a client has an address or a role",
              "address = \"192.168.1.0/24\"; \"0.0.0.0/0\" for all");
-    if (!address.empty()) {
+    if (address.starts_with('/')) {
+      rule.device = address;
+    } else if (!address.empty()) {
       const auto range = IpRange::parse(address);
       if (!range) {
         return refuse("C0506", table, "address", "`" + address + "` is no address and no network",

@@ -24,6 +24,7 @@
 // says too little or too much. What needs the program (C0501 to C0505) is found when the map is built.
 
 #include "programs/config/log_config.h"
+#include "programs/config/modbus_doors_config.h"
 #include "runtime/modbus/map/map_config.h"
 #include "runtime/modbus/server/options.h"
 #include "runtime/modbus/server/tcp_door.h"
@@ -35,6 +36,7 @@ namespace stepwright::config {
 struct ModbusServerConfig {
   bool enabled = false;
   modbus::server::TcpOptions tcp;
+  ModbusDoors doors;  // beside `tcp`
   modbus::server::ServerOptions server;
   modbus::map::MapConfig map;
   std::chrono::milliseconds stale_after{1'000};    // without news of the runtime: exception 4

@@ -7,13 +7,13 @@
 #include "programs/config/cell_options.h"
 #include "programs/log/logger.h"
 #include "programs/log/reload_log.h"
+#include "programs/modbus_server/doors.h"
 #include "programs/process/command_line.h"
 #include "programs/process/notify_socket.h"
 #include "programs/process/reload_signal.h"
 #include "programs/process/stop_signal.h"
 #include "runtime/modbus/server/runtime_data.h"
 #include "runtime/modbus/server/server.h"
-#include "runtime/modbus/server/tcp_door.h"
 #include "runtime/result/exit_code.h"
 
 namespace stepwright::modbus_server {
@@ -84,18 +84,17 @@ int run(const config::CellConfig& config) {
   auto log = log::Logger::open("modbus-server", config.log);
   if (!log) return process::fail(log.error(), ExitCode::BadInput);
   config::CellConfig running = config;
-  auto door = TcpDoor::open(config.modbus_server.tcp);
-  if (!door) return process::fail(door.error(), ExitCode::BadInput);
-  const std::string listens = "modbus-server of '" + config.name + "' listens on " + (*door)->name();
-  const std::uint16_t port = (*door)->port();
+  auto doors = open_doors(config.modbus_server, **log);
+  if (!doors) return process::fail(doors.error(), ExitCode::BadInput);
+  const std::string listens = "modbus-server of '" + config.name + "' listens on " + doors->names;
   auto data = RuntimeData::create(data_options(config), to_log(**log));
   if (!data) return process::fail(data.error(), ExitCode::RuntimeFault);
   auto server = Server::create(server_options(config), **data);
   if (!server) return process::fail(server.error(), ExitCode::RuntimeFault);
-  (*server)->add(std::move(*door));
+  for (auto& door : doors->all) (*server)->add(std::move(door));
   (*server)->watch(stop.descriptor());
   (*server)->watch(reload.descriptor());
-  (*log)->info("listens", listens, {{"cell", config.name}, {"port", std::uint32_t{port}}});
+  (*log)->info("listens", listens, {{"cell", config.name}, {"port", std::uint32_t{doors->port}}});
   init.ready(listens);
   process::Heartbeat heartbeat(init);
   auto next_figures = Clock::now() + kFiguresPeriod;

@@ -7,6 +7,12 @@
 namespace stepwright::modbus::server {
 namespace {
 
+// The rule is about where this peer is.
+bool comes_from(const ClientRule& rule, const Peer& peer, const std::optional<IpAddress>& address) {
+  if (!rule.device.empty()) return rule.device == peer.address;
+  return rule.any || (address && rule.address.contains(*address));
+}
+
 std::vector<Window> joined(std::vector<Window> windows) {
   std::sort(windows.begin(), windows.end(), [](const Window& a, const Window& b) {
     return std::tie(a.table, a.first) < std::tie(b.table, b.first);
@@ -60,7 +66,7 @@ Rights Access::of(const Peer& peer) const {
     return std::pair(!rule.role.empty(), rule.any ? -1 : rule.address.prefix());
   };
   for (const ClientRule& rule : rules_) {
-    if (!rule.any && (!address || !rule.address.contains(*address))) continue;
+    if (!comes_from(rule, peer, address)) continue;
     if (!rule.role.empty() && (!peer.authenticated || peer.role != rule.role)) continue;
     if (best == nullptr || rank(rule) > rank(*best)) best = &rule;
   }

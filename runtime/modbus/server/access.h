@@ -34,6 +34,7 @@ struct ClientRule {
   std::string role;  // of the certificate; empty: any, or none
   std::vector<Window> read;
   std::vector<Window> write;
+  std::string device;  // the serial line of the client; empty: it comes over IP
 };
 
 class Rights {

@@ -22,10 +22,17 @@ Session::Session(std::uint64_t ticket, std::unique_ptr<Transport> transport, con
       answered_(now) {}
 
 void Session::readable(Clock::time_point now) {
-  do {
+  take(now);
+  go_on(now);
+  take_buffered(now);
+}
+
+// What the transport itself holds: epoll does not tell of it.
+void Session::take_buffered(Clock::time_point now) {
+  while (!done_ && !pending_ && transport_->has_buffered() && wants_read()) {
     take(now);
     go_on(now);
-  } while (transport_->has_buffered() && wants_read() && !pending_);
+  }
 }
 
 void Session::writable(Clock::time_point now) {
@@ -34,6 +41,7 @@ void Session::writable(Clock::time_point now) {
   // A handshake goes on with reading; and what waited for room in the output is served now.
   if (transport_->needs_writable() || !greeted_) take(now);
   go_on(now);
+  take_buffered(now);
 }
 
 void Session::written(Exception exception, Clock::time_point now) {
@@ -54,6 +62,7 @@ void Session::written(Exception exception, Clock::time_point now) {
   send_answer(bytes);
   in_begin_ += frame_bytes_;
   go_on(now);
+  take_buffered(now);
 }
 
 // Serves what is there and sends what came of it, as long as either makes room for the other.

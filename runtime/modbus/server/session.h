@@ -62,6 +62,7 @@ class Session {
 
   bool out_room() const { return kOutput - out_end_ >= pdu::kMaxTcpFrame; }
   void take(Clock::time_point now);
+  void take_buffered(Clock::time_point now);
   void go_on(Clock::time_point now);
   void serve_all();
   bool next_tcp();

@@ -1,20 +1,19 @@
-"""Clients that others wrote against our server: mbpoll, pymodbus, npm's jsmodbus and modbus-serial, over TCP and over a
-serial line. tshark looks at every frame on TCP: none may be malformed, none an error."""
+"""Clients that others wrote against a runtime that stepwright modbus-server serves: mbpoll, pymodbus, npm's jsmodbus and
+modbus-serial, libmodbus, over TCP and over a serial line. tshark looks at every frame on TCP: none may be malformed, none
+an error."""
 
 import json
 import pathlib
 import re
-import shutil
 import subprocess
-import tempfile
 import unittest
 
 from lines import Line
 from namespaces import need_network_of_its_own
 from processes import TESTS, Process, eventually
+from served import EVERYBODY, PORT, Served, temporary_folder
 
 HERE = pathlib.Path(__file__).parent
-PORT = 1502
 CLIENTS = {
     "pymodbus": ["/usr/bin/python3", HERE / "peer_client.py"],
     "jsmodbus": ["node", HERE / "peer_client.mjs", "jsmodbus"],
@@ -59,14 +58,13 @@ class Capture:
 class Clients(unittest.TestCase):
     def setUp(self):
         need_network_of_its_own()
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="stepwright-interop-"))
-        self.addCleanup(shutil.rmtree, self.folder, True)
+        self.folder = temporary_folder(self)
 
-    def start(self, *arguments):
-        server = Process([TESTS / "modbus_interop_slave", *arguments], self.folder / "slave.log")
-        self.addCleanup(server.end)
-        server.wait_for("ready", 30)
-        return server
+    def serve(self, more=EVERYBODY):
+        cell = Served(more)
+        self.addCleanup(cell.__exit__)
+        cell.start_all()
+        cell.answers()
 
     def run_client(self, name, kind, where):
         done = subprocess.run([*CLIENTS[name], kind, str(where)], capture_output=True, text=True, timeout=60, check=False)
@@ -90,7 +88,7 @@ class Clients(unittest.TestCase):
         self.assertIn("Illegal data address", done.stdout + done.stderr)
 
     def test_tcp(self):
-        self.start("tcp", PORT)
+        self.serve()
         capture = Capture(self.folder)
         self.addCleanup(capture.close)
         self.run_mbpoll(["-m", "tcp", "-p", str(PORT)], "127.0.0.1")
@@ -112,7 +110,8 @@ class Clients(unittest.TestCase):
     def test_rtu(self):
         line = Line(self.folder)
         self.addCleanup(line.close)
-        self.start("rtu", line.slave)
+        self.serve(EVERYBODY + EVERYBODY.replace("0.0.0.0/0", str(line.slave)) +
+                   f'[[modbus.server.line]]\ndevice = "{line.slave}"\nparity = "none"\nunit = 1\n')
         self.run_mbpoll(["-m", "rtu", "-b", "19200", "-P", "none"], line.master)
         for name in CLIENTS:
             with self.subTest(name):

@@ -97,7 +97,9 @@ Burst SocketFrames::next() {
   burst.frames = below(4) == 0 ? 1 + static_cast<unsigned>(below(20)) : 1;
   for (unsigned i = 0; i < burst.frames; ++i) {
     Bytes frame = any_frame();
-    append(stream, below(60) == 0 ? wrong_length(std::move(frame)) : frame);
+    // Only the last one may end the connection, so that none before it is lost.
+    if (i + 1 < burst.frames) frame = with_right_length(std::move(frame));
+    append(stream, i + 1 == burst.frames && below(60) == 0 ? wrong_length(std::move(frame)) : frame);
   }
   judge(stream, burst);
   if (below(4) != 0) {

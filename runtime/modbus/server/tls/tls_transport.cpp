@@ -147,8 +147,9 @@ Moved TlsTransport::write(std::span<const std::byte> from) {
   return after(result, bytes);
 }
 
+// SSL_has_pending would also count the half of a record that nobody can read yet.
 bool TlsTransport::has_buffered() const {
-  return !failed_ && ready_ && SSL_has_pending(ssl_.get()) == 1;
+  return !failed_ && ready_ && SSL_pending(ssl_.get()) > 0;
 }
 
 }  // namespace stepwright::modbus::server

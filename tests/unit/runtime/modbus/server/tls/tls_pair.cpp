@@ -34,10 +34,11 @@ void must(bool condition, const char* what) {
 }  // namespace
 
 Moved BufferTransport::read(std::span<std::byte> into) {
-  const std::size_t count = std::min({into.size(), in_.size(), piece});
+  const std::size_t count = std::min({into.size(), in_.size(), piece, limit});
   if (count == 0) return {ended ? Moved::State::Closed : Moved::State::WouldBlock, 0};
   std::copy_n(in_.begin(), count, into.begin());
   in_.erase(in_.begin(), in_.begin() + static_cast<std::ptrdiff_t>(count));
+  limit -= count;
   return {Moved::State::Done, count};
 }
 

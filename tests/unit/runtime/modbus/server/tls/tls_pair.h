@@ -27,8 +27,9 @@ class BufferTransport final : public Transport {
   Moved write(std::span<const std::byte> from) override;
   const Peer* peer() const override { return &peer_; }
 
-  std::size_t piece = 4096;  // at most so many bytes are moved at once
-  bool ended = false;        // the client has closed its socket
+  std::size_t piece = 4096;      // at most so many bytes are moved at once
+  std::size_t limit = SIZE_MAX;  // so many more bytes can be read
+  bool ended = false;            // the client has closed its socket
 
  private:
   Stream& in_;

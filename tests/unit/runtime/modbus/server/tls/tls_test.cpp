@@ -202,6 +202,19 @@ TEST_F(Tls, Record_WhenItIsLargerThanWhatIsAskedFor_ThenTheRestIsAnnounced) {
   EXPECT_EQ(got, much.size());
 }
 
+TEST_F(Tls, Record_WhenOnlyHalfOfItIsThere_ThenNothingIsAnnounced) {
+  TlsPair pair(context(options()), client("operator"));
+  ASSERT_TRUE(pair.shake_hands());
+  ASSERT_EQ(SSL_write(pair.client(), "request", 7), 7);
+  pair.move_bytes();
+  pair.inside().limit = 10;  // of its bytes: more than the record's header
+  std::array<std::byte, 16> buffer;
+  EXPECT_EQ(pair.server().read(buffer).state, Moved::State::WouldBlock);
+  EXPECT_FALSE(pair.server().has_buffered()) << "the server would try again for ever";
+  pair.inside().limit = SIZE_MAX;
+  EXPECT_EQ(pair.server().read(buffer).bytes, 7u);
+}
+
 TEST_F(Tls, Connection_WhenCut_ThenIsClosed) {
   TlsPair pair(context(options()), client("operator"));
   ASSERT_TRUE(pair.shake_hands());
