@@ -204,11 +204,14 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.log = read_log(root, folder);
   read_retain(root, folder, config.state_dir, config.retain, config.boot);
   config.record = read_record(root.table("record"), config.state_dir);
+  const result::Diagnostics unserved =
+      read_modbus_server(root.table("modbus").table("server"), config.modbus_server);
   check_names(cell, dds, config);
   config.values = (*document)->values();
   reading.problems = (*document)->finish();
   reading.problems.insert(reading.problems.end(), unsafe.begin(), unsafe.end());
   reading.problems.insert(reading.problems.end(), controller.begin(), controller.end());
+  reading.problems.insert(reading.problems.end(), unserved.begin(), unserved.end());
   return reading;
 }
 

@@ -18,6 +18,7 @@
 #include "programs/config/change_config.h"
 #include "programs/config/controller_config.h"
 #include "programs/config/log_config.h"
+#include "programs/config/modbus_server_config.h"
 #include "programs/config/record_config.h"
 #include "programs/config/retain_config.h"
 #include "programs/config/safety_config.h"
@@ -126,6 +127,7 @@ struct CellConfig {
   RetainSection retain;
   BootSection boot;
   RecordConfig record;
+  ModbusServerConfig modbus_server;
   LogConfig log;
   settings::SettingTexts values;  // everything that the file says, to compare it with what it says later
 

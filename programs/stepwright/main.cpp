@@ -60,6 +60,8 @@ constexpr std::array kCommands = {
     Command{"trace", "stepwright-monitor", "write variables as a table, a row for every scan"},
     Command{"replay", "stepwright-replay", "run a recording again and compare every image"},
     Command{"metrics", "stepwright-attend", "the figures of a runtime in the text form of Prometheus"},
+    Command{"modbus-server", "stepwright-modbus-server", "serve the variables of a runtime over Modbus"},
+    Command{"registers", "stepwright-registers", "list the Modbus addresses of a program's variables"},
     Command{"reload", "stepwright-attend", "have a runtime read its configuration again"},
 };
 

@@ -35,7 +35,8 @@ enum class CommandKind : std::uint8_t {
   Continue,         // ends the standing still
   RecordBegin,      // recording
   RecordEnd,
-  Change,  // program, change
+  Change,      // program, change
+  WriteBlock,  // block
 };
 
 struct Command {
@@ -51,6 +52,7 @@ struct Command {
   std::uint64_t count = 0;
   record::Session* recording = nullptr;
   const ChangePlan* change = nullptr;
+  const BlockWrite* block = nullptr;
 };
 
 enum class Outcome : std::uint8_t {
@@ -67,7 +69,8 @@ enum class Outcome : std::uint8_t {
   NotRunning,      // an online change of a program that does not run
   ChangeOutdated,  // the program that it was planned for is not the one that runs
   StepLost,        // an active step has no counterpart; `detail` is its number in the plan
-  Refused,     // by a controller behind a line, or by the line; see the problems
+  Refused,         // by a controller behind a line, or by the line; see the problems
+  ProgramDiffers,  // a write to a program that is not the one that is loaded
   StepsUnfit,  // active steps are no situation of the new chart; `detail` is the chart's number in the plan
 };
 

@@ -141,6 +141,17 @@ bool HostRuntime::submit(const Command& command) {
   return send(command);
 }
 
+result::Result<void> HostRuntime::write(std::uint64_t ticket, BlockWrite block) {
+  auto held = std::make_unique<const BlockWrite>(std::move(block));
+  Command command;
+  command.kind = CommandKind::WriteBlock;
+  command.ticket = ticket;
+  command.block = held.get();
+  if (!send(command)) return result::fail("R0006", {}, "the runtime is busy", "try again");
+  blocks_.emplace(ticket, std::move(held));
+  return {};
+}
+
 bool HostRuntime::send(const Command& command) {
   if (commands_under_way_ >= kMaxUnderWay || !loop_->submit(command)) return false;
   ++commands_under_way_;
@@ -151,6 +162,7 @@ std::optional<Completion> HostRuntime::take_completion() {
   auto completion = loop_->take_completion();
   if (!completion) return std::nullopt;
   --commands_under_way_;
+  blocks_.erase(completion->ticket);
   const ProgramShelf::Held* held = programs_.done(completion->ticket);
   if (held != nullptr && held->plan != nullptr) explain(*held, *completion);
   return completion;

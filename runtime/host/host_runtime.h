@@ -16,6 +16,7 @@
 // -start-> Running -stop, load, lost supervisor-> Stopped; Running -trap, lost I/O-> Fault -start-> Running;
 // Fault -load-> Stopped; an online change, and its rollback, stay in Running.
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -45,6 +46,7 @@ class HostRuntime final : public RuntimePort {
   [[nodiscard]] result::Result<void> change(std::uint64_t ticket, std::vector<std::byte> container,
                                             std::string digest, DownloadMode mode) override;
   [[nodiscard]] bool submit(const Command& command) override;
+  [[nodiscard]] result::Result<void> write(std::uint64_t ticket, BlockWrite block) override;
   std::optional<Completion> take_completion() override;
   std::optional<StepEvent> take_event() override;
   RuntimeStatus status() const override;
@@ -96,6 +98,7 @@ class HostRuntime final : public RuntimePort {
   mutable std::mutex note_mutex_;
   std::string note_;
   ProgramShelf programs_;
+  std::map<std::uint64_t, std::unique_ptr<const BlockWrite>> blocks_;  // by ticket, while they are under way
   std::size_t commands_under_way_ = 0;
   std::thread thread_;
 };

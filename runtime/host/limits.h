@@ -15,5 +15,6 @@ inline constexpr std::size_t kMaxPlantValues = 128;           // truth values of
 inline constexpr std::size_t kMaxNameBytes = 64;              // plant values, faults, runtime ids
 inline constexpr std::size_t kMaxPathBytes = 4'096;           // of a file that a runtime is to write
 inline constexpr std::size_t kMaxReasonBytes = 200;           // why a runtime is stopped
+inline constexpr std::size_t kMaxBlockWrites = 2'048;         // parts of one write
 
 }  // namespace stepwright::host

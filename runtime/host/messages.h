@@ -150,4 +150,15 @@ using ForceRequest = ImageBits;    // holds until unforced, over stop and start,
 using UnforceRequest = ImageBits;  // releases the bits in `mask`; `value` is ignored
 using WriteRequest = ImageBits;    // written once, before the next scan
 
+// Any number of bits (up to kMaxBlockWrites parts) that change between the same two scans, all of them or
+// none. Of a part that overlaps another the later one stays.
+struct BlockWrite {
+  // The program that the addresses are of, as its hexadecimal digest: another one is not written to. Empty:
+  // whichever is loaded.
+  std::string program_digest;
+  std::vector<ImageBits> parts;
+
+  friend bool operator==(const BlockWrite&, const BlockWrite&) = default;
+};
+
 }  // namespace stepwright::host

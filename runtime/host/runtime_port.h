@@ -34,6 +34,13 @@ class RuntimePort {
                                                     std::string digest, DownloadMode mode) = 0;
   // Any command but Load and Change. False if too many are under way; then nothing happens.
   [[nodiscard]] virtual bool submit(const Command& command) = 0;
+  // Writes all parts between two scans; the completion carries `ticket` and comes when snapshots show them.
+  // Fails with R0006 if too many commands are under way.
+  [[nodiscard]] virtual result::Result<void> write(std::uint64_t ticket, BlockWrite block) {
+    static_cast<void>(ticket);
+    static_cast<void>(block);
+    return result::fail("R0002", {}, "this runtime takes no blocks");
+  }
   virtual std::optional<Completion> take_completion() = 0;
   // Events in the order of their sequence.
   virtual std::optional<StepEvent> take_event() = 0;

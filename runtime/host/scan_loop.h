@@ -103,6 +103,7 @@ class ScanLoop {
   Outcome force(const ImageBits& bits);
   Outcome unforce(const ImageBits& bits);
   Outcome write(const ImageBits& bits);
+  Outcome write_block(const BlockWrite& block);
   Completion inject_fault(const Command& command);
   void supervisor_lost();
   Completion step(const Command& command);
@@ -150,6 +151,7 @@ class ScanLoop {
 
   SpscQueue<Command> commands_;
   SpscQueue<Completion> completions_;
+  std::vector<Completion> finished_;  // the scan thread's: commands of this turn; sized once
   Doorbell wake_;
   Doorbell news_;
   SeqCell<ScanFigures> figures_;

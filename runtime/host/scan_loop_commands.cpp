@@ -9,6 +9,19 @@
 #include "runtime/host/scan_loop.h"
 
 namespace stepwright::host {
+namespace {
+
+// How many bytes from its offset the mask reaches.
+std::size_t bytes_of(const ImageBits& bits) {
+  return static_cast<std::size_t>(std::bit_width(bits.mask) + 7) / 8;
+}
+
+bool within(const ImageBits& bits, std::size_t image_bytes) {
+  const std::size_t bytes = bytes_of(bits);
+  return bytes != 0 && bits.byte_offset <= image_bytes && bytes <= image_bytes - bits.byte_offset;
+}
+
+}  // namespace
 
 void ScanLoop::take_commands() {
   bool any = false;
@@ -20,8 +33,7 @@ void ScanLoop::take_commands() {
     // Who sees the completion must find a status that knows of it.
     figures_.store(now_);
     // There is room: the service has no more commands under way than either queue holds.
-    [[maybe_unused]] const bool pushed = completions_.push(std::move(completion));
-    assert(pushed);
+    finished_.push_back(std::move(completion));
     any = true;
     stale = stale || command->kind != CommandKind::Change;  // a change publishes itself, as part of its pause
   }
@@ -30,6 +42,12 @@ void ScanLoop::take_commands() {
     const auto hold = hold_tasks();
     publish();
   }
+  // Behind the snapshot: who is told that a value is written finds it there.
+  for (Completion& completion : finished_) {
+    [[maybe_unused]] const bool pushed = completions_.push(std::move(completion));
+    assert(pushed);
+  }
+  finished_.clear();
   news_.ring();
 }
 
@@ -67,6 +85,8 @@ Completion ScanLoop::apply(const Command& command) {
       return done(unforce(command.bits));
     case CommandKind::Write:
       return done(write(command.bits));
+    case CommandKind::WriteBlock:
+      return done(write_block(*command.block));
     case CommandKind::InjectFault:
       return inject_fault(command);
     case CommandKind::SupervisorAlive:
@@ -191,16 +211,25 @@ Outcome ScanLoop::unforce(const ImageBits& bits) {
 Outcome ScanLoop::write(const ImageBits& bits) {
   if (program_ == nullptr) return Outcome::NoProgram;
   const std::span<std::byte> image = program_->image().bytes();
-  const auto bytes = static_cast<std::size_t>(std::bit_width(bits.mask) + 7) / 8;
-  if (bytes == 0 || bits.byte_offset > image.size() || bytes > image.size() - bits.byte_offset) {
-    return Outcome::OutOfBounds;
-  }
+  if (!within(bits, image.size())) return Outcome::OutOfBounds;
+  const std::size_t bytes = bytes_of(bits);
   std::uint64_t value = 0;
   std::memcpy(&value, image.data() + bits.byte_offset, bytes);
   value = (value & ~bits.mask) | (bits.value & bits.mask);
   value = program_->bools().settled(bits.byte_offset, static_cast<std::uint32_t>(bytes), value);
   std::memcpy(image.data() + bits.byte_offset, &value, bytes);
   tap_.wrote(bits.byte_offset, image.subspan(bits.byte_offset, bytes));
+  return Outcome::Done;
+}
+
+Outcome ScanLoop::write_block(const BlockWrite& block) {
+  if (program_ == nullptr) return Outcome::NoProgram;
+  if (!block.program_digest.empty() && block.program_digest != program_->digest())
+    return Outcome::ProgramDiffers;
+  const std::size_t image_bytes = program_->image().bytes().size();
+  for (const ImageBits& part : block.parts)
+    if (!within(part, image_bytes)) return Outcome::OutOfBounds;
+  for (const ImageBits& part : block.parts) write(part);
   return Outcome::Done;
 }
 

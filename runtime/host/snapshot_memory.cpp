@@ -1,6 +1,7 @@
 #include "runtime/host/snapshot_memory.h"
 
 #include <fcntl.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -72,6 +73,24 @@ void load_words(void* to, const std::byte* from, std::size_t bytes) {
   for (std::size_t i = 0; i < bytes; i += sizeof(Word)) {
     const Word word = load_word(from + i, std::memory_order_acquire);
     std::memcpy(static_cast<std::byte*>(to) + i, &word, std::min(sizeof(Word), bytes - i));
+  }
+}
+
+// Any bytes: from within a word to within another.
+void load_bytes(std::span<std::byte> to, const std::byte* memory, std::size_t offset) {
+  std::size_t at = 0;
+  while (at < to.size()) {
+    const std::size_t within = (offset + at) % sizeof(Word);
+    const Word word = load_word(memory + offset + at - within, std::memory_order_acquire);
+    std::array<std::byte, sizeof(Word)> bytes;
+    std::memcpy(bytes.data(), &word, sizeof word);
+    const std::size_t count = std::min(sizeof(Word) - within, to.size() - at);
+    if (count == sizeof(Word)) {
+      std::memcpy(to.data() + at, &word, sizeof word);
+    } else {
+      std::memcpy(to.data() + at, bytes.data() + within, count);
+    }
+    at += count;
   }
 }
 
@@ -187,6 +206,46 @@ std::optional<Snapshot> SnapshotReader::read() const {
     return snapshot;
   }
   return std::nullopt;
+}
+
+std::uint64_t SnapshotReader::sequence() const {
+  return load_word(memory_ + offsetof(Layout, sequence), std::memory_order_acquire);
+}
+
+// The writer may have been interrupted in the middle of a snapshot: it gets the processor.
+std::uint64_t SnapshotReader::begin(int attempt) const {
+  constexpr int kSpins = 200;
+  if (attempt > kSpins) sched_yield();
+  return sequence();
+}
+
+bool SnapshotReader::unchanged(std::uint64_t before) const {
+  return load_word(memory_ + offsetof(Layout, sequence), std::memory_order_relaxed) == before;
+}
+
+SnapshotView::SnapshotView(const std::byte* memory)
+    : memory_(memory),
+      image_bytes_(load_word(memory + offsetof(Layout, fixed.image_bytes), std::memory_order_acquire)) {
+  // Half-written sizes are possible; they must not be followed.
+  if (image_bytes_ > kMaxImageBytes) image_bytes_ = 0;
+}
+
+bool SnapshotView::is_of(std::string_view digest) const {
+  std::array<std::byte, kDigestBytes> shown;
+  load_bytes(shown, memory_, offsetof(Layout, fixed.digest));
+  const std::size_t size = std::min(digest.size(), kDigestBytes);
+  return std::memcmp(shown.data(), digest.data(), size) == 0 &&
+         (size == kDigestBytes || shown[size] == std::byte{0});
+}
+
+std::uint64_t SnapshotView::scan() const {
+  return load_word(memory_ + offsetof(Layout, fixed.scan), std::memory_order_acquire);
+}
+
+bool SnapshotView::load(std::size_t offset, std::span<std::byte> to) const {
+  if (offset > image_bytes_ || to.size() > image_bytes_ - offset) return false;
+  load_bytes(to, memory_, offsetof(Layout, image) + offset);
+  return true;
 }
 
 }  // namespace stepwright::host

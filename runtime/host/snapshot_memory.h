@@ -50,6 +50,23 @@ class SnapshotWriter {
   int shared_ = -1;
 };
 
+// The snapshot while it is being read: what it gives is worth something only if it was not overtaken, which
+// SnapshotReader::consistent finds out.
+class SnapshotView {
+ public:
+  // Whether it is of the program with this hexadecimal digest.
+  bool is_of(std::string_view digest) const;
+  std::uint64_t scan() const;
+  // Bytes of the image from `offset` on. False, and nothing copied, beyond its end.
+  [[nodiscard]] bool load(std::size_t offset, std::span<std::byte> to) const;
+
+ private:
+  friend class SnapshotReader;
+  explicit SnapshotView(const std::byte* memory);
+  const std::byte* memory_;
+  std::size_t image_bytes_ = 0;
+};
+
 class SnapshotReader {
  public:
   // Maps what the descriptor names; the descriptor stays with the caller. Fails with R0005 if that is no
@@ -62,8 +79,28 @@ class SnapshotReader {
   // The newest snapshot; none before the first, or if the writer died in the middle of one.
   std::optional<Snapshot> read() const;
 
+  // Some bytes of the newest snapshot, all of the same one, without heap: `copy(view)` takes them, once more
+  // each time the writer came between. False: there is none yet, or the writer has been in the middle of one
+  // for too long.
+  template <typename Copy>
+  [[nodiscard]] bool consistent(const Copy& copy) const {
+    for (int attempt = 0; attempt < kPatience; ++attempt) {
+      const std::uint64_t before = begin(attempt);
+      if (before == 0) return false;
+      if (before % 2 != 0) continue;
+      copy(SnapshotView(memory_));
+      if (unchanged(before)) return true;
+    }
+    return false;
+  }
+  // Grows with every snapshot that is published.
+  std::uint64_t sequence() const;
+
  private:
+  static constexpr int kPatience = 20'000;
   SnapshotReader() = default;
+  std::uint64_t begin(int attempt) const;
+  bool unchanged(std::uint64_t before) const;
   const std::byte* memory_ = nullptr;
   std::vector<std::string> names_;
 };

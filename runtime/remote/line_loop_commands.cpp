@@ -75,7 +75,8 @@ Completion LineLoop::apply(const RemoteCommand& asked) {
     case CommandKind::RecordEnd:
       return done;
     case CommandKind::RecordBegin:
-    case CommandKind::Change:  // refused before it comes here
+    case CommandKind::Change:
+    case CommandKind::WriteBlock:  // refused before they come here
       return failed(command.ticket, one("R0147", {link_.name(), 0, 0}, "this controller cannot do that", ""));
     case CommandKind::Load:
     case CommandKind::Start:

@@ -68,6 +68,14 @@ requires Like<T, Force> || Like<T, Unforce> || Like<T, Write>
 void fields(A& a, T& m) {
   a(m.bits);
 }
+template <typename A, Like<host::BlockWrite> T>
+void fields(A& a, T& m) {
+  a(m.program_digest, m.parts);
+}
+template <typename A, Like<WriteBlock> T>
+void fields(A& a, T& m) {
+  a(m.block);
+}
 template <typename A, Like<InjectFault> T>
 void fields(A& a, T& m) {
   a(m.name, m.value);

@@ -168,6 +168,10 @@ std::optional<host::Snapshot> Connection::snapshot() const {
   return state_->snapshots->read();
 }
 
+const host::SnapshotReader& Connection::snapshots() const {
+  return *state_->snapshots;
+}
+
 result::Result<Reply> Connection::call(RequestBody body, milliseconds timeout) {
   const auto deadline = Clock::now() + timeout;
   const std::uint64_t id = ++state_->last_id;

@@ -47,6 +47,8 @@ class Connection {
   std::optional<Message> receive(std::chrono::milliseconds timeout);
   // The newest image, read from shared memory.
   std::optional<host::Snapshot> snapshot() const;
+  // The same memory, to read parts of it; any thread, as long as the connection lives.
+  const host::SnapshotReader& snapshots() const;
 
   // Sends a request of this connection and waits for its answer; what else arrives is kept for receive(). A
   // refusal is an error with its diagnostics.

@@ -44,6 +44,11 @@ struct Unforce {
 struct Write {
   host::ImageBits bits;
 };
+// Many values between the same two scans, all of them or none; answered when snapshots show them. Only on the
+// service socket.
+struct WriteBlock {
+  host::BlockWrite block;
+};
 struct InjectFault {
   std::string name;
   double value = 0.0;
@@ -94,7 +99,7 @@ struct ReadRecording {};
 
 using RequestBody = std::variant<Start, Stop, Acknowledge, Force, Unforce, Write, InjectFault, DownloadBegin,
                                  DownloadChunk, DownloadCommit, ReadProgram, ResendEvents, ReadForces, Step,
-                                 Continue, BeginRecording, EndRecording, ReadRecording, Reload>;
+                                 Continue, BeginRecording, EndRecording, ReadRecording, Reload, WriteBlock>;
 
 struct Request {
   std::uint64_t client = 0;

@@ -55,7 +55,9 @@ class Flattener {
           const auto member = view_.record<Section::Members>(type.first + i);
           if ((member.flags & bytecode::kMemberHidden) != 0) continue;
           const Variable inside{place.type, place.address + member.offset, bytecode::kNoBit};
-          add(name + "." + text_of(view_, member.name), member.type, inside, flags, depth + 1);
+          const bool constant = (member.flags & bytecode::kMemberConstant) != 0;
+          const auto own = static_cast<std::uint16_t>(flags | (constant ? bytecode::kSymbolConstant : 0));
+          add(name + "." + text_of(view_, member.name), member.type, inside, own, depth + 1);
         }
         return;
     }

@@ -79,6 +79,7 @@ struct BodyWriter {
   void operator()(const BeginRecording&) const {}
   void operator()(const EndRecording&) const {}
   void operator()(const ReadRecording&) const {}
+  void operator()(const WriteBlock&) const {}
   void operator()(const Reload&) const {}  // for those at the machine: no RuntimeClient sends it
 
  private:
@@ -141,7 +142,8 @@ std::optional<RequestBody> from_body(const idl::CommandBody& body) {
 bool travels(const RequestBody& body) {
   return !std::holds_alternative<ReadForces>(body) && !std::holds_alternative<Step>(body) &&
          !std::holds_alternative<Continue>(body) && !std::holds_alternative<BeginRecording>(body) &&
-         !std::holds_alternative<EndRecording>(body) && !std::holds_alternative<ReadRecording>(body);
+         !std::holds_alternative<EndRecording>(body) && !std::holds_alternative<ReadRecording>(body) &&
+         !std::holds_alternative<WriteBlock>(body);
 }
 
 idl::Command to_command(const std::string& runtime_id, const Request& request) {

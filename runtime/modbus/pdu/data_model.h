@@ -26,7 +26,18 @@ struct ReadWrite {
   std::span<const std::byte> words;  // big-endian, write_count * 2 bytes
 };
 
-class DataModel {
+// Who the device is, for FC 43/14.
+class Identity {
+ public:
+  // The text of an object of FC 43/14 (0 vendor, 1 product code, 2 revision, 3 URL, 4 product, 5 model, 6
+  // application), at most 200 bytes of ASCII; empty: there is none. Objects 0 to 2 are mandatory.
+  virtual std::span<const std::byte> identification(std::uint8_t object) const = 0;
+
+ protected:
+  ~Identity() = default;
+};
+
+class DataModel : public Identity {
  public:
   // `packed` has (count + 7) / 8 bytes: the first bit in bit 0 of the first byte; what is left over in the
   // last one must be 0.
@@ -41,9 +52,6 @@ class DataModel {
                                     std::span<const std::byte> words) = 0;
   virtual Exception mask_register(std::uint16_t address, std::uint16_t and_mask, std::uint16_t or_mask) = 0;
   virtual Exception read_write_registers(const ReadWrite& what, std::span<std::byte> words) = 0;
-  // The text of an object of FC 43/14 (0 vendor, 1 product code, 2 revision, 3 URL, 4 product, 5 model, 6
-  // application), at most 200 bytes of ASCII; empty: there is none. Objects 0 to 2 are mandatory.
-  virtual std::span<const std::byte> identification(std::uint8_t object) const = 0;
 
  protected:
   ~DataModel() = default;

@@ -14,8 +14,8 @@ constexpr std::uint8_t kLastRegular = 6;
 constexpr std::uint8_t kIndividual = 4;
 constexpr std::size_t kHeader = 7;
 
-bool exists(const DataModel& model, std::uint8_t object) {
-  return object <= kLastRegular && !model.identification(object).empty();
+bool exists(const Identity& device, std::uint8_t object) {
+  return object <= kLastRegular && !device.identification(object).empty();
 }
 
 // Appends an object; false if there is no room.
@@ -39,23 +39,24 @@ void header(std::uint8_t code, std::span<std::byte> out) {
 
 }  // namespace
 
-std::size_t answer_identification(const Request& request, const DataModel& model, std::span<std::byte> out) {
+std::size_t answer_identification(const Request& request, const Identity& device, std::span<std::byte> out) {
   const auto function = static_cast<std::uint8_t>(request.function);
   std::size_t at = kHeader;
   header(request.identification_code, out);
   if (request.identification_code == kIndividual) {
-    if (!exists(model, request.object)) return answer_exception(function, Exception::IllegalDataAddress, out);
-    if (!append(request.object, model.identification(request.object), out, at))
+    if (!exists(device, request.object))
+      return answer_exception(function, Exception::IllegalDataAddress, out);
+    if (!append(request.object, device.identification(request.object), out, at))
       return answer_exception(function, Exception::DeviceFailure, out);
     out[6] = std::byte{1};
     return at;
   }
   const std::uint8_t last = request.identification_code == 1 ? kLastBasic : kLastRegular;
   std::uint8_t objects = 0;
-  const std::uint8_t first = request.object <= last && exists(model, request.object) ? request.object : 0;
+  const std::uint8_t first = request.object <= last && exists(device, request.object) ? request.object : 0;
   for (std::uint8_t object = first; object <= last; ++object) {
-    if (!exists(model, object)) continue;
-    if (!append(object, model.identification(object), out, at)) {
+    if (!exists(device, object)) continue;
+    if (!append(object, device.identification(object), out, at)) {
       out[4] = std::byte{0xFF};
       out[5] = static_cast<std::byte>(object);
       break;

@@ -15,6 +15,6 @@ namespace stepwright::modbus::pdu {
 // Answers a request of FC 43/14 into `out` (kMaxPdu bytes); the length. Objects that do not fit are announced
 // with "more follows". A stream of an unknown object begins with object 0; a single unknown object is
 // exception 2. A client that asks for the extended objects, of which there are none, gets the regular ones.
-std::size_t answer_identification(const Request& request, const DataModel& model, std::span<std::byte> out);
+std::size_t answer_identification(const Request& request, const Identity& device, std::span<std::byte> out);
 
 }  // namespace stepwright::modbus::pdu

@@ -48,6 +48,9 @@ result::Diagnostics explain(const host::Completion& completion) {
     case Outcome::RetainRefused:
     case Outcome::Refused:
       return completion.problems;
+    case Outcome::ProgramDiffers:
+      return one("R0002", "the program that the addresses are of is not the one that is loaded",
+                 "read the program and its symbols again");
     case Outcome::NotSimulated:
       return one("R0002", "in real time nothing stands still",
                  "step mode needs [clock] mode = \"simulated\"");
@@ -179,7 +182,17 @@ result::Result<bool> RequestHandler::perform(const Request& request, std::uint64
     return true;
   }
   if (const auto* body = std::get_if<BeginRecording>(&request.body)) return record(*body, ticket);
+  if (const auto* body = std::get_if<WriteBlock>(&request.body)) return write(*body, ticket);
   return submit(request.body, ticket);
+}
+
+result::Result<bool> RequestHandler::write(const WriteBlock& body, std::uint64_t ticket) {
+  if (body.block.parts.empty() || body.block.parts.size() > host::kMaxBlockWrites) {
+    return result::fail("R0004", {}, "a block has 1 to " + std::to_string(host::kMaxBlockWrites) + " parts");
+  }
+  auto written = port_.write(ticket, body.block);
+  if (!written) return result::forward(written);
+  return false;
 }
 
 result::Result<bool> RequestHandler::record(const BeginRecording& body, std::uint64_t ticket) {

@@ -48,6 +48,7 @@ class RequestHandler {
   [[nodiscard]] result::Result<bool> commit(const Request& request, const DownloadCommit& body,
                                             std::uint64_t ticket, Reply& reply);
   [[nodiscard]] result::Result<bool> record(const BeginRecording& body, std::uint64_t ticket);
+  [[nodiscard]] result::Result<bool> write(const WriteBlock& body, std::uint64_t ticket);
   [[nodiscard]] result::Result<bool> read_program(const ReadProgram& body, Reply& reply) const;
 
   host::RuntimePort& port_;

@@ -107,6 +107,68 @@ TEST(SnapshotMemory, WhenWrittenMeanwhile_ThenReadersSeeWholeSnapshots) {
   publisher.join();
 }
 
+TEST(SnapshotMemory, WhenPartsAreRead_ThenTheyAreThoseOfTheImage) {
+  const auto writer = writer_of({"level"});
+  const auto reader = *SnapshotReader::open(writer->descriptor());
+  const auto nothing = [](const SnapshotView&) { ADD_FAILURE() << "there is no snapshot"; };
+  EXPECT_FALSE(reader->consistent(nothing));
+  std::vector<std::byte> image(45);
+  for (std::size_t i = 0; i < image.size(); ++i) image[i] = static_cast<std::byte>(i + 1);
+  const std::array<double, 1> plant{1.5};
+  writer->publish(7, 60, std::string(64, 'a'), image, plant);
+  const std::uint64_t first = reader->sequence();
+  std::array<std::byte, 64> room;
+  for (std::size_t offset = 0; offset <= image.size(); ++offset) {
+    for (std::size_t size = 0; offset + size <= image.size() + 1; ++size) {
+      const auto part = std::span(room).first(size);
+      bool inside = false;
+      ASSERT_TRUE(reader->consistent([&](const SnapshotView& view) { inside = view.load(offset, part); }));
+      ASSERT_EQ(inside, offset + size <= image.size());
+      if (!inside) continue;
+      ASSERT_TRUE(std::equal(part.begin(), part.end(), image.begin() + static_cast<int>(offset)));
+    }
+  }
+  ASSERT_TRUE(reader->consistent([](const SnapshotView& view) {
+    EXPECT_TRUE(view.is_of(std::string(64, 'a')));
+    EXPECT_FALSE(view.is_of(std::string(63, 'a')));
+    EXPECT_FALSE(view.is_of(std::string(63, 'a') + "b"));
+    EXPECT_EQ(view.scan(), 7u);
+  }));
+  writer->publish(8, 70, "b", image, plant);
+  EXPECT_GT(reader->sequence(), first);
+  ASSERT_TRUE(reader->consistent([](const SnapshotView& view) { EXPECT_TRUE(view.is_of("b")); }));
+}
+
+TEST(SnapshotMemory, WhenPartsAreReadMeanwhile_ThenTheyAreOfOneSnapshot) {
+  const auto writer = writer_of({});
+  const auto reader = *SnapshotReader::open(writer->descriptor());
+  std::atomic<bool> stop{false};
+  std::thread publisher([&] {
+    std::vector<std::byte> image(5'000);
+    for (std::uint64_t scan = 1; !stop; ++scan) {
+      std::fill(image.begin(), image.end(), static_cast<std::byte>(scan));
+      writer->publish(scan, 0, "", image, {});
+      std::this_thread::yield();
+    }
+  });
+  int whole = 0;
+  while (whole < 2'000) {
+    std::array<std::byte, 20> front;
+    std::array<std::byte, 20> back;
+    std::uint64_t scan = 0;
+    const auto parts = [&](const SnapshotView& view) {
+      scan = view.scan();
+      static_cast<void>(view.load(3, front) && view.load(4'970, back));
+    };
+    if (!reader->consistent(parts)) continue;
+    ++whole;
+    for (const std::byte byte : front) ASSERT_EQ(byte, static_cast<std::byte>(scan));
+    for (const std::byte byte : back) ASSERT_EQ(byte, static_cast<std::byte>(scan));
+  }
+  stop = true;
+  publisher.join();
+}
+
 TEST(SnapshotMemory, WhenAClientTriesToWriteOrShrinkIt_ThenTheSystemRefuses) {
   const auto writer = writer_of({});
   const int descriptor = writer->descriptor();

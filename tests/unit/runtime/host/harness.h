@@ -91,6 +91,15 @@ class Harness {
     EXPECT_TRUE(loading) << (loading ? "" : result::to_string(loading.error()));
     return completion().outcome;
   }
+  Outcome block(BlockWrite block) {
+    auto written = runtime->write(++ticket_, std::move(block));
+    EXPECT_TRUE(written) << (written ? "" : result::to_string(written.error()));
+    return completion().outcome;
+  }
+  // As it was published last.
+  std::vector<std::byte> image() const {
+    return SnapshotReader::open(runtime->snapshot_descriptor()).value()->read()->image;
+  }
   Outcome record(const record::RecordingOptions& options) {
     auto begun = runtime->record(++ticket_, options);
     EXPECT_TRUE(begun) << (begun ? "" : result::to_string(begun.error()));

@@ -246,6 +246,33 @@ TEST(HostRuntime, WhenBitsAreForcedAndWritten_ThenTheImageShowsThem) {
   EXPECT_EQ(at<std::uint64_t>(event.image, Layout::kFree), 0x1122334455660088u);
 }
 
+TEST(HostRuntime, WhenABlockIsWritten_ThenAllOfItIsThereWithTheAnswer) {
+  Harness harness;
+  harness.load(step_program());
+  const auto reader = *SnapshotReader::open(harness.runtime->snapshot_descriptor());
+  for (std::uint64_t round = 1; round <= 200; ++round) {
+    const std::uint64_t value = round * 0x0101010101010101;
+    ASSERT_EQ(harness.block({"program", {{Layout::kFree, ~0ull, value}, {Layout::kFree, 0xFF, 7}}}),
+              Outcome::Done);
+    const std::uint64_t expected = (value & ~0xFFull) | 7;
+    ASSERT_EQ(at<std::uint64_t>(reader->read()->image, Layout::kFree), expected);
+  }
+}
+
+TEST(HostRuntime, WhenAPartOfABlockIsRefused_ThenNothingIsWritten) {
+  Harness harness;
+  EXPECT_EQ(harness.block({"", {{0, 1, 1}}}), Outcome::NoProgram);
+  harness.load(step_program());
+  const auto before = harness.image();
+  const auto size = static_cast<std::uint32_t>(Layout::kSteps + 3);
+  EXPECT_EQ(harness.block({"", {{Layout::kFree, 0xFF, 0x55}, {size, 1, 1}}}), Outcome::OutOfBounds);
+  EXPECT_EQ(harness.block({"", {{Layout::kFree, 0xFF, 0x55}, {0, 0, 1}}}), Outcome::OutOfBounds);
+  EXPECT_EQ(harness.block({"other", {{Layout::kFree, 0xFF, 0x55}}}), Outcome::ProgramDiffers);
+  EXPECT_EQ(harness.image(), before);
+  EXPECT_EQ(harness.block({"", {{Layout::kFree, 0xFF, 0x55}}}), Outcome::Done);
+  EXPECT_NE(harness.image(), before);
+}
+
 TEST(HostRuntime, WhenBitsAreOutOfBounds_ThenTheyAreRefused) {
   Harness harness;
   harness.load(step_program());

@@ -155,6 +155,9 @@ TEST_F(RecordingHost, WhenProgramsAndCommandsAreRandom_ThenBothEnginesReplayThem
         case 4:
           harness->driver.lost = random() % 8 == 0;
           break;
+        case 5:
+          harness->block({"", {random_bits(*info, random), random_bits(*info, random)}});
+          break;
         default:
           harness->bits(CommandKind::Write, random_bits(*info, random));
       }

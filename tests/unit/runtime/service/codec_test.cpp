@@ -52,7 +52,8 @@ std::vector<Message> every_kind() {
                                         BeginRecording{"/tmp/run", 5, 6, 7},
                                         EndRecording{},
                                         ReadRecording{},
-                                        Reload{}};
+                                        Reload{},
+                                        WriteBlock{{"ab", {{1, 2, 3}, {4, 5, 6}}}}};
   for (const RequestBody& body : bodies) messages.emplace_back(Request{11, 12, body});
   Reply reply{1, 2, {}, "ab", 3, 4, bytes, {}};
   reply.change = {5, 6, 7, 8, 9, 10.5};
