@@ -33,7 +33,6 @@ ARROWS = {
     "runtime/modbus/map": ["runtime/modbus/pdu", "runtime/host"],
     "runtime/modbus/server": ["runtime/modbus/map", "runtime/service"],
     "runtime/modbus/master": ["runtime/result"],
-    "runtime/modbus/pdu": [],
     "runtime/remote": ["runtime/service", "runtime/modbus/control", "runtime/modbus/master"],
     "ladder/source": ["runtime/result", "runtime/base"],
     "ladder/syntax": ["ladder/source"],
