@@ -7,12 +7,15 @@
 //   device = "/dev/ttyUSB0"    # modbus-rtu; with baud, parity, stop_bits
 //   host = "10.0.0.7"          # modbus-tcp; with port
 //   unit = 1
+//   program = "loaded-by-hand" # the controller takes no containers: "downloaded"
+//   plan = "table.json"        # then: what `translate --handshake` has written
 //
 // Diagnostics with their place: C0541 no device or host for this kind; C0542 a key of the other kind; C0543 a
 // part of the cell that no controller behind Modbus has.
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "runtime/result/diagnostic.h"
@@ -45,7 +48,9 @@ struct ControllerConfig {
 };
 
 // Reads the table; returns what is wrong beyond what the document itself reports.
+// Relative paths are taken from `folder`.
 [[nodiscard]] result::Diagnostics read_controller(const settings::TomlTable& root,
+                                                  const std::filesystem::path& folder,
                                                   ControllerConfig& controller);
 
 }  // namespace stepwright::config

@@ -98,11 +98,13 @@ class Gates {
     granted.priority = static_cast<int>(chart_.transitions.size()) + 1;
     chart_.transitions.push_back(std::move(granted));
     tell(gate, "HS_AT_" + number, "HS_WAITING := " + number + ";");
-    tell(action, "HS_RUN_" + number, "HS_STARTED := " + number + ";");
+    // Once: another action that began later must not be overwritten by one that is still active.
+    tell(action, "HS_RUN_" + number, "HS_STARTED := " + number + ";", graphic::Qualifier::P1);
   }
 
-  // The step writes registers for as long as it is active.
-  void tell(StepId step, const std::string& name, const std::string& body) {
+  // The step writes registers for as long as it is active, or once.
+  void tell(StepId step, const std::string& name, const std::string& body,
+            graphic::Qualifier qualifier = graphic::Qualifier::N) {
     const auto same = [&](const graphic::Action& each) { return each.name == name; };
     if (std::ranges::none_of(chart_.actions, same)) {
       graphic::Action action;
@@ -111,6 +113,7 @@ class Gates {
       chart_.actions.push_back(std::move(action));
     }
     graphic::ActionBlock block;
+    block.qualifier = qualifier;
     block.target = name;
     chart_.steps[step.value].actions.push_back(std::move(block));
   }
