@@ -42,6 +42,8 @@ struct ControllerConfig {
   std::chrono::milliseconds lost_after{1'000};  // without an answer for this long the controller is lost
   std::chrono::milliseconds exchange{10};       // real clock: period of inputs and outputs
   std::chrono::milliseconds image{100};         // how often the whole image is read between events
+  bool loaded_by_hand = false;                  // it takes no containers; its plan is granted step by step
+  std::filesystem::path plan;                   // then: the actions
   result::Location where;                       // of the table
 
   bool remote() const { return kind != ControllerKind::Host; }
