@@ -40,7 +40,7 @@ void refuse(const TomlTable& table, std::initializer_list<const char*> keys, con
 void check_kind(const TomlTable& table, const ControllerConfig& controller) {
   switch (controller.kind) {
     case ControllerKind::Host:
-      return refuse(table, {"device", "baud", "parity", "stop_bits", "host", "port", "unit"}, "host");
+      return refuse(table, {"device", "baud", "parity", "stop_bits", "host", "port", "unit", "plan"}, "host");
     case ControllerKind::ModbusRtu:
       if (controller.device.empty())
         table.report("kind", "a controller of kind \"modbus-rtu\" needs a device",
@@ -83,7 +83,8 @@ result::Diagnostics check_parts(const TomlTable& root) {
 
 }  // namespace
 
-result::Diagnostics read_controller(const TomlTable& root, ControllerConfig& controller) {
+result::Diagnostics read_controller(const TomlTable& root, const std::filesystem::path& folder,
+                                    ControllerConfig& controller) {
   const TomlTable table = root.table("controller");
   controller.kind = read_kind(table);
   controller.where = table.where();
@@ -98,6 +99,14 @@ result::Diagnostics read_controller(const TomlTable& root, ControllerConfig& con
   controller.lost_after = read_ms(table, "lost_after_ms", controller.lost_after, 20, 60'000);
   controller.exchange = read_ms(table, "exchange_ms", controller.exchange, 1, 10'000);
   controller.image = read_ms(table, "image_ms", controller.image, 1, 3'600'000);
+  const std::string program = table.choice("program", "downloaded", {"downloaded", "loaded-by-hand"});
+  controller.loaded_by_hand = program == "loaded-by-hand";
+  const std::string plan = table.text("plan", {});
+  if (!plan.empty()) controller.plan = folder / plan;
+  if (controller.loaded_by_hand && plan.empty()) {
+    table.report("program", "a program that was loaded by hand needs the table of its plan",
+                 "`stepwright translate --handshake table.json` writes it; plan = \"table.json\"", "0541");
+  }
   check_kind(table, controller);
   return controller.remote() ? check_parts(root) : result::Diagnostics{};
 }

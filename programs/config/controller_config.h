@@ -7,12 +7,15 @@
 //   device = "/dev/ttyUSB0"    # modbus-rtu; with baud, parity, stop_bits
 //   host = "10.0.0.7"          # modbus-tcp; with port
 //   unit = 1
+//   program = "loaded-by-hand" # the controller takes no containers: "downloaded"
+//   plan = "table.json"        # then: what `translate --handshake` has written
 //
 // Diagnostics with their place: C0541 no device or host for this kind; C0542 a key of the other kind; C0543 a
 // part of the cell that no controller behind Modbus has.
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "runtime/result/diagnostic.h"
@@ -39,13 +42,17 @@ struct ControllerConfig {
   std::chrono::milliseconds lost_after{1'000};  // without an answer for this long the controller is lost
   std::chrono::milliseconds exchange{10};       // real clock: period of inputs and outputs
   std::chrono::milliseconds image{100};         // how often the whole image is read between events
+  bool loaded_by_hand = false;                  // it takes no containers; its plan is granted step by step
+  std::filesystem::path plan;                   // then: the actions
   result::Location where;                       // of the table
 
   bool remote() const { return kind != ControllerKind::Host; }
 };
 
 // Reads the table; returns what is wrong beyond what the document itself reports.
+// Relative paths are taken from `folder`.
 [[nodiscard]] result::Diagnostics read_controller(const settings::TomlTable& root,
+                                                  const std::filesystem::path& folder,
                                                   ControllerConfig& controller);
 
 }  // namespace stepwright::config

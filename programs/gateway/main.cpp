@@ -8,6 +8,7 @@
 
 #include "programs/config/cell_options.h"
 #include "programs/gateway/controller_line.h"
+#include "programs/gateway/follow_plan.h"
 #include "programs/log/logger.h"
 #include "programs/process/command_line.h"
 #include "programs/process/notify_socket.h"
@@ -72,6 +73,13 @@ int run(const config::CellConfig& config) {
   auto opened = log::Logger::open("gateway", config.log);
   if (!opened) return fail(opened.error(), ExitCode::BadInput);
   log::Logger& log = **opened;
+  if (config.controller.loaded_by_hand) {
+    auto plan = read_hand_plan(config.controller.plan);
+    if (!plan) return fail(plan.error(), ExitCode::BadInput);
+    auto line = make_line(config.controller);
+    if (!line) return fail(line.error(), ExitCode::BadInput);
+    return to_int(follow_plan(config, *plan, **line, log, stop));
+  }
   auto options = remote_options(config);
   if (!options) return fail(options.error(), ExitCode::BadInput);
   if (auto made = make_state_dir(config.state_dir); !made) return fail(made.error(), ExitCode::BadInput);

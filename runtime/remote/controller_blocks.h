@@ -9,6 +9,8 @@
 #include <span>
 
 #include "runtime/bytecode/trap.h"
+#include "runtime/host/messages.h"
+#include "runtime/image/force_table.h"
 #include "runtime/modbus/control/registers.h"
 
 namespace stepwright::remote {
@@ -64,5 +66,10 @@ struct ControllerOutputs {
 
 // Requires outputs::kData words at least; the bytes of the outputs stand behind them.
 ControllerOutputs outputs_from(std::span<const std::uint16_t> words);
+
+// The arguments of the commands that write, force and release bits.
+std::array<std::uint16_t, 10> bits_arguments(const host::ImageBits& bits);
+// The bits that a force holds.
+host::ImageBits bits_of(const image::Force& force);
 
 }  // namespace stepwright::remote

@@ -118,6 +118,25 @@ result::Result<ControllerOutputs> ControllerLink::exchange(std::uint16_t turn,
   return head;
 }
 
+result::Result<TurnAnswer> ControllerLink::turn(std::uint16_t number, std::span<const std::byte> inputs,
+                                                std::span<std::byte> outputs) {
+  constexpr std::size_t kSkipped = control::outputs::kEvent;
+  std::array<std::uint16_t, control::kMaxWriteInRw> written{};
+  std::array<std::uint16_t, control::kMaxRead> read{};
+  written[control::inputs::kTurn] = number;
+  control::put_bytes(std::span(written).subspan(control::inputs::kData), inputs);
+  const auto to_write = std::span(written).first(control::inputs::kData + (inputs.size() + 1) / 2);
+  const auto to_read =
+      std::span(read).subspan(kSkipped, control::outputs::kData - kSkipped + (outputs.size() + 1) / 2);
+  auto asked = ask([&] {
+    return line_.read_write(control::inputs::kFirst, to_write, control::outputs::kFirst + kSkipped, to_read);
+  });
+  if (!asked) return result::forward(asked);
+  control::get_bytes(std::span(read).subspan(control::outputs::kData), outputs);
+  const ControllerOutputs head = outputs_from(read);
+  return TurnAnswer{head.event, head.next_ns};
+}
+
 result::Result<ControllerOutputs> ControllerLink::outputs(std::span<std::byte> outputs) {
   std::array<std::uint16_t, control::kMaxRead> read{};
   const auto words = std::span(read).first(control::outputs::kData + (outputs.size() + 1) / 2);

@@ -6,7 +6,7 @@
 //
 //   ControllerLink link(line, {.patience = 500ms}, stop);
 //   auto status = link.status();                                    // R0142 if that is no controller
-//   auto outputs = link.exchange(turn, inputs, output_bytes);       // one request a scan
+//   auto answer = link.turn(number, inputs, outputs);               // one request a scan
 //
 // Threads: the line's. Fails with R0141 (the line: silent, closed, garbled until the patience ended), R0142
 // (not this protocol), R0143 (an answer that cannot be true) or R0144 (the controller refuses the request);
@@ -29,6 +29,12 @@ namespace stepwright::remote {
 struct LinkOptions {
   std::chrono::milliseconds patience{500};             // without an answer for this long the line is lost
   std::chrono::milliseconds command_patience{10'000};  // a command that is under way longer hangs
+};
+
+// What a turn brings back when only that is read which every turn needs.
+struct TurnAnswer {
+  std::uint32_t event = 0;
+  std::int64_t next_ns = 0;
 };
 
 // What became of a command that arrived.
@@ -60,7 +66,11 @@ class ControllerLink {
   [[nodiscard]] result::Result<ControllerOutputs> exchange(std::uint16_t turn,
                                                            std::span<const std::byte> inputs,
                                                            std::span<std::byte> outputs);
-  // The same without a turn.
+  // The same with the shortest answer, of which a slow line carries more: event, next instant and outputs.
+  // That the scan ran shows in the next instant; `outputs` tells the rest.
+  [[nodiscard]] result::Result<TurnAnswer> turn(std::uint16_t number, std::span<const std::byte> inputs,
+                                                std::span<std::byte> outputs);
+  // Everything, without a turn.
   [[nodiscard]] result::Result<ControllerOutputs> outputs(std::span<std::byte> outputs);
   // Sends it and waits until it was carried out or refused. Requires `status` first: commands are counted
   // from the controller's newest one.

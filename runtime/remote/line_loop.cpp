@@ -103,29 +103,21 @@ LineLoop::Done LineLoop::scan_once() {
   plant_.inject_due(next_ns_);
   if (!plant_.read(next_ns_)) return plant_lost();
   const std::int64_t begin_ns = wall_ns();
-  auto outputs = link_.exchange(next_turn(), plant_.inputs(), plant_.outputs());
-  if (!outputs) return result::forward(outputs);
+  auto answer = link_.turn(next_turn(), plant_.inputs(), plant_.outputs());
+  if (!answer) return result::forward(answer);
   turns_.record(wall_ns() - begin_ns);
-  if (outputs->scan != now_.scan + 1) {
-    return result::fail("R0143", {link_.name(), 0, 0},
-                        "the controller answers a turn with scan " + std::to_string(outputs->scan) +
-                            " where " + std::to_string(now_.scan + 1) + " is due",
-                        "was it restarted, or has it another master?");
+  if (answer->next_ns + base_ns_ <= next_ns_) {
+    return result::fail("R0143", {link_.name(), 0, 0}, "a turn was answered and no scan ran",
+                        "was the controller restarted, or has it another master?");
   }
-  accept(*outputs);
+  ++now_.scan;
+  now_.time_ns = next_ns_;
+  next_ns_ = answer->next_ns + base_ns_;
   if (!plant_.write(now_.time_ns)) return plant_lost();
   const bool stands = stepper_.scanned();
-  const bool plain_step = outputs->state == control::State::Running && outputs->event == known_event_ + 1;
-  if (plain_step) {
-    known_event_ = outputs->event;
-    if (auto read = read_event_image(); !read) return read;
-    emit(host::EventKind::StepChange, {});
-    return {};
-  }
-  if (outputs->event != known_event_ || outputs->state != control::State::Running) {
-    auto status = link_.status();
-    if (!status) return result::forward(status);
-    return take_events(*status);
+  if (answer->event != known_event_) return take_turns_event();
+  if (stands || wall_ns() >= image_due_ns_) {
+    if (auto checked = check_turn(); !checked) return tl::unexpected(checked.error());
   }
   if (auto read = refresh_image(); !read) return read;
   if (stands) {
@@ -137,12 +129,41 @@ LineLoop::Done LineLoop::scan_once() {
   return {};
 }
 
+// Both sides have counted the same turns and scans; and what the short answer leaves out.
+result::Result<ControllerOutputs> LineLoop::check_turn() {
+  auto outputs = link_.outputs(plant_.outputs());
+  if (!outputs) return outputs;
+  if (outputs->turn != turn_ || outputs->scan != now_.scan) {
+    return result::fail("R0143", {link_.name(), 0, 0},
+                        "the controller has run scan " + std::to_string(outputs->scan) + " in turn " +
+                            std::to_string(outputs->turn) + ", and this was scan " +
+                            std::to_string(now_.scan) + " in turn " + std::to_string(turn_),
+                        "was it restarted, or has it another master?");
+  }
+  now_.trace_hash = outputs->trace_hash;
+  return outputs;
+}
+
+LineLoop::Done LineLoop::take_turns_event() {
+  auto outputs = check_turn();
+  if (!outputs) return tl::unexpected(outputs.error());
+  if (outputs->state == control::State::Running && outputs->event == known_event_ + 1) {
+    known_event_ = outputs->event;
+    if (auto read = read_event_image(); !read) return read;
+    emit(host::EventKind::StepChange, {});
+    return {};
+  }
+  auto status = link_.status();
+  if (!status) return result::forward(status);
+  return take_events(*status);
+}
+
+// By the clock.
 void LineLoop::accept(const ControllerOutputs& outputs) {
   if (outputs.scan != now_.scan) progress_ns_ = wall_ns();
   now_.scan = outputs.scan;
   now_.trace_hash = outputs.trace_hash;
-  now_.time_ns = simulated() ? outputs.time_ns + base_ns_ : own_time_ns();
-  if (simulated()) next_ns_ = outputs.next_ns + base_ns_;
+  now_.time_ns = own_time_ns();
 }
 
 LineLoop::Done LineLoop::turn_by_clock() {

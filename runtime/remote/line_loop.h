@@ -53,6 +53,7 @@ class LineLoop {
   host::Completion apply(const RemoteCommand& command);
   host::Completion reach(const RemoteCommand& command);
   host::Completion load(const RemoteCommand& command);
+  [[nodiscard]] Done bring(const RemoteProgram& program);
   [[nodiscard]] Done transfer(const RemoteProgram& program);
   [[nodiscard]] Done fits(const RemoteProgram& program);
   [[nodiscard]] Done adopt(std::shared_ptr<const RemoteProgram> program);
@@ -72,6 +73,8 @@ class LineLoop {
   [[nodiscard]] Done turn_lock_step();
   [[nodiscard]] Done turn_by_clock();
   [[nodiscard]] Done scan_once();
+  [[nodiscard]] result::Result<ControllerOutputs> check_turn();
+  [[nodiscard]] Done take_turns_event();
   [[nodiscard]] Done exchange_by_clock();
   [[nodiscard]] Done plant_lost();
   [[nodiscard]] Done look_at_status();

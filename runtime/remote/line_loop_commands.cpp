@@ -14,8 +14,6 @@ using host::CommandKind;
 using host::Completion;
 using host::Outcome;
 
-constexpr std::size_t kBitsArguments = 10;
-
 const char* words_for(control::Refusal refusal) {
   switch (refusal) {
     case control::Refusal::TooLarge:
@@ -191,6 +189,8 @@ Completion LineLoop::stop(const host::Command& command, std::string_view reason)
     if (auto read = read_event_image(); !read) return read;
     auto outputs = link_.outputs(plant_.outputs());
     if (!outputs) return result::forward(outputs);
+    now_.scan = outputs->scan;
+    now_.trace_hash = outputs->trace_hash;
     return {};
   };
   if (auto done = stopped(); !done) return lost(command.ticket, done.error());
@@ -216,10 +216,7 @@ Completion LineLoop::bits(const host::Command& command) {
   const std::uint64_t value =
       whole ? program_->bools().settled(command.bits.byte_offset, bytes, command.bits.value)
             : command.bits.value;
-  std::array<std::uint16_t, kBitsArguments> arguments{};
-  control::put32(arguments, 0, command.bits.byte_offset);
-  control::put64(arguments, 2, command.bits.mask);
-  control::put64(arguments, 6, value & command.bits.mask);
+  const auto arguments = bits_arguments({command.bits.byte_offset, command.bits.mask, value});
   const control::Command code = command.kind == CommandKind::Write   ? control::Command::WriteBits
                                 : command.kind == CommandKind::Force ? control::Command::Force
                                                                      : control::Command::Unforce;

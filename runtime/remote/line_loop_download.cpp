@@ -12,7 +12,7 @@ host::Completion LineLoop::load(const RemoteCommand& asked) {
   const std::uint64_t ticket = asked.command.ticket;
   if (auto fit = fits(*asked.program); !fit) return failed(ticket, std::move(fit.error()));
   const bool ran = running();
-  if (auto moved = transfer(*asked.program); !moved) {
+  if (auto moved = bring(*asked.program); !moved) {
     const bool said_no = moved.error().front().code == "R0144";
     return said_no ? failed(ticket, std::move(moved.error())) : lost(ticket, std::move(moved.error()));
   }
@@ -49,6 +49,21 @@ LineLoop::Done LineLoop::fits(const RemoteProgram& program) {
     return refuse("container", program.bytes().size(), status->max_program_bytes);
   if (program.program().memory_size() > status->max_image_bytes)
     return refuse("image", program.program().memory_size(), status->max_image_bytes);
+  return {};
+}
+
+// A program that is there already is stopped and freed of forces; the flash is spared.
+LineLoop::Done LineLoop::bring(const RemoteProgram& program) {
+  const bool there = program_ != nullptr && program_->digest() == program.digest();
+  if (!there) return transfer(program);
+  if (running()) {
+    if (auto read = link_.read_memory(control::Memory::Image, image_); !read) return result::forward(read);
+  }
+  if (auto stopped = link_.command(control::Command::Stop); !stopped) return tl::unexpected(stopped.error());
+  for (const image::Force& force : forces_.forces()) {
+    if (auto freed = link_.command(control::Command::Unforce, bits_arguments(bits_of(force))); !freed)
+      return tl::unexpected(freed.error());
+  }
   return {};
 }
 
@@ -98,6 +113,8 @@ LineLoop::Done LineLoop::adopt(std::shared_ptr<const RemoteProgram> program) {
   auto outputs = link_.outputs(plant_.outputs());
   if (!outputs) return result::forward(outputs);
   turn_ = outputs->turn;
+  now_.scan = outputs->scan;
+  now_.trace_hash = outputs->trace_hash;
   static_cast<void>(plant_.write(own_time_ns()));
   auto read = link_.read_memory(control::Memory::Image, image_);
   if (!read) return result::forward(read);

@@ -128,6 +128,7 @@ void LineLoop::publish_if_due() {
 
 void LineLoop::publish() {
   published_ns_ = wall_ns();
+  plant_.beat();
   std::int64_t spent_ns = ran_wall_ns_;
   std::int64_t scanned_ns = ran_scan_ns_;
   if (stretch_wall_ns_ != 0) {

@@ -29,7 +29,7 @@ class Controller:
         return self
 
     def __exit__(self, *_):
-        self.process.send_signal(signal.SIGCONT)
+        self.speak()
         self.process.terminate()
         self.process.wait(timeout=PATIENCE_S)
         self.process.stdout.close()

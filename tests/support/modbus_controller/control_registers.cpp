@@ -132,8 +132,8 @@ Exception ControlRegisters::write_registers(std::uint16_t address, std::uint16_t
     what_ = static_cast<control::Memory>(words[control::select::kWhat]);
     offset_ = control::get32(words, control::select::kOffset);
   } else if (address == control::inputs::kFirst) {
-    if (words[control::inputs::kTurn] == 0 || count > control::kMaxWriteInRw)
-      return Exception::IllegalDataValue;
+    const std::size_t most = control::inputs::kData + (std::size_t{model_.input_bytes()} + 1) / 2;
+    if (words[control::inputs::kTurn] == 0 || count > most) return Exception::IllegalDataValue;
     std::array<std::byte, control::inputs::kMaxBytes> data{};
     const auto inputs = std::span(data).first(2 * std::size_t{count} - 2);
     control::get_bytes(words.subspan(control::inputs::kData), inputs);

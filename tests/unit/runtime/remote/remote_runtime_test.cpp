@@ -237,5 +237,23 @@ TEST(RemoteRuntime_WhenTheSupervisorIsLost, ThenThePolicyApplies) {
   EXPECT_EQ(event.detail, host::kSupervisorLost);
 }
 
+TEST(RemoteRuntime_WhenTheProgramIsThereAlready, ThenItIsNotSentAgain) {
+  RemoteConfig config = quick_config();
+  config.status_period = std::chrono::hours(1);
+  Bench bench(config);
+  const auto program = step_program({.steps = 200});
+  ASSERT_GT(program.size(), 20 * control::transfer::kMaxBytes);
+  bench.driver.load(program);
+  bench.driver.start(true);
+  EXPECT_EQ(bench.driver.bits(CommandKind::Force, {0, 0x01, 0x01}).outcome, Outcome::Done);
+  const std::uint64_t before = bench.world->requests;
+  EXPECT_EQ(bench.driver.load(program).outcome, Outcome::Done);
+  EXPECT_LT(bench.world->requests - before, 20u);
+  EXPECT_EQ(bench.runtime->status().state, RuntimeState::Stopped);
+  EXPECT_TRUE(bench.runtime->forces().empty());
+  EXPECT_EQ(bench.driver.bits(CommandKind::Unforce, {0, 0x01, 0x01}).outcome, Outcome::NotForced);
+  EXPECT_EQ(bench.driver.start(true).outcome, Outcome::Done);
+}
+
 }  // namespace
 }  // namespace stepwright::remote
