@@ -2,6 +2,7 @@
 # compiled from the sources of the host's libraries, so that none can be forgotten.
 #
 #   firmware_image(mps2-an385 -mcpu=cortex-m3 -mthumb)
+#   firmware_image(mps2-an385-basic BASIC -mcpu=cortex-m3 -mthumb)    # without strings and elementary functions
 
 find_program(STEPWRIGHT_ARM_CXX arm-none-eabi-g++ REQUIRED)
 set(firmware_here ${CMAKE_CURRENT_LIST_DIR})
@@ -15,7 +16,7 @@ set(firmware_flags
 set(firmware_folders runtime/base runtime/bytecode runtime/image runtime/operations runtime/vm runtime/scan runtime/modbus/pdu
                      firmware/app firmware/decimal)
 
-# The sources of the libraries, with the firmware's own texts of numbers instead of the C++ library's.
+# The sources of the libraries and of the board; with BASIC without what that lacks.
 function(_firmware_sources out)
   set(all "")
   foreach(folder IN LISTS firmware_folders)
@@ -26,18 +27,29 @@ function(_firmware_sources out)
       list(APPEND all ${folder}/${source})
     endforeach()
   endforeach()
+  if(ARGN)
+    list(REMOVE_ITEM all runtime/operations/elementary.cpp runtime/operations/string_ops.cpp)
+    list(APPEND all firmware/boards/cortex_m/absent_operations.cpp)
+  endif()
   list(APPEND all firmware/boards/cortex_m/startup.cpp firmware/boards/cortex_m/library_support.cpp firmware/boards/cortex_m/charconv.cpp firmware/boards/cmsdk/mps2.cpp)
   set(${out} ${all} PARENT_SCOPE)
 endfunction()
 
-function(firmware_image board)
-  set(cpu ${ARGN})
+function(firmware_image image)
+  cmake_parse_arguments(ARG "BASIC" "" "" ${ARGN})
+  set(cpu ${ARG_UNPARSED_ARGUMENTS})
+  set(basic "")
+  if(ARG_BASIC)
+    set(basic BASIC)
+    list(APPEND cpu -DSTEPWRIGHT_FIRMWARE_BASIC)
+  endif()
+  string(REPLACE "-basic" "" board ${image})
   set(folder ${PROJECT_BINARY_DIR}/firmware)
   set(script ${firmware_here}/boards/cmsdk/mps2.ld)
-  _firmware_sources(sources)
+  _firmware_sources(sources ${basic})
   set(objects "")
   foreach(source IN LISTS sources)
-    set(object ${folder}/${board}/${source}.o)
+    set(object ${folder}/${image}/${source}.o)
     get_filename_component(parent ${object} DIRECTORY)
     file(MAKE_DIRECTORY ${parent})
     add_custom_command(
@@ -47,16 +59,16 @@ function(firmware_image board)
               ${PROJECT_SOURCE_DIR}/${source} -o ${object}
       DEPENDS ${PROJECT_SOURCE_DIR}/${source}
       DEPFILE ${object}.d
-      COMMENT "${board}: ${source}"
+      COMMENT "${image}: ${source}"
       VERBATIM)
     list(APPEND objects ${object})
   endforeach()
   add_custom_command(
-    OUTPUT ${folder}/${board}.elf
+    OUTPUT ${folder}/${image}.elf
     COMMAND ${STEPWRIGHT_ARM_CXX} ${cpu} ${objects} -nostartfiles -T ${script} -Wl,--gc-sections -Wl,--fatal-warnings
-            -Wl,--no-warn-rwx-segments -Wl,-Map=${folder}/${board}.map -o ${folder}/${board}.elf
+            -Wl,--no-warn-rwx-segments -Wl,-Map=${folder}/${image}.map -o ${folder}/${image}.elf
     DEPENDS ${objects} ${script}
-    COMMENT "${board}.elf"
+    COMMENT "${image}.elf"
     VERBATIM)
-  add_custom_target(firmware_${board} ALL DEPENDS ${folder}/${board}.elf)
+  add_custom_target(firmware_${image} ALL DEPENDS ${folder}/${image}.elf)
 endfunction()

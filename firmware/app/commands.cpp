@@ -28,6 +28,12 @@ Exception Controller::submit(const CommandWords& command) {
   return Exception::None;
 }
 
+// False while the digest of a transfer is being taken.
+bool Controller::prepared(const CommandWords& command) {
+  const auto code = static_cast<control::Command>(command.words[control::command::kCode]);
+  return code != control::Command::TransferCommit || transfer_.digest_step();
+}
+
 Judgement Controller::carry_out(const CommandWords& command) {
   const auto code = static_cast<control::Command>(command.words[control::command::kCode]);
   switch (code) {
@@ -89,13 +95,14 @@ Judgement Controller::begin_transfer(const CommandWords& command) {
 
 // Only once nothing can be refused any more what runs is stopped.
 Judgement Controller::commit() {
-  if (const Judgement whole = transfer_.complete(); whole.refusal != Refusal::Done) return whole;
-  const Judgement judgement = judge(store_.written());
+  const Judgement whole = transfer_.complete();
+  if (whole.refusal == Refusal::Incomplete) return whole;  // the rest may still come
+  const Judgement judgement = whole.refusal == Refusal::Done ? judge(store_.written()) : whole;
+  transfer_.abort();
   if (judgement.refusal != Refusal::Done) return judgement;
   static_cast<void>(stop());
   while (retain_.busy()) retain_.step();  // its values stand in memory that the new program gets
   if (!store_.finish(transfer_.digest())) return {Refusal::FlashFailed, 0};
-  transfer_.abort();
   slot_ = store_.target();
   machine_.load(transfer_.digest());
   retain_restored_ = false;

@@ -40,7 +40,7 @@ Judgement Controller::judge(std::span<const std::byte> container) {
 bool Controller::work() {
   const std::int64_t now_ns = board_.tick.now_ns();
   const bool had_command = command_waits_;
-  if (command_waits_) {
+  if (command_waits_ && prepared(waiting_)) {
     // The number appears last, with everything that the command brought about.
     const Judgement result = carry_out(waiting_);
     answer_ = {waiting_.number, result};

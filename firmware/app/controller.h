@@ -4,7 +4,7 @@
 // gives. Modbus is in front of it (slave.h), the board behind it.
 //
 // Called by the main loop only. No heap. Commands are carried out in work(), between two scans and after
-// their answer is on its way.
+// their answer is on its way; one that takes long in steps, between which the line is served.
 //
 //   Controller controller(board);
 //   controller.boot();
@@ -79,6 +79,7 @@ class Controller {
     port::Tick& tick_;
   };
 
+  bool prepared(const CommandWords& command);
   Judgement carry_out(const CommandWords& command);
   Judgement start(std::uint16_t flags);
   Judgement stop();

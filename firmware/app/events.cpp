@@ -6,11 +6,16 @@ namespace stepwright::app {
 
 using bytecode::Section;
 
+void Events::use(std::span<std::byte> copy, std::span<const std::byte> image) {
+  copy_ = copy;
+  if (!copy_.empty()) std::memcpy(copy_.data(), image.data(), copy_.size());
+}
+
 void Events::record(modbus::control::Event kind, std::uint64_t scan, std::span<const std::byte> image) {
   ++number_;
   kind_ = kind;
   scan_ = scan;
-  if (!copy_.empty()) std::memcpy(copy_.data(), image.data(), copy_.size());
+  use(copy_, image);
 }
 
 bool Events::steps_changed(const bytecode::Program& program, std::span<const std::byte> image) const {

@@ -13,8 +13,9 @@ namespace stepwright::app {
 
 class Events {
  public:
-  // Where copies of the image go; it has the size of the image. The newest event's copy is gone.
-  void use(std::span<std::byte> copy) { copy_ = copy; }
+  // Where copies of the image go from now on; it has the size of the image, and becomes a copy of it. The
+  // newest event's copy is gone.
+  void use(std::span<std::byte> copy, std::span<const std::byte> image);
 
   void record(modbus::control::Event kind, std::uint64_t scan, std::span<const std::byte> image);
 

@@ -3,8 +3,8 @@
 namespace stepwright::app {
 
 void Firmware::boot() {
-  board_.watchdog.start(kWatchdogMs);
   controller_.boot();
+  board_.watchdog.start(kWatchdogMs);
 }
 
 // Scans run in this loop: the watchdog is fed only if they come to an end.

@@ -18,7 +18,7 @@ class Firmware {
   explicit Firmware(port::Board& board)
       : board_(board), controller_(board), slave_(controller_), line_(board.uart, board.tick, kUnit) {}
 
-  // Loads the program of the flash and starts the watchdog.
+  // Loads the program of the flash, which may take seconds, and starts the watchdog.
   void boot();
 
   // One round: an answer is on its way before a command or a scan begins. Rests if there was nothing to do.

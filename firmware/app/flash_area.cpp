@@ -24,13 +24,22 @@ std::uint32_t sum_of(const Header& header) {
   return crc32c(bytes_of(header).first(offsetof(Header, header_crc)));
 }
 
+// False if there is no whole header.
+bool header_at(const std::byte* at, Header& header) {
+  std::memcpy(&header, at, sizeof(header));
+  return header.magic == Header().magic && header.header_crc == sum_of(header);
+}
+
 }  // namespace
+
+std::uint32_t FlashArea::sequence() const {
+  Header header;
+  return header_at(flash_.content().data() + offset_, header) ? header.sequence : 0;
+}
 
 bool FlashArea::read(FlashRecord& record) const {
   Header header;
-  std::memcpy(&header, flash_.content().data() + offset_, sizeof(header));
-  if (header.magic != Header().magic || header.header_crc != sum_of(header)) return false;
-  if (header.bytes > capacity()) return false;
+  if (!header_at(flash_.content().data() + offset_, header) || header.bytes > capacity()) return false;
   const auto data = flash_.content().subspan(offset_ + kDataAt, header.bytes);
   if (crc32c(data) != header.data_crc) return false;
   record = {header.sequence, header.digest, data};
@@ -43,6 +52,11 @@ bool FlashArea::begin() {
   return flash_.erase(offset_);
 }
 
+bool FlashArea::program(std::uint32_t at, std::span<const std::byte> bytes) {
+  return flash_.program(offset_ + at, bytes) &&
+         std::memcmp(flash_.content().data() + offset_ + at, bytes.data(), bytes.size()) == 0;
+}
+
 bool FlashArea::append(std::span<const std::byte> data) {
   const std::uint32_t page = flash_.page_bytes();
   if (data.size() > capacity() - written_) return false;
@@ -51,7 +65,7 @@ bool FlashArea::append(std::span<const std::byte> data) {
     if (at % page == 0 && !flash_.erase(offset_ + at)) return false;
     const auto room = static_cast<std::size_t>(page - at % page);
     const auto part = data.first(data.size() < room ? data.size() : room);
-    if (!flash_.program(offset_ + at, part)) return false;
+    if (!program(at, part)) return false;
     crc_ = crc32c(part, crc_);
     written_ += static_cast<std::uint32_t>(part.size());
     data = data.subspan(part.size());
@@ -66,8 +80,7 @@ bool FlashArea::finish(std::uint32_t sequence, const Digest& digest) {
   header.data_crc = crc_;
   header.digest = digest;
   header.header_crc = sum_of(header);
-  FlashRecord record;
-  return flash_.program(offset_, bytes_of(header)) && read(record);
+  return program(0, bytes_of(header));
 }
 
 int newest_of(const FlashArea (&areas)[2], FlashRecord& record) {

@@ -38,8 +38,12 @@ class FlashArea {
   // False if there is no whole record.
   bool read(FlashRecord& record) const;
 
-  // Ends the record that was there. Pages are erased when the data reaches them. Each of the four is false if
-  // the flash failed or the data is too long; nothing but begin() may follow then.
+  // Of the record, by its header alone; 0 without one.
+  std::uint32_t sequence() const;
+
+  // Ends the record that was there. Pages are erased when the data reaches them; what was programmed is read
+  // back. Each of the four is false if the flash failed or the data is too long; nothing but begin() may
+  // follow then.
   bool begin();
   bool append(std::span<const std::byte> data);
   bool finish(std::uint32_t sequence, const Digest& digest);
@@ -50,6 +54,7 @@ class FlashArea {
 
  private:
   static constexpr std::uint32_t kDataAt = 64;
+  bool program(std::uint32_t at, std::span<const std::byte> bytes);
 
   port::Flash& flash_;
   std::uint32_t offset_;

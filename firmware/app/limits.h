@@ -24,8 +24,8 @@ enum class Lacking : std::uint32_t {
   InputBytes = 2,   // the program has more than the inputs block carries
   OutputBytes = 3,  // ... than the outputs block carries
   RetainBytes = 4,  // ... than a retain area holds
-  Scratch = 5,      // memory for the verifier beside the program that is loaded: stop and clear it, or split
-                    // its longest function
+  Scratch = 5,  // memory for the verifier beside the program that is loaded: its longest function is too long
+  Operations = 6,  // the basic firmware has no strings and no elementary functions
 };
 
 }  // namespace stepwright::app

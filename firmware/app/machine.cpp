@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "firmware/app/operation_set.h"
+
 namespace stepwright::app {
 namespace {
 
@@ -20,6 +22,7 @@ Lacking lacking(const bytecode::Program& program, std::size_t memory) {
   if (program.sizes().input_bytes > kMaxInputBytes) return Lacking::InputBytes;
   if (program.sizes().output_bytes > kMaxOutputBytes) return Lacking::OutputBytes;
   if (need_of(program) > memory) return Lacking::Memory;
+  if (kBasic && !is_basic(program)) return Lacking::Operations;
   return Lacking::Nothing;
 }
 
@@ -59,24 +62,28 @@ void Machine::load(const Digest& digest) {
   image_.emplace(memory, scan::layout_of(program_));
   const auto stack = arena_.take<std::uint64_t>(program_.sizes().stack_slots);
   engine_.emplace(program_, stack);  // its code is run where it stands in the flash
-  events_.use(arena_.take<std::byte>(program_.image_size()));
+  const auto event_image = arena_.take<std::byte>(program_.image_size());
   retain_copy_ = arena_.take<std::byte>(static_cast<std::size_t>(retain_bytes(program_)));
   image_->reset(program_.container().section(Section::InitialData));
-  make_cycle({.budget = kBudget});
+  safe_outputs_.fill(std::byte{0});
+  make_cycle(scan::ScanConfig::kNoOrigin);
   trap_ = {};
   io_.clear();
   state_ = control::State::Stopped;
   cycle_->stop();
-  events_.record(events_.kind(), events_.scan(), image_->bytes());
+  events_.use(event_image, image_->bytes());
 }
 
 // Forces stay: they belong to the program, not to one of its starts.
-void Machine::make_cycle(const scan::ScanConfig& config) {
+void Machine::make_cycle(std::int64_t clock_origin_ns) {
   image::ForceTable forces;
   if (cycle_) {
     forces = cycle_->forces();
     earlier_overruns_ += cycle_->statistics().overruns;
   }
+  const scan::ScanConfig config{.budget = kBudget,
+                                .safe_memory = std::span(safe_outputs_).first(image_->outputs().size()),
+                                .clock_origin_ns = clock_origin_ns};
   cycle_.emplace(program_, *engine_, *image_, io_, clock_, config);
   cycle_->forces() = forces;
 }
@@ -86,7 +93,7 @@ Refusal Machine::start(const StartOptions& options) {
   if (running()) return Refusal::AlreadyRunning;
   lock_step_ = options.lock_step;
   origin_ns_ = options.now_ns - next_.time_ns;
-  make_cycle({.budget = kBudget, .clock_origin_ns = lock_step_ ? scan::ScanConfig::kNoOrigin : origin_ns_});
+  make_cycle(lock_step_ ? scan::ScanConfig::kNoOrigin : origin_ns_);
   const image::ForceTable forces = cycle_->forces();
   cycle_->start({next_.time_ns, figures_.scan, figures_.trace_hash});
   cycle_->forces() = forces;

@@ -10,6 +10,7 @@
 //   machine.start({.lock_step = true});
 //   machine.scan();
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -91,7 +92,7 @@ class Machine {
   image::ForceTable* forces() { return cycle_ ? &cycle_->forces() : nullptr; }
 
  private:
-  void make_cycle(const scan::ScanConfig& config);
+  void make_cycle(std::int64_t clock_origin_ns);
   void fault();
 
   Arena arena_;
@@ -106,9 +107,10 @@ class Machine {
   std::optional<image::ProcessImage> image_;
   std::optional<scan::ScanCycle> cycle_;
   std::span<std::byte> retain_copy_;
+  std::array<std::byte, kMaxOutputBytes> safe_outputs_{};  // as they are to be while nothing runs
   Events events_;
   modbus::control::State state_ = modbus::control::State::Empty;
-  bool lock_step_ = true;
+  bool lock_step_ = false;
   std::int64_t origin_ns_ = 0;  // what the clock shows at scan time 0
   scan::StartPoint next_;       // of the next start
   bytecode::Trap trap_;

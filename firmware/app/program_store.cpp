@@ -35,9 +35,7 @@ bool ProgramStore::begin(int in_use) {
 }
 
 bool ProgramStore::finish(const Digest& digest) {
-  FlashRecord record;
-  const std::uint32_t sequence = newest_of(slots_, record) < 0 ? 1 : record.sequence + 1;
-  return slots_[target_].finish(sequence, digest);
+  return slots_[target_].finish(slots_[1 - target_].sequence() + 1, digest);
 }
 
 }  // namespace stepwright::app

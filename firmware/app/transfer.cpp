@@ -13,6 +13,8 @@ Judgement Transfer::begin(std::uint32_t bytes, const Digest& digest, int in_use)
   bytes_ = bytes;
   arrived_ = 0;
   digest_ = digest;
+  sum_ = {};
+  summed_ = 0;
   active_ = true;
   return {};
 }
@@ -30,11 +32,20 @@ Exception Transfer::piece(std::uint32_t offset, std::span<const std::byte> bytes
   return Exception::None;
 }
 
-// The digest is that of what stands in the flash.
+bool Transfer::digest_step() {
+  constexpr std::size_t kStep = 1024;
+  if (!active_ || arrived_ != bytes_ || summed_ == bytes_) return true;
+  const auto rest = store_.written().subspan(summed_);
+  const auto part = rest.first(rest.size() < kStep ? rest.size() : kStep);
+  sum_.add(part);
+  summed_ += static_cast<std::uint32_t>(part.size());
+  return summed_ == bytes_;
+}
+
 Judgement Transfer::complete() {
   if (!active_) return {Refusal::Incomplete, 0};
   if (arrived_ != bytes_) return {Refusal::Incomplete, bytes_ - arrived_};
-  if (sha256(store_.written()) != digest_) return {Refusal::WrongDigest, 0};
+  if (sum_.finish() != digest_) return {Refusal::WrongDigest, 0};
   return {};
 }
 

@@ -23,7 +23,11 @@ class Transfer {
   // belongs to no transfer is IllegalDataValue; DeviceFailure if the flash failed.
   modbus::pdu::Exception piece(std::uint32_t offset, std::span<const std::byte> bytes);
 
-  // Whether all bytes are here and their digest is the announced one.
+  // Takes the digest of another kilobyte of what stands in the flash; true when nothing is left to be taken,
+  // because it is done or not all bytes are here.
+  bool digest_step();
+  // Whether all bytes are here and their digest is the announced one. Requires digest_step() until it is
+  // true.
   Judgement complete();
 
   void abort() { active_ = false; }
@@ -36,7 +40,9 @@ class Transfer {
   bool active_ = false;
   std::uint32_t bytes_ = 0;
   std::uint32_t arrived_ = 0;
-  Digest digest_{};
+  Digest digest_{};  // as it was announced
+  Sha256 sum_;       // of the first summed_ bytes
+  std::uint32_t summed_ = 0;
 };
 
 }  // namespace stepwright::app

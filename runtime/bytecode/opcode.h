@@ -44,6 +44,7 @@ enum class Operands : std::uint8_t {
 };
 
 struct OpcodeInfo {
+  const char* name;
   Operands operands;
   const char* pops;  // stack types, deepest first; "*" = depends on an operand
   const char* pushes;
@@ -51,43 +52,25 @@ struct OpcodeInfo {
 
 // An entry of a second-level list: an intrinsic, or an operation of StringOp.
 struct OperationInfo {
+  const char* name;
   const char* pops;
   const char* pushes;
 };
 
 inline constexpr auto kOpcodes = std::to_array<OpcodeInfo>({
-#define STEPWRIGHT_X(name, operands, pops, pushes) {Operands::operands, pops, pushes},
+#define STEPWRIGHT_X(name, operands, pops, pushes) {#name, Operands::operands, pops, pushes},
     STEPWRIGHT_OPCODES(STEPWRIGHT_X)
 #undef STEPWRIGHT_X
 });
 
 inline constexpr auto kIntrinsics = std::to_array<OperationInfo>({
-#define STEPWRIGHT_X(name, pops, pushes) {pops, pushes},
+#define STEPWRIGHT_X(name, pops, pushes) {#name, pops, pushes},
     STEPWRIGHT_INTRINSICS(STEPWRIGHT_X)
 #undef STEPWRIGHT_X
 });
 
 inline constexpr auto kStringOps = std::to_array<OperationInfo>({
-#define STEPWRIGHT_X(name, pops, pushes) {pops, pushes},
-    STEPWRIGHT_STRING_OPS(STEPWRIGHT_X)
-#undef STEPWRIGHT_X
-});
-
-// The names stand apart, so that they take no memory where nobody prints them.
-inline constexpr auto kOpcodeNames = std::to_array<const char*>({
-#define STEPWRIGHT_X(name, operands, pops, pushes) #name,
-    STEPWRIGHT_OPCODES(STEPWRIGHT_X)
-#undef STEPWRIGHT_X
-});
-
-inline constexpr auto kIntrinsicNames = std::to_array<const char*>({
-#define STEPWRIGHT_X(name, pops, pushes) #name,
-    STEPWRIGHT_INTRINSICS(STEPWRIGHT_X)
-#undef STEPWRIGHT_X
-});
-
-inline constexpr auto kStringOpNames = std::to_array<const char*>({
-#define STEPWRIGHT_X(name, pops, pushes) #name,
+#define STEPWRIGHT_X(name, pops, pushes) {#name, pops, pushes},
     STEPWRIGHT_STRING_OPS(STEPWRIGHT_X)
 #undef STEPWRIGHT_X
 });
@@ -100,17 +83,6 @@ static_assert(kOpcodeCount <= 256, "an opcode is one byte");
 // Requires a valid opcode (< kOpcodeCount).
 constexpr const OpcodeInfo& info(Opcode opcode) {
   return kOpcodes[static_cast<std::uint8_t>(opcode)];
-}
-
-// Require a valid one.
-constexpr const char* name_of(Opcode opcode) {
-  return kOpcodeNames[static_cast<std::uint8_t>(opcode)];
-}
-constexpr const char* name_of(IntrinsicId intrinsic) {
-  return kIntrinsicNames[static_cast<std::uint8_t>(intrinsic)];
-}
-constexpr const char* name_of(StringOpId operation) {
-  return kStringOpNames[static_cast<std::uint8_t>(operation)];
 }
 
 // True for the instructions whose first operand is a function.

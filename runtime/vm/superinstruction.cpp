@@ -32,7 +32,7 @@ constexpr auto kQuickOf = [] {
   for (std::uint32_t opcode = 0; opcode < bytecode::kOpcodeCount; ++opcode) {
     numbers[opcode] = Quick::Original;
     for (std::uint32_t i = 0; i < kQuickNames.size(); ++i) {
-      if (same(kQuickNames[i], bytecode::kOpcodeNames[opcode])) numbers[opcode] = static_cast<Quick>(i);
+      if (same(kQuickNames[i], bytecode::kOpcodes[opcode].name)) numbers[opcode] = static_cast<Quick>(i);
     }
   }
   return numbers;

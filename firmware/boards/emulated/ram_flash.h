@@ -9,7 +9,7 @@
 
 namespace stepwright::boards {
 
-class RamFlash : public port::Flash {
+class RamFlash final : public port::Flash {
  public:
   // Requires whole pages.
   explicit RamFlash(std::span<std::byte> memory) : memory_(memory) {}

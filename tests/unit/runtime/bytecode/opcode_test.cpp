@@ -82,10 +82,10 @@ TEST(Opcode, Document_WhenReadBesideTheTraps_ThenNamesEachWithItsNumber) {
 }
 
 TEST(Opcode, LoadAndStore_WhenComposedFromTypeAndMode_ThenAreTheNamedOpcodes) {
-  EXPECT_STREQ(name_of(load_opcode(MemType::Bool, AddressMode::Abs)), "LoadBoolAbs");
-  EXPECT_STREQ(name_of(load_opcode(MemType::U16, AddressMode::This)), "LoadU16This");
-  EXPECT_STREQ(name_of(store_opcode(MemType::F64, AddressMode::Ind)), "StoreF64Ind");
-  EXPECT_STREQ(name_of(store_opcode(MemType::Ref, AddressMode::Abs)), "StoreRefAbs");
+  EXPECT_STREQ(info(load_opcode(MemType::Bool, AddressMode::Abs)).name, "LoadBoolAbs");
+  EXPECT_STREQ(info(load_opcode(MemType::U16, AddressMode::This)).name, "LoadU16This");
+  EXPECT_STREQ(info(store_opcode(MemType::F64, AddressMode::Ind)).name, "StoreF64Ind");
+  EXPECT_STREQ(info(store_opcode(MemType::Ref, AddressMode::Abs)).name, "StoreRefAbs");
 }
 
 TEST(Opcode, ElementaryTypes_WhenAskedForMemory_ThenHaveTheSizesOfTheStandard) {

@@ -174,7 +174,7 @@ namespace {
 bool is_wide(bytecode::StringOpId operation, std::size_t operand) {
   if (operation == bytecode::StringOpId::StringToWstring) return operand == 0;
   if (operation == bytecode::StringOpId::WstringToString) return operand == 1;
-  return std::string(name_of(operation)).ends_with('W');
+  return std::string(bytecode::kStringOps[static_cast<std::uint8_t>(operation)].name).ends_with('W');
 }
 
 }  // namespace

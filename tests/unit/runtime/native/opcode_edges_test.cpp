@@ -240,7 +240,7 @@ TEST(OpcodeEdges, Table_WhenAnOpcodeExists_ThenItHasACase) {
     for (const writer::Function& function : each.model.functions) mark_opcodes(function, seen);
   for (std::uint32_t i = 0; i < bytecode::kOpcodeCount; ++i) {
     const bool has_shape = !shapes_of(static_cast<Opcode>(i)).empty();
-    EXPECT_TRUE(has_shape || seen[i]) << bytecode::kOpcodeNames[i];
+    EXPECT_TRUE(has_shape || seen[i]) << bytecode::kOpcodes[i].name;
   }
   EXPECT_EQ(shapes_of(Opcode::Intrinsic).size(), bytecode::kIntrinsicCount);
   EXPECT_EQ(shapes_of(Opcode::StringOp).size(), bytecode::kStringOpCount);

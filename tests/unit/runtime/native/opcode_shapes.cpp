@@ -32,9 +32,9 @@ std::vector<Shape> with_constants(Opcode opcode, const std::vector<std::uint64_t
 
 // Loads, stores and fused operations at fixed places: operands that the test fills, and the memory's ends.
 std::vector<Shape> fixed_places(Opcode opcode) {
-  const bool of_this = std::string(name_of(opcode)).ends_with("This");
+  const bool of_this = std::string(bytecode::info(opcode).name).ends_with("This");
   // What lies in an instance as a BOOL is 0 or 1.
-  const bool boolean = std::string(name_of(opcode)).find("Bool") != std::string::npos;
+  const bool boolean = std::string(bytecode::info(opcode).name).find("Bool") != std::string::npos;
   const std::uint32_t place = boolean && of_this ? kBools : of_this ? 24u : kInputs + 24;
   if (bytecode::info(opcode).operands == Operands::U32)
     return with(opcode, {{place}, {place + 1}, {of_this ? kInstanceBytes - 8 : kImageBytes - 8}});
@@ -158,9 +158,9 @@ std::vector<Shape> shapes_of(Opcode opcode) {
 }
 
 std::string name_of(const Shape& shape) {
-  std::string out = name_of(shape.opcode);
-  if (shape.opcode == Opcode::Intrinsic) return out + " " + bytecode::kIntrinsicNames[shape.operands[0]];
-  if (shape.opcode == Opcode::StringOp) return out + " " + bytecode::kStringOpNames[shape.operands[0]];
+  std::string out = bytecode::info(shape.opcode).name;
+  if (shape.opcode == Opcode::Intrinsic) return out + " " + bytecode::kIntrinsics[shape.operands[0]].name;
+  if (shape.opcode == Opcode::StringOp) return out + " " + bytecode::kStringOps[shape.operands[0]].name;
   for (const std::uint32_t each : shape.operands)
     out += " " + std::to_string(static_cast<std::int32_t>(each));
   return out;

@@ -69,7 +69,7 @@ Outcome<R> evaluate(Emit emit, Args... args) {
 template <typename R, typename... Args>
 R result_of(Opcode opcode, Args... args) {
   const auto outcome = evaluate<R>([&](FunctionBuilder& f) { f.emit(opcode); }, args...);
-  EXPECT_EQ(outcome.trap, TrapCode::None) << name_of(opcode);
+  EXPECT_EQ(outcome.trap, TrapCode::None) << bytecode::info(opcode).name;
   return outcome.value;
 }
 
