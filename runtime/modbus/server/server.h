@@ -25,8 +25,6 @@
 #include "runtime/modbus/server/transport.h"
 #include "runtime/result/result.h"
 
-struct epoll_event;
-
 namespace stepwright::modbus::server {
 
 class Server {
@@ -65,7 +63,6 @@ class Server {
   };
 
   Server(ServerOptions options, ProcessData& data, int epoll);
-  int await(std::span<epoll_event> events, std::chrono::milliseconds timeout);
   void admit(Door& door);
   void enter(std::unique_ptr<Transport> transport);
   void serve(std::uint64_t key, std::uint32_t events);
@@ -83,7 +80,6 @@ class Server {
   int epoll_;
   Clock::time_point now_;
   Clock::time_point next_check_;
-  Clock::time_point spin_until_;
   bool interrupted_ = false;  // a watched descriptor is readable
   std::uint64_t last_ticket_ = 0;
   std::vector<std::unique_ptr<Door>> doors_;  // outlive the sessions

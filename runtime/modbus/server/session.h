@@ -52,7 +52,7 @@ class Session {
 
   // It is over: destroy it.
   bool done() const { return done_; }
-  bool wants_read() const { return !done_ && !ended_ && in_end_ - in_begin_ < kInput && out_room(); }
+  bool wants_read() const { return !done_ && !ended_ && in_room() && out_room(); }
   bool wants_write() const { return out_end_ > out_begin_ || transport_->needs_writable(); }
 
  private:
@@ -60,6 +60,8 @@ class Session {
   static constexpr std::size_t kOutput = 4'096;
   static constexpr std::chrono::milliseconds kRtuSilence{50};
 
+  // While a request is under way the bytes before it stay.
+  bool in_room() const { return in_end_ < kInput || (in_begin_ > 0 && !pending_); }
   bool out_room() const { return kOutput - out_end_ >= pdu::kMaxTcpFrame; }
   void take(Clock::time_point now);
   void take_buffered(Clock::time_point now);

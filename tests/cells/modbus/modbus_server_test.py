@@ -186,7 +186,8 @@ class ModbusServer(unittest.TestCase):
             client.socket.sendall(frame(read_request(COUNT, 1))[1 + number % 11:])
             client.answer(1)
         self.assertEqual(len(idle[500].read(COUNT)), 1)
-        memory_mb = int(re.search(r"VmRSS:\s+(\d+)", open(f"/proc/{server.pid}/status", encoding="ascii").read()).group(1)) / 1024
+        status = (pathlib.Path("/proc") / str(server.pid) / "status").read_text(encoding="ascii")
+        memory_mb = int(re.search(r"VmRSS:\s+(\d+)", status).group(1)) / 1024
         self.assertLess(memory_mb, 60)
         print(f"2001 connections: {memory_mb:.1f} MB, slowest of 500 reads {worst * 1e3:.2f} ms")
         for client in (*idle, *halves, slow):

@@ -63,6 +63,28 @@ TEST(Server, WhenAWriteIsUnderWay_ThenItsClientWaitsAndOthersDoNot) {
   EXPECT_EQ(writer.receive(23), "00 01 00 00 00 06 01 06 00 01 ab cd 00 02 00 00 00 05 01 03 02 ab cd");
 }
 
+TEST(Server, WhenMoreWaitsBehindAWriteThanTheBufferHolds_ThenTheServerSleeps) {
+  ServerHarness harness;
+  harness.data.at_once = false;
+  const Client client = harness.client();
+  Bytes all = frame(0, kWrite);
+  for (unsigned i = 1; i <= 500; ++i) all = std::move(all) + frame(i, kRead);
+  client.send(all);
+  std::this_thread::sleep_for(50ms);
+  const auto used_s = [] {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e9;
+  };
+  const double before_s = used_s();
+  std::this_thread::sleep_for(300ms);
+  EXPECT_LT(used_s() - before_s, 0.1);
+  harness.data.finish_one();
+  EXPECT_EQ(client.receive(12).substr(0, 5), "00 00");
+  for (unsigned i = 1; i <= 500; ++i)
+    ASSERT_EQ(client.receive(11).substr(0, 5), hex(bytes({i >> 8, i & 0xFF})));
+}
+
 TEST(Server, WhenAClientLeavesDuringItsWrite_ThenTheNextOneGetsItsOwnAnswerOnly) {
   ServerHarness harness;
   harness.data.at_once = false;
