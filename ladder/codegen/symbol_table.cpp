@@ -42,14 +42,9 @@ const Pou* block_of(const Type& type) {
   return type.kind == TypeKind::Instance ? type.pou : nullptr;
 }
 
-std::string folded(std::string name) {
-  for (char& c : name) c = naming::to_upper(c);
-  return name;
-}
-
 std::unordered_map<std::string, const Variable*> variables_by_name(const Pou& pou) {
   std::unordered_map<std::string, const Variable*> variables;
-  for (const Variable& each : pou.variables) variables.try_emplace(folded(each.spelling), &each);
+  for (const Variable& each : pou.variables) variables.try_emplace(naming::upper(each.spelling), &each);
   return variables;
 }
 
@@ -281,7 +276,7 @@ void SymbolTable::chart(const std::string& path, const ChartOrigin& origin, std:
   out.name = path;
   const auto variables = variables_by_name(*origin.pou);
   const auto place = [&](const std::string& name) {
-    const auto found = variables.find(folded(name));
+    const auto found = variables.find(naming::upper(name));
     return found != variables.end() && found->second->place.base == Base::This
                ? address + found->second->place.offset
                : bytecode::kNoIndex;

@@ -196,6 +196,7 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.dds.runtime_id = dds.text("runtime_id", config.name);
   read_addresses(dds, config.dds);
   config.change = read_change(root);
+  const result::Diagnostics controller = read_controller(root, folder, config.controller);
   const TomlTable hmi = root.table("hmi");
   config.hmi.host = hmi.text("host", config.hmi.host);
   config.hmi.port = static_cast<std::uint16_t>(hmi.integer("port", 8080, {0, 65'535}));
@@ -212,6 +213,7 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.values = (*document)->values();
   reading.problems = (*document)->finish();
   reading.problems.insert(reading.problems.end(), unsafe.begin(), unsafe.end());
+  reading.problems.insert(reading.problems.end(), controller.begin(), controller.end());
   reading.problems.insert(reading.problems.end(), unserved.begin(), unserved.end());
   reading.problems.insert(reading.problems.end(), closed.begin(), closed.end());
   return reading;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "programs/config/change_config.h"
+#include "programs/config/controller_config.h"
 #include "programs/config/log_config.h"
 #include "programs/config/modbus_server_config.h"
 #include "programs/config/record_config.h"
@@ -122,6 +123,7 @@ struct CellConfig {
   DdsConfig dds;
   HmiConfig hmi;
   ChangeConfig change;
+  ControllerConfig controller;  // where the program runs: in `stepwright runtime`, or behind Modbus
   RetainSection retain;
   BootSection boot;
   RecordConfig record;

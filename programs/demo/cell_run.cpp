@@ -10,6 +10,7 @@ namespace stepwright::demo {
 namespace {
 
 constexpr int kMaxRestarts = 20;  // of one process; more means that it cannot live
+constexpr std::chrono::seconds kEmulatorPatience{10};
 
 std::string content(const std::filesystem::path& file) {
   std::stringstream text;
@@ -23,19 +24,40 @@ CellRun::CellRun(CellRunOptions options)
     : options_(std::move(options)),
       programs_(std::filesystem::read_symlink("/proc/self/exe").parent_path()) {}
 
+std::filesystem::path CellRun::line_link() const {
+  return options_.state_dir / "controller.line";
+}
+
 std::filesystem::path CellRun::log_of(const std::string& name) const {
   return options_.state_dir / (name + ".log");
 }
 
-result::Result<ChildProcess> CellRun::start(const std::string& name) const {
+result::Result<CellRun::Member> CellRun::start_emulator() const {
+  const std::filesystem::path log = log_of(options_.emulator->name);
+  std::error_code error;
+  const auto written = std::filesystem::file_size(log, error);
+  auto process = ChildProcess::start(options_.emulator->arguments, log);
+  if (!process) return result::forward(process);
+  auto line = EmulatorLine::open(*process, log, error ? 0 : written, line_link(), kEmulatorPatience);
+  if (!line) return result::forward(line);
+  return Member{options_.emulator->name, std::move(*process), std::move(*line)};
+}
+
+result::Result<CellRun::Member> CellRun::start(const std::string& name) const {
+  if (options_.emulator && name == options_.emulator->name) return start_emulator();
   std::vector<std::string> arguments = {(programs_ / ("stepwright-" + name)).string(), name, "--config",
                                         options_.config.string()};
   for (const std::string& entry : options_.overrides) {
     arguments.push_back("--set");
     arguments.push_back(entry);
   }
+  if (options_.emulator) {
+    arguments.insert(arguments.end(), {"--set", "controller.device=\"" + line_link().string() + "\""});
+  }
   if (name == "supervisor" && !options_.page) arguments.push_back("--once");
-  return ChildProcess::start(arguments, log_of(name));
+  auto process = ChildProcess::start(arguments, log_of(name));
+  if (!process) return result::forward(process);
+  return Member{name, std::move(*process)};
 }
 
 void CellRun::take_report(CellRunResult& result) const {
@@ -68,21 +90,28 @@ result::Result<bool> CellRun::tend(Member& member, CellRunResult& result) {
   }
   auto again = start(member.name);
   if (!again) return result::forward(again);
-  member.process = std::move(*again);
+  member = std::move(*again);
   return true;
+}
+
+// They are ended in the reverse order, so that nobody mourns a process that was ended on purpose.
+result::Result<void> CellRun::start_all(std::vector<Member>& members, CellRunResult& result) const {
+  std::vector<std::string> names = {options_.scan, "link", "supervisor"};
+  if (options_.emulator) names.insert(names.begin(), options_.emulator->name);
+  if (options_.page) names.emplace_back("hmi");
+  for (const std::string& name : names) {
+    auto member = start(name);
+    if (!member) return result::forward(member);
+    result.processes.push_back(name);
+    members.push_back(std::move(*member));
+  }
+  return {};
 }
 
 result::Result<CellRunResult> CellRun::run(const std::atomic<bool>& stop) {
   CellRunResult result;
   std::vector<Member> members;
-  // Ended in the reverse order, so that nobody mourns a process that was ended on purpose.
-  for (const char* name : {"runtime", "link", "supervisor", "hmi"}) {
-    if (std::string(name) == "hmi" && !options_.page) continue;
-    auto process = start(name);
-    if (!process) return result::forward(process);
-    result.processes.emplace_back(name);
-    members.push_back({name, std::move(*process)});
-  }
+  if (auto started = start_all(members, result); !started) return result::forward(started);
   bool reported = false;
   for (bool going = true; going && !stop;) {
     for (std::size_t i = 0; going && i < members.size(); ++i) {

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "programs/demo/child_process.h"
+#include "programs/demo/controller_choice.h"
+#include "programs/demo/emulator_line.h"
 #include "runtime/result/exit_code.h"
 #include "runtime/result/result.h"
 #include "supervisor/executive/report.h"
@@ -22,6 +24,8 @@ struct CellRunOptions {
   std::vector<std::string> overrides;  // KEY=VALUE
   std::filesystem::path state_dir;     // of this run; logs go there too
   bool page = false;                   // with the HMI, until `stop` is set
+  std::string scan = "runtime";        // what the supervisor commands: "runtime", or "gateway"
+  std::optional<EmulatedController> emulator = std::nullopt;  // behind the gateway, started before it
 };
 
 struct CellRunResult {
@@ -43,12 +47,16 @@ class CellRun {
   struct Member {
     std::string name;
     ChildProcess process;
+    EmulatorLine line = {};  // of an emulator
   };
-  [[nodiscard]] result::Result<ChildProcess> start(const std::string& name) const;
+  [[nodiscard]] result::Result<Member> start(const std::string& name) const;
+  [[nodiscard]] result::Result<Member> start_emulator() const;
+  [[nodiscard]] result::Result<void> start_all(std::vector<Member>& members, CellRunResult& result) const;
   // False if the run is over.
   [[nodiscard]] result::Result<bool> tend(Member& member, CellRunResult& result);
   void take_report(CellRunResult& result) const;
   std::filesystem::path log_of(const std::string& name) const;
+  std::filesystem::path line_link() const;  // leads to the emulator's line
 
   CellRunOptions options_;
   std::filesystem::path programs_;  // the folder of the executables

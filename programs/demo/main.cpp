@@ -12,6 +12,7 @@
 
 #include "programs/config/cell_config.h"
 #include "programs/demo/cell_run.h"
+#include "programs/demo/controller_choice.h"
 #include "programs/demo/summary.h"
 #include "programs/process/command_line.h"
 
@@ -34,6 +35,7 @@ struct DemoOptions {
   std::string json;
   std::string pictures;
   std::string state_dir;
+  std::string controller;
   std::vector<std::string> faults;
   std::vector<std::string> overrides;
 };
@@ -94,9 +96,17 @@ std::filesystem::path make_state_dir() {
   return mkdtemp(pattern.data()) == nullptr ? std::filesystem::path() : std::filesystem::path(pattern);
 }
 
+// What all runs of a demo share.
+struct Setting {
+  std::filesystem::path cell;
+  bool page = false;
+  std::string scan = "runtime";
+  std::optional<EmulatedController> emulator;
+};
+
 // Runs in `kept`, or in a temporary folder if that is empty.
-result::Result<CellRunResult> run_once(const std::filesystem::path& cell, std::vector<std::string> overrides,
-                                       const std::filesystem::path& kept, bool page, int run_number) {
+result::Result<CellRunResult> run_once(const Setting& setting, std::vector<std::string> overrides,
+                                       const std::filesystem::path& kept, int run_number) {
   std::error_code error;
   const std::filesystem::path state_dir =
       kept.empty() ? make_state_dir() : std::filesystem::absolute(kept, error);
@@ -113,7 +123,8 @@ result::Result<CellRunResult> run_once(const std::filesystem::path& cell, std::v
   overrides.insert(overrides.begin(),
                    {"dds.runtime_id=demo-" + run,
                     "dds.domain_id=" + std::to_string(10 + (getpid() * 2 + run_number) % 90)});
-  auto result = CellRun({cell, overrides, state_dir, page}).run(stop_requested);
+  auto result = CellRun({setting.cell, overrides, state_dir, setting.page, setting.scan, setting.emulator})
+                    .run(stop_requested);
   if (kept.empty()) {  // what is left over does no harm
     config::CellConfig ended;
     ended.state_dir = state_dir;
@@ -138,27 +149,44 @@ result::Result<void> write_pictures(const std::filesystem::path& folder, const e
   return write_file(folder / "cost.svg", executive::cost_svg(record));
 }
 
+// A device that is known only when the emulator runs, so that the configuration can be read before.
+constexpr const char* kDeviceToCome = "controller.device=\"/dev/null\"";
+
 int run_demo(const DemoOptions& options) {
   auto cell = find_cell(options.cell);
   if (!cell) return fail(cell.error(), ExitCode::BadInput);
   auto overrides = overrides_of(options);
   if (!overrides) return fail(overrides.error(), ExitCode::Usage);
-  auto config = config::load_cell_config(*cell, *overrides);
+  Setting setting{*cell, !options.headless, "runtime", std::nullopt};
+  if (!options.controller.empty()) {
+    auto choice =
+        choose_controller(options.controller, std::filesystem::read_symlink("/proc/self/exe").parent_path());
+    if (!choice) return fail(choice.error(), ExitCode::BadInput);
+    overrides->insert(overrides->end(), choice->overrides.begin(), choice->overrides.end());
+    setting.emulator = std::move(choice->emulator);
+  }
+  std::vector<std::string> first = *overrides;
+  if (setting.emulator) first.emplace_back(kDeviceToCome);
+  auto config = config::load_cell_config(*cell, first);
   if (!config) return fail(config.error(), ExitCode::BadInput);
+  if (config->controller.remote()) setting.scan = "gateway";
   if (!options.headless) {
     std::printf("Open http://%s:%u in a browser; Ctrl-C ends the demo.\n", config->hmi.host.c_str(),
                 static_cast<unsigned>(config->hmi.port));
     std::fflush(stdout);
   }
-  auto run = run_once(*cell, *overrides, options.state_dir, !options.headless, 0);
+  auto run = run_once(setting, *overrides, options.state_dir, 0);
   if (!run) return fail(run.error(), ExitCode::RuntimeFault);
   std::optional<CellRunResult> sequential;
-  if (run->report && run->exit == ExitCode::Done && options.compare && !options.sequential &&
-      !stop_requested) {
+  // Two charts are compared on the host: on a controller that says the same and takes its time.
+  const bool compare = options.compare && !options.sequential && !config->controller.remote();
+  if (run->report && run->exit == ExitCode::Done && compare && !stop_requested) {
     std::vector<std::string> strict = *overrides;
     strict.emplace_back("planning.sequential=true");
     strict.emplace_back("clock.speed=0");
-    if (auto second = run_once(*cell, strict, {}, false, 1)) sequential = std::move(*second);
+    Setting again = setting;
+    again.page = false;
+    if (auto second = run_once(again, strict, {}, 1)) sequential = std::move(*second);
   }
   if (run->report && options.headless)
     std::printf("%s", executive::report_table(run->report->record).c_str());
@@ -183,6 +211,9 @@ int demo_main(int argc, char** argv) {
   app.add_flag("--sequential", options.sequential, "a strictly sequential chart, as in the paper");
   app.add_flag("!--no-compare", options.compare, "no second, sequential run for comparison");
   app.add_option("--seed", options.seed, "seed of the sensors' uncertainty");
+  app.add_option(
+      "--controller", options.controller,
+      "where the program runs instead of this host: qemu, a serial device, or HOST:PORT of Modbus");
   app.add_option("--port", options.port, "port of the web page")->check(CLI::Range(0, 65'535));
   app.add_option("--json", options.json, "write the figures to this file");
   app.add_option("--pictures", options.pictures, "write gantt.svg and cost.svg into this folder");

@@ -67,6 +67,12 @@ result::Result<void> begin_recording(host::HostRuntime& runtime, const config::R
 }
 
 int run(const config::CellConfig& config) {
+  if (config.controller.remote()) {
+    return fail(result::fail("C0544", config.controller.where,
+                             "this cell's program runs on a controller behind Modbus", "`stepwright gateway`")
+                    .value(),
+                ExitCode::BadInput);
+  }
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk, not the end
   static_cast<void>(host::limit_thread_stacks());  // a refusal costs memory only
   const process::StopSignal stop;

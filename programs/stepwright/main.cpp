@@ -40,6 +40,8 @@ constexpr std::array kCommands = {
     Command{"scan-test", "stepwright-scan-test", "measure scan timing beside a bare wake-up loop"},
     Command{"check", "stepwright-check", "check a cell's configuration, planning files and program"},
     Command{"runtime", "stepwright-runtime", "the scan process"},
+    Command{"gateway", "stepwright-gateway",
+            "serve a controller that is reached over Modbus only as a runtime"},
     Command{"guard", "stepwright-guard", "drive the outputs to their safe state when the runtime is lost"},
     Command{"link", "stepwright-link", "carry the runtime's service over Fast DDS"},
     Command{"supervisor", "stepwright-supervisor", "plan, download, watch and replan"},

@@ -1,5 +1,5 @@
 // stepwright translate PLAN --binding B.toml [--domain D --problem P] [--to sfc|ladder|plcopen|omron]
-//                      [--sequential] [--svg] [--lowered] [-o FILE]
+//                      [--handshake TABLE.json] [--sequential] [--svg] [--lowered] [-o FILE]
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -19,6 +19,10 @@ namespace command = stepwright::translate_command;
 int run(const command::Arguments& arguments) {
   const auto output = command::translate_files(arguments);
   if (!output) return process::fail(output.error(), ExitCode::BadInput);
+  if (!arguments.handshake.empty()) {
+    const auto table = command::write_document(arguments.handshake, output->table);
+    if (!table) return process::fail(table.error(), ExitCode::BadInput);
+  }
   if (arguments.output.empty()) {
     std::cout << output->document;
     std::cerr << output->summary;
@@ -43,6 +47,9 @@ int main(int argc, char** argv) {
   app.add_option("--to", arguments.to, "what to write: sfc, ladder, plcopen, omron")
       ->check(CLI::IsMember({"sfc", "ladder", "plcopen", "omron"}));
   app.add_flag("--sequential", arguments.sequential, "one action after the other, as in the paper");
+  app.add_option(
+      "--handshake", arguments.handshake,
+      "the program waits for the grant of every action over Modbus; writes the actions to this file");
   app.add_flag("--svg", arguments.svg, "draw sfc or ladder as SVG (also if FILE ends in .svg)");
   app.add_flag("--lowered", arguments.lowered, "plcopen: write the ladder diagram instead of the chart");
   app.add_option("-o,--output", arguments.output, "file to write (default: standard output)");

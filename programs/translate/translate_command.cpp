@@ -12,11 +12,13 @@
 #include "ladder/graphic/sfc_drawing.h"
 #include "ladder/lowering/sfc_to_ladder.h"
 #include "ladder/lowering/step_timers.h"
+#include "programs/translate/handshake_table.h"
 #include "supervisor/pddl/describe_run.h"
 #include "supervisor/pddl/partial_order.h"
 #include "supervisor/pddl/plan_file.h"
 #include "supervisor/pddl/validate.h"
 #include "supervisor/pddl/vocabulary.h"
+#include "supervisor/translate/handshake.h"
 #include "supervisor/translate/schedule.h"
 #include "supervisor/translate/translation.h"
 
@@ -85,11 +87,19 @@ exchange::OmronOptions omron_options(const translate::Binding& binding) {
   return options;
 }
 
+// The registers of the handshake, which a Modbus master reads as D words.
+constexpr int kOmronHandshakeWord = 300;
+
 Result<std::string> omron_document(const translate::Translation& translation,
-                                   const translate::Binding& binding) {
+                                   const translate::Binding& binding, bool handshake) {
   auto pou = lowering::lower_sfc(lowering::with_step_timers(chart_pou(translation)));
   if (!pou) return result::forward(pou);
-  auto program = exchange::write_omron(*pou, omron_options(binding));
+  exchange::OmronOptions options = omron_options(binding);
+  for (std::size_t i = 0; handshake && i < translate::kHandshakeVariables.size(); ++i) {
+    options.addresses.push_back({translate::kHandshakeVariables[i],
+                                 "D" + std::to_string(kOmronHandshakeWord + static_cast<int>(i)), ""});
+  }
+  auto program = exchange::write_omron(*pou, options);
   if (!program) return result::forward(program);
   return program->to_text();
 }
@@ -99,7 +109,7 @@ Result<std::string> document_of(const translate::Translation& translation, const
   const bool svg = arguments.svg || arguments.output.extension() == ".svg";
   if (arguments.to == "ladder") return ladder_document(translation, svg);
   if (arguments.to == "plcopen") return plcopen_document(translation, arguments.lowered);
-  if (arguments.to == "omron") return omron_document(translation, binding);
+  if (arguments.to == "omron") return omron_document(translation, binding, !arguments.handshake.empty());
   return sfc_document(translation, svg);
 }
 
@@ -140,11 +150,15 @@ Result<Output> translate_files(const Arguments& arguments) {
   options.sequential = arguments.sequential;
   auto translation = translate::translate(*run, *binding, options);
   if (!translation) return result::forward(translation);
+  if (!arguments.handshake.empty()) {
+    if (auto added = translate::add_handshake(*translation); !added) return result::forward(added);
+  }
   auto document = document_of(*translation, *binding, arguments);
   if (!document) return result::forward(document);
   auto summary = summary_of(*run, *translation, *binding);
   if (!summary) return result::forward(summary);
-  return Output{std::move(*document), std::move(*summary)};
+  const std::string table = arguments.handshake.empty() ? std::string() : handshake_table(*translation);
+  return Output{std::move(*document), table, std::move(*summary)};
 }
 
 Result<void> write_document(const std::filesystem::path& file, const std::string& document) {

@@ -20,10 +20,12 @@ struct Arguments {
   bool svg = false;               // sfc and ladder as a drawing; also if `output` ends in .svg
   bool lowered = false;           // plcopen: the ladder diagram instead of the chart
   bool sequential = false;
+  std::filesystem::path handshake;  // not empty: the program is commanded step by step; its table goes there
 };
 
 struct Output {
   std::string document;
+  std::string table;    // of the handshake; empty without one
   std::string summary;  // makespans and what is assumed, for the terminal
 };
 

@@ -18,15 +18,10 @@ using bytecode::Section;
 constexpr std::size_t kNamesInANote = 8;
 constexpr const char* kWhere = "download";
 
-std::string folded(std::string name) {
-  for (char& c : name) c = naming::to_upper(c);
-  return name;
-}
-
 std::map<std::string, std::uint32_t> tasks_by_name(const bytecode::ContainerView& view) {
   std::map<std::string, std::uint32_t> tasks;
   for (std::uint32_t i = 0; i < view.count<Section::Tasks>(); ++i)
-    tasks.emplace(folded(reader::text_of(view, view.record<Section::Tasks>(i).name)), i);
+    tasks.emplace(naming::upper(reader::text_of(view, view.record<Section::Tasks>(i).name)), i);
   return tasks;
 }
 

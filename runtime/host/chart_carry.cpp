@@ -17,11 +17,6 @@ using bytecode::Section;
 
 constexpr std::size_t kTimeBytes = 8;
 
-std::string folded(std::string name) {
-  for (char& c : name) c = naming::to_upper(c);
-  return name;
-}
-
 bool get(std::span<const std::byte> image, std::uint32_t address, std::uint8_t bit) {
   return bit == bytecode::kNoBit ? image[address] != std::byte{0} : image::get_bit(image, address, bit);
 }
@@ -70,10 +65,10 @@ ChartCarry::ChartCarry(const bytecode::Program& from, const bytecode::Program& t
 void ChartCarry::pair(const bytecode::ContainerView& from, const bytecode::ContainerView& to) {
   std::map<std::string, Place> known;
   for (const NamedStep& step : steps_of(to))
-    known.emplace(folded(step.name), Place{step.record.address, step.record.bit});
+    known.emplace(naming::upper(step.name), Place{step.record.address, step.record.bit});
   for (const NamedStep& step : steps_of(from)) {
     const Place place{step.record.address, step.record.bit};
-    if (const auto found = known.find(folded(step.name)); found != known.end()) {
+    if (const auto found = known.find(naming::upper(step.name)); found != known.end()) {
       pairs_.push_back({place, found->second});
     } else {
       lost_.push_back({place, step.name});

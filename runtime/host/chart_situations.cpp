@@ -16,11 +16,6 @@ using bytecode::Section;
 
 constexpr std::uint32_t kWordBits = 64;
 
-std::string folded(std::string name) {
-  for (char& c : name) c = naming::to_upper(c);
-  return name;
-}
-
 template <typename Words>
 void set(Words& words, std::uint32_t step) {
   words[step / kWordBits] |= std::uint64_t{1} << step % kWordBits;
@@ -34,23 +29,23 @@ ChartSituations::ChartSituations(const bytecode::Program& from, const bytecode::
   std::map<std::string, bytecode::SfcChartRecord> known;
   for (std::uint32_t c = 0; c < old.count<Section::SfcCharts>(); ++c) {
     const auto chart = old.record<Section::SfcCharts>(c);
-    known.emplace(folded(reader::text_of(old, chart.name)), chart);
+    known.emplace(naming::upper(reader::text_of(old, chart.name)), chart);
   }
   for (std::uint32_t c = 0; c < view.count<Section::SfcCharts>(); ++c) {
     const auto record = view.record<Section::SfcCharts>(c);
     const std::string name = reader::text_of(view, record.name);
-    const auto before = known.find(folded(name));
+    const auto before = known.find(naming::upper(name));
     if (before == known.end() || record.step_count > kMaxSteps) continue;
     Chart chart{name, {}, reachable(view, record)};
     if (chart.situations.empty()) continue;  // too many
     std::map<std::string, Place> places;
     for (std::uint32_t i = 0; i < before->second.step_count; ++i) {
       const auto step = old.record<Section::SfcSteps>(before->second.first_step + i);
-      places.emplace(folded(reader::text_of(old, step.name)), Place{step.address, step.bit});
+      places.emplace(naming::upper(reader::text_of(old, step.name)), Place{step.address, step.bit});
     }
     for (std::uint32_t i = 0; i < record.step_count; ++i) {
       const auto step = view.record<Section::SfcSteps>(record.first_step + i);
-      chart.places.push_back(places[folded(reader::text_of(view, step.name))]);
+      chart.places.push_back(places[naming::upper(reader::text_of(view, step.name))]);
     }
     charts_.push_back(std::move(chart));
   }

@@ -70,6 +70,7 @@ enum class Outcome : std::uint8_t {
   ChangeOutdated,  // the program that it was planned for is not the one that runs
   StepLost,        // an active step has no counterpart; `detail` is its number in the plan
   ProgramDiffers,  // a write to a program that is not the one that is loaded
+  Refused,         // by a controller behind a line, or by the line; see the problems
   StepsUnfit,  // active steps are no situation of the new chart; `detail` is the chart's number in the plan
 };
 

@@ -1,31 +1,15 @@
 // Commands, as the scan thread performs them between two scans.
 
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cstring>
 #include <utility>
 
+#include "runtime/host/image_bits.h"
 #include "runtime/host/scan_loop.h"
 
 namespace stepwright::host {
 namespace {
-
-// The force that bits stand for: one bit, or 1, 2, 4 or 8 whole bytes. None for any other mask.
-std::optional<image::Force> to_force(const ImageBits& bits) {
-  if (std::popcount(bits.mask) == 1) {
-    const auto place = static_cast<std::uint32_t>(std::countr_zero(bits.mask));
-    if (bits.byte_offset > kMaxImageBytes) return std::nullopt;
-    const std::uint64_t value = (bits.value >> place) & 1u;
-    return image::Force{bits.byte_offset + place / 8, static_cast<std::uint8_t>(place % 8), 1, value};
-  }
-  for (const std::uint8_t size : std::array<std::uint8_t, 4>{1, 2, 4, 8}) {
-    const std::uint64_t whole = size == 8 ? ~std::uint64_t{0} : (std::uint64_t{1} << 8 * size) - 1;
-    if (bits.mask == whole)
-      return image::Force{bits.byte_offset, image::kWholeBytes, size, bits.value & whole};
-  }
-  return std::nullopt;
-}
 
 // How many bytes from its offset the mask reaches.
 std::size_t bytes_of(const ImageBits& bits) {

@@ -12,12 +12,6 @@ namespace {
 
 using bytecode::TypeKind;
 
-std::string folded(std::string_view name) {
-  std::string result(name);
-  for (char& c : result) c = naming::to_upper(c);
-  return result;
-}
-
 void append_bytes(std::vector<std::byte>& out, const void* from, std::size_t count) {
   const std::size_t at = out.size();
   out.resize(at + count);
@@ -115,11 +109,12 @@ StateLayout::StateLayout(std::vector<StateType> types, std::vector<StateVariable
 
 void StateLayout::index() {
   by_path_.reserve(variables_.size());
-  for (std::uint32_t i = 0; i < variables_.size(); ++i) by_path_.try_emplace(folded(variables_[i].path), i);
+  for (std::uint32_t i = 0; i < variables_.size(); ++i)
+    by_path_.try_emplace(naming::upper(variables_[i].path), i);
 }
 
 const StateVariable* StateLayout::find(std::string_view path) const {
-  const auto found = by_path_.find(folded(path));
+  const auto found = by_path_.find(naming::upper(path));
   return found == by_path_.end() ? nullptr : &variables_[found->second];
 }
 

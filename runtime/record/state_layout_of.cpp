@@ -83,10 +83,8 @@ class Expander {
     if (variables_.size() == StateLayout::kMaxVariables || text_bytes_ > kMaxTextBytes) return false;
     const std::string path = variable.path;
     for (std::uint32_t same = 2;; ++same) {
-      std::string key = variable.path;
-      for (char& c : key) c = naming::to_upper(c);
       const auto [known, is_new] =
-          known_.try_emplace(std::move(key), static_cast<std::uint32_t>(variables_.size()));
+          known_.try_emplace(naming::upper(variable.path), static_cast<std::uint32_t>(variables_.size()));
       if (is_new) break;
       const StateVariable& other = variables_[known->second];
       if (other.address == variable.address && other.bit == variable.bit) return true;
@@ -119,8 +117,7 @@ class Expander {
     std::string text;
     for (std::uint32_t i = 0; i < type.count; ++i) {
       const auto member = view_.record<Section::Members>(type.first + i);
-      std::string name = reader::text_of(view_, member.name);
-      for (char& c : name) c = naming::to_upper(c);
+      const std::string name = naming::upper(reader::text_of(view_, member.name));
       text += name + "=" + std::to_string(static_cast<std::int32_t>(member.offset)) + ",";
     }
     return text;

@@ -28,9 +28,7 @@ StepPlace place_of(const StateVariable& step) {
 
 // What holds the variable: of a step the instance of its chart.
 std::string owner_of(const std::string& path) {
-  std::string owner = path.substr(0, path.rfind('.'));
-  for (char& c : owner) c = naming::to_upper(c);
-  return owner;
+  return naming::upper(path.substr(0, path.rfind('.')));
 }
 
 bool get(std::span<const std::byte> image, std::uint32_t address, std::uint8_t bit) {

@@ -52,12 +52,14 @@ Interpreter::Interpreter(const bytecode::Program& program, std::span<std::uint64
   assert(stack.size() >= program.sizes().stack_slots);
 }
 
+#ifndef STEPWRIGHT_PLAIN_INTERPRETER
 Interpreter::Interpreter(const bytecode::Program& program, std::span<std::uint64_t> stack,
                          std::span<std::byte> quick_code)
     : Interpreter(program, stack) {
   quicken(program, quick_code);
   code_ = quick_code;
 }
+#endif
 
 Trap Interpreter::run(const bytecode::Invocation& invocation, std::span<std::byte> memory_block,
                       std::uint64_t& budget) {
@@ -66,6 +68,7 @@ Trap Interpreter::run(const bytecode::Invocation& invocation, std::span<std::byt
       STEPWRIGHT_OPCODES(STEPWRIGHT_X)
 #undef STEPWRIGHT_X
   };
+#ifndef STEPWRIGHT_PLAIN_INTERPRETER
   static const void* const kQuickHandlers[] = {
 #define STEPWRIGHT_X(name, ...) &&op_##name,
       STEPWRIGHT_QUICK_ORIGINALS(STEPWRIGHT_X)
@@ -74,12 +77,17 @@ Trap Interpreter::run(const bytecode::Invocation& invocation, std::span<std::byt
           STEPWRIGHT_SUPERINSTRUCTIONS(STEPWRIGHT_X)
 #undef STEPWRIGHT_X
       && original};
+#endif
   assert(memory_block.size() == program_.memory_size());
   const bytecode::ContainerView& view = program_.container();
-  const std::byte* const file_code = view.section(Section::Code).data();
+  [[maybe_unused]] const std::byte* const file_code = view.section(Section::Code).data();
   const std::byte* const all_code = code_.data();
-  // The compiler forgets what it knows of the address, so that it keeps it in a register for all handlers.
+#ifndef STEPWRIGHT_PLAIN_INTERPRETER
   const void* const* handlers = all_code == file_code ? kHandlers : kQuickHandlers;
+#else
+  const void* const* handlers = kHandlers;
+#endif
+  // The compiler forgets what it knows of the address, so that it keeps it in a register for all handlers.
   asm("" : "+r"(handlers));
   const std::byte* const constants = view.section(Section::Constants).data();
   const std::byte* const functions = view.section(Section::Functions).data();
@@ -406,10 +414,12 @@ op_Intrinsic : {
 op_Trap:
   FAULT(OPERAND(TrapCode, 0));
 
+#ifndef STEPWRIGHT_PLAIN_INTERPRETER
   SUPER_HANDLERS
 
 original:
   goto* kHandlers[static_cast<std::uint8_t>(file_code[pc - 1 - all_code])];
+#endif
 
 trapped : {
   budget = budget_left + slices.reserve;

@@ -28,6 +28,8 @@ class Interpreter final : public bytecode::Engine {
 
   // Fills `quick_code` (as many bytes as the Code section has; it must outlive the engine) with the quick
   // form of the code and runs that: the same meaning, traps and budget in fewer steps (superinstruction.h).
+  // A program built with STEPWRIGHT_PLAIN_INTERPRETER lacks it: 12 KB of code and the copy are too much for a
+  // small controller.
   Interpreter(const bytecode::Program& program, std::span<std::uint64_t> stack,
               std::span<std::byte> quick_code);
 

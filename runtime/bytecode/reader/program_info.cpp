@@ -12,12 +12,6 @@ namespace {
 using bytecode::ContainerView;
 using bytecode::Section;
 
-std::string upper(std::string_view name) {
-  std::string result(name);
-  for (char& c : result) c = naming::to_upper(c);
-  return result;
-}
-
 // Lists the elementary variables inside symbols. Bounded in depth and size, as a hostile container may nest
 // types without end; a variable of a huge array does not need a name for each element.
 class Flattener {
@@ -134,7 +128,8 @@ result::Result<ProgramInfo> ProgramInfo::read(std::span<const std::byte> contain
     flattener.add(text_of(view, symbol.name), symbol.type,
                   {bytecode::ElementaryType::Bool, symbol.address, symbol.bit}, symbol.flags);
   }
-  for (std::size_t i = 0; i < info.tags_.size(); ++i) info.by_name_.emplace(upper(info.tags_[i].name), i);
+  for (std::size_t i = 0; i < info.tags_.size(); ++i)
+    info.by_name_.emplace(naming::upper(info.tags_[i].name), i);
   for (std::uint32_t i = 0; i < view.count<Section::SfcCharts>(); ++i) {
     info.charts_.push_back(chart_info(view, view.record<Section::SfcCharts>(i)));
   }
@@ -153,7 +148,7 @@ const Variable* ProgramInfo::find(std::string_view name) const {
 }
 
 const Tag* ProgramInfo::find_tag(std::string_view name) const {
-  const auto found = by_name_.find(upper(name));
+  const auto found = by_name_.find(naming::upper(name));
   return found == by_name_.end() ? nullptr : &tags_[found->second];
 }
 

@@ -13,12 +13,6 @@ namespace {
 
 using bytecode::ElementaryType;
 
-std::string upper(std::string_view name) {
-  std::string text(name);
-  for (char& c : text) c = naming::to_upper(c);
-  return text;
-}
-
 // Without blanks; an index of several dimensions as one index after the other.
 std::string plain_path(std::string_view name) {
   std::string path;
@@ -69,11 +63,11 @@ const Tag* tag_at(const ProgramInfo& info, std::uint32_t address, std::uint8_t b
 
 // What to do about a name that is none.
 std::string hint_for(const ProgramInfo& info, const std::string& path) {
-  const std::string wanted = upper(path);
+  const std::string wanted = naming::upper(path);
   std::vector<std::string> names;
   names.reserve(info.tags().size());
   for (const Tag& tag : info.tags()) {
-    names.push_back(upper(tag.name));
+    names.push_back(naming::upper(tag.name));
     const std::string& name = names.back();
     const bool inside = name.size() > wanted.size() && name.starts_with(wanted) &&
                         (name[wanted.size()] == '[' || name[wanted.size()] == '.');

@@ -1,7 +1,9 @@
 #pragma once
 
-// Where slaves are reached: a TCP address, or a serial line that several share. Values; any thread.
+// Where slaves are reached: a TCP address, or a serial line that several share. Values; any thread. All of it
+// is in this header: a configuration names endpoints and links no libmodbus.
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -30,9 +32,24 @@ struct SerialEndpoint {
 using Endpoint = std::variant<TcpEndpoint, SerialEndpoint>;
 
 // "192.168.1.10:502", "[::1]:502", "/dev/ttyUSB0": one text for one connection.
-std::string name_of(const Endpoint& endpoint);
+inline std::string name_of(const Endpoint& endpoint) {
+  if (const auto* line = std::get_if<SerialEndpoint>(&endpoint)) return line->device;
+  const auto& tcp = std::get<TcpEndpoint>(endpoint);
+  const bool version6 = tcp.host.find(':') != std::string::npos;
+  return (version6 ? "[" + tcp.host + "]" : tcp.host) + ":" + std::to_string(tcp.port);
+}
+
+// The speeds that libmodbus sets; others it would silently replace.
+inline constexpr std::array<std::uint32_t, 13> kSpeeds = {1'200,   2'400,   4'800,    9'600,   19'200,
+                                                          38'400,  57'600,  115'200,  230'400, 460'800,
+                                                          500'000, 921'600, 1'000'000};
 
 // The silence between two frames: 3.5 characters of 11 bits, 1.75 ms above 19,200 baud (2.5.1.1).
-std::chrono::microseconds frame_gap(std::uint32_t baud);
+constexpr std::chrono::microseconds frame_gap(std::uint32_t baud) {
+  constexpr std::uint32_t kFastest = 19'200;
+  constexpr std::uint64_t kBitsTimesMicro = 38'500'000;
+  if (baud == 0 || baud > kFastest) return std::chrono::microseconds(1'750);
+  return std::chrono::microseconds((kBitsTimesMicro + baud - 1) / baud);
+}
 
 }  // namespace stepwright::modbus::master

@@ -19,9 +19,6 @@ using Clock = std::chrono::steady_clock;
 using Context = std::unique_ptr<modbus_t, decltype(&modbus_free)>;
 
 constexpr std::uint8_t kLastUnit = 247;
-constexpr std::array<std::uint32_t, 13> kSpeeds = {1'200,   2'400,     4'800,   9'600,   19'200,
-                                                   38'400,  57'600,    115'200, 230'400, 460'800,
-                                                   921'600, 1'000'000, 500'000};
 constexpr std::chrono::milliseconds kShortestPeerTimeout{1'000};
 
 tl::unexpected<result::Diagnostics> impossible(const std::string& name, const std::string& what) {

@@ -19,8 +19,11 @@ struct ServerOptions {
   std::chrono::milliseconds idle_timeout{0};          // without a request; 0: none
   std::chrono::milliseconds greeting_timeout{5'000};  // until a transport knows its peer (handshakes)
   std::chrono::milliseconds send_timeout{2'000};      // whoever reads nothing for so long is dropped
-  std::vector<std::uint8_t> units;                    // that are served; empty: every unit
-  bool answer_unknown_units = true;                   // with exception 11; false: not at all
+  // After an answer it looks for the next request for so long before it sleeps: a client that asks again at
+  // once is answered without a wake-up. Costs that much processor time per burst of requests; 0: none.
+  std::chrono::microseconds spin{25};
+  std::vector<std::uint8_t> units;   // that are served; empty: every unit
+  bool answer_unknown_units = true;  // with exception 11; false: not at all
   std::vector<ClientRule> clients;
   // Objects 0 to 6 of FC 43/14.
   std::array<std::string, 7> identification{"Stepwright", "soft PLC", "0"};

@@ -69,8 +69,9 @@ void Server::watch(int descriptor) {
 
 void Server::turn(milliseconds timeout) {
   std::array<epoll_event, kEvents> events;
-  const int count = epoll_wait(epoll_, events.data(), kEvents, static_cast<int>(timeout.count()));
+  const int count = await(events, timeout);
   now_ = Clock::now();
+  const std::uint64_t before = figures_.requests;
   for (int i = 0; i < count; ++i) {
     const std::uint64_t key = events[static_cast<std::size_t>(i)].data.u64;
     if (key == kData) {
@@ -83,7 +84,18 @@ void Server::turn(milliseconds timeout) {
       serve(key, events[static_cast<std::size_t>(i)].events);
     }
   }
+  if (figures_.requests != before) spin_until_ = now_ + options_.spin;
   if (now_ >= next_check_) check_all();
+}
+
+int Server::await(std::span<epoll_event> events, milliseconds timeout) {
+  const auto look = [&](milliseconds patience) {
+    return epoll_wait(epoll_, events.data(), static_cast<int>(events.size()),
+                      static_cast<int>(patience.count()));
+  };
+  while (Clock::now() < spin_until_)
+    if (const int count = look(milliseconds(0)); count != 0) return count;
+  return look(timeout);
 }
 
 void Server::run_for(milliseconds time) {

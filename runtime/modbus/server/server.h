@@ -12,8 +12,10 @@
 // requests only.
 
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,8 @@
 #include "runtime/modbus/server/session.h"
 #include "runtime/modbus/server/transport.h"
 #include "runtime/result/result.h"
+
+struct epoll_event;
 
 namespace stepwright::modbus::server {
 
@@ -61,6 +65,7 @@ class Server {
   };
 
   Server(ServerOptions options, ProcessData& data, int epoll);
+  int await(std::span<epoll_event> events, std::chrono::milliseconds timeout);
   void admit(Door& door);
   void enter(std::unique_ptr<Transport> transport);
   void serve(std::uint64_t key, std::uint32_t events);
@@ -78,6 +83,7 @@ class Server {
   int epoll_;
   Clock::time_point now_;
   Clock::time_point next_check_;
+  Clock::time_point spin_until_;
   bool interrupted_ = false;  // a watched descriptor is readable
   std::uint64_t last_ticket_ = 0;
   std::vector<std::unique_ptr<Door>> doors_;  // outlive the sessions

@@ -46,6 +46,7 @@ result::Diagnostics explain(const host::Completion& completion) {
     case Outcome::StepLost:
     case Outcome::StepsUnfit:
     case Outcome::RetainRefused:
+    case Outcome::Refused:
       return completion.problems;
     case Outcome::ProgramDiffers:
       return one("R0002", "the program that the addresses are of is not the one that is loaded",

@@ -44,6 +44,10 @@ class Demo:
 
     def pid_of(self, program):
         """The process of `stepwright-<program>` among the demo's children, or None."""
+        return self.child(f"stepwright-{program}")
+
+    def child(self, executable):
+        """The process of an executable among the demo's children, or None."""
         own = pathlib.Path(f"/proc/{self.process.pid}")
         try:
             children = (own / f"task/{self.process.pid}/children").read_text(encoding="ascii")
@@ -54,7 +58,7 @@ class Demo:
                 command = pathlib.Path(f"/proc/{child}/cmdline").read_bytes().split(b"\0")
             except OSError:  # it ended since the list was read
                 continue
-            if command[0].endswith(b"stepwright-" + program.encode()):
+            if command[0].endswith(executable.encode()):
                 return int(child)
         return None
 
@@ -94,6 +98,10 @@ class Demo:
                 raise AssertionError(f"the demo ended early:\n{self.output()}")
             time.sleep(0.005)
         raise AssertionError(f"fewer than {count} actions were done")
+
+    def kill_foreign(self, executable):
+        """SIGKILL for a child that is none of ours."""
+        os.kill(self.child(executable), signal.SIGKILL)
 
     def kill(self, program, number=signal.SIGKILL):
         pid = self.pid_of(program)

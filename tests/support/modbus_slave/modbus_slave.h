@@ -21,10 +21,10 @@
 namespace stepwright::support {
 
 struct ModbusSlaveOptions {
-  std::uint16_t port = 0;  // 0: a free one
-  std::string device = {};      // a serial line instead of TCP
-  std::uint8_t unit = 1;   // on a line; over TCP it answers for all
-  int registers = 1'000;   // of each table
+  std::uint16_t port = 0;   // 0: a free one
+  std::string device = {};  // a serial line instead of TCP
+  std::uint8_t unit = 1;    // on a line; over TCP it answers for all
+  int registers = 1'000;    // of each table
 };
 
 class ModbusSlave {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace stepwright::translate_command {
@@ -104,6 +105,33 @@ TEST(WriteDocument, WhenFolderIsMissing_ThenFailsAndLeavesNothing) {
   EXPECT_EQ(text_of(file), "text");
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
   std::filesystem::remove(file);
+}
+
+TEST(TranslateFiles, WhenAHandshakeIsAsked_ThenEveryActionHasAGateAndTheTableNamesIt) {
+  Arguments arguments = bench("plcopen");
+  arguments.handshake = "table.json";
+  const auto made = translate_files(arguments);
+  ASSERT_TRUE(made) << to_string(made.error());
+  const auto table = nlohmann::json::parse(made->table);
+  EXPECT_EQ(table["registers"], 1024);
+  ASSERT_EQ(table["actions"].size(), 19u);
+  for (const auto& action : table["actions"]) {
+    const std::string step = action["step"];
+    EXPECT_THAT(made->document, HasSubstr("\"G" + step.substr(1) + "\""));
+    for (const int before : action["after"]) EXPECT_LT(before, action["number"]);
+  }
+  EXPECT_EQ(table["actions"][0]["after"].size(), 0u);
+  EXPECT_THAT(made->document, HasSubstr("%MW4"));
+}
+
+TEST(TranslateFiles, WhenAHandshakeIsAskedForOmron_ThenItsRegistersAreMemoryWords) {
+  Arguments arguments = bench("omron");
+  arguments.handshake = "table.json";
+  const auto made = translate_files(arguments);
+  ASSERT_TRUE(made) << to_string(made.error());
+  EXPECT_THAT(made->document, HasSubstr("<>S(307) D300 +0"));  // nothing but 0 lets gates open
+  EXPECT_THAT(made->document, HasSubstr("D304"));
+  EXPECT_THAT(translate_files(bench("omron"))->document, ::testing::Not(HasSubstr("D300")));
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#pragma once
+
+// What a cell's configuration says about its controller, as the gateway's libraries want it. Pure.
+
+#include <memory>
+
+#include "programs/config/cell_config.h"
+#include "runtime/remote/register_line.h"
+#include "runtime/remote/remote_config.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::gateway {
+
+// Opens nothing yet. Fails with R0126 for what no line can have.
+[[nodiscard]] result::Result<std::unique_ptr<remote::RegisterLine>> make_line(
+    const config::ControllerConfig& controller);
+
+// Fails as cell_runtime::host_options does.
+[[nodiscard]] result::Result<remote::RemoteConfig> remote_options(const config::CellConfig& config);
+
+}  // namespace stepwright::gateway

@@ -1,0 +1,330 @@
+#include "runtime/modbus/client/poll/connection_worker.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace stepwright::modbus::client {
+namespace {
+
+using master::Fault;
+using master::Outcome;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kFirstPause{20};
+constexpr milliseconds kTick{1};
+constexpr int kShareOfTheDead = 3;  // parts of the others' time to one of theirs
+
+// A gateway's word for a unit that does not answer it (Modbus Application Protocol V1.1b3, section 7).
+bool is_silence(const Outcome& outcome) {
+  constexpr std::uint8_t kPathUnavailable = 10;
+  constexpr std::uint8_t kTargetSilent = 11;
+  return outcome.fault == Fault::Timeout || outcome.fault == Fault::BadAnswer ||
+         (outcome.fault == Fault::Exception &&
+          (outcome.exception == kPathUnavailable || outcome.exception == kTargetSilent));
+}
+
+Quality quality_of(const Outcome& outcome) {
+  if (outcome.fault == Fault::Exception && !is_silence(outcome)) return Quality::DeviceFailure;
+  const bool gone = outcome.fault == Fault::NotConnected || outcome.fault == Fault::ConnectionLost;
+  return gone ? Quality::NotConnected : Quality::CommFailure;
+}
+
+// Worth another try with fewer tags: one address of the request may be wrong.
+bool is_refused_address(const Outcome& outcome) {
+  return outcome.fault == Fault::Exception && (outcome.exception == 2 || outcome.exception == 3);
+}
+
+}  // namespace
+
+ConnectionWorker::ConnectionWorker(std::vector<Device> devices, master::Master master,
+                                   const ClientSettings& settings)
+    : board_(std::move(devices), Clock::now()),
+      master_(std::move(master)),
+      settings_(settings),
+      serial_(std::holds_alternative<master::SerialEndpoint>(board_.devices().front().endpoint)),
+      words_(master::kMaxReadRegisters),
+      bits_(master::kMaxReadBits) {
+  for (const Device& device : board_.devices()) units_.emplace_back(device, Clock::now());
+  thread_ = std::thread([this] { run(); });
+}
+
+ConnectionWorker::~ConnectionWorker() {
+  {
+    const std::scoped_lock lock(mutex_);
+    stop_ = true;
+  }
+  news_.notify_all();
+  thread_.join();
+}
+
+void ConnectionWorker::set_outputs(std::span<const std::byte> area) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (std::ranges::equal(outputs_, area)) return;
+    outputs_.assign(area.begin(), area.end());
+    new_outputs_ = true;
+    written_ = false;
+  }
+  news_.notify_all();
+}
+
+void ConnectionWorker::take_outputs() {
+  std::unique_lock lock(mutex_);
+  if (!new_outputs_) return;
+  new_outputs_ = false;
+  const std::vector<std::byte> area = outputs_;
+  lock.unlock();
+  for (Unit& unit : units_) unit.writes().set_outputs(area);
+  board_.outputs_are(area);
+}
+
+void ConnectionWorker::wait_until(Clock::time_point at) {
+  std::unique_lock lock(mutex_);
+  // A wait without end would overflow some clocks.
+  const auto latest = Clock::now() + std::chrono::seconds(1);
+  news_.wait_until(lock, std::min(at, latest), [this] { return stop_ || new_outputs_; });
+}
+
+void ConnectionWorker::run() {
+  while (true) {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (stop_) return;
+    }
+    take_outputs();
+    if (!master_.connected() && !connect()) continue;
+    const Job job = next_job(Clock::now());
+    switch (job.turn) {
+      case Turn::Wait:
+        wait_until(job.at);
+        break;
+      case Turn::Read:
+        read_group(job.unit, *units_[job.unit].next_group());
+        break;
+      case Turn::Write:
+        write_next(job.unit);
+        break;
+      case Turn::Probe:
+        probe(job.unit);
+        break;
+    }
+    wrote_last_ = job.turn == Turn::Write;
+    const bool all =
+        std::ranges::all_of(units_, [](Unit& unit) { return unit.asleep() || unit.writes().clean(); });
+    const std::scoped_lock lock(mutex_);
+    written_ = all && !new_outputs_ && master_.connected();
+  }
+}
+
+bool ConnectionWorker::connect() {
+  auto now = Clock::now();
+  if (now < connect_at_) {
+    wait_until(connect_at_);
+    return false;
+  }
+  const Outcome outcome = master_.connect();
+  now = Clock::now();
+  connect_at_ = now + pause_;
+  pause_ = std::clamp(2 * pause_, kFirstPause, std::max(kFirstPause, settings_.reconnect_at_most));
+  silent_.clear();
+  if (!outcome.good()) {
+    for (std::size_t i = 0; i < units_.size(); ++i)
+      board_.offline(i, Quality::NotConnected, outcome.text(), now);
+    return false;
+  }
+  for (std::size_t i = 0; i < units_.size(); ++i) {
+    units_[i].begin_anew();
+    // There is nothing to ask it, and what is to be written may come later.
+    if (units_[i].next_group() == nullptr && !units_[i].asleep()) board_.online(i, now);
+  }
+  return true;
+}
+
+ConnectionWorker::Job ConnectionWorker::next_job(Clock::time_point now) {
+  Job read;
+  Job write;
+  Job dead;
+  const std::size_t later = std::exchange(later_, kNobody);
+  for (std::size_t i = 0; i < units_.size(); ++i) {
+    Unit& unit = units_[i];
+    const auto when = [&](Clock::time_point due) { return i == later ? std::max(due, now + kTick) : due; };
+    if (unit.asleep()) {
+      const auto at = std::max(unit.wakes_at(), probe_at_);
+      if (at < dead.at) dead = {Turn::Probe, i, at};
+      continue;
+    }
+    if (const GroupPoll* group = unit.next_group(); group != nullptr && when(group->due) < read.at)
+      read = {Turn::Read, i, when(group->due)};
+    if (const auto due = unit.writes().due(); due && when(*due) < write.at)
+      write = {Turn::Write, i, when(*due)};
+  }
+  if (dead.at <= now) return dead;
+  const bool reads = read.at <= now;
+  const bool writes = write.at <= now;
+  if (reads && (!writes || wrote_last_)) return read;
+  if (writes) return write;
+  return {Turn::Wait, 0, std::min({read.at, write.at, dead.at})};
+}
+
+Outcome ConnectionWorker::read(Unit& unit, const ReadRequest& request) {
+  master_.set_timeout(unit.device().timeout);
+  if (const Outcome known = master_.select_unit(unit.device().unit); !known.good()) return known;
+  const std::span<std::uint16_t> words(words_.data(), request.count);
+  if (!is_bits(request.table)) {
+    const auto table = request.table == Table::HoldingRegisters ? master::RegisterTable::Holding
+                                                                : master::RegisterTable::Input;
+    return master_.read_registers(table, request.first, words);
+  }
+  const auto table =
+      request.table == Table::Coils ? master::BitTable::Coils : master::BitTable::DiscreteInputs;
+  return master_.read_bits(table, request.first, {bits_.data(), request.count});
+}
+
+void ConnectionWorker::read_group(std::size_t index, GroupPoll& group) {
+  Unit& unit = units_[index];
+  const auto began = Clock::now();
+  const auto before = std::exchange(group.began, began);
+  for (std::size_t i = 0; i < group.requests.size();) {
+    const ReadRequest& request = group.requests[i];
+    const auto sent = Clock::now();
+    const Outcome outcome = read(unit, request);
+    if (outcome.good()) {
+      if (is_bits(request.table)) words_.assign(bits_.begin(), bits_.end());
+      board_.read(index, request, {words_.data(), request.count}, Clock::now());
+    } else if (auto halves = halves_of(request, board_.inputs(index));
+               is_refused_address(outcome) && !halves.empty()) {
+      judge(index, outcome, sent, false);
+      group.requests[i] = std::move(halves[0]);
+      group.requests.insert(group.requests.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                            std::move(halves[1]));
+      continue;
+    } else {
+      board_.not_read(index, request.tags, quality_of(outcome), outcome.text());
+    }
+    if (!judge(index, outcome, sent, false)) return;  // due as before, unless it sleeps now
+    ++i;
+  }
+  const std::uint64_t missed = group.advance(Clock::now());
+  const auto at = static_cast<std::size_t>(&group - unit.groups().data());
+  board_.count(index, [&](DeviceCounters&, std::vector<GroupStatus>& groups) {
+    ++groups[at].turns;
+    groups[at].overruns += missed;
+    if (before != Clock::time_point{})
+      groups[at].period.record(std::chrono::nanoseconds(began - before).count());
+  });
+}
+
+Outcome ConnectionWorker::send(Unit& unit, const WriteRequest& request) {
+  master_.set_timeout(unit.device().timeout);
+  if (const Outcome known = master_.select_unit(unit.device().unit); !known.good()) return known;
+  const bool single = request.words.size() == 1 && unit.device().single_writes;
+  if (request.mask != 0) {
+    return master_.mask_register(request.first, static_cast<std::uint16_t>(~request.mask),
+                                 request.words[0] & request.mask);
+  }
+  if (is_bits(request.table)) {
+    if (single) return master_.write_coil(request.first, request.words[0] != 0);
+    const std::vector<std::uint8_t> bits(request.words.begin(), request.words.end());
+    return master_.write_coils(request.first, bits);
+  }
+  if (single) return master_.write_register(request.first, request.words[0]);
+  return master_.write_registers(request.first, request.words);
+}
+
+void ConnectionWorker::write_next(std::size_t index) {
+  Unit& unit = units_[index];
+  const auto request = unit.writes().next(Clock::now());
+  if (!request) return;
+  const auto sent = Clock::now();
+  const Outcome outcome = send(unit, *request);
+  const auto now = Clock::now();
+  const std::vector<std::uint32_t> tags = unit.writes().tags_of(*request);
+  // A request without an answer is repeated at once; one that is refused, later.
+  const bool refused = !outcome.good() && !is_silence(outcome);
+  if (outcome.good() || refused) unit.writes().done(*request, outcome.good(), now);
+  if (outcome.good()) {
+    std::vector<std::uint8_t> exceeded;
+    for (const std::uint32_t tag : tags) exceeded.push_back(unit.writes().exceeded(tag));
+    board_.written(index, tags, exceeded, now);
+  } else {
+    board_.not_written(index, tags, quality_of(outcome), outcome.text(), now);
+  }
+  judge(index, outcome, sent, true);
+}
+
+void ConnectionWorker::probe(std::size_t index) {
+  Unit& unit = units_[index];
+  GroupPoll* const group = unit.next_group();
+  if (group != nullptr) {
+    const ReadRequest& request = group->requests.front();
+    const auto sent = Clock::now();
+    const Outcome outcome = read(unit, request);
+    if (judge(index, outcome, sent, false)) group->due = Clock::now();
+    return;
+  }
+  unit.writes().forget();
+  if (unit.writes().due()) {
+    write_next(index);
+  } else {
+    unit.answered();  // nothing is to be said to it
+  }
+}
+
+bool ConnectionWorker::judge(std::size_t index, const Outcome& outcome, Clock::time_point sent, bool write) {
+  const auto now = Clock::now();
+  board_.count(index, [&](DeviceCounters& counters, std::vector<GroupStatus>&) {
+    ++counters.requests;
+    counters.writes += write ? 1 : 0;
+    counters.timeouts += outcome.fault == Fault::Timeout ? 1 : 0;
+    counters.exceptions += outcome.fault == Fault::Exception ? 1 : 0;
+    counters.bad_answers += outcome.fault == Fault::BadAnswer ? 1 : 0;
+    if (outcome.good()) counters.answer.record(std::chrono::nanoseconds(now - sent).count());
+  });
+  if (is_silence(outcome)) {
+    on_silence(index, outcome.text(), sent, now);
+    return false;
+  }
+  if (outcome.fault == Fault::ConnectionLost || outcome.fault == Fault::NotConnected) {
+    on_lost(outcome.text(), now);
+    return false;
+  }
+  // It has answered, if only to refuse.
+  units_[index].answered();
+  board_.online(index, now);
+  silent_.clear();
+  pause_ = milliseconds(0);
+  return true;
+}
+
+void ConnectionWorker::on_silence(std::size_t index, const std::string& error, Clock::time_point sent,
+                                  Clock::time_point now) {
+  Unit& unit = units_[index];
+  const bool was_asleep = unit.asleep();
+  const bool others_awake =
+      std::ranges::any_of(units_, [&](const Unit& other) { return &other != &unit && !other.asleep(); });
+  if (unit.silent(now)) {
+    probe_at_ = now + kShareOfTheDead * (now - sent);
+    board_.offline(index, Quality::CommFailure, error, now);
+  }
+  later_ = index;
+  if (serial_) return;
+  // A unit that is known to be dead says nothing about the connection, as long as others speak.
+  if (was_asleep && others_awake) return;
+  if (std::ranges::find(silent_, index) == silent_.end()) silent_.push_back(index);
+  if (silent_.size() >= 2 || !others_awake) {
+    master_.close();
+    board_.count(index,
+                 [](DeviceCounters& counters, std::vector<GroupStatus>&) { ++counters.connection_losses; });
+  }
+}
+
+void ConnectionWorker::on_lost(const std::string& error, Clock::time_point now) {
+  master_.close();
+  for (std::size_t i = 0; i < units_.size(); ++i) {
+    board_.offline(i, Quality::NotConnected, error, now);
+    board_.count(i,
+                 [](DeviceCounters& counters, std::vector<GroupStatus>&) { ++counters.connection_losses; });
+  }
+}
+
+}  // namespace stepwright::modbus::client

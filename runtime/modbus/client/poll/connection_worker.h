@@ -1,0 +1,99 @@
+#pragma once
+
+// The poller of one connection: a thread that reads and writes all units behind one host and port, or on one
+// serial line, which take turns there. What it waits for holds up no other connection.
+//
+// Of what is due the oldest comes first; writes and reads alternate where both are. Units that do not answer
+// are tried again one at a time, so that their timeouts take at most a quarter of the line's time. A
+// connection is made anew when it is lost, when every unit of it is silent, or two of them are in a row
+// (half-open: nothing comes and nothing says so).
+//
+// Threads: its own; set_outputs, written and board() from any.
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "runtime/modbus/client/poll/tag_board.h"
+#include "runtime/modbus/client/poll/unit.h"
+#include "runtime/modbus/client/settings.h"
+#include "runtime/modbus/master/master.h"
+
+namespace stepwright::modbus::client {
+
+class ConnectionWorker {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // All devices have one endpoint, which the master has, too.
+  ConnectionWorker(std::vector<Device> devices, master::Master master, const ClientSettings& settings);
+  // Ends within the timeout of a request.
+  ~ConnectionWorker();
+  ConnectionWorker(const ConnectionWorker&) = delete;
+  ConnectionWorker& operator=(const ConnectionWorker&) = delete;
+
+  TagBoard& board() { return board_; }
+  const TagBoard& board() const { return board_; }
+
+  // The output area as it is to be.
+  void set_outputs(std::span<const std::byte> area);
+  // Every unit that answers has acknowledged what was set last.
+  bool written() const { return written_; }
+
+ private:
+  enum class Turn : std::uint8_t { Wait, Read, Write, Probe };
+  struct Job {
+    Turn turn = Turn::Wait;
+    std::size_t unit = 0;
+    Clock::time_point at = Clock::time_point::max();  // since when it is due, or how long to wait
+  };
+
+  void run();
+  void wait_until(Clock::time_point at);
+  void take_outputs();
+  bool connect();
+  Job next_job(Clock::time_point now);
+  void read_group(std::size_t unit, GroupPoll& group);
+  void write_next(std::size_t unit);
+  void probe(std::size_t unit);
+  master::Outcome send(Unit& unit, const WriteRequest& request);
+  master::Outcome read(Unit& unit, const ReadRequest& request);
+  // Counts, and does what the outcome asks of unit and connection. False if the unit's turn is over.
+  bool judge(std::size_t unit, const master::Outcome& outcome, Clock::time_point sent, bool write);
+  void on_silence(std::size_t unit, const std::string& error, Clock::time_point sent, Clock::time_point now);
+  void on_lost(const std::string& error, Clock::time_point now);
+
+  TagBoard board_;
+  master::Master master_;
+  ClientSettings settings_;
+  bool serial_;
+  std::vector<Unit> units_;
+  std::vector<std::uint16_t> words_;
+  std::vector<std::uint8_t> bits_;
+
+  Clock::time_point connect_at_{};
+  std::chrono::milliseconds pause_{0};  // before the next attempt but one
+  Clock::time_point probe_at_{};        // no dead unit is tried before
+  std::vector<std::size_t> silent_;     // units since the newest answer of any
+  static constexpr std::size_t kNobody = ~std::size_t{0};
+  std::size_t later_ = kNobody;  // the unit that was silent just now: first the others
+  bool wrote_last_ = false;
+
+  std::mutex mutex_;  // of what follows
+  std::condition_variable news_;
+  std::vector<std::byte> outputs_;
+  bool new_outputs_ = false;
+  bool stop_ = false;
+  std::atomic<bool> written_{true};
+  std::thread thread_;
+};
+
+}  // namespace stepwright::modbus::client

@@ -1,0 +1,65 @@
+#include "runtime/modbus/client/poll/io_client.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace stepwright::modbus::client {
+
+result::Result<std::unique_ptr<IoClient>> IoClient::create(const ClientSettings& settings) {
+  std::map<std::string, std::vector<Device>> connections;
+  for (const Device& device : settings.devices)
+    connections[master::name_of(device.endpoint)].push_back(device);
+  std::vector<std::pair<std::vector<Device>, master::Master>> made;
+  for (auto& [name, devices] : connections) {
+    master::MasterOptions options;
+    options.connect_timeout = settings.connect_timeout;
+    options.timeout = devices.front().timeout;
+    options.gap = devices.front().gap;
+    auto master = master::Master::create(devices.front().endpoint, options);
+    if (!master) return result::forward(master);
+    made.emplace_back(std::move(devices), std::move(*master));
+  }
+  std::unique_ptr<IoClient> client(new IoClient());
+  for (auto& [devices, master] : made) {
+    client->workers_.push_back(
+        std::make_unique<ConnectionWorker>(std::move(devices), std::move(master), settings));
+  }
+  return client;
+}
+
+void IoClient::set_outputs(std::span<const std::byte> area) {
+  for (const auto& worker : workers_) worker->set_outputs(area);
+}
+
+void IoClient::collect(std::span<std::byte> inputs) const {
+  const auto now = ConnectionWorker::Clock::now();
+  for (const auto& worker : workers_) worker->board().collect(now, inputs);
+}
+
+bool IoClient::lost() const {
+  const auto now = ConnectionWorker::Clock::now();
+  return std::ranges::any_of(workers_, [&](const auto& worker) { return worker->board().lost(now); });
+}
+
+bool IoClient::written() const {
+  return std::ranges::all_of(workers_, [](const auto& worker) { return worker->written(); });
+}
+
+std::vector<DeviceStatus> IoClient::status() const {
+  const auto now = ConnectionWorker::Clock::now();
+  std::vector<DeviceStatus> status;
+  for (const auto& worker : workers_) worker->board().report(now, status);
+  return status;
+}
+
+std::vector<DeviceNews> IoClient::take_news() {
+  std::vector<DeviceNews> news;
+  for (const auto& worker : workers_) {
+    for (DeviceNews& each : worker->board().take_news()) news.push_back(std::move(each));
+  }
+  return news;
+}
+
+}  // namespace stepwright::modbus::client

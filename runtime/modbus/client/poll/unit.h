@@ -1,0 +1,63 @@
+#pragma once
+
+// One slave of a connection as its poller sees it: when which group is due, what is to be written, and
+// whether it answers at all. A unit that does not answer is left alone for a while, so that the others of its
+// line keep their periods. Threads: the poller's. Instants are those of the steady clock.
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include "runtime/modbus/client/poll/read_plan.h"
+#include "runtime/modbus/client/poll/write_plan.h"
+#include "runtime/modbus/client/settings.h"
+
+namespace stepwright::modbus::client {
+
+struct GroupPoll {
+  std::chrono::milliseconds period;
+  std::uint32_t first_input = 0;  // of the device's inputs
+  std::vector<Tag> inputs;
+  std::vector<ReadRequest> requests;  // tags as indices of the device's inputs
+  std::chrono::steady_clock::time_point due;
+  std::chrono::steady_clock::time_point began{};  // its newest turn
+
+  // After a turn: the next one on the grid. Returns how many were missed.
+  std::uint64_t advance(std::chrono::steady_clock::time_point now);
+};
+
+class Unit {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // The device must outlive it.
+  Unit(const Device& device, Clock::time_point start);
+
+  const Device& device() const { return *device_; }
+  std::vector<GroupPoll>& groups() { return groups_; }
+  WritePlan& writes() { return writes_; }
+
+  // Behind a new connection: requests as they were planned, nothing acknowledged.
+  void begin_anew();
+
+  void answered();
+  // True if it counts as dead from now on.
+  bool silent(Clock::time_point now);
+  bool asleep() const { return asleep_; }
+  Clock::time_point wakes_at() const { return wakes_at_; }
+
+  // The group that is due next; null without inputs.
+  GroupPoll* next_group();
+
+ private:
+  void plan();
+
+  const Device* device_;
+  std::vector<GroupPoll> groups_;
+  WritePlan writes_;
+  int silences_ = 0;  // in a row
+  bool asleep_ = false;
+  Clock::time_point wakes_at_{};
+};
+
+}  // namespace stepwright::modbus::client

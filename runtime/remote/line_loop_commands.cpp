@@ -1,0 +1,259 @@
+// Commands, as the line's thread performs them between two turns.
+
+#include <array>
+#include <bit>
+#include <utility>
+
+#include "runtime/host/image_bits.h"
+#include "runtime/remote/line_loop.h"
+
+namespace stepwright::remote {
+namespace {
+
+using host::CommandKind;
+using host::Completion;
+using host::Outcome;
+
+const char* words_for(control::Refusal refusal) {
+  switch (refusal) {
+    case control::Refusal::TooLarge:
+      return "the program is larger than the controller takes";
+    case control::Refusal::Incomplete:
+      return "a part of the program did not arrive";
+    case control::Refusal::WrongDigest:
+      return "the program arrived damaged";
+    case control::Refusal::NotVerified:
+      return "the controller's verifier refuses the program";
+    case control::Refusal::FlashFailed:
+      return "the controller's flash memory failed";
+    case control::Refusal::NotStopped:
+      return "the controller does that only while nothing runs";
+    case control::Refusal::NotSupported:
+      return "the program uses what this controller lacks";
+    case control::Refusal::BadArguments:
+      return "the controller does not accept the arguments";
+    default:
+      return "the controller does not know the command";
+  }
+}
+
+result::Diagnostics one(const char* code, result::Location where, std::string message, std::string hint) {
+  return {{code, result::Severity::Error, std::move(where), std::move(message), std::move(hint)}};
+}
+
+}  // namespace
+
+void LineLoop::take_commands() {
+  while (auto command = box_.next_command()) {
+    Completion completion = apply(*command);
+    publish();  // who sees the completion must find a status that knows of it
+    box_.complete(std::move(completion));
+  }
+}
+
+// What this side does by itself; the rest needs the controller.
+Completion LineLoop::apply(const RemoteCommand& asked) {
+  const host::Command& command = asked.command;
+  const Completion done{command.ticket, Outcome::Done, {}};
+  switch (command.kind) {
+    case CommandKind::Acknowledge:
+      if (command.event >= now_.last_event) release_barrier();
+      return done;
+    case CommandKind::SupervisorAlive:
+      supervisor_lost_ = false;
+      return done;
+    case CommandKind::SupervisorLost:
+      return supervisor_lost(command);
+    case CommandKind::InjectFault:
+      return inject(command);
+    case CommandKind::Step:
+      return step(command);
+    case CommandKind::Continue:
+      stepper_.release();
+      if (running() && !now_.waiting_for_supervisor) begin_stretch();
+      return done;
+    case CommandKind::RecordEnd:
+      return done;
+    case CommandKind::RecordBegin:
+    case CommandKind::WriteBlock:
+    case CommandKind::Change:  // refused before they come here
+      return failed(command.ticket, one("R0147", {link_.name(), 0, 0}, "this controller cannot do that", ""));
+    case CommandKind::Load:
+    case CommandKind::Start:
+    case CommandKind::Stop:
+    case CommandKind::Force:
+    case CommandKind::Unforce:
+    case CommandKind::Write:
+      break;
+  }
+  return reach(asked);
+}
+
+Completion LineLoop::reach(const RemoteCommand& asked) {
+  const host::Command& command = asked.command;
+  if (command.kind == CommandKind::Stop && !running())
+    return {command.ticket, program_ == nullptr ? Outcome::NoProgram : Outcome::Done, {}};
+  if (!contact_) {
+    return failed(command.ticket,
+                  one("R0141", {link_.name(), 0, 0}, "the controller is lost: " + line_problem_,
+                      "the gateway goes on looking for it"));
+  }
+  switch (command.kind) {
+    case CommandKind::Load:
+      return load(asked);
+    case CommandKind::Start:
+      return start(command);
+    case CommandKind::Stop:
+      return stop(command, command.text.view());
+    default:
+      return bits(command);
+  }
+}
+
+Completion LineLoop::failed(std::uint64_t ticket, result::Diagnostics why) {
+  return {ticket, Outcome::Refused, std::move(why)};
+}
+
+// Of a request that the line did not carry: then the controller is lost, too.
+Completion LineLoop::lost(std::uint64_t ticket, result::Diagnostics why) {
+  lose(why);
+  return failed(ticket, std::move(why));
+}
+
+Completion LineLoop::refused(std::uint64_t ticket, const CommandAnswer& answer) {
+  switch (answer.refusal) {
+    case control::Refusal::Done:
+      return {ticket, Outcome::Done, {}};
+    case control::Refusal::NoProgram:
+      return {ticket, Outcome::NoProgram, {}};
+    case control::Refusal::AlreadyRunning:
+      return {ticket, Outcome::AlreadyRunning, {}};
+    case control::Refusal::OutOfBounds:
+      return {ticket, Outcome::OutOfBounds, {}};
+    case control::Refusal::ForcesFull:
+      return {ticket, Outcome::ForcesFull, {}};
+    case control::Refusal::NotForced:
+      return {ticket, Outcome::NotForced, {}};
+    default:
+      return failed(ticket, refusal(answer));
+  }
+}
+
+result::Diagnostics LineLoop::refusal(const CommandAnswer& answer) const {
+  return one("R0144", {link_.name(), 0, 0}, words_for(answer.refusal),
+             "refusal " + std::to_string(static_cast<unsigned>(answer.refusal)) + ", detail " +
+                 std::to_string(answer.detail));
+}
+
+Completion LineLoop::start(const host::Command& command) {
+  if (program_ == nullptr) return {command.ticket, Outcome::NoProgram, {}};
+  if (running()) return {command.ticket, Outcome::AlreadyRunning, {}};
+  std::uint16_t flags = 0;
+  if (simulated()) flags |= control::kStartLockStep;
+  if (command.cold) flags |= control::kStartCold;
+  auto answer = link_.command(control::Command::Start, std::array{flags});
+  if (!answer) return lost(command.ticket, answer.error());
+  if (!answer->done()) return refused(command.ticket, *answer);
+  if (auto begun = begin_run(); !begun) return lost(command.ticket, begun.error());
+  barrier_ = command.barrier;
+  now_.state = host::RuntimeState::Running;
+  progress_ns_ = due_ns_ = wall_ns();
+  emit(host::EventKind::Started, {});
+  begin_stretch();
+  return {command.ticket, Outcome::Done, {}};
+}
+
+// Image and clock as the start left them.
+LineLoop::Done LineLoop::begin_run() {
+  auto status = link_.status();
+  if (!status) return result::forward(status);
+  // By the clock the first steps may have changed by now: then their image stands for that of the start.
+  known_event_ = status->event_kind == control::Event::Started ? status->event : status->event - 1;
+  if (auto read = read_event_image(); !read) return read;
+  auto outputs = link_.outputs(plant_.outputs());
+  if (!outputs) return result::forward(outputs);
+  turn_ = outputs->turn;
+  base_ns_ = next_ns_ - outputs->next_ns;
+  return {};
+}
+
+Completion LineLoop::stop(const host::Command& command, std::string_view reason) {
+  const auto stopped = [&]() -> Done {
+    auto answer = link_.command(control::Command::Stop);
+    if (!answer) return result::forward(answer);
+    auto status = link_.status();
+    if (!status) return result::forward(status);
+    if (status->state == control::State::Running)
+      return result::fail("R0143", {link_.name(), 0, 0}, "the controller runs on after a stop");
+    known_event_ = status->event;
+    if (auto read = read_event_image(); !read) return read;
+    auto outputs = link_.outputs(plant_.outputs());
+    if (!outputs) return result::forward(outputs);
+    now_.scan = outputs->scan;
+    now_.trace_hash = outputs->trace_hash;
+    return {};
+  };
+  if (auto done = stopped(); !done) return lost(command.ticket, done.error());
+  end_stretch();
+  now_.state = host::RuntimeState::Stopped;
+  now_.waiting_for_supervisor = false;
+  static_cast<void>(plant_.write(own_time_ns()));
+  emit(host::EventKind::Stopped, std::string(reason));
+  return {command.ticket, Outcome::Done, {}};
+}
+
+// Write, force and unforce: what the runtime on the host would refuse is refused before it is sent.
+Completion LineLoop::bits(const host::Command& command) {
+  if (program_ == nullptr) return {command.ticket, Outcome::NoProgram, {}};
+  const auto force = host::to_force(command.bits);
+  const auto bytes = static_cast<std::uint32_t>((std::bit_width(command.bits.mask) + 7) / 8);
+  const bool whole = command.kind == CommandKind::Write || (force && force->bit == image::kWholeBytes);
+  const bool inside = bytes > 0 && std::size_t{command.bits.byte_offset} + bytes <= image_.size();
+  const bool spare_bit =
+      force && force->bit != image::kWholeBytes && force->bit != 0 && program_->bools().holds(force->address);
+  if (!inside || (command.kind != CommandKind::Write && (!force || spare_bit)))
+    return {command.ticket, Outcome::OutOfBounds, {}};
+  const std::uint64_t value =
+      whole ? program_->bools().settled(command.bits.byte_offset, bytes, command.bits.value)
+            : command.bits.value;
+  const auto arguments = bits_arguments({command.bits.byte_offset, command.bits.mask, value});
+  const control::Command code = command.kind == CommandKind::Write   ? control::Command::WriteBits
+                                : command.kind == CommandKind::Force ? control::Command::Force
+                                                                     : control::Command::Unforce;
+  auto answer = link_.command(code, arguments);
+  if (!answer) return lost(command.ticket, answer.error());
+  if (answer->done() && command.kind == CommandKind::Force) {
+    image::Force settled = *force;
+    if (whole) settled.value = value & command.bits.mask;
+    static_cast<void>(forces_.set(settled, image_.size()));
+  }
+  if (answer->done() && command.kind == CommandKind::Unforce) forces_.clear(force->address, force->bit);
+  return refused(command.ticket, *answer);
+}
+
+Completion LineLoop::step(const host::Command& command) {
+  if (!simulated()) return {command.ticket, Outcome::NotSimulated, {}};
+  if (program_ == nullptr) return {command.ticket, Outcome::NoProgram, {}};
+  end_stretch();
+  stepper_.step(command.count);
+  return {command.ticket, Outcome::Done, {}, now_.scan + command.count};
+}
+
+Completion LineLoop::inject(const host::Command& command) {
+  if (plant_.plant() == nullptr) return {command.ticket, Outcome::NoPlant, {}};
+  if (auto injected = plant_.plant()->inject_fault(command.text.str(), command.value); !injected)
+    return {command.ticket, Outcome::PlantRefused, std::move(injected.error())};
+  return {command.ticket, Outcome::Done, {}};
+}
+
+Completion LineLoop::supervisor_lost(const host::Command& command) {
+  supervisor_lost_ = true;
+  if (config_.host.on_lost_supervisor != host::LostSupervisor::Safe) {
+    release_barrier();
+    return {command.ticket, Outcome::Done, {}};
+  }
+  if (!running() || !contact_) return {command.ticket, Outcome::Done, {}};
+  return stop(command, host::kSupervisorLost);
+}
+
+}  // namespace stepwright::remote

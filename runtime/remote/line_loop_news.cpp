@@ -1,0 +1,163 @@
+// Events, images and figures on their way to the service.
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/remote/line_loop.h"
+
+namespace stepwright::remote {
+namespace {
+
+constexpr double kNsPerUs = 1'000.0;
+constexpr std::int64_t kPublishPeriodNs = 5'000'000;
+// Of the line's time at most one part in so many goes into images that no event asks for.
+constexpr std::int64_t kImageShare = 10;
+
+}  // namespace
+
+// What happened on the controller since the event that is known. The image of the newest one only is left.
+LineLoop::Done LineLoop::take_events(const ControllerStatus& status) {
+  if (status.event == known_event_) {
+    const bool same = static_cast<unsigned>(status.state) == static_cast<unsigned>(now_.state);
+    // After a loss it is stopped and this side at fault until somebody starts it again.
+    const bool at_rest = status.state != control::State::Running && !running();
+    if (same || at_rest) return {};
+    return result::fail("R0143", {link_.name(), 0, 0}, "the controller changed its state without an event");
+  }
+  if (program_ == nullptr) {
+    known_event_ = status.event;
+    return {};
+  }
+  now_.process.lost_events += status.event - known_event_ - 1;
+  known_event_ = status.event;
+  if (auto read = read_event_image(); !read) return read;
+  const std::uint64_t scan = std::exchange(now_.scan, status.event_scan);
+  switch (status.event_kind) {
+    case control::Event::Started:
+      now_.state = host::RuntimeState::Running;
+      emit(host::EventKind::Started, {});
+      break;
+    case control::Event::StepChange:
+      emit(host::EventKind::StepChange, {});
+      break;
+    case control::Event::Stopped:
+      end_stretch();
+      now_.state = host::RuntimeState::Stopped;
+      now_.waiting_for_supervisor = false;
+      emit(host::EventKind::Stopped, "at the controller, by somebody else");
+      break;
+    case control::Event::Trap:
+      end_stretch();
+      now_.state = host::RuntimeState::Fault;
+      ++now_.process.traps;
+      emit(host::EventKind::Trap, trap_detail(status));
+      break;
+  }
+  now_.scan = std::max(scan, now_.scan);
+  return {};
+}
+
+std::string LineLoop::trap_detail(const ControllerStatus& status) const {
+  if (status.trap) return result::to_string(reader::describe(program_->program(), status.trap));
+  if (status.inputs_lost()) return "the controller heard nothing of its plant for too long";
+  return "the controller is at fault and does not say why";
+}
+
+LineLoop::Done LineLoop::read_event_image() {
+  auto head = link_.read_memory(control::Memory::EventImage, image_);
+  if (!head) return result::forward(head);
+  image_due_ns_ = wall_ns() + std::chrono::nanoseconds(config_.image_period).count();
+  return {};
+}
+
+LineLoop::Done LineLoop::refresh_image() {
+  const std::int64_t begin_ns = wall_ns();
+  if (begin_ns < image_due_ns_ || program_ == nullptr) return {};
+  auto head = link_.read_memory(control::Memory::Image, image_);
+  if (!head) return result::forward(head);
+  const std::int64_t took_ns = wall_ns() - begin_ns;
+  image_due_ns_ =
+      wall_ns() + std::max(std::chrono::nanoseconds(config_.image_period).count(), kImageShare * took_ns);
+  return {};
+}
+
+void LineLoop::emit(host::EventKind kind, std::string detail) {
+  if (kind == host::EventKind::StepChange && barrier_ && !supervisor_lost_ && simulated()) {
+    now_.waiting_for_supervisor = true;
+    end_stretch();
+  }
+  host::StepEvent event;
+  event.sequence = ++now_.last_event;
+  event.scan = now_.scan;
+  event.time_ns = now_.time_ns;
+  event.kind = kind;
+  if (program_ != nullptr) event.program_digest = program_->digest();
+  event.detail = std::move(detail);
+  event.image = image_;
+  const auto truths = plant_.truths();
+  for (std::size_t i = 0; i < truths.size(); ++i)
+    event.plant.push_back({plant_.plant()->value_names()[i], truths[i]});
+  detail_ = event.detail;
+  publish();  // who sees the event must find a status that is at least as new
+  if (!box_.add(std::move(event))) ++now_.process.lost_events;
+}
+
+void LineLoop::release_barrier() {
+  if (!std::exchange(now_.waiting_for_supervisor, false)) return;
+  begin_stretch();
+}
+
+void LineLoop::begin_stretch() {
+  if (stepper_.on()) return;
+  stretch_wall_ns_ = wall_ns();
+  stretch_scan_ns_ = now_.time_ns;
+  pace_wall_ns_ = stretch_wall_ns_;
+  pace_scan_ns_ = next_ns_;
+}
+
+void LineLoop::end_stretch() {
+  if (stretch_wall_ns_ == 0) return;
+  ran_wall_ns_ += wall_ns() - stretch_wall_ns_;
+  ran_scan_ns_ += now_.time_ns - stretch_scan_ns_;
+  stretch_wall_ns_ = 0;
+}
+
+void LineLoop::publish_if_due() {
+  if (wall_ns() - published_ns_ >= kPublishPeriodNs) publish();
+}
+
+void LineLoop::publish() {
+  published_ns_ = wall_ns();
+  plant_.beat();
+  std::int64_t spent_ns = ran_wall_ns_;
+  std::int64_t scanned_ns = ran_scan_ns_;
+  if (stretch_wall_ns_ != 0) {
+    spent_ns += published_ns_ - stretch_wall_ns_;
+    scanned_ns += now_.time_ns - stretch_scan_ns_;
+  }
+  if (spent_ns > 0) now_.realtime_factor = static_cast<double>(scanned_ns) / static_cast<double>(spent_ns);
+  now_.scan_p50_us = static_cast<double>(turns_.percentile_ns(50'000)) / kNsPerUs;
+  now_.scan_p99_us = static_cast<double>(turns_.percentile_ns(99'000)) / kNsPerUs;
+  now_.scan_max_us = static_cast<double>(turns_.max_ns()) / kNsPerUs;
+  RemoteFigures figures{now_, program_, {}, contact_, line_problem_};
+  host::RuntimeStatus& status = figures.status;
+  status.program_digest = program_ == nullptr ? std::string() : program_->digest();
+  status.detail = detail_;
+  const auto note = [&](const std::string& text) {
+    if (!status.detail.empty()) status.detail += "; ";
+    status.detail += text;
+  };
+  if (!line_problem_.empty()) note(line_problem_);
+  if (link_.repeated() > 0) note(std::to_string(link_.repeated()) + " requests were repeated");
+  if (losses_ > 0) note("the line was lost " + std::to_string(losses_) + " times");
+  if (now_.process.lost_events > 0) note(std::to_string(now_.process.lost_events) + " events were lost");
+  const auto truths = plant_.truths();
+  for (std::size_t i = 0; i < truths.size(); ++i)
+    status.plant.push_back({plant_.plant()->value_names()[i], truths[i]});
+  const auto forced = forces_.forces();
+  figures.forces.assign(forced.begin(), forced.end());
+  if (program_ != nullptr) snapshots_.publish(now_.scan, now_.time_ns, program_->digest(), image_, truths);
+  box_.publish(std::move(figures));
+}
+
+}  // namespace stepwright::remote

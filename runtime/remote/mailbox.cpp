@@ -1,0 +1,85 @@
+#include "runtime/remote/mailbox.h"
+
+#include <utility>
+
+namespace stepwright::remote {
+namespace {
+
+constexpr std::size_t kMaxUnderWay = 200;
+constexpr std::size_t kMaxEvents = 256;
+
+template <typename T>
+std::optional<T> pop(std::deque<T>& queue) {
+  if (queue.empty()) return std::nullopt;
+  std::optional<T> front(std::move(queue.front()));
+  queue.pop_front();
+  return front;
+}
+
+}  // namespace
+
+bool Mailbox::submit(RemoteCommand command) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (under_way_ >= kMaxUnderWay) return false;
+    ++under_way_;
+    commands_.push_back(std::move(command));
+  }
+  wake_.ring();
+  return true;
+}
+
+std::optional<host::Completion> Mailbox::take_completion() {
+  const std::lock_guard lock(mutex_);
+  auto completion = pop(completions_);
+  if (completion) --under_way_;
+  return completion;
+}
+
+std::optional<host::StepEvent> Mailbox::take_event() {
+  const std::lock_guard lock(mutex_);
+  const bool was_full = events_.size() >= kMaxEvents;
+  auto event = pop(events_);
+  if (was_full) wake_.ring();  // the clock may have stood still for want of room
+  return event;
+}
+
+RemoteFigures Mailbox::figures() const {
+  const std::lock_guard lock(mutex_);
+  return figures_;
+}
+
+std::optional<RemoteCommand> Mailbox::next_command() {
+  const std::lock_guard lock(mutex_);
+  return pop(commands_);
+}
+
+void Mailbox::complete(host::Completion completion) {
+  {
+    const std::lock_guard lock(mutex_);
+    completions_.push_back(std::move(completion));
+  }
+  news_.ring();
+}
+
+bool Mailbox::add(host::StepEvent event) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (events_.size() >= kMaxEvents) return false;
+    events_.push_back(std::move(event));
+  }
+  news_.ring();
+  return true;
+}
+
+bool Mailbox::full() const {
+  const std::lock_guard lock(mutex_);
+  return events_.size() >= kMaxEvents;
+}
+
+void Mailbox::publish(RemoteFigures figures) {
+  const std::lock_guard lock(mutex_);
+  figures_ = std::move(figures);
+}
+
+}  // namespace stepwright::remote

@@ -1,0 +1,70 @@
+#pragma once
+
+// What the service's thread and the line's thread tell each other: commands and their completions, events,
+// the newest figures. Nothing here is on a scan's path, so that a mutex does.
+//
+// Threads: "service" and "line" functions belong to those threads. Invariant: who sees a completion or an
+// event finds figures that are at least as new.
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "runtime/host/command.h"
+#include "runtime/host/doorbell.h"
+#include "runtime/host/messages.h"
+#include "runtime/image/force_table.h"
+#include "runtime/remote/remote_program.h"
+
+namespace stepwright::remote {
+
+struct RemoteCommand {
+  host::Command command;
+  std::shared_ptr<const RemoteProgram> program;  // CommandKind::Load
+};
+
+// What the line's thread publishes about the controller and itself.
+struct RemoteFigures {
+  host::RuntimeStatus status;
+  std::shared_ptr<const RemoteProgram> program;
+  std::vector<image::Force> forces;
+  bool contact = false;      // the line carries answers
+  std::string line_problem;  // why it does not
+};
+
+class Mailbox {
+ public:
+  // Service.
+  // False if too many are under way.
+  bool submit(RemoteCommand command);
+  std::optional<host::Completion> take_completion();
+  std::optional<host::StepEvent> take_event();
+  RemoteFigures figures() const;
+  host::Doorbell& news() { return news_; }
+
+  // Line.
+  std::optional<RemoteCommand> next_command();
+  void complete(host::Completion completion);
+  // An event more than there is room for is lost; false then. A line in lock-step asks first.
+  bool add(host::StepEvent event);
+  bool full() const;
+  void publish(RemoteFigures figures);
+  host::Doorbell& wake() { return wake_; }
+
+  bool ok() const { return wake_.ok() && news_.ok(); }
+
+ private:
+  mutable std::mutex mutex_;
+  std::deque<RemoteCommand> commands_;
+  std::deque<host::Completion> completions_;
+  std::deque<host::StepEvent> events_;
+  std::size_t under_way_ = 0;
+  RemoteFigures figures_;
+  host::Doorbell wake_;
+  host::Doorbell news_;
+};
+
+}  // namespace stepwright::remote

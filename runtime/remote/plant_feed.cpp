@@ -1,0 +1,56 @@
+#include "runtime/remote/plant_feed.h"
+
+#include <algorithm>
+
+namespace stepwright::remote {
+
+PlantFeed::PlantFeed(const host::HostConfig& config, image::IoDriver& driver, host::PlantAccess* plant)
+    : io_(driver, config.input_bytes, config.output_bytes),
+      plant_(plant),
+      safe_memory_(config.output_bytes),
+      safe_(config.safety.safe_state.matrix(), safe_memory_),
+      faults_(config.faults),
+      truths_(plant == nullptr ? 0 : plant->value_names().size()) {
+  std::ranges::stable_sort(faults_, {}, &host::ScheduledFault::at_ns);
+}
+
+void PlantFeed::fit(std::size_t input_bytes, std::size_t output_bytes) {
+  inputs_.assign(input_bytes, std::byte{0});
+  outputs_.assign(output_bytes, std::byte{0});
+}
+
+bool PlantFeed::read(std::int64_t time_ns) {
+  return io_.read_inputs(time_ns, inputs_) == image::IoStatus::Good;
+}
+
+bool PlantFeed::write(std::int64_t time_ns) {
+  safe_.driven(outputs_);
+  return io_.write_outputs(time_ns, outputs_) == image::IoStatus::Good;
+}
+
+void PlantFeed::make_safe(std::int64_t time_ns) {
+  safe_.enter(scan::SafeCause::IoLost, time_ns);
+  keep_safe(time_ns);
+}
+
+void PlantFeed::keep_safe(std::int64_t time_ns) {
+  safe_.apply(time_ns, outputs_);
+  io_.safe(static_cast<std::uint8_t>(safe_.cause()), safe_.settled());
+  // A plant that does not answer either is not news now.
+  static_cast<void>(io_.write_outputs(time_ns, outputs_));
+}
+
+void PlantFeed::inject_due(std::int64_t time_ns) {
+  for (; next_fault_ < faults_.size() && faults_[next_fault_].at_ns <= time_ns; ++next_fault_) {
+    if (plant_ == nullptr) continue;
+    // What the plant refuses was refused when the configuration was read, too.
+    static_cast<void>(plant_->inject_fault(faults_[next_fault_].name, faults_[next_fault_].value));
+  }
+}
+
+std::span<const double> PlantFeed::truths() {
+  if (plant_ != nullptr) plant_->read_values(truths_);
+  return truths_;
+}
+
+}  // namespace stepwright::remote

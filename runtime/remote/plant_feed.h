@@ -1,0 +1,61 @@
+#pragma once
+
+// The plant's side of a controller's turn: inputs from the plant, outputs to it, faults when their time has
+// come; and outputs in their safe state when the controller cannot be heard.
+//
+// Threads: the line's. Driver and plant must outlive it. Times are the gateway's scan clock in ns.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/host/area_driver.h"
+#include "runtime/host/host_config.h"
+#include "runtime/host/plant_access.h"
+#include "runtime/scan/safe_state.h"
+
+namespace stepwright::remote {
+
+class PlantFeed {
+ public:
+  // `plant` may be null: then there is nothing to inject and no truth. The configuration must outlive it.
+  PlantFeed(const host::HostConfig& config, image::IoDriver& driver, host::PlantAccess* plant);
+
+  // Makes room for the areas of a program. Requires areas no larger than the cell's.
+  void fit(std::size_t input_bytes, std::size_t output_bytes);
+
+  // What the plant shows at `time_ns`; false if it does not answer.
+  bool read(std::int64_t time_ns);
+  std::span<const std::byte> inputs() const { return inputs_; }
+
+  // Where the outputs of the controller are to be put, and then written.
+  std::span<std::byte> outputs() { return outputs_; }
+  bool write(std::int64_t time_ns);
+
+  // From now on safe outputs, of the cell's matrix, until the next `write`.
+  void make_safe(std::int64_t time_ns);
+  // Ramps go on.
+  void keep_safe(std::int64_t time_ns);
+
+  // This side is alive, for whoever looks at the outputs' other end.
+  void beat() { io_.beat(); }
+
+  // Scheduled faults up to `time_ns`.
+  void inject_due(std::int64_t time_ns);
+  host::PlantAccess* plant() const { return plant_; }
+  std::span<const double> truths();
+
+ private:
+  host::AreaDriver io_;
+  host::PlantAccess* plant_;
+  std::vector<std::byte> inputs_;
+  std::vector<std::byte> outputs_;
+  std::vector<std::byte> safe_memory_;
+  scan::SafeState safe_;
+  std::vector<host::ScheduledFault> faults_;
+  std::size_t next_fault_ = 0;
+  std::vector<double> truths_;
+};
+
+}  // namespace stepwright::remote

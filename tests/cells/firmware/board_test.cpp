@@ -1,0 +1,195 @@
+// The firmware on its boards: time, power, watchdog, masters that others wrote.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "firmware/app/sha256.h"
+#include "ladder/driver/compile.h"
+#include "tests/cells/firmware/gdb_stub.h"
+#include "tests/cells/firmware/rig.h"
+
+namespace stepwright::firmware_test {
+namespace {
+
+using namespace std::chrono_literals;
+using Bytes = std::vector<std::byte>;
+using modbus::control::Command;
+using modbus::control::State;
+
+Bytes compiled(const std::string& text) {
+  driver::CompileInput input;
+  input.texts.push_back({"test.st", text});
+  auto output = driver::compile(input);
+  if (!output) throw std::runtime_error(result::to_string(output.error()));
+  return std::move(output->container);
+}
+
+const char* const kCounting = R"(
+  PROGRAM main
+  VAR input AT %IB0 : USINT; output AT %QB0 : USINT; scans AT %QW1 : INT; marker AT %MW0 : INT; END_VAR
+  VAR RETAIN kept AT %MW2 : INT; END_VAR
+    output := input;
+    scans := scans + 1;
+    kept := kept + 1;
+  END_PROGRAM)";
+
+std::string output_of(const std::string& command) {
+  std::string text;
+  FILE* const pipe = ::popen((command + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) return "no process";
+  std::array<char, 512> part;
+  while (const std::size_t count = std::fread(part.data(), 1, part.size(), pipe))
+    text.append(part.data(), count);
+  ::pclose(pipe);
+  return text;
+}
+
+// By arm-none-eabi-nm.
+std::uint32_t address_of(const std::string& symbol) {
+  const std::string text =
+      output_of("arm-none-eabi-nm -C " + Rig::image("mps2-an385").string() + " | grep ' " + symbol + "$'");
+  if (text.empty()) throw std::runtime_error("no symbol " + symbol);
+  return static_cast<std::uint32_t>(std::stoul(text, nullptr, 16));
+}
+
+std::uint16_t kept(Rig& rig) {
+  std::array<std::uint16_t, 1> word{};
+  EXPECT_TRUE(rig.controller().line().read(1026, word).ok());
+  return word[0];
+}
+
+class Board : public testing::TestWithParam<const char*> {};
+
+TEST_P(Board, Scans_WhenByTheClock_ThenKeepTimeWithTheWall) {
+  Rig rig(GetParam());
+  rig.controller().download(compiled(kCounting));
+  rig.controller().start(0);
+  const auto begin = std::chrono::steady_clock::now();
+  const auto first = rig.controller().turn(Bytes(1)).head.scan;
+  std::uint64_t last = first;
+  while (std::chrono::steady_clock::now() - begin < 1s) {
+    std::this_thread::sleep_for(20ms);
+    last = rig.controller().turn(Bytes{std::byte{7}}).head.scan;
+  }
+  // A busy machine makes an emulator late; it may not be early.
+  EXPECT_GT(last - first, 60u);
+  EXPECT_LE(last - first, 110u);
+  EXPECT_EQ(rig.controller().turn(Bytes(1)).outputs[0], std::byte{7});
+  rig.controller().expect_done(Command::Stop);
+  EXPECT_EQ(rig.controller().turn(Bytes(1)).outputs[0], std::byte{0});
+}
+
+TEST_P(Board, Program_WhenPowerGoes_ThenIsThereAgainWithItsRetainedValues) {
+  Rig rig(GetParam());
+  const Bytes container = compiled(kCounting);
+  rig.controller().download(container);
+  rig.controller().start(modbus::control::kStartLockStep);
+  for (int i = 0; i < 9; ++i) rig.controller().turn(Bytes(1));
+  rig.controller().expect_done(Command::Stop);
+  std::this_thread::sleep_for(50ms);
+  rig.power_cycle();
+  const auto status = rig.controller().status();
+  EXPECT_EQ(status.state, State::Stopped);
+  EXPECT_EQ(status.digest, app::sha256(container));
+  EXPECT_EQ(status.resets, 0);
+  rig.controller().start(modbus::control::kStartLockStep);
+  EXPECT_EQ(kept(rig), 9);
+}
+
+TEST_P(Board, Silence_WhenTheMasterIsAway_ThenOutputsAreSafe) {
+  Rig rig(GetParam());
+  rig.controller().download(compiled(kCounting));
+  rig.controller().start(0);
+  rig.controller().turn(Bytes{std::byte{255}});
+  std::this_thread::sleep_for(100ms);
+  EXPECT_EQ(rig.controller().status().state, State::Running);
+  std::this_thread::sleep_for(900ms);
+  EXPECT_EQ(rig.controller().status().state, State::Fault);
+  EXPECT_TRUE(rig.controller().status().inputs_lost());
+  EXPECT_EQ(rig.controller().turn(Bytes(1)).outputs, Bytes(4));
+}
+
+INSTANTIATE_TEST_SUITE_P(Boards, Board, testing::Values("mps2-an385", "mps2-an386"), [](const auto& each) {
+  return each.param == std::string("mps2-an385") ? "M3" : "M4F";
+});
+
+// The main loop is overwritten with a jump to itself, as a defect of the firmware would hang it.
+TEST(Watchdog, Board_WhenTheMainLoopHangs_ThenIsResetAndKeepsProgramAndValues) {
+  Rig rig("mps2-an385", {}, true);
+  const Bytes container = compiled(kCounting);
+  rig.controller().download(container);
+  rig.controller().start(0);
+  for (int i = 0; i < 30; ++i) {
+    rig.controller().turn(Bytes(1));
+    std::this_thread::sleep_for(50ms);
+  }
+  const auto before = kept(rig);
+  {
+    GdbStub gdb(rig.board().gdb_socket());
+    gdb.write16(address_of("stepwright::app::Firmware::turn()") & ~1u, 0xE7FE);  // b .
+  }
+  std::array<std::uint16_t, 1> word{};
+  EXPECT_FALSE(rig.controller().line().read(0xF000, word).ok());
+  for (int i = 0; i < 20 && !rig.controller().line().read(0xF000, word).ok(); ++i)
+    static_cast<void>(rig.controller().line().reopen());
+  const auto status = rig.controller().status();
+  EXPECT_EQ(status.flags & modbus::control::kWatchdogReset, modbus::control::kWatchdogReset);
+  EXPECT_EQ(status.resets, 1);
+  EXPECT_EQ(status.state, State::Stopped);
+  EXPECT_EQ(status.digest, app::sha256(container));
+  rig.controller().start(modbus::control::kStartLockStep);
+  EXPECT_GT(kept(rig), 0);
+  EXPECT_LE(kept(rig), before);
+}
+
+// What the stack has not reached still holds the pattern of the start-up code.
+TEST(Memory, Stack_WhenEverythingHasRun_ThenHasNotReachedItsEnd) {
+  Rig rig("mps2-an385", {}, true);
+  rig.controller().download(compiled(R"(
+    PROGRAM main
+    VAR s : STRING; r : LREAL; END_VAR
+      r := SIN(r + 0.1) + EXP(r) / 3.0;
+      s := CONCAT(LREAL_TO_STRING(r), '!');
+    END_PROGRAM)"));
+  rig.controller().start_lock_step();
+  for (int i = 0; i < 20; ++i) rig.controller().turn({});
+  GdbStub gdb(rig.board().gdb_socket());
+  const auto bottom = address_of("stack_bottom_");
+  const auto bytes = gdb.read(bottom, 2048);
+  std::size_t untouched = 0;
+  const std::array<std::uint8_t, 4> paint = {0x46, 0x52, 0x41, 0x57};
+  while (untouched < bytes.size() && bytes[untouched] == paint[untouched % 4]) ++untouched;
+  std::printf("stack: at least %zu of 6144 bytes were never used\n", untouched);
+  EXPECT_GE(untouched, 512u);
+}
+
+TEST(Masters, Mbpoll_WhenItReadsAndWrites_ThenSeesTheProgram) {
+  Rig rig("mps2-an385");
+  rig.controller().download(compiled(kCounting));
+  rig.controller().start(modbus::control::kStartLockStep);
+  rig.controller().turn(Bytes{std::byte{0x5A}});
+  const std::string poll = "mbpoll -m rtu -a 1 -b 115200 -P none -0 -1 -q ";
+  const std::string line = " " + rig.board().line();
+  EXPECT_NE(output_of(poll + "-t 4:hex -r 0 -c 2" + line).find("[0]: \t0x005A"), std::string::npos);
+  EXPECT_NE(output_of(poll + "-t 4 -r 1024" + line + " 1234").find("Written 1 references"),
+            std::string::npos);
+  EXPECT_NE(output_of(poll + "-t 4 -r 1024 -c 1" + line).find("1234"), std::string::npos);
+  EXPECT_NE(output_of(poll + "-t 0 -r 1 -c 1" + line).find("1"), std::string::npos);
+  EXPECT_NE(output_of(poll + "-t 4 -r 9000 -c 1" + line).find("Illegal data address"), std::string::npos);
+}
+
+TEST(Masters, Pymodbus_WhenItReadsAndWrites_ThenSeesTheProgram) {
+  Rig rig("mps2-an386");
+  rig.controller().download(compiled(kCounting));
+  rig.controller().start(modbus::control::kStartLockStep);
+  const std::string script = STEPWRIGHT_SOURCE_DIR "/tests/cells/firmware/pymodbus_master.py";
+  const std::string said = output_of("/usr/bin/python3 " + script + " " + rig.board().line());
+  EXPECT_EQ(said, "all as expected\n");
+}
+
+}  // namespace
+}  // namespace stepwright::firmware_test

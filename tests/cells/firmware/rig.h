@@ -1,0 +1,90 @@
+#pragma once
+
+// A board under QEMU, and a master at its line: libmodbus over the pty.
+//
+//   Rig rig("mps2-an385");
+//   rig.controller().download(container);
+//
+// Throws std::runtime_error if the board cannot be started or does not answer.
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "firmware/link/qemu_board.h"
+#include "runtime/remote/modbus_line.h"
+#include "tests/support/remote_controller/remote_controller.h"
+
+namespace stepwright::firmware_test {
+
+class Rig {
+ public:
+  // `firmware`: "mps2-an385", "mps2-an385-basic".
+  explicit Rig(const std::string& firmware, std::optional<int> icount_shift = {}, bool debugger = false)
+      : firmware_(firmware), icount_shift_(icount_shift), debugger_(debugger) {
+    std::string pattern = (std::filesystem::temp_directory_path() / "firmware-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    folder_ = pattern;
+    power_on();
+  }
+  ~Rig() {
+    board_.reset();
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  Rig(const Rig&) = delete;
+  Rig& operator=(const Rig&) = delete;
+
+  link::QemuBoard& board() { return *board_; }
+  support::RemoteController& controller() { return *controller_; }
+  std::filesystem::path folder() const { return folder_; }
+  static std::filesystem::path image(const std::string& firmware) {
+    return std::filesystem::path(STEPWRIGHT_FIRMWARE_DIR) / (firmware + ".elf");
+  }
+
+  // The power goes and comes back; the flash keeps its content.
+  void power_cycle() {
+    board_.reset();
+    power_on();
+  }
+
+ private:
+  template <typename T>
+  static T taken(result::Result<T> value) {
+    if (!value) throw std::runtime_error(result::to_string(value.error()));
+    return std::move(*value);
+  }
+
+  void power_on() {
+    board_ = taken(link::QemuBoard::start({.machine = firmware_.substr(0, std::string("mps2-an385").size()),
+                                           .image = image(firmware_),
+                                           .folder = folder_,
+                                           .icount_shift = icount_shift_,
+                                           .debugger = debugger_}));
+    const modbus::master::SerialEndpoint endpoint{
+        .device = board_->line(), .baud = 115'200, .parity = modbus::master::Parity::None};
+    line_ = taken(remote::ModbusLine::create(endpoint, 1, std::chrono::milliseconds(1000)));
+    if (!line_->reopen().ok()) throw std::runtime_error("the pty cannot be opened");
+    controller_ = std::make_unique<support::RemoteController>(*line_);
+    // A board that has just been switched on says nothing for a while.
+    for (int i = 0; i < kStartAttempts; ++i) {
+      if (controller_->link().status()) return;
+    }
+    throw std::runtime_error("the board does not answer");
+  }
+
+  static constexpr int kStartAttempts = 20;
+
+  std::string firmware_;
+  std::optional<int> icount_shift_;
+  bool debugger_;
+  std::filesystem::path folder_;
+  std::optional<link::QemuBoard> board_;
+  std::unique_ptr<remote::RegisterLine> line_;
+  std::unique_ptr<support::RemoteController> controller_;
+};
+
+}  // namespace stepwright::firmware_test

@@ -1,0 +1,66 @@
+"""Controllers of the tests: tests/support/modbus_controller on a pseudo terminal or over TCP."""
+
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+
+from cell_process import BIN, Demo
+
+PROGRAM = BIN.parent / "tests/modbus_controller"
+PATIENCE_S = 60
+
+
+class Controller:
+    """A process that is a controller; `where` is what `demo --controller` takes."""
+
+    def __init__(self, tcp=False):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="stepwright-test-"))
+        line = self.folder / "line"
+        self.process = subprocess.Popen([PROGRAM, *(["--tcp", "0"] if tcp else ["--pty", line])],
+                                        stdout=subprocess.PIPE, text=True)
+        listens = self.process.stdout.readline()
+        self.where = re.search(r"listens on (\S+)", listens).group(1) if tcp else str(line)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.speak()
+        self.process.terminate()
+        self.process.wait(timeout=PATIENCE_S)
+        self.process.stdout.close()
+        shutil.rmtree(self.folder)
+
+    def silence(self):
+        """It does not answer any more, until `speak`."""
+        self.process.send_signal(signal.SIGSTOP)
+
+    def speak(self):
+        self.process.send_signal(signal.SIGCONT)
+
+    def lose_power(self):
+        self.process.send_signal(signal.SIGUSR1)
+
+
+def run_bench(*arguments):
+    with Demo("--fast", "--no-compare", *arguments) as demo:
+        return demo.result()
+
+
+def eventually(condition):
+    deadline = time.monotonic() + PATIENCE_S
+    while time.monotonic() < deadline:
+        if condition():
+            return True
+        time.sleep(0.01)
+    return False
+
+
+def log_of(demo, program):
+    log = demo.state / f"{program}.log"
+    return log.read_text(encoding="utf-8") if log.exists() else ""
+

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "tests/support/remote_controller/remote_controller.h"
+#include "tests/unit/firmware/app/board_line.h"
+#include "tests/unit/firmware/app/programs.h"
+
+namespace stepwright::test {
+
+namespace control = modbus::control;
+using control::Command;
+using control::Refusal;
+using control::State;
+
+// A board with the firmware, and a master at its line.
+class BoardTest : public testing::Test {
+ protected:
+  void load_and_start(const char* program, unsigned flags) {
+    controller.download(compiled(program));
+    controller.start(flags);
+  }
+  remote::CommandAnswer bits(Command code, std::uint32_t byte, std::uint64_t mask, std::uint64_t value) {
+    std::vector<std::uint16_t> arguments(10);
+    control::put32(arguments, 0, byte);
+    control::put64(arguments, 2, mask);
+    control::put64(arguments, 6, value);
+    return controller.command(code, arguments);
+  }
+  // The exception of a request; 0 if it is answered.
+  int exception_of(const Bytes& pdu) {
+    const Bytes answer = line.ask(pdu);
+    if (answer.empty()) return -1;
+    return (std::to_integer<int>(answer[0]) & 0x80) != 0 ? std::to_integer<int>(answer.at(1)) : 0;
+  }
+
+  TestBoard board;
+  BoardLine line{board};
+  support::RemoteController controller{line};
+};
+
+}  // namespace stepwright::test

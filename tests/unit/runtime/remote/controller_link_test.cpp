@@ -1,0 +1,77 @@
+#include "runtime/remote/controller_link.h"
+
+#include "tests/unit/runtime/remote/harness.h"
+
+namespace stepwright::remote {
+namespace {
+
+struct Linked {
+  std::shared_ptr<support::ModelWorld> world = std::make_shared<support::ModelWorld>();
+  support::ModelLine line{world};
+  std::atomic<bool> stop{false};
+  ControllerLink link{line, {.patience = std::chrono::milliseconds(30)}, stop};
+};
+
+TEST(ControllerLink_WhenACommandsAnswerGetsLost, ThenItIsCarriedOutOnce) {
+  Linked linked;
+  ASSERT_TRUE(linked.link.status());
+  linked.world->lose_answers = 1;
+  const auto answer = linked.link.command(control::Command::Start, std::array<std::uint16_t, 1>{0});
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->refusal, control::Refusal::NoProgram);
+  EXPECT_EQ(linked.link.repeated(), 1u);
+}
+
+TEST(ControllerLink_WhenCommandNumbersComeToTheirEnd, ThenZeroIsLeftOut) {
+  Linked linked;
+  auto lie = std::make_shared<bool>(true);
+  linked.world->lie = [lie](std::uint16_t first, std::span<std::uint16_t> words) {
+    if (*lie && first == control::status::kFirst) words[control::status::kCommandNumber] = 0xFFFF;
+    *lie = false;
+  };
+  ASSERT_TRUE(linked.link.status());
+  EXPECT_TRUE(linked.link.command(control::Command::Nothing));
+  EXPECT_EQ(linked.link.status()->command_number, 1);
+}
+
+TEST(ControllerLink_WhenAMemoryIsLargerThanAWindow, ThenItIsReadWhole) {
+  Linked linked;
+  const auto program = support::step_program({.steps = 40});
+  ASSERT_GT(program.size(), 3 * control::window::kMaxBytes);
+  linked.world->model.begin_transfer(static_cast<std::uint32_t>(program.size()), service::sha256(program));
+  ASSERT_TRUE(linked.world->model.piece(0, program));
+  ASSERT_EQ(linked.world->model.commit().refusal, control::Refusal::Done);
+  std::vector<std::byte> read(program.size());
+  ASSERT_TRUE(linked.link.read_memory(control::Memory::Program, read));
+  EXPECT_EQ(read, program);
+}
+
+TEST(ControllerLink_WhenARequestIsRefused, ThenThePlaceAndTheExceptionAreSaid) {
+  Linked linked;
+  const auto piece = linked.link.send_piece(0, std::array<std::byte, 3>{});
+  ASSERT_FALSE(piece);
+  EXPECT_EQ(piece.error()[0].code, "R0144");
+  EXPECT_EQ(piece.error()[0].where.file, "model");
+  EXPECT_NE(piece.error()[0].message.find("exception 3"), std::string::npos);
+}
+
+TEST(ControllerLink_WhenNobodyAnswers, ThenItGivesUpAfterItsPatience) {
+  Linked linked;
+  linked.world->cut = true;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto status = linked.link.status();
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error()[0].code, "R0141");
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(30));
+}
+
+TEST(ControllerBlocks_WhenAStatusHasAnUnknownTrap, ThenItIsATrapAllTheSame) {
+  std::array<std::uint16_t, control::status::kCount> words{};
+  words[control::status::kTrapCode] = 77;
+  EXPECT_TRUE(status_from(words).trap);
+  words[control::status::kTrapCode] = 0;
+  EXPECT_FALSE(status_from(words).trap);
+}
+
+}  // namespace
+}  // namespace stepwright::remote
