@@ -1,6 +1,6 @@
 """Clients that others wrote against a runtime that stepwright modbus-server serves: mbpoll, pymodbus, npm's jsmodbus and
-modbus-serial, libmodbus, over TCP and over a serial line. tshark looks at every frame on TCP: none may be malformed, none
-an error."""
+modbus-serial, libmodbus, over TCP and over a serial line. tshark looks at every frame: none may be malformed, none may
+be worth a warning."""
 
 import json
 import pathlib
@@ -8,7 +8,7 @@ import re
 import subprocess
 import unittest
 
-from lines import Line
+from lines import TappedLine
 from namespaces import need_network_of_its_own
 from processes import TESTS, Process, eventually
 from served import EVERYBODY, PORT, Served, temporary_folder
@@ -37,6 +37,19 @@ def mbpoll(mode, *arguments):
     return done, {int(at): value for at, value in re.findall(r"^\[(\d+)\]:\s+(\S+)", done.stdout, re.M)}
 
 
+# Warnings and errors: a wrong CRC is a warning there.
+WARNING = 0x600000
+WRONG = f"_ws.malformed || _ws.expert.severity >= {WARNING}"
+
+
+def look(capture, dissector, display_filter):
+    """Summaries of the frames of a capture that the filter finds."""
+    done = subprocess.run(["tshark", "-r", capture, "-o", f"mbtcp.tcp.port:{PORT}", "-d", dissector, "-o",
+                           "mbrtu.crc_verification:TRUE", "-Y", display_filter],
+                          capture_output=True, text=True, timeout=120, check=True)
+    return done.stdout.splitlines()
+
+
 class Capture:
     """What goes over the loopback while it lives."""
 
@@ -48,11 +61,6 @@ class Capture:
     def close(self):
         self.process.end(2)
 
-    def look(self, display_filter):
-        """Summaries of the frames that the filter finds."""
-        done = subprocess.run(["tshark", "-r", self.file, "-d", f"tcp.port=={PORT},mbtcp", "-Y", display_filter],
-                              capture_output=True, text=True, timeout=120, check=True)
-        return done.stdout.splitlines()
 
 
 class Clients(unittest.TestCase):
@@ -100,17 +108,17 @@ class Clients(unittest.TestCase):
         self.assertEqual(master.returncode, 0, master.stdout + master.stderr)
         self.assertTrue(eventually(lambda: capture.file.exists() and capture.file.stat().st_size > 1000, 10))
         capture.close()
-        frames = capture.look("mbtcp")
+        dissector = f"tcp.port=={PORT},mbtcp"
+        frames = look(capture.file, dissector, "mbtcp")
         self.assertGreater(len(frames), 60, "the capture has too little in it")
         functions = {int(each) for each in re.findall(r"Func:\s+(\d+)", "\n".join(frames))}
         self.assertLessEqual({1, 2, 3, 4, 5, 6, 15, 16, 22, 23, 43}, functions)
-        # A refused request is an answer of Modbus, which tshark notes as such.
-        self.assertEqual(capture.look('_ws.malformed || (_ws.expert.severity == "Error")'), [])
+        self.assertEqual(look(capture.file, dissector, WRONG), [])
 
     def test_rtu(self):
-        line = Line(self.folder)
+        line = TappedLine()
         self.addCleanup(line.close)
-        self.serve(EVERYBODY + EVERYBODY.replace("0.0.0.0/0", str(line.slave)) +
+        self.serve(EVERYBODY + EVERYBODY.replace("0.0.0.0/0", line.slave) +
                    f'[[modbus.server.line]]\ndevice = "{line.slave}"\nparity = "none"\nunit = 1\n')
         self.run_mbpoll(["-m", "rtu", "-b", "19200", "-P", "none"], line.master)
         for name in CLIENTS:
@@ -119,6 +127,17 @@ class Clients(unittest.TestCase):
         master = subprocess.run([TESTS / "modbus_interop_master", "rtu", line.master], capture_output=True, text=True, timeout=60,
                                 check=False)
         self.assertEqual(master.returncode, 0, master.stdout + master.stderr)
+        line.close()
+        capture = self.folder / "line.pcap"
+        line.write_capture(capture, PORT)
+        dissector = f"udp.port=={PORT},mbrtu"
+        self.assertGreater(len(look(capture, dissector, "mbrtu")), 100)
+        self.assertEqual(look(capture, dissector, WRONG), [])
+        # The filter finds what is wrong: a byte of one frame is another.
+        from_master, frame = line.frames[-1]
+        line.frames[-1] = (from_master, frame[:-1] + bytes([frame[-1] ^ 1]))
+        line.write_capture(capture, PORT)
+        self.assertEqual(len(look(capture, dissector, WRONG)), 1)
 
 
 if __name__ == "__main__":

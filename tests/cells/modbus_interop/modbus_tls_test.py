@@ -20,6 +20,7 @@ CLIENT_EXTENSIONS = "extendedKeyUsage = clientAuth\n"
 ROLE = "1.3.6.1.4.1.50316.802.1 = ASN1:UTF8String:"
 ACCESS = f"""
 plain = false
+greeting_timeout_ms = 1000
 [modbus.server.tls]
 port = {PORT}
 certificate = "tls/plc.crt"
@@ -168,6 +169,8 @@ class Tls(unittest.TestCase):
         half.sendall(b"\x16\x03\x01")
         for _ in range(20):
             self.assertEqual(self.ask("operator", 3, 0, 1)[0], 3)
+        half.settimeout(10)
+        self.assertEqual(half.recv(100), b"", "it may not stay for ever")
         for each in silent:
             each.close()
 
