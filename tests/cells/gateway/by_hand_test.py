@@ -20,6 +20,8 @@ state_dir = "plc"
 [clock]
 mode = "simulated"
 speed = 40.0
+[plant]
+uncertainty = false    # a plan on paper knows no bias of a sensor
 [modbus.server]
 enabled = true
 port = {port}
