@@ -42,6 +42,8 @@ port = {port}
 program = "loaded-by-hand"
 plan = "table.json"
 exchange_ms = 5
+[log]
+limit_per_s = 1000     # forty times as fast as a plant
 """
 
 
