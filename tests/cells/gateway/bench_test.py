@@ -25,20 +25,20 @@ class Bench(unittest.TestCase):
 
     def test_another_seed_gives_the_trace_of_that_seed(self):
         host, _ = run_bench("--seed", 7)
-        with Controller() as controller:
+        with Controller(tcp=True) as controller:
             report, code = run_bench("--seed", 7, "--controller", controller.where)
         self.assertEqual(code, 0, report["stdout"])
         self.assertEqual(report["trace_hash"], host["trace_hash"])
 
     def test_replanning_does_without_an_online_change(self):
-        with Controller() as controller:
+        with Controller(tcp=True) as controller:
             report, code = run_bench("--controller", controller.where, "--fault", "(demand c1)=8@20")
         self.assertEqual(code, 0, report["stdout"])
         self.assertEqual(report["replans"], 1)
         self.assertTrue(report["goal_reached"])
 
     def test_a_fault_of_the_plant_reaches_the_controller(self):
-        with Controller() as controller:
+        with Controller(tcp=True) as controller:
             report, code = run_bench("--controller", controller.where, "--fault", "leak_a1=0.3@40")
         self.assertIn(code, (0, 5), report["stdout"])
         self.assertGreaterEqual(report["replans"], 1)

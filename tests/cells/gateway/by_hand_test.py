@@ -20,6 +20,8 @@ state_dir = "plc"
 [clock]
 mode = "simulated"
 speed = 40.0
+[plant]
+uncertainty = false    # a plan on paper knows no bias of a sensor
 [modbus.server]
 enabled = true
 port = {port}
@@ -40,6 +42,8 @@ port = {port}
 program = "loaded-by-hand"
 plan = "table.json"
 exchange_ms = 5
+[log]
+limit_per_s = 1000     # forty times as fast as a plant
 """
 
 

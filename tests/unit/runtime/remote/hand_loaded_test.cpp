@@ -63,7 +63,7 @@ TEST(HandLoaded_WhenAnActionWaits, ThenItIsGrantedAndNothingElse) {
 TEST(HandLoaded_WhenThePlanIsDone, ThenItsGrantsAreTakenBack) {
   FiveRegisters plc;
   HandLoaded plan(plc, kFirst, actions());
-  for (const std::uint16_t number : {1, 2, 3}) {
+  for (const std::uint16_t number : std::array<std::uint16_t, 3>{1, 2, 3}) {
     plc.words[kWaiting] = number;
     ASSERT_TRUE(plan.turn());
     ASSERT_EQ(plc.words[kGo], number);
