@@ -145,12 +145,9 @@ void measure_host(nlohmann::json& out) {
   if (!process.wait_for("\n")) throw std::runtime_error("firmware_host names no line");
   std::string device = process.output();
   device.resize(device.find('\n'));
-  auto line = remote::ModbusLine::create(
-      modbus::master::SerialEndpoint{
-          .device = device, .baud = 115'200, .parity = modbus::master::Parity::None},
-      1, std::chrono::milliseconds(1000));
-  if (!line || !(*line)->reopen().ok()) throw std::runtime_error("the pty cannot be opened");
-  support::RemoteController controller(**line);
+  firmware_test::PtyLine line(modbus::master::SerialEndpoint{
+      .device = device, .baud = 115'200, .parity = modbus::master::Parity::None});
+  support::RemoteController controller(line);
   measure_requests("host", controller, out);
   process.kill();
   std::filesystem::remove(flash);

@@ -27,7 +27,6 @@ class GdbStub {
       throw std::runtime_error("no GDB stub at " + socket.string());
     timeval patience{10, 0};
     ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience));
-    ask("?");
   }
   ~GdbStub() {
     try {
@@ -67,6 +66,12 @@ class GdbStub {
     const std::string packet = "$" + text + tail;
     if (::write(descriptor_, packet.data(), packet.size()) != static_cast<ssize_t>(packet.size()))
       throw std::runtime_error("the GDB stub is gone");
+    // The stub tells unasked that the board has stopped.
+    std::string answer = packet_of();
+    while (answer.starts_with("T")) answer = packet_of();
+    return answer;
+  }
+  std::string packet_of() {
     std::string answer;
     while (next() != '$') {
     }

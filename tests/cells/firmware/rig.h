@@ -15,7 +15,7 @@
 #include <string>
 
 #include "firmware/link/qemu_board.h"
-#include "runtime/remote/modbus_line.h"
+#include "tests/cells/firmware/pty_line.h"
 #include "tests/support/remote_controller/remote_controller.h"
 
 namespace stepwright::firmware_test {
@@ -66,8 +66,7 @@ class Rig {
                                            .debugger = debugger_}));
     const modbus::master::SerialEndpoint endpoint{
         .device = board_->line(), .baud = 115'200, .parity = modbus::master::Parity::None};
-    line_ = taken(remote::ModbusLine::create(endpoint, 1, std::chrono::milliseconds(1000)));
-    if (!line_->reopen().ok()) throw std::runtime_error("the pty cannot be opened");
+    line_ = std::make_unique<PtyLine>(endpoint);
     controller_ = std::make_unique<support::RemoteController>(*line_);
     // A board that has just been switched on says nothing for a while.
     for (int i = 0; i < kStartAttempts; ++i) {

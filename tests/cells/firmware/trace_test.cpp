@@ -88,7 +88,7 @@ class BoardTrace : public testing::TestWithParam<const char*> {
 
 // The folders that show most, and one of every `kShare` programs of the others; each on one of the boards, so
 // that the whole takes seconds. With STEPWRIGHT_FIRMWARE_ALL set: everything on both.
-constexpr std::size_t kShare = 12;
+constexpr std::size_t kShare = 10;
 bool is_of_the_sample(const std::string& name, std::size_t number, std::size_t board) {
   if (std::getenv("STEPWRIGHT_FIRMWARE_ALL") != nullptr) return true;
   if (number % 2 != board) return false;
