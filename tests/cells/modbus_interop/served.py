@@ -40,7 +40,12 @@ class Served(Cell):
 
     def __init__(self, more=EVERYBODY):
         super().__init__(CELL + more)
-        pathlib.Path(f"/dev/shm/stepwright-io-{AREA}").unlink(missing_ok=True)
+        self.area = pathlib.Path(f"/dev/shm/stepwright-io-{AREA}")
+        self.area.unlink(missing_ok=True)
+
+    def __exit__(self, *what):
+        super().__exit__(*what)
+        self.area.unlink(missing_ok=True)
 
     def start_all(self):
         plant = Process([TESTS / "modbus_interop_plant", AREA, str(BYTES)], self.folder / "plant.log")
