@@ -41,6 +41,7 @@ constexpr std::array kCommands = {
     Command{"check", "stepwright-check", "check a cell's configuration, planning files and program"},
     Command{"runtime", "stepwright-runtime", "the scan process"},
     Command{"guard", "stepwright-guard", "drive the outputs to their safe state when the runtime is lost"},
+    Command{"modbus-client", "stepwright-modbus-client", "physical devices over Modbus as the I/O of a cell"},
     Command{"link", "stepwright-link", "carry the runtime's service over Fast DDS"},
     Command{"supervisor", "stepwright-supervisor", "plan, download, watch and replan"},
     Command{"hmi", "stepwright-hmi", "show the cell in a browser"},

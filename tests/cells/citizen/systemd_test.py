@@ -175,7 +175,7 @@ class Units(unittest.TestCase):
 
     def test_there_is_one_for_each_process(self):
         self.assertEqual([unit.name for unit in UNITS],
-                         [f"stepwright-{name}@.service" for name in ("hmi", "link", "runtime", "supervisor")])
+                         [f"stepwright-{name}@.service" for name in ("hmi", "link", "modbus-client", "runtime", "supervisor")])
 
     def test_systemd_finds_nothing_wrong(self):
         for unit in UNITS:
