@@ -27,7 +27,7 @@ PROGRAM Main
   pump := TRUE;
   IF started AND quality = 192 AND level < 500 THEN
     setpoint := level * 2 + 20;
-  END_IF
+  END_IF;
   scans := scans + 1;
 END_PROGRAM
 
@@ -237,7 +237,7 @@ class SerialLine(unittest.TestCase):
         plant = Plant(self, place=f'line = "{ends[0]}"\ntimeout_ms = 150', peer=("line", ends[1], 1))
         dead = f'[[modbus.device]]\nname = "dead"\nline = "{ends[0]}"\nunit = 2\non_loss = "hold"\ntimeout_ms = 150\n' \
                '[[modbus.device.group]]\ntags = [{ address = "%IB7", holding = 0 }]\n'
-        text = plant.cell.config.read_text(encoding="utf-8").replace('age = "%IW3" ', "")
+        text = plant.cell.config.read_text(encoding="utf-8").replace(', age = "%IW3" ', " ")
         plant.cell.config.write_text(text + dead, encoding="utf-8")
         plant.start_all()
         self.assertTrue(eventually(lambda: plant.tag("level")["value"] == 500), plant.client.output())
