@@ -227,25 +227,5 @@ class ModbusIo(unittest.TestCase):
         self.assertIn("C0526", refused.output())
 
 
-class SerialLine(unittest.TestCase):
-    def test_two_plcs_on_a_line_one_of_them_dead(self):
-        folder = Plant(self).cell.folder  # for the ends of the line
-        ends = folder / "a", folder / "b"
-        line = Process(["socat", *(f"pty,raw,echo=0,link={end}" for end in ends)], folder / "socat.log")
-        self.addCleanup(line.end)
-        self.assertTrue(eventually(lambda: all(end.exists() for end in ends)))
-        plant = Plant(self, place=f'line = "{ends[0]}"\ntimeout_ms = 150', peer=("line", ends[1], 1))
-        dead = f'[[modbus.device]]\nname = "dead"\nline = "{ends[0]}"\nunit = 2\non_loss = "hold"\ntimeout_ms = 150\n' \
-               '[[modbus.device.group]]\ntags = [{ address = "%IB7", holding = 0 }]\n'
-        text = plant.cell.config.read_text(encoding="utf-8").replace(', age = "%IW3" ', " ")
-        plant.cell.config.write_text(text + dead, encoding="utf-8")
-        plant.start_all()
-        self.assertTrue(eventually(lambda: plant.tag("level")["value"] == 500), plant.client.output())
-        told = plant.command("modbus-client", "--status").stdout
-        self.assertRegex(told, r"plc .*online")
-        self.assertRegex(told, r"dead .*offline")
-        self.assertFalse(plant.status()["lost"])
-
-
 if __name__ == "__main__":
     unittest.main()
