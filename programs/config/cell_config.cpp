@@ -138,6 +138,10 @@ std::filesystem::path CellConfig::plant_memory_path() const {
   return memory / ("stepwright-plant-" + std::string(digits.data()));
 }
 
+std::filesystem::path CellConfig::modbus_client_path() const {
+  return state_dir / "modbus-client.sock";
+}
+
 std::filesystem::path CellConfig::report_path() const {
   return state_dir / "report.json";
 }
@@ -181,7 +185,11 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.image.input_bytes = static_cast<std::uint32_t>(image.integer("input_bytes", 64, {1, 65'536}));
   config.image.output_bytes = static_cast<std::uint32_t>(image.integer("output_bytes", 64, {1, 65'536}));
   read_safe_state(root.table("safe_state"), config);
-  const result::Diagnostics unsafe = read_safety(root, config.image.output_bytes, config.safety);
+  result::Diagnostics found = read_safety(root, config.image.output_bytes, config.safety);
+  config.modbus_client = read_modbus_client(root,
+                                            {config.safety.io.modbus, config.clock.mode == ClockMode::Real,
+                                             config.image.input_bytes, config.image.output_bytes},
+                                            found);
   if (root.has("planning")) read_planning(root.table("planning"), folder, config.planning);
   for (const TomlTable& fault : root.tables("faults")) {
     config.faults.push_back({fault.required_number("at_s", {0.0, 1e9}), fault.required_text("name"),
@@ -212,10 +220,8 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   check_names(cell, dds, config);
   config.values = (*document)->values();
   reading.problems = (*document)->finish();
-  reading.problems.insert(reading.problems.end(), unsafe.begin(), unsafe.end());
-  reading.problems.insert(reading.problems.end(), controller.begin(), controller.end());
-  reading.problems.insert(reading.problems.end(), unserved.begin(), unserved.end());
-  reading.problems.insert(reading.problems.end(), closed.begin(), closed.end());
+  for (const result::Diagnostics& more : {found, controller, unserved, closed})
+    reading.problems.insert(reading.problems.end(), more.begin(), more.end());
   return reading;
 }
 

@@ -18,6 +18,7 @@
 #include "programs/config/change_config.h"
 #include "programs/config/controller_config.h"
 #include "programs/config/log_config.h"
+#include "programs/config/modbus_client_config.h"
 #include "programs/config/modbus_server_config.h"
 #include "programs/config/record_config.h"
 #include "programs/config/retain_config.h"
@@ -128,6 +129,7 @@ struct CellConfig {
   BootSection boot;
   RecordConfig record;
   ModbusServerConfig modbus_server;
+  modbus::client::ClientSettings modbus_client;  // [modbus.client], [modbus.lines], [[modbus.device]]
   LogConfig log;
   settings::SettingTexts values;  // everything that the file says, to compare it with what it says later
 
@@ -135,7 +137,8 @@ struct CellConfig {
   std::filesystem::path journal_path() const;  // the executive's journal
   // What the simulated plant leaves when its process is killed; of this state folder, kept in memory.
   std::filesystem::path plant_memory_path() const;
-  std::filesystem::path report_path() const;  // what the supervisor leaves at the end of a run
+  std::filesystem::path modbus_client_path() const;  // where `stepwright modbus-client` answers
+  std::filesystem::path report_path() const;         // what the supervisor leaves at the end of a run
 };
 
 // That of the environment or, if it names none that exists, /tmp.

@@ -80,10 +80,13 @@ void read_watchdogs(const TomlTable& root, host::SafetyConfig& safety) {
 
 void read_io(const TomlTable& root, SafetyConfig& safety, result::Diagnostics& problems) {
   const TomlTable io = root.table("io");
-  safety.io.shared_memory = io.choice("kind", "plant", {"plant", "shared_memory"}) == "shared_memory";
+  const std::string kind = io.choice("kind", "plant", {"plant", "shared_memory", "modbus"});
+  safety.io.modbus = kind == "modbus";
+  safety.io.shared_memory = safety.io.modbus || kind == "shared_memory";
   safety.io.name = io.text("name", root.table("cell").text("name", "cell"));
   const TomlTable guard = root.table("guard");
-  safety.guard.enabled = guard.boolean("enabled", safety.guard.enabled);
+  // What moves in the field goes on moving when the runtime is killed.
+  safety.guard.enabled = guard.boolean("enabled", safety.io.modbus);
   safety.guard.timeout =
       std::chrono::milliseconds(guard.integer("timeout_ms", safety.guard.timeout.count(), {10, 60'000}));
   const auto fail = [&](const char* code, result::Location where, std::string message, std::string hint) {

@@ -19,11 +19,9 @@
 //   watchdog_sensitivity = 3
 //
 //   [io]
-//   kind = "shared_memory"            # "plant": the plant of the [plant] table
-//   name = "press"                    # /dev/shm/stepwright-io-press
-//   [guard]
-//   enabled = true                    # the runtime starts one if there is none
-//   timeout_ms = 50
+//   kind = "shared_memory"            # "plant": the plant of the [plant] table; "modbus": devices of
+//   [[modbus.device]] name = "press"                    # /dev/shm/stepwright-io-press [guard] enabled = true
+//   # the runtime starts one if there is none; default of kind = "modbus" timeout_ms = 50
 //
 // Numbers: without a type %QB is USINT, %QW is INT and %QD is DINT.
 // Diagnostics with their place: C0302 no address, C0303 no output of the cell, C0442 not a rule, C0443 a
@@ -45,6 +43,7 @@ namespace stepwright::config {
 
 struct IoConfig {
   bool shared_memory = false;  // else the plant of the [plant] table, which lives in the runtime's process
+  bool modbus = false;         // shared memory whose plant is `stepwright modbus-client`
   std::string name;            // of the area; default: the cell's name
 };
 

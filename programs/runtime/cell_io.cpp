@@ -25,13 +25,15 @@ class Unwired final : public CellIo {
   image::NoIo driver_;
 };
 
-// The plant is another process.
+// The plant is another process. Devices are wanted from the beginning; a simulator may come later.
 class SharedIo final : public CellIo {
  public:
-  explicit SharedIo(std::unique_ptr<io_memory::IoArea> area) : driver_(std::move(area)) {}
+  SharedIo(std::unique_ptr<io_memory::IoArea> area, bool devices)
+      : driver_(std::move(area), devices ? io_memory::PlantNeed::Always : io_memory::PlantNeed::Announced) {}
   image::IoDriver& driver() override { return driver_; }
   host::PlantAccess* plant() override { return nullptr; }
   bool guarded() const override { return driver_.guarded(); }
+  bool alive() const override { return driver_.plant_alive(); }
 
  private:
   io_memory::MemoryDriver driver_;
@@ -164,7 +166,7 @@ result::Result<std::unique_ptr<CellIo>> CellIo::create(const config::CellConfig&
     auto area =
         io_memory::IoArea::open(config.safety.io.name, config.image.input_bytes, config.image.output_bytes);
     if (!area) return result::forward(area);
-    return std::make_unique<SharedIo>(std::move(*area));
+    return std::make_unique<SharedIo>(std::move(*area), config.safety.io.modbus);
   }
   if (config.plant.kind == "none") return std::make_unique<Unwired>();
   if (auto faults = check_faults(config); !faults) return result::forward(faults);

@@ -20,6 +20,8 @@ class CellIo {
   virtual host::PlantAccess* plant() = 0;
   // A guard process watches the outputs.
   virtual bool guarded() const { return false; }
+  // What stands behind the I/O is there. Always true where it cannot be missing.
+  virtual bool alive() const { return true; }
 
   // Fails with what is wrong in [plant], its ports and its scheduled faults (C0301 to C0331).
   [[nodiscard]] static result::Result<std::unique_ptr<CellIo>> create(const config::CellConfig& config);

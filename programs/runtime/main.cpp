@@ -3,6 +3,7 @@
 // outputs.
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -66,6 +67,19 @@ result::Result<void> begin_recording(host::HostRuntime& runtime, const config::R
   return runtime.record(kNobodysTicket, options);
 }
 
+// A program that is started before its devices are there would be in its safe state at once, until somebody
+// starts it. After a power failure everything comes up together: it gets some time.
+void wait_for_devices(const config::CellConfig& config, const CellIo& io, const process::StopSignal& stop,
+                      log::Logger& log) {
+  if (!config.safety.io.modbus || !config.boot.autostart || io.alive()) return;
+  const auto patience = config.modbus_client.startup;
+  log.info("waits", "the program waits for its devices, " + std::to_string(patience.count()) + " ms at most");
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  while (!io.alive() && std::chrono::steady_clock::now() < deadline) {
+    if (stop.wait_for(std::chrono::milliseconds(10))) return;
+  }
+}
+
 int run(const config::CellConfig& config) {
   if (config.controller.remote()) {
     return fail(result::fail("C0544", config.controller.where,
@@ -100,6 +114,7 @@ int run(const config::CellConfig& config) {
       **runtime);
   if (!server) return fail(server.error(), ExitCode::BadInput);
   attendant.attach(**server, **runtime);
+  wait_for_devices(config, **io, stop, log);
   // Only now: the socket says that this is the one runtime of the folder, and so of what is retained in it.
   if (const auto problems = boot.run(); !problems.empty()) log.error("boot", result::to_string(problems));
   // Not before the socket is this one's: the recording of another runtime would be put aside.

@@ -43,6 +43,7 @@ constexpr std::array kCommands = {
     Command{"gateway", "stepwright-gateway",
             "serve a controller that is reached over Modbus only as a runtime"},
     Command{"guard", "stepwright-guard", "drive the outputs to their safe state when the runtime is lost"},
+    Command{"modbus-client", "stepwright-modbus-client", "physical devices over Modbus as the I/O of a cell"},
     Command{"link", "stepwright-link", "carry the runtime's service over Fast DDS"},
     Command{"supervisor", "stepwright-supervisor", "plan, download, watch and replan"},
     Command{"hmi", "stepwright-hmi", "show the cell in a browser"},

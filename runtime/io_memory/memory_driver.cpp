@@ -22,11 +22,15 @@ MemoryDriver::~MemoryDriver() {
 image::IoStatus MemoryDriver::read_inputs(std::int64_t, std::span<std::byte> inputs) {
   SlotHeader slot{};
   static_cast<void>(area_->inputs().read(slot, inputs));
+  return plant_alive() ? image::IoStatus::Good : image::IoStatus::Lost;
+}
+
+bool MemoryDriver::plant_alive() const {
   const AreaHeader& header = area_->header();
   const auto timeout_ns = static_cast<std::int64_t>(header.plant_timeout_ns.load(std::memory_order_acquire));
-  if (timeout_ns == 0) return image::IoStatus::Good;
+  if (timeout_ns == 0) return need_ == PlantNeed::Announced;
   const auto heard_ns = static_cast<std::int64_t>(header.plant_heartbeat_ns.load(std::memory_order_acquire));
-  return monotonic_ns() - heard_ns > timeout_ns ? image::IoStatus::Lost : image::IoStatus::Good;
+  return monotonic_ns() - heard_ns <= timeout_ns;
 }
 
 image::IoStatus MemoryDriver::write_outputs(std::int64_t, std::span<const std::byte> outputs) {

@@ -20,9 +20,16 @@
 
 namespace stepwright::io_memory {
 
+// Whether a plant that has announced nothing, or was never there, is one.
+enum class PlantNeed : std::uint8_t {
+  Announced,  // only a plant that has announced how long it may be silent can be lost
+  Always,     // without one the I/O is lost
+};
+
 class MemoryDriver final : public image::IoDriver {
  public:
-  explicit MemoryDriver(std::unique_ptr<IoArea> area) : area_(std::move(area)) {}
+  explicit MemoryDriver(std::unique_ptr<IoArea> area, PlantNeed need = PlantNeed::Announced)
+      : area_(std::move(area)), need_(need) {}
   // Says farewell: nobody drives the outputs any more, and the guard leaves them alone.
   ~MemoryDriver() override;
 
@@ -35,11 +42,14 @@ class MemoryDriver final : public image::IoDriver {
 
   // A guard watches this area, and not one that is about to end because the last runtime said farewell.
   bool guarded() const;
+  // The plant is heard of, as far as it must be. Any thread.
+  bool plant_alive() const;
 
  private:
   bool take_lease(std::int64_t now_ns);
 
   std::unique_ptr<IoArea> area_;
+  PlantNeed need_;
   std::atomic<bool> leased_{false};
   std::uint64_t generation_ = 0;
   std::int64_t wanted_since_ns_ = 0;

@@ -13,8 +13,9 @@ result::Result<std::unique_ptr<PlantSide>> PlantSide::open(const std::string& na
   return std::unique_ptr<PlantSide>(new PlantSide(std::move(*area)));
 }
 
-void PlantSide::announce(std::int64_t timeout_ns) {
-  beat();
+void PlantSide::announce(std::int64_t timeout_ns, bool alive) {
+  area_->header().plant_heartbeat_ns.store(alive ? static_cast<std::uint64_t>(monotonic_ns()) : 0,
+                                           std::memory_order_release);
   area_->header().plant_timeout_ns.store(static_cast<std::uint64_t>(timeout_ns), std::memory_order_release);
 }
 
@@ -29,6 +30,12 @@ void PlantSide::write_inputs(std::span<const std::byte> inputs) {
   area_->header().plant_heartbeat_ns.store(static_cast<std::uint64_t>(now_ns), std::memory_order_release);
 }
 
+// The heartbeat first: whoever sees these inputs sees that they are not to be relied on.
+void PlantSide::lose(std::span<const std::byte> inputs) {
+  area_->header().plant_heartbeat_ns.store(0, std::memory_order_release);
+  area_->inputs().write({0, static_cast<std::uint64_t>(monotonic_ns())}, inputs);
+}
+
 std::optional<OutputStamp> PlantSide::read_outputs(std::span<std::byte> outputs) {
   SlotHeader header{};
   if (!area_->outputs().read(header, outputs)) return std::nullopt;
@@ -37,6 +44,11 @@ std::optional<OutputStamp> PlantSide::read_outputs(std::span<std::byte> outputs)
 
 Owner PlantSide::owner() {
   return static_cast<Owner>(area_->header().owner.load(std::memory_order_acquire));
+}
+
+std::int64_t PlantSide::holder_silence_ns() {
+  return monotonic_ns() -
+         static_cast<std::int64_t>(area_->header().heartbeat_ns.load(std::memory_order_acquire));
 }
 
 }  // namespace stepwright::io_memory

@@ -31,15 +31,22 @@ class PlantSide {
                                                                        std::uint32_t input_bytes,
                                                                        std::uint32_t output_bytes);
 
-  // From now on the runtime takes the plant for lost when it is silent for longer; 0: it never does.
-  void announce(std::int64_t timeout_ns);
+  // From now on the runtime takes the plant for lost when it is silent for longer; 0: it never does. One that
+  // is not alive is lost from the beginning, until the next beat or write_inputs.
+  void announce(std::int64_t timeout_ns, bool alive = true);
   // The plant is alive although no input has changed.
   void beat();
   void write_inputs(std::span<const std::byte> inputs);
+  // This process is alive, what it stands for is not: the runtime takes the plant for lost at once, until the
+  // next beat or write_inputs. The inputs are what is left to know.
+  void lose(std::span<const std::byte> inputs);
 
   // The newest outputs; none before the first.
   std::optional<OutputStamp> read_outputs(std::span<std::byte> outputs);
   Owner owner();
+  // How long the holder of the lease has not been heard of, in ns. Of use while the owner is Runtime or
+  // Guard.
+  std::int64_t holder_silence_ns();
 
  private:
   explicit PlantSide(std::unique_ptr<IoArea> area) : area_(std::move(area)) {}

@@ -66,7 +66,9 @@ function(stepwright_library folder)
     target_include_directories(${target} INTERFACE ${PROJECT_SOURCE_DIR})
     _stepwright_link(${target} INTERFACE ${ARG_DEPENDS})
   endif()
-  add_library(stepwright::${alias} ALIAS ${target})
+  if(NOT TARGET stepwright::${alias})  # programs/x_y and runtime/x/y
+    add_library(stepwright::${alias} ALIAS ${target})
+  endif()
 endfunction()
 
 # An executable in build/<preset>/bin; the target `programs` builds those of programs/.

@@ -66,6 +66,7 @@ struct ClientSettings {
   milliseconds connect_timeout{400};    // TCP
   milliseconds reconnect_at_most{250};  // the longest pause between two attempts
   milliseconds holder_timeout{1'000};   // a driver of the outputs that is silent for longer is lost
+  milliseconds startup{10'000};         // how long an autostart waits for the devices
 };
 
 }  // namespace stepwright::modbus::client

@@ -176,7 +176,8 @@ class Units(unittest.TestCase):
     def test_there_is_one_for_each_process(self):
         self.assertEqual([unit.name for unit in UNITS],
                          [f"stepwright-{name}@.service"
-                          for name in ("gateway", "hmi", "link", "modbus-server", "runtime", "supervisor")])
+                          for name in ("gateway", "hmi", "link", "modbus-client", "modbus-server", "runtime",
+                                       "supervisor")])
 
     def test_systemd_finds_nothing_wrong(self):
         for unit in UNITS:

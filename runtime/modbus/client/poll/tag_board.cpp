@@ -60,7 +60,7 @@ void TagBoard::read(std::size_t device, const ReadRequest& request, std::span<co
 void TagBoard::not_read(std::size_t device, std::span<const std::uint32_t> inputs, Quality why,
                         const std::string& error) {
   const std::scoped_lock lock(mutex_);
-  states_[device].error = error;
+  if (states_[device].online) states_[device].error = error;  // else offline() tells
   for (const std::uint32_t index : inputs) states_[device].in[index].fault = why;
 }
 
@@ -82,7 +82,7 @@ void TagBoard::written(std::size_t device, std::span<const std::uint32_t> output
 void TagBoard::not_written(std::size_t device, std::span<const std::uint32_t> outputs, Quality why,
                            const std::string& error, Clock::time_point now) {
   const std::scoped_lock lock(mutex_);
-  states_[device].error = error;
+  if (states_[device].online) states_[device].error = error;
   for (const std::uint32_t index : outputs) {
     State& state = states_[device].out[index];
     state.fault = why;

@@ -1,0 +1,39 @@
+#pragma once
+
+// Answers everybody who connects to a Unix socket with one text, and asks such a socket. For this user only.
+//
+// Threads: the server has its own; `text` is called there.
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "runtime/result/result.h"
+
+namespace stepwright::modbus_client {
+
+class StatusServer {
+ public:
+  // Takes the place of a socket that a killed process left. Fails with R0127.
+  [[nodiscard]] static result::Result<std::unique_ptr<StatusServer>> create(
+      const std::filesystem::path& path, std::function<std::string()> text);
+  ~StatusServer();
+  StatusServer(const StatusServer&) = delete;
+  StatusServer& operator=(const StatusServer&) = delete;
+
+ private:
+  StatusServer(std::filesystem::path path, int listener, std::function<std::string()> text);
+  void serve();
+
+  std::filesystem::path path_;
+  int listener_;
+  std::function<std::string()> text_;
+  std::thread thread_;
+};
+
+// What the server says. Fails with R0127 if nobody does.
+[[nodiscard]] result::Result<std::string> ask_status(const std::filesystem::path& path);
+
+}  // namespace stepwright::modbus_client

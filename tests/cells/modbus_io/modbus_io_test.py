@@ -1,0 +1,231 @@
+"""Devices over Modbus as the I/O of a cell: runtime, guard and client as processes, and PLCs of pymodbus as the field."""
+
+import json
+import pathlib
+import re
+import signal
+import subprocess
+import unittest
+
+from namespaces import need_network_of_its_own
+from processes import Cell, Process, eventually, stepwright
+
+HERE = pathlib.Path(__file__).parent
+PORT = 1502
+
+# The process of the PLC halves what it is given, so the loop ends at 1000.
+PROGRAM = """\
+PROGRAM Main
+  VAR
+    level AT %IW0 : INT;
+    started AT %IX2.0 : BOOL;
+    quality AT %IB4 : USINT;
+    setpoint AT %QW0 : INT;
+    pump AT %QX2.0 : BOOL;
+    scans : DINT;
+  END_VAR
+  pump := TRUE;
+  IF started AND quality = 192 AND level < 500 THEN
+    setpoint := level * 2 + 20;
+  END_IF;
+  scans := scans + 1;
+END_PROGRAM
+
+CONFIGURATION Press
+  RESOURCE Cpu ON Plc
+    TASK Fast(INTERVAL := T#10ms, PRIORITY := 1);
+    PROGRAM main WITH Fast : Main;
+  END_RESOURCE
+END_CONFIGURATION
+"""
+
+CELL = """\
+[clock]
+mode = "real"
+[image]
+input_bytes = 8
+output_bytes = 8
+[io]
+kind = "modbus"
+[guard]
+timeout_ms = 200
+[safe_state.lost_io]
+"%QW0" = { value = 7 }
+[safe_state.killed]
+"%QW0" = { value = 9 }
+[[modbus.device]]
+name = "plc"
+PLACE
+loss_after_ms = 400
+online = "%IX2.1"
+[[modbus.device.group]]
+period_ms = 20
+tags = [
+  { name = "level", address = "%IW0", input = 0, quality = "%IB4", age = "%IW3" },
+  { address = "%IX2.0", discrete = 0 },
+  { address = "%QW0", holding = 0 },
+  { address = "%QX2.0", coil = 0 },
+]
+"""
+
+
+class Plant:
+    """A cell with its PLC."""
+
+    def __init__(self, case, place=f'host = "127.0.0.1"\nport = {PORT}', peer=("tcp", PORT, 1)):
+        self.cell = Cell(CELL.replace("PLACE", place))
+        case.addCleanup(self.cell.__exit__)
+        case.addCleanup(lambda: pathlib.Path(f"/dev/shm/stepwright-io-{self.cell.name}").unlink(missing_ok=True))
+        self.peer = peer
+        self.plc = None
+        source = self.cell.folder / "press.st"
+        source.write_text(PROGRAM, encoding="utf-8")
+        self.image = self.cell.folder / "press.swb"
+        done = stepwright("compile", source, "-o", self.image)
+        case.assertEqual(done.returncode, 0, done.stderr)
+
+    def start_plc(self):
+        self.plc = Process(["/usr/bin/python3", HERE / "pymodbus_plc.py", *self.peer], self.cell.folder / "plc.log")
+        self.cell.processes.append(self.plc)
+        self.plc.wait_for("PLC at")
+
+    def command(self, *words):
+        name, *rest = words
+        return stepwright(name, "--config", self.cell.config, *rest)
+
+    def value(self, name):
+        told = self.command("snapshot", name, "--json", "-")
+        return told.stdout
+
+    def status(self):
+        file = self.cell.folder / "status.json"
+        done = self.command("modbus-client", "--status", "--json", file)
+        assert done.returncode == 0, done.stderr
+        return json.loads(file.read_text(encoding="utf-8"))["devices"][0]
+
+    def field(self, table="4", count=1):
+        """What an independent master reads from the PLC: holding registers (4) or coils (0)."""
+        done = subprocess.run(["mbpoll", "-m", "tcp", "-p", str(PORT), "-a", "1", "-t", table, "-r", "1", "-c", str(count),
+                               "-1", "127.0.0.1"], capture_output=True, text=True, timeout=20, check=False)
+        found = re.search(r"\[1\]:\s+(-?\d+)", done.stdout)
+        return int(found.group(1)) if found else None
+
+    def state(self):
+        return self.cell.metrics()
+
+    def start_all(self):
+        self.start_plc()
+        self.client = self.cell.start("modbus-client")
+        self.client.wait_for("all devices that the program needs are there")
+        self.runtime = self.cell.start_runtime()
+        self.run(self.image)
+
+    def run(self, image):
+        done = self.command("download", image, "--replace")
+        assert done.returncode == 0, done.stderr
+        done = self.command("start")
+        assert done.returncode == 0, done.stderr
+
+    def tag(self, name):
+        return next(each for each in self.status()["tags"] if each["name"] == name)
+
+
+class ModbusIo(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        need_network_of_its_own()
+
+    def test_outputs_arrive_and_inputs_come_back(self):
+        plant = Plant(self)
+        plant.start_all()
+        self.assertTrue(eventually(lambda: plant.field() == 1000), plant.client.output())
+        self.assertTrue(eventually(lambda: plant.tag("level")["value"] == 500))
+        level = plant.tag("level")
+        self.assertEqual(level["quality"], 192)
+        self.assertLess(level["age_ms"], 1_000)
+        self.assertRegex(level["time"], r"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z$")
+        self.assertEqual(plant.field("0"), 1)
+        told = plant.command("modbus-client", "--status")
+        self.assertIn("plc", told.stdout)
+        self.assertIn("online", told.stdout)
+        figures = plant.command("modbus-client", "--metrics").stdout
+        self.assertIn(f'stepwright_modbus_device_online{{cell="{plant.cell.name}",device="plc"}} 1', figures)
+        maps = pathlib.Path(f"/proc/{plant.runtime.pid}/maps").read_text(encoding="ascii")
+        self.assertNotIn("libmodbus", maps)
+
+    def test_a_lost_plc_stops_the_program_and_comes_back_to_its_safe_outputs(self):
+        plant = Plant(self)
+        plant.start_all()
+        self.assertTrue(eventually(lambda: plant.field() == 1000), plant.client.output())
+        plant.plc.end(signal.SIGKILL)
+        self.assertTrue(eventually(lambda: "does not answer" in plant.runtime.output()), plant.runtime.output())
+        status = plant.status()
+        self.assertTrue(status["lost"])
+        self.assertFalse(status["online"])
+        self.assertLess(plant.tag("level")["quality"], 64)
+        plant.start_plc()  # it has forgotten everything
+        self.assertTrue(eventually(lambda: plant.field() == 7), plant.client.output())
+        self.assertTrue(eventually(lambda: not plant.status()["lost"]))
+        self.assertEqual(plant.field(), 7)  # the program is not started by a device that answers again
+        self.assertEqual(plant.command("start").returncode, 0)
+        self.assertTrue(eventually(lambda: plant.field() == 1000), plant.client.output())
+
+    def test_a_killed_runtime_leaves_the_devices_to_its_guard(self):
+        plant = Plant(self)
+        plant.start_all()
+        self.assertTrue(eventually(lambda: plant.field() == 1000))
+        plant.runtime.end(signal.SIGKILL)
+        self.assertTrue(eventually(lambda: plant.field() == 9), plant.client.output())
+        self.assertEqual(plant.field("0"), 0)
+        self.assertNotIn("neither runtime nor guard", plant.client.output())
+        plant.runtime = plant.cell.start_runtime()
+        plant.run(plant.image)
+        self.assertTrue(eventually(lambda: plant.field() == 1000))
+
+    def test_without_runtime_and_guard_the_client_drives_the_safe_outputs(self):
+        plant = Plant(self)
+        plant.cell.config.write_text(plant.cell.config.read_text(encoding="utf-8").replace(
+            "[guard]\n", "[guard]\nenabled = false\n"), encoding="utf-8")
+        plant.start_all()
+        self.assertTrue(eventually(lambda: plant.field() == 1000))
+        plant.runtime.end(signal.SIGKILL)
+        self.assertTrue(eventually(lambda: plant.field() == 9), plant.client.output())
+        plant.client.wait_for("neither runtime nor guard")
+
+    def test_the_end_of_the_client_is_lost_io_on_both_sides(self):
+        plant = Plant(self)
+        plant.start_all()
+        self.assertTrue(eventually(lambda: plant.field() == 1000))
+        self.assertEqual(plant.client.end(), 0)
+        self.assertEqual(plant.field(), 7)
+        self.assertTrue(eventually(lambda: "does not answer" in plant.runtime.output()), plant.runtime.output())
+        asked = plant.command("modbus-client", "--status")
+        self.assertEqual(asked.returncode, 5)
+        self.assertIn("R0127", asked.stderr)
+
+    def test_an_autostart_waits_for_its_devices(self):
+        plant = Plant(self)
+        plant.cell.config.write_text(plant.cell.config.read_text(encoding="utf-8") +
+                                     f'[runtime]\nprogram = "{plant.image}"\nautostart = true\n', encoding="utf-8")
+        runtime = plant.cell.start("runtime")
+        runtime.wait_for("waits for its devices")
+        plant.cell.start("modbus-client")
+        plant.start_plc()
+        runtime.wait_for("listens on")
+        self.assertTrue(eventually(lambda: plant.field() == 1000), runtime.output())
+
+    def test_a_second_client_and_a_cell_without_devices_are_refused(self):
+        plant = Plant(self)
+        plant.start_all()
+        second = plant.cell.start("modbus-client")
+        self.assertEqual(second.wait(), 1)
+        self.assertIn("R0044", second.output())
+        other = Cell('[io]\nkind = "shared_memory"\n', name="no-devices")
+        self.addCleanup(other.__exit__)
+        refused = other.start("modbus-client")
+        self.assertEqual(refused.wait(), 1)
+        self.assertIn("C0526", refused.output())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "programs/modbus_client/status_json.h"
+#include "programs/modbus_client/status_socket.h"
+
+namespace stepwright::modbus_client {
+namespace {
+
+using modbus::client::DeviceStatus;
+using modbus::client::Quality;
+
+DeviceStatus press() {
+  DeviceStatus device;
+  device.name = "pr\"ess";
+  device.endpoint = "10.0.0.7:502";
+  device.unit = 3;
+  device.online = true;
+  device.counters.requests = 12;
+  device.counters.timeouts = 2;
+  device.groups.push_back({"fast", 100, 10, 1, {}});
+  device.tags.push_back(
+      {"level", "%IW0", false, 12.5, Quality::Good, 40, std::chrono::system_clock::time_point{}});
+  device.tags.push_back(
+      {"flow", "%ID1", false, std::numeric_limits<double>::quiet_NaN(), Quality::NotConnected, -1, {}});
+  return device;
+}
+
+TEST(Status, WhenItIsToldAsJson_ThenTagsHaveTheirQualityAndTime) {
+  const auto json = to_json("cell", std::vector{press()});
+  const auto& device = json.at("devices").at(0);
+  EXPECT_EQ(device.at("unit"), 3);
+  EXPECT_EQ(device.at("requests"), 12);
+  const auto& level = device.at("tags").at(0);
+  EXPECT_EQ(level.at("value"), 12.5);
+  EXPECT_EQ(level.at("quality"), 192);
+  EXPECT_EQ(level.at("age_ms"), 40);
+  EXPECT_EQ(level.at("time"), "1970-01-01T00:00:00.000Z");
+  const auto& flow = device.at("tags").at(1);
+  EXPECT_TRUE(flow.at("value").is_null());
+  EXPECT_FALSE(flow.contains("age_ms"));
+  EXPECT_EQ(flow.at("quality_text"), "bad: not connected");
+}
+
+TEST(Status, WhenItIsToldToPeopleAndPrometheus_ThenItIsTheSame) {
+  const auto json = to_json("cell", std::vector{press()});
+  const std::string lines = to_lines(json);
+  EXPECT_NE(lines.find("10.0.0.7:502 unit 3: online"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("12.5, good, 40 ms ago"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("no number, bad: not connected, never"), std::string::npos) << lines;
+  const std::string figures = to_metrics(json);
+  EXPECT_NE(figures.find("stepwright_modbus_timeouts_total{cell=\"cell\",device=\"pr\\\"ess\"} 2\n"),
+            std::string::npos)
+      << figures;
+  EXPECT_NE(figures.find("tag=\"level\"} 192\n"), std::string::npos) << figures;
+}
+
+TEST(StatusSocket, WhenSomebodyAsks_ThenTheTextIsWholeAndNobodyElseMay) {
+  std::string path = (std::filesystem::temp_directory_path() / "stepwright-status-XXXXXX").string();
+  ASSERT_NE(mkdtemp(path.data()), nullptr);
+  const auto socket = std::filesystem::path(path) / "s.sock";
+  const std::string long_text(3'000'000, 'x');
+  {
+    const auto server = StatusServer::create(socket, [&] { return long_text; });
+    ASSERT_TRUE(server);
+    for (int i = 0; i < 3; ++i) {
+      const auto told = ask_status(socket);
+      ASSERT_TRUE(told);
+      EXPECT_EQ(*told, long_text);
+    }
+    const auto rights = std::filesystem::status(socket).permissions();
+    EXPECT_EQ(rights & (std::filesystem::perms::group_all | std::filesystem::perms::others_all),
+              std::filesystem::perms::none);
+  }
+  const auto nobody = ask_status(socket);
+  ASSERT_FALSE(nobody);
+  EXPECT_EQ(nobody.error()[0].code, "R0127");
+  std::filesystem::remove_all(path);
+}
+
+}  // namespace
+}  // namespace stepwright::modbus_client
