@@ -61,8 +61,11 @@ ExitCode follow_plan(const config::CellConfig& config, const HandPlan& plan, rem
     if (news && !answers) log.info("controller", "the controller answers again");
     answers = news.has_value();
     if (news) {
-      for (const std::string& each : *news) log.info("plan", each);
+      // The end is told however much was told before.
+      const char* const kind = follower.state() == HandState::UnderWay ? "plan" : "outcome";
+      for (const std::string& each : *news) log.info(kind, each);
     }
+    log.tick();
     pollfd wait{stop.descriptor(), POLLIN, 0};
     poll(&wait, 1, static_cast<int>(config.controller.exchange.count()));
   }

@@ -110,6 +110,7 @@ class LineLoop {
 
   std::shared_ptr<const RemoteProgram> program_;
   std::vector<std::byte> image_;  // as it was read last
+  std::uint64_t image_scan_ = 0;  // after this scan
   host::RuntimeStatus now_;
   image::ForceTable forces_;
   std::string detail_;  // of the newest event that has one

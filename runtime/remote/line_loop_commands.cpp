@@ -14,6 +14,15 @@ using host::CommandKind;
 using host::Completion;
 using host::Outcome;
 
+// By the detail of Refusal::NotSupported.
+constexpr std::array kLacking = {"",
+                                 "it has too little memory for image, stack and retained values",
+                                 "it has fewer inputs",
+                                 "it has fewer outputs",
+                                 "it retains fewer values",
+                                 "its verifier has too little memory: shorter functions need less",
+                                 "its firmware has no strings and no elementary functions"};
+
 const char* words_for(control::Refusal refusal) {
   switch (refusal) {
     case control::Refusal::TooLarge:
@@ -139,7 +148,10 @@ Completion LineLoop::refused(std::uint64_t ticket, const CommandAnswer& answer) 
   }
 }
 
+// runtime/doc/modbus_controller.md says what the details of a refusal are.
 result::Diagnostics LineLoop::refusal(const CommandAnswer& answer) const {
+  if (answer.refusal == control::Refusal::NotSupported && answer.detail < kLacking.size())
+    return one("R0144", {link_.name(), 0, 0}, words_for(answer.refusal), kLacking[answer.detail]);
   return one("R0144", {link_.name(), 0, 0}, words_for(answer.refusal),
              "refusal " + std::to_string(static_cast<unsigned>(answer.refusal)) + ", detail " +
                  std::to_string(answer.detail));

@@ -67,6 +67,7 @@ LineLoop::Done LineLoop::meet() {
   if (program_ == nullptr) return {};
   auto read = link_.read_memory(control::Memory::Image, image_);
   if (!read) return result::forward(read);
+  image_scan_ = read->scan;
   return {};
 }
 

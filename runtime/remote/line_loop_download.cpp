@@ -118,6 +118,7 @@ LineLoop::Done LineLoop::adopt(std::shared_ptr<const RemoteProgram> program) {
   static_cast<void>(plant_.write(own_time_ns()));
   auto read = link_.read_memory(control::Memory::Image, image_);
   if (!read) return result::forward(read);
+  image_scan_ = read->scan;
   return {};
 }
 

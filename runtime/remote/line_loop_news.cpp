@@ -66,6 +66,7 @@ std::string LineLoop::trap_detail(const ControllerStatus& status) const {
 LineLoop::Done LineLoop::read_event_image() {
   auto head = link_.read_memory(control::Memory::EventImage, image_);
   if (!head) return result::forward(head);
+  image_scan_ = head->scan;
   image_due_ns_ = wall_ns() + std::chrono::nanoseconds(config_.image_period).count();
   return {};
 }
@@ -75,6 +76,7 @@ LineLoop::Done LineLoop::refresh_image() {
   if (begin_ns < image_due_ns_ || program_ == nullptr) return {};
   auto head = link_.read_memory(control::Memory::Image, image_);
   if (!head) return result::forward(head);
+  image_scan_ = head->scan;
   const std::int64_t took_ns = wall_ns() - begin_ns;
   image_due_ns_ =
       wall_ns() + std::max(std::chrono::nanoseconds(config_.image_period).count(), kImageShare * took_ns);
