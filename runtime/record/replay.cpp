@@ -10,7 +10,7 @@
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/bytecode/reader/read_value.h"
 #include "runtime/bytecode/reader/resolve_name.h"
-#include "runtime/image/io_driver.h"
+#include "runtime/record/internal/replay_machine.h"
 #include "runtime/record/recording_format.h"
 #include "runtime/record/recording_reader.h"
 #include "runtime/scan/no_clock.h"
@@ -21,40 +21,6 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::size_t kMaxDifferences = 1'000;
-
-// Gives what was recorded.
-class RecordedIo final : public image::IoDriver {
- public:
-  image::IoStatus read_inputs(std::int64_t, std::span<std::byte> to) override {
-    std::copy_n(inputs.begin(), to.size(), to.begin());
-    return read_good ? image::IoStatus::Good : image::IoStatus::Lost;
-  }
-  image::IoStatus write_outputs(std::int64_t, Bytes) override {
-    return write_good ? image::IoStatus::Good : image::IoStatus::Lost;
-  }
-
-  std::vector<std::byte> inputs;
-  bool read_good = true;
-  bool write_good = true;
-};
-
-struct Machine {
-  Machine(std::string name, reader::LoadedProgram program, std::unique_ptr<bytecode::Engine> made,
-          image::IoDriver& io, scan::Clock& clock, const scan::ScanConfig& config)
-      : digest(std::move(name)),
-        loaded(std::move(program)),
-        memory(loaded.program().memory_size()),
-        engine(std::move(made)),
-        image(memory, scan::layout_of(loaded.program())),
-        cycle(loaded.program(), *engine, image, io, clock, config) {}
-
-  std::string digest;
-  reader::LoadedProgram loaded;
-  std::vector<std::byte> memory;
-  std::unique_ptr<bytecode::Engine> engine;
-  image::ProcessImage image;
-  scan::ScanCycle cycle;
-};
 
 std::string hex(std::uint64_t value) {
   std::array<char, 17> text{};
@@ -115,7 +81,7 @@ class Player {
   std::map<std::string, std::vector<std::byte>> containers_;
   scan::NoClock clock_;
   RecordedIo io_;
-  std::unique_ptr<Machine> machine_;
+  std::unique_ptr<ReplayMachine> machine_;
   std::uint32_t own_tasks_ = 0;  // those that the machine runs
   std::int64_t time_ns_ = 0;
   std::int64_t step_ns_ = 0;
@@ -261,7 +227,8 @@ result::Result<void> Player::make_machine(const std::string& digest, std::uint32
     config.safe_state[i] = {safe_state_[i].outputs, safe_state_[i].ramps};
   }
   const bool other = machine_ == nullptr || machine_->digest != digest;
-  machine_ = std::make_unique<Machine>(digest, std::move(*loaded), std::move(*engine), io_, clock_, config);
+  machine_ =
+      std::make_unique<ReplayMachine>(digest, std::move(*loaded), std::move(*engine), io_, clock_, config);
   if (!other) return {};
   ++report_.programs;
   return options_.on_program ? options_.on_program(machine_->loaded) : result::Result<void>();
