@@ -15,7 +15,10 @@ constexpr std::uint8_t kBusy = 6;
 constexpr std::chrono::milliseconds kBusyWait{2};
 constexpr std::chrono::milliseconds kReopenWait{20};
 constexpr std::chrono::milliseconds kPoll{1};
-constexpr int kMaxRestarts = 20;  // of the reading of an event's image
+constexpr std::chrono::milliseconds kQuiet{
+    20};                             // for late answers to arrive, so that they can be thrown away
+constexpr std::size_t kProbes = 60;  // lengths of them; none is that of another request's answer
+constexpr int kMaxRestarts = 20;     // of the reading of an event's image
 
 std::string describe(const LineAnswer& answer) {
   const std::string detail = answer.detail.empty() ? "" : " (" + answer.detail + ")";
@@ -41,13 +44,27 @@ tl::unexpected<result::Diagnostics> ControllerLink::fail(const char* code, std::
   return result::fail(code, {line_.name(), 0, 0}, std::move(message), std::move(hint));
 }
 
+// After a silence two answers may be under way, that of the request and that of its repetition. On a serial
+// line nothing tells the late one from the answer to the next request of the same form. So before anything
+// else is asked, part of the status is read, each time of another length, until the answer has the right one.
+LineAnswer ControllerLink::find_step() {
+  std::array<std::uint16_t, kProbes> words{};
+  probe_ = probe_ % kProbes + 1;
+  const LineAnswer answer = line_.read(control::status::kFirst, std::span(words).first(probe_));
+  in_step_ = answer.ok();
+  if (answer.fault == LineFault::Garbled) std::this_thread::sleep_for(kQuiet);
+  return answer;
+}
+
 // Repeats what got no answer. An exception other than busy is an answer.
 template <typename Request>
 result::Result<void> ControllerLink::ask(const Request& request) {
   const auto deadline = Clock::now() + options_.patience;
   while (true) {
-    const LineAnswer answer = request();
+    LineAnswer answer = in_step_ ? LineAnswer{} : find_step();
+    if (answer.ok()) answer = request();
     if (answer.ok()) return {};
+    if (answer.fault != LineFault::Refused) in_step_ = false;
     const bool busy =
         answer.fault == LineFault::Refused && (answer.exception == kBusy || answer.exception == kAcknowledge);
     if (answer.fault == LineFault::Refused && !busy) {

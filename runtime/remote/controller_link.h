@@ -91,6 +91,7 @@ class ControllerLink {
  private:
   template <typename Request>
   [[nodiscard]] result::Result<void> ask(const Request& request);
+  LineAnswer find_step();
   [[nodiscard]] result::Result<WindowHead> window(control::Memory memory, std::uint32_t offset,
                                                   std::span<std::byte> bytes);
   tl::unexpected<result::Diagnostics> fail(const char* code, std::string message,
@@ -100,6 +101,8 @@ class ControllerLink {
   const LinkOptions options_;
   const std::atomic<bool>& stop_;
   std::uint16_t command_number_ = 0;
+  bool in_step_ = true;    // no answer of an earlier request can come any more
+  std::size_t probe_ = 0;  // registers that the newest probe read
   std::uint64_t repeated_ = 0;
 };
 

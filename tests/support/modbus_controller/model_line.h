@@ -10,9 +10,12 @@
 // test wants to look at or change stands in a state of its own.
 
 #include <atomic>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <utility>
+#include <vector>
 
 #include "runtime/modbus/pdu/serve.h"
 #include "runtime/modbus/pdu/wire.h"
@@ -30,6 +33,9 @@ struct ModelWorld {
   std::atomic<bool> garble{false};
   std::atomic<int> lose_answers{0};   // so many requests are carried out and their answers lost
   std::atomic<int> lose_requests{0};  // so many never arrive
+  // So many answers come only when the next request waits for its own, as on a serial line, on which nothing
+  // but their form tells them from that.
+  std::atomic<int> late_answers{0};
   std::atomic<std::uint64_t> requests{0};
   // Changes what the controller answers to a read (first register, words); may be empty. Set before use.
   std::function<void(std::uint16_t, std::span<std::uint16_t>)> lie;
@@ -102,6 +108,19 @@ class ModelLine final : public remote::RegisterLine {
         return {LineFault::Refused, static_cast<std::uint8_t>(exception), {}};
     }
     if (take(world_->lose_answers)) return {LineFault::Silent, 0, {}};
+    if (take(world_->late_answers)) {
+      late_.push_back(std::move(bytes));
+      return {LineFault::Silent, 0, {}};
+    }
+    if (!late_.empty()) {
+      late_.push_back(std::move(bytes));
+      bytes = std::move(late_.front());
+      late_.pop_front();
+      if (bytes.size() != 2 * words.size()) {
+        late_.clear();  // a master throws away what it has not asked for
+        return {LineFault::Garbled, 0, "length"};
+      }
+    }
     if (world_->garble) return {LineFault::Garbled, 0, "checksum"};
     for (std::size_t i = 0; i < words.size(); ++i)
       words[i] = static_cast<std::uint16_t>(std::to_integer<unsigned>(bytes[2 * i]) << 8 |
@@ -111,6 +130,7 @@ class ModelLine final : public remote::RegisterLine {
   }
 
   std::shared_ptr<ModelWorld> world_;
+  std::deque<std::vector<std::byte>> late_;
 };
 
 }  // namespace stepwright::support

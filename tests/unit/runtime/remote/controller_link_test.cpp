@@ -9,7 +9,7 @@ struct Linked {
   std::shared_ptr<support::ModelWorld> world = std::make_shared<support::ModelWorld>();
   support::ModelLine line{world};
   std::atomic<bool> stop{false};
-  ControllerLink link{line, {.patience = std::chrono::milliseconds(30)}, stop};
+  ControllerLink link{line, {.patience = std::chrono::milliseconds(100)}, stop};
 };
 
 TEST(ControllerLink_WhenACommandsAnswerGetsLost, ThenItIsCarriedOutOnce) {
@@ -41,6 +41,18 @@ TEST(ControllerLink_WhenAMemoryIsLargerThanAWindow, ThenItIsReadWhole) {
   linked.world->model.begin_transfer(static_cast<std::uint32_t>(program.size()), service::sha256(program));
   ASSERT_TRUE(linked.world->model.piece(0, program));
   ASSERT_EQ(linked.world->model.commit().refusal, control::Refusal::Done);
+  std::vector<std::byte> read(program.size());
+  ASSERT_TRUE(linked.link.read_memory(control::Memory::Program, read));
+  EXPECT_EQ(read, program);
+}
+
+TEST(ControllerLink_WhenAnAnswerIsLate, ThenItIsNotTakenForThatOfALaterRequest) {
+  Linked linked;
+  const auto program = support::step_program({.steps = 40});
+  linked.world->model.begin_transfer(static_cast<std::uint32_t>(program.size()), service::sha256(program));
+  ASSERT_TRUE(linked.world->model.piece(0, program));
+  ASSERT_EQ(linked.world->model.commit().refusal, control::Refusal::Done);
+  linked.world->late_answers = 1;  // that of the first window: its repetition has an answer of the same form
   std::vector<std::byte> read(program.size());
   ASSERT_TRUE(linked.link.read_memory(control::Memory::Program, read));
   EXPECT_EQ(read, program);
