@@ -91,7 +91,7 @@ TEST(CrewChange, WhenAProgramChanges_ThenTheTasksOfEveryThreadGoOnWithTheirValue
   const auto info = *reader::ProgramInfo::read(next);
   const auto slow_after =
       static_cast<std::int64_t>(reader::read_number(*info.find("slow_count"), stopped.image) - slow_before);
-  EXPECT_GT(slow_after, 20 * 1001);
+  EXPECT_GE(slow_after, 20 * 1001);  // that many it was waited for
   EXPECT_EQ(slow_after % 1001, 0);
 }
 
