@@ -18,6 +18,28 @@ std::span<const std::uint16_t> arguments(const CommandWords& command) {
   return std::span(command.words).subspan(control::command::kArguments);
 }
 
+Refusal refusal_of(image::BitsStatus status) {
+  switch (status) {
+    case image::BitsStatus::Done:
+      return Refusal::Done;
+    case image::BitsStatus::OutOfBounds:
+      return Refusal::OutOfBounds;
+    case image::BitsStatus::ForcesFull:
+      return Refusal::ForcesFull;
+    case image::BitsStatus::NotForced:
+      return Refusal::NotForced;
+  }
+  return Refusal::OutOfBounds;
+}
+
+image::BitsStatus change_forces(Machine& machine, control::Command code, const image::ImageBits& bits) {
+  image::Force force;
+  const image::BitsStatus status = image::to_force(bits, machine.image().size(), force);
+  if (status != image::BitsStatus::Done) return status;
+  if (code == control::Command::Unforce) return image::clear_force(*machine.forces(), force);
+  return image::set_force(*machine.forces(), force, machine.image().size());
+}
+
 }  // namespace
 
 Exception Controller::submit(const CommandWords& command) {
@@ -112,12 +134,10 @@ Judgement Controller::commit() {
 
 Judgement Controller::bits(control::Command code, const CommandWords& command) {
   if (machine_.forces() == nullptr) return {Refusal::NoProgram, 0};
-  const ImageBits bits{control::get32(arguments(command), 0), control::get64(arguments(command), 2),
-                       control::get64(arguments(command), 6)};
-  if (code == control::Command::Force)
-    return {force_bits(*machine_.forces(), machine_.image().size(), bits), 0};
-  if (code == control::Command::Unforce) return {unforce_bits(*machine_.forces(), bits), 0};
-  const Refusal refusal = write_bits(machine_.image(), bits);
+  const image::ImageBits bits{control::get32(arguments(command), 0), control::get64(arguments(command), 2),
+                              control::get64(arguments(command), 6)};
+  if (code != control::Command::WriteBits) return {refusal_of(change_forces(machine_, code, bits)), 0};
+  const Refusal refusal = refusal_of(image::write_bits(machine_.image(), bits));
   touched();
   return {refusal, 0};
 }

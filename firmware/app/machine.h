@@ -17,10 +17,10 @@
 
 #include "firmware/app/arena.h"
 #include "firmware/app/events.h"
-#include "firmware/app/image_bits.h"
 #include "firmware/app/limits.h"
 #include "firmware/app/modbus_io.h"
 #include "firmware/app/sha256.h"
+#include "runtime/image/image_bits.h"
 #include "runtime/image/process_image.h"
 #include "runtime/modbus/control/registers.h"
 #include "runtime/scan/scan_cycle.h"

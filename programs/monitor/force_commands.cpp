@@ -29,11 +29,6 @@ host::ImageBits bits_of(const reader::Variable& variable, std::uint64_t value) {
   return {variable.address, mask, value};
 }
 
-host::ImageBits bits_of(const image::Force& force) {
-  if (force.bit != image::kWholeBytes) return {force.address, std::uint64_t{1} << force.bit, 0};
-  return {force.address, force.size == 8 ? ~std::uint64_t{0} : (std::uint64_t{1} << 8 * force.size) - 1, 0};
-}
-
 struct Forced {
   std::string name;
   reader::Variable variable;
@@ -90,7 +85,7 @@ result::Result<void> do_unforce(const config::CellConfig& config, const ForceArg
   auto forces = read_forces(**runtime);
   if (!forces) return result::forward(forces);
   for (const image::Force& force : *forces) {
-    auto reply = (*runtime)->ask(service::Unforce{bits_of(force)});
+    auto reply = (*runtime)->ask(service::Unforce{image::bits_of(force)});
     if (!reply) return result::forward(reply);
   }
   std::printf("%zu variables are no longer forced\n", forces->size());

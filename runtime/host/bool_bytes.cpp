@@ -19,4 +19,10 @@ std::uint64_t BoolBytes::settled(std::uint64_t address, std::uint32_t size, std:
   return value;
 }
 
+void BoolBytes::settle(std::uint64_t address, std::span<std::byte> bytes) const {
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    if (holds(address + i) && bytes[i] != std::byte{0}) bytes[i] = std::byte{1};
+  }
+}
+
 }  // namespace stepwright::host

@@ -23,6 +23,9 @@ class BoolBytes {
   // The same value with 1 for TRUE in each of its `size` bytes (8 at most) that is a BOOL at that address.
   std::uint64_t settled(std::uint64_t address, std::uint32_t size, std::uint64_t value) const;
 
+  // The same of bytes where they stand, which begin at that address.
+  void settle(std::uint64_t address, std::span<std::byte> bytes) const;
+
  private:
   std::vector<std::uint8_t> is_bool_;  // per byte of the image
 };

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runtime/host/runtime_state.h"
+#include "runtime/image/image_bits.h"
 
 namespace stepwright::host {
 
@@ -135,17 +136,7 @@ struct StartOptions {
   bool cold = false;     // retained variables have their initial values too
 };
 
-// Up to 64 bits of the image, little-endian from `byte_offset`: the bits set in `mask` take those of `value`.
-// {8, 0x01, 0x01} sets bit 0 of byte 8; {8, 0xFFFF, 1234} a WORD at bytes 8 and 9. A mask that reaches past
-// the image, or is 0, is refused.
-struct ImageBits {
-  std::uint32_t byte_offset = 0;
-  std::uint64_t mask = 0;
-  std::uint64_t value = 0;
-
-  friend bool operator==(const ImageBits&, const ImageBits&) = default;
-};
-
+using image::ImageBits;
 using ForceRequest = ImageBits;    // holds until unforced, over stop and start, until the next download
 using UnforceRequest = ImageBits;  // releases the bits in `mask`; `value` is ignored
 using WriteRequest = ImageBits;    // written once, before the next scan

@@ -1,24 +1,26 @@
 // Commands, as the scan thread performs them between two scans.
 
-#include <bit>
 #include <cassert>
 #include <cstring>
 #include <utility>
 
-#include "runtime/host/image_bits.h"
 #include "runtime/host/scan_loop.h"
 
 namespace stepwright::host {
 namespace {
 
-// How many bytes from its offset the mask reaches.
-std::size_t bytes_of(const ImageBits& bits) {
-  return static_cast<std::size_t>(std::bit_width(bits.mask) + 7) / 8;
-}
-
-bool within(const ImageBits& bits, std::size_t image_bytes) {
-  const std::size_t bytes = bytes_of(bits);
-  return bytes != 0 && bits.byte_offset <= image_bytes && bytes <= image_bytes - bits.byte_offset;
+Outcome outcome_of(image::BitsStatus status) {
+  switch (status) {
+    case image::BitsStatus::Done:
+      return Outcome::Done;
+    case image::BitsStatus::OutOfBounds:
+      return Outcome::OutOfBounds;
+    case image::BitsStatus::ForcesFull:
+      return Outcome::ForcesFull;
+    case image::BitsStatus::NotForced:
+      return Outcome::NotForced;
+  }
+  return Outcome::OutOfBounds;
 }
 
 }  // namespace
@@ -181,44 +183,38 @@ Outcome ScanLoop::stop(std::string_view reason, scan::SafeCause cause) {
 
 Outcome ScanLoop::force(const ImageBits& bits) {
   if (program_ == nullptr) return Outcome::NoProgram;
-  auto wanted = to_force(bits);
-  if (!wanted) return Outcome::OutOfBounds;
+  const std::size_t image_bytes = program_->image().bytes().size();
+  image::Force wanted;
+  image::BitsStatus status = image::to_force(bits, image_bytes, wanted);
+  if (status != image::BitsStatus::Done) return outcome_of(status);
   const BoolBytes& bools = program_->bools();
-  if (wanted->bit == image::kWholeBytes) {
-    wanted->value = bools.settled(wanted->address, wanted->size, wanted->value);
-  } else if (wanted->bit != 0 && bools.holds(wanted->address)) {
+  if (wanted.bit == image::kWholeBytes) {
+    wanted.value = bools.settled(wanted.address, wanted.size, wanted.value);
+  } else if (wanted.bit != 0 && bools.holds(wanted.address)) {
     return Outcome::OutOfBounds;  // a BOOL in a byte of its own has no other bit
   }
-  image::ForceTable& forces = program_->cycle().forces();
-  if (forces.set(*wanted, program_->image().bytes().size())) {
-    tap_.forced(*wanted);
-    return Outcome::Done;
-  }
-  const bool full = forces.forces().size() == image::ForceTable::kCapacity;
-  const bool inside = wanted->address + std::size_t{wanted->size} <= program_->image().bytes().size();
-  return full && inside ? Outcome::ForcesFull : Outcome::OutOfBounds;
+  status = image::set_force(program_->cycle().forces(), wanted, image_bytes);
+  if (status == image::BitsStatus::Done) tap_.forced(wanted);
+  return outcome_of(status);
 }
 
 Outcome ScanLoop::unforce(const ImageBits& bits) {
   if (program_ == nullptr) return Outcome::NoProgram;
-  const auto wanted = to_force(bits);
-  if (!wanted) return Outcome::OutOfBounds;
-  if (!program_->cycle().forces().clear(wanted->address, wanted->bit)) return Outcome::NotForced;
-  tap_.unforced(wanted->address, wanted->bit);
-  return Outcome::Done;
+  image::Force wanted;
+  image::BitsStatus status = image::to_force(bits, program_->image().bytes().size(), wanted);
+  if (status == image::BitsStatus::Done) status = image::clear_force(program_->cycle().forces(), wanted);
+  if (status == image::BitsStatus::Done) tap_.unforced(wanted.address, wanted.bit);
+  return outcome_of(status);
 }
 
 Outcome ScanLoop::write(const ImageBits& bits) {
   if (program_ == nullptr) return Outcome::NoProgram;
   const std::span<std::byte> image = program_->image().bytes();
-  if (!within(bits, image.size())) return Outcome::OutOfBounds;
-  const std::size_t bytes = bytes_of(bits);
-  std::uint64_t value = 0;
-  std::memcpy(&value, image.data() + bits.byte_offset, bytes);
-  value = (value & ~bits.mask) | (bits.value & bits.mask);
-  value = program_->bools().settled(bits.byte_offset, static_cast<std::uint32_t>(bytes), value);
-  std::memcpy(image.data() + bits.byte_offset, &value, bytes);
-  tap_.wrote(bits.byte_offset, image.subspan(bits.byte_offset, bytes));
+  const image::BitsStatus status = image::write_bits(image, bits);
+  if (status != image::BitsStatus::Done) return outcome_of(status);
+  const auto written = image.subspan(bits.byte_offset, image::reach_of(bits));
+  program_->bools().settle(bits.byte_offset, written);
+  tap_.wrote(bits.byte_offset, written);
   return Outcome::Done;
 }
 
@@ -228,7 +224,7 @@ Outcome ScanLoop::write_block(const BlockWrite& block) {
     return Outcome::ProgramDiffers;
   const std::size_t image_bytes = program_->image().bytes().size();
   for (const ImageBits& part : block.parts)
-    if (!within(part, image_bytes)) return Outcome::OutOfBounds;
+    if (!image::within(part, image_bytes)) return Outcome::OutOfBounds;
   for (const ImageBits& part : block.parts) write(part);
   return Outcome::Done;
 }

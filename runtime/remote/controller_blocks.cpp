@@ -56,19 +56,12 @@ ControllerOutputs outputs_from(std::span<const std::uint16_t> words) {
   return outputs;
 }
 
-std::array<std::uint16_t, 10> bits_arguments(const host::ImageBits& bits) {
+std::array<std::uint16_t, 10> bits_arguments(const image::ImageBits& bits) {
   std::array<std::uint16_t, 10> arguments{};
   control::put32(arguments, 0, bits.byte_offset);
   control::put64(arguments, 2, bits.mask);
   control::put64(arguments, 6, bits.value & bits.mask);
   return arguments;
-}
-
-host::ImageBits bits_of(const image::Force& force) {
-  if (force.bit != image::kWholeBytes)
-    return {force.address, std::uint64_t{1} << force.bit, force.value << force.bit};
-  const std::uint64_t whole = force.size == 8 ? ~std::uint64_t{0} : (std::uint64_t{1} << 8 * force.size) - 1;
-  return {force.address, whole, force.value};
 }
 
 }  // namespace stepwright::remote

@@ -9,8 +9,7 @@
 #include <span>
 
 #include "runtime/bytecode/trap.h"
-#include "runtime/host/messages.h"
-#include "runtime/image/force_table.h"
+#include "runtime/image/image_bits.h"
 #include "runtime/modbus/control/registers.h"
 
 namespace stepwright::remote {
@@ -68,8 +67,6 @@ struct ControllerOutputs {
 ControllerOutputs outputs_from(std::span<const std::uint16_t> words);
 
 // The arguments of the commands that write, force and release bits.
-std::array<std::uint16_t, 10> bits_arguments(const host::ImageBits& bits);
-// The bits that a force holds.
-host::ImageBits bits_of(const image::Force& force);
+std::array<std::uint16_t, 10> bits_arguments(const image::ImageBits& bits);
 
 }  // namespace stepwright::remote

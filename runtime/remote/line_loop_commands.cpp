@@ -1,10 +1,8 @@
 // Commands, as the line's thread performs them between two turns.
 
 #include <array>
-#include <bit>
 #include <utility>
 
-#include "runtime/host/image_bits.h"
 #include "runtime/remote/line_loop.h"
 
 namespace stepwright::remote {
@@ -217,29 +215,29 @@ Completion LineLoop::stop(const host::Command& command, std::string_view reason)
 // Write, force and unforce: what the runtime on the host would refuse is refused before it is sent.
 Completion LineLoop::bits(const host::Command& command) {
   if (program_ == nullptr) return {command.ticket, Outcome::NoProgram, {}};
-  const auto force = host::to_force(command.bits);
-  const auto bytes = static_cast<std::uint32_t>((std::bit_width(command.bits.mask) + 7) / 8);
-  const bool whole = command.kind == CommandKind::Write || (force && force->bit == image::kWholeBytes);
-  const bool inside = bytes > 0 && std::size_t{command.bits.byte_offset} + bytes <= image_.size();
-  const bool spare_bit =
-      force && force->bit != image::kWholeBytes && force->bit != 0 && program_->bools().holds(force->address);
-  if (!inside || (command.kind != CommandKind::Write && (!force || spare_bit)))
-    return {command.ticket, Outcome::OutOfBounds, {}};
-  const std::uint64_t value =
-      whole ? program_->bools().settled(command.bits.byte_offset, bytes, command.bits.value)
-            : command.bits.value;
-  const auto arguments = bits_arguments({command.bits.byte_offset, command.bits.mask, value});
-  const control::Command code = command.kind == CommandKind::Write   ? control::Command::WriteBits
+  image::ImageBits bits = command.bits;
+  image::Force force;
+  const bool write = command.kind == CommandKind::Write;
+  const bool possible = write ? image::within(bits, image_.size())
+                              : image::to_force(bits, image_.size(), force) == image::BitsStatus::Done;
+  const bool one_bit = !write && force.bit != image::kWholeBytes;
+  const bool spare_bit = one_bit && force.bit != 0 && program_->bools().holds(force.address);
+  if (!possible || spare_bit) return {command.ticket, Outcome::OutOfBounds, {}};
+  if (!one_bit) {
+    const auto bytes = static_cast<std::uint32_t>(image::reach_of(bits));
+    bits.value = program_->bools().settled(bits.byte_offset, bytes, bits.value);
+  }
+  const auto arguments = bits_arguments(bits);
+  const control::Command code = write                                ? control::Command::WriteBits
                                 : command.kind == CommandKind::Force ? control::Command::Force
                                                                      : control::Command::Unforce;
   auto answer = link_.command(code, arguments);
   if (!answer) return lost(command.ticket, answer.error());
   if (answer->done() && command.kind == CommandKind::Force) {
-    image::Force settled = *force;
-    if (whole) settled.value = value & command.bits.mask;
-    static_cast<void>(forces_.set(settled, image_.size()));
+    if (!one_bit) force.value = bits.value & bits.mask;
+    static_cast<void>(forces_.set(force, image_.size()));
   }
-  if (answer->done() && command.kind == CommandKind::Unforce) forces_.clear(force->address, force->bit);
+  if (answer->done() && command.kind == CommandKind::Unforce) forces_.clear(force.address, force.bit);
   return refused(command.ticket, *answer);
 }
 

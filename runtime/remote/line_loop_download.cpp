@@ -61,7 +61,7 @@ LineLoop::Done LineLoop::bring(const RemoteProgram& program) {
   }
   if (auto stopped = link_.command(control::Command::Stop); !stopped) return tl::unexpected(stopped.error());
   for (const image::Force& force : forces_.forces()) {
-    if (auto freed = link_.command(control::Command::Unforce, bits_arguments(bits_of(force))); !freed)
+    if (auto freed = link_.command(control::Command::Unforce, bits_arguments(image::bits_of(force))); !freed)
       return tl::unexpected(freed.error());
   }
   return {};

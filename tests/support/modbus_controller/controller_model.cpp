@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "runtime/bytecode/reader/loaded_program.h"
-#include "runtime/host/image_bits.h"
 #include "runtime/host/step_watch.h"
+#include "runtime/image/image_bits.h"
 #include "runtime/image/io_driver.h"
 #include "runtime/scan/no_clock.h"
 #include "runtime/service/digest.h"
@@ -188,12 +188,13 @@ ModelAnswer ControllerModel::change_bits(control::Command command, std::uint32_t
     std::memcpy(image.data() + byte, &now, bytes);
     return {};
   }
-  const auto force = host::to_force({byte, mask, value});
-  if (!force) return {control::Refusal::OutOfBounds};
+  image::Force force;
+  if (image::to_force({byte, mask, value}, image.size(), force) != image::BitsStatus::Done)
+    return {control::Refusal::OutOfBounds};
   image::ForceTable& forces = machine_->cycle.forces();
   if (command == control::Command::Unforce)
-    return {forces.clear(force->address, force->bit) ? control::Refusal::Done : control::Refusal::NotForced};
-  return {forces.set(*force, image.size()) ? control::Refusal::Done : control::Refusal::ForcesFull};
+    return {forces.clear(force.address, force.bit) ? control::Refusal::Done : control::Refusal::NotForced};
+  return {forces.set(force, image.size()) ? control::Refusal::Done : control::Refusal::ForcesFull};
 }
 
 void ControllerModel::scan_once() {

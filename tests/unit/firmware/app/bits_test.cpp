@@ -37,7 +37,7 @@ TEST_F(BitsTest, Force_WhenProgramStartsAgain_ThenStays_WhenAnotherIsLoaded_Then
 
 TEST_F(BitsTest, Bits_WhenBeyondTheImage_ThenAreRefused) {
   const std::uint32_t size = controller.status().image_bytes;
-  for (const Command code : {Command::WriteBits, Command::Force}) {
+  for (const Command code : {Command::WriteBits, Command::Force, Command::Unforce}) {
     EXPECT_EQ(bits(code, size, 1, 1).refusal, Refusal::OutOfBounds);
     EXPECT_EQ(bits(code, size - 1, 0xFFFF, 1).refusal, Refusal::OutOfBounds);
     EXPECT_EQ(bits(code, 0xFFFF'FFFF, 1u << 8, 1).refusal, Refusal::OutOfBounds);

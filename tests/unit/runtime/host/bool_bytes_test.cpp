@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "tests/support/compiled_program.h"
 
 namespace stepwright::host {
@@ -27,6 +29,9 @@ TEST(BoolBytes, WhenAWriteCoversBools_ThenEachOfThemIsZeroOrOne) {
   const std::uint32_t lamps = program.find("main.lamps[0]").address;
   EXPECT_EQ(bools.settled(lamps, 4, 0xFF008002) & 0xFFFFFF, 0x000101u);
   EXPECT_EQ(bools.settled(program.find("main.number").address, 1, 0x80), 0x80u);
+  std::array in_place = {std::byte{2}, std::byte{0x80}, std::byte{0}};
+  bools.settle(lamps, in_place);
+  EXPECT_EQ(in_place, (std::array{std::byte{1}, std::byte{1}, std::byte{0}}));
   EXPECT_FALSE(bools.holds(program.find("main.input").address));  // bits of a byte of I/O
   EXPECT_FALSE(bools.holds(0xFFFFFFFF));
 }

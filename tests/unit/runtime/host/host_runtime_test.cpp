@@ -277,7 +277,7 @@ TEST(HostRuntime, WhenBitsAreOutOfBounds_ThenTheyAreRefused) {
   Harness harness;
   harness.load(step_program());
   const auto size = static_cast<std::uint32_t>(Layout::kSteps + 3);
-  const CommandKind kinds[] = {CommandKind::Force, CommandKind::Write};
+  const CommandKind kinds[] = {CommandKind::Force, CommandKind::Write, CommandKind::Unforce};
   for (const CommandKind kind : kinds) {
     EXPECT_EQ(harness.bits(kind, {size, 1, 1}), Outcome::OutOfBounds);
     EXPECT_EQ(harness.bits(kind, {size - 1, 0xFFFF, 1}), Outcome::OutOfBounds);
