@@ -3,7 +3,7 @@
 #include <array>
 #include <cstring>
 
-#include "runtime/record/crc32c.h"
+#include "runtime/base/crc32c.h"
 
 namespace stepwright::record {
 
@@ -11,7 +11,7 @@ std::uint32_t chunk_crc(const ChunkHeader& header, std::span<const std::byte> pa
   std::array<std::byte, sizeof header.sequence + sizeof header.bytes> head;
   std::memcpy(head.data(), &header.sequence, sizeof header.sequence);
   std::memcpy(head.data() + sizeof header.sequence, &header.bytes, sizeof header.bytes);
-  return crc32c(head, payload);
+  return base::crc32c(payload, base::crc32c(head));
 }
 
 }  // namespace stepwright::record

@@ -9,8 +9,8 @@
 #include <cstring>
 #include <utility>
 
+#include "runtime/base/crc32c.h"
 #include "runtime/base/hash64.h"
-#include "runtime/record/crc32c.h"
 #include "runtime/record/durable_file.h"
 
 namespace stepwright::record {
@@ -59,11 +59,17 @@ std::span<const std::byte> bytes_of(const T& value) {
   return std::as_bytes(std::span<const T, 1>(&value, 1));
 }
 
+// Of a header whose own sum is 0, and of what stands behind it.
+template <typename Header>
+std::uint32_t sum_of(const Header& header, std::span<const std::byte> behind) {
+  return base::crc32c(behind, base::crc32c(bytes_of(header)));
+}
+
 // Header and payload of a slot, as they lie in the file.
 void fill_slot(std::vector<std::byte>& out, std::uint64_t sequence, std::uint64_t digest,
                std::span<const std::byte> payload) {
   SlotHeader header{kSlotMagic, 0, sequence, digest, static_cast<std::uint32_t>(payload.size()), 0};
-  header.crc = crc32c(bytes_of(header), payload);
+  header.crc = sum_of(header, payload);
   out.resize(sizeof header + payload.size());
   std::memcpy(out.data(), &header, sizeof header);
   if (!payload.empty()) std::memcpy(out.data() + sizeof header, payload.data(), payload.size());
@@ -83,7 +89,7 @@ std::optional<Slot> read_slot(std::span<const std::byte> file, std::size_t at, s
   const std::uint32_t crc = std::exchange(header.crc, 0);
   const bool ours = header.magic == kSlotMagic && header.reserved == 0 && header.sequence % 2 == index &&
                     header.payload_bytes == payload_bytes && header.layout_digest == digest;
-  if (!ours || crc32c(bytes_of(header), payload) != crc) return std::nullopt;
+  if (!ours || sum_of(header, payload) != crc) return std::nullopt;
   return Slot{header.sequence, payload};
 }
 
@@ -116,7 +122,7 @@ result::Result<std::optional<StoredState>> RetainStore::read(const std::filesyst
   }
   const auto names = file.subspan(sizeof header, header.layout_bytes);
   const std::uint32_t crc = std::exchange(header.crc, 0);
-  if (crc32c(bytes_of(header), names) != crc) {
+  if (sum_of(header, names) != crc) {
     return damaged(path, "bytes 0 to " + std::to_string(sizeof header + names.size() - 1) +
                              ": the names of the values do not fit their checksum");
   }
@@ -150,7 +156,7 @@ result::Result<RetainStore> RetainStore::create(const std::filesystem::path& pat
   header.version = kVersion;
   header.layout_bytes = static_cast<std::uint32_t>(names.size());
   header.payload_bytes = layout.size();
-  header.crc = crc32c(bytes_of(header), names);
+  header.crc = sum_of(header, names);
   // Both slots are written, so that no later write needs more room on the disk.
   std::vector<std::byte> file(first_slot(names.size()) + 2 * slot_stride(payload.size()));
   std::memcpy(file.data(), &header, sizeof header);

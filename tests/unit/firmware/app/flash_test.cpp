@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "firmware/app/crc32c.h"
 #include "firmware/app/program_store.h"
 #include "firmware/app/retain_store.h"
 #include "tests/unit/firmware/app/test_board.h"
@@ -29,13 +28,6 @@ Bytes newest(const app::ProgramStore& programs) {
   if (slot < 0) return {};
   const auto container = programs.container(slot);
   return {container.begin(), container.end()};
-}
-
-TEST(Crc32c, Sum_WhenTextIsTheCheckOfTheAlgorithm_ThenIsItsSum) {
-  const std::string text = "123456789";
-  EXPECT_EQ(app::crc32c(std::as_bytes(std::span(text))), 0xE3069283u);
-  const auto first = app::crc32c(std::as_bytes(std::span(text)).first(4));
-  EXPECT_EQ(app::crc32c(std::as_bytes(std::span(text)).subspan(4), first), 0xE3069283u) << "continued";
 }
 
 TEST(RamFlash, Program_WhenABitWouldRise_ThenFails) {

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <fstream>
 
-#include "runtime/record/crc32c.h"
 #include "runtime/record/durable_file.h"
 #include "tests/unit/runtime/record/retained_machine.h"
 
@@ -84,13 +83,6 @@ TEST(RetainStore, WhenThereIsNoFile_ThenThereAreNoValues) {
   const auto found = RetainStore::read(folder.store());
   ASSERT_TRUE(found);
   EXPECT_FALSE(*found);
-}
-
-TEST(Crc32c, WhenTheBytesAreThoseOfTheStandard_ThenSoIsTheSum) {
-  const std::string text = "123456789";
-  const auto bytes = std::as_bytes(std::span(text));
-  EXPECT_EQ(crc32c(bytes), 0xE3069283u);
-  EXPECT_EQ(crc32c(bytes.first(4), bytes.subspan(4)), 0xE3069283u);
 }
 
 TEST_F(RetainStoreWritten, WhenWhole_ThenTheNewestValuesAreRead) {
