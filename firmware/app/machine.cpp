@@ -81,10 +81,9 @@ void Machine::make_cycle(std::int64_t clock_origin_ns) {
     forces = cycle_->forces();
     earlier_overruns_ += cycle_->statistics().overruns;
   }
-  const scan::ScanConfig config{.budget = kBudget,
-                                .safe_memory = std::span(safe_outputs_).first(image_->outputs().size()),
-                                .clock_origin_ns = clock_origin_ns};
-  cycle_.emplace(program_, *engine_, *image_, io_, clock_, config);
+  const scan::ScanConfig config{.budget = kBudget, .clock_origin_ns = clock_origin_ns};
+  const auto safe_outputs = std::span(safe_outputs_).first(image_->outputs().size());
+  cycle_.emplace(program_, *engine_, *image_, safe_outputs, io_, clock_, config);
   cycle_->forces() = forces;
 }
 

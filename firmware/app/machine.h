@@ -107,7 +107,7 @@ class Machine {
   std::optional<image::ProcessImage> image_;
   std::optional<scan::ScanCycle> cycle_;
   std::span<std::byte> retain_copy_;
-  std::array<std::byte, kMaxOutputBytes> safe_outputs_{};  // as they are to be while nothing runs
+  std::array<std::byte, kMaxOutputBytes> safe_outputs_{};  // as they were driven last
   Events events_;
   modbus::control::State state_ = modbus::control::State::Empty;
   bool lock_step_ = false;

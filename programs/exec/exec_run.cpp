@@ -31,7 +31,8 @@ result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOp
   if (!engine) return result::forward(engine);
   image::NoIo io;
   scan::NoClock clock;
-  scan::ScanCycle cycle(program, **engine, image, io, clock, {});
+  std::vector<std::byte> safe_outputs(image.outputs().size());
+  scan::ScanCycle cycle(program, **engine, image, safe_outputs, io, clock, {});
   cycle.start({});
 
   if (options.csv != nullptr) {

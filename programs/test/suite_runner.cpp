@@ -43,9 +43,9 @@ result::Result<std::unique_ptr<SuiteRunner>> SuiteRunner::make(const driver::Tes
   auto engine = host::make_engine(options.engine, runner->loaded_.program());
   if (!engine) return result::forward(engine);
   runner->engine_ = std::move(*engine);
-  runner->cycle_ =
-      std::make_unique<scan::ScanCycle>(runner->loaded_.program(), *runner->engine_, runner->image_,
-                                        runner->io_, runner->no_clock_, scan::ScanConfig{});
+  runner->cycle_ = std::make_unique<scan::ScanCycle>(runner->loaded_.program(), *runner->engine_,
+                                                     runner->image_, runner->safe_outputs_, runner->io_,
+                                                     runner->no_clock_, scan::ScanConfig{});
   return runner;
 }
 
@@ -55,7 +55,8 @@ SuiteRunner::SuiteRunner(const driver::TestSuite& suite, const RunOptions& optio
       options_(options),
       loaded_(std::move(loaded)),
       memory_(loaded_.program().memory_size()),
-      image_(memory_, scan::layout_of(loaded_.program())) {
+      image_(memory_, scan::layout_of(loaded_.program())),
+      safe_outputs_(image_.outputs().size()) {
   const bytecode::ContainerView& view = loaded_.program().container();
   test_task_ = view.count<Section::Tasks>() - 1;
   for (std::uint32_t i = 0; i < test_task_; ++i) {

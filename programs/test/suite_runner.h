@@ -67,6 +67,7 @@ class SuiteRunner {
   reader::LoadedProgram loaded_;
   std::vector<std::byte> memory_;
   image::ProcessImage image_;
+  std::vector<std::byte> safe_outputs_;
   image::NoIo io_;
   scan::NoClock no_clock_;
   std::unique_ptr<bytecode::Engine> engine_;

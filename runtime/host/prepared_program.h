@@ -84,7 +84,7 @@ class PreparedProgram {
     BoolBytes bools;
     MergeMap merge_map;
     TaskPlan plan;
-    std::vector<std::byte> safe_memory;
+    std::vector<std::byte> safe_outputs;
   };
   PreparedProgram(reader::LoadedProgram loaded, Machine machine, std::string digest,
                   const Surroundings& surroundings);

@@ -74,7 +74,7 @@ void apply_safe_state(std::span<const SafeOutput> rules, std::span<std::byte> ou
 
 class SafeState {
  public:
-  // The memory may be the output area itself, if nobody else writes there while the state is safe.
+  // Nobody else writes the memory.
   SafeState(const SafeMatrix& matrix, std::span<std::byte> memory) : matrix_(matrix), memory_(memory) {}
 
   // These outputs are driven now: what Hold keeps, and where ramps begin. What is larger than the memory is

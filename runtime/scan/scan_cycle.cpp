@@ -9,7 +9,8 @@ namespace stepwright::scan {
 using bytecode::Section;
 
 ScanCycle::ScanCycle(const bytecode::Program& program, bytecode::Engine& engine, image::ProcessImage& image,
-                     image::IoDriver& io, Clock& clock, const ScanConfig& config)
+                     std::span<std::byte> safe_outputs, image::IoDriver& io, Clock& clock,
+                     const ScanConfig& config)
     : program_(program),
       engine_(engine),
       image_(image),
@@ -17,9 +18,10 @@ ScanCycle::ScanCycle(const bytecode::Program& program, bytecode::Engine& engine,
       clock_(clock),
       config_(config),
       table_(program, config.tasks, config.own_tasks),
-      safe_(config.safe_state, config.safe_memory.empty() ? image.outputs() : config.safe_memory) {
+      safe_(config.safe_state, safe_outputs) {
   assert(image.memory().size() == program.memory_size());
-  assert(config.safe_memory.empty() || config.safe_memory.size() >= image.outputs().size());
+  assert(safe_outputs.size() >= image.outputs().size());
+  assert(safe_outputs.empty() || safe_outputs.data() != image.outputs().data());
   engine_.set_interrupt(config_.watch == nullptr ? nullptr : config_.watch->interrupt());
 }
 

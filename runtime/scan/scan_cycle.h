@@ -12,7 +12,8 @@
 // Invariants: while the state is not Running no task runs and every scan leaves the outputs in their safe
 // state (but see hold_outputs_on_trap); a fault is left by start() or take_over() only.
 //
-//   scan::ScanCycle cycle(program, engine, image, driver, clock, {});
+//   std::vector<std::byte> safe_outputs(image.outputs().size());
+//   scan::ScanCycle cycle(program, engine, image, safe_outputs, driver, clock, {});
 //   cycle.start({});
 //   while (...) { wait_until(cycle.next_time_ns()); const scan::ScanReport report = cycle.run_scan(); }
 
@@ -43,7 +44,6 @@ struct ScanConfig {
   std::uint64_t budget = 100'000'000;  // per scan, in bytes of code (bytecode::Engine); beyond it: Trap; not
                                        // for tasks whose watchdog can end them
   SafeMatrix safe_state = {};          // without rules all outputs go to zero
-  std::span<std::byte> safe_memory = {};    // as many bytes as there are outputs; empty: the image's own
   std::span<const TaskOptions> tasks = {};  // by the index of the container's table
   std::span<TaskTiming> timings = {};       // the same; empty: nothing is measured per task
   TaskWatch* watch = nullptr;               // told of every execution
@@ -107,9 +107,12 @@ struct CyclePoint {
 
 class ScanCycle {
  public:
-  // Everything passed in must outlive the cycle. Requires an image of layout_of(program).
+  // Everything passed in must outlive the cycle. Requires an image of layout_of(program), and for the outputs
+  // as somebody drove them last `safe_outputs`: as many bytes as there are outputs, outside the image. A safe
+  // state holds and ramps from those; what a force or the scan of a fault has left in the image since was
+  // never put out.
   ScanCycle(const bytecode::Program& program, bytecode::Engine& engine, image::ProcessImage& image,
-            image::IoDriver& io, Clock& clock, const ScanConfig& config);
+            std::span<std::byte> safe_outputs, image::IoDriver& io, Clock& clock, const ScanConfig& config);
 
   // Cold start: every variable to its initial value, every task due at once, no fault, no force.
   void start(const StartPoint& at);

@@ -53,7 +53,8 @@ result::Result<void> trace(const char* file, bool native) {
   if (!engine) return result::forward(engine);
   RandomInputs io;
   scan::NoClock clock;
-  scan::ScanCycle cycle(program, **engine, image, io, clock, {.budget = 200'000});
+  std::vector<std::byte> safe_outputs(image.outputs().size());
+  scan::ScanCycle cycle(program, **engine, image, safe_outputs, io, clock, {.budget = 200'000});
   cycle.start({});
   bytecode::Trap trap;
   std::uint64_t scans = 0;

@@ -35,7 +35,8 @@ struct Machine::Parts {
         memory(loaded.program().memory_size()),
         image(memory, scan::layout_of(loaded.program())),
         engine(make_engine(loaded.program(), kind)),
-        cycle(loaded.program(), *engine, image, io, clock, {}) {
+        safe_outputs(image.outputs().size()),
+        cycle(loaded.program(), *engine, image, safe_outputs, io, clock, {}) {
     cycle.start({});
   }
 
@@ -43,6 +44,7 @@ struct Machine::Parts {
   std::vector<std::byte> memory;
   image::ProcessImage image;
   std::unique_ptr<bytecode::Engine> engine;
+  std::vector<std::byte> safe_outputs;
   image::NoIo io;
   scan::NoClock clock;
   scan::ScanCycle cycle;

@@ -35,7 +35,8 @@ class CompiledProgram {
         stack_(loaded_.program().sizes().stack_slots),
         image_(memory_, scan::layout_of(loaded_.program())),
         engine_(loaded_.program(), stack_),
-        cycle_(loaded_.program(), engine_, image_, io_, clock_, {}) {
+        safe_outputs_(image_.outputs().size()),
+        cycle_(loaded_.program(), engine_, image_, safe_outputs_, io_, clock_, {}) {
     cycle_.start({});
   }
   CompiledProgram(const CompiledProgram&) = delete;
@@ -100,6 +101,7 @@ class CompiledProgram {
   std::vector<std::uint64_t> stack_;
   image::ProcessImage image_;
   vm::Interpreter engine_;
+  std::vector<std::byte> safe_outputs_;
   image::NoIo io_;
   scan::NoClock clock_;
   scan::ScanCycle cycle_;

@@ -41,21 +41,15 @@ struct ReplayMachine {
         memory(loaded.program().memory_size()),
         engine(std::move(made)),
         image(memory, scan::layout_of(loaded.program())),
-        safe_memory(image.outputs().size()),
-        cycle(loaded.program(), *engine, image, io, clock, with_memory(config)) {}
-
-  // As in a runtime: a safe state holds what was driven, not what the scan of a fault has left.
-  scan::ScanConfig with_memory(scan::ScanConfig config) {
-    config.safe_memory = safe_memory;
-    return config;
-  }
+        safe_outputs(image.outputs().size()),
+        cycle(loaded.program(), *engine, image, safe_outputs, io, clock, config) {}
 
   std::string digest;
   reader::LoadedProgram loaded;
   std::vector<std::byte> memory;
   std::unique_ptr<bytecode::Engine> engine;
   image::ProcessImage image;
-  std::vector<std::byte> safe_memory;
+  std::vector<std::byte> safe_outputs;
   scan::ScanCycle cycle;
 };
 

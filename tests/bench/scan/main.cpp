@@ -160,7 +160,9 @@ void small_scan(benchmark::State& state) {
   support::TestProgram program(model);
   RandomDriver driver;
   SteadyClock clock;
-  scan::ScanCycle cycle(program.loaded().program(), program.engine(), program.image(), driver, clock, {});
+  std::vector<std::byte> safe_outputs(program.image().outputs().size());
+  scan::ScanCycle cycle(program.loaded().program(), program.engine(), program.image(), safe_outputs, driver,
+                        clock, {});
   cycle.start({});
   for (auto _ : state) benchmark::DoNotOptimize(cycle.run_scan());
 }

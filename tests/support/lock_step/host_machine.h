@@ -26,7 +26,8 @@ class HostMachine {
         memory_(loaded_.program().memory_size()),
         image_(memory_, scan::layout_of(loaded_.program())),
         engine_(engine(kind)),
-        cycle_(loaded_.program(), *engine_, image_, io_, clock_, {.budget = budget}) {
+        safe_outputs_(image_.outputs().size()),
+        cycle_(loaded_.program(), *engine_, image_, safe_outputs_, io_, clock_, {.budget = budget}) {
     cycle_.start({});
   }
 
@@ -70,6 +71,7 @@ class HostMachine {
   Terminals io_;
   scan::NoClock clock_;
   std::unique_ptr<bytecode::Engine> engine_;
+  std::vector<std::byte> safe_outputs_;
   scan::ScanCycle cycle_;
 };
 

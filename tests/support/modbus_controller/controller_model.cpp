@@ -43,8 +43,8 @@ struct ControllerModel::Machine {
         image(memory, scan::layout_of(loaded.program())),
         engine(loaded.program(), stack),
         terminals(loaded.program().sizes()),
-        safe_memory(loaded.program().sizes().output_bytes),
-        cycle(loaded.program(), engine, image, terminals, clock, {.safe_memory = safe_memory}),
+        safe_outputs(loaded.program().sizes().output_bytes),
+        cycle(loaded.program(), engine, image, safe_outputs, terminals, clock, {}),
         steps(loaded.program()) {
     image.reset(loaded.program().container().section(bytecode::Section::InitialData));
   }
@@ -56,7 +56,7 @@ struct ControllerModel::Machine {
   vm::Interpreter engine;
   Terminals terminals;
   scan::NoClock clock;
-  std::vector<std::byte> safe_memory;
+  std::vector<std::byte> safe_outputs;
   scan::ScanCycle cycle;
   host::StepWatch steps;
 };

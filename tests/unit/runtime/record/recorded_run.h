@@ -97,9 +97,11 @@ class RecordedRun {
         loaded_(reader::LoadedProgram::load(container_, "sample").value()),
         memory_(loaded_.program().memory_size()),
         image_(memory_, scan::layout_of(loaded_.program())),
+        safe_outputs_(image_.outputs().size()),
         engine_(loaded_.program()),
         io(seed),
-        cycle(loaded_.program(), engine_, image_, io, clock_, {.budget = kBudget, .safe_state = kSafeState}) {
+        cycle(loaded_.program(), engine_, image_, safe_outputs_, io, clock_,
+              {.budget = kBudget, .safe_state = kSafeState}) {
     cycle.start({});
   }
 
@@ -156,6 +158,7 @@ class RecordedRun {
   reader::LoadedProgram loaded_;
   std::vector<std::byte> memory_;
   image::ProcessImage image_;
+  std::vector<std::byte> safe_outputs_;
   OwningInterpreter engine_;
   scan::NoClock clock_;
 

@@ -90,13 +90,13 @@ struct Rules {
 struct Plant {
   explicit Plant(ScanConfig config = {})
       : program(model()),
-        cycle(program.loaded().program(), program.engine(), program.image(), driver, clock, [&] {
-          config.safe_state = rules.matrix;
-          config.safe_memory = memory;
-          config.tasks = options;
-          config.budget = 100'000;
-          return config;
-        }()) {
+        cycle(program.loaded().program(), program.engine(), program.image(), safe_outputs, driver, clock,
+              [&] {
+                config.safe_state = rules.matrix;
+                config.tasks = options;
+                config.budget = 100'000;
+                return config;
+              }()) {
     cycle.start({});
     for (int i = 0; i < 5; ++i) EXPECT_EQ(cycle.run_scan().state, ScanState::Running);
     EXPECT_EQ(driver.written[0], std::byte{0x64});
@@ -114,7 +114,7 @@ struct Plant {
   }
 
   Rules rules;
-  std::array<std::byte, 8> memory{};
+  std::array<std::byte, 8> safe_outputs{};
   std::array<TaskOptions, 1> options{{{.watchdog = {.time_ns = 1'000'000, .sensitivity = 2}}}};
   support::TestProgram program;
   Driver driver;

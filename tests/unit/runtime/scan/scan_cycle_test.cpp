@@ -94,7 +94,12 @@ TEST(ScanCycle, Stop_WhenOutputsAreOn_ThenEachTakesItsSafeState) {
   matrix[static_cast<std::size_t>(SafeCause::Stop)].outputs = safe;
   ScanFixture f({.safe_state = matrix});
   f.cycle.start({});
-  f.program.image().outputs()[0] = std::byte{0xFF};
+  ASSERT_TRUE(f.cycle.forces().set({.address = L::kOutputs, .size = 1, .value = 0xFF},
+                                   f.program.image().bytes().size()));
+  f.cycle.run_scan();
+  EXPECT_EQ(f.driver.output_bytes[0], std::byte{0xFF});
+  f.cycle.forces().clear_all();
+  f.program.image().outputs()[0] = std::byte{0};  // never put out: what is held is what was
   f.cycle.stop();
   EXPECT_EQ(f.driver.output_bytes[0], std::byte{0x0C});
   EXPECT_EQ(f.driver.output_bytes[1], std::byte{0x55});
@@ -247,7 +252,9 @@ TEST(ScanCycle, Trigger_WhenItRises_ThenItsTasksRunOnce) {
   support::TestProgram program(triggered_model());
   FakeDriver driver;
   CountingClock clock;
-  ScanCycle cycle(program.loaded().program(), program.engine(), program.image(), driver, clock, {});
+  std::vector<std::byte> safe_outputs(program.image().outputs().size());
+  ScanCycle cycle(program.loaded().program(), program.engine(), program.image(), safe_outputs, driver, clock,
+                  {});
   cycle.start({});
   const auto scan = [&](bool go) {
     driver.input_bytes[0] = std::byte{go};

@@ -48,9 +48,12 @@ class ScanFixture {
   explicit ScanFixture(const ScanConfig& config = {},
                        const writer::ContainerModel& model = support::sample_model())
       : program(model),
-        cycle(program.loaded().program(), program.engine(), program.image(), driver, clock, config) {}
+        safe_outputs(program.image().outputs().size()),
+        cycle(program.loaded().program(), program.engine(), program.image(), safe_outputs, driver, clock,
+              config) {}
 
   support::TestProgram program;
+  std::vector<std::byte> safe_outputs;
   FakeDriver driver;
   CountingClock clock;
   ScanCycle cycle;
