@@ -66,8 +66,8 @@ Completion ScanLoop::change(const Command& command) {
   // Whoever changed the program has decided; nothing waits for its word any more.
   release_barrier();
   note(EventKind::Changed, {}, {}, &before);
+  // Who sees the completion sees these figures: take_commands publishes them in front of it.
   now_.last_change_pause_ns = clock_.now_ns() - begin_ns;
-  figures_.store(now_);
   completion.change.pause_us = static_cast<double>(now_.last_change_pause_ns) / kNsPerUs;
   return completion;
 }

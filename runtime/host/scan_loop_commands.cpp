@@ -29,10 +29,10 @@ void ScanLoop::take_commands() {
   bool any = false;
   bool stale = false;
   while (auto command = next_command()) {
-    // What is held is let go first: who learns of a load may destroy the program before.
     Completion completion = held_apply(*command);
     publish_forces();
-    // Who sees the completion must find a status that knows of it.
+    // Who sees the completion must find a status that knows of it, and one that lets go of what was held: who
+    // learns of a load may destroy the program before.
     figures_.store(now_);
     // There is room: the service has no more commands under way than either queue holds.
     finished_.push_back(std::move(completion));
@@ -60,10 +60,7 @@ Completion ScanLoop::held_apply(const Command& command) {
     completion = apply(command);
   }
   // The program that was held may go now, unless a trial needs it.
-  if (now_.kept != nullptr && !trial_.active()) {
-    now_.kept = nullptr;
-    figures_.store(now_);
-  }
+  if (!trial_.active()) now_.kept = nullptr;
   return completion;
 }
 
