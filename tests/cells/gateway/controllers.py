@@ -1,7 +1,6 @@
-"""Controllers of the tests: tests/support/modbus_controller on a pseudo terminal or over TCP."""
+"""Controllers of the tests: the firmware as a process, on a pseudo terminal or over TCP."""
 
 import pathlib
-import re
 import shutil
 import signal
 import subprocess
@@ -10,7 +9,7 @@ import time
 
 from cell_process import BIN, Demo
 
-PROGRAM = BIN.parent / "tests/modbus_controller"
+PROGRAM = BIN / "firmware_host"
 PATIENCE_S = 60
 
 
@@ -19,11 +18,9 @@ class Controller:
 
     def __init__(self, tcp=False):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="stepwright-test-"))
-        line = self.folder / "line"
-        self.process = subprocess.Popen([PROGRAM, *(["--tcp", "0"] if tcp else ["--pty", line])],
-                                        stdout=subprocess.PIPE, text=True)
-        listens = self.process.stdout.readline()
-        self.where = re.search(r"listens on (\S+)", listens).group(1) if tcp else str(line)
+        line = ["--tcp", "0"] if tcp else ["--link", self.folder / "line"]
+        self.process = subprocess.Popen([PROGRAM, *line, self.folder / "flash"], stdout=subprocess.PIPE, text=True)
+        self.where = self.process.stdout.readline().strip()
 
     def __enter__(self):
         return self
@@ -43,6 +40,7 @@ class Controller:
         self.process.send_signal(signal.SIGCONT)
 
     def lose_power(self):
+        """And it comes back at once: nothing but its flash is left."""
         self.process.send_signal(signal.SIGUSR1)
 
 

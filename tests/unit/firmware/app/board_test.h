@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/board/board_line.h"
 #include "tests/support/remote_controller/remote_controller.h"
-#include "tests/unit/firmware/app/board_line.h"
 #include "tests/unit/firmware/app/programs.h"
 
 namespace stepwright::test {
@@ -12,6 +12,10 @@ namespace control = modbus::control;
 using control::Command;
 using control::Refusal;
 using control::State;
+using support::BoardLine;
+using support::Bytes;
+using support::bytes_of;
+using support::TestBoard;
 
 // A board with the firmware, and a master at its line.
 class BoardTest : public testing::Test {

@@ -2,10 +2,12 @@
 
 #include "firmware/app/program_store.h"
 #include "firmware/app/retain_store.h"
-#include "tests/unit/firmware/app/test_board.h"
+#include "tests/support/board/test_board.h"
 
 namespace stepwright::test {
 namespace {
+
+using support::TestFlash;
 
 using Bytes = std::vector<std::byte>;
 

@@ -1,13 +1,14 @@
 #include "runtime/remote/controller_link.h"
 
+#include "tests/support/remote_controller/remote_controller.h"
 #include "tests/unit/runtime/remote/harness.h"
 
 namespace stepwright::remote {
 namespace {
 
 struct Linked {
-  std::shared_ptr<support::ModelWorld> world = std::make_shared<support::ModelWorld>();
-  support::ModelLine line{world};
+  std::shared_ptr<support::BoardWorld> world = std::make_shared<support::BoardWorld>();
+  support::FaultyLine line{world};
   std::atomic<bool> stop{false};
   ControllerLink link{line, {.patience = std::chrono::milliseconds(100)}, stop};
 };
@@ -38,9 +39,7 @@ TEST(ControllerLink_WhenAMemoryIsLargerThanAWindow, ThenItIsReadWhole) {
   Linked linked;
   const auto program = support::step_program({.steps = 40});
   ASSERT_GT(program.size(), 3 * control::window::kMaxBytes);
-  linked.world->model.begin_transfer(static_cast<std::uint32_t>(program.size()), service::sha256(program));
-  ASSERT_TRUE(linked.world->model.piece(0, program));
-  ASSERT_EQ(linked.world->model.commit().refusal, control::Refusal::Done);
+  support::RemoteController(linked.line).download(program);
   std::vector<std::byte> read(program.size());
   ASSERT_TRUE(linked.link.read_memory(control::Memory::Program, read));
   EXPECT_EQ(read, program);
@@ -49,9 +48,7 @@ TEST(ControllerLink_WhenAMemoryIsLargerThanAWindow, ThenItIsReadWhole) {
 TEST(ControllerLink_WhenAnAnswerIsLate, ThenItIsNotTakenForThatOfALaterRequest) {
   Linked linked;
   const auto program = support::step_program({.steps = 40});
-  linked.world->model.begin_transfer(static_cast<std::uint32_t>(program.size()), service::sha256(program));
-  ASSERT_TRUE(linked.world->model.piece(0, program));
-  ASSERT_EQ(linked.world->model.commit().refusal, control::Refusal::Done);
+  support::RemoteController(linked.line).download(program);
   linked.world->late_answers = 1;  // that of the first window: its repetition has an answer of the same form
   std::vector<std::byte> read(program.size());
   ASSERT_TRUE(linked.link.read_memory(control::Memory::Program, read));
@@ -63,7 +60,7 @@ TEST(ControllerLink_WhenARequestIsRefused, ThenThePlaceAndTheExceptionAreSaid) {
   const auto piece = linked.link.send_piece(0, std::array<std::byte, 3>{});
   ASSERT_FALSE(piece);
   EXPECT_EQ(piece.error()[0].code, "R0144");
-  EXPECT_EQ(piece.error()[0].where.file, "model");
+  EXPECT_EQ(piece.error()[0].where.file, "test board");
   EXPECT_NE(piece.error()[0].message.find("exception 3"), std::string::npos);
 }
 

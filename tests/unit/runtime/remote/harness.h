@@ -17,7 +17,7 @@
 #include "runtime/image/no_io.h"
 #include "runtime/remote/remote_runtime.h"
 #include "runtime/service/digest.h"
-#include "tests/support/modbus_controller/model_line.h"
+#include "tests/support/board/faulty_line.h"
 #include "tests/support/step_program.h"
 
 namespace stepwright::remote {
@@ -147,16 +147,16 @@ inline RemoteConfig quick_config() {
 // The whole thing.
 struct Bench {
   explicit Bench(const RemoteConfig& config = quick_config(),
-                 std::shared_ptr<support::ModelWorld> in = std::make_shared<support::ModelWorld>())
+                 std::shared_ptr<support::BoardWorld> in = std::make_shared<support::BoardWorld>())
       : world(std::move(in)),
         runtime(std::move(
-            *RemoteRuntime::create(config, std::make_unique<support::ModelLine>(world), plant, nullptr))),
+            *RemoteRuntime::create(config, std::make_unique<support::FaultyLine>(world), plant, nullptr))),
         driver(*runtime) {
     EXPECT_TRUE(runtime->wait_for_controller(kPatience)) << runtime->line_problem();
   }
 
   TestPlant plant;
-  std::shared_ptr<support::ModelWorld> world;
+  std::shared_ptr<support::BoardWorld> world;
   std::unique_ptr<RemoteRuntime> runtime;
   Driver driver;
 };

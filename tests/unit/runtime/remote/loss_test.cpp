@@ -51,7 +51,7 @@ TEST(Loss_WhenATurnsAnswerGetsLost, ThenNoScanRunsTwice) {
   bench.driver.run(step);
   EXPECT_TRUE(bench.driver.await([&] { return bench.runtime->status().scan == 30; }));
   const std::lock_guard lock(bench.world->mutex);
-  EXPECT_EQ(bench.world->model.scan(), 30u);
+  EXPECT_EQ(bench.world->board.machine().figures().scan, 30u);
   EXPECT_EQ(bench.world->lose_answers.load(), 0);
 }
 
@@ -78,7 +78,8 @@ TEST(Loss_WhenTheLineIsCut, ThenThePlantHasSafeOutputsAndOnlyAStartLeavesTheFaul
   EXPECT_EQ(bench.runtime->status().state, RuntimeState::Fault);
   {
     const std::lock_guard lock(bench.world->mutex);
-    EXPECT_EQ(bench.world->model.state(), control::State::Stopped);  // it was told when it was found
+    EXPECT_EQ(bench.world->board.machine().state(),
+              control::State::Stopped);  // it was told when it was found
   }
   EXPECT_EQ(bench.driver.start(true).outcome, Outcome::Done);
   const host::StepEvent again = bench.driver.event();
@@ -114,7 +115,7 @@ TEST(Loss_WhenTheControllerIsRestarted, ThenItIsNoticedAndItsProgramIsStillThere
   bring_to_run(bench);
   {
     const std::lock_guard lock(bench.world->mutex);
-    bench.world->model.reset();
+    bench.world->board.reset();
   }
   EXPECT_EQ(bench.driver.event().kind, EventKind::Trap);
   EXPECT_EQ(bench.plant.output.load(), std::byte{0});
@@ -124,7 +125,7 @@ TEST(Loss_WhenTheControllerIsRestarted, ThenItIsNoticedAndItsProgramIsStillThere
 }
 
 TEST(Loss_WhenTheControllerLiesAboutItsScan, ThenItIsNotBelieved) {
-  auto world = std::make_shared<support::ModelWorld>();
+  auto world = std::make_shared<support::BoardWorld>();
   auto lie = std::make_shared<std::atomic<bool>>(false);
   world->lie = [lie](std::uint16_t first, std::span<std::uint16_t> words) {
     if (*lie && first == control::outputs::kFirst) words[control::outputs::kScan + 3] += 5;
@@ -139,25 +140,25 @@ TEST(Loss_WhenTheControllerLiesAboutItsScan, ThenItIsNotBelieved) {
 }
 
 TEST(Loss_WhenSomethingElseAnswers, ThenThereIsNoContactAndAReason) {
-  auto world = std::make_shared<support::ModelWorld>();
+  auto world = std::make_shared<support::BoardWorld>();
   world->lie = [](std::uint16_t first, std::span<std::uint16_t> words) {
     if (first == control::status::kFirst) words[control::status::kMagicAt] = 0x1234;
   };
   TestPlant plant;
   auto runtime =
-      RemoteRuntime::create(quick_config(), std::make_unique<support::ModelLine>(world), plant, nullptr);
+      RemoteRuntime::create(quick_config(), std::make_unique<support::FaultyLine>(world), plant, nullptr);
   EXPECT_FALSE((*runtime)->wait_for_controller(std::chrono::milliseconds(50)));
   EXPECT_NE((*runtime)->line_problem().find("R0142"), std::string::npos);
 }
 
 TEST(Loss_WhenAnotherVersionAnswers, ThenItIsNamed) {
-  auto world = std::make_shared<support::ModelWorld>();
+  auto world = std::make_shared<support::BoardWorld>();
   world->lie = [](std::uint16_t first, std::span<std::uint16_t> words) {
     if (first == control::status::kFirst) words[control::status::kVersionAt] = 9;
   };
   TestPlant plant;
   auto runtime =
-      RemoteRuntime::create(quick_config(), std::make_unique<support::ModelLine>(world), plant, nullptr);
+      RemoteRuntime::create(quick_config(), std::make_unique<support::FaultyLine>(world), plant, nullptr);
   EXPECT_FALSE((*runtime)->wait_for_controller(std::chrono::milliseconds(50)));
   EXPECT_NE((*runtime)->line_problem().find("version 9"), std::string::npos);
 }
@@ -170,16 +171,16 @@ TEST(Loss_WhenThePlantDoesNotAnswer, ThenTheControllerIsStopped) {
   EXPECT_EQ(event.kind, EventKind::Trap);
   EXPECT_EQ(event.detail, host::kIoLost);
   const std::lock_guard lock(bench.world->mutex);
-  EXPECT_EQ(bench.world->model.state(), control::State::Stopped);
+  EXPECT_EQ(bench.world->board.machine().state(), control::State::Stopped);
 }
 
 TEST(Loss_WhenTheGatewayEnds, ThenTheControllerIsStopped) {
-  auto world = std::make_shared<support::ModelWorld>();
+  auto world = std::make_shared<support::BoardWorld>();
   {
     Bench bench(quick_config(), world);
     bring_to_run(bench);
   }
-  EXPECT_EQ(world->model.state(), control::State::Stopped);
+  EXPECT_EQ(world->board.machine().state(), control::State::Stopped);
 }
 
 }  // namespace

@@ -1,36 +1,45 @@
-// The real master against a slave over a pty and over TCP.
+// The real master against the firmware as a process, over a pty and over TCP.
 
 #include "runtime/remote/modbus_line.h"
 
-#include <thread>
-
-#include "tests/support/modbus_controller/slave.h"
+#include "tests/support/test_process.h"
 #include "tests/unit/runtime/remote/harness.h"
 
 namespace stepwright::remote {
 namespace {
 
-// A slave on a thread of its own.
+// A board of the host in a folder of its own.
 class ServedController {
  public:
-  explicit ServedController(bool pty)
-      : slave_(pty ? support::Slave::on_pty(registers_, model_, 1)
-                   : support::Slave::on_loopback(registers_, model_, 0)),
-        thread_([this] {
-          while (!stop_) slave_->turn(std::chrono::milliseconds(5));
-        }) {}
-  ~ServedController() {
-    stop_ = true;
-    thread_.join();
+  explicit ServedController(bool pty) : folder_(made()) {
+    std::vector<std::string> arguments = {STEPWRIGHT_BIN_DIR "/firmware_host", (folder_ / "flash").string()};
+    if (!pty) arguments.insert(arguments.begin() + 1, {"--tcp", "0"});
+    process_.emplace(arguments, folder_ / "log");
+    EXPECT_TRUE(process_->wait_for("\n")) << process_->output();
+    where_ = process_->output();
+    where_.resize(where_.find('\n'));
   }
-  std::string where() const { return slave_->where(); }
+  ~ServedController() {
+    process_.reset();
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  ServedController(const ServedController&) = delete;
+  ServedController& operator=(const ServedController&) = delete;
+
+  const std::string& where() const { return where_; }
+  void press_reset() const { process_->send(SIGUSR1); }
 
  private:
-  support::ControllerModel model_;
-  support::ControlRegisters registers_{model_};
-  std::unique_ptr<support::Slave> slave_;
-  std::atomic<bool> stop_{false};
-  std::thread thread_;
+  static std::filesystem::path made() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "modbus-line-XXXXXX").string();
+    EXPECT_NE(::mkdtemp(pattern.data()), nullptr);
+    return pattern;
+  }
+
+  std::filesystem::path folder_;
+  std::optional<support::TestProcess> process_;
+  std::string where_;
 };
 
 std::unique_ptr<RegisterLine> line_to(const ServedController& controller, bool pty) {
@@ -84,6 +93,28 @@ TEST_P(ModbusLine_WhenAControllerIsBehindIt, ThenItRunsByItsOwnClockToo) {
   EXPECT_TRUE(driver.await([&] { return plant.output.load() == std::byte{2}; }));
   EXPECT_EQ(driver.stop().outcome, host::Outcome::Done);
   EXPECT_EQ(plant.output.load(), std::byte{0});
+}
+
+TEST_P(ModbusLine_WhenAControllerIsBehindIt, ThenItsResetIsNoticedAndItsProgramIsStillThere) {
+  ServedController controller(GetParam());
+  TestPlant plant;
+  RemoteConfig config = quick_config();
+  config.lost_after = std::chrono::seconds(2);
+  auto runtime = RemoteRuntime::create(config, line_to(controller, GetParam()), plant, nullptr);
+  ASSERT_TRUE((*runtime)->wait_for_controller(kPatience)) << (*runtime)->line_problem();
+  Driver driver(**runtime);
+  const auto program = support::step_program({.steps = 2, .scans_per_step = 1'000'000});
+  EXPECT_EQ(driver.load(program).outcome, host::Outcome::Done);
+  EXPECT_EQ(driver.start().outcome, host::Outcome::Done);
+  EXPECT_EQ(driver.event().kind, host::EventKind::Started);
+  EXPECT_EQ(driver.event().kind, host::EventKind::StepChange);
+  controller.press_reset();
+  const host::StepEvent event = driver.event();
+  EXPECT_EQ(event.kind, host::EventKind::Trap);
+  EXPECT_NE(event.detail.find("R0143"), std::string::npos) << event.detail;
+  EXPECT_TRUE(driver.await([&] { return (*runtime)->contact(); }));
+  EXPECT_EQ((*runtime)->status().program_digest, Driver::digest(program));
+  EXPECT_EQ(driver.start().outcome, host::Outcome::Done);
 }
 
 INSTANTIATE_TEST_SUITE_P(Lines, ModbusLine_WhenAControllerIsBehindIt, testing::Values(true, false),

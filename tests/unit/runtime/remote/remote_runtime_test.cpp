@@ -61,7 +61,7 @@ TEST(RemoteRuntime_WhenABarrierHolds, ThenTheControllerGetsNoTurn) {
   std::this_thread::sleep_for(std::chrono::milliseconds(30));
   {
     const std::lock_guard lock(bench.world->mutex);
-    EXPECT_EQ(bench.world->model.scan(), first.scan);
+    EXPECT_EQ(bench.world->board.machine().figures().scan, first.scan);
   }
   bench.driver.acknowledge(first.sequence);
   EXPECT_GT(bench.driver.event().scan, first.scan);
@@ -138,7 +138,7 @@ TEST(RemoteRuntime_WhenItIsAskedForWhatItCannotDo, ThenItSaysSoAndNothingHappens
       bench.runtime->change(99, program, Driver::digest(program), host::DownloadMode::Change);
   ASSERT_FALSE(changed);
   EXPECT_EQ(changed.error()[0].code, "R0147");
-  EXPECT_EQ(changed.error()[0].where.file, "model");
+  EXPECT_EQ(changed.error()[0].where.file, "test board");
   EXPECT_FALSE(changed.error()[0].hint.empty());
   const auto recorded = bench.runtime->record(98, {});
   ASSERT_FALSE(recorded);
@@ -147,13 +147,12 @@ TEST(RemoteRuntime_WhenItIsAskedForWhatItCannotDo, ThenItSaysSoAndNothingHappens
 }
 
 TEST(RemoteRuntime_WhenAProgramDoesNotFit, ThenWhatRunsGoesOn) {
-  support::ModelLimits limits;
-  limits.max_program_bytes = 2'000;
-  Bench bench(quick_config(), std::make_shared<support::ModelWorld>(limits));
+  constexpr std::size_t kFlashBytes = 16 * boards::RamFlash::kPageBytes;  // of which a slot has seven pages
+  Bench bench(quick_config(), std::make_shared<support::BoardWorld>(kFlashBytes));
   const auto small = step_program({.steps = 2});
-  const auto large = step_program({.steps = 60});
-  ASSERT_LT(small.size(), 2'000u);
-  ASSERT_GT(large.size(), 2'000u);
+  const auto large = step_program({.steps = 1'000});
+  ASSERT_LT(small.size(), kFlashBytes / 16 * 6);
+  ASSERT_GT(large.size(), kFlashBytes / 16 * 7);
   bench.driver.load(small);
   bench.driver.start(true);
   const host::Completion refused = bench.driver.load(large);
@@ -193,7 +192,7 @@ TEST(RemoteRuntime_WhenAnotherProgramIsLoaded, ThenTheOneThatRanIsStopped) {
 }
 
 TEST(RemoteRuntime_WhenTheControllerHasAProgram, ThenItIsReadFromIt) {
-  auto world = std::make_shared<support::ModelWorld>();
+  auto world = std::make_shared<support::BoardWorld>();
   const auto program = step_program({.steps = 9});
   {
     Bench before(quick_config(), world);

@@ -8,9 +8,9 @@
 
 #include "runtime/modbus/pdu/crc16.h"
 #include "runtime/remote/register_line.h"
-#include "tests/unit/firmware/app/test_board.h"
+#include "tests/support/board/test_board.h"
 
-namespace stepwright::test {
+namespace stepwright::support {
 
 using Bytes = std::vector<std::byte>;
 
@@ -89,4 +89,4 @@ class BoardLine final : public remote::RegisterLine {
   TestBoard& board_;
 };
 
-}  // namespace stepwright::test
+}  // namespace stepwright::support

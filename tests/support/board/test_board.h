@@ -13,7 +13,7 @@
 #include "firmware/app/firmware.h"
 #include "firmware/boards/emulated/ram_flash.h"
 
-namespace stepwright::test {
+namespace stepwright::support {
 
 class TestTick final : public port::Tick {
  public:
@@ -130,4 +130,4 @@ class TestBoard {
   std::optional<app::Firmware> firmware_;
 };
 
-}  // namespace stepwright::test
+}  // namespace stepwright::support
