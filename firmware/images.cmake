@@ -14,7 +14,7 @@ set(firmware_flags
     -DNDEBUG -DSTEPWRIGHT_HISTOGRAM_BITS=1 -DSTEPWRIGHT_PLAIN_INTERPRETER -DSTEPWRIGHT_VERSION="${PROJECT_VERSION}"
     -Wall -Wextra -Wshadow -Wconversion -Werror -Wno-psabi)
 set(firmware_folders runtime/base runtime/bytecode runtime/image runtime/operations runtime/vm runtime/scan runtime/modbus/pdu
-                     firmware/app firmware/decimal)
+                     firmware/storage firmware/app firmware/decimal)
 
 # The sources of the libraries and of the board; with BASIC without what that lacks.
 function(_firmware_sources out)

@@ -110,7 +110,7 @@ Judgement Controller::stop() {
 }
 
 Judgement Controller::begin_transfer(const CommandWords& command) {
-  Digest digest;
+  storage::Digest digest;
   control::get_bytes(arguments(command).subspan(2, control::kDigestRegisters), digest);
   return transfer_.begin(control::get32(arguments(command), 0), digest, slot_);
 }

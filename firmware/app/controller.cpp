@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "firmware/app/retained_values.h"
+
 namespace stepwright::app {
 
 namespace control = modbus::control;

@@ -16,10 +16,10 @@
 
 #include "firmware/app/machine.h"
 #include "firmware/app/modbus_io.h"
-#include "firmware/app/program_store.h"
-#include "firmware/app/retain_store.h"
 #include "firmware/app/transfer.h"
 #include "firmware/port/board.h"
+#include "firmware/storage/program_store.h"
+#include "firmware/storage/retain_store.h"
 #include "runtime/modbus/pdu/exception.h"
 #include "runtime/scan/clock.h"
 
@@ -94,8 +94,8 @@ class Controller {
   port::Board& board_;
   BoardClock clock_;
   ModbusIo io_;
-  ProgramStore store_;
-  RetainStore retain_;
+  storage::ProgramStore store_;
+  storage::RetainStore retain_;
   Machine machine_;
   Transfer transfer_;
   int slot_ = -1;

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "firmware/app/operation_set.h"
+#include "firmware/app/retained_values.h"
 
 namespace stepwright::app {
 namespace {
@@ -50,7 +51,7 @@ std::uint64_t Machine::judged_retain_bytes() const {
   return retain_bytes(judged_);
 }
 
-void Machine::load(const Digest& digest) {
+void Machine::load(const storage::Digest& digest) {
   if (cycle_) earlier_overruns_ += cycle_->statistics().overruns;
   cycle_.reset();
   arena_.reset();

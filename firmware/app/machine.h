@@ -19,7 +19,7 @@
 #include "firmware/app/events.h"
 #include "firmware/app/limits.h"
 #include "firmware/app/modbus_io.h"
-#include "firmware/app/sha256.h"
+#include "firmware/storage/sha256.h"
 #include "runtime/image/image_bits.h"
 #include "runtime/image/process_image.h"
 #include "runtime/modbus/control/registers.h"
@@ -59,7 +59,7 @@ class Machine {
   // Of the container that was just judged.
   std::uint64_t judged_retain_bytes() const;
   // Requires a container that was just judged Done. Nothing may run.
-  void load(const Digest& digest);
+  void load(const storage::Digest& digest);
 
   modbus::control::Refusal start(const StartOptions& options);
   modbus::control::Refusal stop();
@@ -76,7 +76,7 @@ class Machine {
   bool lock_step() const { return lock_step_; }
   const bytecode::Program& program() const { return program_; }
   std::span<const std::byte> container() const { return container_; }
-  const Digest& digest() const { return digest_; }
+  const storage::Digest& digest() const { return digest_; }
   bytecode::Trap trap() const { return trap_; }
   ScanFigures figures() const;
   std::int64_t next_time_ns() const;
@@ -102,7 +102,7 @@ class Machine {
   std::span<const std::byte> judged_bytes_;
   bytecode::Program judged_;
   bytecode::Program program_;
-  Digest digest_{};
+  storage::Digest digest_{};
   std::optional<vm::Interpreter> engine_;
   std::optional<image::ProcessImage> image_;
   std::optional<scan::ScanCycle> cycle_;
@@ -117,13 +117,5 @@ class Machine {
   ScanFigures figures_;
   std::uint64_t earlier_overruns_ = 0;
 };
-
-// Bytes of all retained variables of a program.
-std::uint64_t retain_bytes(const bytecode::Program& program);
-// Copies them out of the image, and back into it; the copy has retain_bytes().
-void copy_retained(const bytecode::Program& program, std::span<const std::byte> image,
-                   std::span<std::byte> copy);
-void restore_retained(const bytecode::Program& program, std::span<const std::byte> copy,
-                      std::span<std::byte> image);
 
 }  // namespace stepwright::app

@@ -5,7 +5,7 @@ namespace stepwright::app {
 using modbus::control::Refusal;
 using modbus::pdu::Exception;
 
-Judgement Transfer::begin(std::uint32_t bytes, const Digest& digest, int in_use) {
+Judgement Transfer::begin(std::uint32_t bytes, const storage::Digest& digest, int in_use) {
   active_ = false;
   if (bytes > store_.capacity()) return {Refusal::TooLarge, store_.capacity()};
   if (bytes == 0) return {Refusal::BadArguments, 0};

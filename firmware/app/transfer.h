@@ -7,17 +7,17 @@
 #include <span>
 
 #include "firmware/app/machine.h"
-#include "firmware/app/program_store.h"
+#include "firmware/storage/program_store.h"
 #include "runtime/modbus/pdu/exception.h"
 
 namespace stepwright::app {
 
 class Transfer {
  public:
-  explicit Transfer(ProgramStore& store) : store_(store) {}
+  explicit Transfer(storage::ProgramStore& store) : store_(store) {}
 
   // A new transfer; one that was under way is gone. `in_use` is the slot that must not be touched.
-  Judgement begin(std::uint32_t bytes, const Digest& digest, int in_use);
+  Judgement begin(std::uint32_t bytes, const storage::Digest& digest, int in_use);
 
   // The next piece. One that arrived before is ignored; one that leaves a gap, leads beyond the end or
   // belongs to no transfer is IllegalDataValue; DeviceFailure if the flash failed.
@@ -33,15 +33,15 @@ class Transfer {
   void abort() { active_ = false; }
   bool active() const { return active_; }
   std::uint32_t arrived() const { return active_ ? arrived_ : 0; }
-  const Digest& digest() const { return digest_; }
+  const storage::Digest& digest() const { return digest_; }
 
  private:
-  ProgramStore& store_;
+  storage::ProgramStore& store_;
   bool active_ = false;
   std::uint32_t bytes_ = 0;
   std::uint32_t arrived_ = 0;
-  Digest digest_{};  // as it was announced
-  Sha256 sum_;       // of the first summed_ bytes
+  storage::Digest digest_{};  // as it was announced
+  storage::Sha256 sum_;       // of the first summed_ bytes
   std::uint32_t summed_ = 0;
 };
 

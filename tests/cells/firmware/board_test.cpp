@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "firmware/app/sha256.h"
+#include "firmware/storage/sha256.h"
 #include "ladder/driver/compile.h"
 #include "tests/cells/firmware/gdb_stub.h"
 #include "tests/cells/firmware/rig.h"
@@ -103,7 +103,7 @@ TEST_P(Board, Program_WhenPowerGoes_ThenIsThereAgainWithItsRetainedValues) {
   rig.power_cycle();
   const auto status = rig.controller().status();
   EXPECT_EQ(status.state, State::Stopped);
-  EXPECT_EQ(status.digest, app::sha256(container));
+  EXPECT_EQ(status.digest, storage::sha256(container));
   EXPECT_EQ(status.resets, 0);
   rig.controller().start(modbus::control::kStartLockStep);
   EXPECT_EQ(kept(rig), 9);
@@ -157,7 +157,7 @@ TEST(Watchdog, Board_WhenTheMainLoopHangs_ThenIsResetAndKeepsProgramAndValues) {
   EXPECT_EQ(status.flags & modbus::control::kWatchdogReset, modbus::control::kWatchdogReset);
   EXPECT_EQ(status.resets, 1);
   EXPECT_EQ(status.state, State::Stopped);
-  EXPECT_EQ(status.digest, app::sha256(container));
+  EXPECT_EQ(status.digest, storage::sha256(container));
   rig.controller().start(modbus::control::kStartLockStep);
   EXPECT_GT(kept(rig), 0);
   EXPECT_LE(kept(rig), before);

@@ -12,11 +12,11 @@ TEST_F(DownloadTest, Download_WhenWhole_ThenIsLoadedAndOutlivesAReset) {
   controller.download(container);
   const auto status = controller.status();
   EXPECT_EQ(status.state, State::Stopped);
-  EXPECT_EQ(status.digest, app::sha256(container));
+  EXPECT_EQ(status.digest, storage::sha256(container));
   EXPECT_EQ(status.program_bytes, container.size());
   EXPECT_EQ(controller.memory(control::Memory::Program, container.size()), container);
   board.reset();
-  EXPECT_EQ(controller.status().digest, app::sha256(container));
+  EXPECT_EQ(controller.status().digest, storage::sha256(container));
   EXPECT_EQ(controller.status().state, State::Stopped);
 }
 
@@ -124,7 +124,7 @@ TEST_F(DownloadTest, Boot_WhenNewestSlotIsBroken_ThenLoadsTheOneBefore) {
   board.flash_memory()[static_cast<std::size_t>(stored.data() - board.flash_memory().data()) + 100] ^=
       std::byte{1};
   board.reset();
-  EXPECT_EQ(controller.status().digest, app::sha256(first));
+  EXPECT_EQ(controller.status().digest, storage::sha256(first));
   controller.download(compiled(kEndless));
   EXPECT_EQ(controller.status().state, State::Stopped) << "the broken slot is written again";
 }

@@ -15,10 +15,10 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/app/sha256.h"
 #include "firmware/port/flash.h"
+#include "firmware/storage/sha256.h"
 
-namespace stepwright::app {
+namespace stepwright::storage {
 
 struct FlashRecord {
   std::uint32_t sequence = 0;  // of two records the newer one has the higher number, modulo 2^32
@@ -66,4 +66,4 @@ class FlashArea {
 // Of two areas the one with the newer record: 0, 1 or -1 without any; `record` is it.
 int newest_of(const FlashArea (&areas)[2], FlashRecord& record);
 
-}  // namespace stepwright::app
+}  // namespace stepwright::storage

@@ -1,8 +1,8 @@
-#include "firmware/app/sha256.h"
+#include "firmware/storage/sha256.h"
 
 #include <bit>
 
-namespace stepwright::app {
+namespace stepwright::storage {
 namespace {
 
 // FIPS 180-4, 4.2.2.
@@ -77,4 +77,4 @@ Digest sha256(std::span<const std::byte> bytes) {
   return sum.finish();
 }
 
-}  // namespace stepwright::app
+}  // namespace stepwright::storage

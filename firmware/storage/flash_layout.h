@@ -4,10 +4,10 @@
 
 #include <cstdint>
 
-#include "firmware/app/flash_area.h"
 #include "firmware/port/flash.h"
+#include "firmware/storage/flash_area.h"
 
-namespace stepwright::app {
+namespace stepwright::storage {
 
 struct FlashLayout {
   explicit FlashLayout(port::Flash& flash) : flash_(flash) {}
@@ -24,4 +24,4 @@ struct FlashLayout {
   port::Flash& flash_;
 };
 
-}  // namespace stepwright::app
+}  // namespace stepwright::storage

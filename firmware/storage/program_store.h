@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/app/flash_layout.h"
+#include "firmware/storage/flash_layout.h"
 
-namespace stepwright::app {
+namespace stepwright::storage {
 
 class ProgramStore {
  public:
@@ -37,4 +37,4 @@ class ProgramStore {
   int target_ = 0;
 };
 
-}  // namespace stepwright::app
+}  // namespace stepwright::storage

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "firmware/app/program_store.h"
-#include "firmware/app/retain_store.h"
+#include "firmware/storage/program_store.h"
+#include "firmware/storage/retain_store.h"
 #include "tests/support/board/test_board.h"
 
 namespace stepwright::test {
@@ -18,14 +18,14 @@ Bytes filled(std::size_t size, int seed) {
   return bytes;
 }
 
-bool store(app::ProgramStore& programs, const Bytes& program) {
+bool store(storage::ProgramStore& programs, const Bytes& program) {
   const int in_use = programs.newest();
   return programs.begin(in_use) && programs.append(std::span(program).first(program.size() / 2)) &&
          programs.append(std::span(program).subspan(program.size() / 2)) &&
-         programs.finish(app::sha256(program));
+         programs.finish(storage::sha256(program));
 }
 
-Bytes newest(const app::ProgramStore& programs) {
+Bytes newest(const storage::ProgramStore& programs) {
   const int slot = programs.newest();
   if (slot < 0) return {};
   const auto container = programs.container(slot);
@@ -50,12 +50,12 @@ class FlashTest : public testing::Test {
 };
 
 TEST_F(FlashTest, Store_WhenFlashIsNew_ThenIsEmpty) {
-  app::ProgramStore programs(flash);
+  storage::ProgramStore programs(flash);
   EXPECT_EQ(programs.newest(), -1);
 }
 
 TEST_F(FlashTest, Store_WhenProgramsFollowEachOther_ThenTheNewestHoldsAndTheOneBeforeStays) {
-  app::ProgramStore programs(flash);
+  storage::ProgramStore programs(flash);
   for (int i = 0; i < 5; ++i) ASSERT_TRUE(store(programs, filled(9'000, i))) << i;
   EXPECT_EQ(newest(programs), filled(9'000, 4));
   const int slot = programs.newest();
@@ -76,7 +76,7 @@ std::vector<std::size_t> cuts(std::size_t data) {
 
 // The power goes while the third program is written.
 TEST_F(FlashTest, Store_WhenPowerGoesAtAnyByte_ThenOneWholeProgramIsThere) {
-  app::ProgramStore programs(flash);
+  storage::ProgramStore programs(flash);
   ASSERT_TRUE(store(programs, filled(5'000, 1)));
   ASSERT_TRUE(store(programs, filled(5'000, 2)));
   const Bytes before = memory;
@@ -84,10 +84,10 @@ TEST_F(FlashTest, Store_WhenPowerGoesAtAnyByte_ThenOneWholeProgramIsThere) {
   for (const std::size_t left : cuts(5'000)) {
     memory = before;
     TestFlash dying(memory);
-    app::ProgramStore store_at_work(dying);
+    storage::ProgramStore store_at_work(dying);
     dying.bytes_left = left;
     static_cast<void>(store(store_at_work, filled(5'000, 3)));
-    app::ProgramStore after(flash);
+    storage::ProgramStore after(flash);
     const Bytes found = newest(after);
     ASSERT_TRUE(found == filled(5'000, 2) || found == filled(5'000, 3)) << left;
     whole_new += found == filled(5'000, 3) ? 1 : 0;
@@ -96,7 +96,7 @@ TEST_F(FlashTest, Store_WhenPowerGoesAtAnyByte_ThenOneWholeProgramIsThere) {
 }
 
 TEST_F(FlashTest, Store_WhenAStoredBitFlips_ThenTheOlderProgramHolds) {
-  app::ProgramStore programs(flash);
+  storage::ProgramStore programs(flash);
   ASSERT_TRUE(store(programs, filled(5'000, 1)));
   ASSERT_TRUE(store(programs, filled(5'000, 2)));
   const auto container = programs.container(programs.newest());
@@ -105,9 +105,9 @@ TEST_F(FlashTest, Store_WhenAStoredBitFlips_ThenTheOlderProgramHolds) {
 }
 
 TEST_F(FlashTest, Retain_WhenPowerGoesAtAnyByte_ThenValuesAreOldOrNew) {
-  const app::Digest program = app::sha256(filled(3, 3));
+  const storage::Digest program = storage::sha256(filled(3, 3));
   const auto write = [&](port::Flash& where, const Bytes& values) {
-    app::RetainStore retain(where);
+    storage::RetainStore retain(where);
     retain.write(program, values);
     while (retain.busy()) retain.step();
   };
@@ -119,22 +119,22 @@ TEST_F(FlashTest, Retain_WhenPowerGoesAtAnyByte_ThenValuesAreOldOrNew) {
     TestFlash dying(memory);
     dying.bytes_left = left;
     write(dying, filled(4'500, 3));
-    const auto found = app::RetainStore(flash).values_of(program);
+    const auto found = storage::RetainStore(flash).values_of(program);
     ASSERT_EQ(found.size(), 4'500u) << left;
     ASSERT_TRUE(found[0] == filled(1, 2)[0] || found[0] == filled(1, 3)[0]) << left;
   }
-  EXPECT_EQ(app::RetainStore(flash).values_of(program)[0], filled(1, 3)[0]);
+  EXPECT_EQ(storage::RetainStore(flash).values_of(program)[0], filled(1, 3)[0]);
 }
 
 TEST_F(FlashTest, Retain_WhenProgramIsAnother_ThenHasNoValues) {
-  app::RetainStore retain(flash);
+  storage::RetainStore retain(flash);
   const Bytes values = filled(10, 1);
-  retain.write(app::sha256(filled(3, 3)), values);
+  retain.write(storage::sha256(filled(3, 3)), values);
   while (retain.busy()) retain.step();
-  EXPECT_EQ(retain.values_of(app::sha256(filled(3, 3))).size(), 10u);
-  EXPECT_TRUE(retain.values_of(app::sha256(filled(3, 4))).empty());
+  EXPECT_EQ(retain.values_of(storage::sha256(filled(3, 3))).size(), 10u);
+  EXPECT_TRUE(retain.values_of(storage::sha256(filled(3, 4))).empty());
   EXPECT_TRUE(retain.clear());
-  EXPECT_TRUE(retain.values_of(app::sha256(filled(3, 3))).empty());
+  EXPECT_TRUE(retain.values_of(storage::sha256(filled(3, 3))).empty());
 }
 
 }  // namespace

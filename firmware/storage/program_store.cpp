@@ -1,6 +1,6 @@
-#include "firmware/app/program_store.h"
+#include "firmware/storage/program_store.h"
 
-namespace stepwright::app {
+namespace stepwright::storage {
 
 ProgramStore::ProgramStore(port::Flash& flash)
     : slots_{FlashLayout(flash).slot(0), FlashLayout(flash).slot(1)} {}
@@ -38,4 +38,4 @@ bool ProgramStore::finish(const Digest& digest) {
   return slots_[target_].finish(slots_[1 - target_].sequence() + 1, digest);
 }
 
-}  // namespace stepwright::app
+}  // namespace stepwright::storage

@@ -1,6 +1,6 @@
-#include "firmware/app/retain_store.h"
+#include "firmware/storage/retain_store.h"
 
-namespace stepwright::app {
+namespace stepwright::storage {
 
 RetainStore::RetainStore(port::Flash& flash)
     : areas_{FlashLayout(flash).retain(0), FlashLayout(flash).retain(1)}, page_bytes_(flash.page_bytes()) {}
@@ -46,4 +46,4 @@ bool RetainStore::clear() {
   return areas_[1].clear() && first;
 }
 
-}  // namespace stepwright::app
+}  // namespace stepwright::storage

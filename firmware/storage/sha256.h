@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-namespace stepwright::app {
+namespace stepwright::storage {
 
 using Digest = std::array<std::byte, 32>;
 
@@ -33,4 +33,4 @@ class Sha256 {
 
 Digest sha256(std::span<const std::byte> bytes);
 
-}  // namespace stepwright::app
+}  // namespace stepwright::storage

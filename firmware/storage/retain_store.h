@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/app/flash_layout.h"
+#include "firmware/storage/flash_layout.h"
 
-namespace stepwright::app {
+namespace stepwright::storage {
 
 class RetainStore {
  public:
@@ -42,4 +42,4 @@ class RetainStore {
   bool begun_ = false;
 };
 
-}  // namespace stepwright::app
+}  // namespace stepwright::storage

@@ -1,10 +1,10 @@
-#include "firmware/app/flash_area.h"
+#include "firmware/storage/flash_area.h"
 
 #include <cstring>
 
 #include "runtime/base/crc32c.h"
 
-namespace stepwright::app {
+namespace stepwright::storage {
 namespace {
 
 struct Header {
@@ -94,4 +94,4 @@ int newest_of(const FlashArea (&areas)[2], FlashRecord& record) {
   return newest;
 }
 
-}  // namespace stepwright::app
+}  // namespace stepwright::storage

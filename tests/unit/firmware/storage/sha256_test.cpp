@@ -1,4 +1,4 @@
-#include "firmware/app/sha256.h"
+#include "firmware/storage/sha256.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "runtime/service/digest.h"
 
-namespace stepwright::app {
+namespace stepwright::storage {
 namespace {
 
 std::string hex(const Digest& digest) {
@@ -46,4 +46,4 @@ TEST(Sha256, Digest_WhenBytesComeInPieces_ThenIsThatOfLibsodium) {
 }
 
 }  // namespace
-}  // namespace stepwright::app
+}  // namespace stepwright::storage
