@@ -7,7 +7,6 @@
 //
 // Throws std::runtime_error if the board cannot be started or does not answer.
 
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "firmware/link/qemu_board.h"
 #include "tests/cells/firmware/pty_line.h"
 #include "tests/support/remote_controller/remote_controller.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::firmware_test {
 
@@ -25,22 +25,14 @@ class Rig {
   // `firmware`: "mps2-an385", "mps2-an385-basic".
   explicit Rig(const std::string& firmware, std::optional<int> icount_shift = {}, bool debugger = false)
       : firmware_(firmware), icount_shift_(icount_shift), debugger_(debugger) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "firmware-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder_ = pattern;
     power_on();
-  }
-  ~Rig() {
-    board_.reset();
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
   }
   Rig(const Rig&) = delete;
   Rig& operator=(const Rig&) = delete;
 
   link::QemuBoard& board() { return *board_; }
   support::RemoteController& controller() { return *controller_; }
-  std::filesystem::path folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
   static std::filesystem::path image(const std::string& firmware) {
     return std::filesystem::path(STEPWRIGHT_FIRMWARE_DIR) / (firmware + ".elf");
   }
@@ -61,7 +53,7 @@ class Rig {
   void power_on() {
     board_ = taken(link::QemuBoard::start({.machine = firmware_.substr(0, std::string("mps2-an385").size()),
                                            .image = image(firmware_),
-                                           .folder = folder_,
+                                           .folder = folder_.path(),
                                            .icount_shift = icount_shift_,
                                            .debugger = debugger_}));
     const modbus::master::SerialEndpoint endpoint{
@@ -80,7 +72,7 @@ class Rig {
   std::string firmware_;
   std::optional<int> icount_shift_;
   bool debugger_;
-  std::filesystem::path folder_;
+  support::TemporaryFolder folder_;  // before the board, which lives in it
   std::optional<link::QemuBoard> board_;
   std::unique_ptr<remote::RegisterLine> line_;
   std::unique_ptr<support::RemoteController> controller_;

@@ -18,6 +18,7 @@
 
 #include "runtime/io_memory/plant_side.h"
 #include "runtime/service/connection.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_process.h"
 #include "tests/support/test_program.h"
 
@@ -62,10 +63,7 @@ enum : int { kRuns = 0x0F, kStop = 1, kTrap, kWatchdog, kLostIo, kLostSupervisor
 class GuardedCell {
  public:
   explicit GuardedCell(const std::string& more = "") {
-    std::string path = (std::filesystem::temp_directory_path() / "stepwright-guard-XXXXXX").string();
-    if (mkdtemp(path.data()) == nullptr) ADD_FAILURE() << "no temporary folder";
-    folder_ = path;
-    name_ = folder_.filename();
+    name_ = folder_.path().filename();
     std::ofstream(config()) << "[cell]\nname = \"" << name_ << "\"\nstate_dir = \"state\"\n"
                             << "[clock]\nmode = \"real\"\n[image]\ninput_bytes = 8\noutput_bytes = 8\n"
                             << "[io]\nkind = \"shared_memory\"\n"
@@ -88,7 +86,6 @@ class GuardedCell {
   ~GuardedCell() {
     std::error_code ignored;
     std::filesystem::remove(io_memory::area_path(name_), ignored);
-    std::filesystem::remove_all(folder_, ignored);
   }
   GuardedCell(const GuardedCell&) = delete;
   GuardedCell& operator=(const GuardedCell&) = delete;
@@ -160,7 +157,7 @@ class GuardedCell {
  private:
   static constexpr std::chrono::microseconds pause_{200};
 
-  std::filesystem::path folder_;
+  const support::TemporaryFolder folder_;
   std::string name_;
   std::vector<std::byte> inputs_ = std::vector<std::byte>(8);
   int started_ = 0;

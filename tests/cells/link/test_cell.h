@@ -16,6 +16,7 @@
 #include "programs/config/cell_config.h"
 #include "runtime/dds/runtime_client.h"
 #include "runtime/service/connection.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_process.h"
 
 namespace stepwright::cells {
@@ -27,26 +28,22 @@ class TestCell {
  public:
   // `more` is TOML text after the tables [cell] and [dds].
   explicit TestCell(std::uint32_t domain_id, const std::string& more = "") : domain_id_(domain_id) {
-    std::string path = (std::filesystem::temp_directory_path() / "stepwright-link-XXXXXX").string();
-    if (mkdtemp(path.data()) == nullptr) ADD_FAILURE() << "no temporary folder";
-    folder_ = path;
     std::ofstream(config()) << "[cell]\nname = \"" << name()
                             << "\"\nstate_dir = \"state\"\n[dds]\ndomain_id = " << domain_id << "\n"
                             << more;
   }
   ~TestCell() {
-    std::error_code ignored;  // a leftover in the temporary folder harms nobody
+    std::error_code ignored;
     config::CellConfig ended;
     ended.state_dir = folder_ / "state";
     std::filesystem::remove(ended.plant_memory_path(), ignored);  // of a runtime that was killed
-    std::filesystem::remove_all(folder_, ignored);
   }
   TestCell(const TestCell&) = delete;
   TestCell& operator=(const TestCell&) = delete;
 
   // No other process has it: whatever else runs in the domain is not heard.
   static std::string name() { return "linktest-" + std::to_string(::getpid()); }
-  std::filesystem::path folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
   std::filesystem::path config() const { return folder_ / "cell.toml"; }
   std::filesystem::path socket() const { return folder_ / "state" / "runtime.sock"; }
 
@@ -78,7 +75,7 @@ class TestCell {
   }
 
  private:
-  std::filesystem::path folder_;
+  const support::TemporaryFolder folder_;
   std::uint32_t domain_id_;
   int started_ = 0;
 };

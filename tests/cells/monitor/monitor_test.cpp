@@ -11,6 +11,7 @@
 
 #include "ladder/driver/compile.h"
 #include "runtime/service/connection.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_process.h"
 
 namespace stepwright::cells {
@@ -53,17 +54,6 @@ constexpr char kReal[] = "[clock]\nmode = \"real\"\n";
 // A runtime without a plant, and the commands beside it.
 class Monitor : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string path = (std::filesystem::temp_directory_path() / "stepwright-monitor-XXXXXX").string();
-    ASSERT_NE(mkdtemp(path.data()), nullptr);
-    folder_ = path;
-  }
-  void TearDown() override {
-    runtime_.reset();
-    std::error_code ignored;  // a leftover in the temporary folder harms nobody
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
   // Starts a runtime and, unless told otherwise, the program in it.
@@ -113,7 +103,7 @@ class Monitor : public ::testing::Test {
     return json()["values"];
   }
 
-  std::filesystem::path folder_;
+  const support::TemporaryFolder folder_;
   std::optional<TestProcess> runtime_;
   std::unique_ptr<service::Connection> client_;
   std::string out;

@@ -23,25 +23,11 @@
 #include "runtime/scan/scan_cycle.h"
 #include "runtime/vm/interpreter.h"
 #include "tests/support/sample_model.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::record {
 
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string path = (std::filesystem::temp_directory_path() / "stepwright-test-XXXXXX").string();
-    if (mkdtemp(path.data()) == nullptr) ADD_FAILURE() << "no temporary folder";
-    path_ = path;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;  // a leftover in the temporary folder harms nobody
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
+using support::TemporaryFolder;
 
 // The interpreter with its memory.
 class OwningInterpreter final : public bytecode::Engine {

@@ -19,6 +19,7 @@
 
 #include "runtime/record/retain_keeper.h"
 #include "tests/support/compiled_program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::record {
 
@@ -26,26 +27,19 @@ namespace stepwright::record {
 // writes take no longer on a busy disk.
 class TestFolder {
  public:
-  explicit TestFolder(bool in_memory = false) {
-    const std::filesystem::path memory = "/dev/shm";
-    const bool possible = in_memory && access(memory.c_str(), W_OK) == 0;
-    const std::filesystem::path around = possible ? memory : std::filesystem::path(testing::TempDir());
-    std::string name = (around / "retain-XXXXXX").string();
-    EXPECT_NE(mkdtemp(name.data()), nullptr);
-    path_ = name;
-  }
-  ~TestFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
+  explicit TestFolder(bool in_memory = false) : folder_(around(in_memory)) {}
 
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path store() const { return path_ / "retain.store"; }
+  const std::filesystem::path& path() const { return folder_.path(); }
+  std::filesystem::path store() const { return folder_ / "retain.store"; }
 
  private:
-  std::filesystem::path path_;
+  static std::filesystem::path around(bool in_memory) {
+    const std::filesystem::path memory = "/dev/shm";
+    const bool possible = in_memory && access(memory.c_str(), W_OK) == 0;
+    return possible ? memory : std::filesystem::path(testing::TempDir());
+  }
+
+  support::TemporaryFolder folder_;
 };
 
 class RetainedMachine {

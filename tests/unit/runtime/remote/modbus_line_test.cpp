@@ -2,6 +2,7 @@
 
 #include "runtime/remote/modbus_line.h"
 
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_process.h"
 #include "tests/unit/runtime/remote/harness.h"
 
@@ -11,7 +12,7 @@ namespace {
 // A board of the host in a folder of its own.
 class ServedController {
  public:
-  explicit ServedController(bool pty) : folder_(made()) {
+  explicit ServedController(bool pty) {
     std::vector<std::string> arguments = {STEPWRIGHT_BIN_DIR "/firmware_host", (folder_ / "flash").string()};
     if (!pty) arguments.insert(arguments.begin() + 1, {"--tcp", "0"});
     process_.emplace(arguments, folder_ / "log");
@@ -19,25 +20,12 @@ class ServedController {
     where_ = process_->output();
     where_.resize(where_.find('\n'));
   }
-  ~ServedController() {
-    process_.reset();
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  ServedController(const ServedController&) = delete;
-  ServedController& operator=(const ServedController&) = delete;
 
   const std::string& where() const { return where_; }
   void press_reset() const { process_->send(SIGUSR1); }
 
  private:
-  static std::filesystem::path made() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "modbus-line-XXXXXX").string();
-    EXPECT_NE(::mkdtemp(pattern.data()), nullptr);
-    return pattern;
-  }
-
-  std::filesystem::path folder_;
+  const support::TemporaryFolder folder_;
   std::optional<support::TestProcess> process_;
   std::string where_;
 };
@@ -54,16 +42,24 @@ std::unique_ptr<RegisterLine> line_to(const ServedController& controller, bool p
   return line ? std::move(*line) : nullptr;
 }
 
-class ModbusLine_WhenAControllerIsBehindIt : public testing::TestWithParam<bool> {};
+class ModbusLine_WhenAControllerIsBehindIt : public testing::TestWithParam<bool> {
+ protected:
+  void open(host::ClockMode clock) {
+    RemoteConfig config = quick_config();
+    config.host.clock = clock;
+    config.lost_after = std::chrono::seconds(2);
+    runtime = std::move(*RemoteRuntime::create(config, line_to(controller, GetParam()), plant, nullptr));
+    ASSERT_TRUE(runtime->wait_for_controller(kPatience)) << runtime->line_problem();
+  }
+
+  ServedController controller{GetParam()};
+  TestPlant plant;
+  std::unique_ptr<RemoteRuntime> runtime;
+};
 
 TEST_P(ModbusLine_WhenAControllerIsBehindIt, ThenAProgramIsDownloadedAndRuns) {
-  ServedController controller(GetParam());
-  TestPlant plant;
-  RemoteConfig config = quick_config();
-  config.lost_after = std::chrono::seconds(2);
-  auto runtime = RemoteRuntime::create(config, line_to(controller, GetParam()), plant, nullptr);
-  ASSERT_TRUE((*runtime)->wait_for_controller(kPatience)) << (*runtime)->line_problem();
-  Driver driver(**runtime);
+  open(host::ClockMode::Simulated);
+  Driver driver(*runtime);
   EXPECT_EQ(driver.load(support::step_program({.steps = 3, .scans_per_step = 100})).outcome,
             host::Outcome::Done);
   EXPECT_EQ(driver.start(true).outcome, host::Outcome::Done);
@@ -77,14 +73,8 @@ TEST_P(ModbusLine_WhenAControllerIsBehindIt, ThenAProgramIsDownloadedAndRuns) {
 }
 
 TEST_P(ModbusLine_WhenAControllerIsBehindIt, ThenItRunsByItsOwnClockToo) {
-  ServedController controller(GetParam());
-  TestPlant plant;
-  RemoteConfig config = quick_config();
-  config.host.clock = host::ClockMode::Real;
-  config.lost_after = std::chrono::seconds(2);
-  auto runtime = RemoteRuntime::create(config, line_to(controller, GetParam()), plant, nullptr);
-  ASSERT_TRUE((*runtime)->wait_for_controller(kPatience)) << (*runtime)->line_problem();
-  Driver driver(**runtime);
+  open(host::ClockMode::Real);
+  Driver driver(*runtime);
   driver.load(support::step_program({.steps = 2, .scans_per_step = 30, .interval_us = 2'000}));
   EXPECT_EQ(driver.start().outcome, host::Outcome::Done);
   EXPECT_EQ(driver.event().kind, host::EventKind::Started);
@@ -96,13 +86,8 @@ TEST_P(ModbusLine_WhenAControllerIsBehindIt, ThenItRunsByItsOwnClockToo) {
 }
 
 TEST_P(ModbusLine_WhenAControllerIsBehindIt, ThenItsResetIsNoticedAndItsProgramIsStillThere) {
-  ServedController controller(GetParam());
-  TestPlant plant;
-  RemoteConfig config = quick_config();
-  config.lost_after = std::chrono::seconds(2);
-  auto runtime = RemoteRuntime::create(config, line_to(controller, GetParam()), plant, nullptr);
-  ASSERT_TRUE((*runtime)->wait_for_controller(kPatience)) << (*runtime)->line_problem();
-  Driver driver(**runtime);
+  open(host::ClockMode::Simulated);
+  Driver driver(*runtime);
   const auto program = support::step_program({.steps = 2, .scans_per_step = 1'000'000});
   EXPECT_EQ(driver.load(program).outcome, host::Outcome::Done);
   EXPECT_EQ(driver.start().outcome, host::Outcome::Done);
@@ -112,8 +97,8 @@ TEST_P(ModbusLine_WhenAControllerIsBehindIt, ThenItsResetIsNoticedAndItsProgramI
   const host::StepEvent event = driver.event();
   EXPECT_EQ(event.kind, host::EventKind::Trap);
   EXPECT_NE(event.detail.find("R0143"), std::string::npos) << event.detail;
-  EXPECT_TRUE(driver.await([&] { return (*runtime)->contact(); }));
-  EXPECT_EQ((*runtime)->status().program_digest, Driver::digest(program));
+  EXPECT_TRUE(driver.await([&] { return runtime->contact(); }));
+  EXPECT_EQ(runtime->status().program_digest, Driver::digest(program));
   EXPECT_EQ(driver.start().outcome, host::Outcome::Done);
 }
 

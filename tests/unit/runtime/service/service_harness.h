@@ -15,30 +15,13 @@
 #include "runtime/image/no_io.h"
 #include "runtime/service/connection.h"
 #include "runtime/service/server.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::service {
 
 inline constexpr std::chrono::milliseconds kPatience{20'000};
 
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string path = (std::filesystem::temp_directory_path() / "stepwright-test-XXXXXX").string();
-    if (mkdtemp(path.data()) == nullptr) ADD_FAILURE() << "no temporary folder";
-    path_ = path;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;  // a leftover in the temporary folder harms nobody
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using support::TemporaryFolder;
 
 class ServiceHarness {
  public:

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_process.h"
 
 namespace stepwright::modbus::oracle {
@@ -13,17 +14,6 @@ namespace stepwright::modbus::oracle {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A folder that goes with its object.
-struct Folder {
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "stepwright-oracle-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path = name;
-  }
-  ~Folder() { fs::remove_all(path); }
-  fs::path path;
-};
 
 // A line is the reaction (a, s or r), the PDU in hex or "-", and the changes.
 Answer parsed(const std::string& line) {
@@ -42,15 +32,15 @@ Answer parsed(const std::string& line) {
 }  // namespace
 
 std::vector<Answer> ask_pymodbus(Sizes sizes, const std::vector<Bytes>& requests) {
-  const Folder folder;
-  const fs::path asked = folder.path / "requests", answered = folder.path / "answers";
+  const support::TemporaryFolder folder;
+  const fs::path asked = folder / "requests", answered = folder / "answers";
   {
     std::ofstream out(asked);
     for (const Bytes& each : requests) out << hex(each) << '\n';
   }
   support::TestProcess python({"/usr/bin/python3", STEPWRIGHT_ORACLE_DIR "/pymodbus_peer.py",
                                std::to_string(sizes.bits), std::to_string(sizes.registers), asked, answered},
-                              folder.path / "log");
+                              folder / "log");
   if (python.wait() != 0) throw std::runtime_error("pymodbus_peer.py failed:\n" + python.output());
   std::vector<Answer> out;
   std::ifstream in(answered);
