@@ -190,6 +190,7 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
                                             {config.safety.io.modbus, config.clock.mode == ClockMode::Real,
                                              config.image.input_bytes, config.image.output_bytes},
                                             found);
+  config.modbus_client_metrics = read_metrics(root.table("modbus").table("client"));
   if (root.has("planning")) read_planning(root.table("planning"), folder, config.planning);
   for (const TomlTable& fault : root.tables("faults")) {
     config.faults.push_back({fault.required_number("at_s", {0.0, 1e9}), fault.required_text("name"),

@@ -183,6 +183,7 @@ result::Diagnostics read_modbus_server(const TomlTable& table, ModbusServerConfi
   config.tcp.allow = reader.networks(table, "allow");
   if (!table.has("allow")) config.tcp.allow = {*IpRange::parse("127.0.0.0/8"), *IpRange::parse("::1")};
   read_limits(table, config);
+  config.metrics = read_metrics(table);
   for (const double unit : table.numbers("units")) {
     if (unit >= 0 && unit <= 255 && unit == static_cast<int>(unit)) {
       config.server.units.push_back(static_cast<std::uint8_t>(unit));

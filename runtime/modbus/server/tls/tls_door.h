@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "runtime/modbus/server/tls/tls_context.h"
 #include "runtime/modbus/server/transport.h"
@@ -22,6 +23,10 @@ using OnRefused = std::function<void(const std::string& address, const std::stri
 class TlsDoor final : public Door {
  public:
   TlsDoor(std::unique_ptr<Door> inner, TlsContext context, OnRefused on_refused);
+
+  // Who comes from now on meets this one; who is in goes on with the one before.
+  void renew(TlsContext context) { context_ = std::move(context); }
+  const TlsContext& context() const { return context_; }
 
   int descriptor() const override { return inner_->descriptor(); }
   // The transport's peer() has the role of the certificate, and is authenticated.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "programs/modbus_client/client_metrics.h"
 #include "programs/modbus_client/status_json.h"
 #include "programs/modbus_client/status_socket.h"
 
