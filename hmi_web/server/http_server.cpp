@@ -263,10 +263,12 @@ result::Result<std::unique_ptr<HttpServer>> HttpServer::bind(const ListenAddress
             (address.setting == "hmi" ? "--port or " : "") + address.setting + ".port");
   }
   if (error) {
-    return result::fail("H0002", {}, "cannot serve at " + where + ": " + error.message(),
-                        "ports below 1024 need rights; " + address.setting + ".host must be an address of this machine");
+    return result::fail(
+        "H0002", {}, "cannot serve at " + where + ": " + error.message(),
+        "ports below 1024 need rights; " + address.setting + ".host must be an address of this machine");
   }
-  state->policy.emplace(ListenAddress{address.host, acceptor.local_endpoint().port(), address.setting}, assets);
+  state->policy.emplace(ListenAddress{address.host, acceptor.local_endpoint().port(), address.setting},
+                        assets);
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(state)));
 }
 

@@ -101,7 +101,8 @@ void check_names(const TomlTable& cell, const TomlTable& dds, const CellConfig& 
   } else if (!is_plain_name(config.dds.runtime_id)) {
     dds.report("runtime_id", "'" + config.dds.runtime_id + "' cannot name a runtime", hint, "0461");
   }
-  const std::filesystem::path socket = config.socket_path();
+  const std::filesystem::path socket =
+      config.safety.io.modbus ? config.modbus_client_path() : config.socket_path();
   if (socket.native().size() < kMaxSocketPathBytes) return;
   cell.report("state_dir",
               "the path of the socket " + socket.string() + " is longer than " +

@@ -39,7 +39,7 @@ struct ModbusServerConfig {
   ModbusDoors doors;  // beside `tcp`
   modbus::server::ServerOptions server;
   modbus::map::MapConfig map;
-  MetricsConfig metrics;  // [modbus.server.metrics]
+  MetricsConfig metrics;                           // [modbus.server.metrics]
   std::chrono::milliseconds stale_after{1'000};    // without news of the runtime: exception 4
   std::chrono::milliseconds write_timeout{2'000};  // until a write is in the image; then exception 4
 };

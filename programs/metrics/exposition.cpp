@@ -40,7 +40,8 @@ std::string label(std::string_view name, std::string_view value) {
 
 void Exposition::family(std::string_view name, std::string_view type, std::string_view help) {
   family_ = name;
-  text_ += "# HELP " + family_ + " " + std::string(help) + "\n# TYPE " + family_ + " " + std::string(type) + "\n";
+  text_ +=
+      "# HELP " + family_ + " " + std::string(help) + "\n# TYPE " + family_ + " " + std::string(type) + "\n";
 }
 
 void Exposition::sample(std::string_view labels, double value) {

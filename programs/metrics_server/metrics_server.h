@@ -24,8 +24,8 @@ namespace stepwright::metrics {
 class MetricsServer {
  public:
   // Serves from now on; without a port in the configuration nothing listens. `setting` is the table that says
-  // where, for hints. Fails with H0001 and H0002 as HttpServer does. What `text` uses must outlive the server.
-  // Signals are to be blocked before: the thread inherits that.
+  // where, for hints. Fails with H0001 and H0002 as HttpServer does. What `text` uses must outlive the
+  // server. Signals are to be blocked before: the thread inherits that.
   [[nodiscard]] static result::Result<std::unique_ptr<MetricsServer>> start(
       const config::MetricsConfig& config, const std::string& setting, std::function<std::string()> text);
   ~MetricsServer();

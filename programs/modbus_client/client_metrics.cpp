@@ -23,11 +23,13 @@ struct Figure {
 };
 constexpr std::array kOfDevice = {
     Figure{"online", "stepwright_modbus_device_online", "gauge", "1 if the newest request was answered."},
-    Figure{"lost", "stepwright_modbus_device_lost", "gauge", "1 if it is lost for longer than loss_after_ms."},
+    Figure{"lost", "stepwright_modbus_device_lost", "gauge",
+           "1 if it is lost for longer than loss_after_ms."},
     Figure{"requests", "stepwright_modbus_requests_total", "counter", "Requests to the device."},
     Figure{"writes", "stepwright_modbus_writes_total", "counter", "Requests that write."},
     Figure{"timeouts", "stepwright_modbus_timeouts_total", "counter", "Requests without an answer in time."},
-    Figure{"exceptions", "stepwright_modbus_exceptions_total", "counter", "Requests that the device refused."},
+    Figure{"exceptions", "stepwright_modbus_exceptions_total", "counter",
+           "Requests that the device refused."},
     Figure{"bad_answers", "stepwright_modbus_bad_answers_total", "counter",
            "Answers that were none to the request."},
     Figure{"connection_losses", "stepwright_modbus_connection_losses_total", "counter",
@@ -61,7 +63,8 @@ class Writer {
     text_.family("stepwright_modbus_answer_seconds", "summary", "From a request to its answer.");
     for (const json& device : devices_) quantiles(of(device), device, "answer");
     text_.family("stepwright_modbus_answer_max_seconds", "gauge", "The longest of them.");
-    for (const json& device : devices_) text_.sample(of(device), number(device.at("answer_max_ms")) / kMsPerS);
+    for (const json& device : devices_)
+      text_.sample(of(device), number(device.at("answer_max_ms")) / kMsPerS);
     groups();
     qualities();
     return text_.take();
@@ -87,9 +90,8 @@ class Writer {
   void groups() {
     for (const Figure& figure : kOfGroup) {
       text_.family(figure.name, figure.type, figure.help);
-      each_group([&](const auto& labels, const json& group) {
-        text_.sample(labels, number(group.at(figure.key)));
-      });
+      each_group(
+          [&](const auto& labels, const json& group) { text_.sample(labels, number(group.at(figure.key))); });
     }
     const auto in_seconds = [&](const char* key, const char* name, const char* help) {
       text_.family(name, "gauge", help);
@@ -98,7 +100,8 @@ class Writer {
       });
     };
     in_seconds("period_ms", "stepwright_modbus_poll_period_seconds", "The period that is configured.");
-    text_.family("stepwright_modbus_poll_cycle_seconds", "summary", "From one poll of the group to the next.");
+    text_.family("stepwright_modbus_poll_cycle_seconds", "summary",
+                 "From one poll of the group to the next.");
     each_group([&](const auto& labels, const json& group) { quantiles(labels, group, "period"); });
     in_seconds("period_max_ms", "stepwright_modbus_poll_cycle_max_seconds", "The longest of them.");
   }

@@ -139,9 +139,9 @@ int run(const config::CellConfig& config) {
   auto server = StatusServer::create(config.modbus_client_path(),
                                      [&] { return json_text(to_json(config.name, (*client)->status())); });
   if (!server) return process::fail(server.error(), ExitCode::BadInput);
-  auto figures =
-      metrics::MetricsServer::start(config.modbus_client_metrics, "modbus.client.metrics",
-                                    [&] { return to_metrics(to_json(config.name, (*client)->status())); });
+  auto figures = metrics::MetricsServer::start(config.modbus_client_metrics, "modbus.client.metrics", [&] {
+    return to_metrics(to_json(config.name, (*client)->status()));
+  });
   if (!figures) return process::fail(figures.error(), ExitCode::BadInput);
 
   FieldOutputs field(config.safety.host.safe_state.matrix(), config.image.output_bytes,

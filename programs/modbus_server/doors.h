@@ -17,8 +17,8 @@ namespace stepwright::modbus_server {
 
 struct Doors {
   std::vector<std::unique_ptr<modbus::server::Door>> all;
-  std::string names;       // "tcp 127.0.0.1:502, tls 127.0.0.1:802"
-  std::uint16_t port = 0;  // of plain TCP; 0 without it
+  std::string names;                       // "tcp 127.0.0.1:502, tls 127.0.0.1:802"
+  std::uint16_t port = 0;                  // of plain TCP; 0 without it
   modbus::server::TlsDoor* tls = nullptr;  // of `all`, wherever it moves; null without TLS
 };
 

@@ -18,7 +18,8 @@ struct Counter {
   std::uint64_t ServerFigures::*value;
 };
 constexpr std::array kCounters = {
-    Counter{"stepwright_modbus_server_accepted_total", "Connections that were let in.", &ServerFigures::accepted},
+    Counter{"stepwright_modbus_server_accepted_total", "Connections that were let in.",
+            &ServerFigures::accepted},
     Counter{"stepwright_modbus_server_turned_away_total",
             "Connections that were closed at once: the allow-list, a limit, no descriptor left.",
             &ServerFigures::turned_away},
@@ -34,7 +35,8 @@ constexpr std::array kCounters = {
 constexpr std::array kUsual = {1u, 2u, 3u, 4u, 6u, 11u};
 
 void add_exceptions(const std::string& cell, const ServerFigures& figures, Exposition& text) {
-  text.family("stepwright_modbus_server_exceptions_total", "counter", "Exceptions that were answered, by code.");
+  text.family("stepwright_modbus_server_exceptions_total", "counter",
+              "Exceptions that were answered, by code.");
   for (unsigned code = 1; code < figures.exceptions.size(); ++code) {
     const bool usual = std::find(kUsual.begin(), kUsual.end(), code) != kUsual.end();
     if (!usual && figures.exceptions[code] == 0) continue;
@@ -62,7 +64,8 @@ std::string server_metrics(const std::string& cell, const ServerStatus& status) 
   text.figure("stepwright_modbus_server_service_max_seconds", "gauge", "The longest of them.", own,
               static_cast<double>(figures.service_time.max_ns()) / 1e9);
   if (status.certificate_ends) {
-    const auto ends = std::chrono::duration_cast<std::chrono::seconds>(status.certificate_ends->time_since_epoch());
+    const auto ends =
+        std::chrono::duration_cast<std::chrono::seconds>(status.certificate_ends->time_since_epoch());
     text.figure("stepwright_modbus_server_certificate_expiry_timestamp_seconds", "gauge",
                 "When the server's certificate ends, in seconds since 1970.", own,
                 static_cast<double>(ends.count()));

@@ -26,8 +26,7 @@ log::ReloadPart tls_part(TlsDoor* door, log::Logger& log) {
                "modbus.server.tls.revoked"};
   // A door that is to be closed stays as it is until the restart that closes it.
   part.applies = [](const config::CellConfig& wanted) { return wanted.modbus_server.doors.tls.has_value(); };
-  part.prepare =
-      [door, &log](const config::CellConfig& wanted) -> result::Result<std::function<void()>> {
+  part.prepare = [door, &log](const config::CellConfig& wanted) -> result::Result<std::function<void()>> {
     auto made = TlsContext::create(wanted.modbus_server.doors.tls->tls);
     if (!made) return result::forward(made);
     return [door, &log, context = std::move(*made)] {

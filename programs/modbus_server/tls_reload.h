@@ -1,7 +1,7 @@
 #pragma once
 
-// New certificates for a server that runs: SIGHUP has the files of [modbus.server.tls] read again, the same or
-// others. Connections that come from then on meet the new ones; those that are there go on. A file that is
+// New certificates for a server that runs: SIGHUP has the files of [modbus.server.tls] read again, the same
+// or others. Connections that come from then on meet the new ones; those that are there go on. A file that is
 // wrong refuses the whole reload, and everything stays as it was.
 //
 // Threads: the server's.

@@ -32,6 +32,7 @@ class TlsDoor final : public Door {
   // The transport's peer() has the role of the certificate, and is authenticated.
   std::unique_ptr<Transport> admit() override;
   void turn_away() override { inner_->turn_away(); }
+  std::uint64_t take_refused() override { return inner_->take_refused(); }
   std::string name() const override;  // "tls ..." for "tcp ..."
 
  private:
