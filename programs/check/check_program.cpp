@@ -53,13 +53,16 @@ result::Diagnostics check_program(const config::CellConfig& config, const CellPr
   if (!loaded) return loaded.error();
   const auto info = reader::ProgramInfo::read(program.container);
   if (!info) return info.error();
-  note(
-      host::check_fit(loaded->program(), {config.image.input_bytes, config.image.output_bytes}, program.name),
-      program.name, problems);
+  const config::ImageConfig& image = config.image;
   if (config.controller.remote()) {
-    note(remote::RemoteProgram::create(program.container, {}), program.name, problems);
-  } else if (const auto options = cell_runtime::host_options(config)) {
-    note(host::make_engine(options->engine, loaded->program()), program.name, problems);
+    const auto remote = remote::RemoteProgram::create(program.container, {});
+    note(remote, program.name, problems);
+    if (remote) note((*remote)->check_fit(image.input_bytes, image.output_bytes), program.name, problems);
+  } else {
+    note(host::check_fit(loaded->program(), {image.input_bytes, image.output_bytes}, program.name),
+         program.name, problems);
+    if (const auto options = cell_runtime::host_options(config))
+      note(host::make_engine(options->engine, loaded->program()), program.name, problems);
   }
   if (config.modbus_server.enabled)
     add(problems, modbus::map::build_map(*info, config.modbus_server.map).problems);

@@ -213,10 +213,15 @@ class ModbusCheck(unittest.TestCase):
 
     def test_a_program_is_held_against_what_a_turn_over_modbus_carries(self):
         self.compile(PROGRAM.replace("set AT %QW0", "set AT %QW900"))
-        done, found = self.check('[plant]\nkind = "none"\n[image]\noutput_bytes = 4000\n[controller]\n'
-                                 'kind = "modbus-tcp"\nhost = "127.0.0.1"\n', "--program", self.folder / "main.swb")
+        remote = '[plant]\nkind = "none"\n[controller]\nkind = "modbus-tcp"\nhost = "127.0.0.1"\n[image]\n'
+        done, found = self.check(remote + "output_bytes = 4000\n", "--program", self.folder / "main.swb")
         self.assertEqual([each["code"] for each in found], ["R0145"], done.stderr)
+        self.assertIn("one turn over Modbus", found[0]["message"])
         self.assertIn("main.swb", found[0]["file"])
+        self.compile(PROGRAM)
+        done, found = self.check(remote + "input_bytes = 4\n", "--program", self.folder / "main.swb")
+        self.assertEqual([each["code"] for each in found], ["R0145"], done.stderr)
+        self.assertIn("than the cell", found[0]["message"])
 
 
 if __name__ == "__main__":
