@@ -154,7 +154,7 @@ class ModbusCheck(unittest.TestCase):
 
         good = ('{ address = "%IW0", holding = 0 },\n{ address = "%ID1", holding = 2, type = "real" },\n'
                 '{ address = "%IW4", holding = 4 },\n{ address = "%IW5", holding = 5, type = "uint16" },\n'
-                '{ address = "%IX10.3", discrete = 4 },\n{ address = "%QW0", holding = 9 },')
+                '{ address = "%QW0", holding = 9 },')
         done, found = self.check(tag(good))
         self.assertEqual((done.returncode, found), (0, []), done.stderr)
         said = self.expect(tag('{ address = @"%ID1", holding = 2 },'), "C0528")

@@ -263,6 +263,7 @@ class ModbusServer(unittest.TestCase):
         def figure(name, *labels):
             return fetch().get((f"stepwright_modbus_server_{name}", (own, *labels)))
 
+        time.sleep(0.5)  # figures are those of a moment ago
         before = {name: figure(name) for name in ("requests_total", "writes_total", "turned_away_total", "malformed_total")}
         two = figure("exceptions_total", ("exception", "2"))
         with Client(port) as client:
