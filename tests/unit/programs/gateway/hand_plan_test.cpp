@@ -28,14 +28,14 @@ class HandPlanTest : public testing::Test {
 };
 
 TEST_F(HandPlanTest, WhenTheTableIsWhole_ThenItIsThePlan) {
-  const auto plan = read(R"({"registers": 1024, "actions": [
+  const auto plan = read(R"json({"registers": 1024, "actions": [
       {"number": 1, "action": "(load v1)", "after": []}, {"number": 2, "action": "(go)", "after": [1]}]
-})");
+})json");
   ASSERT_TRUE(plan) << result::to_string(plan.error());
-EXPECT_EQ(plan->registers, 1'024);
-ASSERT_EQ(plan->actions.size(), 2u);
-EXPECT_EQ(plan->actions[0].text, "(load v1)");
-EXPECT_EQ(plan->actions[1].before, std::vector<std::size_t>{1});
+  EXPECT_EQ(plan->registers, 1'024);
+  ASSERT_EQ(plan->actions.size(), 2u);
+  EXPECT_EQ(plan->actions[0].text, "(load v1)");
+  EXPECT_EQ(plan->actions[1].before, std::vector<std::size_t>{1});
 }
 
 TEST_F(HandPlanTest, WhenTheFileIsNotThere_ThenThatIsSaid) {
@@ -57,11 +57,11 @@ TEST_F(HandPlanTest, WhenAValueIsOfAnotherKind_ThenItIsRefused) {
         << text;
     EXPECT_NE(refused("{\"registers\": 1, \"actions\": [{\"number\": 1, \"after\": [" + text + "]}]}"), "")
         << text;
-    if (text != "\"1\"")
-      EXPECT_NE(refused("{\"registers\": 1, \"actions\": [{\"number\": 1, \"action\": " + text +
-                        ", \"after\": []}]}"),
-                "")
-          << text;
+    if (text == "\"1\"") continue;  // an action has a text
+    EXPECT_NE(refused("{\"registers\": 1, \"actions\": [{\"number\": 1, \"action\": " + text +
+                      ", \"after\": []}]}"),
+              "")
+        << text;
   }
 }
 
