@@ -24,7 +24,7 @@ using internal::HttpRequest;
 using internal::ViewerSession;
 
 struct HttpServer::State {
-  State(const Feed& source, const ServerLimits& bounds) : feed(source), limits(bounds) {}
+  State(const Feed* source, const ServerLimits& bounds) : feed(source), limits(bounds) {}
 
   void accept();
   void end_connection() { --connections; }
@@ -32,7 +32,7 @@ struct HttpServer::State {
   void pump_viewers();
   void shut_down();
 
-  const Feed& feed;
+  const Feed* feed;  // null: there are no viewers
   ServerLimits limits;
   std::optional<RequestPolicy> policy;
   std::size_t connections = 0;
@@ -121,6 +121,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
         server_.policy->decide({view(request.method_string()), view(request.target()),
                                 header(http::field::host), header(http::field::origin),
                                 header(http::field::if_none_match), beast::websocket::is_upgrade(request)});
+    if (server_.feed == nullptr && (decision.status == 101 || decision.status == 426))
+      decision = {404, nullptr, "there is nothing here"};
     if (decision.status == 101) {
       upgraded_ = true;
       stream_.expires_never();
@@ -200,7 +202,7 @@ void HttpServer::State::accept() {
 
 void HttpServer::State::add_viewer(tcp::socket socket, HttpRequest request) {
   std::erase_if(viewers, [](const auto& viewer) { return viewer.expired(); });
-  auto viewer = std::make_shared<ViewerSession>(std::move(socket), feed, [this] { end_connection(); });
+  auto viewer = std::make_shared<ViewerSession>(std::move(socket), *feed, [this] { end_connection(); });
   viewers.push_back(viewer);
   viewer->start(std::move(request), limits.silent_viewer);
 }
@@ -223,15 +225,29 @@ void HttpServer::State::shut_down() {
 result::Result<std::unique_ptr<HttpServer>> HttpServer::listen(const ListenAddress& address,
                                                                protocol::Assets assets, const Feed& feed,
                                                                const ServerLimits& limits) {
+  return bind(address, assets, std::make_unique<State>(&feed, limits));
+}
+
+result::Result<std::unique_ptr<HttpServer>> HttpServer::listen_for_metrics(const ListenAddress& address,
+                                                                           std::function<std::string()> text,
+                                                                           std::string content_type,
+                                                                           const ServerLimits& limits) {
+  auto server = bind(address, {}, std::make_unique<State>(nullptr, limits));
+  if (server) (*server)->serve_metrics(std::move(text), std::move(content_type));
+  return server;
+}
+
+result::Result<std::unique_ptr<HttpServer>> HttpServer::bind(const ListenAddress& address,
+                                                             protocol::Assets assets,
+                                                             std::unique_ptr<State> state) {
   const std::string where = address.host + ":" + std::to_string(address.port);
-  auto state = std::make_unique<State>(feed, limits);
   beast::error_code error;
   tcp::resolver resolver(state->io);
   const auto found = resolver.resolve(address.host, std::to_string(address.port), error);
   if (!error && found.empty()) error = asio::error::host_not_found;
   if (error) {
     return result::fail("H0002", {}, "cannot serve at " + where + ": " + error.message(),
-                        "set hmi.host to an address of this machine; 127.0.0.1 is safe");
+                        "set " + address.setting + ".host to an address of this machine; 127.0.0.1 is safe");
   }
   const tcp::endpoint endpoint = found.begin()->endpoint();
   tcp::acceptor& acceptor = state->acceptor;
@@ -243,13 +259,16 @@ result::Result<std::unique_ptr<HttpServer>> HttpServer::listen(const ListenAddre
     return result::fail(
         "H0001", {},
         "port " + std::to_string(address.port) + " of " + address.host + " is in use by another program",
-        "stop that program, or choose another port with --port or hmi.port");
+        std::string("stop that program, or choose another port with ") +
+            (address.setting == "hmi" ? "--port or " : "") + address.setting + ".port");
   }
   if (error) {
-    return result::fail("H0002", {}, "cannot serve at " + where + ": " + error.message(),
-                        "ports below 1024 need rights; hmi.host must be an address of this machine");
+    return result::fail(
+        "H0002", {}, "cannot serve at " + where + ": " + error.message(),
+        "ports below 1024 need rights; " + address.setting + ".host must be an address of this machine");
   }
-  state->policy.emplace(ListenAddress{address.host, acceptor.local_endpoint().port()}, assets);
+  state->policy.emplace(ListenAddress{address.host, acceptor.local_endpoint().port(), address.setting},
+                        assets);
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(state)));
 }
 

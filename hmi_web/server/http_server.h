@@ -39,6 +39,10 @@ class HttpServer {
                                                                           protocol::Assets assets,
                                                                           const Feed& feed,
                                                                           const ServerLimits& limits = {});
+  // The same without page and viewers: kMetricsPath is all there is. `text` as in serve_metrics.
+  [[nodiscard]] static result::Result<std::unique_ptr<HttpServer>> listen_for_metrics(
+      const ListenAddress& address, std::function<std::string()> text, std::string content_type,
+      const ServerLimits& limits = {});
   ~HttpServer();
 
   // What kMetricsPath answers, made by the thread of run() for each request; without it there is nothing
@@ -57,6 +61,9 @@ class HttpServer {
 
  private:
   explicit HttpServer(std::unique_ptr<State> state);
+  [[nodiscard]] static result::Result<std::unique_ptr<HttpServer>> bind(const ListenAddress& address,
+                                                                        protocol::Assets assets,
+                                                                        std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 

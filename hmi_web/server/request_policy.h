@@ -25,6 +25,7 @@ namespace stepwright::server {
 struct ListenAddress {
   std::string host = "127.0.0.1";  // a name or an IPv4 or IPv6 address without brackets
   std::uint16_t port = 8080;       // 0 = any free one
+  std::string setting = "hmi";     // the table of the configuration that says so, for hints
 };
 
 struct RequestHead {

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "programs/check/check_processes.h"
+#include "programs/check/check_program.h"
 #include "programs/config/executive_options.h"
 #include "programs/process/diagnostics_json.h"
 #include "programs/runtime/cell_io.h"
@@ -26,6 +28,8 @@ void check_planning(const config::CellConfig& config, CheckReport& report) {
       desk->prepare({.planning = pddl::to_named(desk->task().initial()), .measured = {}, .tare = {}});
   if (!outcome) return add(report.problems, outcome.error());
   if (outcome->status == executive::PrepareStatus::Ready) {
+    report.program = "the program of the plan";
+    add(report.problems, check_program(config, {report.program, outcome->prepared.container}));
     report.plan = {outcome->prepared.plan.actions.size(), outcome->prepared.plan.cost,
                    outcome->prepared.container.size()};
     return;
@@ -36,25 +40,55 @@ void check_planning(const config::CellConfig& config, CheckReport& report) {
                          : result::ExitCode::BudgetExhausted;
 }
 
+// A sound report must not be taken for more than it is.
+void note_unknown(const config::CellConfig& config, result::Diagnostics& problems) {
+  const bool plans = !config.planning.domain.empty();
+  const bool ranges = config.modbus_server.enabled && !config.modbus_server.map.ranges.empty();
+  const bool tags = !config.modbus_client.devices.empty();
+  if (plans || (!ranges && !tags)) return;
+  const result::Location where =
+      ranges ? config.modbus_server.map.ranges.front().where : config.modbus_client.devices.front().where;
+  problems.push_back({"C0530", result::Severity::Note, where,
+                      "no program is known to check the variables of the register map and of tags against",
+                      "--program IMAGE.swb, or [runtime] program"});
+}
+
+// The program that is there without planning.
+void check_image(const config::CellConfig& config, const std::filesystem::path& image, CheckReport& report) {
+  auto program = find_program(config, image);
+  if (!program) return add(report.problems, program.error());
+  if (!*program) return note_unknown(config, report.problems);
+  report.program = (*program)->name;
+  add(report.problems, check_program(config, **program));
+}
+
+// In the order of the file.
+void sort(result::Diagnostics& problems) {
+  std::stable_sort(problems.begin(), problems.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.where.file, a.where.line) < std::tie(b.where.file, b.where.line);
+  });
+}
+
 }  // namespace
 
 result::ExitCode CheckReport::exit() const {
   return result::has_errors(problems) ? result::ExitCode::BadInput : plan_exit;
 }
 
-CheckReport check_cell(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+CheckReport check_cell(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                       const std::filesystem::path& image) {
   config::CellReading cell = config::read_cell_config(file, overrides);
   CheckReport report;
   report.file = file;
   report.problems = std::move(cell.problems);
   if (auto options = cell_runtime::host_options(cell.config); !options) add(report.problems, options.error());
   add(report.problems, cell_runtime::check_cell_io(cell.config));
-  std::stable_sort(report.problems.begin(), report.problems.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.where.file, a.where.line) < std::tie(b.where.file, b.where.line);
-  });
+  add(report.problems, check_processes(cell.config));
+  check_image(cell.config, image, report);
   // Planning costs seconds: not for a file that has to be changed anyway.
   const bool plans = !cell.config.planning.domain.empty();
   if (plans && !result::has_errors(report.problems)) check_planning(cell.config, report);
+  sort(report.problems);
   return report;
 }
 
@@ -62,6 +96,7 @@ std::string to_json(const CheckReport& report) {
   nlohmann::json json = {{"file", report.file.string()},
                          {"sound", report.sound()},
                          {"diagnostics", process::diagnostics_json(report.problems)}};
+  if (!report.program.empty()) json["program"] = report.program;
   if (report.plan) {
     json["plan_steps"] = report.plan->actions;
     json["plan_cost"] = report.plan->cost;

@@ -1,8 +1,9 @@
 #pragma once
 
 // Everything about a cell that can be known without running it: its configuration with all tables, the wires
-// of its plant, its safe outputs and scheduled faults, and, where it plans, its planning files, plan and
-// program.
+// of its plant, its safe outputs and scheduled faults, what its Modbus processes would refuse, the program
+// that it runs with the register map and the tags that are about it, and, where it plans, its planning files
+// and plan.
 //
 //   const CheckReport report = check_cell("cell.toml", {"plant.seed=7"});
 //   report.exit();                    // Done if it is sound
@@ -30,6 +31,7 @@ struct PlanFigures {
 struct CheckReport {
   std::filesystem::path file;
   result::Diagnostics problems;
+  std::string program;              // that the cell was checked against; empty: none is known
   std::optional<PlanFigures> plan;  // only of a cell that plans, without problems
   std::string no_plan;              // why there is none, although nothing is wrong with the files
   result::ExitCode plan_exit = result::ExitCode::Done;
@@ -38,9 +40,12 @@ struct CheckReport {
   result::ExitCode exit() const;
 };
 
-CheckReport check_cell(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+// `image`: the program that the cell is to run; empty: the one that its start loads, or its plan makes.
+CheckReport check_cell(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                       const std::filesystem::path& image = {});
 
-// One object: file, sound, diagnostics, and of the plan plan_steps, plan_cost, program_bytes or no_plan.
+// One object: file, sound, diagnostics, program, and of the plan plan_steps, plan_cost, program_bytes or
+// no_plan.
 std::string to_json(const CheckReport& report);
 
 }  // namespace stepwright::check

@@ -1,5 +1,5 @@
-// `stepwright check --config CELL.toml [--json F]`: everything about a cell that can be known without running
-// it, in one run.
+// `stepwright check --config CELL.toml [--program IMAGE.swb] [--json F]`: everything about a cell that can be
+// known without running it, in one run.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -12,8 +12,8 @@
 namespace stepwright::check {
 namespace {
 
-int run(const config::CellOptions& options, const std::string& json) {
-  const CheckReport report = check_cell(options.config, options.overrides);
+int run(const config::CellOptions& options, const std::string& image, const std::string& json) {
+  const CheckReport report = check_cell(options.config, options.overrides, image);
   if (!report.problems.empty()) std::fprintf(stderr, "%s\n", result::to_string(report.problems).c_str());
   if (!report.no_plan.empty()) std::fprintf(stderr, "there is no plan: %s\n", report.no_plan.c_str());
   if (report.plan) {
@@ -34,9 +34,13 @@ int run(const config::CellOptions& options, const std::string& json) {
 int main(int argc, char** argv) {
   CLI::App app{"Check a cell's configuration, planning files and program", "stepwright check"};
   stepwright::config::CellOptions options;
+  std::string image;
   std::string json;
   stepwright::config::add_cell_options(app, options);
+  app.add_option(
+      "--program", image,
+      "check it against this program (default: the one that a start of the cell loads, or its plan's)");
   app.add_option("--json", json, "write what was found to this file");
   if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
-  return stepwright::check::run(options, json);
+  return stepwright::check::run(options, image, json);
 }

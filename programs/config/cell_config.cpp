@@ -101,7 +101,8 @@ void check_names(const TomlTable& cell, const TomlTable& dds, const CellConfig& 
   } else if (!is_plain_name(config.dds.runtime_id)) {
     dds.report("runtime_id", "'" + config.dds.runtime_id + "' cannot name a runtime", hint, "0461");
   }
-  const std::filesystem::path socket = config.socket_path();
+  const std::filesystem::path socket =
+      config.safety.io.modbus ? config.modbus_client_path() : config.socket_path();
   if (socket.native().size() < kMaxSocketPathBytes) return;
   cell.report("state_dir",
               "the path of the socket " + socket.string() + " is longer than " +
@@ -190,6 +191,7 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
                                             {config.safety.io.modbus, config.clock.mode == ClockMode::Real,
                                              config.image.input_bytes, config.image.output_bytes},
                                             found);
+  config.modbus_client_metrics = read_metrics(root.table("modbus").table("client"));
   if (root.has("planning")) read_planning(root.table("planning"), folder, config.planning);
   for (const TomlTable& fault : root.tables("faults")) {
     config.faults.push_back({fault.required_number("at_s", {0.0, 1e9}), fault.required_text("name"),

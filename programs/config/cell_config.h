@@ -18,6 +18,7 @@
 #include "programs/config/change_config.h"
 #include "programs/config/controller_config.h"
 #include "programs/config/log_config.h"
+#include "programs/config/metrics_config.h"
 #include "programs/config/modbus_client_config.h"
 #include "programs/config/modbus_server_config.h"
 #include "programs/config/record_config.h"
@@ -130,6 +131,7 @@ struct CellConfig {
   RecordConfig record;
   ModbusServerConfig modbus_server;
   modbus::client::ClientSettings modbus_client;  // [modbus.client], [modbus.lines], [[modbus.device]]
+  MetricsConfig modbus_client_metrics;           // [modbus.client.metrics]
   LogConfig log;
   settings::SettingTexts values;  // everything that the file says, to compare it with what it says later
 

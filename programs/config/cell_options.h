@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "programs/config/cell_config.h"
+#include "runtime/result/exit_code.h"
 
 namespace CLI {
 class App;
@@ -27,6 +28,14 @@ struct CellOptions {
 
 // `options` is filled when `app` parses and must live until then.
 void add_cell_options(CLI::App& app, CellOptions& options);
+
+// For ExecCondition= of systemd: Done if the cell's program is run by the process that asks (`remote`: the
+// gateway, else the runtime), BadInput if by the other. Of a file that is wrong it says what can be read of
+// it, so that one of the two starts and says what is wrong.
+[[nodiscard]] result::ExitCode concerned(const CellOptions& options, bool remote);
+
+// The cell that the parsed options name; or the exit code, after what is wrong went to stderr.
+[[nodiscard]] tl::expected<CellConfig, int> load_cell(const CellOptions& options);
 
 // Parses the command line and loads the cell that it names; or the exit code with which the process is to end
 // now, after what is wrong went to stderr.

@@ -107,6 +107,7 @@ result::Diagnostics read_controller(const TomlTable& root, const std::filesystem
     table.report("program", "a program that was loaded by hand needs the table of its plan",
                  "`stepwright translate --handshake table.json` writes it; plan = \"table.json\"", "0541");
   }
+  controller.metrics = read_metrics(table);
   check_kind(table, controller);
   return controller.remote() ? check_parts(root) : result::Diagnostics{};
 }

@@ -10,6 +10,7 @@
 //   program = "loaded-by-hand" # the controller takes no containers: "downloaded"
 //   plan = "table.json"        # then: what `translate --handshake` has written
 //
+// [controller.metrics] has the gateway serve its figures (metrics_config.h).
 // Diagnostics with their place: C0541 no device or host for this kind; C0542 a key of the other kind; C0543 a
 // part of the cell that no controller behind Modbus has.
 
@@ -18,6 +19,7 @@
 #include <filesystem>
 #include <string>
 
+#include "programs/config/metrics_config.h"
 #include "runtime/result/diagnostic.h"
 
 namespace stepwright::settings {
@@ -44,6 +46,7 @@ struct ControllerConfig {
   std::chrono::milliseconds image{100};         // how often the whole image is read between events
   bool loaded_by_hand = false;                  // it takes no containers; its plan is granted step by step
   std::filesystem::path plan;                   // then: the actions
+  MetricsConfig metrics;                        // [controller.metrics]: of the gateway
   result::Location where;                       // of the table
 
   bool remote() const { return kind != ControllerKind::Host; }

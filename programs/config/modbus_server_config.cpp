@@ -101,6 +101,10 @@ class Reader {
   void range(const TomlTable& table, modbus::map::MapConfig& map) {
     RangeConfig range;
     range.where = table.where();
+    range.at_name = table.where(table.has("variable") ? "variable" : "address");
+    range.at_first = table.where("first");
+    range.at_count = table.where("count");
+    range.at_writable = table.where("writable");
     range.table = table_of(table.choice("table", "holding", table_names())).value_or(Table::HoldingRegisters);
     range.first = static_cast<std::uint32_t>(table.integer("first", 0, {0, kLastAddress}));
     range.count = static_cast<std::uint32_t>(table.integer("count", 0, {0, kLastAddress + 1}));
@@ -183,6 +187,7 @@ result::Diagnostics read_modbus_server(const TomlTable& table, ModbusServerConfi
   config.tcp.allow = reader.networks(table, "allow");
   if (!table.has("allow")) config.tcp.allow = {*IpRange::parse("127.0.0.0/8"), *IpRange::parse("::1")};
   read_limits(table, config);
+  config.metrics = read_metrics(table);
   for (const double unit : table.numbers("units")) {
     if (unit >= 0 && unit <= 255 && unit == static_cast<int>(unit)) {
       config.server.units.push_back(static_cast<std::uint8_t>(unit));

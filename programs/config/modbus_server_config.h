@@ -23,7 +23,7 @@
 // Diagnostics with their place: C0506 no address or network, C0507 no window, C0508 a range or a client that
 // says too little or too much. What needs the program (C0501 to C0505) is found when the map is built.
 
-#include "programs/config/log_config.h"
+#include "programs/config/metrics_config.h"
 #include "programs/config/modbus_doors_config.h"
 #include "runtime/modbus/map/map_config.h"
 #include "runtime/modbus/server/options.h"
@@ -39,6 +39,7 @@ struct ModbusServerConfig {
   ModbusDoors doors;  // beside `tcp`
   modbus::server::ServerOptions server;
   modbus::map::MapConfig map;
+  MetricsConfig metrics;                           // [modbus.server.metrics]
   std::chrono::milliseconds stale_after{1'000};    // without news of the runtime: exception 4
   std::chrono::milliseconds write_timeout{2'000};  // until a write is in the image; then exception 4
 };

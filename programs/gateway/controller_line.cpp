@@ -22,7 +22,10 @@ result::Result<std::unique_ptr<remote::RegisterLine>> make_line(const config::Co
                                               .parity = parity_of(controller.parity),
                                               .stop_bits = controller.stop_bits};
   }
-  return remote::ModbusLine::create(endpoint, controller.unit, controller.timeout);
+  auto line = remote::ModbusLine::create(endpoint, controller.unit, controller.timeout);
+  if (!line)
+    for (result::Diagnostic& each : line.error()) each.where = controller.where;
+  return line;
 }
 
 result::Result<remote::RemoteConfig> remote_options(const config::CellConfig& config) {

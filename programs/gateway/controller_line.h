@@ -11,7 +11,7 @@
 
 namespace stepwright::gateway {
 
-// Opens nothing yet. Fails with R0126 for what no line can have.
+// Opens nothing yet. Fails with R0126 for what no line can have, at the table's place.
 [[nodiscard]] result::Result<std::unique_ptr<remote::RegisterLine>> make_line(
     const config::ControllerConfig& controller);
 

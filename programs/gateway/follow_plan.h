@@ -2,29 +2,27 @@
 
 // A plan on a controller whose program was loaded by hand, followed to its end in the log.
 
-#include <filesystem>
-#include <vector>
+#include <cstddef>
+#include <functional>
 
 #include "programs/config/cell_config.h"
+#include "programs/gateway/hand_plan.h"
 #include "programs/log/logger.h"
 #include "programs/process/stop_signal.h"
-#include "runtime/remote/hand_loaded.h"
+#include "runtime/remote/register_line.h"
 #include "runtime/result/exit_code.h"
-#include "runtime/result/result.h"
 
 namespace stepwright::gateway {
 
-struct HandPlan {
-  std::uint16_t registers = 0;  // of HS_ENABLE
-  std::vector<remote::HandAction> actions;
+struct FollowStatus {
+  bool answers = false;     // the controller
+  std::size_t started = 0;  // actions
 };
 
-// Reads what `translate --handshake` wrote. C0545 with the file's name for anything else.
-[[nodiscard]] result::Result<HandPlan> read_hand_plan(const std::filesystem::path& file);
-
 // Blocks until the plan has come to an end (Done; RuntimeFault if it failed or the controller contradicts) or
-// a stop is asked for; then nothing is granted any more.
+// a stop is asked for; then nothing is granted any more. `meanwhile` is called between two looks.
 result::ExitCode follow_plan(const config::CellConfig& config, const HandPlan& plan,
-                             remote::RegisterLine& line, log::Logger& log, const process::StopSignal& stop);
+                             remote::RegisterLine& line, log::Logger& log, const process::StopSignal& stop,
+                             const std::function<void(const FollowStatus&)>& meanwhile);
 
 }  // namespace stepwright::gateway

@@ -4,12 +4,17 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 
 #include "programs/config/cell_options.h"
 #include "programs/gateway/controller_line.h"
 #include "programs/gateway/follow_plan.h"
+#include "programs/gateway/gateway_metrics.h"
 #include "programs/log/logger.h"
+#include "programs/log/reload_log.h"
+#include "programs/metrics_server/metrics_server.h"
 #include "programs/process/command_line.h"
 #include "programs/process/notify_socket.h"
 #include "programs/process/reload_signal.h"
@@ -59,6 +64,98 @@ class LineJournal {
   std::string problem_;
 };
 
+result::Result<std::unique_ptr<metrics::MetricsServer>> serve_figures(const config::CellConfig& config,
+                                                                      const GatewayFigures& figures,
+                                                                      log::Logger& log) {
+  auto server = metrics::MetricsServer::start(config.controller.metrics, "controller.metrics",
+                                              [&figures] { return figures.text(); });
+  if (server && !(*server)->address().empty()) log.info("metrics", "figures at " + (*server)->address());
+  return server;
+}
+
+// The controller's program was loaded by hand: nothing but its plan is followed.
+int run_by_hand(const config::CellConfig& config, log::Logger& log, const process::StopSignal& stop,
+                process::ReloadSignal& reload, process::NotifySocket& init) {
+  auto plan = read_hand_plan(config.controller.plan);
+  if (!plan) return fail(plan.error(), ExitCode::BadInput);
+  auto line = make_line(config.controller);
+  if (!line) return fail(line.error(), ExitCode::BadInput);
+  GatewayFigures figures(config.dds.runtime_id);
+  auto http = serve_figures(config, figures, log);
+  if (!http) return fail(http.error(), ExitCode::BadInput);
+  config::CellConfig running = config;
+  process::Heartbeat heartbeat(init);
+  init.ready("follows the plan on " + (*line)->name());
+  const ExitCode code = follow_plan(config, *plan, **line, log, stop, [&](const FollowStatus& status) {
+    figures.publish(status, plan->actions.size());
+    if (reload.take()) log::reload_log(running, log, init);
+    heartbeat.turn();
+  });
+  init.stopping();
+  return to_int(code);
+}
+
+// False: it is to end.
+bool find_controller(const remote::RemoteRuntime& runtime, LineJournal& journal, const std::string& where,
+                     const process::StopSignal& stop, const std::function<void()>& meanwhile) {
+  while (!runtime.wait_for_controller(kLook)) {
+    if (stop.came()) return false;
+    journal.look(runtime, where);
+    meanwhile();
+  }
+  return true;
+}
+
+int serve(const config::CellConfig& config, log::Logger& log, const process::StopSignal& stop,
+          process::ReloadSignal& reload, process::NotifySocket& init) {
+  auto options = remote_options(config);
+  if (!options) return fail(options.error(), ExitCode::BadInput);
+  if (auto made = make_state_dir(config.state_dir); !made) return fail(made.error(), ExitCode::BadInput);
+  auto io = cell_runtime::CellIo::create(config);
+  if (!io) return fail(io.error(), ExitCode::BadInput);
+  auto line = make_line(config.controller);
+  if (!line) return fail(line.error(), ExitCode::BadInput);
+  const std::string where = (*line)->name();
+  GatewayFigures figures(config.dds.runtime_id);
+  auto http = serve_figures(config, figures, log);
+  if (!http) return fail(http.error(), ExitCode::BadInput);
+
+  auto runtime = remote::RemoteRuntime::create(*options, std::move(*line), (*io)->driver(), (*io)->plant());
+  if (!runtime) return fail(runtime.error(), ExitCode::RuntimeFault);
+  cell_runtime::Attendant attendant(config, log, init);
+  attendant.tell([&](const host::RuntimeStatus& status) { figures.publish(status); });
+  LineJournal journal(log);
+  process::Heartbeat heartbeat(init);
+  // A machine comes up whether its controller has power or not.
+  init.ready("waits for the controller on " + where);
+  // Who finds the socket finds a controller behind it.
+  const bool found = find_controller(**runtime, journal, where, stop, [&] {
+    figures.publish((*runtime)->figures());
+    if (reload.take()) (void)attendant.reload();
+    heartbeat.turn();
+    log.tick();
+  });
+  if (!found) return to_int(ExitCode::Done);
+  auto server = service::Server::create(
+      {config.socket_path(), config.supervisor_lost_after, STEPWRIGHT_VERSION, &attendant}, **runtime);
+  if (!server) return fail(server.error(), ExitCode::BadInput);
+  attendant.attach(**server, **runtime);
+  const std::string listens = "gateway of '" + config.name + "' listens on " + config.socket_path().string() +
+                              " for the controller on " + where;
+  log.info("listens", listens, {{"cell", config.name}, {"socket", config.socket_path().string()}});
+  init.status(listens);
+  while (!stop.came()) {
+    (*server)->turn(service::kStatusPeriod, stop.descriptor());
+    figures.publish((*runtime)->figures());
+    if (reload.take()) (void)attendant.reload();
+    attendant.turn();
+    journal.look(**runtime, where);
+  }
+  init.stopping();
+  log.info("ends", "gateway of '" + config.name + "' ends");
+  return to_int(ExitCode::Done);
+}
+
 int run(const config::CellConfig& config) {
   if (!config.controller.remote()) {
     return fail(
@@ -70,51 +167,10 @@ int run(const config::CellConfig& config) {
   const process::StopSignal stop;
   process::ReloadSignal reload;
   process::NotifySocket init;
-  auto opened = log::Logger::open("gateway", config.log);
-  if (!opened) return fail(opened.error(), ExitCode::BadInput);
-  log::Logger& log = **opened;
-  if (config.controller.loaded_by_hand) {
-    auto plan = read_hand_plan(config.controller.plan);
-    if (!plan) return fail(plan.error(), ExitCode::BadInput);
-    auto line = make_line(config.controller);
-    if (!line) return fail(line.error(), ExitCode::BadInput);
-    return to_int(follow_plan(config, *plan, **line, log, stop));
-  }
-  auto options = remote_options(config);
-  if (!options) return fail(options.error(), ExitCode::BadInput);
-  if (auto made = make_state_dir(config.state_dir); !made) return fail(made.error(), ExitCode::BadInput);
-  auto io = cell_runtime::CellIo::create(config);
-  if (!io) return fail(io.error(), ExitCode::BadInput);
-  auto line = make_line(config.controller);
-  if (!line) return fail(line.error(), ExitCode::BadInput);
-  const std::string where = (*line)->name();
-
-  auto runtime = remote::RemoteRuntime::create(*options, std::move(*line), (*io)->driver(), (*io)->plant());
-  if (!runtime) return fail(runtime.error(), ExitCode::RuntimeFault);
-  LineJournal journal(log);
-  // Who finds the socket finds a controller behind it.
-  while (!(*runtime)->wait_for_controller(kLook)) {
-    if (stop.came()) return to_int(ExitCode::Done);
-    journal.look(**runtime, where);
-  }
-  cell_runtime::Attendant attendant(config, log, init);
-  auto server = service::Server::create(
-      {config.socket_path(), config.supervisor_lost_after, STEPWRIGHT_VERSION, &attendant}, **runtime);
-  if (!server) return fail(server.error(), ExitCode::BadInput);
-  attendant.attach(**server, **runtime);
-  const std::string listens = "gateway of '" + config.name + "' listens on " + config.socket_path().string() +
-                              " for the controller on " + where;
-  log.info("listens", listens, {{"cell", config.name}, {"socket", config.socket_path().string()}});
-  init.ready(listens);
-  while (!stop.came()) {
-    (*server)->turn(service::kStatusPeriod, stop.descriptor());
-    if (reload.take()) (void)attendant.reload();
-    attendant.turn();
-    journal.look(**runtime, where);
-  }
-  init.stopping();
-  log.info("ends", "gateway of '" + config.name + "' ends");
-  return to_int(ExitCode::Done);
+  auto log = log::Logger::open("gateway", config.log);
+  if (!log) return fail(log.error(), ExitCode::BadInput);
+  return config.controller.loaded_by_hand ? run_by_hand(config, **log, stop, reload, init)
+                                          : serve(config, **log, stop, reload, init);
 }
 
 }  // namespace
@@ -124,6 +180,11 @@ int main(int argc, char** argv) {
   CLI::App app{"Serve a controller that is reached over Modbus only as a runtime", "stepwright gateway"};
   stepwright::config::CellOptions options;
   stepwright::config::add_cell_options(app, options);
-  const auto config = stepwright::config::parse_cell(app, options, argc, argv);
+  bool concerned = false;
+  app.add_flag("--concerned", concerned,
+               "only tell by the exit code whether this cell's program is for this process: 0 yes, 1 no");
+  if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
+  if (concerned) return to_int(stepwright::config::concerned(options, true));
+  const auto config = stepwright::config::load_cell(options);
   return config ? stepwright::gateway::run(*config) : config.error();
 }

@@ -6,15 +6,33 @@
 
 namespace stepwright::log {
 
-void reload_log(config::CellConfig& running, Logger& log, process::NotifySocket& init) {
+void reload_log(config::CellConfig& running, Logger& log, process::NotifySocket& init,
+                const ReloadPart& part) {
   init.reloading();
-  auto again = config::reload_cell(running, {"log."});
-  result::Result<void> opened;
-  if (again) opened = log.reopen(again->config.log);
-  if (!again || !opened) {
-    const result::Diagnostics& why = again ? opened.error() : again.error();
+  std::vector<std::string_view> keys = part.keys;
+  keys.emplace_back("log.");
+  auto again = config::reload_cell(running, keys);
+  const bool applies = again && part.prepare && (!part.applies || part.applies(again->wanted));
+  if (again && !applies && !part.keys.empty()) again = config::reload_cell(running, {"log."});
+  result::Diagnostics why;
+  std::function<void()> take_over;
+  if (!again) why = std::move(again.error());
+  if (why.empty() && applies) {
+    auto prepared = part.prepare(again->wanted);
+    if (prepared) {
+      take_over = std::move(*prepared);
+    } else {
+      why = std::move(prepared.error());
+    }
+  }
+  if (why.empty()) {
+    // Also when it is the same: its file may have been moved away.
+    if (auto opened = log.reopen(again->config.log); !opened) why = std::move(opened.error());
+  }
+  if (!why.empty()) {
     log.error("reload", "the configuration was refused, the previous one holds: " + result::to_string(why));
   } else {
+    if (take_over) take_over();
     running = std::move(again->config);
     log.info("reload", again->notes.empty()
                            ? "the configuration was read again: nothing has changed"

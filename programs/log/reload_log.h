@@ -1,7 +1,11 @@
 #pragma once
 
-// What a process that only logs does when it is told to read its configuration again (SIGHUP): its log
-// changes, everything else waits for a restart and is named.
+// What a process does when it is told to read its configuration again (SIGHUP): its log changes, and what it
+// says that it can take over; everything else waits for a restart and is named.
+
+#include <functional>
+#include <string_view>
+#include <vector>
 
 #include "programs/config/cell_config.h"
 #include "programs/log/logger.h"
@@ -9,7 +13,18 @@
 
 namespace stepwright::log {
 
+// What a process takes over beside its log.
+struct ReloadPart {
+  std::vector<std::string_view> keys;  // as config::reload_cell takes them
+  // Whether the file still has what the part is about; if not, its keys wait for a restart as all others do.
+  std::function<bool(const config::CellConfig& wanted)> applies;
+  // Tries what the file wants without changing anything, and returns what is to be done once all the rest is
+  // right, too. An error refuses the whole file.
+  std::function<result::Result<std::function<void()>>(const config::CellConfig& wanted)> prepare;
+};
+
 // A wrong file is refused with its places; `running` and the log stay as they were. Tells the init system.
-void reload_log(config::CellConfig& running, Logger& log, process::NotifySocket& init);
+void reload_log(config::CellConfig& running, Logger& log, process::NotifySocket& init,
+                const ReloadPart& part = {});
 
 }  // namespace stepwright::log

@@ -1,42 +1,17 @@
 #include "programs/metrics/metrics_text.h"
 
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
+
+#include "programs/metrics/exposition.h"
 
 namespace stepwright::metrics {
 namespace {
 
 using host::RuntimeState;
 using host::RuntimeStatus;
-
-std::string number(double value) {
-  if (std::isnan(value)) return "NaN";
-  if (std::isinf(value)) return value > 0 ? "+Inf" : "-Inf";
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), end.ptr};
-}
-
-// Inside the quotes of a label.
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '\\' || c == '"') safe += '\\';
-    if (c == '\n') {
-      safe += "\\n";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
-
-std::string label(std::string_view name, std::string_view value) {
-  return std::string(name) + "=\"" + escaped(value) + "\"";
-}
 
 struct Sample {
   std::string more_labels;  // beside that of the runtime
@@ -158,36 +133,32 @@ constexpr std::array kMetrics = {
            [](const RuntimeStatus& s) { return one(s.process.resident_bytes); }},
 };
 
-void head(std::string& text, const char* name, const char* type, const char* help) {
-  text += std::string("# HELP ") + name + " " + help + "\n# TYPE " + name + " " + type + "\n";
-}
-
-void sample(std::string& text, const char* name, const std::string& runtime, const Sample& sample) {
-  text += std::string(name) + "{" + label("runtime", runtime);
-  if (!sample.more_labels.empty()) text += "," + sample.more_labels;
-  text += "} " + number(sample.value) + "\n";
+std::string labels_of(const std::string& runtime, const Sample& sample) {
+  const std::string own = label("runtime", runtime);
+  return sample.more_labels.empty() ? own : own + "," + sample.more_labels;
 }
 
 }  // namespace
 
 std::string metrics_text(std::span<const RuntimeMetrics> runtimes) {
-  std::string text;
-  head(text, "stepwright_up", "gauge", "1 if the runtime answers.");
+  Exposition text;
+  text.family("stepwright_up", "gauge", "1 if the runtime answers.");
   bool any = false;
   for (const RuntimeMetrics& each : runtimes) {
     const bool up = each.up && each.status;
     any = any || up;
-    sample(text, "stepwright_up", each.runtime, {"", up ? 1.0 : 0.0});
+    text.sample(label("runtime", each.runtime), up ? 1.0 : 0.0);
   }
-  if (!any) return text;
+  if (!any) return text.take();
   for (const Metric& metric : kMetrics) {
-    head(text, metric.name, metric.type, metric.help);
+    text.family(metric.name, metric.type, metric.help);
     for (const RuntimeMetrics& each : runtimes) {
       if (!each.up || !each.status) continue;
-      for (const Sample& value : metric.samples(*each.status)) sample(text, metric.name, each.runtime, value);
+      for (const Sample& value : metric.samples(*each.status))
+        text.sample(labels_of(each.runtime, value), value.value);
     }
   }
-  return text;
+  return text.take();
 }
 
 }  // namespace stepwright::metrics

@@ -16,6 +16,8 @@
 #include "programs/config/cell_options.h"
 #include "programs/log/logger.h"
 #include "programs/log/reload_log.h"
+#include "programs/metrics_server/metrics_server.h"
+#include "programs/modbus_client/client_metrics.h"
 #include "programs/modbus_client/field_outputs.h"
 #include "programs/modbus_client/status_json.h"
 #include "programs/modbus_client/status_socket.h"
@@ -137,6 +139,10 @@ int run(const config::CellConfig& config) {
   auto server = StatusServer::create(config.modbus_client_path(),
                                      [&] { return json_text(to_json(config.name, (*client)->status())); });
   if (!server) return process::fail(server.error(), ExitCode::BadInput);
+  auto figures = metrics::MetricsServer::start(config.modbus_client_metrics, "modbus.client.metrics", [&] {
+    return to_metrics(to_json(config.name, (*client)->status()));
+  });
+  if (!figures) return process::fail(figures.error(), ExitCode::BadInput);
 
   FieldOutputs field(config.safety.host.safe_state.matrix(), config.image.output_bytes,
                      config.modbus_client.holder_timeout);
@@ -146,6 +152,7 @@ int run(const config::CellConfig& config) {
                              "': " + std::to_string(config.modbus_client.devices.size()) + " devices on " +
                              std::to_string((*client)->connections()) + " connections";
   log.info("begins", begins, {{"cell", config.name}, {"devices", config.modbus_client.devices.size()}});
+  if (!(*figures)->address().empty()) log.info("metrics", "figures at " + (*figures)->address());
   init.ready(begins);
   config::CellConfig running = config;
   process::Heartbeat heartbeat(init);

@@ -87,35 +87,6 @@ std::string line(const char* format, Values... values) {
   return text.data();
 }
 
-// Of a label's value: \ and " and line ends.
-std::string quoted(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '\\' || c == '"') safe += '\\';
-    safe += c == '\n' ? ' ' : c;
-  }
-  return "\"" + safe + "\"";
-}
-
-struct Figure {
-  const char* key;
-  const char* name;
-  const char* type;
-  const char* help;
-};
-constexpr std::array kFigures = {
-    Figure{"online", "stepwright_modbus_device_online", "gauge", "the newest request was answered"},
-    Figure{"lost", "stepwright_modbus_device_lost", "gauge", "lost for longer than loss_after"},
-    Figure{"requests", "stepwright_modbus_requests_total", "counter", "requests to the device"},
-    Figure{"writes", "stepwright_modbus_writes_total", "counter", "requests that write"},
-    Figure{"timeouts", "stepwright_modbus_timeouts_total", "counter", "requests without an answer in time"},
-    Figure{"exceptions", "stepwright_modbus_exceptions_total", "counter", "requests that the device refused"},
-    Figure{"bad_answers", "stepwright_modbus_bad_answers_total", "counter",
-           "answers that were none to the request"},
-    Figure{"connection_losses", "stepwright_modbus_connection_losses_total", "counter",
-           "connections that were lost"},
-};
-
 }  // namespace
 
 json to_json(const std::string& cell, std::span<const DeviceStatus> devices) {
@@ -152,35 +123,6 @@ std::string to_lines(const json& status) {
       text += ", " + str(tag.at("quality_text"));
       text +=
           tag.contains("age_ms") ? line(", %lld ms ago\n", tag.at("age_ms").get<long long>()) : ", never\n";
-    }
-  }
-  return text;
-}
-
-std::string to_metrics(const json& status) {
-  const std::string cell = "cell=" + quoted(status.at("cell").get<std::string>());
-  std::string text;
-  const auto head = [&](const char* name, const char* type, const char* help) {
-    text += std::string("# HELP ") + name + ' ' + help + "\n# TYPE " + name + ' ' + type + '\n';
-  };
-  for (const Figure& figure : kFigures) {
-    head(figure.name, figure.type, figure.help);
-    for (const json& device : status.at("devices")) {
-      const json& value = device.at(figure.key);
-      const long long number = value.is_boolean() ? (value.get<bool>() ? 1 : 0) : value.get<long long>();
-      text += std::string(figure.name) + '{' + cell +
-              ",device=" + quoted(device.at("name").get<std::string>()) + "} " + std::to_string(number) +
-              '\n';
-    }
-  }
-  head("stepwright_modbus_tag_quality", "gauge",
-       "OPC quality of a tag: 192 good, from 64 uncertain, else bad");
-  for (const json& device : status.at("devices")) {
-    for (const json& tag : device.at("tags")) {
-      text += "stepwright_modbus_tag_quality{" + cell +
-              ",device=" + quoted(device.at("name").get<std::string>()) +
-              ",tag=" + quoted(tag.at("name").get<std::string>()) + "} " +
-              std::to_string(tag.at("quality").get<int>()) + '\n';
     }
   }
   return text;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a client says about its devices: as JSON (keys with units), as lines for people, as figures for
-// Prometheus. The last two are made of the first, which is what comes over the socket. Pure; any thread.
+// What a client says about its devices: as JSON (keys with units), which is what comes over the socket, and
+// as lines for people, which are made of it. Pure; any thread. For Prometheus: client_metrics.h.
 
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -16,8 +16,5 @@ namespace stepwright::modbus_client {
 nlohmann::json to_json(const std::string& cell, std::span<const modbus::client::DeviceStatus> devices);
 
 std::string to_lines(const nlohmann::json& status);
-
-// Text exposition format 0.0.4.
-std::string to_metrics(const nlohmann::json& status);
 
 }  // namespace stepwright::modbus_client

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <memory>
 #include <utility>
@@ -16,6 +17,8 @@ namespace {
 
 constexpr int kWaiting = 8;
 constexpr timeval kPatience{1, 0};  // for a reader that does not read, and a server that does not write
+constexpr std::chrono::seconds kMostOfAnAnswer{3};  // for one that reads drop by drop
+constexpr std::chrono::milliseconds kPause{50};
 
 tl::unexpected<result::Diagnostics> failed(const std::filesystem::path& path, const std::string& what,
                                            const std::string& hint) {
@@ -35,8 +38,9 @@ int make_socket() {
 
 void write_all(int client, const std::string& text) {
   setsockopt(client, SOL_SOCKET, SO_SNDTIMEO, &kPatience, sizeof kPatience);
+  const auto deadline = std::chrono::steady_clock::now() + kMostOfAnAnswer;
   std::size_t sent = 0;
-  while (sent < text.size()) {
+  while (sent < text.size() && std::chrono::steady_clock::now() < deadline) {
     const ssize_t count = send(client, text.data() + sent, text.size() - sent, MSG_NOSIGNAL);
     if (count <= 0) return;
     sent += static_cast<std::size_t>(count);
@@ -67,6 +71,7 @@ StatusServer::StatusServer(std::filesystem::path path, int listener, std::functi
     : path_(std::move(path)), listener_(listener), text_(std::move(text)), thread_([this] { serve(); }) {}
 
 StatusServer::~StatusServer() {
+  ends_ = true;
   shutdown(listener_, SHUT_RDWR);  // wakes the thread
   thread_.join();
   close(listener_);
@@ -76,8 +81,15 @@ StatusServer::~StatusServer() {
 void StatusServer::serve() {
   while (true) {
     const int client = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
-    if (client < 0 && errno == EINTR) continue;
-    if (client < 0) return;
+    if (ends_) {
+      if (client >= 0) close(client);
+      return;
+    }
+    if (client < 0) {
+      // Who asked has gone again; or there is no descriptor, until others are closed.
+      if (errno != EINTR && errno != ECONNABORTED) std::this_thread::sleep_for(kPause);
+      continue;
+    }
     write_all(client, text_());
     close(client);
   }

@@ -4,6 +4,7 @@
 //
 // Threads: the server has its own; `text` is called there.
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -30,6 +31,7 @@ class StatusServer {
   std::filesystem::path path_;
   int listener_;
   std::function<std::string()> text_;
+  std::atomic<bool> ends_{false};
   std::thread thread_;
 };
 

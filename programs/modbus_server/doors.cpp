@@ -4,7 +4,6 @@
 
 #include "runtime/modbus/server/line/line_door.h"
 #include "runtime/modbus/server/tcp_door.h"
-#include "runtime/modbus/server/tls/tls_door.h"
 
 namespace stepwright::modbus_server {
 namespace {
@@ -25,7 +24,9 @@ result::Result<void> add_tls(const config::TlsDoorConfig& config, log::Logger& l
     log.warning("tls_refused", address + " was not let in: " + reason,
                 {{"address", address}, {"reason", reason}});
   };
-  add(std::make_unique<TlsDoor>(std::move(*inner), std::move(*context), on_refused), doors);
+  auto door = std::make_unique<TlsDoor>(std::move(*inner), std::move(*context), on_refused);
+  doors.tls = door.get();
+  add(std::move(door), doors);
   return {};
 }
 

@@ -9,6 +9,7 @@
 
 #include "programs/config/modbus_server_config.h"
 #include "programs/log/logger.h"
+#include "runtime/modbus/server/tls/tls_door.h"
 #include "runtime/modbus/server/transport.h"
 #include "runtime/result/result.h"
 
@@ -16,8 +17,9 @@ namespace stepwright::modbus_server {
 
 struct Doors {
   std::vector<std::unique_ptr<modbus::server::Door>> all;
-  std::string names;       // "tcp 127.0.0.1:502, tls 127.0.0.1:802"
-  std::uint16_t port = 0;  // of plain TCP; 0 without it
+  std::string names;                       // "tcp 127.0.0.1:502, tls 127.0.0.1:802"
+  std::uint16_t port = 0;                  // of plain TCP; 0 without it
+  modbus::server::TlsDoor* tls = nullptr;  // of `all`, wherever it moves; null without TLS
 };
 
 // Opens every door or none. A serial line may be missing: it is opened when it is there. What happens at the

@@ -7,7 +7,10 @@
 #include "programs/config/cell_options.h"
 #include "programs/log/logger.h"
 #include "programs/log/reload_log.h"
+#include "programs/metrics_server/metrics_server.h"
 #include "programs/modbus_server/doors.h"
+#include "programs/modbus_server/server_metrics.h"
+#include "programs/modbus_server/tls_reload.h"
 #include "programs/process/command_line.h"
 #include "programs/process/notify_socket.h"
 #include "programs/process/reload_signal.h"
@@ -69,6 +72,12 @@ void log_figures(const ServerFigures& figures, log::Logger& log) {
        {"service_p99_us", static_cast<double>(figures.service_time.percentile_ns(99'000)) / 1e3}});
 }
 
+ServerStatus status_of(const Server& server, RuntimeData& data, const TlsDoor* tls) {
+  ServerStatus status{server.figures(), data.serving(), std::nullopt};
+  if (tls != nullptr) status.certificate_ends = tls->context().expires();
+  return status;
+}
+
 int run(const config::CellConfig& config) {
   const process::StopSignal stop;
   process::ReloadSignal reload;
@@ -92,16 +101,25 @@ int run(const config::CellConfig& config) {
   auto server = Server::create(server_options(config), **data);
   if (!server) return process::fail(server.error(), ExitCode::RuntimeFault);
   for (auto& door : doors->all) (*server)->add(std::move(door));
+  FiguresBoard board;
+  auto figures = metrics::MetricsServer::start(config.modbus_server.metrics, "modbus.server.metrics",
+                                               [&] { return server_metrics(config.name, board.newest()); });
+  if (!figures) return process::fail(figures.error(), ExitCode::BadInput);
   (*server)->watch(stop.descriptor());
   (*server)->watch(reload.descriptor());
   (*log)->info("listens", listens, {{"cell", config.name}, {"port", std::uint32_t{doors->port}}});
+  if (!(*figures)->address().empty()) (*log)->info("metrics", "figures at " + (*figures)->address());
+  if (doors->tls != nullptr)
+    (*log)->info("tls", "the server's certificate ends " + expiry_text(doors->tls->context()));
   init.ready(listens);
+  const log::ReloadPart reloaded = tls_part(doors->tls, **log);
   process::Heartbeat heartbeat(init);
   auto next_figures = Clock::now() + kFiguresPeriod;
   while (!stop.came()) {
     (*server)->run_for(kTurn);
     heartbeat.turn();
-    if (reload.take()) log::reload_log(running, **log, init);
+    board.publish(status_of(**server, **data, doors->tls));
+    if (reload.take()) log::reload_log(running, **log, init, reloaded);
     (*log)->tick();
     if (Clock::now() < next_figures) continue;
     next_figures = Clock::now() + kFiguresPeriod;

@@ -65,6 +65,7 @@ void Attendant::turn() {
 
 void Attendant::on_status(const host::RuntimeStatus& status) {
   journal_.status(status);
+  if (listener_) listener_(status);
   if (status.program_digest != digest_ && port_ != nullptr) {
     digest_ = status.program_digest;
     const nanoseconds period = period_of(port_->program());

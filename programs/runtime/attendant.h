@@ -12,7 +12,9 @@
 // either the service or the scan hangs.
 
 #include <chrono>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "programs/config/cell_config.h"
 #include "programs/log/logger.h"
@@ -30,6 +32,8 @@ class Attendant final : public service::ServiceObserver {
   Attendant(config::CellConfig config, log::Logger& log, process::NotifySocket& init);
 
   void attach(service::Server& server, const host::RuntimePort& port);
+  // Who wants to hear every status, too.
+  void tell(std::function<void(const host::RuntimeStatus&)> listener) { listener_ = std::move(listener); }
   // Between two turns of the service.
   void turn();
   // Reads the file again. Errors: nothing has changed; notes: what has, and what needs a restart.
@@ -60,6 +64,7 @@ class Attendant final : public service::ServiceObserver {
   const host::RuntimePort* port_ = nullptr;
   std::string digest_;  // of the program whose period the pulse knows
   std::string told_;    // the state that the init system knows
+  std::function<void(const host::RuntimeStatus&)> listener_;
 };
 
 }  // namespace stepwright::cell_runtime

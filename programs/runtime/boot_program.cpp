@@ -16,6 +16,18 @@ constexpr int kPatienceMs = 10'000;
 
 }  // namespace
 
+result::Result<std::optional<FoundProgram>> find_boot_program(const config::BootSection& config) {
+  for (const std::filesystem::path& each : {config.keep, config.program}) {
+    if (each.empty()) continue;
+    auto content = record::read_whole(each, host::kMaxContainerBytes);
+    if (!content) return result::forward(content);
+    if (*content) return FoundProgram{each, std::move(**content)};
+  }
+  if (config.program.empty()) return std::nullopt;
+  return result::fail("R0026", {config.program.string(), 0, 0}, "there is no such program",
+                      "[runtime] program of the cell's configuration names it");
+}
+
 BootProgram::BootProgram(config::BootSection config, host::HostRuntime& runtime)
     : config_(std::move(config)), runtime_(runtime) {
   if (!config_.keep.empty()) thread_ = std::thread([this] { keep_on(); });
@@ -71,28 +83,13 @@ result::Diagnostics BootProgram::run() {
   return std::move(done.error());
 }
 
-// The program and the file it comes from; nothing if there is none to load.
-result::Result<std::optional<std::vector<std::byte>>> BootProgram::find(std::filesystem::path& file) const {
-  for (const std::filesystem::path& each : {config_.keep, config_.program}) {
-    if (each.empty()) continue;
-    auto content = record::read_whole(each, host::kMaxContainerBytes);
-    if (!content) return result::forward(content);
-    if (!*content) continue;
-    file = each;
-    return content;
-  }
-  if (config_.program.empty()) return std::nullopt;
-  return result::fail("R0026", {config_.program.string(), 0, 0}, "there is no such program",
-                      "[runtime] program of the cell's configuration names it");
-}
-
 result::Result<void> BootProgram::load_and_start() {
-  std::filesystem::path file;
-  auto content = find(file);
-  if (!content) return result::forward(content);
-  if (!*content) return {};
-  std::string digest = service::to_hex(service::sha256(**content));
-  auto loaded = runtime_.load(0, std::move(**content), digest);
+  auto found = find_boot_program(config_);
+  if (!found) return result::forward(found);
+  if (!*found) return {};
+  const std::filesystem::path file = (*found)->file;
+  std::string digest = service::to_hex(service::sha256((*found)->container));
+  auto loaded = runtime_.load(0, std::move((*found)->container), digest);
   if (!loaded) {
     // It was no download.
     for (result::Diagnostic& each : loaded.error()) each.where.file = file.string();

@@ -13,6 +13,7 @@
 
 #include <condition_variable>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -26,6 +27,16 @@
 #include "runtime/result/result.h"
 
 namespace stepwright::cell_runtime {
+
+struct FoundProgram {
+  std::filesystem::path file;
+  std::vector<std::byte> container;  // not verified yet
+};
+
+// The program that a start of this cell would load; nothing if there is none to load. Fails with R0024 and
+// R0026.
+[[nodiscard]] result::Result<std::optional<FoundProgram>> find_boot_program(
+    const config::BootSection& config);
 
 class BootProgram {
  public:
@@ -44,7 +55,6 @@ class BootProgram {
 
  private:
   [[nodiscard]] result::Result<void> load_and_start();
-  [[nodiscard]] result::Result<std::optional<std::vector<std::byte>>> find(std::filesystem::path& file) const;
   [[nodiscard]] result::Result<void> complete(int commands);
   void keep_on();
 

@@ -145,6 +145,11 @@ int main(int argc, char** argv) {
   CLI::App app{"The scan process of a cell", "stepwright runtime"};
   stepwright::config::CellOptions options;
   stepwright::config::add_cell_options(app, options);
-  const auto config = stepwright::config::parse_cell(app, options, argc, argv);
+  bool concerned = false;
+  app.add_flag("--concerned", concerned,
+               "only tell by the exit code whether this cell's program is for this process: 0 yes, 1 no");
+  if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
+  if (concerned) return to_int(stepwright::config::concerned(options, false));
+  const auto config = stepwright::config::load_cell(options);
   return config ? stepwright::cell_runtime::run(*config) : config.error();
 }

@@ -3,21 +3,9 @@
 #include <system_error>
 #include <utility>
 
-#include "runtime/host/limits.h"
+#include "runtime/host/program_fit.h"
 
 namespace stepwright::host {
-namespace {
-
-tl::unexpected<result::Diagnostics> too_large(const char* what, std::size_t needed, std::size_t possible,
-                                              const char* hint) {
-  return result::fail("R0004", {"download", 0, 0},
-                      std::string("the program needs ") + std::to_string(needed) + " bytes of " + what +
-                          ", the runtime has " + std::to_string(possible),
-                      hint);
-}
-
-}  // namespace
-
 result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::vector<std::byte> container,
                                                                          std::string digest,
                                                                          const Surroundings& surroundings) {
@@ -25,15 +13,8 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::ve
   if (!loaded) return result::forward(loaded);
   const bytecode::Program& program = loaded->program();
   const AreaDriver& io = surroundings.io;
-  const char* const areas_hint = "see [image] of the cell's configuration";
-  if (program.sizes().input_bytes > io.input_bytes()) {
-    return too_large("inputs", program.sizes().input_bytes, io.input_bytes(), areas_hint);
-  }
-  if (program.sizes().output_bytes > io.output_bytes()) {
-    return too_large("outputs", program.sizes().output_bytes, io.output_bytes(), areas_hint);
-  }
-  if (program.image_size() > kMaxImageBytes)
-    return too_large("image", program.image_size(), kMaxImageBytes, "");
+  auto fits = check_fit(program, {io.input_bytes(), io.output_bytes()}, "download");
+  if (!fits) return result::forward(fits);
   auto info = reader::ProgramInfo::read(loaded->bytes());
   if (!info) return result::forward(info);
   TaskPlan plan = plan_tasks(*info, surroundings.config);

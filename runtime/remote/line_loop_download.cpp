@@ -28,14 +28,8 @@ host::Completion LineLoop::load(const RemoteCommand& asked) {
 
 // What the controller says about its limits, before anything is sent.
 LineLoop::Done LineLoop::fits(const RemoteProgram& program) {
-  const bytecode::SizesRecord& sizes = program.sizes();
-  if (sizes.input_bytes > config_.host.input_bytes || sizes.output_bytes > config_.host.output_bytes) {
-    return result::fail(
-        "R0145", {"download", 0, 0},
-        "the program has more inputs or outputs than the cell: " + std::to_string(sizes.input_bytes) +
-            " and " + std::to_string(sizes.output_bytes) + " bytes",
-        "[image] input_bytes and output_bytes say how many the cell has");
-  }
+  if (auto areas = program.check_fit(config_.host.input_bytes, config_.host.output_bytes); !areas)
+    return areas;
   auto status = link_.status();
   if (!status) return result::forward(status);
   const auto refuse = [&](const char* what, std::size_t has, std::size_t limit) {

@@ -141,7 +141,7 @@ void LineLoop::publish() {
   now_.scan_p50_us = static_cast<double>(turns_.percentile_ns(50'000)) / kNsPerUs;
   now_.scan_p99_us = static_cast<double>(turns_.percentile_ns(99'000)) / kNsPerUs;
   now_.scan_max_us = static_cast<double>(turns_.max_ns()) / kNsPerUs;
-  RemoteFigures figures{now_, program_, {}, contact_, line_problem_};
+  RemoteFigures figures{now_, program_, {}, contact_, line_problem_, link_.repeated(), losses_};
   host::RuntimeStatus& status = figures.status;
   status.program_digest = program_ == nullptr ? std::string() : program_->digest();
   status.detail = detail_;

@@ -7,6 +7,7 @@
 // event finds figures that are at least as new.
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -31,8 +32,10 @@ struct RemoteFigures {
   host::RuntimeStatus status;
   std::shared_ptr<const RemoteProgram> program;
   std::vector<image::Force> forces;
-  bool contact = false;      // the line carries answers
-  std::string line_problem;  // why it does not
+  bool contact = false;        // the line carries answers
+  std::string line_problem;    // why it does not
+  std::uint64_t repeated = 0;  // requests that had to be sent again
+  std::uint64_t losses = 0;    // how often the controller was lost
 };
 
 class Mailbox {

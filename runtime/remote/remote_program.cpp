@@ -35,6 +35,15 @@ result::Result<std::shared_ptr<const RemoteProgram>> RemoteProgram::create(std::
       new RemoteProgram(std::move(*loaded), *info, std::move(digest)));
 }
 
+result::Result<void> RemoteProgram::check_fit(std::size_t input_bytes, std::size_t output_bytes) const {
+  if (sizes().input_bytes <= input_bytes && sizes().output_bytes <= output_bytes) return {};
+  return result::fail(
+      "R0145", {"download", 0, 0},
+      "the program has more inputs or outputs than the cell: " + std::to_string(sizes().input_bytes) +
+          " and " + std::to_string(sizes().output_bytes) + " bytes",
+      "[image] input_bytes and output_bytes say how many the cell has");
+}
+
 ProgramDigest RemoteProgram::digest_bytes() const {
   ProgramDigest digest{};
   for (std::size_t i = 0; i < digest.size() && 2 * i + 2 <= digest_.size(); ++i) {

@@ -24,6 +24,9 @@ class RemoteProgram {
   [[nodiscard]] static result::Result<std::shared_ptr<const RemoteProgram>> create(
       std::vector<std::byte> container, std::string digest);
 
+  // Whether it has room in a cell with areas of these sizes. Fails with R0145.
+  [[nodiscard]] result::Result<void> check_fit(std::size_t input_bytes, std::size_t output_bytes) const;
+
   const std::string& digest() const { return digest_; }  // hexadecimal SHA-256 of the container
   ProgramDigest digest_bytes() const;
   std::span<const std::byte> bytes() const { return loaded_.bytes(); }

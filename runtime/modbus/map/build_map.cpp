@@ -66,7 +66,7 @@ BuiltMap build_map(const reader::ProgramInfo& info, const MapConfig& config) {
       continue;
     }
     if (insert(tables[static_cast<std::size_t>(range.table)], *segment)) continue;
-    auto failed = result::fail("C0503", range.where,
+    auto failed = result::fail("C0503", range.at_first.file.empty() ? range.where : range.at_first,
                                "the " + std::string(name_of(range.table)) + " addresses " +
                                    std::to_string(segment->first) + " to " +
                                    std::to_string(segment->end() - 1) + " belong in part to another range",

@@ -22,7 +22,11 @@ struct RangeConfig {
   bool writable = false;    // by clients whose window allows it; tables that clients can write only
   Order byte_order = Order::HighFirst;  // within a register; the standard's is HighFirst
   Order word_order = Order::HighFirst;  // of values wider than a register
-  result::Location where;
+  result::Location where;    // of the range; what is wrong with a key is said at the key, where it is known:
+  result::Location at_name;  // variable or address
+  result::Location at_first;
+  result::Location at_count;
+  result::Location at_writable;
 };
 
 struct MapConfig {

@@ -56,8 +56,13 @@ std::uint32_t run_from(const std::vector<Tag>& tags, std::size_t at) {
   return count;
 }
 
+// A map that was not read from a file has no places of keys.
+const result::Location& place(const RangeConfig& range, const result::Location& key) {
+  return key.file.empty() ? range.where : key;
+}
+
 result::Result<Values> direct(const RangeConfig& range, const ProgramInfo& info) {
-  auto named = reader::resolve_name(info, range.variable, "C0501", range.where);
+  auto named = reader::resolve_name(info, range.variable, "C0501", place(range, range.at_name));
   if (!named) return result::forward(named);
   const auto address = naming::parse_direct_address(range.variable);
   const bytecode::SizesRecord& sizes = info.sizes();
@@ -79,7 +84,7 @@ result::Result<Values> by_name(const RangeConfig& range, const ProgramInfo& info
            (tag.name.size() > range.variable.size() && same_letters(array_of(tag.name), range.variable));
   });
   if (found == tags.end()) {
-    auto named = reader::resolve_name(info, range.variable, "C0501", range.where);
+    auto named = reader::resolve_name(info, range.variable, "C0501", place(range, range.at_name));
     if (!named) return result::forward(named);
     values.first = named->variable;  // spelled with blanks, say
     return values;
@@ -117,19 +122,22 @@ const char* refuses_writes(const RangeConfig& range, const Values& values, const
 }  // namespace
 
 result::Result<Segment> resolve_range(const RangeConfig& range, const ProgramInfo& info) {
-  const auto refused = [&](const char* code, const std::string& message, const std::string& hint = {}) {
-    return result::fail(code, range.where, "`" + range.variable + "`: " + message, hint);
+  const auto refused = [&](const char* code, const result::Location& key, const std::string& message,
+                           const std::string& hint = {}) {
+    return result::fail(code, place(range, key), "`" + range.variable + "`: " + message, hint);
   };
   auto values = range.variable.starts_with('%') ? direct(range, info) : by_name(range, info);
   if (!values) return result::forward(values);
   if (bytecode::is_string(values->first.type))
-    return refused("C0505", "strings have no place in a table", "map an array of BYTE or WORD");
+    return refused("C0505", range.at_name, "strings have no place in a table",
+                   "map an array of BYTE or WORD");
   const std::uint32_t count = range.count == 0 ? values->whole : range.count;
   if (count > values->available)
-    return refused("C0502", "there are " + std::to_string(values->available) + " values from there on, not " +
-                                std::to_string(count));
+    return refused("C0502", range.at_count,
+                   "there are " + std::to_string(values->available) + " values from there on, not " +
+                       std::to_string(count));
   if (const std::string why = range.writable ? refuses_writes(range, *values, info) : ""; !why.empty())
-    return refused("C0504", "it cannot be writable: " + why);
+    return refused("C0504", range.at_writable, "it cannot be writable: " + why);
   Segment segment;
   segment.first = range.first;
   segment.address = values->first.address;
@@ -145,7 +153,8 @@ result::Result<Segment> resolve_range(const RangeConfig& range, const ProgramInf
     segment.kind = Kind::Bits;
   }
   if (segment.count > kAddresses || segment.end() > kAddresses)
-    return refused("C0502", "its last address would be " + std::to_string(std::uint64_t{segment.end()} - 1),
+    return refused("C0502", range.at_first,
+                   "its last address would be " + std::to_string(std::uint64_t{segment.end()} - 1),
                    "tables end at 65535");
   return segment;
 }

@@ -30,7 +30,7 @@ struct ServerOptions {
 struct ServerFigures {
   std::uint64_t connections = 0;  // now
   std::uint64_t accepted = 0;
-  std::uint64_t turned_away = 0;  // limits
+  std::uint64_t turned_away = 0;  // limits, the allow-list
   std::uint64_t dropped = 0;      // slow, idle, malformed
   std::uint64_t requests = 0;
   std::uint64_t writes = 0;

@@ -112,7 +112,10 @@ pdu::Exception RuntimeData::begin_write(std::uint64_t ticket, const pdu::Request
     if (nothing) {
       exchange.written.push_back({ticket, Exception::None});  // a mask that changes nothing
     } else {
-      exchange.writes.push_back({ticket, {program->digest, std::move(parts)}});
+      if (exchange.writes.size() >= internal::kMostQueued) return Exception::DeviceBusy;
+      exchange.writes.push_back({ticket,
+                                 {program->digest, std::move(parts)},
+                                 internal::Clock::now() + state_->options.write_timeout});
     }
   }
   (nothing ? exchange.done : exchange.work).ring();

@@ -76,7 +76,9 @@ void Server::turn(milliseconds timeout) {
     if (key == kData) {
       take_written();
     } else if ((key & kDoor) != 0) {
-      admit(*doors_[key & ~kDoor]);
+      Door& door = *doors_[key & ~kDoor];
+      admit(door);
+      figures_.turned_away += door.take_refused();
     } else if (key == kWatched) {
       interrupted_ = true;
     } else {

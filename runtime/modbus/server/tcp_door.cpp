@@ -118,6 +118,7 @@ Listener::Listener(Listener&& other) noexcept
     : socket_(std::exchange(other.socket_, -1)),
       spare_(std::exchange(other.spare_, -1)),
       port_(other.port_),
+      refused_(other.refused_),
       options_(std::move(other.options_)) {}
 
 Listener::~Listener() {
@@ -135,11 +136,13 @@ int Listener::accept_one(IpAddress& address) {
 }
 
 int Listener::accept(std::string& address) {
-  while (true) {
+  for (int refused = 0; refused < kMostRefused; ++refused) {
     IpAddress from{};
     const int socket = accept_one(from);
     if (socket < 0) {
-      if (errno == EMFILE || errno == ENFILE) turn_away();
+      if (errno != EMFILE && errno != ENFILE) return -1;
+      ++refused_;
+      turn_away();
       return -1;
     }
     const bool allowed = std::any_of(options_.allow.begin(), options_.allow.end(),
@@ -150,7 +153,9 @@ int Listener::accept(std::string& address) {
       return socket;
     }
     close(socket);
+    ++refused_;
   }
+  return -1;
 }
 
 void Listener::turn_away() {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/modbus/server/ip_range.h"
@@ -34,11 +35,16 @@ class Listener {
   int descriptor() const { return socket_; }
   std::uint16_t port() const { return port_; }
 
-  // A connection that is allowed in, non-blocking, without delays, with keep-alive; -1: nobody is there.
+  // A connection that is allowed in, non-blocking, without delays, with keep-alive; -1: nobody is there, or
+  // kMostRefused were there that may not come in.
   // `address` says where it comes from. The caller owns the descriptor.
   int accept(std::string& address);
   // Closes one connection that waits.
   void turn_away();
+  // Of accept(), since the last call.
+  std::uint64_t take_refused() { return std::exchange(refused_, 0); }
+
+  static constexpr int kMostRefused = 32;
 
  private:
   Listener(int socket, std::uint16_t port, TcpOptions options);
@@ -48,6 +54,7 @@ class Listener {
   int spare_;  // a descriptor to give up when there are no others, so that a connection can be taken and
                // closed
   std::uint16_t port_;
+  std::uint64_t refused_ = 0;
   TcpOptions options_;
 };
 
@@ -58,6 +65,7 @@ class TcpDoor final : public Door {
   int descriptor() const override { return listener_.descriptor(); }
   std::unique_ptr<Transport> admit() override;
   void turn_away() override { listener_.turn_away(); }
+  std::uint64_t take_refused() override { return listener_.take_refused(); }
   std::string name() const override { return name_; }
   std::uint16_t port() const { return listener_.port(); }
 

@@ -85,13 +85,17 @@ class Door {
   // For epoll: readable while somebody may come in. -1: not now.
   virtual int descriptor() const = 0;
 
-  // Lets the next one in; null if nobody is there (any more). Called until it gives null. Whoever may not
-  // come in at all (allow-list) is turned away here. The transport must not outlive the door.
+  // Lets the next one in; null if nobody is there (any more), or if so many were turned away that others come
+  // first: the descriptor stays readable then. Called until it gives null. Whoever may not come in at all
+  // (allow-list) is turned away here. The transport must not outlive the door.
   virtual std::unique_ptr<Transport> admit() = 0;
 
   // At the limit of connections: whoever is there is turned away, so that the descriptor stops being
   // readable.
   virtual void turn_away() = 0;
+
+  // How many it has turned away itself since the last call: not allowed in, or no descriptor left.
+  virtual std::uint64_t take_refused() { return 0; }
 
   // For logs: "tcp 127.0.0.1:502", "tls [::]:802", "rtu /dev/ttyUSB0 19200 8E1".
   virtual std::string name() const = 0;

@@ -1,25 +1,15 @@
 """The figures in the text form of Prometheus: over HTTP from the real page process, and from the socket."""
 
-import http.client
 import re
 import unittest
 
-from processes import NO_PLANT, Cell, eventually, parse_metrics, stepwright
+from processes import NO_PLANT, Cell, eventually, get, parse_metrics, stepwright
 
 REAL = NO_PLANT + '[clock]\nmode = "real"\n'
 FAMILIES = {"stepwright_up", "stepwright_build_info", "stepwright_state", "stepwright_scans_total",
             "stepwright_scan_overruns_total", "stepwright_scan_duration_seconds", "stepwright_scan_duration_max_seconds",
             "stepwright_traps_total", "stepwright_lost_events_total", "stepwright_service_clients",
             "stepwright_uptime_seconds", "stepwright_realtime_factor", "stepwright_resident_memory_bytes"}
-
-
-def get(port, path="/metrics", host=None):
-    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=30)
-    connection.request("GET", path, headers={"Host": host or f"127.0.0.1:{port}"})
-    answer = connection.getresponse()
-    text = answer.read().decode()
-    connection.close()
-    return answer, text
 
 
 class Metrics(unittest.TestCase):

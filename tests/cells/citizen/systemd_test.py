@@ -7,58 +7,20 @@ import pathlib
 import re
 import shutil
 import signal
-import socket
 import subprocess
 import tempfile
 import time
 import unittest
 
-from processes import NO_PLANT, SOURCES, Cell, eventually
+from init_system import InitSystem
+from processes import NO_PLANT, SOURCES, Cell, eventually, stepwright
 
 UNITS = sorted((SOURCES / "programs/systemd").glob("*.service"))
 REAL = NO_PLANT + '[clock]\nmode = "real"\n'
-WATCHDOG_USEC = 400_000
 
 PTRACE_SEIZE, PTRACE_INTERRUPT, PTRACE_DETACH = 0x4206, 0x4207, 17
 libc = ctypes.CDLL(None, use_errno=True)
 libc.ptrace.argtypes = [ctypes.c_long, ctypes.c_long, ctypes.c_void_p, ctypes.c_void_p]
-
-
-class InitSystem:
-    """The end of the notify protocol that systemd has."""
-
-    def __init__(self, folder, watchdog=True):
-        self.path = str(folder / "notify")
-        self.socket = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
-        self.socket.bind(self.path)
-        self.socket.settimeout(0.05)
-        self.environment = {**os.environ, "NOTIFY_SOCKET": self.path}
-        if watchdog:
-            self.environment["WATCHDOG_USEC"] = str(WATCHDOG_USEC)
-        self.messages = []
-
-    def listen(self, seconds=0.0):
-        """Takes what came, and what comes within the time; all of it so far."""
-        deadline = time.monotonic() + seconds
-        while True:
-            try:
-                self.messages.append(self.socket.recv(4096).decode())
-            except TimeoutError:
-                if time.monotonic() >= deadline:
-                    return self.messages
-
-    def heard(self, pattern):
-        return eventually(lambda: any(re.search(pattern, each) for each in self.listen()), pause_s=0.0)
-
-    def beats(self, seconds):
-        """How often the watchdog is fed in so many seconds from now."""
-        self.listen()
-        before = len(self.messages)
-        self.listen(seconds)
-        return self.messages[before:].count("WATCHDOG=1")
-
-    def close(self):
-        self.socket.close()
 
 
 class Notify(unittest.TestCase):
@@ -186,6 +148,32 @@ class Units(unittest.TestCase):
                                   timeout=60, check=False)
             found = [line for line in done.stderr.splitlines() if "stepwright" in line and "man stepwright" not in line]
             self.assertEqual(found, [])
+
+    def test_who_needs_the_cell_s_program_wants_whichever_unit_runs_it(self):
+        hosts = ("stepwright-runtime@%i.service", "stepwright-gateway@%i.service")
+        for name in ("link", "supervisor", "hmi", "modbus-server"):
+            text = (SOURCES / f"programs/systemd/stepwright-{name}@.service").read_text(encoding="utf-8")
+            for key in ("After", "Wants"):
+                self.assertIn(f"\n{key}={' '.join(hosts)}\n", text, name)
+        for name in ("runtime", "gateway"):
+            text = (SOURCES / f"programs/systemd/stepwright-{name}@.service").read_text(encoding="utf-8")
+            self.assertIn(f"\nExecCondition=/usr/bin/stepwright {name} --concerned --config /etc/stepwright/%i.toml\n", text)
+
+    def test_the_conditions_start_one_of_the_two(self):
+        """As ExecCondition= reads it: 0 goes on, 1 to 254 leaves the unit alone without a failure."""
+        kinds = {"": "runtime",
+                 '[controller]\nkind = "modbus-tcp"\nhost = "10.0.0.7"\n': "gateway",
+                 # Wrong files are for the process that is probably meant to refuse, with its diagnostics.
+                 '[controller]\nkind = "modbus-tcp"\n': "gateway",
+                 '[controller]\nkind = "modbus"\n': "runtime",
+                 "[controller\n": "runtime"}
+        for text, wanted in kinds.items():
+            with self.subTest(text=text):
+                file = self.folder / "cell.toml"
+                file.write_text('[cell]\nname = "x"\n' + text, encoding="utf-8")
+                codes = {name: stepwright(name, "--concerned", "--config", file).returncode
+                         for name in ("runtime", "gateway")}
+                self.assertEqual(codes, {"runtime": 1, "gateway": 1, wanted: 0})
 
     def test_their_exposure_is_at_most_2_5(self):
         for unit in UNITS:

@@ -11,7 +11,7 @@ import unittest
 
 from modbus_wire import Client, Refused, frame, read_request, write_request
 from namespaces import ip, need_network_of_its_own
-from processes import Cell, eventually, stepwright
+from processes import Cell, eventually, figures_of, get, stepwright
 
 PROGRAM = """
 TYPE Pair : STRUCT first : INT; second : INT; END_STRUCT; END_TYPE
@@ -253,6 +253,56 @@ class ModbusServer(unittest.TestCase):
             self.assertEqual(problem.exception.args[0], 4)
             runtime.send(18)
             self.assertTrue(eventually(lambda: self.answers(port)))
+
+    def test_its_figures_are_served_over_http(self):
+        cell = self.cell(more=WRITER + WATCHER + "[modbus.server.metrics]\nport = 0\n")
+        runtime, server, port = self.serve(cell)
+        fetch = figures_of(server)
+        own = ("cell", cell.name)
+
+        def figure(name, *labels):
+            return fetch().get((f"stepwright_modbus_server_{name}", (own, *labels)))
+
+        time.sleep(0.5)  # figures are those of a moment ago
+        before = {name: figure(name) for name in ("requests_total", "writes_total", "turned_away_total", "malformed_total")}
+        two = figure("exceptions_total", ("exception", "2"))
+        with Client(port) as client:
+            for value in range(20):
+                client.write(WISH, value)
+                client.read(WISH)
+            with self.assertRaises(Refused):
+                client.ask(read_request(8192, 1))
+            self.assertTrue(eventually(lambda: figure("requests_total") == before["requests_total"] + 41))
+            self.assertEqual(figure("writes_total"), before["writes_total"] + 20)
+            self.assertEqual(figure("exceptions_total", ("exception", "2")), two + 1)
+            self.assertEqual(figure("connections"), 1)
+            self.assertEqual(figure("serving"), 1)
+            p50, p999 = (figure("service_seconds", ("quantile", each)) for each in ("0.5", "0.999"))
+            self.assertTrue(0 < p50 <= p999 <= figure("service_max_seconds") * (1 + 1 / 32), (p50, p999))
+            client.socket.sendall(b"\0\1\0\7\0\6\1\3\0\0\0\1")  # another protocol than Modbus
+            self.assertTrue(eventually(lambda: figure("malformed_total") == before["malformed_total"] + 1))
+        ip("addr", "add", "10.8.0.1/32", "dev", "lo")  # which is not allowed in
+        self.addCleanup(ip, "addr", "del", "10.8.0.1/32", "dev", "lo")
+        stranger = socket.create_connection(("127.0.0.1", port), source_address=("10.8.0.1", 0), timeout=5)
+        self.assertEqual(stranger.recv(1), b"")
+        stranger.close()
+        self.assertTrue(eventually(lambda: figure("turned_away_total") == before["turned_away_total"] + 1))
+        self.assertTrue(eventually(lambda: figure("connections") == 0))
+        self.assertEqual([get(fetch.port, path)[0].status for path in ("/", "/live", "/metrics?x")], [404, 404, 200])
+        self.assertEqual(get(fetch.port, host="evil.example")[0].status, 403)
+        runtime.process.kill()
+        self.assertTrue(eventually(lambda: figure("serving") == 0))
+        self.assertEqual(server.end(), 0)
+
+    def test_a_port_for_figures_that_is_taken_is_refused(self):
+        cell = self.cell("[modbus.server.metrics]\nport = 0\n")
+        _, server, _ = self.serve(cell, program=False)
+        taken = figures_of(server).port
+        other = self.cell(f"[modbus.server.metrics]\nport = {taken}\n")
+        refused = other.start("modbus-server")
+        self.assertEqual(refused.wait(), 1)
+        self.assertRegex(refused.output(), r"cell\.toml:\d+:\d+: H0001: ")
+        self.assertIn("modbus.server.metrics.port", refused.output())
 
     def test_it_is_off_unless_it_is_wanted(self):
         cell = self.cell("", '[plant]\nkind = "none"\n')

@@ -4,6 +4,8 @@ in runtime/doc/modbus_security.md, which is run as it stands there."""
 import os
 import pathlib
 import re
+import shutil
+import signal
 import socket
 import ssl
 import struct
@@ -12,8 +14,8 @@ import time
 import unittest
 
 from namespaces import need_network_of_its_own
-from processes import SOURCES, eventually
-from served import Served
+from processes import SOURCES, eventually, figures_of
+from served import CELL, Served
 
 PORT = 1802
 CLIENT_EXTENSIONS = "extendedKeyUsage = clientAuth\n"
@@ -26,6 +28,8 @@ port = {PORT}
 certificate = "tls/plc.crt"
 key = "tls/plc.key"
 authorities = "tls/plant-ca.crt"
+[modbus.server.metrics]
+port = 0
 [[modbus.server.client]]
 role = "operator"
 read = ["all"]
@@ -173,6 +177,92 @@ class Tls(unittest.TestCase):
         self.assertEqual(half.recv(100), b"", "it may not stay for ever")
         for each in silent:
             each.close()
+
+    def reload(self, says):
+        """What the log says about it."""
+        logged = len(self.server.output())
+        self.server.send(signal.SIGHUP)
+        self.assertTrue(eventually(lambda: says in self.server.output()[logged:], 20), self.server.output()[logged:])
+        return self.server.output()[logged:]
+
+    def serial(self, connection):
+        return connection.getpeercert()["serialNumber"]
+
+    def exchange(self, connection):
+        connection.sendall(struct.pack(">HHHBBHH", 7, 0, 6, 1, 3, 0, 1))
+        return connection.recv(300)[7]
+
+    def restore(self):
+        for path in (self.folder / "before").iterdir():
+            shutil.copy(path, self.folder / path.name)
+        self.cell.write(CELL + ACCESS)
+        self.reload("the configuration was read again")
+
+    def test_new_certificates(self):
+        """A reload has new connections meet the new files; those that are there go on."""
+        keep = self.folder / "before"
+        keep.mkdir()
+        for name in ("plc.crt", "plc.key", "plant-ca.crt"):
+            shutil.copy(self.folder / name, keep)
+        self.addCleanup(shutil.rmtree, keep)
+        self.addCleanup(self.restore)
+        self.certify("plc2", "extendedKeyUsage = serverAuth\nsubjectAltName = DNS:localhost\n", days=7)
+        fetch = figures_of(self.server)
+        ends = ("stepwright_modbus_server_certificate_expiry_timestamp_seconds", (("cell", self.cell.name),))
+        self.assertGreater(fetch()[ends], time.time() + 800 * 86_400)
+        stays = self.connect("operator")
+        self.addCleanup(stays.close)
+        first = self.serial(stays)
+
+        # The same names, other contents.
+        for end in ("crt", "key"):
+            shutil.copy(self.folder / f"plc2.{end}", self.folder / f"plc.{end}")
+        self.assertIn("nothing has changed", self.reload("the configuration was read again"))
+        self.assertIn("certificate, key and authorities were read again", self.server.output())
+        with self.connect("operator") as comes:
+            second = self.serial(comes)
+            self.assertNotEqual(second, first)
+            self.assertEqual(self.exchange(comes), 3)
+        self.assertEqual(self.exchange(stays), 3)
+        self.assertTrue(eventually(lambda: fetch()[ends] < time.time() + 8 * 86_400))
+
+        # Who was a stranger is let in, once its authority is.
+        self.refused("stranger", "unable to get local issuer certificate")
+        with open(self.folder / "plant-ca.crt", "a", encoding="ascii") as file:
+            file.write((self.folder / "other-ca.crt").read_text(encoding="ascii"))
+        self.reload("were read again")
+        # The client believes the plant's authority only: its own list of them is the first of the file.
+        self.assertEqual(self.ask("stranger", 3, 0, 1)[0], 3)
+
+        # Broken files: everything stays, and is said with its code.
+        for content, code in (("no key\n", "R0114"), ((keep / "plc.key").read_text(encoding="ascii"), "R0115")):
+            (self.folder / "plc.key").write_text(content, encoding="ascii")
+            said = self.reload("the previous one holds")
+            self.assertIn(code, said)
+            self.assertNotIn("were read again", said)
+            with self.connect("operator") as comes:
+                self.assertEqual(self.serial(comes), second)
+        (self.folder / "plc.key").unlink()
+        self.assertRegex(self.reload("the previous one holds"), r"cell\.toml:\d+:\d+: C0512")
+        self.assertEqual(self.ask("operator", 3, 0, 1)[0], 3)
+        self.assertEqual(self.exchange(stays), 3)
+
+        # Other names.
+        for end in ("crt", "key"):
+            shutil.copy(keep / f"plc.{end}", self.folder / f"third.{end}")
+        shutil.copy(keep / "plc.key", self.folder / "plc.key")
+        self.cell.write(CELL + ACCESS.replace("tls/plc.", "tls/third."))
+        said = self.reload("the configuration was read again")
+        self.assertRegex(said, r"C0464: 'modbus\.server\.tls\.certificate' is \"tls/third\.crt\" from now on")
+        with self.connect("operator") as comes:
+            self.assertEqual(self.serial(comes), first)
+
+        # A door is not closed by a reload: that needs a restart, and is said to.
+        self.cell.write(CELL + "[[modbus.server.client]]\naddress = \"127.0.0.1\"\nread = [\"all\"]\n")
+        said = self.reload("the configuration was read again")
+        self.assertRegex(said, r"C0465: 'modbus\.server\.tls\.certificate' is left out now")
+        self.assertEqual(self.ask("operator", 3, 0, 1)[0], 3)
+        self.assertEqual(self.exchange(stays), 3)
 
     def test_plain_modbus(self):
         with socket.create_connection(("127.0.0.1", PORT), timeout=5) as plain:

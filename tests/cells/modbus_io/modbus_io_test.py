@@ -8,7 +8,7 @@ import subprocess
 import unittest
 
 from namespaces import need_network_of_its_own
-from processes import Cell, Process, eventually, stepwright
+from processes import Cell, Process, eventually, figures_of, stepwright
 
 HERE = pathlib.Path(__file__).parent
 PORT = 1502
@@ -152,6 +152,37 @@ class ModbusIo(unittest.TestCase):
         self.assertIn(f'stepwright_modbus_device_online{{cell="{plant.cell.name}",device="plc"}} 1', figures)
         maps = pathlib.Path(f"/proc/{plant.runtime.pid}/maps").read_text(encoding="ascii")
         self.assertNotIn("libmodbus", maps)
+
+    def test_its_figures_are_served_over_http(self):
+        plant = Plant(self)
+        plant.cell.config.write_text(plant.cell.config.read_text(encoding="utf-8") +
+                                     "[modbus.client.metrics]\nport = 0\n", encoding="utf-8")
+        plant.start_all()
+        fetch = figures_of(plant.client)
+        device = (("cell", plant.cell.name), ("device", "plc"))
+
+        def figure(name, *labels):
+            return fetch()[(f"stepwright_modbus_{name}", (*device, *labels))]
+
+        self.assertTrue(eventually(lambda: figure("polls_total", ("group", "group1")) > 10))
+        self.assertEqual(figure("device_online"), 1)
+        self.assertEqual(figure("device_lost"), 0)
+        self.assertEqual(figure("poll_period_seconds", ("group", "group1")), 0.02)
+        self.assertGreater(figure("poll_cycle_seconds", ("group", "group1"), ("quantile", "0.5")), 0.005)
+        self.assertGreater(figure("answer_seconds", ("quantile", "0.99")), 0)
+        self.assertTrue(eventually(lambda: figure("tags", ("quality", "good")) == 4), fetch())
+        self.assertEqual(figure("tag_quality", ("tag", "level"), ("address", "%IW0")), 192)
+        losses = figure("connection_losses_total")
+        plant.plc.end(signal.SIGKILL)
+        self.assertTrue(eventually(lambda: figure("device_online") == 0 and figure("device_lost") == 1))
+        self.assertEqual(figure("tags", ("quality", "good")), 0)
+        plant.start_plc()
+        self.assertTrue(eventually(lambda: figure("device_online") == 1))
+        self.assertGreater(figure("connection_losses_total"), losses)
+        # The command asks the same process.
+        told = plant.command("modbus-client", "--metrics").stdout
+        self.assertIn("stepwright_modbus_polls_total{", told)
+        self.assertEqual(plant.client.end(), 0)
 
     def test_a_lost_plc_stops_the_program_and_comes_back_to_its_safe_outputs(self):
         plant = Plant(self)

@@ -1,5 +1,6 @@
 """Real processes of a cell for tests in Python: started, watched through their output and figures, always ended."""
 
+import http.client
 import os
 import pathlib
 import re
@@ -143,6 +144,30 @@ class Cell:
 
     def figure(self, name):
         return self.metrics()[(name, (("runtime", self.name),))]
+
+
+def get(port, path="/metrics", host=None, address="127.0.0.1"):
+    """A real HTTP request: the answer and its text."""
+    connection = http.client.HTTPConnection(address, port, timeout=30)
+    connection.request("GET", path, headers={"Host": host or f"{address}:{port}"})
+    answer = connection.getresponse()
+    text = answer.read().decode()
+    connection.close()
+    return answer, text
+
+
+def figures_of(process, address="127.0.0.1"):
+    """Where a process says that it serves its figures: a function that fetches them, by name and labels."""
+    port = int(process.wait_for(r"figures at http://[\d.]+:(\d+)/metrics").group(1))
+
+    def fetch():
+        answer, text = get(port, address=address)
+        assert answer.status == 200, answer.status
+        assert answer.headers["Content-Type"] == "text/plain; version=0.0.4; charset=utf-8"
+        return parse_metrics(text)
+
+    fetch.port = port
+    return fetch
 
 
 METRIC_LINE = re.compile(r'([a-zA-Z_:][a-zA-Z0-9_:]*)(?:\{(.*)\})? (\S+)$')

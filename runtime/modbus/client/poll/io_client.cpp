@@ -7,22 +7,42 @@
 
 namespace stepwright::modbus::client {
 
-result::Result<std::unique_ptr<IoClient>> IoClient::create(const ClientSettings& settings) {
-  std::map<std::string, std::vector<Device>> connections;
-  for (const Device& device : settings.devices)
-    connections[master::name_of(device.endpoint)].push_back(device);
-  std::vector<std::pair<std::vector<Device>, master::Master>> made;
-  for (auto& [name, devices] : connections) {
+namespace {
+
+// The devices of one connection, and who asks them.
+using Connection = std::pair<std::vector<Device>, master::Master>;
+
+result::Result<std::vector<Connection>> connections_of(const ClientSettings& settings) {
+  std::map<std::string, std::vector<Device>> by_place;
+  for (const Device& device : settings.devices) by_place[master::name_of(device.endpoint)].push_back(device);
+  std::vector<Connection> made;
+  for (auto& [name, devices] : by_place) {
     master::MasterOptions options;
     options.connect_timeout = settings.connect_timeout;
     options.timeout = devices.front().timeout;
     options.gap = devices.front().gap;
     auto master = master::Master::create(devices.front().endpoint, options);
-    if (!master) return result::forward(master);
+    if (!master) {
+      for (result::Diagnostic& each : master.error()) each.where = devices.front().where;
+      return result::forward(master);
+    }
     made.emplace_back(std::move(devices), std::move(*master));
   }
+  return made;
+}
+
+}  // namespace
+
+result::Result<void> IoClient::check(const ClientSettings& settings) {
+  if (auto made = connections_of(settings); !made) return result::forward(made);
+  return {};
+}
+
+result::Result<std::unique_ptr<IoClient>> IoClient::create(const ClientSettings& settings) {
+  auto made = connections_of(settings);
+  if (!made) return result::forward(made);
   std::unique_ptr<IoClient> client(new IoClient());
-  for (auto& [devices, master] : made) {
+  for (auto& [devices, master] : *made) {
     client->workers_.push_back(
         std::make_unique<ConnectionWorker>(std::move(devices), std::move(master), settings));
   }

@@ -27,6 +27,9 @@ class IoClient {
   // Begins to poll. Fails with what Master::create refuses (R0126). Requires tags that lie within the areas.
   [[nodiscard]] static result::Result<std::unique_ptr<IoClient>> create(const ClientSettings& settings);
 
+  // What create would refuse, found without a thread or a connection.
+  [[nodiscard]] static result::Result<void> check(const ClientSettings& settings);
+
   // As long as none were set, nothing is written to any slave.
   void set_outputs(std::span<const std::byte> area);
   // Writes what belongs to devices; leaves the rest of the area alone.

@@ -98,7 +98,8 @@ void Attendant::hear(const service::Message& message) {
 
 void Attendant::hear_status(const host::RuntimeStatus& status) {
   const auto now = Clock::now();
-  if (status.program_digest != digest_) load(status.program_digest);
+  if (status.program_digest != digest_ && (refused_.empty() || status.program_digest != refused_))
+    load(status.program_digest);
   const std::uint64_t sequence = connection_->snapshots().sequence();
   if (std::exchange(sequence_, sequence) != sequence) changed_ = now;
   auto patience = options_.stale_after;
@@ -110,12 +111,16 @@ void Attendant::hear_status(const host::RuntimeStatus& status) {
 
 void Attendant::load(const std::string& digest) {
   digest_.clear();
+  refused_.clear();
   publish(nullptr);
   if (digest.empty()) return;
   auto container = read_program(digest);
   if (!container) return;  // it changed meanwhile: the next status says to what
   auto info = reader::ProgramInfo::read(*container);
-  if (!info) return news_("refused", "the program of the runtime cannot be read", info.error());
+  if (!info) {
+    refused_ = digest;
+    return news_("refused", "the program of the runtime cannot be read", info.error());
+  }
   map::BuiltMap built = map::build_map(*info, options_.map);
   digest_ = digest;
   news_("program", "serves the program " + digest.substr(0, 12), built.problems);
@@ -152,18 +157,27 @@ void Attendant::send_writes() {
       exchange_.writes.pop_front();
     }
     const std::uint64_t id = ++last_id_;
-    under_way_.emplace(id, UnderWay{write.ticket, Clock::now() + options_.write_timeout});
+    under_way_.emplace(id, UnderWay{write.ticket, write.deadline});
     // A connection that fails here ends the attendance, which answers what is under way.
     connection_->send(service::Request{client_, id, service::WriteBlock{std::move(write.block)}});
   }
 }
 
 void Attendant::expire(Clock::time_point now) {
-  // Ids count: the oldest come first.
+  // Ids count, and the queue is one: the oldest come first.
   while (!under_way_.empty() && under_way_.begin()->second.deadline <= now) {
     answer(under_way_.begin()->second.ticket, Exception::DeviceFailure);
     under_way_.erase(under_way_.begin());
   }
+  std::vector<std::uint64_t> late;
+  {
+    const std::lock_guard lock(exchange_.mutex);
+    while (!exchange_.writes.empty() && exchange_.writes.front().deadline <= now) {
+      late.push_back(exchange_.writes.front().ticket);
+      exchange_.writes.pop_front();
+    }
+  }
+  for (const std::uint64_t ticket : late) answer(ticket, Exception::DeviceFailure);
 }
 
 void Attendant::answer(std::uint64_t ticket, Exception exception) {
@@ -177,6 +191,7 @@ void Attendant::answer(std::uint64_t ticket, Exception exception) {
 void Attendant::detach() {
   exchange_.good_until_ns.store(0, std::memory_order_release);
   digest_.clear();
+  refused_.clear();
   publish(nullptr);
   for (const auto& [id, write] : under_way_) answer(write.ticket, Exception::DeviceFailure);
   under_way_.clear();

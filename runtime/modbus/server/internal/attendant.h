@@ -32,7 +32,12 @@ struct Program {
 struct QueuedWrite {
   std::uint64_t ticket = 0;
   host::BlockWrite block;
+  Clock::time_point deadline;  // then it is answered with exception 4, sent or not
 };
+
+// Writes that wait to be sent. A client has one at most, and there are 10 000 clients at most: whatever is
+// more was left by clients that have gone.
+inline constexpr std::size_t kMostQueued = 16'384;
 
 // Between the two threads.
 struct Exchange {
@@ -79,7 +84,8 @@ class Attendant {
   const News& news_;
   Exchange& exchange_;
   std::shared_ptr<service::Connection> connection_;
-  std::string digest_;  // of the program that is served
+  std::string digest_;   // of the program that is served
+  std::string refused_;  // of one that cannot be: it is not fetched again with every status
   std::uint64_t client_;
   std::uint64_t last_id_ = 0;
   std::map<std::uint64_t, UnderWay> under_way_;  // by request

@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <ctime>
 #include <string>
 #include <utility>
 
@@ -81,6 +82,13 @@ result::Result<TlsContext> TlsContext::create(const TlsOptions& options) {
                       "a PEM file with a list of every authority");
   ERR_clear_error();
   return TlsContext(std::make_shared<const Native>(Native{std::move(owner)}), options.handshake);
+}
+
+std::chrono::system_clock::time_point TlsContext::expires() const {
+  const X509* const own = SSL_CTX_get0_certificate(native_->context.get());
+  std::tm end{};
+  if (own == nullptr || ASN1_TIME_to_tm(X509_get0_notAfter(own), &end) != 1) return {};
+  return std::chrono::system_clock::from_time_t(timegm(&end));
 }
 
 }  // namespace stepwright::modbus::server

@@ -7,8 +7,8 @@
 //   auto context = TlsContext::create({.certificate = "plc.crt", .key = "plc.key", .authorities =
 //   "plant-ca.crt"});
 //
-// A value that is shared by the transports of a door. Threads: that of the server. OpenSSL's headers stay in
-// the sources of this folder.
+// A value that is shared by the transports of a door, each of which keeps the one that it began with.
+// Threads: that of the server. OpenSSL's headers stay in the sources of this folder.
 
 #include <chrono>
 #include <filesystem>
@@ -38,6 +38,8 @@ class TlsContext {
   [[nodiscard]] static result::Result<TlsContext> create(const TlsOptions& options);
 
   const Native& native() const { return *native_; }
+  // When the server's own certificate ends; nobody lets it in any more then.
+  std::chrono::system_clock::time_point expires() const;
   std::chrono::milliseconds handshake() const { return handshake_; }
 
  private:

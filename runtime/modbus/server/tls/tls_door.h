@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "runtime/modbus/server/tls/tls_context.h"
 #include "runtime/modbus/server/transport.h"
@@ -23,10 +24,15 @@ class TlsDoor final : public Door {
  public:
   TlsDoor(std::unique_ptr<Door> inner, TlsContext context, OnRefused on_refused);
 
+  // Who comes from now on meets this one; who is in goes on with the one before.
+  void renew(TlsContext context) { context_ = std::move(context); }
+  const TlsContext& context() const { return context_; }
+
   int descriptor() const override { return inner_->descriptor(); }
   // The transport's peer() has the role of the certificate, and is authenticated.
   std::unique_ptr<Transport> admit() override;
   void turn_away() override { inner_->turn_away(); }
+  std::uint64_t take_refused() override { return inner_->take_refused(); }
   std::string name() const override;  // "tls ..." for "tcp ..."
 
  private:

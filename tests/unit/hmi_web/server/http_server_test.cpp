@@ -91,6 +91,26 @@ TEST_F(HttpServerTest, WhenMetricsAreAskedFor_ThenTheyAreMadeForThatRequest) {
   EXPECT_NE(second.find("X-Content-Type-Options: nosniff"), std::string::npos);
 }
 
+TEST_F(HttpServerTest, WhenItServesMetricsOnly_ThenThereIsNoPageAndNoViewer) {
+  end();
+  auto server = HttpServer::listen_for_metrics(
+      {"127.0.0.1", 0, "modbus.server.metrics"}, [] { return std::string("figures\n"); }, "text/plain");
+  ASSERT_TRUE(server) << result::to_string(server.error());
+  server_ = std::move(*server);
+  network_ = std::thread([this] { server_->run(); });
+  EXPECT_NE(get("/metrics").find("\r\n\r\nfigures\n"), std::string::npos);
+  EXPECT_NE(get("/").find("HTTP/1.1 404"), std::string::npos);
+  EXPECT_NE(get("/live").find("HTTP/1.1 404"), std::string::npos);
+  RawConnection viewer(server_->port());
+  viewer.send(upgrade_request());
+  EXPECT_NE(viewer.read_until("\r\n\r\n").find("HTTP/1.1 404"), std::string::npos);
+  const auto taken = HttpServer::listen_for_metrics(
+      {"127.0.0.1", server_->port(), "modbus.server.metrics"}, [] { return std::string(); }, "text/plain");
+  ASSERT_FALSE(taken);
+  EXPECT_EQ(taken.error().front().code, "H0001");
+  EXPECT_NE(taken.error().front().hint.find("modbus.server.metrics.port"), std::string::npos);
+}
+
 TEST_F(HttpServerTest, WhenThePageIsAskedFor_ThenItComesWithItsSafetyHeaders) {
   const std::string response = get("/");
 

@@ -174,6 +174,19 @@ TEST_F(CellConfigTest, WhenTheStateFolderIsTooLongForASocket_ThenItIsRefusedAtIt
   EXPECT_EQ(config.error()[0].where.line, 2u);
 }
 
+TEST_F(CellConfigTest, WhenTheModbusClientsSocketIsTheLongerOne_ThenItCounts) {
+  // The runtime's socket has 107 bytes, which an address can hold.
+  const std::string cell = "[cell]\nstate_dir = \"/" + std::string(93, 'x') + "\"\n";
+  EXPECT_TRUE(load_cell_config(write(cell)));
+  const auto config = load_cell_config(write(
+      cell +
+      "[clock]\nmode = \"real\"\n[io]\nkind = \"modbus\"\n[[modbus.device]]\nname = \"d\"\nhost = \"h\"\n"
+      "[[modbus.device.group]]\ntags = [{ address = \"%IW0\", holding = 1 }]\n"));
+  ASSERT_FALSE(config.has_value());
+  EXPECT_EQ(config.error()[0].code, "C0462");
+  EXPECT_NE(config.error()[0].message.find("modbus-client.sock"), std::string::npos);
+}
+
 TEST_F(CellConfigTest, WhenAnInterfaceIsNoAddress_ThenItIsRefusedAtItsPlace) {
   for (const char* text :
        {"[dds]\ninterfaces = [\"eth0\"]\n", "[dds]\npeers = [\"1.2.3\"]\n", "[dds]\ninterfaces = []\n"}) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <limits>
@@ -8,8 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "programs/modbus_client/client_metrics.h"
 #include "programs/modbus_client/status_json.h"
 #include "programs/modbus_client/status_socket.h"
+#include "tests/unit/runtime/service/service_harness.h"
 
 namespace stepwright::modbus_client {
 namespace {
@@ -25,7 +29,9 @@ DeviceStatus press() {
   device.online = true;
   device.counters.requests = 12;
   device.counters.timeouts = 2;
+  device.counters.answer.record(3'000'000);
   device.groups.push_back({"fast", 100, 10, 1, {}});
+  device.groups.back().period.record(120'000'000);
   device.tags.push_back(
       {"level", "%IW0", false, 12.5, Quality::Good, 40, std::chrono::system_clock::time_point{}});
   device.tags.push_back(
@@ -59,7 +65,21 @@ TEST(Status, WhenItIsToldToPeopleAndPrometheus_ThenItIsTheSame) {
   EXPECT_NE(figures.find("stepwright_modbus_timeouts_total{cell=\"cell\",device=\"pr\\\"ess\"} 2\n"),
             std::string::npos)
       << figures;
-  EXPECT_NE(figures.find("tag=\"level\"} 192\n"), std::string::npos) << figures;
+  const auto has = [&](const std::string& line) {
+    return figures.find("\n" + line + "\n") != std::string::npos;
+  };
+  const std::string labels = "cell=\"cell\",device=\"pr\\\"ess\"";
+  EXPECT_TRUE(has("stepwright_modbus_tag_quality{" + labels + ",tag=\"level\",address=\"%IW0\"} 192"))
+      << figures;
+  EXPECT_TRUE(has("stepwright_modbus_tags{" + labels + ",quality=\"good\"} 1"));
+  EXPECT_TRUE(has("stepwright_modbus_tags{" + labels + ",quality=\"bad: not connected\"} 1"));
+  EXPECT_TRUE(has("stepwright_modbus_tags{" + labels + ",quality=\"bad: no answer\"} 0"));
+  EXPECT_TRUE(has("stepwright_modbus_device_online{" + labels + "} 1"));
+  EXPECT_TRUE(has("stepwright_modbus_polls_total{" + labels + ",group=\"fast\"} 10"));
+  EXPECT_TRUE(has("stepwright_modbus_poll_overruns_total{" + labels + ",group=\"fast\"} 1"));
+  EXPECT_TRUE(has("stepwright_modbus_poll_period_seconds{" + labels + ",group=\"fast\"} 0.1"));
+  EXPECT_TRUE(has("stepwright_modbus_poll_cycle_max_seconds{" + labels + ",group=\"fast\"} 0.12"));
+  EXPECT_TRUE(has("stepwright_modbus_answer_max_seconds{" + labels + "} 0.003"));
 }
 
 TEST(StatusSocket, WhenSomebodyAsks_ThenTheTextIsWholeAndNobodyElseMay) {
@@ -83,6 +103,25 @@ TEST(StatusSocket, WhenSomebodyAsks_ThenTheTextIsWholeAndNobodyElseMay) {
   ASSERT_FALSE(nobody);
   EXPECT_EQ(nobody.error()[0].code, "R0127");
   std::filesystem::remove_all(path);
+}
+
+TEST(StatusSocket, WhenThereAreNoDescriptorsForAWhile_ThenItAnswersAgainAfterwards) {
+  const service::TemporaryFolder folder;
+  const auto socket = folder.path() / "s.sock";
+  const auto server = StatusServer::create(socket, [] { return std::string("status"); });
+  ASSERT_TRUE(server);
+  // This process has one descriptor left, for the one who asks; none for who answers.
+  rlimit before{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  const int first = dup(0);
+  close(first);
+  const rlimit few{static_cast<rlim_t>(first) + 1, before.rlim_max};
+  setrlimit(RLIMIT_NOFILE, &few);
+  EXPECT_FALSE(ask_status(socket)) << "who would have answered?";
+  setrlimit(RLIMIT_NOFILE, &before);
+  const auto told = ask_status(socket);
+  ASSERT_TRUE(told) << result::to_string(told.error());
+  EXPECT_EQ(*told, "status");
 }
 
 }  // namespace

@@ -30,6 +30,23 @@ TEST(IoClient, WhenTheSlaveHasValues_ThenTheyAreInTheImage) {
   EXPECT_EQ(slave.connections(), 1);
 }
 
+TEST(IoClient, WhenItIsCheckedOnly_ThenItSaysWhatCreateWouldAndAsksNobody) {
+  ModbusSlave slave;
+  ClientSettings settings;
+  settings.devices.push_back(device_at(slave.port(), {group_of({word_tag(10, 0)})}));
+  EXPECT_TRUE(IoClient::check(settings));
+  EXPECT_EQ(slave.connections(), 0);
+  settings.devices[0].endpoint = master::SerialEndpoint{.device = "/dev/ttyS9", .baud = 12'345};
+  settings.devices[0].where = {"cell.toml", 7, 3};
+  const auto checked = IoClient::check(settings);
+  const auto created = IoClient::create(settings);
+  ASSERT_FALSE(checked);
+  ASSERT_FALSE(created);
+  EXPECT_EQ(checked.error().front().code, "R0126");
+  EXPECT_EQ(checked.error().front().where.line, 7u);
+  EXPECT_EQ(result::to_string(checked.error()), result::to_string(created.error()));
+}
+
 TEST(IoClient, WhenNoOutputWasSet_ThenNothingIsWritten) {
   ModbusSlave slave;
   slave.set_holding(50, 7);

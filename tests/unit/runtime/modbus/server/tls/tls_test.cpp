@@ -79,6 +79,46 @@ TEST_F(Tls, Client_WhenItsCertificateIsOfTheRecipe_ThenHasItsRoleAndIsServed) {
   EXPECT_THAT(pair.refused, ElementsAre());
 }
 
+// The transports of a door that has got new certificates.
+class OneClientDoor final : public Door {
+ public:
+  OneClientDoor(Stream& in, Stream& out) : in_(in), out_(out) {}
+  int descriptor() const override { return -1; }
+  std::unique_ptr<Transport> admit() override { return std::make_unique<BufferTransport>(in_, out_); }
+  void turn_away() override {}
+  std::string name() const override { return "tcp buffer"; }
+
+ private:
+  Stream& in_;
+  Stream& out_;
+};
+
+TEST_F(Tls, Door_WhenItsContextIsRenewed_ThenNewConnectionsMeetItAndOldOnesGoOn) {
+  TlsOptions other = options();
+  other.authorities = plant_->file("other-ca.crt");
+  const TlsContext before = context(options());
+  const TlsContext after = context(other);
+  TlsPair stays(before, client("operator"));
+  ASSERT_TRUE(stays.shake_hands());
+  Stream in;
+  Stream out;
+  TlsDoor door(std::make_unique<OneClientDoor>(in, out), before, {});
+  EXPECT_EQ(&door.context().native(), &before.native());
+  door.renew(after);
+  EXPECT_EQ(&door.context().native(), &after.native());
+  EXPECT_EQ(stays.to_server("request"), "request");
+  TlsPair comes(door.context(), client("stranger"));
+  EXPECT_TRUE(comes.shake_hands());
+  TlsPair refused(door.context(), client("operator"));
+  EXPECT_FALSE(refused.shake_hands());
+}
+
+TEST_F(Tls, Context_WhenItIsMade_ThenItKnowsWhenItsCertificateEnds) {
+  const auto left = context(options()).expires() - std::chrono::system_clock::now();
+  EXPECT_GT(left, std::chrono::hours(24 * 823));
+  EXPECT_LT(left, std::chrono::hours(24 * 826));  // `-days 825` of the recipe
+}
+
 TEST_F(Tls, Client_WhenItSpeaksTls12_ThenIsServedAndWhenOlderThenNot) {
   TlsPair pair(context(options()), client("engineer", TLS1_2_VERSION));
   ASSERT_TRUE(pair.shake_hands());

@@ -1,0 +1,15 @@
+#pragma once
+
+// What the processes around a cell's runtime would refuse at their start, in their own words: the Modbus
+// server its certificates, the Modbus client its devices, the gateway its line and the table of its plan.
+//
+// Nothing is opened but files to read: whether an address or a device is free is known at the start only.
+
+#include "programs/config/cell_config.h"
+#include "runtime/result/diagnostic.h"
+
+namespace stepwright::check {
+
+result::Diagnostics check_processes(const config::CellConfig& config);
+
+}  // namespace stepwright::check

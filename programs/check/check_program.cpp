@@ -1,0 +1,73 @@
+#include "programs/check/check_program.h"
+
+#include <span>
+#include <utility>
+
+#include "programs/check/check_tags.h"
+#include "programs/process/files.h"
+#include "programs/runtime/boot_program.h"
+#include "programs/runtime/host_options.h"
+#include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/bytecode/reader/program_info.h"
+#include "runtime/host/engine_choice.h"
+#include "runtime/host/program_fit.h"
+#include "runtime/modbus/map/build_map.h"
+#include "runtime/remote/remote_program.h"
+
+namespace stepwright::check {
+namespace {
+
+void add(result::Diagnostics& problems, const result::Diagnostics& found) {
+  problems.insert(problems.end(), found.begin(), found.end());
+}
+
+// As a load finds it; said about this program instead of "download".
+template <typename Value>
+void note(const result::Result<Value>& tried, const std::string& name, result::Diagnostics& problems) {
+  if (tried) return;
+  for (result::Diagnostic each : tried.error()) {
+    if (each.where.file.empty() || each.where.file == "download") each.where.file = name;
+    problems.push_back(std::move(each));
+  }
+}
+
+}  // namespace
+
+result::Result<std::optional<CellProgram>> find_program(const config::CellConfig& config,
+                                                        const std::filesystem::path& image) {
+  if (!image.empty()) {
+    auto text = process::read_file(image.string());
+    if (!text) return result::forward(text);
+    const auto bytes = std::as_bytes(std::span(*text));
+    return CellProgram{image.string(), {bytes.begin(), bytes.end()}};
+  }
+  auto found = cell_runtime::find_boot_program(config.boot);
+  if (!found) return result::forward(found);
+  if (!*found) return std::nullopt;
+  return CellProgram{(*found)->file.string(), std::move((*found)->container)};
+}
+
+result::Diagnostics check_program(const config::CellConfig& config, const CellProgram& program) {
+  result::Diagnostics problems;
+  auto loaded = reader::LoadedProgram::load(program.container, program.name);
+  if (!loaded) return loaded.error();
+  const auto info = reader::ProgramInfo::read(program.container);
+  if (!info) return info.error();
+  const config::ImageConfig& image = config.image;
+  if (config.controller.remote()) {
+    const auto remote = remote::RemoteProgram::create(program.container, {});
+    note(remote, program.name, problems);
+    if (remote) note((*remote)->check_fit(image.input_bytes, image.output_bytes), program.name, problems);
+  } else {
+    note(host::check_fit(loaded->program(), {image.input_bytes, image.output_bytes}, program.name),
+         program.name, problems);
+    if (const auto options = cell_runtime::host_options(config))
+      note(host::make_engine(options->engine, loaded->program()), program.name, problems);
+  }
+  if (config.modbus_server.enabled)
+    add(problems, modbus::map::build_map(*info, config.modbus_server.map).problems);
+  add(problems, check_tags(config.modbus_client, *info));
+  return problems;
+}
+
+}  // namespace stepwright::check

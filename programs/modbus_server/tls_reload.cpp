@@ -1,0 +1,42 @@
+#include "programs/modbus_server/tls_reload.h"
+
+#include <array>
+#include <ctime>
+#include <memory>
+#include <utility>
+
+namespace stepwright::modbus_server {
+
+using modbus::server::TlsContext;
+using modbus::server::TlsDoor;
+
+std::string expiry_text(const TlsContext& context) {
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(context.expires());
+  std::tm parts{};
+  gmtime_r(&seconds, &parts);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text.data();
+}
+
+log::ReloadPart tls_part(TlsDoor* door, log::Logger& log) {
+  if (door == nullptr) return {};
+  log::ReloadPart part;
+  part.keys = {"modbus.server.tls.certificate", "modbus.server.tls.key", "modbus.server.tls.authorities",
+               "modbus.server.tls.revoked"};
+  // A door that is to be closed stays as it is until the restart that closes it.
+  part.applies = [](const config::CellConfig& wanted) { return wanted.modbus_server.doors.tls.has_value(); };
+  part.prepare = [door, &log](const config::CellConfig& wanted) -> result::Result<std::function<void()>> {
+    auto made = TlsContext::create(wanted.modbus_server.doors.tls->tls);
+    if (!made) return result::forward(made);
+    return [door, &log, context = std::move(*made)] {
+      door->renew(context);
+      const std::string until = expiry_text(context);
+      log.info("tls", "certificate, key and authorities were read again: the certificate ends " + until,
+               {{"expires", until}});
+    };
+  };
+  return part;
+}
+
+}  // namespace stepwright::modbus_server

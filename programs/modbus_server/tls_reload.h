@@ -1,0 +1,23 @@
+#pragma once
+
+// New certificates for a server that runs: SIGHUP has the files of [modbus.server.tls] read again, the same
+// or others. Connections that come from then on meet the new ones; those that are there go on. A file that is
+// wrong refuses the whole reload, and everything stays as it was.
+//
+// Threads: the server's.
+
+#include "programs/config/cell_config.h"
+#include "programs/log/logger.h"
+#include "programs/log/reload_log.h"
+#include "runtime/modbus/server/tls/tls_door.h"
+
+namespace stepwright::modbus_server {
+
+// For log::reload_log. `door` may be null: the server has no TLS. Door and log must outlive the part. Fails
+// with R0114 to R0116.
+log::ReloadPart tls_part(modbus::server::TlsDoor* door, log::Logger& log);
+
+// "2027-03-01T12:00:00Z"
+std::string expiry_text(const modbus::server::TlsContext& context);
+
+}  // namespace stepwright::modbus_server
