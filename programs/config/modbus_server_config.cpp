@@ -127,6 +127,8 @@ class Reader {
     ClientRule rule;
     const std::string address = table.text("address", {});
     rule.role = table.text("role", {});
+    rule.read = windows(table, "read", false);
+    rule.write = windows(table, "write", true);
     rule.any = address.empty();
     if (address.empty() && rule.role.empty())
       refuse("C0508", table, "", "a client has an address or a role",
@@ -141,8 +143,6 @@ class Reader {
       }
       rule.address = *range;
     }
-    rule.read = windows(table, "read", false);
-    rule.write = windows(table, "write", true);
     clients.push_back(std::move(rule));
   }
 

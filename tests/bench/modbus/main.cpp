@@ -1,7 +1,7 @@
 // How many requests a second the Modbus server answers, and how late, beside libmodbus's own select loop: the
 // same clients in the same run, one server after the other, again and again; the median of the rounds counts.
-// Ours reads the snapshot of a runtime that scans every millisecond; libmodbus reads arrays. Beside it how
-// punctual that scan is, idle and under load.
+// Ours reads the snapshot of a runtime that scans every millisecond; libmodbus reads arrays. Beside them the
+// floor, a server that answers a constant, and how punctual that scan is, idle and under load.
 //
 //   bench_modbus [--rounds N] [--seconds S] [--json FILE]
 
@@ -14,9 +14,11 @@
 #include <thread>
 #include <vector>
 
+#include "tests/bench/modbus/floor_server.h"
 #include "tests/bench/modbus/libmodbus_server.h"
 #include "tests/bench/modbus/load.h"
 #include "tests/bench/modbus/runtime_server.h"
+#include "tests/bench/modbus/server_process.h"
 
 namespace stepwright::bench {
 namespace {
@@ -76,20 +78,25 @@ void measure_scan(RuntimeServer& server, LoadProcess& clients, double seconds, n
 
 int run(int rounds, double seconds, const std::string& file) {
   LoadProcess clients;
-  LibmodbusServer baseline;
+  const ServerProcess baseline(serve_with_libmodbus);
+  const ServerProcess floor(serve_a_constant);
   RuntimeServer server;
   Series ours;
   Series theirs;
+  Series least;
   for (int round = 0; round < rounds; ++round) {
     ours.run(clients, server.port(), seconds);
     theirs.run(clients, baseline.port(), seconds);
+    least.run(clients, floor.port(), seconds);
   }
   nlohmann::json json;
   ours.report(json, "");
   theirs.report(json, "libmodbus_");
+  least.report(json, "floor_");
   json["ratio_1"] = median(ours.rate_1) / median(theirs.rate_1);
   json["ratio_32"] = median(ours.rate_32) / median(theirs.rate_32);
   json["ratio_p99_32"] = median(ours.p99_32) / median(theirs.p99_32);
+  json["ratio_p99_32_floor"] = median(least.p99_32) / median(theirs.p99_32);
   measure_scan(server, clients, 2 * seconds, json);
   std::printf("%s\n", json.dump(2).c_str());
   if (!file.empty()) std::ofstream(file) << json.dump(2) << '\n';

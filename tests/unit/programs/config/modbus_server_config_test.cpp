@@ -114,6 +114,7 @@ address = "MW0"
 read = ["all"]
 [[client]]
 address = "10.0.0"
+read = ["all"]
 [[client]]
 address = "10.0.0.1"
 read = ["holding 9-5", "registers", "holding 70000"]
@@ -121,8 +122,8 @@ write = ["input"]
 wirte = []
 )");
   EXPECT_EQ(places(reading), (std::vector<std::string>{"C0506:2", "C0506:3", "C0508:5", "C0508:7", "C0508:11",
-                                                       "C0508:12", "C0506:15", "C0507:18", "C0507:18",
-                                                       "C0507:18", "C0507:19", "C0006:4", "C0002:20"}));
+                                                       "C0508:12", "C0506:15", "C0507:19", "C0507:19",
+                                                       "C0507:19", "C0507:20", "C0006:4", "C0002:21"}));
 }
 
 }  // namespace
