@@ -11,9 +11,11 @@
 //
 // Threads: one at a time. Every call is over within the timeout of the connection or of the answer; a name's
 // look-up is not ours to bound. An answer is whole within the timeout of its request, however slowly it
-// drips.
+// drips. On a line the time that request and answer take at its speed is added, and a call may take three
+// timeouts where it meets the late answer of an earlier request.
 // Invariants: counts, addresses and units outside the protocol never reach libmodbus; what arrived too late
-// is thrown away before the next request; after ConnectionLost, and over TCP after BadAnswer, the connection
+// is thrown away before the next request, and what may still come on a line is waited for, as an answer there
+// does not say to which request it belongs; a line is this process's alone while it is connected; after ConnectionLost, and over TCP after BadAnswer, the connection
 // is closed. A timeout leaves it open, because behind a gateway another unit may answer: whoever knows better
 // calls close().
 

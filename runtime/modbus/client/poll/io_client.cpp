@@ -7,10 +7,30 @@
 
 namespace stepwright::modbus::client {
 
+namespace {
+
+// A line has one speed, one format and one gap; all devices on it must say the same.
+result::Result<void> check_line(const std::vector<Device>& devices) {
+  for (const Device& device : devices) {
+    const Device& first = devices.front();
+    if (device.endpoint == first.endpoint && device.gap == first.gap) continue;
+    return result::fail("R0126", device.where,
+                        "'" + device.name + "' and '" + first.name + "' are on " +
+                            master::name_of(first.endpoint) + " with different settings",
+                        "a line has one speed, parity, size and gap for all units");
+  }
+  return {};
+}
+
+}  // namespace
+
 result::Result<std::unique_ptr<IoClient>> IoClient::create(const ClientSettings& settings) {
   std::map<std::string, std::vector<Device>> connections;
   for (const Device& device : settings.devices)
     connections[master::name_of(device.endpoint)].push_back(device);
+  for (const auto& [name, devices] : connections) {
+    if (auto checked = check_line(devices); !checked) return result::forward(checked);
+  }
   std::vector<std::pair<std::vector<Device>, master::Master>> made;
   for (auto& [name, devices] : connections) {
     master::MasterOptions options;

@@ -43,12 +43,20 @@ void Unit::answered() {
   writes_.forget();  // it may have been switched off meanwhile
 }
 
-bool Unit::silent(Clock::time_point now) {
+bool Unit::silent(Clock::time_point now, bool others_answer) {
   ++silences_;
   if (!asleep_ && silences_ <= device_->retries) return false;
+  const auto longest = std::max(device_->retry_after, device_->retry_at_most);
+  pause_ = asleep_ && others_answer ? std::min(2 * pause_, longest) : device_->retry_after;
   asleep_ = true;
-  wakes_at_ = now + device_->retry_after;
+  wakes_at_ = now + pause_;
   return true;
+}
+
+void Unit::hope(Clock::time_point at) {
+  if (!asleep_) return;
+  pause_ = device_->retry_after;
+  wakes_at_ = std::min(wakes_at_, at);
 }
 
 GroupPoll* Unit::next_group() {

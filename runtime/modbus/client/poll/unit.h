@@ -1,8 +1,9 @@
 #pragma once
 
 // One slave of a connection as its poller sees it: when which group is due, what is to be written, and
-// whether it answers at all. A unit that does not answer is left alone for a while, so that the others of its
-// line keep their periods. Threads: the poller's. Instants are those of the steady clock.
+// whether it answers at all. A unit that does not answer is left alone for a while, and for longer each time,
+// so that the others of its line keep their periods. Threads: the poller's. Instants are those of the steady
+// clock.
 
 #include <chrono>
 #include <cstdint>
@@ -41,10 +42,18 @@ class Unit {
   void begin_anew();
 
   void answered();
-  // True if it counts as dead from now on.
-  bool silent(Clock::time_point now);
+  // True if it counts as dead from now on. `others_answer`: there is somebody whom its next try would delay.
+  bool silent(Clock::time_point now, bool others_answer);
   bool asleep() const { return asleep_; }
+  // It was silent, and is tried again before it counts as dead.
+  bool doubtful() const { return !asleep_ && silences_ > 0; }
   Clock::time_point wakes_at() const { return wakes_at_; }
+  // A dead one is worth a try at `at`, and the pauses begin anew: what kept it silent may be over.
+  void hope(Clock::time_point at);
+
+  // When it was last asked for something.
+  void begins(Clock::time_point now) { asked_at_ = now; }
+  Clock::time_point asked_at() const { return asked_at_; }
 
   // The group that is due next; null without inputs.
   GroupPoll* next_group();
@@ -57,7 +66,9 @@ class Unit {
   WritePlan writes_;
   int silences_ = 0;  // in a row
   bool asleep_ = false;
+  std::chrono::milliseconds pause_{0};  // before the next try of a dead one
   Clock::time_point wakes_at_{};
+  Clock::time_point asked_at_{};
 };
 
 }  // namespace stepwright::modbus::client
