@@ -45,11 +45,26 @@ bool has_taken(int descriptor, const termios& wanted) {
          (taken.c_cflag & format) == (wanted.c_cflag & format);
 }
 
+namespace {
+
+// glibc refuses to set a pseudo terminal, which drops the parity, to what it has already, parity included: as
+// a process that was killed leaves it. With another speed there is something to change.
+void make_settable(int descriptor) {
+  termios settings{};
+  if (::tcgetattr(descriptor, &settings) != 0) return;
+  ::cfsetispeed(&settings, B50);
+  ::cfsetospeed(&settings, B50);
+  ::tcsetattr(descriptor, TCSANOW, &settings);
+}
+
+}  // namespace
+
 int LineClaim::take(const std::string& device) {
   descriptor_ = ::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor_ < 0) return errno;
   const int error = ::isatty(descriptor_) == 1 ? lock(descriptor_) : ENOTTY;
   if (error != 0) release();
+  if (error == 0 && is_pseudo_terminal(descriptor_)) make_settable(descriptor_);
   return error;
 }
 

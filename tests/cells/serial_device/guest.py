@@ -87,12 +87,11 @@ class Guest:
     def connect(self, name):
         def attempt():
             assert self.qemu.running(), self.qemu.output()
-            try:
-                end = socket.socket(socket.AF_UNIX)
-                end.connect(str(self.folder / name))
+            end = socket.socket(socket.AF_UNIX)
+            if end.connect_ex(str(self.folder / name)) == 0:
                 return end
-            except OSError:
-                return None
+            end.close()
+            return None
         end = eventually(attempt, 20)
         assert end, "QEMU does not listen: " + self.qemu.output()
         end.settimeout(PATIENCE_S)
@@ -128,7 +127,8 @@ class Guest:
         return log
 
     def stop(self, command, signal="TERM"):
-        self.run(f"kill -{signal} $(cat /tmp/{command}.pid); wait $(cat /tmp/{command}.pid)")
+        pid = f"/tmp/{command}.pid"
+        self.run(f"[ -e {pid} ] && kill -{signal} $(cat {pid}) && wait $(cat {pid}); rm -f {pid}")
 
     def wait_for(self, log, text):
         found = eventually(lambda: self.run(f"grep -q '{text}' {log}")[0] == 0, 30, 0.05)
