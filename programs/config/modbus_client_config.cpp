@@ -88,9 +88,9 @@ class ClientReader {
     device.timeout = ms("timeout_ms", device.timeout, 1, 60'000);
     device.retries = static_cast<int>(table.integer("retries", device.retries, {0, 10}));
     device.retry_after = ms("retry_ms", device.retry_after, 10, kDay);
-    device.retry_at_most = std::max(
-        device.retry_after,
-        ms("retry_most_ms", std::max(device.retry_at_most, device.retry_after), 10, kDay));
+    device.retry_at_most =
+        std::max(device.retry_after,
+                 ms("retry_most_ms", std::max(device.retry_at_most, device.retry_after), 10, kDay));
     device.loss_after = ms("loss_after_ms", device.loss_after, 10, kDay);
     device.refresh = ms("refresh_ms", device.refresh, 0, kDay);
     device.max_gap = static_cast<std::uint16_t>(table.integer("max_gap", device.max_gap, {0, 124}));
@@ -232,8 +232,8 @@ class ClientReader {
         if (slow.timeout < bears) continue;
         fail("C0526", slow.where,
              "without an answer '" + slow.name + "' holds the connection for " +
-                 std::to_string(slow.timeout.count()) + " ms, and '" + other.name + "' counts as lost after " +
-                 std::to_string(bears.count()) + " ms",
+                 std::to_string(slow.timeout.count()) + " ms, and '" + other.name +
+                 "' counts as lost after " + std::to_string(bears.count()) + " ms",
              "a shorter timeout_ms of the one, a longer loss_after_ms of the other, or a line of its own");
         break;
       }

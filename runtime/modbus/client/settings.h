@@ -43,7 +43,7 @@ struct Device {
   std::chrono::microseconds gap{-1};  // silence between frames of a serial line; below zero: 3.5 characters
   std::uint8_t unit = 1;
   milliseconds timeout{300};
-  int retries = 1;                // of a request without an answer, before the unit counts as dead
+  int retries = 1;                    // of a request without an answer, before the unit counts as dead
   milliseconds retry_after{500};      // how long a dead unit is left alone after its first try
   milliseconds retry_at_most{5'000};  // twice as long after each further one, while others answer there
   OnLoss on_loss = OnLoss::Safe;

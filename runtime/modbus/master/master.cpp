@@ -1,11 +1,9 @@
 #include "runtime/modbus/master/master.h"
 
 #include <modbus/modbus.h>
-#include <poll.h>
 #include <sys/select.h>
 #include <sys/socket.h>
 #include <termios.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +12,7 @@
 #include <utility>
 
 #include "runtime/modbus/line/line_claim.h"
+#include "runtime/modbus/master/late_answer.h"
 #include "runtime/modbus/master/tcp_connect.h"
 
 namespace stepwright::modbus::master {
@@ -24,12 +23,6 @@ using Context = std::unique_ptr<modbus_t, decltype(&modbus_free)>;
 
 constexpr std::uint8_t kLastUnit = 247;
 constexpr std::chrono::milliseconds kShortestPeerTimeout{1'000};
-
-// On a line only: a silence of this length ends what arrives, whatever the adapter gathers.
-constexpr std::chrono::milliseconds kQuiet{20};
-// So much later than its request no slave answers any more.
-constexpr int kTimeoutsToBeLate = 3;
-constexpr std::chrono::milliseconds kShortestToBeLate{1'000};
 
 // Characters of a request and its answer, with address and checksum (Modbus Application Protocol V1.1b3, 6).
 constexpr std::size_t kEcho = 8;       // what writes are answered with, and what reads consist of
@@ -147,9 +140,9 @@ struct Master::State {
   // Late answers would be taken for those of the next request. False if the other side does nothing but send.
   bool drain() {
     if (serial()) return modbus_flush(context.get()) >= 0;
-    std::array<std::byte, 4'096> late;
-    const ssize_t got = recv(modbus_get_socket(context.get()), late.data(), late.size(), MSG_DONTWAIT);
-    return got < static_cast<ssize_t>(late.size());
+    std::array<std::byte, 4'096> rest;
+    const ssize_t got = recv(modbus_get_socket(context.get()), rest.data(), rest.size(), MSG_DONTWAIT);
+    return got < static_cast<ssize_t>(rest.size());
   }
 
   // Before a request: what stands in its way.
@@ -159,7 +152,7 @@ struct Master::State {
       const auto free_at = last + options.gap;
       if (Clock::now() < free_at) std::this_thread::sleep_until(free_at);
     }
-    if (stale && !drain()) {
+    if ((stale || serial()) && !drain()) {
       close();
       return {Fault::ConnectionLost, 0, EBADMSG};
     }
@@ -175,62 +168,15 @@ struct Master::State {
     return finish(request(context.get()), wanted);
   }
 
-  // On a line nothing tells a late answer from that to the next request of the same form. So the late answer
-  // of another unit is thrown away with the one that follows, and the request repeated (Modbus over Serial
-  // Line V1.02, 2.4.1: the unexpected slave). And the first answer of a unit that was silent counts for
-  // nothing: what may still be under way is waited for, then it is asked again.
+  // On a line the late answer of another unit is thrown away with the one that follows, and the request
+  // repeated (Modbus over Serial Line V1.02, 2.4.1: the unexpected slave).
   template <typename Request>
   Outcome ask(std::size_t characters, std::size_t wanted, const Request& request) {
-    Late& late = late_of[unit];
-    const bool may_be_late = serial() && late.answers > 0 && Clock::now() < late.until;
     const Outcome outcome = ask_once(characters, wanted, request);
-    if (!serial()) return outcome;
-    if (outcome.system_error == EMBBADSLAVE) {
-      throw_away(1);
-      return remember(ask_once(characters, wanted, request));
-    }
-    const bool answered = outcome.good() || outcome.fault == Fault::Exception;
-    if (!answered || !may_be_late) return remember(outcome);
-    throw_away(late.answers);
-    late.answers = 0;
-    return remember(ask_once(characters, wanted, request));
-  }
-
-  // Which answers may come after their time.
-  Outcome remember(const Outcome& outcome) {
-    Late& late = late_of[unit];
-    const auto now = Clock::now();
-    if (outcome.good() || outcome.fault == Fault::Exception) {
-      late.answers = 0;
-    } else if (outcome.fault == Fault::Timeout || outcome.fault == Fault::BadAnswer) {
-      late.answers = now < late.until ? late.answers + 1 : 1;
-      late.until = now + std::max<std::chrono::milliseconds>(kShortestToBeLate,
-                                                             (kTimeoutsToBeLate - 1) * options.timeout);
-    }
-    return outcome;
-  }
-
-  // Reads until so many frames have gone by, or nothing has come for the time of an answer.
-  void throw_away(int frames) {
-    const auto patience = std::max(options.timeout, kQuiet);
-    const auto end = Clock::now() + 2 * patience;  // whoever never pauses does not hold us up
-    pollfd entry{modbus_get_socket(context.get()), POLLIN, 0};
-    bool within = false;
-    while (frames > 0 && Clock::now() < end) {
-      const auto wait = within ? kQuiet : patience;
-      const int ready = poll(&entry, 1, static_cast<int>(wait.count()));
-      if (ready < 0 && errno == EINTR) continue;
-      if (ready <= 0 && !within) break;
-      if (ready <= 0) {
-        within = false;
-        --frames;
-        continue;
-      }
-      std::array<std::byte, 512> bytes;
-      if (read(entry.fd, bytes.data(), bytes.size()) <= 0) break;  // the next request finds out why
-      within = true;
-    }
+    if (!serial() || outcome.system_error != EMBBADSLAVE) return outcome;
+    throw_away_a_frame(modbus_get_socket(context.get()), options.timeout);
     last = Clock::now();
+    return ask_once(characters, wanted, request);
   }
 
   // What the return value of a libmodbus request means; `wanted` is that of success.
@@ -266,18 +212,10 @@ struct Master::State {
     return wanted;
   }
 
-  // Answers of a unit that may still come, and until when.
-  struct Late {
-    int answers = 0;
-    Clock::time_point until{};
-  };
-
   Endpoint endpoint;
   MasterOptions options;
   Context context;
   line::LineClaim claim;
-  std::uint8_t unit = 1;
-  std::array<Late, 256> late_of{};
   Clock::time_point last{};
   bool stale = false;  // bytes may be on their way that nobody asked for
 };
@@ -318,7 +256,6 @@ bool Master::connected() const {
 Outcome Master::select_unit(std::uint8_t unit) {
   const bool known = state_->serial() ? unit >= 1 && unit <= kLastUnit : unit <= kLastUnit || unit == 255;
   if (!known || modbus_set_slave(state_->context.get(), unit) != 0) return kBadRequest;
-  state_->unit = unit;
   return {};
 }
 

@@ -44,7 +44,7 @@ ConnectionWorker::ConnectionWorker(std::vector<Device> devices, master::Master m
       serial_(std::holds_alternative<master::SerialEndpoint>(board_.devices().front().endpoint)),
       words_(master::kMaxReadRegisters),
       bits_(master::kMaxReadBits) {
-  for (const Device& device : board_.devices()) units_.emplace_back(device, Clock::now());
+  for (const Device& device : board_.devices()) units_.emplace_back(device, Clock::now(), serial_);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -163,7 +163,8 @@ ConnectionWorker::Job ConnectionWorker::next_job(Clock::time_point now) {
   for (std::size_t i = 0; i < units_.size(); ++i) {
     Unit& unit = units_[i];
     const bool waits = (unit.doubtful() || unit.asleep()) && others_first(i, now);
-    const auto when = [&](Clock::time_point due) { return waits ? std::max(due, now + kTick) : due; };
+    const auto earliest = waits ? std::max(unit.rests_until(), now + kTick) : unit.rests_until();
+    const auto when = [&](Clock::time_point due) { return std::max(due, earliest); };
     if (unit.asleep()) {
       const auto at = when(std::max(unit.wakes_at(), probe_at_));
       if (at < dead.at) dead = {Turn::Probe, i, at};

@@ -6,8 +6,8 @@
 // Of what is due the oldest comes first; writes and reads alternate where both are. Units that do not answer
 // are tried again one at a time and more and more rarely, so that their timeouts take at most a quarter of
 // the line's time at first and next to nothing later. When nobody answers, nobody is spared; who answers
-// first then wakes the others. A connection is made anew when it is lost, when every unit of it is silent, or two of them are in a row
-// (half-open: nothing comes and nothing says so).
+// first then wakes the others. A connection is made anew when it is lost, when every unit of it is silent, or
+// two of them are in a row (half-open: nothing comes and nothing says so).
 //
 // Threads: its own; set_outputs, written and board() from any.
 

@@ -12,7 +12,8 @@ std::uint64_t GroupPoll::advance(std::chrono::steady_clock::time_point now) {
   return static_cast<std::uint64_t>(missed);
 }
 
-Unit::Unit(const Device& device, Clock::time_point start) : device_(&device), writes_(device) {
+Unit::Unit(const Device& device, Clock::time_point start, bool rests)
+    : device_(&device), rests_(rests), writes_(device) {
   std::uint32_t first = 0;
   for (const Group& group : device.groups) {
     groups_.push_back({group.period, first, group.inputs, {}, start});
@@ -45,6 +46,7 @@ void Unit::answered() {
 
 bool Unit::silent(Clock::time_point now, bool others_answer) {
   ++silences_;
+  if (rests_) rests_until_ = now + device_->timeout;
   if (!asleep_ && silences_ <= device_->retries) return false;
   const auto longest = std::max(device_->retry_after, device_->retry_at_most);
   pause_ = asleep_ && others_answer ? std::min(2 * pause_, longest) : device_->retry_after;

@@ -32,7 +32,8 @@ class Unit {
   using Clock = std::chrono::steady_clock;
 
   // The device must outlive it.
-  Unit(const Device& device, Clock::time_point start);
+  // `rests`: nothing says to which request an answer of it belongs, as on a serial line.
+  Unit(const Device& device, Clock::time_point start, bool rests = false);
 
   const Device& device() const { return *device_; }
   std::vector<GroupPoll>& groups() { return groups_; }
@@ -48,6 +49,9 @@ class Unit {
   // It was silent, and is tried again before it counts as dead.
   bool doubtful() const { return !asleep_ && silences_ > 0; }
   Clock::time_point wakes_at() const { return wakes_at_; }
+  // Not to be asked before: the answer to a request that was given up may still come, for as long again as
+  // it was waited for.
+  Clock::time_point rests_until() const { return rests_until_; }
   // A dead one is worth a try at `at`, and the pauses begin anew: what kept it silent may be over.
   void hope(Clock::time_point at);
 
@@ -62,6 +66,7 @@ class Unit {
   void plan();
 
   const Device* device_;
+  bool rests_;
   std::vector<GroupPoll> groups_;
   WritePlan writes_;
   int silences_ = 0;  // in a row
@@ -69,6 +74,7 @@ class Unit {
   std::chrono::milliseconds pause_{0};  // before the next try of a dead one
   Clock::time_point wakes_at_{};
   Clock::time_point asked_at_{};
+  Clock::time_point rests_until_{};
 };
 
 }  // namespace stepwright::modbus::client
