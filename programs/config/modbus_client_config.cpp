@@ -57,6 +57,7 @@ class ClientReader {
     for (const std::string& device : lines.keys()) {
       const TomlTable table = lines.table(device);
       Line line;
+      line.where = table.where();
       line.endpoint.device = device;
       line.endpoint.baud = static_cast<std::uint32_t>(table.integer("baud", 19'200, {1'200, 1'000'000}));
       const auto& speeds = modbus::master::kSpeeds;
@@ -87,6 +88,9 @@ class ClientReader {
     device.timeout = ms("timeout_ms", device.timeout, 1, 60'000);
     device.retries = static_cast<int>(table.integer("retries", device.retries, {0, 10}));
     device.retry_after = ms("retry_ms", device.retry_after, 10, kDay);
+    device.retry_at_most =
+        std::max(device.retry_after,
+                 ms("retry_most_ms", std::max(device.retry_at_most, device.retry_after), 10, kDay));
     device.loss_after = ms("loss_after_ms", device.loss_after, 10, kDay);
     device.refresh = ms("refresh_ms", device.refresh, 0, kDay);
     device.max_gap = static_cast<std::uint16_t>(table.integer("max_gap", device.max_gap, {0, 124}));
@@ -143,7 +147,10 @@ class ClientReader {
         std::ranges::find_if(lines_, [&](const Line& each) { return each.endpoint.device == line; });
     SerialEndpoint endpoint;
     endpoint.device = line;
-    if (found != lines_.end()) device.gap = found->gap;
+    if (found != lines_.end()) {
+      device.gap = found->gap;
+      found->used = true;
+    }
     device.endpoint = found != lines_.end() ? found->endpoint : endpoint;
     return true;
   }
@@ -216,7 +223,41 @@ class ClientReader {
     }
   }
 
+  // A device that does not answer holds its connection for a timeout. The others must be able to bear that.
+  void check_patience() {
+    for (const Device& slow : settings_.devices) {
+      for (const Device& other : settings_.devices) {
+        if (&slow == &other || name_of(slow.endpoint) != name_of(other.endpoint)) continue;
+        const auto bears = bearable(other);
+        if (slow.timeout < bears) continue;
+        fail("C0526", slow.where,
+             "without an answer '" + slow.name + "' holds the connection for " +
+                 std::to_string(slow.timeout.count()) + " ms, and '" + other.name +
+                 "' counts as lost after " + std::to_string(bears.count()) + " ms",
+             "a shorter timeout_ms of the one, a longer loss_after_ms of the other, or a line of its own");
+        break;
+      }
+    }
+  }
+
+  // How long a device may be without news before a tag of it is lost.
+  static milliseconds bearable(const Device& device) {
+    auto least = milliseconds::max();
+    for (const Group& group : device.groups) least = std::min(least, 2 * group.period);
+    return std::max(device.loss_after, least == milliseconds::max() ? milliseconds(0) : least);
+  }
+
+  void check_lines() {
+    for (const Line& line : lines_) {
+      if (line.used) continue;
+      fail("C0526", line.where, "no device is on the line " + line.endpoint.device,
+           "a device says line = \"" + line.endpoint.device + "\", letter by letter");
+    }
+  }
+
   void check_whole() {
+    check_lines();
+    check_patience();
     const bool devices = modbus_.has("device");
     if (image_.used && !devices) {
       fail("C0526", root_.table("io").where("kind"), "there is no device",
@@ -234,6 +275,8 @@ class ClientReader {
   struct Line {
     SerialEndpoint endpoint;
     std::chrono::microseconds gap{-1};
+    result::Location where;
+    bool used = false;
   };
   struct Claim {
     std::uint32_t first;

@@ -43,8 +43,9 @@ struct Device {
   std::chrono::microseconds gap{-1};  // silence between frames of a serial line; below zero: 3.5 characters
   std::uint8_t unit = 1;
   milliseconds timeout{300};
-  int retries = 1;                // of a request without an answer, before the unit counts as dead
-  milliseconds retry_after{500};  // how long a dead unit is left alone
+  int retries = 1;                    // of a request without an answer, before the unit counts as dead
+  milliseconds retry_after{500};      // how long a dead unit is left alone after its first try
+  milliseconds retry_at_most{5'000};  // twice as long after each further one, while others answer there
   OnLoss on_loss = OnLoss::Safe;
   milliseconds loss_after{1'000};  // without news; never less than two periods of the tag's group
   std::uint16_t max_gap = 8;       // registers that nobody asked for, between two of one request (bits: x 16)

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -15,6 +16,7 @@ struct TcpEndpoint {
   std::string host =
       "127.0.0.1";  // IPv4, IPv6, or a name, whose look-up may block for as long as the resolver does
   std::uint16_t port = 502;
+  friend bool operator==(const TcpEndpoint&, const TcpEndpoint&) = default;
 };
 
 enum class Parity : std::uint8_t { None, Even, Odd };
@@ -27,6 +29,7 @@ struct SerialEndpoint {
   std::uint8_t data_bits = 8;  // 7 or 8
   std::uint8_t stop_bits = 1;  // 1 or 2
   bool rs485 = false;          // the kernel's driver switches the direction
+  friend bool operator==(const SerialEndpoint&, const SerialEndpoint&) = default;
 };
 
 using Endpoint = std::variant<TcpEndpoint, SerialEndpoint>;
@@ -50,6 +53,14 @@ constexpr std::chrono::microseconds frame_gap(std::uint32_t baud) {
   constexpr std::uint64_t kBitsTimesMicro = 38'500'000;
   if (baud == 0 || baud > kFastest) return std::chrono::microseconds(1'750);
   return std::chrono::microseconds((kBitsTimesMicro + baud - 1) / baud);
+}
+
+// What so many characters take on a line: a start bit, data, parity and stop bits each.
+constexpr std::chrono::microseconds time_on(const SerialEndpoint& line, std::size_t characters) {
+  constexpr std::uint64_t kMicro = 1'000'000;
+  const std::uint64_t bits = 1u + line.data_bits + (line.parity == Parity::None ? 0u : 1u) + line.stop_bits;
+  return std::chrono::microseconds(
+      line.baud == 0 ? 0 : static_cast<std::int64_t>(characters * bits * kMicro / line.baud));
 }
 
 }  // namespace stepwright::modbus::master

@@ -3,6 +3,7 @@
 #include <modbus/modbus.h>
 #include <sys/select.h>
 #include <sys/socket.h>
+#include <termios.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +11,8 @@
 #include <thread>
 #include <utility>
 
+#include "runtime/modbus/line/line_claim.h"
+#include "runtime/modbus/master/late_answer.h"
 #include "runtime/modbus/master/tcp_connect.h"
 
 namespace stepwright::modbus::master {
@@ -20,6 +23,17 @@ using Context = std::unique_ptr<modbus_t, decltype(&modbus_free)>;
 
 constexpr std::uint8_t kLastUnit = 247;
 constexpr std::chrono::milliseconds kShortestPeerTimeout{1'000};
+
+// Characters of a request and its answer, with address and checksum (Modbus Application Protocol V1.1b3, 6).
+constexpr std::size_t kEcho = 8;       // what writes are answered with, and what reads consist of
+constexpr std::size_t kReadHead = 5;   // of the answer to a read, beside its values
+constexpr std::size_t kWriteHead = 9;  // of a request that writes several
+constexpr std::size_t kMask = 10;
+constexpr std::size_t kReadWriteHead = 13;
+
+constexpr std::size_t bytes_of_bits(std::size_t bits) {
+  return (bits + 7) / 8;
+}
 
 tl::unexpected<result::Diagnostics> impossible(const std::string& name, const std::string& what) {
   return result::fail("R0126", {name, 0, 0}, what);
@@ -45,6 +59,15 @@ result::Result<Context> make_context(const SerialEndpoint& line) {
                  &modbus_free);
 }
 
+// Of the speeds that kSpeeds has.
+speed_t code_of(std::uint32_t baud) {
+  constexpr std::array<speed_t, kSpeeds.size()> kCodes = {B1200,   B2400,   B4800,   B9600,   B19200,
+                                                          B38400,  B57600,  B115200, B230400, B460800,
+                                                          B500000, B921600, B1000000};
+  const auto found = std::ranges::find(kSpeeds, baud);
+  return kCodes[static_cast<std::size_t>(found - kSpeeds.begin())];
+}
+
 bool is_range(std::uint16_t first, std::size_t count, std::size_t most) {
   return count >= 1 && count <= most && first + count <= 65'536;
 }
@@ -63,21 +86,35 @@ struct Master::State {
   void close() {
     if (open()) modbus_close(context.get());
     modbus_set_socket(context.get(), -1);  // of a line, modbus_close leaves the number
+    claim.release();
   }
 
   Outcome connect_line() {
-    const auto& line = std::get<SerialEndpoint>(endpoint);
+    const auto& endpoint_of_line = std::get<SerialEndpoint>(endpoint);
+    // Before libmodbus opens it and changes its settings under somebody who uses it.
+    if (const int error = claim.take(endpoint_of_line.device); error != 0)
+      return {Fault::NotConnected, 0, error};
     if (modbus_connect(context.get()) != 0) {
       const int error = errno;
       modbus_set_socket(context.get(), -1);
+      claim.release();
       return {Fault::NotConnected, 0, error};
     }
-    const bool fits = modbus_get_socket(context.get()) < FD_SETSIZE;
-    const bool switched = !line.rs485 || modbus_rtu_set_serial_mode(context.get(), MODBUS_RTU_RS485) == 0;
-    if (fits && switched) return {};
-    const int error = fits ? errno : EMFILE;
+    const int error = set_up_line(endpoint_of_line);
+    if (error == 0) return {};
     close();
     return {Fault::NotConnected, 0, error};
+  }
+
+  int set_up_line(const SerialEndpoint& endpoint_of_line) {
+    const int descriptor = modbus_get_socket(context.get());
+    if (descriptor >= FD_SETSIZE) return EMFILE;
+    if (!line::has_taken(descriptor, wanted_settings(endpoint_of_line))) return EINVAL;
+    if (endpoint_of_line.rs485 && modbus_rtu_set_serial_mode(context.get(), MODBUS_RTU_RS485) != 0)
+      return errno;
+    line::keep_others_out(descriptor);
+    line::ask_for_low_latency(descriptor);
+    return 0;
   }
 
   Outcome connect_host() {
@@ -88,8 +125,12 @@ struct Master::State {
     return {};
   }
 
-  void apply_timeout() {
-    const auto us = std::chrono::duration_cast<std::chrono::microseconds>(options.timeout).count();
+  // `characters`: of the request and its answer, which a line takes its time for.
+  void apply_timeout(std::size_t characters) {
+    const auto* const on_line = std::get_if<SerialEndpoint>(&endpoint);
+    const std::chrono::microseconds wire =
+        on_line != nullptr ? time_on(*on_line, characters) : std::chrono::microseconds(0);
+    const auto us = (options.timeout + wire).count();
     modbus_set_response_timeout(context.get(), static_cast<std::uint32_t>(us / 1'000'000),
                                 static_cast<std::uint32_t>(us % 1'000'000));
     // Without a timeout between bytes libmodbus holds the whole answer to the one above.
@@ -99,24 +140,43 @@ struct Master::State {
   // Late answers would be taken for those of the next request. False if the other side does nothing but send.
   bool drain() {
     if (serial()) return modbus_flush(context.get()) >= 0;
-    std::array<std::byte, 4'096> late;
-    const ssize_t got = recv(modbus_get_socket(context.get()), late.data(), late.size(), MSG_DONTWAIT);
-    return got < static_cast<ssize_t>(late.size());
+    std::array<std::byte, 4'096> rest;
+    const ssize_t got = recv(modbus_get_socket(context.get()), rest.data(), rest.size(), MSG_DONTWAIT);
+    return got < static_cast<ssize_t>(rest.size());
   }
 
   // Before a request: what stands in its way.
-  Outcome prepare() {
+  Outcome prepare(std::size_t characters) {
     if (!open()) return {Fault::NotConnected, 0, ENOTCONN};
     if (serial()) {
       const auto free_at = last + options.gap;
       if (Clock::now() < free_at) std::this_thread::sleep_until(free_at);
     }
-    if (stale && !drain()) {
+    if ((stale || serial()) && !drain()) {
       close();
       return {Fault::ConnectionLost, 0, EBADMSG};
     }
     stale = false;
+    apply_timeout(characters);
     return {};
+  }
+
+  // Sends a request and waits for its answer. `wanted` is what libmodbus returns where all is well.
+  template <typename Request>
+  Outcome ask_once(std::size_t characters, std::size_t wanted, const Request& request) {
+    if (const Outcome ready = prepare(characters); !ready.good()) return ready;
+    return finish(request(context.get()), wanted);
+  }
+
+  // On a line the late answer of another unit is thrown away with the one that follows, and the request
+  // repeated (Modbus over Serial Line V1.02, 2.4.1: the unexpected slave).
+  template <typename Request>
+  Outcome ask(std::size_t characters, std::size_t wanted, const Request& request) {
+    const Outcome outcome = ask_once(characters, wanted, request);
+    if (!serial() || outcome.system_error != EMBBADSLAVE) return outcome;
+    throw_away_a_frame(modbus_get_socket(context.get()), options.timeout);
+    last = Clock::now();
+    return ask_once(characters, wanted, request);
   }
 
   // What the return value of a libmodbus request means; `wanted` is that of success.
@@ -142,9 +202,20 @@ struct Master::State {
     return {Fault::BadAnswer, 0, error};
   }
 
+  static termios wanted_settings(const SerialEndpoint& endpoint_of_line) {
+    termios wanted{};
+    wanted.c_cflag = endpoint_of_line.data_bits == 7 ? CS7 : CS8;
+    if (endpoint_of_line.stop_bits == 2) wanted.c_cflag |= CSTOPB;
+    if (endpoint_of_line.parity != Parity::None) wanted.c_cflag |= PARENB;
+    if (endpoint_of_line.parity == Parity::Odd) wanted.c_cflag |= PARODD;
+    cfsetospeed(&wanted, code_of(endpoint_of_line.baud));
+    return wanted;
+  }
+
   Endpoint endpoint;
   MasterOptions options;
   Context context;
+  line::LineClaim claim;
   Clock::time_point last{};
   bool stale = false;  // bytes may be on their way that nobody asked for
 };
@@ -165,7 +236,6 @@ result::Result<Master> Master::create(const Endpoint& endpoint, const MasterOpti
     state->options.gap = frame_gap(line->baud);
   modbus_set_error_recovery(state->context.get(), MODBUS_ERROR_RECOVERY_NONE);
   modbus_set_slave(state->context.get(), 1);
-  state->apply_timeout();
   return Master(std::move(state));
 }
 
@@ -191,54 +261,52 @@ Outcome Master::select_unit(std::uint8_t unit) {
 
 void Master::set_timeout(std::chrono::milliseconds timeout) {
   state_->options.timeout = timeout;
-  state_->apply_timeout();
 }
 
 Outcome Master::read_bits(BitTable table, std::uint16_t first, std::span<std::uint8_t> bits) {
   if (!is_range(first, bits.size(), kMaxReadBits)) return kBadRequest;
-  if (const Outcome ready = state_->prepare(); !ready.good()) return ready;
   const auto read = table == BitTable::Coils ? modbus_read_bits : modbus_read_input_bits;
-  return state_->finish(read(state_->context.get(), first, static_cast<int>(bits.size()), bits.data()),
-                        bits.size());
+  return state_->ask(kEcho + kReadHead + bytes_of_bits(bits.size()), bits.size(), [&](modbus_t* context) {
+    return read(context, first, static_cast<int>(bits.size()), bits.data());
+  });
 }
 
 Outcome Master::read_registers(RegisterTable table, std::uint16_t first, std::span<std::uint16_t> words) {
   if (!is_range(first, words.size(), kMaxReadRegisters)) return kBadRequest;
-  if (const Outcome ready = state_->prepare(); !ready.good()) return ready;
   const auto read = table == RegisterTable::Holding ? modbus_read_registers : modbus_read_input_registers;
-  return state_->finish(read(state_->context.get(), first, static_cast<int>(words.size()), words.data()),
-                        words.size());
+  return state_->ask(kEcho + kReadHead + 2 * words.size(), words.size(), [&](modbus_t* context) {
+    return read(context, first, static_cast<int>(words.size()), words.data());
+  });
 }
 
 Outcome Master::write_coil(std::uint16_t address, bool value) {
-  if (const Outcome ready = state_->prepare(); !ready.good()) return ready;
-  return state_->finish(modbus_write_bit(state_->context.get(), address, value ? 1 : 0), 1);
+  return state_->ask(2 * kEcho, 1,
+                     [&](modbus_t* context) { return modbus_write_bit(context, address, value ? 1 : 0); });
 }
 
 Outcome Master::write_register(std::uint16_t address, std::uint16_t value) {
-  if (const Outcome ready = state_->prepare(); !ready.good()) return ready;
-  return state_->finish(modbus_write_register(state_->context.get(), address, value), 1);
+  return state_->ask(2 * kEcho, 1,
+                     [&](modbus_t* context) { return modbus_write_register(context, address, value); });
 }
 
 Outcome Master::write_coils(std::uint16_t first, std::span<const std::uint8_t> bits) {
   if (!is_range(first, bits.size(), kMaxWriteBits)) return kBadRequest;
-  if (const Outcome ready = state_->prepare(); !ready.good()) return ready;
-  return state_->finish(
-      modbus_write_bits(state_->context.get(), first, static_cast<int>(bits.size()), bits.data()),
-      bits.size());
+  return state_->ask(kWriteHead + bytes_of_bits(bits.size()) + kEcho, bits.size(), [&](modbus_t* context) {
+    return modbus_write_bits(context, first, static_cast<int>(bits.size()), bits.data());
+  });
 }
 
 Outcome Master::write_registers(std::uint16_t first, std::span<const std::uint16_t> words) {
   if (!is_range(first, words.size(), kMaxWriteRegisters)) return kBadRequest;
-  if (const Outcome ready = state_->prepare(); !ready.good()) return ready;
-  return state_->finish(
-      modbus_write_registers(state_->context.get(), first, static_cast<int>(words.size()), words.data()),
-      words.size());
+  return state_->ask(kWriteHead + 2 * words.size() + kEcho, words.size(), [&](modbus_t* context) {
+    return modbus_write_registers(context, first, static_cast<int>(words.size()), words.data());
+  });
 }
 
 Outcome Master::mask_register(std::uint16_t address, std::uint16_t and_mask, std::uint16_t or_mask) {
-  if (const Outcome ready = state_->prepare(); !ready.good()) return ready;
-  return state_->finish(modbus_mask_write_register(state_->context.get(), address, and_mask, or_mask), 1);
+  return state_->ask(2 * kMask, 1, [&](modbus_t* context) {
+    return modbus_mask_write_register(context, address, and_mask, or_mask);
+  });
 }
 
 Outcome Master::read_write_registers(std::uint16_t write_first, std::span<const std::uint16_t> write,
@@ -247,11 +315,11 @@ Outcome Master::read_write_registers(std::uint16_t write_first, std::span<const 
       !is_range(read_first, read.size(), kMaxReadRegisters)) {
     return kBadRequest;
   }
-  if (const Outcome ready = state_->prepare(); !ready.good()) return ready;
-  return state_->finish(
-      modbus_write_and_read_registers(state_->context.get(), write_first, static_cast<int>(write.size()),
-                                      write.data(), read_first, static_cast<int>(read.size()), read.data()),
-      read.size());
+  const std::size_t characters = kReadWriteHead + 2 * write.size() + kReadHead + 2 * read.size();
+  return state_->ask(characters, read.size(), [&](modbus_t* context) {
+    return modbus_write_and_read_registers(context, write_first, static_cast<int>(write.size()), write.data(),
+                                           read_first, static_cast<int>(read.size()), read.data());
+  });
 }
 
 }  // namespace stepwright::modbus::master

@@ -11,11 +11,14 @@
 //
 // Threads: one at a time. Every call is over within the timeout of the connection or of the answer; a name's
 // look-up is not ours to bound. An answer is whole within the timeout of its request, however slowly it
-// drips.
+// drips. On a line the time that request and answer take at its speed is added, and a call may take three
+// timeouts where it meets the late answer of an earlier request.
 // Invariants: counts, addresses and units outside the protocol never reach libmodbus; what arrived too late
-// is thrown away before the next request; after ConnectionLost, and over TCP after BadAnswer, the connection
-// is closed. A timeout leaves it open, because behind a gateway another unit may answer: whoever knows better
-// calls close().
+// is thrown away before the next request, and on a line also the late answer of another unit while one is
+// waited for. That of the same unit cannot be told from the answer to a request of the same form: leave a
+// unit alone after a timeout. A line is this process's alone while it is connected. After ConnectionLost, and
+// over TCP after BadAnswer, the connection is closed. A timeout leaves it open, because behind a gateway
+// another unit may answer: whoever knows better calls close().
 
 #include <chrono>
 #include <cstdint>

@@ -1,5 +1,6 @@
 #include "runtime/modbus/master/outcome.h"
 
+#include <cerrno>
 #include <cstring>
 
 namespace stepwright::modbus::master {
@@ -72,6 +73,8 @@ std::string Outcome::text() const {
     return "exception " + std::to_string(exception) + " (" + exception_name(exception) + ")";
   std::string text = kind_of(fault).text;
   const bool told = fault == Fault::NotConnected || fault == Fault::ConnectionLost;
+  if (fault == Fault::NotConnected && system_error == EBUSY)
+    return text + ": the line is in use, by another process or under another name";
   if (told && system_error > 0 && system_error < kFirstOwnError)
     text += std::string(": ") + std::strerror(system_error);
   return text;

@@ -44,7 +44,7 @@ ConnectionWorker::ConnectionWorker(std::vector<Device> devices, master::Master m
       serial_(std::holds_alternative<master::SerialEndpoint>(board_.devices().front().endpoint)),
       words_(master::kMaxReadRegisters),
       bits_(master::kMaxReadBits) {
-  for (const Device& device : board_.devices()) units_.emplace_back(device, Clock::now());
+  for (const Device& device : board_.devices()) units_.emplace_back(device, Clock::now(), serial_);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -94,6 +94,7 @@ void ConnectionWorker::run() {
     take_outputs();
     if (!master_.connected() && !connect()) continue;
     const Job job = next_job(Clock::now());
+    if (job.turn != Turn::Wait) units_[job.unit].begins(Clock::now());
     switch (job.turn) {
       case Turn::Wait:
         wait_until(job.at);
@@ -127,6 +128,7 @@ bool ConnectionWorker::connect() {
   connect_at_ = now + pause_;
   pause_ = std::clamp(2 * pause_, kFirstPause, std::max(kFirstPause, settings_.reconnect_at_most));
   silent_.clear();
+  probe_at_ = {};
   if (!outcome.good()) {
     for (std::size_t i = 0; i < units_.size(); ++i)
       board_.offline(i, Quality::NotConnected, outcome.text(), now);
@@ -134,22 +136,37 @@ bool ConnectionWorker::connect() {
   }
   for (std::size_t i = 0; i < units_.size(); ++i) {
     units_[i].begin_anew();
+    units_[i].hope(now);
     // There is nothing to ask it, and what is to be written may come later.
     if (units_[i].next_group() == nullptr && !units_[i].asleep()) board_.online(i, now);
   }
   return true;
 }
 
+// After a silence everybody else who is due comes first, so that units which die together hold up the others
+// for one timeout at a time.
+bool ConnectionWorker::others_first(std::size_t index, Clock::time_point now) {
+  for (std::size_t i = 0; i < units_.size(); ++i) {
+    Unit& other = units_[i];
+    if (i == index || other.asleep() || other.doubtful() || other.asked_at() >= silence_at_) continue;
+    const GroupPoll* const group = other.next_group();
+    const auto write = other.writes().due();
+    if ((group != nullptr && group->due <= now) || (write && *write <= now)) return true;
+  }
+  return false;
+}
+
 ConnectionWorker::Job ConnectionWorker::next_job(Clock::time_point now) {
   Job read;
   Job write;
   Job dead;
-  const std::size_t later = std::exchange(later_, kNobody);
   for (std::size_t i = 0; i < units_.size(); ++i) {
     Unit& unit = units_[i];
-    const auto when = [&](Clock::time_point due) { return i == later ? std::max(due, now + kTick) : due; };
+    const bool waits = (unit.doubtful() || unit.asleep()) && others_first(i, now);
+    const auto earliest = waits ? std::max(unit.rests_until(), now + kTick) : unit.rests_until();
+    const auto when = [&](Clock::time_point due) { return std::max(due, earliest); };
     if (unit.asleep()) {
-      const auto at = std::max(unit.wakes_at(), probe_at_);
+      const auto at = when(std::max(unit.wakes_at(), probe_at_));
       if (at < dead.at) dead = {Turn::Probe, i, at};
       continue;
     }
@@ -288,7 +305,10 @@ bool ConnectionWorker::judge(std::size_t index, const Outcome& outcome, Clock::t
     on_lost(outcome.text(), now);
     return false;
   }
-  // It has answered, if only to refuse.
+  // It has answered, if only to refuse. If nobody did before, it may have been the line that was dead.
+  if (std::ranges::all_of(units_, &Unit::asleep)) {
+    for (Unit& unit : units_) unit.hope(now);
+  }
   units_[index].answered();
   board_.online(index, now);
   silent_.clear();
@@ -302,11 +322,15 @@ void ConnectionWorker::on_silence(std::size_t index, const std::string& error, C
   const bool was_asleep = unit.asleep();
   const bool others_awake =
       std::ranges::any_of(units_, [&](const Unit& other) { return &other != &unit && !other.asleep(); });
-  if (unit.silent(now)) {
-    probe_at_ = now + kShareOfTheDead * (now - sent);
+  silence_at_ = now;
+  if (unit.silent(now, others_awake)) {
+    if (others_awake) {
+      probe_at_ = now + kShareOfTheDead * (now - sent);
+    } else {  // nobody is left whom a try would delay
+      for (Unit& each : units_) each.hope(now + each.device().retry_after);
+    }
     board_.offline(index, Quality::CommFailure, error, now);
   }
-  later_ = index;
   if (serial_) return;
   // A unit that is known to be dead says nothing about the connection, as long as others speak.
   if (was_asleep && others_awake) return;

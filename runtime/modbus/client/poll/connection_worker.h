@@ -4,9 +4,10 @@
 // serial line, which take turns there. What it waits for holds up no other connection.
 //
 // Of what is due the oldest comes first; writes and reads alternate where both are. Units that do not answer
-// are tried again one at a time, so that their timeouts take at most a quarter of the line's time. A
-// connection is made anew when it is lost, when every unit of it is silent, or two of them are in a row
-// (half-open: nothing comes and nothing says so).
+// are tried again one at a time and more and more rarely, so that their timeouts take at most a quarter of
+// the line's time at first and next to nothing later. When nobody answers, nobody is spared; who answers
+// first then wakes the others. A connection is made anew when it is lost, when every unit of it is silent, or
+// two of them are in a row (half-open: nothing comes and nothing says so).
 //
 // Threads: its own; set_outputs, written and board() from any.
 
@@ -61,6 +62,7 @@ class ConnectionWorker {
   void take_outputs();
   bool connect();
   Job next_job(Clock::time_point now);
+  bool others_first(std::size_t unit, Clock::time_point now);
   void read_group(std::size_t unit, GroupPoll& group);
   void write_next(std::size_t unit);
   void probe(std::size_t unit);
@@ -83,8 +85,7 @@ class ConnectionWorker {
   std::chrono::milliseconds pause_{0};  // before the next attempt but one
   Clock::time_point probe_at_{};        // no dead unit is tried before
   std::vector<std::size_t> silent_;     // units since the newest answer of any
-  static constexpr std::size_t kNobody = ~std::size_t{0};
-  std::size_t later_ = kNobody;  // the unit that was silent just now: first the others
+  Clock::time_point silence_at_{};      // the newest of any
   bool wrote_last_ = false;
 
   std::mutex mutex_;  // of what follows

@@ -9,6 +9,19 @@ namespace stepwright::modbus::client {
 
 namespace {
 
+// A line has one speed, one format and one gap; all devices on it must say the same.
+result::Result<void> check_line(const std::vector<Device>& devices) {
+  for (const Device& device : devices) {
+    const Device& first = devices.front();
+    if (device.endpoint == first.endpoint && device.gap == first.gap) continue;
+    return result::fail("R0126", device.where,
+                        "'" + device.name + "' and '" + first.name + "' are on " +
+                            master::name_of(first.endpoint) + " with different settings",
+                        "a line has one speed, parity, size and gap for all units");
+  }
+  return {};
+}
+
 // The devices of one connection, and who asks them.
 using Connection = std::pair<std::vector<Device>, master::Master>;
 
@@ -17,6 +30,7 @@ result::Result<std::vector<Connection>> connections_of(const ClientSettings& set
   for (const Device& device : settings.devices) by_place[master::name_of(device.endpoint)].push_back(device);
   std::vector<Connection> made;
   for (auto& [name, devices] : by_place) {
+    if (auto checked = check_line(devices); !checked) return result::forward(checked);
     master::MasterOptions options;
     options.connect_timeout = settings.connect_timeout;
     options.timeout = devices.front().timeout;

@@ -24,7 +24,8 @@ namespace stepwright::modbus::client {
 
 class IoClient {
  public:
-  // Begins to poll. Fails with what Master::create refuses (R0126). Requires tags that lie within the areas.
+  // Begins to poll. Fails with what Master::create refuses and where devices of one line want different
+  // settings of it (R0126). Requires tags that lie within the areas.
   [[nodiscard]] static result::Result<std::unique_ptr<IoClient>> create(const ClientSettings& settings);
 
   // What create would refuse, found without a thread or a connection.

@@ -12,7 +12,8 @@ std::uint64_t GroupPoll::advance(std::chrono::steady_clock::time_point now) {
   return static_cast<std::uint64_t>(missed);
 }
 
-Unit::Unit(const Device& device, Clock::time_point start) : device_(&device), writes_(device) {
+Unit::Unit(const Device& device, Clock::time_point start, bool rests)
+    : device_(&device), rests_(rests), writes_(device) {
   std::uint32_t first = 0;
   for (const Group& group : device.groups) {
     groups_.push_back({group.period, first, group.inputs, {}, start});
@@ -43,12 +44,21 @@ void Unit::answered() {
   writes_.forget();  // it may have been switched off meanwhile
 }
 
-bool Unit::silent(Clock::time_point now) {
+bool Unit::silent(Clock::time_point now, bool others_answer) {
   ++silences_;
+  if (rests_) rests_until_ = now + device_->timeout;
   if (!asleep_ && silences_ <= device_->retries) return false;
+  const auto longest = std::max(device_->retry_after, device_->retry_at_most);
+  pause_ = asleep_ && others_answer ? std::min(2 * pause_, longest) : device_->retry_after;
   asleep_ = true;
-  wakes_at_ = now + device_->retry_after;
+  wakes_at_ = now + pause_;
   return true;
+}
+
+void Unit::hope(Clock::time_point at) {
+  if (!asleep_) return;
+  pause_ = device_->retry_after;
+  wakes_at_ = std::min(wakes_at_, at);
 }
 
 GroupPoll* Unit::next_group() {

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <linux/serial.h>
-#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
@@ -13,6 +12,8 @@
 #include <cstring>
 #include <optional>
 #include <utility>
+
+#include "runtime/modbus/line/line_claim.h"
 
 namespace stepwright::modbus::server {
 
@@ -69,12 +70,10 @@ bool switch_to_rs485(int descriptor) {
   return ::ioctl(descriptor, TIOCSRS485, &settings) == 0;
 }
 
-// Bytes are passed on as they come, not gathered for some milliseconds. Not every driver can.
-void ask_for_low_latency(int descriptor) {
-  serial_struct settings{};
-  if (::ioctl(descriptor, TIOCGSERIAL, &settings) != 0) return;
-  settings.flags |= ASYNC_LOW_LATENCY;
-  ::ioctl(descriptor, TIOCSSERIAL, &settings);
+tl::unexpected<result::Diagnostics> in_use(const LineOptions& options) {
+  return fail("R0112", options.where,
+              "the serial line " + options.device.string() + " is in use by another process",
+              "a line has one slave process; a master needs a line of its own");
 }
 
 Moved moved(ssize_t count) {
@@ -101,6 +100,7 @@ result::Result<SerialLine> SerialLine::open(const LineOptions& options) {
     return fail("R0113", options.where, "a serial line cannot have " + line_text(options),
                 "speeds are 1200 to 921600 baud in the usual steps, stop bits 1 or 2");
   SerialLine line(::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  if (line.descriptor_ < 0 && errno == EBUSY) return in_use(options);
   if (line.descriptor_ < 0)
     return fail("R0111", options.where, "cannot open the serial line " + device + ": " + reason(),
                 errno == EACCES
@@ -109,22 +109,18 @@ result::Result<SerialLine> SerialLine::open(const LineOptions& options) {
   termios settings{};
   if (::tcgetattr(line.descriptor_, &settings) != 0)
     return fail("R0111", options.where, device + " is no serial line", "");
-  if (::flock(line.descriptor_, LOCK_EX | LOCK_NB) != 0)
-    return fail("R0112", options.where, "the serial line " + device + " is in use by another process",
-                "a line has one slave process; a master needs a line of its own");
+  if (line::lock(line.descriptor_) != 0) return in_use(options);
   apply(options, *speed, settings);
-  if (::tcsetattr(line.descriptor_, TCSANOW, &settings) != 0)
-    return fail("R0113", options.where, device + " does not take " + line_text(options) + ": " + reason(),
-                "");
-  // tcsetattr is content with a part of what it was asked for.
-  termios taken{};
-  if (::tcgetattr(line.descriptor_, &taken) != 0 || ::cfgetospeed(&taken) != *speed)
+  // Its word is not relied on: it is content with a part, and refuses a pseudo terminal what it has already.
+  ::tcsetattr(line.descriptor_, TCSANOW, &settings);
+  if (!line::has_taken(line.descriptor_, settings))
     return fail("R0113", options.where, device + " does not take " + line_text(options),
-                "choose another speed");
+                "choose another speed, or what the adapter can do");
   if (options.rs485 && !switch_to_rs485(line.descriptor_))
     return fail("R0113", options.where, device + " cannot switch an RS-485 transmitter: " + reason(),
                 "set rs485 = false where the adapter does it by itself, as those on USB do");
-  ask_for_low_latency(line.descriptor_);
+  line::keep_others_out(line.descriptor_);
+  line::ask_for_low_latency(line.descriptor_);
   ::tcflush(line.descriptor_, TCIOFLUSH);
   return line;
 }

@@ -7,7 +7,7 @@
 //   line->read(buffer);
 //
 // Threads: one. The device is locked (flock) while the object lives, against a second slave or a master of
-// ours on the same line.
+// ours on the same line, and nobody but root may open it (TIOCEXCL).
 
 #include <cstddef>
 #include <cstdint>

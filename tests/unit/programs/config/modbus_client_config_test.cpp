@@ -200,5 +200,37 @@ TEST(ModbusClientConfig, WhenPartsDoNotGoTogether_ThenThatIsTold) {
             Found{"3 C0526"});
 }
 
+// Two devices on one line, of which the second ends in line 20.
+Read read_line(const std::string& first, const std::string& second, const std::string& lines = "") {
+  const std::string group = "[[modbus.device.group]]\nperiod_ms = 50\ntags = [{ address = \"%IW";
+  return read("[io]\nkind = \"modbus\"\n" + lines +
+              "[[modbus.device]]\nname = \"a\"\nline = \"/dev/x\"\nunit = 1\n" + first + "\n" + group +
+              "0\", input = 0 }]\n" + "[[modbus.device]]\nname = \"b\"\nline = \"/dev/x\"\nunit = 2\n" +
+              second + "\n" + group + "1\", input = 0 }]\n");
+}
+
+TEST(ModbusClientConfig, WhenADeadDeviceWouldMakeAnotherLost_ThenThatIsTold) {
+  EXPECT_EQ(read_line("", "").found(), Found{});
+  EXPECT_EQ(read_line("", "loss_after_ms = 300").found(), Found{"4 C0526"});
+  EXPECT_EQ(read_line("", "loss_after_ms = 301").found(), Found{});
+  EXPECT_EQ(read_line("", "timeout_ms = 1_000").found(), Found{"12 C0526"});
+  // Alone on its connection it may take what it likes.
+  EXPECT_EQ(read_tags("{ address = \"%IW3\", holding = 100 },", "timeout_ms = 5_000").found(), Found{});
+}
+
+TEST(ModbusClientConfig, WhenALineHasNoDevice_ThenThatIsTold) {
+  EXPECT_EQ(read_line("", "", "[modbus.lines.\"/dev/y\"]\nbaud = 9600\n").found(), Found{"3 C0526"});
+  EXPECT_EQ(read_line("", "", "[modbus.lines.\"/dev/x\"]\nbaud = 9600\n").found(), Found{});
+}
+
+TEST(ModbusClientConfig, WhenPausesOfDeadDevicesAreGiven_ThenTheLongestIsNoShorterThanTheFirst) {
+  const Read usual = read_line("", "retry_ms = 100\nretry_most_ms = 800");
+  EXPECT_EQ(usual.settings.devices[0].retry_at_most, std::chrono::milliseconds(5'000));
+  EXPECT_EQ(usual.settings.devices[1].retry_at_most, std::chrono::milliseconds(800));
+  const Read slow = read_line("retry_ms = 60_000", "retry_ms = 700\nretry_most_ms = 600");
+  EXPECT_EQ(slow.settings.devices[0].retry_at_most, std::chrono::milliseconds(60'000));
+  EXPECT_EQ(slow.settings.devices[1].retry_at_most, std::chrono::milliseconds(700));
+}
+
 }  // namespace
 }  // namespace stepwright::config

@@ -108,5 +108,27 @@ TEST_F(SerialLine, WhenTheDeviceGoes_ThenTheConnectionIsLostUntilItIsBack) {
   EXPECT_TRUE(line.write_register(0, 1).good());
 }
 
+TEST_F(SerialLine, WhenAnotherMasterHasIt_ThenItIsRefusedUntilThatOneLeaves) {
+  Master first = master();
+  ASSERT_TRUE(first.connect().good());
+  Master second = master();
+  const Outcome refused = second.connect();
+  EXPECT_EQ(refused.fault, Fault::NotConnected);
+  EXPECT_NE(refused.text().find("in use"), std::string::npos) << refused.text();
+  // The same device under another name.
+  std::filesystem::create_symlink(end("a"), end("c"));
+  auto alias = Master::create(SerialEndpoint{.device = end("c")}, {});
+  ASSERT_TRUE(alias);
+  EXPECT_EQ(alias->connect().fault, Fault::NotConnected);
+  first.close();
+  EXPECT_TRUE(second.connect().good());
+}
+
+TEST_F(SerialLine, WhenItIsNoTerminal_ThenThereIsNoConnection) {
+  auto made = Master::create(SerialEndpoint{.device = "/dev/null"}, {});
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->connect().fault, Fault::NotConnected);
+}
+
 }  // namespace
 }  // namespace stepwright::modbus::master

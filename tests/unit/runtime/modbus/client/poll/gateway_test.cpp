@@ -14,6 +14,7 @@ std::vector<Device> units(std::uint16_t port, int count) {
     devices.push_back(device_at(port, {group_of({word_tag(10, static_cast<std::uint32_t>(i))}, {}, 50ms)},
                                 static_cast<std::uint8_t>(i)));
     devices.back().timeout = 200ms;
+    devices.back().retry_at_most = 500ms;
   }
   return devices;
 }

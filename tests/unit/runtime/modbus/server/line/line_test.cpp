@@ -104,6 +104,14 @@ TEST(SerialLine, Settings_WhenOpened_ThenAreThoseOfTheOptions) {
   EXPECT_EQ(settings.c_lflag & (ICANON | ECHO | ISIG), 0u);
 }
 
+TEST(SerialLine, Open_WhenAProcessThatIsGoneHasLeftTheSameSettings_ThenTheyAreSetAgain) {
+  const Pty pty;
+  LineOptions options = options_of(pty);
+  options.parity = Parity::Even;
+  options.stop_bits = 1;
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(error_of(options), "");
+}
+
 TEST(SerialLine, Open_WhenItCannotBe_ThenDiagnosticsSayWhy) {
   const Pty pty;
   LineOptions options = options_of(pty);

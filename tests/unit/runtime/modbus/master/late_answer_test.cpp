@@ -1,0 +1,85 @@
+// Answers on a serial line that come after their time, where nothing says to which request they belong.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <thread>
+
+#include "runtime/modbus/master/master.h"
+#include "tests/support/modbus_slave/line_of_units.h"
+
+namespace stepwright::modbus::master {
+namespace {
+
+using namespace std::chrono_literals;
+using support::LineOfUnits;
+using Clock = std::chrono::steady_clock;
+
+class LateAnswer : public ::testing::Test {
+ protected:
+  LateAnswer() : master(*Master::create(endpoint(), {.timeout = 100ms, .gap = 0us})) {
+    EXPECT_TRUE(master.connect().good());
+  }
+  SerialEndpoint endpoint() const {
+    return {.device = line.device(), .baud = 115'200, .parity = Parity::None};
+  }
+  Outcome read(std::uint8_t unit, std::uint16_t first) {
+    EXPECT_TRUE(master.select_unit(unit).good());
+    return master.read_registers(RegisterTable::Holding, first, words);
+  }
+
+  LineOfUnits line;
+  Master master;
+  std::array<std::uint16_t, 2> words{};
+};
+
+TEST_F(LateAnswer, WhenItIsThatOfAnotherUnit_ThenTheUnitThatWasAskedIsNotBlamed) {
+  line.answer_after(1, 140ms);
+  line.answer_after(2, 70ms);
+  EXPECT_EQ(read(1, 0).fault, Fault::Timeout);
+  ASSERT_TRUE(read(2, 5).good());  // within it the answer of unit 1 arrives
+  EXPECT_EQ(words[0], 2'005);
+}
+
+TEST_F(LateAnswer, WhenItCameMeanwhile_ThenTheNextRequestDoesNotSeeIt) {
+  line.answer_after(1, 140ms);
+  EXPECT_EQ(read(1, 0).fault, Fault::Timeout);
+  EXPECT_TRUE(read(2, 0).good());
+  std::this_thread::sleep_for(100ms);
+  line.answer_after(1, 0ms);
+  ASSERT_TRUE(read(1, 500).good());
+  EXPECT_EQ(words[0], 1'500);
+  EXPECT_EQ(line.requests_of(1), 2);
+}
+
+TEST_F(LateAnswer, WhenTheUnitThatWasAskedIsSilent_ThenThatIsFoundWithinThreeTimeouts) {
+  line.answer_after(1, 140ms);
+  line.silence(2, true);
+  EXPECT_EQ(read(1, 0).fault, Fault::Timeout);
+  const auto begin = Clock::now();
+  EXPECT_EQ(read(2, 0).fault, Fault::Timeout);
+  EXPECT_LT(Clock::now() - begin, 400ms);
+}
+
+// At 1200 baud 100 registers and their request are on the wire for 1.8 s.
+TEST(SlowLine, WhenTheAnswerTakesLongerOnTheWireThanTheTimeout_ThenItIsWaitedFor) {
+  LineOfUnits line;
+  line.answer_after(1, 600ms);
+  auto master = Master::create(SerialEndpoint{.device = line.device(), .baud = 1'200, .parity = Parity::None},
+                               {.timeout = 50ms});
+  ASSERT_TRUE(master);
+  ASSERT_TRUE(master->connect().good());
+  std::array<std::uint16_t, 100> words{};
+  ASSERT_TRUE(master->read_registers(RegisterTable::Holding, 0, words).good());
+  EXPECT_EQ(words[99], 1'099);
+}
+
+TEST(TimeOnLine, WhenCharactersAreSent_ThenEachTakesItsBits) {
+  const SerialEndpoint line{.device = "x", .baud = 9'600};  // 8E1: 11 bits
+  EXPECT_EQ(time_on(line, 96), 110'000us);
+  EXPECT_EQ(time_on({.device = "x", .baud = 1'200, .parity = Parity::None}, 12), 100'000us);
+}
+
+}  // namespace
+}  // namespace stepwright::modbus::master
