@@ -73,16 +73,18 @@ class Comparison {
   support::HostMachine native_;
 };
 
+// False if this controller has no place for the program, or lacks an operation that it needs.
+bool takes(Rig& rig, const Bytes& container) {
+  rig.controller().send(container);
+  const auto answer = rig.controller().command(modbus::control::Command::TransferCommit);
+  if (answer.done()) return true;
+  EXPECT_EQ(answer.refusal, modbus::control::Refusal::NotSupported);
+  return false;
+}
+
 class BoardTrace : public testing::TestWithParam<const char*> {
  protected:
-  // False if this controller has no place for the program.
-  bool fits(const Bytes& container) {
-    rig.controller().send(container);
-    const auto answer = rig.controller().command(modbus::control::Command::TransferCommit);
-    if (answer.done()) return true;
-    EXPECT_EQ(answer.refusal, modbus::control::Refusal::NotSupported);
-    return false;
-  }
+  bool fits(const Bytes& container) { return takes(rig, container); }
   Rig rig{GetParam()};
 };
 
@@ -142,6 +144,34 @@ TEST_P(BoardTrace, Trace_WhenAProgramHasInputsAndCharts_ThenIsThatOfTheHostForMa
   ASSERT_TRUE(fits(support::step_program({.steps = 5, .scans_per_step = 7})));
   EXPECT_EQ(Comparison(rig.controller(), support::step_program({.steps = 5, .scans_per_step = 7})).run(60, 2),
             "");
+}
+
+// What its operation set leaves out is refused at the download; whatever it takes runs as it does everywhere.
+TEST(BasicImage, Trace_WhenLanguageTestsRun_ThenIsThatOfTheHostOrTheyAreRefused) {
+  constexpr std::size_t kEvery = 9;
+  Rig rig("mps2-an385-basic");
+  int compared = 0;
+  int refused = 0;
+  const auto names = st_test::programs_below(kPrograms);
+  for (std::size_t i = 4; i < names.size(); i += kEvery) {
+    const Bytes container = compiled(names[i], st_test::read_file(kPrograms + names[i]));
+    if (container.empty()) continue;
+    if (!takes(rig, container)) {
+      ++refused;
+      continue;
+    }
+    EXPECT_EQ(Comparison(rig.controller(), container).run(kScans, static_cast<std::uint32_t>(i)), "")
+        << names[i];
+    ++compared;
+  }
+  std::printf("%d programs compared, %d refused\n", compared, refused);
+  EXPECT_GT(compared, 20);
+  EXPECT_GT(refused, 0) << "programs with strings are among them";
+  EXPECT_FALSE(
+      takes(rig, compiled("sine.st", "PROGRAM main VAR x : REAL; END_VAR x := SIN(x); END_PROGRAM")));
+  const Bytes chart = support::step_program({.steps = 5, .scans_per_step = 7});
+  ASSERT_TRUE(takes(rig, chart));
+  EXPECT_EQ(Comparison(rig.controller(), chart).run(60, 2), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Boards, BoardTrace, testing::Values("mps2-an385", "mps2-an386"),
