@@ -229,4 +229,14 @@ std::optional<GroundOperator> Compiler::compile(int action, Binding& binding) {
   return op;
 }
 
+std::optional<GroundAxiom> Compiler::compile(const Axiom& axiom, Binding& binding) {
+  GroundAxiom compiled;
+  add(axiom.body, binding, true, compiled.body);
+  if (compiled.body.impossible) return std::nullopt;
+  const auto end = binding.begin() + static_cast<std::ptrdiff_t>(axiom.parameters.size());
+  compiled.fact = fact(Atom{axiom.predicate, {binding.begin(), end}});
+  compiled.layer = definition_.predicates[static_cast<std::size_t>(axiom.predicate)].layer;
+  return compiled;
+}
+
 }  // namespace stepwright::pddl

@@ -22,6 +22,9 @@ class Compiler {
   // Nothing if static facts or fluents forbid the action for these objects.
   std::optional<GroundOperator> compile(int action, Binding& binding);
 
+  // Nothing if what never changes forbids it.
+  std::optional<GroundAxiom> compile(const Axiom& axiom, Binding& binding);
+
   Condition condition(const Formula& formula, Binding& binding);
   GroundExpression expression(const Expression& expression, const Binding& binding);
 

@@ -4,6 +4,7 @@
 
 #include "supervisor/pddl/grounding/binding_enumerator.h"
 #include "supervisor/pddl/grounding/compiler.h"
+#include "supervisor/pddl/grounding/invariants.h"
 #include "supervisor/pddl/grounding/raw_task.h"
 
 namespace stepwright::pddl {
@@ -23,19 +24,12 @@ class Grounder {
       raw_.metric = compiler_.expression(definition_.metric->expression, {});
       if (definition_.metric->maximize) raw_.metric = combine(NumericKind::Negate, raw_.metric, {});
     }
-    if (!operators()) return cancelled();
+    if (!operators() || !axioms()) return cancelled();
     initial_state();
-    RelaxedState start;
-    start.literals.resize(2 * raw_.facts.size());
-    for (std::size_t f = 0; f < raw_.facts.size(); ++f) {
-      start.literals[2 * f + (raw_.initial_facts[f] ? 0 : 1)] = true;
-    }
-    for (const double value : raw_.initial_values) {
-      start.values.push_back(value == value ? Interval::point(value) : Interval{});
-    }
-    raw_.reachable = explore(raw_.operators, std::move(start), stop_);
+    raw_.reachable = explore(raw_.operators, raw_.axioms, start(), stop_);
     if (raw_.reachable.stopped) return cancelled();
-    return simplify(std::move(raw_));
+    const std::vector<Invariant> invariants = find_invariants(raw_, stop_);
+    return simplify(std::move(raw_), invariants);
   }
 
  private:
@@ -58,11 +52,10 @@ class Grounder {
 
   bool operators() {
     const LiftedState initial = pddl::initial_state(definition_);
-    std::size_t count = 0;
     for (std::size_t a = 0; a < definition_.actions.size(); ++a) {
       BindingEnumerator bindings(definition_, definition_.actions[a], initial);
       const bool finished = bindings.run([&](Binding& binding) {
-        if (++count % kBindingsBetweenChecks == 0 && stop_()) return false;
+        if (++count_ % kBindingsBetweenChecks == 0 && stop_()) return false;
         if (auto op = compiler_.compile(static_cast<int>(a), binding))
           raw_.operators.push_back(std::move(*op));
         return true;
@@ -70,6 +63,34 @@ class Grounder {
       if (!finished) return false;
     }
     return true;
+  }
+
+  bool axioms() {
+    const LiftedState initial = pddl::initial_state(definition_);
+    for (const Axiom& axiom : definition_.axioms) {
+      if (!definition_.predicates[static_cast<std::size_t>(axiom.predicate)].changes) continue;
+      BindingEnumerator bindings(definition_, axiom, initial);
+      const bool finished = bindings.run([&](Binding& binding) {
+        if (++count_ % kBindingsBetweenChecks == 0 && stop_()) return false;
+        if (auto compiled = compiler_.compile(axiom, binding)) raw_.axioms.push_back(std::move(*compiled));
+        return true;
+      });
+      if (!finished) return false;
+    }
+    return true;
+  }
+
+  RelaxedState start() const {
+    RelaxedState state;
+    state.literals.resize(2 * raw_.facts.size());
+    for (std::size_t f = 0; f < raw_.facts.size(); ++f) {
+      state.literals[2 * f + (raw_.initial_facts[f] ? 0 : 1)] = true;
+      if (raw_.derived(f)) state.literals[2 * f + 1] = true;
+    }
+    for (const double value : raw_.initial_values) {
+      state.values.push_back(value == value ? Interval::point(value) : Interval{});
+    }
+    return state;
   }
 
   void initial_state() {
@@ -88,6 +109,7 @@ class Grounder {
   const std::function<bool()>& stop_;
   Compiler compiler_;
   RawTask raw_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace

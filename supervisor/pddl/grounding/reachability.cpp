@@ -8,7 +8,9 @@ constexpr int kExactRounds = 48;
 
 class Explorer {
  public:
-  Explorer(const std::vector<GroundOperator>& operators, RelaxedState start) : operators_(operators) {
+  Explorer(const std::vector<GroundOperator>& operators, const std::vector<GroundAxiom>& axioms,
+           RelaxedState start)
+      : operators_(operators), axioms_(axioms) {
     reachable_.state = std::move(start);
     reachable_.operators.assign(operators.size(), false);
   }
@@ -22,6 +24,9 @@ class Explorer {
           return std::move(reachable_);
         }
         visit(i);
+      }
+      for (const GroundAxiom& axiom : axioms_) {
+        if (can_hold(axiom.body, reachable_.state)) reach(2 * axiom.fact);
       }
     }
     return std::move(reachable_);
@@ -74,6 +79,7 @@ class Explorer {
   }
 
   const std::vector<GroundOperator>& operators_;
+  const std::vector<GroundAxiom>& axioms_;
   Reachable reachable_;
   bool changed_ = true;
   int round_ = 0;
@@ -81,9 +87,9 @@ class Explorer {
 
 }  // namespace
 
-Reachable explore(const std::vector<GroundOperator>& operators, RelaxedState start,
-                  const std::function<bool()>& stop) {
-  return Explorer(operators, std::move(start)).run(stop);
+Reachable explore(const std::vector<GroundOperator>& operators, const std::vector<GroundAxiom>& axioms,
+                  RelaxedState start, const std::function<bool()>& stop) {
+  return Explorer(operators, axioms, std::move(start)).run(stop);
 }
 
 }  // namespace stepwright::pddl

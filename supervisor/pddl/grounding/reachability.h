@@ -19,9 +19,10 @@ struct Reachable {
   bool stopped = false;
 };
 
-// `start`: the initial state as points. Ends because intervals that grow for long are widened to the end that
-// the preconditions imply, or to kInfinity.
-Reachable explore(const std::vector<GroundOperator>& operators, RelaxedState start,
-                  const std::function<bool()>& stop);
+// `start`: the initial state as points, with every derived fact's negation: that they may cease to hold is
+// not followed up. Ends because intervals that grow for long are widened to the end that the preconditions
+// imply, or to kInfinity.
+Reachable explore(const std::vector<GroundOperator>& operators, const std::vector<GroundAxiom>& axioms,
+                  RelaxedState start, const std::function<bool()>& stop);
 
 }  // namespace stepwright::pddl
