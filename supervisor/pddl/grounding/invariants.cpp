@@ -1,9 +1,9 @@
 #include "supervisor/pddl/grounding/invariants.h"
 
 #include <deque>
-#include <map>
 #include <set>
 
+#include "supervisor/pddl/grounding/atom_table.h"
 #include "supervisor/pddl/grounding/balance.h"
 #include "supervisor/pddl/grounding/invariant_candidate.h"
 
@@ -54,20 +54,20 @@ class Synthesis {
 
   Instances instances(const InvariantCandidate& candidate) const {
     Instances found;
-    std::map<std::vector<int>, int> ids;
+    AtomTable ids;
     found.sets.set_of.assign(raw_.facts.size(), -1);
     for (std::size_t f = 0; f < raw_.facts.size(); ++f) {
       const InvariantPart* part = candidate.part_of(raw_.facts[f].symbol);
       if (part == nullptr || !may_hold(f)) continue;
       std::vector<int> objects = instance_of(*part, raw_.facts[f]);
-      const auto [place, added] = ids.emplace(objects, static_cast<int>(ids.size()));
-      if (added) {
+      const int id = ids.intern(0, objects);
+      const auto set = static_cast<std::size_t>(id);
+      if (set == found.held.size()) {
         found.objects.push_back(std::move(objects));
         found.sets.sizes.push_back(0);
         found.held.push_back(0);
       }
-      const auto set = static_cast<std::size_t>(place->second);
-      found.sets.set_of[f] = place->second;
+      found.sets.set_of[f] = id;
       ++found.sets.sizes[set];
       if (raw_.initial_facts[f]) ++found.held[set];
     }

@@ -6,9 +6,15 @@
 
 #include <vector>
 
-#include "supervisor/pddl/grounding/reachability.h"
+#include "supervisor/pddl/grounding/relaxed_bounds.h"
 
 namespace stepwright::pddl {
+
+// What relaxed reachability found.
+struct Reachable {
+  RelaxedState state;
+  std::vector<bool> operators;
+};
 
 struct RawGoal {
   Condition condition;

@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "supervisor/pddl/grounding/fact_groups.h"
 #include "supervisor/pddl/grounding/invariants.h"
@@ -24,13 +27,24 @@ class Simplifier {
     metric();
     goal();
     axioms();
-    for (std::size_t i = 0; i < raw_.operators.size(); ++i) {
-      if (raw_.reachable.operators[i]) add(raw_.operators[i]);
-    }
+    operators();
     return std::move(task_);
   }
 
  private:
+  // By action and arguments, whatever order they were found in; each raw one is let go once it is read.
+  void operators() {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < raw_.operators.size(); ++i) {
+      if (raw_.reachable.operators[i]) order.push_back(i);
+    }
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      const GroundOperator &left = raw_.operators[a], &right = raw_.operators[b];
+      return std::tie(left.action, left.arguments) < std::tie(right.action, right.arguments);
+    });
+    for (const std::size_t i : order) add(std::exchange(raw_.operators[i], {}));
+  }
+
   bool reachable(std::size_t literal) const { return raw_.reachable.state.literals[literal]; }
 
   // A fact that always or never holds, or that nothing reads, gets no bit.
@@ -59,6 +73,8 @@ class Simplifier {
       append(axiom.body, renumbered.body);
       if (!renumbered.body.impossible) task_.axioms.push_back(std::move(renumbered));
     }
+    std::stable_sort(task_.axioms.begin(), task_.axioms.end(),
+                     [](const GroundAxiom& a, const GroundAxiom& b) { return a.layer < b.layer; });
   }
 
   // A set that had facts without a bit may be without a fact that has one.

@@ -4,7 +4,7 @@
 // case; after checking, every `index`, `symbol`, `type` and `slot` is resolved.
 //
 // Thread rule: immutable after checking. Variables live in numbered slots: the parameters of an action take
-// 0, 1, ...; a quantifier inside takes the next ones, so that a binding is a plain vector of objects.
+// 0, 1, ...; every quantifier inside takes slots of its own, so that a binding is a plain vector of objects.
 
 #include <compare>
 #include <cstdint>

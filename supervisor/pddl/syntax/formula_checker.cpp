@@ -35,14 +35,13 @@ void FormulaChecker::begin(std::vector<Typed>& parameters) {
 void FormulaChecker::push(std::vector<Typed>& variables) {
   for (Typed& variable : variables) {
     variable.type = type(variable.type_name, variable.type_at);
-    variable.slot = static_cast<int>(scope_.size());
+    variable.slot = slots_++;
     const bool twice = std::any_of(scope_.begin(), scope_.end(),
                                    [&](const Typed& other) { return other.name == variable.name; });
     if (twice)
       reporter_.error("P0108", variable.at, "the variable '" + variable.name + "' is declared twice");
     scope_.push_back(variable);
   }
-  slots_ = std::max(slots_, static_cast<int>(scope_.size()));
 }
 
 void FormulaChecker::pop(std::size_t count) {

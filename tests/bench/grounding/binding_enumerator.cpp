@@ -1,4 +1,4 @@
-#include "supervisor/pddl/grounding/binding_enumerator.h"
+#include "tests/bench/grounding/binding_enumerator.h"
 
 #include <algorithm>
 #include <set>

@@ -1,7 +1,7 @@
 #pragma once
 
-// The bindings of an action's or axiom's parameters that the static part of its condition allows: a join over
-// them, parameter by parameter, instead of every combination of objects.
+// The baseline of grounding: the bindings that the static part of a condition allows, parameter by parameter.
+// What actions make true is not joined, so that combinations are met that can never be reached.
 //
 // Thread rule: one grounding, one object per schema.
 
