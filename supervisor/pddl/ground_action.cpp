@@ -1,6 +1,8 @@
 #include "supervisor/pddl/ground_action.h"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 
 #include "supervisor/pddl/lifted/instantiate_action.h"
 #include "supervisor/pddl/lifted/usage.h"
@@ -21,6 +23,53 @@ void read(const Requirement& requirement, std::set<std::string>& names) {
   }
   for (const Requirement& part : requirement.parts) read(part, names);
 }
+
+// "(on a b)" as its words, without the parentheses.
+std::vector<std::string> words_of(const std::string& fact) {
+  std::istringstream text(fact.substr(1, fact.size() - 2));
+  return {std::istream_iterator<std::string>(text), {}};
+}
+
+// Whoever reads a derived fact reads what its axioms read, down to facts and fluents that actions change.
+class DerivedReads {
+ public:
+  DerivedReads(const Definition& definition, ActionInstantiator& instantiator)
+      : definition_(definition), instantiator_(instantiator) {}
+
+  void complete(std::set<std::string>& names) {
+    if (definition_.axioms.empty()) return;
+    std::vector<std::string> open(names.begin(), names.end());
+    while (!open.empty()) {
+      const std::vector<std::string> words = words_of(open.back());
+      open.pop_back();
+      std::set<std::string> found;
+      for (const Axiom& axiom : definition_.axioms) {
+        if (axiom.name == words[0]) read_body(axiom, words, found);
+      }
+      for (const std::string& name : found) {
+        if (names.insert(name).second) open.push_back(name);
+      }
+    }
+  }
+
+ private:
+  void read_body(const Axiom& axiom, const std::vector<std::string>& words, std::set<std::string>& found) {
+    if (words.size() != axiom.parameters.size() + 1) return;  // a fluent of the same name
+    Binding binding(static_cast<std::size_t>(axiom.slots), -1);
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+      const int object = definition_.object_ids.at(words[i + 1]);
+      const int type = definition_.objects[static_cast<std::size_t>(object)].type;
+      if (!definition_.is_subtype(type, axiom.parameters[i].type)) return;
+      binding[i] = object;
+    }
+    std::vector<Requirement> requirements;
+    instantiator_.conjuncts(axiom.body, binding, requirements);
+    for (const Requirement& requirement : requirements) read(requirement, found);
+  }
+
+  const Definition& definition_;
+  ActionInstantiator& instantiator_;
+};
 
 // A fluent only counts for the metric if every change of it here adds or subtracts.
 void find_counts(const Definition& definition, GroundActionInfo& info) {
@@ -61,6 +110,7 @@ result::Result<GroundActionInfo> inspect_action(const Task& task, const model::G
     read(change.amount, info.reads);
     info.writes.insert(change.target);
   }
+  DerivedReads(definition, instantiator).complete(info.reads);
   find_counts(definition, info);
   return info;
 }

@@ -58,7 +58,8 @@ struct GroundActionInfo {
   model::GroundAction action;
   std::vector<Requirement> preconditions;  // all must hold
   std::vector<Change> changes;
-  std::set<std::string> reads;   // facts and fluents that conditions and amounts look at
+  std::set<std::string> reads;   // facts and fluents that conditions and amounts look at, and what derived
+                                 // ones among them depend on
   std::set<std::string> writes;  // facts and fluents that may change
   std::set<std::string>
       counts;  // fluents that only the metric reads and that are only increased or decreased here

@@ -10,12 +10,6 @@
 namespace stepwright::pddl {
 namespace {
 
-int intern(const Atom& atom, std::vector<Atom>& table, std::map<Atom, int>& ids) {
-  const auto [place, added] = ids.emplace(atom, static_cast<int>(table.size()));
-  if (added) table.push_back(atom);
-  return place->second;
-}
-
 void add_relation(GroundExpression difference, Relation relation, Condition& condition) {
   if (difference.is_constant()) {
     if (!compare(relation, difference.constant)) condition.impossible = true;
@@ -25,6 +19,7 @@ void add_relation(GroundExpression difference, Relation relation, Condition& con
 }
 
 bool conflicting(const GroundOperator& op) {
+  if (op.effects.size() == 1 && op.effects[0].numeric.size() < 2) return false;
   std::map<int, int> changes, additive;
   for (const GroundEffect& effect : op.effects) {
     for (const NumericEffect& numeric : effect.numeric) {
@@ -40,24 +35,33 @@ bool conflicting(const GroundOperator& op) {
 
 }  // namespace
 
-int Compiler::fact(const Atom& atom) {
-  return intern(atom, facts_, fact_ids_);
+Compiler::Compiler(const Definition& definition) : definition_(definition) {
+  for (const Atom& fact : definition.facts) initial_.intern(fact);
+  for (const auto& [fluent, value] : definition.fluents) {
+    fluents_.intern(fluent);
+    values_.push_back(value);
+  }
 }
 
-int Compiler::variable(const Atom& atom) {
-  return intern(atom, variables_, variable_ids_);
+std::span<const int> Compiler::objects(const Call& call, const Binding& binding) {
+  objects_.clear();
+  for (const Term& term : call.arguments) {
+    objects_.push_back(term.variable ? binding[static_cast<std::size_t>(term.index)] : term.index);
+  }
+  return objects_;
 }
 
 GroundExpression Compiler::expression(const Expression& expression, const Binding& binding) {
   if (expression.kind == NumericKind::Constant) return constant_expression(expression.number);
   if (expression.kind == NumericKind::Fluent) {
-    const Atom atom = ground(expression.call, binding);
-    if (definition_.functions[static_cast<std::size_t>(atom.symbol)].changes) {
-      return variable_expression(variable(atom));
+    const int function = expression.call.symbol;
+    const std::span<const int> arguments = objects(expression.call, binding);
+    if (definition_.functions[static_cast<std::size_t>(function)].changes) {
+      return variable_expression(variables_.intern(function, arguments));
     }
-    const auto value = definition_.fluents.find(atom);
-    return constant_expression(value == definition_.fluents.end() ? std::numeric_limits<double>::quiet_NaN()
-                                                                  : value->second);
+    const int place = fluents_.find(function, arguments);
+    return constant_expression(place < 0 ? std::numeric_limits<double>::quiet_NaN()
+                                         : values_[static_cast<std::size_t>(place)]);
   }
   GroundExpression result = this->expression(expression.operands[0], binding);
   if (expression.kind == NumericKind::Negate) return combine(expression.kind, result, {});
@@ -74,12 +78,13 @@ Condition Compiler::condition(const Formula& formula, Binding& binding) {
 }
 
 void Compiler::add_atom(const Formula& formula, const Binding& binding, bool positive, Condition& condition) {
-  const Atom atom = ground(formula.call, binding);
-  if (definition_.predicates[static_cast<std::size_t>(atom.symbol)].changes) {
-    const int literal = 2 * fact(atom) + (positive ? 0 : 1);
+  const int predicate = formula.call.symbol;
+  const std::span<const int> arguments = objects(formula.call, binding);
+  if (definition_.predicates[static_cast<std::size_t>(predicate)].changes) {
+    const int literal = 2 * facts_.intern(predicate, arguments) + (positive ? 0 : 1);
     auto& list = condition.literals;
     if (std::find(list.begin(), list.end(), literal) == list.end()) list.push_back(literal);
-  } else if ((definition_.facts.count(atom) != 0) != positive) {
+  } else if ((initial_.find(predicate, arguments) >= 0) != positive) {
     condition.impossible = true;
   }
 }
@@ -188,10 +193,10 @@ void Compiler::effects(const Effect& effect, Binding& binding, std::size_t targe
       for (const Effect& part : effect.parts) effects(part, binding, target, op);
       return;
     case EffectKind::Add:
-      op.effects[target].adds.push_back(fact(ground(effect.call, binding)));
+      op.effects[target].adds.push_back(facts_.intern(effect.call.symbol, objects(effect.call, binding)));
       return;
     case EffectKind::Delete:
-      op.effects[target].deletes.push_back(fact(ground(effect.call, binding)));
+      op.effects[target].deletes.push_back(facts_.intern(effect.call.symbol, objects(effect.call, binding)));
       return;
     case EffectKind::When:
       return conditional(effect, binding, target, op);
@@ -227,6 +232,17 @@ std::optional<GroundOperator> Compiler::compile(int action, Binding& binding) {
   }
   op.may_conflict = conflicting(op);
   return op;
+}
+
+std::optional<GroundAxiom> Compiler::compile(const Axiom& axiom, const std::vector<const Formula*>& conjuncts,
+                                             Binding& binding) {
+  GroundAxiom compiled;
+  for (const Formula* conjunct : conjuncts) add(*conjunct, binding, true, compiled.body);
+  if (compiled.body.impossible) return std::nullopt;
+  const auto end = binding.begin() + static_cast<std::ptrdiff_t>(axiom.parameters.size());
+  compiled.fact = fact(Atom{axiom.predicate, {binding.begin(), end}});
+  compiled.layer = definition_.predicates[static_cast<std::size_t>(axiom.predicate)].layer;
+  return compiled;
 }
 
 }  // namespace stepwright::pddl

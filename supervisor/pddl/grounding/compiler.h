@@ -6,10 +6,10 @@
 // Thread rule: one grounding, one compiler. The numbering is in the order of first use, so it is the same in
 // every run.
 
-#include <map>
 #include <optional>
 #include <vector>
 
+#include "supervisor/pddl/grounding/atom_table.h"
 #include "supervisor/pddl/grounding/ground_task.h"
 #include "supervisor/pddl/syntax/text.h"
 
@@ -17,20 +17,26 @@ namespace stepwright::pddl {
 
 class Compiler {
  public:
-  explicit Compiler(const Definition& definition) : definition_(definition) {}
+  explicit Compiler(const Definition& definition);
 
   // Nothing if static facts or fluents forbid the action for these objects.
   std::optional<GroundOperator> compile(int action, Binding& binding);
+
+  // The axiom with these conjuncts as its body. Nothing if what never changes forbids it.
+  std::optional<GroundAxiom> compile(const Axiom& axiom, const std::vector<const Formula*>& conjuncts,
+                                     Binding& binding);
 
   Condition condition(const Formula& formula, Binding& binding);
   GroundExpression expression(const Expression& expression, const Binding& binding);
 
   // The number of a dynamic fact or fluent, given at its first use.
-  int fact(const Atom& atom);
-  int variable(const Atom& atom);
+  int fact(const Atom& atom) { return facts_.intern(atom); }
+  int variable(const Atom& atom) { return variables_.intern(atom); }
 
-  const std::vector<Atom>& facts() const { return facts_; }
-  const std::vector<Atom>& variables() const { return variables_; }
+  const std::vector<Atom>& facts() const { return facts_.atoms(); }
+  const std::vector<Atom>& variables() const { return variables_.atoms(); }
+
+  bool holds_initially(const Atom& fact) const { return initial_.find(fact) >= 0; }
 
  private:
   void add(const Formula& formula, Binding& binding, bool positive, Condition& condition);
@@ -42,9 +48,15 @@ class Compiler {
   void effects(const Effect& effect, Binding& binding, std::size_t target, GroundOperator& op);
   void conditional(const Effect& effect, Binding& binding, std::size_t target, GroundOperator& op);
 
+  // The objects of the call's arguments, valid until the next call.
+  std::span<const int> objects(const Call& call, const Binding& binding);
+
   const Definition& definition_;
-  std::vector<Atom> facts_, variables_;
-  std::map<Atom, int> fact_ids_, variable_ids_;
+  AtomTable facts_, variables_;
+  AtomTable initial_;  // facts
+  AtomTable fluents_;  // with an initial value ...
+  std::vector<double> values_;
+  std::vector<int> objects_;
 };
 
 }  // namespace stepwright::pddl

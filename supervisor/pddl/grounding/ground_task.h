@@ -9,6 +9,9 @@
 // state. So metric = base + accumulated + potential(state), always minimized: a metric to be maximized is
 // negated.
 //
+// A derived fact holds if an axiom says so and not otherwise; it is a function of the other facts and the
+// variables, and so no part of what tells states apart.
+//
 // Thread rule: immutable once built.
 
 #include <cstdint>
@@ -61,13 +64,29 @@ struct GroundOperator {
   bool may_conflict = false;  // two effects may change one variable in ways that exclude each other
 };
 
+// The derived fact holds where the body does; a fact may have several axioms.
+struct GroundAxiom {
+  int fact = 0;
+  Condition body;
+  int layer = 0;  // the body negates derived facts of lower layers only
+};
+
+// A finite-domain variable: facts that exclude each other in every reachable state.
+struct FactGroup {
+  std::vector<int> facts;    // ascending
+  bool exactly_one = false;  // one of them always holds; otherwise "none of them" is a value too
+};
+
 struct GroundTask {
   const Definition* definition = nullptr;
-  std::vector<Atom> facts;
+  std::vector<Atom> facts;  // those from `first_derived` on are derived: no operator has them in its effects
+  int first_derived = 0;
+  std::vector<GroundAxiom> axioms;  // by layer
+  std::vector<FactGroup> groups;    // by first fact; every fact is in exactly one
   std::vector<Atom> variables;
   std::vector<Interval> bounds;  // of every variable over all reachable states
   std::vector<GroundOperator> operators;
-  std::vector<bool> initial_facts;
+  std::vector<bool> initial_facts;     // with the derived ones
   std::vector<double> initial_values;  // NaN = undefined
   Condition goal;
   std::optional<std::string>

@@ -1,15 +1,15 @@
 #include "supervisor/pddl/grounding/grounder.h"
 
-#include <limits>
-
-#include "supervisor/pddl/grounding/binding_enumerator.h"
 #include "supervisor/pddl/grounding/compiler.h"
+#include "supervisor/pddl/grounding/invariants.h"
+#include "supervisor/pddl/grounding/joiner.h"
 #include "supervisor/pddl/grounding/raw_task.h"
+#include "supervisor/pddl/grounding/reachability.h"
 
 namespace stepwright::pddl {
 namespace {
 
-constexpr std::size_t kBindingsBetweenChecks = 1024;
+constexpr std::size_t kStepsBetweenChecks = 1024;
 
 class Grounder {
  public:
@@ -24,18 +24,10 @@ class Grounder {
       if (definition_.metric->maximize) raw_.metric = combine(NumericKind::Negate, raw_.metric, {});
     }
     if (!operators()) return cancelled();
-    initial_state();
-    RelaxedState start;
-    start.literals.resize(2 * raw_.facts.size());
-    for (std::size_t f = 0; f < raw_.facts.size(); ++f) {
-      start.literals[2 * f + (raw_.initial_facts[f] ? 0 : 1)] = true;
-    }
-    for (const double value : raw_.initial_values) {
-      start.values.push_back(value == value ? Interval::point(value) : Interval{});
-    }
-    raw_.reachable = explore(raw_.operators, std::move(start), stop_);
-    if (raw_.reachable.stopped) return cancelled();
-    return simplify(std::move(raw_));
+    raw_.facts = compiler_.facts();
+    raw_.variables = compiler_.variables();
+    const std::vector<Invariant> invariants = find_invariants(raw_, stop_);
+    return simplify(std::move(raw_), invariants);
   }
 
  private:
@@ -56,38 +48,45 @@ class Grounder {
     for (const Formula& part : goal.parts) raw_.goals.push_back({compiler_.condition(part, binding), &part});
   }
 
+  bool time_to_stop() { return ++steps_ % kStepsBetweenChecks == 0 && stop_(); }
+
+  // Facts are joined to operators, operators make facts reachable, and so on. False if stopped.
   bool operators() {
-    const LiftedState initial = pddl::initial_state(definition_);
-    std::size_t count = 0;
-    for (std::size_t a = 0; a < definition_.actions.size(); ++a) {
-      BindingEnumerator bindings(definition_, definition_.actions[a], initial);
-      const bool finished = bindings.run([&](Binding& binding) {
-        if (++count % kBindingsBetweenChecks == 0 && stop_()) return false;
-        if (auto op = compiler_.compile(static_cast<int>(a), binding))
-          raw_.operators.push_back(std::move(*op));
-        return true;
-      });
-      if (!finished) return false;
+    if (stop_()) return false;
+    for (const Atom& fact : definition_.facts) {
+      if (definition_.predicates[static_cast<std::size_t>(fact.symbol)].changes) compiler_.fact(fact);
     }
+    const std::vector<JoinRule> rules = join_rules(definition_);
+    Reachability reach(raw_, compiler_);
+    Joiner joiner(definition_, rules, [&](const JoinRule& rule, Binding& binding) {
+      if (time_to_stop()) return false;
+      compile(rule, binding, reach);
+      return true;
+    });
+    if (!joiner.start()) return false;
+    for (int fact = 0; reach.next(fact);) {
+      const Atom atom = compiler_.facts()[static_cast<std::size_t>(fact)];
+      if (time_to_stop() || !joiner.arrive(atom)) return false;
+    }
+    reach.grow_tables();
     return true;
   }
 
-  void initial_state() {
-    raw_.facts = compiler_.facts();
-    raw_.variables = compiler_.variables();
-    for (const Atom& atom : raw_.facts) raw_.initial_facts.push_back(definition_.facts.count(atom) != 0);
-    for (const Atom& atom : raw_.variables) {
-      const auto found = definition_.fluents.find(atom);
-      raw_.initial_values.push_back(found == definition_.fluents.end()
-                                        ? std::numeric_limits<double>::quiet_NaN()
-                                        : snap(found->second));
+  void compile(const JoinRule& rule, Binding& binding, Reachability& reach) {
+    if (rule.action >= 0) {
+      if (auto op = compiler_.compile(rule.action, binding)) reach.add_operator(std::move(*op));
+      return;
     }
+    const Axiom& axiom = definition_.axioms[static_cast<std::size_t>(rule.axiom)];
+    if (auto compiled = compiler_.compile(axiom, rule.conjuncts, binding))
+      reach.add_axiom(std::move(*compiled));
   }
 
   const Definition& definition_;
   const std::function<bool()>& stop_;
   Compiler compiler_;
   RawTask raw_;
+  std::size_t steps_ = 0;
 };
 
 }  // namespace

@@ -6,9 +6,15 @@
 
 #include <vector>
 
-#include "supervisor/pddl/grounding/reachability.h"
+#include "supervisor/pddl/grounding/relaxed_bounds.h"
 
 namespace stepwright::pddl {
+
+// What relaxed reachability found.
+struct Reachable {
+  RelaxedState state;
+  std::vector<bool> operators;
+};
 
 struct RawGoal {
   Condition condition;
@@ -22,12 +28,20 @@ struct RawTask {
   std::vector<bool> initial_facts;
   std::vector<double> initial_values;  // NaN = undefined
   std::vector<GroundOperator> operators;
+  std::vector<GroundAxiom> axioms;
   std::vector<RawGoal> goals;  // one per conjunct
   GroundExpression metric;     // to be minimized; empty without one
   Reachable reachable;
+
+  bool derived(std::size_t fact) const {
+    return definition->predicates[static_cast<std::size_t>(facts[fact].symbol)].derived;
+  }
 };
 
-// Numbers what matters, folds what is constant, separates the accumulated cost from the variables.
-GroundTask simplify(RawTask raw);
+struct Invariant;
+
+// Numbers what matters, folds what is constant, separates the accumulated cost from the variables, groups the
+// facts that exclude each other.
+GroundTask simplify(RawTask raw, const std::vector<Invariant>& invariants);
 
 }  // namespace stepwright::pddl

@@ -20,6 +20,7 @@ class Finder {
     relevance_.facts.assign(raw.facts.size(), false);
     relevance_.variables.assign(raw.variables.size(), false);
     relevance_.weights.assign(raw.variables.size(), 0.0);
+    axioms_read_.assign(raw.axioms.size(), false);
   }
 
   Relevance run() {
@@ -73,7 +74,20 @@ class Finder {
           });
         }
       });
+      changed = read_axioms() || changed;
     }
+  }
+
+  // What relevant derived facts depend on is relevant; true if that is anything new.
+  bool read_axioms() {
+    bool changed = false;
+    for (std::size_t i = 0; i < raw_.axioms.size(); ++i) {
+      const GroundAxiom& axiom = raw_.axioms[i];
+      if (axioms_read_[i] || !relevance_.facts[static_cast<std::size_t>(axiom.fact)]) continue;
+      axioms_read_[i] = changed = true;
+      read(axiom.body);
+    }
+    return changed;
   }
 
   void choose_accumulated() {
@@ -99,6 +113,7 @@ class Finder {
 
   const RawTask& raw_;
   Relevance relevance_;
+  std::vector<bool> axioms_read_;
 };
 
 }  // namespace

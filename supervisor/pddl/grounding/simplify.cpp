@@ -1,6 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
+#include "supervisor/pddl/grounding/fact_groups.h"
+#include "supervisor/pddl/grounding/invariants.h"
 #include "supervisor/pddl/grounding/raw_task.h"
 #include "supervisor/pddl/grounding/relevance.h"
 #include "supervisor/pddl/lifted/lifted_state.h"
@@ -13,31 +18,78 @@ class Simplifier {
  public:
   explicit Simplifier(RawTask raw) : raw_(std::move(raw)), relevance_(find_relevance(raw_)) {}
 
-  GroundTask run() {
+  GroundTask run(const std::vector<Invariant>& invariants) {
     task_.definition = raw_.definition;
     task_.maximize = raw_.definition->metric && raw_.definition->metric->maximize;
     number_facts();
+    group_facts(invariants);
     number_variables();
     metric();
     goal();
-    for (std::size_t i = 0; i < raw_.operators.size(); ++i) {
-      if (raw_.reachable.operators[i]) add(raw_.operators[i]);
-    }
+    axioms();
+    operators();
     return std::move(task_);
   }
 
  private:
+  // By action and arguments, whatever order they were found in; each raw one is let go once it is read.
+  void operators() {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < raw_.operators.size(); ++i) {
+      if (raw_.reachable.operators[i]) order.push_back(i);
+    }
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      const GroundOperator &left = raw_.operators[a], &right = raw_.operators[b];
+      return std::tie(left.action, left.arguments) < std::tie(right.action, right.arguments);
+    });
+    for (const std::size_t i : order) add(std::exchange(raw_.operators[i], {}));
+  }
+
   bool reachable(std::size_t literal) const { return raw_.reachable.state.literals[literal]; }
 
   // A fact that always or never holds, or that nothing reads, gets no bit.
   void number_facts() {
+    facts_.assign(raw_.facts.size(), -1);
+    number_facts(false);
+    task_.first_derived = static_cast<int>(task_.facts.size());
+    number_facts(true);
+  }
+
+  void number_facts(bool derived) {
     for (std::size_t f = 0; f < raw_.facts.size(); ++f) {
       const bool changes = reachable(2 * f) && reachable(2 * f + 1);
-      facts_.push_back(changes && relevance_.facts[f] ? static_cast<int>(task_.facts.size()) : -1);
-      if (facts_.back() < 0) continue;
+      if (raw_.derived(f) != derived || !changes || !relevance_.facts[f]) continue;
+      facts_[f] = static_cast<int>(task_.facts.size());
       task_.facts.push_back(raw_.facts[f]);
       task_.initial_facts.push_back(raw_.initial_facts[f]);
     }
+  }
+
+  void axioms() {
+    for (const GroundAxiom& axiom : raw_.axioms) {
+      const int fact = facts_[static_cast<std::size_t>(axiom.fact)];
+      if (fact < 0 || !can_hold(axiom.body, raw_.reachable.state)) continue;
+      GroundAxiom renumbered{fact, {}, axiom.layer};
+      append(axiom.body, renumbered.body);
+      if (!renumbered.body.impossible) task_.axioms.push_back(std::move(renumbered));
+    }
+    std::stable_sort(task_.axioms.begin(), task_.axioms.end(),
+                     [](const GroundAxiom& a, const GroundAxiom& b) { return a.layer < b.layer; });
+  }
+
+  // A set that had facts without a bit may be without a fact that has one.
+  void group_facts(const std::vector<Invariant>& invariants) {
+    std::vector<FactGroup> sets;
+    for (const Invariant& invariant : invariants) {
+      FactGroup set{{}, invariant.exactly_one};
+      for (const int fact : invariant.facts) {
+        const int place = facts_[static_cast<std::size_t>(fact)];
+        if (place >= 0) set.facts.push_back(place);
+      }
+      set.exactly_one = set.exactly_one && set.facts.size() == invariant.facts.size();
+      sets.push_back(std::move(set));
+    }
+    task_.groups = choose_groups(std::move(sets), task_.facts.size());
   }
 
   void number_variables() {
@@ -191,8 +243,8 @@ class Simplifier {
 
 }  // namespace
 
-GroundTask simplify(RawTask raw) {
-  return Simplifier(std::move(raw)).run();
+GroundTask simplify(RawTask raw, const std::vector<Invariant>& invariants) {
+  return Simplifier(std::move(raw)).run(invariants);
 }
 
 }  // namespace stepwright::pddl

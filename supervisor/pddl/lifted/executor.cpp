@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "supervisor/pddl/lifted/derive.h"
 #include "supervisor/pddl/numeric.h"
 #include "supervisor/pddl/syntax/formula_checker.h"
 
@@ -161,6 +162,7 @@ std::optional<Failure> Executor::step(const model::GroundAction& action) {
   Effects effects(definition_, state_);
   effects.collect(bound->action->effect, bound->binding);
   if (auto wrong = effects.apply(state_)) return wrong;
+  derive(definition_, state_);
   ++steps_;
   if (definition_.total_time >= 0) state_.fluents[Atom{definition_.total_time, {}}] += 1.0;
   return std::nullopt;

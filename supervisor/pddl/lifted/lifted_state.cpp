@@ -4,6 +4,7 @@
 #include <optional>
 #include <sstream>
 
+#include "supervisor/pddl/lifted/derive.h"
 #include "supervisor/pddl/syntax/formula_checker.h"
 
 namespace stepwright::pddl {
@@ -96,6 +97,7 @@ result::Result<LiftedState> lift(const Definition& definition, const State& stat
     if (auto atom = lifter.atom(fluent, true)) lifted.fluents[std::move(*atom)] = value;
   }
   if (!lifter.diagnostics.empty()) return tl::unexpected<result::Diagnostics>(std::move(lifter.diagnostics));
+  derive(definition, lifted);
   return lifted;
 }
 

@@ -13,6 +13,7 @@
 
 namespace stepwright::pddl {
 
+// Invariant: the derived facts in it are those that follow from the others.
 struct LiftedState {
   std::set<Atom> facts;
   std::map<Atom, double> fluents;
@@ -21,6 +22,7 @@ struct LiftedState {
 LiftedState initial_state(const Definition& definition);
 
 // Fails (P0201 to P0203) on every name that the definition does not know and on values that are not finite.
+// Derived facts are not taken over but derived anew.
 [[nodiscard]] result::Result<LiftedState> lift(const Definition& definition, const State& state);
 
 State name_state(const Definition& definition, const LiftedState& state);

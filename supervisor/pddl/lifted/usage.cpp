@@ -30,6 +30,7 @@ std::set<int> metric_only_functions(const Definition& definition) {
     reads.visit(action.precondition);
     reads.visit(action.effect);
   }
+  for (const Axiom& axiom : definition.axioms) reads.visit(axiom.body);
   reads.visit(definition.goal);
   std::set<int> rest;
   for (std::size_t i = 0; i < definition.functions.size(); ++i) {

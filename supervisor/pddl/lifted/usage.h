@@ -10,8 +10,8 @@
 
 namespace stepwright::pddl {
 
-// The functions that no condition, no goal and no amount of an effect reads: only the metric can, so that
-// they count but do not decide anything.
+// The functions that no condition, no axiom, no goal and no amount of an effect reads: only the metric can,
+// so that they count but do not decide anything.
 std::set<int> metric_only_functions(const Definition& definition);
 
 }  // namespace stepwright::pddl

@@ -12,13 +12,16 @@ constexpr std::size_t kSmallStates = 60;
 constexpr std::size_t kLargeStates = 150;
 constexpr std::size_t kMostWork = 20000;
 
-void add_variables(const Condition& condition, std::set<int>& facts, std::set<int>& variables) {
-  for (const int literal : condition.literals) facts.insert(literal / 2);
+// Facts from `derived` on are left out: no operator changes them, so a projection would take them as fixed.
+void add_variables(const Condition& condition, int derived, std::set<int>& facts, std::set<int>& variables) {
+  for (const int literal : condition.literals) {
+    if (literal / 2 < derived) facts.insert(literal / 2);
+  }
   for (const Comparison& comparison : condition.comparisons) {
     for_each_variable(comparison.difference, [&](int v) { variables.insert(v); });
   }
   for (const auto& options : condition.choices) {
-    for (const Condition& option : options) add_variables(option, facts, variables);
+    for (const Condition& option : options) add_variables(option, derived, facts, variables);
   }
 }
 
@@ -27,9 +30,11 @@ Pattern pattern_of(const std::set<int>& facts, const std::set<int>& variables) {
 }
 
 // One seed per part of the goal.
-std::vector<Pattern> seeds(const Condition& goal) {
+std::vector<Pattern> seeds(const Condition& goal, int derived) {
   std::vector<Pattern> list;
-  for (const int literal : goal.literals) list.push_back({{literal / 2}, {}});
+  for (const int literal : goal.literals) {
+    if (literal / 2 < derived) list.push_back({{literal / 2}, {}});
+  }
   for (const Comparison& comparison : goal.comparisons) {
     std::set<int> variables;
     for_each_variable(comparison.difference, [&](int v) { variables.insert(v); });
@@ -37,7 +42,7 @@ std::vector<Pattern> seeds(const Condition& goal) {
   }
   for (const auto& options : goal.choices) {
     std::set<int> facts, variables;
-    for (const Condition& option : options) add_variables(option, facts, variables);
+    for (const Condition& option : options) add_variables(option, derived, facts, variables);
     list.push_back(pattern_of(facts, variables));
   }
   return list;
@@ -48,7 +53,7 @@ std::vector<Pattern> seeds(const Condition& goal) {
 LowerBounds::LowerBounds(const StateSpace& space, const std::function<bool()>& stop) : space_(space) {
   // The number of goals may be large; the first ones must do then.
   constexpr std::size_t kMostSeeds = 24;
-  std::vector<Pattern> list = seeds(space.task().goal);
+  std::vector<Pattern> list = seeds(space.task().goal, space.task().first_derived);
   if (list.size() > kMostSeeds) list.resize(kMostSeeds);
   for (const Pattern& seed : list) {
     if (stop()) break;
@@ -96,9 +101,9 @@ Pattern LowerBounds::causes(const Pattern& pattern, const Projection& projection
   std::set<int> variables(pattern.variables.begin(), pattern.variables.end());
   for (const int i : projection.operators()) {
     const GroundOperator& op = space_.task().operators[static_cast<std::size_t>(i)];
-    add_variables(op.precondition, facts, variables);
+    add_variables(op.precondition, space_.task().first_derived, facts, variables);
     for (const GroundEffect& effect : op.effects) {
-      add_variables(effect.when, facts, variables);
+      add_variables(effect.when, space_.task().first_derived, facts, variables);
       for (const NumericEffect& numeric : effect.numeric) {
         for_each_variable(numeric.amount, [&](int v) { variables.insert(v); });
       }

@@ -22,6 +22,7 @@ RelaxedLayers::RelaxedLayers(const StateSpace& space) : space_(space) {
       if (!unit.literals.empty() || !unit.numeric.empty()) units_.push_back(std::move(unit));
     }
   }
+  for (const GroundAxiom& axiom : task.axioms) units_.push_back({-1, axiom.body, {2 * axiom.fact}, {}});
   waiting_.resize(2 * task.facts.size());
   for (std::size_t u = 0; u < units_.size(); ++u) {
     for (const int literal : units_[u].condition.literals) {
@@ -71,6 +72,8 @@ void RelaxedLayers::start(const Word* state) {
   for (std::size_t f = 0; f < task.facts.size(); ++f) {
     reach(2 * static_cast<int>(f) + (space_.fact(state, static_cast<int>(f)) ? 0 : 1), -1, 0);
   }
+  // That a derived fact ceases to hold costs nothing here.
+  for (int f = task.first_derived; f < static_cast<int>(task.facts.size()); ++f) reach(2 * f + 1, -1, 0);
 }
 
 void RelaxedLayers::reach(int literal, int unit, int layer) {

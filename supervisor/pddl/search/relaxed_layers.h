@@ -14,9 +14,9 @@
 
 namespace stepwright::pddl {
 
-// One effect of an operator with everything it needs: what the relaxation treats as an action.
+// One effect of an operator with everything it needs, or an axiom: what the relaxation treats as an action.
 struct Unit {
-  int op = 0;
+  int op = 0;                 // -1: an axiom
   Condition condition;        // the precondition and the effect's own
   std::vector<int> literals;  // that it makes true
   std::vector<NumericEffect> numeric;

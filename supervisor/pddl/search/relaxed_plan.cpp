@@ -119,6 +119,7 @@ void RelaxedPlan::select(int unit, int layer) {
   if (mark == now) return;
   mark = now;
   const Unit& chosen = layers_.units()[static_cast<std::size_t>(unit)];
+  if (chosen.op < 0) return require(chosen.condition, layers_.unit_layer(unit));
   ++steps_;
   cost_ += std::max(0.0, space_.task().operators[static_cast<std::size_t>(chosen.op)].cost.low);
   const int first = layers_.unit_layer(unit);

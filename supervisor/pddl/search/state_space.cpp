@@ -6,7 +6,10 @@
 namespace stepwright::pddl {
 
 StateSpace::StateSpace(const GroundTask& task)
-    : task_(task), fact_words_((task.facts.size() + 63) / 64), words_(fact_words_ + task.variables.size()) {
+    : task_(task),
+      axioms_(task),
+      fact_words_((task.facts.size() + 63) / 64),
+      words_(fact_words_ + task.variables.size()) {
   // Every operator waits under its rarest literal, so that a state looks at few operators that it cannot
   // apply.
   std::vector<std::size_t> uses(2 * task.facts.size(), 0);
@@ -32,6 +35,7 @@ std::vector<Word> StateSpace::initial() const {
   for (std::size_t v = 0; v < task_.variables.size(); ++v) {
     state[fact_words_ + v] = std::bit_cast<Word>(task_.initial_values[v]);
   }
+  derive(state.data());
   return state;
 }
 
@@ -127,6 +131,7 @@ bool StateSpace::apply(const GroundOperator& op, const Word* from, Word* to, dou
     if (effect.adds.empty() || (!effect.when.always() && !holds(effect.when, from))) continue;
     for (const int fact : effect.adds) to[fact >> 6] |= Word{1} << (fact & 63);
   }
+  derive(to);
   return true;
 }
 

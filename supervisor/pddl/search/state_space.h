@@ -3,7 +3,7 @@
 // States as packed words and what operators do to them. A state is its fact bits followed by its variables'
 // doubles.
 //
-// Thread rule: immutable after construction, except for the scratch of `successors`: one search, one
+// Thread rule: immutable after construction, except for the scratch that axioms need: one search, one
 // StateSpace.
 
 #include <bit>
@@ -12,10 +12,9 @@
 #include <vector>
 
 #include "supervisor/pddl/grounding/ground_task.h"
+#include "supervisor/pddl/search/axiom_evaluator.h"
 
 namespace stepwright::pddl {
-
-using Word = std::uint64_t;
 
 class StateSpace {
  public:
@@ -50,7 +49,12 @@ class StateSpace {
   bool apply_effect(const GroundEffect& effect, const Word* from, Word* to, double& cost) const;
   bool consistent(const GroundOperator& op, const Word* from) const;
 
+  void derive(Word* state) const {
+    if (!task_.axioms.empty()) axioms_.derive(state, [&](const Condition& c) { return holds(c, state); });
+  }
+
   const GroundTask& task_;
+  mutable AxiomEvaluator axioms_;  // its scratch
   std::size_t fact_words_;
   std::size_t words_;
   std::vector<std::vector<int>> by_literal_;  // operators under one literal of their precondition

@@ -4,7 +4,7 @@
 // case; after checking, every `index`, `symbol`, `type` and `slot` is resolved.
 //
 // Thread rule: immutable after checking. Variables live in numbered slots: the parameters of an action take
-// 0, 1, ...; a quantifier inside takes the next ones, so that a binding is a plain vector of objects.
+// 0, 1, ...; every quantifier inside takes slots of its own, so that a binding is a plain vector of objects.
 
 #include <compare>
 #include <cstdint>
@@ -99,7 +99,20 @@ struct Symbol {
   std::string name;
   Place at;
   std::vector<Typed> parameters;
-  bool changes = false;  // some action has it in an effect
+  bool changes = false;  // some action has it in an effect; derived: some action changes what it depends on
+  bool derived = false;  // a predicate that axioms define
+  int layer = 0;         // derived: only layers below may be negated in its axioms
+};
+
+// A rule of a derived predicate (PDDL 2.2, ":derived"): the fact over the parameters holds where the body
+// does. What no rule derives does not hold.
+struct Axiom {
+  int predicate = 0;
+  Place at;
+  std::string name;  // of the predicate
+  std::vector<Typed> parameters;
+  Formula body;
+  int slots = 0;  // parameters and all nested variables
 };
 
 struct Type {
@@ -137,7 +150,8 @@ struct Definition {
   std::vector<Symbol> predicates;
   std::vector<Symbol> functions;
   std::vector<Action> actions;
-  std::set<Atom> facts;
+  std::vector<Axiom> axioms;  // by layer
+  std::set<Atom> facts;       // with those that the axioms derive from them
   std::map<Atom, double> fluents;
   Formula goal;
   int goal_slots = 0;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "supervisor/pddl/lifted/derive.h"
 #include "supervisor/pddl/syntax/formula_checker.h"
+#include "supervisor/pddl/syntax/stratify.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -19,7 +21,8 @@ const std::vector<std::string> kKnownRequirements = {":strips",
                                                      ":fluents",
                                                      ":numeric-fluents",
                                                      ":adl",
-                                                     ":action-costs"};
+                                                     ":action-costs",
+                                                     ":derived-predicates"};
 
 class Checker {
  public:
@@ -42,10 +45,13 @@ class Checker {
     group_objects();
     symbols(domain_.predicates, definition_.predicates, definition_.predicate_ids, "predicate");
     symbols(domain_.functions, definition_.functions, definition_.function_ids, "function");
+    axiom_heads();
     actions();
+    axioms();
     initial_state();
     metric();
     goal();
+    derive_initial();
     return std::move(definition_);
   }
 
@@ -59,10 +65,13 @@ class Checker {
   void group_objects();
   void symbols(std::vector<Symbol>& parsed, std::vector<Symbol>& table, std::map<std::string, int>& ids,
                const std::string& what);
+  void axiom_heads();
   void actions();
+  void axioms();
   void initial_state();
   void metric();
   void goal();
+  void derive_initial();
 
   bool declare(std::map<std::string, int>& ids, const std::string& name, Place at, std::size_t id,
                const std::string& what) {
@@ -176,6 +185,35 @@ void Checker::symbols(std::vector<Symbol>& parsed, std::vector<Symbol>& table,
   }
 }
 
+// A head without types takes those of the predicate's declaration.
+void Checker::axiom_heads() {
+  for (Axiom& axiom : domain_.axioms) {
+    names_.require(":derived-predicates", axiom.at);
+    const int predicate = names_.predicate(axiom.name, axiom.at, axiom.parameters.size());
+    if (predicate < 0) continue;
+    Symbol& symbol = definition_.predicates[static_cast<std::size_t>(predicate)];
+    symbol.derived = true;
+    axiom.predicate = predicate;
+    for (std::size_t i = 0; i < axiom.parameters.size(); ++i) {
+      Typed& parameter = axiom.parameters[i];
+      const bool untyped =
+          parameter.type_at.line == parameter.at.line && parameter.type_at.column == parameter.at.column;
+      if (untyped) parameter.type_name = symbol.parameters[i].type_name;
+    }
+    definition_.axioms.push_back(std::move(axiom));
+  }
+}
+
+void Checker::axioms() {
+  for (Axiom& axiom : definition_.axioms) {
+    names_.begin(axiom.parameters);
+    names_.arguments(axiom.name, axiom.predicate, axiom.parameters);
+    names_.formula(axiom.body);
+    axiom.slots = names_.slots();
+  }
+  if (!reporter_.failed()) stratify(definition_, reporter_);
+}
+
 void Checker::actions() {
   for (Action& action : domain_.actions) {
     if (!declare(definition_.action_ids, action.name, action.at, definition_.actions.size(), "action"))
@@ -196,6 +234,7 @@ void Checker::initial_state() {
   };
   for (Call& fact : problem_.facts) {
     if (!names_.ground(fact, false)) continue;
+    if (names_.derived(fact, "set in ':init'")) continue;
     if (!definition_.facts.insert(atom(fact)).second) {
       reporter_.warning("P0114", fact.at, "this fact stands twice in ':init'");
     }
@@ -236,6 +275,13 @@ void Checker::goal() {
   names_.formula(problem_.goal);
   definition_.goal = std::move(problem_.goal);
   definition_.goal_slots = names_.slots();
+}
+
+void Checker::derive_initial() {
+  if (reporter_.failed()) return;
+  LiftedState state = pddl::initial_state(definition_);
+  derive(definition_, state);
+  definition_.facts = std::move(state.facts);
 }
 
 }  // namespace

@@ -21,14 +21,16 @@ class DomainParser : private SectionParser {
  private:
   bool section(const std::string& keyword, Place at) {
     if (keyword == ":action") return action(at);
+    if (keyword == ":derived") return axiom();
     if (!once(keyword, at)) return false;
     if (keyword == ":requirements") return requirements(domain_.requirements);
     if (keyword == ":types") return formulas_.typed_list(TokenKind::Name, domain_.types);
     if (keyword == ":constants") return formulas_.typed_list(TokenKind::Name, domain_.constants);
     if (keyword == ":predicates") return declarations(domain_.predicates);
     if (keyword == ":functions") return functions();
-    return unknown(keyword, at,
-                   {":requirements", ":types", ":constants", ":predicates", ":functions", ":action"});
+    return unknown(
+        keyword, at,
+        {":requirements", ":types", ":constants", ":predicates", ":functions", ":derived", ":action"});
   }
 
   bool declarations(std::vector<Symbol>& symbols) {
@@ -51,6 +53,17 @@ class DomainParser : private SectionParser {
       domain_.functions.emplace_back();
       if (!formulas_.declaration(domain_.functions.back())) return false;
     }
+    return true;
+  }
+
+  bool axiom() {
+    Symbol head;
+    Axiom axiom;
+    if (!formulas_.declaration(head) || !formulas_.formula(axiom.body)) return false;
+    axiom.name = head.name;
+    axiom.at = head.at;
+    axiom.parameters = std::move(head.parameters);
+    domain_.axioms.push_back(std::move(axiom));
     return true;
   }
 

@@ -35,14 +35,13 @@ void FormulaChecker::begin(std::vector<Typed>& parameters) {
 void FormulaChecker::push(std::vector<Typed>& variables) {
   for (Typed& variable : variables) {
     variable.type = type(variable.type_name, variable.type_at);
-    variable.slot = static_cast<int>(scope_.size());
+    variable.slot = slots_++;
     const bool twice = std::any_of(scope_.begin(), scope_.end(),
                                    [&](const Typed& other) { return other.name == variable.name; });
     if (twice)
       reporter_.error("P0108", variable.at, "the variable '" + variable.name + "' is declared twice");
     scope_.push_back(variable);
   }
-  slots_ = std::max(slots_, static_cast<int>(scope_.size()));
 }
 
 void FormulaChecker::pop(std::size_t count) {
@@ -109,15 +108,49 @@ bool FormulaChecker::resolve(Call& call, bool function) {
     if (!resolve(call.arguments[i], found)) {
       good = false;
     } else if (!definition_.is_subtype(found, symbol.parameters[i].type)) {
-      const auto name = [&](int id) { return definition_.types[static_cast<std::size_t>(id)].name; };
-      reporter_.error("P0107", call.arguments[i].at,
-                      "'" + call.arguments[i].name + "' is of type '" + name(found) + "', but argument " +
-                          std::to_string(i + 1) + " of '" + call.name + "' is of type '" +
-                          name(symbol.parameters[i].type) + "'");
+      wrong_type(call.arguments[i].name, call.arguments[i].at, found, call.name, i,
+                 symbol.parameters[i].type);
       good = false;
     }
   }
   return good;
+}
+
+int FormulaChecker::predicate(const std::string& name, Place at, std::size_t arity) {
+  Call call;
+  call.name = name;
+  call.at = at;
+  if (!resolve_symbol(call, false)) return -1;
+  const Symbol& symbol = definition_.predicates[static_cast<std::size_t>(call.symbol)];
+  if (symbol.parameters.size() == arity) return call.symbol;
+  reporter_.error("P0106", at,
+                  "'" + name + "' takes " + std::to_string(symbol.parameters.size()) + " argument(s), not " +
+                      std::to_string(arity));
+  return -1;
+}
+
+void FormulaChecker::arguments(const std::string& name, int predicate, const std::vector<Typed>& parameters) {
+  const Symbol& symbol = definition_.predicates[static_cast<std::size_t>(predicate)];
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (definition_.is_subtype(parameters[i].type, symbol.parameters[i].type)) continue;
+    wrong_type(parameters[i].name, parameters[i].at, parameters[i].type, name, i, symbol.parameters[i].type);
+  }
+}
+
+bool FormulaChecker::derived(const Call& fact, const std::string& changed) {
+  if (!definition_.predicates[static_cast<std::size_t>(fact.symbol)].derived) return false;
+  reporter_.error("P0115", fact.at, "'" + fact.name + "' is derived, it cannot be " + changed,
+                  "only its ':derived' rules say where it holds");
+  return true;
+}
+
+void FormulaChecker::wrong_type(const std::string& name, Place at, int found, const std::string& symbol,
+                                std::size_t argument, int wanted) {
+  const auto type_name = [&](int id) { return definition_.types[static_cast<std::size_t>(id)].name; };
+  reporter_.error("P0107", at,
+                  "'" + name + "' is of type '" + type_name(found) + "', but argument " +
+                      std::to_string(argument + 1) + " of '" + symbol + "' is of type '" + type_name(wanted) +
+                      "'");
 }
 
 bool FormulaChecker::ground(Call& call, bool function) {
@@ -188,7 +221,7 @@ void FormulaChecker::effect(Effect& effect) {
   switch (effect.kind) {
     case EffectKind::Add:
     case EffectKind::Delete:
-      if (resolve(effect.call, false)) {
+      if (resolve(effect.call, false) && !derived(effect.call, "changed by an action")) {
         definition_.predicates[static_cast<std::size_t>(effect.call.symbol)].changes = true;
       }
       break;

@@ -27,6 +27,15 @@ class FormulaChecker {
   // A ground fact or fluent of the initial state. False after an error.
   bool ground(Call& call, bool function);
 
+  // The id of the predicate that an axiom defines with so many parameters; -1 after an error.
+  int predicate(const std::string& name, Place at, std::size_t arity);
+
+  // Checks the types of an axiom's parameters against the predicate's declaration.
+  void arguments(const std::string& name, int predicate, const std::vector<Typed>& parameters);
+
+  // Reports P0115 if the fact is derived: then it cannot be `changed`, "set in ':init'".
+  bool derived(const Call& fact, const std::string& changed);
+
   // The type named; reports an unknown one (P0101) and answers object.
   int type(const std::string& name, Place at);
 
@@ -43,6 +52,8 @@ class FormulaChecker {
   bool resolve_symbol(Call& call, bool function);
   bool resolve(Term& term, int& type);
   bool unknown_object(const Term& term);
+  void wrong_type(const std::string& name, Place at, int found, const std::string& symbol,
+                  std::size_t argument, int wanted);
   void numeric_effect(Effect& effect);
   void quantified(std::vector<Typed>& variables, Place at);
 

@@ -26,6 +26,7 @@ struct ParsedDomain {
   std::vector<Symbol> predicates;
   std::vector<Symbol> functions;
   std::vector<Action> actions;
+  std::vector<Axiom> axioms;
 };
 
 struct InitialFluent {

@@ -138,6 +138,30 @@ double cost_of(const Definition& definition, const Executor& executor, std::size
 
 }  // namespace
 
+void for_each_reachable_state(const Task& task, std::size_t most_states,
+                              const std::function<void(const LiftedState&)>& visit) {
+  const Definition& definition = task.definition();
+  const Splitter splitter(task);
+  std::vector<Candidate> actions = all_actions(task);
+  std::set<Dynamic> known;
+  std::vector<LiftedState> open;
+  const auto reach = [&](const LiftedState& state) {
+    if (!known.insert(splitter.key(state)).second) return;
+    if (known.size() > most_states) throw std::runtime_error("the task is too large to enumerate");
+    visit(state);
+    open.push_back(state);
+  };
+  reach(initial_state(definition));
+  while (!open.empty()) {
+    const LiftedState state = std::move(open.back());
+    open.pop_back();
+    for (const Candidate& candidate : actions) {
+      Executor next(definition, state);
+      if (!next.step(candidate.action)) reach(next.state());
+    }
+  }
+}
+
 std::optional<Optimum> exhaustive_optimum(const Task& task, std::size_t most_states) {
   const Definition& definition = task.definition();
   const Splitter splitter(task);

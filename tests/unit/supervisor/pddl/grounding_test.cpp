@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "supervisor/pddl/grounding/binding_enumerator.h"
 #include "supervisor/pddl/grounding/grounder.h"
 #include "supervisor/pddl/lifted/lifted_state.h"
 #include "tests/unit/supervisor/pddl/sample_tasks.h"
@@ -65,19 +64,6 @@ TEST(Grounding, WhenCostsDependOnTheState_ThenTheirRangeIsKnown) {
       EXPECT_LE(op.cost.high, 20.0);
     }
   }
-}
-
-TEST(Grounding, WhenStaticFactsRelateParameters_ThenTheyAreJoined) {
-  const Task task = testing::logistics_task(40);
-  const Definition& definition = task.definition();
-  const LiftedState initial = initial_state(definition);
-  BindingEnumerator bindings(definition, definition.actions[0], initial);
-  std::size_t count = 0;
-  bindings.run([&](Binding&) {
-    ++count;
-    return true;
-  });
-  EXPECT_EQ(count, 78u);  // the roads, not 40 x 40 pairs
 }
 
 TEST(Grounding, WhenAFluentOnlyCounts_ThenItIsNoVariable) {

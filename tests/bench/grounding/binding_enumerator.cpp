@@ -1,4 +1,4 @@
-#include "supervisor/pddl/grounding/binding_enumerator.h"
+#include "tests/bench/grounding/binding_enumerator.h"
 
 #include <algorithm>
 #include <set>
@@ -51,11 +51,19 @@ std::set<std::size_t> slots_of(const Formula& formula) {
 
 BindingEnumerator::BindingEnumerator(const Definition& definition, const Action& action,
                                      const LiftedState& initial)
+    : BindingEnumerator(definition, action.parameters, action.slots, action.precondition, initial) {}
+
+BindingEnumerator::BindingEnumerator(const Definition& definition, const Axiom& axiom,
+                                     const LiftedState& initial)
+    : BindingEnumerator(definition, axiom.parameters, axiom.slots, axiom.body, initial) {}
+
+BindingEnumerator::BindingEnumerator(const Definition& definition, const std::vector<Typed>& parameters,
+                                     int slots, const Formula& condition, const LiftedState& initial)
     : definition_(definition),
-      action_(action),
+      parameters_(parameters),
       initial_(initial),
-      binding_(static_cast<std::size_t>(action.slots), -1) {
-  collect_static(action.precondition);
+      binding_(static_cast<std::size_t>(slots), -1) {
+  collect_static(condition);
   order_parameters();
 }
 
@@ -82,7 +90,7 @@ std::size_t BindingEnumerator::next_parameter(const std::vector<bool>& bound) co
                            });
       if (decided) score += conjunct->kind == FormulaKind::Atom ? 2 : 1;
     }
-    const auto type = static_cast<std::size_t>(action_.parameters[p].type);
+    const auto type = static_cast<std::size_t>(parameters_[p].type);
     const std::size_t objects = definition_.objects_by_type[type].size();
     if (best == bound.size() || score > best_score || (score == best_score && objects < best_objects)) {
       best = p;
@@ -94,7 +102,7 @@ std::size_t BindingEnumerator::next_parameter(const std::vector<bool>& bound) co
 }
 
 void BindingEnumerator::order_parameters() {
-  std::vector<bool> bound(action_.parameters.size(), false);
+  std::vector<bool> bound(parameters_.size(), false);
   for (std::size_t i = 0; i < bound.size(); ++i) {
     Level level;
     level.parameter = next_parameter(bound);
@@ -129,7 +137,7 @@ void BindingEnumerator::index_fact(Level& level, const Call& call) {
     }
   }
   const Atom first{call.symbol, {}};
-  const auto type = static_cast<std::size_t>(action_.parameters[level.parameter].type);
+  const auto type = static_cast<std::size_t>(parameters_[level.parameter].type);
   for (auto fact = initial_.facts.lower_bound(first);
        fact != initial_.facts.end() && fact->symbol == call.symbol; ++fact) {
     const int object = fact->arguments[own];
@@ -145,7 +153,7 @@ void BindingEnumerator::index_fact(Level& level, const Call& call) {
 
 const std::vector<int>& BindingEnumerator::candidates(const Level& level) const {
   static const std::vector<int> none;
-  const auto type = static_cast<std::size_t>(action_.parameters[level.parameter].type);
+  const auto type = static_cast<std::size_t>(parameters_[level.parameter].type);
   const std::vector<int>* best = &definition_.objects_by_type[type];
   for (const Index& index : level.indexes) {
     std::vector<int> key;

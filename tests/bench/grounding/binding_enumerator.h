@@ -1,9 +1,9 @@
 #pragma once
 
-// The bindings of an action's parameters that its static preconditions allow: a join over them, parameter by
-// parameter, instead of every combination of objects.
+// The baseline of grounding: the bindings that the static part of a condition allows, parameter by parameter.
+// What actions make true is not joined, so that combinations are met that can never be reached.
 //
-// Thread rule: one grounding, one object per action.
+// Thread rule: one grounding, one object per schema.
 
 #include <functional>
 #include <map>
@@ -16,6 +16,7 @@ namespace stepwright::pddl {
 class BindingEnumerator {
  public:
   BindingEnumerator(const Definition& definition, const Action& action, const LiftedState& initial);
+  BindingEnumerator(const Definition& definition, const Axiom& axiom, const LiftedState& initial);
 
   // Calls `visit` for every allowed binding until it answers false. False if stopped.
   bool run(const std::function<bool(Binding&)>& visit);
@@ -33,6 +34,8 @@ class BindingEnumerator {
     std::vector<Index> indexes;
   };
 
+  BindingEnumerator(const Definition& definition, const std::vector<Typed>& parameters, int slots,
+                    const Formula& condition, const LiftedState& initial);
   void collect_static(const Formula& formula);
   void order_parameters();
   std::size_t next_parameter(const std::vector<bool>& bound) const;
@@ -42,7 +45,7 @@ class BindingEnumerator {
   bool descend(std::size_t depth, const std::function<bool(Binding&)>& visit);
 
   const Definition& definition_;
-  const Action& action_;
+  const std::vector<Typed>& parameters_;
   const LiftedState& initial_;
   std::vector<const Formula*> static_conjuncts_;
   std::vector<Level> levels_;

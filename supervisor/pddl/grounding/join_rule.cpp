@@ -1,0 +1,159 @@
+#include "supervisor/pddl/grounding/join_rule.h"
+
+#include <algorithm>
+#include <set>
+
+namespace stepwright::pddl {
+namespace {
+
+// More alternatives than this stay one condition.
+constexpr std::size_t kMostAlternatives = 64;
+
+bool is_static(const Definition& definition, const Expression& expression) {
+  if (expression.kind == NumericKind::Fluent &&
+      definition.functions[static_cast<std::size_t>(expression.call.symbol)].changes) {
+    return false;
+  }
+  return std::all_of(expression.operands.begin(), expression.operands.end(),
+                     [&](const Expression& operand) { return is_static(definition, operand); });
+}
+
+bool changes(const Definition& definition, const Call& call) {
+  return definition.predicates[static_cast<std::size_t>(call.symbol)].changes;
+}
+
+// Quantified conditions are left to the compiler.
+bool is_static(const Definition& definition, const Formula& formula) {
+  if (!formula.variables.empty()) return false;
+  if (formula.kind == FormulaKind::Atom) return !changes(definition, formula.call);
+  return std::all_of(formula.sides.begin(), formula.sides.end(),
+                     [&](const Expression& side) { return is_static(definition, side); }) &&
+         std::all_of(formula.parts.begin(), formula.parts.end(),
+                     [&](const Formula& part) { return is_static(definition, part); });
+}
+
+void collect_slots(const std::vector<Term>& terms, std::set<int>& slots) {
+  for (const Term& term : terms) {
+    if (term.variable) slots.insert(term.index);
+  }
+}
+
+void collect_slots(const Expression& expression, std::set<int>& slots) {
+  collect_slots(expression.call.arguments, slots);
+  for (const Expression& operand : expression.operands) collect_slots(operand, slots);
+}
+
+void collect_slots(const Formula& formula, std::set<int>& slots) {
+  collect_slots(formula.call.arguments, slots);
+  collect_slots(formula.terms, slots);
+  for (const Expression& side : formula.sides) collect_slots(side, slots);
+  for (const Formula& part : formula.parts) collect_slots(part, slots);
+}
+
+// A conjunction with the variables that it binds.
+struct Alternative {
+  std::vector<Typed> variables;
+  std::vector<const Formula*> conjuncts;
+};
+using Alternatives = std::vector<Alternative>;
+
+Alternatives alternatives(const Formula& formula);
+
+Alternatives product(const Formula& conjunction) {
+  Alternatives all(1);
+  for (const Formula& part : conjunction.parts) {
+    Alternatives options = alternatives(part);
+    if (all.size() * options.size() > kMostAlternatives) options = {{{}, {&part}}};
+    Alternatives next;
+    for (const Alternative& left : all) {
+      for (const Alternative& right : options) {
+        Alternative both = left;
+        both.variables.insert(both.variables.end(), right.variables.begin(), right.variables.end());
+        both.conjuncts.insert(both.conjuncts.end(), right.conjuncts.begin(), right.conjuncts.end());
+        next.push_back(std::move(both));
+      }
+    }
+    all = std::move(next);
+  }
+  return all;
+}
+
+// Variables can be lifted out because every quantifier of a schema has slots of its own.
+Alternatives alternatives(const Formula& formula) {
+  if (formula.kind == FormulaKind::And) return product(formula);
+  if (formula.kind == FormulaKind::Exists) {
+    Alternatives inner = alternatives(formula.parts[0]);
+    for (Alternative& option : inner) {
+      option.variables.insert(option.variables.begin(), formula.variables.begin(), formula.variables.end());
+    }
+    return inner;
+  }
+  if (formula.kind != FormulaKind::Or) return {{{}, {&formula}}};
+  Alternatives all;
+  for (const Formula& part : formula.parts) {
+    for (Alternative& option : alternatives(part)) all.push_back(std::move(option));
+  }
+  if (all.size() > kMostAlternatives) return {{{}, {&formula}}};
+  return all;
+}
+
+void flatten(const Formula& formula, std::vector<const Formula*>& conjuncts) {
+  if (formula.kind != FormulaKind::And) return conjuncts.push_back(&formula);
+  for (const Formula& part : formula.parts) flatten(part, conjuncts);
+}
+
+// Variables behind the parameters that no conjunct reads.
+void find_witnesses(std::size_t parameters, JoinRule& rule) {
+  std::set<int> read;
+  for (const Formula* conjunct : rule.conjuncts) collect_slots(*conjunct, read);
+  for (std::size_t v = parameters; v < rule.variables.size(); ++v) {
+    const int slot = rule.variables[v].slot;
+    if (read.count(slot) == 0) rule.witnesses.push_back(slot);
+  }
+}
+
+void complete(const Definition& definition, JoinRule& rule) {
+  for (const Formula* conjunct : rule.conjuncts) {
+    if (conjunct->kind == FormulaKind::Atom) {
+      const Call& call = conjunct->call;
+      rule.atoms.push_back({call.symbol, &call.arguments, changes(definition, call)});
+    } else if (is_static(definition, *conjunct)) {
+      std::set<int> slots;
+      collect_slots(*conjunct, slots);
+      rule.filters.push_back({conjunct, {slots.begin(), slots.end()}});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<JoinRule> join_rules(const Definition& definition) {
+  std::vector<JoinRule> rules;
+  for (std::size_t a = 0; a < definition.actions.size(); ++a) {
+    const Action& action = definition.actions[a];
+    JoinRule rule;
+    rule.action = static_cast<int>(a);
+    rule.variables = action.parameters;
+    rule.slots = action.slots;
+    flatten(action.precondition, rule.conjuncts);
+    rules.push_back(std::move(rule));
+  }
+  for (std::size_t a = 0; a < definition.axioms.size(); ++a) {
+    const Axiom& axiom = definition.axioms[a];
+    if (!definition.predicates[static_cast<std::size_t>(axiom.predicate)].changes) continue;
+    for (Alternative& alternative : alternatives(axiom.body)) {
+      JoinRule rule;
+      rule.axiom = static_cast<int>(a);
+      rule.variables = axiom.parameters;
+      rule.variables.insert(rule.variables.end(), alternative.variables.begin(), alternative.variables.end());
+      rule.conjuncts = std::move(alternative.conjuncts);
+      rule.slots = axiom.slots;
+      find_witnesses(axiom.parameters.size(), rule);
+      rules.push_back(std::move(rule));
+    }
+  }
+  for (JoinRule& rule : rules) complete(definition, rule);
+  return rules;
+}
+
+}  // namespace stepwright::pddl
