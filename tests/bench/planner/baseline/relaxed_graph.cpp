@@ -123,6 +123,23 @@ bool RelaxedGraph::widen(int layer) {
   return grown;
 }
 
+// Whether numbers that go on growing as they did in this layer can ever make something possible that is not.
+bool RelaxedGraph::growth_helps(int layer) {
+  Values limit = values_[at(layer) + 1];
+  for (std::size_t v = 0; v < limit.size(); ++v) {
+    const Interval before = values_[at(layer)][v];
+    if (limit[v].low < before.low) limit[v].low = -pddl::kInfinity;
+    if (limit[v].high > before.high) limit[v].high = pddl::kInfinity;
+  }
+  const auto end = static_cast<int>(values_.size());
+  values_.push_back(std::move(limit));
+  const bool helps = possible_at(space_.task().goal, end) ||
+                     std::any_of(ready_.begin(), ready_.end(),
+                                 [&](int unit) { return possible_at(units_[at(unit)].condition, end); });
+  values_.pop_back();
+  return helps;
+}
+
 bool RelaxedGraph::build(const pddl::Word* state) {
   std::fill(literal_layer_.begin(), literal_layer_.end(), INT_MAX);
   std::fill(unit_layer_.begin(), unit_layer_.end(), INT_MAX);
@@ -151,6 +168,7 @@ bool RelaxedGraph::build(const pddl::Word* state) {
     fresh_.clear();
     if (possible_at(space_.task().goal, last_)) return true;
     std::vector<int> waits;
+    std::size_t enabled = 0;
     for (const int unit : ready_) {
       const Unit& u = units_[at(unit)];
       if (!possible_at(u.condition, last_)) {
@@ -158,12 +176,13 @@ bool RelaxedGraph::build(const pddl::Word* state) {
         continue;
       }
       unit_layer_[at(unit)] = last_;
+      ++enabled;
       if (!u.numeric.empty()) numeric_.push_back(unit);
       for (const int literal : u.literals) reach(literal, last_ + 1, unit);
     }
     ready_ = std::move(waits);
     const bool grown = widen(last_);
-    if (!grown && fresh_.empty()) return false;
+    if (fresh_.empty() && enabled == 0 && (!grown || !growth_helps(last_))) return false;
   }
   return false;
 }

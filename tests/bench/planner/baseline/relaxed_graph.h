@@ -44,6 +44,7 @@ class RelaxedGraph {
   bool possible_at(const pddl::Condition& condition, int layer) const;
   bool possible_at(const Goal& goal, int layer) const;
   bool widen(int layer);
+  bool growth_helps(int layer);
   pddl::Interval changed(const pddl::NumericEffect& effect, const Values& values) const;
 
   int extract();
