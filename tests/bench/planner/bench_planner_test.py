@@ -34,6 +34,8 @@ class BenchPlanner(unittest.TestCase):
             self.assertGreater(domain["first_plan_ms_median"], 0)
             self.assertGreaterEqual(domain["cost_ratio_to_best_known"], 1)
             self.assertEqual(domain["baseline"]["solved"], 2)
+            self.assertEqual([at["time_s"] for at in domain["quality_over_time"]], [0.01, 0.1])
+            self.assertLessEqual(domain["quality_over_time"][-1]["solved"], 2)
         for instance in figures["instances"]:
             profile = instance["cost_over_time"]
             costs = [found["plan_cost"] for found in profile]

@@ -107,7 +107,8 @@ Measurement measurement(const ChildResult& child, const pddl::Task& task) {
     result.wall_ms = line["wall_ms"];
     if (line.value("infeasible", false))
       result.wrong = "it says that there is no plan: " + line["reason"].dump();
-    if (line.contains("bound")) result.bound = line["bound"].get<double>();
+    // A bound that is infinite, as long as nothing is proved, is null in JSON.
+    if (line.contains("bound") && line["bound"].is_number()) result.bound = line["bound"].get<double>();
     result.proved = line.value("proved", false);
     if (child.end == ChildEnd::Done) result.outcome = line.value("reason", "");
   }

@@ -42,6 +42,22 @@ Rival rival(const std::string& name, const std::vector<const Row*>& rows,
   return rival;
 }
 
+Quality quality_at(double time_s, const std::vector<const Row*>& rows) {
+  Quality quality{time_s, 0, {}};
+  std::vector<double> ratios;
+  for (const Row* row : rows) {
+    const Found* last = nullptr;
+    for (const Found& found : row->ours.profile) {
+      if (found.wall_ms <= 1000.0 * time_s) last = &found;
+    }
+    if (last == nullptr) continue;
+    ++quality.solved;
+    ratios.push_back(row->ratio(last->cost));
+  }
+  quality.cost_ratio = mean_of(ratios);
+  return quality;
+}
+
 DomainFigures figures_of(const std::string& name, const Settings& settings,
                          const std::vector<const Row*>& rows) {
   DomainFigures figures;
@@ -61,6 +77,10 @@ DomainFigures figures_of(const std::string& name, const Settings& settings,
   figures.first_cost_ratio = mean_of(first_ratios);
   figures.cost_ratio_to_best_known = mean_of(ratios);
   figures.grounding_ms_median = median_of(grounding);
+  const double limit_s = static_cast<double>(settings.limits.time.count()) / 1000.0;
+  for (double time_s = 0.01; time_s < limit_s; time_s *= 10.0) {
+    figures.quality_over_time.push_back(quality_at(time_s, rows));
+  }
   if (settings.baseline) {
     figures.rivals.push_back(
         rival("baseline", rows, [](const Row& row) -> const Measurement& { return row.baseline; }));

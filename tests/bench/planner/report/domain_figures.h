@@ -24,6 +24,13 @@ struct Rival {
   std::optional<double> cost_ratio_to_best_known;
 };
 
+// Where the instances of a domain stand at one time.
+struct Quality {
+  double time_s = 0.0;
+  int solved = 0;
+  std::optional<double> cost_ratio;  // mean over the solved
+};
+
 struct DomainFigures {
   std::string name;
   int solved = 0, instances = 0, proved = 0;
@@ -31,7 +38,8 @@ struct DomainFigures {
   std::optional<double> first_cost_ratio;          // of the first plans
   std::optional<double> cost_ratio_to_best_known;  // mean over the solved instances, at the end
   std::optional<double> grounding_ms_median;
-  std::vector<Rival> rivals;  // the baseline, then those outside
+  std::vector<Quality> quality_over_time;  // at the decades below the limit
+  std::vector<Rival> rivals;               // the baseline, then those outside
 };
 
 // One per domain in the order of the rows, then one named "all".

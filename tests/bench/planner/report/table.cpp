@@ -79,6 +79,12 @@ json to_json(const DomainFigures& figures) {
               {"first_plan_cost_ratio_to_best_known", or_null(figures.first_cost_ratio)},
               {"cost_ratio_to_best_known", or_null(figures.cost_ratio_to_best_known)},
               {"grounding_ms_median", or_null(figures.grounding_ms_median)}};
+  out["quality_over_time"] = json::array();
+  for (const Quality& quality : figures.quality_over_time) {
+    out["quality_over_time"].push_back({{"time_s", quality.time_s},
+                                        {"solved", quality.solved},
+                                        {"cost_ratio_to_best_known", or_null(quality.cost_ratio)}});
+  }
   for (const Rival& rival : figures.rivals) {
     out[rival.name] = {{"solved", rival.solved},
                        {"instances", rival.instances},
@@ -120,16 +126,24 @@ std::string line(const Settings& settings, const Row& row) {
 }
 
 std::string summary(const Settings& settings, const std::vector<Row>& rows) {
-  std::string text = fmt::format("\n{:<16} {:>9} {:>7} {:>10} {:>10} {:>10} {:>9}", "domain", "solved",
-                                 "optimal", "ground ms", "first ms", "1st ratio", "ratio");
+  const std::vector<DomainFigures> all = figures(settings, rows);
+  std::string text = fmt::format("\n{:<16} {:>9} {:>7} {:>10} {:>10} {:>9}", "domain", "solved", "optimal",
+                                 "ground ms", "first ms", "1st ratio");
+  for (const Quality& quality : all.front().quality_over_time) {
+    text += fmt::format(" {:>8}", fmt::format("{:g} s", quality.time_s));
+  }
+  text += fmt::format(" {:>8}", "ratio");
   if (settings.baseline) text += "  | baseline: solved, ms, time and cost ratio";
   for (const Outside& planner : settings.outside) text += "  | " + planner.name + ": the same";
   text += "\n";
-  for (const DomainFigures& f : figures(settings, rows)) {
-    text += fmt::format("{:<16} {:>9} {:>7} {:>10} {:>10} {:>10} {:>9}", f.name,
+  for (const DomainFigures& f : all) {
+    text += fmt::format("{:<16} {:>9} {:>7} {:>10} {:>10} {:>9}", f.name,
                         fmt::format("{} of {}", f.solved, f.instances), f.proved,
                         number(f.grounding_ms_median, "{:.2f}"), number(f.first_plan_ms_median, "{:.2f}"),
-                        number(f.first_cost_ratio, "{:.3f}"), number(f.cost_ratio_to_best_known, "{:.3f}"));
+                        number(f.first_cost_ratio, "{:.3f}"));
+    for (const Quality& q : f.quality_over_time)
+      text += fmt::format(" {:>8}", number(q.cost_ratio, "{:.3f}"));
+    text += fmt::format(" {:>8}", number(f.cost_ratio_to_best_known, "{:.3f}"));
     for (const Rival& r : f.rivals) {
       text += fmt::format("  | {:>9} {:>9} {:>8} {:>7}", fmt::format("{} of {}", r.solved, r.instances),
                           number(r.first_plan_ms_median, "{:.1f}"), number(r.time_ratio_median, "{:.1f}x"),
@@ -139,8 +153,8 @@ std::string summary(const Settings& settings, const std::vector<Row>& rows) {
   }
   return text +
          "ms are medians of the solved, from the texts to the first plan; ratios are costs over the best "
-         "known,\n"
-         "time ratios how many times longer than ours; * = proved optimal\n";
+         "known "
+         "(of what\nis solved by then), time ratios how many times longer than ours; * = proved optimal\n";
 }
 
 json to_json(const Settings& settings, const std::vector<Row>& rows) {
