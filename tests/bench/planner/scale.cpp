@@ -34,13 +34,14 @@ result::Result<Curve> run_curve(const Generator& generator, const Settings& sett
     const auto judge_end = [&](const Measurement& measured, std::string& ended) {
       if (!measured.solved()) ended = fmt::format("size {}: {}", size, measured.outcome);
     };
+    point.ground = measure_grounding(instance, settings.limits);
     if (curve.ours_ended.empty()) {
       point.ours = measure_planner(instance, *task, settings.limits);
       if (!point.ours.wrong.empty()) return wrong(instance, point.ours.wrong);
       judge_end(point.ours, curve.ours_ended);
     }
     if (curve.baseline_ended.empty()) {
-      point.baseline = measure_baseline(instance, *task, settings.limits, point.ground);
+      point.baseline = measure_baseline(instance, *task, settings.limits);
       if (!point.baseline.wrong.empty()) return wrong(instance, point.baseline.wrong);
       judge_end(point.baseline, curve.baseline_ended);
     }

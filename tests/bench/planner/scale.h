@@ -16,8 +16,8 @@ namespace stepwright::bench {
 
 struct ScalePoint {
   int size = 0;
-  GroundSize ground;  // operators == 0: not measured
-  Measurement ours;   // an empty outcome: this planner's curve had ended before
+  GroundSize ground;
+  Measurement ours;  // an empty outcome: this planner's curve had ended before
   Measurement baseline;
 };
 

@@ -26,8 +26,9 @@ result::Result<Row> run_instance(Instance instance, const Settings& settings, Be
   if (row.ours.solved()) {
     best.offer(instance, row.ours.last().cost, row.ours.bound.value_or(instance.lower_bound), "planner");
   }
+  row.ground = measure_grounding(instance, settings.limits);
   if (settings.baseline) {
-    row.baseline = measure_baseline(instance, *task, settings.limits, row.ground);
+    row.baseline = measure_baseline(instance, *task, settings.limits);
     if (!row.baseline.wrong.empty()) return wrong("the baseline", row.baseline.wrong);
     if (row.baseline.solved())
       best.offer(instance, row.baseline.last().cost, instance.lower_bound, "baseline");

@@ -15,10 +15,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using State = std::vector<pddl::Word>;
 
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 struct Node {
   std::uint32_t parent;
   int op;
@@ -45,8 +41,10 @@ class Search {
   }
 
   bool stopped() {
-    if (limits_.time.count() > 0 && Clock::now() - start_ > limits_.time) result_.reason = "time";
-    if (limits_.memory_mb > 0 && memory_ > limits_.memory_mb << 20) result_.reason = "memory";
+    if (limits_.time.count() > 0 && Clock::now() - start_ > limits_.time)
+      result_.reason = "the time budget ended";
+    if (limits_.memory_mb > 0 && memory_ > limits_.memory_mb << 20)
+      result_.reason = "the memory budget ended";
     return !result_.reason.empty();
   }
 
@@ -153,20 +151,15 @@ Baseline hill_climbing(const pddl::Task& task, const BaselineLimits& limits) {
   Baseline result;
   const pddl::GroundTask ground = pddl::ground_task(
       task.definition(), [&] { return limits.time.count() > 0 && Clock::now() - start > limits.time; });
-  result.grounding_ms = ms_since(start);
   if (ground.cancelled) {
-    result.reason = "time, while grounding";
+    result.reason = "the time budget ended while grounding";
     return result;
   }
-  result.operators = ground.operators.size();
-  result.facts = ground.facts.size();
-  result.variables = ground.variables.size();
   if (ground.unreachable_goal) {
     result.reason = *ground.unreachable_goal;
     return result;
   }
   Search(ground, limits, start, result).run();
-  result.plan_ms = ms_since(start);
   return result;
 }
 

@@ -24,9 +24,6 @@ struct BaselineLimits {
 struct Baseline {
   bool found = false;
   std::vector<model::GroundAction> actions;
-  double grounding_ms = 0.0;
-  std::size_t operators = 0, facts = 0, variables = 0;  // of the ground task
-  double plan_ms = 0.0;                                 // grounding and search
   std::uint64_t evaluated = 0;
   bool climbed = false;  // hill-climbing did it
   std::string reason;    // without a plan

@@ -125,7 +125,7 @@ Generator tank_bench(int vehicles) {
           fmt::format("the cell's domain with {} vehicle{}", vehicles, vehicles == 1 ? "" : "s"),
           domain ? domain->text : std::string(),
           {2, 3, 4, 6, 9, 12},
-          12,
+          60,
           false,
           [vehicles](int size, Random& random) { return draft(vehicles, size, random); }};
 }

@@ -17,7 +17,7 @@ constexpr const char* kStyle =
     ".g{stroke:#ddd}.ours{fill:none;stroke:#2f6f9f;stroke-width:2}"
     ".ground{fill:none;stroke:#2f6f9f;stroke-width:1.5;stroke-dasharray:2 3}"
     ".base{fill:none;stroke:#8a9099;stroke-width:2;stroke-dasharray:6 3}.m{text-anchor:middle}"
-    ".e{text-anchor:end}</style>\n";
+    ".od,.gd{fill:#2f6f9f}.bd{fill:#8a9099}.e{text-anchor:end}</style>\n";
 
 struct Point {
   double size = 0.0, value = 0.0;
@@ -76,6 +76,8 @@ class Panel {
                      "<text class=\"m\" x=\"{0:.1f}\" y=\"{3}\">{4}</text>\n",
                      last, top_, bottom(), bottom() + 16, size);
     }
+    fmt::format_to(out, "<text class=\"m\" x=\"{:.1f}\" y=\"{}\">size</text>\n",
+                   (kLeft + kWidth - kRight) / 2, bottom() + 32);
     double legend = top_ + 10;
     for (const Line& line : lines_) {
       add_line(svg, line);
@@ -89,7 +91,7 @@ class Panel {
   }
 
  private:
-  double bottom() const { return top_ + kPanel - 40; }
+  double bottom() const { return top_ + kPanel - 48; }
   double x(double size) const {
     const double first = std::log(sizes_.front()), last = std::log(sizes_.back());
     const double part = last > first ? (std::log(size) - first) / (last - first) : 0.5;
@@ -107,8 +109,9 @@ class Panel {
     svg += "\"/>\n";
     for (const Point& point : line.points) {
       fmt::format_to(
-          out, "<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\"><title>{:g} {}</title></circle>\n",
-          line.style, x(point.size), y(point.value), point.value, unit_);
+          out,
+          "<circle class=\"{}d\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\"><title>{:g} {}</title></circle>\n",
+          line.style[0], x(point.size), y(point.value), point.value, unit_);
     }
   }
 
@@ -134,7 +137,7 @@ std::string to_svg(const Curve& curve) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" role=\"img\">\n{}"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
       "<text class=\"t\" x=\"16\" y=\"24\">{}: time to the first plan and memory over the size</text>\n"
-      "<text x=\"16\" y=\"42\">planner ended at {}; baseline ended at {}</text>\n",
+      "<text x=\"16\" y=\"42\">end of the planner: {}; of the baseline: {}</text>\n",
       kWidth, kHeight, kStyle, curve.domain, curve.ours_ended, curve.baseline_ended);
   if (curve.points.empty()) return svg + "</svg>\n";
   Panel(kTop + 10, "ms", curve,

@@ -57,13 +57,13 @@ json to_json(const Settings& settings, const Row& row) {
   out["best_known_cost"] = row.best.cost;
   out["best_known_bound"] = row.best.bound;
   out["best_known_found_by"] = row.best.found_by;
-  if (settings.baseline) {
+  if (row.ground.operators > 0) {
     out["grounding_ms"] = row.ground.grounding_ms;
     out["operators"] = row.ground.operators;
     out["facts"] = row.ground.facts;
     out["variables"] = row.ground.variables;
-    out["baseline"] = to_json(row.baseline);
   }
+  if (settings.baseline) out["baseline"] = to_json(row.baseline);
   for (std::size_t i = 0; i < settings.outside.size(); ++i) {
     if (!row.outside[i].outcome.empty()) out[settings.outside[i].name] = to_json(row.outside[i]);
   }
