@@ -21,7 +21,7 @@ std::optional<Outside> outside_from(const std::string& text) {
 std::optional<Settings> settings_from(int argc, char** argv, int& exit_code) {
   Settings settings;
   settings.best_file = std::string(STEPWRIGHT_SOURCE_DIR) + "/tests/bench/planner/best_known.json";
-  double time_s = 0.0;
+  double time_s = 0.0, outside_s = 30.0;
   std::size_t memory_mb = 0;
   bool full = false;
   std::string fast_downward;
@@ -42,6 +42,8 @@ std::optional<Settings> settings_from(int argc, char** argv, int& exit_code) {
                  "path of fast-downward.py: LAMA's first iteration, classical only");
   app.add_option("--outside", outside,
                  "NAME=COMMAND with {domain} {problem} {plan}: a planner on all instances");
+  app.add_option("--outside-time", outside_s, "seconds for each planner from outside (30)")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--scale", settings.scale, "growing sizes until a limit ends them, instead of the table");
   app.add_option("--svg", settings.svg_folder, "pictures of the curves");
   app.add_flag("--full", full, "limits of 300 s and 22 GiB");
@@ -69,6 +71,7 @@ std::optional<Settings> settings_from(int argc, char** argv, int& exit_code) {
   if (time_s <= 0.0) time_s = full ? 300.0 : settings.scale ? 10.0 : 2.0;
   if (memory_mb == 0) memory_mb = full ? 22528 : 4096;
   settings.limits.time = std::chrono::milliseconds(static_cast<std::int64_t>(time_s * 1000.0));
+  settings.outside_time = std::chrono::milliseconds(static_cast<std::int64_t>(outside_s * 1000.0));
   settings.limits.memory_mb = memory_mb;
   settings.limits.first_only = settings.scale;
   return settings;

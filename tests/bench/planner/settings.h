@@ -23,9 +23,10 @@ struct Settings {
   bool update_best = false;
   bool baseline = true;
   std::vector<Outside> outside;
-  bool scale = false;      // scaling curves instead of the table
-  std::string svg_folder;  // where their pictures go
-  int repeats = 9;         // of the tank bench's own measurements
+  std::chrono::milliseconds outside_time{30000};  // for each of them
+  bool scale = false;                             // scaling curves instead of the table
+  std::string svg_folder;                         // where their pictures go
+  int repeats = 9;                                // of the tank bench's own measurements
 };
 
 // Nothing after --help or a wrong option, with the exit code in `exit_code`.

@@ -36,7 +36,9 @@ result::Result<Row> run_instance(Instance instance, const Settings& settings, Be
   for (const Outside& planner : settings.outside) {
     auto& measured = row.outside.emplace_back();
     if (planner.classical_only && !instance.classical) continue;
-    measured = measure_outside(planner, instance, *task, settings.limits);
+    Limits limits = settings.limits;
+    limits.time = settings.outside_time;
+    measured = measure_outside(planner, instance, *task, limits);
     if (measured.solved()) best.offer(instance, measured.last().cost, instance.lower_bound, planner.name);
   }
   row.best = *best.find(instance);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,9 @@ using nlohmann::json;
 // What a planner may take beyond its budget before it is ended, and what its process holds beside its search.
 constexpr std::chrono::seconds kGrace{10};
 constexpr std::size_t kBesideMb = 512;
+
+// Costs that differ by less, in relation, are the same: sums in another order.
+constexpr double kSame = 1e-6;
 
 struct Stopwatch {
   Clock::time_point start = Clock::now();
@@ -96,16 +100,22 @@ void take_plan(const json& line, const pddl::Task& task, Measurement& to) {
     to.wrong = judged.wrong;
     return;
   }
-  if (line.contains("cost") && std::abs(line["cost"].get<double>() - judged.cost) > 1e-6) {
+  if (line.contains("cost") &&
+      std::abs(line["cost"].get<double>() - judged.cost) > kSame * std::max(1.0, std::abs(judged.cost))) {
     to.wrong = "the planner says that it costs " + line["cost"].dump() + ", the validator " +
                std::to_string(judged.cost);
     return;
   }
-  if (to.solved() && judged.cost >= to.last().cost && actions.size() >= to.last().steps) return;
+  const double slack = kSame * std::max(1.0, std::abs(judged.cost));
+  const bool cheaper = !to.solved() || judged.cost < to.last().cost - slack;
+  const bool shorter = !cheaper && judged.cost <= to.last().cost + slack && actions.size() < to.last().steps;
+  if (!cheaper && !shorter) return;
   to.profile.push_back({line["wall_ms"], line["cpu_ms"], judged.cost, actions.size()});
 }
 
-Measurement measurement(const ChildResult& child, const pddl::Task& task) {
+}  // namespace
+
+Measurement measurement_of(const ChildResult& child, const pddl::Task& task) {
   Measurement result;
   result.wall_ms = child.wall_ms;
   result.cpu_ms = child.cpu_ms;
@@ -128,10 +138,8 @@ Measurement measurement(const ChildResult& child, const pddl::Task& task) {
   return result;
 }
 
-}  // namespace
-
 Measurement measure_planner(const Instance& instance, const pddl::Task& task, const Limits& limits) {
-  return measurement(
+  return measurement_of(
       run_child(child_limits(limits), [&](const Send& send) { run_planner(instance, limits, send); }), task);
 }
 
@@ -144,7 +152,7 @@ GroundSize measure_grounding(const Instance& instance, const Limits& limits) {
 }
 
 Measurement measure_baseline(const Instance& instance, const pddl::Task& task, const Limits& limits) {
-  return measurement(
+  return measurement_of(
       run_child(child_limits(limits), [&](const Send& send) { run_baseline(instance, limits, send); }), task);
 }
 

@@ -63,6 +63,11 @@ GroundSize measure_grounding(const Instance& instance, const Limits& limits);
 // The textbook planner of baseline/.
 Measurement measure_baseline(const Instance& instance, const pddl::Task& task, const Limits& limits);
 
+// What a planner's process said, judged: one JSON object a line, with `plan` for every plan found and
+// `expanded` in the last one.
+struct ChildResult;
+Measurement measurement_of(const ChildResult& child, const pddl::Task& task);
+
 // A planner that stands outside, found at run time. In the command {domain}, {problem} and {plan} are files;
 // the plan file is in the format of VAL.
 struct Outside {

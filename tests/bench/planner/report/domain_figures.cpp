@@ -21,7 +21,7 @@ Rival rival(const std::string& name, const std::vector<const Row*>& rows,
             const std::function<const Measurement&(const Row&)>& of) {
   Rival rival;
   rival.name = name;
-  std::vector<double> times, time_ratios, cost_ratios;
+  std::vector<double> times, time_ratios, cpu_ratios, cost_ratios;
   for (const Row* row : rows) {
     const Measurement& measured = of(*row);
     if (measured.outcome.empty() && !measured.solved()) continue;
@@ -32,12 +32,14 @@ Rival rival(const std::string& name, const std::vector<const Row*>& rows,
     cost_ratios.push_back(row->ratio(measured.last().cost));
     if (row->ours.solved()) {
       time_ratios.push_back(measured.first().wall_ms / row->ours.first().wall_ms);
+      cpu_ratios.push_back(measured.first().cpu_ms / std::max(0.1, row->ours.first().cpu_ms));
     } else {
       ++rival.lost;
     }
   }
   rival.first_plan_ms_median = median_of(times);
   rival.time_ratio_median = median_of(time_ratios);
+  rival.cpu_ratio_median = median_of(cpu_ratios);
   rival.cost_ratio_to_best_known = mean_of(cost_ratios);
   return rival;
 }

@@ -21,6 +21,7 @@ struct Rival {
   int lost = 0;                                // instances that it solves and ours does not
   std::optional<double> first_plan_ms_median;  // of those that it solved
   std::optional<double> time_ratio_median;     // its time over ours, where both solve; the larger the better
+  std::optional<double> cpu_ratio_median;      // the same in CPU time: what compares on a busy machine
   std::optional<double> cost_ratio_to_best_known;
 };
 

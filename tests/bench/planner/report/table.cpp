@@ -91,6 +91,7 @@ json to_json(const DomainFigures& figures) {
                        {"solved_and_ours_not", rival.lost},
                        {"first_plan_ms_median", or_null(rival.first_plan_ms_median)},
                        {"time_ratio_to_ours_median", or_null(rival.time_ratio_median)},
+                       {"cpu_ratio_to_ours_median", or_null(rival.cpu_ratio_median)},
                        {"cost_ratio_to_best_known", or_null(rival.cost_ratio_to_best_known)}};
   }
   return out;
@@ -133,7 +134,7 @@ std::string summary(const Settings& settings, const std::vector<Row>& rows) {
     text += fmt::format(" {:>8}", fmt::format("{:g} s", quality.time_s));
   }
   text += fmt::format(" {:>8}", "ratio");
-  if (settings.baseline) text += "  | baseline: solved, ms, time and cost ratio";
+  if (settings.baseline) text += "  | baseline: solved, ms, ratios of time, CPU time, cost";
   for (const Outside& planner : settings.outside) text += "  | " + planner.name + ": the same";
   text += "\n";
   for (const DomainFigures& f : all) {
@@ -145,9 +146,10 @@ std::string summary(const Settings& settings, const std::vector<Row>& rows) {
       text += fmt::format(" {:>8}", number(q.cost_ratio, "{:.3f}"));
     text += fmt::format(" {:>8}", number(f.cost_ratio_to_best_known, "{:.3f}"));
     for (const Rival& r : f.rivals) {
-      text += fmt::format("  | {:>9} {:>9} {:>8} {:>7}", fmt::format("{} of {}", r.solved, r.instances),
-                          number(r.first_plan_ms_median, "{:.1f}"), number(r.time_ratio_median, "{:.1f}x"),
-                          number(r.cost_ratio_to_best_known, "{:.3f}"));
+      text +=
+          fmt::format("  | {:>9} {:>9} {:>8} {:>8} {:>7}", fmt::format("{} of {}", r.solved, r.instances),
+                      number(r.first_plan_ms_median, "{:.1f}"), number(r.time_ratio_median, "{:.1f}x"),
+                      number(r.cpu_ratio_median, "{:.1f}x"), number(r.cost_ratio_to_best_known, "{:.3f}"));
     }
     text += "\n";
   }
