@@ -1,123 +1,121 @@
-// The planner on the tank bench, both variants: time to the first plan and to the proof, beside a plain
-// uniform-cost search in the same run. Times are medians; CPU time is what compares on a busy machine.
+// The planner beside others: instances of many domains (generators/), a textbook planner in the same run
+// (baseline/), planners found outside. Per instance: time to the first plan, cost over time, final cost
+// against the best known, bound, memory. Every plan passes the validator; a wrong one of ours ends the bench.
 //
-//   bench_planner [--repeats N] [--json FILE]
+//   bench_planner [--time S] [--domains A,B] [--json FILE] ...      the table
+//   bench_planner --scale [--full] [--svg FOLDER] [--json FILE]      growing sizes until a limit ends them
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "runtime/result/exit_code.h"
-#include "supervisor/pddl/solve.h"
-#include "tests/bench/planner/uniform_cost.h"
+#include "tests/bench/planner/report/curve_svg.h"
+#include "tests/bench/planner/report/table.h"
+#include "tests/bench/planner/scale.h"
+#include "tests/bench/planner/suite.h"
+#include "tests/bench/planner/tank_cell.h"
 
 namespace stepwright::bench {
 namespace {
 
+using nlohmann::json;
 using result::ExitCode;
 
-double wall_ms() {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
+int fail(const result::Diagnostics& problems, ExitCode code) {
+  std::fprintf(stderr, "%s", result::to_string(problems).c_str());
+  return to_int(code);
 }
 
-double cpu_ms() {
-  return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+// A wrong plan and a text that does not parse are faults of ours, a wrong option or file is not.
+ExitCode code_of(const result::Diagnostics& problems) {
+  return !problems.empty() && problems.front().code == "P0001" ? ExitCode::BadInput : ExitCode::RuntimeFault;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-struct Times {
-  std::vector<double> wall, cpu;
-};
-
-template <typename Run>
-void measure(Times& times, const Run& run) {
-  const double wall = wall_ms();
-  const double cpu = cpu_ms();
-  run();
-  times.wall.push_back(wall_ms() - wall);
-  times.cpu.push_back(cpu_ms() - cpu);
-}
-
-nlohmann::json run_variant(const std::string& name, const pddl::Task& task, int repeats) {
-  Times first, optimal, baseline;
-  model::Outcome outcome;
-  UniformCost plain;
-  for (int i = 0; i < repeats; ++i) {
-    pddl::Options options;
-    options.first_only = true;
-    measure(first, [&] { outcome = pddl::solve(task, options); });
-    options = {};
-    options.optimal = true;
-    measure(optimal, [&] { outcome = pddl::solve(task, options); });
-    measure(baseline, [&] { plain = uniform_cost(task); });
-  }
-  const double ratio = median(baseline.cpu) / std::max(1e-3, median(optimal.cpu));
-  std::printf("%-6s first plan %8.2f ms wall %8.2f ms cpu\n", name.c_str(), median(first.wall),
-              median(first.cpu));
-  std::printf(
-      "       optimal    %8.2f ms wall %8.2f ms cpu   cost %g in %zu steps, proved %s, %llu expanded\n",
-      median(optimal.wall), median(optimal.cpu), outcome.plan->cost, outcome.plan->actions.size(),
-      outcome.plan->proved_optimal ? "yes" : "no", static_cast<unsigned long long>(outcome.expanded));
-  std::printf(
-      "       baseline   %8.2f ms wall %8.2f ms cpu   cost %g in %u steps, %llu expanded; ratio %.1f\n",
-      median(baseline.wall), median(baseline.cpu), plain.cost, plain.steps,
-      static_cast<unsigned long long>(plain.expanded), ratio);
-  return {{"variant", name},
-          {"first_plan_ms", median(first.wall)},
-          {"first_plan_cpu_ms", median(first.cpu)},
-          {"optimal_plan_ms", median(optimal.wall)},
-          {"optimal_plan_cpu_ms", median(optimal.cpu)},
-          {"plan_cost", outcome.plan->cost},
-          {"plan_steps", outcome.plan->actions.size()},
-          {"proved_optimal", outcome.plan->proved_optimal},
-          {"expanded", outcome.expanded},
-          {"baseline_ms", median(baseline.wall)},
-          {"baseline_cpu_ms", median(baseline.cpu)},
-          {"baseline_cost", plain.cost},
-          {"baseline_steps", plain.steps},
-          {"baseline_expanded", plain.expanded},
-          {"cpu_ratio", ratio}};
-}
-
-int run(int repeats, const std::string& json_file) {
-  nlohmann::json report = {{"variants", nlohmann::json::array()}};
-  for (const std::string variant : {"", "_load"}) {
-    const std::string folder = std::string(STEPWRIGHT_SOURCE_DIR) + "/tests/cells/bench/";
-    const auto task =
-        pddl::load_task(folder + "domain" + variant + ".pddl", folder + "problem" + variant + ".pddl");
-    if (!task) {
-      std::fprintf(stderr, "%s\n", result::to_string(task.error()).c_str());
-      return to_int(ExitCode::BadInput);
-    }
-    report["variants"].push_back(run_variant(variant.empty() ? "bench" : "load", *task, repeats));
-  }
-  if (json_file.empty()) return to_int(ExitCode::Done);
-  std::ofstream file(json_file);
+int write_report(const Settings& settings, const json& report) {
+  if (settings.json_file.empty()) return to_int(ExitCode::Done);
+  std::ofstream file(settings.json_file);
   file << report.dump(2) << "\n";
+  file.close();
   return to_int(file ? ExitCode::Done : ExitCode::BadInput);
+}
+
+void print(const std::string& text) {
+  std::fputs(text.c_str(), stdout);
+  std::fflush(stdout);
+}
+
+int run_table(const Settings& settings) {
+  auto best = BestKnown::load(settings.best_file);
+  if (!best) return fail(best.error(), ExitCode::BadInput);
+  auto cell = measure_tank_cell(settings.repeats);
+  if (!cell) return fail(cell.error(), ExitCode::BadInput);
+  print("\n" + heading(settings));
+  const auto rows = run_suite(settings, *best, [&](const Row& row) { print(line(settings, row)); });
+  if (!rows) return fail(rows.error(), code_of(rows.error()));
+  print(summary(settings, *rows));
+  if (settings.update_best && !best->save(settings.best_file)) {
+    std::fprintf(stderr, "cannot write %s\n", settings.best_file.c_str());
+    return to_int(ExitCode::BadInput);
+  }
+  json report = to_json(settings, *rows);
+  report.update(*cell);
+  return write_report(settings, report);
+}
+
+void print_point(const std::string& domain, const ScalePoint& point) {
+  const auto one = [](const Measurement& measured) {
+    char text[96] = "";
+    if (measured.solved()) {
+      std::snprintf(text, sizeof text, "%10.1f ms %8.1f MB %6zu steps", measured.first().wall_ms,
+                    measured.peak_mb, measured.first().steps);
+    } else {
+      std::snprintf(text, sizeof text, "%-36.36s", measured.outcome.c_str());
+    }
+    return std::string(text);
+  };
+  std::printf("%-16s %4d  %8zu operators  planner %s   baseline %s\n", domain.c_str(), point.size,
+              point.ground.operators, one(point.ours).c_str(), one(point.baseline).c_str());
+  std::fflush(stdout);
+}
+
+int run_curves(const Settings& settings) {
+  const auto curves = run_scale(settings, print_point);
+  if (!curves) return fail(curves.error(), code_of(curves.error()));
+  if (!settings.svg_folder.empty()) {
+    std::error_code ignored;
+    std::filesystem::create_directories(settings.svg_folder, ignored);
+    for (const Curve& curve : *curves) {
+      std::ofstream file(settings.svg_folder + "/" + curve.domain + ".svg");
+      file << to_svg(curve);
+      if (!file) {
+        std::fprintf(stderr, "cannot write to %s\n", settings.svg_folder.c_str());
+        return to_int(ExitCode::BadInput);
+      }
+    }
+  }
+  return write_report(settings, {{"time_limit_s", static_cast<double>(settings.limits.time.count()) / 1000.0},
+                                 {"memory_limit_mb", settings.limits.memory_mb},
+                                 {"curves", to_json(*curves)}});
+}
+
+int run(const Settings& settings) {
+  if (!settings.write_folder.empty()) {
+    const auto instances = instances_of(settings);
+    if (!instances) return fail(instances.error(), ExitCode::BadInput);
+    const bool written = write_instances(settings.write_folder, *instances);
+    std::printf("%zu instances in %s\n", instances->size(), settings.write_folder.c_str());
+    return to_int(written ? ExitCode::Done : ExitCode::BadInput);
+  }
+  return settings.scale ? run_curves(settings) : run_table(settings);
 }
 
 }  // namespace
 }  // namespace stepwright::bench
 
 int main(int argc, char** argv) {
-  int repeats = 9;
-  std::string json_file;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--repeats") == 0) repeats = std::max(1, std::atoi(argv[i + 1]));
-    if (std::strcmp(argv[i], "--json") == 0) json_file = argv[i + 1];
-  }
-  return stepwright::bench::run(repeats, json_file);
+  int exit_code = 0;
+  const auto settings = stepwright::bench::settings_from(argc, argv, exit_code);
+  return settings ? stepwright::bench::run(*settings) : exit_code;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
-// The baseline: uniform-cost search on the same grounded task, the same packed states and the same hash
-// table, but with no estimate of the way that is left and no incumbent to prune by.
+// The baseline of the proof: uniform-cost search on the same grounded task and the same states, but with no
+// estimate of the way that is left and no incumbent to prune by.
+//
+// Thread rule: pure function.
 
 #include <cstdint>
 

@@ -1,0 +1,40 @@
+#include "tests/bench/planner/measure/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "supervisor/pddl/validate.h"
+
+namespace stepwright::bench {
+
+Judgement judge(const pddl::Task& task, const std::vector<model::GroundAction>& actions) {
+  pddl::PlanText plan;
+  plan.actions = actions;
+  for (std::uint32_t line = 1; line <= actions.size(); ++line) plan.lines.push_back(line);
+  const pddl::Validation validation = pddl::validate(task, plan);
+  if (validation.valid) return {"", validation.cost()};
+  if (validation.failed_step > 0) {
+    return {fmt::format("step {}: {} does not hold ({})", validation.failed_step, validation.failed_condition,
+                        validation.failed_values),
+            0.0};
+  }
+  for (const pddl::GoalStatus& goal : validation.goals) {
+    if (!goal.met) return {"the goal " + goal.text + " does not hold at the end", 0.0};
+  }
+  return {result::to_string(validation.diagnostics), 0.0};
+}
+
+model::GroundAction action_of(const std::string& text) {
+  std::string plain = text;
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c == '(' || c == ')'; }, ' ');
+  std::istringstream words(plain);
+  model::GroundAction action;
+  words >> action.name;
+  for (std::string word; words >> word;) action.arguments.push_back(word);
+  return action;
+}
+
+}  // namespace stepwright::bench
