@@ -17,6 +17,10 @@ void describe_plan(CLI::App& app, plan::PlanArguments& arguments) {
   app.add_option("--time", arguments.time_s, "time budget in seconds (default 10)")
       ->check(CLI::PositiveNumber);
   app.add_option("--memory", arguments.memory_mb, "memory budget in MB (default 4096)");
+  app.add_option("--threads", arguments.threads,
+                 "2: one improves plans while the other proves; 1: the same plan every time (default 2)")
+      ->check(CLI::Range(1u, 2u));
+  app.add_flag("--progress", arguments.progress, "show the progress also where stderr is no terminal");
   app.add_option("--json", arguments.json_file, "write the outcome and its figures as JSON");
   app.add_option("--out", arguments.out_file, "write the plan");
   app.footer(

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "programs/plan/output.h"
+#include "programs/plan/progress_line.h"
 #include "supervisor/pddl/plan_file.h"
 #include "supervisor/pddl/solve.h"
 
@@ -60,22 +61,14 @@ nlohmann::json to_json(const model::Outcome& outcome) {
   return json;
 }
 
-pddl::Options options_of(const PlanArguments& arguments) {
+pddl::Options options_of(const PlanArguments& arguments, ProgressLine& line) {
   pddl::Options options;
   options.optimal = arguments.optimal;
   const double time_s = arguments.time_s.value_or(arguments.optimal ? 0.0 : kDefaultTimeS);
   options.budget.time = std::chrono::milliseconds(std::llround(std::ceil(time_s * 1000.0)));
   options.budget.memory_mb = arguments.memory_mb;
-  options.on_progress = [](const pddl::Progress& progress) {
-    std::string best = "no plan yet";
-    if (progress.best != nullptr) {
-      best = "best " + pddl::number_text(progress.best->cost) + " in " +
-             std::to_string(progress.best->actions.size()) + " steps";
-      if (std::isfinite(progress.bound)) best += ", bound " + pddl::number_text(progress.bound);
-    }
-    std::fprintf(stderr, "%.0f s: %s, %llu states expanded, %.0f MB\n", progress.wall_ms / 1000.0,
-                 best.c_str(), static_cast<unsigned long long>(progress.expanded), progress.peak_mb);
-  };
+  options.threads = arguments.threads;
+  options.on_progress = [&line](const pddl::Progress& progress) { line.show(progress); };
   return options;
 }
 
@@ -111,7 +104,10 @@ ExitCode run_plan(const PlanArguments& arguments) {
     return ExitCode::BadInput;
   }
   print_diagnostics(task->warnings());
-  const model::Outcome outcome = pddl::solve(*task, options_of(arguments));
+  const model::Outcome outcome = [&] {
+    ProgressLine line(progress_mode(arguments.progress));
+    return pddl::solve(*task, options_of(arguments, line));
+  }();
   print(outcome);
   if (!arguments.json_file.empty() && !write_file(arguments.json_file, to_json(outcome).dump(2) + "\n")) {
     return ExitCode::BadInput;

@@ -1,6 +1,7 @@
 #pragma once
 
-// `stepwright plan DOMAIN PROBLEM [--optimal] [--time S] [--json FILE] [--out PLAN]`.
+// `stepwright plan DOMAIN PROBLEM [--optimal] [--time S] [--json FILE] [--out PLAN]
+// [--threads N] [--progress]`.
 
 #include <optional>
 #include <string>
@@ -15,6 +16,8 @@ struct PlanArguments {
   bool optimal = false;
   std::optional<double> time_s;  // default: 10 s; none with --optimal
   std::size_t memory_mb = 0;     // 0: the planner's default
+  unsigned threads = 2;          // 1: the same plan every time
+  bool progress = false;         // also where stderr is no terminal
   std::string json_file;         // empty: none
   std::string out_file;          // empty: none
 };

@@ -4,7 +4,8 @@
 
 #include "supervisor/pddl/grounding/grounder.h"
 #include "supervisor/pddl/partial_order.h"
-#include "supervisor/pddl/search/improvement.h"
+#include "supervisor/pddl/search/action_elimination.h"
+#include "supervisor/pddl/search/portfolio.h"
 #include "supervisor/pddl/simulate.h"
 
 namespace stepwright::pddl {
@@ -25,30 +26,52 @@ class Solver {
     ground_ = ground_task(task_.definition(), [this] { return stopped(); });
     if (ground_.cancelled) return finish();
     if (ground_.unreachable_goal) return infeasible(*ground_.unreachable_goal);
+    arrange_by_groups(ground_);
     report();
     const StateSpace space(ground_);
-    {
-      GreedySearch greedy(space, control_);
-      const SearchStatus status = greedy.run(reason_);
-      if (status == SearchStatus::Exhausted) {
-        return infeasible("all states that can be reached were searched (" +
-                          std::to_string(control_.expanded) + "), none of them meets the goal");
-      }
-      if (status == SearchStatus::Stopped) return finish();
+    const RelaxedTask relaxed(space);
+    const SearchStatus status = first_plan(relaxed);
+    if (status == SearchStatus::Exhausted) {
+      return infeasible("all states that can be reached were searched (" +
+                        std::to_string(control_.expanded()) + "), none of them meets the goal");
     }
+    if (status == SearchStatus::Stopped) return finish();
     if (options_.first_only) return finish(model::OutcomeKind::Solved);
-    const LowerBounds bounds(space, [this] { return stopped(); });
-    Improvement improvement(space, control_, bounds);
-    proved_ = improvement.run(!options_.optimal, reason_);
-    if (improvement.unbounded())
+    if (!options_.optimal) shorten(space);
+    Portfolio portfolio(relaxed, control_, {.prove_first = options_.optimal, .threads = options_.threads});
+    proved_ = portfolio.run(reason_);
+    if (portfolio.unbounded())
       outcome_.reason = "the metric can be improved without end: there is no optimum";
     return finish(proved_ ? model::OutcomeKind::Solved : model::OutcomeKind::Exhausted);
   }
 
  private:
   bool stopped() {
-    if (reason_ == StopReason::None) reason_ = control_.check(0);
+    if (reason_ == StopReason::None) reason_ = control_.check();
     return reason_ != StopReason::None;
+  }
+
+  // A quick attempt along relaxed plans solves most tasks; the search with landmarks takes the others.
+  SearchStatus first_plan(const RelaxedTask& relaxed) {
+    constexpr std::uint64_t kQuick = 300;
+    const SearchStatus quick = LazySearch(relaxed, control_, {}).run(kQuick, reason_);
+    if (quick != SearchStatus::Running) return quick;
+    const Landmarks landmarks(relaxed, [this] { return stopped(); });
+    if (reason_ != StopReason::None) return SearchStatus::Stopped;
+    LazyOptions options;
+    options.lookahead = false;
+    options.landmarks = landmarks.size() > 0 ? &landmarks : nullptr;
+    options.intervals = !ground_.variables.empty();
+    LazySearch full(relaxed, control_, options);
+    SearchStatus status = SearchStatus::Running;
+    while (status == SearchStatus::Running) status = full.run(1'000'000, reason_);
+    return status;
+  }
+
+  // What the plan can do without is seen at once; bounds and the proof take longer.
+  void shorten(const StateSpace& space) {
+    const std::vector<int> plan = eliminate_actions(space, control_.best().operators, control_);
+    control_.offer(plan, cost_of_plan(space, plan));
   }
 
   // The searches minimize the metric without its base; this is its value.
@@ -57,35 +80,35 @@ class Solver {
     return ground_.maximize ? -value : value + 0.0;
   }
 
-  model::Plan plan() const {
+  model::Plan plan(const Incumbent& best) const {
     model::Plan plan;
-    for (const int op : control_.best().operators) {
+    for (const int op : best.operators) {
       plan.actions.push_back(action_of(ground_, ground_.operators[static_cast<std::size_t>(op)]));
     }
-    plan.cost = snap(metric_value(control_.best().cost));
-    plan.bound = proved_ ? plan.cost : metric_value(control_.bound);
+    plan.cost = snap(metric_value(best.quality.cost));
+    plan.bound = proved_ ? plan.cost : metric_value(control_.bound());
     plan.proved_optimal = proved_;
     return plan;
   }
 
   void report() {
-    control_.on_improvement = [this] {
+    control_.on_improvement = [this](const Incumbent& best) {
       if (outcome_.first_plan_ms == 0.0) outcome_.first_plan_ms = control_.elapsed_ms();
-      if (options_.on_improvement) options_.on_improvement(plan());
+      if (options_.on_improvement) options_.on_improvement(plan(best));
     };
-    control_.on_second = [this](double bound) {
+    control_.on_second = [this](const Incumbent& incumbent, double bound) {
       if (!options_.on_progress) return;
-      const bool found = control_.best().steps != UINT32_MAX;
-      const model::Plan best = found ? plan() : model::Plan{};
-      options_.on_progress({control_.elapsed_ms(), control_.expanded, control_.peak_mb,
+      const bool found = incumbent.quality.found();
+      const model::Plan best = found ? plan(incumbent) : model::Plan{};
+      options_.on_progress({control_.elapsed_ms(), control_.expanded(), control_.peak_mb(),
                             found ? &best : nullptr, metric_value(bound)});
     };
   }
 
   void figures() {
     outcome_.wall_ms = control_.elapsed_ms();
-    outcome_.expanded = control_.expanded;
-    outcome_.peak_mb = control_.peak_mb;
+    outcome_.expanded = control_.expanded();
+    outcome_.peak_mb = control_.peak_mb();
   }
 
   model::Outcome infeasible(std::string reason) {
@@ -100,7 +123,7 @@ class Solver {
     outcome_.kind = kind;
     if (outcome_.reason.empty() && reason_ == StopReason::Time) outcome_.reason = "the time budget ended";
     if (outcome_.reason.empty() && reason_ == StopReason::Memory) outcome_.reason = "the memory budget ended";
-    if (control_.best().steps != UINT32_MAX) accept(plan());
+    if (const Incumbent best = control_.best(); best.quality.found()) accept(plan(best));
     figures();
     return std::move(outcome_);
   }

@@ -2,12 +2,16 @@
 
 // The planner: a first plan quickly, then better ones until the budget ends or the optimum is proved.
 //
-// First plan: best-first search with a relaxed-plan heuristic over intervals in the manner of Metric-FF
-// (Hoffmann 2003). Improvement and proof: A* in the lexicographic order (metric, number of actions) with
-// admissible bounds; the value of the metric is evaluated exactly between states, so costs may depend on the
-// state. Deterministic: the same task gives the same plan, unless a budget ends the search.
+// First plan: lazy greedy search with relaxed plans and landmarks, which follows relaxed plans as far as they
+// can be executed. Improvement: what a plan can do without, its neighbourhood, weighted A*. Proof: A* in the
+// lexicographic order (metric, number of actions) with admissible bounds; the value of the metric is
+// evaluated exactly between states, so costs may depend on the state.
 //
-// Thread rule: `solve` keeps no state; the callbacks are called from the calling thread.
+// Deterministic on one thread: the same task gives the same plan, unless a budget ends the search. On two,
+// one proves while the other improves: only the outcome's kind and a proved optimum are the same every time.
+//
+// Thread rule: `solve` keeps no state. `on_progress` is called from the calling thread, `on_improvement` from
+// the one that found the plan, one call at a time.
 //
 //   model::Outcome outcome = solve(task, {.optimal = true, .budget = {.time = 5s}});
 
@@ -32,6 +36,7 @@ struct Options {
   bool optimal =
       false;  // go for the proof directly; without it the search improves plans first and proves last
   bool first_only = false;                                 // stop at the first plan
+  unsigned threads = 1;                                    // 1: deterministic; 2: a portfolio
   model::Budget budget;                                    // zero = no limit; memory defaults to 4096 MB
   std::function<void(const model::Plan&)> on_improvement;  // every better plan, orderings not filled
   std::function<void(const Progress&)> on_progress;        // about once a second

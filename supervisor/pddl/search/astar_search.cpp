@@ -4,60 +4,66 @@
 #include <cmath>
 #include <functional>
 
+#include "supervisor/pddl/search/gentle_growth.h"
+
 namespace stepwright::pddl {
 
 AStarSearch::AStarSearch(const StateSpace& space, SearchControl& control, const LowerBounds& bounds,
-                         double weight)
+                         LandmarkCut* cut)
     : space_(space),
       control_(control),
       bounds_(bounds),
-      weight_(weight),
-      heuristic_(space),
-      nodes_(space.words()),
+      cut_(cut),
+      best_(control),
+      memory_(control),
+      nodes_(space),
       scratch_(space.words()),
       current_(space.words()),
       least_potential_(evaluate_interval(space.task().potential, space.task().bounds).low) {
-  const auto& operators = space.task().operators;
-  negative_ = std::any_of(operators.begin(), operators.end(),
+  const GroundTask& task = space.task();
+  negative_ = std::any_of(task.operators.begin(), task.operators.end(),
                           [](const GroundOperator& op) { return !(op.cost.low >= 0.0); });
-  const Incumbent& best = control.best();
-  if (best.cost < kInfinity && best.steps > 0) {
-    step_price_ = std::max(1e-3, std::abs(best.cost) / (10.0 * static_cast<double>(best.steps)));
-  }
+  unit_cost_ = task.potential.is_constant() &&
+               std::all_of(task.operators.begin(), task.operators.end(),
+                           [](const GroundOperator& op) { return op.cost == Interval::point(1.0); });
 }
 
-std::size_t AStarSearch::memory() const {
-  return nodes_.memory() + open_.capacity() * sizeof(Entry);
-}
-
-bool AStarSearch::worth(double cost_bound, double steps_bound) const {
-  const Incumbent& best = control_.best();
-  if (best.steps == UINT32_MAX) return true;
-  return cost_bound < best.cost || (cost_bound == best.cost && steps_bound < static_cast<double>(best.steps));
-}
-
-void AStarSearch::push(std::uint32_t node) {
-  const LowerBound rest = bounds_(nodes_.state(node));
-  if (rest.cost == kInfinity) return;
-  const Node& n = nodes_[node];
-  const double cost_bound = negative_ ? -kInfinity : comparable(n.cost + rest.cost + least_potential_);
-  const double steps_bound = static_cast<double>(n.steps + rest.steps);
-  if (!worth(cost_bound, steps_bound)) return;
-  Entry entry{cost_bound, steps_bound, cost_bound, node, n.steps, n.cost};
-  if (weight_ > 0.0) {
-    if (!heuristic_.evaluate(nodes_.state(node))) return;
-    const double rest_cost = std::max(rest.cost, heuristic_.cost()) + step_price_ * heuristic_.steps();
-    entry.key = n.cost + step_price_ * n.steps + weight_ * rest_cost;
-  }
-  open_.push_back(entry);
+void AStarSearch::push(const Entry& entry) {
+  if (!best_().leaves_room_for(entry.key, entry.tie)) return;
+  push_gently(open_, entry);
   std::push_heap(open_.begin(), open_.end(), std::greater<>());
 }
 
-// A goal becomes the incumbent at once; the proof is that nothing on the open list can beat it any more.
-void AStarSearch::push_goal(std::uint32_t node) {
+void AStarSearch::push(std::uint32_t node, const Word* state) {
+  const LowerBound rest = bounds_(state);
+  if (rest.cost == kInfinity) return;
   const Node& n = nodes_[node];
-  const double cost = n.cost + space_.evaluate(space_.task().potential, nodes_.state(node));
-  improved_ = control_.offer(nodes_.path(node), cost, n.steps) || improved_;
+  const double cost = negative_ ? -kInfinity : comparable(n.cost + rest.cost + least_potential_);
+  double steps = static_cast<double>(n.steps + rest.steps);
+  if (unit_cost_) steps = std::max(steps, std::ceil(n.cost + rest.cost - 1e-6));
+  push({cost, steps, node, n.steps, n.cost, cut_ == nullptr});
+}
+
+// Asks the second bound. False if the entry has to wait for its new turn, or for ever.
+bool AStarSearch::refine(Entry entry) {
+  if (entry.refined) return true;
+  nodes_.load(entry.node, current_.data());
+  const double rest = (*cut_)(current_.data());
+  if (rest == kInfinity) return false;
+  const double key = comparable(entry.cost + rest + least_potential_);
+  if (key <= entry.key) return true;
+  entry.key = key;
+  if (unit_cost_) entry.tie = std::max(entry.tie, std::ceil(entry.cost + rest - 1e-6));
+  entry.refined = true;
+  push(entry);
+  return false;
+}
+
+// A goal becomes the incumbent at once; the proof is that nothing on the open list can beat it any more.
+void AStarSearch::offer_goal(std::uint32_t node, const Word* state) {
+  const double cost = nodes_[node].cost + space_.evaluate(space_.task().potential, state);
+  if (!best_().leaves_room_for(comparable(cost), nodes_[node].steps)) return;
+  control_.offer(nodes_.path(node), cost);
 }
 
 bool AStarSearch::on_path(std::uint32_t node, std::uint32_t ancestor) const {
@@ -80,61 +86,62 @@ void AStarSearch::successor(std::uint32_t parent, int op, double cost) {
     }
   }
   n = {total, parent, op, steps, false};
-  if (space_.goal(nodes_.state(node))) push_goal(node);
-  push(node);
+  if (space_.goal(scratch_.data())) offer_goal(node, scratch_.data());
+  push(node, scratch_.data());
 }
 
 void AStarSearch::expand(std::uint32_t node) {
-  ++control_.expanded;
+  control_.count_expanded(1);
   nodes_[node].closed = true;
-  std::copy(nodes_.state(node), nodes_.state(node) + space_.words(), current_.begin());
+  nodes_.load(node, current_.data());
   space_.applicable(current_.data(), applicable_);
   for (const int op : applicable_) {
     double cost = 0.0;
-    const GroundOperator& applied = space_.task().operators[static_cast<std::size_t>(op)];
-    if (space_.apply(applied, current_.data(), scratch_.data(), cost)) successor(node, op, cost);
+    if (space_.apply(op, current_.data(), scratch_.data(), cost)) successor(node, op, cost);
     if (unbounded_) return;
   }
 }
 
 void AStarSearch::start() {
   started_ = true;
-  const std::vector<Word> initial = space_.initial();
-  const auto [root, added] = nodes_.insert(initial.data());
-  if (space_.goal(nodes_.state(root))) push_goal(root);
-  push(root);
+  current_ = space_.initial();
+  const std::uint32_t root = nodes_.insert(current_.data()).first;
+  if (space_.goal(current_.data())) offer_goal(root, current_.data());
+  push(root, current_.data());
 }
 
-double AStarSearch::bound() const {
-  const double best = control_.best().cost;
-  if (weight_ > 0.0) return -kInfinity;
+double AStarSearch::bound() {
   if (!started_) return -kInfinity;
-  return open_.empty() ? best : std::min(best, open_.front().cost_bound);
+  const double best = best_().cost;
+  return open_.empty() ? best : std::min(best, open_.front().key);
 }
 
 SearchStatus AStarSearch::run(std::uint64_t expansions, StopReason& reason) {
   if (!started_) start();
-  improved_ = false;
+  const std::uint64_t pause = cut_ == nullptr ? 64 : 4;
   for (std::uint64_t done = 0; done < expansions && !open_.empty(); ++done) {
-    if (done % 128 == 0) {
-      if (weight_ == 0.0) control_.bound = std::max(control_.bound, bound());
-      if ((reason = control_.check(memory())) != StopReason::None) return SearchStatus::Stopped;
+    if (done % pause == 0) {
+      control_.raise_bound(bound());
+      memory_.set(nodes_.memory() + open_.capacity() * sizeof(Entry));
+      if ((reason = control_.check()) != StopReason::None) return SearchStatus::Stopped;
     }
     std::pop_heap(open_.begin(), open_.end(), std::greater<>());
     const Entry entry = open_.back();
     open_.pop_back();
     const Node& node = nodes_[entry.node];
     if (node.steps != entry.steps || node.cost != entry.cost) continue;
-    if (!worth(entry.cost_bound, entry.tie)) {
-      // In the order of the plain search, nothing behind it is worth more.
-      if (weight_ == 0.0) open_.clear();
-      continue;
+    if (!best_().leaves_room_for(entry.key, entry.tie)) {
+      // Nothing behind it is worth more.
+      open_.clear();
+      break;
     }
+    if (!refine(entry)) continue;
     expand(entry.node);
     if (unbounded_) return SearchStatus::Stopped;
-    if (improved_ && weight_ > 0.0) return SearchStatus::Found;
   }
-  return open_.empty() ? SearchStatus::Exhausted : SearchStatus::Running;
+  if (!open_.empty()) return SearchStatus::Running;
+  control_.raise_bound(best_().cost);
+  return SearchStatus::Exhausted;
 }
 
 }  // namespace stepwright::pddl

@@ -1,7 +1,6 @@
 #pragma once
 
-// A* in the lexicographic order (cost, number of steps): the proof. Optionally weighted and guided by the
-// relaxed plan, for improvement before the proof.
+// A* in the lexicographic order (cost, number of steps): the proof.
 //
 // Costs may depend on the state: they are differences of the metric between two states. What the metric
 // accumulates never falls as long as no operator's accumulated cost can be negative (an interval over all
@@ -12,37 +11,36 @@
 //
 // Thread rule: one call, one object. `run` can be resumed after it returned Running.
 
-#include "supervisor/pddl/search/greedy_search.h"
+#include "supervisor/pddl/search/landmark_cut.h"
 #include "supervisor/pddl/search/lower_bounds.h"
+#include "supervisor/pddl/search/search_control.h"
+#include "supervisor/pddl/search/state_table.h"
 
 namespace stepwright::pddl {
 
 class AStarSearch {
  public:
-  // weight 0: plain A* with admissible bounds, whose end is a proof. Otherwise: weighted A* on the relaxed
-  // plan; its end (Exhausted) is a proof too, as only what cannot beat the incumbent is left out.
-  AStarSearch(const StateSpace& space, SearchControl& control, const LowerBounds& bounds, double weight);
+  // `cut`: a second bound, dearer than the first, asked for the states whose turn it is; may be null.
+  AStarSearch(const StateSpace& space, SearchControl& control, const LowerBounds& bounds, LandmarkCut* cut);
 
-  // Expands at most `expansions` states. Found: a better plan was offered to the control (weighted search
-  // only). Exhausted: no better plan than the control's best exists. Stopped: see `reason`.
+  // Expands at most `expansions` states. Exhausted: no better plan than the control's best exists. Stopped:
+  // see `reason`. Better plans are offered to the control on the way.
   SearchStatus run(std::uint64_t expansions, StopReason& reason);
 
   // No plan that is still to be found costs less.
-  double bound() const;
-
-  std::size_t memory() const;
+  double bound();
 
   // The cost can fall for ever: there is no optimum.
   bool unbounded() const { return unbounded_; }
 
  private:
   struct Entry {
-    double key;         // cost, or weighted cost
-    double tie;         // steps with their bound
-    double cost_bound;  // admissible, for pruning when popped
+    double key;  // bound of the cost
+    double tie;  // bound of the steps
     std::uint32_t node;
     std::uint32_t steps;  // of the node when pushed: tells outdated entries
     double cost;
+    bool refined;  // by the second bound
     bool operator>(const Entry& other) const {
       if (key != other.key) return key > other.key;
       if (tie != other.tie) return tie > other.tie;
@@ -52,9 +50,10 @@ class AStarSearch {
   };
 
   void start();
-  void push(std::uint32_t node);
-  void push_goal(std::uint32_t node);
-  bool worth(double cost_bound, double steps_bound) const;
+  void push(std::uint32_t node, const Word* state);
+  void push(const Entry& entry);
+  bool refine(Entry entry);
+  void offer_goal(std::uint32_t node, const Word* state);
   void expand(std::uint32_t node);
   void successor(std::uint32_t parent, int op, double cost);
   bool on_path(std::uint32_t node, std::uint32_t ancestor) const;
@@ -62,19 +61,18 @@ class AStarSearch {
   const StateSpace& space_;
   SearchControl& control_;
   const LowerBounds& bounds_;
-  double weight_;
-  RelaxedPlan heuristic_;
-  NodeStore nodes_;
+  LandmarkCut* cut_;
+  BestKnown best_;
+  MemoryShare memory_;
+  StateTable nodes_;
   std::vector<Entry> open_;
   std::vector<Word> scratch_;
   std::vector<Word> current_;
   std::vector<int> applicable_;
   double least_potential_;
-  double step_price_ =
-      0.0;  // of one step in the weighted key, so that free actions are not free to the search
+  bool unit_cost_ = false;  // costs are steps
   bool negative_ = false;
   bool started_ = false;
-  bool improved_ = false;
   bool unbounded_ = false;
 };
 

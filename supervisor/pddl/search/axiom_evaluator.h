@@ -3,7 +3,7 @@
 // The derived facts of packed states: layer by layer, each to its fixpoint. An axiom is looked at again only
 // when a fact of its own layer that it reads has just been derived.
 //
-// Thread rule: it has scratch of its own; one StateSpace, one evaluator. Invariant: only the bits of derived
+// Thread rule: immutable. Invariant: only the bits of derived
 // facts are written, and the result depends on the other bits and the variables alone.
 //
 //   AxiomEvaluator axioms(task);
@@ -14,10 +14,9 @@
 #include <vector>
 
 #include "supervisor/pddl/grounding/ground_task.h"
+#include "supervisor/pddl/search/packed_bits.h"
 
 namespace stepwright::pddl {
-
-using Word = std::uint64_t;
 
 class AxiomEvaluator {
  public:
@@ -25,7 +24,7 @@ class AxiomEvaluator {
 
   // `holds`: whether a condition holds in `state` as it is at the time of the call.
   template <typename Holds>
-  void derive(Word* state, const Holds& holds);
+  void derive(Word* state, const Holds& holds) const;
 
  private:
   struct Layer {
@@ -33,30 +32,29 @@ class AxiomEvaluator {
   };
 
   void clear(Word* state) const;
-  static bool fact(const Word* state, int fact) { return (state[fact >> 6] >> (fact & 63) & 1) != 0; }
 
   const std::vector<GroundAxiom>& axioms_;
   int first_derived_;
   int facts_;
   std::vector<Layer> layers_;
   std::vector<std::vector<int>> readers_;  // axioms of a derived fact's layer that read it
-  std::vector<int> open_;
 };
 
 template <typename Holds>
-void AxiomEvaluator::derive(Word* state, const Holds& holds) {
+void AxiomEvaluator::derive(Word* state, const Holds& holds) const {
   clear(state);
+  std::vector<int> open;
   for (const Layer& layer : layers_) {
     const auto look_at = [&](std::size_t axiom) {
       const int head = axioms_[axiom].fact;
-      if (fact(state, head) || !holds(axioms_[axiom].body)) return;
+      if (bit(state, head) || !holds(axioms_[axiom].body)) return;
       state[head >> 6] |= Word{1} << (head & 63);
-      open_.push_back(head);
+      open.push_back(head);
     };
     for (std::size_t i = layer.first; i < layer.last; ++i) look_at(i);
-    while (!open_.empty()) {
-      const int derived = open_.back();
-      open_.pop_back();
+    while (!open.empty()) {
+      const int derived = open.back();
+      open.pop_back();
       for (const int i : readers_[static_cast<std::size_t>(derived - first_derived_)]) {
         look_at(static_cast<std::size_t>(i));
       }

@@ -1,36 +1,40 @@
 #pragma once
 
-// From the first plan to the proved optimum: weighted searches with falling weights for better plans, and the
-// plain A* that proves, in turns of growing length, so that neither waits for the other in vain.
+// Better plans while time is left: what a plan can do without goes first, then what its neighbourhood and its
+// windows offer, then weighted A* with falling weights, each started anew with the better bound (Richter,
+// Thayer, Ruml 2010, "The joy of forgetting: faster anytime search via restarting").
 //
 // Thread rule: one call, one object.
 
 #include <memory>
 
-#include "supervisor/pddl/search/astar_search.h"
+#include "supervisor/pddl/search/lazy_search.h"
+#include "supervisor/pddl/search/plan_windows.h"
 
 namespace stepwright::pddl {
 
 class Improvement {
  public:
-  Improvement(const StateSpace& space, SearchControl& control, const LowerBounds& bounds)
-      : space_(space), control_(control), bounds_(bounds), proof_(space, control, bounds, 0.0) {}
+  Improvement(const RelaxedTask& task, SearchControl& control, const LowerBounds& bounds,
+              const Landmarks& landmarks);
 
-  // True if the control's best plan is proved optimal; else see `reason`. `anytime`: with weighted searches
-  // in between.
-  bool run(bool anytime, StopReason& reason);
-
-  bool unbounded() const { return proof_.unbounded(); }
+  // Requires a plan. Expands about so many states. Exhausted: the control's best plan is proved the best.
+  SearchStatus run(std::uint64_t expansions, StopReason& reason);
 
  private:
-  SearchStatus improve(std::uint64_t expansions, StopReason& reason);
+  SearchStatus polish(std::uint64_t expansions, StopReason& reason);
+  SearchStatus search(std::uint64_t expansions, StopReason& reason);
+  void next_stage();
 
-  const StateSpace& space_;
+  const RelaxedTask& task_;
   SearchControl& control_;
   const LowerBounds& bounds_;
-  AStarSearch proof_;
-  std::unique_ptr<AStarSearch> weighted_;
-  double weight_ = 5.0;
+  const Landmarks& landmarks_;
+  std::unique_ptr<LazySearch> weighted_;
+  std::size_t stage_ = 0;
+  std::uint64_t polished_ = 0;   // version of the plan that was polished last
+  std::uint64_t effort_ = 2000;  // of one polish, in states
+  PlanWindows windows_;
 };
 
 }  // namespace stepwright::pddl

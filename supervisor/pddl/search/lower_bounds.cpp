@@ -11,6 +11,8 @@ namespace {
 constexpr std::size_t kSmallStates = 60;
 constexpr std::size_t kLargeStates = 150;
 constexpr std::size_t kMostWork = 20000;
+// Many goals share what is spent on all.
+constexpr std::size_t kMostWorkOfAll = 125000;
 
 // Facts from `derived` on are left out: no operator changes them, so a projection would take them as fixed.
 void add_variables(const Condition& condition, int derived, std::set<int>& facts, std::set<int>& variables) {
@@ -55,6 +57,7 @@ LowerBounds::LowerBounds(const StateSpace& space, const std::function<bool()>& s
   constexpr std::size_t kMostSeeds = 24;
   std::vector<Pattern> list = seeds(space.task().goal, space.task().first_derived);
   if (list.size() > kMostSeeds) list.resize(kMostSeeds);
+  most_work_ = std::min(kMostWork, kMostWorkOfAll / std::max<std::size_t>(1, list.size()));
   for (const Pattern& seed : list) {
     if (stop()) break;
     grow_patterns(seed);
@@ -116,7 +119,7 @@ Pattern LowerBounds::causes(const Pattern& pattern, const Projection& projection
 void LowerBounds::grow_patterns(const Pattern& seed) {
   std::optional<Projection> small, large;
   Pattern pattern = seed;
-  while (auto next = Projection::build(space_, pattern, kLargeStates, kMostWork)) {
+  while (auto next = Projection::build(space_, pattern, kLargeStates, most_work_)) {
     if (next->states() <= kSmallStates) small = next;
     large = std::move(next);
     Pattern grown = causes(pattern, *large);

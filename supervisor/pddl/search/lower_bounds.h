@@ -42,6 +42,7 @@ class LowerBounds {
   const StateSpace& space_;
   std::vector<Projection> projections_;
   std::vector<Sum> cost_sums_, step_sums_;
+  std::size_t most_work_ = 0;  // of one projection, in operator checks
   mutable std::vector<std::uint32_t> places_;
 };
 

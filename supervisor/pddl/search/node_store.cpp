@@ -6,7 +6,7 @@
 
 namespace stepwright::pddl {
 
-NodeStore::NodeStore(std::size_t words) : words_(words), table_(1024) {}
+NodeStore::NodeStore(std::size_t words) : words_(words), table_(256) {}
 
 std::uint64_t NodeStore::hash(const Word* state) const {
   std::uint64_t value = 0;
@@ -27,14 +27,19 @@ std::size_t NodeStore::locate(const Word* state, std::uint64_t hash) const {
 }
 
 std::pair<std::uint32_t, bool> NodeStore::insert(const Word* state) {
-  if (2 * (nodes_.size() + 1) > table_.size()) grow();
+  if (3 * (size_ + 1) > 2 * table_.size()) grow();
   const std::uint64_t key = hash(state);
   Slot& slot = table_[locate(state, key)];
   if (slot.node != kNoNode) return {slot.node, false};
-  slot = {static_cast<std::uint32_t>(nodes_.size()), static_cast<std::uint32_t>(key >> 32)};
-  nodes_.emplace_back();
-  states_.insert(states_.end(), state, state + words_);
-  return {slot.node, true};
+  if (size_ % kBlock == 0) {
+    states_.emplace_back().reserve(kBlock * words_);
+    nodes_.emplace_back().reserve(kBlock);
+  }
+  const auto node = static_cast<std::uint32_t>(size_++);
+  slot = {node, static_cast<std::uint32_t>(key >> 32)};
+  states_.back().insert(states_.back().end(), state, state + words_);
+  nodes_.back().emplace_back();
+  return {node, true};
 }
 
 std::uint32_t NodeStore::find(const Word* state) const {
@@ -44,7 +49,7 @@ std::uint32_t NodeStore::find(const Word* state) const {
 void NodeStore::grow() {
   std::vector<Slot> table(2 * table_.size());
   const std::size_t mask = table.size() - 1;
-  for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
+  for (std::uint32_t node = 0; node < size_; ++node) {
     const std::uint64_t key = hash(state(node));
     std::size_t place = key & mask;
     while (table[place].node != kNoNode) place = (place + 1) & mask;
@@ -54,13 +59,12 @@ void NodeStore::grow() {
 }
 
 std::size_t NodeStore::memory() const {
-  return states_.capacity() * sizeof(Word) + nodes_.capacity() * sizeof(Node) +
-         table_.capacity() * sizeof(Slot);
+  return states_.size() * kBlock * (words_ * sizeof(Word) + sizeof(Node)) + table_.capacity() * sizeof(Slot);
 }
 
 std::vector<int> NodeStore::path(std::uint32_t node) const {
   std::vector<int> operators;
-  for (; nodes_[node].parent != kNoNode; node = nodes_[node].parent) operators.push_back(nodes_[node].op);
+  for (; (*this)[node].parent != kNoNode; node = (*this)[node].parent) operators.push_back((*this)[node].op);
   std::reverse(operators.begin(), operators.end());
   return operators;
 }

@@ -1,14 +1,15 @@
 #pragma once
 
-// The states that a search has met, each once, with the best way to it known so far.
+// The states that a search has met, each once, with the best way to it known so far. Storage grows by blocks,
+// so that nothing is copied when it grows and the bytes held are the bytes used.
 //
-// Thread rule: one search, one store. Pointers to states are valid until the next `insert`.
+// Thread rule: one search, one store. Pointers to states stay valid.
 
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "supervisor/pddl/search/state_space.h"
+#include "supervisor/pddl/search/packed_bits.h"
 
 namespace stepwright::pddl {
 
@@ -32,10 +33,12 @@ class NodeStore {
   // The number of the state and whether it is new.
   std::pair<std::uint32_t, bool> insert(const Word* state);
 
-  const Word* state(std::uint32_t node) const { return states_.data() + node * words_; }
-  Node& operator[](std::uint32_t node) { return nodes_[node]; }
-  const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
-  std::size_t size() const { return nodes_.size(); }
+  const Word* state(std::uint32_t node) const {
+    return states_[node >> kBlockBits].data() + (node & (kBlock - 1)) * words_;
+  }
+  Node& operator[](std::uint32_t node) { return nodes_[node >> kBlockBits][node & (kBlock - 1)]; }
+  const Node& operator[](std::uint32_t node) const { return nodes_[node >> kBlockBits][node & (kBlock - 1)]; }
+  std::size_t size() const { return size_; }
 
   // Bytes held.
   std::size_t memory() const;
@@ -44,6 +47,8 @@ class NodeStore {
   std::vector<int> path(std::uint32_t node) const;
 
  private:
+  static constexpr std::uint32_t kBlockBits = 10;
+  static constexpr std::uint32_t kBlock = 1u << kBlockBits;
   struct Slot {
     std::uint32_t node = kNoNode;  // kNoNode: free
     std::uint32_t tag = 0;         // upper half of the hash
@@ -54,8 +59,9 @@ class NodeStore {
   void grow();
 
   std::size_t words_;
-  std::vector<Word> states_;
-  std::vector<Node> nodes_;
+  std::size_t size_ = 0;
+  std::vector<std::vector<Word>> states_;  // blocks with room for all their states
+  std::vector<std::vector<Node>> nodes_;
   std::vector<Slot> table_;  // open addressing
 };
 

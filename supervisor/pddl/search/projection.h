@@ -13,6 +13,7 @@
 
 #include "supervisor/pddl/grounding/relaxed_bounds.h"
 #include "supervisor/pddl/search/node_store.h"
+#include "supervisor/pddl/search/state_space.h"
 
 namespace stepwright::pddl {
 

@@ -3,39 +3,83 @@
 #include <algorithm>
 
 namespace stepwright::pddl {
+namespace {
+
+constexpr std::size_t kMegabyte = 1024 * 1024;
+
+template <typename T>
+void raise(std::atomic<T>& target, T value) {
+  T now = target.load(std::memory_order_relaxed);
+  while (now < value && !target.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
+  }
+}
+
+}  // namespace
 
 SearchControl::SearchControl(std::chrono::milliseconds time, std::size_t memory_mb,
                              const std::atomic<bool>* cancel)
-    : start_(Clock::now()),
+    : owner_(std::this_thread::get_id()),
+      start_(Clock::now()),
       next_report_(start_ + std::chrono::seconds(1)),
       time_(time),
-      memory_mb_(memory_mb),
+      memory_limit_(memory_mb == 0 ? SIZE_MAX : memory_mb * kMegabyte),
       cancel_(cancel) {}
 
-StopReason SearchControl::check(std::size_t memory) {
-  const double mb = static_cast<double>(memory + other_memory) / (1024.0 * 1024.0);
-  peak_mb = std::max(peak_mb, mb);
+StopReason SearchControl::check() {
   const Clock::time_point now = Clock::now();
-  if (now >= next_report_) {
+  if (std::this_thread::get_id() == owner_ && now >= next_report_) {
     next_report_ = now + std::chrono::seconds(1);
-    if (on_second) on_second(bound);
+    if (on_second) on_second(best(), bound());
   }
-  if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return StopReason::Cancelled;
-  if (time_.count() > 0 && now - start_ >= time_) return StopReason::Time;
-  if (memory_mb_ > 0 && mb >= static_cast<double>(memory_mb_)) return StopReason::Memory;
+  if (const StopReason reason = stopped_.load(std::memory_order_relaxed); reason != StopReason::None) {
+    return reason;
+  }
+  if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return stop(StopReason::Cancelled);
+  if (time_.count() > 0 && now - start_ >= time_) return stop(StopReason::Time);
+  if (memory_.load(std::memory_order_relaxed) >= memory_limit_) return stop(StopReason::Memory);
   return StopReason::None;
+}
+
+// The first reason counts.
+StopReason SearchControl::stop(StopReason reason) {
+  StopReason expected = StopReason::None;
+  return stopped_.compare_exchange_strong(expected, reason) ? reason : expected;
 }
 
 double SearchControl::elapsed_ms() const {
   return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
 }
 
-bool SearchControl::offer(std::vector<int> operators, double cost, std::uint32_t steps) {
+double SearchControl::peak_mb() const {
+  return static_cast<double>(peak_.load(std::memory_order_relaxed)) / static_cast<double>(kMegabyte);
+}
+
+bool SearchControl::offer(std::vector<int> operators, double cost) {
   const double rounded = comparable(cost);
-  if (best_.beats(rounded, steps) || (best_.cost == rounded && best_.steps == steps)) return false;
-  best_ = {std::move(operators), rounded, steps};
-  if (on_improvement) on_improvement();
+  const auto steps = static_cast<std::uint32_t>(operators.size());
+  const std::lock_guard lock(mutex_);
+  if (!best_.quality.leaves_room_for(rounded, steps)) return false;
+  best_ = {std::move(operators), {rounded, steps}};
+  version_.fetch_add(1, std::memory_order_release);
+  if (on_improvement) on_improvement(best_);
   return true;
+}
+
+Incumbent SearchControl::best() const {
+  const std::lock_guard lock(mutex_);
+  return best_;
+}
+
+void SearchControl::raise_bound(double bound) {
+  raise(bound_, bound);
+}
+
+void MemoryShare::set(std::size_t bytes) {
+  if (bytes == bytes_) return;
+  const std::size_t total =
+      control_.memory_.fetch_add(bytes - bytes_, std::memory_order_relaxed) + bytes - bytes_;
+  bytes_ = bytes;
+  raise(control_.peak_, total);
 }
 
 }  // namespace stepwright::pddl

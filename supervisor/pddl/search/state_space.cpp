@@ -4,27 +4,48 @@
 #include <cmath>
 
 namespace stepwright::pddl {
+namespace {
+
+bool undefined_possible(const GroundExpression& expression) {
+  return !expression.linear() || !expression.terms.empty() || !std::isfinite(expression.constant);
+}
+
+}  // namespace
 
 StateSpace::StateSpace(const GroundTask& task)
     : task_(task),
+      domains_(task),
+      tree_(task, domains_),
       axioms_(task),
       fact_words_((task.facts.size() + 63) / 64),
       words_(fact_words_ + task.variables.size()) {
-  // Every operator waits under its rarest literal, so that a state looks at few operators that it cannot
-  // apply.
-  std::vector<std::size_t> uses(2 * task.facts.size(), 0);
-  for (const GroundOperator& op : task.operators) {
-    for (const int literal : op.precondition.literals) ++uses[static_cast<std::size_t>(literal)];
+  operators_.reserve(task.operators.size());
+  for (const GroundOperator& op : task.operators) compile(op);
+}
+
+// What always happens becomes one mask per word; adds win over deletes.
+void StateSpace::compile(const GroundOperator& op) {
+  OperatorChanges entry{static_cast<int>(changes_.size()), 0, false, false, op.may_conflict};
+  const auto change_at = [&](int fact) -> WordChange& {
+    const auto word = static_cast<std::uint32_t>(fact >> 6);
+    const auto first = changes_.begin() + entry.first_change;
+    const auto place =
+        std::find_if(first, changes_.end(), [&](const WordChange& c) { return c.word == word; });
+    if (place != changes_.end()) return *place;
+    return changes_.emplace_back(WordChange{word, ~Word{0}, 0});
+  };
+  for (const GroundEffect& effect : op.effects) {
+    entry.numeric = entry.numeric || !effect.numeric.empty() || undefined_possible(effect.cost) ||
+                    effect.cost.constant != 0.0;
+    if (!effect.when.always()) {
+      entry.conditional = true;
+      continue;
+    }
+    for (const int fact : effect.deletes) change_at(fact).keep &= ~(Word{1} << (fact & 63));
+    for (const int fact : effect.adds) change_at(fact).set |= Word{1} << (fact & 63);
   }
-  by_literal_.resize(uses.size());
-  for (std::size_t i = 0; i < task.operators.size(); ++i) {
-    const std::vector<int>& literals = task.operators[i].precondition.literals;
-    const auto rarest = std::min_element(literals.begin(), literals.end(), [&](int a, int b) {
-      return uses[static_cast<std::size_t>(a)] < uses[static_cast<std::size_t>(b)];
-    });
-    auto& list = rarest == literals.end() ? without_literal_ : by_literal_[static_cast<std::size_t>(*rarest)];
-    list.push_back(static_cast<int>(i));
-  }
+  entry.last_change = static_cast<int>(changes_.size());
+  operators_.push_back(entry);
 }
 
 std::vector<Word> StateSpace::initial() const {
@@ -45,7 +66,7 @@ bool StateSpace::holds(const Condition& condition, const Word* state) const {
     if (!literal(state, l)) return false;
   }
   for (const Comparison& comparison : condition.comparisons) {
-    if (!compare(comparison.relation, evaluate(comparison.difference, state))) return false;
+    if (!holds(comparison, state)) return false;
   }
   for (const auto& options : condition.choices) {
     if (std::none_of(options.begin(), options.end(), [&](const Condition& o) { return holds(o, state); })) {
@@ -57,41 +78,18 @@ bool StateSpace::holds(const Condition& condition, const Word* state) const {
 
 void StateSpace::applicable(const Word* state, std::vector<int>& operators) const {
   operators.clear();
-  const auto collect = [&](const std::vector<int>& list) {
-    for (const int i : list) {
-      const GroundOperator& op = task_.operators[static_cast<std::size_t>(i)];
-      if (holds(op.precondition, state)) operators.push_back(i);
+  tree_.for_each(state, domains_, [&](int op) {
+    if (!tree_.undecided(op) || holds(task_.operators[static_cast<std::size_t>(op)].precondition, state)) {
+      operators.push_back(op);
     }
-  };
-  collect(without_literal_);
-  for (std::size_t l = 0; l < by_literal_.size(); ++l) {
-    if (!by_literal_[l].empty() && literal(state, static_cast<int>(l))) collect(by_literal_[l]);
-  }
-  std::sort(operators.begin(), operators.end());
+  });
 }
 
-bool StateSpace::apply_effect(const GroundEffect& effect, const Word* from, Word* to, double& cost) const {
+bool StateSpace::apply_numbers(const GroundEffect& effect, const Word* from, Word* to, double& cost) const {
   for (const NumericEffect& numeric : effect.numeric) {
     const double amount = evaluate(numeric.amount, from);
     Word& place = to[fact_words_ + static_cast<std::size_t>(numeric.variable)];
-    double result = std::bit_cast<double>(place);
-    switch (numeric.kind) {
-      case ChangeKind::Increase:
-        result += amount;
-        break;
-      case ChangeKind::Decrease:
-        result -= amount;
-        break;
-      case ChangeKind::ScaleUp:
-        result *= amount;
-        break;
-      case ChangeKind::ScaleDown:
-        result /= amount;
-        break;
-      default:
-        result = amount;
-        break;
-    }
+    const double result = new_value(numeric.kind, std::bit_cast<double>(place), amount);
     if (!std::isfinite(result)) return false;
     place = std::bit_cast<Word>(snap(result));
   }
@@ -105,7 +103,7 @@ bool StateSpace::apply_effect(const GroundEffect& effect, const Word* from, Word
 bool StateSpace::consistent(const GroundOperator& op, const Word* from) const {
   std::vector<int> added, replaced;
   for (const GroundEffect& effect : op.effects) {
-    if (!effect.when.always() && !holds(effect.when, from)) continue;
+    if (!fires(effect, from)) continue;
     for (const NumericEffect& numeric : effect.numeric) {
       const bool additive = numeric.kind == ChangeKind::Increase || numeric.kind == ChangeKind::Decrease;
       const auto seen = [&](const std::vector<int>& list) {
@@ -118,18 +116,38 @@ bool StateSpace::consistent(const GroundOperator& op, const Word* from) const {
   return true;
 }
 
-bool StateSpace::apply(const GroundOperator& op, const Word* from, Word* to, double& cost) const {
-  if (op.may_conflict && !consistent(op, from)) return false;
-  std::copy(from, from + words_, to);
+// The effects with conditions, and what any effect does to numbers. The adds of every effect win over the
+// deletes of all.
+bool StateSpace::apply_conditional(const GroundOperator& op, const Word* from, Word* to, double& cost) const {
   for (const GroundEffect& effect : op.effects) {
-    if (!effect.when.always() && !holds(effect.when, from)) continue;
-    if (!apply_effect(effect, from, to, cost)) return false;
+    if (!fires(effect, from)) continue;
+    if (!apply_numbers(effect, from, to, cost)) return false;
     for (const int fact : effect.deletes) to[fact >> 6] &= ~(Word{1} << (fact & 63));
   }
-  // Adds come last: they win over the deletes of every effect.
   for (const GroundEffect& effect : op.effects) {
-    if (effect.adds.empty() || (!effect.when.always() && !holds(effect.when, from))) continue;
+    if (effect.adds.empty() || !fires(effect, from)) continue;
     for (const int fact : effect.adds) to[fact >> 6] |= Word{1} << (fact & 63);
+  }
+  return true;
+}
+
+bool StateSpace::apply(int op, const Word* from, Word* to, double& cost) const {
+  const OperatorChanges& entry = operators_[static_cast<std::size_t>(op)];
+  const GroundOperator& whole = task_.operators[static_cast<std::size_t>(op)];
+  if (entry.conflicts && !consistent(whole, from)) return false;
+  std::copy(from, from + words_, to);
+  if (entry.conditional) {
+    if (!apply_conditional(whole, from, to, cost)) return false;
+  } else {
+    for (int i = entry.first_change; i < entry.last_change; ++i) {
+      const WordChange& change = changes_[static_cast<std::size_t>(i)];
+      to[change.word] = (to[change.word] & change.keep) | change.set;
+    }
+    if (entry.numeric) {
+      for (const GroundEffect& effect : whole.effects) {
+        if (!apply_numbers(effect, from, to, cost)) return false;
+      }
+    }
   }
   derive(to);
   return true;

@@ -1,0 +1,21 @@
+#pragma once
+
+// Takes out of a plan what it can do without: every operator together with those that then cannot be applied
+// any more (Nakhost, Mueller 2010, "Action elimination and plan neighborhood graph search").
+//
+// Thread rule: pure function.
+
+#include <vector>
+
+#include "supervisor/pddl/search/search_control.h"
+#include "supervisor/pddl/search/state_space.h"
+
+namespace stepwright::pddl {
+
+// The cost of the plan from the initial state, with the potential; infinite if it does not lead to the goal.
+double cost_of_plan(const StateSpace& space, const std::vector<int>& plan);
+
+// The plan without what only costs. Stops early, with what it has, when the control says so.
+std::vector<int> eliminate_actions(const StateSpace& space, std::vector<int> plan, SearchControl& control);
+
+}  // namespace stepwright::pddl

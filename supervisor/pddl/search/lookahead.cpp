@@ -1,0 +1,95 @@
+#include "supervisor/pddl/search/lookahead.h"
+
+#include <algorithm>
+
+namespace stepwright::pddl {
+
+Lookahead::Lookahead(const RelaxedTask& task) : task_(task), space_(task.space()), next_(space_.words()) {
+  std::vector<std::vector<int>> units(space_.task().operators.size());
+  for (std::size_t u = 0; u < task.units(); ++u) {
+    const int op = task.operator_of(u);
+    if (op >= 0) units[static_cast<std::size_t>(op)].push_back(static_cast<int>(u));
+  }
+  units_of_ = PackedLists<int>(units);
+}
+
+bool Lookahead::apply(StateTable& states, std::uint32_t& node, std::vector<Word>& state, int op) {
+  const GroundOperator& whole = space_.task().operators[static_cast<std::size_t>(op)];
+  if (!space_.holds(whole.precondition, state.data())) return false;
+  double cost = 0.0;
+  if (!space_.apply(op, state.data(), next_.data(), cost)) return false;
+  const auto [next, added] = states.insert(next_.data());
+  if (next == node) return false;
+  if (added) states[next] = {snap(states[node].cost + cost), node, op, states[node].steps + 1, false};
+  node = next;
+  state.swap(next_);
+  return true;
+}
+
+bool Lookahead::pass(StateTable& states, std::uint32_t& node, std::vector<Word>& state) {
+  bool any = false;
+  std::size_t kept = 0;
+  for (AdditiveHeuristic::Use use : rest_) {
+    while (use.times > 0 && apply(states, node, state, use.op)) {
+      --use.times;
+      any = true;
+    }
+    if (use.times > 0) rest_[kept++] = use;
+  }
+  rest_.resize(kept);
+  return any;
+}
+
+// An applicable operator that supplies an atom which `user` needs and `supplier` was to reach.
+int Lookahead::substitute(const std::vector<Word>& state, int supplier, int user) {
+  for (const int u : units_of_[static_cast<std::size_t>(supplier)]) {
+    for (const int atom : task_.adds(static_cast<std::size_t>(u))) {
+      --patience_;
+      const auto needed = [&](int unit) {
+        const std::span<const int> needs = task_.needs(static_cast<std::size_t>(unit));
+        return std::binary_search(needs.begin(), needs.end(), atom);
+      };
+      const std::span<const int> users = units_of_[static_cast<std::size_t>(user)];
+      if (std::none_of(users.begin(), users.end(), needed)) continue;
+      for (const int other : task_.added_by(static_cast<std::size_t>(atom))) {
+        --patience_;
+        const int op = task_.operator_of(static_cast<std::size_t>(other));
+        if (op < 0 || op == supplier) continue;
+        if (space_.holds(space_.task().operators[static_cast<std::size_t>(op)].precondition, state.data())) {
+          return op;
+        }
+      }
+    }
+  }
+  return -1;
+}
+
+bool Lookahead::replace(const std::vector<Word>& state) {
+  for (std::size_t i = 0; i < rest_.size(); ++i) {
+    for (std::size_t j = 0; j < rest_.size(); ++j) {
+      if (i == j || patience_ <= 0) continue;
+      const int op = substitute(state, rest_[i].op, rest_[j].op);
+      if (op < 0) continue;
+      rest_[i] = {op, 1, 0};
+      return true;
+    }
+  }
+  return false;
+}
+
+std::uint32_t Lookahead::follow(StateTable& states, std::uint32_t node, std::vector<Word>& state,
+                                const std::vector<AdditiveHeuristic::Use>& plan) {
+  rest_ = plan;
+  std::stable_sort(rest_.begin(), rest_.end(),
+                   [](const auto& a, const auto& b) { return a.needs_cost < b.needs_cost; });
+  // Replacements could go round in circles: each operator of the relaxed plan pays for one.
+  std::size_t replacements = rest_.size();
+  patience_ = 2000;
+  while (!rest_.empty()) {
+    if (pass(states, node, state)) continue;
+    if (replacements-- == 0 || !replace(state)) break;
+  }
+  return node;
+}
+
+}  // namespace stepwright::pddl

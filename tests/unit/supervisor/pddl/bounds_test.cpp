@@ -1,0 +1,92 @@
+// Bounds against the truth: on every reachable state of small tasks, no bound is above what is really left,
+// and nothing that says "no plan from here" is wrong.
+
+#include <gtest/gtest.h>
+
+#include "supervisor/pddl/grounding/grounder.h"
+#include "supervisor/pddl/search/additive_heuristic.h"
+#include "supervisor/pddl/search/landmark_cut.h"
+#include "supervisor/pddl/search/lower_bounds.h"
+#include "supervisor/pddl/search/relaxed_plan.h"
+#include "tests/unit/supervisor/pddl/random_task.h"
+#include "tests/unit/supervisor/pddl/sample_tasks.h"
+#include "tests/unit/supervisor/pddl/true_distances.h"
+
+namespace stepwright::pddl {
+namespace {
+
+struct Tally {
+  int states = 0;
+  int dead = 0;      // no plan from there
+  int informed = 0;  // the cut bound is above zero
+};
+
+void judge(const Task& task, Tally& tally) {
+  const GroundTask ground = ground_task(task.definition(), [] { return false; });
+  if (ground.unreachable_goal) return;
+  const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
+  const LowerBounds projections(space, [] { return false; });
+  LandmarkCut cut(relaxed);
+  AdditiveHeuristic additive(relaxed, unit_weights(ground));
+  RelaxedPlan intervals(space);
+  for (const testing::StateDistance& truth : testing::true_distances(space, 30'000)) {
+    const Word* state = truth.state.data();
+    const LowerBound bound = projections(state);
+    const double cut_bound = cut(state);
+    ASSERT_LE(bound.cost, truth.cost + 1e-9);
+    ASSERT_LE(cut_bound, truth.cost + 1e-9);
+    if (bound.cost < kInfinity) {
+      ASSERT_LE(bound.steps, truth.steps);
+    }
+    ++tally.states;
+    tally.informed += cut_bound > 0.0 ? 1 : 0;
+    if (truth.steps == kInfinity) {
+      ++tally.dead;
+      continue;
+    }
+    ASSERT_TRUE(additive.evaluate(state));
+    ASSERT_TRUE(intervals.evaluate(state));
+    EXPECT_EQ(additive.estimate() == 0, space.goal(state));
+  }
+}
+
+class RandomBounds : public ::testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(RandomBounds, WhenOnAnyReachableState_ThenNeverAboveTheTruth) {
+  Tally tally;
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    const testing::RandomTask random = testing::random_task(GetParam() * 500 + i);
+    SCOPED_TRACE(random.domain + random.problem);
+    judge(random.task, tally);
+  }
+  EXPECT_GT(tally.states, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomBounds, ::testing::Range(1u, 7u));
+
+TEST(Bounds, WhenOnAnyStateOfSampleTasks_ThenNeverAboveTheTruthAndNotBlind) {
+  Tally tally;
+  judge(testing::logistics_task(5), tally);
+  judge(testing::lamps_task("(and (forall (?l - lamp) (on ?l)) (powered))"), tally);
+  judge(testing::counter_task("(= (n) 10)"), tally);
+  EXPECT_GT(tally.informed, 50);
+}
+
+// Unary operators on a chain: the cut bound is exact there.
+TEST(LandmarkCut, WhenEveryStepIsNeeded_ThenItCountsThemAll) {
+  const Task task = testing::make_task(
+      R"((define (domain d) (:requirements :strips) (:predicates (a) (b) (c) (d))
+    (:action one :parameters () :precondition (a) :effect (b))
+    (:action two :parameters () :precondition (b) :effect (c))
+    (:action three :parameters () :precondition (and (b) (c)) :effect (d))))",
+      "(define (problem p) (:domain d) (:init (a)) (:goal (and (b) (d))))");
+  const GroundTask ground = ground_task(task.definition(), [] { return false; });
+  const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
+  LandmarkCut cut(relaxed);
+  EXPECT_EQ(cut(space.initial().data()), 3.0);
+}
+
+}  // namespace
+}  // namespace stepwright::pddl

@@ -1,0 +1,121 @@
+// What makes plans better, each part alone: it never makes one worse or wrong, and it finds what is plain to
+// see.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "supervisor/pddl/grounding/grounder.h"
+#include "supervisor/pddl/search/action_elimination.h"
+#include "supervisor/pddl/search/cluster_plan.h"
+#include "supervisor/pddl/search/plan_neighbourhood.h"
+#include "supervisor/pddl/search/plan_windows.h"
+#include "tests/unit/supervisor/pddl/sample_tasks.h"
+
+namespace stepwright::pddl {
+namespace {
+
+// The logistics chain of sample_tasks.h with a plan by hand.
+class PlanImprovement : public ::testing::Test {
+ protected:
+  static constexpr int kPlaces = 6;
+
+  std::vector<int> plan(const std::vector<std::string>& actions) const {
+    std::vector<int> operators;
+    for (const std::string& action : actions) {
+      for (std::size_t i = 0; i < ground_.operators.size(); ++i) {
+        if (model::to_string(action_of(ground_, ground_.operators[i])) == action) {
+          operators.push_back(static_cast<int>(i));
+        }
+      }
+    }
+    EXPECT_EQ(operators.size(), actions.size());
+    return operators;
+  }
+
+  // One package after the other, with an idle loop in between.
+  std::vector<int> wasteful() const {
+    std::vector<std::string> actions = {"(load k1 t p1)"};
+    const auto drive = [&](int from, int to) {
+      const int step = from < to ? 1 : -1;
+      for (int p = from; p != to; p += step) {
+        actions.push_back("(drive t p" + std::to_string(p) + " p" + std::to_string(p + step) + ")");
+      }
+    };
+    drive(1, 6);
+    actions.push_back("(unload k1 t p6)");
+    drive(6, 1);
+    drive(1, 3);
+    drive(3, 1);
+    drive(1, 6);
+    actions.push_back("(load k2 t p6)");
+    drive(6, 1);
+    actions.push_back("(unload k2 t p1)");
+    return plan(actions);
+  }
+
+  Task task_ = testing::logistics_task(kPlaces);
+  GroundTask ground_ = ground_task(task_.definition(), [] { return false; });
+  StateSpace space_{ground_};
+  SearchControl control_{std::chrono::milliseconds(0), 0, nullptr};
+};
+
+TEST_F(PlanImprovement, WhenAPlanHasAnIdleLoop_ThenEliminationTakesItOut) {
+  const std::vector<int> before = wasteful();
+  EXPECT_EQ(cost_of_plan(space_, before), 28.0);
+  const std::vector<int> after = eliminate_actions(space_, before, control_);
+  EXPECT_LT(after.size(), before.size());
+  EXPECT_EQ(cost_of_plan(space_, after), static_cast<double>(after.size()));
+}
+
+TEST_F(PlanImprovement, WhenAPlanDoesNotReachTheGoal_ThenItsCostIsInfinite) {
+  std::vector<int> cut = wasteful();
+  cut.pop_back();
+  EXPECT_EQ(cost_of_plan(space_, cut), kInfinity);
+  EXPECT_EQ(cost_of_plan(space_, plan({"(unload k1 t p6)"})), kInfinity);
+}
+
+TEST_F(PlanImprovement, WhenAPlanIsClustered_ThenItIsTheSameOperatorsAndStillAPlan) {
+  const std::vector<int> before = wasteful();
+  std::vector<int> after = cluster_plan(space_, before);
+  EXPECT_EQ(cost_of_plan(space_, after), 28.0);
+  std::vector<int> sorted = before;
+  std::sort(sorted.begin(), sorted.end());
+  std::sort(after.begin(), after.end());
+  EXPECT_EQ(sorted, after);
+}
+
+TEST_F(PlanImprovement, WhenTheNeighbourhoodIsSearched_ThenTheDetourGoes) {
+  const LowerBounds bounds(space_, [] { return false; });
+  control_.offer(wasteful(), 28.0);
+  StopReason reason = StopReason::None;
+  PlanNeighbourhood neighbourhood(space_, control_, bounds);
+  EXPECT_TRUE(neighbourhood.search(wasteful(), 2000, reason));
+  const Incumbent best = control_.best();
+  EXPECT_EQ(best.quality.cost, 14.0);
+  EXPECT_EQ(cost_of_plan(space_, best.operators), 14.0);
+}
+
+TEST_F(PlanImprovement, WhenWindowsArePlannedAnew_ThenTheOptimumIsFound) {
+  const RelaxedTask relaxed(space_);
+  control_.offer(wasteful(), 28.0);
+  StopReason reason = StopReason::None;
+  PlanWindows windows(relaxed, control_);
+  EXPECT_TRUE(windows.run(20'000, reason));
+  const Incumbent best = control_.best();
+  EXPECT_EQ(best.quality.cost, 14.0);
+  EXPECT_EQ(cost_of_plan(space_, best.operators), 14.0);
+}
+
+TEST_F(PlanImprovement, WhenTheControlSaysStop_ThenWindowsStop) {
+  const RelaxedTask relaxed(space_);
+  control_.offer(wasteful(), 28.0);
+  control_.finish();
+  StopReason reason = StopReason::None;
+  PlanWindows windows(relaxed, control_);
+  EXPECT_FALSE(windows.run(20'000, reason));
+  EXPECT_EQ(reason, StopReason::Finished);
+}
+
+}  // namespace
+}  // namespace stepwright::pddl
