@@ -13,6 +13,8 @@
     (infeed ?z - zone)
     (diverts ?z - zone ?c - chute)         ; the pusher of a zone reaches the chute
     (ends ?z - zone ?c - chute)            ; the zone's belt leads into the chute
+    (links ?from ?to - zone)               ; either way from zone to zone
+    (leaves ?z - zone ?c - chute)          ; either way from the zone into the chute
     (announced ?b - box)                   ; the next box of the order list
     (behind ?next ?b - box)                ; of the order list
     (wanted ?b - box ?c - chute)           ; the sorting order
@@ -23,6 +25,7 @@
     (number ?b - box)                      ; what the reader says of it
     (shown ?z - zone)                      ; number of the box in front of the zone's reader
     (got ?c - chute)                       ; boxes that passed the chute's counter
+    (entered ?c - chute)                   ; boxes that were sent there
     (distance ?from ?to - zone)
     (travel))                              ; m that boxes were carried
 
@@ -71,14 +74,28 @@
     :precondition (and (safe) (diverts ?z ?c) (wanted ?b ?c) (at ?b ?z) (occupied ?z)
                        (turn ?b ?before) (sorted ?before))
     :effect (and (not (at ?b ?z)) (not (occupied ?z)) (free ?z) (assign (shown ?z) 0) (sorted ?b)
-                 (increase (got ?c) 1) (increase (travel) 1)))
+                 (increase (got ?c) 1) (increase (entered ?c) 1) (increase (travel) 1)))
 
   (:action run_off
     :parameters (?b ?before - box ?z - zone ?c - chute)
     :precondition (and (safe) (ends ?z ?c) (wanted ?b ?c) (at ?b ?z) (occupied ?z)
                        (turn ?b ?before) (sorted ?before))
     :effect (and (not (at ?b ?z)) (not (occupied ?z)) (free ?z) (assign (shown ?z) 0) (sorted ?b)
-                 (increase (got ?c) 1) (increase (travel) 1)))
+                 (increase (got ?c) 1) (increase (entered ?c) 1) (increase (travel) 1)))
+
+  ; Interrupted when it was as good as done: the box is at the next eye, or has slid into its chute and was counted.
+  (:action arrived
+    :parameters (?b - box ?from ?to - zone)
+    :precondition (and (safe) (links ?from ?to) (at ?b ?from) (not (occupied ?from)) (free ?to) (occupied ?to))
+    :effect (and (not (at ?b ?from)) (free ?from) (assign (shown ?from) 0)
+                 (at ?b ?to) (not (free ?to)) (assign (shown ?to) (number ?b))))
+
+  (:action delivered
+    :parameters (?b ?before - box ?z - zone ?c - chute)
+    :precondition (and (safe) (leaves ?z ?c) (wanted ?b ?c) (at ?b ?z) (not (occupied ?z))
+                       (turn ?b ?before) (sorted ?before) (> (got ?c) (entered ?c)))
+    :effect (and (not (at ?b ?z)) (free ?z) (assign (shown ?z) 0) (sorted ?b)
+                 (increase (entered ?c) 1)))
 
   ; The safety program has opened the contactor. Nothing moves until somebody has put things right and pressed reset.
   (:action await_reset
