@@ -15,6 +15,8 @@ constexpr double kMass = 3.0;
 constexpr double kMassSpread = 2.0;
 constexpr double kOffsetSpread = 0.03;
 constexpr double kAngleSpread = 0.08;
+constexpr std::uint64_t kColours = 3;
+constexpr std::uint64_t kColourDraws = 1000;  // behind all others
 
 class Checker {
  public:
@@ -67,6 +69,7 @@ std::vector<BoxData> make_boxes(const LineParameters& parameters) {
     box.offset_m = spread(kOffsetSpread);
     box.angle_rad = spread(kAngleSpread);
     box.wait_s = parameters.arrival_s + spread(0.5 * parameters.arrival_s);
+    if (parameters.variety) box.colour = static_cast<int>(random.bits(kColourDraws + i) % kColours) + 1;
     boxes.push_back(box);
   }
   return boxes;

@@ -52,6 +52,7 @@ struct BoxData {
   double offset_m = 0.0;   // beside the middle of the infeed, when it arrives
   double angle_rad = 0.0;  // turned by this, when it arrives
   double wait_s = 0.0;     // after the infeed was free
+  int colour = 1;          // 1..3
 };
 std::vector<BoxData> make_boxes(const LineParameters& parameters);
 

@@ -80,6 +80,10 @@ class Builder {
   void add_counts() {
     sensor(LineSensor::Reader, 0, "reader", PortKind::Count,
            "number of the box that the reader sees, 0 = none");
+    sensor(LineSensor::ReaderLength, 0, "reader_length", PortKind::Count,
+           "length of the box that the reader sees, mm; 0 = none");
+    sensor(LineSensor::ReaderColour, 0, "reader_colour", PortKind::Count,
+           "colour of the box that the reader sees, 1 to 3; 0 = none");
     for (std::size_t i = 0; i < layout_.chutes.size(); ++i) {
       sensor(LineSensor::Counter, i, "count_" + number(i + 1), PortKind::Count,
              "boxes that passed the counter of chute " + number(i + 1));

@@ -20,8 +20,10 @@ enum class LineSensor : std::uint8_t {
   Contactor,      // its feedback contact
   EmergencyStop,  // 1 = nobody presses it
   Reset,
-  Reader,   // number of the box in front of it, 0 = none
-  Counter,  // boxes that passed a chute's beam
+  Reader,        // number of the box in front of it, 0 = none
+  ReaderLength,  // of that box in mm
+  ReaderColour,  // of that box, 1..3
+  Counter,       // boxes that passed a chute's beam
 };
 enum class LineTruth : std::uint8_t {
   BoxX,

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "runtime/base/hash64.h"
@@ -128,6 +129,17 @@ std::int16_t SortingLine::sensor(core::SensorId id) const {
       return reset_ ? 1 : 0;
     case LineSensor::Reader:
       return box_at_reader();
+    case LineSensor::ReaderLength: {
+      const std::int16_t box = box_at_reader();
+      if (box == 0) return 0;
+      return static_cast<std::int16_t>(
+          std::lround(1e3 * boxes_[static_cast<std::size_t>(box) - 1].data.rectangle.size.x));
+    }
+    case LineSensor::ReaderColour: {
+      const std::int16_t box = box_at_reader();
+      return box == 0 ? std::int16_t{0}
+                      : static_cast<std::int16_t>(boxes_[static_cast<std::size_t>(box) - 1].data.colour);
+    }
     case LineSensor::Counter:
       return chutes_[i].counted;
   }

@@ -40,7 +40,7 @@ TEST(BeltDrive, WhenItRuns_ThenItKeepsItsSpeedButForTheDroopThatFrictionCosts) {
   EXPECT_NEAR(drive.speed_m_s(), 0.5 - 4.0 / 200.0, 1e-4);
 }
 
-TEST(BeltDrive, WhenItGetsUpToSpeed_ThenItOvershootsByLessThanATwentieth) {
+TEST(BeltDrive, WhenItGetsUpToSpeed_ThenItOvershootsByLessThanATenth) {
   BeltDrive drive = make();
   drive.command(true);
   double fastest = 0.0;
@@ -49,7 +49,7 @@ TEST(BeltDrive, WhenItGetsUpToSpeed_ThenItOvershootsByLessThanATwentieth) {
     fastest = std::max(fastest, drive.speed_m_s());
   }
   EXPECT_GT(fastest, 0.5);
-  EXPECT_LT(fastest, 0.5 * 1.05);
+  EXPECT_LT(fastest, 0.5 * 1.1);
 }
 
 TEST(BeltDrive, WhenItIsOverloaded_ThenItComesToAStandAndDoesNotRunBackwards) {

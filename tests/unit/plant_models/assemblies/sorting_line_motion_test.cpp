@@ -29,6 +29,8 @@ TEST_P(SortingLineSeeds, WhenBoxesAreSentToChutes_ThenEachIsWhereItWasSentInThat
   for (int box = 0; box < 5; ++box) {
     ASSERT_TRUE(deliver(rig, wanted[box])) << "box " << box + 1 << " at " << rig.time_s() << " s";
   }
+  // One box after the other, without overlap: five a minute at least.
+  EXPECT_LT(rig.time_s(), 60.0);
   rig.run(5.0);
   for (int box = 0; box < 5; ++box) {
     const std::string name = "box_" + std::to_string(box + 1);
@@ -44,7 +46,12 @@ TEST_P(SortingLineSeeds, WhenBoxesAreSentToChutes_ThenEachIsWhereItWasSentInThat
 
 TEST_P(SortingLineSeeds, WhenABoxGoesThroughTheLane_ThenItStandsAtTheReaderAgain) {
   LineRig rig({.seed = GetParam()});
+  EXPECT_EQ(rig.read("reader_length"), 0);
+  EXPECT_EQ(rig.read("reader_colour"), 0);
   ASSERT_TRUE(rig.feed() && rig.convey("in", "r"));
+  const BoxData box = make_boxes({.seed = GetParam()})[0];
+  EXPECT_NEAR(rig.read("reader_length"), 1e3 * box.rectangle.size.x, 0.5);
+  EXPECT_EQ(rig.read("reader_colour"), box.colour);
   for (int round = 0; round < 3; ++round) {
     EXPECT_EQ(rig.read("reader"), 1);
     ASSERT_TRUE(rig.convey("r", "d1") && rig.convey("d1", "d2") && rig.convey("d2", "e"));
