@@ -72,7 +72,7 @@ class SortingLine final : public core::Plant {
     bool on = false;
     bool stuck = false;
     double travel_m = 0.0;
-    bool leaves_home = false;  // of the last step
+    bool met_a_belt = false;  // in the last step
   };
   struct Eye {
     std::int8_t shows = -1;  // a fault's 0 or 1; -1 = none

@@ -75,8 +75,8 @@ void SortingLine::note_collisions() {
     const bool runs = belts_[layout_.pushers[i].belt].drive.speed_m_s() > kRunningM_s;
     const bool out = pushers_[i].travel_m > parameters_.pusher.switch_m;
     const bool both = runs && out;
-    if (both && !pushers_[i].leaves_home) ++collisions_;
-    pushers_[i].leaves_home = both;
+    if (both && !pushers_[i].met_a_belt) ++collisions_;
+    pushers_[i].met_a_belt = both;
   }
 }
 

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <ostream>
+#include <string>
+#include <vector>
 
+#include "plant_models/core/counter_random.h"
 #include "tests/unit/supervisor/executive/bench_fixture.h"
 #include "tests/unit/supervisor/executive/conveyor_fixture.h"
 
@@ -27,7 +31,10 @@ TEST_P(ExecutiveConveyorSeeds, WhenNothingGoesWrong_ThenEveryBoxIsWhereItWasOrde
   EXPECT_LT(controller.plant_value("greatest_force"), 550.0);
   ASSERT_EQ(record.episodes.size(), 1u);
   EXPECT_TRUE(record.episodes[0].proved_optimal);
-  EXPECT_LT(record.finished_s - record.started_s, record.episodes[0].planned_sequential_makespan_s);
+  // Six to seven boxes a minute, two of which went round; half the time of the same plan one action after the
+  // other.
+  EXPECT_LT(record.finished_s - record.started_s, 45.0);
+  EXPECT_LT(record.finished_s - record.started_s, 0.6 * record.episodes[0].planned_sequential_makespan_s);
   EXPECT_FALSE(controller.any_output());
 }
 
@@ -128,6 +135,65 @@ INSTANTIATE_TEST_SUITE_P(
                                 "number of the box at the reader is 3.0, expected 2.0"},
                     LastingCase{"DeadBelt", {{4.0, "slip_r", 0}, {4.0, "slip_in", 0}}, "did not end within"}),
     [](const auto& each) { return std::string(each.param.name); });
+
+// A random fault at a random time; most are put right after a while.
+std::vector<PlantFault> random_faults(std::uint64_t seed) {
+  const core::CounterRandom random(seed, 900);
+  std::uint64_t draw = 0;
+  const auto pick = [&](std::uint64_t count) { return random.bits(draw++) % count; };
+  const auto name = [&](const std::string& kind, std::initializer_list<const char*> parts) {
+    return kind + *(parts.begin() + pick(parts.size()));
+  };
+  const double from_s = 0.5 + 0.1 * static_cast<double>(pick(400));
+  const double until_s = from_s + 3.0 + static_cast<double>(pick(20));
+  const auto mended = [&](const std::string& fault, double wrong, double right) {
+    return std::vector<PlantFault>{{from_s, fault, wrong},
+                                   {until_s, fault, right},
+                                   {until_s + 1.0, "press_reset", 1},
+                                   {until_s + 1.5, "press_reset", 0}};
+  };
+  switch (pick(7)) {
+    case 0:
+      return mended(name("jam_", {"in", "r", "d1", "d2", "e", "t"}), 1, 0);
+    case 1:
+      return mended(name("stuck_push_", {"1", "2", "e", "t"}), 1, 0);
+    case 2:
+      return mended(name("slip_", {"in", "r", "d1", "d2", "e", "t"}), 0.1 * static_cast<double>(pick(3)), 1);
+    case 3:
+      return mended("press_estop", 1, 0);
+    case 4:
+      return {{from_s, name("stuck_eye_", {"in", "r", "d1", "d2", "e", "t", "t1"}),
+               static_cast<double>(pick(2))}};
+    case 5:
+      return {{from_s, "lose_box", static_cast<double>(1 + pick(5))}};
+    default:
+      return {{from_s, "exchange_boxes", static_cast<double>(1 + pick(4))}};
+  }
+}
+
+class ExecutiveConveyorCampaign : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(ExecutiveConveyorCampaign,
+       WhenAFaultIsRandom_ThenTheOrderIsMetAsThePlantSaysOrTheLineIsSafeWithAReason) {
+  const std::vector<PlantFault> faults = random_faults(GetParam());
+  SimulatedController controller = conveyor_controller(GetParam(), faults);
+  const RunRecord record = run_conveyor(controller);
+  SCOPED_TRACE(faults[0].name + " at " + std::to_string(faults[0].at_s) + " s: " + story(record));
+  EXPECT_EQ(controller.plant_value("collisions"), 0);
+  EXPECT_FALSE(controller.any_output());
+  if (record.phase == Phase::Done) {
+    EXPECT_EQ(sorted_boxes(controller), ordered_boxes());
+  } else {
+    EXPECT_EQ(record.phase, Phase::Safe);
+    EXPECT_FALSE(record.message.empty());
+    EXPECT_FALSE(record.replans.empty());
+    // What somebody has put right is no reason to give up, unless a box was moved meanwhile.
+    EXPECT_NE(faults[0].name, "press_estop");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, ExecutiveConveyorCampaign,
+                         testing::Range(std::uint64_t{1}, std::uint64_t{61}));
 
 }  // namespace
 }  // namespace stepwright::executive
