@@ -58,6 +58,43 @@ json to_json(const Pipe& pipe) {
   return {{"from", pipe.from}, {"to", pipe.to}, {"pump", pipe.pump}, {"at_place", pipe.at_place}};
 }
 
+json to_json(const Belt& belt) {
+  return {{"id", belt.id},
+          {"label", belt.label},
+          {"running", belt.running_point},
+          {"low", {number(belt.low_x), number(belt.low_y)}},
+          {"high", {number(belt.high_x), number(belt.high_y)}},
+          {"direction", {number(belt.direction_x), number(belt.direction_y)}}};
+}
+
+json to_json(const Beam& beam) {
+  return {{"id", beam.id},
+          {"dark", beam.dark_point},
+          {"from", {number(beam.from_x), number(beam.from_y)}},
+          {"to", {number(beam.to_x), number(beam.to_y)}}};
+}
+
+json to_json(const Pusher& pusher) {
+  return {{"id", pusher.id},
+          {"label", pusher.label},
+          {"out", pusher.out_point},
+          {"travel", pusher.travel_point},
+          {"home", {number(pusher.home_x), number(pusher.home_y)}},
+          {"size", {number(pusher.length), number(pusher.thickness)}},
+          {"direction", {number(pusher.direction_x), number(pusher.direction_y)}},
+          {"stroke", number(pusher.stroke)}};
+}
+
+json to_json(const Box& box) {
+  return {{"id", box.id},
+          {"label", box.label},
+          {"size", {number(box.length), number(box.width)}},
+          {"state", box.state_point},
+          {"x", box.x_point},
+          {"y", box.y_point},
+          {"angle", box.angle_point}};
+}
+
 template <typename T>
 json list(const std::vector<T>& items) {
   json result = json::array();
@@ -78,7 +115,11 @@ std::string hello_message(const Greeting& greeting, const Synoptic& synoptic) {
                  {"vehicles", list(synoptic.vehicles)},
                  {"tanks", list(synoptic.tanks)},
                  {"pumps", list(synoptic.pumps)},
-                 {"pipes", list(synoptic.pipes)}}}});
+                 {"pipes", list(synoptic.pipes)},
+                 {"belts", list(synoptic.belts)},
+                 {"beams", list(synoptic.beams)},
+                 {"pushers", list(synoptic.pushers)},
+                 {"boxes", list(synoptic.boxes)}}}});
 }
 
 }  // namespace stepwright::protocol

@@ -68,6 +68,56 @@ struct Pipe {
   std::string at_place;  // connected only while the vehicle stands there; empty = always
 };
 
+// A belt or a chute seen from above; lengths and places of all that follows are metres in one plane.
+struct Belt {
+  std::string id;
+  std::string label;
+  std::string running_point;  // the command; empty = it always runs
+  double low_x = 0;
+  double low_y = 0;
+  double high_x = 0;
+  double high_y = 0;
+  double direction_x = 0;  // of running, length 1
+  double direction_y = 0;
+};
+
+// A photo-eye and what it looks along.
+struct Beam {
+  std::string id;
+  std::string dark_point;  // something is there
+  double from_x = 0;
+  double from_y = 0;
+  double to_x = 0;
+  double to_y = 0;
+};
+
+// A paddle that is pushed out and comes back.
+struct Pusher {
+  std::string id;
+  std::string label;
+  std::string out_point;     // the command
+  std::string travel_point;  // of a simulated plant, m; without it the paddle is drawn where it is told to be
+  double home_x = 0;         // middle of the paddle
+  double home_y = 0;
+  double length = 0;  // along x
+  double thickness = 0;
+  double direction_x = 0;  // of pushing, length 1
+  double direction_y = 0;
+  double stroke = 0;
+};
+
+// Of a simulated plant: drawn while its state is 1.
+struct Box {
+  std::string id;
+  std::string label;
+  double length = 0;
+  double width = 0;
+  std::string state_point;
+  std::string x_point;
+  std::string y_point;
+  std::string angle_point;  // rad
+};
+
 struct Synoptic {
   std::vector<Point> points;
   std::vector<Place> places;
@@ -75,6 +125,10 @@ struct Synoptic {
   std::vector<Tank> tanks;
   std::vector<Pump> pumps;
   std::vector<Pipe> pipes;
+  std::vector<Belt> belts;
+  std::vector<Beam> beams;
+  std::vector<Pusher> pushers;
+  std::vector<Box> boxes;
 };
 
 }  // namespace stepwright::protocol

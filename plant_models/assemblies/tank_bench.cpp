@@ -169,6 +169,11 @@ std::int16_t TankBench::sensor(core::SensorId id) const {
   return level_sensors_[i].counts(equations_.percent(static_cast<Tank>(i + 1), y_), now_, extra);
 }
 
+void TankBench::keep(std::span<double> numbers) const {
+  numbers[0] = y_[kPosition];
+  for (std::size_t i = 0; i < kTanks; ++i) numbers[i + 1] = equations_.percent(static_cast<Tank>(i), y_);
+}
+
 double TankBench::truth(core::TruthId id) const {
   constexpr double kLitres = 1e3;
   const TruthTarget target = bench_truth_target(id.value);

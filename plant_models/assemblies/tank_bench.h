@@ -45,6 +45,10 @@ class TankBench final : public core::Plant {
   [[nodiscard]] result::Result<void> inject_fault(std::string_view name, double value) override;
   [[nodiscard]] result::Result<void> clear_fault(std::string_view name) override;
 
+  // Position in m, then the levels of f1, v1, a1 and a2 in percent.
+  std::size_t kept_size() const override { return 1 + kTanks; }
+  void keep(std::span<double> numbers) const override;
+
   // For benchmarks: what the solver has done.
   ode::CvodeStatistics statistics() const { return solver_->statistics(); }
 

@@ -13,6 +13,7 @@
 //   std::int16_t counts = plant.sensor(*find_sensor(plant, "S1"));
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -63,6 +64,11 @@ class Plant {
 
   // Ends the named fault; what it did to the state stays. Fails with C0311.
   [[nodiscard]] virtual result::Result<void> clear_fault(std::string_view name) = 0;
+
+  // What another process needs to go on simulating from here: kept_size() numbers, which never changes, in an
+  // order of the plant's own. Faults and terminals are not among them. No heap, as for `truth`.
+  virtual std::size_t kept_size() const = 0;
+  virtual void keep(std::span<double> numbers) const = 0;
 };
 
 // Look-up by name, upper and lower case alike; nothing if the plant has no such port or truth.

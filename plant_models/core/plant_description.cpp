@@ -12,7 +12,15 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlaceDescription, name, position, half_width,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VehicleDescription, name, position_truth, speed_truth, drive_left,
                                    drive_right, track_min, track_max, places)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SensorDescription, name, unit, measures, counts_at_zero, counts_per_unit)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlantDescription, name, tanks, pumps, pipes, vehicles, sensors)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeltDescription, name, actuator, speed_truth, low_x, low_y, high_x, high_y,
+                                   direction_x, direction_y)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeamDescription, name, from_x, from_y, to_x, to_y)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PusherDescription, name, actuator, travel_truth, home_x, home_y, length,
+                                   thickness, direction_x, direction_y, stroke)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BoxDescription, name, length, width, state_truth, x_truth, y_truth,
+                                   angle_truth)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlantDescription, name, tanks, pumps, pipes, vehicles, sensors, belts,
+                                   beams, pushers, boxes)
 
 std::string to_json(const PlantDescription& description) {
   return nlohmann::json(description).dump();

@@ -61,6 +61,52 @@ struct SensorDescription {
   double counts_per_unit = 0.0;
 };
 
+// A belt or a chute seen from above, m.
+struct BeltDescription {
+  std::string name;
+  std::string actuator;     // port; empty = it always runs
+  std::string speed_truth;  // empty = constant
+  double low_x = 0.0;
+  double low_y = 0.0;
+  double high_x = 0.0;
+  double high_y = 0.0;
+  double direction_x = 0.0;  // of running, length 1
+  double direction_y = 0.0;
+};
+
+// A photo-eye and what it looks along; both ends alike for one that looks down at a point.
+struct BeamDescription {
+  std::string name;  // port
+  double from_x = 0.0;
+  double from_y = 0.0;
+  double to_x = 0.0;
+  double to_y = 0.0;
+};
+
+// A paddle that is pushed out and comes back.
+struct PusherDescription {
+  std::string name;
+  std::string actuator;      // port
+  std::string travel_truth;  // how far it is out, m
+  double home_x = 0.0;       // middle of the paddle
+  double home_y = 0.0;
+  double length = 0.0;  // along x
+  double thickness = 0.0;
+  double direction_x = 0.0;  // of pushing, length 1
+  double direction_y = 0.0;
+  double stroke = 0.0;
+};
+
+struct BoxDescription {
+  std::string name;
+  double length = 0.0;
+  double width = 0.0;
+  std::string state_truth;  // 1 = on the line
+  std::string x_truth;
+  std::string y_truth;
+  std::string angle_truth;  // rad
+};
+
 struct PlantDescription {
   std::string name;
   std::vector<TankDescription> tanks;
@@ -68,6 +114,10 @@ struct PlantDescription {
   std::vector<PipeDescription> pipes;
   std::vector<VehicleDescription> vehicles;
   std::vector<SensorDescription> sensors;
+  std::vector<BeltDescription> belts;
+  std::vector<BeamDescription> beams;
+  std::vector<PusherDescription> pushers;
+  std::vector<BoxDescription> boxes;
 };
 
 // One JSON object with the field names above, for a viewer in another process.

@@ -32,7 +32,7 @@ EngineKind read_engine(const TomlTable& table) {
 }
 
 void read_plant(const TomlTable& table, PlantConfig& plant) {
-  plant.kind = table.choice("kind", plant.kind, {"tank_bench", "none"});
+  plant.kind = table.choice("kind", plant.kind, {"tank_bench", "sorting_line", "none"});
   plant.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 1e15}));
   plant.uncertainty = table.boolean("uncertainty", plant.uncertainty);
   const TomlTable ports = table.table("ports");
@@ -47,10 +47,8 @@ void read_safe_state(const TomlTable& table, CellConfig& config) {
       std::chrono::milliseconds(table.integer("supervisor_lost_after_ms", 1'000, {100, 600'000}));
 }
 
-std::filesystem::path required_file(const TomlTable& table, const char* key,
-                                    const std::filesystem::path& folder) {
-  const std::string text = table.required_text(key);
-  if (text.empty()) return {};
+std::filesystem::path file_of(const TomlTable& table, const char* key, const std::filesystem::path& folder,
+                              const std::string& text) {
   const std::filesystem::path path = folder / text;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
@@ -59,10 +57,18 @@ std::filesystem::path required_file(const TomlTable& table, const char* key,
   return path;
 }
 
+std::filesystem::path required_file(const TomlTable& table, const char* key,
+                                    const std::filesystem::path& folder) {
+  const std::string text = table.required_text(key);
+  return text.empty() ? std::filesystem::path() : file_of(table, key, folder, text);
+}
+
 void read_planning(const TomlTable& table, const std::filesystem::path& folder, PlanningConfig& planning) {
   planning.domain = required_file(table, "domain", folder);
   planning.problem = required_file(table, "problem", folder);
   planning.binding = required_file(table, "binding", folder);
+  for (const std::string& text : table.texts("programs"))
+    planning.programs.push_back(file_of(table, "programs", folder, text));
   planning.optimal = table.boolean("optimal", planning.optimal);
   planning.sequential = table.boolean("sequential", planning.sequential);
   planning.time = std::chrono::milliseconds(table.integer("time_ms", planning.time.count(), {1, 86'400'000}));

@@ -48,9 +48,9 @@ struct PortAddress {
 };
 
 struct PlantConfig {
-  std::string kind = "tank_bench";  // "tank_bench", or "none": outputs go nowhere, inputs stay 0
-  std::uint64_t seed = 1;           // of all sensor uncertainty
-  bool uncertainty = true;          // sensor bias, drift and noise
+  std::string kind = "tank_bench";  // or "sorting_line"; or "none": outputs go nowhere, inputs stay 0
+  std::uint64_t seed = 1;           // of all that is uncertain
+  bool uncertainty = true;          // the bench: sensor bias, drift and noise; the line: boxes that differ
   std::vector<PortAddress> ports;
 };
 
@@ -77,9 +77,10 @@ struct PlanningConfig {
   std::filesystem::path domain;
   std::filesystem::path problem;
   std::filesystem::path binding;
-  bool optimal = true;                     // prove the optimum before the start (within `time`)
-  std::chrono::milliseconds time{10'000};  // budget of one planning or replanning
-  bool sequential = false;                 // strictly sequential chart, as in the paper
+  std::vector<std::filesystem::path> programs;  // PLCopen XML, hand-written; run behind the plan in its task
+  bool optimal = true;                          // prove the optimum before the start (within `time`)
+  std::chrono::milliseconds time{10'000};       // budget of one planning or replanning
+  bool sequential = false;                      // strictly sequential chart, as in the paper
 };
 
 struct ExecutiveConfig {

@@ -12,6 +12,7 @@ inline executive::DeskOptions desk_options(const CellConfig& config) {
   return {.domain = config.planning.domain,
           .problem = config.planning.problem,
           .binding = config.planning.binding,
+          .programs = config.planning.programs,
           .optimal = config.planning.optimal,
           .sequential = config.planning.sequential,
           .time = config.planning.time,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plant_models/assemblies/bench_ports.h"
+#include "plant_models/assemblies/line_ports.h"
 #include "plant_models/core/names.h"
 
 namespace stepwright::hmi {
@@ -30,6 +31,10 @@ class PictureBuilder {
     for (const auto& tank : plant_.tanks) add_tank(tank);
     for (const auto& pump : plant_.pumps) add_pump(pump);
     for (const auto& pipe : plant_.pipes) add_pipe(pipe);
+    for (const auto& belt : plant_.belts) add_belt(belt);
+    for (const auto& beam : plant_.beams) add_beam(beam);
+    for (const auto& pusher : plant_.pushers) add_pusher(pusher);
+    for (const auto& box : plant_.boxes) add_box(box);
     return std::move(picture_);
   }
 
@@ -133,6 +138,37 @@ class PictureBuilder {
     picture_.synoptic.pipes.push_back({pipe.from, pipe.to, plant_.pumps[*pump].actuator, pipe.at_place});
   }
 
+  void add_belt(const core::BeltDescription& b) {
+    const std::string running = b.actuator.empty() ? "" : terminal(b.actuator, b.actuator);
+    picture_.synoptic.belts.push_back(
+        {b.name, b.name, running, b.low_x, b.low_y, b.high_x, b.high_y, b.direction_x, b.direction_y});
+    // One curve shows whether a drive is up to speed; a chute has none.
+    if (!b.speed_truth.empty()) {
+      truth(b.name + ".speed", "belt " + b.name, "m/s", true, b.speed_truth);
+    }
+  }
+
+  void add_beam(const core::BeamDescription& b) {
+    picture_.synoptic.beams.push_back({b.name, terminal(b.name, b.name), b.from_x, b.from_y, b.to_x, b.to_y});
+  }
+
+  void add_pusher(const core::PusherDescription& p) {
+    const std::string travel = truth(p.name + ".travel", "pusher " + p.name, "m", false, p.travel_truth);
+    picture_.synoptic.pushers.push_back({p.name, p.name, terminal(p.actuator, p.actuator), travel, p.home_x,
+                                         p.home_y, p.length, p.thickness, p.direction_x, p.direction_y,
+                                         p.stroke});
+  }
+
+  void add_box(const core::BoxDescription& b) {
+    const std::string id = "box " + b.name;
+    protocol::Box drawn{id, b.name, b.length, b.width, {}, {}, {}, {}};
+    drawn.state_point = truth(id + ".state", id, "", false, b.state_truth);
+    drawn.x_point = truth(id + ".x", id, "m", false, b.x_truth);
+    drawn.y_point = truth(id + ".y", id, "m", false, b.y_truth);
+    drawn.angle_point = truth(id + ".angle", id, "rad", false, b.angle_truth);
+    picture_.synoptic.boxes.push_back(std::move(drawn));
+  }
+
   const PlantDescription& plant_;
   const std::vector<config::PortAddress>& ports_;
   PlantPicture picture_;
@@ -145,6 +181,12 @@ PlantPicture picture_of(const PlantDescription& plant, const std::vector<config:
 }
 
 PlantPicture picture_of(const config::PlantConfig& plant) {
+  if (plant.kind == "sorting_line") {
+    assemblies::LineParameters parameters;
+    parameters.seed = plant.seed;
+    parameters.variety = plant.uncertainty;
+    return picture_of(assemblies::describe_line(parameters), plant.ports);
+  }
   if (plant.kind != "tank_bench") return {};
   return picture_of(assemblies::describe_bench({}), plant.ports);
 }

@@ -1,10 +1,12 @@
 #include "programs/runtime/cell_io.h"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "plant_models/assemblies/sorting_line.h"
 #include "plant_models/assemblies/tank_bench.h"
 #include "plant_models/bridge/plant_driver.h"
 #include "plant_models/bridge/port_map.h"
@@ -39,23 +41,16 @@ class SharedIo final : public CellIo {
   io_memory::MemoryDriver driver_;
 };
 
-// What PlantMemory keeps, by the names of the bench's truths.
-constexpr std::array kKeptTruths = {"position", "level_f1_percent", "level_v1_percent", "level_a1_percent",
-                                    "level_a2_percent"};
-
 // Keeps the plant's state after each of its steps.
 class KeptDriver final : public image::IoDriver {
  public:
   KeptDriver(bridge::PlantDriver driver, const core::Plant& plant, PlantMemory& memory)
-      : driver_(std::move(driver)), plant_(plant), memory_(memory) {
-    for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] = *core::find_truth(plant, kKeptTruths[i]);
-  }
+      : driver_(std::move(driver)), plant_(plant), memory_(memory), kept_(plant.kept_size()) {}
 
   image::IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) override {
     const image::IoStatus status = driver_.read_inputs(now_ns, inputs);
-    PlantMemory::State state;
-    for (std::size_t i = 0; i < kept_.size(); ++i) state[i] = plant_.truth(kept_[i]);
-    memory_.keep(state);
+    plant_.keep(kept_);
+    memory_.keep(kept_);
     return status;
   }
   image::IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) override {
@@ -66,7 +61,7 @@ class KeptDriver final : public image::IoDriver {
   bridge::PlantDriver driver_;
   const core::Plant& plant_;
   PlantMemory& memory_;
-  std::array<core::TruthId, kKeptTruths.size()> kept_;
+  std::vector<double> kept_;
 };
 
 std::vector<bridge::PortWire> wires_of(const config::CellConfig& config) {
@@ -74,7 +69,7 @@ std::vector<bridge::PortWire> wires_of(const config::CellConfig& config) {
   for (const config::PortAddress& wire : config.plant.ports) {
     wires.push_back({wire.port, wire.address, wire.where});
   }
-  if (wires.empty()) wires = bridge::default_bench_wires();
+  if (wires.empty() && config.plant.kind == "tank_bench") wires = bridge::default_bench_wires();
   return wires;
 }
 
@@ -111,11 +106,20 @@ class PlantIo final : public CellIo, private host::PlantAccess {
   std::unique_ptr<KeptDriver> driver_;
 };
 
+using Kept = std::optional<std::vector<double>>;
+
+constexpr double kMaxPositionM = 10.0;
+
+bool is_bench(const std::vector<double>& kept) {
+  const bool levels =
+      std::all_of(kept.begin() + 1, kept.end(), [](double v) { return v >= 0.0 && v <= 100.0; });
+  return levels && std::abs(kept[0]) <= kMaxPositionM;
+}
+
 // As configured, or as a killed runtime left it.
-result::Result<std::unique_ptr<core::Plant>> make_bench(const config::PlantConfig& plant,
-                                                        const std::optional<PlantMemory::State>& left) {
+result::Result<std::unique_ptr<core::Plant>> make_bench(const config::PlantConfig& plant, const Kept& left) {
   assemblies::BenchParameters parameters;
-  if (left) {
+  if (left && is_bench(*left)) {
     parameters.vehicle.initial_position_m = (*left)[0];
     for (std::size_t tank = 0; tank < parameters.tanks.size(); ++tank) {
       parameters.tanks[tank].initial_percent = (*left)[tank + 1];
@@ -128,10 +132,25 @@ result::Result<std::unique_ptr<core::Plant>> make_bench(const config::PlantConfi
   return std::unique_ptr<core::Plant>(std::move(*bench));
 }
 
+result::Result<std::unique_ptr<core::Plant>> make_line(const config::PlantConfig& plant, const Kept& left) {
+  assemblies::LineParameters parameters;
+  parameters.seed = plant.seed;
+  parameters.variety = plant.uncertainty;
+  auto line = assemblies::SortingLine::create(parameters);
+  if (!line) return result::forward(line);
+  if (left) (void)(*line)->resume(*left);  // what makes no sense leaves the line as configured
+  return std::unique_ptr<core::Plant>(std::move(*line));
+}
+
+result::Result<std::unique_ptr<core::Plant>> make_plant(const config::PlantConfig& plant,
+                                                        const Kept& left = std::nullopt) {
+  return plant.kind == "sorting_line" ? make_line(plant, left) : make_bench(plant, left);
+}
+
 // Tries every scheduled fault on a plant that is thrown away, so that a misspelt one is found now and not an
 // hour on.
 result::Result<void> check_faults(const config::CellConfig& config) {
-  auto trial = make_bench(config.plant, std::nullopt);
+  auto trial = make_plant(config.plant);
   if (!trial) return result::forward(trial);
   result::Diagnostics problems;
   for (const config::ScheduledFault& fault : config.faults) {
@@ -153,7 +172,7 @@ result::Diagnostics check_cell_io(const config::CellConfig& config) {
   if (config.plant.kind == "none") return {};
   result::Diagnostics problems;
   if (auto faults = check_faults(config); !faults) problems = std::move(faults.error());
-  auto plant = make_bench(config.plant, std::nullopt);
+  auto plant = make_plant(config.plant);
   if (!plant) return problems;  // check_faults said why
   auto wired =
       bridge::check_wires(**plant, wires_of(config), {config.image.input_bytes, config.image.output_bytes});
@@ -170,9 +189,12 @@ result::Result<std::unique_ptr<CellIo>> CellIo::create(const config::CellConfig&
   }
   if (config.plant.kind == "none") return std::make_unique<Unwired>();
   if (auto faults = check_faults(config); !faults) return result::forward(faults);
-  auto memory = PlantMemory::open(config.plant_memory_path());
+  auto fresh = make_plant(config.plant);
+  if (!fresh) return result::forward(fresh);
+  auto memory = PlantMemory::open(config.plant_memory_path(), (*fresh)->kept_size());
   if (!memory) return result::forward(memory);
-  auto plant = make_bench(config.plant, (*memory)->left_behind());
+  const Kept left = (*memory)->left_behind();
+  auto plant = left ? make_plant(config.plant, left) : std::move(fresh);
   if (!plant) return result::forward(plant);
   auto io = std::make_unique<PlantIo>(std::move(*plant), std::move(*memory));
   if (auto wired = io->wire(config); !wired) return result::forward(wired);

@@ -15,8 +15,11 @@
 namespace stepwright::executive {
 namespace {
 
-result::Result<void> compile_project(const graphic::Project& project, PreparedPlan& prepared) {
-  auto output = driver::compile({.texts = {}, .projects = {&project}});
+result::Result<void> compile_project(const graphic::Project& project, const HandWritten& programs,
+                                     PreparedPlan& prepared) {
+  auto joined = programs.joined(project);
+  if (!joined) return tl::unexpected(std::move(joined.error()));
+  auto output = driver::compile({.texts = {}, .projects = joined->projects()});
   if (!output) return tl::unexpected(std::move(output.error()));
   prepared.container = std::move(output->container);
   return {};
@@ -41,8 +44,12 @@ result::Result<void> fill_schedule(PreparedPlan& prepared, const translate::Bind
 
 }  // namespace
 
-PlanningDesk::PlanningDesk(DeskOptions options, pddl::Task task, translate::Binding binding)
-    : options_(std::move(options)), task_(std::move(task)), binding_(std::move(binding)) {}
+PlanningDesk::PlanningDesk(DeskOptions options, pddl::Task task, translate::Binding binding,
+                           HandWritten programs)
+    : options_(std::move(options)),
+      task_(std::move(task)),
+      binding_(std::move(binding)),
+      programs_(std::move(programs)) {}
 
 result::Result<PlanningDesk> PlanningDesk::open(const DeskOptions& options) {
   auto task = pddl::load_task(options.domain.string(), options.problem.string());
@@ -50,7 +57,9 @@ result::Result<PlanningDesk> PlanningDesk::open(const DeskOptions& options) {
   const model::Vocabulary vocabulary = pddl::vocabulary(*task);
   auto binding = translate::load_binding(options.binding, &vocabulary);
   if (!binding) return result::forward(binding);
-  return PlanningDesk(options, std::move(*task), std::move(*binding));
+  auto programs = HandWritten::load(options.programs);
+  if (!programs) return result::forward(programs);
+  return PlanningDesk(options, std::move(*task), std::move(*binding), std::move(*programs));
 }
 
 result::Result<PrepareOutcome> PlanningDesk::prepare(const StartState& start) const {
@@ -119,7 +128,7 @@ result::Result<void> PlanningDesk::build(PreparedPlan& prepared, const pddl::Tas
     if (step.kind == translate::StepKind::Action) prepared.episode.actions[*step.action].step = step.name;
   }
   if (auto scheduled = fill_schedule(prepared, binding_, options_.sequential); !scheduled) return scheduled;
-  return compile_project(prepared.translation.project, prepared);
+  return compile_project(prepared.translation.project, programs_, prepared);
 }
 
 result::Result<PreparedPlan> PlanningDesk::observer(bool locate, std::chrono::milliseconds settle) const {
@@ -129,7 +138,7 @@ result::Result<PreparedPlan> PlanningDesk::observer(bool locate, std::chrono::mi
   options.locate = locate;
   options.interval_us = options_.interval_us;
   prepared.translation = translate::observe_program(binding_, options);
-  if (auto compiled = compile_project(prepared.translation.project, prepared); !compiled) {
+  if (auto compiled = compile_project(prepared.translation.project, programs_, prepared); !compiled) {
     return tl::unexpected(std::move(compiled.error()));
   }
   return prepared;

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "runtime/result/result.h"
+#include "supervisor/executive/hand_written.h"
 #include "supervisor/executive/run_record.h"
 #include "supervisor/model/plan.h"
 #include "supervisor/model/planned_run.h"
@@ -31,6 +32,7 @@ struct DeskOptions {
   std::filesystem::path domain;
   std::filesystem::path problem;
   std::filesystem::path binding;
+  std::vector<std::filesystem::path> programs{};  // hand-written, PLCopen XML; run behind the chart
   bool optimal = true;
   bool sequential = false;
   std::chrono::milliseconds time{10'000};  // budget of one planning
@@ -65,7 +67,7 @@ struct PrepareOutcome {
 
 class PlanningDesk {
  public:
-  // Reads and checks all three files; every problem of each is reported.
+  // Reads and checks all files; every problem of each is reported.
   [[nodiscard]] static result::Result<PlanningDesk> open(const DeskOptions& options);
 
   const pddl::Task& task() const { return task_; }
@@ -87,12 +89,13 @@ class PlanningDesk {
   std::vector<GoalRecord> goal_status(const model::NamedState& state) const;
 
  private:
-  PlanningDesk(DeskOptions options, pddl::Task task, translate::Binding binding);
+  PlanningDesk(DeskOptions options, pddl::Task task, translate::Binding binding, HandWritten programs);
   [[nodiscard]] result::Result<void> build(PreparedPlan& prepared, const pddl::Task& task) const;
 
   DeskOptions options_;
   pddl::Task task_;
   translate::Binding binding_;
+  HandWritten programs_;
 };
 
 }  // namespace stepwright::executive

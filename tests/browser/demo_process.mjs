@@ -33,13 +33,13 @@ function processesWith(text) {
     .filter(({ command }) => command.includes(text));
 }
 
-// Starts `stepwright demo bench` at `speed` times real time and waits until its page can be fetched.
-export async function startDemo(program, speed) {
+// Starts `stepwright demo CELL` at `speed` times real time and waits until its page can be fetched.
+export async function startDemo(program, speed, cell = 'bench') {
   const port = await freePort();
   const stateDir = mkdtempSync(join(tmpdir(), 'stepwright-chain-'));
   const demo = spawn(
     program,
-    ['demo', 'bench', '--port', port, '--no-compare', '--set', `clock.speed=${speed}`, '--state-dir', stateDir].map(String),
+    ['demo', cell, '--port', port, '--no-compare', '--set', `clock.speed=${speed}`, '--state-dir', stateDir].map(String),
     { stdio: ['ignore', 'pipe', 'inherit'] },
   );
   // Whatever ends the test ends the demo, and the demo's death ends its processes.

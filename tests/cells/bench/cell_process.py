@@ -22,14 +22,14 @@ def stepwright(*arguments, **options):
 
 
 class Demo:
-    """`stepwright demo bench --headless` in the background."""
+    """`stepwright demo CELL --headless` in the background."""
 
-    def __init__(self, *arguments):
+    def __init__(self, *arguments, cell="bench"):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="stepwright-test-"))
         self.state = self.folder / "state"
         self.json = self.folder / "report.json"
         self.process = subprocess.Popen(
-            [STEPWRIGHT, "demo", "bench", "--headless", "--json", self.json, "--state-dir", self.state,
+            [STEPWRIGHT, "demo", cell, "--headless", "--json", self.json, "--state-dir", self.state,
              *map(str, arguments)],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 

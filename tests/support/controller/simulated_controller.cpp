@@ -51,12 +51,16 @@ struct SimulatedController::Loaded {
 
 SimulatedController::SimulatedController(const assemblies::BenchParameters& parameters,
                                          std::vector<PlantFault> faults)
-    : plant_(taken(assemblies::TankBench::create(parameters))),
-      clock_(std::make_unique<CountingClock>()),
-      faults_(std::move(faults)) {
+    : SimulatedController(taken(assemblies::TankBench::create(parameters)), bridge::default_bench_wires(),
+                          {8, 1}, std::move(faults)) {}
+
+SimulatedController::SimulatedController(std::unique_ptr<core::Plant> plant,
+                                         const std::vector<bridge::PortWire>& wires, bridge::AreaSizes sizes,
+                                         std::vector<PlantFault> faults)
+    : plant_(std::move(plant)), clock_(std::make_unique<CountingClock>()), faults_(std::move(faults)) {
   config_.engine = host::EngineKind::Vm;
-  driver_ = taken(bridge::PlantDriver::create(*plant_, bridge::default_bench_wires(), {8, 1}));
-  areas_.emplace(*driver_, 8, 1);
+  driver_ = taken(bridge::PlantDriver::create(*plant_, wires, sizes));
+  areas_.emplace(*driver_, sizes.input_bytes, sizes.output_bytes);
 }
 
 SimulatedController::~SimulatedController() = default;

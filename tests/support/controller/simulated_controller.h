@@ -35,6 +35,9 @@ class SimulatedController final : public executive::Controller {
  public:
   explicit SimulatedController(const assemblies::BenchParameters& parameters,
                                std::vector<PlantFault> faults = {});
+  // Any plant; its terminals as wired, areas of these sizes.
+  SimulatedController(std::unique_ptr<core::Plant> plant, const std::vector<bridge::PortWire>& wires,
+                      bridge::AreaSizes sizes, std::vector<PlantFault> faults = {});
   ~SimulatedController() override;
 
   double plant_value(const std::string& name) const;
@@ -65,7 +68,7 @@ class SimulatedController final : public executive::Controller {
   bool running() const;
   result::Result<std::unique_ptr<host::PreparedProgram>> prepare(std::span<const std::byte> container);
 
-  std::unique_ptr<assemblies::TankBench> plant_;
+  std::unique_ptr<core::Plant> plant_;
   std::optional<bridge::PlantDriver> driver_;
   std::optional<host::AreaDriver> areas_;
   host::HostConfig config_;

@@ -47,6 +47,45 @@ export interface Pipe {
   at_place: string;
 }
 
+type Pair = [number, number]; // x, y in m, seen from above
+
+export interface Belt {
+  id: string;
+  label: string;
+  running: string;
+  low: Pair;
+  high: Pair;
+  direction: Pair;
+}
+
+export interface Beam {
+  id: string;
+  dark: string;
+  from: Pair;
+  to: Pair;
+}
+
+export interface Pusher {
+  id: string;
+  label: string;
+  out: string;
+  travel: string;
+  home: Pair;
+  size: Pair;
+  direction: Pair;
+  stroke: number;
+}
+
+export interface Box {
+  id: string;
+  label: string;
+  size: Pair;
+  state: string;
+  x: string;
+  y: string;
+  angle: string;
+}
+
 export interface SynopticDescription {
   points: Point[];
   places: Place[];
@@ -54,6 +93,10 @@ export interface SynopticDescription {
   tanks: Tank[];
   pumps: Pump[];
   pipes: Pipe[];
+  belts: Belt[];
+  beams: Beam[];
+  pushers: Pusher[];
+  boxes: Box[];
 }
 
 export interface HelloMessage {

@@ -6,7 +6,8 @@ import { clock, fixed } from '../lib/format';
 import type { Point } from '../lib/protocol';
 import type { TrendData } from '../lib/trend_data';
 
-const SERIES_COLOURS = 5;
+const SERIES_COLOURS = 6;
+const LEAST_RANGE = 0.1; // of curves that are no levels, so that noise does not fill the picture
 
 // Points of one tank ("a1.level", "a1.truth") share a colour.
 export interface Line {
@@ -26,8 +27,14 @@ export function linesOf(points: Point[]): Line[] {
   });
 }
 
+// Levels are seen against a full tank, anything else against its own largest value.
+export function areLevels(lines: Line[]): boolean {
+  return lines.every((line) => line.unit === '%');
+}
+
 export function makeChart(host: HTMLElement, lines: Line[], height: number): uPlot {
   const style = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  const top = (high: number) => (areLevels(lines) ? Math.max(100, high) : Math.max(LEAST_RANGE, 1.1 * high));
   const axis: uPlot.Axis = {
     stroke: () => style('--text-soft'),
     grid: { stroke: () => style('--panel-edge'), width: 1 },
@@ -38,7 +45,7 @@ export function makeChart(host: HTMLElement, lines: Line[], height: number): uPl
     {
       width: Math.max(host.clientWidth, 200),
       height,
-      scales: { x: { time: false }, y: { range: (_, _low, high) => [0, Math.max(100, high)] } },
+      scales: { x: { time: false }, y: { range: (_, _low, high) => [0, top(high)] } },
       axes: [
         { ...axis, values: (_, ticks) => ticks.map((tick) => clock(tick).replace('.0', '')) },
         { ...axis, size: 38 },

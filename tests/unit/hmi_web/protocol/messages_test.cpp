@@ -32,6 +32,10 @@ TEST(HelloMessage, WhenThePlantIsDescribed_ThenEveryElementIsInIt) {
   synoptic.tanks = {{"a1", "Distributor a1", TankSide::Below, "a1", "a1.level", "", 20, 100}};
   synoptic.pumps = {{"B3", "customer pump", "B3.on", ""}};
   synoptic.pipes = {{"a1", "f1", "B3", ""}};
+  synoptic.belts = {{"r", "reader", "belt_r", 0, -0.25, 0.8, 0.25, 1, 0}};
+  synoptic.beams = {{"eye_r", "eye_r", 0.6, -0.1, 0.6, 0.1}};
+  synoptic.pushers = {{"1", "1", "push_1", "1.travel", 1.3, 0.3, 0.5, 0.04, 0, -1, 0.7}};
+  synoptic.boxes = {{"box 1", "1", 0.3, 0.25, "s", "x", "y", "a"}};
 
   const json message = json::parse(hello_message({"bench", "1.2.3"}, synoptic));
 
@@ -44,6 +48,13 @@ TEST(HelloMessage, WhenThePlantIsDescribed_ThenEveryElementIsInIt) {
   EXPECT_EQ(message["synoptic"]["pumps"][0]["running"], "B3.on");
   EXPECT_EQ(message["synoptic"]["pipes"][0]["pump"], "B3");
   EXPECT_TRUE(message["synoptic"]["vehicles"].empty());
+  EXPECT_EQ(message["synoptic"]["belts"][0]["low"], json::parse("[0, -0.25]"));
+  EXPECT_EQ(message["synoptic"]["belts"][0]["running"], "belt_r");
+  EXPECT_EQ(message["synoptic"]["beams"][0]["to"], json::parse("[0.6, 0.1]"));
+  EXPECT_EQ(message["synoptic"]["pushers"][0]["direction"], json::parse("[0, -1]"));
+  EXPECT_EQ(message["synoptic"]["pushers"][0]["stroke"], 0.7);
+  EXPECT_EQ(message["synoptic"]["boxes"][0]["size"], json::parse("[0.3, 0.25]"));
+  EXPECT_EQ(message["synoptic"]["boxes"][0]["angle"], "a");
 }
 
 TEST(ProgramMessage, WhenAChartBranches_ThenTransitionsNameAllTheirSteps) {

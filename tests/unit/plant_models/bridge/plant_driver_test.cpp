@@ -38,6 +38,8 @@ class DeadPlant final : public core::Plant {
   double truth(core::TruthId) const override { return 0.0; }
   result::Result<void> inject_fault(std::string_view, double) override { return {}; }
   result::Result<void> clear_fault(std::string_view) override { return {}; }
+  std::size_t kept_size() const override { return 0; }
+  void keep(std::span<double>) const override {}
 
  private:
   core::PlantDescription description_;

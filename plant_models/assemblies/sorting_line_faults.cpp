@@ -1,0 +1,85 @@
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "plant_models/assemblies/sorting_line.h"
+#include "plant_models/core/names.h"
+
+namespace stepwright::assemblies {
+namespace {
+
+std::string number(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+result::Result<void> SortingLine::inject_fault(std::string_view name, double value) {
+  const auto fault = core::index_of(ports_.faults, name);
+  if (!fault) {
+    return result::fail("C0311", {}, "the sorting line has no fault named '" + std::string(name) + "'",
+                        "known faults: " + core::joined_names(ports_.faults));
+  }
+  const FaultRange& range = ports_.fault_ranges[*fault];
+  const bool whole = !range.whole || value == std::floor(value);
+  if (!(value >= range.min && value <= range.max) || !whole) {
+    const core::Quantity& quantity = ports_.faults[*fault];
+    return result::fail("C0312", {}, "fault '" + quantity.name + "' cannot have the value " + number(value),
+                        "allowed: " + number(range.min) + " to " + number(range.max) +
+                            (range.whole ? ", whole numbers; " : "; ") + quantity.meaning);
+  }
+  apply_fault(*fault, value, true);
+  return {};
+}
+
+result::Result<void> SortingLine::clear_fault(std::string_view name) {
+  const auto fault = core::index_of(ports_.faults, name);
+  if (!fault) {
+    return result::fail("C0311", {}, "the sorting line has no fault named '" + std::string(name) + "'",
+                        "known faults: " + core::joined_names(ports_.faults));
+  }
+  apply_fault(*fault, 0.0, false);
+  return {};
+}
+
+void SortingLine::apply_fault(std::size_t fault, double value, bool active) {
+  const auto target = ports_.fault_targets[fault];
+  const std::size_t i = target.index;
+  const bool on = active && value != 0.0;
+  switch (target.kind) {
+    case LineFault::Obstacle:
+      world_.set_present(belts_[i].obstacle, on);
+      return;
+    case LineFault::StuckPusher:
+      pushers_[i].stuck = on;
+      return;
+    case LineFault::StuckEye:
+      eyes_[i].shows = active ? static_cast<std::int8_t>(value) : std::int8_t{-1};
+      return;
+    case LineFault::Slip:
+      belts_[i].slip = active ? value : 1.0;
+      return;
+    case LineFault::TakenAway: {
+      const auto box = static_cast<std::size_t>(value) - 1;
+      if (active && boxes_[box].state == BoxState::OnTheLine) take_away(boxes_[box], BoxState::TakenAway);
+      return;
+    }
+    case LineFault::Exchange: {
+      // What has arrived already stays.
+      const auto place = static_cast<std::size_t>(value) - 1;
+      if (active && place >= next_ && place + 1 < list_.size()) std::swap(list_[place], list_[place + 1]);
+      return;
+    }
+    case LineFault::EmergencyStop:
+      emergency_stop_ = on;
+      return;
+    case LineFault::Reset:
+      reset_ = on;
+      return;
+  }
+}
+
+}  // namespace stepwright::assemblies

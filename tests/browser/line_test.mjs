@@ -1,0 +1,85 @@
+// The sorting line as a person sees it: its own processes at 20 times real time, drawn from above on the same page
+// as the bench.
+
+import { join } from 'node:path';
+
+import { startDemo } from './demo_process.mjs';
+import { check, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
+
+const SPEED = 20;
+const WHOLE_TEST_MS = 180_000;
+
+const given = options();
+
+// Notes every place at which the page draws a box, every paddle and every lit belt and eye.
+function keepHistory() {
+  const seen = { boxes: {}, paddles: {}, belts: new Set(), eyes: new Set() };
+  const look = () => {
+    for (const box of document.querySelectorAll('[data-box]')) {
+      (seen.boxes[box.dataset.box] ??= new Set()).add(box.style.transform);
+    }
+    for (const paddle of document.querySelectorAll('[data-pusher]')) {
+      (seen.paddles[paddle.dataset.pusher] ??= new Set()).add(paddle.style.transform);
+    }
+    for (const belt of document.querySelectorAll('.belt.on')) seen.belts.add(belt.dataset.belt);
+    for (const eye of document.querySelectorAll('.beam.dark')) seen.eyes.add(eye.dataset.beam);
+  };
+  globalThis.seen = seen;
+  new MutationObserver(look).observe(document, { subtree: true, childList: true, characterData: true, attributes: true });
+}
+
+async function takePictures(page) {
+  for (const width of [360, 1440]) {
+    await page.setViewportSize({ width, height: 900 });
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
+    await page.screenshot({ path: join(given.out, `line-${width}.png`), fullPage: true, animations: 'disabled' });
+  }
+}
+
+async function sawTheLineWork(page) {
+  const seen = await page.evaluate(() => ({
+    boxes: Object.fromEntries(Object.entries(globalThis.seen.boxes).map(([box, places]) => [box, places.size])),
+    paddles: Object.fromEntries(Object.entries(globalThis.seen.paddles).map(([name, places]) => [name, places.size])),
+    belts: [...globalThis.seen.belts],
+    eyes: [...globalThis.seen.eyes],
+  }));
+  for (const box of [1, 2, 3, 4, 5]) check(seen.boxes[`box ${box}`] > 5, `box ${box} moved (${seen.boxes[`box ${box}`]} places)`);
+  for (const name of ['1', '2', 'e', 't']) check(seen.paddles[name] > 2, `pusher ${name} went out (${seen.paddles[name]} places)`);
+  for (const belt of ['in', 'r', 'd1', 'd2', 'e', 't']) check(seen.belts.includes(belt), `belt ${belt} was seen running`);
+  check(seen.eyes.length >= 5, `eyes were covered: ${seen.eyes.join(' ')}`);
+}
+
+setTimeout(() => {
+  console.error('not so: the whole test ends in time');
+  process.exit(1);
+}, WHOLE_TEST_MS).unref();
+
+const browser = await launchBrowser(given);
+let demo;
+try {
+  await browser.context.addInitScript(keepHistory);
+  demo = await startDemo(given.server, SPEED, 'conveyor');
+  const { page, problems } = await openPage(browser.context, demo.url);
+  await waitFor(page, 'belts, chutes and pushers are drawn', () =>
+    document.querySelectorAll('[data-belt]').length === 9 && document.querySelectorAll('[data-pusher]').length === 4);
+  await waitFor(page, 'the plan has 36 actions', () => document.querySelectorAll('[data-action]').length === 36);
+  await waitFor(page, 'three boxes are on the line', () => document.querySelectorAll('[data-box]').length === 3);
+  await takePictures(page);
+  await waitFor(page, 'the page says that the goal is reached', () =>
+    document.querySelector('[data-testid=phase]')?.textContent.trim() === 'done' &&
+    document.querySelector('[data-testid=message]').textContent.includes('the goal is reached'));
+  await waitFor(page, 'no box is on the line', () => document.querySelectorAll('[data-box]').length === 0);
+  await sawTheLineWork(page);
+  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
+  const code = await demo.end();
+  check(code === 0, `the demo ends with 0 when it is told to end (${code})`);
+  await until('no process of the demo is left', () => demo.processes().length === 0);
+} catch (error) {
+  if (demo) console.error(`${demo.output()}\n${demo.logs()}`);
+  throw error;
+} finally {
+  if (demo) await demo.end();
+  await browser.close();
+  demo?.forget();
+}
