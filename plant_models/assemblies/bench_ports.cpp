@@ -14,7 +14,7 @@ constexpr double kMaxLeak = 100.0;     // percent/s
 constexpr double kMaxDrift = 1000.0;   // counts/s
 constexpr double kMaxDraw = 100000.0;  // percent
 
-constexpr std::array<FaultTarget, 16> kFaultTargets = {{
+constexpr std::array<FaultTarget, 19> kFaultTargets = {{
     {FaultKind::Leak, index(Tank::F1), 0.0, kMaxLeak},
     {FaultKind::Leak, index(Tank::V1), 0.0, kMaxLeak},
     {FaultKind::Leak, index(Tank::A1), 0.0, kMaxLeak},
@@ -31,6 +31,9 @@ constexpr std::array<FaultTarget, 16> kFaultTargets = {{
     {FaultKind::SensorDrift, 2, -kMaxDrift, kMaxDrift},
     {FaultKind::ExtraDraw, 0, 0.0, kMaxDraw},
     {FaultKind::ExtraDraw, 1, 0.0, kMaxDraw},
+    {FaultKind::FrozenSensor, 0, 0.0, 1.0},
+    {FaultKind::FrozenSensor, 1, 0.0, 1.0},
+    {FaultKind::FrozenSensor, 2, 0.0, 1.0},
 }};
 
 constexpr std::array<TruthTarget, 22> kTruthTargets = {{
@@ -131,6 +134,9 @@ std::span<const Quantity> bench_faults() {
       {"drift_s3", "counts/s", "S3 drifts away from its present reading at this rate"},
       {"draw_c1", "percent", "c1 takes this much from a1 with B3, whatever the output says"},
       {"draw_c2", "percent", "c2 takes this much from a2 with B4, whatever the output says"},
+      {"frozen_s1", "", "1: S1 goes on showing its present reading"},
+      {"frozen_s2", "", "1: S2 goes on showing its present reading"},
+      {"frozen_s3", "", "1: S3 goes on showing its present reading"},
   }};
   return kFaults;
 }

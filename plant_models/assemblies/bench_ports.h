@@ -46,7 +46,7 @@ std::span<const core::Quantity> bench_truths();
 TruthTarget bench_truth_target(std::size_t truth);
 
 // Kinds of faults in the order of bench_faults().
-enum class FaultKind : std::uint8_t { Leak, WeakPump, StuckSwitch, SensorDrift, ExtraDraw };
+enum class FaultKind : std::uint8_t { Leak, WeakPump, StuckSwitch, SensorDrift, ExtraDraw, FrozenSensor };
 struct FaultTarget {
   FaultKind kind = FaultKind::Leak;
   std::size_t index = 0;  // of the tank, pump, switch, level sensor or client

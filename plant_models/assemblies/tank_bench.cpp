@@ -163,6 +163,7 @@ std::int16_t TankBench::sensor(core::SensorId id) const {
     return closed ? 1 : 0;
   }
   const std::size_t i = id.value - kLevelSensor;
+  if (frozen_[i]) return *frozen_[i];
   const DriftFault& drift = drift_faults_[i];
   const double extra = drift.counts_per_s * seconds(now_ - drift.since);
   // S1..S3 sit in v1, a1, a2, which follow f1 in the order of the tanks.

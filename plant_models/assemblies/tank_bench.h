@@ -16,6 +16,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "plant_models/assemblies/bench_equations.h"
 #include "plant_models/assemblies/bench_parameters.h"
@@ -85,6 +86,7 @@ class TankBench final : public core::Plant {
   std::array<bool, kActuators> applied_{};    // as the modes have them
   std::array<SwitchFault, kPlaces> switch_faults_{};
   std::array<DriftFault, kLevelSensors> drift_faults_{};
+  std::array<std::optional<std::int16_t>, kLevelSensors> frozen_{};  // what they go on showing
   std::chrono::nanoseconds now_{0};
   bool fault_changed_ = false;  // at now_: restart before the next step
   bool event_pending_ = false;  // the solver stands at a root that has not been handled

@@ -22,7 +22,8 @@ std::string number(double value) {
 }
 
 bool allowed(const FaultTarget& target, double value) {
-  if (target.kind == FaultKind::StuckSwitch) return value == 0.0 || value == 1.0;
+  if (target.kind == FaultKind::StuckSwitch || target.kind == FaultKind::FrozenSensor)
+    return value == 0.0 || value == 1.0;
   return value >= target.min && value <= target.max;
 }
 
@@ -35,9 +36,8 @@ result::Result<void> TankBench::inject_fault(std::string_view name, double value
   if (!allowed(target, value)) {
     const core::Quantity& quantity = bench_faults()[*fault];
     const std::string unit = quantity.unit.empty() ? "" : " " + quantity.unit;
-    const std::string range = target.kind == FaultKind::StuckSwitch
-                                  ? "0 or 1"
-                                  : number(target.min) + " to " + number(target.max) + unit;
+    const bool two = target.kind == FaultKind::StuckSwitch || target.kind == FaultKind::FrozenSensor;
+    const std::string range = two ? "0 or 1" : number(target.min) + " to " + number(target.max) + unit;
     return result::fail("C0312", {}, "fault '" + quantity.name + "' cannot have the value " + number(value),
                         "allowed: " + range + "; " + quantity.meaning);
   }
@@ -71,6 +71,12 @@ void TankBench::apply_fault(std::size_t fault, double value, bool active) {
     case FaultKind::SensorDrift:
       drift_faults_[i] = {value, now_};
       return;
+    case FaultKind::FrozenSensor: {
+      frozen_[i].reset();
+      const auto reading = static_cast<std::uint32_t>(kLevelSensor + i);
+      if (active && value != 0.0) frozen_[i] = sensor(core::SensorId(reading));
+      return;
+    }
     case FaultKind::ExtraDraw: {
       const double amount = value / 100.0 * equations_.capacity_m3(client_tank(i));
       const bool draws = active && amount > 0.0;

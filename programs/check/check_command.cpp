@@ -24,8 +24,7 @@ void add(result::Diagnostics& problems, const result::Diagnostics& found) {
 void check_planning(const config::CellConfig& config, CheckReport& report) {
   auto desk = executive::PlanningDesk::open(config::desk_options(config));
   if (!desk) return add(report.problems, desk.error());
-  auto outcome =
-      desk->prepare({.planning = pddl::to_named(desk->task().initial()), .measured = {}, .tare = {}});
+  auto outcome = desk->prepare({.start = {.planning = pddl::to_named(desk->task().initial())}});
   if (!outcome) return add(report.problems, outcome.error());
   if (outcome->status == executive::PrepareStatus::Ready) {
     report.program = "the program of the plan";

@@ -71,6 +71,7 @@ void read_planning(const TomlTable& table, const std::filesystem::path& folder, 
     planning.programs.push_back(file_of(table, "programs", folder, text));
   planning.optimal = table.boolean("optimal", planning.optimal);
   planning.sequential = table.boolean("sequential", planning.sequential);
+  planning.monitors = table.boolean("monitors", planning.monitors);
   planning.time = std::chrono::milliseconds(table.integer("time_ms", planning.time.count(), {1, 86'400'000}));
 }
 

@@ -81,6 +81,7 @@ struct PlanningConfig {
   bool optimal = true;                          // prove the optimum before the start (within `time`)
   std::chrono::milliseconds time{10'000};       // budget of one planning or replanning
   bool sequential = false;                      // strictly sequential chart, as in the paper
+  bool monitors = true;  // rungs that watch the plan in the scan; false for small controllers
 };
 
 struct ExecutiveConfig {

@@ -23,6 +23,9 @@ void describe_plan(CLI::App& app, plan::PlanArguments& arguments) {
   app.add_flag("--progress", arguments.progress, "show the progress also where stderr is no terminal");
   app.add_option("--json", arguments.json_file, "write the outcome and its figures as JSON");
   app.add_option("--out", arguments.out_file, "write the plan");
+  auto* svg = app.add_option("--svg", arguments.picture.svg_file, "draw schedule and causal graph");
+  app.add_option("--binding", arguments.picture.binding_file, "durations and shared outputs for --svg")
+      ->needs(svg);
   app.footer(
       "Exit codes: 0 the plan is proved optimal, 1 wrong input, 3 no plan exists (proved), 4 the budget "
       "ended "

@@ -116,6 +116,7 @@ ExitCode run_plan(const PlanArguments& arguments) {
       !write_file(arguments.out_file, pddl::print_plan(*outcome.plan))) {
     return ExitCode::BadInput;
   }
+  if (outcome.plan && !draw_plan(*task, *outcome.plan, arguments.picture)) return ExitCode::BadInput;
   return exit_code(outcome.kind);
 }
 

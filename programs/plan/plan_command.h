@@ -1,11 +1,13 @@
 #pragma once
 
-// `stepwright plan DOMAIN PROBLEM [--optimal] [--time S] [--json FILE] [--out PLAN]
+// `stepwright plan DOMAIN PROBLEM [--optimal] [--time S] [--json FILE] [--out PLAN] [--svg FILE [--binding
+// B]]
 // [--threads N] [--progress]`.
 
 #include <optional>
 #include <string>
 
+#include "programs/plan/plan_picture.h"
 #include "runtime/result/exit_code.h"
 
 namespace stepwright::plan {
@@ -20,6 +22,7 @@ struct PlanArguments {
   bool progress = false;         // also where stderr is no terminal
   std::string json_file;         // empty: none
   std::string out_file;          // empty: none
+  PictureArguments picture;
 };
 
 result::ExitCode run_plan(const PlanArguments& arguments);

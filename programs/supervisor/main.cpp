@@ -54,6 +54,10 @@ void obey(executive::Executive& executive, const std::string& text, const std::s
   auto request = supervisor_program::parse_operator_request(text);
   if (!request) return refuse(request.error());
   if (std::holds_alternative<supervisor_program::AbortRequest>(*request)) return executive.request_abort();
+  if (const auto* wanted = std::get_if<supervisor_program::GoalRequest>(&*request)) {
+    if (auto set = executive.request_goal(wanted->goal); !set) refuse(set.error());
+    return;
+  }
   const auto& change = std::get<supervisor_program::ChangeRequest>(*request);
   if (auto changed = executive.request_change(change.fluent, change.value); !changed) refuse(changed.error());
 }

@@ -13,6 +13,9 @@ result::Result<OperatorRequest> parse_operator_request(const std::string& text) 
   const auto kind = request.find("request");
   if (kind == request.end()) return refused;
   if (*kind == "abort") return AbortRequest{};
+  const auto goal = request.find("goal");
+  if (*kind == "goal" && goal != request.end() && goal->is_string())
+    return GoalRequest{goal->get<std::string>()};
   const auto fluent = request.find("fluent");
   const auto value = request.find("value");
   const bool complete = *kind == "change" && fluent != request.end() && fluent->is_string() &&

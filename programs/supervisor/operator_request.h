@@ -5,6 +5,7 @@
 //
 //   {"request": "abort"}
 //   {"request": "change", "fluent": "(demand c1)", "value": 8}
+//   {"request": "goal", "goal": "(= (level a1) 4)"}
 
 #include <string>
 #include <variant>
@@ -18,7 +19,10 @@ struct ChangeRequest {
   std::string fluent;
   double value = 0.0;
 };
-using OperatorRequest = std::variant<AbortRequest, ChangeRequest>;
+struct GoalRequest {
+  std::string goal;  // PDDL
+};
+using OperatorRequest = std::variant<AbortRequest, ChangeRequest, GoalRequest>;
 
 // Fails with X0005 for a text that is none of the above.
 [[nodiscard]] result::Result<OperatorRequest> parse_operator_request(const std::string& text);

@@ -13,10 +13,6 @@ using std::chrono::milliseconds;
 
 constexpr int kMaxSilentRounds = 5;
 
-result::ExitCode exit_code_of(PrepareStatus status) {
-  return status == PrepareStatus::Infeasible ? result::ExitCode::NoPlan : result::ExitCode::BudgetExhausted;
-}
-
 }  // namespace
 
 Executive::Executive(const PlanningDesk& desk, Controller& controller, ExecutiveOptions options,
@@ -52,25 +48,26 @@ RunRecord Executive::run() {
 
 bool Executive::start_afresh() {
   const model::NamedState initial = pddl::to_named(desk_.task().initial());
-  auto outcome = desk_.prepare({.planning = initial, .measured = {}, .tare = {}});
-  if (!outcome) return give_up("no program could be made", outcome.error());
-  if (outcome->status != PrepareStatus::Ready) {
-    return give_up("there is no plan: " + outcome->reason, exit_code_of(outcome->status));
-  }
-  current_ = std::move(outcome->prepared);
-  record_.goal = desk_.goal_status(initial);
+  if (plan_watched({.planning = initial}, {}) != Planned::Ready) return false;
+  record_.goal = desk_.goal_status(initial, goal_);
   if (!await_runtime() || !observe(false)) return false;
   auto tare = translate::identify_tare(desk_.binding(), means_, initial);
-  if (!tare) return give_up("the sensors do not fit the initial state", tare.error());
+  if (!tare)
+    return give_up("the sensors do not fit the initial state", tare.error(), IncidentKind::FailedSensor);
   tare_ = std::move(*tare);
   record_.tare = tare_;  // viewers calibrate with it, too
   auto estimate = translate::estimate(desk_.binding(), means_, tare_, initial);
   if (!estimate) return give_up("the initial state cannot be read", estimate.error());
   seen_ = std::move(*estimate);
   const auto wrong = translate::deviations(desk_.binding(), initial, seen_.measured);
-  if (!wrong.empty()) return replan("the plant is not in the initial state: " + sentence_of(wrong));
-  auto rebuilt =
-      desk_.rebuild({.planning = initial, .measured = seen_.measured.fluents, .tare = tare_}, current_.plan);
+  if (!wrong.empty()) {
+    const bool levels = !translate::differences(desk_.binding(), initial, seen_.measured).front().is_fact;
+    return replan({levels ? IncidentKind::Level : IncidentKind::Position,
+                   {"the plant is not in the initial state: " + sentence_of(wrong)},
+                   {}});
+  }
+  auto rebuilt = desk_.rebuild(
+      {.planning = initial, .measured = seen_.measured.fluents, .tare = tare_, .goal = goal_}, current_.plan);
   if (!rebuilt) return give_up("no program could be made", rebuilt.error());
   Episode figures = current_.episode;
   current_ = std::move(*rebuilt);
@@ -91,6 +88,7 @@ bool Executive::resume() {
   time_s_ = (*journal)->time_s;
   time_offset_s_ = (*journal)->time_offset_s;
   tare_ = (*journal)->start.tare;
+  goal_ = (*journal)->start.goal;
   auto rebuilt = desk_.rebuild((*journal)->start, (*journal)->plan);
   if (!rebuilt) return give_up("the running plan cannot be rebuilt", rebuilt.error());
   current_ = std::move(*rebuilt);
@@ -114,10 +112,15 @@ bool Executive::recover_runtime() {
   const auto status = controller_.status();
   const bool runs = program && *program == current_.container && status &&
                     status->state == host::RuntimeState::Running && status->program_digest == digest_;
-  if (!runs) return replan("the runtime was restarted or stopped while nobody watched it");
-  auto reader = reader_of(current_);
-  if (!reader) return give_up("the program cannot be read", reader.error());
-  reader_ = std::move(*reader);
+  if (!runs) {
+    return replan(
+        {IncidentKind::LostRuntime, {"the runtime was restarted or stopped while nobody watched it"}, {}});
+  }
+  open_incident({IncidentKind::LostRuntime,
+                 {"the runtime was not seen for a while; it has gone on with the plan"},
+                 {}});
+  if (!read_program(current_, Kind::Plan)) return false;
+  decide(Response::GoOn);
   confirmed_ = true;
   set_phase(Phase::Executing, "following the plan again");
   // What happened meanwhile shows in the present steps; an event that the runtime waits for comes by itself.
@@ -132,49 +135,6 @@ bool Executive::recover_runtime() {
   return decision.verdict == Verdict::GiveUp ? give_up(decision.cause) : true;
 }
 
-bool Executive::replan(const std::string& cause) {
-  std::string last_done;
-  if (!record_.episodes.empty()) {
-    for (ActionRecord& action : record_.episodes.back().actions) {
-      if (action.state == ActionState::Done) last_done = action.text;
-      if (action.state == ActionState::Active) action.state = ActionState::Failed;
-    }
-  }
-  if (static_cast<int>(record_.replans.size()) >= options_.max_replans) {
-    return give_up("after " + std::to_string(record_.replans.size()) + " replans: " + cause);
-  }
-  record_.replans.push_back({time_s_, cause, last_done});
-  set_phase(Phase::Replanning, cause);
-  // A program that runs is relieved by the next one, without a stop. Anything else stops at once, not only
-  // with the download that follows; a runtime that is gone or was restarted has nothing to stop.
-  if (!can_take_over()) (void)controller_.stop(cause.substr(0, 200));
-  const model::NamedState tracked = with_changes(
-      progress_.actions.empty() ? pddl::to_named(desk_.task().initial())
-                                : translate::expected_state(current_.translation, progress_.done()));
-  const std::vector<model::GroundAction> interrupted = begun_actions();
-  if (!observe(true)) return false;
-  auto estimate = translate::estimate(desk_.binding(), means_, tare_, tracked, interrupted);
-  if (!estimate) return give_up("the state cannot be read", estimate.error());
-  if (!estimate->contradictions.empty()) {
-    return give_up("the observed state contradicts itself: " + sentence_of(estimate->contradictions));
-  }
-  seen_ = std::move(*estimate);
-  const model::NamedState planning = with_changes(seen_.planning);
-  if (!interrupted.empty() && planning == stuck_at_) {
-    return give_up("the plant does not follow: for the second time in the same state, " + cause);
-  }
-  stuck_at_ = planning;
-  const StartState start{.planning = planning, .measured = seen_.measured.fluents, .tare = tare_};
-  auto outcome = desk_.prepare(start);
-  if (!outcome) return give_up("no program could be made", outcome.error());
-  if (outcome->status != PrepareStatus::Ready) {
-    return give_up("there is no plan from the observed state: " + outcome->reason);
-  }
-  current_ = std::move(outcome->prepared);
-  if (current_.plan.actions.empty()) return finish();
-  return launch();
-}
-
 bool Executive::observe(bool locate) {
   auto observer = desk_.observer(locate, options_.settle);
   if (!observer) return give_up("no program could be made", observer.error());
@@ -185,7 +145,7 @@ bool Executive::observe(bool locate) {
     if (observe_once(*observer, lost)) return true;
     if (!lost) return false;
   }
-  return give_up("aborted by the operator");
+  return give_up("aborted by the operator", IncidentKind::Operator);
 }
 
 // False with `lost` if the runtime went away meanwhile; false without it if the run is over.
@@ -195,7 +155,7 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
     return false;
   }
   while (true) {
-    if (abort_) return give_up("aborted by the operator");
+    if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
     const auto event = controller_.wait_event(milliseconds(200));
     if (!event) {
       lost = runtime_lost();
@@ -257,7 +217,7 @@ bool Executive::runtime_lost() {
 
 bool Executive::await_runtime() {
   while (!controller_.wait_for_runtime(milliseconds(1'000))) {
-    if (abort_) return give_up("aborted by the operator");
+    if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
     if (record_.phase != Phase::Waiting) set_phase(Phase::Waiting, "waiting for the runtime");
   }
   return true;
@@ -276,20 +236,27 @@ std::set<std::string> Executive::beside_goal() const {
 }
 
 bool Executive::finish() {
-  record_.goal = desk_.goal_status(with_changes(seen_.planning));
+  record_.goal = desk_.goal_status(with_changes(seen_.planning), goal_);
   const bool met =
       std::all_of(record_.goal.begin(), record_.goal.end(), [](const GoalRecord& g) { return g.met; });
   const auto wrong =
       translate::deviations(desk_.binding(), with_changes(seen_.planning), seen_.measured, beside_goal());
-  if (!met) return give_up("the plan has ended, but the goal is not reached");
-  if (!wrong.empty())
-    return give_up("the goal is missed by less than a plan can mend: " + sentence_of(wrong));
+  if (!met) return give_up("the plan has ended, but the goal is not reached", IncidentKind::Level);
+  if (!wrong.empty()) {
+    return give_up("the goal is missed by less than a plan can mend: " + sentence_of(wrong),
+                   IncidentKind::Level);
+  }
   (void)controller_.stop("the plan is done");  // a lost runtime has stopped already
   set_phase(Phase::Done, "the goal is reached");
   return false;
 }
 
-bool Executive::give_up(const std::string& reason, result::ExitCode exit) {
+bool Executive::give_up(const std::string& reason, IncidentKind kind, result::ExitCode exit) {
+  const bool open = !record_.incidents.empty() && record_.incidents.back().response == Response::Open;
+  if (!open) open_incident({kind, {reason}, {}});
+  std::vector<std::string>& evidence = record_.incidents.back().evidence;
+  if (open && sentence_of(evidence) != reason) evidence.push_back(reason);
+  decide(Response::SafeStop);
   std::string message = reason;
   // Before the first program there is nothing to stop.
   if (reader_ && !controller_.stop(reason.substr(0, 200))) {
@@ -300,8 +267,8 @@ bool Executive::give_up(const std::string& reason, result::ExitCode exit) {
   return false;
 }
 
-bool Executive::give_up(const std::string& what, const result::Diagnostics& diagnostics) {
-  return give_up(what + ":\n" + result::to_string(diagnostics));
+bool Executive::give_up(const std::string& what, const result::Diagnostics& diagnostics, IncidentKind kind) {
+  return give_up(what + ":\n" + result::to_string(diagnostics), kind);
 }
 
 result::Result<void> Executive::request_change(const std::string& fluent, double value) {
@@ -316,6 +283,13 @@ result::Result<void> Executive::request_change(const std::string& fluent, double
   }
   const std::lock_guard lock(requests_mutex_);
   requests_.push_back({0.0, name, value});
+  return {};
+}
+
+result::Result<void> Executive::request_goal(const std::string& goal) {
+  if (auto checked = desk_.check_goal(goal); !checked) return checked;
+  const std::lock_guard lock(requests_mutex_);
+  requests_.push_back({0.0, {}, 0.0, goal});
   return {};
 }
 

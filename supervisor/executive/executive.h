@@ -8,7 +8,9 @@
 //   Executive executive(desk, controller, {.max_replans = 8}, publish);
 //   RunRecord record = executive.run();
 //
-// Threads: `run` belongs to one thread; `request_abort` and `request_change` may be called from any.
+// Threads: `run` belongs to one thread; `request_abort`, `request_change` and `request_goal` may be called
+// from any. Plans are made in a thread of their own, while that of `run` watches plant and runtime: news that
+// overtakes a planning cancels it, and it begins again from there.
 
 #include <atomic>
 #include <chrono>
@@ -23,20 +25,24 @@
 #include <vector>
 
 #include "runtime/result/result.h"
+#include "supervisor/executive/classify.h"
 #include "supervisor/executive/controller.h"
 #include "supervisor/executive/image_reader.h"
 #include "supervisor/executive/planning_desk.h"
+#include "supervisor/executive/planning_job.h"
+#include "supervisor/executive/rest_watch.h"
 #include "supervisor/executive/run_record.h"
 #include "supervisor/translate/estimate.h"
 #include "supervisor/translate/progress.h"
 
 namespace stepwright::executive {
 
-// A fluent that somebody outside sets to a new value at a scan-clock time: a client that changes its demand.
+// What somebody outside wants from a scan-clock time on: a client that changes its demand, or another goal.
 struct GoalChange {
   double at_s = 0.0;
   std::string fluent;  // "(demand c1)"
   double value = 0.0;
+  std::string goal{};  // PDDL; takes the place of the goal so far, and the fluent is ignored
 };
 
 struct ExecutiveOptions {
@@ -67,18 +73,23 @@ class Executive {
   // Sets a fluent at the next decision and replans. An unknown fluent or one that the plant decides is
   // refused (X0003).
   [[nodiscard]] result::Result<void> request_change(const std::string& fluent, double value);
+  // Puts another goal in place at the next decision, also while a plan is being made. Fails as a goal in a
+  // file would (P0xxx).
+  [[nodiscard]] result::Result<void> request_goal(const std::string& goal);
 
  private:
   enum class Verdict : std::uint8_t { GoOn, Replan, Finished, GiveUp, RuntimeLost };
   struct Decision {
     Verdict verdict = Verdict::GoOn;
-    std::string cause;
+    Cause cause{};
   };
+  static Decision give_up_because(IncidentKind kind, std::string why) {
+    return {Verdict::GiveUp, {kind, {std::move(why)}, {}}};
+  }
 
   // executive.cpp: from start to end. Each returns false when the run is over.
   bool start_afresh();
   bool resume();
-  bool replan(const std::string& cause);
   bool observe(bool locate);
   bool observe_once(const PreparedPlan& observer, bool& lost);
   bool launch();
@@ -87,18 +98,35 @@ class Executive {
   bool recover_runtime();
   bool finish();
   std::set<std::string> beside_goal() const;
-  bool give_up(const std::string& reason, result::ExitCode exit = result::ExitCode::RuntimeFault);
-  bool give_up(const std::string& what, const result::Diagnostics& diagnostics);
+  bool give_up(const std::string& reason, IncidentKind kind = IncidentKind::ProgramFault,
+               result::ExitCode exit = result::ExitCode::RuntimeFault);
+  bool give_up(const Cause& cause) { return give_up(sentence_of(cause.evidence), cause.kind); }
+  bool give_up(const std::string& what, const result::Diagnostics& diagnostics,
+               IncidentKind kind = IncidentKind::ProgramFault);
   void set_phase(Phase phase, std::string message);
   void publish();
+
+  // executive_plan.cpp: incidents, and the plans that answer them.
+  enum class Planned : std::uint8_t { Ready, Again, Over };
+  bool replan(const Cause& cause);
+  bool mend(const model::NamedState& tracked, const std::vector<model::GroundAction>& interrupted,
+            const std::vector<model::GroundAction>& remaining);
+  Planned plan_watched(StartState start, const std::vector<model::GroundAction>& remaining);
+  std::optional<Planned> overtaken(PlanningJob& job, StartState& start, RestWatch& rest, bool& again);
+  void close_episode(std::string& last_done);
+  std::vector<model::GroundAction> remaining_actions() const;
+  void open_incident(const Cause& cause);
+  void decide(Response response);
+  void overtake(std::string evidence);
 
   // executive_install.cpp: bringing a program to run.
   enum class Kind : std::uint8_t { Observer, Plan };
   bool install(const PreparedPlan& prepared, Kind kind);
+  bool read_program(const PreparedPlan& prepared, Kind kind);
   [[nodiscard]] result::Result<ImageReader> reader_of(const PreparedPlan& prepared) const;
   bool can_take_over() const;
-  bool take_over(const PreparedPlan& prepared);
-  bool download_and_start(const PreparedPlan& prepared);
+  bool take_over(const PreparedPlan& prepared, Kind kind);
+  bool download_and_start(const PreparedPlan& prepared, Kind kind);
   bool await_event(host::EventKind kind);
 
   // executive_follow.cpp: watching one program.
@@ -109,9 +137,12 @@ class Executive {
   bool settled(const std::vector<bool>& active) const;
   void note_progress(const translate::Progress& progress, double time_s);
   void note_done(std::size_t action, double time_s);
-  std::string describe_failure(const translate::Progress& progress, double time_s) const;
-  std::string failure_of(std::size_t action, double time_s) const;
-  std::optional<std::string> due_change(double time_s);
+  Situation situation(const translate::Progress& progress, const model::NamedState& expected,
+                      double time_s) const;
+  std::set<std::string> moving_atoms(const translate::Progress& progress) const;
+  FailedAction failure_of(std::size_t action, double time_s) const;
+  void note_alarms(std::span<const std::byte> image);
+  std::optional<Cause> due_change(double time_s);
   std::vector<model::GroundAction> begun_actions() const;
   model::NamedState with_changes(model::NamedState state) const;
 
@@ -121,7 +152,18 @@ class Executive {
   const Observer observer_;
 
   RunRecord record_;
-  PreparedPlan current_;               // the plan that runs
+  PreparedPlan current_;                     // the plan that runs
+  std::optional<ImageReader> alarm_reader_;  // of the plan's monitors
+  std::size_t alarms_seen_ = 0;
+  std::set<std::size_t> alarms_told_;               // monitors of the running program
+  std::vector<Alarm> alarms_;                       // of which no incident tells yet
+  std::vector<translate::Difference> differences_;  // of the last situation, of what nothing moved
+  std::set<std::string> dead_;                      // outputs that had no effect in an incident so far
+  std::set<std::string> just_changed_;              // by actions that ended at the last event
+  std::vector<std::string> limited_;                // sensors at the end of their range at the last event
+  std::vector<translate::Difference> earlier_;      // of the incidents so far
+  std::chrono::steady_clock::time_point working_since_;
+  bool working_ = false;               // on a decision; observing the plant does not count
   std::optional<ImageReader> reader_;  // of the program that runs (the plan's or the observer's)
   std::string digest_;                 // of that program
   Kind kind_ = Kind::Plan;             // of that program
@@ -133,6 +175,7 @@ class Executive {
   translate::Estimate seen_;               // the last estimate
   translate::Progress progress_;           // of the current plan
   model::NamedState stuck_at_;             // the planner's state at the last replan
+  std::string goal_;                       // PDDL; empty: the problem's
   std::map<std::string, double> changed_;  // fluents set from outside so far
   std::size_t next_change_ = 0;            // into options_.goal_changes
   double time_s_ = 0.0;                    // of the record: scan clock, going on over restarts of the runtime

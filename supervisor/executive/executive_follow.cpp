@@ -2,22 +2,51 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <set>
 
 #include "supervisor/executive/executive.h"
 #include "supervisor/pddl/state.h"
+#include "supervisor/translate/monitors.h"
 
 namespace stepwright::executive {
+namespace {
+
+// Where the converter of a broken wire stands.
+bool at_end_of_range(const std::string& type, double counts) {
+  return type == "UINT" ? counts >= 65'535.0 : counts >= 32'767.0 || counts <= -32'768.0;
+}
+
+std::vector<std::string> limited_sensors(const translate::Binding& binding, const translate::Values& values) {
+  std::vector<std::string> limited;
+  for (const translate::Sensor& sensor : binding.sensors) {
+    if (at_end_of_range(binding.tag(sensor.tag)->type, values.at(sensor.tag))) limited.push_back(sensor.name);
+  }
+  return limited;
+}
+
+void record_levels(const translate::Binding& binding, const model::NamedState& expected,
+                   const model::NamedState& measured, RunRecord& record) {
+  for (const translate::Sensor& sensor : binding.sensors) {
+    if (auto value = expected.fluents.find(sensor.fluent); value != expected.fluents.end()) {
+      record.expected[sensor.fluent] = value->second;
+    }
+    record.observed[sensor.fluent] = measured.fluents.at(sensor.fluent);
+  }
+}
+
+}  // namespace
+
 std::string sentence_of(const std::vector<std::string>& causes) {
   return fmt::format("{}", fmt::join(causes, "; "));
 }
 
 Executive::Decision Executive::follow() {
   while (true) {
-    if (abort_) return {Verdict::GiveUp, "aborted by the operator"};
+    if (abort_) return give_up_because(IncidentKind::Operator, "aborted by the operator");
     const auto event = controller_.wait_event(std::chrono::milliseconds(200));
     if (!event) {
-      if (runtime_lost()) return {Verdict::RuntimeLost, "the runtime does not answer"};
+      if (runtime_lost()) return {Verdict::RuntimeLost};
       if (auto change = due_change(time_s_)) return {Verdict::Replan, *change};
       continue;
     }
@@ -30,7 +59,8 @@ Executive::Decision Executive::follow() {
 Executive::Decision Executive::judge(const host::StepEvent& event) {
   // The old program drives the plant again, which knows nothing of this plan.
   if (event.kind == host::EventKind::RolledBack)
-    return {Verdict::GiveUp, "the program trapped and was rolled back: " + event.detail};
+    return give_up_because(IncidentKind::ProgramFault,
+                           "the program trapped and was rolled back: " + event.detail);
   if (event.program_digest != digest_) return {};  // news of a program that was replaced since
   take_time(event.time_ns);
   switch (event.kind) {
@@ -41,14 +71,14 @@ Executive::Decision Executive::judge(const host::StepEvent& event) {
     case host::EventKind::StepChange:
       return judge_steps(event.image, time_s_);
     case host::EventKind::Trap:
-      return {Verdict::GiveUp, "the program trapped: " + event.detail};
+      return give_up_because(IncidentKind::ProgramFault, "the program trapped: " + event.detail);
     case host::EventKind::Stopped:
       break;
   }
   // Whoever stopped the plant on purpose does not want it to go on by itself.
   if (event.detail != host::kSupervisorLost)
-    return {Verdict::GiveUp, "stopped from outside: " + event.detail};
-  return {Verdict::Replan, "the runtime stopped: " + event.detail};
+    return give_up_because(IncidentKind::Operator, "stopped from outside: " + event.detail);
+  return {Verdict::Replan, {IncidentKind::LostRuntime, {"the runtime stopped: " + event.detail}, {}}};
 }
 
 // A runtime that was restarted counts its time from zero again; the record's time goes on.
@@ -64,31 +94,97 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
   progress_ = progress;
   const model::NamedState expected =
       with_changes(translate::expected_state(current_.translation, progress.done()));
-  auto estimate =
-      translate::estimate(desk_.binding(), reader_->values(image), tare_, expected, begun_actions());
-  if (!estimate) return {Verdict::GiveUp, result::to_string(estimate.error())};
+  const auto values = reader_->values(image);
+  limited_ = limited_sensors(desk_.binding(), values);
+  auto estimate = translate::estimate(desk_.binding(), values, tare_, expected, begun_actions());
+  if (!estimate) return give_up_because(IncidentKind::ProgramFault, result::to_string(estimate.error()));
   seen_ = std::move(*estimate);
   note_progress(progress, time_s);
-  for (const translate::Sensor& sensor : desk_.binding().sensors) {
-    if (auto value = expected.fluents.find(sensor.fluent); value != expected.fluents.end()) {
-      record_.expected[sensor.fluent] = value->second;
+  record_levels(desk_.binding(), expected, seen_.measured, record_);
+  record_.goal = desk_.goal_status(with_changes(seen_.planning), goal_);
+  note_alarms(image);
+  publish();
+  const Situation now = situation(progress, expected, time_s);
+  const bool news = settled(active) || !now.failed.empty();
+  if (const auto cause = news ? classify(now) : std::nullopt) {
+    for (const translate::Difference& difference : now.differences) {
+      if (by_itself(now, difference)) differences_.push_back(difference);
     }
-    record_.observed[sensor.fluent] = seen_.measured.fluents.at(sensor.fluent);
+    return {Verdict::Replan, *cause};
   }
-  record_.goal = desk_.goal_status(with_changes(seen_.planning));
+  if (auto change = due_change(time_s)) return {Verdict::Replan, *change};
+  if (!alarms_.empty()) {  // what was lost is there again, or lies within the tolerance of the plan
+    std::vector<std::string> sentences;
+    for (const Alarm& alarm : alarms_) sentences.push_back(to_string(alarm));
+    open_incident({alarms_.front().sensor.empty() ? IncidentKind::Position : IncidentKind::Level,
+                   std::move(sentences), alarms_.front().action});
+    decide(Response::GoOn);
+  }
+  return progress.finished ? Decision{Verdict::Finished} : Decision{};
+}
+
+// What running and failed actions change.
+std::set<std::string> Executive::moving_atoms(const translate::Progress& progress) const {
   std::set<std::string> moving;
   for (std::size_t i = 0; i < progress.actions.size(); ++i) {
     if (progress.actions[i] != ActionState::Active && progress.actions[i] != ActionState::Failed) continue;
-    for (const std::string& atom : translate::changed_atoms(current_.run.actions[i])) moving.insert(atom);
+    moving.merge(translate::changed_atoms(current_.run.actions[i]));
   }
-  publish();
-  if (!progress.failed_steps.empty()) return {Verdict::Replan, describe_failure(progress, time_s)};
-  if (settled(active)) {
-    const auto wrong = translate::deviations(desk_.binding(), expected, seen_.measured, moving);
-    if (!wrong.empty()) return {Verdict::Replan, sentence_of(wrong)};
+  return moving;
+}
+
+Situation Executive::situation(const translate::Progress& progress, const model::NamedState& expected,
+                               double time_s) const {
+  Situation now;
+  for (const std::size_t index : progress.failed_steps) {
+    const translate::StepInfo& step = current_.translation.steps[index];
+    if (step.action) {
+      now.failed.push_back(failure_of(*step.action, time_s));
+      continue;
+    }
+    FailedAction start;
+    start.reason = FailedAction::Reason::Refused;
+    start.sentence = "the plant is not in the state in which the plan starts";
+    now.failed.push_back(std::move(start));
   }
-  if (auto change = due_change(time_s)) return {Verdict::Replan, *change};
-  return progress.finished ? Decision{Verdict::Finished, {}} : Decision{};
+  now.moving = moving_atoms(progress);
+  // Of what failed, its own half-way levels are evidence, too.
+  now.differences = translate::differences(desk_.binding(), expected, seen_.measured,
+                                           now.failed.empty() ? now.moving : std::set<std::string>());
+  if (!now.failed.empty()) now.contradictions = seen_.contradictions;
+  now.earlier = earlier_;
+  now.dead = dead_;
+  now.just_changed = just_changed_;
+  now.limited = limited_;
+  for (const Alarm& alarm : alarms_) {
+    if (alarm.kind == to_string(translate::MonitorKind::Motion)) now.frozen.push_back(alarm.sensor);
+  }
+  return now;
+}
+
+// Alarms that the program's monitors have raised since the last look.
+void Executive::note_alarms(std::span<const std::byte> image) {
+  if (!alarm_reader_) return;
+  const auto values = alarm_reader_->values(image);
+  const auto count = static_cast<std::size_t>(values.at(translate::kAlarmCount));
+  if (count == alarms_seen_) return;
+  alarms_seen_ = count;
+  for (std::size_t i = 0; i < current_.translation.monitors.size(); ++i) {
+    const double scan = values.at(translate::alarm_scan_variable(i));
+    if (scan == 0.0 || !alarms_told_.insert(i).second) continue;
+    const translate::Monitor& monitor = current_.translation.monitors[i];
+    Alarm alarm{model::to_string(current_.plan.actions[monitor.action]),
+                to_string(monitor.kind),
+                monitor.text,
+                static_cast<std::uint64_t>(scan),
+                values.at(translate::alarm_value_variable(i)),
+                monitor.sensor};
+    for (const translate::Sensor& sensor : desk_.binding().sensors) {
+      if (sensor.name != monitor.sensor) continue;
+      alarm.value = sensor.calibration.value_at(alarm.value - translate::tare_of(tare_, sensor));
+    }
+    alarms_.push_back(std::move(alarm));
+  }
 }
 
 // In START the filters still swing in; the chart itself checks the initial state when it leaves that step.
@@ -101,6 +197,7 @@ bool Executive::settled(const std::vector<bool>& active) const {
 
 void Executive::note_progress(const translate::Progress& progress, double time_s) {
   std::vector<ActionRecord>& actions = record_.episodes.back().actions;
+  just_changed_.clear();
   for (std::size_t i = 0; i < actions.size(); ++i) {
     const ActionState state = progress.actions[i];
     if (state == actions[i].state) continue;
@@ -116,7 +213,9 @@ void Executive::note_progress(const translate::Progress& progress, double time_s
       }
       actions[i].actual_cost = desk_.cost_of(current_.run.actions[i].action, before);
     }
-    if (state == ActionState::Done) note_done(i, time_s);
+    if (state != ActionState::Done) continue;
+    note_done(i, time_s);
+    just_changed_.merge(translate::changed_atoms(current_.run.actions[i]));
   }
 }
 
@@ -130,48 +229,55 @@ void Executive::note_done(std::size_t action, double time_s) {
 }
 
 // Why the chart left an action for its FAILED step. It does so when the precondition is not observed before
-// the start, when the timeout has passed, or when a fact that must hold is lost; the record tells which.
-std::string Executive::failure_of(std::size_t action, double time_s) const {
+// the start, when the timeout has passed, when its outputs do nothing, or when a fact that must hold is lost;
+// the record tells which.
+FailedAction Executive::failure_of(std::size_t action, double time_s) const {
+  using Reason = FailedAction::Reason;
   const ActionRecord& record = record_.episodes.back().actions[action];
+  FailedAction failed;
+  failed.text = record.text;
   if (!record.started_s) {
-    return record.text + (unwatched_ ? " could not start or did not end while nobody watched"
-                                     : " could not start: its precondition is not observed");
+    failed.reason = Reason::Refused;
+    failed.sentence = record.text + (unwatched_ ? " could not start or did not end while nobody watched"
+                                                : " could not start: its precondition is not observed");
+    return failed;
   }
   translate::Assignment assignment;
   const translate::ActionBinding* entry =
       desk_.binding().action_for(current_.plan.actions[action], assignment);
+  failed.outputs = entry->outputs;
   const double timeout_s = std::chrono::duration<double>(entry->timeout).count();
   // The chart's clock of a step and the events' times agree to a scan.
   const double scan_s = static_cast<double>(desk_.options().interval_us) * 1e-6;
-  if (time_s - *record.started_s >= timeout_s - scan_s) {
-    return fmt::format("{} did not end within {:g} s", record.text, timeout_s);
+  const double ran_s = time_s - *record.started_s;
+  if (ran_s >= timeout_s - scan_s) {
+    failed.reason = Reason::Timeout;
+    failed.sentence = fmt::format("{} did not end within {:g} s", record.text, timeout_s);
+    return failed;
   }
-  std::vector<std::string> lost;
   for (const translate::Pattern& pattern : entry->hold) {
     const translate::ObservedFact* fact = desk_.binding().observed(instantiate(pattern, assignment));
-    if (!seen_.measured.facts.contains(fact->fact)) lost.push_back("'" + fact->label + "'");
+    if (!seen_.measured.facts.contains(fact->fact)) failed.lost_facts.push_back("'" + fact->label + "'");
   }
-  if (lost.empty()) return record.text + " was stopped before its end";  // lost and back within a scan
-  return fmt::format("{} was stopped: {} was lost while it ran", record.text, fmt::join(lost, " and "));
+  if (!failed.lost_facts.empty()) {
+    failed.reason = Reason::LostHold;
+    failed.sentence = fmt::format("{} was stopped: {} was lost while it ran", record.text,
+                                  fmt::join(failed.lost_facts, " and "));
+    return failed;
+  }
+  const auto step = current_.translation.step(record.step);
+  const double idle_s = std::chrono::duration<double>(current_.translation.steps[*step].idle).count();
+  if (idle_s > 0.0 && std::abs(ran_s - idle_s) <= 1.5 * scan_s) {
+    failed.reason = Reason::NoEffect;
+    failed.sentence = fmt::format("{} had no effect in {:g} s: {} was on", record.text, idle_s,
+                                  fmt::join(failed.outputs, " and "));
+    return failed;
+  }
+  failed.sentence = record.text + " was stopped before its end";  // lost and back within a scan
+  return failed;
 }
 
-std::string Executive::describe_failure(const translate::Progress& progress, double time_s) const {
-  std::vector<std::string> sentences;
-  for (const std::size_t index : progress.failed_steps) {
-    const translate::StepInfo& step = current_.translation.steps[index];
-    sentences.push_back(step.action ? failure_of(*step.action, time_s)
-                                    : "the plant is not in the state in which the plan starts");
-  }
-  const model::NamedState expected =
-      with_changes(translate::expected_state(current_.translation, progress.done()));
-  for (const std::string& sentence : translate::deviations(desk_.binding(), expected, seen_.measured)) {
-    sentences.push_back(sentence);
-  }
-  for (const std::string& sentence : seen_.contradictions) sentences.push_back(sentence);
-  return sentence_of(sentences);
-}
-
-std::optional<std::string> Executive::due_change(double time_s) {
+std::optional<Cause> Executive::due_change(double time_s) {
   std::vector<GoalChange> due;
   {
     const std::lock_guard lock(requests_mutex_);
@@ -181,13 +287,20 @@ std::optional<std::string> Executive::due_change(double time_s) {
     if (options_.goal_changes[next_change_].at_s > time_s) break;
     due.push_back(options_.goal_changes[next_change_]);
   }
-  std::vector<std::string> sentences;
+  if (due.empty()) return std::nullopt;
+  Cause cause;
+  cause.kind = IncidentKind::ChangedDemand;
   for (const GoalChange& change : due) {
+    if (!change.goal.empty()) {
+      goal_ = change.goal;
+      cause.kind = IncidentKind::NewGoal;
+      cause.evidence.push_back("the goal was changed to " + goal_);
+      continue;
+    }
     changed_[change.fluent] = change.value;
-    sentences.push_back(change.fluent + " was changed to " + pddl::number_text(change.value));
+    cause.evidence.push_back(change.fluent + " was changed to " + pddl::number_text(change.value));
   }
-  if (sentences.empty()) return std::nullopt;
-  return sentence_of(sentences);
+  return cause;
 }
 
 std::vector<model::GroundAction> Executive::begun_actions() const {

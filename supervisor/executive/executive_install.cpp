@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "supervisor/executive/executive.h"
+#include "supervisor/translate/monitors.h"
 
 namespace stepwright::executive {
 namespace {
@@ -20,9 +21,30 @@ result::Result<ImageReader> Executive::reader_of(const PreparedPlan& prepared) c
   std::vector<std::string> variables;
   for (const translate::Sensor& sensor : desk_.binding().sensors) {
     variables.push_back(translate::filtered_variable(sensor));
+    variables.push_back(sensor.tag);
   }
   for (const translate::ObservedFact& fact : desk_.binding().facts) variables.push_back(fact.tag);
   return ImageReader::create(prepared.container, prepared.translation.instance, variables);
+}
+
+// The readers of a program; gives up if it lacks what they need.
+bool Executive::read_program(const PreparedPlan& prepared, Kind kind) {
+  auto reader = reader_of(prepared);
+  if (!reader) return give_up("the program cannot be read", reader.error());
+  reader_ = std::move(*reader);
+  alarm_reader_.reset();
+  alarms_seen_ = 0;
+  alarms_told_.clear();
+  if (kind == Kind::Observer || prepared.translation.monitors.empty()) return true;
+  std::vector<std::string> alarms = {translate::kAlarmCount};
+  for (std::size_t i = 0; i < prepared.translation.monitors.size(); ++i) {
+    alarms.push_back(translate::alarm_scan_variable(i));
+    alarms.push_back(translate::alarm_value_variable(i));
+  }
+  auto alarm_reader = ImageReader::create(prepared.container, prepared.translation.instance, alarms);
+  if (!alarm_reader) return give_up("the program cannot be read", alarm_reader.error());
+  alarm_reader_ = std::move(*alarm_reader);
+  return true;
 }
 
 // False if the runtime is lost (phase unchanged) or refuses (phase Safe).
@@ -30,7 +52,8 @@ bool Executive::install(const PreparedPlan& prepared, Kind kind) {
   // The first plan starts the trace of a run from nothing. One observer does not relieve another: the means
   // of the first would go into those of the second.
   const bool relieves = !record_.replans.empty() && !(kind == Kind::Observer && kind_ == Kind::Observer);
-  const bool runs = (relieves && can_take_over() && take_over(prepared)) || download_and_start(prepared);
+  const bool runs = (relieves && can_take_over() && take_over(prepared, kind)) ||
+                    (record_.phase != Phase::Safe && download_and_start(prepared, kind));
   if (runs) kind_ = kind;
   return runs;
 }
@@ -43,31 +66,26 @@ bool Executive::can_take_over() const {
 }
 
 // False if it is refused, or if no news of it came: then the program is installed as if none ran.
-bool Executive::take_over(const PreparedPlan& prepared) {
-  auto reader = reader_of(prepared);
-  if (!reader) return false;  // said by download_and_start
+bool Executive::take_over(const PreparedPlan& prepared, Kind kind) {
   auto digest = controller_.change(prepared.container);
   if (!digest) {
     (void)controller_.stop("the next program cannot take over");
     return false;
   }
-  reader_ = std::move(*reader);
   digest_ = std::move(*digest);
   confirmed_ = false;
   silent_rounds_ = 0;
-  return await_event(host::EventKind::Changed);
+  return read_program(prepared, kind) && await_event(host::EventKind::Changed);
 }
 
-bool Executive::download_and_start(const PreparedPlan& prepared) {
-  auto reader = reader_of(prepared);
-  if (!reader) return give_up("the program cannot be read", reader.error());
+bool Executive::download_and_start(const PreparedPlan& prepared, Kind kind) {
   auto digest = controller_.download(prepared.container);
   if (!digest)
     return controller_.alive() ? give_up("the runtime refuses the program", digest.error()) : false;
-  reader_ = std::move(*reader);
   digest_ = std::move(*digest);
   confirmed_ = false;
   silent_rounds_ = 0;
+  if (!read_program(prepared, kind)) return false;
   if (auto started = controller_.start(options_.barrier); !started) {
     return controller_.alive() ? give_up("the runtime does not start the program", started.error()) : false;
   }

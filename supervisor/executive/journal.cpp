@@ -10,7 +10,7 @@ namespace {
 
 using internal::json;
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 json plan_json(const model::Plan& plan) {
   json actions = json::array();
@@ -41,7 +41,8 @@ json start_json(const StartState& start) {
   return {{"facts", start.planning.facts},
           {"fluents", start.planning.fluents},
           {"measured", start.measured},
-          {"tare", start.tare}};
+          {"tare", start.tare},
+          {"goal", start.goal}};
 }
 
 StartState start_from(const json& value) {
@@ -50,6 +51,7 @@ StartState start_from(const json& value) {
   value.at("fluents").get_to(start.planning.fluents);
   value.at("measured").get_to(start.measured);
   value.at("tare").get_to(start.tare);
+  start.goal = value.at("goal");
   return start;
 }
 

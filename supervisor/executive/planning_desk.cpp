@@ -7,8 +7,8 @@
 #include "supervisor/executive/action_cost.h"
 #include "supervisor/pddl/describe_run.h"
 #include "supervisor/pddl/partial_order.h"
+#include "supervisor/pddl/repair.h"
 #include "supervisor/pddl/simulate.h"
-#include "supervisor/pddl/solve.h"
 #include "supervisor/pddl/vocabulary.h"
 #include "supervisor/translate/observe_program.h"
 
@@ -42,6 +42,13 @@ result::Result<void> fill_schedule(PreparedPlan& prepared, const translate::Bind
   return {};
 }
 
+PrepareStatus status_of(const model::Outcome& outcome) {
+  if (outcome.kind == model::OutcomeKind::Cancelled) return PrepareStatus::Cancelled;
+  if (outcome.plan) return PrepareStatus::Ready;
+  return outcome.kind == model::OutcomeKind::Infeasible ? PrepareStatus::Infeasible
+                                                        : PrepareStatus::Exhausted;
+}
+
 }  // namespace
 
 PlanningDesk::PlanningDesk(DeskOptions options, pddl::Task task, translate::Binding binding,
@@ -62,34 +69,65 @@ result::Result<PlanningDesk> PlanningDesk::open(const DeskOptions& options) {
   return PlanningDesk(options, std::move(*task), std::move(*binding), std::move(*programs));
 }
 
-result::Result<PrepareOutcome> PlanningDesk::prepare(const StartState& start) const {
+result::Result<pddl::Task> PlanningDesk::task_for(const StartState& start) const {
   auto task = task_.with_initial(pddl::from_named(start.planning));
+  if (!task || start.goal.empty()) return task;
+  return task->with_goal(start.goal);
+}
+
+result::Result<PrepareOutcome> PlanningDesk::prepare(const PlanRequest& request) const {
+  auto task = task_for(request.start);
   if (!task) return result::forward(task);
-  pddl::Options search;
-  search.optimal = options_.optimal;
-  search.budget.time = options_.time;
-  const model::Outcome solved = pddl::solve(*task, search);
+  pddl::RepairOptions options;
+  options.search.optimal = options_.optimal;
+  options.search.budget.time = options_.time;
+  options.search.cancel = request.cancel;
+  const pddl::RepairOutcome mended = pddl::repair(*task, request.remaining, options);
+  const model::Outcome& solved = mended.outcome;
   PrepareOutcome outcome;
   outcome.reason = solved.reason;
-  if (!solved.plan) {
-    outcome.status =
-        solved.kind == model::OutcomeKind::Infeasible ? PrepareStatus::Infeasible : PrepareStatus::Exhausted;
-    return outcome;
-  }
+  outcome.status = status_of(solved);
+  if (outcome.status != PrepareStatus::Ready) return outcome;
   PreparedPlan& prepared = outcome.prepared;
-  prepared.start = start;
+  prepared.start = request.start;
   prepared.plan = *solved.plan;
+  if (auto ordered = order_for_makespan(prepared.plan, *task); !ordered)
+    return tl::unexpected(std::move(ordered.error()));
   if (auto built = build(prepared, *task); !built) return tl::unexpected(std::move(built.error()));
-  prepared.episode.cost = solved.plan->cost;
-  if (std::isfinite(solved.plan->bound)) prepared.episode.bound = solved.plan->bound;
-  prepared.episode.proved_optimal = solved.plan->proved_optimal;
-  prepared.episode.first_plan_ms = solved.first_plan_ms;
-  prepared.episode.optimal_plan_ms = solved.wall_ms;
+  Episode& episode = prepared.episode;
+  episode.cost = solved.plan->cost;
+  if (std::isfinite(solved.plan->bound)) episode.bound = solved.plan->bound;
+  episode.proved_optimal = solved.plan->proved_optimal;
+  episode.first_plan_ms = solved.first_plan_ms;
+  episode.optimal_plan_ms = solved.wall_ms;
+  episode.origin = request.remaining.empty() ? "planned" : to_string(mended.kind);
+  episode.kept = mended.kept;
+  episode.remaining = mended.of;
+  episode.repair_ms = mended.repair_ms;
+  episode.replan_ms = mended.replan_ms;
   return outcome;
 }
 
+// Among the orders that the plan allows, that in which outputs that exclude each other cost the least time.
+result::Result<void> PlanningDesk::order_for_makespan(model::Plan& plan, const pddl::Task& task) const {
+  if (!plan.orderings || options_.sequential) return {};
+  const auto run = pddl::describe_run(task, plan);
+  if (!run) return tl::unexpected(run.error());
+  const auto order = translate::makespan_order(*run, binding_);
+  if (!order) return tl::unexpected(order.error());
+  std::vector<std::size_t> place(order->size());
+  model::Plan ordered = plan;
+  for (std::size_t n = 0; n < order->size(); ++n) {
+    place[(*order)[n]] = n;
+    ordered.actions[n] = plan.actions[(*order)[n]];
+  }
+  for (model::Ordering& edge : *ordered.orderings) edge = {place[edge.before], place[edge.after]};
+  plan = std::move(ordered);
+  return {};
+}
+
 result::Result<PreparedPlan> PlanningDesk::rebuild(const StartState& start, const model::Plan& plan) const {
-  auto task = task_.with_initial(pddl::from_named(start.planning));
+  auto task = task_for(start);
   if (!task) return result::forward(task);
   PreparedPlan prepared;
   prepared.start = start;
@@ -111,7 +149,8 @@ result::Result<void> PlanningDesk::build(PreparedPlan& prepared, const pddl::Tas
                                           {.sequential = options_.sequential,
                                            .interval_us = options_.interval_us,
                                            .tare = prepared.start.tare,
-                                           .measured = prepared.start.measured});
+                                           .measured = prepared.start.measured,
+                                           .monitors = options_.monitors});
   if (!translation) return tl::unexpected(std::move(translation.error()));
   prepared.translation = std::move(*translation);
   for (const model::PlannedAction& planned : prepared.run.actions) {
@@ -148,12 +187,21 @@ double PlanningDesk::cost_of(const model::GroundAction& action, const model::Nam
   return action_cost(task_, options_.report_fluent, action, before);
 }
 
-std::vector<GoalRecord> PlanningDesk::goal_status(const model::NamedState& state) const {
+std::vector<GoalRecord> PlanningDesk::goal_status(const model::NamedState& state,
+                                                  const std::string& goal) const {
   std::vector<GoalRecord> records;
-  if (auto status = pddl::evaluate_goal(task_, pddl::from_named(state))) {
-    for (pddl::GoalStatus& goal : *status) records.push_back({std::move(goal.text), goal.met});
+  auto task = goal.empty() ? result::Result<pddl::Task>(task_) : task_.with_goal(goal);
+  if (!task) return records;
+  if (auto status = pddl::evaluate_goal(*task, pddl::from_named(state))) {
+    for (pddl::GoalStatus& each : *status) records.push_back({std::move(each.text), each.met});
   }
   return records;
+}
+
+result::Result<void> PlanningDesk::check_goal(const std::string& goal) const {
+  auto task = task_.with_goal(goal);
+  if (!task) return result::forward(task);
+  return {};
 }
 
 }  // namespace stepwright::executive

@@ -4,10 +4,11 @@
 // in a run (task, binding, options).
 //
 //   auto desk = PlanningDesk::open({"domain.pddl", "problem.pddl", "binding.toml"});
-//   auto prepared = desk->prepare(start);
+//   auto prepared = desk->prepare({.start = start});
 //
-// Not thread-safe; one executive uses one desk.
+// Immutable after `open`: any thread may use it.
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -37,14 +38,16 @@ struct DeskOptions {
   bool sequential = false;
   std::chrono::milliseconds time{10'000};  // budget of one planning
   std::int64_t interval_us = 10'000;
+  bool monitors = true;       // rungs that watch the plan in the scan (translate/monitors.h)
   std::string report_fluent;  // what the report follows per action, "(transport-cost)"; empty: the metric
 };
 
 // Where a plan starts: what the planner sees, what was measured, the tare of the sensors.
 struct StartState {
-  model::NamedState planning;
-  std::map<std::string, double> measured;  // fluents; empty: as planned
-  translate::Tare tare;
+  model::NamedState planning{};
+  std::map<std::string, double> measured{};  // fluents; empty: as planned
+  translate::Tare tare{};
+  std::string goal{};  // PDDL; empty: the problem's
 };
 
 // A program that is ready to download, with all that is needed to follow it.
@@ -57,7 +60,15 @@ struct PreparedPlan {
   Episode episode;  // figures and actions, nothing executed yet
 };
 
-enum class PrepareStatus : std::uint8_t { Ready, Infeasible, Exhausted };
+// What to plan for.
+struct PlanRequest {
+  StartState start;
+  // What is left of the plan that was interrupted: kept or repaired where that is as good as a new plan.
+  std::vector<model::GroundAction> remaining{};
+  const std::atomic<bool>* cancel = nullptr;  // not owned; may be null
+};
+
+enum class PrepareStatus : std::uint8_t { Ready, Infeasible, Exhausted, Cancelled };
 
 struct PrepareOutcome {
   PrepareStatus status = PrepareStatus::Ready;
@@ -74,9 +85,9 @@ class PlanningDesk {
   const translate::Binding& binding() const { return binding_; }
   const DeskOptions& options() const { return options_; }
 
-  // Plans from `start` and makes the program. Diagnostics are faults of the binding or of the tools, not of
-  // the plan.
-  [[nodiscard]] result::Result<PrepareOutcome> prepare(const StartState& start) const;
+  // Plans from the request's start and makes the program. Diagnostics are faults of the binding or of the
+  // tools, not of the plan.
+  [[nodiscard]] result::Result<PrepareOutcome> prepare(const PlanRequest& request) const;
   // The same program again from a plan that is known (a restarted supervisor); episode figures are left
   // empty.
   [[nodiscard]] result::Result<PreparedPlan> rebuild(const StartState& start, const model::Plan& plan) const;
@@ -85,11 +96,15 @@ class PlanningDesk {
 
   // What the report follows, added by `action` when it starts in `before`; 0 if it cannot be told.
   double cost_of(const model::GroundAction& action, const model::NamedState& before) const;
-  // The goal's conjuncts in a state.
-  std::vector<GoalRecord> goal_status(const model::NamedState& state) const;
+  // The conjuncts of a goal in a state; an empty goal is the problem's.
+  std::vector<GoalRecord> goal_status(const model::NamedState& state, const std::string& goal = {}) const;
+  // Fails as a goal in a problem file would (P0xxx).
+  [[nodiscard]] result::Result<void> check_goal(const std::string& goal) const;
 
  private:
   PlanningDesk(DeskOptions options, pddl::Task task, translate::Binding binding, HandWritten programs);
+  [[nodiscard]] result::Result<pddl::Task> task_for(const StartState& start) const;
+  [[nodiscard]] result::Result<void> order_for_makespan(model::Plan& plan, const pddl::Task& task) const;
   [[nodiscard]] result::Result<void> build(PreparedPlan& prepared, const pddl::Task& task) const;
 
   DeskOptions options_;

@@ -85,6 +85,12 @@ std::vector<Row> rows_of(const RunRecord& record) {
   return rows;
 }
 
+std::string describe(const Incident& incident) {
+  return fmt::format("{}: {} -> {} in {:.1f} ms, {} of {} actions kept", to_string(incident.kind),
+                     fmt::join(incident.evidence, "; "), to_string(incident.response), incident.decision_ms,
+                     incident.kept, incident.remaining);
+}
+
 }  // namespace
 
 std::string gantt_svg(const RunRecord& record) {
@@ -97,7 +103,8 @@ std::string gantt_svg(const RunRecord& record) {
   }
   const int bottom = kTop + 24 * static_cast<int>(rows.size());
   std::string svg =
-      opening(bottom + 28, "Plan and execution (grey: planned, blue: actual, red: failed; dashed: replan)");
+      opening(bottom + 28,
+              "Plan and execution (grey: planned, blue: actual, red: failed; dashed: replan, dot: incident)");
   add_time_axis(svg, span, bottom);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ActionRecord& action = *rows[i].action;
@@ -116,6 +123,13 @@ std::string gantt_svg(const RunRecord& record) {
         "<line class=\"r\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"><title>{3}</title></line>\n",
         kLeft + std::clamp((replan.time_s - record.started_s) / span, 0.0, 1.0) * kPlotWidth, kTop - 6,
         bottom, xml_escaped(replan.cause));
+  }
+  for (const Incident& incident : record.incidents) {
+    fmt::format_to(std::back_inserter(svg),
+                   "<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{}\" r=\"4\"><title>{}</title></circle>\n",
+                   incident.response == Response::SafeStop ? "f" : "a",
+                   kLeft + std::clamp((incident.time_s - record.started_s) / span, 0.0, 1.0) * kPlotWidth,
+                   kTop - 8, xml_escaped(describe(incident)));
   }
   return svg + "</svg>\n";
 }

@@ -42,6 +42,21 @@ std::size_t replans_before_first_plan(const RunRecord& record) {
                     [started_s](const Replan& replan) { return replan.time_s < started_s; }));
 }
 
+void add_incidents(const RunRecord& record, std::string& text) {
+  const auto out = std::back_inserter(text);
+  for (const Incident& incident : record.incidents) {
+    fmt::format_to(out, "Incident at {:.2f} s, {}: {}\n", incident.time_s, to_string(incident.kind),
+                   fmt::join(incident.evidence, "; "));
+    for (const Alarm& alarm : incident.alarms) fmt::format_to(out, "  alarm: {}\n", to_string(alarm));
+    fmt::format_to(out, "  decision: {} in {:.1f} ms", to_string(incident.response), incident.decision_ms);
+    if (incident.remaining > 0) {
+      fmt::format_to(out, ", {} of {} actions kept (repair {:.1f} ms, new plan {:.1f} ms)", incident.kept,
+                     incident.remaining, incident.repair_ms, incident.replan_ms);
+    }
+    fmt::format_to(out, "\n");
+  }
+}
+
 }  // namespace
 
 std::string report_table(const RunRecord& record) {
@@ -60,6 +75,7 @@ std::string report_table(const RunRecord& record) {
     add_episode(record.episodes[i], i + 1, record.episodes.size(), text);
   }
   tell_replans(record.replans.size());  // the last one may have found no plan
+  add_incidents(record, text);
   fmt::format_to(out, "Levels at the end (planned, observed):\n");
   for (const auto& [fluent, expected] : record.expected) {
     const auto observed = record.observed.find(fluent);

@@ -15,11 +15,7 @@ constexpr std::array kPhases = {"planning", "observing", "executing", "replannin
 
 template <typename Enum, std::size_t N>
 Enum enum_from(const json& value, const std::array<const char*, N>& names) {
-  const std::string text = value.get<std::string>();
-  for (std::size_t i = 0; i < N; ++i) {
-    if (text == names[i]) return static_cast<Enum>(i);
-  }
-  throw json::other_error::create(501, "unknown word '" + text + "'", &value);
+  return static_cast<Enum>(internal::index_of_word(value, names.data(), N));
 }
 
 json optional_json(const std::optional<double>& value) {
@@ -73,6 +69,11 @@ json episode_json(const Episode& episode) {
           {"steps", episode.actions.size()},
           {"first_plan_ms", episode.first_plan_ms},
           {"optimal_plan_ms", episode.optimal_plan_ms},
+          {"origin", episode.origin},
+          {"kept", episode.kept},
+          {"remaining", episode.remaining},
+          {"repair_ms", episode.repair_ms},
+          {"replan_ms", episode.replan_ms},
           {"planned_makespan_s", episode.planned_makespan_s},
           {"planned_sequential_makespan_s", episode.planned_sequential_makespan_s},
           {"actions", std::move(actions)}};
@@ -87,6 +88,11 @@ Episode episode_from(const json& value) {
   episode.proved_optimal = value.at("proved_optimal");
   episode.first_plan_ms = value.at("first_plan_ms");
   episode.optimal_plan_ms = value.at("optimal_plan_ms");
+  episode.origin = value.at("origin");
+  episode.kept = value.at("kept");
+  episode.remaining = value.at("remaining");
+  episode.repair_ms = value.at("repair_ms");
+  episode.replan_ms = value.at("replan_ms");
   episode.planned_makespan_s = value.at("planned_makespan_s");
   episode.planned_sequential_makespan_s = value.at("planned_sequential_makespan_s");
   for (const json& action : value.at("actions")) episode.actions.push_back(action_from(action));
@@ -114,6 +120,14 @@ result::Result<RunRecord> record_from_json(const std::string& text, const std::s
 
 namespace internal {
 
+std::size_t index_of_word(const json& value, const char* const* names, std::size_t count) {
+  const std::string text = value.get<std::string>();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (text == names[i]) return i;
+  }
+  throw json::other_error::create(501, "unknown word '" + text + "'", &value);
+}
+
 std::string text_of(const json& value) {
   return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
@@ -126,6 +140,8 @@ json record_json(const RunRecord& record) {
     replans.push_back(
         {{"time_s", replan.time_s}, {"cause", replan.cause}, {"after_action", replan.after_action}});
   }
+  json incidents = json::array();
+  for (const Incident& incident : record.incidents) incidents.push_back(incident_json(incident));
   json goal = json::array();
   for (const GoalRecord& entry : record.goal) goal.push_back({{"text", entry.text}, {"met", entry.met}});
   json document = {{"cell", record.cell},
@@ -134,6 +150,7 @@ json record_json(const RunRecord& record) {
                    {"exit_code", result::to_int(record.exit)},
                    {"episodes", std::move(episodes)},
                    {"replans", std::move(replans)},
+                   {"incidents", std::move(incidents)},
                    {"goal", std::move(goal)},
                    {"expected", record.expected},
                    {"observed", record.observed},
@@ -165,6 +182,7 @@ RunRecord record_from(const json& value) {
   for (const json& replan : value.at("replans")) {
     record.replans.push_back({replan.at("time_s"), replan.at("cause"), replan.at("after_action")});
   }
+  for (const json& incident : value.at("incidents")) record.incidents.push_back(incident_from(incident));
   for (const json& goal : value.at("goal")) record.goal.push_back({goal.at("text"), goal.at("met")});
   value.at("expected").get_to(record.expected);
   value.at("observed").get_to(record.observed);

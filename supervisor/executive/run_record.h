@@ -15,6 +15,7 @@
 
 #include "runtime/result/exit_code.h"
 #include "runtime/result/result.h"
+#include "supervisor/executive/incident.h"
 #include "supervisor/translate/progress.h"
 
 namespace stepwright::executive {
@@ -47,6 +48,13 @@ struct Episode {
   bool proved_optimal = false;
   double first_plan_ms = 0.0;
   double optimal_plan_ms = 0.0;
+  // Where it comes from: "planned", "kept", "repaired" or "replanned"; of so many actions that were left of
+  // the plan before it so many were kept, and what the repair and the new plan beside it took.
+  std::string origin = "planned";
+  std::size_t kept = 0;
+  std::size_t remaining = 0;
+  double repair_ms = 0.0;
+  double replan_ms = 0.0;
   double planned_makespan_s = 0.0;             // of the partial order, from the binding's nominal durations
   double planned_sequential_makespan_s = 0.0;  // of the same actions one after the other
   std::vector<ActionRecord> actions;
@@ -86,6 +94,7 @@ struct RunRecord {
   result::ExitCode exit = result::ExitCode::Done;  // what the supervisor's command ends with
   std::vector<Episode> episodes;
   std::vector<Replan> replans;
+  std::vector<Incident> incidents;  // what did not go as planned, and what was decided
   std::vector<GoalRecord> goal;
   std::map<std::string, double> expected;  // now
   std::map<std::string, double> observed;  // now

@@ -72,6 +72,44 @@ result::Result<ActionConditions> complete_by_level(ActionConditions conditions, 
   return conditions;
 }
 
+milliseconds in_ms(double seconds) {
+  return milliseconds(std::lround(seconds * 1e3));
+}
+
+// A level that has moved by less than half a unit in the time of three is not moved by the action.
+std::optional<Idle> idle_level(const ActionConditions& conditions, const std::string& atom,
+                               const model::PlannedAction& planned, const Binding& binding, const Tare& tare,
+                               const Offsets& offsets, const std::string& counted) {
+  const DurationModel& duration = conditions.entry->duration;
+  if (counted != atom || duration.per_unit_s <= 0.0) return std::nullopt;
+  const Sensor& sensor = *binding.sensor_of(atom);
+  const auto offset = offsets.find(atom);
+  const double start = planned.before.fluents.at(atom) + (offset == offsets.end() ? 0.0 : offset->second);
+  const double change = planned.after.fluents.at(atom) - start;
+  const double least = std::min(0.5, std::abs(change) / 2.0);
+  if (least <= sensor.tolerance) return std::nullopt;
+  const std::string& type = binding.tag(sensor.tag)->type;
+  return Idle{in_ms(duration.fixed_s + 3.0 * duration.per_unit_s),
+              change > 0.0 ? at_most(sensor, type, tare, start + least)
+                           : at_least(sensor, type, tare, start - least)};
+}
+
+// What leaves a place has left it after half of the way.
+std::optional<Idle> idle_place(const ActionConditions& conditions, const model::PlannedAction& planned,
+                               const Binding& binding, const std::string& counted) {
+  const DurationModel& duration = conditions.entry->duration;
+  const auto amount = planned.before.fluents.find(counted);
+  if (duration.per_unit_s <= 0.0 || amount == planned.before.fluents.end()) return std::nullopt;
+  std::vector<graphic::Condition> still;
+  for (const ObservedFact& fact : binding.facts) {
+    const bool left = planned.before.facts.contains(fact.fact) && !planned.after.facts.contains(fact.fact);
+    if (left) still.push_back(fact_is(fact, true));
+  }
+  if (still.empty()) return std::nullopt;
+  return Idle{in_ms(duration.fixed_s + 0.5 * duration.per_unit_s * std::abs(amount->second)),
+              graphic::any(std::move(still))};
+}
+
 }  // namespace
 
 result::Result<ActionConditions> action_conditions(const model::PlannedAction& planned,
@@ -99,10 +137,16 @@ result::Result<ActionConditions> action_conditions(const model::PlannedAction& p
   }
   const Completion& completion = conditions.entry->completion;
   const std::string atom = instantiate(completion.atom, assignment);
+  const auto& of = conditions.entry->duration.of;
+  const std::string counted = of ? instantiate(*of, assignment) : std::string();
   if (completion.kind == CompletionKind::Fact) {
-    return complete_by_fact(std::move(conditions), atom, planned, binding);
+    auto complete = complete_by_fact(std::move(conditions), atom, planned, binding);
+    if (complete) complete->idle = idle_place(*complete, planned, binding, counted);
+    return complete;
   }
-  return complete_by_level(std::move(conditions), atom, planned, binding, tare);
+  auto complete = complete_by_level(std::move(conditions), atom, planned, binding, tare);
+  if (complete) complete->idle = idle_level(*complete, atom, planned, binding, tare, offsets, counted);
+  return complete;
 }
 
 graphic::Condition snapshot_condition(const model::NamedState& state, const Binding& binding,

@@ -3,6 +3,7 @@
 // Everything the chart needs to know about one action of the plan: which outputs it drives, when it is done,
 // when it may start and when it must be stopped, all as conditions on the controller's variables.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,19 @@
 
 namespace stepwright::translate {
 
+// Outputs that do nothing: what is observed then still, long enough after they were switched on.
+struct Idle {
+  milliseconds after{0};
+  graphic::Condition condition;
+};
+
 struct ActionConditions {
   const ActionBinding* entry = nullptr;
   graphic::Condition complete;
   std::string complete_text;  // for people: "level of v1 reaches 10"
   Guard guard;
   std::vector<graphic::Condition> hold;  // each must stay true while the outputs are on
+  std::optional<Idle> idle;              // nothing if its durations do not tell when
 };
 
 // `offsets` as before the action (ExpectedChanges::before); the binding outlives the result. Fails with

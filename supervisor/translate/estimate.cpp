@@ -133,24 +133,40 @@ result::Result<Estimate> estimate(const Binding& binding, const Values& values, 
   return estimate;
 }
 
-std::vector<std::string> deviations(const Binding& binding, const model::NamedState& expected,
+std::vector<Difference> differences(const Binding& binding, const model::NamedState& expected,
                                     const model::NamedState& measured, const std::set<std::string>& ignored) {
-  std::vector<std::string> sentences;
+  std::vector<Difference> found;
   for (const Sensor& sensor : binding.sensors) {
     const auto should = expected.fluents.find(sensor.fluent);
     const auto is = measured.fluents.find(sensor.fluent);
     if (ignored.contains(sensor.fluent)) continue;
     if (should == expected.fluents.end() || is == measured.fluents.end()) continue;
     if (std::abs(is->second - should->second) <= sensor.tolerance) continue;
-    sentences.push_back(sensor.label + " is " + level_text(is->second) + ", expected " +
-                        level_text(should->second) + " (tolerance " + level_text(sensor.tolerance) + ")");
+    found.push_back({sensor.fluent, sensor.label, false, should->second, is->second, sensor.tolerance});
   }
   for (const ObservedFact& fact : binding.facts) {
     const bool should = expected.facts.contains(fact.fact);
     const bool is = measured.facts.contains(fact.fact);
     if (is == should || ignored.contains(fact.fact)) continue;
-    sentences.push_back("'" + fact.label + "' is " +
-                        (is ? "observed, but not expected" : "not observed, but expected"));
+    found.push_back({fact.fact, fact.label, true, should ? 1.0 : 0.0, is ? 1.0 : 0.0, 0.0});
+  }
+  return found;
+}
+
+std::string to_string(const Difference& difference) {
+  if (difference.is_fact) {
+    return "'" + difference.label + "' is " +
+           (difference.measured != 0.0 ? "observed, but not expected" : "not observed, but expected");
+  }
+  return difference.label + " is " + level_text(difference.measured) + ", expected " +
+         level_text(difference.expected) + " (tolerance " + level_text(difference.tolerance) + ")";
+}
+
+std::vector<std::string> deviations(const Binding& binding, const model::NamedState& expected,
+                                    const model::NamedState& measured, const std::set<std::string>& ignored) {
+  std::vector<std::string> sentences;
+  for (const Difference& difference : differences(binding, expected, measured, ignored)) {
+    sentences.push_back(to_string(difference));
   }
   return sentences;
 }

@@ -36,9 +36,23 @@ struct Estimate {
                                                 const Tare& tare, const model::NamedState& tracked,
                                                 std::span<const model::GroundAction> in_progress = {});
 
-// Sentences such as "level of a1 is 3.9, expected 5.0 (tolerance 0.2)" for every observed fluent outside
-// tolerance and every observed fact that differs. Atoms in `ignored` (see changed_atoms: what running
-// actions change) are not compared.
+// An observed fluent outside its tolerance, or an observed fact that is not as expected.
+struct Difference {
+  std::string atom;  // "(level a1)", "(is-at v1 f1)"
+  std::string label;
+  bool is_fact = false;
+  double expected = 0.0;  // facts: 0 or 1
+  double measured = 0.0;
+  double tolerance = 0.0;
+};
+
+// Atoms in `ignored` (see changed_atoms: what running actions change) are not compared.
+std::vector<Difference> differences(const Binding& binding, const model::NamedState& expected,
+                                    const model::NamedState& measured,
+                                    const std::set<std::string>& ignored = {});
+std::string to_string(const Difference& difference);
+
+// The differences as sentences such as "level of a1 is 3.9, expected 5.0 (tolerance 0.2)".
 std::vector<std::string> deviations(const Binding& binding, const model::NamedState& expected,
                                     const model::NamedState& measured,
                                     const std::set<std::string>& ignored = {});

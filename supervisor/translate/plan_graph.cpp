@@ -60,11 +60,24 @@ bool touches(const Outputs& outputs, const Outputs& group) {
   return std::any_of(outputs.begin(), outputs.end(), [&](const auto& name) { return contains(group, name); });
 }
 
-// True if `a` and `b` cannot be driven at the same time.
-bool conflict(const Outputs& a, const Outputs& b, const Binding& binding) {
-  if (touches(a, b)) return true;
-  const auto excludes = [&](const Outputs& group) { return touches(a, group) && touches(b, group); };
-  return std::any_of(binding.exclusive.begin(), binding.exclusive.end(), excludes);
+// Outputs for which `a` and `b` cannot be driven at the same time; none if they can.
+Outputs conflict(const Outputs& a, const Outputs& b, const Binding& binding) {
+  Outputs shared;
+  for (const std::string& name : a) {
+    if (contains(b, name)) shared.push_back(name);
+  }
+  for (const Outputs& group : binding.exclusive) {
+    if (!touches(a, group) || !touches(b, group)) continue;
+    for (const std::string& name : group) {
+      if ((contains(a, name) || contains(b, name)) && !contains(shared, name)) shared.push_back(name);
+    }
+  }
+  return shared;
+}
+
+const Outputs& outputs_of(const model::PlannedAction& planned, const Binding& binding) {
+  Assignment assignment;
+  return binding.action_for(planned.action, assignment)->outputs;
 }
 
 }  // namespace
@@ -96,13 +109,26 @@ PlanGraph reduced_graph(std::size_t size, const std::vector<model::Ordering>& ed
   return graph;
 }
 
+std::vector<Exclusion> exclusions(const model::PlannedRun& run, const Binding& binding) {
+  const std::size_t size = run.actions.size();
+  const Reach reach = reach_of(size, run.orderings.value_or(chain(size)));
+  std::vector<Exclusion> pairs;
+  for (std::size_t j = 1; j < size; ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      if (reach.has(i, j)) continue;
+      Outputs outputs =
+          conflict(outputs_of(run.actions[i], binding), outputs_of(run.actions[j], binding), binding);
+      if (!outputs.empty()) pairs.push_back({i, j, std::move(outputs)});
+    }
+  }
+  return pairs;
+}
+
 result::Result<PlanGraph> plan_graph(const model::PlannedRun& run, const Binding& binding, bool sequential) {
   const std::size_t size = run.actions.size();
-  std::vector<const ActionBinding*> entries;
   for (const model::PlannedAction& planned : run.actions) {
     Assignment assignment;
-    entries.push_back(binding.action_for(planned.action, assignment));
-    if (entries.back() != nullptr) continue;
+    if (binding.action_for(planned.action, assignment) != nullptr) continue;
     return result::fail("T0001", {binding.file, 0, 0},
                         "no entry of the binding matches " + to_string(planned.action),
                         "add an [[actions]] entry whose pattern fits it");
@@ -116,13 +142,7 @@ result::Result<PlanGraph> plan_graph(const model::PlannedRun& run, const Binding
                             std::to_string(size) + " actions");
   }
   if (sequential) return reduced_graph(size, chain(size));
-  const Reach reach = reach_of(size, edges);
-  for (std::size_t j = 1; j < size; ++j) {
-    for (std::size_t i = 0; i < j; ++i) {
-      const bool ordered = reach.has(i, j);
-      if (!ordered && conflict(entries[i]->outputs, entries[j]->outputs, binding)) edges.push_back({i, j});
-    }
-  }
+  for (const Exclusion& pair : exclusions(run, binding)) edges.push_back({pair.first, pair.second});
   return reduced_graph(size, edges);
 }
 

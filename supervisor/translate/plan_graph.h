@@ -6,6 +6,7 @@
 // add more: of two such actions the one that the list names first runs first.
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "runtime/result/result.h"
@@ -25,6 +26,16 @@ struct PlanGraph {
 
 // `edges` must lead to larger indices below `size`.
 PlanGraph reduced_graph(std::size_t size, const std::vector<model::Ordering>& edges);
+
+// Two actions that the plan leaves unordered and whose outputs cannot be driven together.
+struct Exclusion {
+  std::size_t first = 0;  // in the list
+  std::size_t second = 0;
+  std::vector<std::string> outputs;  // what both drive, or what each drives of a group that excludes
+};
+
+// Requires an entry of the binding for every action and orderings that lead to larger indices.
+std::vector<Exclusion> exclusions(const model::PlannedRun& run, const Binding& binding);
 
 // The graph of a run under a binding. Fails with T0001 (no entry for an action) or T0002 (an ordering against
 // the list).

@@ -4,6 +4,7 @@
 
 #include "supervisor/translate/action_conditions.h"
 #include "supervisor/translate/chart_writer.h"
+#include "supervisor/translate/monitors.h"
 #include "supervisor/translate/plan_graph.h"
 #include "supervisor/translate/sensor_program.h"
 #include "supervisor/translate/translation.h"
@@ -25,11 +26,12 @@ std::string two_digits(std::size_t number) {
 class PlanChart {
  public:
   PlanChart(const model::PlannedRun& run, const Binding& binding, const PlanGraph& graph,
-            const std::vector<ActionConditions>& conditions, const Condition& snapshot)
+            const std::vector<ActionConditions>& conditions, const Condition& snapshot, bool watch_effects)
       : run_(run),
         binding_(binding),
         conditions_(conditions),
         snapshot_(snapshot),
+        watch_effects_(watch_effects),
         writer_(binding),
         settle_(run.actions.size() + 1),
         nodes_(run.actions.size() + 2) {
@@ -98,6 +100,7 @@ class PlanChart {
     }
     if (kind == StepKind::Action) {
       info.timeout = of(node).entry->timeout;
+      if (watch_effects_ && of(node).idle) info.idle = of(node).idle->after;
       info.assumed = of(node).guard.assumed;
     }
     return writer_.step(std::move(info), std::move(comment), outputs);
@@ -198,6 +201,11 @@ class PlanChart {
       reasons.push_back(*inverse(hold));
       text += "lost " + graphic::to_st(hold) + " or ";
     }
+    if (watch_effects_ && of(node).idle) {
+      const Idle& idle = *of(node).idle;
+      reasons.push_back(graphic::all({writer_.after(here.step, idle.after), idle.condition}));
+      text += "no effect or ";
+    }
     reasons.push_back(writer_.after(here.step, of(node).entry->timeout));
     writer_.transition({here.step}, {here.failed}, graphic::any(std::move(reasons)), text + "timeout");
   }
@@ -206,6 +214,7 @@ class PlanChart {
   const Binding& binding_;
   const std::vector<ActionConditions>& conditions_;
   const Condition& snapshot_;
+  bool watch_effects_;
   ChartWriter writer_;
   std::size_t settle_;
   std::vector<Node> nodes_;
@@ -261,7 +270,7 @@ result::Result<Translation> translate(const model::PlannedRun& run, const Bindin
   Translation translation;
   translation.initial = measured_start(run, options);
   const Condition snapshot = snapshot_condition(translation.initial, binding, options.tare);
-  PlanChart chart(run, binding, *graph, conditions, snapshot);
+  PlanChart chart(run, binding, *graph, conditions, snapshot, options.monitors);
   chart.build();
   if (!chart.writer().problems().empty()) return tl::unexpected(chart.writer().problems());
   translation.program = kPlanProgram;
@@ -269,7 +278,11 @@ result::Result<Translation> translate(const model::PlannedRun& run, const Bindin
   translation.steps = chart.writer().take_steps();
   translation.orderings = graph->orderings();
   translation.changes = std::move(changes.of_action);
+  for (ActionConditions& each : conditions) translation.guards.push_back(std::move(each.guard.condition));
   translation.project = make_project(binding, sensing, chart.writer().take_chart());
+  if (!options.monitors) return translation;
+  if (auto added = add_monitors(translation, run, binding, options.tare); !added)
+    return result::forward(added);
   return translation;
 }
 

@@ -40,6 +40,8 @@ struct TranslateOptions {
   // Fluents as measured at the start, where they differ from the plan's rounded initial state (replanning);
   // empty = as planned.
   std::map<std::string, double> measured{};
+  // Rungs that watch the plan (monitors.h), and actions whose outputs do nothing are stopped early.
+  bool monitors = false;
 };
 
 enum class StepKind : std::uint8_t { Start, Action, Rest, Wait, Settle, Done, Failed, Search };
@@ -52,7 +54,19 @@ struct StepInfo {
   std::vector<std::size_t> after;     // actions that are done when this step is active, and with them all
                                       // that are ordered before them
   milliseconds timeout{0};            // Action and Search; 0 = none
+  milliseconds idle{0};               // Action: by then something must have happened; 0 = not watched
   std::vector<std::string> assumed;   // Action: parts of its precondition that no sensor can check
+};
+
+enum class MonitorKind : std::uint8_t { Precondition, Invariant, Effect, Motion };
+
+// What the rungs of a program watch (monitors.h).
+struct Monitor {
+  std::size_t action = 0;  // index into the plan
+  MonitorKind kind = MonitorKind::Invariant;
+  std::string text;     // for people: "level of a2 within 0.2 of 2"
+  std::string reading;  // the variable whose value is kept
+  std::string sensor;   // of the binding, if the reading is its filtered counts
 };
 
 struct Translation {
@@ -63,6 +77,8 @@ struct Translation {
   std::vector<model::Ordering> orderings;  // the reduced order that the chart realises
   model::NamedState initial;               // measured where measured values were given
   std::vector<Change> changes;             // of each action
+  std::vector<graphic::Condition> guards;  // of each action: what is observed of its precondition
+  std::vector<Monitor> monitors;           // empty without monitors
 
   const graphic::SfcChart& chart() const;
   // Index into `steps`; nullopt for a name that is no step.

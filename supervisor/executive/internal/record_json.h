@@ -16,9 +16,14 @@ namespace stepwright::executive::internal {
 
 using nlohmann::json;
 
+json incident_json(const Incident& incident);
+Incident incident_from(const json& value);
 json record_json(const RunRecord& record);
 // Throws json::exception where the shape differs.
 RunRecord record_from(const json& value);
+
+// The word's place in a list of names; throws json::exception for any other word.
+std::size_t index_of_word(const json& value, const char* const* names, std::size_t count);
 
 // Names and messages may come from outside; bytes that are no UTF-8 are replaced, so that this cannot fail.
 std::string text_of(const json& value);

@@ -171,8 +171,16 @@ void SimulatedController::push_event(host::EventKind kind, std::string detail) {
 
 // False when the program no longer runs.
 bool SimulatedController::scan_once() {
+  if (kill_at_s_ && static_cast<double>(plant_->now().count()) * 1e-9 >= *kill_at_s_) {
+    kill_at_s_.reset();
+    killed_ = true;
+    return false;
+  }
   while (!faults_.empty() && plant_->now().count() >= static_cast<std::int64_t>(faults_.front().at_s * 1e9)) {
-    if (auto injected = plant_->inject_fault(faults_.front().name, faults_.front().value); !injected) {
+    const PlantFault& fault = faults_.front();
+    const auto injected =
+        fault.clears ? plant_->clear_fault(fault.name) : plant_->inject_fault(fault.name, fault.value);
+    if (!injected) {
       throw std::runtime_error(result::to_string(injected.error()));
     }
     faults_.erase(faults_.begin());
@@ -182,6 +190,7 @@ bool SimulatedController::scan_once() {
     push_event(host::EventKind::Trap, "trapped");
     return false;
   }
+  if (on_scan) on_scan(loaded_->image());
   std::vector<bool> steps = loaded_->steps();
   if (steps != loaded_->last_steps) {
     loaded_->last_steps = std::move(steps);
@@ -196,6 +205,7 @@ std::optional<host::StepEvent> SimulatedController::wait_event(std::chrono::mill
     if (!running() || acknowledged_ < sequence_) return std::nullopt;
     if (i > kMaxQuietScans) throw std::runtime_error("no step event for a very long time");
     scan_once();
+    if (killed_) return std::nullopt;
   }
   host::StepEvent event = std::move(events_.front());
   events_.pop_front();

@@ -12,6 +12,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct PlantFault {
   double at_s = 0.0;
   std::string name;
   double value = 0.0;
+  bool clears = false;  // it ends instead
 };
 
 class SimulatedController final : public executive::Controller {
@@ -44,9 +46,12 @@ class SimulatedController final : public executive::Controller {
   bool any_output() const;
   // The next call finds the runtime gone; a new one, empty, is there after that. The plant stays.
   void kill_runtime() { killed_ = true; }
+  // The same, before the first scan after this time of the plant.
+  void kill_runtime_at(double time_s) { kill_at_s_ = time_s; }
   void refuse_changes() { refuse_changes_ = true; }
   int changes() const { return changes_; }
   std::function<void(std::span<const std::byte> outputs)> on_change;  // as they are after the swap
+  std::function<void(std::span<const std::byte> image)> on_scan;      // after every scan
   int stops() const { return stops_; }
 
   bool wait_for_runtime(std::chrono::milliseconds) override;
@@ -80,6 +85,7 @@ class SimulatedController final : public executive::Controller {
   std::uint64_t acknowledged_ = 0;
   scan::StartPoint next_start_;
   bool killed_ = false;
+  std::optional<double> kill_at_s_;
   bool refuse_changes_ = false;
   int changes_ = 0;
   int stops_ = 0;

@@ -43,6 +43,19 @@ TEST(TankBenchFault, WhenSwitchIsStuck_ThenItShowsThatAndLiquidStillFollowsThePo
   EXPECT_EQ(rig.sensor("fc1"), 1);
 }
 
+TEST(TankBenchFault, WhenSensorIsFrozen_ThenItGoesOnShowingItsReading) {
+  BenchRig rig;
+  rig.pump("B1", 1.0);
+  const int reading = rig.sensor("S1");
+  ASSERT_TRUE(rig.plant().inject_fault("frozen_s1", 1.0));
+  rig.pump("B1", 3.0);
+  EXPECT_EQ(rig.sensor("S1"), reading);
+  EXPECT_GT(rig.truth("level_v1_percent"), 30.0);
+  ASSERT_TRUE(rig.plant().clear_fault("frozen_s1"));
+  EXPECT_GT(rig.sensor("S1"), reading + 100);
+  EXPECT_FALSE(rig.plant().inject_fault("frozen_s1", 0.5));
+}
+
 TEST(TankBenchFault, WhenSensorDrifts_ThenReadingWalksAwayFromTheLevel) {
   BenchRig rig;
   rig.run(1.0);

@@ -20,10 +20,17 @@ TEST(OperatorRequest, WhenItChangesADemand_ThenFluentAndValueAreRead) {
   EXPECT_EQ(change.value, 8.5);
 }
 
+TEST(OperatorRequest, WhenItWantsAnotherGoal_ThenTheGoalIsRead) {
+  const auto request = parse_operator_request(R"_({"request": "goal", "goal": "(= (level a1) 4)"})_");
+  ASSERT_TRUE(request.has_value());
+  EXPECT_EQ(std::get<GoalRequest>(*request).goal, "(= (level a1) 4)");
+}
+
 TEST(OperatorRequest, WhenTheTextIsAnythingElse_ThenItIsRefused) {
   for (const char* text :
        {"", "{", "7", "null", "[]", "{}", R"_({"request": 7})_", R"_({"request": null})_",
-        R"_({"request": ["abort"]})_", R"_({"request": "halt"})_", R"_({"request": "change"})_",
+        R"_({"request": ["abort"]})_", R"_({"request": "halt"})_", R"_({"request": "goal"})_",
+        R"_({"request": "goal", "goal": 4})_", R"_({"request": "change"})_",
         R"_({"request": "change", "fluent": "(demand c1)"})_",
         R"_({"request": "change", "fluent": 3, "value": 8})_",
         R"_({"request": "change", "fluent": [], "value": 8})_",

@@ -87,20 +87,35 @@ INSTANTIATE_TEST_SUITE_P(Bench, FaultTest,
                                          FaultCase{"stuck_fc1", 0.0, 12.0}, FaultCase{"stuck_fc2", 1.0, 5.0},
                                          FaultCase{"drift_s2", 2.0, 10.0}, FaultCase{"draw_c1", 15.0, 30.0}));
 
+std::string first_cause(const PlanningDesk& desk, const PlantFault& fault) {
+  SimulatedController controller({}, {fault});
+  const RunRecord record = Executive(desk, controller, {}, {}).run();
+  return record.replans.empty() ? story(record) : record.replans.front().cause;
+}
+
+void expect_cause(const PlanningDesk& desk, const PlantFault& fault, const std::string& part) {
+  const std::string cause = first_cause(desk, fault);
+  EXPECT_NE(cause.find(part), std::string::npos) << cause;
+}
+
 // The chart has one FAILED step per action; the cause tells which of its reasons it was.
 TEST(ExecutiveBench, WhenAnActionFails_ThenTheCauseTellsTimeoutLostHoldAndRefusedStartApart) {
-  const auto first_cause = [](const PlantFault& fault) {
-    SimulatedController controller({}, {fault});
-    const RunRecord record = run_bench(controller);
-    return record.replans.empty() ? story(record) : record.replans.front().cause;
-  };
-  const auto expect = [&](const PlantFault& fault, const std::string& part) {
-    const std::string cause = first_cause(fault);
-    EXPECT_NE(cause.find(part), std::string::npos) << cause;
-  };
-  expect({0.0, "weak_b3", 0.0}, "(complete_order a1 c1 level7) did not end within 60 s");
-  expect({8.0, "stuck_fc1", 0.0}, "(load v1 f1 level7) was stopped: 'vehicle at f1' was lost while it ran");
-  expect({15.5, "leak_v1", 3.0}, "(unload v1 a1 level7) could not start: its precondition is not observed");
+  DeskOptions options = bench_desk_options();
+  options.monitors = false;  // which would tell of the level before the action is refused
+  const auto desk = PlanningDesk::open(options);
+  ASSERT_TRUE(desk);
+  expect_cause(*desk, {0.0, "weak_b3", 0.0}, "(complete_order a1 c1 level7) did not end within 60 s");
+  expect_cause(*desk, {8.0, "stuck_fc1", 0.0},
+               "(load v1 f1 level7) was stopped: 'vehicle at f1' was lost while it ran");
+  expect_cause(*desk, {15.5, "leak_v1", 3.0},
+               "(unload v1 a1 level7) could not start: its precondition is not observed");
+}
+
+TEST(ExecutiveBench, WhenAPlanIsWatched_ThenWhatHasNoEffectAndWhatLeaksIsFoundSooner) {
+  expect_cause(bench_desk(), {0.0, "weak_b3", 0.0},
+               "(complete_order a1 c1 level7) had no effect in 7.75 s: B3 was on");
+  expect_cause(bench_desk(), {0.0, "weak_b3", 0.2}, "(complete_order a1 c1 level7) did not end within 60 s");
+  expect_cause(bench_desk(), {15.5, "leak_v1", 3.0}, "level of v1 is 8.");
 }
 
 TEST(ExecutiveBench, WhenAClientChangesItsDemand_ThenTheNewDemandIsMet) {

@@ -50,6 +50,21 @@ TEST(ExecutiveConveyor, WhenTheSameSeedRunsTwice_ThenTheTracesAreEqual) {
   EXPECT_EQ(hashes[0], hashes[1]);
 }
 
+std::size_t motion_monitors(const PlanningDesk& desk) {
+  const auto initial = pddl::to_named(desk.task().initial());
+  const auto outcome = desk.prepare({.start = {.planning = initial}});
+  EXPECT_EQ(outcome->status, PrepareStatus::Ready);
+  const auto& monitors = outcome->prepared.translation.monitors;
+  return static_cast<std::size_t>(std::count_if(
+      monitors.begin(), monitors.end(),
+      [](const translate::Monitor& monitor) { return monitor.kind == translate::MonitorKind::Motion; }));
+}
+
+TEST(ExecutiveConveyor, WhenSensorsCountPieces_ThenNoMonitorWantsThemToMoveAllTheWhile) {
+  EXPECT_EQ(motion_monitors(conveyor_desk()), 0u);
+  EXPECT_GT(motion_monitors(bench_desk()), 0u) << "levels move";
+}
+
 // Faults that somebody puts right: the safety program stops the line, the executive waits for the reset,
 // plans anew and reaches the goal.
 struct MendedCase {

@@ -28,12 +28,30 @@ RunRecord sample() {
   Episode episode;
   episode.digest = "abc";
   episode.cost = 108.0;
+  episode.origin = "repaired";
+  episode.kept = 1;
+  episode.remaining = 2;
+  episode.repair_ms = 0.5;
   episode.actions = {done, pending};
   RunRecord record;
   record.cell = "bench";
   record.phase = Phase::Executing;
   record.episodes = {episode};
   record.replans = {{3.0, "a level is wrong", "(load v1 f1 level8)"}};
+  Incident incident;
+  incident.time_s = 3.0;
+  incident.kind = IncidentKind::FailedActuator;
+  incident.evidence = {"(load v1 f1 level8) had no effect in 4.3 s: B1 was on"};
+  incident.action = "(load v1 f1 level8)";
+  incident.alarms = {{"(load v1 f1 level8)", "invariant", "level of a2 within 0.2 of 2", 812, 1.7, "S3"}};
+  incident.response = Response::Repair;
+  incident.decision_ms = 12.5;
+  incident.repair_ms = 3.5;
+  incident.replan_ms = 8.25;
+  incident.kept = 4;
+  incident.remaining = 6;
+  incident.restarts = 1;
+  record.incidents = {incident};
   record.goal = {{"(= (level a1) 5)", false}};
   record.tare = {{"S3", 41.5}};
   return record;
@@ -117,7 +135,7 @@ TEST(Journal, WhenThereIsNone_ThenNothingIsRead) {
 
 TEST(Journal, WhenItIsDamaged_ThenTheErrorNamesTheFile) {
   const std::filesystem::path file = testing::TempDir() + "damaged.json";
-  std::ofstream(file) << "{\"version\": 2, \"record\": ";
+  std::ofstream(file) << "{\"version\": 3, \"record\": ";
   const auto read = read_journal(file);
   ASSERT_FALSE(read.has_value());
   EXPECT_EQ(read.error()[0].where.file, file.string());
@@ -130,6 +148,28 @@ TEST(Report, WhenDrawn_ThenEveryActionIsThereAndTextIsEscaped) {
   EXPECT_EQ(gantt.find("<&>"), std::string::npos);
   EXPECT_NE(cost_svg(sample()).find("polyline"), std::string::npos);
   EXPECT_NE(report_table(sample()).find("NOT MET"), std::string::npos);
+}
+
+TEST(Report, WhenThereAreIncidents_ThenTableAndPictureTellEvidenceDecisionAndTime) {
+  const std::string table = report_table(sample());
+  EXPECT_NE(table.find("Incident at 3.00 s, failed_actuator: (load v1 f1 level8) had no effect"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(
+      table.find(
+          "alarm: invariant of (load v1 f1 level8) lost in scan 812: level of a2 within 0.2 of 2 (1.7)"),
+      std::string::npos)
+      << table;
+  EXPECT_NE(table.find("decision: repair in 12.5 ms, 4 of 6 actions kept (repair 3.5 ms, new plan 8.2 ms)"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(gantt_svg(sample()).find("failed_actuator: "), std::string::npos);
+}
+
+TEST(RunRecord, WhenAnIncidentHasAnUnknownKind_ThenItIsRefused) {
+  std::string text = to_json(sample());
+  text.replace(text.find("failed_actuator"), 15, "bored_actuator!");
+  EXPECT_FALSE(record_from_json(text, "test").has_value());
 }
 
 // The plan of the first episode came from a replan already, and the last replan found none.

@@ -1,0 +1,106 @@
+#include "supervisor/executive/classify.h"
+
+#include <algorithm>
+
+namespace stepwright::executive {
+namespace {
+
+using Reason = FailedAction::Reason;
+using translate::Difference;
+
+class Classifier {
+ public:
+  explicit Classifier(const Situation& now) : now_(now) {}
+
+  std::optional<Cause> run() {
+    for (const FailedAction& failed : now_.failed) cause_.evidence.push_back(failed.sentence);
+    for (const Difference& difference : now_.differences) cause_.evidence.push_back(to_string(difference));
+    cause_.evidence.insert(cause_.evidence.end(), now_.contradictions.begin(), now_.contradictions.end());
+    if (!now_.failed.empty()) cause_.action = now_.failed.front().text;
+    const bool quiet = now_.failed.empty() && now_.differences.empty() && now_.contradictions.empty();
+    if (quiet && now_.limited.empty() && now_.frozen.empty()) return std::nullopt;
+    if (sensor() || actuator() || leak() || rest()) return cause_;
+    return std::nullopt;
+  }
+
+ private:
+  bool found(IncidentKind kind, std::string evidence = {}) {
+    cause_.kind = kind;
+    if (!evidence.empty()) cause_.evidence.push_back(std::move(evidence));
+    return true;
+  }
+
+  bool sensor() {
+    for (const std::string& name : now_.limited) {
+      return found(IncidentKind::FailedSensor, "sensor " + name + " stands at the end of its range");
+    }
+    for (const std::string& name : now_.frozen) {
+      return found(IncidentKind::FailedSensor,
+                   "sensor " + name + " shows the same counts while its level is moved");
+    }
+    for (const Difference& difference : now_.differences) {
+      if (difference.is_fact || !by_itself(now_, difference)) continue;
+      if (difference.measured < difference.expected) continue;
+      return found(IncidentKind::FailedSensor, difference.label + " has risen while nothing fills it");
+    }
+    const bool together = std::any_of(
+        now_.contradictions.begin(), now_.contradictions.end(),
+        [](const std::string& sentence) { return sentence.find("together") != std::string::npos; });
+    return together && found(IncidentKind::FailedSensor);
+  }
+
+  bool actuator() {
+    for (const FailedAction& failed : now_.failed) {
+      if (failed.reason != Reason::NoEffect) continue;
+      cause_.dead = failed.outputs;
+      cause_.again = std::any_of(failed.outputs.begin(), failed.outputs.end(),
+                                 [this](const std::string& output) { return now_.dead.contains(output); });
+      return found(IncidentKind::FailedActuator, cause_.again ? "not for the first time" : "");
+    }
+    return false;
+  }
+
+  bool leak() {
+    for (const Difference& difference : now_.differences) {
+      if (difference.is_fact || !by_itself(now_, difference)) continue;
+      if (difference.measured > difference.expected) continue;
+      const bool again = std::any_of(now_.earlier.begin(), now_.earlier.end(), [&](const Difference& each) {
+        return each.atom == difference.atom && each.measured < each.expected;
+      });
+      if (!again) continue;
+      return found(
+          IncidentKind::Leak,
+          difference.label + " has fallen by itself for the second time: a leak, or a sensor that drifts");
+    }
+    return false;
+  }
+
+  bool rest() {
+    for (const FailedAction& failed : now_.failed) {
+      if (failed.reason == Reason::Timeout) return found(IncidentKind::Timeout);
+      if (failed.reason == Reason::LostHold) return found(IncidentKind::Position);
+    }
+    if (!now_.differences.empty()) {
+      const bool place = std::all_of(now_.differences.begin(), now_.differences.end(),
+                                     [](const Difference& difference) { return difference.is_fact; });
+      return found(place ? IncidentKind::Position : IncidentKind::Level);
+    }
+    if (!now_.failed.empty()) return found(IncidentKind::Refused);
+    return !now_.contradictions.empty() && found(IncidentKind::Position);
+  }
+
+  const Situation& now_;
+  Cause cause_;
+};
+
+}  // namespace
+
+bool by_itself(const Situation& situation, const translate::Difference& difference) {
+  return !situation.moving.contains(difference.atom) && !situation.just_changed.contains(difference.atom);
+}
+
+std::optional<Cause> classify(const Situation& situation) {
+  return Classifier(situation).run();
+}
+
+}  // namespace stepwright::executive

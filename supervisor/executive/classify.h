@@ -1,0 +1,63 @@
+#pragma once
+
+// From what is observed to a class: which of plant, sensor, actuator and plan is at odds with the others.
+//
+// What speaks for a sensor is what liquid and vehicles cannot do: a level that rises while nothing fills it,
+// a place that is left while nothing drives, two places at once, counts at the end of their range. What
+// speaks for an actuator is an output that was on without any effect. A level that falls by itself is taken
+// for a disturbance once; the second time for a leak, or a sensor that drifts, which one sensor alone cannot
+// tell.
+//
+// Pure functions; use from any thread.
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "supervisor/executive/incident.h"
+#include "supervisor/translate/binding.h"
+#include "supervisor/translate/estimate.h"
+
+namespace stepwright::executive {
+
+// An action that the chart left for its FAILED step.
+struct FailedAction {
+  enum class Reason : std::uint8_t { Refused, NoEffect, Timeout, LostHold, Unknown };
+  std::string text;
+  Reason reason = Reason::Unknown;
+  std::string sentence;
+  std::vector<std::string> lost_facts;  // LostHold
+  std::vector<std::string> outputs;
+};
+
+struct Situation {
+  std::vector<translate::Difference> differences;  // of what no running action changes
+  std::vector<std::string> contradictions;
+  std::vector<FailedAction> failed;
+  std::set<std::string> moving;                // atoms that running actions change
+  std::set<std::string> just_changed;          // atoms that an action which ended just now has changed
+  std::vector<std::string> limited;            // sensors whose counts stand at the end of their range
+  std::vector<std::string> frozen;             // sensors that do not change while they should
+  std::set<std::string> dead;                  // outputs that had no effect before
+  std::vector<translate::Difference> earlier;  // differences of the incidents before
+};
+
+struct Cause {
+  IncidentKind kind = IncidentKind::Level;
+  std::vector<std::string> evidence;
+  std::string action{};
+  std::vector<std::string> dead{};  // FailedActuator: outputs without effect
+  bool again = false;               // FailedActuator: not for the first time
+
+  // Whether a plan that relies on the same device would be unsafe or in vain.
+  bool stops() const { return kind == IncidentKind::FailedSensor || kind == IncidentKind::Leak || again; }
+};
+
+// Whether nothing in the plan has touched what differs.
+bool by_itself(const Situation& situation, const translate::Difference& difference);
+
+// Nothing if all is as expected.
+std::optional<Cause> classify(const Situation& situation);
+
+}  // namespace stepwright::executive

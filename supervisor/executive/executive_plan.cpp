@@ -1,0 +1,204 @@
+// Incidents, and the plans that answer them: made in a thread of their own while this one watches.
+
+#include <algorithm>
+#include <utility>
+
+#include "supervisor/executive/executive.h"
+#include "supervisor/pddl/describe_run.h"
+
+namespace stepwright::executive {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+// Between two looks at the plant while a plan is made.
+constexpr milliseconds kLook{5};
+
+Response response_of(const Episode& episode) {
+  if (episode.origin == "kept") return Response::GoOn;
+  return episode.origin == "repaired" ? Response::Repair : Response::Replan;
+}
+
+double ms_since(steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+void Executive::open_incident(const Cause& cause) {
+  Incident incident;
+  incident.time_s = time_s_;
+  incident.kind = cause.kind;
+  incident.evidence = cause.evidence;
+  incident.action = cause.action;
+  incident.alarms = std::exchange(alarms_, {});
+  record_.incidents.push_back(std::move(incident));
+  earlier_.insert(earlier_.end(), differences_.begin(), differences_.end());
+  differences_.clear();
+  dead_.insert(cause.dead.begin(), cause.dead.end());
+  working_ = true;
+  working_since_ = steady_clock::now();
+}
+
+void Executive::decide(Response response) {
+  if (record_.incidents.empty() || record_.incidents.back().response != Response::Open) return;
+  Incident& incident = record_.incidents.back();
+  incident.response = response;
+  if (std::exchange(working_, false)) incident.decision_ms += ms_since(working_since_);
+}
+
+// News that makes the planning under way worthless.
+void Executive::overtake(std::string evidence) {
+  if (record_.incidents.empty() || record_.incidents.back().response != Response::Open) return;
+  record_.incidents.back().evidence.push_back(std::move(evidence));
+  ++record_.incidents.back().restarts;
+}
+
+std::vector<model::GroundAction> Executive::remaining_actions() const {
+  std::vector<model::GroundAction> remaining;
+  for (std::size_t i = 0; i < progress_.actions.size(); ++i) {
+    if (progress_.actions[i] != ActionState::Done) remaining.push_back(current_.plan.actions[i]);
+  }
+  return remaining;
+}
+
+void Executive::close_episode(std::string& last_done) {
+  if (record_.episodes.empty()) return;
+  for (ActionRecord& action : record_.episodes.back().actions) {
+    if (action.state == ActionState::Done) last_done = action.text;
+    if (action.state == ActionState::Active) action.state = ActionState::Failed;
+  }
+}
+
+bool Executive::replan(const Cause& cause) {
+  std::string last_done;
+  close_episode(last_done);
+  const std::string sentence = sentence_of(cause.evidence);
+  open_incident(cause);
+  if (cause.stops()) return give_up(cause);
+  if (static_cast<int>(record_.replans.size()) >= options_.max_replans) {
+    return give_up("after " + std::to_string(record_.replans.size()) + " replans: " + sentence, cause.kind);
+  }
+  record_.replans.push_back({time_s_, sentence, last_done});
+  set_phase(Phase::Replanning, sentence);
+  // A program that runs is relieved by the next one, without a stop. Anything else stops at once, not only
+  // with the download that follows; a runtime that is gone or was restarted has nothing to stop.
+  if (!can_take_over()) (void)controller_.stop(sentence.substr(0, 200));
+  const model::NamedState tracked = progress_.actions.empty()
+                                        ? pddl::to_named(desk_.task().initial())
+                                        : translate::expected_state(current_.translation, progress_.done());
+  return mend(tracked, begun_actions(), remaining_actions());
+}
+
+// From the observed state to a plan that runs.
+bool Executive::mend(const model::NamedState& tracked, const std::vector<model::GroundAction>& interrupted,
+                     const std::vector<model::GroundAction>& remaining) {
+  while (true) {
+    if (std::exchange(working_, false)) record_.incidents.back().decision_ms += ms_since(working_since_);
+    if (!observe(true)) return false;
+    working_ = true;
+    working_since_ = steady_clock::now();
+    auto estimate = translate::estimate(desk_.binding(), means_, tare_, with_changes(tracked), interrupted);
+    if (!estimate) return give_up("the state cannot be read", estimate.error());
+    if (!estimate->contradictions.empty()) {
+      record_.incidents.back().kind = IncidentKind::FailedSensor;
+      return give_up("the observed state contradicts itself: " + sentence_of(estimate->contradictions));
+    }
+    seen_ = std::move(*estimate);
+    const model::NamedState planning = with_changes(seen_.planning);
+    // Who wants something else does so in any state.
+    const IncidentKind kind = record_.incidents.back().kind;
+    const bool wish = kind == IncidentKind::NewGoal || kind == IncidentKind::ChangedDemand;
+    if (!wish && !interrupted.empty() && planning == stuck_at_) {
+      return give_up("the plant does not follow: for the second time in the same state, " +
+                     record_.replans.back().cause);
+    }
+    const Planned planned = plan_watched(
+        {.planning = planning, .measured = seen_.measured.fluents, .tare = tare_, .goal = goal_}, remaining);
+    if (planned == Planned::Over) return false;
+    if (planned == Planned::Again) continue;
+    stuck_at_ = current_.start.planning;
+    record_.incidents.back().repair_ms = current_.episode.repair_ms;
+    record_.incidents.back().replan_ms = current_.episode.replan_ms;
+    record_.incidents.back().kept = current_.episode.kept;
+    record_.incidents.back().remaining = current_.episode.remaining;
+    decide(response_of(current_.episode));
+    return current_.plan.actions.empty() ? finish() : launch();
+  }
+}
+
+// Makes the plan into current_. Again: the plant is not any more where the planning began.
+Executive::Planned Executive::plan_watched(StartState start,
+                                           const std::vector<model::GroundAction>& remaining) {
+  while (true) {
+    PlanningJob job(desk_, {.start = start, .remaining = remaining});
+    RestWatch rest(desk_.binding(), tare_, seen_.measured);
+    bool again = false;
+    while (!again && !job.wait(kLook)) {
+      if (const auto end = overtaken(job, start, rest, again)) return *end;
+    }
+    if (again) continue;
+    auto outcome = job.take();
+    if (!outcome) {
+      give_up("no program could be made", outcome.error());
+      return Planned::Over;
+    }
+    if (outcome->status != PrepareStatus::Ready) {
+      const bool first = record_.replans.empty();
+      give_up((first ? "there is no plan: " : "there is no plan from the observed state: ") + outcome->reason,
+              IncidentKind::ProgramFault,
+              !first                                         ? result::ExitCode::RuntimeFault
+              : outcome->status == PrepareStatus::Infeasible ? result::ExitCode::NoPlan
+                                                             : result::ExitCode::BudgetExhausted);
+      return Planned::Over;
+    }
+    current_ = std::move(outcome->prepared);
+    return Planned::Ready;
+  }
+}
+
+// One look while a plan is made. `again`: the same plant, but something else is wanted of it.
+std::optional<Executive::Planned> Executive::overtaken(PlanningJob& job, StartState& start, RestWatch& rest,
+                                                       bool& again) {
+  if (abort_) {
+    job.cancel();
+    give_up("aborted by the operator", IncidentKind::Operator);
+    return Planned::Over;
+  }
+  if (const auto change = due_change(time_s_)) {
+    job.cancel();
+    overtake(sentence_of(change->evidence));
+    start.planning = with_changes(start.planning);
+    start.goal = goal_;
+    again = true;
+    return std::nullopt;
+  }
+  if (!reader_) return std::nullopt;  // before the first program there is nothing to watch
+  if (!controller_.alive()) {
+    job.cancel();
+    overtake("the runtime does not answer");
+    return Planned::Again;
+  }
+  // With a barrier the clock stands still from the observation on, and the plant with it.
+  if (options_.barrier) return std::nullopt;
+  if (const auto event = controller_.wait_event(milliseconds(0))) {
+    (void)controller_.acknowledge(event->sequence);
+    const bool ended = event->kind == host::EventKind::Trap || event->kind == host::EventKind::Stopped ||
+                       event->kind == host::EventKind::RolledBack;
+    if (event->program_digest == digest_ && ended) {
+      job.cancel();
+      overtake("the runtime stopped while a plan was made: " + event->detail);
+      return Planned::Again;
+    }
+  }
+  const auto snapshot = controller_.snapshot();
+  if (!snapshot || snapshot->program_digest != digest_) return std::nullopt;
+  const auto news = rest.see(reader_->values(snapshot->image), snapshot->scan);
+  if (!news) return std::nullopt;
+  job.cancel();
+  overtake(*news);
+  return Planned::Again;
+}
+
+}  // namespace stepwright::executive

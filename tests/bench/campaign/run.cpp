@@ -1,0 +1,160 @@
+#include "tests/bench/campaign/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+namespace stepwright::campaign {
+namespace {
+
+using executive::Incident;
+using executive::IncidentKind;
+using executive::Phase;
+using executive::Response;
+using executive::RunRecord;
+using support::SimulatedController;
+
+// A level may be off by its tolerance, and by as much again and a little more that a sensor has drifted
+// unseen.
+constexpr double kLevelError = 0.5;
+constexpr double kPlaceError_m = 0.05;
+
+// The number after `start` in a goal such as "(= (level a1) 5)".
+std::optional<double> wanted(const RunRecord& record, const std::string& start) {
+  for (const executive::GoalRecord& goal : record.goal) {
+    if (goal.text.rfind(start, 0) == 0) return std::strtod(goal.text.c_str() + start.size(), nullptr);
+  }
+  return std::nullopt;
+}
+
+std::optional<double> wanted_position(const RunRecord& record) {
+  const std::pair<const char*, double> places[] = {
+      {"(is-at v1 f1)", 0.0}, {"(is-at v1 a1)", -1.0}, {"(is-at v1 a2)", 1.0}};
+  for (const executive::GoalRecord& goal : record.goal) {
+    for (const auto& [text, position] : places) {
+      if (goal.text == text) return position;
+    }
+  }
+  return std::nullopt;
+}
+
+// Empty if the plant really is where the report says.
+std::string wrong_goal(const SimulatedController& controller, RunResult& run) {
+  for (const char* tank : {"a1", "a2"}) {
+    const auto level = wanted(run.record, fmt::format("(= (level {}) ", tank));
+    if (!level) return fmt::format("the goal says nothing of {}", tank);
+    const double is = controller.plant_value(fmt::format("level_{}_percent", tank)) / 10.0;
+    run.level_error = std::max(run.level_error, std::abs(is - *level));
+    if (std::abs(is - *level) > kLevelError)
+      return fmt::format("{} is {:.2f}, wanted {:g}", tank, is, *level);
+  }
+  const auto position = wanted_position(run.record);
+  if (!position) return "the goal says nothing of the vehicle";
+  const double is = controller.plant_value("position");
+  if (std::abs(is - *position) > kPlaceError_m) return fmt::format("the vehicle is at {:.2f} m", is);
+  for (const executive::GoalRecord& goal : run.record.goal) {
+    if (!goal.met) return "the report itself says that " + goal.text + " is not met";
+  }
+  return {};
+}
+
+std::set<IncidentKind> plausible(DisturbanceClass of) {
+  using K = IncidentKind;
+  switch (of) {
+    case DisturbanceClass::None:
+    case DisturbanceClass::LostRuntime:
+      return {};
+    case DisturbanceClass::Demand:
+      return {K::ChangedDemand};
+    case DisturbanceClass::NewGoal:
+      return {K::NewGoal};
+    case DisturbanceClass::Leak:
+      return {K::Leak, K::Level, K::Timeout, K::Refused, K::FailedActuator};
+    case DisturbanceClass::WeakPump:
+      return {K::FailedActuator, K::Timeout};
+    case DisturbanceClass::StuckSwitch:
+      return {K::FailedSensor, K::FailedActuator, K::Position, K::Timeout, K::Refused};
+    case DisturbanceClass::Drift:
+    case DisturbanceClass::FrozenSensor:
+      return {K::FailedSensor, K::FailedActuator, K::Leak, K::Level, K::Timeout, K::Refused};
+    case DisturbanceClass::Draw:
+      return {K::Level, K::Leak, K::Refused};
+    case DisturbanceClass::Several:
+      break;
+  }
+  return {K::FailedSensor, K::FailedActuator, K::Leak,    K::Level,        K::Timeout,
+          K::Refused,      K::Position,       K::NewGoal, K::ChangedDemand};
+}
+
+// Empty if the run was given up for a reason that its disturbance can give.
+std::string wrong_stop(const RunResult& run) {
+  if (run.record.incidents.empty()) return "given up without an incident";
+  const Incident& last = run.record.incidents.back();
+  if (last.response != Response::SafeStop) return "the last incident is not the stop";
+  if (last.evidence.empty()) return "the stop has no evidence";
+  if (!plausible(run.disturbance.of).contains(last.kind)) {
+    return fmt::format("stopped for '{}': {}", to_string(last.kind), run.record.message);
+  }
+  const bool asked = last.kind == IncidentKind::NewGoal || last.kind == IncidentKind::ChangedDemand;
+  if (asked && run.record.message.find("there is no plan") == std::string::npos) {
+    return "a wish ended in: " + run.record.message;
+  }
+  return {};
+}
+
+void judge(const SimulatedController& controller, RunResult& run) {
+  if (controller.any_output()) {
+    run.why = "an output is on after the end";
+    return;
+  }
+  if (std::any_of(run.record.incidents.begin(), run.record.incidents.end(),
+                  [](const Incident& incident) { return incident.response == Response::Open; })) {
+    run.why = "an incident was left without a decision";
+    return;
+  }
+  const bool done = run.record.phase == Phase::Done;
+  if (!done && run.record.phase != Phase::Safe) {
+    run.why = fmt::format("ended while {}", to_string(run.record.phase));
+    return;
+  }
+  run.why = done ? wrong_goal(controller, run) : wrong_stop(run);
+  if (run.why.empty()) run.verdict = done ? Verdict::GoalReached : Verdict::SafeStop;
+}
+
+}  // namespace
+
+result::Result<executive::PlanningDesk> campaign_desk() {
+  const std::string cell = STEPWRIGHT_SOURCE_DIR "/tests/cells/bench/";
+  executive::DeskOptions options;
+  options.domain = cell + "domain.pddl";
+  options.problem = cell + "problem.pddl";
+  options.binding = cell + "binding.toml";
+  return executive::PlanningDesk::open(options);
+}
+
+RunResult run_once(const executive::PlanningDesk& desk, const Disturbance& disturbance) {
+  const auto start = std::chrono::steady_clock::now();
+  RunResult run;
+  run.disturbance = disturbance;
+  assemblies::BenchParameters parameters;
+  parameters.seed = disturbance.seed;
+  SimulatedController controller(parameters, disturbance.faults);
+  if (disturbance.kill_at_s) controller.kill_runtime_at(*disturbance.kill_at_s);
+  executive::ExecutiveOptions options;
+  options.cell = "bench";
+  options.goal_changes = disturbance.changes;
+  try {
+    run.record = executive::Executive(desk, controller, options, {}).run();
+    judge(controller, run);
+  } catch (const std::exception& problem) {  // a run that hangs or a test harness that cannot go on
+    run.why = problem.what();
+  }
+  run.wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return run;
+}
+
+}  // namespace stepwright::campaign

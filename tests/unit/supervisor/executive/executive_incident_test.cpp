@@ -1,0 +1,130 @@
+// What happens is classified with its evidence, decided and timed; news overtakes a planning under way.
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/supervisor/executive/bench_fixture.h"
+
+namespace stepwright::executive {
+namespace {
+
+using support::PlantFault;
+using support::SimulatedController;
+
+struct Case {
+  const char* name;
+  PlantFault fault;
+  IncidentKind kind;
+};
+
+class IncidentTest : public testing::TestWithParam<Case> {};
+
+TEST_P(IncidentTest, WhenItHappens_ThenItIsClassifiedAndDecided) {
+  SimulatedController controller({}, {GetParam().fault});
+  const RunRecord record = run_bench(controller);
+  ASSERT_FALSE(record.incidents.empty()) << story(record);
+  const Incident& first = record.incidents.front();
+  EXPECT_EQ(first.kind, GetParam().kind) << to_string(first.kind) << ": " << sentence_of(first.evidence);
+  EXPECT_FALSE(first.evidence.empty());
+  for (const Incident& incident : record.incidents) {
+    EXPECT_NE(incident.response, Response::Open);
+    EXPECT_GE(incident.decision_ms, 0.0);
+  }
+  EXPECT_EQ(record.phase == Phase::Safe, record.incidents.back().response == Response::SafeStop)
+      << story(record);
+  EXPECT_FALSE(controller.any_output());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bench, IncidentTest,
+    testing::Values(Case{"DeadPump", {0.0, "weak_b3", 0.0}, IncidentKind::FailedActuator},
+                    Case{"SlowPump", {0.0, "weak_b3", 0.2}, IncidentKind::Timeout},
+                    Case{"LostPlace", {8.0, "stuck_fc1", 0.0}, IncidentKind::Position},
+                    Case{"TwoPlaces", {5.0, "stuck_fc2", 1.0}, IncidentKind::FailedSensor},
+                    Case{"RisingSensor", {10.0, "drift_s2", 40.0}, IncidentKind::FailedSensor},
+                    Case{"FrozenSensor", {8.5, "frozen_s1", 1.0}, IncidentKind::FailedSensor},
+                    Case{"Leak", {20.0, "leak_a1", 0.5}, IncidentKind::Level}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+TEST(ExecutiveIncident, WhenAClientChangesItsDemand_ThenItIsARepairOrANewPlanAndBothAreTimed) {
+  SimulatedController controller({});
+  ExecutiveOptions options;
+  options.goal_changes = {{20.0, "(demand c1)", 8.0}};
+  const RunRecord record = run_bench(controller, options);
+  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  ASSERT_EQ(record.incidents.size(), 1u);
+  const Incident& incident = record.incidents[0];
+  EXPECT_EQ(incident.kind, IncidentKind::ChangedDemand);
+  EXPECT_GT(incident.decision_ms, 0.0);
+  EXPECT_GT(incident.remaining, 0u);
+  EXPECT_GT(incident.repair_ms, 0.0);
+  EXPECT_EQ(record.episodes.back().remaining, incident.remaining);
+}
+
+TEST(ExecutiveIncident, WhenANewGoalIsWanted_ThenItIsReached) {
+  SimulatedController controller({});
+  ExecutiveOptions options;
+  options.goal_changes = {{15.0, "", 0.0, "(and (is-at v1 a2) (= (level a1) 4) (= (level a2) 3))"}};
+  const RunRecord record = run_bench(controller, options);
+  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  ASSERT_EQ(record.incidents.size(), 1u);
+  EXPECT_EQ(record.incidents[0].kind, IncidentKind::NewGoal);
+  EXPECT_NEAR(controller.plant_value("level_a1_percent"), 40.0, 2.0);
+  EXPECT_NEAR(controller.plant_value("level_a2_percent"), 30.0, 2.0);
+  EXPECT_NEAR(controller.plant_value("position"), 1.0, 0.05);
+}
+
+TEST(ExecutiveIncident, WhenAGoalIsNoGoal_ThenItIsRefused) {
+  SimulatedController controller({});
+  Executive executive(bench_desk(), controller, {}, {});
+  EXPECT_FALSE(executive.request_goal("(= (level a9) 4)"));
+  EXPECT_FALSE(executive.request_goal("(and"));
+  EXPECT_TRUE(executive.request_goal("(= (level a1) 4)"));
+}
+
+TEST(ExecutiveIncident, WhenTheRuntimeIsKilled_ThenItIsALostRuntime) {
+  SimulatedController controller({});
+  controller.kill_runtime_at(20.0);
+  const RunRecord record = run_bench(controller);
+  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  ASSERT_EQ(record.incidents.size(), 1u);
+  EXPECT_EQ(record.incidents[0].kind, IncidentKind::LostRuntime);
+}
+
+// A wish that comes while a plan is made: that planning is cancelled, and the plan that runs knows the wish.
+TEST(ExecutiveIncident, WhenAWishOvertakesAPlanning_ThenItStartsAgain) {
+  SimulatedController controller({});
+  ExecutiveOptions options;
+  options.cell = "bench";
+  options.goal_changes = {{20.0, "(demand c1)", 8.0}};
+  Executive* running = nullptr;
+  int wishes = 0;
+  Executive executive(bench_desk(), controller, options, [&](const RunRecord& record) {
+    if (record.phase != Phase::Replanning || wishes++ > 0) return;
+    ASSERT_TRUE(running->request_change("(demand c2)", 9.0));
+  });
+  running = &executive;
+  const RunRecord record = executive.run();
+  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  ASSERT_EQ(record.incidents.size(), 1u) << story(record);
+  EXPECT_EQ(record.incidents[0].restarts, 1u);
+  EXPECT_NE(sentence_of(record.incidents[0].evidence).find("(demand c2) was changed to 9"),
+            std::string::npos);
+  EXPECT_NEAR(controller.plant_value("delivered_c2_percent"), 90.0, 4.0);
+}
+
+// An alarm of the monitors is told with the incident that it led to.
+TEST(ExecutiveIncident, WhenALevelFallsWhileAnActionRuns_ThenTheAlarmIsInTheReportWithinAScan) {
+  SimulatedController controller({}, {{8.0, "leak_a2", 3.0}});
+  const RunRecord record = run_bench(controller);
+  ASSERT_FALSE(record.incidents.empty()) << story(record);
+  const Incident& first = record.incidents.front();
+  ASSERT_FALSE(first.alarms.empty());
+  EXPECT_EQ(first.alarms.front().kind, "invariant");
+  EXPECT_EQ(first.alarms.front().sensor, "S3");
+  EXPECT_LT(first.alarms.front().value, 1.81);
+  // 3 percent a second: the tolerance of 2 points is left after 0.7 s and the time of the filter.
+  EXPECT_LT(first.time_s, 9.5);
+}
+
+}  // namespace
+}  // namespace stepwright::executive

@@ -1,0 +1,175 @@
+// The monitors of a generated program in the real scan and plant: what is lost in scan k is an alarm of scan
+// k.
+
+#include "supervisor/translate/monitors.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "supervisor/pddl/describe_run.h"
+#include "tests/unit/supervisor/executive/bench_fixture.h"
+
+namespace stepwright::executive {
+namespace {
+
+using support::PlantFault;
+using support::SimulatedController;
+using translate::Monitor;
+using translate::MonitorKind;
+
+struct Raised {
+  Monitor monitor;
+  std::string action;
+  std::uint64_t scan = 0;     // as the program says
+  std::uint64_t seen_in = 0;  // in which the test saw it
+  double value = 0.0;
+};
+
+// The optimal plan's program on a bench with exact sensors, for so many scans.
+class MonitoredRun {
+ public:
+  explicit MonitoredRun(std::vector<PlantFault> faults) : controller_(exact(), std::move(faults)) {
+    const auto initial = pddl::to_named(bench_desk().task().initial());
+    prepared_ = std::move(bench_desk().prepare({.start = {.planning = initial}})->prepared);
+    std::vector<std::string> names = {
+        translate::kAlarmCount, "S1_filtered", "S2_filtered", "S3_filtered", "fc1", "fc2", "fc3"};
+    for (std::size_t i = 0; i < prepared_.translation.monitors.size(); ++i) {
+      names.push_back(translate::alarm_scan_variable(i));
+      names.push_back(translate::alarm_value_variable(i));
+    }
+    reader_ = *ImageReader::create(prepared_.container, prepared_.translation.instance, names);
+    controller_.on_scan = [this](std::span<const std::byte> image) { look(image); };
+  }
+
+  // Until the chart is done or has failed, or `scans` have passed.
+  void run(std::uint64_t scans) {
+    ASSERT_TRUE(controller_.download(prepared_.container));
+    ASSERT_TRUE(controller_.start(true));
+    while (scan_ < scans) {
+      const auto event = controller_.wait_event(std::chrono::milliseconds(0));
+      if (!event) break;
+      events_.push_back(event->scan);
+      (void)controller_.acknowledge(event->sequence);
+      const auto now = translate::progress(prepared_.translation, reader_->active_steps(event->image));
+      if (now.finished || !now.failed_steps.empty()) break;
+    }
+  }
+
+  const std::vector<Raised>& raised() const { return raised_; }
+  const std::vector<std::uint64_t>& events() const { return events_; }
+  const PreparedPlan& prepared() const { return prepared_; }
+  double value(std::uint64_t scan, const std::string& name) const { return history_.at(name).at(scan - 1); }
+
+ private:
+  static assemblies::BenchParameters exact() {
+    assemblies::BenchParameters parameters;
+    parameters.uncertainty = assemblies::SensorUncertainty::none();
+    return parameters;
+  }
+
+  void look(std::span<const std::byte> image) {
+    ++scan_;
+    const auto values = reader_->values(image);
+    for (const char* name : {"S1_filtered", "S2_filtered", "S3_filtered", "fc1", "fc2", "fc3"}) {
+      history_[name].push_back(values.at(name));
+    }
+    if (values.at(translate::kAlarmCount) == static_cast<double>(raised_.size())) return;
+    for (std::size_t i = 0; i < prepared_.translation.monitors.size(); ++i) {
+      const double scan = values.at(translate::alarm_scan_variable(i));
+      if (scan == 0.0 || !told_.insert(i).second) continue;
+      const Monitor& monitor = prepared_.translation.monitors[i];
+      raised_.push_back({monitor, model::to_string(prepared_.plan.actions[monitor.action]),
+                         static_cast<std::uint64_t>(scan), scan_,
+                         values.at(translate::alarm_value_variable(i))});
+    }
+  }
+
+  SimulatedController controller_;
+  PreparedPlan prepared_;
+  std::optional<ImageReader> reader_;
+  std::uint64_t scan_ = 0;
+  std::set<std::size_t> told_;
+  std::vector<Raised> raised_;
+  std::vector<std::uint64_t> events_;
+  std::map<std::string, std::vector<double>> history_;
+};
+
+TEST(Monitors, WhenNothingGoesWrong_ThenNoAlarmIsRaised) {
+  MonitoredRun run({});
+  run.run(20'000);
+  EXPECT_GT(run.events().back(), 5'000u);
+  EXPECT_GT(run.prepared().translation.monitors.size(), 50u);
+  for (const Raised& raised : run.raised()) ADD_FAILURE() << raised.action << ": " << raised.monitor.text;
+}
+
+TEST(Monitors, WhenASwitchClosesInScanK_ThenTheAlarmIsOfScanK) {
+  MonitoredRun run({{5.0, "stuck_fc2", 1.0}});
+  run.run(1'000);
+  ASSERT_FALSE(run.raised().empty());
+  const Raised& first = run.raised().front();
+  std::uint64_t closed = 1;
+  while (run.value(closed, "fc2") == 0.0) ++closed;
+  EXPECT_NEAR(static_cast<double>(closed), 500.0, 2.0);
+  EXPECT_EQ(first.scan, closed);
+  EXPECT_EQ(first.seen_in, closed);
+  EXPECT_EQ(first.monitor.kind, MonitorKind::Invariant);
+  EXPECT_EQ(first.monitor.text, "not 'vehicle at a1'");
+  EXPECT_EQ(first.value, 1.0);
+  // Whoever follows the program is told in the same scan.
+  EXPECT_NE(std::find(run.events().begin(), run.events().end(), closed), run.events().end());
+}
+
+TEST(Monitors, WhenALevelLeavesItsToleranceInScanK_ThenTheAlarmIsOfScanK) {
+  MonitoredRun run({{4.0, "drift_s3", 50.0}});
+  run.run(1'000);
+  ASSERT_FALSE(run.raised().empty());
+  const Raised& first = run.raised().front();
+  // 0.2 of a level above 2: (1773 - 1061) / 3 counts each.
+  std::uint64_t left = 1;
+  while (run.value(left, "S3_filtered") <= 1108.0) ++left;
+  EXPECT_EQ(first.scan, left);
+  EXPECT_EQ(first.seen_in, left);
+  EXPECT_EQ(first.monitor.kind, MonitorKind::Invariant);
+  EXPECT_EQ(first.monitor.sensor, "S3");
+  EXPECT_EQ(first.value, run.value(left, "S3_filtered"));
+}
+
+// It leaks while it is loaded and after: the pump stops at the level, and there is less when the action is
+// done.
+TEST(Monitors, WhenAnActionEndsWithoutItsEffect_ThenTheAlarmIsOfTheScanInWhichItIsDone) {
+  MonitoredRun run({{3.0, "leak_v1", 3.0}});
+  run.run(4'000);
+  const auto effect = std::find_if(run.raised().begin(), run.raised().end(), [](const Raised& raised) {
+    return raised.monitor.kind == MonitorKind::Effect && raised.monitor.sensor == "S1";
+  });
+  ASSERT_NE(effect, run.raised().end());
+  EXPECT_EQ(effect->action.rfind("(load v1 f1", 0), 0u) << effect->action;
+  EXPECT_EQ(effect->scan, effect->seen_in);
+}
+
+TEST(Monitors, WhenAnActionIsRefused_ThenThePartOfItsPreconditionIsNamed) {
+  MonitoredRun run({{15.5, "leak_v1", 3.0}});
+  run.run(4'000);
+  const auto refused = std::find_if(run.raised().begin(), run.raised().end(), [](const Raised& raised) {
+    return raised.monitor.kind == MonitorKind::Precondition;
+  });
+  ASSERT_NE(refused, run.raised().end());
+  EXPECT_EQ(refused->action, "(unload v1 a1 level7)");
+  EXPECT_NE(refused->monitor.text.find("S1_filtered >= "), std::string::npos) << refused->monitor.text;
+  EXPECT_EQ(refused->scan, refused->seen_in);
+  EXPECT_EQ(refused->scan, run.events().back());
+}
+
+TEST(Monitors, WhenTheBindingHasTheirNames_ThenRefused) {
+  const auto initial = pddl::to_named(bench_desk().task().initial());
+  auto prepared = bench_desk().prepare({.start = {.planning = initial}});
+  ASSERT_TRUE(prepared);
+  translate::Translation& made = prepared->prepared.translation;  // it has them already
+  const auto again = translate::add_monitors(made, prepared->prepared.run, bench_desk().binding(), {});
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().front().code, "T0006");
+}
+
+}  // namespace
+}  // namespace stepwright::executive
