@@ -8,6 +8,11 @@
 #include "supervisor/pddl/syntax/text.h"
 
 namespace stepwright::pddl {
+namespace {
+
+constexpr const char* kGoalText = "goal";  // the name of a goal given to with_goal, in diagnostics
+
+}  // namespace
 
 Task::Task(std::shared_ptr<const Definition> definition, result::Diagnostics warnings)
     : definition_(std::move(definition)),
@@ -48,10 +53,13 @@ result::Result<Task> Task::with_initial(const State& state) const {
 }
 
 result::Result<Task> Task::with_goal(std::string_view formula) const {
-  Reporter reporter({"goal"});
-  Formula goal = parse_goal(tokenize(formula, 0, reporter), reporter);
-  if (reporter.failed()) return tl::unexpected<result::Diagnostics>(reporter.take());
   auto changed = std::make_shared<Definition>(*definition_);
+  // The goal's places are in a text of their own.
+  if (changed->files.empty() || changed->files.back() != kGoalText) changed->files.emplace_back(kGoalText);
+  Reporter reporter(changed->files);
+  const auto file = static_cast<std::uint32_t>(changed->files.size() - 1);
+  Formula goal = parse_goal(tokenize(formula, file, reporter), reporter);
+  if (reporter.failed()) return tl::unexpected<result::Diagnostics>(reporter.take());
   check_goal(std::move(goal), *changed, reporter);
   if (reporter.failed()) return tl::unexpected<result::Diagnostics>(reporter.take());
   return Task(std::move(changed), warnings_);

@@ -57,7 +57,9 @@ GroundExpression Compiler::expression(const Expression& expression, const Bindin
     const int function = expression.call.symbol;
     const std::span<const int> arguments = objects(expression.call, binding);
     if (definition_.functions[static_cast<std::size_t>(function)].changes) {
-      return variable_expression(variables_.intern(function, arguments));
+      const bool has_value = fluents_.find(function, arguments) >= 0;
+      const int number = variables_.intern(function, arguments);
+      return has_value ? variable_expression(number) : partial_expression(number);
     }
     const int place = fluents_.find(function, arguments);
     return constant_expression(place < 0 ? std::numeric_limits<double>::quiet_NaN()
@@ -224,7 +226,7 @@ std::optional<GroundOperator> Compiler::compile(int action, Binding& binding) {
   op.effects.emplace_back();
   effects(schema.effect, binding, 0, op);
   for (const NumericEffect& effect : op.effects[0].numeric) {
-    if (effect.amount.is_constant() && !std::isfinite(effect.amount.constant)) return std::nullopt;
+    if (effect.amount.linear() && !std::isfinite(effect.amount.constant)) return std::nullopt;
   }
   if (definition_.total_time >= 0) {
     op.effects[0].numeric.push_back(

@@ -28,6 +28,14 @@ GroundExpression concatenate(NumericKind kind, const GroundExpression& a, const 
   return result;
 }
 
+// Division by zero is undefined, not infinite.
+double divide(double a, double b) {
+  return b == 0.0 ? std::numeric_limits<double>::quiet_NaN() : a / b;
+}
+Interval divide(Interval a, Interval b) {
+  return a / b;
+}
+
 template <typename T>
 T apply(NumericKind kind, const T& a, const T& b) {
   switch (kind) {
@@ -38,7 +46,7 @@ T apply(NumericKind kind, const T& a, const T& b) {
     case NumericKind::Multiply:
       return a * b;
     default:
-      return a / b;
+      return divide(a, b);
   }
 }
 
@@ -72,6 +80,12 @@ GroundExpression constant_expression(double value) {
 GroundExpression variable_expression(int variable) {
   GroundExpression expression;
   expression.terms.push_back({variable, 1.0});
+  return expression;
+}
+
+GroundExpression partial_expression(int variable) {
+  GroundExpression expression;
+  expression.program.push_back({NumericKind::Fluent, 0.0, variable});
   return expression;
 }
 
@@ -126,7 +140,8 @@ void for_each_variable(const GroundExpression& expression, const std::function<v
 GroundExpression substitute(const GroundExpression& expression, const std::vector<Replacement>& by) {
   const auto replace = [&](int variable) {
     const Replacement& r = by[static_cast<std::size_t>(variable)];
-    return r.variable < 0 ? constant_expression(r.constant) : variable_expression(r.variable);
+    if (r.variable < 0) return constant_expression(r.constant);
+    return r.partial ? partial_expression(r.variable) : variable_expression(r.variable);
   };
   if (expression.linear()) {
     GroundExpression result = constant_expression(expression.constant);

@@ -37,6 +37,10 @@ struct GroundExpression {
 GroundExpression constant_expression(double value);
 GroundExpression variable_expression(int variable);
 
+// A variable that may have no value: a program, because in a linear form x - x and 0 x would be 0 even where
+// x is undefined.
+GroundExpression partial_expression(int variable);
+
 // kind: Add, Subtract, Multiply, Divide (two operands) or Negate (b ignored).
 GroundExpression combine(NumericKind kind, const GroundExpression& a, const GroundExpression& b);
 
@@ -49,6 +53,7 @@ void for_each_variable(const GroundExpression& expression, const std::function<v
 struct Replacement {
   int variable = -1;  // -1: the constant
   double constant = 0.0;
+  bool partial = false;  // the variable may have no value
 };
 GroundExpression substitute(const GroundExpression& expression, const std::vector<Replacement>& by);
 

@@ -13,6 +13,27 @@ std::size_t index(int number) {
   return static_cast<std::size_t>(number);
 }
 
+// The bytes of a value, for keys that only have to be equal for equal values.
+template <typename Value>
+void append(std::string& key, Value value) {
+  key.append(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+void append(std::string& key, const GroundExpression& expression) {
+  append(key, expression.constant);
+  append(key, expression.terms.size());
+  for (const LinearTerm& term : expression.terms) {
+    append(key, term.variable);
+    append(key, term.coefficient);
+  }
+  append(key, expression.program.size());
+  for (const NumericOperation& operation : expression.program) {
+    append(key, operation.kind);
+    append(key, operation.constant);
+    append(key, operation.variable);
+  }
+}
+
 }  // namespace
 
 Reachability::Reachability(RawTask& raw, const Compiler& compiler) : raw_(raw), compiler_(compiler) {
@@ -49,6 +70,8 @@ void Reachability::add_operator(GroundOperator op) {
   grow_tables();
   first_effect_.push_back(fired_.size());
   fired_.resize(fired_.size() + op.effects.size(), false);
+  effect_stamps_.resize(fired_.size(), 0);
+  operator_stamps_.push_back(0);
   raw_.operators.push_back(std::move(op));
   raw_.reachable.operators.push_back(false);
   look_at({static_cast<int>(raw_.operators.size()) - 1, -1});
@@ -57,6 +80,7 @@ void Reachability::add_operator(GroundOperator op) {
 void Reachability::add_axiom(GroundAxiom axiom) {
   grow_tables();
   raw_.axioms.push_back(std::move(axiom));
+  axiom_stamps_.push_back(0);
   look_at({-1, static_cast<int>(raw_.axioms.size()) - 1});
 }
 
@@ -71,7 +95,7 @@ bool Reachability::possible_now(const Condition& condition, Unit unit) {
   if (condition.impossible) return false;
   for (const int literal : condition.literals) {
     if (state().literals[index(literal)]) continue;
-    waiting_[index(literal)].push_back(unit);
+    waiting_[index(literal)].push_back({unit, stamp(unit)});
     return false;
   }
   for (const Comparison& comparison : condition.comparisons) {
@@ -89,11 +113,28 @@ bool Reachability::possible_now(const Condition& condition, Unit unit) {
 }
 
 void Reachability::watch(const GroundExpression& expression, Unit unit) {
-  for_each_variable(expression, [&](int variable) { waiting_numbers_[index(variable)].push_back(unit); });
+  for_each_variable(expression, [&](int variable) {
+    waiting_numbers_[index(variable)].push_back({unit, stamp(unit)});
+  });
 }
 
 void Reachability::look_at(Unit unit) {
   if (!has_fired(unit) && possible_now(condition(unit), unit)) fire(unit);
+}
+
+std::uint32_t& Reachability::stamp(Unit unit) {
+  if (unit.op < 0) return axiom_stamps_[index(unit.effect)];
+  if (unit.effect < 0) return operator_stamps_[index(unit.op)];
+  return effect_stamps_[first_effect_[index(unit.op)] + index(unit.effect)];
+}
+
+void Reachability::call(std::vector<Waiting>& list) {
+  for (const Waiting& waiting : list) {
+    if (waiting.stamp != stamp(waiting.unit)) continue;
+    ++stamp(waiting.unit);
+    ready_.push_back(waiting.unit);
+  }
+  list = {};
 }
 
 bool Reachability::has_fired(Unit unit) const {
@@ -116,41 +157,44 @@ void Reachability::fire_effect(Unit unit) {
   fired_[first_effect_[index(unit.op)] + index(unit.effect)] = true;
   for (const int fact : effect.adds) reach(2 * fact);
   for (const int fact : effect.deletes) reach(2 * fact + 1);
-  for (std::size_t i = 0; i < effect.numeric.size(); ++i) {
-    const std::size_t growth = growths_.size();
-    growths_.push_back({unit, i, true});
-    due_.push_back(growth);
-    const auto depend = [&](int variable) { dependents_[index(variable)].push_back(growth); };
-    depend(effect.numeric[i].variable);
-    for_each_variable(effect.numeric[i].amount, depend);
-    for (const Condition* condition : {&op.precondition, &effect.when}) {
-      for (const Comparison& comparison : condition->comparisons) {
-        for_each_variable(comparison.difference, depend);
-      }
-    }
+  for (const NumericEffect& change : effect.numeric) {
+    add_growth(change.variable, bound_by(result_of(change), {&op.precondition, &effect.when}));
   }
+}
+
+void Reachability::add_growth(int variable, BoundedExpression result) {
+  std::string key;
+  append(key, variable);
+  append(key, result.expression);
+  for (const auto* bounds : {&result.upper, &result.lower}) {
+    append(key, bounds->size());
+    for (const GroundExpression& bound : *bounds) append(key, bound);
+  }
+  if (!known_growths_.insert(std::move(key)).second) return;
+  const std::size_t growth = growths_.size();
+  due_.push_back(growth);
+  const auto depend = [&](int read) {
+    std::vector<std::size_t>& list = dependents_[index(read)];
+    if (list.empty() || list.back() != growth) list.push_back(growth);
+  };
+  for_each_variable(result.expression, depend);
+  for (const GroundExpression& bound : result.upper) for_each_variable(bound, depend);
+  for (const GroundExpression& bound : result.lower) for_each_variable(bound, depend);
+  growths_.push_back({variable, std::move(result), true});
 }
 
 void Reachability::reach(int literal) {
   if (state().literals[index(literal)]) return;
   state().literals[index(literal)] = true;
   if (literal % 2 == 0) arrived_.push_back(literal / 2);
-  auto& waiting = waiting_[index(literal)];
-  ready_.insert(ready_.end(), waiting.begin(), waiting.end());
-  waiting = {};
+  call(waiting_[index(literal)]);
 }
 
 // True if the variable's interval grew.
-bool Reachability::grow(std::size_t number) {
-  const Growth& growth = growths_[number];
-  const GroundOperator& op = raw_.operators[index(growth.unit.op)];
-  const GroundEffect& effect = op.effects[index(growth.unit.effect)];
-  const NumericEffect& change = effect.numeric[growth.change];
-  const std::vector<const Condition*> conditions{&op.precondition, &effect.when};
+bool Reachability::grow(const Growth& growth) {
   std::vector<Interval>& values = state().values;
-  Interval& value = values[index(change.variable)];
-  const GroundExpression result = result_of(change);
-  Interval after = implied_interval(result, conditions, values);
+  Interval& value = values[index(growth.variable)];
+  Interval after = evaluate_interval(growth.result, values);
   if (after.empty()) return false;
   Interval grown = hull(value, after);
   if (grown == value) return false;
@@ -158,7 +202,7 @@ bool Reachability::grow(std::size_t number) {
   if (round_ >= kExactRounds && !value.empty()) {
     if (grown.high > before.high) value.high = kInfinity;
     if (grown.low < before.low) value.low = -kInfinity;
-    after = implied_interval(result, conditions, values);
+    after = evaluate_interval(growth.result, values);
     value = before;
     grown = hull(before, after);
     // Variables that bound each other could go on like this for ever.
@@ -169,28 +213,22 @@ bool Reachability::grow(std::size_t number) {
   return !(value == before);
 }
 
-// Every change that is due, once; what reads the variables that grew is due in the next round.
+// Every change that is due, once; what has read a variable before it grew is due in the next round.
 void Reachability::round() {
   std::vector<std::size_t> due = std::move(due_);
   due_.clear();
   std::sort(due.begin(), due.end());
   ++round_;
-  for (const std::size_t number : due) growths_[number].due = false;
   for (const std::size_t number : due) {
-    if (!grow(number)) continue;
-    const Growth& growth = growths_[number];
-    const int variable = raw_.operators[index(growth.unit.op)]
-                             .effects[index(growth.unit.effect)]
-                             .numeric[growth.change]
-                             .variable;
+    growths_[number].due = false;
+    if (!grow(growths_[number])) continue;
+    const int variable = growths_[number].variable;
     for (const std::size_t dependent : dependents_[index(variable)]) {
       if (growths_[dependent].due) continue;
       growths_[dependent].due = true;
       due_.push_back(dependent);
     }
-    auto& waiting = waiting_numbers_[index(variable)];
-    ready_.insert(ready_.end(), waiting.begin(), waiting.end());
-    waiting.clear();
+    call(waiting_numbers_[index(variable)]);
   }
 }
 

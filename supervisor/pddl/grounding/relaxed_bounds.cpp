@@ -12,12 +12,12 @@ bool bounded_below(Relation relation) {
   return relation != Relation::Less && relation != Relation::LessEqual;
 }
 
-// Tightens the upper end of `expression` by one comparison: with g <= 0 and k > 0, expression <= expression -
-// k g.
-double upper_by(const GroundExpression& expression, const Comparison& comparison,
-                const std::vector<Interval>& values, double upper) {
+// What one comparison says of the upper end of `expression`: with g <= 0 and k > 0, expression <= expression
+// - k g.
+void add_upper_bounds(const GroundExpression& expression, const Comparison& comparison,
+                      std::vector<GroundExpression>& bounds) {
   const GroundExpression& g = comparison.difference;
-  if (!g.linear()) return upper;
+  if (!g.linear()) return;
   for (const LinearTerm& term : expression.terms) {
     const auto match = std::find_if(g.terms.begin(), g.terms.end(),
                                     [&](const LinearTerm& t) { return t.variable == term.variable; });
@@ -25,21 +25,18 @@ double upper_by(const GroundExpression& expression, const Comparison& comparison
     const double k = term.coefficient / match->coefficient;
     const bool usable =
         (k > 0.0 && bounded_above(comparison.relation)) || (k < 0.0 && bounded_below(comparison.relation));
-    if (!usable) continue;
-    const Interval rest = evaluate_interval(add_scaled(expression, -k, g), values);
-    if (!rest.empty()) upper = std::min(upper, rest.high);
+    if (usable) bounds.push_back(add_scaled(expression, -k, g));
   }
-  return upper;
 }
 
-double implied_upper(const GroundExpression& expression, const std::vector<const Condition*>& conditions,
-                     const std::vector<Interval>& values, double upper) {
-  for (const Condition* condition : conditions) {
-    for (const Comparison& comparison : condition->comparisons) {
-      upper = upper_by(expression, comparison, values, upper);
-    }
+// The least upper end of the bounds that are defined.
+double least_high(const std::vector<GroundExpression>& bounds, const std::vector<Interval>& values,
+                  double high) {
+  for (const GroundExpression& bound : bounds) {
+    const Interval range = evaluate_interval(bound, values);
+    if (!range.empty()) high = std::min(high, range.high);
   }
-  return upper;
+  return high;
 }
 
 }  // namespace
@@ -58,16 +55,33 @@ bool can_hold(const Condition& condition, const RelaxedState& state) {
   });
 }
 
-Interval implied_interval(const GroundExpression& expression, const std::vector<const Condition*>& conditions,
-                          const std::vector<Interval>& values) {
-  Interval interval = evaluate_interval(expression, values);
-  if (interval.empty() || !expression.linear() || expression.terms.empty()) return interval;
-  interval.high = implied_upper(expression, conditions, values, interval.high);
-  const GroundExpression negative = combine(NumericKind::Negate, expression, {});
-  interval.low = -implied_upper(negative, conditions, values, -interval.low);
+BoundedExpression bound_by(GroundExpression expression, const std::vector<const Condition*>& conditions) {
+  BoundedExpression bounded;
+  bounded.expression = std::move(expression);
+  if (!bounded.expression.linear() || bounded.expression.terms.empty()) return bounded;
+  const GroundExpression negative = combine(NumericKind::Negate, bounded.expression, {});
+  for (const Condition* condition : conditions) {
+    for (const Comparison& comparison : condition->comparisons) {
+      add_upper_bounds(bounded.expression, comparison, bounded.upper);
+      add_upper_bounds(negative, comparison, bounded.lower);
+    }
+  }
+  return bounded;
+}
+
+Interval evaluate_interval(const BoundedExpression& bounded, const std::vector<Interval>& values) {
+  Interval interval = evaluate_interval(bounded.expression, values);
+  if (interval.empty()) return interval;
+  interval.high = least_high(bounded.upper, values, interval.high);
+  interval.low = -least_high(bounded.lower, values, -interval.low);
   // Rounding may let the ends pass each other; what is left is a point.
   if (interval.low > interval.high) interval.low = interval.high;
   return interval;
+}
+
+Interval implied_interval(const GroundExpression& expression, const std::vector<const Condition*>& conditions,
+                          const std::vector<Interval>& values) {
+  return evaluate_interval(bound_by(expression, conditions), values);
 }
 
 GroundExpression result_of(const NumericEffect& effect) {

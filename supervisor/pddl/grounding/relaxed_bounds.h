@@ -25,6 +25,15 @@ bool can_hold(const Condition& condition, const RelaxedState& state);
 Interval implied_interval(const GroundExpression& expression, const std::vector<const Condition*>& conditions,
                           const std::vector<Interval>& values);
 
+// A linear expression with what conditions say of it: it is at most each of `upper` and at least minus each
+// of `lower`, whatever the variables are. For expressions that are evaluated again and again.
+struct BoundedExpression {
+  GroundExpression expression;
+  std::vector<GroundExpression> upper, lower;
+};
+BoundedExpression bound_by(GroundExpression expression, const std::vector<const Condition*>& conditions);
+Interval evaluate_interval(const BoundedExpression& bounded, const std::vector<Interval>& values);
+
 // The value that the effect gives its variable, as an expression of the state before.
 GroundExpression result_of(const NumericEffect& effect);
 

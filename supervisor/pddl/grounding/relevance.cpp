@@ -19,6 +19,7 @@ class Finder {
   explicit Finder(const RawTask& raw) : raw_(raw) {
     relevance_.facts.assign(raw.facts.size(), false);
     relevance_.variables.assign(raw.variables.size(), false);
+    relevance_.kept.assign(raw.variables.size(), false);
     relevance_.weights.assign(raw.variables.size(), 0.0);
     axioms_read_.assign(raw.axioms.size(), false);
   }
@@ -28,11 +29,17 @@ class Finder {
     for_each_effect([&](const GroundOperator& op, const GroundEffect& effect) {
       read(op.precondition);
       read(effect.when);
+      for (const NumericEffect& numeric : effect.numeric) {
+        // An effect that can be undefined, or contradict another, forbids the action: it decides something.
+        if (op.may_conflict || may_be_undefined(numeric.amount) || numeric.kind == ChangeKind::ScaleDown) {
+          keep(numeric.variable);
+        }
+      }
     });
     // A fluent without an initial value forbids the actions that read or increase it, so it stays in the
     // state.
     for (std::size_t v = 0; v < raw_.variables.size(); ++v) {
-      if (raw_.initial_values[v] != raw_.initial_values[v]) relevance_.variables[v] = true;
+      if (raw_.initial_values[v] != raw_.initial_values[v]) keep(static_cast<int>(v));
     }
     close();
     choose_accumulated();
@@ -41,6 +48,23 @@ class Finder {
 
  private:
   void read(int variable) { relevance_.variables[static_cast<std::size_t>(variable)] = true; }
+
+  void keep(int variable) {
+    read(variable);
+    relevance_.kept[static_cast<std::size_t>(variable)] = true;
+  }
+
+  bool may_be_undefined(const GroundExpression& amount) const {
+    const auto undefined = [](double value) { return value != value; };
+    bool found = amount.linear() && undefined(amount.constant);
+    for (const NumericOperation& operation : amount.program) {
+      found = found || operation.kind == NumericKind::Divide || undefined(operation.constant);
+    }
+    pddl::for_each_variable(amount, [&](int variable) {
+      found = found || undefined(raw_.initial_values[static_cast<std::size_t>(variable)]);
+    });
+    return found;
+  }
 
   void read(const Condition& condition) {
     for (const int literal : condition.literals)

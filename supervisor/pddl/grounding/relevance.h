@@ -13,6 +13,8 @@ namespace stepwright::pddl {
 struct Relevance {
   std::vector<bool> facts;
   std::vector<bool> variables;
+  std::vector<bool> kept;  // variables that decide something even while their value stays: an effect on them
+                           // can be undefined
   std::vector<double> weights;  // of the accumulated fluents in the metric; 0 for all others
 };
 

@@ -8,8 +8,7 @@
 #include "supervisor/pddl/grounding/invariants.h"
 #include "supervisor/pddl/grounding/raw_task.h"
 #include "supervisor/pddl/grounding/relevance.h"
-#include "supervisor/pddl/lifted/lifted_state.h"
-#include "supervisor/pddl/syntax/text.h"
+#include "supervisor/pddl/grounding/unreachable.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -96,8 +95,8 @@ class Simplifier {
     for (std::size_t v = 0; v < raw_.variables.size(); ++v) {
       const Interval range = raw_.reachable.state.values[v];
       const bool changes = !range.empty() && !(range == Interval::point(raw_.initial_values[v]));
-      Replacement place{-1, raw_.initial_values[v]};
-      if (changes && relevance_.variables[v]) {
+      Replacement place{-1, raw_.initial_values[v], std::isnan(raw_.initial_values[v])};
+      if (relevance_.kept[v] || (changes && relevance_.variables[v])) {
         place.variable = static_cast<int>(task_.variables.size());
         task_.variables.push_back(raw_.variables[v]);
         task_.bounds.push_back(range);
@@ -122,26 +121,9 @@ class Simplifier {
   void goal() {
     for (const RawGoal& part : raw_.goals) {
       append(part.condition, task_.goal);
-      if (!task_.unreachable_goal && !can_hold(part.condition, raw_.reachable.state)) explain(part);
+      if (task_.unreachable_goal || can_hold(part.condition, raw_.reachable.state)) continue;
+      task_.unreachable_goal = why_unreachable(raw_, part);
     }
-  }
-
-  void explain(const RawGoal& goal) {
-    const Definition& definition = *raw_.definition;
-    std::string text = "the goal " + print(definition, *goal.formula) + " cannot be reached";
-    std::string ranges;
-    for (const Comparison& comparison : goal.condition.comparisons) {
-      for_each_variable(comparison.difference, [&](int variable) {
-        const auto v = static_cast<std::size_t>(variable);
-        const Interval range = raw_.reachable.state.values[v];
-        ranges += (ranges.empty() ? ": " : ", ") + fluent_name(definition, raw_.variables[v]);
-        ranges += range.empty()
-                      ? " never gets a value"
-                      : " stays between " + number_text(range.low) + " and " + number_text(range.high);
-      });
-    }
-    if (ranges.empty()) ranges = ": no reachable action makes it true";
-    task_.unreachable_goal = text + ranges;
   }
 
   GroundExpression renumber(const GroundExpression& expression) const {

@@ -52,8 +52,9 @@ struct Expression {
 struct Typed {
   std::string name;
   Place at;
-  std::string type_name = "object";
+  std::string type_name = "object";  // or "(either a b)"
   Place type_at;
+  std::vector<std::string> either;  // the types of an either
   int type = 0;
   int slot = -1;
 };
@@ -120,7 +121,8 @@ struct Type {
   Place at;
   std::string parent_name = "object";
   Place parent_at;
-  int parent = -1;  // -1: the root
+  int parent = -1;           // -1: the root
+  std::vector<int> members;  // of an either: an object of any of them fits
 };
 
 struct Object {
@@ -168,6 +170,7 @@ struct Definition {
   // The objects of a type and of its subtypes.
   std::vector<std::vector<int>> objects_by_type;
 
+  // Does every object of the type fit where one of `ancestor` is asked for?
   bool is_subtype(int type, int ancestor) const;
 };
 

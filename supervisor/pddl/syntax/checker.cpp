@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "supervisor/pddl/lifted/derive.h"
+#include "supervisor/pddl/lifted/evaluate.h"
 #include "supervisor/pddl/syntax/formula_checker.h"
 #include "supervisor/pddl/syntax/stratify.h"
 
@@ -23,6 +24,15 @@ const std::vector<std::string> kKnownRequirements = {":strips",
                                                      ":adl",
                                                      ":action-costs",
                                                      ":derived-predicates"};
+
+// What PDDL has beyond the language here.
+const std::vector<std::string> kUnsupportedRequirements = {":durative-actions",   ":duration-inequalities",
+                                                           ":continuous-effects", ":timed-initial-literals",
+                                                           ":timed-effects",      ":time",
+                                                           ":preferences",        ":constraints",
+                                                           ":goal-utilities",     ":object-fluents",
+                                                           ":non-deterministic",  ":probabilistic-effects",
+                                                           ":hierarchy",          ":method-preconditions"};
 
 class Checker {
  public:
@@ -70,6 +80,7 @@ class Checker {
   void axioms();
   void initial_state();
   void metric();
+  void static_parts(const Expression& expression);
   void goal();
   void derive_initial();
 
@@ -90,9 +101,14 @@ class Checker {
 void Checker::requirements(const std::vector<RequirementFlag>& flags) {
   std::set<std::string>& set = definition_.requirements;
   for (const RequirementFlag& flag : flags) {
-    if (std::find(kKnownRequirements.begin(), kKnownRequirements.end(), flag.name) ==
-        kKnownRequirements.end()) {
-      reporter_.warning("P0112", flag.at, "the requirement '" + flag.name + "' is not supported",
+    const auto listed = [&](const std::vector<std::string>& list) {
+      return std::find(list.begin(), list.end(), flag.name) != list.end();
+    };
+    if (listed(kUnsupportedRequirements)) {
+      reporter_.error("P0112", flag.at, "the requirement '" + flag.name + "' is not supported",
+                      "a plan made without it could be wrong");
+    } else if (!listed(kKnownRequirements)) {
+      reporter_.warning("P0112", flag.at, "unknown requirement '" + flag.name + "'",
                         did_you_mean(flag.name, kKnownRequirements));
     }
     set.insert(flag.name);
@@ -122,18 +138,18 @@ void Checker::implicit_parents() {
     reporter_.warning("P0101", type.parent_at, "the supertype '" + type.parent_name + "' is not declared",
                       "add it to ':types'");
     definition_.type_ids.emplace(type.parent_name, static_cast<int>(definition_.types.size()));
-    definition_.types.push_back({type.parent_name, type.parent_at, "object", type.parent_at, 0});
+    definition_.types.push_back({type.parent_name, type.parent_at, "object", type.parent_at, 0, {}});
   }
 }
 
 void Checker::types() {
-  definition_.types.push_back({"object", {}, "", {}, -1});
+  definition_.types.push_back({"object", {}, "", {}, -1, {}});
   definition_.type_ids.emplace("object", 0);
   for (const Typed& type : domain_.types) {
     if (type.name == "object") continue;
     names_.require(":typing", type.at);
     if (!declare(definition_.type_ids, type.name, type.at, definition_.types.size(), "type")) continue;
-    definition_.types.push_back({type.name, type.at, type.type_name, type.type_at, 0});
+    definition_.types.push_back({type.name, type.at, type.type_name, type.type_at, 0, {}});
   }
   implicit_parents();
   for (std::size_t i = 1; i < definition_.types.size(); ++i) {
@@ -254,6 +270,32 @@ bool mentions(const Expression& expression, const std::string& name) {
                      [&](const Expression& operand) { return mentions(operand, name); });
 }
 
+bool changes(const Definition& definition, const Expression& expression) {
+  if (expression.kind == NumericKind::Fluent &&
+      definition.functions[static_cast<std::size_t>(expression.call.symbol)].changes) {
+    return true;
+  }
+  return std::any_of(expression.operands.begin(), expression.operands.end(),
+                     [&](const Expression& operand) { return changes(definition, operand); });
+}
+
+// What no action changes must have a value, and must not be a divisor of zero.
+void Checker::static_parts(const Expression& expression) {
+  const LiftedState initial = pddl::initial_state(definition_);
+  const bool fixed = !changes(definition_, expression);
+  if (expression.kind == NumericKind::Fluent && fixed && !evaluate(expression, {}, initial)) {
+    reporter_.error("P0118", expression.at,
+                    "the metric reads " + print(definition_, expression) + ", which never gets a value",
+                    "give it one in ':init'");
+  }
+  for (const Expression& operand : expression.operands) static_parts(operand);
+  for (std::size_t i = 1; i < expression.operands.size() && expression.kind == NumericKind::Divide; ++i) {
+    const Expression& divisor = expression.operands[i];
+    if (changes(definition_, divisor) || evaluate(divisor, {}, initial) != 0.0) continue;
+    reporter_.error("P0117", divisor.at, "the divisor " + print(definition_, divisor) + " is zero");
+  }
+}
+
 void Checker::metric() {
   if (!problem_.metric) return;
   const bool declared = definition_.function_ids.count(kTotalTimeName) != 0;
@@ -266,6 +308,7 @@ void Checker::metric() {
   std::vector<Typed> none;
   names_.begin(none);
   names_.expression(problem_.metric->expression);
+  if (!reporter_.failed()) static_parts(problem_.metric->expression);
   definition_.metric = std::move(problem_.metric);
 }
 

@@ -14,9 +14,28 @@ std::vector<std::string> names_of(const std::map<std::string, int>& ids) {
 int FormulaChecker::type(const std::string& name, Place at) {
   const auto found = definition_.type_ids.find(name);
   if (found != definition_.type_ids.end()) return found->second;
-  reporter_.error("P0101", at, "unknown type '" + name + "'",
-                  did_you_mean(name, names_of(definition_.type_ids)));
+  std::vector<std::string> names = names_of(definition_.type_ids);
+  std::erase_if(names, [](const std::string& known) { return known.front() == '('; });
+  reporter_.error("P0101", at, "unknown type '" + name + "'", did_you_mean(name, names));
   return 0;
+}
+
+// An either becomes a type of its own, without a parent, at its first use.
+int FormulaChecker::type(const Typed& typed) {
+  if (typed.either.empty()) return type(typed.type_name, typed.type_at);
+  const auto found = definition_.type_ids.find(typed.type_name);
+  if (found != definition_.type_ids.end()) return found->second;
+  Type either{typed.type_name, typed.type_at, {}, typed.type_at, -1, {}};
+  for (const std::string& name : typed.either) either.members.push_back(type(name, typed.type_at));
+  const int id = static_cast<int>(definition_.types.size());
+  definition_.types.push_back(std::move(either));
+  definition_.type_ids.emplace(typed.type_name, id);
+  std::vector<int>& objects = definition_.objects_by_type.emplace_back();
+  for (std::size_t object = 0; object < definition_.objects.size(); ++object) {
+    if (definition_.is_subtype(definition_.objects[object].type, id))
+      objects.push_back(static_cast<int>(object));
+  }
+  return id;
 }
 
 void FormulaChecker::require(const std::string& flag, Place at) {
@@ -34,7 +53,7 @@ void FormulaChecker::begin(std::vector<Typed>& parameters) {
 
 void FormulaChecker::push(std::vector<Typed>& variables) {
   for (Typed& variable : variables) {
-    variable.type = type(variable.type_name, variable.type_at);
+    variable.type = type(variable);
     variable.slot = slots_++;
     const bool twice = std::any_of(scope_.begin(), scope_.end(),
                                    [&](const Typed& other) { return other.name == variable.name; });
@@ -164,6 +183,12 @@ void FormulaChecker::quantified(std::vector<Typed>& variables, Place at) {
 }
 
 void FormulaChecker::expression(Expression& expression) {
+  for (std::size_t i = 1; i < expression.operands.size() && expression.kind == NumericKind::Divide; ++i) {
+    const Expression& divisor = expression.operands[i];
+    if (divisor.kind == NumericKind::Constant && divisor.number == 0.0) {
+      reporter_.error("P0117", divisor.at, "the divisor is zero");
+    }
+  }
   if (expression.kind == NumericKind::Fluent) {
     require(":numeric-fluents", expression.at);
     resolve(expression.call, true);

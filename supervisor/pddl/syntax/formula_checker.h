@@ -38,6 +38,7 @@ class FormulaChecker {
 
   // The type named; reports an unknown one (P0101) and answers object.
   int type(const std::string& name, Place at);
+  int type(const Typed& typed);
 
   // Slots needed so far by the current action or goal.
   int slots() const { return slots_; }

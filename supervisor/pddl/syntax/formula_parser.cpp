@@ -36,17 +36,12 @@ bool FormulaParser::typed_list(TokenKind kind, std::vector<Typed>& list) {
       list.push_back(std::move(item));
     } else if (tokens_.at(TokenKind::Operator, "-")) {
       tokens_.take();
-      if (tokens_.at(TokenKind::Open)) {
-        tokens_.reporter().error("P0008", tokens_.peek().at, "'either' types are not supported",
-                                 "declare a common supertype instead");
-        return false;
-      }
-      std::string type;
-      Place at;
-      if (!tokens_.expect_name("a type name", type, at)) return false;
+      Typed type;
+      if (!type_of(kind, type)) return false;
       for (; untyped < list.size(); ++untyped) {
-        list[untyped].type_name = type;
-        list[untyped].type_at = at;
+        list[untyped].type_name = type.type_name;
+        list[untyped].type_at = type.type_at;
+        list[untyped].either = type.either;
       }
     } else {
       const bool variables = kind == TokenKind::Variable;
@@ -55,6 +50,29 @@ bool FormulaParser::typed_list(TokenKind kind, std::vector<Typed>& list) {
     }
   }
   return true;
+}
+
+bool FormulaParser::type_of(TokenKind kind, Typed& typed) {
+  typed.type_at = tokens_.peek().at;
+  Place at;
+  if (!tokens_.at(TokenKind::Open)) return tokens_.expect_name("a type name", typed.type_name, at);
+  tokens_.take();
+  if (!tokens_.at(TokenKind::Name, "either")) return tokens_.unexpected("'either' or a type name");
+  tokens_.take();
+  if (kind == TokenKind::Name) {
+    tokens_.reporter().error("P0008", typed.type_at, "'either' is not supported here",
+                             "it is for parameters and variables; an object or a type has one type");
+    return false;
+  }
+  typed.type_name = "(either";
+  do {
+    std::string name;
+    if (!tokens_.expect_name("a type name", name, at)) return false;
+    typed.type_name += " " + name;
+    typed.either.push_back(std::move(name));
+  } while (!tokens_.at(TokenKind::Close));
+  typed.type_name += ")";
+  return close();
 }
 
 bool FormulaParser::declaration(Symbol& symbol) {

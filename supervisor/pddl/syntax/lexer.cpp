@@ -95,7 +95,10 @@ class Lexer {
     }
     double value = 0.0;
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc() || end != text.data() + text.size()) {
+    if (status == std::errc::result_out_of_range && end == text.data() + text.size()) {
+      reporter_.error("P0009", at, "'" + text + "' is out of the range of numbers",
+                      "numbers are doubles: up to 1.8e308, not smaller than 2.2e-308");
+    } else if (status != std::errc() || end != text.data() + text.size()) {
       reporter_.error("P0005", at, "'" + text + "' is not a number",
                       "a number is written 12, -3 or 0.25; a name starts with a letter");
     }

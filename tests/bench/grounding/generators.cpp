@@ -67,7 +67,7 @@ Instance grid(int objects) {
       if (y + 1 < side)
         init += "(next " + cell(x, y) + " " + cell(x, y + 1) + ")(next " + cell(x, y + 1) + " " + cell(x, y) +
                 ")";
-      if ((x * 3 + y * 5) % 7 == 1) init += "(blocked " + cell(x, y) + ")";
+      if ((x * 3 + y * 5) % 7 == 1 && x + 1 < side && y > 0) init += "(blocked " + cell(x, y) + ")";
     }
   }
   return {"grid", R"((define (domain grid) (:requirements :adl) (:types robot cell)

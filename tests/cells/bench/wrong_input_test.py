@@ -42,6 +42,44 @@ class WrongInput(unittest.TestCase):
         self.assertRegex(result.stderr, r"domain\.pddl:\d+:\d+: P\d+: .*is-att")
         self.assertIn("is-at", result.stderr.split("hint", 1)[1])
 
+    def test_what_pddl_has_and_this_planner_has_not(self):
+        for name, old, new, expected in (
+            ("domain.pddl", ":numeric-fluents)", ":numeric-fluents :durative-actions)",
+             r"domain\.pddl:5:77: P0112: .*:durative-actions"),
+            ("domain.pddl", "vehicle place client leveltransf - object", "vehicle place client leveltransf - place",
+             r"domain\.pddl:7:13: P0109: .*'place'"),
+            ("problem.pddl", "(* 50 (postponed))", "(/ (postponed) 0)",
+             r"problem\.pddl:\d+:\d+: P0117: .*zero"),
+        ):
+            self.setUp()
+            self.change(name, old, new)
+            result = self.plan()
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertRegex(result.stderr, expected)
+            self.assertNotIn("(load", result.stdout)
+
+    def test_unreachable_goal_and_its_reason(self):
+        file = self.change("problem.pddl", "(= (level a1) 5)", "(= (level a1) 11)")
+        line = next(i for i, text in enumerate(file.read_text().splitlines(), 1) if "(= (level a1) 11)" in text)
+        result = self.plan()
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertRegex(result.stderr, rf"problem\.pddl:{line}:\d+: P0501: .*\(level a1\) stays between 2 and 10")
+
+    def test_wrong_plans(self):
+        for text, code, expected in (
+            ("(load v1 f1 level8)\n(moove v1 f1 a1)\n", 1, r"wrong\.plan:2: P0301: .*moove(.|\n)*hint: .*move"),
+            ("(load v1 f1)\n", 1, r"wrong\.plan:1: P0302: "),
+            ("(load v1 f1 level9)\n", 1, r"wrong\.plan:1: P0305: .*\(lev v1\) = 2"),
+            ("(load v1 f1 level8\n", 1, r"wrong\.plan:1:\d+: P0404: "),
+            ("(load v1 f1 level8)\n", 1, r"wrong\.plan: P0310: "),
+        ):
+            plan = self.folder / "wrong.plan"
+            plan.write_text(text, encoding="utf-8")
+            result = stepwright("validate", self.folder / "domain.pddl", self.folder / "problem.pddl", plan)
+            self.assertEqual(result.returncode, code, result.stderr)
+            self.assertRegex(result.stderr, expected)
+        self.assertEqual(stepwright("validate", self.folder / "domain.pddl").returncode, 2)
+
     def test_unsolvable_problem(self):
         self.change("problem.pddl", "(= (level a1) 5)", "(= (level a1) 11)")
         for result in (self.plan(), self.demo()):

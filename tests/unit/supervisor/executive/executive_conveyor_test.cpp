@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "plant_models/core/counter_random.h"
+#include "supervisor/pddl/describe_run.h"
 #include "tests/unit/supervisor/executive/bench_fixture.h"
 #include "tests/unit/supervisor/executive/conveyor_fixture.h"
 

@@ -87,6 +87,57 @@ TEST(Grounding, WhenNumbersGrowForEver_ThenExplorationEnds) {
   EXPECT_NE(ground.unreachable_goal->find("(= (y) -1)"), std::string::npos);
 }
 
+std::string unreachable(const std::string& goal) {
+  const Task task =
+      testing::make_task(R"((define (domain d) (:requirements :adl :derived-predicates :numeric-fluents)
+    (:predicates (at ?p) (road ?a ?b) (used) (lit) (far ?p)) (:functions (n))
+    (:derived (far ?p) (and (at ?p) (used)))
+    (:action go :parameters (?a ?b) :precondition (and (at ?a) (road ?a ?b))
+      :effect (and (at ?b) (not (at ?a)) (when (lit) (used))))
+    (:action count :precondition (<= (n) 2) :effect (increase (n) 1))))",
+                         "(define (problem p) (:domain d) (:objects x y z)\n (:init (at x) (road x y)"
+                         " (= (n) 0))\n (:goal (and (at y) " +
+                             goal + ")))");
+  const GroundTask ground = ground_task(task.definition(), [] { return false; });
+  return ground.unreachable_goal.value_or("");
+}
+
+TEST(Grounding, WhenAGoalIsUnreachable_ThenItsPlaceAndTheRelaxedReasonAreSaid) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"(at z)", "none of the actions that could make (at z) true (go) can ever do so"},
+      {"(lit)", "no action makes (lit) true"},
+      {"(not (road x y))", "no action makes (road x y) false"},
+      {"(far y)", "no rule of the derived predicate can ever make (far y) true"},
+      {"(> (n) 3)", "(n) stays between 0 and 3"},
+      {"(or (at z) (used))",
+       "none of its alternatives can hold; none of the actions that could make (at z) true (go) can ever do "
+       "so; "
+       "none of the actions that could make (used) true (go) can ever do so"},
+      {"(forall (?p) (lit))", "what never changes forbids it"},
+  };
+  for (const auto& [goal, reason] : cases) {
+    const std::string text = unreachable(goal);
+    SCOPED_TRACE(goal);
+    EXPECT_EQ(text.substr(0, 34), "problem.pddl:3:21: P0501: the goal") << text;
+    EXPECT_NE(text.find(std::string(" cannot be reached: ") + reason), std::string::npos) << text;
+  }
+  EXPECT_EQ(unreachable("(= (n) 2)"), "");
+}
+
+TEST(Grounding, WhenWhatWaitsReadsManyGrowingNumbers_ThenItIsCalledOnceARound) {
+  // Both numbers grow in every round, and the condition reads both and has alternatives: were the action
+  // called by each of them, the calls would double with every round.
+  const Task task = testing::make_task(
+      R"((define (domain d) (:requirements :adl :numeric-fluents) (:predicates (done)) (:functions (x) (y))
+    (:action more :precondition (and (<= (x) 39) (<= (y) 39)) :effect (and (increase (x) 1) (increase (y) 1)))
+    (:action end :precondition (and (or (>= (+ (x) (y)) 80) (>= (- (x) (y)) 100)) (>= (* (x) (y)) 1600))
+      :effect (done))))",
+      "(define (problem p) (:domain d) (:init (= (x) 0) (= (y) 0)) (:goal (done)))");
+  const GroundTask ground = ground_task(task.definition(), [] { return false; });
+  EXPECT_FALSE(ground.unreachable_goal.has_value());
+  EXPECT_EQ(ground.operators.size(), 2u);
+}
+
 TEST(Grounding, WhenStopped_ThenCancelled) {
   const Task task = testing::logistics_task(60);
   EXPECT_TRUE(ground_task(task.definition(), [] { return true; }).cancelled);

@@ -65,7 +65,7 @@ const Case kCases[] = {
     {"EndOfFile", true, "(decrease (fuel ?c) 1))))", "(decrease (fuel ?c) 1))", 10, 1, "P0004", "line 6"},
     {"BadNumber", true, "(fuel ?c) 1))", "(fuel ?c) 1x))", 8, 49, "P0005", "1x"},
     {"SectionTwice", true, "(:types car place)", "(:types car place) (:types bus)", 3, 23, "P0007", ":types"},
-    {"Either", true, "(at ?c - car", "(at ?c - (either car place)", 4, 25, "P0008", "either"},
+    {"EitherForAnObject", false, "c - car", "c - (either car place)", 3, 17, "P0008", "either"},
     {"Durative", true, "(:action go", "(:durative-action go", 6, 4, "P0008", "no duration"},
     {"UnknownType", true, "?c - car ?a ?b - place)", "?c - car ?a ?b - plaec)", 7, 35, "P0101", "'place'"},
     {"UnknownPredicate", true, "(and (at ?c ?a)", "(and (att ?c ?a)", 8, 25, "P0102", "'at'"},
@@ -88,11 +88,96 @@ const Case kCases[] = {
     {"MetricWord", false, "(:goal (at c y))", "(:goal (at c y)) (:metric least 1)", 5, 29, "P0003",
      "minimize"},
     {"TrailingText", false, "(:goal (at c y)))", "(:goal (at c y))))", 5, 20, "P0003", "too many"},
+    {"HugeNumber", false, "(= (fuel c) 3)", "(= (fuel c) 1e999)", 4, 31, "P0009", "range"},
+    {"TinyNumber", false, "(= (fuel c) 3)", "(= (fuel c) 1e-999)", 4, 31, "P0009", "range"},
+    {"UnsupportedRequirement", true, ":numeric-fluents)", ":numeric-fluents :durative-actions)", 2, 43,
+     "P0112", "':durative-actions' is not supported"},
+    {"PreferencesRequirement", true, ":numeric-fluents)", ":numeric-fluents :preferences)", 2, 43, "P0112",
+     "':preferences'"},
+    {"Preference", false, "(at c y)", "(preference g (at c y))", 5, 11, "P0008", "preferences"},
+    {"ZeroDivisor", true, "(fuel ?c) 1))", "(fuel ?c) (/ 1 0)))", 8, 54, "P0117", "zero"},
+    {"DivisorMissing", true, "(fuel ?c) 1))", "(fuel ?c) (/ 1)))", 8, 49, "P0106", "two operands"},
+    {"ThreeDivisors", true, "(fuel ?c) 1))", "(fuel ?c) (/ 1 2 3)))", 8, 49, "P0106", "not 3"},
+    {"NotOfTwo", true, "(not (at ?c ?a))", "(not (at ?c ?a) (at ?c ?b))", 9, 34, "P0003", "')'"},
+    {"NotOfNone", false, "(at c y)", "(not)", 5, 10, "P0106", "found 0"},
+    {"ImplyOfOne", false, "(at c y)", "(imply (at c y))", 5, 10, "P0106", "2 conditions"},
+    {"EitherOfNone", true, "(at ?c - car", "(at ?c - (either)", 4, 32, "P0003", "a type name"},
+    {"EitherUnknown", true, "(at ?c - car", "(at ?c - (either car bus)", 4, 25, "P0101", "'bus'"},
+    {"ActionTwice", true, "(:action go", "(:action go :effect ()) (:action go", 6, 36, "P0108",
+     "declared twice"},
+    {"PredicateTwice", true, "?p - place))\n  (:functions", "?p - place) (at ?x))\n  (:functions", 4, 42,
+     "P0108", "'at'"},
+    {"FunctionTwice", true, "(fuel ?c - car))", "(fuel ?c - car) (fuel))", 5, 32, "P0108", "'fuel'"},
+    {"ParameterTwice", true, "?c - car ?a ?b - place)", "?c - car ?a ?a - place)", 7, 30, "P0108", "'?a'"},
+    {"VariableShadows", false, "(:goal (at c y))", "(:goal (forall (?p ?p - place) (at c ?p)))", 5, 22,
+     "P0108", "'?p'"},
+    {"PreconditionTwice", true, ":effect (and (not", ":precondition () :effect (and (not", 9, 5, "P0007",
+     "stands twice"},
+    {"ObjectAsType", false, "c - car", "c - cra", 3, 17, "P0101", "'car'"},
+    {"TypeOfNumber", false, "c - car", "c - 3", 3, 17, "P0003", "a type name"},
+    {"AssignToPredicate", true, "(decrease (fuel ?c) 1)", "(decrease (at ?c ?a) 1)", 9, 57, "P0103",
+     "predicate"},
+    {"AddAFunction", true, "(at ?c ?b) (d", "(fuel ?c) (d", 9, 36, "P0102", "function"},
+    {"ConditionInEffect", true, "(at ?c ?b) (d", "(or (at ?c ?b)) (d", 9, 39, "P0003", ""},
+    {"WhenWithoutEffect", true, "(at ?c ?b) (d", "(when (at ?c ?b)) (d", 9, 51, "P0003", "an effect"},
+    {"NumberAsFact", false, "(at c x)", "(3 c x)", 4, 11, "P0003", "a name"},
+    {"VariableInInit", false, "(at c x)", "(at ?c x)", 4, 14, "P0105", "'?c'"},
+    {"VariableInMetric", false, "(:goal (at c y))", "(:goal (at c y)) (:metric minimize (fuel ?c))", 5, 44,
+     "P0105", "'?c'"},
+    {"UnknownSection", true, "(:types", "(:tpyes", 3, 4, "P0008", ":types"},
+    {"UnknownInAction", true, ":precondition", ":precondtion", 8, 5, "P0008", ":precondition"},
+    {"GoalTwice", false, "(:goal (at c y))", "(:goal (at c y)) (:goal (at c x))", 5, 21, "P0007", ":goal"},
+    {"LetterlessVariable", true, "?c - car ?a", "? - car ?a", 7, 18, "P0002", "?"},
+    {"QuantifierOfNothing", false, "(:goal (at c y))", "(:goal (exists () (at c y)))", 5, 10, "P0106",
+     "a variable"},
+    {"EmptyMetric", false, "(:goal (at c y))", "(:goal (at c y)) (:metric minimize)", 5, 37, "P0003",
+     "a number"},
+    {"TypeIsItsOwnParent", true, "(:types car place)", "(:types car - car place)", 3, 11, "P0109",
+     "ancestor"},
     {"SwappedFiles", false, "(problem p)", "(domain p)", 1, 10, "P0003", "order"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Pddl, BadInput, ::testing::ValuesIn(kCases),
                          [](const auto& c) { return std::string(c.param.name); });
+
+// A metric over a function that no action changes.
+result::Diagnostics metric_errors(const std::string& metric, const std::string& values) {
+  const auto task = parse_task(
+      {"d.pddl",
+       R"((define (domain d) (:requirements :numeric-fluents) (:predicates (done)) (:functions (rate) (n))
+  (:action work :effect (and (done) (increase (n) 1)))))"},
+      {"p.pddl", "(define (problem p) (:domain d) (:init (= (n) 0)" + values +
+                     ") (:goal (done))\n(:metric minimize " + metric + "))"});
+  return task ? result::Diagnostics{} : task.error();
+}
+
+TEST(Metric, WhenItsDivisorIsAndStaysZero_ThenP0117AtTheDivisor) {
+  const auto errors = metric_errors("(+ (n) (/ 5 (- (rate) 2)))", " (= (rate) 2)");
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_EQ(errors[0].code, "P0117");
+  EXPECT_EQ(errors[0].where.line, 2u);
+  EXPECT_EQ(errors[0].where.column, 31u);
+  EXPECT_NE(errors[0].message.find("(- (rate) 2)"), std::string::npos);
+  EXPECT_TRUE(metric_errors("(+ (n) (/ 5 (- (rate) 2)))", " (= (rate) 3)").empty());
+  EXPECT_TRUE(metric_errors("(/ 5 (n))", " (= (rate) 3)").empty());  // zero at first only
+}
+
+TEST(Metric, WhenItReadsWhatNeverGetsAValue_ThenP0118) {
+  const auto errors = metric_errors("(+ (n) (rate))", "");
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_EQ(errors[0].code, "P0118");
+  EXPECT_EQ(errors[0].where.line, 2u);
+  EXPECT_EQ(errors[0].where.column, 26u);
+}
+
+TEST(Parser, WhenARequirementIsUnknown_ThenWarningWithAHint) {
+  const auto task =
+      parse_task({"d.pddl", replaced(kGoodDomain, ":typing", ":typing :adll")}, {"p.pddl", kGoodProblem});
+  ASSERT_TRUE(task.has_value());
+  ASSERT_EQ(task->warnings().size(), 1u);
+  EXPECT_EQ(task->warnings()[0].code, "P0112");
+  EXPECT_EQ(task->warnings()[0].hint, "did you mean ':adl'?");
+}
 
 TEST(Parser, WhenInputIsGood_ThenATaskWithItsParts) {
   const auto task = parse_task({"d.pddl", kGoodDomain}, {"p.pddl", kGoodProblem});

@@ -41,7 +41,7 @@ bool is_number(const std::string& word) {
 
 // Decimals, not doubles: nine places count.
 double decimal(double value) {
-  return std::abs(value) < 1e6 ? std::round(value * 1e9) / 1e9 + 0.0 : value + 0.0;
+  return std::abs(value) < 1e6 ? std::nearbyint(value * 1e9) / 1e9 + 0.0 : value + 0.0;
 }
 
 constexpr double kSame = 5e-10;
