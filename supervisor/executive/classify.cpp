@@ -1,6 +1,7 @@
 #include "supervisor/executive/classify.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stepwright::executive {
 namespace {
@@ -96,7 +97,10 @@ class Classifier {
 }  // namespace
 
 bool by_itself(const Situation& situation, const translate::Difference& difference) {
-  return !situation.moving.contains(difference.atom) && !situation.just_changed.contains(difference.atom);
+  if (situation.moving.contains(difference.atom) || situation.just_changed.contains(difference.atom))
+    return false;
+  const auto left = situation.left.find(difference.atom);
+  return left == situation.left.end() || std::abs(difference.measured - left->second) > difference.tolerance;
 }
 
 std::optional<Cause> classify(const Situation& situation) {

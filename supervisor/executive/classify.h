@@ -10,6 +10,7 @@
 //
 // Pure functions; use from any thread.
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -39,6 +40,7 @@ struct Situation {
   std::set<std::string> just_changed;          // atoms that an action which ended just now has changed
   std::vector<std::string> limited;            // sensors whose counts stand at the end of their range
   std::vector<std::string> frozen;             // sensors that do not change while they should
+  std::map<std::string, double> left;          // levels as they were when the plan last let go of them
   std::set<std::string> dead;                  // outputs that had no effect before
   std::vector<translate::Difference> earlier;  // differences of the incidents before
 };
@@ -54,7 +56,8 @@ struct Cause {
   bool stops() const { return kind == IncidentKind::FailedSensor || kind == IncidentKind::Leak || again; }
 };
 
-// Whether nothing in the plan has touched what differs.
+// Whether nothing in the plan has touched what differs, and it has moved since the plan let go of it: a level
+// that a weak pump left at the edge of its tolerance has not.
 bool by_itself(const Situation& situation, const translate::Difference& difference);
 
 // Nothing if all is as expected.

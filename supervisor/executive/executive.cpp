@@ -187,6 +187,7 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
 
 bool Executive::launch() {
   record_.episodes.push_back(current_.episode);
+  left_ = current_.start.measured;
   progress_ = {};
   progress_.actions.assign(current_.plan.actions.size(), ActionState::Pending);
   if (record_.episodes.size() == 1) record_.started_s = time_s_;

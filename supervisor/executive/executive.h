@@ -142,6 +142,7 @@ class Executive {
   std::set<std::string> moving_atoms(const translate::Progress& progress) const;
   FailedAction failure_of(std::size_t action, double time_s) const;
   void note_alarms(std::span<const std::byte> image);
+  void note_levels(const std::set<std::string>& moving);
   std::optional<Cause> due_change(double time_s);
   std::vector<model::GroundAction> begun_actions() const;
   model::NamedState with_changes(model::NamedState state) const;
@@ -158,10 +159,11 @@ class Executive {
   std::set<std::size_t> alarms_told_;               // monitors of the running program
   std::vector<Alarm> alarms_;                       // of which no incident tells yet
   std::vector<translate::Difference> differences_;  // of the last situation, of what nothing moved
-  std::set<std::string> dead_;                      // outputs that had no effect in an incident so far
-  std::set<std::string> just_changed_;              // by actions that ended at the last event
-  std::vector<std::string> limited_;                // sensors at the end of their range at the last event
-  std::vector<translate::Difference> earlier_;      // of the incidents so far
+  std::map<std::string, double> left_;  // levels as they were when the running plan last let go of them
+  std::set<std::string> dead_;          // outputs that had no effect in an incident so far
+  std::set<std::string> just_changed_;  // by actions that ended at the last event
+  std::vector<std::string> limited_;    // sensors at the end of their range at the last event
+  std::vector<translate::Difference> earlier_;  // of the incidents so far
   std::chrono::steady_clock::time_point working_since_;
   bool working_ = false;               // on a decision; observing the plant does not count
   std::optional<ImageReader> reader_;  // of the program that runs (the plan's or the observer's)

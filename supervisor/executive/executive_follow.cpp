@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -103,6 +104,7 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
   record_levels(desk_.binding(), expected, seen_.measured, record_);
   record_.goal = desk_.goal_status(with_changes(seen_.planning), goal_);
   note_alarms(image);
+  note_levels(moving_atoms(progress));
   publish();
   const Situation now = situation(progress, expected, time_s);
   const bool news = settled(active) || !now.failed.empty();
@@ -123,12 +125,25 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
   return progress.finished ? Decision{Verdict::Finished} : Decision{};
 }
 
-// What running and failed actions change.
+void Executive::note_levels(const std::set<std::string>& moving) {
+  for (const translate::Sensor& sensor : desk_.binding().sensors) {
+    const bool touched = moving.contains(sensor.fluent) || just_changed_.contains(sensor.fluent);
+    const double level = seen_.measured.fluents.at(sensor.fluent);
+    if (touched) left_[sensor.fluent] = level;
+  }
+}
+
+// What running and failed actions change. What a vehicle passes on its way counts, too.
 std::set<std::string> Executive::moving_atoms(const translate::Progress& progress) const {
   std::set<std::string> moving;
   for (std::size_t i = 0; i < progress.actions.size(); ++i) {
     if (progress.actions[i] != ActionState::Active && progress.actions[i] != ActionState::Failed) continue;
     moving.merge(translate::changed_atoms(current_.run.actions[i]));
+  }
+  for (const translate::OneOf& group : desk_.binding().one_of) {
+    const bool moves = std::any_of(group.facts.begin(), group.facts.end(),
+                                   [&](const std::string& fact) { return moving.contains(fact); });
+    if (moves) moving.insert(group.facts.begin(), group.facts.end());
   }
   return moving;
 }
@@ -154,6 +169,7 @@ Situation Executive::situation(const translate::Progress& progress, const model:
   if (!now.failed.empty()) now.contradictions = seen_.contradictions;
   now.earlier = earlier_;
   now.dead = dead_;
+  now.left = left_;
   now.just_changed = just_changed_;
   now.limited = limited_;
   for (const Alarm& alarm : alarms_) {
@@ -267,7 +283,7 @@ FailedAction Executive::failure_of(std::size_t action, double time_s) const {
   }
   const auto step = current_.translation.step(record.step);
   const double idle_s = std::chrono::duration<double>(current_.translation.steps[*step].idle).count();
-  if (idle_s > 0.0 && std::abs(ran_s - idle_s) <= 1.5 * scan_s) {
+  if (idle_s > 0.0 && ran_s >= idle_s - 1.5 * scan_s) {
     failed.reason = Reason::NoEffect;
     failed.sentence = fmt::format("{} had no effect in {:g} s: {} was on", record.text, idle_s,
                                   fmt::join(failed.outputs, " and "));

@@ -64,6 +64,15 @@ TEST(Classify, WhenAnActionEndedJustNow_ThenItsLevelsDidNotChangeByThemselves) {
   EXPECT_EQ(kind_of(now), IncidentKind::Level);
 }
 
+TEST(Classify, WhenALevelIsWhereThePlanLeftIt_ThenItHasNotMovedByItself) {
+  Situation now;
+  now.differences = {level("(level a1)", 5.0, 5.21)};
+  now.left = {{"(level a1)", 5.18}};
+  EXPECT_EQ(kind_of(now), IncidentKind::Level);
+  now.left = {{"(level a1)", 5.0}};
+  EXPECT_EQ(kind_of(now), IncidentKind::FailedSensor);
+}
+
 TEST(Classify, WhenASensorDoesNotChangeWhileItShould_ThenItIsBroken) {
   Situation now;
   now.frozen = {"S1"};
