@@ -74,7 +74,10 @@ nlohmann::json curve(Generator generator, const Arguments& arguments) {
     std::printf("%-10s %6d %9zu %8zu %8zu %8.4f | %s | %s", instance.name.c_str(), objects, joined.operators,
                 joined.facts, joined.groups, joined.parse_s, seconds(joined).c_str(),
                 seconds(enumerated).c_str());
-    if (enumerated.done) std::printf(" | %6.1f", enumerated.ground_s / std::max(1e-6, joined.ground_s));
+    // Shorter times are below the resolution of the clock.
+    if (enumerated.done && joined.ground_s > 1e-3) {
+      std::printf(" | %6.1f", enumerated.ground_s / joined.ground_s);
+    }
     if (joined.done && enumerated.done && joined.operators != enumerated.operators) {
       std::printf("  %zu operators by enumeration", enumerated.operators);
     }
