@@ -28,11 +28,8 @@ GroundExpression concatenate(NumericKind kind, const GroundExpression& a, const 
   return result;
 }
 
-// Division by zero is undefined, not infinite.
-double divide(double a, double b) {
-  return b == 0.0 ? std::numeric_limits<double>::quiet_NaN() : a / b;
-}
-Interval divide(Interval a, Interval b) {
+using pddl::quotient;
+Interval quotient(Interval a, Interval b) {
   return a / b;
 }
 
@@ -46,7 +43,7 @@ T apply(NumericKind kind, const T& a, const T& b) {
     case NumericKind::Multiply:
       return a * b;
     default:
-      return divide(a, b);
+      return quotient(a, b);
   }
 }
 
@@ -75,6 +72,10 @@ GroundExpression constant_expression(double value) {
   GroundExpression expression;
   expression.constant = value;
   return expression;
+}
+
+double quotient(double a, double b) {
+  return b == 0.0 ? std::numeric_limits<double>::quiet_NaN() : a / b;
 }
 
 GroundExpression variable_expression(int variable) {

@@ -37,6 +37,9 @@ struct GroundExpression {
 GroundExpression constant_expression(double value);
 GroundExpression variable_expression(int variable);
 
+// NaN where `b` is zero: division by zero is undefined, not infinite.
+double quotient(double a, double b);
+
 // A variable that may have no value: a program, because in a linear form x - x and 0 x would be 0 even where
 // x is undefined.
 GroundExpression partial_expression(int variable);

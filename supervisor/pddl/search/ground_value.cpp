@@ -14,7 +14,7 @@ double apply(NumericKind kind, double a, double b) {
     case NumericKind::Multiply:
       return a * b;
     default:
-      return a / b;
+      return quotient(a, b);
   }
 }
 

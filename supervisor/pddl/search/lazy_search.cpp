@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "supervisor/pddl/search/action_elimination.h"
 #include "supervisor/pddl/search/gentle_growth.h"
 
 namespace stepwright::pddl {
@@ -61,8 +62,10 @@ bool LazySearch::pop(Entry& entry) {
 
 bool LazySearch::reached(std::uint32_t node, const Word* state) {
   if (!space_.goal(state)) return false;
-  const double cost = nodes_[node].cost + space_.evaluate(space_.task().potential, state);
-  improved_ = control_.offer(nodes_.path(node), cost) || improved_;
+  std::vector<int> way = nodes_.path(node);
+  // What the node has may be the cost of an earlier way, if a state before it has been reached anew since.
+  const double cost = cost_of_plan(space_, way);
+  improved_ = control_.offer(std::move(way), cost) || improved_;
   return true;
 }
 

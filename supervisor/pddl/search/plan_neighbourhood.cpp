@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "supervisor/pddl/search/action_elimination.h"
+
 namespace stepwright::pddl {
 
 PlanNeighbourhood::PlanNeighbourhood(const StateSpace& space, SearchControl& control,
@@ -50,7 +52,11 @@ void PlanNeighbourhood::follow(const std::vector<int>& plan) {
 void PlanNeighbourhood::offer_goal(std::uint32_t node, const Word* state) {
   if (!space_.goal(state)) return;
   const double cost = nodes_[node].cost + space_.evaluate(space_.task().potential, state);
-  if (best_().leaves_room_for(comparable(cost), nodes_[node].steps)) control_.offer(nodes_.path(node), cost);
+  if (!best_().leaves_room_for(comparable(cost), nodes_[node].steps)) return;
+  std::vector<int> way = nodes_.path(node);
+  // The node may still have the cost of an earlier way to a state before it.
+  const double exact = cost_of_plan(space_, way);
+  control_.offer(std::move(way), exact);
 }
 
 void PlanNeighbourhood::successor(std::uint32_t parent, std::uint32_t distance, int op, double cost) {

@@ -16,6 +16,7 @@
 #include "tests/fuzz/fault_case.h"
 #include "tests/fuzz/pddl/mutation.h"
 #include "tests/fuzz/pddl/pddl_run.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::fuzz::pddl {
 namespace {
@@ -83,15 +84,18 @@ TEST(PddlMutation, Texts_WhenBroken_ThenAreRefusedWithAPlaceOrMeanTheSameEverywh
   EXPECT_GT(grounded, runs / 40);
 }
 
-TEST(PddlMutation, Seeds_WhenACorpusIsAskedFor_ThenItHasThem) {
-  const char* const folder = std::getenv("STEPWRIGHT_FUZZ_CORPUS");
-  if (folder == nullptr) GTEST_SKIP() << "STEPWRIGHT_FUZZ_CORPUS is not set";
+// Where libFuzzer is to find them: STEPWRIGHT_FUZZ_CORPUS.
+TEST(PddlMutation, Seeds_WhenWrittenAsACorpus_ThenEachIsAFile) {
+  const support::TemporaryFolder own;
+  const char* const asked = std::getenv("STEPWRIGHT_FUZZ_CORPUS");
+  const fs::path folder = asked == nullptr ? own.path() : fs::path(asked);
   fs::create_directories(folder);
   const std::vector<std::string> all = seeds();
   for (std::size_t s = 0; s < all.size(); ++s) {
-    std::ofstream(fs::path(folder) / ("seed" + std::to_string(s)), std::ios::binary) << all[s];
+    const fs::path file = folder / ("seed" + std::to_string(s));
+    std::ofstream(file, std::ios::binary) << all[s];
+    EXPECT_EQ(fs::file_size(file), all[s].size());
   }
-  EXPECT_FALSE(fs::is_empty(folder));
 }
 
 }  // namespace

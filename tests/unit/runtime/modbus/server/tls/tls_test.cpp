@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
@@ -282,6 +283,16 @@ TEST_F(Tls, Files_WhenWrong_ThenDiagnosticsNameThem) {
   std::filesystem::copy_file(options().key, wrong.key);
   std::filesystem::permissions(wrong.key, std::filesystem::perms(0644));
   EXPECT_THAT(error_of(wrong), testing::AllOf(HasSubstr("R0116"), HasSubstr("open.key")));
+}
+
+TEST_F(Tls, Key_WhenItWantsAPassphrase_ThenNobodyIsAskedAndItIsRefused) {
+  TlsOptions locked = options();
+  locked.key = plant_->file("locked.key");
+  const std::string lock = "umask 077 && openssl pkey -aes256 -passout pass:secret -in " +
+                           options().key.string() + " -out " + locked.key.string();
+  ASSERT_EQ(std::system(lock.c_str()), 0);
+  EXPECT_THAT(error_of(locked),
+              testing::AllOf(HasSubstr("R0114"), HasSubstr("locked.key"), HasSubstr("passphrase")));
 }
 
 TEST_F(Tls, Door_WhenAsked_ThenIsCalledAfterWhatItGuards) {
