@@ -7,6 +7,7 @@
 
 #include "supervisor/pddl/numeric.h"
 #include "supervisor/pddl/state.h"
+#include "supervisor/pddl/syntax/text.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -59,31 +60,12 @@ std::optional<Linear> linear(const NumericNode& node) {
   }
 }
 
-const char* symbol(Relation relation) {
-  switch (relation) {
-    case Relation::Less:
-      return "<";
-    case Relation::LessEqual:
-      return "<=";
-    case Relation::Equal:
-      return "=";
-    case Relation::GreaterEqual:
-      return ">=";
-    case Relation::Greater:
-      break;
-  }
-  return ">";
-}
-
 std::string print(const NumericNode& node) {
   if (node.kind == NumericKind::Constant) return number_text(node.constant);
   if (node.kind == NumericKind::Fluent) return node.fluent;
   if (node.kind == NumericKind::Negate) return "(- 0 " + print(node.operands.front()) + ")";
-  const char* op = node.kind == NumericKind::Add        ? "+"
-                   : node.kind == NumericKind::Subtract ? "-"
-                   : node.kind == NumericKind::Multiply ? "*"
-                                                        : "/";
-  return std::string("(") + op + " " + print(node.operands.front()) + " " + print(node.operands.back()) + ")";
+  return std::string("(") + symbol_of(node.kind) + " " + print(node.operands.front()) + " " +
+         print(node.operands.back()) + ")";
 }
 
 NumericNode sum_of(const Linear& form) {
@@ -155,7 +137,7 @@ Requirement comparison(NumericNode left, Relation relation, NumericNode right) {
   Requirement requirement;
   requirement.kind = RequirementKind::Comparison;
   requirement.relation = relation;
-  requirement.text = std::string("(") + symbol(relation) + " " + print(left) + " " + print(right) + ")";
+  requirement.text = std::string("(") + symbol_of(relation) + " " + print(left) + " " + print(right) + ")";
   requirement.left = std::move(left);
   requirement.right = std::move(right);
   return requirement;

@@ -5,6 +5,7 @@
 #include "supervisor/pddl/grounding/grounder.h"
 #include "supervisor/pddl/partial_order.h"
 #include "supervisor/pddl/search/action_elimination.h"
+#include "supervisor/pddl/search/plan_runner.h"
 #include "supervisor/pddl/search/portfolio.h"
 #include "supervisor/pddl/simulate.h"
 
@@ -70,8 +71,7 @@ class Solver {
 
   // What the plan can do without is seen at once; bounds and the proof take longer.
   void shorten(const StateSpace& space) {
-    const std::vector<int> plan = eliminate_actions(space, control_.best().operators, control_);
-    control_.offer(plan, cost_of_plan(space, plan));
+    offer_plan(space, control_, eliminate_actions(space, control_.best().operators, control_));
   }
 
   // The searches minimize the metric without its base; this is its value.

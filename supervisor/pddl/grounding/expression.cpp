@@ -28,13 +28,7 @@ GroundExpression concatenate(NumericKind kind, const GroundExpression& a, const 
   return result;
 }
 
-using pddl::quotient;
-Interval quotient(Interval a, Interval b) {
-  return a / b;
-}
-
-template <typename T>
-T apply(NumericKind kind, const T& a, const T& b) {
+Interval apply(NumericKind kind, const Interval& a, const Interval& b) {
   switch (kind) {
     case NumericKind::Add:
       return a + b;
@@ -43,22 +37,22 @@ T apply(NumericKind kind, const T& a, const T& b) {
     case NumericKind::Multiply:
       return a * b;
     default:
-      return quotient(a, b);
+      return a / b;
   }
 }
 
-template <typename T, typename Values, typename Point>
-T run(const std::vector<NumericOperation>& program, const Values& value, const Point& point) {
-  std::vector<T> stack;
+template <typename Values>
+Interval run(const std::vector<NumericOperation>& program, const Values& value) {
+  std::vector<Interval> stack;
   for (const NumericOperation& operation : program) {
     if (operation.kind == NumericKind::Constant) {
-      stack.push_back(point(operation.constant));
+      stack.push_back(Interval::point(operation.constant));
     } else if (operation.kind == NumericKind::Fluent) {
       stack.push_back(value(operation.variable));
     } else if (operation.kind == NumericKind::Negate) {
       stack.back() = -stack.back();
     } else {
-      const T right = stack.back();
+      const Interval right = stack.back();
       stack.pop_back();
       stack.back() = apply(operation.kind, stack.back(), right);
     }
@@ -72,10 +66,6 @@ GroundExpression constant_expression(double value) {
   GroundExpression expression;
   expression.constant = value;
   return expression;
-}
-
-double quotient(double a, double b) {
-  return b == 0.0 ? std::numeric_limits<double>::quiet_NaN() : a / b;
 }
 
 GroundExpression variable_expression(int variable) {
@@ -172,7 +162,7 @@ GroundExpression substitute(const GroundExpression& expression, const std::vecto
 Interval evaluate_interval(const GroundExpression& expression, const std::vector<Interval>& values) {
   const auto value = [&](int variable) { return values[static_cast<std::size_t>(variable)]; };
   if (!expression.linear()) {
-    return run<Interval>(expression.program, value, [](double v) { return Interval::point(v); });
+    return run(expression.program, value);
   }
   Interval sum = Interval::point(expression.constant);
   for (const LinearTerm& term : expression.terms) {
@@ -183,10 +173,6 @@ Interval evaluate_interval(const GroundExpression& expression, const std::vector
     sum.high += term.coefficient * (up ? v.high : v.low);
   }
   return sum;
-}
-
-double run_program(const std::vector<NumericOperation>& program, const std::function<double(int)>& value) {
-  return run<double>(program, value, [](double v) { return v; });
 }
 
 }  // namespace stepwright::pddl

@@ -37,9 +37,6 @@ struct GroundExpression {
 GroundExpression constant_expression(double value);
 GroundExpression variable_expression(int variable);
 
-// NaN where `b` is zero: division by zero is undefined, not infinite.
-double quotient(double a, double b);
-
 // A variable that may have no value: a program, because in a linear form x - x and 0 x would be 0 even where
 // x is undefined.
 GroundExpression partial_expression(int variable);
@@ -61,18 +58,5 @@ struct Replacement {
 GroundExpression substitute(const GroundExpression& expression, const std::vector<Replacement>& by);
 
 Interval evaluate_interval(const GroundExpression& expression, const std::vector<Interval>& values);
-
-// Evaluates a program over a stack; `value` maps a variable to a double. NaN where a division by zero or an
-// undefined fluent (itself NaN) takes part.
-double run_program(const std::vector<NumericOperation>& program, const std::function<double(int)>& value);
-
-// `value`: any callable int -> double.
-template <typename Values>
-double evaluate_with(const GroundExpression& expression, const Values& value) {
-  if (!expression.program.empty()) return run_program(expression.program, value);
-  double sum = expression.constant;
-  for (const LinearTerm& term : expression.terms) sum += term.coefficient * value(term.variable);
-  return sum;
-}
 
 }  // namespace stepwright::pddl

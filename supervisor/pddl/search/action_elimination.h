@@ -12,9 +12,6 @@
 
 namespace stepwright::pddl {
 
-// The cost of the plan from the initial state, with the potential; infinite if it does not lead to the goal.
-double cost_of_plan(const StateSpace& space, const std::vector<int>& plan);
-
 // The plan without what only costs. Stops early, with what it has, when the control says so.
 std::vector<int> eliminate_actions(const StateSpace& space, std::vector<int> plan, SearchControl& control);
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "supervisor/pddl/search/action_elimination.h"
 #include "supervisor/pddl/search/gentle_growth.h"
+#include "supervisor/pddl/search/plan_runner.h"
 
 namespace stepwright::pddl {
 
@@ -64,10 +64,7 @@ bool AStarSearch::refine(Entry entry) {
 void AStarSearch::offer_goal(std::uint32_t node, const Word* state) {
   const double cost = nodes_[node].cost + space_.evaluate(space_.task().potential, state);
   if (!best_().leaves_room_for(comparable(cost), nodes_[node].steps)) return;
-  std::vector<int> way = nodes_.path(node);
-  // The node may still have the cost of an earlier way to a state before it.
-  const double exact = cost_of_plan(space_, way);
-  control_.offer(std::move(way), exact);
+  offer_plan(space_, control_, nodes_.path(node));
 }
 
 bool AStarSearch::on_path(std::uint32_t node, std::uint32_t ancestor) const {

@@ -1,6 +1,6 @@
 #include "supervisor/pddl/search/cluster_plan.h"
 
-#include "supervisor/pddl/search/action_elimination.h"
+#include "supervisor/pddl/search/plan_runner.h"
 
 namespace stepwright::pddl {
 namespace {

@@ -1,6 +1,7 @@
 #include "supervisor/pddl/search/ground_value.h"
 
 #include <array>
+#include <limits>
 
 namespace stepwright::pddl {
 namespace {
@@ -14,7 +15,7 @@ double apply(NumericKind kind, double a, double b) {
     case NumericKind::Multiply:
       return a * b;
     default:
-      return quotient(a, b);
+      return b == 0.0 ? std::numeric_limits<double>::quiet_NaN() : a / b;  // undefined, not infinite
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "supervisor/pddl/search/action_elimination.h"
 #include "supervisor/pddl/search/plan_neighbourhood.h"
+#include "supervisor/pddl/search/plan_runner.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -23,8 +24,7 @@ SearchStatus Improvement::polish(std::uint64_t expansions, StopReason& reason) {
     polished_ = control_.version();
     const Incumbent best = control_.best();
     std::vector<int> shorter = eliminate_actions(task_.space(), best.operators, control_);
-    const double cost = cost_of_plan(task_.space(), shorter);
-    control_.offer(shorter, cost);
+    offer_plan(task_.space(), control_, shorter);
     PlanNeighbourhood neighbourhood(task_.space(), control_, bounds_);
     if (!neighbourhood.search(shorter, std::min(expansions, effort_), reason)) return SearchStatus::Stopped;
   }

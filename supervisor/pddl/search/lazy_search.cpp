@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "supervisor/pddl/search/action_elimination.h"
 #include "supervisor/pddl/search/gentle_growth.h"
+#include "supervisor/pddl/search/plan_runner.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -62,10 +62,7 @@ bool LazySearch::pop(Entry& entry) {
 
 bool LazySearch::reached(std::uint32_t node, const Word* state) {
   if (!space_.goal(state)) return false;
-  std::vector<int> way = nodes_.path(node);
-  // What the node has may be the cost of an earlier way, if a state before it has been reached anew since.
-  const double cost = cost_of_plan(space_, way);
-  improved_ = control_.offer(std::move(way), cost) || improved_;
+  improved_ = offer_plan(space_, control_, nodes_.path(node)) || improved_;
   return true;
 }
 

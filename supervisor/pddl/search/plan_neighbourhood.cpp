@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "supervisor/pddl/search/action_elimination.h"
+#include "supervisor/pddl/search/plan_runner.h"
 
 namespace stepwright::pddl {
 
@@ -53,10 +53,7 @@ void PlanNeighbourhood::offer_goal(std::uint32_t node, const Word* state) {
   if (!space_.goal(state)) return;
   const double cost = nodes_[node].cost + space_.evaluate(space_.task().potential, state);
   if (!best_().leaves_room_for(comparable(cost), nodes_[node].steps)) return;
-  std::vector<int> way = nodes_.path(node);
-  // The node may still have the cost of an earlier way to a state before it.
-  const double exact = cost_of_plan(space_, way);
-  control_.offer(std::move(way), exact);
+  offer_plan(space_, control_, nodes_.path(node));
 }
 
 void PlanNeighbourhood::successor(std::uint32_t parent, std::uint32_t distance, int op, double cost) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "supervisor/pddl/search/action_elimination.h"
 #include "supervisor/pddl/search/cluster_plan.h"
+#include "supervisor/pddl/search/plan_runner.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -58,8 +58,7 @@ void PlanWindows::improve(std::size_t last, std::int64_t& evaluations) {
   std::vector<int> whole(plan_.begin(), plan_.begin() + static_cast<std::ptrdiff_t>(first_));
   whole.insert(whole.end(), better->begin(), better->end());
   whole.insert(whole.end(), plan_.begin() + static_cast<std::ptrdiff_t>(last), plan_.end());
-  const double cost = cost_of_plan(space_, whole);
-  if (!(cost < kInfinity) || !control_.offer(whole, cost)) return;
+  if (!offer_plan(space_, control_, whole)) return;
   version_ = control_.version();
   take(std::move(whole));
 }

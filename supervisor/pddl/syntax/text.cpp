@@ -18,19 +18,6 @@ std::string print(const Definition& definition, const Call& call, const Binding&
   return text + ")";
 }
 
-const char* symbol_of(NumericKind kind) {
-  switch (kind) {
-    case NumericKind::Add:
-      return "+";
-    case NumericKind::Multiply:
-      return "*";
-    case NumericKind::Divide:
-      return "/";
-    default:
-      return "-";
-  }
-}
-
 const char* word_of(FormulaKind kind) {
   switch (kind) {
     case FormulaKind::Or:
@@ -49,6 +36,19 @@ const char* word_of(FormulaKind kind) {
 }
 
 }  // namespace
+
+const char* symbol_of(NumericKind kind) {
+  switch (kind) {
+    case NumericKind::Add:
+      return "+";
+    case NumericKind::Multiply:
+      return "*";
+    case NumericKind::Divide:
+      return "/";
+    default:
+      return "-";
+  }
+}
 
 const char* symbol_of(Relation relation) {
   switch (relation) {

@@ -17,5 +17,6 @@ using Binding = std::vector<int>;
 std::string print(const Definition& definition, const Expression& expression, const Binding& binding = {});
 std::string print(const Definition& definition, const Formula& formula, const Binding& binding = {});
 const char* symbol_of(Relation relation);
+const char* symbol_of(NumericKind kind);  // Negate: "-"
 
 }  // namespace stepwright::pddl

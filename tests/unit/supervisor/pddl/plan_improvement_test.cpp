@@ -9,6 +9,7 @@
 #include "supervisor/pddl/search/action_elimination.h"
 #include "supervisor/pddl/search/cluster_plan.h"
 #include "supervisor/pddl/search/plan_neighbourhood.h"
+#include "supervisor/pddl/search/plan_runner.h"
 #include "supervisor/pddl/search/plan_windows.h"
 #include "tests/unit/supervisor/pddl/sample_tasks.h"
 
