@@ -16,7 +16,8 @@ constexpr std::chrono::milliseconds kBusyWait{2};
 constexpr std::chrono::milliseconds kReopenWait{20};
 constexpr std::chrono::milliseconds kPoll{1};
 constexpr std::chrono::milliseconds kQuiet{
-    20};                             // for late answers to arrive, so that they can be thrown away
+    20};  // for late answers to arrive, so that they can be thrown away
+constexpr std::chrono::milliseconds kMostQuiet{320};
 constexpr std::size_t kProbes = 60;  // lengths of them; none is that of another request's answer
 constexpr int kMaxRestarts = 20;     // of the reading of an event's image
 
@@ -47,12 +48,18 @@ tl::unexpected<result::Diagnostics> ControllerLink::fail(const char* code, std::
 // After a silence two answers may be under way, that of the request and that of its repetition. On a serial
 // line nothing tells the late one from the answer to the next request of the same form. So before anything
 // else is asked, part of the status is read, each time of another length, until the answer has the right one.
+// Each wait is twice the one before: a slow controller, whose late answers come one by one, must catch up.
 LineAnswer ControllerLink::find_step() {
   std::array<std::uint16_t, kProbes> words{};
   probe_ = probe_ % kProbes + 1;
   const LineAnswer answer = line_.read(control::status::kFirst, std::span(words).first(probe_));
   in_step_ = answer.ok();
-  if (answer.fault == LineFault::Garbled) std::this_thread::sleep_for(kQuiet);
+  if (answer.fault == LineFault::Garbled) {
+    quiet_ = std::clamp(2 * quiet_, kQuiet, kMostQuiet);
+    std::this_thread::sleep_for(quiet_);
+  } else if (in_step_) {
+    quiet_ = {};
+  }
   return answer;
 }
 

@@ -101,8 +101,9 @@ class ControllerLink {
   const LinkOptions options_;
   const std::atomic<bool>& stop_;
   std::uint16_t command_number_ = 0;
-  bool in_step_ = true;    // no answer of an earlier request can come any more
-  std::size_t probe_ = 0;  // registers that the newest probe read
+  bool in_step_ = true;                // no answer of an earlier request can come any more
+  std::size_t probe_ = 0;              // registers that the newest probe read
+  std::chrono::milliseconds quiet_{};  // the newest wait for late answers
   std::uint64_t repeated_ = 0;
 };
 

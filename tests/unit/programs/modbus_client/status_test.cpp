@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
-#include <stdlib.h>
+#include <poll.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -13,7 +15,7 @@
 #include "programs/modbus_client/client_metrics.h"
 #include "programs/modbus_client/status_json.h"
 #include "programs/modbus_client/status_socket.h"
-#include "tests/unit/runtime/service/service_harness.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::modbus_client {
 namespace {
@@ -83,9 +85,8 @@ TEST(Status, WhenItIsToldToPeopleAndPrometheus_ThenItIsTheSame) {
 }
 
 TEST(StatusSocket, WhenSomebodyAsks_ThenTheTextIsWholeAndNobodyElseMay) {
-  std::string path = (std::filesystem::temp_directory_path() / "stepwright-status-XXXXXX").string();
-  ASSERT_NE(mkdtemp(path.data()), nullptr);
-  const auto socket = std::filesystem::path(path) / "s.sock";
+  const support::TemporaryFolder folder;
+  const auto socket = folder / "s.sock";
   const std::string long_text(3'000'000, 'x');
   {
     const auto server = StatusServer::create(socket, [&] { return long_text; });
@@ -102,23 +103,48 @@ TEST(StatusSocket, WhenSomebodyAsks_ThenTheTextIsWholeAndNobodyElseMay) {
   const auto nobody = ask_status(socket);
   ASSERT_FALSE(nobody);
   EXPECT_EQ(nobody.error()[0].code, "R0127");
-  std::filesystem::remove_all(path);
 }
 
+// Somebody who asks, with a socket of before.
+class Asking {
+ public:
+  Asking() : socket_(::socket(AF_UNIX, SOCK_STREAM, 0)) {}
+  ~Asking() { close(socket_); }
+  Asking(const Asking&) = delete;
+  Asking& operator=(const Asking&) = delete;
+
+  bool ask(const std::filesystem::path& path) const {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    path.native().copy(address.sun_path, sizeof address.sun_path - 1);
+    return connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  }
+  bool answered_within(int milliseconds) const {
+    pollfd waiting{socket_, POLLIN, 0};
+    return poll(&waiting, 1, milliseconds) == 1;
+  }
+
+ private:
+  int socket_;
+};
+
 TEST(StatusSocket, WhenThereAreNoDescriptorsForAWhile_ThenItAnswersAgainAfterwards) {
-  const service::TemporaryFolder folder;
-  const auto socket = folder.path() / "s.sock";
+  const support::TemporaryFolder folder;
+  const auto socket = folder / "s.sock";
   const auto server = StatusServer::create(socket, [] { return std::string("status"); });
   ASSERT_TRUE(server);
-  // This process has one descriptor left, for the one who asks; none for who answers.
+  const Asking first, second;
   rlimit before{};
   getrlimit(RLIMIT_NOFILE, &before);
-  const int first = dup(0);
-  close(first);
-  const rlimit few{static_cast<rlim_t>(first) + 1, before.rlim_max};
-  setrlimit(RLIMIT_NOFILE, &few);
-  EXPECT_FALSE(ask_status(socket)) << "who would have answered?";
+  const rlimit none{0, before.rlim_max};
+  setrlimit(RLIMIT_NOFILE, &none);
+  // An accept that waits has the descriptor that it will return, so that one of the two may be answered.
+  const bool asked = first.ask(socket) && second.ask(socket);
+  const bool answered = second.answered_within(300);
   setrlimit(RLIMIT_NOFILE, &before);
+  EXPECT_TRUE(asked);
+  EXPECT_FALSE(answered);
+  EXPECT_TRUE(second.answered_within(10'000));
   const auto told = ask_status(socket);
   ASSERT_TRUE(told) << result::to_string(told.error());
   EXPECT_EQ(*told, "status");

@@ -1,5 +1,10 @@
 #include "runtime/remote/controller_link.h"
 
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <thread>
+
 #include "tests/support/remote_controller/remote_controller.h"
 #include "tests/unit/runtime/remote/harness.h"
 
@@ -53,6 +58,55 @@ TEST(ControllerLink_WhenAnAnswerIsLate, ThenItIsNotTakenForThatOfALaterRequest) 
   std::vector<std::byte> read(program.size());
   ASSERT_TRUE(linked.link.read_memory(control::Memory::Program, read));
   EXPECT_EQ(read, program);
+}
+
+// A serial line to a controller that needs 30 ms for each answer and has some to earlier requests to give
+// first.
+class SlowLine final : public RegisterLine {
+ public:
+  SlowLine(std::shared_ptr<support::BoardWorld> world, int owed) : line_(std::move(world)) {
+    for (int i = 0; i < owed; ++i) owe(1);
+  }
+  LineAnswer read(std::uint16_t first, std::span<std::uint16_t> words) override {
+    while (!owed_.empty() && owed_.front().at <= Clock::now())
+      owed_.pop_front();  // flushed before the request
+    owe(words.size());
+    const Owed next = owed_.front();
+    owed_.pop_front();
+    std::this_thread::sleep_until(next.at);
+    return next.words == words.size() ? line_.read(first, words) : LineAnswer{LineFault::Garbled, 0, {}};
+  }
+  LineAnswer write(std::uint16_t, std::span<const std::uint16_t>) override {
+    return {LineFault::Closed, 0, {}};
+  }
+  LineAnswer read_write(std::uint16_t, std::span<const std::uint16_t>, std::uint16_t,
+                        std::span<std::uint16_t>) override {
+    return {LineFault::Closed, 0, {}};
+  }
+  LineAnswer reopen() override { return {}; }
+  std::string name() const override { return "slow board"; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Owed {
+    Clock::time_point at;
+    std::size_t words;
+  };
+  void owe(std::size_t words) {
+    const auto free = owed_.empty() ? Clock::now() : std::max(Clock::now(), owed_.back().at);
+    owed_.push_back({free + std::chrono::milliseconds(30), words});
+  }
+
+  support::FaultyLine line_;
+  std::deque<Owed> owed_;
+};
+
+TEST(ControllerLink_WhenAControllerIsSlowToCatchUp, ThenItIsWaitedForLongerAndLonger) {
+  SlowLine line(std::make_shared<support::BoardWorld>(), 4);
+  const std::atomic<bool> stop{false};
+  ControllerLink link(line, {.patience = std::chrono::seconds(5)}, stop);
+  const auto status = link.status();
+  EXPECT_TRUE(status) << result::to_string(status.error());
 }
 
 TEST(ControllerLink_WhenARequestIsRefused, ThenThePlaceAndTheExceptionAreSaid) {
