@@ -11,25 +11,34 @@ void FirstPlan::enter(LazySearch& search, std::uint64_t share) {
        share});
 }
 
-// Climbing crosses the plateaus of numbers without end; a search that minds costs from the start does not run
-// out of what they stand for, like fuel. Facts alone seldom need either.
+// Climbing crosses the plateaus of numbers without end; where numbers stand for what is short, like fuel, it
+// helps to mind costs, and to do so from the start. Facts alone seldom need any of these.
 void FirstPlan::prepare() {
   const bool numbers = !task_.space().task().variables.empty();
-  LazyOptions options;
-  options.landmarks = landmarks_->size() > 0 ? &*landmarks_ : nullptr;
-  LazyOptions thrifty = options;
+  LazyOptions options = with_landmarks();
   options.lookahead = false;
   options.intervals = numbers;
   enter(full_.emplace(task_, control_, options), 2);
   if (!numbers && threads_ < 2) return;
+  LazyOptions thrifty = with_landmarks();
   thrifty.weight = 1.5;
   thrifty.costs = true;
   enter(thrifty_.emplace(task_, control_, thrifty), 1);
-  // One estimate instead of three: four times as many. The end of climbing is no proof.
+  // States with fewer estimates take less time. The end of climbing is no proof.
+  if (!numbers) return;
+  options.intervals = false;
+  options.costs = true;
+  enter(greedy_.emplace(task_, control_, options), 4);
   if (!climbing_) return;
   contenders_.push_back(
       {[this](std::uint64_t expansions, StopReason& reason) { return climbing_->run(expansions, reason); }, 8,
        false});
+}
+
+LazyOptions FirstPlan::with_landmarks() const {
+  LazyOptions options;
+  options.landmarks = landmarks_->size() > 0 ? &*landmarks_ : nullptr;
+  return options;
 }
 
 // One turn for each that has not ended. Running: nothing is decided, or all have ended without a proof.
@@ -89,6 +98,10 @@ SearchStatus FirstPlan::run(StopReason& reason) {
   }
   landmarks_.emplace(task_, [this] { return control_.check() != StopReason::None; });
   if ((reason = control_.check()) != StopReason::None) return SearchStatus::Stopped;
+  if (landmarks_->size() > 0) {
+    status = LazySearch(task_, control_, with_landmarks()).run(kQuick, reason);
+    if (status != SearchStatus::Running) return status;
+  }
   prepare();
   return threads_ < 2 ? take_turns(reason) : side_by_side(reason);
 }

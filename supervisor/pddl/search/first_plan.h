@@ -1,6 +1,6 @@
 #pragma once
 
-// The first plan. A quick attempt along relaxed plans solves most tasks; for the others searches of different
+// The first plan. Quick attempts along relaxed plans solve most tasks; for the others searches of different
 // kinds take turns, or run side by side on two threads until one of them has found a plan.
 //
 // On one thread the turns are counted in states, so that the same task gives the same plan.
@@ -38,6 +38,7 @@ class FirstPlan {
 
   void enter(LazySearch& search, std::uint64_t share);
   void prepare();
+  LazyOptions with_landmarks() const;
   SearchStatus turn(std::span<Contender> contenders, std::uint64_t expansions, StopReason& reason);
   SearchStatus take_turns(StopReason& reason);
   SearchStatus side_by_side(StopReason& reason);
@@ -47,7 +48,7 @@ class FirstPlan {
   unsigned threads_;
   std::optional<Landmarks> landmarks_;
   std::optional<HillClimbing> climbing_;
-  std::optional<LazySearch> full_, thrifty_;
+  std::optional<LazySearch> full_, thrifty_, greedy_;
   std::vector<Contender> contenders_;
 };
 
