@@ -5,6 +5,7 @@
 #include "supervisor/pddl/grounding/grounder.h"
 #include "supervisor/pddl/partial_order.h"
 #include "supervisor/pddl/search/action_elimination.h"
+#include "supervisor/pddl/search/first_plan.h"
 #include "supervisor/pddl/search/plan_runner.h"
 #include "supervisor/pddl/search/portfolio.h"
 #include "supervisor/pddl/simulate.h"
@@ -31,7 +32,7 @@ class Solver {
     report();
     const StateSpace space(ground_);
     const RelaxedTask relaxed(space);
-    const SearchStatus status = first_plan(relaxed);
+    const SearchStatus status = FirstPlan(relaxed, control_, options_.threads).run(reason_);
     if (status == SearchStatus::Exhausted) {
       return infeasible("all states that can be reached were searched (" +
                         std::to_string(control_.expanded()) + "), none of them meets the goal");
@@ -50,23 +51,6 @@ class Solver {
   bool stopped() {
     if (reason_ == StopReason::None) reason_ = control_.check();
     return reason_ != StopReason::None;
-  }
-
-  // A quick attempt along relaxed plans solves most tasks; the search with landmarks takes the others.
-  SearchStatus first_plan(const RelaxedTask& relaxed) {
-    constexpr std::uint64_t kQuick = 300;
-    const SearchStatus quick = LazySearch(relaxed, control_, {}).run(kQuick, reason_);
-    if (quick != SearchStatus::Running) return quick;
-    const Landmarks landmarks(relaxed, [this] { return stopped(); });
-    if (reason_ != StopReason::None) return SearchStatus::Stopped;
-    LazyOptions options;
-    options.lookahead = false;
-    options.landmarks = landmarks.size() > 0 ? &landmarks : nullptr;
-    options.intervals = !ground_.variables.empty();
-    LazySearch full(relaxed, control_, options);
-    SearchStatus status = SearchStatus::Running;
-    while (status == SearchStatus::Running) status = full.run(1'000'000, reason_);
-    return status;
   }
 
   // What the plan can do without is seen at once; bounds and the proof take longer.

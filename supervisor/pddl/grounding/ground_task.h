@@ -83,6 +83,8 @@ struct GroundTask {
   int first_derived = 0;
   std::vector<GroundAxiom> axioms;  // by layer
   std::vector<FactGroup> groups;    // by first fact; every fact is in exactly one
+  std::vector<std::vector<int>>
+      exclusive;  // all sets found of facts of which at most one holds at a time; they may overlap
   std::vector<Atom> variables;
   std::vector<Interval> bounds;  // of every variable over all reachable states
   std::vector<GroundOperator> operators;

@@ -88,6 +88,9 @@ class Simplifier {
       set.exactly_one = set.exactly_one && set.facts.size() == invariant.facts.size();
       sets.push_back(std::move(set));
     }
+    for (const FactGroup& set : sets) {
+      if (set.facts.size() > 1) task_.exclusive.push_back(set.facts);
+    }
     task_.groups = choose_groups(std::move(sets), task_.facts.size());
   }
 

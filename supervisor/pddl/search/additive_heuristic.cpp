@@ -5,43 +5,52 @@
 
 namespace stepwright::pddl {
 
-std::vector<int> unit_weights(const GroundTask& task) {
-  return std::vector<int>(task.operators.size(), 1);
+namespace {
+
+// NaN if it is undefined.
+double cost_in(const StateSpace& space, const GroundOperator& op, const Word* state) {
+  double cost = 0.0;
+  for (const GroundEffect& effect : op.effects) {
+    if (effect.when.always() || space.holds(effect.when, state)) cost += space.evaluate(effect.cost, state);
+  }
+  return cost;
 }
 
-std::vector<int> cost_weights(const GroundTask& task) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const GroundOperator& op : task.operators) {
-    if (!(op.cost.low > 0.0) || !std::isfinite(op.cost.low)) continue;
-    sum += op.cost.low;
-    ++count;
-  }
-  if (count == 0) return unit_weights(task);
-  const double scale = 20.0 * static_cast<double>(count) / sum;
-  std::vector<int> weights;
-  for (const GroundOperator& op : task.operators) {
-    const double cost = std::isfinite(op.cost.low) ? std::max(0.0, op.cost.low) : 0.0;
-    weights.push_back(1 + static_cast<int>(std::min(10'000.0, scale * cost)));
-  }
-  return weights;
+}  // namespace
+
+int OperatorWeights::weight(double cost) const {
+  if (scale == 0.0) return 1;
+  return 1 + (std::isfinite(cost) ? static_cast<int>(std::clamp(scale * cost, 0.0, 10'000.0)) : 0);
 }
 
-double weight_scale(const GroundTask& task, const std::vector<int>& weights) {
-  double cost = 0.0, weight = 0.0;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    if (!(task.operators[i].cost.low > 0.0) || !std::isfinite(task.operators[i].cost.low)) continue;
-    cost += task.operators[i].cost.low;
-    weight += weights[i] - 1;
-  }
-  return cost > 0.0 && weight > 0.0 ? weight / cost : 0.0;
+OperatorWeights unit_weights(const GroundTask& task) {
+  return {std::vector<int>(task.operators.size(), 1), 0.0};
 }
 
-AdditiveHeuristic::AdditiveHeuristic(const RelaxedTask& task, std::vector<int> weights)
-    : task_(task), weights_(std::move(weights)) {
+OperatorWeights cost_weights(const GroundTask& task) {
+  // Those whose least cost is nothing tell the scale only if there are no others.
+  for (const bool least : {true, false}) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const GroundOperator& op : task.operators) {
+      const double cost = least ? op.cost.low : op.cost.high;
+      if (!(cost > 0.0) || !std::isfinite(cost)) continue;
+      sum += cost;
+      ++count;
+    }
+    if (count == 0) continue;
+    OperatorWeights weights{{}, 20.0 * static_cast<double>(count) / sum};
+    for (const GroundOperator& op : task.operators) weights.of.push_back(weights.weight(op.cost.low));
+    return weights;
+  }
+  return unit_weights(task);
+}
+
+AdditiveHeuristic::AdditiveHeuristic(const RelaxedTask& task, OperatorWeights weights)
+    : task_(task), weights_(std::move(weights)), goal_(task.goal()) {
   for (std::size_t u = 0; u < task.units(); ++u) {
     const int op = task.operator_of(u);
-    const int weight = op < 0 ? 0 : weights_[static_cast<std::size_t>(op)];
+    const int weight = op < 0 ? 0 : weights_.of[static_cast<std::size_t>(op)];
     fresh_units_.push_back({static_cast<int>(task.needs(u).size()), 0, weight});
   }
   atoms_.resize(task.atoms());
@@ -49,7 +58,59 @@ AdditiveHeuristic::AdditiveHeuristic(const RelaxedTask& task, std::vector<int> w
   wanted_.assign(task.atoms(), 0);
   used_.assign(task.units(), 0);
   place_.resize(task.units());
-  helpful_mark_.assign(weights_.size(), 0);
+  helpful_mark_.assign(weights_.of.size(), 0);
+  if (weights_.scale > 0.0) find_varying();
+}
+
+void AdditiveHeuristic::find_varying() {
+  const auto& operators = task_.space().task().operators;
+  std::vector<int> place(operators.size(), -1);
+  for (std::size_t u = 0; u < task_.units(); ++u) {
+    const int op = task_.operator_of(u);
+    if (op < 0) continue;
+    const Interval cost = operators[static_cast<std::size_t>(op)].cost;
+    if (cost.low == cost.high) continue;
+    int& p = place[static_cast<std::size_t>(op)];
+    if (p < 0) {
+      p = static_cast<int>(varying_.size());
+      varying_.push_back({op, {}});
+    }
+    varying_[static_cast<std::size_t>(p)].units.push_back(static_cast<int>(u));
+  }
+}
+
+// Weighs what depends on the state.
+void AdditiveHeuristic::weigh() {
+  const StateSpace& space = task_.space();
+  for (const Varying& varying : varying_) {
+    const auto op = static_cast<std::size_t>(varying.op);
+    const int weight = weights_.weight(cost_in(space, space.task().operators[op], state_));
+    if (weight == weights_.of[op]) continue;
+    weights_.of[op] = weight;
+    for (const int unit : varying.units) fresh_units_[static_cast<std::size_t>(unit)].weight = weight;
+  }
+}
+
+void AdditiveHeuristic::aim(std::vector<int> atoms, std::vector<Comparison> comparisons) {
+  goal_ = std::move(atoms);
+  targets_ = std::move(comparisons);
+  std::vector<std::vector<Mover>> by_unit(targets_.empty() ? 0 : task_.units());
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const auto atom = static_cast<int>(task_.atoms() + i);
+    goal_.push_back(atom);
+    for (const Mover& mover : task_.movers_towards(targets_[i], atom)) {
+      by_unit[static_cast<std::size_t>(mover.unit)].push_back(mover);
+    }
+  }
+  towards_ = PackedLists<Mover>(by_unit);
+  atoms_.resize(task_.atoms() + targets_.size());
+  is_goal_.assign(atoms_.size(), false);
+  wanted_.resize(atoms_.size(), 0);
+}
+
+const Comparison& AdditiveHeuristic::comparison(int atom) const {
+  const auto a = static_cast<std::size_t>(atom);
+  return a < task_.atoms() ? task_.comparison(a - task_.first_comparison()) : targets_[a - task_.atoms()];
 }
 
 void AdditiveHeuristic::reach(int atom, int cost, int unit, int times) {
@@ -66,13 +127,12 @@ void AdditiveHeuristic::reach(int atom, int cost, int unit, int times) {
 void AdditiveHeuristic::move(const Mover& mover) {
   const AtomEntry& entry = atoms_[static_cast<std::size_t>(mover.atom)];
   if (entry.closed) return;
-  const Comparison& comparison =
-      task_.comparison(static_cast<std::size_t>(mover.atom) - task_.first_comparison());
-  const Gap gap = gap_of(comparison.relation, task_.space().evaluate(comparison.difference, state_));
+  const Comparison& target = comparison(mover.atom);
+  const Gap gap = gap_of(target.relation, task_.space().evaluate(target.difference, state_));
   if (gap.upwards ? !(mover.gain.high > 0.0) : !(mover.gain.low < 0.0)) {
     if (gap.distance < kInfinity) return;
   }
-  const double gain = task_.gain(mover, state_) * (gap.upwards ? 1.0 : -1.0);
+  const double gain = task_.gain(mover, target, state_) * (gap.upwards ? 1.0 : -1.0);
   double times = 1.0;
   if (gain > 0.0 && gap.distance < kInfinity) times = std::ceil(gap.distance / gain - 1e-6);
   const int count = static_cast<int>(std::clamp(times, 1.0, 100'000.0));
@@ -86,25 +146,33 @@ void AdditiveHeuristic::fire(int unit) {
   const int cost = units_[u].needs_cost + units_[u].weight;
   for (const int atom : task_.adds(u)) reach(atom, cost, unit, 1);
   for (const Mover& mover : task_.moved_by(u)) move(mover);
+  if (!targets_.empty()) {
+    for (const Mover& mover : towards_[u]) move(mover);
+  }
 }
 
-void AdditiveHeuristic::start(const Word* state, const std::vector<int>& goal) {
-  state_ = state;
+void AdditiveHeuristic::start() {
+  weigh();
   queue_.clear();
   std::fill(atoms_.begin(), atoms_.end(), AtomEntry{kFar, -1, 0, false});
   units_ = fresh_units_;
-  for (const int atom : goal) is_goal_[static_cast<std::size_t>(atom)] = true;
-  task_.for_each_holding(state, [this](int atom) { reach(atom, 0, -1, 0); });
+  for (const int atom : goal_) is_goal_[static_cast<std::size_t>(atom)] = true;
+  task_.for_each_holding(state_, [this](int atom) { reach(atom, 0, -1, 0); });
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (task_.space().holds(targets_[i], state_)) reach(static_cast<int>(task_.atoms() + i), 0, -1, 0);
+  }
   for (const int unit : task_.without_needs()) fire(unit);
 }
 
-bool AdditiveHeuristic::propagate(std::size_t goals) {
+bool AdditiveHeuristic::propagate() {
+  std::size_t goals = goal_.size();
   while (goals > 0 && !queue_.empty()) {
     const int atom = queue_.pop();
     AtomEntry& entry = atoms_[static_cast<std::size_t>(atom)];
     if (entry.closed) continue;
     entry.closed = true;
     if (is_goal_[static_cast<std::size_t>(atom)]) --goals;
+    if (static_cast<std::size_t>(atom) >= task_.atoms()) continue;
     for (const int unit : task_.needed_by(static_cast<std::size_t>(atom))) {
       UnitEntry& waiting = units_[static_cast<std::size_t>(unit)];
       waiting.needs_cost = std::min(waiting.needs_cost + entry.cost, 100'000'000);
@@ -114,11 +182,12 @@ bool AdditiveHeuristic::propagate(std::size_t goals) {
   return goals == 0;
 }
 
-bool AdditiveHeuristic::evaluate(const Word* state, const std::vector<int>& goal) {
-  start(state, goal);
-  const bool reached = propagate(goal.size());
-  for (const int atom : goal) is_goal_[static_cast<std::size_t>(atom)] = false;
-  if (reached) extract(goal);
+bool AdditiveHeuristic::evaluate(const Word* state) {
+  state_ = state;
+  start();
+  const bool reached = propagate();
+  for (const int atom : goal_) is_goal_[static_cast<std::size_t>(atom)] = false;
+  if (reached) extract();
   return reached;
 }
 
@@ -130,11 +199,11 @@ void AdditiveHeuristic::want(int atom) {
 }
 
 // A unit that several atoms want is applied as often as the one that wants most of it.
-void AdditiveHeuristic::extract(const std::vector<int>& goal) {
+void AdditiveHeuristic::extract() {
   ++evaluation_;
   plan_.clear();
   helpful_.clear();
-  for (const int atom : goal) want(atom);
+  for (const int atom : goal_) want(atom);
   while (!stack_.empty()) {
     const AtomEntry& entry = atoms_[static_cast<std::size_t>(stack_.back())];
     stack_.pop_back();
@@ -161,7 +230,7 @@ void AdditiveHeuristic::extract(const std::vector<int>& goal) {
   estimate_ = steps_ = 0;
   for (const Use& use : plan_) {
     steps_ += use.times;
-    estimate_ += use.times * weights_[static_cast<std::size_t>(use.op)];
+    estimate_ += use.times * weights_.of[static_cast<std::size_t>(use.op)];
   }
 }
 

@@ -6,7 +6,10 @@
 //
 // Thread rule: one search, one object: it reuses its memory.
 //
-//   AdditiveHeuristic heuristic(relaxed, weights);
+// What an operator costs may depend on the state: it counts what it would cost in the state that is looked
+// at, so that relaxed plans do not choose what is only cheap elsewhere.
+//
+//   AdditiveHeuristic heuristic(relaxed, cost_weights(task));
 //   if (heuristic.evaluate(state)) use(heuristic.estimate(), heuristic.helpful());
 
 #include <vector>
@@ -16,15 +19,23 @@
 
 namespace stepwright::pddl {
 
+// What one application of each operator counts.
+struct OperatorWeights {
+  std::vector<int> of;  // at least 0; of its least cost, if the cost depends on the state
+  double scale = 0.0;   // what a cost of one counts; 0: costs count nothing
+
+  int weight(double cost) const;  // of one application that costs so much
+};
+
 class AdditiveHeuristic {
  public:
-  // `weights`: what one application of each operator counts, at least 0.
-  AdditiveHeuristic(const RelaxedTask& task, std::vector<int> weights);
+  AdditiveHeuristic(const RelaxedTask& task, OperatorWeights weights);
 
   // False if no plan exists from the state (proved).
-  bool evaluate(const Word* state) { return evaluate(state, task_.goal()); }
-  // The same towards other atoms.
-  bool evaluate(const Word* state, const std::vector<int>& goal);
+  bool evaluate(const Word* state);
+
+  // From now on towards these atoms and comparisons instead of the task's goal.
+  void aim(std::vector<int> atoms, std::vector<Comparison> comparisons);
 
   // Of the last evaluation. The relaxed plan: operators with how often each is applied, those with cheaper
   // needs first; its weight and its number of steps; its operators that are applicable at once.
@@ -41,16 +52,28 @@ class AdditiveHeuristic {
  private:
   static constexpr int kFar = 1'000'000'000;
 
-  void start(const Word* state, const std::vector<int>& goal);
-  bool propagate(std::size_t goals);
+  struct Varying {
+    int op;
+    std::vector<int> units;
+  };
+
+  void find_varying();
+  void weigh();
+  void start();
+  bool propagate();
   void reach(int atom, int cost, int unit, int times);
   void fire(int unit);
   void move(const Mover& mover);
-  void extract(const std::vector<int>& goal);
+  void extract();
   void want(int atom);
+  const Comparison& comparison(int atom) const;
 
   const RelaxedTask& task_;
-  std::vector<int> weights_;
+  OperatorWeights weights_;
+  std::vector<Varying> varying_;  // operators whose costs depend on the state
+  std::vector<int> goal_;
+  std::vector<Comparison> targets_;  // their atoms come behind those of the task
+  PackedLists<Mover> towards_;       // by unit; empty without targets
   const Word* state_ = nullptr;
   // Per unit: needs that are not reached yet, the sum of the costs of those that are, what it weighs itself.
   struct UnitEntry {
@@ -79,12 +102,9 @@ class AdditiveHeuristic {
 };
 
 // Every operator counts one.
-std::vector<int> unit_weights(const GroundTask& task);
+OperatorWeights unit_weights(const GroundTask& task);
 
-// Operators count by their least cost, scaled so that a plan's sum stays small, plus one.
-std::vector<int> cost_weights(const GroundTask& task);
-
-// What a cost of one weighs; 0 if weights do not tell costs.
-double weight_scale(const GroundTask& task, const std::vector<int>& weights);
+// Operators count by their cost, scaled so that a plan's sum stays small, plus one.
+OperatorWeights cost_weights(const GroundTask& task);
 
 }  // namespace stepwright::pddl

@@ -45,6 +45,10 @@ void renumber_facts(GroundTask& task, const std::vector<int>& place) {
     renumber(group.facts, place);
     std::sort(group.facts.begin(), group.facts.end());
   }
+  for (std::vector<int>& set : task.exclusive) {
+    renumber(set, place);
+    std::sort(set.begin(), set.end());
+  }
 }
 
 bool derived(const GroundTask& task, const FactGroup& group) {

@@ -27,6 +27,10 @@ LandmarkCount::LandmarkCount(const RelaxedTask& task, const Landmarks& landmarks
   reached_by_ = PackedLists<int>(reached_by);
 }
 
+bool LandmarkCount::all_reached(std::span<const int> landmarks, const Word* reached) {
+  return std::all_of(landmarks.begin(), landmarks.end(), [&](int l) { return bit(reached, l); });
+}
+
 bool LandmarkCount::holds(std::size_t landmark, const Word* state) const {
   const auto atom = static_cast<std::size_t>(landmarks_.atom(landmark));
   const int literal = task_.literal_of(atom);
@@ -44,10 +48,10 @@ int LandmarkCount::estimate(const Word* state, const Word* reached) const {
   int sum = 0;
   for (std::size_t l = 0; l < landmarks_.size(); ++l) {
     bool needed = !bit(reached, static_cast<int>(l));
-    if (!needed && !holds(l, state)) {
-      const std::span<const int> later = landmarks_.wanted_for(l);
-      needed = landmarks_.is_goal(l) ||
-               std::any_of(later.begin(), later.end(), [&](int other) { return !bit(reached, other); });
+    if (!needed && holds(l, state)) {
+      needed = !all_reached(landmarks_.better_first(l), reached);
+    } else if (!needed) {
+      needed = landmarks_.is_goal(l) || !all_reached(landmarks_.wanted_for(l), reached);
     }
     if (needed) sum += weights_[l];
   }
@@ -56,7 +60,9 @@ int LandmarkCount::estimate(const Word* state, const Word* reached) const {
 
 bool LandmarkCount::reaches_another(int op, const Word* reached) const {
   const std::span<const int> landmarks = reached_by_[static_cast<std::size_t>(op)];
-  return std::any_of(landmarks.begin(), landmarks.end(), [&](int l) { return !bit(reached, l); });
+  return std::any_of(landmarks.begin(), landmarks.end(), [&](int l) {
+    return !bit(reached, l) && all_reached(landmarks_.better_first(static_cast<std::size_t>(l)), reached);
+  });
 }
 
 }  // namespace stepwright::pddl

@@ -1,7 +1,8 @@
 #pragma once
 
-// How much of what every plan must reach is still to be reached: landmarks not reached yet, and those that
-// were reached, do not hold and are needed again (Richter, Westphal 2010, "The LAMA planner", section 4).
+// How much of what every plan must reach is still to be reached: landmarks not reached yet, those that were
+// reached, do not hold and are needed again, and those that were reached too early: they hold but will have
+// to be given up for another (Richter, Westphal 2010, "The LAMA planner", section 4).
 // Which landmarks a way has reached belongs to the way: a search keeps it as a bit set per node.
 //
 // Thread rule: one search, one object.
@@ -25,10 +26,11 @@ class LandmarkCount {
 
   int estimate(const Word* state, const Word* reached) const;
 
-  // Does the operator reach a landmark that is not in the set?
+  // Does the operator reach a landmark that is not in the set, and not too early?
   bool reaches_another(int op, const Word* reached) const;
 
  private:
+  static bool all_reached(std::span<const int> landmarks, const Word* reached);
   bool holds(std::size_t landmark, const Word* state) const;
 
   const RelaxedTask& task_;

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "supervisor/pddl/search/atom_order.h"
+#include "supervisor/pddl/search/reasonable_order.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -63,6 +64,7 @@ Landmarks::Landmarks(const RelaxedTask& task, const std::function<bool()>& stop)
     }
   }
   wanted_for_ = PackedLists<int>(wanted_for);
+  better_first_ = PackedLists<int>(reasonable_order(task, order, atoms_, wanted_for, stop));
 }
 
 }  // namespace stepwright::pddl

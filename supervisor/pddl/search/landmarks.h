@@ -3,7 +3,7 @@
 // Atoms that every plan makes true at some time, and which of them must hold just before another: all that
 // the delete relaxation shows (Zhu, Givan 2003, "Landmark extraction via planning graph propagation"; Keyder,
 // Richter, Helmert 2010, "Sound and complete landmarks for and/or graphs"). Comparisons of numbers are atoms
-// like any other.
+// like any other. Some had better be reached before others (`reasonable_order`).
 //
 // Thread rule: immutable once built.
 
@@ -26,11 +26,13 @@ class Landmarks {
   int landmark_of(int atom) const { return landmark_of_[static_cast<std::size_t>(atom)]; }
   // The landmarks that nothing reaches for the first time unless this one holds just before.
   std::span<const int> wanted_for(std::size_t landmark) const { return wanted_for_[landmark]; }
+  // The landmarks that, once this one holds, are only reached by giving it up again.
+  std::span<const int> better_first(std::size_t landmark) const { return better_first_[landmark]; }
 
  private:
   std::vector<int> atoms_, landmark_of_;
   std::vector<bool> goal_;
-  PackedLists<int> wanted_for_;
+  PackedLists<int> wanted_for_, better_first_;
 };
 
 }  // namespace stepwright::pddl

@@ -23,7 +23,6 @@ LazySearch::LazySearch(const RelaxedTask& task, SearchControl& control, const La
       best_(control),
       memory_(control),
       weights_(options.costs ? cost_weights(space_.task()) : unit_weights(space_.task())),
-      cost_scale_(options.costs ? weight_scale(space_.task(), weights_) : 0.0),
       least_potential_(evaluate_interval(space_.task().potential, space_.task().bounds).low),
       additive_(task, weights_),
       lookahead_(task),
@@ -34,7 +33,7 @@ LazySearch::LazySearch(const RelaxedTask& task, SearchControl& control, const La
       scratch_(space_.words()),
       preferred_(space_.task().operators.size(), 0) {
   if (options.intervals) intervals_.emplace(space_);
-  if (options.landmarks != nullptr) count_.emplace(task, *options.landmarks, weights_);
+  if (options.landmarks != nullptr) count_.emplace(task, *options.landmarks, weights_.of);
   estimates_.resize(1 + (intervals_ ? 1 : 0) + (count_ ? 1 : 0));
   queues_.resize(2 * estimates_.size());
   for (std::size_t q = 1; q < queues_.size(); q += 2) queues_[q].preferred = true;
@@ -137,7 +136,7 @@ void LazySearch::mark_preferred(std::uint32_t node) {
 double LazySearch::key(std::uint32_t node, int estimate) const {
   if (options_.weight == 0.0) return estimate;
   const Node& n = nodes_[node];
-  return n.cost * cost_scale_ + static_cast<double>(n.steps) + options_.weight * estimate;
+  return n.cost * weights_.scale + static_cast<double>(n.steps) + options_.weight * estimate;
 }
 
 void LazySearch::push_successors(std::uint32_t node) {

@@ -81,8 +81,7 @@ class LazySearch {
   LazyOptions options_;
   BestKnown best_;
   MemoryShare memory_;
-  std::vector<int> weights_;
-  double cost_scale_ = 0.0;  // of costs to weights
+  OperatorWeights weights_;
   double least_potential_;
   AdditiveHeuristic additive_;
   std::optional<RelaxedPlan> intervals_;

@@ -1,11 +1,13 @@
 #pragma once
 
 // What the rest of a plan needs of the state that it starts in: the literals that it reads before it makes
-// them true itself, and the variables whose values it looks at. Any state that has those lets the rest run as
-// it did, at the same cost.
+// them true itself, comparisons of numbers as they are before it changes them, and the variables whose very
+// values count because something looks at them that is not linear or a condition of an effect. In any state
+// that has those, the rest runs and costs no more.
 //
 // Thread rule: plain values.
 
+#include <map>
 #include <vector>
 
 #include "supervisor/pddl/search/state_space.h"
@@ -22,15 +24,27 @@ class PlanNeeds {
 
   // Ascending.
   std::vector<int> literals() const;
-  std::vector<int> variables() const;
+  // Variables that are to keep their values are compared with those in `state`.
+  std::vector<Comparison> comparisons(const Word* state) const;
 
  private:
+  // A linear sum over variables that shall not be less than a number, or shall be it.
+  struct Sum {
+    Relation relation{};  // Greater, GreaterEqual or Equal
+    std::vector<LinearTerm> terms;
+    bool operator<(const Sum& other) const;
+  };
+
   void need(const Condition& condition, const Word* state);
+  void need(Comparison comparison);
   void need_all(const Condition& condition, const Word* state);
   void need_variables(const GroundExpression& expression);
+  void need_at_most(const GroundExpression& cost, const Word* state);
+  void regress_numbers(const std::vector<const NumericEffect*>& effects);
 
   const StateSpace& space_;
   std::vector<bool> literals_, variables_;
+  std::map<Sum, double> sums_;  // with the least or the only number
 };
 
 }  // namespace stepwright::pddl

@@ -42,7 +42,7 @@ class RelaxedTaskBuilder {
     for (const GroundAxiom& axiom : task_.axioms) add_axiom(axiom);
     result_.goal_ = atoms_of(task_.goal);
     sort_out(result_.goal_);
-    result_.atoms_ = choice_base_ + choices_;
+    result_.atoms_ = choice_base_ + choices_.size();
     finish();
   }
 
@@ -90,14 +90,26 @@ class RelaxedTaskBuilder {
     for (const Comparison& comparison : condition.comparisons) {
       atoms.push_back(static_cast<int>(result_.first_comparison_) + comparisons_.add(comparison));
     }
-    for (const auto& options : condition.choices) {
-      const int atom = static_cast<int>(choice_base_ + choices_++);
-      for (const Condition& option : options) {
-        if (!option.impossible) add_unit(-1, nullptr, atoms_of(option), {atom});
-      }
-      atoms.push_back(atom);
-    }
+    for (const auto& options : condition.choices) atoms.push_back(choice_of(options));
     return atoms;
+  }
+
+  // Operators that ask for the same options share the atom and the units that reach it.
+  int choice_of(const std::vector<Condition>& options) {
+    std::vector<std::vector<int>> ways;
+    for (const Condition& option : options) {
+      if (option.impossible) continue;
+      ways.push_back(atoms_of(option));
+      sort_out(ways.back());
+    }
+    std::sort(ways.begin(), ways.end());
+    ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
+    const auto next = static_cast<int>(choice_base_ + choices_.size());
+    const auto [choice, added] = choices_.try_emplace(std::move(ways), next);
+    if (added) {
+      for (const std::vector<int>& needs : choice->first) add_unit(-1, nullptr, needs, {next});
+    }
+    return choice->second;
   }
 
   void add_operator(int index) {
@@ -147,35 +159,22 @@ class RelaxedTaskBuilder {
     }
     sort_out(touched);
     for (const int c : touched) {
-      const Comparison& comparison = result_.comparisons_[static_cast<std::size_t>(c)];
-      const Interval gain = gain_range(comparison, effect);
-      const bool up = comparison.relation != Relation::Less && comparison.relation != Relation::LessEqual;
-      const bool down =
-          comparison.relation != Relation::Greater && comparison.relation != Relation::GreaterEqual;
-      if ((up && gain.high > 0.0) || (down && gain.low < 0.0)) {
-        movers.push_back({unit, static_cast<int>(result_.first_comparison_) + c, gain});
-      }
+      result_.add_mover(unit, effect, result_.comparisons_[static_cast<std::size_t>(c)],
+                        static_cast<int>(result_.first_comparison_) + c, movers);
     }
-  }
-
-  Interval gain_range(const Comparison& comparison, const GroundEffect& effect) const {
-    if (!comparison.difference.linear()) return Interval::everything();
-    GroundExpression gain;
-    for (const NumericEffect& numeric : effect.numeric) {
-      for (const LinearTerm& term : comparison.difference.terms) {
-        if (term.variable != numeric.variable) continue;
-        gain = add_scaled(gain, term.coefficient, change_of(numeric));
-      }
-    }
-    if (gain.is_constant()) return Interval::point(gain.constant);
-    const Interval range = evaluate_interval(gain, task_.bounds);
-    return range.empty() || std::isnan(range.low) || std::isnan(range.high) ? Interval::everything() : range;
   }
 
   void finish() {
     std::vector<std::vector<int>> needed_by(result_.atoms_), added_by(result_.atoms_);
     std::vector<std::vector<Mover>> movers_of(result_.comparisons_.size());
+    std::vector<std::vector<int>> changers(task_.variables.size());
     for (std::size_t u = 0; u < result_.units(); ++u) {
+      if (const GroundEffect* effect = result_.unit_effect_[u]) {
+        for (const NumericEffect& numeric : effect->numeric) {
+          std::vector<int>& list = changers[static_cast<std::size_t>(numeric.variable)];
+          if (list.empty() || list.back() != static_cast<int>(u)) list.push_back(static_cast<int>(u));
+        }
+      }
       for (const int atom : result_.needs(u))
         needed_by[static_cast<std::size_t>(atom)].push_back(static_cast<int>(u));
       for (const int atom : result_.adds(u))
@@ -187,22 +186,58 @@ class RelaxedTaskBuilder {
     result_.needed_by_ = PackedLists<int>(needed_by);
     result_.added_by_ = PackedLists<int>(added_by);
     result_.movers_of_ = PackedLists<Mover>(movers_of);
+    result_.changers_ = PackedLists<int>(changers);
   }
 
   RelaxedTask& result_;
   const StateSpace& space_;
   const GroundTask& task_;
   ComparisonTable comparisons_;
-  std::size_t choice_base_ = 0, choices_ = 0;
+  std::size_t choice_base_ = 0;
+  std::map<std::vector<std::vector<int>>, int> choices_;  // atoms by the needs of their options
 };
 
 RelaxedTask::RelaxedTask(const StateSpace& space) : space_(space) {
   RelaxedTaskBuilder(*this).build();
 }
 
-double RelaxedTask::gain(const Mover& mover, const Word* state) const {
+Interval RelaxedTask::gain_range(const Comparison& comparison, const GroundEffect& effect) const {
+  if (!comparison.difference.linear()) return Interval::everything();
+  GroundExpression gain;
+  for (const NumericEffect& numeric : effect.numeric) {
+    for (const LinearTerm& term : comparison.difference.terms) {
+      if (term.variable != numeric.variable) continue;
+      gain = add_scaled(gain, term.coefficient, change_of(numeric));
+    }
+  }
+  if (gain.is_constant()) return Interval::point(gain.constant);
+  const Interval range = evaluate_interval(gain, space_.task().bounds);
+  return range.empty() || std::isnan(range.low) || std::isnan(range.high) ? Interval::everything() : range;
+}
+
+void RelaxedTask::add_mover(int unit, const GroundEffect& effect, const Comparison& comparison, int atom,
+                            std::vector<Mover>& movers) const {
+  const Interval gain = gain_range(comparison, effect);
+  const bool up = comparison.relation != Relation::Less && comparison.relation != Relation::LessEqual;
+  const bool down = comparison.relation != Relation::Greater && comparison.relation != Relation::GreaterEqual;
+  if ((up && gain.high > 0.0) || (down && gain.low < 0.0)) movers.push_back({unit, atom, gain});
+}
+
+std::vector<Mover> RelaxedTask::movers_towards(const Comparison& comparison, int atom) const {
+  std::vector<int> units;
+  for_each_variable(comparison.difference, [&](int v) {
+    const std::span<const int> list = changers_[static_cast<std::size_t>(v)];
+    units.insert(units.end(), list.begin(), list.end());
+  });
+  sort_out(units);
+  std::vector<Mover> movers;
+  for (const int u : units)
+    add_mover(u, *unit_effect_[static_cast<std::size_t>(u)], comparison, atom, movers);
+  return movers;
+}
+
+double RelaxedTask::gain(const Mover& mover, const Comparison& compared, const Word* state) const {
   if (mover.constant()) return mover.gain.low;
-  const Comparison& compared = comparisons_[static_cast<std::size_t>(mover.atom) - first_comparison_];
   if (!compared.difference.linear()) return std::nan("");
   double gain = 0.0;
   for (const NumericEffect& effect : unit_effect_[static_cast<std::size_t>(mover.unit)]->numeric) {

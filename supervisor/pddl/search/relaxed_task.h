@@ -53,8 +53,12 @@ class RelaxedTask {
   std::span<const Mover> moved_by(std::size_t unit) const { return moved_by_[unit]; }  // one per comparison
   std::span<const Mover> movers_of(std::size_t comparison) const { return movers_of_[comparison]; }
 
+  // The units that may bring a comparison nearer to holding, one that no condition of the task need ask for;
+  // its atom gets that number.
+  std::vector<Mover> movers_towards(const Comparison& comparison, int atom) const;
+
   // By how much the unit makes the comparison's difference grow in a state. NaN if that is undefined there.
-  double gain(const Mover& mover, const Word* state) const;
+  double gain(const Mover& mover, const Comparison& comparison, const Word* state) const;
 
   // The literal of an atom; -1 for comparisons and choices.
   int literal_of(std::size_t atom) const { return atom < first_comparison_ ? literals_[atom] : -1; }
@@ -80,6 +84,10 @@ class RelaxedTask {
  private:
   friend class RelaxedTaskBuilder;
 
+  void add_mover(int unit, const GroundEffect& effect, const Comparison& comparison, int atom,
+                 std::vector<Mover>& movers) const;
+  Interval gain_range(const Comparison& comparison, const GroundEffect& effect) const;
+
   const StateSpace& space_;
   std::size_t atoms_ = 0, first_comparison_ = 0;
   std::vector<int> literals_, atom_of_literal_;
@@ -90,6 +98,7 @@ class RelaxedTask {
   std::vector<const GroundEffect*> unit_effect_;  // null for a free unit
   PackedLists<int> needs_, adds_, needed_by_, added_by_;
   PackedLists<Mover> moved_by_, movers_of_;
+  PackedLists<int> changers_;  // units by the variable that they change
   std::vector<int> without_needs_;
   std::vector<int> goal_;
 };

@@ -38,6 +38,9 @@ class StateTable {
   std::size_t size() const { return nodes_.size(); }
   std::vector<int> path(std::uint32_t node) const { return nodes_.path(node); }
 
+  // Forgets all states; how they are packed stays.
+  void clear() { nodes_ = NodeStore(codec_.words()); }
+
   // Bytes held.
   std::size_t memory() const { return nodes_.memory() + codec_.memory(); }
 

@@ -43,15 +43,16 @@ class WindowSearch {
 
   void aim(const Window& window);
   bool arrived(const Word* state) const;
-  void push(StateTable& nodes, std::uint32_t node, const Word* state);
+  void push(std::uint32_t node, const Word* state);
 
   const RelaxedTask& task_;
   const StateSpace& space_;
   SearchControl& control_;
   AdditiveHeuristic heuristic_;
-  double scale_;  // of costs to weights
-  std::vector<int> literals_, variables_, atoms_;
-  const Word* target_ = nullptr;
+  double scale_;  // what a cost of one counts in estimates
+  std::vector<int> literals_;
+  std::vector<Comparison> comparisons_;
+  StateTable nodes_;
   std::vector<Entry> open_;
   std::vector<Word> state_, next_;
   std::vector<int> applicable_;

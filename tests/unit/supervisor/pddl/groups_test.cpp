@@ -47,10 +47,14 @@ std::size_t expect_sound(const Task& task) {
   }
   EXPECT_EQ(uses, std::vector<int>(ground.facts.size(), 1));
   testing::for_each_reachable_state(task, 20000, [&](const LiftedState& state) {
-    for (const FactGroup& group : ground.groups) {
-      const auto held = std::count_if(group.facts.begin(), group.facts.end(), [&](int fact) {
+    const auto held_of = [&](const std::vector<int>& facts) {
+      return std::count_if(facts.begin(), facts.end(), [&](int fact) {
         return state.facts.count(ground.facts[static_cast<std::size_t>(fact)]) != 0;
       });
+    };
+    for (const std::vector<int>& set : ground.exclusive) EXPECT_LE(held_of(set), 1);
+    for (const FactGroup& group : ground.groups) {
+      const auto held = held_of(group.facts);
       EXPECT_LE(held, 1) << fact_name(task.definition(),
                                       ground.facts[static_cast<std::size_t>(group.facts[0])]);
       EXPECT_TRUE(held == 1 || !group.exactly_one);

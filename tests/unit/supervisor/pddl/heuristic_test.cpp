@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "supervisor/pddl/grounding/grounder.h"
 #include "supervisor/pddl/lifted/lifted_state.h"
+#include "supervisor/pddl/search/additive_heuristic.h"
 #include "supervisor/pddl/search/lower_bounds.h"
 #include "supervisor/pddl/search/relaxed_plan.h"
 #include "supervisor/pddl/simulate.h"
@@ -13,6 +16,56 @@ namespace {
 
 GroundTask ground_all(const Task& task) {
   return ground_task(task.definition(), [] { return false; });
+}
+
+// Giving half costs ten as long as nothing more was paid, and nothing after that; filling the jar costs two.
+Task order_task() {
+  return testing::make_task(
+      R"((define (domain order) (:requirements :strips :numeric-fluents)
+    (:predicates (given))
+    (:functions (jar) (paid) (bill))
+    (:action fill :parameters () :precondition (<= (jar) 3) :effect (and (increase (jar) 1) (increase (bill) 1)))
+    (:action pay :parameters () :precondition (<= (paid) 3) :effect (and (increase (paid) 1) (increase (bill) 3)))
+    (:action all :parameters () :precondition (>= (jar) 2) :effect (given))
+    (:action half :parameters () :effect (and (given) (increase (bill) (* 5 (- 4 (paid))))))))",
+      R"((define (problem p) (:domain order) (:init (= (jar) 0) (= (paid) 2) (= (bill) 0)) (:goal (given))
+    (:metric minimize (bill))))");
+}
+
+TEST(AdditiveHeuristic, WhenACostDependsOnTheState_ThenTheRelaxedPlanSeesWhatItCostsNow) {
+  const Task task = order_task();
+  const GroundTask ground = ground_all(task);
+  const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
+  const auto uses = [&](AdditiveHeuristic& heuristic, const std::string& action) {
+    EXPECT_TRUE(heuristic.evaluate(space.initial().data()));
+    const auto& plan = heuristic.plan();
+    return std::any_of(plan.begin(), plan.end(), [&](const auto& use) {
+      return model::to_string(action_of(ground, ground.operators[static_cast<std::size_t>(use.op)])) ==
+             action;
+    });
+  };
+  AdditiveHeuristic steps(relaxed, unit_weights(ground)), costs(relaxed, cost_weights(ground));
+  EXPECT_TRUE(uses(steps, "(half)"));
+  EXPECT_TRUE(uses(costs, "(all)"));
+  EXPECT_TRUE(uses(costs, "(fill)"));
+  EXPECT_FALSE(uses(costs, "(half)"));
+}
+
+TEST(AdditiveHeuristic, WhenAimedAtANumber_ThenItCountsTheStepsToIt) {
+  const Task task = testing::counter_task("(>= (n) 50)");
+  const GroundTask ground = ground_all(task);
+  const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
+  AdditiveHeuristic heuristic(relaxed, unit_weights(ground));
+  heuristic.aim({}, {{{{{0, 1.0}}, -12.0, {}}, Relation::GreaterEqual}});
+  ASSERT_TRUE(heuristic.evaluate(space.initial().data()));
+  EXPECT_EQ(heuristic.estimate(), 4);
+  heuristic.aim({}, {{{{{0, 1.0}}, 1.0, {}}, Relation::Equal}});  // n = -1: nothing counts down
+  EXPECT_FALSE(heuristic.evaluate(space.initial().data()));
+  heuristic.aim(relaxed.goal(), {});
+  ASSERT_TRUE(heuristic.evaluate(space.initial().data()));
+  EXPECT_EQ(heuristic.estimate(), 17);
 }
 
 TEST(RelaxedPlan, WhenTheGoalHolds_ThenZero) {

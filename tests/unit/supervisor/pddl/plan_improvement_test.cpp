@@ -118,5 +118,54 @@ TEST_F(PlanImprovement, WhenTheControlSaysStop_ThenWindowsStop) {
   EXPECT_EQ(reason, StopReason::Finished);
 }
 
+// Three parcels, a van with fuel, a customer who may be put off at ten a parcel as long as he has not got it.
+Task van_task() {
+  return testing::make_task(
+      R"((define (domain van) (:requirements :typing :numeric-fluents :negative-preconditions)
+    (:types place parcel)
+    (:constants depot - place)
+    (:predicates (at ?p - place) (aboard ?k - parcel) (done ?k - parcel) (home ?k - parcel) (goes ?k - parcel ?p - place))
+    (:functions (fuel) (bill) (load) (way ?a ?b - place))
+    (:action drive :parameters (?a ?b - place) :precondition (and (at ?a) (>= (fuel) (way ?a ?b)))
+      :effect (and (not (at ?a)) (at ?b) (decrease (fuel) (way ?a ?b)) (increase (bill) (way ?a ?b))))
+    (:action take :parameters (?k - parcel) :precondition (and (at depot) (home ?k) (<= (load) 2))
+      :effect (and (not (home ?k)) (aboard ?k) (increase (load) 1)))
+    (:action give :parameters (?k - parcel ?p - place) :precondition (and (at ?p) (goes ?k ?p) (aboard ?k))
+      :effect (and (not (aboard ?k)) (done ?k) (decrease (load) 1)))
+    (:action put-off :parameters (?k - parcel) :precondition (home ?k)
+      :effect (and (not (home ?k)) (done ?k) (increase (bill) (* 10 (- 4 (load))))))))",
+      R"((define (problem p) (:domain van) (:objects x y - place a b c - parcel)
+    (:init (at depot) (home a) (home b) (home c) (goes a x) (goes b y) (goes c x) (= (fuel) 40) (= (bill) 0) (= (load) 0)
+           (= (way depot x) 5) (= (way x depot) 5) (= (way depot y) 6) (= (way y depot) 6) (= (way x y) 2) (= (way y x) 2)
+           (= (way x x) 1) (= (way y y) 1) (= (way depot depot) 1))
+    (:goal (and (done a) (done b) (done c) (at depot)))
+    (:metric minimize (bill))))");
+}
+
+TEST(PlanWindows, WhenFuelAndPenaltiesAreAtStake_ThenPartsFromAnywhereArePlannedAnew) {
+  const Task task = van_task();
+  const GroundTask ground = ground_task(task.definition(), [] { return false; });
+  const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
+  SearchControl control(std::chrono::milliseconds(0), 0, nullptr);
+  std::vector<int> plan;
+  for (const std::string action :
+       {"(put-off a)", "(take b)", "(drive depot y)", "(give b y)", "(drive y depot)", "(take c)",
+        "(drive depot x)", "(give c x)", "(drive x depot)"}) {
+    for (std::size_t i = 0; i < ground.operators.size(); ++i) {
+      if (model::to_string(action_of(ground, ground.operators[i])) == action)
+        plan.push_back(static_cast<int>(i));
+    }
+  }
+  ASSERT_EQ(cost_of_plan(space, plan), 62.0);
+  ASSERT_TRUE(offer_plan(space, control, plan));
+  StopReason reason = StopReason::None;
+  PlanWindows windows(relaxed, control);
+  for (int turn = 0; turn < 10; ++turn) EXPECT_TRUE(windows.run(2'000, reason));
+  const Incumbent best = control.best();
+  EXPECT_EQ(best.quality.cost, 13.0);  // all aboard, one round
+  EXPECT_EQ(cost_of_plan(space, best.operators), 13.0);
+}
+
 }  // namespace
 }  // namespace stepwright::pddl

@@ -1,0 +1,55 @@
+#pragma once
+
+// The first plan. Quick attempts along relaxed plans solve most tasks; for the others searches of different
+// kinds take turns, or run side by side on two threads until one of them has found a plan.
+//
+// On one thread the turns are counted in states, so that the same task gives the same plan.
+//
+// Thread rule: one call, one object.
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "supervisor/pddl/search/hill_climbing.h"
+#include "supervisor/pddl/search/lazy_search.h"
+
+namespace stepwright::pddl {
+
+class FirstPlan {
+ public:
+  // `threads`: 1 or 2.
+  FirstPlan(const RelaxedTask& task, SearchControl& control, unsigned threads)
+      : task_(task), control_(control), threads_(threads) {}
+
+  // Found: the control has a plan. Exhausted: there is none. Stopped: see `reason`.
+  SearchStatus run(StopReason& reason);
+
+ private:
+  // One of the searches.
+  struct Contender {
+    std::function<SearchStatus(std::uint64_t, StopReason&)> run;
+    std::uint64_t share = 1;  // of a turn
+    bool proves = true;       // its end proves that there is no plan
+    bool ended = false;
+  };
+
+  void enter(LazySearch& search, std::uint64_t share);
+  void prepare();
+  LazyOptions with_landmarks() const;
+  SearchStatus turn(std::span<Contender> contenders, std::uint64_t expansions, StopReason& reason);
+  SearchStatus take_turns(StopReason& reason);
+  SearchStatus side_by_side(StopReason& reason);
+
+  const RelaxedTask& task_;
+  SearchControl& control_;
+  unsigned threads_;
+  std::optional<Landmarks> landmarks_;
+  std::optional<HillClimbing> climbing_;
+  std::optional<LazySearch> full_, thrifty_, greedy_;
+  std::vector<Contender> contenders_;
+};
+
+}  // namespace stepwright::pddl
