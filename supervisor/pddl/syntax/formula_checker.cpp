@@ -73,9 +73,14 @@ void FormulaChecker::pop(std::size_t count) {
   scope_.resize(scope_.size() - count);
 }
 
+// Comparing with every name takes its time, which an error that is only counted is not worth.
+std::string FormulaChecker::hint_for(const std::string& name, const std::map<std::string, int>& ids) const {
+  return reporter_.full() ? std::string() : did_you_mean(name, names_of(ids));
+}
+
 bool FormulaChecker::unknown_object(const Term& term) {
   reporter_.error("P0104", term.at, "unknown object '" + term.name + "'",
-                  did_you_mean(term.name, names_of(definition_.object_ids)));
+                  hint_for(term.name, definition_.object_ids));
   return false;
 }
 
@@ -107,7 +112,7 @@ bool FormulaChecker::resolve_symbol(Call& call, bool function) {
     call.symbol = found->second;
     return true;
   }
-  std::string hint = did_you_mean(call.name, names_of(ids));
+  std::string hint = hint_for(call.name, ids);
   if (others.count(call.name) != 0) {
     hint = "'" + call.name + (function ? "' is a predicate, it has no value" : "' is a function: compare it");
   }
