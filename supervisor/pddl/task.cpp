@@ -1,6 +1,7 @@
 #include "supervisor/pddl/task.h"
 
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "supervisor/pddl/lifted/lifted_state.h"
@@ -10,7 +11,8 @@
 namespace stepwright::pddl {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;  // its tokens take thirty times as much
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;    // its tokens take thirty times as much
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8, which some editors write
 constexpr const char* kGoalText = "goal";  // the name of a goal given to with_goal, in diagnostics
 
 }  // namespace
@@ -97,6 +99,7 @@ result::Result<Source> read_source(const std::string& path) {
                         "the file is larger than " + std::to_string(kMostBytes >> 20) + " MB",
                         "is this the right file?");
   }
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   return Source{path, std::move(text)};
 }
 

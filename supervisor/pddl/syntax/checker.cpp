@@ -285,11 +285,14 @@ bool changes(const Definition& definition, const Expression& expression) {
                      [&](const Expression& operand) { return changes(definition, operand); });
 }
 
-// What no action changes must have a value, and must not be a divisor of zero.
+// What no action assigns must have a value, for only that can be increased; what no action changes must not
+// be a divisor of zero.
 void Checker::static_parts(const Expression& expression) {
   const LiftedState initial = pddl::initial_state(definition_);
-  const bool fixed = !changes(definition_, expression);
-  if (expression.kind == NumericKind::Fluent && fixed && !evaluate(expression, {}, initial)) {
+  const bool valueless = expression.kind == NumericKind::Fluent &&
+                         !definition_.functions[static_cast<std::size_t>(expression.call.symbol)].assigned &&
+                         !evaluate(expression, {}, initial);
+  if (valueless) {
     reporter_.error("P0118", expression.at,
                     "the metric reads " + print(definition_, expression) + ", which never gets a value",
                     "give it one in ':init'");

@@ -69,6 +69,7 @@ class FormulaChecker {
   int slots_ = 0;
   bool negated_ = false;
   std::map<std::string, bool> warned_;
+  bool unknown_type_ = false;  // something was declared with a type that there is not
 };
 
 // The keys of a map of ids: the candidates for a hint.

@@ -137,6 +137,7 @@ const Case kCases[] = {
      "a number"},
     {"TypeIsItsOwnParent", true, "(:types car place)", "(:types car - car place)", 3, 11, "P0109",
      "ancestor"},
+    {"TimedLiteral", false, "(at c x)", "(at 5 (at c x))", 4, 11, "P0008", "timed initial literals"},
     {"SwappedFiles", false, "(problem p)", "(domain p)", 1, 10, "P0003", "order"},
 };
 
@@ -192,6 +193,14 @@ TEST(Reading, WhenAGroupOfObjectsHasAnUnknownType_ThenItIsSaidOnce) {
   EXPECT_EQ(std::count_if(task.error().begin(), task.error().end(),
                           [](const auto& d) { return d.code == "P0101"; }),
             1);
+}
+
+TEST(Reading, WhenAVariableHasAnUnknownType_ThenItsUsesAreNoFurtherErrors) {
+  const auto task =
+      parse_task({"d.pddl", replaced(kGoodDomain, "?c - car ?a", "?c - carr ?a")}, {"p.pddl", kGoodProblem});
+  ASSERT_FALSE(task.has_value());
+  ASSERT_EQ(task.error().size(), 1u) << result::to_string(task.error());
+  EXPECT_EQ(task.error()[0].code, "P0101");
 }
 
 TEST(Reading, WhenTheProblemIsOfAnotherDomain_ThenNothingElseIsSaid) {
@@ -259,6 +268,12 @@ TEST(Metric, WhenItReadsWhatNeverGetsAValue_ThenP0118) {
   EXPECT_EQ(errors[0].code, "P0118");
   EXPECT_EQ(errors[0].where.line, 2u);
   EXPECT_EQ(errors[0].where.column, 26u);
+  // What was never given a value cannot be increased.
+  const auto increased = parse_task(
+      {"d.pddl", kGoodDomain}, {"p.pddl", R"((define (problem p) (:domain d) (:objects c - car x y - place)
+    (:init (at c x)) (:goal (at c y)) (:metric minimize (fuel c))))"});
+  ASSERT_FALSE(increased.has_value());
+  EXPECT_EQ(increased.error()[0].code, "P0118");
 }
 
 TEST(Parser, WhenARequirementIsUnknown_ThenWarningWithAHint) {
