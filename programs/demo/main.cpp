@@ -226,7 +226,7 @@ int demo_main(int argc, char** argv) {
   app.add_flag("--fast", options.fast, "simulated time as fast as the machine allows");
   app.add_flag("--sequential", options.sequential, "a strictly sequential chart, as in the paper");
   app.add_flag("!--no-compare", options.compare, "no second, sequential run for comparison");
-  app.add_option("--seed", options.seed, "seed of the sensors' uncertainty");
+  app.add_option("--seed", options.seed, "seed of the sensors' uncertainty")->check(CLI::NonNegativeNumber);
   app.add_option(
       "--controller", options.controller,
       "where the program runs instead of this host: qemu, a serial device, or HOST:PORT of Modbus");

@@ -33,7 +33,7 @@ struct Arguments {
 
 void describe(CLI::App& app, Arguments& arguments) {
   app.add_option("--runs", arguments.runs, "how many (1000)")->check(CLI::Range(1.0, 1e9));
-  app.add_option("--first", arguments.first, "seed of the first one (0)");
+  app.add_option("--first", arguments.first, "seed of the first one (0)")->check(CLI::NonNegativeNumber);
   app.add_option("--threads", arguments.threads, "that run them (one for each core)")
       ->check(CLI::Range(1U, 1'024U));
   app.add_option("--json", arguments.json_file, "write the figures there");

@@ -35,7 +35,7 @@ std::optional<Settings> settings_from(int argc, char** argv, int& exit_code) {
   app.add_option("--domains", settings.domains, "only these, separated by commas")->delimiter(',');
   app.add_option("--sizes", settings.sizes, "only the first so many sizes of each domain")
       ->check(CLI::PositiveNumber);
-  app.add_option("--seed", settings.seed, "of the generators (1)");
+  app.add_option("--seed", settings.seed, "of the generators (1)")->check(CLI::NonNegativeNumber);
   app.add_option("--json", settings.json_file, "the report as JSON");
   app.add_option("--write", settings.write_folder, "writes the instances as PDDL files");
   app.add_option("--best", settings.best_file, "the file of best known costs");
