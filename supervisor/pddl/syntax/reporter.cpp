@@ -56,9 +56,7 @@ result::Diagnostics Reporter::take() {
   std::stable_sort(diagnostics_.begin(), diagnostics_.end(),
                    [&](const auto& a, const auto& b) { return key(a) < key(b); });
   if (unsaid_ > 0) {
-    diagnostics_.push_back({"P0010",
-                            result::Severity::Note,
-                            {},
+    diagnostics_.push_back({"P0010", result::Severity::Note, diagnostics_.back().where,
                             "and " + std::to_string(unsaid_) + " more that are not listed",
                             "mend the first ones first: others often follow from them"});
   }
