@@ -53,7 +53,8 @@ class SortingLine final : public core::Plant {
 
   std::size_t kept_size() const override;
   void keep(std::span<double> numbers) const override;
-  // Goes on from what a line with as many boxes kept. False, and nothing happens, if it is no such thing.
+  // Goes on from what a line with as many boxes kept. False, and nothing happens, if no line can have kept
+  // it.
   bool resume(std::span<const double> numbers);
 
   // Of everything that moves, for comparisons of runs.
@@ -98,6 +99,7 @@ class SortingLine final : public core::Plant {
   bool step();
   bool run_drives();
   void move_pushers();
+  bool meets_a_belt(std::size_t pusher) const;
   void note_collisions();
   void carry_boxes();
   void let_boxes_arrive();

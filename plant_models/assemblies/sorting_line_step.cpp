@@ -70,13 +70,16 @@ void SortingLine::move_pushers() {
 }
 
 // What an interlock has to prevent: a paddle across a belt that runs.
+bool SortingLine::meets_a_belt(std::size_t pusher) const {
+  const bool runs = belts_[layout_.pushers[pusher].belt].drive.speed_m_s() > kRunningM_s;
+  return runs && pushers_[pusher].travel_m > parameters_.pusher.switch_m;
+}
+
 void SortingLine::note_collisions() {
   for (std::size_t i = 0; i < pushers_.size(); ++i) {
-    const bool runs = belts_[layout_.pushers[i].belt].drive.speed_m_s() > kRunningM_s;
-    const bool out = pushers_[i].travel_m > parameters_.pusher.switch_m;
-    const bool both = runs && out;
-    if (both && !pushers_[i].met_a_belt) ++collisions_;
-    pushers_[i].met_a_belt = both;
+    const bool meets = meets_a_belt(i);
+    if (meets && !pushers_[i].met_a_belt) ++collisions_;
+    pushers_[i].met_a_belt = meets;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 namespace stepwright::config {
 namespace {
 
+using modbus::map::kLastAddress;
 using modbus::map::Order;
 using modbus::map::RangeConfig;
 using modbus::map::Table;
@@ -16,8 +18,6 @@ using modbus::server::ClientRule;
 using modbus::server::IpRange;
 using modbus::server::Window;
 using settings::TomlTable;
-
-constexpr double kLastAddress = 65'535;
 
 std::vector<std::string> table_names() {
   return {modbus::map::kTableNames.begin(), modbus::map::kTableNames.end()};
@@ -183,7 +183,8 @@ result::Diagnostics read_modbus_server(const TomlTable& table, ModbusServerConfi
     reader.refuse("C0506", table, "bind", "`" + config.tcp.bind + "` is no address of a machine",
                   "127.0.0.1, or 0.0.0.0 for all of IPv4");
   }
-  config.tcp.port = static_cast<std::uint16_t>(table.integer("port", config.tcp.port, {0, kLastAddress}));
+  config.tcp.port = static_cast<std::uint16_t>(
+      table.integer("port", config.tcp.port, {0, std::numeric_limits<std::uint16_t>::max()}));
   config.tcp.allow = reader.networks(table, "allow");
   if (!table.has("allow")) config.tcp.allow = {*IpRange::parse("127.0.0.0/8"), *IpRange::parse("::1")};
   read_limits(table, config);

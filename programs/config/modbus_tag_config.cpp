@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/modbus/map/table.h"
 #include "runtime/naming/direct_address.h"
 
 namespace stepwright::config {
@@ -18,9 +19,8 @@ using modbus::client::Order;
 using modbus::client::Table;
 using modbus::client::Tag;
 using modbus::client::WireType;
+using modbus::map::kLastAddress;
 using settings::TomlTable;
-
-constexpr double kLastAddress = 65'535;
 
 // A number of the slave and what it is without further words in the program.
 struct WireName {

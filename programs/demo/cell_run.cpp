@@ -126,6 +126,11 @@ result::Result<CellRunResult> CellRun::run(const std::atomic<bool>& stop) {
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
+  // With a page that is how a demo ends; without one it has not done what it was started for.
+  if (stop && !options_.page && !result.report && result.message.empty()) {
+    result.exit = result::ExitCode::RuntimeFault;
+    result.message = "interrupted before the run was over\n";
+  }
   while (!members.empty()) members.pop_back();
   return result;
 }

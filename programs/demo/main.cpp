@@ -8,13 +8,13 @@
 #include <atomic>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 #include "programs/config/cell_config.h"
 #include "programs/demo/cell_run.h"
 #include "programs/demo/controller_choice.h"
 #include "programs/demo/summary.h"
 #include "programs/process/command_line.h"
+#include "programs/process/files.h"
 
 namespace stepwright::demo {
 namespace {
@@ -134,19 +134,34 @@ result::Result<CellRunResult> run_once(const Setting& setting, std::vector<std::
   return result;
 }
 
+// The demo has a code of its own for what it cannot write.
+result::Result<void> written(const result::Diagnostics& failed) {
+  if (failed.empty()) return {};
+  return result::fail("M0005", failed.front().where, failed.front().message, failed.front().hint);
+}
+
 result::Result<void> write_file(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  out.close();
-  if (!out) return result::fail("M0005", {file.string(), 0, 0}, "cannot be written");
-  return {};
+  return written(process::write_file(file.string(), text));
+}
+
+constexpr const char* kSchedulePicture = "gantt.svg";
+constexpr const char* kCostPicture = "cost.svg";
+
+// Before the run and not after it, which may take an hour.
+result::Result<void> check_outputs(const DemoOptions& options) {
+  if (!options.json.empty()) {
+    if (auto json = written(process::check_writable(options.json)); !json) return json;
+  }
+  if (options.pictures.empty()) return {};
+  const std::filesystem::path folder = options.pictures;
+  std::error_code ignored;  // a missing folder is noticed at the picture
+  std::filesystem::create_directories(folder, ignored);
+  return written(process::check_writable((folder / kSchedulePicture).string()));
 }
 
 result::Result<void> write_pictures(const std::filesystem::path& folder, const executive::RunRecord& record) {
-  std::error_code ignored;  // a missing folder is noticed by the first picture
-  std::filesystem::create_directories(folder, ignored);
-  if (auto written = write_file(folder / "gantt.svg", executive::gantt_svg(record)); !written) return written;
-  return write_file(folder / "cost.svg", executive::cost_svg(record));
+  if (auto done = write_file(folder / kSchedulePicture, executive::gantt_svg(record)); !done) return done;
+  return write_file(folder / kCostPicture, executive::cost_svg(record));
 }
 
 // A device that is known only when the emulator runs, so that the configuration can be read before.
@@ -170,6 +185,7 @@ int run_demo(const DemoOptions& options) {
   auto config = config::load_cell_config(*cell, first);
   if (!config) return fail(config.error(), ExitCode::BadInput);
   if (config->controller.remote()) setting.scan = "gateway";
+  if (auto writable = check_outputs(options); !writable) return fail(writable.error(), ExitCode::BadInput);
   if (!options.headless) {
     std::printf("Open http://%s:%u in a browser; Ctrl-C ends the demo.\n", config->hmi.host.c_str(),
                 static_cast<unsigned>(config->hmi.port));
@@ -210,7 +226,7 @@ int demo_main(int argc, char** argv) {
   app.add_flag("--fast", options.fast, "simulated time as fast as the machine allows");
   app.add_flag("--sequential", options.sequential, "a strictly sequential chart, as in the paper");
   app.add_flag("!--no-compare", options.compare, "no second, sequential run for comparison");
-  app.add_option("--seed", options.seed, "seed of the sensors' uncertainty");
+  app.add_option("--seed", options.seed, "seed of the sensors' uncertainty")->check(CLI::NonNegativeNumber);
   app.add_option(
       "--controller", options.controller,
       "where the program runs instead of this host: qemu, a serial device, or HOST:PORT of Modbus");

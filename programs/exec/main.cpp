@@ -2,6 +2,7 @@
 
 #include "programs/exec/exec_run.h"
 #include "programs/process/command_line.h"
+#include "programs/process/files.h"
 #include "programs/trace/csv_trace.h"
 #include "programs/trace/names.h"
 #include "programs/trace/value_json.h"
@@ -11,7 +12,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -90,11 +90,9 @@ int execute(const Arguments& arguments) {
   }
 
   if (!arguments.json_file.empty()) {
-    std::ofstream file(arguments.json_file);
-    file << to_json(*report, arguments.engine).dump(2) << "\n";
-    if (!file.flush()) {
-      const auto failed = result::fail("B0006", {arguments.json_file, 0, 0}, "the file cannot be written");
-      return process::fail(failed.value(), ExitCode::BadInput);
+    const std::string text = to_json(*report, arguments.engine).dump(2) + "\n";
+    if (const auto failed = process::write_file(arguments.json_file, text); !failed.empty()) {
+      return process::fail(failed, ExitCode::BadInput);
     }
   } else {
     print(*report);

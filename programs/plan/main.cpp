@@ -1,7 +1,10 @@
 // The process behind `stepwright plan` and `stepwright validate`.
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <string>
 
+#include "programs/plan/output.h"
 #include "programs/plan/plan_command.h"
 #include "programs/plan/validate_command.h"
 #include "programs/process/command_line.h"
@@ -10,13 +13,24 @@ namespace {
 
 using namespace stepwright;
 
+// Longer than anybody waits, and safe to count in any unit.
+constexpr double kLongestS = 1e9;
+
+std::string refuse_time(const std::string& text) {
+  char* end = nullptr;
+  const double seconds = std::strtod(text.c_str(), &end);
+  if (end != text.c_str() && *end == '\0' && seconds > 0.0 && seconds <= kLongestS) return {};
+  return "'" + text + "' is not a number of seconds above 0";
+}
+
 void describe_plan(CLI::App& app, plan::PlanArguments& arguments) {
   app.add_option("domain", arguments.domain, "the PDDL domain")->required();
   app.add_option("problem", arguments.problem, "the PDDL problem")->required();
   app.add_flag("--optimal", arguments.optimal, "prove the optimum; no time limit unless --time");
   app.add_option("--time", arguments.time_s, "time budget in seconds (default 10)")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--memory", arguments.memory_mb, "memory budget in MB (default 4096)");
+      ->check(CLI::Validator(refuse_time, "SECONDS"));
+  app.add_option("--memory", arguments.memory_mb, "memory budget in MB (default 4096)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 24));
   app.add_option("--threads", arguments.threads,
                  "2: one improves plans while the other proves; 1: the same plan every time (default 2)")
       ->check(CLI::Range(1u, 2u));
@@ -27,9 +41,8 @@ void describe_plan(CLI::App& app, plan::PlanArguments& arguments) {
   app.add_option("--binding", arguments.picture.binding_file, "durations and shared outputs for --svg")
       ->needs(svg);
   app.footer(
-      "Exit codes: 0 the plan is proved optimal, 1 wrong input, 3 no plan exists (proved), 4 the budget "
-      "ended "
-      "first (the best plan so far is printed).");
+      "Exit codes: 0 the plan is proved optimal, 1 wrong input, 2 wrong usage, 3 no plan exists (proved), 4 "
+      "the budget ended first, or Ctrl-C or SIGTERM came (the best plan so far is printed).");
 }
 
 void describe_validate(CLI::App& app, plan::ValidateArguments& arguments) {
@@ -53,6 +66,7 @@ int main(int argc, char** argv) {
   describe_plan(*plan_command, plan_arguments);
   describe_validate(*validate_command, validate_arguments);
   if (const auto exit = process::parse(app, argc, argv)) return *exit;
-  return result::to_int(plan_command->parsed() ? plan::run_plan(plan_arguments)
-                                               : plan::run_validate(validate_arguments));
+  const result::ExitCode exit =
+      plan_command->parsed() ? plan::run_plan(plan_arguments) : plan::run_validate(validate_arguments);
+  return result::to_int(plan::finish_output() ? exit : result::ExitCode::BadInput);
 }

@@ -4,7 +4,8 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+
+#include "programs/process/files.h"
 
 namespace stepwright::plan {
 
@@ -13,16 +14,25 @@ void print_diagnostics(const result::Diagnostics& diagnostics) {
 }
 
 bool write_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (file) return true;
-  result::Diagnostic diagnostic;
-  diagnostic.code = "P0501";
-  diagnostic.where.file = path;
-  diagnostic.message = "the file cannot be written";
-  diagnostic.hint = "does its folder exist, and is there space?";
-  print_diagnostics({diagnostic});
+  const result::Diagnostics unwritten = process::write_file(path, text);
+  print_diagnostics(unwritten);
+  return unwritten.empty();
+}
+
+bool check_writable(const std::vector<std::string>& paths) {
+  bool good = true;
+  for (const std::string& path : paths) {
+    if (path.empty()) continue;
+    const result::Diagnostics refused = process::check_writable(path);
+    print_diagnostics(refused);
+    good = good && refused.empty();
+  }
+  return good;
+}
+
+bool finish_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
+  std::fprintf(stderr, "standard output cannot be written\n");
   return false;
 }
 

@@ -8,6 +8,7 @@
 
 #include "programs/plan/output.h"
 #include "programs/plan/progress_line.h"
+#include "programs/process/interruption.h"
 #include "supervisor/pddl/plan_file.h"
 #include "supervisor/pddl/solve.h"
 
@@ -72,6 +73,15 @@ pddl::Options options_of(const PlanArguments& arguments, ProgressLine& line) {
   return options;
 }
 
+// Ctrl-C and SIGTERM end the search with the best plan so far.
+model::Outcome search(const pddl::Task& task, const PlanArguments& arguments) {
+  const process::Interruption interruption;
+  ProgressLine line(progress_mode(arguments.progress));
+  pddl::Options options = options_of(arguments, line);
+  options.cancel = interruption.flag();
+  return pddl::solve(task, options);
+}
+
 void print(const model::Outcome& outcome) {
   if (!outcome.plan) {
     const bool none = outcome.kind == model::OutcomeKind::Infeasible;
@@ -87,6 +97,7 @@ void print(const model::Outcome& outcome) {
   std::printf("; %zu steps, %s; first plan after %.2f ms, done after %.2f ms, %llu states expanded\n",
               plan.actions.size(), proof.c_str(), outcome.first_plan_ms, outcome.wall_ms,
               static_cast<unsigned long long>(outcome.expanded));
+  std::fflush(stdout);  // before what --json writes, which may go the same way
   if (!outcome.reason.empty()) std::fprintf(stderr, "%s\n", outcome.reason.c_str());
 }
 
@@ -104,10 +115,12 @@ ExitCode run_plan(const PlanArguments& arguments) {
     return ExitCode::BadInput;
   }
   print_diagnostics(task->warnings());
-  const model::Outcome outcome = [&] {
-    ProgressLine line(progress_mode(arguments.progress));
-    return pddl::solve(*task, options_of(arguments, line));
-  }();
+  if (!check_writable({arguments.json_file, arguments.out_file, arguments.picture.svg_file})) {
+    return ExitCode::BadInput;
+  }
+  const auto picture = PlanPicture::prepare(*task, arguments.picture);
+  if (!picture) return ExitCode::BadInput;
+  const model::Outcome outcome = search(*task, arguments);
   print(outcome);
   if (!arguments.json_file.empty() && !write_file(arguments.json_file, to_json(outcome).dump(2) + "\n")) {
     return ExitCode::BadInput;
@@ -116,7 +129,7 @@ ExitCode run_plan(const PlanArguments& arguments) {
       !write_file(arguments.out_file, pddl::print_plan(*outcome.plan))) {
     return ExitCode::BadInput;
   }
-  if (outcome.plan && !draw_plan(*task, *outcome.plan, arguments.picture)) return ExitCode::BadInput;
+  if (outcome.plan && !picture->draw(*task, *outcome.plan)) return ExitCode::BadInput;
   return exit_code(outcome.kind);
 }
 

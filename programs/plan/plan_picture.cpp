@@ -16,19 +16,26 @@ bool failed(const result::Result<T>& value) {
 
 }  // namespace
 
-bool draw_plan(const pddl::Task& task, const model::Plan& plan, const PictureArguments& arguments) {
-  if (arguments.svg_file.empty()) return true;
+std::optional<PlanPicture> PlanPicture::prepare(const pddl::Task& task, const PictureArguments& arguments) {
+  PlanPicture picture(arguments.svg_file);
+  if (arguments.svg_file.empty() || arguments.binding_file.empty()) return picture;
+  const model::Vocabulary vocabulary = pddl::vocabulary(task);
+  auto binding = translate::load_binding(arguments.binding_file, &vocabulary);
+  if (failed(binding)) return std::nullopt;
+  picture.binding_ = std::move(*binding);
+  return picture;
+}
+
+bool PlanPicture::draw(const pddl::Task& task, const model::Plan& plan) const {
+  if (svg_file_.empty()) return true;
   const auto run = pddl::describe_run(task, plan);
   if (failed(run)) return false;
-  if (arguments.binding_file.empty()) {
-    return write_file(arguments.svg_file, translate::plan_svg(*run, translate::unit_schedule(*run), "steps"));
+  if (!binding_) {
+    return write_file(svg_file_, translate::plan_svg(*run, translate::unit_schedule(*run), "steps"));
   }
-  const model::Vocabulary vocabulary = pddl::vocabulary(task);
-  const auto binding = translate::load_binding(arguments.binding_file, &vocabulary);
-  if (failed(binding)) return false;
-  const auto schedule = translate::schedule(*run, *binding, false);
+  const auto schedule = translate::schedule(*run, *binding_, false);
   if (failed(schedule)) return false;
-  return write_file(arguments.svg_file, translate::plan_svg(*run, *schedule));
+  return write_file(svg_file_, translate::plan_svg(*run, *schedule));
 }
 
 }  // namespace stepwright::plan

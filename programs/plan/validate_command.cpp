@@ -47,6 +47,7 @@ ExitCode run_validate(const ValidateArguments& arguments) {
     return ExitCode::BadInput;
   }
   print_diagnostics(task->warnings());
+  if (!check_writable({arguments.json_file})) return ExitCode::BadInput;
   auto source = pddl::read_source(arguments.plan);
   auto plan = source ? pddl::parse_plan(*source) : result::Result<pddl::PlanText>(result::forward(source));
   if (!plan) {

@@ -1,12 +1,52 @@
 #include "programs/process/files.h"
 
+#include <unistd.h>
+
 #include <cctype>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 namespace stepwright::process {
+namespace {
+
+namespace fs = std::filesystem;
+
+result::Diagnostics unwritten(const std::string& path, const std::string& why) {
+  return {{"E0002",
+           result::Severity::Error,
+           {path, 0, 0},
+           "the file cannot be written: " + why,
+           "its folder must exist and take a new file"}};
+}
+
+bool write_to(const fs::path& path, std::string_view bytes, std::ios::openmode mode) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary | mode);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return static_cast<bool>(file.flush());
+}
+
+// Where the bytes belong: behind a link, so that the link stays one.
+fs::path behind_links(const std::string& path) {
+  std::error_code error;
+  const fs::path real = fs::canonical(path, error);
+  return error ? fs::path(path) : real;
+}
+
+// A device or a pipe takes bytes as they come and must not be replaced by a file. /dev/stdout is one even
+// where it leads to a file, which others write to as well.
+bool is_stream(const std::string& path) {
+  if (path.starts_with("/dev/") || path.starts_with("/proc/")) return true;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+}  // namespace
 
 result::Result<std::string> read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -16,18 +56,31 @@ result::Result<std::string> read_file(const std::string& path) {
 }
 
 result::Diagnostics write_file(const std::string& path, std::string_view bytes) {
-  const std::string partial = path + ".part";
-  bool written = false;
-  {
-    std::ofstream file(partial, std::ios::binary | std::ios::trunc);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    written = static_cast<bool>(file.flush());
+  if (is_stream(path)) {
+    if (write_to(path, bytes, std::ios::app)) return {};
+    return unwritten(path, std::strerror(errno));
   }
+  const fs::path place = behind_links(path);
+  const fs::path partial = place.string() + ".part";
+  const bool written = write_to(partial, bytes, std::ios::trunc);
+  std::string why = std::strerror(errno);
   std::error_code failed;
-  if (written) std::filesystem::rename(partial, path, failed);
+  if (written) fs::rename(partial, place, failed);
   if (written && !failed) return {};
+  if (failed) why = failed.message();
   std::remove(partial.c_str());
-  return {{"E0002", result::Severity::Error, {path, 0, 0}, "cannot write the file", {}}};
+  return unwritten(path, why);
+}
+
+result::Diagnostics check_writable(const std::string& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return unwritten(path, "it is a folder");
+  if (is_stream(path)) {
+    return access(path.c_str(), W_OK) == 0 ? result::Diagnostics{} : unwritten(path, std::strerror(errno));
+  }
+  const fs::path folder = behind_links(path).parent_path();
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK) == 0) return {};
+  return unwritten(path, "its folder: " + std::string(std::strerror(errno)));
 }
 
 bool is_xml(const std::string& path) {

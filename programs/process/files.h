@@ -12,8 +12,13 @@ namespace stepwright::process {
 // Fails with E0001.
 [[nodiscard]] result::Result<std::string> read_file(const std::string& path);
 
-// Written beside its place and moved there, so that nobody meets half a file. Returns E0002 or nothing.
+// Written beside its place and moved there, so that nobody meets half a file. A device or a pipe is written
+// to as it is, and a link stays a link. Returns E0002 or nothing.
 [[nodiscard]] result::Diagnostics write_file(const std::string& path, std::string_view bytes);
+
+// Whether `write_file` may succeed, so that a long command fails before its work and not after it. Returns
+// E0002 or nothing.
+[[nodiscard]] result::Diagnostics check_writable(const std::string& path);
 
 // ".xml" in any case: a PLCopen project.
 bool is_xml(const std::string& path);

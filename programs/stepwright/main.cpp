@@ -1,6 +1,7 @@
 // `stepwright COMMAND ...`: the one command. It replaces itself by the program of the command, which stands
 // beside it, so that each process links only what it needs (ADR 0001).
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
@@ -66,6 +67,14 @@ constexpr std::array kCommands = {
     Command{"reload", "stepwright-attend", "have a runtime read its configuration again"},
 };
 
+// A command that is started without standard streams must not take a file of its own for one of them.
+void fill_standard_streams() {
+  for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
+    if (fcntl(stream, F_GETFD) >= 0) continue;
+    if (open("/dev/null", O_RDWR) != stream) return;  // nothing can be opened: then no file can either
+  }
+}
+
 void print_usage(std::FILE* out) {
   std::fputs("usage: stepwright COMMAND [OPTION ...]\n\n", out);
   for (const Command& command : kCommands) std::fprintf(out, "  %-11s %s\n", command.name, command.summary);
@@ -86,6 +95,7 @@ int unknown(std::string_view name) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  fill_standard_streams();
   if (argc < 2) {
     print_usage(stderr);
     return to_int(ExitCode::Usage);

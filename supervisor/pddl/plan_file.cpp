@@ -1,5 +1,7 @@
 #include "supervisor/pddl/plan_file.h"
 
+#include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "supervisor/pddl/syntax/token_stream.h"
@@ -22,6 +24,11 @@ std::string strip(std::string line) {
   const std::size_t bracket = line.find('[', close == std::string::npos ? 0 : close);
   if (bracket != std::string::npos) line.resize(bracket);
   return line;
+}
+
+// As for the tokenizer: no text has it.
+bool is_no_text(char c) {
+  return std::iscntrl(static_cast<unsigned char>(c)) != 0 && std::isspace(static_cast<unsigned char>(c)) == 0;
 }
 
 bool action(TokenStream& tokens, model::GroundAction& action) {
@@ -53,6 +60,7 @@ result::Result<PlanText> parse_plan(const Source& source) {
   std::string line;
   for (std::uint32_t number = 1; std::getline(lines, line); ++number) {
     std::vector<Token> tokens = tokenize(strip(line), 0, reporter, number);
+    if (std::any_of(line.begin(), line.end(), is_no_text) && reporter.failed()) break;
     if (tokens.front().kind == TokenKind::End) continue;
     TokenStream stream(std::move(tokens), reporter);
     model::GroundAction step;

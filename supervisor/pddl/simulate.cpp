@@ -1,18 +1,19 @@
 #include "supervisor/pddl/simulate.h"
 
 #include "supervisor/pddl/lifted/executor.h"
+#include "supervisor/pddl/syntax/text.h"
 
 namespace stepwright::pddl {
 namespace {
 
-// Fails if the metric has no value in a state: a fluent in it was never given one.
-result::Result<double> cost_of(const Executor& executor, std::size_t step) {
+// Fails if the metric has no value in a state.
+result::Result<double> cost_of(const Definition& definition, const Executor& executor, std::size_t step) {
   const auto cost = executor.cost();
-  if (!cost) {
-    return result::fail("P0309", {"plan", 0, 0}, "the metric is undefined after step " + std::to_string(step),
-                        "a fluent in it has no value in ':init'");
-  }
-  return *cost;
+  if (cost) return *cost;
+  return result::fail("P0309", {"plan", 0, 0},
+                      "the metric " + print(definition, definition.metric->expression) +
+                          " is undefined after step " + std::to_string(step),
+                      kUndefinedMetricHint);
 }
 
 }  // namespace
@@ -22,11 +23,13 @@ result::Result<Trace> simulate(const Task& task, const model::Plan& plan) {
   Executor executor(definition, initial_state(definition));
   Trace trace;
   for (std::size_t step = 0;; ++step) {
-    auto cost = cost_of(executor, step);
-    if (!cost) return result::forward(cost);
-    trace.cost.push_back(*cost);
+    trace.cost.push_back(executor.cost().value_or(0.0));
     trace.states.push_back(name_state(definition, executor.state()));
-    if (step == plan.actions.size()) return trace;
+    if (step == plan.actions.size()) {
+      auto cost = cost_of(definition, executor, step);
+      if (!cost) return result::forward(cost);
+      return trace;
+    }
     if (auto failure = executor.step(plan.actions[step])) {
       return result::fail(failure->code, {"plan", 0, 0},
                           "step " + std::to_string(step + 1) + " " + model::to_string(plan.actions[step]) +
@@ -58,7 +61,7 @@ result::Result<double> evaluate_metric(const Task& task, const State& state, std
   if (!definition.metric) return static_cast<double>(steps);
   auto lifted = lift(definition, state);
   if (!lifted) return result::forward(lifted);
-  return cost_of(Executor(definition, std::move(*lifted)), steps);
+  return cost_of(definition, Executor(definition, std::move(*lifted)), steps);
 }
 
 }  // namespace stepwright::pddl

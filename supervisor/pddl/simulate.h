@@ -18,15 +18,18 @@
 namespace stepwright::pddl {
 
 // states[i] is the state after i actions, cost[i] the value of the metric there (number of actions without a
-// metric).
+// metric; 0 where it is undefined on the way).
 struct Trace {
   std::vector<State> states;
   std::vector<double> cost;
 };
 
 // Executes the plan from the task's initial state. Fails (P03xx) at the first action that is unknown or not
-// applicable.
+// applicable, and if the metric is undefined at the end.
 [[nodiscard]] result::Result<Trace> simulate(const Task& task, const model::Plan& plan);
+
+inline constexpr const char* kUndefinedMetricHint =
+    "it divides by zero there, or reads a fluent without a value";
 
 struct GoalStatus {
   std::string text;  // "(= (level a1) 5)"

@@ -103,7 +103,10 @@ class Solver {
   }
 
   model::Outcome finish(model::OutcomeKind kind = model::OutcomeKind::Exhausted) {
-    if (reason_ == StopReason::Cancelled) kind = model::OutcomeKind::Cancelled;
+    if (reason_ == StopReason::Cancelled) {
+      kind = model::OutcomeKind::Cancelled;
+      if (outcome_.reason.empty()) outcome_.reason = "the search was interrupted";
+    }
     outcome_.kind = kind;
     if (outcome_.reason.empty() && reason_ == StopReason::Time) outcome_.reason = "the time budget ended";
     if (outcome_.reason.empty() && reason_ == StopReason::Memory) outcome_.reason = "the memory budget ended";

@@ -1,7 +1,8 @@
 #include "supervisor/pddl/task.h"
 
 #include <fstream>
-#include <sstream>
+#include <string_view>
+#include <vector>
 
 #include "supervisor/pddl/lifted/lifted_state.h"
 #include "supervisor/pddl/syntax/checker.h"
@@ -10,6 +11,8 @@
 namespace stepwright::pddl {
 namespace {
 
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;    // its tokens take thirty times as much
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8, which some editors write
 constexpr const char* kGoalText = "goal";  // the name of a goal given to with_goal, in diagnostics
 
 }  // namespace
@@ -81,18 +84,33 @@ result::Result<Task> parse_task(const Source& domain, const Source& problem) {
 
 result::Result<Source> read_source(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
+  std::string text;
+  std::vector<char> block(std::size_t{1} << 20);
   file.peek();  // a folder can be opened; only reading shows it
-  if (file) text << file.rdbuf();
+  while (file && text.size() <= kMostBytes) {
+    file.read(block.data(), static_cast<std::streamsize>(block.size()));
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  }
   if (!file.is_open() || file.bad()) {
     return result::fail("P0001", {path, 0, 0}, "the file cannot be read", "does it exist, and is it a file?");
   }
-  return Source{path, text.str()};
+  if (text.size() > kMostBytes) {
+    return result::fail("P0001", {path, 0, 0},
+                        "the file is larger than " + std::to_string(kMostBytes >> 20) + " MB",
+                        "is this the right file?");
+  }
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  return Source{path, std::move(text)};
 }
 
 result::Result<Task> load_task(const std::string& domain_path, const std::string& problem_path) {
   auto domain = read_source(domain_path);
   auto problem = read_source(problem_path);
+  if (!domain && !problem) {
+    result::Diagnostics both = domain.error();
+    both.insert(both.end(), problem.error().begin(), problem.error().end());
+    return tl::unexpected<result::Diagnostics>(std::move(both));
+  }
   if (!domain) return result::forward(domain);
   if (!problem) return result::forward(problem);
   return parse_task(*domain, *problem);

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "supervisor/pddl/lifted/executor.h"
+#include "supervisor/pddl/syntax/text.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -77,8 +78,9 @@ Validation validate(const Task& task, const PlanText& plan) {
   }
   check_goals(validation, task, plan);
   if (!executor.cost() && validation.diagnostics.empty()) {
-    report(validation, plan, 0, "P0309", "the metric is undefined after the plan",
-           "a fluent in it has no value in ':init'");
+    report(validation, plan, 0, "P0309",
+           "the metric " + print(definition, definition.metric->expression) + " is undefined after the plan",
+           kUndefinedMetricHint);
   }
   validation.valid = validation.diagnostics.empty();
   return validation;

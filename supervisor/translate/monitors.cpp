@@ -50,6 +50,14 @@ std::string had_failed_flag(std::size_t action) {
   return numbered("HAD_FAILED", action + 1);
 }
 
+// Scans for which the counts of a sensor have not changed, and what they were a scan ago.
+std::string still_variable(const Sensor& sensor) {
+  return "STILL_" + sensor.name;
+}
+std::string last_variable(const Sensor& sensor) {
+  return "LAST_" + sensor.name;
+}
+
 std::string short_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
@@ -64,14 +72,27 @@ Variable variable(std::string name, std::string type, VariableSection section) {
   return declared;
 }
 
+// The sensors whose calibrated values an expression reads.
+std::vector<std::string> values_in(const Condition& expression, const Binding& binding) {
+  std::vector<std::string> names;
+  for (const Sensor& sensor : binding.sensors) {
+    if (mentions(expression.name, value_variable(sensor))) names.push_back(value_variable(sensor));
+  }
+  return names;
+}
+
 // The first variable that a condition reads.
-std::string reading_of(const Condition& condition) {
+std::string reading_of(const Condition& condition, const Binding& binding) {
   if (condition.kind == graphic::ConditionKind::Contact ||
       condition.kind == graphic::ConditionKind::Comparison) {
     return condition.name;
   }
+  if (condition.kind == graphic::ConditionKind::Expression) {
+    const std::vector<std::string> values = values_in(condition, binding);
+    return values.empty() ? std::string() : values.front();
+  }
   for (const Condition& child : condition.children) {
-    if (std::string name = reading_of(child); !name.empty()) return name;
+    if (std::string name = reading_of(child, binding); !name.empty()) return name;
   }
   return {};
 }
@@ -98,8 +119,11 @@ class Monitors {
     for (const Variable& each : translation_.project.globals) names.insert(each.name);
     std::vector<std::string> needed = {kAlarmCount, kNow, kAlarmsTold, "MON_SCAN", "MON_VALUE"};
     for (std::size_t i = 0; i < run_.actions.size(); ++i) {
-      needed.push_back(run_flag(i));
-      needed.push_back(fail_flag(i));
+      needed.insert(needed.end(), {run_flag(i), fail_flag(i), ran_flag(i), had_failed_flag(i)});
+    }
+    for (const Sensor& sensor : binding_.sensors) {
+      needed.push_back(still_variable(sensor));
+      needed.push_back(last_variable(sensor));
     }
     for (const std::string& name : needed) {
       if (names.insert(name)) continue;
@@ -146,7 +170,8 @@ class Monitors {
     const std::vector<Condition> parts =
         guard.kind == graphic::ConditionKind::All ? guard.children : std::vector<Condition>{guard};
     for (const Condition& part : parts) {
-      raise({action, MonitorKind::Precondition, graphic::to_st(part), reading_of(part), {}}, refused, part);
+      raise({action, MonitorKind::Precondition, graphic::to_st(part), reading_of(part, binding_), {}},
+            refused, part);
     }
   }
 
@@ -172,8 +197,8 @@ class Monitors {
     if (entry.completion.kind != CompletionKind::Fluent) return;
     const Sensor& sensor = *binding_.sensor_of(instantiate(entry.completion.atom, assignment));
     if (!shows_motion(sensor, run_.actions[action])) return;
-    const std::string still = "STILL_" + sensor.name;
-    const std::string last = "LAST_" + sensor.name;
+    const std::string still = still_variable(sensor);
+    const std::string last = last_variable(sensor);
     graphic::Block count;
     count.st_body = "IF " + sensor.tag + " = " + last + " THEN " + still + " := " + still + " + 1; ELSE " +
                     still + " := 0; END_IF; " + last + " := " + sensor.tag + ";";
@@ -264,10 +289,8 @@ class Monitors {
       read_.insert(condition.name);
     }
     if (condition.kind == graphic::ConditionKind::Expression) {
-      for (const Sensor& sensor : binding_.sensors) {
-        if (condition.name.find(value_variable(sensor)) != std::string::npos)
-          read_.insert(value_variable(sensor));
-      }
+      const std::vector<std::string> values = values_in(condition, binding_);
+      read_.insert(values.begin(), values.end());
     }
     for (const Condition& child : condition.children) collect(child);
   }
@@ -335,9 +358,9 @@ class Monitors {
     monitors.variables.push_back(variable(kNow, "UDINT", VariableSection::Local));
     for (const Sensor& sensor : binding_.sensors) {
       if (!moved_.contains(sensor.name)) continue;
-      monitors.variables.push_back(variable("STILL_" + sensor.name, "DINT", VariableSection::Local));
+      monitors.variables.push_back(variable(still_variable(sensor), "DINT", VariableSection::Local));
       monitors.variables.push_back(
-          variable("LAST_" + sensor.name, binding_.tag(sensor.tag)->type, VariableSection::Local));
+          variable(last_variable(sensor), binding_.tag(sensor.tag)->type, VariableSection::Local));
     }
     for (const std::size_t action : watched_) {
       monitors.variables.push_back(variable(ran_flag(action), "BOOL", VariableSection::Local));

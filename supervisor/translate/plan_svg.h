@@ -2,7 +2,8 @@
 
 // A picture of a plan: its schedule as a Gantt chart (the bar is the earliest time, the pale one behind it
 // the slack, a dark frame marks what is critical), and below it the causal graph: which action waits for
-// which, and for what.
+// which, and for what. Both have their keys; the graph is broken into bands as wide as the schedule. It has
+// a size of its own, and colours for light and dark pages.
 //
 // Pure function.
 //

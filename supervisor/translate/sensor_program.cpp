@@ -89,16 +89,6 @@ bool is_name_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// True if `name` stands in `text` as a word.
-bool mentions(const std::string& text, const std::string& name) {
-  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
-    const std::size_t end = at + name.size();
-    const bool starts = at == 0 || !is_name_character(text[at - 1]);
-    if (starts && (end == text.size() || !is_name_character(text[end]))) return true;
-  }
-  return false;
-}
-
 // Everything that a chart reads and drives, as text.
 std::string text_of(const graphic::SfcChart& chart) {
   std::string text;
@@ -125,6 +115,15 @@ std::vector<Variable> externals(const std::vector<Variable>& globals, const std:
 }
 
 }  // namespace
+
+bool mentions(const std::string& text, const std::string& name) {
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    const bool starts = at == 0 || !is_name_character(text[at - 1]);
+    if (starts && (end == text.size() || !is_name_character(text[end]))) return true;
+  }
+  return false;
+}
 
 std::vector<Variable> cell_globals(const Binding& binding, const SensorProgramOptions& options) {
   std::vector<Variable> globals;

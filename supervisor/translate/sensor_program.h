@@ -36,6 +36,8 @@ std::vector<graphic::Variable> cell_globals(const Binding& binding, const Sensor
 std::vector<std::string> generated_variables(const Sensor& sensor);
 // The names of all variables that a generated program may declare, tags included.
 std::vector<std::string> declared_variables(const Binding& binding);
+// True if the variable `name` stands in the ST text.
+bool mentions(const std::string& text, const std::string& name);
 // The program, which declares the globals it uses as VAR_EXTERNAL.
 graphic::Pou sensor_program(const Binding& binding, const SensorProgramOptions& options);
 

@@ -12,6 +12,7 @@ namespace stepwright::modbus::map {
 enum class Table : std::uint8_t { Coils = 0, DiscreteInputs = 1, HoldingRegisters = 2, InputRegisters = 3 };
 inline constexpr std::size_t kTables = 4;
 inline constexpr std::uint32_t kAddresses = 65'536;
+inline constexpr std::uint32_t kLastAddress = kAddresses - 1;
 
 // As they are called in configurations.
 inline constexpr std::array<std::string_view, kTables> kTableNames{"coils", "discrete", "holding", "input"};

@@ -35,12 +35,19 @@ bool conflicting(const GroundOperator& op) {
 
 }  // namespace
 
-Compiler::Compiler(const Definition& definition) : definition_(definition) {
+Compiler::Compiler(const Definition& definition, const std::function<bool()>& stop)
+    : definition_(definition), stop_(stop) {
   for (const Atom& fact : definition.facts) initial_.intern(fact);
   for (const auto& [fluent, value] : definition.fluents) {
     fluents_.intern(fluent);
     values_.push_back(value);
   }
+}
+
+bool Compiler::time_to_stop() {
+  constexpr std::uint64_t kBindingsBetweenChecks = 4096;
+  if (!stopped_ && ++bindings_ % kBindingsBetweenChecks == 0) stopped_ = stop_();
+  return stopped_;
 }
 
 std::span<const int> Compiler::objects(const Call& call, const Binding& binding) {
@@ -132,24 +139,27 @@ void Compiler::add_parts(const Formula& formula, Binding& binding, bool positive
   }
   for_each_binding(definition_, formula.variables, binding, [&] {
     add(formula.parts[0], binding, positive, condition);
-    return !condition.impossible;
+    return !condition.impossible && !time_to_stop();
   });
 }
 
 std::vector<Condition> Compiler::options(const Formula& formula, Binding& binding, bool positive) {
   std::vector<Condition> list;
+  // False once one option always holds: then the others do not matter.
   const auto option = [&](const Formula& part, bool sign) {
     list.emplace_back();
     add(part, binding, sign, list.back());
-    return true;
+    if (list.back().impossible) list.pop_back();
+    return list.empty() || !list.back().always();
   };
   if (!formula.variables.empty()) {
     for_each_binding(definition_, formula.variables, binding,
-                     [&] { return option(formula.parts[0], positive); });
-  } else {
-    for (std::size_t i = 0; i < formula.parts.size(); ++i) {
-      option(formula.parts[i], positive != (formula.kind == FormulaKind::Imply && i == 0));
-    }
+                     [&] { return option(formula.parts[0], positive) && !time_to_stop(); });
+    return list;
+  }
+  bool open = true;
+  for (std::size_t i = 0; i < formula.parts.size() && open; ++i) {
+    open = option(formula.parts[i], positive != (formula.kind == FormulaKind::Imply && i == 0));
   }
   return list;
 }
@@ -205,7 +215,7 @@ void Compiler::effects(const Effect& effect, Binding& binding, std::size_t targe
     case EffectKind::Forall:
       for_each_binding(definition_, effect.variables, binding, [&] {
         effects(effect.parts[0], binding, target, op);
-        return true;
+        return !time_to_stop();
       });
       return;
     case EffectKind::Numeric:

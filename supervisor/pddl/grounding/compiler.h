@@ -6,6 +6,8 @@
 // Thread rule: one grounding, one compiler. The numbering is in the order of first use, so it is the same in
 // every run.
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -17,7 +19,11 @@ namespace stepwright::pddl {
 
 class Compiler {
  public:
-  explicit Compiler(const Definition& definition);
+  // `stop` is asked now and then while quantifiers are multiplied out; it must outlive the compiler.
+  Compiler(const Definition& definition, const std::function<bool()>& stop);
+
+  // Since `stop` said so nothing is complete any more, and nothing that is returned means anything.
+  bool stopped() const { return stopped_; }
 
   // Nothing if static facts or fluents forbid the action for these objects.
   std::optional<GroundOperator> compile(int action, Binding& binding);
@@ -51,7 +57,12 @@ class Compiler {
   // The objects of the call's arguments, valid until the next call.
   std::span<const int> objects(const Call& call, const Binding& binding);
 
+  bool time_to_stop();
+
   const Definition& definition_;
+  const std::function<bool()>& stop_;
+  std::uint64_t bindings_ = 0;
+  bool stopped_ = false;
   AtomTable facts_, variables_;
   AtomTable initial_;  // facts
   AtomTable fluents_;  // with an initial value ...

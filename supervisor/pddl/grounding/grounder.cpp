@@ -14,7 +14,7 @@ constexpr std::size_t kStepsBetweenChecks = 1024;
 class Grounder {
  public:
   Grounder(const Definition& definition, const std::function<bool()>& stop)
-      : definition_(definition), stop_(stop), compiler_(definition) {}
+      : definition_(definition), stop_(stop), compiler_(definition, stop) {}
 
   GroundTask run() {
     raw_.definition = &definition_;
@@ -23,7 +23,7 @@ class Grounder {
       raw_.metric = compiler_.expression(definition_.metric->expression, {});
       if (definition_.metric->maximize) raw_.metric = combine(NumericKind::Negate, raw_.metric, {});
     }
-    if (!operators()) return cancelled();
+    if (compiler_.stopped() || !operators()) return cancelled();
     raw_.facts = compiler_.facts();
     raw_.variables = compiler_.variables();
     const std::vector<Invariant> invariants = find_invariants(raw_, stop_);
@@ -61,7 +61,7 @@ class Grounder {
     Joiner joiner(definition_, rules, [&](const JoinRule& rule, Binding& binding) {
       if (time_to_stop()) return false;
       compile(rule, binding, reach);
-      return true;
+      return !compiler_.stopped();
     });
     if (!joiner.start()) return false;
     for (int fact = 0; reach.next(fact);) {

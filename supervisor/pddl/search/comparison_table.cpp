@@ -20,13 +20,14 @@ std::vector<double> key_of(const Comparison& comparison) {
 
 int ComparisonTable::add(const Comparison& comparison) {
   const auto [place, added] = known_.emplace(key_of(comparison), static_cast<int>(list_.size()));
-  if (!added) return place->second;
+  const int number = place->second;
+  if (!added) return number;
   for_each_variable(comparison.difference, [&](int v) {
     std::vector<int>& list = by_variable_[static_cast<std::size_t>(v)];
-    if (list.empty() || list.back() != place->second) list.push_back(place->second);
+    if (list.empty() || list.back() != number) list.push_back(number);
   });
   list_.push_back(comparison);
-  return place->second;
+  return number;
 }
 
 }  // namespace stepwright::pddl

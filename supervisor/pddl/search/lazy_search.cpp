@@ -13,6 +13,12 @@ namespace {
 // Turns that the queues of preferred operators gain when an estimate reaches a new least value.
 constexpr std::int64_t kBoost = 1000;
 
+// A circle that earns something can be gone round for ever.
+bool costs_can_fall(const GroundTask& task) {
+  return std::any_of(task.operators.begin(), task.operators.end(),
+                     [](const GroundOperator& op) { return !(op.cost.low >= 0.0); });
+}
+
 }  // namespace
 
 LazySearch::LazySearch(const RelaxedTask& task, SearchControl& control, const LazyOptions& options)
@@ -26,6 +32,7 @@ LazySearch::LazySearch(const RelaxedTask& task, SearchControl& control, const La
       least_potential_(evaluate_interval(space_.task().potential, space_.task().bounds).low),
       additive_(task, weights_),
       lookahead_(task),
+      costs_can_fall_(costs_can_fall(space_.task())),
       nodes_(space_),
       reached_(options.landmarks == nullptr ? 0 : (options.landmarks->size() + 63) / 64),
       state_(space_.words()),
@@ -76,6 +83,12 @@ bool LazySearch::worth(std::uint32_t node, const Word* state) {
                               static_cast<double>(n.steps + rest.steps));
 }
 
+// Whether the way to `end` passes the node: it must not become its own ancestor.
+bool LazySearch::leads_through(std::uint32_t node, std::uint32_t end) const {
+  while (end != kNoNode && end != node) end = nodes_[end].parent;
+  return end == node;
+}
+
 // The node after the entry's operator, its state in `state_`. kNoNode if it is known already by a way as
 // good, or if the operator is undefined there.
 std::uint32_t LazySearch::generate(const Entry& entry) {
@@ -90,6 +103,7 @@ std::uint32_t LazySearch::generate(const Entry& entry) {
   const bool better = added || total < n.cost || (total == n.cost && steps < n.steps);
   // A node that a lookahead passed is known and still waits for its turn.
   if (n.closed && (options_.weight == 0.0 || !better)) return kNoNode;
+  if (better && !added && costs_can_fall_ && leads_through(node, entry.parent)) return kNoNode;
   if (better) n = {total, entry.parent, entry.op, steps, false};
   if (count_) {
     const Word* before = reached_[entry.parent];

@@ -64,6 +64,7 @@ class LazySearch {
 
   void start();
   bool pop(Entry& entry);
+  bool leads_through(std::uint32_t node, std::uint32_t end) const;
   std::uint32_t generate(const Entry& entry);
   bool worth(std::uint32_t node, const Word* state);
   bool reached(std::uint32_t node, const Word* state);
@@ -87,6 +88,7 @@ class LazySearch {
   std::optional<RelaxedPlan> intervals_;
   std::optional<LandmarkCount> count_;
   Lookahead lookahead_;
+  bool costs_can_fall_;
   StateTable nodes_;
   NodeWords reached_;
   std::vector<Estimate> estimates_;

@@ -100,9 +100,10 @@ struct Symbol {
   std::string name;
   Place at;
   std::vector<Typed> parameters;
-  bool changes = false;  // some action has it in an effect; derived: some action changes what it depends on
-  bool derived = false;  // a predicate that axioms define
-  int layer = 0;         // derived: only layers below may be negated in its axioms
+  bool changes = false;   // some action has it in an effect; derived: some action changes what it depends on
+  bool derived = false;   // a predicate that axioms define
+  bool assigned = false;  // a function that some action gives a value, whatever it had before
+  int layer = 0;          // derived: only layers below may be negated in its axioms
 };
 
 // A rule of a derived predicate (PDDL 2.2, ":derived"): the fact over the parameters holds where the body

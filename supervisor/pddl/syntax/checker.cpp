@@ -48,7 +48,7 @@ class Checker {
     definition_.problem_name = problem_.name;
     requirements(domain_.requirements);
     requirements(problem_.requirements);
-    match_domain();
+    if (!match_domain()) return std::move(definition_);
     types();
     objects(domain_.constants);
     objects(problem_.objects);
@@ -67,7 +67,7 @@ class Checker {
 
  private:
   void requirements(const std::vector<RequirementFlag>& flags);
-  void match_domain();
+  bool match_domain();
   void types();
   void implicit_parents();
   void find_cycles();
@@ -123,10 +123,13 @@ void Checker::requirements(const std::vector<RequirementFlag>& flags) {
   if (set.count(":fluents") != 0 || set.count(":action-costs") != 0) set.insert(":numeric-fluents");
 }
 
-void Checker::match_domain() {
-  if (problem_.domain.empty() || domain_.name.empty() || problem_.domain == domain_.name) return;
+// What else is wrong with a problem of another domain only hides that it is one.
+bool Checker::match_domain() {
+  if (problem_.domain.empty() || domain_.name.empty() || problem_.domain == domain_.name) return true;
   reporter_.error("P0111", problem_.domain_at,
-                  "the problem is for the domain '" + problem_.domain + "', not for '" + domain_.name + "'");
+                  "the problem is for the domain '" + problem_.domain + "', not for '" + domain_.name + "'",
+                  "are these the two files that belong together?");
+  return false;
 }
 
 // A supertype that is used and nowhere declared is taken as declared: many published domains do so.
@@ -282,11 +285,14 @@ bool changes(const Definition& definition, const Expression& expression) {
                      [&](const Expression& operand) { return changes(definition, operand); });
 }
 
-// What no action changes must have a value, and must not be a divisor of zero.
+// What no action assigns must have a value, for only that can be increased; what no action changes must not
+// be a divisor of zero.
 void Checker::static_parts(const Expression& expression) {
   const LiftedState initial = pddl::initial_state(definition_);
-  const bool fixed = !changes(definition_, expression);
-  if (expression.kind == NumericKind::Fluent && fixed && !evaluate(expression, {}, initial)) {
+  const bool valueless = expression.kind == NumericKind::Fluent &&
+                         !definition_.functions[static_cast<std::size_t>(expression.call.symbol)].assigned &&
+                         !evaluate(expression, {}, initial);
+  if (valueless) {
     reporter_.error("P0118", expression.at,
                     "the metric reads " + print(definition_, expression) + ", which never gets a value",
                     "give it one in ':init'");

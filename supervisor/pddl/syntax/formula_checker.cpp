@@ -17,6 +17,7 @@ int FormulaChecker::type(const std::string& name, Place at) {
   std::vector<std::string> names = names_of(definition_.type_ids);
   std::erase_if(names, [](const std::string& known) { return known.front() == '('; });
   reporter_.error("P0101", at, "unknown type '" + name + "'", did_you_mean(name, names));
+  unknown_type_ = true;
   return 0;
 }
 
@@ -73,9 +74,14 @@ void FormulaChecker::pop(std::size_t count) {
   scope_.resize(scope_.size() - count);
 }
 
+// Comparing with every name takes its time, which an error that is only counted is not worth.
+std::string FormulaChecker::hint_for(const std::string& name, const std::map<std::string, int>& ids) const {
+  return reporter_.full() ? std::string() : did_you_mean(name, names_of(ids));
+}
+
 bool FormulaChecker::unknown_object(const Term& term) {
   reporter_.error("P0104", term.at, "unknown object '" + term.name + "'",
-                  did_you_mean(term.name, names_of(definition_.object_ids)));
+                  hint_for(term.name, definition_.object_ids));
   return false;
 }
 
@@ -107,7 +113,7 @@ bool FormulaChecker::resolve_symbol(Call& call, bool function) {
     call.symbol = found->second;
     return true;
   }
-  std::string hint = did_you_mean(call.name, names_of(ids));
+  std::string hint = hint_for(call.name, ids);
   if (others.count(call.name) != 0) {
     hint = "'" + call.name + (function ? "' is a predicate, it has no value" : "' is a function: compare it");
   }
@@ -180,6 +186,8 @@ std::string FormulaChecker::name_of(const std::vector<int>& types) const {
 
 void FormulaChecker::wrong_type(const std::string& name, Place at, const std::string& found,
                                 const std::string& symbol, std::size_t argument, int wanted) {
+  // What was declared with a type that there is not has none of the wanted types, which is said already.
+  if (unknown_type_ && found == definition_.types.front().name) return;
   reporter_.error("P0107", at,
                   "'" + name + "' is of type '" + found + "', but argument " + std::to_string(argument + 1) +
                       " of '" + symbol + "' is of type '" + name_of({wanted}) + "'");
@@ -250,7 +258,9 @@ void FormulaChecker::numeric_effect(Effect& effect) {
   const bool cost = effect.call.name == "total-cost" && definition_.requirements.count(":action-costs") != 0;
   if (!cost) require(":numeric-fluents", effect.at);
   if (resolve(effect.call, true)) {
-    definition_.functions[static_cast<std::size_t>(effect.call.symbol)].changes = true;
+    Symbol& function = definition_.functions[static_cast<std::size_t>(effect.call.symbol)];
+    function.changes = true;
+    function.assigned = function.assigned || effect.change == ChangeKind::Assign;
   }
   for (Expression& amount : effect.amount) expression(amount);
 }

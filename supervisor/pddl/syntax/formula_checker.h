@@ -56,6 +56,7 @@ class FormulaChecker {
   bool resolve_symbol(Call& call, bool function);
   bool resolve(Term& term, std::vector<int>& types);
   std::string name_of(const std::vector<int>& types) const;
+  std::string hint_for(const std::string& name, const std::map<std::string, int>& ids) const;
   bool unknown_object(const Term& term);
   void wrong_type(const std::string& name, Place at, const std::string& found, const std::string& symbol,
                   std::size_t argument, int wanted);
@@ -68,6 +69,7 @@ class FormulaChecker {
   int slots_ = 0;
   bool negated_ = false;
   std::map<std::string, bool> warned_;
+  bool unknown_type_ = false;  // something was declared with a type that there is not
 };
 
 // The keys of a map of ids: the candidates for a hint.

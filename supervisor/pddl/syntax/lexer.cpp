@@ -114,8 +114,15 @@ class Lexer {
       return;
     }
     const auto code = static_cast<unsigned char>(c);
-    const std::string name = std::isprint(code) != 0 ? text : "byte " + std::to_string(code);
-    reporter_.error("P0002", at, "unexpected character '" + name + "'");
+    if (std::iscntrl(code) != 0) {
+      reporter_.error("P0002", at, "byte " + std::to_string(code) + " cannot stand in a text",
+                      "is this the right file? It is read no further");
+      position_ = text_.size();
+      return;
+    }
+    const std::string name =
+        std::isprint(code) != 0 ? "character '" + text + "'" : "byte " + std::to_string(code);
+    reporter_.error("P0002", at, "unexpected " + name);
   }
 
   std::string_view text_;

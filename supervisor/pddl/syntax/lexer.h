@@ -23,7 +23,8 @@ struct Token {
 };
 
 // The last token is End, placed after the text. A character that PDDL does not know is reported (P0002) and
-// left out. `first_line` is the number of the text's first line in its file.
+// left out; a control character ends the reading, for then this is no text. `first_line` is the number of the
+// text's first line in its file.
 std::vector<Token> tokenize(std::string_view text, std::uint32_t file, Reporter& reporter,
                             std::uint32_t first_line = 1);
 

@@ -59,6 +59,12 @@ class ProblemParser : private SectionParser {
       tokens_.take();
       return false;
     }
+    if (next.kind == TokenKind::Name && next.text == "at" && tokens_.peek(2).kind == TokenKind::Number) {
+      tokens_.reporter().error("P0008", next.at, "timed initial literals are not supported here",
+                               "facts and fluents change by actions only");
+      tokens_.take();
+      return false;
+    }
     Call fact;
     if (!formulas_.call(fact)) return false;
     problem_.facts.push_back(std::move(fact));

@@ -7,9 +7,34 @@
 
 namespace stepwright::pddl {
 
+namespace {
+
+constexpr std::size_t kLongestName = 200;
+constexpr std::size_t kLongestText = 500;
+
+// A message may name what stands in the file, and that may be a name of a megabyte.
+std::string readable(std::string text) {
+  if (text.size() <= kLongestText) return text;
+  return text.substr(0, kLongestText / 2) + " ... " + text.substr(text.size() - kLongestText / 4);
+}
+
+}  // namespace
+
 void Reporter::report(result::Severity severity, std::string code, Place at, std::string message,
                       std::string hint) {
+  message = readable(std::move(message));
   const std::string file = at.file < files_.size() ? files_[at.file] : std::string();
+  const auto said = [&](const result::Diagnostic& d) {
+    return d.where.line == at.line && d.where.column == at.column && d.where.file == file && d.code == code &&
+           d.message == message;
+  };
+  if (std::any_of(diagnostics_.begin(), diagnostics_.end(), said)) return;
+  const auto as_severe = std::count_if(diagnostics_.begin(), diagnostics_.end(),
+                                       [&](const result::Diagnostic& d) { return d.severity == severity; });
+  if (static_cast<std::size_t>(as_severe) == kMost) {
+    ++unsaid_;
+    return;
+  }
   diagnostics_.push_back(
       {std::move(code), severity, {file, at.line, at.column}, std::move(message), std::move(hint)});
 }
@@ -30,10 +55,16 @@ result::Diagnostics Reporter::take() {
   };
   std::stable_sort(diagnostics_.begin(), diagnostics_.end(),
                    [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  if (unsaid_ > 0) {
+    diagnostics_.push_back({"P0010", result::Severity::Note, diagnostics_.back().where,
+                            "and " + std::to_string(unsaid_) + " more that are not listed",
+                            "mend the first ones first: others often follow from them"});
+  }
   return std::move(diagnostics_);
 }
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
+  if (name.size() > kLongestName) return {};
   const std::string* found = result::closest(name, candidates, std::max<std::size_t>(1, name.size() / 3));
   return found == nullptr ? std::string() : "did you mean '" + *found + "'?";
 }

@@ -22,11 +22,16 @@ class Reporter {
   void warning(std::string code, Place at, std::string message, std::string hint = {});
 
   bool failed() const { return errors_ > 0; }
+  // Further errors are only counted.
+  bool full() const { return errors_ >= kMost; }
   std::size_t errors() const { return errors_; }
   const std::vector<std::string>& files() const { return files_; }
 
-  // Errors and warnings by place.
+  // Errors and warnings by place, each once; the first kMost of either, and a note (P0010) that counts the
+  // others. What is too long to be read is cut in its middle.
   result::Diagnostics take();
+
+  static constexpr std::size_t kMost = 50;
 
  private:
   void report(result::Severity severity, std::string code, Place at, std::string message, std::string hint);
@@ -34,9 +39,11 @@ class Reporter {
   std::vector<std::string> files_;
   result::Diagnostics diagnostics_;
   std::size_t errors_ = 0;
+  std::size_t unsaid_ = 0;  // errors and warnings beyond kMost
 };
 
-// "did you mean 'distance'?" if one of the candidates is close enough to `name`; empty otherwise.
+// "did you mean 'distance'?" if one of the candidates is close enough to `name`; empty otherwise, and for
+// names longer than anybody writes.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace stepwright::pddl

@@ -44,6 +44,7 @@ bool TokenStream::expect_name(std::string_view what, std::string& name, Place& p
 bool TokenStream::unexpected(std::string_view expected, std::string hint) {
   const Token& token = peek();
   if (token.kind == TokenKind::End) {
+    if (hint.empty() && tokens_.size() == 1) hint = "nothing but blanks and comments is in it";
     if (hint.empty() && !open_.empty()) {
       hint = "the parenthesis opened in line " + std::to_string(open_.back().line) + ", column " +
              std::to_string(open_.back().column) + " is not closed";

@@ -117,19 +117,20 @@ ClassFigures Figures::all() const {
 }
 
 Figures campaign(const executive::PlanningDesk& desk, std::uint64_t first, std::uint64_t runs,
-                 unsigned threads, const std::function<void(std::uint64_t done)>& told) {
+                 unsigned threads, const std::function<void(std::uint64_t done)>& told,
+                 const std::atomic<bool>* cancel) {
   const auto start = std::chrono::steady_clock::now();
   Figures figures;
   std::mutex mutex;  // of figures and `told`
   std::atomic<std::uint64_t> next{0};
   const auto work = [&] {
-    for (std::uint64_t i = next++; i < runs; i = next++) {
+    for (std::uint64_t i = next++; i < runs && (cancel == nullptr || !*cancel); i = next++) {
       const RunResult run = run_once(desk, disturbance_of(first + i));
       const std::lock_guard lock(mutex);
       add(run, figures.of[static_cast<std::size_t>(run.disturbance.of)]);
       figures.run_ms_sum += run.wall_ms;
       if (run.verdict == Verdict::Lost) figures.lost.push_back({first + i, run.disturbance.story, run.why});
-      if (told && i % 100 == 99) told(i + 1);
+      if (told && (i == 0 || i % 100 == 99)) told(i + 1);
     }
   };
   {

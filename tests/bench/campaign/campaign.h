@@ -3,6 +3,7 @@
 // Many runs on all cores, and the table of what came of them.
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -52,9 +53,10 @@ struct Figures {
 };
 
 // Seeds `first` to `first + runs - 1` on `threads` threads. `told` is called from time to time, from one of
-// them.
+// them. Once `cancel` (may be null) is set no further run begins; those under way are finished and count.
 Figures campaign(const executive::PlanningDesk& desk, std::uint64_t first, std::uint64_t runs,
-                 unsigned threads, const std::function<void(std::uint64_t done)>& told = {});
+                 unsigned threads, const std::function<void(std::uint64_t done)>& told = {},
+                 const std::atomic<bool>* cancel = nullptr);
 
 std::string table(const Figures& figures);
 std::string to_json(const Figures& figures, std::uint64_t first, unsigned threads);

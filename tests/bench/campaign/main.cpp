@@ -4,21 +4,24 @@
 //
 //   bench_campaign [--runs N] [--first SEED] [--threads N] [--json FILE]
 //
+// Ctrl-C ends it after the runs that are under way, with the table of those that are done (exit 4).
 // A single seed again: --first SEED --runs 1.
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
 #include <string>
 #include <thread>
 
-#include "runtime/result/exit_code.h"
+#include "programs/process/command_line.h"
+#include "programs/process/files.h"
+#include "programs/process/interruption.h"
 #include "tests/bench/campaign/campaign.h"
 
 namespace stepwright::campaign {
 namespace {
 
+using process::fail;
 using result::ExitCode;
 
 struct Arguments {
@@ -28,59 +31,56 @@ struct Arguments {
   std::string json_file;
 };
 
-bool read(int argc, char** argv, Arguments& arguments) {
-  for (int i = 1; i < argc; i += 2) {
-    if (i + 1 >= argc) return false;
-    const std::string name = argv[i];
-    if (name == "--json") {
-      arguments.json_file = argv[i + 1];
-      continue;
-    }
-    char* end = nullptr;
-    const std::uint64_t value = std::strtoull(argv[i + 1], &end, 10);
-    if (*end != '\0') return false;
-    if (name == "--runs") {
-      arguments.runs = value;
-    } else if (name == "--first") {
-      arguments.first = value;
-    } else if (name == "--threads") {
-      arguments.threads = static_cast<unsigned>(std::max<std::uint64_t>(1, value));
-    } else {
-      return false;
-    }
+void describe(CLI::App& app, Arguments& arguments) {
+  app.add_option("--runs", arguments.runs, "how many (1000)")->check(CLI::Range(1.0, 1e9));
+  app.add_option("--first", arguments.first, "seed of the first one (0)")->check(CLI::NonNegativeNumber);
+  app.add_option("--threads", arguments.threads, "that run them (one for each core)")
+      ->check(CLI::Range(1U, 1'024U));
+  app.add_option("--json", arguments.json_file, "write the figures there");
+}
+
+int finish(const Arguments& arguments, const std::string& table, const std::string& json, bool lost,
+           bool interrupted) {
+  std::fputs(table.c_str(), stdout);
+  if (!arguments.json_file.empty()) {
+    const auto failed = process::write_file(arguments.json_file, json + "\n");
+    if (!failed.empty()) return fail(failed, ExitCode::BadInput);
   }
-  return true;
+  if (interrupted) std::fprintf(stderr, "interrupted: these are the runs that were done\n");
+  if (lost) return to_int(ExitCode::RuntimeFault);
+  return to_int(interrupted ? ExitCode::BudgetExhausted : ExitCode::Done);
+}
+
+int run_bench(const Arguments& arguments) {
+  const auto desk = campaign_desk();
+  if (!desk) return fail(desk.error(), ExitCode::BadInput);
+  const process::Interruption interruption;
+  const auto told = [&](std::uint64_t done) {
+    std::fprintf(stderr, "\r%llu of %llu", static_cast<unsigned long long>(done),
+                 static_cast<unsigned long long>(arguments.runs));
+  };
+  const Figures figures =
+      campaign(*desk, arguments.first, arguments.runs, arguments.threads, told, interruption.flag());
+  std::fprintf(stderr, "\n");
+  return finish(arguments, table(figures), to_json(figures, arguments.first, arguments.threads),
+                !figures.lost.empty(), figures.all().runs < arguments.runs);
 }
 
 int run(const Arguments& arguments) {
-  const auto desk = campaign_desk();
-  if (!desk) {
-    std::fprintf(stderr, "%s\n", result::to_string(desk.error()).c_str());
-    return to_int(ExitCode::BadInput);
-  }
-  const Figures figures =
-      campaign(*desk, arguments.first, arguments.runs, arguments.threads, [&](std::uint64_t done) {
-        std::fprintf(stderr, "\r%llu of %llu", static_cast<unsigned long long>(done),
-                     static_cast<unsigned long long>(arguments.runs));
-      });
-  std::fprintf(stderr, "\n");
-  std::fputs(table(figures).c_str(), stdout);
   if (!arguments.json_file.empty()) {
-    std::ofstream file(arguments.json_file);
-    file << to_json(figures, arguments.first, arguments.threads) << "\n";
-    if (!file) return to_int(ExitCode::BadInput);
+    const auto refused = process::check_writable(arguments.json_file);
+    if (!refused.empty()) return fail(refused, ExitCode::BadInput);
   }
-  return to_int(figures.lost.empty() ? ExitCode::Done : ExitCode::RuntimeFault);
+  return run_bench(arguments);
 }
 
 }  // namespace
 }  // namespace stepwright::campaign
 
 int main(int argc, char** argv) {
+  CLI::App app("Disturbed runs of the tank bench at random, judged by the plant's truth", "bench_campaign");
   stepwright::campaign::Arguments arguments;
-  if (!stepwright::campaign::read(argc, argv, arguments)) {
-    std::fprintf(stderr, "usage: bench_campaign [--runs N] [--first SEED] [--threads N] [--json FILE]\n");
-    return to_int(stepwright::result::ExitCode::Usage);
-  }
+  stepwright::campaign::describe(app, arguments);
+  if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
   return stepwright::campaign::run(arguments);
 }

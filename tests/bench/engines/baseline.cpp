@@ -1,12 +1,12 @@
 #include "tests/bench/engines/baseline.h"
 
 #include <dlfcn.h>
-#include <stdlib.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
+
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::bench {
 
@@ -51,20 +51,15 @@ class Library final : public Subject {
 }  // namespace
 
 std::unique_ptr<Subject> compile_c(const std::string& text, std::size_t results) {
-  std::string folder = (std::filesystem::temp_directory_path() / "stepwright_engines_XXXXXX").string();
-  if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  const std::string source = folder + "/program.c";
-  const std::string library = folder + "/program.so";
+  const support::TemporaryFolder folder;
+  const std::string source = folder / "program.c";
+  const std::string library = folder / "program.so";
   std::ofstream(source) << text;
   // No contraction: the results must agree to the last bit.
   const std::string command =
       "gcc -std=gnu11 -O2 -ffp-contract=off -fPIC -shared '" + source + "' -o '" + library + "'";
-  const bool compiled = std::system(command.c_str()) == 0;
-  std::unique_ptr<Subject> subject;
-  if (compiled) subject = std::make_unique<Library>(library, results);
-  std::filesystem::remove_all(folder);
-  if (!compiled) throw std::runtime_error("gcc failed");
-  return subject;
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("gcc failed");
+  return std::make_unique<Library>(library, results);
 }
 
 }  // namespace stepwright::bench

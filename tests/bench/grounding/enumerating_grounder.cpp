@@ -16,7 +16,7 @@ constexpr std::size_t kBindingsBetweenChecks = 1024;
 class Grounder {
  public:
   Grounder(const Definition& definition, const std::function<bool()>& stop)
-      : definition_(definition), stop_(stop), compiler_(definition) {}
+      : definition_(definition), stop_(stop), compiler_(definition, stop) {}
 
   GroundTask run() {
     raw_.definition = &definition_;

@@ -24,6 +24,7 @@
 #include "runtime/service/codec.h"
 #include "runtime/service/connection.h"
 #include "tests/support/step_program.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_process.h"
 
 namespace stepwright::bench {
@@ -145,9 +146,8 @@ Latency over_link(int rounds, std::uint32_t domain, const std::string& runtime_i
 }
 
 int run(int rounds, const std::string& json_file) {
-  std::string folder = (std::filesystem::temp_directory_path() / "stepwright-bench-XXXXXX").string();
-  if (mkdtemp(folder.data()) == nullptr) give_up("no temporary folder");
-  const std::filesystem::path path = folder;
+  const support::TemporaryFolder folder;
+  const std::filesystem::path& path = folder.path();
   const std::string name = "bench-" + std::to_string(::getpid());
   const auto domain = static_cast<std::uint32_t>(20 + ::getpid() % 80);
   std::ofstream(path / "cell.toml") << "[cell]\nname = \"" << name
@@ -167,7 +167,6 @@ int run(int rounds, const std::string& json_file) {
   const Latency service = over_service(rounds, path / "runtime.sock", event_bytes);
   const Latency bare = bare_sockets(rounds, event_bytes);
   const Latency full = over_link(rounds, domain, name);
-  std::filesystem::remove_all(path);
 
   std::printf("event -> acknowledgement -> next event, %d rounds, event of %zu bytes\n", rounds, event_bytes);
   std::printf("  %-34s %10s %10s %8s\n", "", "p50 us", "p99 us", "ratio");

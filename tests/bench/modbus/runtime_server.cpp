@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <thread>
 
 #include "ladder/driver/compile.h"
@@ -17,6 +16,7 @@
 #include "runtime/modbus/server/tcp_door.h"
 #include "runtime/service/connection.h"
 #include "runtime/service/server.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::bench {
 namespace {
@@ -56,7 +56,7 @@ std::vector<std::byte> compiled() {
 }  // namespace
 
 struct RuntimeServer::State {
-  std::filesystem::path folder;
+  support::TemporaryFolder folder;
   image::NoIo driver;
   int stop = eventfd(0, 0);
   std::unique_ptr<host::HostRuntime> runtime;
@@ -72,9 +72,6 @@ struct RuntimeServer::State {
 
 RuntimeServer::RuntimeServer() : state_(std::make_unique<State>()) {
   State& s = *state_;
-  std::string folder = (std::filesystem::temp_directory_path() / "stepwright-bench-XXXXXX").string();
-  if (mkdtemp(folder.data()) == nullptr) std::exit(5);
-  s.folder = folder;
   host::HostConfig config;
   config.clock = host::ClockMode::Real;
   s.runtime = taken(host::HostRuntime::create(config, s.driver, nullptr));
@@ -113,7 +110,6 @@ RuntimeServer::~RuntimeServer() {
   s.service_thread.join();
   s.service.reset();
   s.runtime.reset();
-  std::filesystem::remove_all(s.folder);
 }
 
 std::uint16_t RuntimeServer::port() const {

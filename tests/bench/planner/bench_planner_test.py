@@ -68,6 +68,13 @@ class BenchPlanner(unittest.TestCase):
         self.assertIn("logistics", unknown.stderr)
         self.assertEqual(self.bench("--quickly").returncode, 2)
         self.assertEqual(self.bench("--outside", "nameless").returncode, 2)
+        for option, value in (("--time", "nan"), ("--time", "-1"), ("--sizes", "0"), ("--memory", "-1"),
+                              ("--repeats", "0")):
+            self.assertEqual(self.bench(option, value).returncode, 2, (option, value))
+        unwritable = self.bench("--domains", "blocks", "--json", "/nonexistent/report.json")
+        self.assertEqual(unwritable.returncode, 1)
+        self.assertIn("/nonexistent/report.json: E0002", unwritable.stderr)
+        self.assertEqual(unwritable.stdout, "")
 
 
 if __name__ == "__main__":

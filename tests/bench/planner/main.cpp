@@ -10,6 +10,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "programs/process/files.h"
 #include "runtime/result/exit_code.h"
 #include "tests/bench/planner/report/curve_svg.h"
 #include "tests/bench/planner/report/table.h"
@@ -24,7 +25,7 @@ using nlohmann::json;
 using result::ExitCode;
 
 int fail(const result::Diagnostics& problems, ExitCode code) {
-  std::fprintf(stderr, "%s", result::to_string(problems).c_str());
+  std::fprintf(stderr, "%s\n", result::to_string(problems).c_str());
   return to_int(code);
 }
 
@@ -35,10 +36,20 @@ ExitCode code_of(const result::Diagnostics& problems) {
 
 int write_report(const Settings& settings, const json& report) {
   if (settings.json_file.empty()) return to_int(ExitCode::Done);
-  std::ofstream file(settings.json_file);
-  file << report.dump(2) << "\n";
-  file.close();
-  return to_int(file ? ExitCode::Done : ExitCode::BadInput);
+  const auto failed = process::write_file(settings.json_file, report.dump(2) + "\n");
+  return failed.empty() ? to_int(ExitCode::Done) : fail(failed, ExitCode::BadInput);
+}
+
+// What takes minutes should not end at a report that nobody gets.
+result::Diagnostics check_outputs(const Settings& settings) {
+  result::Diagnostics problems;
+  const auto check = [&](bool wanted, const std::string& file) {
+    if (!wanted) return;
+    for (result::Diagnostic& refused : process::check_writable(file)) problems.push_back(std::move(refused));
+  };
+  check(!settings.json_file.empty(), settings.json_file);
+  check(settings.update_best, settings.best_file);
+  return problems;
 }
 
 void print(const std::string& text) {
@@ -101,6 +112,8 @@ int run_curves(const Settings& settings) {
 }
 
 int run(const Settings& settings) {
+  if (const auto refused = check_outputs(settings); !refused.empty())
+    return fail(refused, ExitCode::BadInput);
   if (!settings.write_folder.empty()) {
     const auto instances = instances_of(settings);
     if (!instances) return fail(instances.error(), ExitCode::BadInput);

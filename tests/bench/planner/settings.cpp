@@ -28,11 +28,14 @@ std::optional<Settings> settings_from(int argc, char** argv, int& exit_code) {
   std::vector<std::string> outside;
   CLI::App app(
       "The planner over instances of many domains, beside a textbook planner and planners found outside");
-  app.add_option("--time", time_s, "seconds for each planner and instance (2; --scale 10; --full 300)");
-  app.add_option("--memory", memory_mb, "MB for each (4096; --full 22528)");
+  app.add_option("--time", time_s, "seconds for each planner and instance (2; --scale 10; --full 300)")
+      ->check(CLI::Range(1e-3, 1e6));
+  app.add_option("--memory", memory_mb, "MB for each (4096; --full 22528)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 24));
   app.add_option("--domains", settings.domains, "only these, separated by commas")->delimiter(',');
-  app.add_option("--sizes", settings.sizes, "only the first so many sizes of each domain");
-  app.add_option("--seed", settings.seed, "of the generators (1)");
+  app.add_option("--sizes", settings.sizes, "only the first so many sizes of each domain")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", settings.seed, "of the generators (1)")->check(CLI::NonNegativeNumber);
   app.add_option("--json", settings.json_file, "the report as JSON");
   app.add_option("--write", settings.write_folder, "writes the instances as PDDL files");
   app.add_option("--best", settings.best_file, "the file of best known costs");
@@ -43,7 +46,7 @@ std::optional<Settings> settings_from(int argc, char** argv, int& exit_code) {
   app.add_option("--outside", outside,
                  "NAME=COMMAND with {domain} {problem} {plan}: a planner on all instances");
   app.add_option("--outside-time", outside_s, "seconds for each planner from outside (30)")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1e-3, 1e6));
   app.add_flag("--scale", settings.scale, "growing sizes until a limit ends them, instead of the table");
   app.add_option("--svg", settings.svg_folder, "pictures of the curves");
   app.add_flag("--full", full, "limits of 300 s and 22 GiB");

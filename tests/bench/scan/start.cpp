@@ -17,6 +17,7 @@
 #include "runtime/bytecode/writer/container_writer.h"
 #include "runtime/service/connection.h"
 #include "tests/bench/scan/workloads.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_process.h"
 
 namespace stepwright::bench {
@@ -90,9 +91,6 @@ std::vector<std::byte> container() {
 class Cell {
  public:
   Cell() {
-    std::string path = (std::filesystem::temp_directory_path() / "stepwright-start-XXXXXX").string();
-    if (mkdtemp(path.data()) == nullptr) give_up("no temporary folder");
-    folder_ = path;
     const std::vector<std::byte> bytes = container();
     std::ofstream(folder_ / "rungs.swb", std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
@@ -100,12 +98,6 @@ class Cell {
                                             "[plant]\nkind = \"none\"\n[clock]\nmode = \"real\"\n"
                                             "[runtime]\nprogram = \"rungs.swb\"\nautostart = true\n";
   }
-  ~Cell() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  Cell(const Cell&) = delete;
-  Cell& operator=(const Cell&) = delete;
 
   support::TestProcess start() const {
     return {{STEPWRIGHT_BIN_DIR "/stepwright-runtime", "--config", (folder_ / "cell.toml").string()},
@@ -134,7 +126,7 @@ class Cell {
     std::ifstream in(file);
     return {std::istreambuf_iterator<char>(in), {}};
   }
-  std::filesystem::path folder_;
+  support::TemporaryFolder folder_;
 };
 
 double resident_mb(pid_t process) {

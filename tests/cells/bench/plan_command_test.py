@@ -4,10 +4,12 @@ import json
 import pathlib
 import re
 import shutil
+import signal
+import subprocess
 import tempfile
 import unittest
 
-from cell_process import stepwright
+from cell_process import STEPWRIGHT, TIMEOUT_S, stepwright
 
 CELL = pathlib.Path(__file__).parent
 KEYS = {"outcome", "plan", "plan_steps", "plan_cost", "bound", "proved_optimal", "first_plan_ms", "wall_ms",
@@ -76,6 +78,61 @@ class PlanCommand(unittest.TestCase):
             self.assertIn("memory", outcome["reason"])
             self.assertGreater(outcome["plan_steps"], 0)
             self.assertLess(outcome["peak_mb"], 12)
+
+    def test_an_interruption_leaves_the_best_plan(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            file = self.folder / "outcome.json"
+            command = [STEPWRIGHT, "plan", self.folder / "domain.pddl", self.folder / "problem.pddl", "--time", "100",
+                       "--progress", "--json", file, "--out", self.folder / "best.plan"]
+            with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as planner:
+                while "best" not in planner.stderr.readline():
+                    self.assertIsNone(planner.poll())
+                planner.send_signal(number)
+                stdout, stderr = planner.communicate(timeout=TIMEOUT_S)
+            self.assertEqual(planner.returncode, 4, stderr)
+            self.assertIn("interrupted", stderr)
+            outcome = json.loads(file.read_text(encoding="utf-8"))
+            self.assertEqual(outcome["outcome"], "cancelled")
+            self.assertLess(outcome["wall_ms"], 90_000)
+            self.assertTrue(stdout.startswith(outcome["plan"][0]))
+            valid = stepwright("validate", self.folder / "domain.pddl", self.folder / "problem.pddl",
+                               self.folder / "best.plan", "--quiet")
+            self.assertEqual(valid.returncode, 0, valid.stderr)
+
+    def test_what_cannot_be_written_or_drawn_is_said_before_the_search(self):
+        for option, value, code in (("--out", "/nonexistent/plan", "E0002"), ("--json", self.folder, "E0002"),
+                                    ("--svg", "/nonexistent/picture.svg", "E0002"),
+                                    ("--binding", self.folder / "none.toml", "B0001")):
+            options = (option, value) if option != "--binding" else ("--svg", self.folder / "p.svg", option, value)
+            result = stepwright("plan", self.folder / "domain.pddl", self.folder / "problem.pddl", *options)
+            self.assertEqual(result.returncode, 1)
+            self.assertRegex(result.stderr, rf"{value}: {code}: .*\n  hint: ")
+            self.assertEqual(result.stdout, "")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["domain.pddl", "problem.pddl"])
+
+    def test_streams_take_the_outcome_as_it_is(self):
+        bench = (CELL / "domain.pddl", CELL / "problem.pddl")
+        result = stepwright("plan", *bench, "--json", "/dev/stdout")
+        plan, outcome = result.stdout.split("{", 1)
+        self.assertEqual(json.loads("{" + outcome)["plan_cost"], 108)
+        self.assertIn("(move v1 a1 f1)", plan)
+        with open("/dev/full", "wb") as full:
+            result = subprocess.run([STEPWRIGHT, "plan", *bench], stdout=full, stderr=subprocess.PIPE, text=True,
+                                    timeout=TIMEOUT_S, check=False)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("standard output", result.stderr)
+        # Without a standard output the plan's file must not become it.
+        out = self.folder / "out.plan"
+        shell = f"exec {STEPWRIGHT} plan {bench[0]} {bench[1]} --out {out} >&-"
+        self.assertEqual(subprocess.run(shell, shell=True, timeout=TIMEOUT_S, check=False).returncode, 0)
+        self.assertEqual(len(out.read_text(encoding="utf-8").splitlines()), 18)
+
+    def test_numbers_that_are_no_limits(self):
+        for option, value in (("--time", "-1"), ("--time", "nan"), ("--time", "inf"), ("--time", "1e300"),
+                              ("--memory", "-5"), ("--memory", "0"), ("--threads", "0")):
+            result = stepwright("plan", CELL / "domain.pddl", CELL / "problem.pddl", option, value)
+            self.assertEqual(result.returncode, 2, (option, value))
+            self.assertIn(option, result.stderr)
 
     def test_threads_are_one_or_two(self):
         result = stepwright("plan", CELL / "domain.pddl", CELL / "problem.pddl", "--threads", "3")

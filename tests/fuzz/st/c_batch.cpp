@@ -1,13 +1,13 @@
 #include "tests/fuzz/st/c_batch.h"
 
 #include <dlfcn.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
+
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::st_fuzz {
 
@@ -25,30 +25,25 @@ struct CProgram {
   std::size_t leaf_count;
 };
 
-std::string make_directory() {
-  std::string name = (std::filesystem::temp_directory_path() / "st_fuzz_XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no directory for C");
-  return name;
-}
-
 }  // namespace
 
 struct CBatch::Parts {
-  Parts() : directory(make_directory()) {}
+  Parts() = default;
   ~Parts() {
     if (library != nullptr) ::dlclose(library);
-    std::filesystem::remove_all(directory);
   }
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
 
-  std::string directory;
+  support::TemporaryFolder folder;
   void* library = nullptr;
   const CProgram* programs = nullptr;
 };
 
 CBatch::CBatch(std::span<const Program* const> programs, const Dropped& dropped)
     : parts_(std::make_unique<Parts>()) {
-  const std::string source = parts_->directory + "/batch.c";
-  const std::string object = parts_->directory + "/batch.so";
+  const std::string source = parts_->folder / "batch.c";
+  const std::string object = parts_->folder / "batch.so";
   std::ofstream(source) << write_c(programs, dropped);
   // Optimised as users' C is, with the meaning kept: nothing is contracted or reordered, what wraps wraps,
   // and the library's functions are not computed by the compiler, which rounds otherwise.

@@ -6,6 +6,7 @@
 #include "tests/bench/planner/measure/child.h"
 #include "tests/bench/planner/measure/judge.h"
 #include "tests/bench/planner/measure/measurement.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::bench {
 namespace {
@@ -17,32 +18,11 @@ std::string filled(std::string command, const std::string& word, const std::file
   return command;
 }
 
-// A folder that goes with the object.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "stepwright_planner_XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::filesystem::path operator/(const char* name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 }  // namespace
 
 Measurement measure_outside(const Outside& planner, const Instance& instance, const pddl::Task& task,
                             const Limits& limits) {
-  const Folder folder;
+  const support::TemporaryFolder folder;
   std::ofstream(folder / "domain.pddl") << instance.domain;
   std::ofstream(folder / "problem.pddl") << instance.problem;
   std::string command = filled(planner.command, "{domain}", folder / "domain.pddl");

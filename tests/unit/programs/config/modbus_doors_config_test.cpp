@@ -7,6 +7,7 @@
 #include <string>
 
 #include "programs/config/cell_config.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::config {
 namespace {
@@ -18,11 +19,8 @@ using modbus::server::Parity;
 class ModbusDoorsConfig : public testing::Test {
  protected:
   ModbusDoorsConfig() {
-    std::string name = (fs::path(testing::TempDir()) / "doors-XXXXXX").string();
-    folder = ::mkdtemp(name.data());
     for (const char* const file : {"plc.crt", "plc.key", "ca.crt"}) std::ofstream(folder / file) << "PEM\n";
   }
-  ~ModbusDoorsConfig() override { fs::remove_all(folder); }
 
   result::Result<CellConfig> read(const std::string& text) const {
     std::ofstream(folder / "cell.toml") << text;
@@ -34,7 +32,7 @@ class ModbusDoorsConfig : public testing::Test {
     return config->modbus_server.doors;
   }
 
-  fs::path folder;
+  support::TemporaryFolder folder;
 };
 
 const std::string kTls =

@@ -8,6 +8,7 @@
 #include "ladder/driver/compile.h"
 #include "runtime/bytecode/reader/program_info.h"
 #include "tests/support/malloc_guard.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/runtime/host/harness.h"
 
 namespace stepwright::host {
@@ -89,10 +90,9 @@ TEST(RetainedRuntime, WhenThePolicyIsRefuse_ThenTheCompletionSaysWhatDoesNotFit)
 // Every scan hands its values over here; in operation one in a hundred does.
 TEST(RetainedRuntime, WhenEveryScanIsKept_ThenScansNeitherAllocateNorLock) {
   if (!support::guard_is_active()) GTEST_SKIP() << "a sanitizer owns malloc";
-  std::string folder = testing::TempDir() + "retain-XXXXXX";
-  ASSERT_NE(mkdtemp(folder.data()), nullptr);
+  const support::TemporaryFolder folder;
   HostConfig config;
-  config.retain.store = std::filesystem::path(folder) / "retain.store";
+  config.retain.store = folder / "retain.store";
   config.retain.period_ns = 1;
   {
     Harness harness(config);
@@ -112,7 +112,6 @@ TEST(RetainedRuntime, WhenEveryScanIsKept_ThenScansNeitherAllocateNorLock) {
     EXPECT_EQ(noisy, 0u);
   }
   EXPECT_TRUE(record::RetainStore::read(config.retain.store).value());
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -5,9 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
+#include <sstream>
 
 #include "supervisor/pddl/describe_run.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/supervisor/executive/bench_fixture.h"
 
 namespace stepwright::executive {
@@ -29,9 +32,10 @@ struct Raised {
 // The optimal plan's program on a bench with exact sensors, for so many scans.
 class MonitoredRun {
  public:
-  explicit MonitoredRun(std::vector<PlantFault> faults) : controller_(exact(), std::move(faults)) {
-    const auto initial = pddl::to_named(bench_desk().task().initial());
-    prepared_ = std::move(bench_desk().prepare({.start = {.planning = initial}})->prepared);
+  explicit MonitoredRun(std::vector<PlantFault> faults, const PlanningDesk& desk = bench_desk())
+      : controller_(exact(), std::move(faults)) {
+    const auto initial = pddl::to_named(desk.task().initial());
+    prepared_ = std::move(desk.prepare({.start = {.planning = initial}})->prepared);
     std::vector<std::string> names = {
         translate::kAlarmCount, "S1_filtered", "S2_filtered", "S3_filtered", "fc1", "fc2", "fc3"};
     for (std::size_t i = 0; i < prepared_.translation.monitors.size(); ++i) {
@@ -159,6 +163,32 @@ TEST(Monitors, WhenAnActionIsRefused_ThenThePartOfItsPreconditionIsNamed) {
   EXPECT_NE(refused->monitor.text.find("S1_filtered >= "), std::string::npos) << refused->monitor.text;
   EXPECT_EQ(refused->scan, refused->seen_in);
   EXPECT_EQ(refused->scan, run.events().back());
+}
+
+// What two levels must be together is no comparison of counts but an expression over their values.
+TEST(Monitors, WhenAPreconditionAddsLevels_ThenTheirSumIsWatchedToo) {
+  const support::TemporaryFolder folder;
+  DeskOptions options = bench_desk_options();
+  std::stringstream text;
+  text << std::ifstream(options.domain).rdbuf();
+  std::string domain = text.str();
+  const std::string guard = "(>= (- (lev ?v) (amount ?l)) (critical ?v))";
+  ASSERT_NE(domain.find(guard), std::string::npos);
+  domain.insert(domain.find(guard), "(>= (+ (lev ?v) (level ?d)) (+ (amount ?l) 4)) ");
+  options.domain = folder / "domain.pddl";
+  std::ofstream(options.domain) << domain;
+  const auto desk = PlanningDesk::open(options);
+  ASSERT_TRUE(desk) << result::to_string(desk.error());
+  MonitoredRun run({{15.5, "leak_v1", 6.0}}, *desk);
+  run.run(4'000);
+  const auto sum = std::find_if(run.raised().begin(), run.raised().end(), [](const Raised& raised) {
+    return raised.monitor.kind == MonitorKind::Precondition && raised.monitor.reading == "S1_value";
+  });
+  ASSERT_NE(sum, run.raised().end());
+  EXPECT_NE(sum->monitor.text.find("S2_value"), std::string::npos) << sum->monitor.text;
+  EXPECT_EQ(sum->scan, run.events().back());
+  EXPECT_GT(sum->value, 1.0);  // levels, not counts
+  EXPECT_LT(sum->value, 9.0);
 }
 
 TEST(Monitors, WhenTheBindingHasTheirNames_ThenRefused) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "supervisor/pddl/syntax/reporter.h"
 #include "supervisor/pddl/task.h"
 #include "tests/unit/supervisor/pddl/sample_tasks.h"
 
@@ -136,8 +137,105 @@ const Case kCases[] = {
      "a number"},
     {"TypeIsItsOwnParent", true, "(:types car place)", "(:types car - car place)", 3, 11, "P0109",
      "ancestor"},
+    {"TimedLiteral", false, "(at c x)", "(at 5 (at c x))", 4, 11, "P0008", "timed initial literals"},
     {"SwappedFiles", false, "(problem p)", "(domain p)", 1, 10, "P0003", "order"},
 };
+
+TEST(Reading, WhenThereAreMoreErrorsThanAnyoneReads_ThenTheFirstAndTheNumberOfTheOthers) {
+  std::string init;
+  for (int i = 0; i < 1000; ++i) init += "(at c nowhere" + std::to_string(i) + ")\n";
+  const auto task = parse_task({"d.pddl", kGoodDomain}, {"p.pddl", replaced(kGoodProblem, "(at c x)", init)});
+  ASSERT_FALSE(task.has_value());
+  ASSERT_EQ(task.error().size(), Reporter::kMost + 1);
+  EXPECT_NE(task.error()[49].message.find("nowhere49"), std::string::npos);
+  EXPECT_EQ(task.error().back().code, "P0010");
+  EXPECT_NE(task.error().back().message.find("950"), std::string::npos);
+}
+
+TEST(Reading, WhenWarningsAreMany_ThenTheErrorIsAmongThem) {
+  std::string init;
+  for (int i = 0; i < 100; ++i) init += "(at c x)\n";
+  const auto task =
+      parse_task({"d.pddl", kGoodDomain}, {"p.pddl", replaced(kGoodProblem, "(at c x)", init + "(at c q)")});
+  ASSERT_FALSE(task.has_value());
+  EXPECT_EQ(std::count_if(task.error().begin(), task.error().end(),
+                          [](const auto& d) { return d.severity == result::Severity::Error; }),
+            1);
+}
+
+// 5,000 hints out of 5,000 names each would take many seconds.
+TEST(Reading, WhenThousandsOfObjectsAreMisspelt_ThenTheFirstAreHintedAndTheOthersCounted) {
+  std::string objects, init;
+  for (int i = 0; i < 5'000; ++i) {
+    objects += " place" + std::to_string(i);
+    init += "(at c plcae" + std::to_string(i) + ")\n";
+  }
+  const std::string problem = replaced(replaced(kGoodProblem, "x y", "x y" + objects), "(at c x)", init);
+  const auto task = parse_task({"d.pddl", kGoodDomain}, {"p.pddl", problem});
+  ASSERT_FALSE(task.has_value());
+  EXPECT_EQ(task.error()[0].hint, "did you mean 'place0'?");
+  EXPECT_NE(task.error().back().message.find("4950"), std::string::npos) << task.error().back().message;
+}
+
+TEST(Reading, WhenANameIsAMegabyte_ThenTheMessageCanBeRead) {
+  const std::string name(1'000'000, 'x');
+  const auto task = parse_task({"d.pddl", kGoodDomain},
+                               {"p.pddl", replaced(kGoodProblem, "(at c y)", "(at c " + name + ")")});
+  ASSERT_FALSE(task.has_value());
+  EXPECT_LT(task.error()[0].message.size(), 500u);
+  EXPECT_EQ(task.error()[0].code, "P0104");
+}
+
+TEST(Reading, WhenAGroupOfObjectsHasAnUnknownType_ThenItIsSaidOnce) {
+  const auto task =
+      parse_task({"d.pddl", kGoodDomain}, {"p.pddl", replaced(kGoodProblem, "c - car", "c d e - carr")});
+  ASSERT_FALSE(task.has_value());
+  EXPECT_EQ(std::count_if(task.error().begin(), task.error().end(),
+                          [](const auto& d) { return d.code == "P0101"; }),
+            1);
+}
+
+TEST(Reading, WhenAVariableHasAnUnknownType_ThenItsUsesAreNoFurtherErrors) {
+  const auto task =
+      parse_task({"d.pddl", replaced(kGoodDomain, "?c - car ?a", "?c - carr ?a")}, {"p.pddl", kGoodProblem});
+  ASSERT_FALSE(task.has_value());
+  ASSERT_EQ(task.error().size(), 1u) << result::to_string(task.error());
+  EXPECT_EQ(task.error()[0].code, "P0101");
+}
+
+TEST(Reading, WhenTheProblemIsOfAnotherDomain_ThenNothingElseIsSaid) {
+  const auto task = parse_task({"d.pddl", kGoodDomain}, {"p.pddl", R"((define (problem p) (:domain e)
+    (:objects z - zone) (:init (in z)) (:goal (out z))))"});
+  ASSERT_FALSE(task.has_value());
+  ASSERT_EQ(task.error().size(), 1u) << result::to_string(task.error());
+  EXPECT_EQ(task.error()[0].code, "P0111");
+}
+
+TEST(Reading, WhenTheFileIsNoText_ThenItIsReadUpToThatByte) {
+  const std::string bytes(
+      "\x7f"
+      "ELF\x02\x01\x01\x00$$$",
+      10);
+  const auto task = parse_task({"d.pddl", bytes}, {"p.pddl", kGoodProblem});
+  ASSERT_FALSE(task.has_value());
+  ASSERT_EQ(task.error()[0].code, "P0002");
+  EXPECT_NE(task.error()[0].message.find("byte 127"), std::string::npos);
+  EXPECT_LE(task.error().size(), 2u) << result::to_string(task.error());
+}
+
+TEST(Reading, WhenNeitherFileIsThere_ThenBothAreNamed) {
+  const auto task = load_task("/nonexistent/d.pddl", "/nonexistent/p.pddl");
+  ASSERT_FALSE(task.has_value());
+  ASSERT_EQ(task.error().size(), 2u);
+  EXPECT_EQ(task.error()[1].where.file, "/nonexistent/p.pddl");
+}
+
+TEST(Reading, WhenAFileHasNoEnd_ThenItIsTooLarge) {
+  const auto source = read_source("/dev/zero");
+  ASSERT_FALSE(source.has_value());
+  EXPECT_EQ(source.error()[0].code, "P0001");
+  EXPECT_NE(source.error()[0].message.find("64 MB"), std::string::npos);
+}
 
 INSTANTIATE_TEST_SUITE_P(Pddl, BadInput, ::testing::ValuesIn(kCases),
                          [](const auto& c) { return std::string(c.param.name); });
@@ -170,6 +268,12 @@ TEST(Metric, WhenItReadsWhatNeverGetsAValue_ThenP0118) {
   EXPECT_EQ(errors[0].code, "P0118");
   EXPECT_EQ(errors[0].where.line, 2u);
   EXPECT_EQ(errors[0].where.column, 26u);
+  // What was never given a value cannot be increased.
+  const auto increased = parse_task(
+      {"d.pddl", kGoodDomain}, {"p.pddl", R"((define (problem p) (:domain d) (:objects c - car x y - place)
+    (:init (at c x)) (:goal (at c y)) (:metric minimize (fuel c))))"});
+  ASSERT_FALSE(increased.has_value());
+  EXPECT_EQ(increased.error()[0].code, "P0118");
 }
 
 TEST(Parser, WhenARequirementIsUnknown_ThenWarningWithAHint) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <string>
 
 #include "supervisor/pddl/validate.h"
 #include "tests/unit/supervisor/pddl/sample_tasks.h"
@@ -164,6 +166,56 @@ TEST(Solve, WhenMaximizing_ThenTheLargestReachableValue) {
   ASSERT_EQ(outcome.kind, OutcomeKind::Solved);
   EXPECT_EQ(outcome.plan->cost, 100.0);
   EXPECT_TRUE(outcome.plan->proved_optimal);
+}
+
+// Driving in circles is paid for: the way to a state gets better and better and must never lead through
+// itself.
+TEST(Solve, WhenActionsCanEarnForEver_ThenTheBudgetEndsTheSearchWithAPlan) {
+  const std::string cell = STEPWRIGHT_SOURCE_DIR "/tests/cells/bench/";
+  auto problem = read_source(cell + "problem.pddl");
+  ASSERT_TRUE(problem);
+  const std::size_t place = problem->text.find("minimize");
+  ASSERT_NE(place, std::string::npos);
+  problem->text.replace(place, 8, "maximize");
+  const auto task = parse_task(*read_source(cell + "domain.pddl"), *problem);
+  ASSERT_TRUE(task);
+  Options options;
+  options.budget.time = std::chrono::milliseconds(500);
+  const model::Outcome outcome = solve(*task, options);
+  EXPECT_EQ(outcome.kind, OutcomeKind::Exhausted);
+  ASSERT_TRUE(outcome.plan);
+  EXPECT_TRUE(valid(*task, *outcome.plan));
+  EXPECT_FALSE(outcome.plan->proved_optimal);
+}
+
+// 20^8 bindings: nobody waits for the last one.
+TEST(Solve, WhenQuantifiersMultiplyOut_ThenTheBudgetEndsTheGrounding) {
+  std::string objects;
+  for (int i = 0; i < 20; ++i) objects += " o" + std::to_string(i);
+  for (const std::string goal :
+       {"(forall (?a ?b ?c ?d ?e ?f ?g ?h) (or (on ?a ?b) (on ?c ?d) (on ?e ?f) (on ?g ?h)))",
+        "(exists (?a ?b ?c ?d ?e ?f ?g ?h) (and (on ?a ?b) (on ?c ?d) (on ?e ?f) (on ?g ?h) (never ?a)))"}) {
+    const Task task =
+        make_task(R"((define (domain d) (:requirements :adl) (:predicates (on ?a ?b) (never ?a))
+      (:action put :parameters (?a ?b) :effect (on ?a ?b))))",
+                  "(define (problem p) (:domain d) (:objects" + objects + ") (:init) (:goal " + goal + "))");
+    Options options;
+    options.budget.time = std::chrono::milliseconds(100);
+    const model::Outcome outcome = solve(task, options);
+    EXPECT_EQ(outcome.kind, OutcomeKind::Exhausted);
+    EXPECT_EQ(outcome.reason, "the time budget ended");
+  }
+}
+
+// 50 over what was postponed has no value as long as nothing is: only the end counts.
+TEST(Solve, WhenTheMetricIsUndefinedOnTheWay_ThenItsValueAtTheEndCounts) {
+  const Task task = counter_task("(>= (n) 5)", "(:metric minimize (/ 60 (n)))");
+  Options options;
+  options.budget.time = std::chrono::milliseconds(300);
+  const model::Outcome outcome = solve(task, options);
+  ASSERT_TRUE(outcome.plan) << outcome.reason;
+  EXPECT_TRUE(valid(task, *outcome.plan));
+  EXPECT_LE(outcome.plan->cost, 12.0);
 }
 
 TEST(Solve, WhenTheMetricFallsAndRises_ThenTheProofIsStillSound) {

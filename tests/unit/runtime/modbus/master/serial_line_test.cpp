@@ -1,13 +1,13 @@
 // The master on a serial line: a pair of ptys of socat, a slave of libmodbus at the other end.
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <thread>
 
 #include "runtime/modbus/master/master.h"
 #include "tests/support/modbus_slave/modbus_slave.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_process.h"
 
 namespace stepwright::modbus::master {
@@ -18,12 +18,7 @@ using support::ModbusSlave;
 
 class SerialLine : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string path = (std::filesystem::temp_directory_path() / "stepwright-line-XXXXXX").string();
-    ASSERT_NE(mkdtemp(path.data()), nullptr);
-    folder_ = path;
-    start_socat();
-  }
+  void SetUp() override { start_socat(); }
   void start_socat() {
     socat_ = std::make_unique<support::TestProcess>(
         std::vector<std::string>{"/usr/bin/socat", "pty,raw,echo=0,link=" + end("a"),
@@ -32,10 +27,7 @@ class SerialLine : public ::testing::Test {
     for (int i = 0; i < 500 && !std::filesystem::exists(end("b")); ++i) std::this_thread::sleep_for(10ms);
     ASSERT_TRUE(std::filesystem::exists(end("b")));
   }
-  void TearDown() override {
-    socat_.reset();
-    std::filesystem::remove_all(folder_);
-  }
+  void TearDown() override { socat_.reset(); }
   std::string end(const char* name) const { return (folder_ / name).string(); }
   Master master(std::chrono::milliseconds timeout = 1s) const {
     auto made = Master::create(SerialEndpoint{.device = end("a")}, {.timeout = timeout});
@@ -43,7 +35,7 @@ class SerialLine : public ::testing::Test {
     return std::move(*made);
   }
 
-  std::filesystem::path folder_;
+  support::TemporaryFolder folder_;
   std::unique_ptr<support::TestProcess> socat_;
 };
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 namespace stepwright::campaign {
 namespace {
 
@@ -26,6 +28,11 @@ TEST(Campaign, WhenDisturbedAtRandom_ThenNoRunIsLost) {
   EXPECT_EQ(figures.of[0].replans, 0u);
   EXPECT_GT(all.safe_stops, 0u);
   EXPECT_GT(all.replans, 0u);
+}
+
+TEST(Campaign, WhenCancelled_ThenNoFurtherRunBegins) {
+  const std::atomic<bool> cancel{true};
+  EXPECT_EQ(campaign(desk(), 0, 1'000'000, 2, {}, &cancel).all().runs, 0u);
 }
 
 // 2235: a level that a weak pump left at the edge of its tolerance was taken for one that rises by itself,

@@ -28,19 +28,12 @@ std::string recipe() {
 }  // namespace
 
 PlantCertificates::PlantCertificates() {
-  std::string name = (fs::temp_directory_path() / "stepwright-tls-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  folder_ = name;
   run(recipe());
-}
-
-PlantCertificates::~PlantCertificates() {
-  fs::remove_all(folder_);
 }
 
 void PlantCertificates::run(const std::string& script) const {
   std::ofstream(folder_ / "script") << script;
-  const std::string command = "cd " + folder_.string() + " && sh -e script >log 2>&1";
+  const std::string command = "cd " + folder_.path().string() + " && sh -e script >log 2>&1";
   if (std::system(command.c_str()) != 0) throw std::runtime_error(script + "\n" + text_of(folder_ / "log"));
 }
 

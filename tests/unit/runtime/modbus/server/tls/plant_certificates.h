@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/temporary_folder.h"
+
 namespace stepwright::modbus::server {
 
 class PlantCertificates {
  public:
   // Runs the recipe in a temporary folder, which goes with the object. Throws std::runtime_error if it fails.
   PlantCertificates();
-  ~PlantCertificates();
-  PlantCertificates(const PlantCertificates&) = delete;
 
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
 
@@ -29,7 +29,7 @@ class PlantCertificates {
  private:
   void run(const std::string& script) const;
 
-  std::filesystem::path folder_;
+  support::TemporaryFolder folder_;
 };
 
 inline constexpr const char* kClient = "extendedKeyUsage = clientAuth\n";
