@@ -8,13 +8,21 @@
 #include "supervisor/pddl/search/plan_runner.h"
 
 namespace stepwright::pddl {
+namespace {
+
+// The dear bounds in their order; the number of steps is asked for when the cost can no longer tell.
+constexpr std::uint8_t kCut = 0, kProgram = 1, kSteps = 2, kAll = 3;
+// Of the linear program in every state: more rounds take more time than they save states.
+constexpr int kRounds = 1;
+
+}  // namespace
 
 AStarSearch::AStarSearch(const StateSpace& space, SearchControl& control, const LowerBounds& bounds,
-                         LandmarkCut* cut)
+                         const DearBounds& dear)
     : space_(space),
       control_(control),
       bounds_(bounds),
-      cut_(cut),
+      dear_(dear),
       best_(control),
       memory_(control),
       nodes_(space),
@@ -39,25 +47,60 @@ void AStarSearch::push(std::uint32_t node, const Word* state) {
   const LowerBound rest = bounds_(state);
   if (rest.cost == kInfinity) return;
   const Node& n = nodes_[node];
-  const double cost = negative_ ? -kInfinity : comparable(n.cost + rest.cost + least_potential_);
+  const double own = negative_ ? -kInfinity : comparable(n.cost + rest.cost + least_potential_);
+  const double cost = std::max(own, parent_key_);
   double steps = static_cast<double>(n.steps + rest.steps);
   if (unit_cost_) steps = std::max(steps, std::ceil(n.cost + rest.cost - 1e-6));
-  push({cost, steps, node, n.steps, n.cost, cut_ == nullptr});
+  push({cost, steps, node, n.steps, n.cost, dear_.any() ? kCut : kAll});
 }
 
-// Asks the second bound. False if the entry has to wait for its new turn, or for ever.
-bool AStarSearch::refine(Entry entry) {
-  if (entry.refined) return true;
-  nodes_.load(entry.node, current_.data());
-  const double rest = (*cut_)(current_.data());
-  if (rest == kInfinity) return false;
-  const double key = comparable(entry.cost + rest + least_potential_);
-  if (key <= entry.key) return true;
-  entry.key = key;
+void AStarSearch::ask_for_steps(Entry& entry) {
+  const Quality& best = best_();
+  if (unit_cost_ || !best.found() || entry.key < best.cost) return;
+  const double room = best.cost - entry.cost - least_potential_;
+  const double rest = dear_.lp->steps(current_.data(), room, {.rounds = kRounds});
+  if (rest == kInfinity) {
+    entry.key = kInfinity;
+  } else {
+    entry.tie = std::max(entry.tie, static_cast<double>(entry.steps) + rest);
+  }
+}
+
+// Asks the next bound about the state in `current_`.
+void AStarSearch::ask(Entry& entry) {
+  double rest = 0.0;
+  switch (entry.asked++) {
+    case kCut:
+      if (dear_.cut != nullptr) rest = (*dear_.cut)(current_.data());
+      break;
+    case kProgram: {
+      if (dear_.lp == nullptr) break;
+      const double enough = best_().cost - entry.cost - least_potential_ + 1e-6;
+      rest = dear_.lp->cost(current_.data(), {.rounds = kRounds, .enough = enough});
+      break;
+    }
+    case kSteps:
+    default:
+      if (dear_.lp != nullptr) ask_for_steps(entry);
+      return;
+  }
+  entry.key = std::max(entry.key, comparable(entry.cost + rest + least_potential_));
   if (unit_cost_) entry.tie = std::max(entry.tie, std::ceil(entry.cost + rest - 1e-6));
-  entry.refined = true;
-  push(entry);
-  return false;
+}
+
+// Asks the dear bounds until one is higher. False if the entry has to wait for its new turn, or for ever.
+bool AStarSearch::refine(Entry entry) {
+  if (entry.asked == kAll) return true;
+  nodes_.load(entry.node, current_.data());
+  const Entry before = entry;
+  while (entry.asked != kAll) {
+    ask(entry);
+    if (entry.key == kInfinity) return false;
+    if (entry.key == before.key && entry.tie == before.tie) continue;
+    push(entry);
+    return false;
+  }
+  return true;
 }
 
 // A goal becomes the incumbent at once; the proof is that nothing on the open list can beat it any more.
@@ -119,7 +162,7 @@ double AStarSearch::bound() {
 
 SearchStatus AStarSearch::run(std::uint64_t expansions, StopReason& reason) {
   if (!started_) start();
-  const std::uint64_t pause = cut_ == nullptr ? 64 : 4;
+  const std::uint64_t pause = dear_.any() ? 4 : 64;
   for (std::uint64_t done = 0; done < expansions && !open_.empty(); ++done) {
     if (done % pause == 0) {
       control_.raise_bound(bound());
@@ -137,6 +180,7 @@ SearchStatus AStarSearch::run(std::uint64_t expansions, StopReason& reason) {
       break;
     }
     if (!refine(entry)) continue;
+    parent_key_ = entry.key;
     expand(entry.node);
     if (unbounded_) return SearchStatus::Stopped;
   }

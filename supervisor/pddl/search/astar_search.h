@@ -9,19 +9,30 @@
 // reopening those that a cheaper way reaches, and only its end is a proof. A cycle of falling cost would make
 // that endless; it is recognized when a state is reached again from itself at less cost.
 //
+// Dearer bounds are asked one after the other for the states whose turn it is, each time that the state comes
+// up again. What a bound says of a state holds of its successors too.
+//
 // Thread rule: one call, one object. `run` can be resumed after it returned Running.
 
-#include "supervisor/pddl/search/landmark_cut.h"
 #include "supervisor/pddl/search/lower_bounds.h"
+#include "supervisor/pddl/search/lp_bound.h"
 #include "supervisor/pddl/search/search_control.h"
 #include "supervisor/pddl/search/state_table.h"
 
 namespace stepwright::pddl {
 
+// Bounds that are dearer than the first, from the cheapest on; null: not asked.
+struct DearBounds {
+  LandmarkCut* cut = nullptr;
+  LpBound* lp = nullptr;
+
+  bool any() const { return cut != nullptr || lp != nullptr; }
+};
+
 class AStarSearch {
  public:
-  // `cut`: a second bound, dearer than the first, asked for the states whose turn it is; may be null.
-  AStarSearch(const StateSpace& space, SearchControl& control, const LowerBounds& bounds, LandmarkCut* cut);
+  AStarSearch(const StateSpace& space, SearchControl& control, const LowerBounds& bounds,
+              const DearBounds& dear);
 
   // Expands at most `expansions` states. Exhausted: no better plan than the control's best exists. Stopped:
   // see `reason`. Better plans are offered to the control on the way.
@@ -40,7 +51,7 @@ class AStarSearch {
     std::uint32_t node;
     std::uint32_t steps;  // of the node when pushed: tells outdated entries
     double cost;
-    bool refined;  // by the second bound
+    std::uint8_t asked;  // so many of the dear bounds
     bool operator>(const Entry& other) const {
       if (key != other.key) return key > other.key;
       if (tie != other.tie) return tie > other.tie;
@@ -52,6 +63,8 @@ class AStarSearch {
   void start();
   void push(std::uint32_t node, const Word* state);
   void push(const Entry& entry);
+  void ask(Entry& entry);
+  void ask_for_steps(Entry& entry);
   bool refine(Entry entry);
   void offer_goal(std::uint32_t node, const Word* state);
   void expand(std::uint32_t node);
@@ -61,7 +74,7 @@ class AStarSearch {
   const StateSpace& space_;
   SearchControl& control_;
   const LowerBounds& bounds_;
-  LandmarkCut* cut_;
+  const DearBounds dear_;
   BestKnown best_;
   MemoryShare memory_;
   StateTable nodes_;
@@ -70,7 +83,8 @@ class AStarSearch {
   std::vector<Word> current_;
   std::vector<int> applicable_;
   double least_potential_;
-  bool unit_cost_ = false;  // costs are steps
+  double parent_key_ = -kInfinity;  // of the state that is being expanded
+  bool unit_cost_ = false;          // costs are steps
   bool negative_ = false;
   bool started_ = false;
   bool unbounded_ = false;
