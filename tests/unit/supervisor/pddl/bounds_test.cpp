@@ -96,7 +96,7 @@ TEST_P(RandomBounds, WhenNumbersAndDerivedFactsArePartOfTheGoal_ThenNeverAboveTh
   EXPECT_GT(tally.states, 200);
   EXPECT_GT(tally.informed, 50);
   EXPECT_GT(tally.programs, 10);
-  EXPECT_GT(tally.exact, 10);
+  EXPECT_GT(tally.exact, 5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomBounds, ::testing::Range(1u, 7u));
