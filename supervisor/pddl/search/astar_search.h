@@ -10,7 +10,8 @@
 // that endless; it is recognized when a state is reached again from itself at less cost.
 //
 // Dearer bounds are asked one after the other for the states whose turn it is, each time that the state comes
-// up again. What a bound says of a state holds of its successors too.
+// up again. What a bound says of a state holds of its successors too; where the state's plans cost more once
+// they apply an operator that the bound has not paid for, the successor by that operator costs as much more.
 //
 // Thread rule: one call, one object. `run` can be resumed after it returned Running.
 
@@ -21,10 +22,11 @@
 
 namespace stepwright::pddl {
 
-// Bounds that are dearer than the first, from the cheapest on; null: not asked.
+// Bounds that are dearer than the first; null: not asked. One of the first two at most.
 struct DearBounds {
   LandmarkCut* cut = nullptr;
   LpBound* lp = nullptr;
+  LpBound* steps = nullptr;  // counts the steps where the cost can no longer tell
 
   bool any() const { return cut != nullptr || lp != nullptr; }
 };
@@ -61,13 +63,15 @@ class AStarSearch {
   };
 
   void start();
-  void push(std::uint32_t node, const Word* state);
+  void push(std::uint32_t node, const Word* state, double cost);
   void push(const Entry& entry);
   void ask(Entry& entry);
   void ask_for_steps(Entry& entry);
-  bool refine(Entry entry);
+  bool refine(Entry& entry);
+  double key_through(std::uint32_t parent, int op, double cost) const;
+  void ask_again(std::uint32_t node);
   void offer_goal(std::uint32_t node, const Word* state);
-  void expand(std::uint32_t node);
+  void expand(const Entry& entry);
   void successor(std::uint32_t parent, int op, double cost);
   bool on_path(std::uint32_t node, std::uint32_t ancestor) const;
 
@@ -83,8 +87,10 @@ class AStarSearch {
   std::vector<Word> current_;
   std::vector<int> applicable_;
   double least_potential_;
-  double parent_key_ = -kInfinity;  // of the state that is being expanded
-  bool unit_cost_ = false;          // costs are steps
+  std::vector<double> least_costs_;     // by operator, as the dear bounds count them
+  double parent_key_ = -kInfinity;      // of the state that is being expanded
+  std::uint32_t asked_node_ = kNoNode;  // whose plans the dear bounds were asked about last
+  bool unit_cost_ = false;              // costs are steps
   bool negative_ = false;
   bool started_ = false;
   bool unbounded_ = false;

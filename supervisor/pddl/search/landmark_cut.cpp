@@ -22,6 +22,7 @@ LandmarkCut::LandmarkCut(const RelaxedTask& task, std::function<bool()> stop)
   for (const GroundOperator& op : ground.operators) {
     costs_.push_back(std::isfinite(op.cost.low) ? std::max(0.0, op.cost.low) : 0.0);
   }
+  unit_ = common_unit(costs_);
   weight_.assign(costs_.size(), 0.0);
   const std::vector<bool> integers = integer_variables(ground);
   for (std::size_t c = 0; c < task.comparisons(); ++c) {

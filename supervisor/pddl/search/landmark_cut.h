@@ -16,6 +16,7 @@
 #include <functional>
 #include <vector>
 
+#include "supervisor/pddl/search/cost_unit.h"
 #include "supervisor/pddl/search/relaxed_task.h"
 
 namespace stepwright::pddl {
@@ -32,13 +33,23 @@ class LandmarkCut {
   explicit LandmarkCut(const RelaxedTask& task, std::function<bool()> stop = {});
 
   // The cost of every plan from the state is at least this.
-  double operator()(const Word* state) { return bound(state, costs_, nullptr); }
+  double operator()(const Word* state) {
+    total_ = bound(state, costs_, nullptr);
+    return rounded_up(total_, unit_);
+  }
+
+  // Of the state that was asked about last: every plan from it that applies the operator costs at least this.
+  double cost_through(int op) const { return rounded_up(total_ + rest(op), unit_); }
 
   // The same under other costs, one per operator, none negative; `found` hears of every set.
   double operator()(const Word* state, std::span<const double> costs,
                     const std::function<void(const OperatorLandmark&)>& found) {
     return bound(state, costs, &found);
   }
+
+  // What every operator still costs when the sets of the last bound have been paid. So a plan from that state
+  // that applies the operator costs at least the bound and this.
+  double rest(int op) const { return remaining_[static_cast<std::size_t>(op)]; }
 
   // The least that every operator costs in any reachable state.
   std::span<const double> costs() const { return costs_; }
@@ -83,6 +94,8 @@ class LandmarkCut {
   const RelaxedTask& task_;
   std::function<bool()> stop_;  // may be empty
   std::vector<double> costs_;   // by operator
+  double unit_ = 0.0;           // of which all of them are multiples; 0: none
+  double total_ = 0.0;          // of the last bound under these
   PackedLists<Reach> reaches_;
   PackedLists<int> reached_by_, needed_by_, units_of_;
   // By comparison: what all its movers gain alike, upwards and downwards; 0 if they differ. Is its difference

@@ -1,38 +1,14 @@
 #include "supervisor/pddl/search/lp_bound.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "supervisor/pddl/search/cost_unit.h"
 
 namespace stepwright::pddl {
 namespace {
 
-// Bounds are rounded up beyond this.
-constexpr double kRounding = 1e-5;
 // A round that raises the bound by less, in relation, is the last.
 constexpr double kLittle = 1e-3;
-
-// The greatest number of which all costs are multiples; 0 if there is none that is worth it. Costs are sums
-// of decimals: they are taken in hundredths.
-double common_unit(std::span<const double> costs) {
-  constexpr double kGrid = 100.0;
-  long long unit = 0;
-  for (const double cost : costs) {
-    const double scaled = cost * kGrid;
-    if (!(scaled < 1e12) || std::abs(scaled - std::nearbyint(scaled)) > 1e-6) return 0.0;
-    long long a = unit, b = std::llround(scaled);
-    while (b != 0) {
-      a %= b;
-      std::swap(a, b);
-    }
-    unit = a;
-  }
-  return static_cast<double>(unit) / kGrid;
-}
-
-double rounded_up(double bound, double unit) {
-  if (unit <= 0.0 || bound == kInfinity) return bound;
-  return std::max(0.0, std::ceil(bound / unit - kRounding)) * unit;
-}
 
 }  // namespace
 
@@ -58,10 +34,20 @@ void LpBound::lower_rows(LpProgram& program, const Word* state) const {
 
 // The program's bound and that of sets under what the program leaves of the costs add up; then the sets
 // become rows, and the program is solved again.
-double LpBound::minimize(LpProgram& program, const Word* state, const LpEffort& effort, double unit) {
+double LpBound::minimize(LpProgram& program, const Word* state, const LpEffort& effort, double unit,
+                         Proved& proved) {
   LpSolution solution = program.minimize(stop_, effort.iterations);
   iterations_ += static_cast<std::uint64_t>(solution.iterations);
   double best = rounded_up(solution.bound, unit);
+  const auto prove = [&](double total, auto&& rest) {
+    if (total < proved.total) return;
+    proved.total = total;
+    for (std::size_t op = 0; op < columns_; ++op) proved.rest[op] = rest(op);
+  };
+  const auto reduced = [&](std::size_t op) { return program.reduced_costs()[op]; };
+  proved.total = 0.0;
+  proved.rest.assign(columns_, 0.0);
+  if (solution.bound < kInfinity) prove(solution.bound, reduced);
   for (int round = 0; round < effort.rounds && best < effort.enough; ++round) {
     if (!solution.finished || stop_()) break;
     found_.clear();
@@ -74,12 +60,16 @@ double LpBound::minimize(LpProgram& program, const Word* state, const LpEffort& 
     });
     sets_ += found_.size();
     best = std::max(best, rounded_up(solution.bound + more, unit));
+    if (more < kInfinity) {
+      prove(solution.bound + more, [&](std::size_t op) { return cut_.rest(static_cast<int>(op)); });
+    }
     if (more == kInfinity || found_.empty() || round + 1 == effort.rounds || best >= effort.enough) break;
     program.add_rows(found_);
     const double before = solution.bound;
     solution = program.minimize(stop_, effort.iterations);
     iterations_ += static_cast<std::uint64_t>(solution.iterations);
     best = std::max(best, rounded_up(solution.bound, unit));
+    if (solution.bound < kInfinity) prove(solution.bound, reduced);
     if (solution.bound == kInfinity || solution.bound < before + kLittle * std::max(1.0, before)) break;
   }
   program.drop_rows();
@@ -88,7 +78,11 @@ double LpBound::minimize(LpProgram& program, const Word* state, const LpEffort& 
 
 double LpBound::cost(const Word* state, const LpEffort& effort) {
   lower_rows(*cost_program_, state);
-  return minimize(*cost_program_, state, effort, cost_unit_);
+  return minimize(*cost_program_, state, effort, cost_unit_, cost_);
+}
+
+double LpBound::cost_through(int op) const {
+  return rounded_up(cost_.total + cost_.rest[static_cast<std::size_t>(op)], cost_unit_);
 }
 
 // One more row: the plan's cost is at most what is allowed.
@@ -106,7 +100,7 @@ double LpBound::steps(const Word* state, double most_cost, const LpEffort& effor
   LpProgram& program = steps_program();
   lower_rows(program, state);
   program.set_low(rows_.rows().size(), -most_cost - 1e-6 * std::max(1.0, most_cost));
-  return minimize(program, state, effort, 1.0);
+  return minimize(program, state, effort, 1.0, steps_);
 }
 
 }  // namespace stepwright::pddl

@@ -33,8 +33,15 @@ class LpBound {
   // The cost of every plan from the state is at least this.
   double cost(const Word* state, const LpEffort& effort);
 
+  // Of the state that `cost` was asked about last: every plan from it that applies the operator costs at
+  // least this.
+  double cost_through(int op) const;
+
   // Every plan from the state that costs at most `most_cost` has at least so many steps.
   double steps(const Word* state, double most_cost, const LpEffort& effort);
+
+  // The least that every operator costs in any reachable state.
+  std::span<const double> costs() const { return cut_.costs(); }
 
   // Simplex iterations and sets of operators since the beginning: what the work is measured by.
   std::uint64_t iterations() const { return iterations_; }
@@ -43,7 +50,13 @@ class LpBound {
   std::size_t memory() const;
 
  private:
-  double minimize(LpProgram& program, const Word* state, const LpEffort& effort, double unit);
+  // The cost of every plan is at least `total` and the rests of the operators that it applies.
+  struct Proved {
+    double total = 0.0;
+    std::vector<double> rest;
+  };
+
+  double minimize(LpProgram& program, const Word* state, const LpEffort& effort, double unit, Proved& proved);
   void lower_rows(LpProgram& program, const Word* state) const;
   LpProgram& steps_program();
 
@@ -54,6 +67,7 @@ class LpBound {
   double cost_unit_;  // of which all costs are multiples; 0: none
   std::optional<LpProgram> cost_program_, steps_program_;
   std::vector<LpRow> found_;
+  Proved cost_, steps_;
   std::uint64_t iterations_ = 0, sets_ = 0;
 };
 

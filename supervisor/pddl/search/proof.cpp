@@ -71,11 +71,11 @@ void Proof::choose() {
   Promise sum;
   if (!promise(*cut, lp.get(), sum)) return;
   const bool program = sum.lp > kProgramOverCheap * sum.cheap && sum.lp > kProgramOverCut * sum.cut;
-  if (!program) memory_.set(0);
-  if (!program && !(sum.cut > kCutOverCheap * sum.cheap)) return;
-  if (program) lp_ = std::move(lp);
+  if (!program && !(sum.cut > kCutOverCheap * sum.cheap)) return memory_.set(0);
+  lp_ = std::move(lp);
   if (!program) cut_ = std::move(cut);
-  search_ = std::make_unique<AStarSearch>(space_, control_, bounds_, DearBounds{cut_.get(), lp_.get()});
+  const DearBounds dear{cut_.get(), program ? lp_.get() : nullptr, lp_.get()};
+  search_ = std::make_unique<AStarSearch>(space_, control_, bounds_, dear);
 }
 
 SearchStatus Proof::run(std::uint64_t expansions, StopReason& reason) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "supervisor/pddl/grounding/grounder.h"
 #include "supervisor/pddl/search/additive_heuristic.h"
 #include "supervisor/pddl/search/landmark_cut.h"
@@ -40,6 +42,20 @@ void judge_program(LpBound& program, const testing::StateDistance& truth, double
   }
 }
 
+// The bounds of plans that apply an operator, which are read off the last bounds of the state.
+void judge_through(const StateSpace& space, const LandmarkCut& cut, const LpBound& program, const Word* state,
+                   const std::map<std::vector<Word>, double>& distance) {
+  std::vector<Word> next(space.words());
+  for (std::size_t i = 0; i < space.task().operators.size(); ++i) {
+    const GroundOperator& op = space.task().operators[i];
+    double cost = 0.0;
+    if (!space.holds(op.precondition, state) || !space.apply(op, state, next.data(), cost)) continue;
+    const double truth = cut.costs()[i] + distance.at(next);
+    ASSERT_LE(cut.cost_through(static_cast<int>(i)), truth + 1e-6);
+    ASSERT_LE(program.cost_through(static_cast<int>(i)), truth + 1e-6);
+  }
+}
+
 void judge(const Task& task, Tally& tally) {
   GroundTask ground = ground_task(task.definition(), [] { return false; });
   if (ground.unreachable_goal) return;
@@ -51,7 +67,10 @@ void judge(const Task& task, Tally& tally) {
   LpBound program(relaxed, [] { return false; });
   AdditiveHeuristic additive(relaxed, unit_weights(ground));
   RelaxedPlan intervals(space);
-  for (const testing::StateDistance& truth : testing::true_distances(space, 30'000)) {
+  const std::vector<testing::StateDistance> truths = testing::true_distances(space, 30'000);
+  std::map<std::vector<Word>, double> distance;
+  for (const testing::StateDistance& truth : truths) distance.emplace(truth.state, truth.cost);
+  for (const testing::StateDistance& truth : truths) {
     const Word* state = truth.state.data();
     const LowerBound bound = projections(state);
     const double cut_bound = cut(state);
@@ -61,6 +80,9 @@ void judge(const Task& task, Tally& tally) {
       ASSERT_LE(bound.steps, truth.steps);
     }
     judge_program(program, truth, cut_bound, tally);
+    if (bound.cost < kInfinity && cut_bound < kInfinity) {
+      judge_through(space, cut, program, truth.state.data(), distance);
+    }
     if (::testing::Test::HasFatalFailure()) return;
     ++tally.states;
     tally.informed += cut_bound > 0.0 ? 1 : 0;
