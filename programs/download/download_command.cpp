@@ -25,8 +25,8 @@ using host::RuntimeState;
 using result::ExitCode;
 using std::chrono::milliseconds;
 
-// A large program takes a moment to verify and to turn into machine code.
-constexpr milliseconds kPatience{30'000};
+// A large program takes a moment to verify and to turn into machine code, and longer on a serial line.
+constexpr milliseconds kPatience{180'000};
 constexpr milliseconds kGreeting{2'000};
 
 struct Arguments {

@@ -9,11 +9,11 @@
 //   while (auto event = (*client)->wait_event(1s)) (*client)->acknowledge(event->sequence);
 //
 // Threads: every function may be called from any thread; wait_event from one at a time. Requests block until
-// the runtime answered or `kRequestTimeout` passed; they are resent meanwhile and carry ids, so that a link
-// or a runtime that dies in between never performs one twice. Diagnostics: D0001 no runtime answers, D0002
-// refused by the runtime in its present state, D0003 the container was refused (the verifier's own
-// diagnostics follow), D0004 request out of bounds, D0005 Fast DDS could not start, D0006 an
-// address that is none of this machine.
+// the runtime answered or `kRequestTimeout` passed, downloads up to `kDownloadTimeout`; they are resent
+// meanwhile and carry ids, so that a link or a runtime that dies in between never performs one twice.
+// Diagnostics: D0001 no runtime answers, D0002 refused by the runtime in its present state, D0003 the
+// container was refused (the verifier's own diagnostics follow), D0004 request out of bounds, D0005 Fast DDS
+// could not start, D0006 an address that is none of this machine.
 
 #include <chrono>
 #include <cstddef>
@@ -31,6 +31,9 @@ namespace stepwright::dds {
 
 // Longer than a restart of the link process takes.
 inline constexpr std::chrono::milliseconds kRequestTimeout{5'000};
+// While the runtime lives, a container is on its way for so long at most: a gateway sends it over a serial
+// line, at 9600 baud some 40 s for 32 KiB.
+inline constexpr std::chrono::milliseconds kDownloadTimeout{180'000};
 
 // What came of a download.
 struct Download {

@@ -1,1 +1,2 @@
-// Nothing but the standard headers that CMake puts in front: they are compiled here once for all libraries.
+// Nothing but the headers that CMake puts in front: they are compiled here once for all files that are
+// compiled alike.

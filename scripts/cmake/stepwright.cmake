@@ -39,17 +39,27 @@ set(STEPWRIGHT_LIGHT_OPTIONS $<$<CONFIG:Release>:-O1>)
 
 add_custom_target(programs)
 
-# The standard headers that most files name are read once for all libraries that are compiled alike. A file still names
-# every header that it needs: the presets with sanitizers read them the plain way.
+# The headers that most files name are read once for all that is compiled alike. A file still names every header that it
+# needs: the presets with sanitizers read them the plain way.
+set(STEPWRIGHT_STANDARD_HEADERS <algorithm> <array> <chrono> <cmath> <cstdint> <cstring> <filesystem> <functional> <map> <memory>
+    <optional> <set> <span> <string> <string_view> <unordered_map> <utility> <vector>)
+
 function(_stepwright_precompiled name)
   add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/scripts/cmake/precompiled.cpp)
   target_compile_options(${name} PRIVATE ${STEPWRIGHT_COMPILE_OPTIONS} ${ARGN})
-  target_precompile_headers(${name} PRIVATE <algorithm> <array> <chrono> <cmath> <cstdint> <cstring> <filesystem> <functional>
-                            <map> <memory> <optional> <set> <span> <string> <string_view> <unordered_map> <utility> <vector>)
+  target_precompile_headers(${name} PRIVATE ${STEPWRIGHT_STANDARD_HEADERS})
+endfunction()
+
+# Executables are compiled with -fPIE, objects of libraries with -fPIC.
+function(_stepwright_precompiled_for_programs name)
+  _stepwright_precompiled(${name} -fPIE ${ARGN})
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
 endfunction()
 
 _stepwright_precompiled(stepwright_precompiled)
 _stepwright_precompiled(stepwright_precompiled_light ${STEPWRIGHT_LIGHT_OPTIONS})
+_stepwright_precompiled_for_programs(stepwright_programs_precompiled)
+_stepwright_precompiled_for_programs(stepwright_programs_precompiled_light ${STEPWRIGHT_LIGHT_OPTIONS})
 
 function(_stepwright_link target scope)
   foreach(folder IN LISTS ARGN)
@@ -72,7 +82,7 @@ function(stepwright_library folder)
     target_compile_options(${target} PRIVATE ${STEPWRIGHT_COMPILE_OPTIONS})
     if(ARG_PORTABLE)
       target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti)
-    elseif(folder MATCHES "^(programs|hmi_web)/")
+    elseif(folder MATCHES "^(programs|hmi_web|tests)/")
       target_compile_options(${target} PRIVATE ${STEPWRIGHT_LIGHT_OPTIONS})
       target_precompile_headers(${target} REUSE_FROM stepwright_precompiled_light)
     else()
@@ -113,10 +123,12 @@ function(stepwright_program name)
   endif()
   if("GTest::gtest_main" IN_LIST ARG_PRIVATE)
     _stepwright_test_options(${name})
-  endif()
-  if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${PROJECT_SOURCE_DIR}/programs/")
+  elseif(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${PROJECT_SOURCE_DIR}/programs/")
     target_compile_options(${name} PRIVATE ${STEPWRIGHT_LIGHT_OPTIONS})
+    target_precompile_headers(${name} REUSE_FROM stepwright_programs_precompiled_light)
     add_dependencies(programs ${name})
+  else()
+    target_precompile_headers(${name} REUSE_FROM stepwright_programs_precompiled)
   endif()
 endfunction()
 

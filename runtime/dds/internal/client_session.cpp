@@ -79,9 +79,12 @@ result::Result<service::Reply> ClientSession::ask(service::RequestBody body) {
     return result::fail("D0001", {}, "no runtime '" + participant_->runtime_id() + "' answers on Fast DDS",
                         "are the processes 'runtime' and 'link' of the cell running?");
   }
+  const auto longest =
+      std::holds_alternative<service::DownloadCommit>(body) ? Clock::now() + kDownloadTimeout : deadline;
   const service::Request request = requests_.open(std::move(body));
   std::optional<service::Reply> reply;
-  while (!reply && Clock::now() < deadline) {
+  for (auto now = Clock::now(); !reply && (now < deadline || (now < longest && runtime_alive()));
+       now = Clock::now()) {
     send(request);
     reply = requests_.wait(request.id, kResendPeriod);
   }

@@ -132,6 +132,24 @@ TEST(RuntimeClient, WhenAContainerIsDownloaded_ThenItArrivesWholeAndCanBeReadBac
   EXPECT_EQ(*program, container);
 }
 
+// As over a serial line.
+TEST(RuntimeClient, WhenADownloadTakesLongerThanOtherRequests_ThenItIsWaitedFor) {
+  std::optional<std::chrono::steady_clock::time_point> asked;
+  FakeLink link(44, [&](const Request& request) -> std::optional<Reply> {
+    if (!std::holds_alternative<service::DownloadCommit>(request.body)) return Reply{};
+    const auto now = std::chrono::steady_clock::now();
+    if (!asked) asked = now;
+    if (now - *asked < kRequestTimeout + 200ms) return std::nullopt;
+    Reply reply;
+    reply.digest = "d";
+    return reply;
+  });
+  auto client = client_of(44);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  const auto downloaded = client->download(std::vector<std::byte>(100));
+  ASSERT_TRUE(downloaded) << result::to_string(downloaded.error());
+}
+
 TEST(RuntimeClient, WhenTheContainerIsTooLarge_ThenNothingIsSent) {
   FakeLink link(35, accept);
   auto client = client_of(35);
