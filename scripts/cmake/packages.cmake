@@ -24,3 +24,11 @@ set_target_properties(sodium::sodium PROPERTIES IMPORTED_LOCATION ${STEPWRIGHT_S
 find_library(STEPWRIGHT_MODBUS modbus REQUIRED)
 add_library(modbus::modbus UNKNOWN IMPORTED)
 set_target_properties(modbus::modbus PROPERTIES IMPORTED_LOCATION ${STEPWRIGHT_MODBUS})
+
+# Clp brings pkg-config only. Licence: EPL-2.0; linked as it is, never changed.
+find_path(STEPWRIGHT_COIN_INCLUDE ClpSimplex.hpp PATH_SUFFIXES coin REQUIRED)
+find_library(STEPWRIGHT_COIN_UTILS CoinUtils REQUIRED)
+find_library(STEPWRIGHT_CLP Clp REQUIRED)
+add_library(coin::clp UNKNOWN IMPORTED)
+set_target_properties(coin::clp PROPERTIES IMPORTED_LOCATION ${STEPWRIGHT_CLP} INTERFACE_INCLUDE_DIRECTORIES ${STEPWRIGHT_COIN_INCLUDE}
+                                           INTERFACE_LINK_LIBRARIES ${STEPWRIGHT_COIN_UTILS})

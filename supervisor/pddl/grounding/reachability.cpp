@@ -8,6 +8,8 @@ namespace {
 
 // Rounds of exact growth: enough for the capacities of usual problems to be found by stepping.
 constexpr int kExactRounds = 48;
+// Changes of one variable by as many effects of one operator are put together in all combinations.
+constexpr std::size_t kMostCombined = 5;
 
 std::size_t index(int number) {
   return static_cast<std::size_t>(number);
@@ -32,6 +34,25 @@ void append(std::string& key, const GroundExpression& expression) {
     append(key, operation.constant);
     append(key, operation.variable);
   }
+}
+
+bool additive(const NumericEffect& change) {
+  return change.kind == ChangeKind::Increase || change.kind == ChangeKind::Decrease;
+}
+
+bool adds_to(const GroundEffect& effect, int variable) {
+  return std::any_of(effect.numeric.begin(), effect.numeric.end(),
+                     [&](const NumericEffect& c) { return additive(c) && c.variable == variable; });
+}
+
+// The value with all that the effect adds to the variable.
+GroundExpression with_changes(GroundExpression value, const GroundEffect& effect, int variable) {
+  for (const NumericEffect& change : effect.numeric) {
+    if (!additive(change) || change.variable != variable) continue;
+    const bool up = change.kind == ChangeKind::Increase;
+    value = combine(up ? NumericKind::Add : NumericKind::Subtract, value, change.amount);
+  }
+  return value;
 }
 
 }  // namespace
@@ -158,7 +179,37 @@ void Reachability::fire_effect(Unit unit) {
   for (const int fact : effect.adds) reach(2 * fact);
   for (const int fact : effect.deletes) reach(2 * fact + 1);
   for (const NumericEffect& change : effect.numeric) {
-    add_growth(change.variable, bound_by(result_of(change), {&op.precondition, &effect.when}));
+    if (additive(change)) {
+      add_sums(unit, change.variable);
+    } else {
+      add_growth(change.variable, bound_by(result_of(change), {&op.precondition, &effect.when}));
+    }
+  }
+}
+
+// What one application adds to the variable in several effects adds up before anything else is asked: what
+// the precondition says of the value before holds for the sum. Every combination is taken when the last of
+// its effects fires.
+void Reachability::add_sums(Unit unit, int variable) {
+  const GroundOperator& op = raw_.operators[index(unit.op)];
+  const GroundEffect& effect = op.effects[index(unit.effect)];
+  std::vector<const GroundEffect*> others;
+  for (std::size_t e = 0; e < op.effects.size(); ++e) {
+    if (e == index(unit.effect) || !fired_[first_effect_[index(unit.op)] + e]) continue;
+    if (adds_to(op.effects[e], variable)) others.push_back(&op.effects[e]);
+  }
+  const GroundExpression alone = with_changes(variable_expression(variable), effect, variable);
+  // Too many: added to any value, whatever the precondition says of it.
+  if (others.size() >= kMostCombined) return add_growth(variable, {alone, {}, {}});
+  for (std::size_t set = 0; set < std::size_t{1} << others.size(); ++set) {
+    GroundExpression sum = alone;
+    std::vector<const Condition*> conditions{&op.precondition, &effect.when};
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      if ((set >> i & 1) == 0) continue;
+      sum = with_changes(std::move(sum), *others[i], variable);
+      conditions.push_back(&others[i]->when);
+    }
+    add_growth(variable, bound_by(std::move(sum), conditions));
   }
 }
 

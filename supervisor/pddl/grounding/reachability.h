@@ -65,6 +65,7 @@ class Reachability {
   bool has_fired(Unit unit) const;
   void fire(Unit unit);
   void fire_effect(Unit unit);
+  void add_sums(Unit unit, int variable);
   void add_growth(int variable, BoundedExpression result);
   void reach(int literal);
   void round();

@@ -9,19 +9,32 @@
 // reopening those that a cheaper way reaches, and only its end is a proof. A cycle of falling cost would make
 // that endless; it is recognized when a state is reached again from itself at less cost.
 //
+// Dearer bounds are asked one after the other for the states whose turn it is, each time that the state comes
+// up again. What a bound says of a state holds of its successors too; where the state's plans cost more once
+// they apply an operator that the bound has not paid for, the successor by that operator costs as much more.
+//
 // Thread rule: one call, one object. `run` can be resumed after it returned Running.
 
-#include "supervisor/pddl/search/landmark_cut.h"
 #include "supervisor/pddl/search/lower_bounds.h"
+#include "supervisor/pddl/search/lp_bound.h"
 #include "supervisor/pddl/search/search_control.h"
 #include "supervisor/pddl/search/state_table.h"
 
 namespace stepwright::pddl {
 
+// Bounds that are dearer than the first; null: not asked. One of the first two at most.
+struct DearBounds {
+  LandmarkCut* cut = nullptr;
+  LpBound* lp = nullptr;
+  LpBound* steps = nullptr;  // counts the steps where the cost can no longer tell
+
+  bool any() const { return cut != nullptr || lp != nullptr; }
+};
+
 class AStarSearch {
  public:
-  // `cut`: a second bound, dearer than the first, asked for the states whose turn it is; may be null.
-  AStarSearch(const StateSpace& space, SearchControl& control, const LowerBounds& bounds, LandmarkCut* cut);
+  AStarSearch(const StateSpace& space, SearchControl& control, const LowerBounds& bounds,
+              const DearBounds& dear);
 
   // Expands at most `expansions` states. Exhausted: no better plan than the control's best exists. Stopped:
   // see `reason`. Better plans are offered to the control on the way.
@@ -40,7 +53,7 @@ class AStarSearch {
     std::uint32_t node;
     std::uint32_t steps;  // of the node when pushed: tells outdated entries
     double cost;
-    bool refined;  // by the second bound
+    std::uint8_t asked;  // so many of the dear bounds
     bool operator>(const Entry& other) const {
       if (key != other.key) return key > other.key;
       if (tie != other.tie) return tie > other.tie;
@@ -50,18 +63,22 @@ class AStarSearch {
   };
 
   void start();
-  void push(std::uint32_t node, const Word* state);
+  void push(std::uint32_t node, const Word* state, double cost);
   void push(const Entry& entry);
-  bool refine(Entry entry);
+  void ask(Entry& entry);
+  void ask_for_steps(Entry& entry);
+  bool refine(Entry& entry);
+  double key_through(std::uint32_t parent, int op, double cost) const;
+  void ask_again(std::uint32_t node);
   void offer_goal(std::uint32_t node, const Word* state);
-  void expand(std::uint32_t node);
+  void expand(const Entry& entry);
   void successor(std::uint32_t parent, int op, double cost);
   bool on_path(std::uint32_t node, std::uint32_t ancestor) const;
 
   const StateSpace& space_;
   SearchControl& control_;
   const LowerBounds& bounds_;
-  LandmarkCut* cut_;
+  const DearBounds dear_;
   BestKnown best_;
   MemoryShare memory_;
   StateTable nodes_;
@@ -70,7 +87,10 @@ class AStarSearch {
   std::vector<Word> current_;
   std::vector<int> applicable_;
   double least_potential_;
-  bool unit_cost_ = false;  // costs are steps
+  std::vector<double> least_costs_;     // by operator, as the dear bounds count them
+  double parent_key_ = -kInfinity;      // of the state that is being expanded
+  std::uint32_t asked_node_ = kNoNode;  // whose plans the dear bounds were asked about last
+  bool unit_cost_ = false;              // costs are steps
   bool negative_ = false;
   bool started_ = false;
   bool unbounded_ = false;

@@ -10,12 +10,16 @@ bool is_integer(double value) {
   return std::isfinite(value) && value == std::nearbyint(value);
 }
 
+}  // namespace
+
 bool is_integer(const GroundExpression& expression, const std::vector<bool>& integer) {
   if (!expression.linear() || !is_integer(expression.constant)) return false;
   return std::all_of(expression.terms.begin(), expression.terms.end(), [&](const LinearTerm& term) {
     return is_integer(term.coefficient) && integer[static_cast<std::size_t>(term.variable)];
   });
 }
+
+namespace {
 
 // Does the effect keep its variable an integer, if those that are marked are?
 bool keeps(const NumericEffect& effect, const std::vector<bool>& integer) {

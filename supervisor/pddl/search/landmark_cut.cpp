@@ -4,6 +4,9 @@
 #include <cmath>
 #include <functional>
 
+#include "supervisor/pddl/search/integer_ranges.h"
+#include "supervisor/pddl/search/operator_gains.h"
+
 namespace stepwright::pddl {
 namespace {
 
@@ -13,37 +16,91 @@ constexpr double kNothing = 1e-9;  // costs below this are rounding
 }  // namespace
 
 // The goal is one more atom, which one more unit reaches.
-LandmarkCut::LandmarkCut(const RelaxedTask& task)
-    : task_(task), goal_(task.goal()), goal_atom_(static_cast<int>(task.atoms())) {
-  const auto& operators = task.space().task().operators;
-  for (const GroundOperator& op : operators) {
+LandmarkCut::LandmarkCut(const RelaxedTask& task, std::function<bool()> stop)
+    : task_(task), stop_(std::move(stop)), goal_(task.goal()), goal_atom_(static_cast<int>(task.atoms())) {
+  const GroundTask& ground = task.space().task();
+  for (const GroundOperator& op : ground.operators) {
     costs_.push_back(std::isfinite(op.cost.low) ? std::max(0.0, op.cost.low) : 0.0);
   }
-  costs_.push_back(0.0);
+  unit_ = common_unit(costs_);
+  weight_.assign(costs_.size(), 0.0);
+  const std::vector<bool> integers = integer_variables(ground);
+  for (std::size_t c = 0; c < task.comparisons(); ++c) {
+    integer_.push_back(is_integer(task.comparison(c).difference, integers));
+  }
+  connect(task);
+}
+
+void LandmarkCut::connect(const RelaxedTask& task) {
   const std::size_t units = task.units() + 1;
   const auto atoms = static_cast<std::size_t>(goal_atom_) + 1;
-  std::vector<std::vector<int>> reaches(units), reached_by(atoms), needed_by(atoms), units_of(costs_.size());
+  const OperatorGains gains(task);
+  alike_up_ = gains.alike(true);
+  alike_down_ = gains.alike(false);
+  std::vector<std::vector<Reach>> reaches(units);
+  std::vector<std::vector<int>> reached_by(atoms), needed_by(atoms), units_of(costs_.size());
   for (std::size_t u = 0; u < task.units(); ++u) {
-    reaches[u].assign(task.adds(u).begin(), task.adds(u).end());
-    for (const Mover& mover : task.moved_by(u)) reaches[u].push_back(mover.atom);
+    for (const int atom : task.adds(u)) reaches[u].push_back({atom, kInfinity, kInfinity});
+    for (const Mover& mover : task.moved_by(u)) {
+      const Gains gain = gains.of(mover);
+      reaches[u].push_back({mover.atom, gain.up, gain.down});
+    }
     for (const int atom : task.needs(u))
       needed_by[static_cast<std::size_t>(atom)].push_back(static_cast<int>(u));
   }
-  reaches.back().push_back(goal_atom_);
+  reaches.back().push_back({goal_atom_, kInfinity, kInfinity});
   for (const int atom : goal_)
     needed_by[static_cast<std::size_t>(atom)].push_back(static_cast<int>(units) - 1);
   for (std::size_t u = 0; u < units; ++u) {
-    for (const int atom : reaches[u])
-      reached_by[static_cast<std::size_t>(atom)].push_back(static_cast<int>(u));
+    for (const Reach& reach : reaches[u])
+      reached_by[static_cast<std::size_t>(reach.atom)].push_back(static_cast<int>(u));
     const int op = u + 1 < units ? task.operator_of(u) : -1;
-    units_.push_back({op < 0 ? static_cast<int>(operators.size()) : op, 0, -1, 0.0});
+    units_.push_back({op < 0 ? static_cast<int>(costs_.size()) : op, 0, -1, 0.0});
     if (op >= 0) units_of[static_cast<std::size_t>(op)].push_back(static_cast<int>(u));
   }
-  reaches_ = PackedLists<int>(reaches);
+  reaches_ = PackedLists<Reach>(reaches);
   reached_by_ = PackedLists<int>(reached_by);
   needed_by_ = PackedLists<int>(needed_by);
   units_of_ = PackedLists<int>(units_of);
-  in_cut_.assign(costs_.size(), 0);
+}
+
+// How far every comparison is from holding. Above zero means at least 1 where all values are integers.
+void LandmarkCut::measure_gaps(const Word* state) {
+  const StateSpace& space = task_.space();
+  gaps_.resize(task_.comparisons());
+  for (std::size_t c = 0; c < gaps_.size(); ++c) {
+    const Comparison& comparison = task_.comparison(c);
+    Gap& gap = gaps_[c];
+    gap = gap_of(comparison.relation, space.evaluate(comparison.difference, state));
+    const bool strict = comparison.relation == Relation::Less || comparison.relation == Relation::Greater;
+    if (strict && integer_[c]) gap.distance = std::floor(gap.distance) + 1.0;
+    // Comparisons allow for rounding.
+    if (!integer_[c]) gap.distance -= kNothing;
+  }
+}
+
+// How many applications of a unit's operator alone reach the atom: at least 1, kInfinity if it cannot.
+double LandmarkCut::applications(const Reach& reach) const {
+  const auto c = static_cast<std::size_t>(reach.atom) - task_.first_comparison();
+  if (static_cast<std::size_t>(reach.atom) < task_.first_comparison() || c >= gaps_.size()) return 1.0;
+  const Gap& gap = gaps_[c];
+  const double gain = gap.upwards ? reach.up : reach.down;
+  if (!(gain > 0.0)) return gap.distance == kInfinity ? 1.0 : kInfinity;
+  if (gain == kInfinity || gap.distance == kInfinity || gap.distance <= gain) return 1.0;
+  const double alike = gap.upwards ? alike_up_[c] : alike_down_[c];
+  return alike > 0.0 ? std::ceil(gap.distance / alike - 1e-6) : gap.distance / gain;
+}
+
+double LandmarkCut::cost_of(const Unit& unit, const Reach& reach) const {
+  const double cost = cost_of(unit), times = applications(reach);
+  return times == kInfinity ? kInfinity : cost * times;
+}
+
+// Tells the atoms that a unit reaches what they cost by it.
+void LandmarkCut::spread(std::size_t unit) {
+  for (const Reach& reach : reaches_[unit]) {
+    improve(reach.atom, units_[unit].supporter_cost + cost_of(units_[unit], reach));
+  }
 }
 
 void LandmarkCut::improve(int atom, double cost) {
@@ -75,7 +132,7 @@ void LandmarkCut::explore(const Word* state) {
     units_[u].supporter = -1;
     units_[u].supporter_cost = needs == 0 ? 0.0 : kInfinity;
     if (needs > 0) continue;
-    for (const int atom : reaches_[u]) improve(atom, cost_of(units_[u]));
+    spread(u);
   }
   task_.for_each_holding(state, [this](int atom) { improve(atom, 0.0); });
   for (int atom = 0; pop(atom);) {
@@ -85,7 +142,7 @@ void LandmarkCut::explore(const Word* state) {
       if (--unit.lacking > 0) continue;
       unit.supporter = atom;  // the last to be reached is the dearest
       unit.supporter_cost = cost;
-      for (const int reached : reaches_[static_cast<std::size_t>(u)]) improve(reached, cost + cost_of(unit));
+      spread(static_cast<std::size_t>(u));
     }
   }
 }
@@ -103,12 +160,9 @@ void LandmarkCut::find_supporter(Unit& unit, std::size_t index) {
 // anew.
 void LandmarkCut::explore_again() {
   heap_.clear();
-  for (const int op : cut_) {
+  for (const int op : cut_.operators) {
     for (const int u : units_of_[static_cast<std::size_t>(op)]) {
-      const Unit& unit = units_[static_cast<std::size_t>(u)];
-      if (unit.supporter_cost == kInfinity) continue;
-      for (const int atom : reaches_[static_cast<std::size_t>(u)])
-        improve(atom, unit.supporter_cost + cost_of(unit));
+      if (units_[static_cast<std::size_t>(u)].supporter_cost < kInfinity) spread(static_cast<std::size_t>(u));
     }
   }
   for (int atom = 0; pop(atom);) {
@@ -116,9 +170,7 @@ void LandmarkCut::explore_again() {
       Unit& unit = units_[static_cast<std::size_t>(u)];
       if (unit.supporter != atom || unit.supporter_cost <= cost_[static_cast<std::size_t>(atom)]) continue;
       find_supporter(unit, static_cast<std::size_t>(u));
-      for (const int reached : reaches_[static_cast<std::size_t>(u)]) {
-        improve(reached, unit.supporter_cost + cost_of(unit));
-      }
+      spread(static_cast<std::size_t>(u));
     }
   }
 }
@@ -132,7 +184,7 @@ void LandmarkCut::mark_goal_zone(int atom) {
     stack_.pop_back();
     for (const int u : reached_by_[static_cast<std::size_t>(next)]) {
       const Unit& unit = units_[static_cast<std::size_t>(u)];
-      if (unit.supporter < 0 || cost_of(unit) > kNothing) continue;
+      if (unit.supporter < 0 || cost_of(unit) > kNothing || !leads(u, next)) continue;
       char& zone = zone_[static_cast<std::size_t>(unit.supporter)];
       if (zone != kUnknown) continue;
       zone = kGoalZone;
@@ -141,50 +193,81 @@ void LandmarkCut::mark_goal_zone(int atom) {
   }
 }
 
-// The operators that lead into the goal zone from what the state reaches without it; the least of their
-// costs.
-double LandmarkCut::find_cut(const Word* state) {
-  cut_.clear();
-  double least = kInfinity;
-  const auto enter = [&](int u) {
-    const Unit& unit = units_[static_cast<std::size_t>(u)];
-    const std::span<const int> reached = reaches_[static_cast<std::size_t>(u)];
-    const bool crosses = std::any_of(reached.begin(), reached.end(), [&](int atom) {
-      return zone_[static_cast<std::size_t>(atom)] == kGoalZone;
-    });
-    if (crosses) {
-      least = std::min(least, cost_of(unit));
-      if (!in_cut_[static_cast<std::size_t>(unit.op)]) {
-        in_cut_[static_cast<std::size_t>(unit.op)] = 1;
-        cut_.push_back(unit.op);
-      }
-      return;
-    }
-    for (const int atom : reached) {
-      if (zone_[static_cast<std::size_t>(atom)] != kUnknown) continue;
-      zone_[static_cast<std::size_t>(atom)] = kBefore;
-      stack_.push_back(atom);
-    }
-  };
+// Does the unit bring the atom nearer in this state?
+bool LandmarkCut::leads(int unit, int atom) const {
+  if (static_cast<std::size_t>(atom) < task_.first_comparison()) return true;
+  const std::span<const Reach> reached = reaches_[static_cast<std::size_t>(unit)];
+  return std::any_of(reached.begin(), reached.end(), [&](const Reach& reach) {
+    return reach.atom == atom && applications(reach) < kInfinity;
+  });
+}
+
+// A unit whose dearest need is reached without the goal zone: either it leads there, or further on before it.
+void LandmarkCut::enter(std::size_t index) {
+  const Unit& unit = units_[index];
+  double weight = 0.0;
+  for (const Reach& reach : reaches_[index]) {
+    if (zone_[static_cast<std::size_t>(reach.atom)] != kGoalZone) continue;
+    if (const double times = applications(reach); times < kInfinity) weight = std::max(weight, 1.0 / times);
+  }
+  // The unit of the goal belongs to no operator: nothing could be paid.
+  if (weight > 0.0 && static_cast<std::size_t>(unit.op) < weight_.size()) {
+    double& known = weight_[static_cast<std::size_t>(unit.op)];
+    if (known == 0.0) cut_.operators.push_back(unit.op);
+    known = std::max(known, weight);
+  }
+  for (const Reach& reach : reaches_[index]) {
+    char& zone = zone_[static_cast<std::size_t>(reach.atom)];
+    if (zone != kUnknown || applications(reach) == kInfinity) continue;
+    zone = kBefore;
+    stack_.push_back(reach.atom);
+  }
+}
+
+// The operators that lead into the goal zone from what the state reaches without it.
+void LandmarkCut::find_cut(const Word* state) {
+  cut_.operators.clear();
+  cut_.weights.clear();
   task_.for_each_holding(state, [&](int atom) {
     if (zone_[static_cast<std::size_t>(atom)] != kUnknown) return;
     zone_[static_cast<std::size_t>(atom)] = kBefore;
     stack_.push_back(atom);
   });
-  for (const int u : task_.without_needs()) enter(u);
+  for (const int u : task_.without_needs()) enter(static_cast<std::size_t>(u));
   while (!stack_.empty()) {
     const int atom = stack_.back();
     stack_.pop_back();
     for (const int u : needed_by_[static_cast<std::size_t>(atom)]) {
-      if (units_[static_cast<std::size_t>(u)].supporter == atom) enter(u);
+      if (units_[static_cast<std::size_t>(u)].supporter == atom) enter(static_cast<std::size_t>(u));
     }
   }
-  for (const int op : cut_) in_cut_[static_cast<std::size_t>(op)] = 0;
-  return least;
+  for (const int op : cut_.operators) {
+    double& weight = weight_[static_cast<std::size_t>(op)];
+    cut_.weights.push_back(weight);
+    weight = 0.0;
+  }
 }
 
-double LandmarkCut::operator()(const Word* state) {
-  remaining_ = costs_;
+// Every operator of the cut gives its share of what the cut is worth.
+double LandmarkCut::pay_cut() {
+  double worth = kInfinity;
+  for (std::size_t i = 0; i < cut_.operators.size(); ++i) {
+    worth = std::min(worth, remaining_[static_cast<std::size_t>(cut_.operators[i])] / cut_.weights[i]);
+  }
+  // A cut that is empty or free is rounding: what has been counted stands.
+  if (!(worth > kNothing) || worth == kInfinity) return 0.0;
+  for (std::size_t i = 0; i < cut_.operators.size(); ++i) {
+    double& rest = remaining_[static_cast<std::size_t>(cut_.operators[i])];
+    rest = std::max(0.0, rest - worth * cut_.weights[i]);
+  }
+  return worth;
+}
+
+double LandmarkCut::bound(const Word* state, std::span<const double> costs,
+                          const std::function<void(const OperatorLandmark&)>* found) {
+  remaining_.assign(costs.begin(), costs.end());
+  remaining_.push_back(0.0);
+  measure_gaps(state);
   explore(state);
   const auto goal = static_cast<std::size_t>(goal_atom_);
   if (cost_[goal] == kInfinity) return kInfinity;
@@ -192,11 +275,12 @@ double LandmarkCut::operator()(const Word* state) {
   while (cost_[goal] > kNothing) {
     zone_.assign(goal + 1, kUnknown);
     mark_goal_zone(goal_atom_);
-    const double least = find_cut(state);
-    // A cut that is empty or free is rounding: what has been counted stands.
-    if (cut_.empty() || !(least > kNothing) || least == kInfinity) break;
-    total += least;
-    for (const int op : cut_) remaining_[static_cast<std::size_t>(op)] -= least;
+    find_cut(state);
+    const double worth = pay_cut();
+    if (worth == 0.0) break;
+    total += worth;
+    if (found != nullptr) (*found)(cut_);
+    if (stop_ && stop_()) break;
     explore_again();
   }
   return total;

@@ -8,8 +8,8 @@
 //
 // Thread rule: one call, one object.
 
-#include "supervisor/pddl/search/astar_search.h"
 #include "supervisor/pddl/search/improvement.h"
+#include "supervisor/pddl/search/proof.h"
 
 namespace stepwright::pddl {
 
@@ -30,7 +30,6 @@ class Portfolio {
   bool unbounded() const { return unbounded_; }
 
  private:
-  bool cut_pays();
   bool take_turns(StopReason& reason);
   bool side_by_side(StopReason& reason);
 
@@ -39,7 +38,6 @@ class Portfolio {
   SearchControl& control_;
   PortfolioOptions options_;
   LowerBounds bounds_;
-  std::unique_ptr<LandmarkCut> cut_;
   bool falling_costs_ = false;  // an operator's cost may be negative
   bool unbounded_ = false;
 };

@@ -37,6 +37,33 @@ TEST(Grounding, WhenPreconditionsLimitALevel_ThenItsBoundsAreTheCapacities) {
   }
 }
 
+// The precondition speaks of the value before, the bounds of the value after all effects.
+TEST(Grounding, WhenEffectsOfOneActionAddUp_ThenBoundsHoldTheirSum) {
+  const auto high = [](int effects) {
+    std::string effect = "(increase (n) 1)", facts, init;
+    for (int i = 0; i < effects; ++i) {
+      const std::string fact = "(p" + std::to_string(i) + ")";
+      facts += fact;
+      init += fact;
+      effect += " (when " + fact + " (and (increase (n) 2) (not " + fact + ")))";
+    }
+    const Task task =
+        testing::make_task("(define (domain d) (:requirements :adl :numeric-fluents) (:predicates " + facts +
+                               ") (:functions (n)) (:action add :parameters () :precondition (<= (n) 5) "
+                               ":effect (and " +
+                               effect + ")))",
+                           "(define (problem p) (:domain d) (:init (= (n) 5) " + init + ") (:goal (>= (n) " +
+                               std::to_string(6 + 2 * effects) + ")))");
+    const GroundTask ground = ground_all(task);
+    EXPECT_FALSE(ground.unreachable_goal.has_value()) << effects;
+    return ground.bounds.front().high;
+  };
+  EXPECT_EQ(high(0), 6.0);
+  EXPECT_EQ(high(1), 8.0);
+  EXPECT_EQ(high(4), 14.0);
+  EXPECT_GE(high(7), 20.0);
+}
+
 TEST(Grounding, WhenAnActionCanNeverRun_ThenItIsLeftOut) {
   // a2 can release 8 at most, so the complete order of 10 is impossible; c1's order of 7 is the only complete
   // one.

@@ -18,4 +18,8 @@ struct RandomTask {
 // The same seed gives the same task.
 RandomTask random_task(std::uint32_t seed);
 
+// The same with more numbers: goals over sums of fluents that take several applications of an action, amounts
+// that depend on the state, and a derived predicate in goals and preconditions.
+RandomTask random_numeric_task(std::uint32_t seed);
+
 }  // namespace stepwright::pddl::testing

@@ -18,8 +18,11 @@ void settle(const std::vector<Edge>& edges, std::vector<StateDistance>& list) {
     for (auto edge = edges.rbegin(); edge != edges.rend(); ++edge) {
       StateDistance& from = list[edge->from];
       const StateDistance& to = list[edge->to];
-      if (edge->cost + to.cost < from.cost - 1e-9) {
-        from.cost = edge->cost + to.cost;
+      const double cost = edge->cost + to.cost;
+      const bool cheaper = cost < from.cost - 1e-9;
+      if (cheaper || (cost <= from.cost + 1e-9 && 1.0 + to.steps_of_cheapest < from.steps_of_cheapest)) {
+        if (cheaper) from.cost = cost;
+        from.steps_of_cheapest = 1.0 + to.steps_of_cheapest;
         changed = true;
       }
       if (1.0 + to.steps < from.steps) {
@@ -46,7 +49,7 @@ std::vector<StateDistance> true_distances(const StateSpace& space, std::size_t m
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (list.size() > most_states) throw std::runtime_error("the task is too large to enumerate");
     const std::vector<Word> state = list[i].state;
-    if (space.goal(state.data())) list[i].cost = list[i].steps = 0.0;
+    if (space.goal(state.data())) list[i].cost = list[i].steps = list[i].steps_of_cheapest = 0.0;
     for (const GroundOperator& op : space.task().operators) {
       double cost = 0.0;
       if (!space.holds(op.precondition, state.data())) continue;

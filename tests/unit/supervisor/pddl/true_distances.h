@@ -12,8 +12,9 @@ namespace stepwright::pddl::testing {
 
 struct StateDistance {
   std::vector<Word> state;
-  double cost = kInfinity;   // least accumulated cost to a goal; kInfinity: no way
-  double steps = kInfinity;  // least number of steps to a goal
+  double cost = kInfinity;               // least accumulated cost to a goal; kInfinity: no way
+  double steps = kInfinity;              // least number of steps to a goal
+  double steps_of_cheapest = kInfinity;  // least number among those that cost no more than `cost`
 };
 
 // Throws if there are more than `most_states`. Costs must not be negative.
