@@ -1,8 +1,9 @@
-// The stochastic campaign: simulated runs of the tank bench with random faults, demands and sensor errors, as
-// fast as the machine allows. Every run must end at the goal or in the safe state with the right report; the
-// undisturbed class is the baseline of costs and times beside the disturbed ones.
+// The stochastic campaign: simulated runs of the tank bench with random faults, demands and sensor errors, or
+// of the sorting line with random faults, as fast as the machine allows. Every run must end at the goal or in
+// the safe state with the right report; the undisturbed class is the baseline of costs and times beside the
+// disturbed ones.
 //
-//   bench_campaign [--runs N] [--first SEED] [--threads N] [--json FILE]
+//   bench_campaign [--cell bench|conveyor] [--runs N] [--first SEED] [--threads N] [--json FILE]
 //
 // A single seed again: --first SEED --runs 1.
 
@@ -15,6 +16,7 @@
 
 #include "runtime/result/exit_code.h"
 #include "tests/bench/campaign/campaign.h"
+#include "tests/bench/campaign/line.h"
 
 namespace stepwright::campaign {
 namespace {
@@ -26,6 +28,7 @@ struct Arguments {
   std::uint64_t runs = 1'000;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string json_file;
+  bool line = false;  // the sorting line instead of the bench
 };
 
 bool read(int argc, char** argv, Arguments& arguments) {
@@ -34,6 +37,11 @@ bool read(int argc, char** argv, Arguments& arguments) {
     const std::string name = argv[i];
     if (name == "--json") {
       arguments.json_file = argv[i + 1];
+      continue;
+    }
+    if (name == "--cell") {
+      arguments.line = std::strcmp(argv[i + 1], "conveyor") == 0;
+      if (!arguments.line && std::strcmp(argv[i + 1], "bench") != 0) return false;
       continue;
     }
     char* end = nullptr;
@@ -52,7 +60,23 @@ bool read(int argc, char** argv, Arguments& arguments) {
   return true;
 }
 
-int run(const Arguments& arguments) {
+int finish(const Arguments& arguments, const std::string& table, const std::string& json, bool lost) {
+  std::fputs(table.c_str(), stdout);
+  if (!arguments.json_file.empty()) {
+    std::ofstream file(arguments.json_file);
+    file << json << "\n";
+    if (!file) return to_int(ExitCode::BadInput);
+  }
+  return to_int(lost ? ExitCode::RuntimeFault : ExitCode::Done);
+}
+
+int run_lines(const Arguments& arguments) {
+  const LineFigures figures = line_campaign(arguments.first, arguments.runs, arguments.threads);
+  return finish(arguments, table(figures), to_json(figures, arguments.first, arguments.threads),
+                !figures.lost.empty());
+}
+
+int run_bench(const Arguments& arguments) {
   const auto desk = campaign_desk();
   if (!desk) {
     std::fprintf(stderr, "%s\n", result::to_string(desk.error()).c_str());
@@ -64,13 +88,8 @@ int run(const Arguments& arguments) {
                      static_cast<unsigned long long>(arguments.runs));
       });
   std::fprintf(stderr, "\n");
-  std::fputs(table(figures).c_str(), stdout);
-  if (!arguments.json_file.empty()) {
-    std::ofstream file(arguments.json_file);
-    file << to_json(figures, arguments.first, arguments.threads) << "\n";
-    if (!file) return to_int(ExitCode::BadInput);
-  }
-  return to_int(figures.lost.empty() ? ExitCode::Done : ExitCode::RuntimeFault);
+  return finish(arguments, table(figures), to_json(figures, arguments.first, arguments.threads),
+                !figures.lost.empty());
 }
 
 }  // namespace
@@ -79,8 +98,11 @@ int run(const Arguments& arguments) {
 int main(int argc, char** argv) {
   stepwright::campaign::Arguments arguments;
   if (!stepwright::campaign::read(argc, argv, arguments)) {
-    std::fprintf(stderr, "usage: bench_campaign [--runs N] [--first SEED] [--threads N] [--json FILE]\n");
+    std::fprintf(stderr,
+                 "usage: bench_campaign [--cell bench|conveyor] [--runs N] [--first SEED] [--threads N] "
+                 "[--json FILE]\n");
     return to_int(stepwright::result::ExitCode::Usage);
   }
-  return stepwright::campaign::run(arguments);
+  return arguments.line ? stepwright::campaign::run_lines(arguments)
+                        : stepwright::campaign::run_bench(arguments);
 }
