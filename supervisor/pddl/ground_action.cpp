@@ -58,8 +58,7 @@ class DerivedReads {
     Binding binding(static_cast<std::size_t>(axiom.slots), -1);
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
       const int object = definition_.object_ids.at(words[i + 1]);
-      const int type = definition_.objects[static_cast<std::size_t>(object)].type;
-      if (!definition_.is_subtype(type, axiom.parameters[i].type)) return;
+      if (!definition_.is_of_type(object, axiom.parameters[i].type)) return;
       binding[i] = object;
     }
     std::vector<Requirement> requirements;

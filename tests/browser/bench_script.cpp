@@ -9,6 +9,7 @@
 namespace stepwright::browser {
 namespace {
 
+constexpr double kReplannedS = 36.2;
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
 // How much of the action is done at `time_s`, 0 to 1.
@@ -58,6 +59,32 @@ nlohmann::json levels_of(const BenchInstant& bench) {
   return {{"(lev v1)", bench.level_v1 / 10},
           {"(level a1)", bench.level_a1 / 10},
           {"(level a2)", bench.level_a2 / 10}};
+}
+
+// What the supervisor decided about the level that called for another plan.
+nlohmann::json incidents_until(double time_s) {
+  using nlohmann::json;
+  json incidents = json::array();
+  if (time_s <= kReplannedS) return incidents;
+  const json alarm = {{"action", "(complete_order a1 c1 level7)"},
+                      {"kind", "effect"},
+                      {"condition", "level of a1 within 0.2 of 3"},
+                      {"scan", 3621},
+                      {"value", 2.7},
+                      {"sensor", "S2"}};
+  incidents.push_back({{"time_s", kReplannedS},
+                       {"kind", "level"},
+                       {"action", "(complete_order a1 c1 level7)"},
+                       {"evidence", json::array({"level of a1 is 2.7, expected 3.0 (tolerance 0.2)"})},
+                       {"alarms", json::array({alarm})},
+                       {"decision", "replan"},
+                       {"decision_ms", 4.2},
+                       {"repair_ms", 1.1},
+                       {"replan_ms", 3.9},
+                       {"kept", 7},
+                       {"remaining", 9},
+                       {"restarts", 0}});
+  return incidents;
 }
 
 // After that many actions, one after the other.
@@ -162,8 +189,8 @@ std::string BenchScript::plan_document(double time_s) const {
   }
   const BenchInstant now = at(compared_s);
   json replans = json::array();
-  if (time_s > 36.2) {
-    replans.push_back({{"time_s", 36.2},
+  if (time_s > kReplannedS) {
+    replans.push_back({{"time_s", kReplannedS},
                        {"cause", "level of a1 is 2.7, expected 3.0 (tolerance 0.2)"},
                        {"after_action", "(complete_order a1 c1 level7)"}});
   }
@@ -182,6 +209,7 @@ std::string BenchScript::plan_document(double time_s) const {
         {"optimal_plan_ms", 30.1}}},
       {"actions", actions},
       {"replans", replans},
+      {"incidents", incidents_until(time_s)},
       {"expected", levels_of(now)},
       {"observed",
        {{"(lev v1)", now.level_v1 / 10 + 0.03},

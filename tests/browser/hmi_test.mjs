@@ -103,6 +103,23 @@ async function showsExitsWhenAsked(page) {
   await page.getByRole('button', { name: 'Exits' }).click();
 }
 
+async function showsWhatWentWrong(page) {
+  await waitFor(page, 'an incident is shown once it has happened', () =>
+    document.querySelectorAll('[data-panel=incidents] [data-incident]').length === 1);
+  const text = await page.locator('[data-incident=level]').innerText();
+  for (const [what, words] of [
+    ['its time', '0:36.2'],
+    ['its class', 'Level not as expected'],
+    ['the action', 'complete_order a1 c1 level7'],
+    ['the evidence', 'level of a1 is 2.7, expected 3.0'],
+    ['the alarm of the program', 'level of a1 within 0.2 of 3 (2.70), scan 3621'],
+    ['the decision', 'new plan'],
+    ['how long it took and what it kept', 'decided in 4.20 ms; 7 of 9 actions kept'],
+  ]) {
+    check(text.includes(words), `with ${what}: ${words}`);
+  }
+}
+
 async function findsTags(page) {
   await page.getByLabel('Search tags by name or address').fill('%QX0.1');
   const rows = page.locator('[data-panel=tags] tbody tr');
@@ -160,6 +177,7 @@ try {
   await drawsTheTrend(page);
   const first = await trendBegin(page);
   check(first >= 24 && first < 55, `it begins with the server (${first})`);
+  await showsWhatWentWrong(page);
   await ticksWhatIsPassed(page);
   await drawsTheChartReadably(page);
   await showsExitsWhenAsked(page);

@@ -139,8 +139,7 @@ std::optional<BoundAction> bind(const Definition& definition, const model::Groun
           "P0303", "unknown object '" + name + "'", did_you_mean(name, names_of(definition.object_ids)), {}};
       return std::nullopt;
     }
-    const int type = definition.objects[static_cast<std::size_t>(object->second)].type;
-    if (!definition.is_subtype(type, schema.parameters[i].type)) {
+    if (!definition.is_of_type(object->second, schema.parameters[i].type)) {
       failure = {"P0304", "'" + name + "' is not of type '" + schema.parameters[i].type_name + "'", {}, {}};
       return std::nullopt;
     }

@@ -62,8 +62,7 @@ class Lifter {
   bool fits(const Atom& atom, const Symbol& symbol) const {
     if (atom.arguments.size() != symbol.parameters.size()) return false;
     for (std::size_t i = 0; i < atom.arguments.size(); ++i) {
-      const Object& object = definition_.objects[static_cast<std::size_t>(atom.arguments[i])];
-      if (!definition_.is_subtype(object.type, symbol.parameters[i].type)) return false;
+      if (!definition_.is_of_type(atom.arguments[i], symbol.parameters[i].type)) return false;
     }
     return true;
   }

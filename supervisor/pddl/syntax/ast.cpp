@@ -17,4 +17,9 @@ bool Definition::is_subtype(int type, int ancestor) const {
   return type == ancestor;
 }
 
+bool Definition::is_of_type(int object, int type) const {
+  const std::vector<int>& own = objects[static_cast<std::size_t>(object)].types;
+  return std::any_of(own.begin(), own.end(), [&](int declared) { return is_subtype(declared, type); });
+}
+
 }  // namespace stepwright::pddl

@@ -127,7 +127,7 @@ struct Type {
 
 struct Object {
   std::string name;
-  int type = 0;
+  std::vector<int> types;  // one; of an either: all of them, for it is an object of each
 };
 
 // A ground predicate or function.
@@ -172,6 +172,8 @@ struct Definition {
 
   // Does every object of the type fit where one of `ancestor` is asked for?
   bool is_subtype(int type, int ancestor) const;
+  // Does the object fit where one of the type is asked for?
+  bool is_of_type(int object, int type) const;
 };
 
 // The function that PDDL 2.1 predefines for metrics: the number of actions here, where nothing has a

@@ -175,18 +175,21 @@ void Checker::find_cycles() {
 
 void Checker::objects(const std::vector<Typed>& list) {
   for (const Typed& object : list) {
-    const int type = names_.type(object.type_name, object.type_at);
+    const std::vector<int> types = names_.types(object);
     if (!declare(definition_.object_ids, object.name, object.at, definition_.objects.size(), "object"))
       continue;
-    definition_.objects.push_back({object.name, type});
+    definition_.objects.push_back({object.name, types});
   }
 }
 
 void Checker::group_objects() {
   definition_.objects_by_type.resize(definition_.types.size());
   for (std::size_t object = 0; object < definition_.objects.size(); ++object) {
-    for (int type = definition_.objects[object].type; type != -1;
-         type = definition_.types[static_cast<std::size_t>(type)].parent) {
+    std::set<int> all;  // two types of an object may have an ancestor in common
+    for (int type : definition_.objects[object].types) {
+      for (; type != -1; type = definition_.types[static_cast<std::size_t>(type)].parent) all.insert(type);
+    }
+    for (const int type : all) {
       definition_.objects_by_type[static_cast<std::size_t>(type)].push_back(static_cast<int>(object));
     }
   }

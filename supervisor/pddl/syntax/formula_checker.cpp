@@ -32,10 +32,16 @@ int FormulaChecker::type(const Typed& typed) {
   definition_.type_ids.emplace(typed.type_name, id);
   std::vector<int>& objects = definition_.objects_by_type.emplace_back();
   for (std::size_t object = 0; object < definition_.objects.size(); ++object) {
-    if (definition_.is_subtype(definition_.objects[object].type, id))
-      objects.push_back(static_cast<int>(object));
+    if (definition_.is_of_type(static_cast<int>(object), id)) objects.push_back(static_cast<int>(object));
   }
   return id;
+}
+
+std::vector<int> FormulaChecker::types(const Typed& object) {
+  if (object.either.empty()) return {type(object.type_name, object.type_at)};
+  std::vector<int> types;
+  for (const std::string& name : object.either) types.push_back(type(name, object.type_at));
+  return types;
 }
 
 void FormulaChecker::require(const std::string& flag, Place at) {
@@ -73,18 +79,18 @@ bool FormulaChecker::unknown_object(const Term& term) {
   return false;
 }
 
-bool FormulaChecker::resolve(Term& term, int& type) {
+bool FormulaChecker::resolve(Term& term, std::vector<int>& types) {
   if (!term.variable) {
     const auto found = definition_.object_ids.find(term.name);
     if (found == definition_.object_ids.end()) return unknown_object(term);
     term.index = found->second;
-    type = definition_.objects[static_cast<std::size_t>(term.index)].type;
+    types = definition_.objects[static_cast<std::size_t>(term.index)].types;
     return true;
   }
   for (const Typed& variable : scope_) {
     if (variable.name != term.name) continue;
     term.index = variable.slot;
-    type = variable.type;
+    types = {variable.type};
     return true;
   }
   std::vector<std::string> names;
@@ -123,12 +129,13 @@ bool FormulaChecker::resolve(Call& call, bool function) {
   }
   bool good = true;
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
-    int found = 0;
+    const int wanted = symbol.parameters[i].type;
+    std::vector<int> found;
     if (!resolve(call.arguments[i], found)) {
       good = false;
-    } else if (!definition_.is_subtype(found, symbol.parameters[i].type)) {
-      wrong_type(call.arguments[i].name, call.arguments[i].at, found, call.name, i,
-                 symbol.parameters[i].type);
+    } else if (std::none_of(found.begin(), found.end(),
+                            [&](int type) { return definition_.is_subtype(type, wanted); })) {
+      wrong_type(call.arguments[i].name, call.arguments[i].at, name_of(found), call.name, i, wanted);
       good = false;
     }
   }
@@ -152,7 +159,8 @@ void FormulaChecker::arguments(const std::string& name, int predicate, const std
   const Symbol& symbol = definition_.predicates[static_cast<std::size_t>(predicate)];
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (definition_.is_subtype(parameters[i].type, symbol.parameters[i].type)) continue;
-    wrong_type(parameters[i].name, parameters[i].at, parameters[i].type, name, i, symbol.parameters[i].type);
+    wrong_type(parameters[i].name, parameters[i].at, name_of({parameters[i].type}), name, i,
+               symbol.parameters[i].type);
   }
 }
 
@@ -163,13 +171,18 @@ bool FormulaChecker::derived(const Call& fact, const std::string& changed) {
   return true;
 }
 
-void FormulaChecker::wrong_type(const std::string& name, Place at, int found, const std::string& symbol,
-                                std::size_t argument, int wanted) {
-  const auto type_name = [&](int id) { return definition_.types[static_cast<std::size_t>(id)].name; };
+std::string FormulaChecker::name_of(const std::vector<int>& types) const {
+  std::string text;
+  for (const int type : types)
+    text += (text.empty() ? "" : " and ") + definition_.types[static_cast<std::size_t>(type)].name;
+  return text;
+}
+
+void FormulaChecker::wrong_type(const std::string& name, Place at, const std::string& found,
+                                const std::string& symbol, std::size_t argument, int wanted) {
   reporter_.error("P0107", at,
-                  "'" + name + "' is of type '" + type_name(found) + "', but argument " +
-                      std::to_string(argument + 1) + " of '" + symbol + "' is of type '" + type_name(wanted) +
-                      "'");
+                  "'" + name + "' is of type '" + found + "', but argument " + std::to_string(argument + 1) +
+                      " of '" + symbol + "' is of type '" + name_of({wanted}) + "'");
 }
 
 bool FormulaChecker::ground(Call& call, bool function) {
@@ -197,7 +210,7 @@ void FormulaChecker::expression(Expression& expression) {
 }
 
 void FormulaChecker::formula(Formula& formula) {
-  int type = 0;
+  std::vector<int> any;  // objects of any two types may be compared
   switch (formula.kind) {
     case FormulaKind::Atom:
       if (negated_) require(":negative-preconditions", formula.at);
@@ -205,7 +218,7 @@ void FormulaChecker::formula(Formula& formula) {
       break;
     case FormulaKind::SameObject:
       require(":equality", formula.at);
-      for (Term& term : formula.terms) resolve(term, type);
+      for (Term& term : formula.terms) resolve(term, any);
       break;
     case FormulaKind::Compare:
       for (Expression& side : formula.sides) expression(side);

@@ -40,6 +40,9 @@ class FormulaChecker {
   int type(const std::string& name, Place at);
   int type(const Typed& typed);
 
+  // The types that an object of this declaration has.
+  std::vector<int> types(const Typed& object);
+
   // Slots needed so far by the current action or goal.
   int slots() const { return slots_; }
 
@@ -51,9 +54,10 @@ class FormulaChecker {
   void pop(std::size_t count);
   bool resolve(Call& call, bool function);
   bool resolve_symbol(Call& call, bool function);
-  bool resolve(Term& term, int& type);
+  bool resolve(Term& term, std::vector<int>& types);
+  std::string name_of(const std::vector<int>& types) const;
   bool unknown_object(const Term& term);
-  void wrong_type(const std::string& name, Place at, int found, const std::string& symbol,
+  void wrong_type(const std::string& name, Place at, const std::string& found, const std::string& symbol,
                   std::size_t argument, int wanted);
   void numeric_effect(Effect& effect);
   void quantified(std::vector<Typed>& variables, Place at);

@@ -37,7 +37,7 @@ bool FormulaParser::typed_list(TokenKind kind, std::vector<Typed>& list) {
     } else if (tokens_.at(TokenKind::Operator, "-")) {
       tokens_.take();
       Typed type;
-      if (!type_of(kind, type)) return false;
+      if (!type_of(type)) return false;
       for (; untyped < list.size(); ++untyped) {
         list[untyped].type_name = type.type_name;
         list[untyped].type_at = type.type_at;
@@ -52,18 +52,13 @@ bool FormulaParser::typed_list(TokenKind kind, std::vector<Typed>& list) {
   return true;
 }
 
-bool FormulaParser::type_of(TokenKind kind, Typed& typed) {
+bool FormulaParser::type_of(Typed& typed) {
   typed.type_at = tokens_.peek().at;
   Place at;
   if (!tokens_.at(TokenKind::Open)) return tokens_.expect_name("a type name", typed.type_name, at);
   tokens_.take();
   if (!tokens_.at(TokenKind::Name, "either")) return tokens_.unexpected("'either' or a type name");
   tokens_.take();
-  if (kind == TokenKind::Name) {
-    tokens_.reporter().error("P0008", typed.type_at, "'either' is not supported here",
-                             "it is for parameters and variables; an object or a type has one type");
-    return false;
-  }
   typed.type_name = "(either";
   do {
     std::string name;

@@ -32,7 +32,7 @@ class FormulaParser {
   bool too_deep();
   bool arguments(Call& call);
   bool term(Term& term);
-  bool type_of(TokenKind kind, Typed& typed);
+  bool type_of(Typed& typed);
   bool compare(Formula& formula);
   bool equality(Formula& formula);
   bool quantifier(std::vector<Typed>& variables);

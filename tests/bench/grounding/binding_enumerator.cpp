@@ -137,12 +137,10 @@ void BindingEnumerator::index_fact(Level& level, const Call& call) {
     }
   }
   const Atom first{call.symbol, {}};
-  const auto type = static_cast<std::size_t>(parameters_[level.parameter].type);
   for (auto fact = initial_.facts.lower_bound(first);
        fact != initial_.facts.end() && fact->symbol == call.symbol; ++fact) {
     const int object = fact->arguments[own];
-    const int object_type = definition_.objects[static_cast<std::size_t>(object)].type;
-    if (!definition_.is_subtype(object_type, static_cast<int>(type))) continue;
+    if (!definition_.is_of_type(object, parameters_[level.parameter].type)) continue;
     std::vector<int> key;
     for (const std::size_t place : key_places) key.push_back(fact->arguments[place]);
     std::vector<int>& objects = index.objects[std::move(key)];

@@ -202,6 +202,30 @@ export interface Replan {
   after_action?: string;
 }
 
+// Of a monitor of the program.
+export interface IncidentAlarm {
+  action: string;
+  kind: string;
+  condition: string;
+  scan: number;
+  value: Value;
+  sensor: string; // empty: the value is that of a switch
+}
+
+// What did not go as planned: supervisor/doc/plan_document.md.
+export interface Incident {
+  time_s: number;
+  kind: string;
+  action?: string;
+  evidence?: string[];
+  alarms?: IncidentAlarm[];
+  decision: string;
+  decision_ms?: Value;
+  kept?: number;
+  remaining?: number;
+  restarts?: number;
+}
+
 export interface PlanDocument {
   cell?: string;
   phase?: string;
@@ -219,6 +243,7 @@ export interface PlanDocument {
   // Every plan of the run, the newest last; planned times count from its start.
   episodes?: { started_s: number; planned_makespan_s?: Value; planned_sequential_makespan_s?: Value }[];
   replans?: Replan[];
+  incidents?: Incident[]; // oldest first
   expected?: Record<string, Value>;
   observed?: Record<string, Value>;
   goal?: { text: string; met: boolean }[];

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "supervisor/pddl/grounding/grounder.h"
@@ -109,6 +110,34 @@ TEST(Axioms, WhenNothingThatItReadsChanges_ThenADerivedFactIsStatic) {
   EXPECT_TRUE(ground.axioms.empty());
   EXPECT_EQ(ground.facts.size(), 3u);
   EXPECT_EQ(ground.operators.size(), 3u);
+}
+
+// A road over 200 places. Enumerating three places for each of 200 rounds would take minutes for a state.
+TEST(Axioms, WhenReachabilityIsOverManyObjects_ThenEachFactIsDerivedFromThoseBeforeIt) {
+  constexpr std::size_t kPlaces = 200;
+  std::string objects, init = "(at p0)";
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    objects += " p" + std::to_string(i);
+    if (i > 0) init += " (road p" + std::to_string(i - 1) + " p" + std::to_string(i) + ")";
+  }
+  const Task task = testing::make_task(
+      R"((define (domain d) (:requirements :derived-predicates :adl) (:predicates (road ?a ?b) (linked ?a ?b) (at ?p))
+    (:derived (linked ?a ?b) (or (road ?a ?b) (exists (?c) (and (road ?a ?c) (linked ?c ?b)))))
+    (:action close :parameters (?a ?b) :precondition (road ?a ?b) :effect (not (road ?a ?b)))
+    (:action jump :parameters (?a ?b) :precondition (and (at ?a) (linked ?a ?b)) :effect (and (at ?b) (not (at ?a))))))",
+      "(define (problem p) (:domain d) (:objects" + objects + ") (:init " + init + ") (:goal (at p199)))");
+  PlanText plan;
+  plan.actions = {{"jump", {"p0", "p100"}}, {"close", {"p99", "p100"}}, {"jump", {"p100", "p199"}}};
+  plan.lines.assign(plan.actions.size(), 0);
+  const Validation validation = validate(task, plan);
+  EXPECT_TRUE(validation.valid) << result::to_string(validation.diagnostics);
+  const auto linked = [&](std::size_t step) {
+    const auto& facts = validation.trace.states[step].facts();
+    return std::count_if(facts.begin(), facts.end(),
+                         [](const std::string& fact) { return fact.starts_with("(linked "); });
+  };
+  EXPECT_EQ(linked(1), 200 * 199 / 2);
+  EXPECT_EQ(linked(2), 2 * (100 * 99 / 2));
 }
 
 // Tests the packed evaluation beyond one word of facts: a line of 100 switches, power reaches as far as all

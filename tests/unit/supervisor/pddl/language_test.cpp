@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "supervisor/pddl/solve.h"
+#include "supervisor/pddl/syntax/ast.h"
 #include "tests/unit/supervisor/pddl/naive/feature_task.h"
 #include "tests/unit/supervisor/pddl/naive/same_meaning.h"
 #include "tests/unit/supervisor/pddl/sample_tasks.h"
@@ -51,6 +53,39 @@ TEST(Either, WhenTheWrongTypeIsGiven_ThenTheUnionIsNamed) {
   ASSERT_FALSE(task.has_value());
   EXPECT_EQ(task.error()[0].code, "P0107");
   EXPECT_NE(task.error()[0].message.find("(either car crate)"), std::string::npos)
+      << result::to_string(task.error());
+}
+
+TEST(Either, WhenAnObjectIsOfSeveralTypes_ThenItFitsWhereEachOfThemDoes) {
+  const char* problem = R"((define (problem p) (:domain d)
+    (:objects b - (either crate car) f - (either car ship) k - crate s - ship) (:init)
+    (:goal (and (clean b) (at b) (clean f) (at f)))))";
+  const testing::Walked walked = testing::expect_same_meaning(kEither, problem, 200);
+  // b and f are washed or not and then, as cars, gone or not; k is washed or not; s does nothing.
+  EXPECT_EQ(walked.states, 18u);
+  EXPECT_EQ(walked.goals, 2u);
+  EXPECT_EQ(solve(testing::make_task(kEither, problem)).plan->actions.size(), 4u);
+}
+
+TEST(Either, WhenAnObjectIsOfTwoTypesWithACommonAncestor_ThenItIsThatOnce) {
+  const Task task = testing::make_task(kEither, R"((define (problem p) (:domain d)
+    (:objects a - (either car ship car) s - ship) (:init) (:goal (at a))))");
+  const Definition& definition = task.definition();
+  const auto objects_of = [&](const char* type) {
+    return definition.objects_by_type[static_cast<std::size_t>(definition.type_ids.at(type))];
+  };
+  EXPECT_EQ(objects_of("vehicle"), (std::vector<int>{0, 1}));
+  EXPECT_EQ(objects_of("car"), (std::vector<int>{0}));
+  EXPECT_EQ(objects_of("crate"), (std::vector<int>{}));
+  EXPECT_EQ(objects_of("object"), (std::vector<int>{0, 1}));
+}
+
+TEST(Either, WhenAnObjectOfSeveralTypesFitsNowhere_ThenAllAreNamed) {
+  const auto task = parse_task({"d", kEither}, {"p", R"((define (problem p) (:domain d)
+    (:objects a - (either car crate) b - (either ship vehicle)) (:init (clean a) (clean b)) (:goal (clean a))))"});
+  ASSERT_FALSE(task.has_value());
+  ASSERT_EQ(task.error().size(), 1u) << result::to_string(task.error());
+  EXPECT_NE(task.error()[0].message.find("'b' is of type 'ship and vehicle'"), std::string::npos)
       << result::to_string(task.error());
 }
 
