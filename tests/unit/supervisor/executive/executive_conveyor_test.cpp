@@ -265,6 +265,8 @@ TEST_P(ExecutiveConveyorCampaign,
 
 INSTANTIATE_TEST_SUITE_P(Seeds, ExecutiveConveyorCampaign,
                          testing::Range(std::uint64_t{1}, std::uint64_t{61}));
+// A box is taken out of its chute behind the counter.
+INSTANTIATE_TEST_SUITE_P(Found, ExecutiveConveyorCampaign, testing::Values(std::uint64_t{158}));
 
 }  // namespace
 }  // namespace stepwright::executive

