@@ -35,6 +35,8 @@ void read_plant(const TomlTable& table, PlantConfig& plant) {
   plant.kind = table.choice("kind", plant.kind, {"tank_bench", "sorting_line", "none"});
   plant.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 1e15}));
   plant.uncertainty = table.boolean("uncertainty", plant.uncertainty);
+  plant.diverters = static_cast<std::size_t>(table.integer("diverters", 2, {1, 4}));
+  plant.boxes = static_cast<std::size_t>(table.integer("boxes", 5, {1, 9}));
   const TomlTable ports = table.table("ports");
   for (const std::string& port : ports.keys())
     plant.ports.push_back({port, ports.text(port, {}), ports.where(port)});

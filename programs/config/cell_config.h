@@ -51,6 +51,8 @@ struct PlantConfig {
   std::string kind = "tank_bench";  // or "sorting_line"; or "none": outputs go nowhere, inputs stay 0
   std::uint64_t seed = 1;           // of all that is uncertain
   bool uncertainty = true;          // the bench: sensor bias, drift and noise; the line: boxes that differ
+  std::size_t diverters = 2;        // of the line; 1 to 4
+  std::size_t boxes = 5;            // of the line's order list; 1 to 9
   std::vector<PortAddress> ports;
 };
 

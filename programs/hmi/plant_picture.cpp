@@ -185,6 +185,8 @@ PlantPicture picture_of(const config::PlantConfig& plant) {
     assemblies::LineParameters parameters;
     parameters.seed = plant.seed;
     parameters.variety = plant.uncertainty;
+    parameters.diverters = plant.diverters;
+    parameters.boxes = plant.boxes;
     return picture_of(assemblies::describe_line(parameters), plant.ports);
   }
   if (plant.kind != "tank_bench") return {};

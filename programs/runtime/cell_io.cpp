@@ -136,6 +136,8 @@ result::Result<std::unique_ptr<core::Plant>> make_line(const config::PlantConfig
   assemblies::LineParameters parameters;
   parameters.seed = plant.seed;
   parameters.variety = plant.uncertainty;
+  parameters.diverters = plant.diverters;
+  parameters.boxes = plant.boxes;
   auto line = assemblies::SortingLine::create(parameters);
   if (!line) return result::forward(line);
   if (left) (void)(*line)->resume(*left);  // what makes no sense leaves the line as configured

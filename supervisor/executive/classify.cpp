@@ -18,6 +18,8 @@ class Classifier {
     for (const Difference& difference : now_.differences) cause_.evidence.push_back(to_string(difference));
     cause_.evidence.insert(cause_.evidence.end(), now_.contradictions.begin(), now_.contradictions.end());
     if (!now_.failed.empty()) cause_.action = now_.failed.front().text;
+    note_devices();
+    note_signature();
     const bool quiet = now_.failed.empty() && now_.differences.empty() && now_.contradictions.empty();
     if (quiet && now_.limited.empty() && now_.frozen.empty()) return std::nullopt;
     if (sensor() || actuator() || leak() || rest()) return cause_;
@@ -29,6 +31,22 @@ class Classifier {
     cause_.kind = kind;
     if (!evidence.empty()) cause_.evidence.push_back(std::move(evidence));
     return true;
+  }
+
+  void note_devices() {
+    for (const FailedAction& failed : now_.failed) {
+      if (failed.reason != Reason::NoEffect && failed.reason != Reason::Timeout) continue;
+      cause_.devices.insert(cause_.devices.end(), failed.devices.begin(), failed.devices.end());
+    }
+  }
+
+  // What has happened, without how much and to which action.
+  void note_signature() {
+    std::set<std::string> parts;
+    for (const Difference& each : now_.differences)
+      parts.insert(each.atom + (each.measured > each.expected ? " more" : " less"));
+    for (const FailedAction& failed : now_.failed) parts.insert(failed.text);
+    for (const std::string& part : parts) cause_.signature += part + "; ";
   }
 
   bool sensor() {
@@ -52,11 +70,7 @@ class Classifier {
 
   bool actuator() {
     for (const FailedAction& failed : now_.failed) {
-      if (failed.reason != Reason::NoEffect) continue;
-      cause_.dead = failed.outputs;
-      cause_.again = std::any_of(failed.outputs.begin(), failed.outputs.end(),
-                                 [this](const std::string& output) { return now_.dead.contains(output); });
-      return found(IncidentKind::FailedActuator, cause_.again ? "not for the first time" : "");
+      if (failed.reason == Reason::NoEffect) return found(IncidentKind::FailedActuator);
     }
     return false;
   }

@@ -30,6 +30,7 @@ struct FailedAction {
   std::string sentence;
   std::vector<std::string> lost_facts;  // LostHold
   std::vector<std::string> outputs;
+  std::vector<std::string> devices;  // of the binding, that it needs
 };
 
 struct Situation {
@@ -41,7 +42,6 @@ struct Situation {
   std::vector<std::string> limited;            // sensors whose counts stand at the end of their range
   std::vector<std::string> frozen;             // sensors that do not change while they should
   std::map<std::string, double> left;          // levels as they were when the plan last let go of them
-  std::set<std::string> dead;                  // outputs that had no effect before
   std::vector<translate::Difference> earlier;  // differences of the incidents before
 };
 
@@ -49,11 +49,11 @@ struct Cause {
   IncidentKind kind = IncidentKind::Level;
   std::vector<std::string> evidence;
   std::string action{};
-  std::vector<std::string> dead{};  // FailedActuator: outputs without effect
-  bool again = false;               // FailedActuator: not for the first time
+  std::vector<std::string> devices{};  // that actions needed which had no effect or did not end in time
+  std::string signature{};             // the same for the same thing happening again
 
-  // Whether a plan that relies on the same device would be unsafe or in vain.
-  bool stops() const { return kind == IncidentKind::FailedSensor || kind == IncidentKind::Leak || again; }
+  // Whether any plan would be unsafe or in vain.
+  bool stops() const { return kind == IncidentKind::FailedSensor || kind == IncidentKind::Leak; }
 };
 
 // Whether nothing in the plan has touched what differs, and it has moved since the plan let go of it: a level

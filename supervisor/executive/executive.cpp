@@ -87,6 +87,7 @@ bool Executive::resume() {
   next_change_ = (*journal)->next_change;
   time_s_ = (*journal)->time_s;
   time_offset_s_ = (*journal)->time_offset_s;
+  for (const Incident& incident : record_.incidents) devices_.restore(incident.devices);
   tare_ = (*journal)->start.tare;
   goal_ = (*journal)->start.goal;
   auto rebuilt = desk_.rebuild((*journal)->start, (*journal)->plan);

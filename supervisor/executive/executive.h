@@ -27,9 +27,11 @@
 #include "runtime/result/result.h"
 #include "supervisor/executive/classify.h"
 #include "supervisor/executive/controller.h"
+#include "supervisor/executive/device_ledger.h"
 #include "supervisor/executive/image_reader.h"
 #include "supervisor/executive/planning_desk.h"
 #include "supervisor/executive/planning_job.h"
+#include "supervisor/executive/recurrence.h"
 #include "supervisor/executive/rest_watch.h"
 #include "supervisor/executive/run_record.h"
 #include "supervisor/translate/estimate.h"
@@ -109,13 +111,16 @@ class Executive {
   // executive_plan.cpp: incidents, and the plans that answer them.
   enum class Planned : std::uint8_t { Ready, Again, Over };
   bool replan(const Cause& cause);
-  bool mend(const model::NamedState& tracked, const std::vector<model::GroundAction>& interrupted,
+  bool mend(const std::string& signature, const model::NamedState& tracked,
+            const std::vector<model::GroundAction>& interrupted,
             const std::vector<model::GroundAction>& remaining);
   Planned plan_watched(StartState start, const std::vector<model::GroundAction>& remaining);
   std::optional<Planned> overtaken(PlanningJob& job, StartState& start, RestWatch& rest, bool& again);
   void close_episode(std::string& last_done);
   std::vector<model::GroundAction> remaining_actions() const;
   void open_incident(const Cause& cause);
+  void note_failed_devices(const Cause& cause);
+  std::string no_plan(const std::string& reason) const;
   void decide(Response response);
   void overtake(std::string evidence);
 
@@ -144,7 +149,7 @@ class Executive {
   void note_alarms(std::span<const std::byte> image);
   void note_levels(const std::set<std::string>& moving);
   std::optional<Cause> due_change(double time_s);
-  std::vector<model::GroundAction> begun_actions() const;
+  std::vector<model::GroundAction> begun_actions(bool resting) const;
   model::NamedState with_changes(model::NamedState state) const;
 
   const PlanningDesk& desk_;
@@ -160,9 +165,10 @@ class Executive {
   std::vector<Alarm> alarms_;                       // of which no incident tells yet
   std::vector<translate::Difference> differences_;  // of the last situation, of what nothing moved
   std::map<std::string, double> left_;  // levels as they were when the running plan last let go of them
-  std::set<std::string> dead_;          // outputs that had no effect in an incident so far
-  std::set<std::string> just_changed_;  // by actions that ended at the last event
-  std::vector<std::string> limited_;    // sensors at the end of their range at the last event
+  DeviceLedger devices_;
+  Recurrence recurrence_;
+  std::set<std::string> just_changed_;          // by actions that ended at the last event
+  std::vector<std::string> limited_;            // sensors at the end of their range at the last event
   std::vector<translate::Difference> earlier_;  // of the incidents so far
   std::chrono::steady_clock::time_point working_since_;
   bool working_ = false;               // on a decision; observing the plant does not count

@@ -97,7 +97,7 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
       with_changes(translate::expected_state(current_.translation, progress.done()));
   const auto values = reader_->values(image);
   limited_ = limited_sensors(desk_.binding(), values);
-  auto estimate = translate::estimate(desk_.binding(), values, tare_, expected, begun_actions());
+  auto estimate = translate::estimate(desk_.binding(), values, tare_, expected, begun_actions(true));
   if (!estimate) return give_up_because(IncidentKind::ProgramFault, result::to_string(estimate.error()));
   seen_ = std::move(*estimate);
   note_progress(progress, time_s);
@@ -168,7 +168,6 @@ Situation Executive::situation(const translate::Progress& progress, const model:
                                            now.failed.empty() ? now.moving : std::set<std::string>());
   if (!now.failed.empty()) now.contradictions = seen_.contradictions;
   now.earlier = earlier_;
-  now.dead = dead_;
   now.left = left_;
   now.just_changed = just_changed_;
   now.limited = limited_;
@@ -239,6 +238,7 @@ void Executive::note_done(std::size_t action, double time_s) {
   ActionRecord& record = record_.episodes.back().actions[action];
   record.finished_s = time_s;
   record_.finished_s = time_s;
+  devices_.clear(desk_.binding().devices_of(current_.plan.actions[action]));
   for (const translate::Sensor& sensor : desk_.binding().sensors) {
     record.observed[sensor.fluent] = seen_.measured.fluents.at(sensor.fluent);
   }
@@ -262,6 +262,7 @@ FailedAction Executive::failure_of(std::size_t action, double time_s) const {
   const translate::ActionBinding* entry =
       desk_.binding().action_for(current_.plan.actions[action], assignment);
   failed.outputs = entry->outputs;
+  failed.devices = desk_.binding().devices_of(current_.plan.actions[action]);
   const double timeout_s = std::chrono::duration<double>(entry->timeout).count();
   // The chart's clock of a step and the events' times agree to a scan.
   const double scan_s = static_cast<double>(desk_.options().interval_us) * 1e-6;
@@ -319,10 +320,12 @@ std::optional<Cause> Executive::due_change(double time_s) {
   return cause;
 }
 
-std::vector<model::GroundAction> Executive::begun_actions() const {
+// `resting`: with those of which only the rest runs.
+std::vector<model::GroundAction> Executive::begun_actions(bool resting) const {
   std::vector<model::GroundAction> actions;
   for (std::size_t i = 0; i < progress_.actions.size(); ++i) {
-    if (progress_.actions[i] == ActionState::Active || progress_.actions[i] == ActionState::Failed) {
+    const bool runs = progress_.actions[i] == ActionState::Active && (resting || !progress_.rests(i));
+    if (runs || progress_.actions[i] == ActionState::Failed) {
       actions.push_back(current_.plan.actions[i]);
     }
   }

@@ -1,5 +1,7 @@
 // Incidents, and the plans that answer them: made in a thread of their own while this one watches.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -15,9 +17,19 @@ using std::chrono::steady_clock;
 // Between two looks at the plant while a plan is made.
 constexpr milliseconds kLook{5};
 
+// Who wants something else does so in any state.
+bool is_wish(IncidentKind kind) {
+  return kind == IncidentKind::NewGoal || kind == IncidentKind::ChangedDemand;
+}
+
 Response response_of(const Episode& episode) {
   if (episode.origin == "kept") return Response::GoOn;
   return episode.origin == "repaired" ? Response::Repair : Response::Replan;
+}
+
+// "belt r and belt d1"
+std::string names_of(const std::vector<std::string>& devices) {
+  return fmt::format("{}", fmt::join(devices, " and "));
 }
 
 double ms_since(steady_clock::time_point start) {
@@ -36,9 +48,27 @@ void Executive::open_incident(const Cause& cause) {
   record_.incidents.push_back(std::move(incident));
   earlier_.insert(earlier_.end(), differences_.begin(), differences_.end());
   differences_.clear();
-  dead_.insert(cause.dead.begin(), cause.dead.end());
   working_ = true;
   working_since_ = steady_clock::now();
+}
+
+void Executive::note_failed_devices(const Cause& cause) {
+  Incident& incident = record_.incidents.back();
+  incident.devices = devices_.suspect(cause.devices);
+  if (incident.devices.empty()) return;
+  incident.kind = IncidentKind::FailedActuator;
+  incident.evidence.push_back("twice, what needs " + names_of(incident.devices) +
+                              " has not come to its end: planned without");
+}
+
+// Why there is none, which may be for want of a device.
+std::string Executive::no_plan(const std::string& reason) const {
+  const std::string where =
+      record_.replans.empty() ? "there is no plan" : "there is no plan from the observed state";
+  const std::set<std::string>& failed = devices_.failed();
+  if (failed.empty()) return where + ": " + reason;
+  return where + " without " + names_of({failed.begin(), failed.end()}) +
+         " (with which actions failed twice): " + reason;
 }
 
 void Executive::decide(Response response) {
@@ -58,14 +88,21 @@ void Executive::overtake(std::string evidence) {
 std::vector<model::GroundAction> Executive::remaining_actions() const {
   std::vector<model::GroundAction> remaining;
   for (std::size_t i = 0; i < progress_.actions.size(); ++i) {
-    if (progress_.actions[i] != ActionState::Done) remaining.push_back(current_.plan.actions[i]);
+    if (progress_.actions[i] != ActionState::Done && !progress_.rests(i))
+      remaining.push_back(current_.plan.actions[i]);
   }
   return remaining;
 }
 
 void Executive::close_episode(std::string& last_done) {
   if (record_.episodes.empty()) return;
-  for (ActionRecord& action : record_.episodes.back().actions) {
+  std::vector<ActionRecord>& actions = record_.episodes.back().actions;
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    ActionRecord& action = actions[i];
+    if (action.state == ActionState::Active && progress_.rests(i)) {
+      action.state = ActionState::Done;
+      note_done(i, time_s_);
+    }
     if (action.state == ActionState::Done) last_done = action.text;
     if (action.state == ActionState::Active) action.state = ActionState::Failed;
   }
@@ -81,18 +118,21 @@ bool Executive::replan(const Cause& cause) {
     return give_up("after " + std::to_string(record_.replans.size()) + " replans: " + sentence, cause.kind);
   }
   record_.replans.push_back({time_s_, sentence, last_done});
+  note_failed_devices(cause);
+  if (is_wish(cause.kind)) recurrence_.forget();
   set_phase(Phase::Replanning, sentence);
   // A program that runs is relieved by the next one, without a stop. Anything else stops at once, not only
   // with the download that follows; a runtime that is gone or was restarted has nothing to stop.
   if (!can_take_over()) (void)controller_.stop(sentence.substr(0, 200));
-  const model::NamedState tracked = progress_.actions.empty()
-                                        ? pddl::to_named(desk_.task().initial())
-                                        : translate::expected_state(current_.translation, progress_.done());
-  return mend(tracked, begun_actions(), remaining_actions());
+  const model::NamedState tracked =
+      progress_.actions.empty() ? pddl::to_named(desk_.task().initial())
+                                : translate::expected_state(current_.translation, progress_.completed());
+  return mend(cause.signature, tracked, begun_actions(false), remaining_actions());
 }
 
 // From the observed state to a plan that runs.
-bool Executive::mend(const model::NamedState& tracked, const std::vector<model::GroundAction>& interrupted,
+bool Executive::mend(const std::string& signature, const model::NamedState& tracked,
+                     const std::vector<model::GroundAction>& interrupted,
                      const std::vector<model::GroundAction>& remaining) {
   while (true) {
     if (std::exchange(working_, false)) record_.incidents.back().decision_ms += ms_since(working_since_);
@@ -107,10 +147,9 @@ bool Executive::mend(const model::NamedState& tracked, const std::vector<model::
     }
     seen_ = std::move(*estimate);
     const model::NamedState planning = with_changes(seen_.planning);
-    // Who wants something else does so in any state.
-    const IncidentKind kind = record_.incidents.back().kind;
-    const bool wish = kind == IncidentKind::NewGoal || kind == IncidentKind::ChangedDemand;
-    if (!wish && !interrupted.empty() && planning == stuck_at_) {
+    const Incident& incident = record_.incidents.back();
+    const bool wish = is_wish(incident.kind);
+    if (!wish && incident.devices.empty() && !interrupted.empty() && planning == stuck_at_) {
       return give_up("the plant does not follow: for the second time in the same state, " +
                      record_.replans.back().cause);
     }
@@ -119,6 +158,11 @@ bool Executive::mend(const model::NamedState& tracked, const std::vector<model::
     if (planned == Planned::Over) return false;
     if (planned == Planned::Again) continue;
     stuck_at_ = current_.start.planning;
+    const bool left = !current_.plan.actions.empty();
+    if (left && !signature.empty() && recurrence_.in_vain(signature, current_.plan.actions.size())) {
+      return give_up("the same has happened for the third time, and the goal has come no nearer: " +
+                     record_.replans.back().cause);
+    }
     record_.incidents.back().repair_ms = current_.episode.repair_ms;
     record_.incidents.back().replan_ms = current_.episode.replan_ms;
     record_.incidents.back().kept = current_.episode.kept;
@@ -132,7 +176,7 @@ bool Executive::mend(const model::NamedState& tracked, const std::vector<model::
 Executive::Planned Executive::plan_watched(StartState start,
                                            const std::vector<model::GroundAction>& remaining) {
   while (true) {
-    PlanningJob job(desk_, {.start = start, .remaining = remaining});
+    PlanningJob job(desk_, {.start = start, .remaining = remaining, .without = devices_.failed()});
     RestWatch rest(desk_.binding(), tare_, seen_.measured);
     bool again = false;
     while (!again && !job.wait(kLook)) {
@@ -146,8 +190,7 @@ Executive::Planned Executive::plan_watched(StartState start,
     }
     if (outcome->status != PrepareStatus::Ready) {
       const bool first = record_.replans.empty();
-      give_up((first ? "there is no plan: " : "there is no plan from the observed state: ") + outcome->reason,
-              IncidentKind::ProgramFault,
+      give_up(no_plan(outcome->reason), IncidentKind::ProgramFault,
               !first                                         ? result::ExitCode::RuntimeFault
               : outcome->status == PrepareStatus::Infeasible ? result::ExitCode::NoPlan
                                                              : result::ExitCode::BudgetExhausted);

@@ -46,7 +46,8 @@ json incident_json(const Incident& incident) {
           {"alarms", std::move(alarms)},         {"decision", to_string(incident.response)},
           {"decision_ms", incident.decision_ms}, {"repair_ms", incident.repair_ms},
           {"replan_ms", incident.replan_ms},     {"kept", incident.kept},
-          {"remaining", incident.remaining},     {"restarts", incident.restarts}};
+          {"remaining", incident.remaining},     {"restarts", incident.restarts},
+          {"devices", incident.devices}};
 }
 
 Incident incident_from(const json& value) {
@@ -54,6 +55,7 @@ Incident incident_from(const json& value) {
   incident.time_s = value.at("time_s");
   incident.kind = static_cast<IncidentKind>(index_of_word(value.at("kind"), kKinds.data(), kKinds.size()));
   value.at("evidence").get_to(incident.evidence);
+  value.at("devices").get_to(incident.devices);
   incident.action = value.at("action");
   for (const json& alarm : value.at("alarms")) {
     incident.alarms.push_back({alarm.at("action"), alarm.at("kind"), alarm.at("condition"), alarm.at("scan"),

@@ -53,12 +53,13 @@ struct Incident {
   std::string action;                 // that ran or was to start; empty if none is concerned
   std::vector<Alarm> alarms;
   Response response = Response::Open;
-  double decision_ms = 0.0;   // of the supervisor's own work, from the news to the decision
-  double repair_ms = 0.0;     // of it: until there was a repaired plan, or none
-  double replan_ms = 0.0;     // of it: for the new plan beside it
-  std::size_t kept = 0;       // actions of the old plan that were kept
-  std::size_t remaining = 0;  // of so many that were left
-  std::size_t restarts = 0;   // plannings that newer news overtook
+  double decision_ms = 0.0;            // of the supervisor's own work, from the news to the decision
+  double repair_ms = 0.0;              // of it: until there was a repaired plan, or none
+  double replan_ms = 0.0;              // of it: for the new plan beside it
+  std::size_t kept = 0;                // actions of the old plan that were kept
+  std::size_t remaining = 0;           // of so many that were left
+  std::size_t restarts = 0;            // plannings that newer news overtook
+  std::vector<std::string> devices{};  // that count as failed from here on: plans do without them
 
   friend bool operator==(const Incident&, const Incident&) = default;
 };

@@ -1,5 +1,6 @@
 #include "supervisor/executive/planning_desk.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -82,6 +83,13 @@ result::Result<PrepareOutcome> PlanningDesk::prepare(const PlanRequest& request)
   options.search.optimal = options_.optimal;
   options.search.budget.time = options_.time;
   options.search.cancel = request.cancel;
+  if (!request.without.empty()) {
+    options.search.excluded = [&](const model::GroundAction& action) {
+      const std::vector<std::string> needed = binding_.devices_of(action);
+      return std::any_of(needed.begin(), needed.end(),
+                         [&](const std::string& device) { return request.without.contains(device); });
+    };
+  }
   const pddl::RepairOutcome mended = pddl::repair(*task, request.remaining, options);
   const model::Outcome& solved = mended.outcome;
   PrepareOutcome outcome;

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,7 @@ struct PlanRequest {
   StartState start;
   // What is left of the plan that was interrupted: kept or repaired where that is as good as a new plan.
   std::vector<model::GroundAction> remaining{};
+  std::set<std::string> without{};            // devices of the binding that no action of the plan may need
   const std::atomic<bool>* cancel = nullptr;  // not owned; may be null
 };
 

@@ -28,6 +28,7 @@ class Solver {
     ground_ = ground_task(task_.definition(), [this] { return stopped(); });
     if (ground_.cancelled) return finish();
     if (ground_.unreachable_goal) return infeasible(*ground_.unreachable_goal);
+    leave_out();
     arrange_by_groups(ground_);
     report();
     const StateSpace space(ground_);
@@ -48,6 +49,13 @@ class Solver {
   }
 
  private:
+  // Bounds and groups stay true of what is left.
+  void leave_out() {
+    if (!options_.excluded) return;
+    std::erase_if(ground_.operators,
+                  [this](const GroundOperator& op) { return options_.excluded(action_of(ground_, op)); });
+  }
+
   bool stopped() {
     if (reason_ == StopReason::None) reason_ = control_.check();
     return reason_ != StopReason::None;

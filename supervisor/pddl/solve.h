@@ -41,6 +41,9 @@ struct Options {
   std::function<void(const model::Plan&)> on_improvement;  // every better plan, orderings not filled
   std::function<void(const Progress&)> on_progress;        // about once a second
   const std::atomic<bool>* cancel = nullptr;               // not owned; set from any thread
+  // Actions that no plan may have, because what would execute them has failed. Called from the calling
+  // thread.
+  std::function<bool(const model::GroundAction&)> excluded{};
 };
 
 // Solves the task. Outcome::kind: Solved when the plan is proved optimal (or the first one with

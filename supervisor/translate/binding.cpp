@@ -37,6 +37,30 @@ const ActionBinding* Binding::action_for(const model::GroundAction& action, Assi
   return nullptr;
 }
 
+std::vector<std::string> Binding::devices_of(const model::GroundAction& action) const {
+  Assignment assignment;
+  const ActionBinding* entry = action_for(action, assignment);
+  const std::vector<std::string> driven = entry == nullptr ? std::vector<std::string>{} : entry->outputs;
+  const auto drives = [&driven](const std::string& output) {
+    return std::find(driven.begin(), driven.end(), output) != driven.end();
+  };
+  std::vector<std::string> names;
+  for (const Device& device : devices) {
+    const bool needed =
+        std::any_of(device.actions.begin(), device.actions.end(),
+                    [&action](const Pattern& pattern) { return match(pattern, action).has_value(); });
+    if (needed || std::any_of(device.outputs.begin(), device.outputs.end(), drives))
+      names.push_back(device.name);
+  }
+  for (const std::string& output : driven) {
+    const bool named = std::any_of(devices.begin(), devices.end(), [&output](const Device& device) {
+      return std::find(device.outputs.begin(), device.outputs.end(), output) != device.outputs.end();
+    });
+    if (!named) names.push_back(output);
+  }
+  return names;
+}
+
 std::string search_step(std::size_t group, std::size_t search) {
   return "SEARCH_" + std::to_string(group + 1) + "_" + std::to_string(search + 1);
 }

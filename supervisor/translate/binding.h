@@ -114,6 +114,14 @@ struct ActionBinding {
   result::Location where;
 };
 
+// What can fail as one: the actions that drive its outputs, and those that need it without driving it. An
+// output that no entry names is a device of its own, with the name of its tag.
+struct Device {
+  std::string name;  // for people: "diverter 1"
+  std::vector<std::string> outputs;
+  std::vector<Pattern> actions;
+};
+
 struct Binding {
   std::string file;
   milliseconds start{0};   // before the initial snapshot is checked (filters settle)
@@ -124,12 +132,15 @@ struct Binding {
   std::vector<OneOf> one_of;
   std::vector<std::vector<std::string>> exclusive;  // outputs of which one at most is ever on
   std::vector<ActionBinding> actions;
+  std::vector<Device> devices;
 
   const Tag* tag(std::string_view name) const;
   const Sensor* sensor_of(std::string_view fluent) const;
   const ObservedFact* observed(std::string_view fact) const;
   // The first entry that matches, and what its pattern binds; null and empty if none does.
   const ActionBinding* action_for(const model::GroundAction& action, Assignment& assignment) const;
+  // The names of the devices without which an action cannot be executed, in file order.
+  std::vector<std::string> devices_of(const model::GroundAction& action) const;
 };
 
 // Reads a binding; `vocabulary` (may be null) is the planning domain to check names against. Every problem

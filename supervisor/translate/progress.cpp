@@ -8,9 +8,16 @@ std::vector<bool> Progress::done() const {
   return flags;
 }
 
+std::vector<bool> Progress::completed() const {
+  std::vector<bool> flags = done();
+  for (std::size_t i = 0; i < flags.size(); ++i) flags[i] = flags[i] || rests(i);
+  return flags;
+}
+
 Progress progress(const Translation& translation, const std::vector<bool>& active) {
   Progress now;
   now.actions.assign(translation.changes.size(), ActionState::Pending);
+  now.resting.assign(translation.changes.size(), false);
   for (std::size_t i = 0; i < translation.steps.size(); ++i) {
     const StepInfo& step = translation.steps[i];
     if (!active[i]) continue;
@@ -18,6 +25,7 @@ Progress progress(const Translation& translation, const std::vector<bool>& activ
     if (step.kind == StepKind::Done) now.finished = true;
     if (step.kind == StepKind::Failed) now.failed_steps.push_back(i);
     if (!step.action) continue;
+    now.resting[*step.action] = step.kind == StepKind::Rest;
     now.actions[*step.action] = step.kind == StepKind::Failed ? ActionState::Failed : ActionState::Active;
   }
   // Orderings lead to larger indices; backwards, one pass makes everything before a done action done.

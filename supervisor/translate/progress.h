@@ -21,8 +21,14 @@ struct Progress {
   std::vector<ActionState> actions;       // Failed: could not start, or began and did not end
   std::vector<std::size_t> failed_steps;  // indices into Translation::steps
   bool finished = false;                  // DONE is active
+  // Active actions whose completion was observed: only their rest runs. Interrupted now, they have done what
+  // they were for. Shorter than `actions`: the others are not.
+  std::vector<bool> resting;
 
   std::vector<bool> done() const;
+  // The same, with those that rest.
+  std::vector<bool> completed() const;
+  bool rests(std::size_t action) const { return action < resting.size() && resting[action]; }
 };
 
 // `active[i]` is the bit of translation.steps[i]. Pure function.

@@ -48,6 +48,7 @@ void BindingReader::read(const TomlTable& root) {
   read_groups(root);
   check_names(root);
   for (const TomlTable& entry : root.tables("actions")) read_action(entry);
+  for (const TomlTable& entry : root.tables("devices")) read_device(entry);
   check_every_action_is_bound(root);
 }
 
@@ -235,6 +236,27 @@ void BindingReader::read_action(const TomlTable& entry) {
     break;
   }
   binding_.actions.push_back(std::move(action));
+}
+
+void BindingReader::read_device(const TomlTable& entry) {
+  Device device;
+  device.name = entry.required_text("name");
+  device.outputs = entry.texts("outputs");
+  for (const std::string& text : entry.texts("actions")) {
+    const auto pattern = atoms_.parse(entry, "actions", text, AtomKind::Action, nullptr);
+    if (pattern) device.actions.push_back(*pattern);
+  }
+  if (device.outputs.empty() && !entry.has("actions"))
+    entry.report("name", "nothing depends on this device", "give it 'outputs' or 'actions'");
+  for (const std::string& name : device.outputs) atoms_.output(entry, "outputs", name);
+  for (const Device& other : binding_.devices) {
+    if (other.name == device.name) entry.report("name", "another device is called '" + device.name + "'");
+    for (const std::string& output : device.outputs) {
+      if (std::find(other.outputs.begin(), other.outputs.end(), output) == other.outputs.end()) continue;
+      entry.report("outputs", "'" + output + "' is an output of '" + other.name + "' already");
+    }
+  }
+  binding_.devices.push_back(std::move(device));
 }
 
 void BindingReader::check_outputs(const TomlTable& entry, const ActionBinding& action) {

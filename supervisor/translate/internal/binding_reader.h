@@ -25,6 +25,7 @@ class BindingReader {
   void read_facts(const TomlTable& root);
   void read_groups(const TomlTable& root);
   void read_action(const TomlTable& entry);
+  void read_device(const TomlTable& entry);
   void read_completion(const TomlTable& entry, ActionBinding& action);
   void read_transfers(const TomlTable& entry, ActionBinding& action);
   void read_duration(const TomlTable& entry, ActionBinding& action);

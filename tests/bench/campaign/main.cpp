@@ -1,8 +1,9 @@
-// The stochastic campaign: simulated runs of the tank bench with random faults, demands and sensor errors, as
-// fast as the machine allows. Every run must end at the goal or in the safe state with the right report; the
-// undisturbed class is the baseline of costs and times beside the disturbed ones.
+// The stochastic campaign: simulated runs of the tank bench with random faults, demands and sensor errors, or
+// of the sorting line with random faults, as fast as the machine allows. Every run must end at the goal or in
+// the safe state with the right report; the undisturbed class is the baseline of costs and times beside the
+// disturbed ones.
 //
-//   bench_campaign [--runs N] [--first SEED] [--threads N] [--json FILE]
+//   bench_campaign [--cell bench|conveyor] [--runs N] [--first SEED] [--threads N] [--json FILE]
 //
 // Ctrl-C ends it after the runs that are under way, with the table of those that are done (exit 4).
 // A single seed again: --first SEED --runs 1.
@@ -10,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <thread>
 
@@ -17,6 +19,7 @@
 #include "programs/process/files.h"
 #include "programs/process/interruption.h"
 #include "tests/bench/campaign/campaign.h"
+#include "tests/bench/campaign/line.h"
 
 namespace stepwright::campaign {
 namespace {
@@ -25,6 +28,7 @@ using process::fail;
 using result::ExitCode;
 
 struct Arguments {
+  std::string cell = "bench";
   std::uint64_t first = 0;
   std::uint64_t runs = 1'000;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
@@ -32,6 +36,8 @@ struct Arguments {
 };
 
 void describe(CLI::App& app, Arguments& arguments) {
+  app.add_option("--cell", arguments.cell, "bench or conveyor (bench)")
+      ->check(CLI::IsMember({"bench", "conveyor"}));
   app.add_option("--runs", arguments.runs, "how many (1000)")->check(CLI::Range(1.0, 1e9));
   app.add_option("--first", arguments.first, "seed of the first one (0)")->check(CLI::NonNegativeNumber);
   app.add_option("--threads", arguments.threads, "that run them (one for each core)")
@@ -51,16 +57,28 @@ int finish(const Arguments& arguments, const std::string& table, const std::stri
   return to_int(interrupted ? ExitCode::BudgetExhausted : ExitCode::Done);
 }
 
+std::function<void(std::uint64_t)> progress_of(const Arguments& arguments) {
+  return [runs = arguments.runs](std::uint64_t done) {
+    std::fprintf(stderr, "\r%llu of %llu", static_cast<unsigned long long>(done),
+                 static_cast<unsigned long long>(runs));
+  };
+}
+
+int run_lines(const Arguments& arguments) {
+  const process::Interruption interruption;
+  const LineFigures figures = line_campaign(arguments.first, arguments.runs, arguments.threads,
+                                            progress_of(arguments), interruption.flag());
+  std::fprintf(stderr, "\n");
+  return finish(arguments, table(figures), to_json(figures, arguments.first, arguments.threads),
+                !figures.lost.empty(), figures.runs() < arguments.runs);
+}
+
 int run_bench(const Arguments& arguments) {
   const auto desk = campaign_desk();
   if (!desk) return fail(desk.error(), ExitCode::BadInput);
   const process::Interruption interruption;
-  const auto told = [&](std::uint64_t done) {
-    std::fprintf(stderr, "\r%llu of %llu", static_cast<unsigned long long>(done),
-                 static_cast<unsigned long long>(arguments.runs));
-  };
-  const Figures figures =
-      campaign(*desk, arguments.first, arguments.runs, arguments.threads, told, interruption.flag());
+  const Figures figures = campaign(*desk, arguments.first, arguments.runs, arguments.threads,
+                                   progress_of(arguments), interruption.flag());
   std::fprintf(stderr, "\n");
   return finish(arguments, table(figures), to_json(figures, arguments.first, arguments.threads),
                 !figures.lost.empty(), figures.all().runs < arguments.runs);
@@ -71,14 +89,14 @@ int run(const Arguments& arguments) {
     const auto refused = process::check_writable(arguments.json_file);
     if (!refused.empty()) return fail(refused, ExitCode::BadInput);
   }
-  return run_bench(arguments);
+  return arguments.cell == "conveyor" ? run_lines(arguments) : run_bench(arguments);
 }
 
 }  // namespace
 }  // namespace stepwright::campaign
 
 int main(int argc, char** argv) {
-  CLI::App app("Disturbed runs of the tank bench at random, judged by the plant's truth", "bench_campaign");
+  CLI::App app("Runs of a cell, disturbed at random and judged by the plant's truth", "bench_campaign");
   stepwright::campaign::Arguments arguments;
   stepwright::campaign::describe(app, arguments);
   if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;

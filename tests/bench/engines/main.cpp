@@ -1,7 +1,8 @@
 // The two engines beside C: 1000 rungs, an arithmetic loop and 300 function blocks, each with new random
 // inputs in every scan, in both engines, in the manner of matiec and as hand-written C (gcc -O2, in the same
 // run, taking turns). Then the growth of the rungs to 100,000 beside the same C, and how long compiling
-// takes. All results are compared before anything is timed.
+// takes. First the tank bench's plan with and without its monitors. All results are compared before anything
+// is timed.
 //
 //   bench_engines [--json FILE]
 
@@ -19,6 +20,7 @@
 
 #include "runtime/native/native_engine.h"
 #include "tests/bench/engines/baseline.h"
+#include "tests/bench/engines/monitored_plan.h"
 #include "tests/bench/engines/st_program.h"
 #include "tests/bench/engines/workload.h"
 
@@ -186,8 +188,27 @@ void run_growth(std::uint32_t count, int repeats, nlohmann::json& out) {
       count, scan_us, scan_us * 1000 / count, hand_us, hand_us * 1000 / count, all_ms, native_ms);
 }
 
+// What the supervisor's monitors add to every scan of the tank bench's plan.
+void run_monitors(nlohmann::json& out) {
+  for (const auto& [name, kind] :
+       {std::pair("native", EngineKind::Native), std::pair("vm", EngineKind::Vm)}) {
+    const MonitorFigures figures = measure_monitors(kind);
+    const std::string key = std::string("bench_plan_") + name;
+    out[key + "_monitored_us"] = figures.with_us;
+    out[key + "_us"] = figures.without_us;
+    out[key + "_monitors_ratio"] = figures.ratio();
+    std::printf(
+        "bench plan, %s: %.3f us a scan with %zu monitors, %.3f us without (ratio %.2f), over %zu scans; "
+        "code entered %.0f and %.0f bytes\n",
+        name, figures.with_us, figures.monitors, figures.without_us, figures.ratio(), figures.scans,
+        figures.with_bytes, figures.without_bytes);
+  }
+  std::fflush(stdout);
+}
+
 int run(const char* json_file) {
   nlohmann::json out = nlohmann::json::object();
+  run_monitors(out);
   for (const Workload& workload : {rungs(1000), loop(), blocks()}) run_workload(workload, out);
   run_growth(1000, 21, out);
   run_growth(10'000, 5, out);

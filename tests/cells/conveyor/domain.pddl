@@ -3,7 +3,7 @@
 ; that leads back to the reader. So a box whose turn has not come lets others pass by going round.
 (define (domain sorting-line)
   (:requirements :typing :negative-preconditions :numeric-fluents)
-  (:types box zone chute)
+  (:types box zone chute place)
   (:predicates
     (at ?b - box ?z - zone)                ; as followed from the order list on
     (occupied ?z - zone)                   ; the zone's photo-eye is covered
@@ -11,12 +11,14 @@
     (leads ?from ?to - zone)               ; belts carry from zone to zone
     (crosses ?from ?to - zone)             ; a pusher takes a box from zone to zone
     (infeed ?z - zone)
+    (reads ?z - zone)                      ; the reader looks at the zone's end
     (diverts ?z - zone ?c - chute)         ; the pusher of a zone reaches the chute
     (ends ?z - zone ?c - chute)            ; the zone's belt leads into the chute
     (links ?from ?to - zone)               ; either way from zone to zone
     (leaves ?z - zone ?c - chute)          ; either way from the zone into the chute
-    (announced ?b - box)                   ; the next box of the order list
-    (behind ?next ?b - box)                ; of the order list
+    (announced ?b - box ?n - place)        ; place of a box in the order list, until it arrives
+    (next ?n - place)                      ; of the order list, to arrive
+    (follows ?later ?n - place)
     (wanted ?b - box ?c - chute)           ; the sorting order
     (turn ?b ?before - box)                ; ?b may enter its chute once ?before is in its own
     (sorted ?b - box)
@@ -30,9 +32,9 @@
     (travel))                              ; m that boxes were carried
 
   (:action feed
-    :parameters (?b ?next - box ?z - zone)
-    :precondition (and (safe) (infeed ?z) (announced ?b) (behind ?next ?b) (free ?z) (not (occupied ?z)))
-    :effect (and (not (announced ?b)) (announced ?next) (at ?b ?z) (occupied ?z) (not (free ?z))
+    :parameters (?b - box ?n ?later - place ?z - zone)
+    :precondition (and (safe) (infeed ?z) (next ?n) (announced ?b ?n) (follows ?later ?n) (free ?z) (not (occupied ?z)))
+    :effect (and (not (announced ?b ?n)) (not (next ?n)) (next ?later) (at ?b ?z) (occupied ?z) (not (free ?z))
                  (assign (shown ?z) (number ?b)) (increase (travel) 1)))
 
   (:action convey
@@ -83,7 +85,28 @@
     :effect (and (not (at ?b ?z)) (not (occupied ?z)) (free ?z) (assign (shown ?z) 0) (sorted ?b)
                  (increase (got ?c) 1) (increase (entered ?c) 1) (increase (travel) 1)))
 
-  ; Interrupted when it was as good as done: the box is at the next eye, or has slid into its chute and was counted.
+  ; The reader shows another box than that which was followed to it: one that was announced for later has come in its
+  ; place, and so it will come in the place of that. Also where that was taken for the box at the infeed meanwhile.
+  (:action recognised
+    :parameters (?b ?instead - box ?n - place ?z - zone)
+    :precondition (and (safe) (reads ?z) (at ?instead ?z) (occupied ?z) (announced ?b ?n) (= (shown ?z) (number ?b)))
+    :effect (and (not (at ?instead ?z)) (at ?b ?z) (not (announced ?b ?n)) (announced ?instead ?n)
+                 (increase (travel) 100)))
+
+  (:action exchanged
+    :parameters (?b ?instead - box ?z ?in - zone)
+    :precondition (and (safe) (reads ?z) (at ?instead ?z) (occupied ?z) (infeed ?in) (at ?b ?in)
+                       (= (shown ?z) (number ?b)))
+    :effect (and (not (at ?instead ?z)) (at ?b ?z) (not (at ?b ?in)) (at ?instead ?in)
+                 (assign (shown ?in) (number ?instead)) (increase (travel) 100)))
+
+  ; Interrupted when it was as good as done: the box is at the infeed, or at the next eye, or has slid into its chute and was counted.
+  (:action fed
+    :parameters (?b - box ?n ?later - place ?z - zone)
+    :precondition (and (safe) (infeed ?z) (next ?n) (announced ?b ?n) (follows ?later ?n) (free ?z) (occupied ?z))
+    :effect (and (not (announced ?b ?n)) (not (next ?n)) (next ?later) (at ?b ?z) (not (free ?z))
+                 (assign (shown ?z) (number ?b))))
+
   (:action arrived
     :parameters (?b - box ?from ?to - zone)
     :precondition (and (safe) (links ?from ?to) (at ?b ?from) (not (occupied ?from)) (free ?to) (occupied ?to))

@@ -69,12 +69,18 @@ class SortingJob(unittest.TestCase):
         self.assertIn("(await_reset) did not end", report["message"])
         self.assertEqual([report["plant"][f"speed_{belt}"] for belt in ("in", "r", "d1", "d2", "e", "t")], [0] * 6)
 
-    def test_boxes_that_come_in_another_order_are_noticed_at_the_reader(self):
+    def test_boxes_that_come_in_another_order_are_sorted_by_what_the_reader_says(self):
         report, code = self.run_demo("--no-compare", *self.faults("exchange_boxes=2@0"))
-        self.assertEqual(code, 5, report["stdout"])
+        self.assertEqual(code, 0, report["stdout"])
         self.assertIn("number of the box at the reader is 3.0, expected 2.0",
                       report["record"]["replans"][0]["cause"])
-        self.assertEqual(report["plant"]["box_3_chute"], 0)
+        self.assertEqual(sorted_boxes(report["plant"]), ORDERED)
+
+    def test_a_diverter_that_is_stuck_for_good_is_named_by_the_safe_stop(self):
+        report, code = self.run_demo("--no-compare", *self.faults("stuck_push_1=1@10"))
+        self.assertEqual(code, 5, report["stdout"])
+        self.assertIn("there is no plan from the observed state without diverter 1", report["message"])
+        self.assertEqual(report["record"]["incidents"][-1]["devices"], ["diverter 1"])
 
 
 if __name__ == "__main__":

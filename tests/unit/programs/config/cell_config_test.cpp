@@ -36,6 +36,13 @@ TEST(CellConfigBench, WhenTheBenchIsLoaded_ThenItIsSound) {
   EXPECT_EQ(config->plant.ports.size(), 12u);
 }
 
+TEST(CellConfigLine, WhenFourDivertersAreLoaded_ThenThePlantHasThem) {
+  const auto config = load_cell_config(STEPWRIGHT_SOURCE_DIR "/tests/cells/four_diverters/cell.toml");
+  ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
+  EXPECT_EQ(config->plant.diverters, 4u);
+  EXPECT_EQ(config->plant.boxes, 6u);
+}
+
 TEST(CellConfigBench, WhenThereIsNoFile_ThenTheErrorNamesIt) {
   const auto config = load_cell_config("/nonexistent/cell.toml");
   ASSERT_FALSE(config.has_value());
@@ -46,6 +53,14 @@ TEST_F(CellConfigTest, WhenAPlanningFileIsMissing_ThenTheErrorStandsAtItsKey) {
   const auto config = load_cell_config(write("[planning]\ndomain = \"gone.pddl\"\n"));
   ASSERT_FALSE(config.has_value());
   EXPECT_EQ(config.error()[0].where.line, 2u);
+}
+
+TEST_F(CellConfigTest, WhenALineHasMoreDivertersOrBoxesThanThereAre_ThenEachIsReportedAtItsKey) {
+  const auto config = load_cell_config(write("[plant]\nkind = \"sorting_line\"\ndiverters = 5\nboxes = 0\n"));
+  ASSERT_FALSE(config.has_value());
+  ASSERT_EQ(config.error().size(), 2u) << result::to_string(config.error());
+  EXPECT_EQ(config.error()[0].where.line, 3u);
+  EXPECT_EQ(config.error()[1].where.line, 4u);
 }
 
 TEST_F(CellConfigTest, WhenThereIsNoPlanning_ThenTheCellIsARuntimeOnly) {

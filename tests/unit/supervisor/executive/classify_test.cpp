@@ -106,16 +106,34 @@ TEST(Classify, WhenAnActionFails_ThenItsReasonDecides) {
   }
 }
 
-TEST(Classify, WhenAnOutputHasNoEffectAgain_ThenItIsNotTriedAThirdTime) {
+TEST(Classify, WhenNothingComesOfAnAction_ThenItsDevicesAreNamed) {
+  for (const Reason reason : {Reason::NoEffect, Reason::Timeout}) {
+    Situation now;
+    now.failed = {failed(reason)};
+    now.failed[0].devices = {"supply pump"};
+    EXPECT_EQ(classify(now)->devices, std::vector<std::string>{"supply pump"});
+    EXPECT_FALSE(classify(now)->stops());
+  }
+  for (const Reason reason : {Reason::LostHold, Reason::Refused}) {
+    Situation now;
+    now.failed = {failed(reason)};
+    now.failed[0].devices = {"supply pump"};
+    EXPECT_TRUE(classify(now)->devices.empty());
+  }
+}
+
+// How much is amiss differs from time to time; what is amiss does not.
+TEST(Classify, WhenTheSameHappensAgain_ThenItsSignatureIsTheSame) {
   Situation now;
-  now.failed = {failed(Reason::NoEffect)};
-  now.failed[0].outputs = {"B1"};
-  EXPECT_FALSE(classify(now)->stops());
-  now.dead = {"B2"};
-  EXPECT_FALSE(classify(now)->stops());
-  EXPECT_EQ(classify(now)->dead, std::vector<std::string>{"B1"});
-  now.dead = {"B1"};
-  EXPECT_TRUE(classify(now)->stops());
+  now.differences = {level("(level a1)", 5.0, 4.6)};
+  const std::string first = classify(now)->signature;
+  now.differences = {level("(level a1)", 3.0, 2.0)};
+  EXPECT_EQ(classify(now)->signature, first);
+  now.moving = {"(level a1)"};
+  now.differences = {level("(level a1)", 3.0, 4.0)};
+  EXPECT_NE(classify(now)->signature, first);
+  now.differences = {level("(level a2)", 3.0, 2.0)};
+  EXPECT_NE(classify(now)->signature, first);
 }
 
 TEST(Classify, WhenAVehicleStandsElsewhere_ThenItIsThePosition) {

@@ -81,6 +81,20 @@ TEST(ExecutiveIncident, WhenAGoalIsNoGoal_ThenItIsRefused) {
   EXPECT_TRUE(executive.request_goal("(= (level a1) 4)"));
 }
 
+// The bench has one pump for each customer and one way to each place: without one of them there is no plan.
+TEST(ExecutiveIncident, WhenAPumpHasFailed_ThenTheSafeStopNamesIt) {
+  SimulatedController controller({}, {{0.0, "weak_b3", 0.0}});
+  const RunRecord record = run_bench(controller);
+  EXPECT_EQ(record.phase, Phase::Safe);
+  ASSERT_EQ(record.incidents.size(), 2u) << story(record);
+  EXPECT_TRUE(record.incidents[0].devices.empty());
+  EXPECT_EQ(record.incidents[1].devices, std::vector<std::string>{"customer pump of a1"});
+  EXPECT_NE(record.message.find("there is no plan from the observed state without customer pump of a1"),
+            std::string::npos)
+      << record.message;
+  EXPECT_NEAR(controller.plant_value("delivered_c1_percent"), 0.0, 1.0);
+}
+
 TEST(ExecutiveIncident, WhenTheRuntimeIsKilled_ThenItIsALostRuntime) {
   SimulatedController controller({});
   controller.kill_runtime_at(20.0);

@@ -51,6 +51,7 @@ RunRecord sample() {
   incident.kept = 4;
   incident.remaining = 6;
   incident.restarts = 1;
+  incident.devices = {"supply pump"};
   record.incidents = {incident};
   record.goal = {{"(= (level a1) 5)", false}};
   record.tare = {{"S3", 41.5}};

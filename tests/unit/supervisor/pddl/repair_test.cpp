@@ -123,6 +123,41 @@ TEST_F(RepairBench, WhenNoPlanExists_ThenTheReasonIsThatOfThePlanner) {
   EXPECT_FALSE(mended.outcome.reason.empty());
 }
 
+// A connection that needs a search is looked for only while that may be quicker than the new plan was, or
+// where there is none.
+TEST_F(RepairBench, WhenNoTimeIsLeftForConnections_ThenNoneIsSearched) {
+  State state = trace_.states[1];
+  state.assign("(level a1)", 3);
+  Options first;
+  first.first_only = true;  // without proof
+  const Task now = *task_.with_initial(state);
+  const RepairOutcome mended = repair(now, from(plan_, 1), {.search = first, .connect_time = {}});
+  ASSERT_TRUE(mended.outcome.plan);
+  EXPECT_EQ(mended.searches, 0u);
+  EXPECT_GT(repair(now, from(plan_, 1), {.search = optimal(), .compare = false}).searches, 0u);
+}
+
+// What is left of a plan may be kept behind the last of its actions that is excluded, and a new plan has
+// none.
+TEST_F(RepairBench, WhenActionsAreExcluded_ThenOnlyWhatIsBehindThemIsKept) {
+  const Task task = testing::counter_task("(= (n) 7)");
+  const std::vector<model::GroundAction> remaining = {{"three", {}}, {"three", {}}, {"one", {}}};
+  Options search = optimal();
+  search.excluded = [](const model::GroundAction& action) { return action.name == "three"; };
+  for (const bool compare : {true, false}) {
+    const RepairOutcome mended = repair(task, remaining, {.search = search, .compare = compare});
+    ASSERT_EQ(mended.kind, RepairKind::Repaired);
+    EXPECT_EQ(mended.outcome.plan->actions, std::vector<model::GroundAction>(7, {"one", {}}));
+    EXPECT_EQ(mended.kept, 1u);
+  }
+  search.excluded = [](const model::GroundAction& action) { return action.name == "one"; };
+  for (const bool compare : {true, false}) {
+    const RepairOutcome mended = repair(task, remaining, {.search = search, .compare = compare});
+    EXPECT_EQ(mended.kind, RepairKind::None);
+    EXPECT_EQ(mended.outcome.kind, model::OutcomeKind::Infeasible);
+  }
+}
+
 // Levels, places and demands at random, at random places of the plan.
 TEST_F(RepairBench, WhenAnythingIsDisturbed_ThenThePlanValidatesAndCostsNoMoreThanANewOne) {
   std::mt19937 random(7);
@@ -156,6 +191,9 @@ TEST_F(RepairBench, WhenAnythingIsDisturbed_ThenThePlanValidatesAndCostsNoMoreTh
     if (mended.replanned_cost) {
       EXPECT_LE(mended.outcome.plan->cost, *mended.replanned_cost) << i;
     }
+    // So a repair takes some executions of a plan, and never the time of a second search.
+    ASSERT_TRUE(mended.outcome.plan->proved_optimal || mended.kind == RepairKind::Kept) << i;
+    EXPECT_EQ(mended.searches, 0u) << i;
     if (mended.kind != RepairKind::Replanned) expect_suffix(mended, from(plan_, done));
     repaired += mended.kind == RepairKind::Repaired ? 1 : 0;
   }

@@ -85,6 +85,32 @@ TEST(Solve, WhenFirstOnly_ThenAValidPlanWithoutProof) {
   EXPECT_TRUE(valid(task, *outcome.plan));
 }
 
+TEST(Solve, WhenActionsAreExcluded_ThenThePlanIsTheBestWithoutThemOrThereIsNone) {
+  const Task task = counter_task("(= (n) 7)");
+  Options options;
+  options.optimal = true;
+  options.excluded = [](const model::GroundAction& action) { return action.name == "three"; };
+  const model::Outcome ones = solve(task, options);
+  ASSERT_TRUE(ones.plan);
+  EXPECT_TRUE(ones.plan->proved_optimal);
+  EXPECT_EQ(ones.plan->cost, 7.0);
+  EXPECT_EQ(optimal(task).plan->cost, 5.0);
+  options.excluded = [](const model::GroundAction& action) { return action.name == "one"; };
+  EXPECT_EQ(solve(task, options).kind, OutcomeKind::Infeasible);
+}
+
+// Only the pump of a1 can serve c1.
+TEST(Solve, WhenTheGoalNeedsWhatIsExcluded_ThenItIsInfeasibleAtOnce) {
+  Options options;
+  options.optimal = true;
+  options.excluded = [](const model::GroundAction& action) {
+    return action.name.ends_with("_order") && action.arguments.at(1) == "c1";
+  };
+  const model::Outcome outcome = solve(bench_task(), options);
+  EXPECT_EQ(outcome.kind, OutcomeKind::Infeasible);
+  EXPECT_FALSE(outcome.plan);
+}
+
 TEST(Solve, WhenReplannedFromAnObservedState_ThenThePlanStartsThere) {
   const Task task = bench_task();
   State state = task.initial();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench_run.h"
@@ -213,6 +214,45 @@ TEST(LoadBinding, WhenBenchIsRead_ThenHoldsThePapersTables) {
       Assignment assignment;
       EXPECT_NE(binding.action_for({"move", {"v1", from, to}}, assignment), nullptr) << from << " " << to;
     }
+  }
+}
+
+// What can fail as one: by the outputs of an action, by its pattern, or an output of its own.
+TEST(BindingDevices, WhenAnActionDrivesOutputs_ThenItDependsOnTheirDevices) {
+  const model::Vocabulary names = vocabulary();
+  const auto binding = read_binding(kGood + R"toml([[devices]]
+name = "drive"
+outputs = ["left"]
+[[devices]]
+name = "gate"
+actions = ["(move ?v ?from a1)"]
+)toml",
+                                    "b.toml", &names);
+  ASSERT_TRUE(binding) << to_string(binding.error());
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(binding->devices_of({"move", {"v1", "a1", "f1"}}), Names{"drive"});
+  EXPECT_EQ(binding->devices_of({"move", {"v1", "f1", "a1"}}), (Names{"drive", "gate"}));
+  EXPECT_EQ(binding->devices_of({"load", {"v1", "f1", "a1"}}), Names{"right"});
+  EXPECT_EQ(binding->devices_of({"fly", {"v1"}}), Names{});
+}
+
+TEST(BindingDevices, WhenAnEntryIsWrong_ThenItIsReportedAtItsPlace) {
+  const model::Vocabulary names = vocabulary();
+  const std::string first = "[[devices]]\nname = \"drive\"\noutputs = [\"left\"]\n[[devices]]\n";
+  const std::pair<const char*, const char*> slips[] = {
+      {"name = \"drive\"\noutputs = [\"right\"]\n", "another device is called 'drive'"},
+      {"name = \"d\"\noutputs = [\"left\"]\n", "'left' is an output of 'drive' already"},
+      {"name = \"d\"\noutputs = [\"lefd\"]\n", "no tag 'lefd'"},
+      {"name = \"d\"\noutputs = [\"here\"]\n", "'here' cannot be driven"},
+      {"name = \"d\"\nactions = [\"(mofe ?v ?a ?b)\"]\n", "no action 'mofe'"},
+      {"name = \"d\"\n", "nothing depends on this device"},
+      {"outputs = [\"right\"]\n", "name"}};
+  for (const auto& [text, message] : slips) {
+    const auto binding = read_binding(kGood + first + text, "b.toml", &names);
+    ASSERT_FALSE(binding) << text;
+    EXPECT_EQ(binding.error().size(), 1U) << to_string(binding.error());
+    EXPECT_NE(binding.error().front().message.find(message), std::string::npos) << to_string(binding.error());
+    EXPECT_GE(binding.error().front().where.line, 41U);
   }
 }
 
