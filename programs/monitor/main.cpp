@@ -112,6 +112,7 @@ void Commands::add_recordings() {
   auto* file =
       command->add_option("file", record_.file, "recording to write; one of that name is kept as FILE.1");
   command->add_option("--seconds", record_.seconds, "how long (default: until interrupted)")
+      ->check(CLI::Validator(process::refuse_seconds, "SECONDS"))
       ->check(CLI::Range(0.001, 2e6));
   command->add_flag("--detach", record_.detach, "begin, and leave it recording");
   auto* stop = command->add_flag("--stop", record_.stop, "end the recording");
@@ -131,6 +132,7 @@ void Commands::add_recordings() {
   command->add_option("--list", trace_.list_file, "file with more names, one a line");
   command->add_option("--csv", trace_.csv_file, "file for the table")->required();
   command->add_option("--seconds", trace_.seconds, "how long (default 1)")
+      ->check(CLI::Validator(process::refuse_seconds, "SECONDS"))
       ->check(CLI::Range(0.001, 86'400.0));
 }
 

@@ -1,8 +1,6 @@
 // The process behind `stepwright plan` and `stepwright validate`.
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
-#include <string>
 
 #include "programs/plan/output.h"
 #include "programs/plan/plan_command.h"
@@ -13,22 +11,12 @@ namespace {
 
 using namespace stepwright;
 
-// Longer than anybody waits, and safe to count in any unit.
-constexpr double kLongestS = 1e9;
-
-std::string refuse_time(const std::string& text) {
-  char* end = nullptr;
-  const double seconds = std::strtod(text.c_str(), &end);
-  if (end != text.c_str() && *end == '\0' && seconds > 0.0 && seconds <= kLongestS) return {};
-  return "'" + text + "' is not a number of seconds above 0";
-}
-
 void describe_plan(CLI::App& app, plan::PlanArguments& arguments) {
   app.add_option("domain", arguments.domain, "the PDDL domain")->required();
   app.add_option("problem", arguments.problem, "the PDDL problem")->required();
   app.add_flag("--optimal", arguments.optimal, "prove the optimum; no time limit unless --time");
   app.add_option("--time", arguments.time_s, "time budget in seconds (default 10)")
-      ->check(CLI::Validator(refuse_time, "SECONDS"));
+      ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
   app.add_option("--memory", arguments.memory_mb, "memory budget in MB (default 4096)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 24));
   app.add_option("--threads", arguments.threads,

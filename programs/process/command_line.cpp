@@ -2,9 +2,16 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 namespace stepwright::process {
+namespace {
+
+// Longer than anybody waits, and safe to count in any unit.
+constexpr double kLongestS = 1e9;
+
+}  // namespace
 
 std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   const std::string name = app.get_name();
@@ -16,6 +23,13 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv) {
     return to_int(app.exit(error) == 0 ? result::ExitCode::Done : result::ExitCode::Usage);
   }
   return std::nullopt;
+}
+
+std::string refuse_seconds(const std::string& text) {
+  char* end = nullptr;
+  const double seconds = std::strtod(text.c_str(), &end);
+  if (end != text.c_str() && *end == '\0' && seconds > 0.0 && seconds <= kLongestS) return {};
+  return "'" + text + "' is not a number of seconds above 0";
 }
 
 int fail(const result::Diagnostics& diagnostics, result::ExitCode code) {

@@ -7,6 +7,7 @@
 //   if (const auto exit = process::parse(app, argc, argv)) return *exit;
 
 #include <optional>
+#include <string>
 
 #include "runtime/result/diagnostic.h"
 #include "runtime/result/exit_code.h"
@@ -21,6 +22,10 @@ namespace stepwright::process {
 // skipped: it is the last word of the app's name. Returns the exit code with which the process is to end now:
 // Done after --help, Usage after a wrong command line (its message went to stderr); nothing if it goes on.
 [[nodiscard]] std::optional<int> parse(CLI::App& app, int argc, char** argv);
+
+// What is wrong with an option's text as a number of seconds above 0; empty if nothing is. For
+// CLI::Validator, whose ranges take "nan" for a number within them.
+std::string refuse_seconds(const std::string& text);
 
 // Writes the diagnostics to stderr, one per line, and returns `code` for the process to end with.
 [[nodiscard]] int fail(const result::Diagnostics& diagnostics, result::ExitCode code);

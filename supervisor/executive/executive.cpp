@@ -51,6 +51,11 @@ bool Executive::start_afresh() {
   if (plan_watched({.planning = initial}, {}) != Planned::Ready) return false;
   record_.goal = desk_.goal_status(initial, goal_);
   if (!await_runtime() || !observe(false)) return false;
+  auto moving = translate::movements(desk_.binding(), means_);
+  if (!moving) return give_up("the sensors cannot be read", moving.error());
+  if (!moving->empty())
+    return give_up("the plant was not at rest when the sensors were tared: " + sentence_of(*moving),
+                   IncidentKind::Level);
   auto tare = translate::identify_tare(desk_.binding(), means_, initial);
   if (!tare)
     return give_up("the sensors do not fit the initial state", tare.error(), IncidentKind::FailedSensor);

@@ -128,7 +128,7 @@ class Executive {
   enum class Kind : std::uint8_t { Observer, Plan };
   bool install(const PreparedPlan& prepared, Kind kind);
   bool read_program(const PreparedPlan& prepared, Kind kind);
-  [[nodiscard]] result::Result<ImageReader> reader_of(const PreparedPlan& prepared) const;
+  [[nodiscard]] result::Result<ImageReader> reader_of(const PreparedPlan& prepared, Kind kind) const;
   bool can_take_over() const;
   bool take_over(const PreparedPlan& prepared, Kind kind);
   bool download_and_start(const PreparedPlan& prepared, Kind kind);

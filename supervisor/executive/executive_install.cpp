@@ -17,11 +17,12 @@ constexpr milliseconds kPatience{5'000};
 
 }  // namespace
 
-result::Result<ImageReader> Executive::reader_of(const PreparedPlan& prepared) const {
+result::Result<ImageReader> Executive::reader_of(const PreparedPlan& prepared, Kind kind) const {
   std::vector<std::string> variables;
   for (const translate::Sensor& sensor : desk_.binding().sensors) {
     variables.push_back(translate::filtered_variable(sensor));
     variables.push_back(sensor.tag);
+    if (kind == Kind::Observer) variables.push_back(translate::half_variable(sensor));
   }
   for (const translate::ObservedFact& fact : desk_.binding().facts) variables.push_back(fact.tag);
   return ImageReader::create(prepared.container, prepared.translation.instance, variables);
@@ -29,7 +30,7 @@ result::Result<ImageReader> Executive::reader_of(const PreparedPlan& prepared) c
 
 // The readers of a program; gives up if it lacks what they need.
 bool Executive::read_program(const PreparedPlan& prepared, Kind kind) {
-  auto reader = reader_of(prepared);
+  auto reader = reader_of(prepared, kind);
   if (!reader) return give_up("the program cannot be read", reader.error());
   reader_ = std::move(*reader);
   alarm_reader_.reset();

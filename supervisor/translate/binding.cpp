@@ -69,4 +69,8 @@ std::string filtered_variable(const Sensor& sensor) {
   return sensor.name + "_filtered";
 }
 
+std::string half_variable(const Sensor& sensor) {
+  return sensor.name + "_half";
+}
+
 }  // namespace stepwright::translate

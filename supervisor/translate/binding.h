@@ -154,7 +154,9 @@ struct Binding {
 
 // Steps of the generated programs: "SEARCH_1_2" is the second search of the first OneOf group (both from 0).
 std::string search_step(std::size_t group, std::size_t search);
-// Variables of the generated programs: "S1_filtered" holds a sensor's filtered counts.
+// Variables of the generated programs: "S1_filtered" holds a sensor's filtered counts, "S1_half" their mean
+// over the first half of a window of averaging.
 std::string filtered_variable(const Sensor& sensor);
+std::string half_variable(const Sensor& sensor);
 
 }  // namespace stepwright::translate

@@ -171,6 +171,20 @@ std::vector<std::string> deviations(const Binding& binding, const model::NamedSt
   return sentences;
 }
 
+result::Result<std::vector<std::string>> movements(const Binding& binding, const Values& means) {
+  std::vector<std::string> moving;
+  for (const Sensor& sensor : binding.sensors) {
+    auto whole = read(means, filtered_variable(sensor));
+    auto half = read(means, half_variable(sensor));
+    if (!whole || !half) return result::forward(whole ? half : whole);
+    const double first = sensor.calibration.value_at(*half);
+    const double second = sensor.calibration.value_at(2.0 * *whole - *half);
+    if (std::abs(second - first) <= sensor.tolerance) continue;
+    moving.push_back(sensor.label + " moves: " + level_text(first) + ", then " + level_text(second));
+  }
+  return moving;
+}
+
 result::Result<Tare> identify_tare(const Binding& binding, const Values& means,
                                    const model::NamedState& known) {
   Tare tare;

@@ -20,7 +20,8 @@
 
 namespace stepwright::translate {
 
-// Variable -> value: every tag of a fact (0 or 1) and `filtered_variable` of every sensor.
+// Variable -> value: every tag of a fact (0 or 1) and `filtered_variable` of every sensor; of a program that
+// averages `half_variable` too.
 using Values = std::map<std::string, double>;
 
 struct Estimate {
@@ -56,6 +57,10 @@ std::string to_string(const Difference& difference);
 std::vector<std::string> deviations(const Binding& binding, const model::NamedState& expected,
                                     const model::NamedState& measured,
                                     const std::set<std::string>& ignored = {});
+
+// Levels that moved by more than their tolerance from one half of the window of averaging to the other, as
+// sentences such as "level of a1 moves: 2.0, then 1.2". Fails with T0010 if a value is missing.
+[[nodiscard]] result::Result<std::vector<std::string>> movements(const Binding& binding, const Values& means);
 
 // Bias of each sensor = mean counts - calibration at the known level. Fails with T0010 if a value or level is
 // missing and with T0011 if a bias is larger than the binding allows.

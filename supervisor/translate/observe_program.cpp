@@ -1,6 +1,9 @@
 #include "supervisor/translate/observe_program.h"
 
+#include <algorithm>
 #include <cassert>
+#include <chrono>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -80,6 +83,8 @@ class ObserveChart {
     SensorProgramOptions sensing;
     sensing.mode = SensorMode::Mean;
     sensing.interval_us = options_.interval_us;
+    const auto samples = std::chrono::microseconds(options_.window).count() / options_.interval_us;
+    sensing.half_samples = std::max<std::int64_t>(1, samples / 2);
     assert(writer_.problems().empty());  // read_binding keeps these names free
     Translation translation;
     translation.program = kPlanProgram;

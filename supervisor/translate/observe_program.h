@@ -4,9 +4,10 @@
 // a window and stays in its last step OBSERVED. For the tare before a run, for the state before replanning
 // and for the final report.
 //
-// The variables `filtered_variable(sensor)` hold the arithmetic mean over the window (exact sum of counts).
-// With `locate`, and only if no fact of a OneOf group is observed, it first drives the group's searches (the
-// vehicle that was stopped between two places); LOST (kind Failed) means that none of them found one.
+// The variables `filtered_variable(sensor)` hold the arithmetic mean over the window (exact sum of counts),
+// and `half_variable(sensor)` that over its first half: `movements` compares them. With `locate`, and only if
+// no fact of a OneOf group is observed, it first drives the group's searches (the vehicle that was stopped
+// between two places); LOST (kind Failed) means that none of them found one.
 
 #include "supervisor/translate/translation.h"
 

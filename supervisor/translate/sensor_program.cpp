@@ -73,7 +73,7 @@ std::string filter_text(const Binding& binding, const SensorProgramOptions& opti
   return "IF first THEN\n" + first + "  first := FALSE;\nEND_IF;\n" + every;
 }
 
-std::string mean_text(const Binding& binding) {
+std::string mean_text(const Binding& binding, const SensorProgramOptions& options) {
   std::string text = std::string("IF ") + kAveragingVariable + " THEN\n  samples := samples + 1;\n";
   for (const Sensor& sensor : binding.sensors) {
     const std::string& type = binding.tag(sensor.tag)->type;
@@ -82,7 +82,11 @@ std::string mean_text(const Binding& binding) {
     text += "  " + filtered_variable(sensor) + " := REAL_TO_" + type + "(DINT_TO_REAL(" + sum +
             ") / DINT_TO_REAL(samples));\n";
   }
-  return text + "END_IF;\n";
+  text += "  IF samples = " + std::to_string(options.half_samples) + " THEN\n";
+  for (const Sensor& sensor : binding.sensors) {
+    text += "    " + half_variable(sensor) + " := " + filtered_variable(sensor) + ";\n";
+  }
+  return text + "  END_IF;\nEND_IF;\n";
 }
 
 bool is_name_character(char c) {
@@ -138,6 +142,11 @@ std::vector<Variable> cell_globals(const Binding& binding, const SensorProgramOp
     Variable filtered = variable(filtered_variable(sensor), type, VariableSection::Global);
     filtered.comment = sensor.label + ", filtered counts";
     globals.push_back(std::move(filtered));
+    if (options.mode == SensorMode::Mean) {
+      Variable half = variable(half_variable(sensor), type, VariableSection::Global);
+      half.comment = sensor.label + ", mean counts of the first half";
+      globals.push_back(std::move(half));
+    }
     if (!options.values.contains(sensor.name)) continue;
     Variable value = variable(value_variable(sensor), "REAL", VariableSection::Global);
     value.comment = sensor.label + ", calibrated";
@@ -150,7 +159,8 @@ std::vector<Variable> cell_globals(const Binding& binding, const SensorProgramOp
 }
 
 std::vector<std::string> generated_variables(const Sensor& sensor) {
-  return {filtered_variable(sensor), value_variable(sensor), state_variable(sensor), sum_variable(sensor)};
+  return {filtered_variable(sensor), half_variable(sensor), value_variable(sensor), state_variable(sensor),
+          sum_variable(sensor)};
 }
 
 std::vector<std::string> declared_variables(const Binding& binding) {
@@ -166,7 +176,7 @@ graphic::Pou sensor_program(const Binding& binding, const SensorProgramOptions& 
   graphic::Pou pou;
   pou.name = kSensorProgram;
   const bool mean = options.mode == SensorMode::Mean;
-  const std::string text = mean ? mean_text(binding) : filter_text(binding, options);
+  const std::string text = mean ? mean_text(binding, options) : filter_text(binding, options);
   pou.variables = externals(cell_globals(binding, options), text);
   if (mean) {
     pou.variables.push_back(variable("samples", "DINT", VariableSection::Local));

@@ -5,7 +5,8 @@
 // Filter: first-order low-pass, y := y + (1 - exp(-interval / filter time)) * (x - y), started at the first
 // sample. It contracts, so rounding does not add up: the error stays below half a count at 16-bit counts.
 // Mean: while `averaging` is true, an exact DINT sum of counts divided by their number; it keeps the last
-// mean afterwards. Both write `filtered_variable(sensor)` in the type of the sensor's tag.
+// mean afterwards, and what it was after `half_samples` in `half_variable(sensor)`. Both write
+// `filtered_variable(sensor)` in the type of the sensor's tag.
 
 #include <cstdint>
 #include <set>
@@ -26,8 +27,9 @@ enum class SensorMode : std::uint8_t { Filter, Mean };
 struct SensorProgramOptions {
   SensorMode mode = SensorMode::Filter;
   std::int64_t interval_us = 10'000;
-  std::set<std::string> values;  // sensors (by name) whose calibrated level `value_variable` is computed too
-  Tare tare;                     // subtracted for `values`
+  std::int64_t half_samples = 1;  // Mean: half as many as there will be
+  std::set<std::string> values;   // sensors (by name) whose calibrated level `value_variable` is computed too
+  Tare tare;                      // subtracted for `values`
 };
 
 // Tags and generated variables as globals.

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "programs/process/command_line.h"
 #include "runtime/result/exit_code.h"
 
 namespace stepwright::bench {
@@ -29,7 +30,7 @@ std::optional<Settings> settings_from(int argc, char** argv, int& exit_code) {
   CLI::App app(
       "The planner over instances of many domains, beside a textbook planner and planners found outside");
   app.add_option("--time", time_s, "seconds for each planner and instance (2; --scale 10; --full 300)")
-      ->check(CLI::Range(1e-3, 1e6));
+      ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
   app.add_option("--memory", memory_mb, "MB for each (4096; --full 22528)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 24));
   app.add_option("--domains", settings.domains, "only these, separated by commas")->delimiter(',');
@@ -46,7 +47,7 @@ std::optional<Settings> settings_from(int argc, char** argv, int& exit_code) {
   app.add_option("--outside", outside,
                  "NAME=COMMAND with {domain} {problem} {plan}: a planner on all instances");
   app.add_option("--outside-time", outside_s, "seconds for each planner from outside (30)")
-      ->check(CLI::Range(1e-3, 1e6));
+      ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
   app.add_flag("--scale", settings.scale, "growing sizes until a limit ends them, instead of the table");
   app.add_option("--svg", settings.svg_folder, "pictures of the curves");
   app.add_flag("--full", full, "limits of 300 s and 22 GiB");

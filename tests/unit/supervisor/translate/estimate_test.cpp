@@ -24,6 +24,8 @@ class EstimateTest : public ::testing::Test {
     shown["S1_filtered"] = binding_.sensors[0].calibration.counts_at(v1);
     shown["S2_filtered"] = binding_.sensors[1].calibration.counts_at(a1);
     shown["S3_filtered"] = binding_.sensors[2].calibration.counts_at(a2);
+    for (const Sensor& sensor : binding_.sensors)
+      shown[half_variable(sensor)] = shown.at(filtered_variable(sensor));
     return shown;
   }
 
@@ -55,6 +57,19 @@ TEST_F(EstimateTest, WhenTared_ThenTheBiasIsTakenOut) {
   EXPECT_NEAR(tare->at("S1"), 0.0, 1e-9);
   const auto now = estimate(binding_, shown, *tare, start_);
   EXPECT_NEAR(now->measured.fluents.at("(level a1)"), 2.0, 1e-9);
+}
+
+TEST_F(EstimateTest, WhenALevelMovesWhileTheSensorsAreRead_ThenThatIsSaid) {
+  Values shown = values(2, 1.6, 2);
+  const Calibration& a1 = binding_.sensors[1].calibration;
+  for (const double half : {1.51, 1.69}) {
+    shown["S2_half"] = a1.counts_at(half);
+    EXPECT_THAT(movements(binding_, shown).value(), IsEmpty());
+  }
+  shown["S2_half"] = a1.counts_at(1.8);
+  EXPECT_THAT(movements(binding_, shown).value(), ElementsAre("level of a1 moves: 1.8, then 1.4"));
+  shown.erase("S2_half");
+  EXPECT_EQ(movements(binding_, shown).error().front().code, "T0010");
 }
 
 TEST_F(EstimateTest, WhenAnOrderIsInterrupted_ThenWhatLeftTheTankHasArrived) {

@@ -38,6 +38,7 @@ TEST_F(ObserveProgram, WhenMeansAreComputed_ThenTheSumIsExact) {
   const std::string& text = std::get<graphic::StBody>(made.project.pous[0].body).text;
   EXPECT_THAT(text, ::testing::HasSubstr("S1_sum := S1_sum + INT_TO_DINT(S1);"));
   EXPECT_THAT(text, ::testing::StartsWith("IF averaging THEN"));
+  EXPECT_THAT(text, ::testing::HasSubstr("IF samples = 100 THEN\n    S1_half := S1_filtered;"));
 }
 
 TEST_F(ObserveProgram, WhenVehicleStandsBetweenPlaces_ThenLocateFindsOne) {
