@@ -17,12 +17,14 @@ KEYS = {"outcome", "plan", "plan_steps", "plan_cost", "bound", "proved_optimal",
 
 
 def line(stations, items):
-    """Items of three kinds move along a line of stations: a first plan at once, no proof for a long time."""
+    """Items of three kinds move along a line of stations, one at a time or, for less, two: a first plan at once, and no
+    proof for a long time, as bounds think of halves of pairs while the number of items is odd."""
     names = [[f"({kind}{i})" for i in range(stations)] for kind in "abc"]
     every = [name for row in names for name in row]
     actions = "".join(
-        f"(:action move-{row[i][1:-1]} :parameters () :precondition (>= {row[i]} 1) :effect (and (decrease {row[i]} 1)"
-        f"(increase {row[i + 1]} 1) (increase (cost) 2)))" for row in names for i in range(stations - 1))
+        f"(:action move-{count}-{row[i][1:-1]} :parameters () :precondition (>= {row[i]} {count})"
+        f" :effect (and (decrease {row[i]} {count}) (increase {row[i + 1]} {count}) (increase (cost) {cost})))"
+        for row in names for i in range(stations - 1) for count, cost in ((1, 2), (2, 3)))
     start = " ".join(f"(= {name} {items if name in [row[0] for row in names] else 0})" for name in every)
     goal = " ".join(f"(= {row[-1]} {items})" for row in names)
     domain = f"(define (domain d) (:requirements :numeric-fluents) (:functions (cost) {' '.join(every)}) {actions})"
@@ -34,7 +36,7 @@ def line(stations, items):
 class PlanCommand(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="stepwright-test-"))
-        domain, problem = line(6, 12)
+        domain, problem = line(6, 13)
         (self.folder / "domain.pddl").write_text(domain, encoding="utf-8")
         (self.folder / "problem.pddl").write_text(problem, encoding="utf-8")
 
