@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   app.add_option("--seconds", arguments.options.seconds, "how long")
-      ->check(CLI::Validator(process::refuse_seconds, "SECONDS"))
+      ->check(CLI::Validator(stepwright::process::refuse_seconds, "SECONDS"))
       ->check(CLI::Range(0.1, 86'400.0))
       ->capture_default_str();
   app.add_option("--load", arguments.load, "what keeps the machine busy: cpu,disk,net");
