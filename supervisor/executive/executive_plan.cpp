@@ -148,8 +148,9 @@ bool Executive::mend(const std::string& signature, const model::NamedState& trac
     seen_ = std::move(*estimate);
     const model::NamedState planning = with_changes(seen_.planning);
     const Incident& incident = record_.incidents.back();
-    const bool wish = is_wish(incident.kind);
-    if (!wish && incident.devices.empty() && !interrupted.empty() && planning == stuck_at_) {
+    // A wish and the end of a runtime come in any state.
+    const bool plants_own = !is_wish(incident.kind) && incident.kind != IncidentKind::LostRuntime;
+    if (plants_own && incident.devices.empty() && !interrupted.empty() && planning == stuck_at_) {
       return give_up("the plant does not follow: for the second time in the same state, " +
                      record_.replans.back().cause);
     }

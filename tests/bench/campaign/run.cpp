@@ -86,8 +86,8 @@ std::set<IncidentKind> plausible(DisturbanceClass of) {
     case DisturbanceClass::Several:
       break;
   }
-  return {K::FailedSensor, K::FailedActuator, K::Leak,    K::Level,        K::Timeout,
-          K::Refused,      K::Position,       K::NewGoal, K::ChangedDemand};
+  return {K::FailedSensor, K::FailedActuator, K::Leak,    K::Level,         K::Timeout,
+          K::Refused,      K::Position,       K::NewGoal, K::ChangedDemand, K::LostRuntime};
 }
 
 // Empty if the run was given up for a reason that its disturbance can give.

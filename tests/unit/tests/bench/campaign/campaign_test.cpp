@@ -39,7 +39,7 @@ TEST(Campaign, WhenCancelled_ThenNoFurtherRunBegins) {
 // and a place on the way for the end of it. 2290: a pump too weak to do anything, found a little late. 1297:
 // a wish that came in the state of the replan before it was taken for a plant that does not follow.
 TEST(Campaign, WhenASeedWasLostOnce_ThenItIsNotAgain) {
-  for (const std::uint64_t seed : {160u, 1297u, 2235u, 2290u}) {
+  for (const std::uint64_t seed : {160u, 1297u, 2235u, 2290u, 4553u, 4927u, 9866u}) {
     const RunResult run = run_once(desk(), disturbance_of(seed));
     EXPECT_NE(run.verdict, Verdict::Lost) << seed << ": " << run.why;
   }
