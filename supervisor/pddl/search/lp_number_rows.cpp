@@ -147,20 +147,32 @@ class Builder {
     return defined(range) ? range : Interval::everything();
   }
 
-  // What the operator adds at most: its effects that always happen together, each of the others if it helps.
-  double most_change(const GroundExpression& expression, const GroundOperator& op) const {
+  // What an operator adds to an expression: its effects that always happen together, and the others.
+  struct Addition {
     GroundExpression always;
     double others = 0.0;
+  };
+
+  // `pick` says of the range of an effect that may happen what it is counted as.
+  template <typename Pick>
+  Addition addition(const GroundExpression& expression, const GroundOperator& op, const Pick& pick) const {
+    Addition sum;
     for (const GroundEffect& effect : op.effects) {
       if (effect.when.impossible) continue;
       const GroundExpression change = change_of(expression, effect);
       if (effect.when.always()) {
-        always = add_scaled(always, 1.0, change);
+        sum.always = add_scaled(sum.always, 1.0, change);
       } else {
-        others += std::max(0.0, range_of(change, {&op.precondition, &effect.when}).high);
+        sum.others += pick(range_of(change, {&op.precondition, &effect.when}));
       }
     }
-    return range_of(always, {&op.precondition}).high + others;
+    return sum;
+  }
+
+  // Each of the effects that may happen if it helps.
+  double most_change(const GroundExpression& expression, const GroundOperator& op) const {
+    const Addition sum = addition(expression, op, [](Interval range) { return std::max(0.0, range.high); });
+    return range_of(sum.always, {&op.precondition}).high + sum.others;
   }
 
   double least_change(const GroundExpression& expression, const GroundOperator& op) const {
@@ -169,18 +181,8 @@ class Builder {
 
   // The least value that the operator leaves when it is applied.
   double least_after(const GroundExpression& expression, const GroundOperator& op) const {
-    GroundExpression after = expression;
-    double others = 0.0;
-    for (const GroundEffect& effect : op.effects) {
-      if (effect.when.impossible) continue;
-      const GroundExpression change = change_of(expression, effect);
-      if (effect.when.always()) {
-        after = add_scaled(after, 1.0, change);
-      } else {
-        others += std::min(0.0, range_of(change, {&op.precondition, &effect.when}).low);
-      }
-    }
-    return range_of(after, {&op.precondition}).low + others;
+    const Addition sum = addition(expression, op, [](Interval range) { return std::min(0.0, range.low); });
+    return range_of(add_scaled(expression, 1.0, sum.always), {&op.precondition}).low + sum.others;
   }
 
   void require(GroundExpression expression, double least, bool always) {

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <mutex>
 #include <nlohmann/json.hpp>
-#include <thread>
+
+#include "tests/bench/campaign/spread.h"
 
 namespace stepwright::campaign {
 namespace {
@@ -119,27 +117,18 @@ ClassFigures Figures::all() const {
 Figures campaign(const executive::PlanningDesk& desk, std::uint64_t first, std::uint64_t runs,
                  unsigned threads, const std::function<void(std::uint64_t done)>& told,
                  const std::atomic<bool>* cancel) {
-  const auto start = std::chrono::steady_clock::now();
   Figures figures;
-  std::mutex mutex;  // of figures and `told`
-  std::atomic<std::uint64_t> next{0};
-  const auto work = [&] {
-    for (std::uint64_t i = next++; i < runs && (cancel == nullptr || !*cancel); i = next++) {
-      const RunResult run = run_once(desk, disturbance_of(first + i));
-      const std::lock_guard lock(mutex);
-      add(run, figures.of[static_cast<std::size_t>(run.disturbance.of)]);
-      figures.run_ms_sum += run.wall_ms;
-      if (run.verdict == Verdict::Lost) figures.lost.push_back({first + i, run.disturbance.story, run.why});
-      if (told && (i == 0 || i % 100 == 99)) told(i + 1);
-    }
+  const auto run = [&](std::uint64_t i) { return run_once(desk, disturbance_of(first + i)); };
+  const auto take = [&](const RunResult& result) {
+    const Disturbance& disturbance = result.disturbance;
+    add(result, figures.of[static_cast<std::size_t>(disturbance.of)]);
+    figures.run_ms_sum += result.wall_ms;
+    if (result.verdict == Verdict::Lost)
+      figures.lost.push_back({disturbance.seed, disturbance.story, result.why});
   };
-  {
-    std::vector<std::jthread> workers;
-    for (unsigned i = 0; i < threads; ++i) workers.emplace_back(work);
-  }
+  figures.wall_s = spread(runs, threads, told, cancel, run, take);
   std::sort(figures.lost.begin(), figures.lost.end(),
             [](const LostRun& a, const LostRun& b) { return a.seed < b.seed; });
-  figures.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return figures;
 }
 

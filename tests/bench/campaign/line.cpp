@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <initializer_list>
-#include <mutex>
 #include <nlohmann/json.hpp>
-#include <thread>
+#include <utility>
 
 #include "plant_models/assemblies/line_layout.h"
 #include "plant_models/core/counter_random.h"
+#include "tests/bench/campaign/spread.h"
 #include "tests/support/conveyor_cell.h"
 
 namespace stepwright::campaign {
@@ -169,27 +167,16 @@ std::uint64_t LineFigures::runs() const {
 LineFigures line_campaign(std::uint64_t first, std::uint64_t runs, unsigned threads,
                           const std::function<void(std::uint64_t done)>& told,
                           const std::atomic<bool>* cancel) {
-  const auto start = std::chrono::steady_clock::now();
   LineFigures figures;
-  std::mutex mutex;  // of figures and `told`
-  std::atomic<std::uint64_t> next{0};
-  const auto work = [&] {
-    for (std::uint64_t i = next++; i < runs && (cancel == nullptr || !*cancel); i = next++) {
-      LineRun run = run_line(first + i);
-      const std::lock_guard lock(mutex);
-      add(run, figures.of[kind_of(run.fault)]);
-      add(run, figures.of["all"]);
-      if (run.verdict == Verdict::Lost) figures.lost.push_back(std::move(run));
-      if (told && (i == 0 || i % 100 == 99)) told(i + 1);
-    }
+  const auto run = [&](std::uint64_t i) { return run_line(first + i); };
+  const auto take = [&](LineRun result) {
+    add(result, figures.of[kind_of(result.fault)]);
+    add(result, figures.of["all"]);
+    if (result.verdict == Verdict::Lost) figures.lost.push_back(std::move(result));
   };
-  {
-    std::vector<std::jthread> workers;
-    for (unsigned i = 0; i < threads; ++i) workers.emplace_back(work);
-  }
+  figures.wall_s = spread(runs, threads, told, cancel, run, take);
   std::sort(figures.lost.begin(), figures.lost.end(),
             [](const LineRun& a, const LineRun& b) { return a.seed < b.seed; });
-  figures.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return figures;
 }
 
