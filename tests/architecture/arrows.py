@@ -54,6 +54,13 @@ ARROWS = {
     "ladder/driver": ["ladder/lowering", "ladder/codegen", "ladder/lint"],
     "supervisor/model": ["runtime/base", "runtime/result"],
     "supervisor/pddl": ["supervisor/model"],
+    "supervisor/geometry": [],
+    "supervisor/fleet/map": ["supervisor/geometry", "runtime/result"],
+    "supervisor/fleet/lattice": ["supervisor/fleet/map"],
+    "supervisor/fleet/envelope": ["supervisor/fleet/map"],
+    "supervisor/fleet/network": ["runtime/base"],
+    "supervisor/fleet/schedule": ["supervisor/fleet/network", "supervisor/fleet/envelope"],
+    "supervisor/fleet/mission": ["supervisor/fleet/lattice", "supervisor/fleet/schedule", "supervisor/model"],
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
     "supervisor/executive": [
         "supervisor/translate", "supervisor/pddl", "ladder/driver", "ladder/exchange", "runtime/dds", "runtime/bytecode/reader",
