@@ -129,7 +129,10 @@ OmronAddresses::OmronAddresses(const graphic::Pou& pou, const OmronOptions& opti
 void OmronAddresses::take_given(const OmronOptions& options) {
   for (const OmronAddress& given : options.addresses) {
     const std::optional<OmronPlace> place = parse_omron_address(given.address);
-    if (!place) {
+    if (!place) refused_.insert(graphic::upper(given.variable));
+    if (given.address.empty()) {
+      miss(given.variable);
+    } else if (!place) {
       fail(source::code::kOmronAddress,
            "variable '" + given.variable + "' has the address '" + given.address +
                "', which is no Omron address",
@@ -151,9 +154,10 @@ void OmronAddresses::allocate(const graphic::Pou& pou, const Variable& variable)
     place.code = place.shown = "A200.11";
     place.is_input = true;
     assign(variable.name, place, "first cycle flag of the controller");
+  } else if (refused_.count(graphic::upper(variable.name)) != 0) {
+    return;
   } else if (!local) {
-    fail(source::code::kOmronAddress, "input or output '" + variable.name + "' has no Omron address",
-         "give it one, such as I0.00");
+    miss(variable.name);
   } else if (graphic::same_name(type, "TON")) {
     next_timer(variable);
   } else if (graphic::same_name(type, "BOOL") && contains(pou.step_variables, variable.name)) {
@@ -190,9 +194,10 @@ void OmronAddresses::next_bit(const Variable& variable, const char* what, int& n
   do {
     const int word = first_word + next / bits_per_word;
     if (word >= end_word) {
+      if (!full_.insert(what).second) return;
       fail(source::code::kOmronFull,
-           std::string("no bit is left for '") + variable.name + "': " + what + " live in W" +
-               std::to_string(first_word) + ".00 to W" + std::to_string(end_word - 1) + ".15",
+           std::string("no bit is left for '") + variable.name + "' and what follows: " + what +
+               " live in W" + std::to_string(first_word) + ".00 to W" + std::to_string(end_word - 1) + ".15",
            "split the program");
       return;
     }
@@ -262,6 +267,11 @@ std::vector<OmronTableRow> OmronAddresses::table() const {
     rows.push_back({entry.variable, entry.place.shown, type, entry.comment});
   }
   return rows;
+}
+
+void OmronAddresses::miss(const std::string& variable) {
+  fail(source::code::kOmronAddress, "input or output '" + variable + "' has no Omron address",
+       "give it one, such as I0.00");
 }
 
 void OmronAddresses::fail(const char* code, std::string message, std::string hint) {

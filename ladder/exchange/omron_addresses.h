@@ -47,6 +47,7 @@ class OmronAddresses {
   void next_bit(const graphic::Variable& variable, const char* what, int& next, int first_word, int end_word);
   void next_word(const graphic::Variable& variable, bool is_unsigned);
   void next_timer(const graphic::Variable& variable);
+  void miss(const std::string& variable);
   void fail(const char* code, std::string message, std::string hint);
 
   struct Entry {
@@ -57,6 +58,8 @@ class OmronAddresses {
   std::vector<Entry> entries_;
   std::map<std::string, std::size_t> index_;  // upper case name -> entry
   std::set<std::string> used_;
+  std::set<std::string> refused_;  // upper case names whose address was no good: told already
+  std::set<std::string> full_;     // areas of which was told that they are full
   std::vector<std::pair<OmronPlace, std::string>> initial_values_;
   result::Diagnostics& diagnostics_;
   int next_step_ = 0;

@@ -61,6 +61,8 @@ result::Result<OmronProgram> write_omron(const graphic::Pou& ladder, const Omron
   assert(std::holds_alternative<graphic::LadderProgram>(ladder.body));
   result::Diagnostics diagnostics;
   const OmronAddresses addresses(ladder, options, diagnostics);
+  // Without addresses every use of a variable would be one more error about the same thing.
+  if (result::has_errors(diagnostics)) return tl::unexpected<result::Diagnostics>(std::move(diagnostics));
   OmronStatements statements(addresses, diagnostics);
   write_sources(options, statements, diagnostics);
   write_initial_values(addresses, statements);

@@ -183,6 +183,30 @@ TEST(OmronWriter, WhenAddressesAreWrong_ThenNothingIsWritten) {
   EXPECT_THAT(error_of(pou, options), HasSubstr("cannot be copied from '0.00'"));
 }
 
+TEST(OmronWriter, WhenVariablesHaveNoAddress_ThenEachIsToldOnce) {
+  const graphic::Pou pou = lowered(support::sequence_chart());
+  OmronOptions options = bench();
+  options.addresses[0].address.clear();     // as the binding of a cell for another controller has it
+  options.addresses[1].address = "%IX0.1";  // refused, hence not missed again
+  const auto program = write_omron(pou, options);
+  ASSERT_FALSE(program);
+  const std::string told = result::to_string(program.error());
+  EXPECT_EQ(program.error().size(), 2u) << told;
+  EXPECT_THAT(told, HasSubstr("input or output 'fc1' has no Omron address"));
+  EXPECT_THAT(told, HasSubstr("variable 'fc2' has the address '%IX0.1'"));
+}
+
+TEST(OmronWriter, WhenStepsDoNotFit_ThenTheAreaIsToldOnce) {
+  graphic::Pou pou = lowered(support::sequence_chart());
+  for (int k = 0; k < 300; ++k) {
+    pou.variables.push_back({"more" + std::to_string(k), "BOOL"});
+    pou.step_variables.push_back(pou.variables.back().name);
+  }
+  const auto program = write_omron(pou, bench());
+  ASSERT_FALSE(program);
+  EXPECT_EQ(program.error().size(), 1u) << result::to_string(program.error());
+}
+
 TEST(OmronWriter, WhenABitHasAnInitialValue_ThenItIsSetInTheFirstCycle) {
   graphic::Pou pou = lowered(support::sequence_chart());
   const auto with = [&](const char* initial) {
