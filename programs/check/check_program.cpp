@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "programs/check/check_tags.h"
+#include "programs/check/check_wires.h"
 #include "programs/process/files.h"
 #include "programs/runtime/boot_program.h"
 #include "programs/runtime/host_options.h"
@@ -67,6 +68,7 @@ result::Diagnostics check_program(const config::CellConfig& config, const CellPr
   if (config.modbus_server.enabled)
     add(problems, modbus::map::build_map(*info, config.modbus_server.map).problems);
   add(problems, check_tags(config.modbus_client, *info));
+  add(problems, check_wires(config, *info));
   return problems;
 }
 

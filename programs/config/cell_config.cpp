@@ -32,7 +32,9 @@ EngineKind read_engine(const TomlTable& table) {
 }
 
 void read_plant(const TomlTable& table, PlantConfig& plant) {
-  plant.kind = table.choice("kind", plant.kind, {"tank_bench", "sorting_line", "none"});
+  // A plant that is misspelt has no ports that could be wrong.
+  const std::string otherwise = table.has("kind") ? "none" : plant.kind;
+  plant.kind = table.choice("kind", otherwise, {"tank_bench", "sorting_line", "none"});
   plant.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 1e15}));
   plant.uncertainty = table.boolean("uncertainty", plant.uncertainty);
   plant.diverters = static_cast<std::size_t>(table.integer("diverters", 2, {1, 4}));

@@ -64,15 +64,6 @@ class KeptDriver final : public image::IoDriver {
   std::vector<double> kept_;
 };
 
-std::vector<bridge::PortWire> wires_of(const config::CellConfig& config) {
-  std::vector<bridge::PortWire> wires;
-  for (const config::PortAddress& wire : config.plant.ports) {
-    wires.push_back({wire.port, wire.address, wire.where});
-  }
-  if (wires.empty() && config.plant.kind == "tank_bench") wires = bridge::default_bench_wires();
-  return wires;
-}
-
 class PlantIo final : public CellIo, private host::PlantAccess {
  public:
   PlantIo(std::unique_ptr<core::Plant> plant, std::unique_ptr<PlantMemory> memory)
@@ -81,7 +72,7 @@ class PlantIo final : public CellIo, private host::PlantAccess {
   }
 
   [[nodiscard]] result::Result<void> wire(const config::CellConfig& config) {
-    auto driver = bridge::PlantDriver::create(*plant_, wires_of(config),
+    auto driver = bridge::PlantDriver::create(*plant_, plant_wires(config),
                                               {config.image.input_bytes, config.image.output_bytes});
     if (!driver) return result::forward(driver);
     driver_ = std::make_unique<KeptDriver>(std::move(*driver), *plant_, *memory_);
@@ -170,14 +161,23 @@ result::Result<void> check_faults(const config::CellConfig& config) {
 
 }  // namespace
 
+std::vector<bridge::PortWire> plant_wires(const config::CellConfig& config) {
+  std::vector<bridge::PortWire> wires;
+  for (const config::PortAddress& wire : config.plant.ports) {
+    wires.push_back({wire.port, wire.address, wire.where});
+  }
+  if (wires.empty() && config.plant.kind == "tank_bench") wires = bridge::default_bench_wires();
+  return wires;
+}
+
 result::Diagnostics check_cell_io(const config::CellConfig& config) {
   if (config.plant.kind == "none") return {};
   result::Diagnostics problems;
   if (auto faults = check_faults(config); !faults) problems = std::move(faults.error());
   auto plant = make_plant(config.plant);
   if (!plant) return problems;  // check_faults said why
-  auto wired =
-      bridge::check_wires(**plant, wires_of(config), {config.image.input_bytes, config.image.output_bytes});
+  auto wired = bridge::check_wires(**plant, plant_wires(config),
+                                   {config.image.input_bytes, config.image.output_bytes});
   if (!wired) problems.insert(problems.end(), wired.error().begin(), wired.error().end());
   return problems;
 }

@@ -4,7 +4,9 @@
 // nothing.
 
 #include <memory>
+#include <vector>
 
+#include "plant_models/bridge/plant_driver.h"
 #include "programs/config/cell_config.h"
 #include "runtime/host/plant_access.h"
 #include "runtime/image/io_driver.h"
@@ -26,6 +28,9 @@ class CellIo {
   // Fails with what is wrong in [plant], its ports and its scheduled faults (C0301 to C0331).
   [[nodiscard]] static result::Result<std::unique_ptr<CellIo>> create(const config::CellConfig& config);
 };
+
+// The wires of the cell's plant: its own, or those that a tank bench has by default.
+std::vector<bridge::PortWire> plant_wires(const config::CellConfig& config);
 
 // Everything that create() would refuse, found without leaving a trace: nothing is opened or kept.
 result::Diagnostics check_cell_io(const config::CellConfig& config);
