@@ -4,27 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "plant_models/assemblies/requirements.h"
+
 namespace stepwright::assemblies {
 namespace {
-
-// Collects what is wrong; NaN fails every comparison and so every requirement.
-class Requirements {
- public:
-  void require(bool holds, std::string message, std::string hint = {}) {
-    if (holds) return;
-    wrong_.push_back({"C0321", result::Severity::Error, {}, std::move(message), std::move(hint)});
-  }
-  void positive(double value, const std::string& what) {
-    require(std::isfinite(value) && value > 0.0, what + " must be positive");
-  }
-  void not_negative(double value, const std::string& what) {
-    require(std::isfinite(value) && value >= 0.0, what + " must not be negative");
-  }
-  result::Diagnostics take() { return std::move(wrong_); }
-
- private:
-  result::Diagnostics wrong_;
-};
 
 constexpr std::array<const char*, kTanks> kTankNames = {"f1", "v1", "a1", "a2"};
 constexpr std::array<const char*, kPumps> kPumpNames = {"B1", "B2", "B3", "B4"};
@@ -117,9 +100,7 @@ result::Result<void> validate(const BenchParameters& parameters) {
   check_vehicle(parameters, requirements);
   check_track(parameters, requirements);
   check_sensors(parameters, requirements);
-  result::Diagnostics wrong = requirements.take();
-  if (!wrong.empty()) return tl::unexpected<result::Diagnostics>(std::move(wrong));
-  return {};
+  return requirements.finish();
 }
 
 }  // namespace stepwright::assemblies

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "plant_models/assemblies/requirements.h"
 #include "plant_models/core/counter_random.h"
 
 namespace stepwright::assemblies {
@@ -18,40 +19,26 @@ constexpr double kAngleSpread = 0.08;
 constexpr std::uint64_t kColours = 3;
 constexpr std::uint64_t kColourDraws = 1000;  // behind all others
 
-class Checker {
- public:
-  void require(bool holds, std::string what, std::string hint) {
-    if (!holds) problems_.push_back({"C0321", result::Severity::Error, {}, std::move(what), std::move(hint)});
-  }
-  result::Result<void> finish() {
-    if (problems_.empty()) return {};
-    return tl::unexpected(std::move(problems_));
-  }
-
- private:
-  result::Diagnostics problems_;
-};
-
 }  // namespace
 
 result::Result<void> validate(const LineParameters& p) {
-  Checker checker;
-  checker.require(p.diverters >= 1 && p.diverters <= 4, "a line has 1 to 4 diverters", "");
-  checker.require(p.boxes >= 1 && p.boxes <= 9, "an order list has 1 to 9 boxes", "");
-  checker.require(p.arrival_s > 0.0, "the time between arrivals must be positive", "");
-  checker.require(p.zone_m >= 0.8, "a zone must hold a box of 0.35 m with room to stop", "at least 0.8 m");
-  checker.require(p.belt_m >= 0.45, "a belt must be wider than the widest box", "at least 0.45 m");
-  checker.require(p.belt_grip > 0.0 && p.chute_speed_m_s > 0.0, "grip and chute speed must be positive", "");
-  checker.require(p.box_friction >= 0.0, "friction cannot be negative", "");
+  Requirements wanted;
+  wanted.require(p.diverters >= 1 && p.diverters <= 4, "a line has 1 to 4 diverters");
+  wanted.require(p.boxes >= 1 && p.boxes <= 9, "an order list has 1 to 9 boxes");
+  wanted.require(p.arrival_s > 0.0, "the time between arrivals must be positive");
+  wanted.require(p.zone_m >= 0.8, "a zone must hold a box of 0.35 m with room to stop", "at least 0.8 m");
+  wanted.require(p.belt_m >= 0.45, "a belt must be wider than the widest box", "at least 0.45 m");
+  wanted.require(p.belt_grip > 0.0 && p.chute_speed_m_s > 0.0, "grip and chute speed must be positive");
+  wanted.require(p.box_friction >= 0.0, "friction cannot be negative");
   const BeltDriveParameters& d = p.drive;
-  checker.require(d.nominal_speed_m_s > 0.0 && d.moved_mass_kg > 0.0 && d.current_time_s > 0.0,
-                  "speed, mass and time constant of a drive must be positive", "");
-  checker.require(d.force_n_per_a * d.current_limit_a > d.friction_n,
-                  "the drive's greatest force must exceed its friction", "raise current_limit_a");
-  checker.require(d.brake_n >= 0.0 && d.friction_n > 0.0, "friction and brake must stop a belt", "");
-  checker.require(p.pusher.speed_out_m_s > 0.0 && p.pusher.speed_back_m_s > 0.0,
-                  "a pusher must move both ways", "");
-  return checker.finish();
+  wanted.require(d.nominal_speed_m_s > 0.0 && d.moved_mass_kg > 0.0 && d.current_time_s > 0.0,
+                 "speed, mass and time constant of a drive must be positive");
+  wanted.require(d.force_n_per_a * d.current_limit_a > d.friction_n,
+                 "the drive's greatest force must exceed its friction", "raise current_limit_a");
+  wanted.require(d.brake_n >= 0.0 && d.friction_n > 0.0, "friction and brake must stop a belt");
+  wanted.require(p.pusher.speed_out_m_s > 0.0 && p.pusher.speed_back_m_s > 0.0,
+                 "a pusher must move both ways");
+  return wanted.finish();
 }
 
 std::vector<BoxData> make_boxes(const LineParameters& parameters) {

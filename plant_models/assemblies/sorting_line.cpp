@@ -84,7 +84,8 @@ void SortingLine::add_bodies() {
   look();
 }
 
-void SortingLine::set_actuator(core::ActuatorId id, bool on) {
+void SortingLine::set_actuator(core::ActuatorId id, std::int16_t value) {
+  const bool on = value != 0;
   assert(id.value < ports_.actuators.size());
   const auto target = ports_.actuator_targets[id.value];
   switch (target.kind) {

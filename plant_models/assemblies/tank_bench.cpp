@@ -66,9 +66,9 @@ std::span<const core::Quantity> TankBench::faults() const {
   return bench_faults();
 }
 
-void TankBench::set_actuator(core::ActuatorId id, bool on) {
+void TankBench::set_actuator(core::ActuatorId id, std::int16_t value) {
   assert(id.value < kActuators);
-  actuators_[id.value] = on;
+  actuators_[id.value] = value != 0;
 }
 
 // The modes that follow from actuators and draws, and the direction that follows from them.

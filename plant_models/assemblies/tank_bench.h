@@ -39,7 +39,7 @@ class TankBench final : public core::Plant {
   const core::PlantDescription& description() const override { return description_; }
 
   std::chrono::nanoseconds now() const override { return now_; }
-  void set_actuator(core::ActuatorId id, bool on) override;
+  void set_actuator(core::ActuatorId id, std::int16_t value) override;
   core::PlantStatus advance_to(std::chrono::nanoseconds time) override;
   std::int16_t sensor(core::SensorId id) const override;
   double truth(core::TruthId id) const override;

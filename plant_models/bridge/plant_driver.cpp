@@ -30,9 +30,12 @@ result::Result<PlantDriver> PlantDriver::create(core::Plant& plant, std::span<co
   for (const CheckedWire& wire : *checked) {
     const std::uint32_t byte = wire.address.byte;
     const auto mask = std::byte{1} << wire.address.bit;
-    if (wire.is_actuator) {
-      driver.actuators_.push_back({core::ActuatorId(wire.port), byte, mask});
-    } else if (wire.kind == core::PortKind::Bool) {
+    const bool is_bit = wire.kind == core::PortKind::Bool;
+    if (wire.is_actuator && is_bit) {
+      driver.relays_.push_back({core::ActuatorId(wire.port), byte, mask});
+    } else if (wire.is_actuator) {
+      driver.setpoints_.push_back({core::ActuatorId(wire.port), byte});
+    } else if (is_bit) {
       driver.switches_.push_back({core::SensorId(wire.port), byte, mask});
     } else {
       driver.counts_.push_back({core::SensorId(wire.port), byte});
@@ -60,8 +63,14 @@ image::IoStatus PlantDriver::write_outputs(std::int64_t now_ns, std::span<const 
   if (outputs.size() < sizes_.output_bytes) return image::IoStatus::Lost;
   // In simulated time the plant stands there already; in real time a scan takes a moment.
   status_ = plant_->advance_to(std::chrono::nanoseconds(now_ns));
-  for (const ActuatorWire& wire : actuators_) {
-    plant_->set_actuator(wire.actuator, (outputs[wire.byte] & wire.mask) != std::byte{0});
+  for (const RelayWire& wire : relays_) {
+    const bool on = (outputs[wire.byte] & wire.mask) != std::byte{0};
+    plant_->set_actuator(wire.actuator, on ? 1 : 0);
+  }
+  for (const SetpointWire& wire : setpoints_) {
+    const unsigned counts = std::to_integer<unsigned>(outputs[wire.byte]) |
+                            std::to_integer<unsigned>(outputs[wire.byte + 1]) << 8;
+    plant_->set_actuator(wire.actuator, static_cast<std::int16_t>(static_cast<std::uint16_t>(counts)));
   }
   return status_ == core::PlantStatus::Good ? image::IoStatus::Good : image::IoStatus::Lost;
 }

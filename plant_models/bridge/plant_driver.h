@@ -59,10 +59,14 @@ class PlantDriver final : public image::IoDriver {
     core::SensorId sensor;
     std::uint32_t byte;
   };
-  struct ActuatorWire {
+  struct RelayWire {
     core::ActuatorId actuator;
     std::uint32_t byte;
     std::byte mask;
+  };
+  struct SetpointWire {
+    core::ActuatorId actuator;
+    std::uint32_t byte;
   };
 
   PlantDriver(core::Plant& plant, AreaSizes sizes) : plant_(&plant), sizes_(sizes) {}
@@ -72,7 +76,8 @@ class PlantDriver final : public image::IoDriver {
   core::PlantStatus status_ = core::PlantStatus::Good;
   std::vector<SwitchWire> switches_;
   std::vector<CountWire> counts_;
-  std::vector<ActuatorWire> actuators_;
+  std::vector<RelayWire> relays_;
+  std::vector<SetpointWire> setpoints_;
 };
 
 }  // namespace stepwright::bridge

@@ -43,8 +43,9 @@ class Plant {
   // Simulated time since the plant was made.
   virtual std::chrono::nanoseconds now() const = 0;
 
-  // Switches an actuator at now(); it holds until the next call.
-  virtual void set_actuator(ActuatorId id, bool on) = 0;
+  // Commands an actuator at now(); it holds until the next call. 0 or 1 (true), or raw counts, as its port
+  // says.
+  virtual void set_actuator(ActuatorId id, std::int16_t value) = 0;
 
   // Runs the plant up to `time`; a time that has passed already changes nothing.
   virtual PlantStatus advance_to(std::chrono::nanoseconds time) = 0;

@@ -24,7 +24,7 @@ int word(std::span<const std::byte> area, std::size_t index) {
 }
 
 // A plant whose solver has given up.
-class DeadPlant final : public core::Plant {
+class DeadPlant : public core::Plant {
  public:
   std::span<const core::Port> actuators() const override { return {}; }
   std::span<const core::Port> sensors() const override { return {}; }
@@ -32,7 +32,7 @@ class DeadPlant final : public core::Plant {
   std::span<const core::Quantity> faults() const override { return {}; }
   const core::PlantDescription& description() const override { return description_; }
   std::chrono::nanoseconds now() const override { return std::chrono::nanoseconds(0); }
-  void set_actuator(core::ActuatorId, bool) override {}
+  void set_actuator(core::ActuatorId, std::int16_t) override {}
   core::PlantStatus advance_to(std::chrono::nanoseconds) override { return core::PlantStatus::Failed; }
   std::int16_t sensor(core::SensorId) const override { return 0; }
   double truth(core::TruthId) const override { return 0.0; }
@@ -43,6 +43,19 @@ class DeadPlant final : public core::Plant {
 
  private:
   core::PlantDescription description_;
+};
+
+// One analogue actuator, which notes what it is told.
+class SetpointPlant final : public DeadPlant {
+ public:
+  std::span<const core::Port> actuators() const override { return ports_; }
+  void set_actuator(core::ActuatorId, std::int16_t value) override { told = value; }
+  core::PlantStatus advance_to(std::chrono::nanoseconds) override { return core::PlantStatus::Good; }
+
+  std::int16_t told = 0;
+
+ private:
+  std::array<core::Port, 1> ports_ = {core::Port{"speed", core::PortKind::Count, "set point in mm/s"}};
 };
 
 class PlantDriverTest : public testing::Test {
@@ -90,6 +103,19 @@ TEST_F(PlantDriverTest, WhenDriveBitsAreWritten_ThenTheVehicleMovesTheRightWay) 
   driver.read_inputs(2'000'000'000, inputs);
   EXPECT_GT(plant->truth(*core::find_truth(*plant, "position")), 0.1);
   EXPECT_EQ(inputs[0], std::byte{0});
+}
+
+TEST_F(PlantDriverTest, WhenASetPointIsWritten_ThenThePlantGetsItsCountsWithTheirSign) {
+  SetpointPlant plant_with_set_point;
+  const std::vector<PortWire> wires = {{"speed", "%QW1", {}}};
+  auto driver =
+      PlantDriver::create(plant_with_set_point, wires, {.input_bytes = 0, .output_bytes = 4}).value();
+  const std::array<std::byte, 4> backwards = {std::byte{0xFF}, std::byte{0xFF}, std::byte{0x18},
+                                              std::byte{0xFC}};
+  EXPECT_EQ(driver.write_outputs(0, backwards), image::IoStatus::Good);
+  EXPECT_EQ(plant_with_set_point.told, -1000);
+  const std::vector<PortWire> as_a_bit = {{"speed", "%QX1.0", {}}};
+  EXPECT_EQ(PlantDriver::create(plant_with_set_point, as_a_bit, {0, 4}).error().front().code, "C0306");
 }
 
 TEST_F(PlantDriverTest, WhenAreaIsSmallerThanPromised_ThenLost) {
