@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace stepwright::assemblies {
+namespace {
+
+// The spring brake is dry friction; near standstill it is taken as smooth, over this time.
+constexpr double kBrakeSettle_s = 0.02;
+
+}  // namespace
 
 ForkliftEquations::ForkliftEquations(const ForkliftParameters& parameters)
     : parameters_(parameters), full_lock_rad_(full_lock_rad(parameters)) {}
@@ -27,7 +33,7 @@ double ForkliftEquations::wheel_acceleration(double wheel_m_s) const {
   const double mass = drive.empty_mass_kg + modes.load_kg;
   const double target =
       modes.enabled ? std::clamp(modes.speed_m_s, -drive.top_speed_m_s, drive.top_speed_m_s) : 0.0;
-  const double wanted = (target - wheel_m_s) / drive.time_constant_s;
+  const double wanted = (target - wheel_m_s) / (modes.enabled ? drive.time_constant_s : kBrakeSettle_s);
   const bool brakes = wanted * wheel_m_s < 0.0;
   double force = brakes ? drive.brake_force_n : modes.drive_strength * drive.drive_force_n;
   if (!modes.enabled) force = drive.parking_brake_n;

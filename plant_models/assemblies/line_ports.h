@@ -2,11 +2,11 @@
 
 // Terminals, truths and faults of a sorting line by name, in the order in which they are numbered.
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "plant_models/assemblies/line_layout.h"
+#include "plant_models/assemblies/port_target.h"
 #include "plant_models/core/plant_description.h"
 #include "plant_models/core/port.h"
 
@@ -49,18 +49,6 @@ enum class LineFault : std::uint8_t {
   Exchange,
   EmergencyStop,
   Reset,
-};
-
-template <typename Kind>
-struct PortTarget {
-  Kind kind{};
-  std::size_t index = 0;  // of the belt, pusher, eye, chute or box
-};
-
-struct FaultRange {
-  double min = 0.0;
-  double max = 1.0;
-  bool whole = true;  // whole numbers only
 };
 
 struct LinePorts {

@@ -1,46 +1,25 @@
-#include <cmath>
-#include <string>
 #include <utility>
 
 #include "plant_models/assemblies/sorting_line.h"
-#include "plant_models/core/names.h"
 
 namespace stepwright::assemblies {
 namespace {
 
-std::string number(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
+constexpr std::string_view kPlant = "the sorting line";
 
 }  // namespace
 
 result::Result<void> SortingLine::inject_fault(std::string_view name, double value) {
-  const auto fault = core::index_of(ports_.faults, name);
-  if (!fault) {
-    return result::fail("C0311", {}, "the sorting line has no fault named '" + std::string(name) + "'",
-                        "known faults: " + core::joined_names(ports_.faults));
-  }
-  const FaultRange& range = ports_.fault_ranges[*fault];
-  const bool whole = !range.whole || value == std::floor(value);
-  if (!(value >= range.min && value <= range.max) || !whole) {
-    const core::Quantity& quantity = ports_.faults[*fault];
-    return result::fail("C0312", {}, "fault '" + quantity.name + "' cannot have the value " + number(value),
-                        "allowed: " + number(range.min) + " to " + number(range.max) +
-                            (range.whole ? ", whole numbers; " : "; ") + quantity.meaning);
-  }
+  auto fault = find_fault(kPlant, ports_.faults, name);
+  if (!fault) return result::forward(fault);
+  if (auto good = check_fault(ports_.faults[*fault], ports_.fault_ranges[*fault], value); !good) return good;
   apply_fault(*fault, value, true);
   return {};
 }
 
 result::Result<void> SortingLine::clear_fault(std::string_view name) {
-  const auto fault = core::index_of(ports_.faults, name);
-  if (!fault) {
-    return result::fail("C0311", {}, "the sorting line has no fault named '" + std::string(name) + "'",
-                        "known faults: " + core::joined_names(ports_.faults));
-  }
+  auto fault = find_fault(kPlant, ports_.faults, name);
+  if (!fault) return result::forward(fault);
   apply_fault(*fault, 0.0, false);
   return {};
 }

@@ -19,8 +19,11 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PusherDescription, name, actuator, travel_tru
                                    thickness, direction_x, direction_y, stroke)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BoxDescription, name, length, width, state_truth, x_truth, y_truth,
                                    angle_truth)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForkliftDescription, name, front, rear, width, x_truth, y_truth,
+                                   heading_truth, lock_truth, load_truth)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ObstacleDescription, name, x, y, angle, length, width)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlantDescription, name, tanks, pumps, pipes, vehicles, sensors, belts,
-                                   beams, pushers, boxes)
+                                   beams, pushers, boxes, forklifts, obstacles)
 
 std::string to_json(const PlantDescription& description) {
   return nlohmann::json(description).dump();

@@ -107,6 +107,29 @@ struct BoxDescription {
   std::string angle_truth;  // rad
 };
 
+// A vehicle that moves freely, seen from above; its reference point is at the truths, m.
+struct ForkliftDescription {
+  std::string name;
+  double front = 0.0;  // from the reference point to the tips of the forks
+  double rear = 0.0;
+  double width = 0.0;
+  std::string x_truth;
+  std::string y_truth;
+  std::string heading_truth;  // rad
+  std::string lock_truth;     // steering, rad
+  std::string load_truth;     // number of the box that it carries, from 1; 0 = none
+};
+
+// A rectangle that nothing passes.
+struct ObstacleDescription {
+  std::string name;  // the fault that puts it there; empty = it always stands there
+  double x = 0.0;    // its middle
+  double y = 0.0;
+  double angle = 0.0;
+  double length = 0.0;
+  double width = 0.0;
+};
+
 struct PlantDescription {
   std::string name;
   std::vector<TankDescription> tanks;
@@ -118,6 +141,8 @@ struct PlantDescription {
   std::vector<BeamDescription> beams;
   std::vector<PusherDescription> pushers;
   std::vector<BoxDescription> boxes;
+  std::vector<ForkliftDescription> forklifts;
+  std::vector<ObstacleDescription> obstacles;
 };
 
 // One JSON object with the field names above, for a viewer in another process.

@@ -1,0 +1,37 @@
+#include "plant_models/assemblies/port_target.h"
+
+#include <cmath>
+
+#include "plant_models/core/names.h"
+
+namespace stepwright::assemblies {
+namespace {
+
+std::string number(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+result::Result<std::size_t> find_fault(std::string_view plant, std::span<const core::Quantity> faults,
+                                       std::string_view name) {
+  const auto fault = core::index_of(faults, name);
+  if (!fault) {
+    return result::fail("C0311", {}, std::string(plant) + " has no fault named '" + std::string(name) + "'",
+                        "known faults: " + core::joined_names(faults));
+  }
+  return *fault;
+}
+
+result::Result<void> check_fault(const core::Quantity& fault, const FaultRange& range, double value) {
+  const bool whole = !range.whole || value == std::floor(value);
+  if (value >= range.min && value <= range.max && whole) return {};
+  return result::fail("C0312", {}, "fault '" + fault.name + "' cannot have the value " + number(value),
+                      "allowed: " + number(range.min) + " to " + number(range.max) +
+                          (range.whole ? ", whole numbers; " : "; ") + fault.meaning);
+}
+
+}  // namespace stepwright::assemblies

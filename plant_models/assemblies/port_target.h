@@ -1,0 +1,37 @@
+#pragma once
+
+// What a numbered port, truth or fault of a plant stands for, and what values a fault may have.
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "plant_models/core/port.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::assemblies {
+
+template <typename Kind>
+struct PortTarget {
+  Kind kind{};
+  std::size_t index = 0;  // of the thing of that kind
+};
+
+struct FaultRange {
+  double min = 0.0;
+  double max = 1.0;
+  bool whole = true;  // whole numbers only
+};
+
+// The index of the fault with that name. `plant` is for the message: "the sorting line". Fails with C0311 (no
+// such fault).
+[[nodiscard]] result::Result<std::size_t> find_fault(std::string_view plant,
+                                                     std::span<const core::Quantity> faults,
+                                                     std::string_view name);
+
+// Fails with C0312 if the fault cannot have that value.
+[[nodiscard]] result::Result<void> check_fault(const core::Quantity& fault, const FaultRange& range,
+                                               double value);
+
+}  // namespace stepwright::assemblies
