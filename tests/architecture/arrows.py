@@ -60,6 +60,7 @@ ARROWS = {
     "supervisor/fleet/envelope": ["supervisor/fleet/map"],
     "supervisor/fleet/network": ["runtime/base"],
     "supervisor/fleet/schedule": ["supervisor/fleet/network", "supervisor/fleet/envelope"],
+    "supervisor/fleet/control": ["supervisor/geometry", "runtime/result"],
     "supervisor/fleet/mission": ["supervisor/fleet/lattice", "supervisor/fleet/schedule", "supervisor/model"],
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
     "supervisor/executive": [
