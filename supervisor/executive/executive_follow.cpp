@@ -105,6 +105,7 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
   record_.goal = desk_.goal_status(with_changes(seen_.planning), goal_);
   note_alarms(image);
   note_levels(moving_atoms(progress));
+  if (settled(active)) drift_.see(seen_.measured.fluents, progress);
   publish();
   const Situation now = situation(progress, expected, time_s);
   const bool news = settled(active) || !now.failed.empty();
@@ -171,6 +172,7 @@ Situation Executive::situation(const translate::Progress& progress, const model:
   now.left = left_;
   now.just_changed = just_changed_;
   now.limited = limited_;
+  now.drift = drift_.found();
   for (const Alarm& alarm : alarms_) {
     if (alarm.kind == to_string(translate::MonitorKind::Motion)) now.frozen.push_back(alarm.sensor);
   }
