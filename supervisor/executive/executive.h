@@ -162,6 +162,7 @@ class Executive {
   std::set<std::string> moving_atoms(const translate::Progress& progress) const;
   FailedAction failure_of(std::size_t action, double time_s) const;
   void note_alarms(std::span<const std::byte> image);
+  void note_told_alarms();
   void note_levels(const std::set<std::string>& moving);
   std::optional<Cause> due_change(double time_s);
   std::vector<model::GroundAction> begun_actions(bool resting) const;
@@ -177,7 +178,7 @@ class Executive {
   Unplannable unplannable_;                  // of the last planning that found none
   std::optional<ImageReader> alarm_reader_;  // of the plan's monitors
   std::size_t alarms_seen_ = 0;
-  std::set<std::size_t> alarms_told_;               // monitors of the running program
+  std::set<std::size_t> alarms_told_;               // monitors of the installed program
   std::vector<Alarm> alarms_;                       // of which no incident tells yet
   std::vector<translate::Difference> differences_;  // of the last situation, of what nothing moved
   std::map<std::string, double> left_;  // levels as they were when the running plan last let go of them

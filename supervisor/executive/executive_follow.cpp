@@ -204,6 +204,21 @@ void Executive::note_alarms(std::span<const std::byte> image) {
   }
 }
 
+// What a journal tells of the program that still runs. A monitor raises its alarm once.
+void Executive::note_told_alarms() {
+  for (const Incident& incident : record_.incidents) {
+    if (incident.time_s < record_.episodes.back().started_s) continue;
+    for (const Alarm& told : incident.alarms) {
+      for (std::size_t i = 0; i < current_.translation.monitors.size(); ++i) {
+        const translate::Monitor& monitor = current_.translation.monitors[i];
+        const bool same = told.action == model::to_string(current_.plan.actions[monitor.action]) &&
+                          told.kind == to_string(monitor.kind) && told.condition == monitor.text;
+        if (same) alarms_told_.insert(i);
+      }
+    }
+  }
+}
+
 // In START the filters still swing in; the chart itself checks the initial state when it leaves that step.
 bool Executive::settled(const std::vector<bool>& active) const {
   for (std::size_t i = 0; i < active.size(); ++i) {
