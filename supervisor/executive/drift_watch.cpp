@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace stepwright::executive {
 
@@ -106,11 +108,12 @@ std::vector<bool> DriftWatch::at_rest(const translate::Progress& progress) const
 }
 
 void DriftWatch::see(const Levels& levels, const translate::Progress& progress) {
-  actions_.resize(progress.actions.size(), ActionState::Pending);
+  assert(progress.actions.size() == changes_.size());
+  actions_.resize(changes_.size(), ActionState::Pending);
   for (std::size_t action = 0; action < actions_.size(); ++action) {
-    const bool ran = actions_[action] == ActionState::Active ||
-                     (actions_[action] == ActionState::Pending &&
-                      progress.actions[action] == ActionState::Done);
+    const bool ran =
+        actions_[action] == ActionState::Active ||
+        (actions_[action] == ActionState::Pending && progress.actions[action] == ActionState::Done);
     if (!ran) continue;
     for (const auto& [sensor, change] : changes_[action]) move(sensor, action);
   }

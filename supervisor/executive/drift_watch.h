@@ -49,7 +49,7 @@ class DriftWatch {
   void rest(const Levels& levels);
   // The next looks are at this plan, of which nothing has begun.
   void follow(const model::PlannedRun& run);
-  // At a change of steps: which actions run from here on, and what the levels are.
+  // At a change of steps: which actions of the followed plan run from here on, and what the levels are.
   void see(const Levels& levels, const translate::Progress& progress);
   // Nobody knows what has moved since the last look.
   void forget();

@@ -111,6 +111,7 @@ bool Executive::resume() {
     progress_.actions.push_back(action.state);
   }
   digest_ = record_.episodes.back().digest;
+  drift_.follow(current_.run);  // its sums begin anew
   note_told_alarms();
   set_phase(Phase::Waiting, "the supervisor was restarted and looks for its runtime");
   return await_runtime() && recover_runtime();

@@ -63,7 +63,8 @@ void Executive::note_failed_devices(const Cause& cause) {
 
 // There is no plan, which may be for want of a device.
 bool Executive::give_up_planless() {
-  std::string text = record_.replans.empty() ? "there is no plan" : "there is no plan from the observed state";
+  std::string text =
+      record_.replans.empty() ? "there is no plan" : "there is no plan from the observed state";
   const std::set<std::string>& failed = devices_.failed();
   if (!failed.empty()) {
     text += " without " + names_of({failed.begin(), failed.end()}) + " (with which actions failed twice)";
@@ -202,8 +203,7 @@ Executive::Planned Executive::plan_to_goal(const model::NamedState& tracked,
     away.insert(difference.atom);
     sentences.push_back(to_string(difference));
   }
-  auto finer =
-      translate::estimate(desk_.binding(), means_, tare_, with_changes(tracked), interrupted, away);
+  auto finer = translate::estimate(desk_.binding(), means_, tare_, with_changes(tracked), interrupted, away);
   if (finer) {
     start.planning = with_changes(finer->planning);
     start.goal = goal_;
