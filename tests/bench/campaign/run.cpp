@@ -42,9 +42,11 @@ std::optional<double> wanted_position(const RunRecord& record) {
   return std::nullopt;
 }
 
-// Only a sensor that drifts may have led away from the goal unseen: by no more than its binding allows.
+// Only a sensor that drifts may have led away from the goal unseen: by what its binding allows to be seen of
+// it, and by as much again while a pump moves its tank and no second sensor tells by how much. That is half
+// of the time at most.
 double level_error(const translate::Sensor& sensor, const Disturbance& disturbance) {
-  return sensor.tolerance + (disturbance.drifts() ? sensor.max_drift : kMotion);
+  return sensor.tolerance + (disturbance.drifts() ? 2.0 * sensor.max_drift : kMotion);
 }
 
 // Empty if the plant really is where the report says.
