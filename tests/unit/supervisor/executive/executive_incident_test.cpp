@@ -90,16 +90,20 @@ TEST(ExecutiveIncident, WhenANewGoalIsLessThanAUnitAway_ThenItIsReached) {
   })) << story(record);
 }
 
-// Nothing takes liquid out of a1 once its customer has what it wants: no plan mends a fraction of a unit.
-TEST(ExecutiveIncident, WhenNoActionMovesWhatIsLeft_ThenTheSafeStopSaysByHowMuchTheGoalIsMissed) {
-  SimulatedController controller({});
-  ExecutiveOptions options;
-  options.goal_changes = {{111.5, "", 0.0, "(and (is-at v1 f1) (= (level a1) 3) (= (level a2) 5))"}};
-  const RunRecord record = run_bench(controller, options);
+// The customer's pump was too slow twice, the second time a fraction of a unit before the goal: without it
+// nothing lowers a2.
+TEST(ExecutiveIncident, WhenNoActionMovesWhatIsLeft_ThenTheSafeStopNamesThePumpAndByHowMuch) {
+  assemblies::BenchParameters parameters;
+  parameters.seed = 3269;
+  SimulatedController controller(parameters, {{66.60, "weak_b4", 0.186}});
+  const RunRecord record = run_bench(controller);
   ASSERT_EQ(record.phase, Phase::Safe) << story(record);
-  ASSERT_EQ(record.incidents.size(), 1u);
-  EXPECT_EQ(record.incidents[0].kind, IncidentKind::NewGoal);
-  EXPECT_NE(record.message.find("there is no plan"), std::string::npos) << record.message;
+  ASSERT_EQ(record.incidents.size(), 2u) << story(record);
+  EXPECT_EQ(record.incidents[1].kind, IncidentKind::FailedActuator);
+  EXPECT_EQ(record.incidents[1].devices, std::vector<std::string>{"customer pump of a2"});
+  EXPECT_NE(record.message.find("without customer pump of a2"), std::string::npos) << record.message;
+  EXPECT_NE(record.message.find("less than a plan can mend: level of a2 is 5.2"), std::string::npos)
+      << record.message;
 }
 
 TEST(ExecutiveIncident, WhenAGoalIsNoGoal_ThenItIsRefused) {
