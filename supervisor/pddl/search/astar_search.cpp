@@ -34,6 +34,8 @@ AStarSearch::AStarSearch(const StateSpace& space, SearchControl& control, const 
   const GroundTask& task = space.task();
   negative_ = std::any_of(task.operators.begin(), task.operators.end(),
                           [](const GroundOperator& op) { return !(op.cost.low >= 0.0); });
+  if (!negative_) dominance_ = std::make_unique<Dominance>(space);
+  if (dominance_ && !dominance_->useful()) dominance_.reset();
   unit_cost_ = task.potential.is_constant() &&
                std::all_of(task.operators.begin(), task.operators.end(),
                            [](const GroundOperator& op) { return op.cost == Interval::point(1.0); });
@@ -191,13 +193,23 @@ double AStarSearch::bound() {
   return open_.empty() ? best : std::min(best, open_.front().key);
 }
 
+bool AStarSearch::needless(std::uint32_t node) {
+  if (!dominance_) return false;
+  nodes_.load(node, current_.data());
+  return dominance_->prunes(node, current_.data(), nodes_);
+}
+
+std::size_t AStarSearch::memory() const {
+  return nodes_.memory() + open_.capacity() * sizeof(Entry) + (dominance_ ? dominance_->memory() : 0);
+}
+
 SearchStatus AStarSearch::run(std::uint64_t expansions, StopReason& reason) {
   if (!started_) start();
   const std::uint64_t pause = dear_.any() ? 4 : 64;
   for (std::uint64_t done = 0; done < expansions && !open_.empty(); ++done) {
     if (done % pause == 0) {
       control_.raise_bound(bound());
-      memory_.set(nodes_.memory() + open_.capacity() * sizeof(Entry));
+      memory_.set(memory());
       if ((reason = control_.check()) != StopReason::None) return SearchStatus::Stopped;
     }
     std::pop_heap(open_.begin(), open_.end(), std::greater<>());
@@ -210,7 +222,7 @@ SearchStatus AStarSearch::run(std::uint64_t expansions, StopReason& reason) {
       open_.clear();
       break;
     }
-    if (!refine(entry)) continue;
+    if (needless(entry.node) || !refine(entry)) continue;
     expand(entry);
     if (unbounded_) return SearchStatus::Stopped;
   }

@@ -13,8 +13,13 @@
 // up again. What a bound says of a state holds of its successors too; where the state's plans cost more once
 // they apply an operator that the bound has not paid for, the successor by that operator costs as much more.
 //
+// States that others make needless (dominance) are not expanded.
+//
 // Thread rule: one call, one object. `run` can be resumed after it returned Running.
 
+#include <memory>
+
+#include "supervisor/pddl/search/dominance.h"
 #include "supervisor/pddl/search/lower_bounds.h"
 #include "supervisor/pddl/search/lp_bound.h"
 #include "supervisor/pddl/search/search_control.h"
@@ -73,6 +78,8 @@ class AStarSearch {
   void offer_goal(std::uint32_t node, const Word* state);
   void expand(const Entry& entry);
   void successor(std::uint32_t parent, int op, double cost);
+  bool needless(std::uint32_t node);
+  std::size_t memory() const;
   bool on_path(std::uint32_t node, std::uint32_t ancestor) const;
 
   const StateSpace& space_;
@@ -82,6 +89,7 @@ class AStarSearch {
   BestKnown best_;
   MemoryShare memory_;
   StateTable nodes_;
+  std::unique_ptr<Dominance> dominance_;  // null: no state makes another one needless
   std::vector<Entry> open_;
   std::vector<Word> scratch_;
   std::vector<Word> current_;
