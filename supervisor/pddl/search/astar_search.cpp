@@ -34,6 +34,8 @@ AStarSearch::AStarSearch(const StateSpace& space, SearchControl& control, const 
   const GroundTask& task = space.task();
   negative_ = std::any_of(task.operators.begin(), task.operators.end(),
                           [](const GroundOperator& op) { return !(op.cost.low >= 0.0); });
+  // With cheap bounds a state costs less than its stubborn set.
+  if (!negative_ && dear.any()) stubborn_ = std::make_unique<StubbornSets>(space);
   if (!negative_) dominance_ = std::make_unique<Dominance>(space);
   if (dominance_ && !dominance_->useful()) dominance_.reset();
   unit_cost_ = task.potential.is_constant() &&
@@ -172,6 +174,7 @@ void AStarSearch::expand(const Entry& entry) {
   nodes_.load(node, current_.data());
   ask_again(node);
   space_.applicable(current_.data(), applicable_);
+  if (stubborn_) stubborn_->prune(current_.data(), applicable_);
   for (const int op : applicable_) {
     double cost = 0.0;
     if (space_.apply(op, current_.data(), scratch_.data(), cost)) successor(node, op, cost);
@@ -200,7 +203,8 @@ bool AStarSearch::needless(std::uint32_t node) {
 }
 
 std::size_t AStarSearch::memory() const {
-  return nodes_.memory() + open_.capacity() * sizeof(Entry) + (dominance_ ? dominance_->memory() : 0);
+  return nodes_.memory() + open_.capacity() * sizeof(Entry) + (dominance_ ? dominance_->memory() : 0) +
+         (stubborn_ ? stubborn_->memory() : 0);
 }
 
 SearchStatus AStarSearch::run(std::uint64_t expansions, StopReason& reason) {

@@ -13,7 +13,8 @@
 // up again. What a bound says of a state holds of its successors too; where the state's plans cost more once
 // they apply an operator that the bound has not paid for, the successor by that operator costs as much more.
 //
-// States that others make needless (dominance) are not expanded.
+// States that others make needless (dominance) are not expanded, and of operators whose order does not matter
+// only some orders are looked at (stubborn_sets).
 //
 // Thread rule: one call, one object. `run` can be resumed after it returned Running.
 
@@ -24,6 +25,7 @@
 #include "supervisor/pddl/search/lp_bound.h"
 #include "supervisor/pddl/search/search_control.h"
 #include "supervisor/pddl/search/state_table.h"
+#include "supervisor/pddl/search/stubborn_sets.h"
 
 namespace stepwright::pddl {
 
@@ -89,7 +91,8 @@ class AStarSearch {
   BestKnown best_;
   MemoryShare memory_;
   StateTable nodes_;
-  std::unique_ptr<Dominance> dominance_;  // null: no state makes another one needless
+  std::unique_ptr<Dominance> dominance_;    // null: no state makes another one needless
+  std::unique_ptr<StubbornSets> stubborn_;  // null: every order of operators is looked at
   std::vector<Entry> open_;
   std::vector<Word> scratch_;
   std::vector<Word> current_;
