@@ -1,6 +1,7 @@
 #include "supervisor/pddl/partial_order.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <unordered_map>
 
 #include "supervisor/pddl/ground_action.h"
@@ -59,18 +60,18 @@ result::Result<std::vector<model::Ordering>> lift_partial_order(const Task& task
     if (!info) return result::forward(info);
     prints.push_back({names.numbers(info->reads), names.numbers(info->writes), names.numbers(info->counts)});
   }
-  // before[j][i]: i comes before j. Walking i downwards from j, a pair that is implied by a later one is left
-  // out.
-  std::vector<std::vector<bool>> before(count, std::vector<bool>(count, false));
+  // Bit i of before[j]: i comes before j. Walking i downwards from j, a pair that is implied by a later one
+  // is left out.
+  const std::size_t words = count / 64 + 1;
+  std::vector<std::vector<std::uint64_t>> before(count, std::vector<std::uint64_t>(words, 0));
   std::vector<model::Ordering> orderings;
   for (std::size_t j = 0; j < count; ++j) {
     for (std::size_t i = j; i-- > 0;) {
-      if (before[j][i] || !interfere(prints[i], prints[j])) continue;
+      const std::uint64_t bit = std::uint64_t{1} << (i % 64);
+      if ((before[j][i / 64] & bit) != 0 || !interfere(prints[i], prints[j])) continue;
       orderings.push_back({i, j});
-      before[j][i] = true;
-      for (std::size_t k = 0; k < i; ++k) {
-        if (before[i][k]) before[j][k] = true;
-      }
+      before[j][i / 64] |= bit;
+      for (std::size_t w = 0; w <= i / 64; ++w) before[j][w] |= before[i][w];
     }
   }
   std::sort(orderings.begin(), orderings.end(), [](const model::Ordering& a, const model::Ordering& b) {

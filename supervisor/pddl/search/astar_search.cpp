@@ -14,6 +14,7 @@ namespace {
 constexpr std::uint8_t kCut = 0, kProgram = 1, kSteps = 2, kAll = 3;
 // Of the linear program in every state: more rounds take more time than they save states.
 constexpr int kRounds = 1;
+constexpr std::uint64_t kSuccessorsBetweenChecks = 500;
 
 }  // namespace
 
@@ -175,6 +176,7 @@ void AStarSearch::expand(const Entry& entry) {
   ask_again(node);
   space_.applicable(current_.data(), applicable_);
   if (stubborn_) stubborn_->prune(current_.data(), applicable_);
+  successors_ += applicable_.size();
   for (const int op : applicable_) {
     double cost = 0.0;
     if (space_.apply(op, current_.data(), scratch_.data(), cost)) successor(node, op, cost);
@@ -210,8 +212,12 @@ std::size_t AStarSearch::memory() const {
 SearchStatus AStarSearch::run(std::uint64_t expansions, StopReason& reason) {
   if (!started_) start();
   const std::uint64_t pause = dear_.any() ? 4 : 64;
+  std::uint64_t states = pause;  // since the control was asked
+  successors_ = 0;
   for (std::uint64_t done = 0; done < expansions && !open_.empty(); ++done) {
-    if (done % pause == 0) {
+    if (states++ >= pause || successors_ >= kSuccessorsBetweenChecks) {
+      states = 1;
+      successors_ = 0;
       control_.raise_bound(bound());
       memory_.set(memory());
       if ((reason = control_.check()) != StopReason::None) return SearchStatus::Stopped;

@@ -100,6 +100,7 @@ class AStarSearch {
   double least_potential_;
   std::vector<double> least_costs_;     // by operator, as the dear bounds count them
   double parent_key_ = -kInfinity;      // of the state that is being expanded
+  std::uint64_t successors_ = 0;        // since the control was asked
   std::uint32_t asked_node_ = kNoNode;  // whose plans the dear bounds were asked about last
   bool unit_cost_ = false;              // costs are steps
   bool negative_ = false;
