@@ -114,8 +114,17 @@ std::vector<Preference> preferences(const GroundTask& task) {
   return Preferences(task).find();
 }
 
-Dominance::Dominance(const StateSpace& space) : is_resource_(space.words(), false), other_(space.words()) {
+Dominance::Dominance(const StateSpace& space)
+    : objects_(space),
+      symmetric_(!objects_.none()),
+      is_resource_(space.words(), false),
+      asked_(space.words()),
+      other_(space.words()) {
   const std::vector<Preference> preferred = preferences(space.task());
+  // Which fluents are integers depends on the initial state, and so may what is preferred.
+  for (const auto& [a, b] : objects_.exchanged_variables()) {
+    if (preferred[static_cast<std::size_t>(a)] != preferred[static_cast<std::size_t>(b)]) symmetric_ = false;
+  }
   for (std::size_t v = 0; v < preferred.size(); ++v) {
     if (preferred[v] == Preference::Exact) continue;
     resources_.push_back({space.fact_words() + v, static_cast<double>(preferred[v])});
@@ -147,8 +156,18 @@ bool Dominance::enough(std::size_t entry, const Word* state) const {
   return true;
 }
 
+bool Dominance::as_much(std::size_t entry, const Word* state) const {
+  for (std::size_t r = 0; r < resources_.size(); ++r) {
+    const double amount = resources_[r].sign * std::bit_cast<double>(state[resources_[r].word]);
+    if (amounts_[entry * resources_.size() + r] != amount) return false;
+  }
+  return true;
+}
+
 bool Dominance::prunes(std::uint32_t node, const Word* state, const StateTable& nodes) {
-  std::uint32_t& head = heads_.try_emplace(hash_of_rest(state), kEnd).first->second;
+  std::copy(state, state + asked_.size(), asked_.begin());
+  if (symmetric_) objects_.arrange(asked_.data());
+  std::uint32_t& head = heads_.try_emplace(hash_of_rest(asked_.data()), kEnd).first->second;
   const Node& asked = nodes[node];
   bool known = false;
   for (std::uint32_t e = head; e != kEnd; e = entries_[e].next) {
@@ -158,15 +177,19 @@ bool Dominance::prunes(std::uint32_t node, const Word* state, const StateTable& 
     }
     const Node& other = nodes[entries_[e].node];
     if (other.cost > asked.cost || (other.cost == asked.cost && other.steps > asked.steps)) continue;
-    if (!enough(e, state)) continue;
+    if (!enough(e, asked_.data())) continue;
+    // Of two that are as good as each other, the older one stays.
+    const bool equal = other.cost == asked.cost && other.steps == asked.steps && as_much(e, asked_.data());
+    if (equal && entries_[e].node > node) continue;
     nodes.load(entries_[e].node, other_.data());
-    if (same_rest(other_.data(), state)) return true;
+    if (symmetric_) objects_.arrange(other_.data());
+    if (same_rest(other_.data(), asked_.data())) return true;
   }
   if (known) return false;
   push_gently(entries_, Entry{node, head});
   head = static_cast<std::uint32_t>(entries_.size()) - 1;
   for (const Resource& resource : resources_) {
-    push_gently(amounts_, resource.sign * std::bit_cast<double>(state[resource.word]));
+    push_gently(amounts_, resource.sign * std::bit_cast<double>(asked_[resource.word]));
   }
   return false;
 }

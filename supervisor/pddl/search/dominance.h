@@ -10,6 +10,8 @@
 // up, an operator that only sets the fluent to a constant, may ask for less than that: whoever has as much
 // leaves it out.
 //
+// The other state may have interchangeable objects in other places: both are compared with these arranged.
+//
 // Thread rule: one search, one object. Costs of operators must not be negative.
 //
 //   Dominance dominance(space);
@@ -18,6 +20,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "supervisor/pddl/search/interchangeable.h"
 #include "supervisor/pddl/search/state_table.h"
 
 namespace stepwright::pddl {
@@ -31,8 +34,9 @@ class Dominance {
  public:
   explicit Dominance(const StateSpace& space);
 
-  // False if no fluent is preferred more or less: then nothing is ever pruned.
-  bool useful() const { return !resources_.empty(); }
+  // False if no fluent is preferred more or less and no objects can change places: then nothing is ever
+  // pruned.
+  bool useful() const { return !resources_.empty() || symmetric_; }
 
   // Is the node of `nodes` needless beside those that were asked about before and that are not? `state` is
   // its state.
@@ -54,13 +58,16 @@ class Dominance {
   std::uint64_t hash_of_rest(const Word* state) const;
   bool same_rest(const Word* a, const Word* b) const;
   bool enough(std::size_t entry, const Word* state) const;
+  bool as_much(std::size_t entry, const Word* state) const;
 
+  const Interchangeable objects_;
+  bool symmetric_;
   std::vector<Resource> resources_;
   std::vector<bool> is_resource_;  // by word
   std::unordered_map<std::uint64_t, std::uint32_t> heads_;
   std::vector<Entry> entries_;
   std::vector<double> amounts_;  // by entry, all resources, the more the better
-  std::vector<Word> other_;
+  std::vector<Word> asked_, other_;
 };
 
 }  // namespace stepwright::pddl
