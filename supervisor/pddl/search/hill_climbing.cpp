@@ -4,31 +4,53 @@
 
 namespace stepwright::pddl {
 
-HillClimbing::HillClimbing(const StateSpace& space, SearchControl& control)
-    : space_(space),
+HillClimbing::HillClimbing(const RelaxedTask& task, SearchControl& control, const ClimbingOptions& options)
+    : space_(task.space()),
       control_(control),
       memory_(control),
-      heuristic_(space),
-      nodes_(space),
-      state_(space.initial()),
-      child_(space.words()) {}
+      options_(options),
+      nodes_(space_),
+      state_(space_.initial()),
+      child_(space_.words()) {
+  if (options.costs) {
+    additive_.emplace(task, cost_weights(space_.task()));
+    marked_.assign(space_.task().operators.size(), 0);
+  } else {
+    intervals_.emplace(space_);
+  }
+}
 
-bool HillClimbing::evaluate(const Word* state, int& estimate, std::vector<int>& helpful) {
+bool HillClimbing::evaluate(const Word* state, int& estimate, std::vector<int>& to_try) {
   ++evaluations_;
   control_.count_expanded(1);
-  if (!heuristic_.evaluate(state)) return false;
-  estimate = heuristic_.steps();
-  helpful = heuristic_.helpful();
+  if (additive_) {
+    if (!additive_->evaluate(state)) return false;
+    estimate = additive_->estimate();
+    to_try = additive_->helpful();
+    return true;
+  }
+  if (!intervals_->evaluate(state)) return false;
+  estimate = intervals_->steps();
+  to_try = intervals_->helpful();
   return true;
+}
+
+void HillClimbing::helpful_first(const Word* state, std::vector<int>& to_try) {
+  ++expansions_;
+  for (const int op : to_try) marked_[static_cast<std::size_t>(op)] = expansions_;
+  space_.applicable(state, applicable_);
+  for (const int op : applicable_) {
+    if (marked_[static_cast<std::size_t>(op)] != expansions_) to_try.push_back(op);
+  }
 }
 
 // Starts anew from the state. False if nothing leads on.
 bool HillClimbing::stand(const std::vector<Word>& state) {
   nodes_.clear();
   nodes_.insert(state.data());
-  helpful_.assign(1, {});
+  to_try_.assign(1, {});
   next_ = 0;
-  return evaluate(state.data(), best_, helpful_[0]);
+  return evaluate(state.data(), best_, to_try_[0]);
 }
 
 void HillClimbing::commit(std::uint32_t node) {
@@ -39,7 +61,8 @@ void HillClimbing::commit(std::uint32_t node) {
 // True if a state was found that is nearer to the goal.
 bool HillClimbing::expand(std::uint32_t node) {
   nodes_.load(node, state_.data());
-  const std::vector<int> operators = std::move(helpful_[node]);
+  std::vector<int> operators = std::move(to_try_[node]);
+  if (options_.all) helpful_first(state_.data(), operators);
   for (const int op : operators) {
     double cost = 0.0;
     const auto& precondition = space_.task().operators[static_cast<std::size_t>(op)].precondition;
@@ -48,7 +71,7 @@ bool HillClimbing::expand(std::uint32_t node) {
     const auto [child, added] = nodes_.insert(child_.data());
     if (!added) continue;
     nodes_[child] = {0.0, node, op, 0, false};
-    helpful_.emplace_back();
+    to_try_.emplace_back();
     if (space_.goal(child_.data())) {
       commit(child);
       found_ = offer_plan(space_, control_, way_);
@@ -56,7 +79,7 @@ bool HillClimbing::expand(std::uint32_t node) {
       return true;
     }
     int estimate = 0;
-    if (!evaluate(child_.data(), estimate, helpful_.back()) || estimate >= best_) continue;
+    if (!evaluate(child_.data(), estimate, to_try_.back()) || estimate >= best_) continue;
     commit(child);
     ended_ = !stand(child_);
     return true;

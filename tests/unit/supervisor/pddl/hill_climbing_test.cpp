@@ -16,12 +16,13 @@ struct Climb {
   double cost = kInfinity;  // of the best plan, executed
 };
 
-Climb climb(const Task& task, std::uint64_t evaluations = 20'000) {
+Climb climb(const Task& task, std::uint64_t evaluations = 20'000, const ClimbingOptions& options = {}) {
   const GroundTask ground = ground_task(task.definition(), [] { return false; });
   const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
   SearchControl control(std::chrono::milliseconds(0), 0, nullptr);
   StopReason reason = StopReason::None;
-  HillClimbing climbing(space, control);
+  HillClimbing climbing(relaxed, control, options);
   Climb result;
   // In small pieces: it must go on where it stopped.
   for (std::uint64_t done = 0; done < evaluations && result.status == SearchStatus::Running; done += 7) {
@@ -96,10 +97,11 @@ TEST(HillClimbing, WhenTheControlSaysStop_ThenItStops) {
   const Task task = buoys();
   const GroundTask ground = ground_task(task.definition(), [] { return false; });
   const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
   SearchControl control(std::chrono::milliseconds(0), 0, nullptr);
   control.finish();
   StopReason reason = StopReason::None;
-  EXPECT_EQ(HillClimbing(space, control).run(100, reason), SearchStatus::Stopped);
+  EXPECT_EQ(HillClimbing(relaxed, control).run(100, reason), SearchStatus::Stopped);
   EXPECT_EQ(reason, StopReason::Finished);
 }
 
