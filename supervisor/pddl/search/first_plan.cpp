@@ -16,22 +16,23 @@ void FirstPlan::enter(Search& search, std::uint64_t share, bool first_thread, bo
 // stand for what is short, like fuel, it helps to mind costs, and to do so from the start. Facts alone seldom
 // need any of these. States with fewer estimates take less time: their searches have larger shares.
 void FirstPlan::prepare() {
-  const bool numbers = !task_.space().task().variables.empty();
-  if (landmarks_->size() > 0) enter(width_.emplace(task_, control_, *landmarks_), 4, true, true);
+  const bool numbers = has_numbers();
   if (numbers) {
-    enter(broad_.emplace(task_, control_, ClimbingOptions{.costs = true, .all = true}), 4, false, false);
+    enter(broad_.emplace(task_, control_, ClimbingOptions{.costs = true, .all = true}), 8, false, false);
     enter(cheap_.emplace(task_, control_, ClimbingOptions{.costs = true}), 4, false, false);
     enter(intervals_.emplace(task_, control_), 4, false, false);
   }
+  if (landmarks_->size() > 0)
+    enter(width_.emplace(task_, control_, *landmarks_), numbers ? 2 : 8, true, true);
   LazyOptions options = with_landmarks();
   options.lookahead = false;
   options.intervals = numbers;
-  enter(full_.emplace(task_, control_, options), 1, true, true);
+  enter(full_.emplace(task_, control_, options), 2, true, true);
   if (!numbers && threads_ < 2) return;
   LazyOptions thrifty = with_landmarks();
   thrifty.weight = 1.5;
   thrifty.costs = true;
-  enter(thrifty_.emplace(task_, control_, thrifty), 1, false, true);
+  enter(thrifty_.emplace(task_, control_, thrifty), 2, false, true);
   if (!numbers) return;
   options.intervals = false;
   options.costs = true;
@@ -93,7 +94,7 @@ SearchStatus FirstPlan::side_by_side(StopReason& reason) {
 }
 
 SearchStatus FirstPlan::run(StopReason& reason) {
-  constexpr std::uint64_t kQuick = 150, kPrograms = 10;
+  constexpr std::uint64_t kQuick = 150, kPrograms = 10, kWidth = 4000;
   SearchStatus status = LazySearch(task_, control_, {}).run(kQuick, reason);
   if (status != SearchStatus::Running) return status;
   landmarks_.emplace(task_, [this] { return control_.check() != StopReason::None; });
@@ -102,11 +103,16 @@ SearchStatus FirstPlan::run(StopReason& reason) {
     status = LazySearch(task_, control_, with_landmarks()).run(kQuick, reason);
     if (status != SearchStatus::Running) return status;
   }
-  if (!task_.space().task().variables.empty()) {
+  if (has_numbers()) {
     status = CountingWalk(task_, control_).run(kPrograms, reason);
     if (status == SearchStatus::Found || status == SearchStatus::Stopped) return status;
   }
   prepare();
+  // Of facts alone width mostly makes short work: the other thread would only disturb.
+  if (width_ && !has_numbers()) {
+    status = width_->run(kWidth, reason);
+    if (status != SearchStatus::Running) return status;
+  }
   return threads_ < 2 ? take_turns(reason) : side_by_side(reason);
 }
 

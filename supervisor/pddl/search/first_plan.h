@@ -42,6 +42,7 @@ class FirstPlan {
   template <typename Search>
   void enter(Search& search, std::uint64_t share, bool first_thread, bool proves);
   void prepare();
+  bool has_numbers() const { return !task_.space().task().variables.empty(); }
   LazyOptions with_landmarks() const;
   SearchStatus turn(std::span<Contender> contenders, std::uint64_t expansions, StopReason& reason);
   SearchStatus take_turns(StopReason& reason);

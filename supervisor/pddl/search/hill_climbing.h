@@ -11,6 +11,7 @@
 // Thread rule: one call, one object. `run` can be resumed after Running.
 
 #include <optional>
+#include <random>
 #include <vector>
 
 #include "supervisor/pddl/search/additive_heuristic.h"
@@ -21,8 +22,9 @@
 namespace stepwright::pddl {
 
 struct ClimbingOptions {
-  bool costs = false;
-  bool all = false;
+  bool costs = false;      // estimates of cost along additive relaxed plans; else steps over intervals
+  bool all = false;        // every operator is tried, those that are helpful first
+  std::uint32_t seed = 0;  // of the order in which operators are tried; 0: the task's
 };
 
 class HillClimbing {
@@ -30,22 +32,28 @@ class HillClimbing {
   HillClimbing(const RelaxedTask& task, SearchControl& control, const ClimbingOptions& options = {});
 
   // Evaluates about so many states. Found: a plan was offered to the control and was better. Exhausted: no
-  // helpful operator leads on, which proves nothing. Stopped: see `reason`.
+  // helpful operator leads on, or no better plan came of it, which proves nothing. Stopped: see `reason`.
   SearchStatus run(std::uint64_t evaluations, StopReason& reason);
+
+  std::uint64_t evaluations() const { return evaluations_; }
+  bool arrived() const { return arrived_; }  // at a goal, be the plan better or not
 
  private:
   bool evaluate(const Word* state, int& estimate, std::vector<int>& to_try);
   void helpful_first(const Word* state, std::vector<int>& to_try);
-  bool stand(const std::vector<Word>& state);
+  bool stand(const std::vector<Word>& state, double cost);
+  bool worth(double cost, std::uint32_t steps);
   bool expand(std::uint32_t node);
   void commit(std::uint32_t node);
 
   const StateSpace& space_;
   SearchControl& control_;
+  BestKnown best_plan_;
   MemoryShare memory_;
   ClimbingOptions options_;
   std::optional<RelaxedPlan> intervals_;  // one of the two
   std::optional<AdditiveHeuristic> additive_;
+  double least_potential_;
   std::vector<int> way_;                  // operators to where it stands
   int best_ = INT32_MAX;                  // estimate there
   StateTable nodes_;                      // met since, breadth first
@@ -53,9 +61,10 @@ class HillClimbing {
   std::uint32_t next_ = 0;                // node to expand
   std::vector<Word> state_, child_;
   std::vector<int> applicable_;
+  std::minstd_rand random_;
   std::vector<std::uint64_t> marked_;  // expansion in which the operator was helpful
   std::uint64_t evaluations_ = 0, expansions_ = 0;
-  bool started_ = false, found_ = false, ended_ = false;
+  bool started_ = false, arrived_ = false, found_ = false, ended_ = false;
 };
 
 }  // namespace stepwright::pddl

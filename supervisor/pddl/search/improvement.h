@@ -6,14 +6,10 @@
 //
 // Thread rule: one call, one object.
 
-#include <functional>
 #include <memory>
-#include <vector>
 
-#include "supervisor/pddl/search/hill_climbing.h"
 #include "supervisor/pddl/search/lazy_search.h"
 #include "supervisor/pddl/search/plan_windows.h"
-#include "supervisor/pddl/search/width_search.h"
 
 namespace stepwright::pddl {
 
@@ -26,16 +22,6 @@ class Improvement {
   SearchStatus run(std::uint64_t expansions, StopReason& reason);
 
  private:
-  // A search for a plan of its own.
-  struct Start {
-    std::function<SearchStatus(std::uint64_t, StopReason&)> run;
-    std::uint64_t share;  // of a turn, in proportion to what a state of it takes
-    std::uint64_t left;   // states
-  };
-
-  template <typename Search>
-  void add_start(std::shared_ptr<Search> search, std::uint64_t share, std::uint64_t states);
-  SearchStatus start_elsewhere(std::uint64_t states, StopReason& reason);
   SearchStatus polish(std::uint64_t expansions, StopReason& reason);
   SearchStatus search(std::uint64_t expansions, StopReason& reason);
   void next_stage();
@@ -44,7 +30,6 @@ class Improvement {
   SearchControl& control_;
   const LowerBounds& bounds_;
   const Landmarks& landmarks_;
-  std::vector<Start> starts_;  // that have not ended
   std::unique_ptr<LazySearch> weighted_;
   std::size_t stage_ = 0;
   std::uint64_t polished_ = 0;   // version of the plan that was polished last

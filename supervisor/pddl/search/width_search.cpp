@@ -149,10 +149,12 @@ void WidthSearch::expand(std::uint32_t node) {
   list_values(before_.data(), values_before_);
   space_.applicable(before_.data(), applicable_);
   for (const int op : applicable_) {
+    if (control_.check() != StopReason::None) return;  // one state can take milliseconds
     double cost = 0.0;
     if (!space_.apply(op, before_.data(), state_.data(), cost)) continue;
     const auto [child, added] = nodes_.insert(state_.data());
     if (!added) continue;
+    ++met_;
     nodes_[child] = {snap(nodes_[node].cost + cost), node, op, nodes_[node].steps + 1, false};
     if (space_.goal(state_.data())) {
       found_ = offer_plan(space_, control_, nodes_.path(child)) || found_;
@@ -162,7 +164,7 @@ void WidthSearch::expand(std::uint32_t node) {
   }
 }
 
-SearchStatus WidthSearch::run(std::uint64_t expansions, StopReason& reason) {
+SearchStatus WidthSearch::run(std::uint64_t states, StopReason& reason) {
   if (!started_) {
     started_ = true;
     state_ = space_.initial();
@@ -170,15 +172,16 @@ SearchStatus WidthSearch::run(std::uint64_t expansions, StopReason& reason) {
     if (space_.goal(state_.data())) found_ = offer_plan(space_, control_, {});
     if (!meet(root, kNoNode)) return SearchStatus::Exhausted;
   }
-  for (std::uint64_t done = 0; !found_ && done < expansions; ++done) {
+  constexpr std::uint64_t kMetPerState = 8;
+  const std::uint64_t last = met_ + kMetPerState * states;
+  while (!found_ && met_ < last) {
+    memory_.set(bytes());
+    if ((reason = control_.check()) != StopReason::None) return SearchStatus::Stopped;
     if (open_.empty()) return SearchStatus::Exhausted;
-    if (done % 16 == 0) {
-      memory_.set(bytes());
-      if ((reason = control_.check()) != StopReason::None) return SearchStatus::Stopped;
-    }
     std::pop_heap(open_.begin(), open_.end(), std::greater<>());
     const std::uint32_t node = open_.back().node;
     open_.pop_back();
+    met_ += kMetPerState;
     expand(node);
   }
   return found_ ? SearchStatus::Found : SearchStatus::Running;

@@ -27,9 +27,10 @@ class WidthSearch {
   // The landmarks must outlive it.
   WidthSearch(const RelaxedTask& task, SearchControl& control, const Landmarks& landmarks);
 
-  // Expands at most so many states. Found: a plan was offered to the control and was better. Exhausted: there
-  // is none. Stopped: see `reason`.
-  SearchStatus run(std::uint64_t expansions, StopReason& reason);
+  // Works through about so many states, of which one expanded and eight met that are new count one: an
+  // estimate would take as long. Found: a plan was offered to the control and was better. Exhausted: there is
+  // none. Stopped: see `reason`.
+  SearchStatus run(std::uint64_t states, StopReason& reason);
 
  private:
   struct Entry {
@@ -74,6 +75,7 @@ class WidthSearch {
   std::vector<std::uint64_t> values_, values_before_;
   std::vector<int> applicable_;
   std::uint32_t order_ = 0;
+  std::uint64_t met_ = 0;  // states
   bool started_ = false, found_ = false;
 };
 
