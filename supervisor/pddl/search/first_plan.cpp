@@ -18,9 +18,9 @@ void FirstPlan::enter(Search& search, std::uint64_t share, bool first_thread, bo
 void FirstPlan::prepare() {
   const bool numbers = has_numbers();
   if (numbers) {
-    enter(broad_.emplace(task_, control_, ClimbingOptions{.costs = true, .all = true}), 8, false, false);
+    enter(broad_.emplace(task_, control_, ClimbingOptions{.costs = true, .all = true}), 12, true, false);
     enter(cheap_.emplace(task_, control_, ClimbingOptions{.costs = true}), 4, false, false);
-    enter(intervals_.emplace(task_, control_), 4, false, false);
+    enter(intervals_.emplace(task_, control_), 2, false, false);
   }
   if (landmarks_->size() > 0)
     enter(width_.emplace(task_, control_, *landmarks_), numbers ? 2 : 8, true, true);
@@ -32,7 +32,7 @@ void FirstPlan::prepare() {
   LazyOptions thrifty = with_landmarks();
   thrifty.weight = 1.5;
   thrifty.costs = true;
-  enter(thrifty_.emplace(task_, control_, thrifty), 2, false, true);
+  enter(thrifty_.emplace(task_, control_, thrifty), 4, false, true);
   if (!numbers) return;
   options.intervals = false;
   options.costs = true;
