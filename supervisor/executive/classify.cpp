@@ -21,8 +21,8 @@ class Classifier {
     note_devices();
     note_signature();
     const bool quiet = now_.failed.empty() && now_.differences.empty() && now_.contradictions.empty();
-    if (quiet && now_.limited.empty() && now_.frozen.empty()) return std::nullopt;
-    if (sensor() || actuator() || leak() || rest()) return cause_;
+    if (quiet && now_.limited.empty() && now_.frozen.empty() && !now_.drift) return std::nullopt;
+    if (sensor() || actuator() || leak() || drift() || rest()) return cause_;
     return std::nullopt;
   }
 
@@ -90,6 +90,14 @@ class Classifier {
     return false;
   }
 
+  // A level that has left its tolerance just now is answered as such; its sum is told with the next look.
+  bool drift() {
+    const bool level = std::any_of(now_.differences.begin(), now_.differences.end(),
+                                   [](const Difference& difference) { return !difference.is_fact; });
+    if (!now_.drift || level) return false;
+    return found(cause_of(*now_.drift).kind, to_string(*now_.drift));
+  }
+
   bool rest() {
     for (const FailedAction& failed : now_.failed) {
       if (failed.reason == Reason::Timeout) return found(IncidentKind::Timeout);
@@ -115,6 +123,10 @@ bool by_itself(const Situation& situation, const translate::Difference& differen
     return false;
   const auto left = situation.left.find(difference.atom);
   return left == situation.left.end() || std::abs(difference.measured - left->second) > difference.tolerance;
+}
+
+Cause cause_of(const Drift& drift) {
+  return {drift.amount > 0.0 ? IncidentKind::FailedSensor : IncidentKind::Leak, {to_string(drift)}};
 }
 
 std::optional<Cause> classify(const Situation& situation) {

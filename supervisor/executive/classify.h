@@ -6,7 +6,7 @@
 // a place that is left while nothing drives, two places at once, counts at the end of their range. What
 // speaks for an actuator is an output that was on without any effect. A level that falls by itself is taken
 // for a disturbance once; the second time for a leak, or a sensor that drifts, which one sensor alone cannot
-// tell.
+// tell. So does what adds up over the run a little at a time (drift_watch.h).
 //
 // Pure functions; use from any thread.
 
@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "supervisor/executive/drift_watch.h"
 #include "supervisor/executive/incident.h"
 #include "supervisor/translate/binding.h"
 #include "supervisor/translate/estimate.h"
@@ -43,6 +44,7 @@ struct Situation {
   std::vector<std::string> frozen;             // sensors that do not change while they should
   std::map<std::string, double> left;          // levels as they were when the plan last let go of them
   std::vector<translate::Difference> earlier;  // differences of the incidents before
+  std::optional<Drift> drift;                  // what has added up over the run
 };
 
 struct Cause {
@@ -59,6 +61,9 @@ struct Cause {
 // Whether nothing in the plan has touched what differs, and it has moved since the plan let go of it: a level
 // that a weak pump left at the edge of its tolerance has not.
 bool by_itself(const Situation& situation, const translate::Difference& difference);
+
+// A sensor that drifts; if it reads less and less, a leak is as likely.
+Cause cause_of(const Drift& drift);
 
 // Nothing if all is as expected.
 std::optional<Cause> classify(const Situation& situation);

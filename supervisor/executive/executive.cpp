@@ -17,7 +17,11 @@ constexpr int kMaxSilentRounds = 5;
 
 Executive::Executive(const PlanningDesk& desk, Controller& controller, ExecutiveOptions options,
                      Observer observer)
-    : desk_(desk), controller_(controller), options_(std::move(options)), observer_(std::move(observer)) {
+    : desk_(desk),
+      controller_(controller),
+      options_(std::move(options)),
+      observer_(std::move(observer)),
+      drift_(desk.binding()) {
   record_.cell = options_.cell;
 }
 
@@ -48,7 +52,9 @@ RunRecord Executive::run() {
 
 bool Executive::start_afresh() {
   const model::NamedState initial = pddl::to_named(desk_.task().initial());
-  if (plan_watched({.planning = initial}, {}) != Planned::Ready) return false;
+  const Planned planned = plan_watched({.planning = initial}, {});
+  if (planned == Planned::None) return give_up_planless();
+  if (planned != Planned::Ready) return false;
   record_.goal = desk_.goal_status(initial, goal_);
   if (!await_runtime() || !observe(false)) return false;
   auto moving = translate::movements(desk_.binding(), means_);
@@ -64,6 +70,7 @@ bool Executive::start_afresh() {
   auto estimate = translate::estimate(desk_.binding(), means_, tare_, initial);
   if (!estimate) return give_up("the initial state cannot be read", estimate.error());
   seen_ = std::move(*estimate);
+  drift_.rest(seen_.measured.fluents);
   const auto wrong = translate::deviations(desk_.binding(), initial, seen_.measured);
   if (!wrong.empty()) {
     const bool levels = !translate::differences(desk_.binding(), initial, seen_.measured).front().is_fact;
@@ -104,6 +111,8 @@ bool Executive::resume() {
     progress_.actions.push_back(action.state);
   }
   digest_ = record_.episodes.back().digest;
+  drift_.follow(current_.run);  // its sums begin anew
+  note_told_alarms();
   set_phase(Phase::Waiting, "the supervisor was restarted and looks for its runtime");
   return await_runtime() && recover_runtime();
 }
@@ -194,6 +203,7 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
 bool Executive::launch() {
   record_.episodes.push_back(current_.episode);
   left_ = current_.start.measured;
+  drift_.follow(current_.run);
   progress_ = {};
   progress_.actions.assign(current_.plan.actions.size(), ActionState::Pending);
   if (record_.episodes.size() == 1) record_.started_s = time_s_;
@@ -242,20 +252,35 @@ std::set<std::string> Executive::beside_goal() const {
   return fluents;
 }
 
+// What of the goal is not there, as sentences.
+std::vector<std::string> Executive::missed() const {
+  std::vector<std::string> sentences =
+      translate::deviations(desk_.binding(), with_changes(seen_.planning), seen_.measured, beside_goal());
+  for (const GoalRecord& goal : record_.goal) {
+    if (!goal.met) sentences.push_back(goal.text + " is not met");
+  }
+  return sentences;
+}
+
+// The plan has ended. Amounts that no sensor sees and fractions of what a planner counts in add up over a
+// run, so the goal may need another plan.
 bool Executive::finish() {
   record_.goal = desk_.goal_status(with_changes(seen_.planning), goal_);
-  const bool met =
-      std::all_of(record_.goal.begin(), record_.goal.end(), [](const GoalRecord& g) { return g.met; });
-  const auto wrong =
-      translate::deviations(desk_.binding(), with_changes(seen_.planning), seen_.measured, beside_goal());
-  if (!met) return give_up("the plan has ended, but the goal is not reached", IncidentKind::Level);
-  if (!wrong.empty()) {
-    return give_up("the goal is missed by less than a plan can mend: " + sentence_of(wrong),
-                   IncidentKind::Level);
+  const std::vector<std::string> left = missed();
+  if (left.empty()) {
+    reach_goal();
+    return false;
   }
+  return replan({IncidentKind::Level,
+                 {"the plan has ended, but the goal is not reached: " + sentence_of(left)},
+                 {},
+                 {},
+                 "the goal is not reached"});
+}
+
+void Executive::reach_goal() {
   (void)controller_.stop("the plan is done");  // a lost runtime has stopped already
   set_phase(Phase::Done, "the goal is reached");
-  return false;
 }
 
 bool Executive::give_up(const std::string& reason, IncidentKind kind, result::ExitCode exit) {

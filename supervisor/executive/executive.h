@@ -28,6 +28,7 @@
 #include "supervisor/executive/classify.h"
 #include "supervisor/executive/controller.h"
 #include "supervisor/executive/device_ledger.h"
+#include "supervisor/executive/drift_watch.h"
 #include "supervisor/executive/image_reader.h"
 #include "supervisor/executive/planning_desk.h"
 #include "supervisor/executive/planning_job.h"
@@ -99,6 +100,8 @@ class Executive {
   bool runtime_lost();
   bool recover_runtime();
   bool finish();
+  void reach_goal();
+  std::vector<std::string> missed() const;
   std::set<std::string> beside_goal() const;
   bool give_up(const std::string& reason, IncidentKind kind = IncidentKind::ProgramFault,
                result::ExitCode exit = result::ExitCode::RuntimeFault);
@@ -109,18 +112,30 @@ class Executive {
   void publish();
 
   // executive_plan.cpp: incidents, and the plans that answer them.
-  enum class Planned : std::uint8_t { Ready, Again, Over };
+  enum class Planned : std::uint8_t {
+    Ready,  // into current_
+    None,   // there is no plan: unplannable_ says why
+    Again,  // the plant is not any more where the planning began
+    Over,   // the run is
+  };
+  struct Unplannable {
+    std::string reason;
+    result::ExitCode exit = result::ExitCode::RuntimeFault;
+  };
   bool replan(const Cause& cause);
   bool mend(const std::string& signature, const model::NamedState& tracked,
             const std::vector<model::GroundAction>& interrupted,
             const std::vector<model::GroundAction>& remaining);
+  Planned plan_to_goal(const model::NamedState& tracked, const std::vector<model::GroundAction>& interrupted,
+                       const std::vector<model::GroundAction>& remaining);
   Planned plan_watched(StartState start, const std::vector<model::GroundAction>& remaining);
+  std::vector<translate::Difference> left_over() const;
   std::optional<Planned> overtaken(PlanningJob& job, StartState& start, RestWatch& rest, bool& again);
   void close_episode(std::string& last_done);
   std::vector<model::GroundAction> remaining_actions() const;
   void open_incident(const Cause& cause);
   void note_failed_devices(const Cause& cause);
-  std::string no_plan(const std::string& reason) const;
+  bool give_up_planless();
   void decide(Response response);
   void overtake(std::string evidence);
 
@@ -147,6 +162,7 @@ class Executive {
   std::set<std::string> moving_atoms(const translate::Progress& progress) const;
   FailedAction failure_of(std::size_t action, double time_s) const;
   void note_alarms(std::span<const std::byte> image);
+  void note_told_alarms();
   void note_levels(const std::set<std::string>& moving);
   std::optional<Cause> due_change(double time_s);
   std::vector<model::GroundAction> begun_actions(bool resting) const;
@@ -159,12 +175,14 @@ class Executive {
 
   RunRecord record_;
   PreparedPlan current_;                     // the plan that runs
+  Unplannable unplannable_;                  // of the last planning that found none
   std::optional<ImageReader> alarm_reader_;  // of the plan's monitors
   std::size_t alarms_seen_ = 0;
-  std::set<std::size_t> alarms_told_;               // monitors of the running program
+  std::set<std::size_t> alarms_told_;               // monitors of the installed program
   std::vector<Alarm> alarms_;                       // of which no incident tells yet
   std::vector<translate::Difference> differences_;  // of the last situation, of what nothing moved
   std::map<std::string, double> left_;  // levels as they were when the running plan last let go of them
+  DriftWatch drift_;
   DeviceLedger devices_;
   Recurrence recurrence_;
   std::set<std::string> just_changed_;          // by actions that ended at the last event

@@ -105,6 +105,7 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
   record_.goal = desk_.goal_status(with_changes(seen_.planning), goal_);
   note_alarms(image);
   note_levels(moving_atoms(progress));
+  if (settled(active)) drift_.see(seen_.measured.fluents, progress);
   publish();
   const Situation now = situation(progress, expected, time_s);
   const bool news = settled(active) || !now.failed.empty();
@@ -171,6 +172,7 @@ Situation Executive::situation(const translate::Progress& progress, const model:
   now.left = left_;
   now.just_changed = just_changed_;
   now.limited = limited_;
+  now.drift = drift_.found();
   for (const Alarm& alarm : alarms_) {
     if (alarm.kind == to_string(translate::MonitorKind::Motion)) now.frozen.push_back(alarm.sensor);
   }
@@ -199,6 +201,21 @@ void Executive::note_alarms(std::span<const std::byte> image) {
       alarm.value = sensor.calibration.value_at(alarm.value - translate::tare_of(tare_, sensor));
     }
     alarms_.push_back(std::move(alarm));
+  }
+}
+
+// What a journal tells of the program that still runs. A monitor raises its alarm once.
+void Executive::note_told_alarms() {
+  for (const Incident& incident : record_.incidents) {
+    if (incident.time_s < record_.episodes.back().started_s) continue;
+    for (const Alarm& told : incident.alarms) {
+      for (std::size_t i = 0; i < current_.translation.monitors.size(); ++i) {
+        const translate::Monitor& monitor = current_.translation.monitors[i];
+        const bool same = told.action == model::to_string(current_.plan.actions[monitor.action]) &&
+                          told.kind == to_string(monitor.kind) && told.condition == monitor.text;
+        if (same) alarms_told_.insert(i);
+      }
+    }
   }
 }
 

@@ -34,8 +34,6 @@ bool Executive::read_program(const PreparedPlan& prepared, Kind kind) {
   if (!reader) return give_up("the program cannot be read", reader.error());
   reader_ = std::move(*reader);
   alarm_reader_.reset();
-  alarms_seen_ = 0;
-  alarms_told_.clear();
   if (kind == Kind::Observer || prepared.translation.monitors.empty()) return true;
   std::vector<std::string> alarms = {translate::kAlarmCount};
   for (std::size_t i = 0; i < prepared.translation.monitors.size(); ++i) {
@@ -50,6 +48,8 @@ bool Executive::read_program(const PreparedPlan& prepared, Kind kind) {
 
 // False if the runtime is lost (phase unchanged) or refuses (phase Safe).
 bool Executive::install(const PreparedPlan& prepared, Kind kind) {
+  alarms_seen_ = 0;
+  alarms_told_.clear();
   // The first plan starts the trace of a run from nothing. One observer does not relieve another: the means
   // of the first would go into those of the second.
   const bool relieves = !record_.replans.empty() && !(kind == Kind::Observer && kind_ == Kind::Observer);

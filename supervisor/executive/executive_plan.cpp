@@ -61,14 +61,15 @@ void Executive::note_failed_devices(const Cause& cause) {
                               " has not come to its end: planned without");
 }
 
-// Why there is none, which may be for want of a device.
-std::string Executive::no_plan(const std::string& reason) const {
-  const std::string where =
+// There is no plan, which may be for want of a device.
+bool Executive::give_up_planless() {
+  std::string text =
       record_.replans.empty() ? "there is no plan" : "there is no plan from the observed state";
   const std::set<std::string>& failed = devices_.failed();
-  if (failed.empty()) return where + ": " + reason;
-  return where + " without " + names_of({failed.begin(), failed.end()}) +
-         " (with which actions failed twice): " + reason;
+  if (!failed.empty()) {
+    text += " without " + names_of({failed.begin(), failed.end()}) + " (with which actions failed twice)";
+  }
+  return give_up(text + ": " + unplannable_.reason, IncidentKind::ProgramFault, unplannable_.exit);
 }
 
 void Executive::decide(Response response) {
@@ -120,6 +121,7 @@ bool Executive::replan(const Cause& cause) {
   record_.replans.push_back({time_s_, sentence, last_done});
   note_failed_devices(cause);
   if (is_wish(cause.kind)) recurrence_.forget();
+  if (cause.kind == IncidentKind::LostRuntime) drift_.forget();
   set_phase(Phase::Replanning, sentence);
   // A program that runs is relieved by the next one, without a stop. Anything else stops at once, not only
   // with the download that follows; a runtime that is gone or was restarted has nothing to stop.
@@ -146,6 +148,11 @@ bool Executive::mend(const std::string& signature, const model::NamedState& trac
       return give_up("the observed state contradicts itself: " + sentence_of(estimate->contradictions));
     }
     seen_ = std::move(*estimate);
+    drift_.rest(seen_.measured.fluents);
+    if (const auto drift = drift_.found()) {
+      record_.incidents.back().kind = cause_of(*drift).kind;
+      return give_up(to_string(*drift));
+    }
     const model::NamedState planning = with_changes(seen_.planning);
     const Incident& incident = record_.incidents.back();
     // A wish and the end of a runtime come in any state.
@@ -154,11 +161,11 @@ bool Executive::mend(const std::string& signature, const model::NamedState& trac
       return give_up("the plant does not follow: for the second time in the same state, " +
                      record_.replans.back().cause);
     }
-    const Planned planned = plan_watched(
-        {.planning = planning, .measured = seen_.measured.fluents, .tare = tare_, .goal = goal_}, remaining);
+    const Planned planned = plan_to_goal(tracked, interrupted, remaining);
     if (planned == Planned::Over) return false;
     if (planned == Planned::Again) continue;
-    stuck_at_ = current_.start.planning;
+    if (planned == Planned::None) return give_up_planless();
+    stuck_at_ = with_changes(seen_.planning);
     const bool left = !current_.plan.actions.empty();
     if (left && !signature.empty() && recurrence_.in_vain(signature, current_.plan.actions.size())) {
       return give_up("the same has happened for the third time, and the goal has come no nearer: " +
@@ -169,11 +176,56 @@ bool Executive::mend(const std::string& signature, const model::NamedState& trac
     record_.incidents.back().kept = current_.episode.kept;
     record_.incidents.back().remaining = current_.episode.remaining;
     decide(response_of(current_.episode));
-    return current_.plan.actions.empty() ? finish() : launch();
+    if (!current_.plan.actions.empty()) return launch();
+    reach_goal();
+    return false;
   }
 }
 
-// Makes the plan into current_. Again: the plant is not any more where the planning began.
+// A plan that reaches the goal for a planner, who counts in whole units, and for the sensors: if a fraction
+// of a unit would be left over that is no goal any more, it is planned for as a whole one. Its action ends
+// at the level that the goal wants, and moves as little as that takes.
+Executive::Planned Executive::plan_to_goal(const model::NamedState& tracked,
+                                           const std::vector<model::GroundAction>& interrupted,
+                                           const std::vector<model::GroundAction>& remaining) {
+  StartState start{.planning = with_changes(seen_.planning),
+                   .measured = seen_.measured.fluents,
+                   .tare = tare_,
+                   .goal = goal_};
+  const Planned planned = plan_watched(start, remaining);
+  if (planned != Planned::Ready) return planned;
+  record_.goal = desk_.goal_status(with_changes(seen_.planning), goal_);
+  const std::vector<translate::Difference> left = left_over();
+  if (left.empty()) return Planned::Ready;
+  std::set<std::string> away;
+  std::vector<std::string> sentences;
+  for (const translate::Difference& difference : left) {
+    away.insert(difference.atom);
+    sentences.push_back(to_string(difference));
+  }
+  auto finer = translate::estimate(desk_.binding(), means_, tare_, with_changes(tracked), interrupted, away);
+  if (finer) {
+    start.planning = with_changes(finer->planning);
+    start.goal = goal_;
+    const Planned again = plan_watched(start, remaining);
+    if (again == Planned::Again || again == Planned::Over) return again;
+    if (again == Planned::Ready && left_over().empty()) return Planned::Ready;
+  }
+  unplannable_ = {"what would be left over is less than a plan can mend: " + sentence_of(sentences)};
+  return Planned::None;
+}
+
+// Levels of the goal at the end of the plan, as the sensors would show them.
+std::vector<translate::Difference> Executive::left_over() const {
+  const std::vector<model::PlannedAction>& actions = current_.run.actions;
+  const model::NamedState& wanted = actions.empty() ? current_.run.initial : actions.back().after;
+  const model::NamedState shown =
+      translate::expected_state(current_.translation, std::vector<bool>(actions.size(), true));
+  std::set<std::string> ignored = beside_goal();
+  for (const translate::ObservedFact& fact : desk_.binding().facts) ignored.insert(fact.fact);
+  return translate::differences(desk_.binding(), wanted, shown, ignored);
+}
+
 Executive::Planned Executive::plan_watched(StartState start,
                                            const std::vector<model::GroundAction>& remaining) {
   while (true) {
@@ -191,11 +243,11 @@ Executive::Planned Executive::plan_watched(StartState start,
     }
     if (outcome->status != PrepareStatus::Ready) {
       const bool first = record_.replans.empty();
-      give_up(no_plan(outcome->reason), IncidentKind::ProgramFault,
-              !first                                         ? result::ExitCode::RuntimeFault
-              : outcome->status == PrepareStatus::Infeasible ? result::ExitCode::NoPlan
-                                                             : result::ExitCode::BudgetExhausted);
-      return Planned::Over;
+      unplannable_ = {outcome->reason, !first ? result::ExitCode::RuntimeFault
+                                       : outcome->status == PrepareStatus::Infeasible
+                                           ? result::ExitCode::NoPlan
+                                           : result::ExitCode::BudgetExhausted};
+      return Planned::None;
     }
     current_ = std::move(outcome->prepared);
     return Planned::Ready;

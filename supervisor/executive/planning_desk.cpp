@@ -10,6 +10,7 @@
 #include "supervisor/pddl/partial_order.h"
 #include "supervisor/pddl/repair.h"
 #include "supervisor/pddl/simulate.h"
+#include "supervisor/pddl/solve.h"
 #include "supervisor/pddl/vocabulary.h"
 #include "supervisor/translate/observe_program.h"
 
@@ -48,6 +49,26 @@ PrepareStatus status_of(const model::Outcome& outcome) {
   if (outcome.plan) return PrepareStatus::Ready;
   return outcome.kind == model::OutcomeKind::Infeasible ? PrepareStatus::Infeasible
                                                         : PrepareStatus::Exhausted;
+}
+
+// The conjuncts of the goal that cannot be reached, each by itself: ", so (is-at v1 f1) cannot be reached".
+// Empty if it is only together that they cannot.
+std::string out_of_reach(const pddl::Task& task, pddl::Options options) {
+  // A budget for each; what is not proved within it is not said.
+  constexpr int kPart = 20;
+  std::string names;
+  const auto goals = pddl::evaluate_goal(task, task.initial());
+  if (!goals) return {};
+  options.first_only = true;
+  options.optimal = false;
+  options.budget.time /= kPart;
+  for (const pddl::GoalStatus& goal : *goals) {
+    if (goal.met) continue;
+    const auto alone = task.with_goal(goal.text);
+    if (!alone || pddl::solve(*alone, options).kind != model::OutcomeKind::Infeasible) continue;
+    names += (names.empty() ? "" : " and ") + goal.text;
+  }
+  return names.empty() ? names : ", so " + names + " cannot be reached";
 }
 
 }  // namespace
@@ -95,6 +116,8 @@ result::Result<PrepareOutcome> PlanningDesk::prepare(const PlanRequest& request)
   PrepareOutcome outcome;
   outcome.reason = solved.reason;
   outcome.status = status_of(solved);
+  if (outcome.status == PrepareStatus::Infeasible && !request.without.empty())
+    outcome.reason += out_of_reach(*task, options.search);
   if (outcome.status != PrepareStatus::Ready) return outcome;
   PreparedPlan& prepared = outcome.prepared;
   prepared.start = request.start;

@@ -16,20 +16,13 @@ result::Result<double> cost_of(const Definition& definition, const Executor& exe
                       kUndefinedMetricHint);
 }
 
-}  // namespace
-
-result::Result<Trace> simulate(const Task& task, const model::Plan& plan) {
+// Executes the plan; `visit` hears of the executor before every step and at the end.
+template <typename Visit>
+result::Result<void> execute(const Task& task, const model::Plan& plan, const Visit& visit) {
   const Definition& definition = task.definition();
   Executor executor(definition, initial_state(definition));
-  Trace trace;
-  for (std::size_t step = 0;; ++step) {
-    trace.cost.push_back(executor.cost().value_or(0.0));
-    trace.states.push_back(name_state(definition, executor.state()));
-    if (step == plan.actions.size()) {
-      auto cost = cost_of(definition, executor, step);
-      if (!cost) return result::forward(cost);
-      return trace;
-    }
+  for (std::size_t step = 0; step < plan.actions.size(); ++step) {
+    visit(executor);
     if (auto failure = executor.step(plan.actions[step])) {
       return result::fail(failure->code, {"plan", 0, 0},
                           "step " + std::to_string(step + 1) + " " + model::to_string(plan.actions[step]) +
@@ -37,6 +30,32 @@ result::Result<Trace> simulate(const Task& task, const model::Plan& plan) {
                           failure->hint);
     }
   }
+  visit(executor);
+  auto cost = cost_of(definition, executor, plan.actions.size());
+  if (!cost) return result::forward(cost);
+  return {};
+}
+
+}  // namespace
+
+result::Result<Trace> simulate(const Task& task, const model::Plan& plan) {
+  Trace trace;
+  auto executed = execute(task, plan, [&](const Executor& executor) {
+    trace.cost.push_back(executor.cost().value_or(0.0));
+    trace.states.push_back(name_state(task.definition(), executor.state()));
+  });
+  if (!executed) return result::forward(executed);
+  return trace;
+}
+
+result::Result<State> state_after(const Task& task, const model::Plan& plan) {
+  State state;
+  std::size_t left = plan.actions.size() + 1;
+  auto executed = execute(task, plan, [&](const Executor& executor) {
+    if (--left == 0) state = name_state(task.definition(), executor.state());
+  });
+  if (!executed) return result::forward(executed);
+  return state;
 }
 
 result::Result<std::vector<GoalStatus>> evaluate_goal(const Task& task, const State& state) {

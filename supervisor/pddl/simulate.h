@@ -28,6 +28,9 @@ struct Trace {
 // applicable, and if the metric is undefined at the end.
 [[nodiscard]] result::Result<Trace> simulate(const Task& task, const model::Plan& plan);
 
+// The state after the whole plan, without those on the way. Fails as `simulate`.
+[[nodiscard]] result::Result<State> state_after(const Task& task, const model::Plan& plan);
+
 inline constexpr const char* kUndefinedMetricHint =
     "it divides by zero there, or reads a fluent without a value";
 

@@ -32,7 +32,9 @@ class Solver {
     arrange_by_groups(ground_);
     report();
     const StateSpace space(ground_);
+    if (stopped()) return finish();
     const RelaxedTask relaxed(space);
+    if (stopped()) return finish();
     const SearchStatus status = FirstPlan(relaxed, control_, options_.threads).run(reason_);
     if (status == SearchStatus::Exhausted) {
       return infeasible("all states that can be reached were searched (" +
@@ -130,9 +132,9 @@ class Solver {
 
   // Nothing leaves the planner that the schemas do not confirm.
   void accept(model::Plan plan) {
-    auto trace = simulate(task_, plan);
-    if (!trace) return refuse(result::to_string(trace.error()));
-    const auto goals = evaluate_goal(task_, trace->states.back());
+    auto end = state_after(task_, plan);
+    if (!end) return refuse(result::to_string(end.error()));
+    const auto goals = evaluate_goal(task_, *end);
     if (!goals) return refuse(result::to_string(goals.error()));
     for (const GoalStatus& goal : *goals) {
       if (!goal.met) return refuse("the goal " + goal.text + " does not hold after it");

@@ -41,7 +41,8 @@ result::Result<ActionConditions> complete_by_fact(ActionConditions conditions, c
 
 result::Result<ActionConditions> complete_by_level(ActionConditions conditions, const std::string& atom,
                                                    const model::PlannedAction& planned,
-                                                   const Binding& binding, const Tare& tare) {
+                                                   const Binding& binding, const Tare& tare,
+                                                   const Offsets& offsets) {
   const Sensor* sensor = binding.sensor_of(atom);
   const auto before = planned.before.fluents.find(atom);
   const auto after = planned.after.fluents.find(atom);
@@ -55,8 +56,12 @@ result::Result<ActionConditions> complete_by_level(ActionConditions conditions, 
     return problem("T0004", binding, *conditions.entry,
                    who + " ends with " + atom + ", which it does not change");
   }
-  // A pump that stops half-way at the earliest always runs, whatever its run-out.
-  const double pre_act = std::min(conditions.entry->completion.pre_act, std::abs(change) / 2.0);
+  // A pump that stops half-way at the earliest always runs, whatever its run-out. The way is that from where
+  // the level really is.
+  const auto offset = offsets.find(atom);
+  const double excess = offset == offsets.end() ? 0.0 : offset->second;
+  const double way = std::max(0.0, (change - excess) * std::copysign(1.0, change));
+  const double pre_act = std::min(conditions.entry->completion.pre_act, way / 2.0);
   const double stop_at = after->second - std::copysign(pre_act, change);
   const std::string& type = binding.tag(sensor->tag)->type;
   if (threshold(*sensor, type, tare, stop_at).limited) {
@@ -144,7 +149,7 @@ result::Result<ActionConditions> action_conditions(const model::PlannedAction& p
     if (complete) complete->idle = idle_place(*complete, planned, binding, counted);
     return complete;
   }
-  auto complete = complete_by_level(std::move(conditions), atom, planned, binding, tare);
+  auto complete = complete_by_level(std::move(conditions), atom, planned, binding, tare, offsets);
   if (complete) complete->idle = idle_level(*complete, atom, planned, binding, tare, offsets, counted);
   return complete;
 }

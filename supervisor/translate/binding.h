@@ -53,6 +53,7 @@ struct Sensor {
   double resolution = 1.0;         // a planner sees multiples of this; 0 = as measured
   milliseconds filter{500};        // time constant of the filter in the program
   double max_bias_counts = 300.0;  // a larger tare means a broken sensor
+  double max_drift = 0.3;          // that may add up unseen over a run (executive/drift_watch.h)
   std::string omron;               // memory word of the filtered counts (the paper's Table 3), "D100"
 };
 

@@ -14,6 +14,12 @@ double rounded(double value, double resolution) {
   return std::round(value / resolution) * resolution + 0.0;  // + 0.0: no negative zero in a planning problem
 }
 
+// The other multiple beside a value.
+double rounded_away(double value, double resolution) {
+  const double nearest = rounded(value, resolution);
+  return nearest + std::copysign(resolution, value - nearest) + 0.0;
+}
+
 result::Result<double> read(const Values& values, const std::string& name) {
   const auto found = values.find(name);
   if (found != values.end() && std::isfinite(found->second)) return found->second;
@@ -107,7 +113,8 @@ std::string level_text(double value) {
 
 result::Result<Estimate> estimate(const Binding& binding, const Values& values, const Tare& tare,
                                   const model::NamedState& tracked,
-                                  std::span<const model::GroundAction> in_progress) {
+                                  std::span<const model::GroundAction> in_progress,
+                                  const std::set<std::string>& away) {
   Estimate estimate;
   estimate.measured = tracked;
   for (const ObservedFact& fact : binding.facts) {
@@ -126,7 +133,8 @@ result::Result<Estimate> estimate(const Binding& binding, const Values& values, 
   }
   estimate.planning = estimate.measured;
   for (auto& [fluent, value] : estimate.planning.fluents) {
-    value = rounded(value, resolution_of(fluent, binding));
+    const double resolution = resolution_of(fluent, binding);
+    value = away.contains(fluent) ? rounded_away(value, resolution) : rounded(value, resolution);
   }
   for (const model::GroundAction& running : in_progress) add_transfers(binding, running, tracked, estimate);
   check_groups(binding, in_progress, estimate);

@@ -32,10 +32,13 @@ struct Estimate {
 };
 
 // `tracked` is the state expected after the completed actions; `in_progress` are those that have begun and
-// not ended: their transfers count as far as the sensors show. Fails with T0010 if a value is missing.
+// not ended: their transfers count as far as the sensors show. For the planner the fluents in `away` are
+// rounded to the other neighbour instead of the nearest: what is left to the next multiple is then something
+// to plan for. Fails with T0010 if a value is missing.
 [[nodiscard]] result::Result<Estimate> estimate(const Binding& binding, const Values& values,
                                                 const Tare& tare, const model::NamedState& tracked,
-                                                std::span<const model::GroundAction> in_progress = {});
+                                                std::span<const model::GroundAction> in_progress = {},
+                                                const std::set<std::string>& away = {});
 
 // An observed fluent outside its tolerance, or an observed fact that is not as expected.
 struct Difference {

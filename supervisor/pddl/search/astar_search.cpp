@@ -14,6 +14,7 @@ namespace {
 constexpr std::uint8_t kCut = 0, kProgram = 1, kSteps = 2, kAll = 3;
 // Of the linear program in every state: more rounds take more time than they save states.
 constexpr int kRounds = 1;
+constexpr std::uint64_t kSuccessorsBetweenChecks = 500;
 
 }  // namespace
 
@@ -34,6 +35,10 @@ AStarSearch::AStarSearch(const StateSpace& space, SearchControl& control, const 
   const GroundTask& task = space.task();
   negative_ = std::any_of(task.operators.begin(), task.operators.end(),
                           [](const GroundOperator& op) { return !(op.cost.low >= 0.0); });
+  // With cheap bounds a state costs less than its stubborn set.
+  if (!negative_ && dear.any()) stubborn_ = std::make_unique<StubbornSets>(space);
+  if (!negative_) dominance_ = std::make_unique<Dominance>(space);
+  if (dominance_ && !dominance_->useful()) dominance_.reset();
   unit_cost_ = task.potential.is_constant() &&
                std::all_of(task.operators.begin(), task.operators.end(),
                            [](const GroundOperator& op) { return op.cost == Interval::point(1.0); });
@@ -170,6 +175,8 @@ void AStarSearch::expand(const Entry& entry) {
   nodes_.load(node, current_.data());
   ask_again(node);
   space_.applicable(current_.data(), applicable_);
+  if (stubborn_) stubborn_->prune(current_.data(), applicable_);
+  successors_ += applicable_.size();
   for (const int op : applicable_) {
     double cost = 0.0;
     if (space_.apply(op, current_.data(), scratch_.data(), cost)) successor(node, op, cost);
@@ -191,13 +198,28 @@ double AStarSearch::bound() {
   return open_.empty() ? best : std::min(best, open_.front().key);
 }
 
+bool AStarSearch::needless(std::uint32_t node) {
+  if (!dominance_) return false;
+  nodes_.load(node, current_.data());
+  return dominance_->prunes(node, current_.data(), nodes_);
+}
+
+std::size_t AStarSearch::memory() const {
+  return nodes_.memory() + open_.capacity() * sizeof(Entry) + (dominance_ ? dominance_->memory() : 0) +
+         (stubborn_ ? stubborn_->memory() : 0);
+}
+
 SearchStatus AStarSearch::run(std::uint64_t expansions, StopReason& reason) {
   if (!started_) start();
   const std::uint64_t pause = dear_.any() ? 4 : 64;
+  std::uint64_t states = pause;  // since the control was asked
+  successors_ = 0;
   for (std::uint64_t done = 0; done < expansions && !open_.empty(); ++done) {
-    if (done % pause == 0) {
+    if (states++ >= pause || successors_ >= kSuccessorsBetweenChecks) {
+      states = 1;
+      successors_ = 0;
       control_.raise_bound(bound());
-      memory_.set(nodes_.memory() + open_.capacity() * sizeof(Entry));
+      memory_.set(memory());
       if ((reason = control_.check()) != StopReason::None) return SearchStatus::Stopped;
     }
     std::pop_heap(open_.begin(), open_.end(), std::greater<>());
@@ -210,7 +232,7 @@ SearchStatus AStarSearch::run(std::uint64_t expansions, StopReason& reason) {
       open_.clear();
       break;
     }
-    if (!refine(entry)) continue;
+    if (needless(entry.node) || !refine(entry)) continue;
     expand(entry);
     if (unbounded_) return SearchStatus::Stopped;
   }

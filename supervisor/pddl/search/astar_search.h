@@ -13,12 +13,19 @@
 // up again. What a bound says of a state holds of its successors too; where the state's plans cost more once
 // they apply an operator that the bound has not paid for, the successor by that operator costs as much more.
 //
+// States that others make needless (dominance) are not expanded, and of operators whose order does not matter
+// only some orders are looked at (stubborn_sets).
+//
 // Thread rule: one call, one object. `run` can be resumed after it returned Running.
 
+#include <memory>
+
+#include "supervisor/pddl/search/dominance.h"
 #include "supervisor/pddl/search/lower_bounds.h"
 #include "supervisor/pddl/search/lp_bound.h"
 #include "supervisor/pddl/search/search_control.h"
 #include "supervisor/pddl/search/state_table.h"
+#include "supervisor/pddl/search/stubborn_sets.h"
 
 namespace stepwright::pddl {
 
@@ -73,6 +80,8 @@ class AStarSearch {
   void offer_goal(std::uint32_t node, const Word* state);
   void expand(const Entry& entry);
   void successor(std::uint32_t parent, int op, double cost);
+  bool needless(std::uint32_t node);
+  std::size_t memory() const;
   bool on_path(std::uint32_t node, std::uint32_t ancestor) const;
 
   const StateSpace& space_;
@@ -82,6 +91,8 @@ class AStarSearch {
   BestKnown best_;
   MemoryShare memory_;
   StateTable nodes_;
+  std::unique_ptr<Dominance> dominance_;    // null: no state makes another one needless
+  std::unique_ptr<StubbornSets> stubborn_;  // null: every order of operators is looked at
   std::vector<Entry> open_;
   std::vector<Word> scratch_;
   std::vector<Word> current_;
@@ -89,6 +100,7 @@ class AStarSearch {
   double least_potential_;
   std::vector<double> least_costs_;     // by operator, as the dear bounds count them
   double parent_key_ = -kInfinity;      // of the state that is being expanded
+  std::uint64_t successors_ = 0;        // since the control was asked
   std::uint32_t asked_node_ = kNoNode;  // whose plans the dear bounds were asked about last
   bool unit_cost_ = false;              // costs are steps
   bool negative_ = false;

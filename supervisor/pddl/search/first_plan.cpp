@@ -5,34 +5,38 @@
 
 namespace stepwright::pddl {
 
-void FirstPlan::enter(LazySearch& search, std::uint64_t share) {
+template <typename Search>
+void FirstPlan::enter(Search& search, std::uint64_t share, bool first_thread, bool proves) {
   contenders_.push_back(
       {[&search](std::uint64_t expansions, StopReason& reason) { return search.run(expansions, reason); },
-       share});
+       share, first_thread, proves});
 }
 
-// Climbing crosses the plateaus of numbers without end; where numbers stand for what is short, like fuel, it
-// helps to mind costs, and to do so from the start. Facts alone seldom need any of these.
+// Width goes where estimates mislead. Climbing crosses the plateaus of numbers without end; where numbers
+// stand for what is short, like fuel, it helps to mind costs, and to do so from the start. Facts alone seldom
+// need any of these. States with fewer estimates take less time: their searches have larger shares.
 void FirstPlan::prepare() {
-  const bool numbers = !task_.space().task().variables.empty();
+  const bool numbers = has_numbers();
+  if (numbers) {
+    enter(broad_.emplace(task_, control_, ClimbingOptions{.costs = true, .all = true}), 12, true, false);
+    enter(cheap_.emplace(task_, control_, ClimbingOptions{.costs = true}), 4, false, false);
+    enter(intervals_.emplace(task_, control_), 2, false, false);
+  }
+  if (landmarks_->size() > 0)
+    enter(width_.emplace(task_, control_, *landmarks_), numbers ? 2 : 8, true, true);
   LazyOptions options = with_landmarks();
   options.lookahead = false;
   options.intervals = numbers;
-  enter(full_.emplace(task_, control_, options), 2);
+  enter(full_.emplace(task_, control_, options), 2, true, true);
   if (!numbers && threads_ < 2) return;
   LazyOptions thrifty = with_landmarks();
   thrifty.weight = 1.5;
   thrifty.costs = true;
-  enter(thrifty_.emplace(task_, control_, thrifty), 1);
-  // States with fewer estimates take less time. The end of climbing is no proof.
+  enter(thrifty_.emplace(task_, control_, thrifty), 4, false, true);
   if (!numbers) return;
   options.intervals = false;
   options.costs = true;
-  enter(greedy_.emplace(task_, control_, options), 4);
-  if (!climbing_) return;
-  contenders_.push_back(
-      {[this](std::uint64_t expansions, StopReason& reason) { return climbing_->run(expansions, reason); }, 8,
-       false});
+  enter(greedy_.emplace(task_, control_, options), 4, false, true);
 }
 
 LazyOptions FirstPlan::with_landmarks() const {
@@ -60,11 +64,13 @@ SearchStatus FirstPlan::take_turns(StopReason& reason) {
   }
 }
 
-// The first contender has a thread, the others share one. Short turns: each sees soon that the other is done.
+// Short turns: each thread sees soon that the other is done.
 SearchStatus FirstPlan::side_by_side(StopReason& reason) {
   constexpr std::uint64_t kShort = 16;
   std::atomic<bool> done{false};
-  const std::span<Contender> all(contenders_);
+  const auto second =
+      std::stable_partition(contenders_.begin(), contenders_.end(),
+                            [](const Contender& contender) { return contender.first_thread; });
   const auto search = [&](std::span<Contender> contenders, StopReason& why) {
     SearchStatus status = SearchStatus::Running;
     const auto ended = [](const Contender& contender) { return contender.ended; };
@@ -77,8 +83,8 @@ SearchStatus FirstPlan::side_by_side(StopReason& reason) {
   };
   SearchStatus others = SearchStatus::Running;
   StopReason others_reason = StopReason::None;
-  std::thread helper([&] { others = search(all.subspan(1), others_reason); });
-  const SearchStatus status = search(all.first(1), reason);
+  std::thread helper([&] { others = search({second, contenders_.end()}, others_reason); });
+  const SearchStatus status = search({contenders_.begin(), second}, reason);
   helper.join();
   // What one has found or proved counts, also if the other was stopped meanwhile.
   const bool decided = status == SearchStatus::Found || status == SearchStatus::Exhausted;
@@ -88,21 +94,25 @@ SearchStatus FirstPlan::side_by_side(StopReason& reason) {
 }
 
 SearchStatus FirstPlan::run(StopReason& reason) {
-  constexpr std::uint64_t kQuick = 300, kClimb = 2000;
+  constexpr std::uint64_t kQuick = 150, kPrograms = 10, kWidth = 4000;
   SearchStatus status = LazySearch(task_, control_, {}).run(kQuick, reason);
   if (status != SearchStatus::Running) return status;
-  if (!task_.space().task().variables.empty()) {
-    status = climbing_.emplace(task_.space(), control_).run(kClimb, reason);
-    if (status == SearchStatus::Found || status == SearchStatus::Stopped) return status;
-    if (status == SearchStatus::Exhausted) climbing_.reset();
-  }
   landmarks_.emplace(task_, [this] { return control_.check() != StopReason::None; });
   if ((reason = control_.check()) != StopReason::None) return SearchStatus::Stopped;
   if (landmarks_->size() > 0) {
     status = LazySearch(task_, control_, with_landmarks()).run(kQuick, reason);
     if (status != SearchStatus::Running) return status;
   }
+  if (has_numbers()) {
+    status = CountingWalk(task_, control_).run(kPrograms, reason);
+    if (status == SearchStatus::Found || status == SearchStatus::Stopped) return status;
+  }
   prepare();
+  // Of facts alone width mostly makes short work: the other thread would only disturb.
+  if (width_ && !has_numbers()) {
+    status = width_->run(kWidth, reason);
+    if (status != SearchStatus::Running) return status;
+  }
   return threads_ < 2 ? take_turns(reason) : side_by_side(reason);
 }
 

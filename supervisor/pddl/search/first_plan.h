@@ -13,8 +13,10 @@
 #include <span>
 #include <vector>
 
+#include "supervisor/pddl/search/counting_walk.h"
 #include "supervisor/pddl/search/hill_climbing.h"
 #include "supervisor/pddl/search/lazy_search.h"
+#include "supervisor/pddl/search/width_search.h"
 
 namespace stepwright::pddl {
 
@@ -32,12 +34,15 @@ class FirstPlan {
   struct Contender {
     std::function<SearchStatus(std::uint64_t, StopReason&)> run;
     std::uint64_t share = 1;  // of a turn
-    bool proves = true;       // its end proves that there is no plan
+    bool first_thread = true;
+    bool proves = true;  // its end proves that there is no plan
     bool ended = false;
   };
 
-  void enter(LazySearch& search, std::uint64_t share);
+  template <typename Search>
+  void enter(Search& search, std::uint64_t share, bool first_thread, bool proves);
   void prepare();
+  bool has_numbers() const { return !task_.space().task().variables.empty(); }
   LazyOptions with_landmarks() const;
   SearchStatus turn(std::span<Contender> contenders, std::uint64_t expansions, StopReason& reason);
   SearchStatus take_turns(StopReason& reason);
@@ -47,7 +52,8 @@ class FirstPlan {
   SearchControl& control_;
   unsigned threads_;
   std::optional<Landmarks> landmarks_;
-  std::optional<HillClimbing> climbing_;
+  std::optional<WidthSearch> width_;
+  std::optional<HillClimbing> intervals_, cheap_, broad_;
   std::optional<LazySearch> full_, thrifty_, greedy_;
   std::vector<Contender> contenders_;
 };

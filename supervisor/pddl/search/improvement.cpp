@@ -57,10 +57,10 @@ SearchStatus Improvement::search(std::uint64_t expansions, StopReason& reason) {
   return status == SearchStatus::Stopped ? status : SearchStatus::Running;
 }
 
-// Searching and replanning windows get about the same share.
+// Windows get about two thirds: they seldom leave a plan as it is.
 SearchStatus Improvement::run(std::uint64_t expansions, StopReason& reason) {
   SearchStatus status = polish(expansions, reason);
-  if (status == SearchStatus::Running) status = search(expansions, reason);
+  if (status == SearchStatus::Running) status = search(expansions / 2 + 1, reason);
   if (status != SearchStatus::Running) return status;
   return windows_.run(static_cast<std::int64_t>(expansions), reason) ? status : SearchStatus::Stopped;
 }

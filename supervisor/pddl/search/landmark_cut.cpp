@@ -37,28 +37,32 @@ void LandmarkCut::connect(const RelaxedTask& task) {
   const OperatorGains gains(task);
   alike_up_ = gains.alike(true);
   alike_down_ = gains.alike(false);
-  std::vector<std::vector<Reach>> reaches(units);
-  std::vector<std::vector<int>> reached_by(atoms), needed_by(atoms), units_of(costs_.size());
+  std::vector<std::vector<Reach>> numbers(units);
+  std::vector<std::vector<int>> reaches(units), reached_by(atoms), needed_by(atoms), units_of(costs_.size());
   for (std::size_t u = 0; u < task.units(); ++u) {
-    for (const int atom : task.adds(u)) reaches[u].push_back({atom, kInfinity, kInfinity});
+    reaches[u].assign(task.adds(u).begin(), task.adds(u).end());
     for (const Mover& mover : task.moved_by(u)) {
       const Gains gain = gains.of(mover);
-      reaches[u].push_back({mover.atom, gain.up, gain.down});
+      numbers[u].push_back({mover.atom, gain.up, gain.down});
     }
     for (const int atom : task.needs(u))
       needed_by[static_cast<std::size_t>(atom)].push_back(static_cast<int>(u));
   }
-  reaches.back().push_back({goal_atom_, kInfinity, kInfinity});
+  reaches.back().push_back(goal_atom_);
   for (const int atom : goal_)
     needed_by[static_cast<std::size_t>(atom)].push_back(static_cast<int>(units) - 1);
   for (std::size_t u = 0; u < units; ++u) {
-    for (const Reach& reach : reaches[u])
+    for (const int atom : reaches[u])
+      reached_by[static_cast<std::size_t>(atom)].push_back(static_cast<int>(u));
+    for (const Reach& reach : numbers[u])
       reached_by[static_cast<std::size_t>(reach.atom)].push_back(static_cast<int>(u));
     const int op = u + 1 < units ? task.operator_of(u) : -1;
-    units_.push_back({op < 0 ? static_cast<int>(costs_.size()) : op, 0, -1, 0.0});
+    units_.push_back({op < 0 ? static_cast<int>(costs_.size()) : op, 0, 0.0});
     if (op >= 0) units_of[static_cast<std::size_t>(op)].push_back(static_cast<int>(u));
   }
-  reaches_ = PackedLists<Reach>(reaches);
+  reached_atoms_ = PackedLists<int>(reaches);
+  reached_numbers_ = PackedLists<Reach>(numbers);
+  supporter_.assign(units, -1);
   reached_by_ = PackedLists<int>(reached_by);
   needed_by_ = PackedLists<int>(needed_by);
   units_of_ = PackedLists<int>(units_of);
@@ -82,7 +86,6 @@ void LandmarkCut::measure_gaps(const Word* state) {
 // How many applications of a unit's operator alone reach the atom: at least 1, kInfinity if it cannot.
 double LandmarkCut::applications(const Reach& reach) const {
   const auto c = static_cast<std::size_t>(reach.atom) - task_.first_comparison();
-  if (static_cast<std::size_t>(reach.atom) < task_.first_comparison() || c >= gaps_.size()) return 1.0;
   const Gap& gap = gaps_[c];
   const double gain = gap.upwards ? reach.up : reach.down;
   if (!(gain > 0.0)) return gap.distance == kInfinity ? 1.0 : kInfinity;
@@ -98,9 +101,10 @@ double LandmarkCut::cost_of(const Unit& unit, const Reach& reach) const {
 
 // Tells the atoms that a unit reaches what they cost by it.
 void LandmarkCut::spread(std::size_t unit) {
-  for (const Reach& reach : reaches_[unit]) {
-    improve(reach.atom, units_[unit].supporter_cost + cost_of(units_[unit], reach));
-  }
+  const double before = units_[unit].supporter_cost, after = before + cost_of(units_[unit]);
+  for (const int atom : reached_atoms_[unit]) improve(atom, after);
+  for (const Reach& reach : reached_numbers_[unit])
+    improve(reach.atom, before + cost_of(units_[unit], reach));
 }
 
 void LandmarkCut::improve(int atom, double cost) {
@@ -129,7 +133,7 @@ void LandmarkCut::explore(const Word* state) {
   for (std::size_t u = 0; u < units_.size(); ++u) {
     const std::size_t needs = u < task_.units() ? task_.needs(u).size() : goal_.size();
     units_[u].lacking = static_cast<int>(needs);
-    units_[u].supporter = -1;
+    supporter_[u] = -1;
     units_[u].supporter_cost = needs == 0 ? 0.0 : kInfinity;
     if (needs > 0) continue;
     spread(u);
@@ -140,20 +144,20 @@ void LandmarkCut::explore(const Word* state) {
     for (const int u : needed_by_[static_cast<std::size_t>(atom)]) {
       Unit& unit = units_[static_cast<std::size_t>(u)];
       if (--unit.lacking > 0) continue;
-      unit.supporter = atom;  // the last to be reached is the dearest
+      supporter_[static_cast<std::size_t>(u)] = atom;  // the last to be reached is the dearest
       unit.supporter_cost = cost;
       spread(static_cast<std::size_t>(u));
     }
   }
 }
 
-void LandmarkCut::find_supporter(Unit& unit, std::size_t index) {
-  const std::span<const int> needs = index < task_.units() ? task_.needs(index) : std::span<const int>(goal_);
+void LandmarkCut::find_supporter(std::size_t unit) {
+  const std::span<const int> needs = unit < task_.units() ? task_.needs(unit) : std::span<const int>(goal_);
+  int& supporter = supporter_[unit];
   for (const int atom : needs) {
-    if (cost_[static_cast<std::size_t>(atom)] > cost_[static_cast<std::size_t>(unit.supporter)])
-      unit.supporter = atom;
+    if (cost_[static_cast<std::size_t>(atom)] > cost_[static_cast<std::size_t>(supporter)]) supporter = atom;
   }
-  unit.supporter_cost = cost_[static_cast<std::size_t>(unit.supporter)];
+  units_[unit].supporter_cost = cost_[static_cast<std::size_t>(supporter)];
 }
 
 // After the operators of the cut have become cheaper: costs fall, and only what they touch is worked out
@@ -167,9 +171,10 @@ void LandmarkCut::explore_again() {
   }
   for (int atom = 0; pop(atom);) {
     for (const int u : needed_by_[static_cast<std::size_t>(atom)]) {
-      Unit& unit = units_[static_cast<std::size_t>(u)];
-      if (unit.supporter != atom || unit.supporter_cost <= cost_[static_cast<std::size_t>(atom)]) continue;
-      find_supporter(unit, static_cast<std::size_t>(u));
+      if (supporter_[static_cast<std::size_t>(u)] != atom) continue;
+      if (units_[static_cast<std::size_t>(u)].supporter_cost <= cost_[static_cast<std::size_t>(atom)])
+        continue;
+      find_supporter(static_cast<std::size_t>(u));
       spread(static_cast<std::size_t>(u));
     }
   }
@@ -184,11 +189,12 @@ void LandmarkCut::mark_goal_zone(int atom) {
     stack_.pop_back();
     for (const int u : reached_by_[static_cast<std::size_t>(next)]) {
       const Unit& unit = units_[static_cast<std::size_t>(u)];
-      if (unit.supporter < 0 || cost_of(unit) > kNothing || !leads(u, next)) continue;
-      char& zone = zone_[static_cast<std::size_t>(unit.supporter)];
+      const int supporter = supporter_[static_cast<std::size_t>(u)];
+      if (supporter < 0 || cost_of(unit) > kNothing || !leads(u, next)) continue;
+      char& zone = zone_[static_cast<std::size_t>(supporter)];
       if (zone != kUnknown) continue;
       zone = kGoalZone;
-      stack_.push_back(unit.supporter);
+      stack_.push_back(supporter);
     }
   }
 }
@@ -196,31 +202,41 @@ void LandmarkCut::mark_goal_zone(int atom) {
 // Does the unit bring the atom nearer in this state?
 bool LandmarkCut::leads(int unit, int atom) const {
   if (static_cast<std::size_t>(atom) < task_.first_comparison()) return true;
-  const std::span<const Reach> reached = reaches_[static_cast<std::size_t>(unit)];
-  return std::any_of(reached.begin(), reached.end(), [&](const Reach& reach) {
-    return reach.atom == atom && applications(reach) < kInfinity;
-  });
+  const std::span<const Reach> reached = reached_numbers_[static_cast<std::size_t>(unit)];
+  const auto c = static_cast<std::size_t>(atom) - task_.first_comparison();
+  return c >= gaps_.size() || std::any_of(reached.begin(), reached.end(), [&](const Reach& reach) {
+           return reach.atom == atom && applications(reach) < kInfinity;
+         });
+}
+
+// The operator takes part in the cut.
+void LandmarkCut::enter_operator(int op, double weight) {
+  // The unit of the goal belongs to no operator: nothing could be paid.
+  if (static_cast<std::size_t>(op) >= weight_.size()) return;
+  double& known = weight_[static_cast<std::size_t>(op)];
+  if (known == 0.0) cut_.operators.push_back(op);
+  known = std::max(known, weight);
+}
+
+void LandmarkCut::enter_before(int atom) {
+  zone_[static_cast<std::size_t>(atom)] = kBefore;
+  stack_.push_back(atom);
 }
 
 // A unit whose dearest need is reached without the goal zone: either it leads there, or further on before it.
 void LandmarkCut::enter(std::size_t index) {
-  const Unit& unit = units_[index];
-  double weight = 0.0;
-  for (const Reach& reach : reaches_[index]) {
-    if (zone_[static_cast<std::size_t>(reach.atom)] != kGoalZone) continue;
-    if (const double times = applications(reach); times < kInfinity) weight = std::max(weight, 1.0 / times);
+  for (const int atom : reached_atoms_[index]) {
+    const char zone = zone_[static_cast<std::size_t>(atom)];
+    if (zone == kGoalZone) enter_operator(units_[index].op, 1.0);
+    if (zone == kUnknown) enter_before(atom);
   }
-  // The unit of the goal belongs to no operator: nothing could be paid.
-  if (weight > 0.0 && static_cast<std::size_t>(unit.op) < weight_.size()) {
-    double& known = weight_[static_cast<std::size_t>(unit.op)];
-    if (known == 0.0) cut_.operators.push_back(unit.op);
-    known = std::max(known, weight);
-  }
-  for (const Reach& reach : reaches_[index]) {
-    char& zone = zone_[static_cast<std::size_t>(reach.atom)];
-    if (zone != kUnknown || applications(reach) == kInfinity) continue;
-    zone = kBefore;
-    stack_.push_back(reach.atom);
+  for (const Reach& reach : reached_numbers_[index]) {
+    const char zone = zone_[static_cast<std::size_t>(reach.atom)];
+    if (zone == kBefore) continue;
+    const double times = applications(reach);
+    if (times == kInfinity) continue;
+    if (zone == kGoalZone) enter_operator(units_[index].op, 1.0 / times);
+    if (zone == kUnknown) enter_before(reach.atom);
   }
 }
 
@@ -238,7 +254,7 @@ void LandmarkCut::find_cut(const Word* state) {
     const int atom = stack_.back();
     stack_.pop_back();
     for (const int u : needed_by_[static_cast<std::size_t>(atom)]) {
-      if (units_[static_cast<std::size_t>(u)].supporter == atom) enter(static_cast<std::size_t>(u));
+      if (supporter_[static_cast<std::size_t>(u)] == atom) enter(static_cast<std::size_t>(u));
     }
   }
   for (const int op : cut_.operators) {

@@ -55,7 +55,8 @@ class LandmarkCut {
   std::span<const double> costs() const { return costs_; }
 
  private:
-  // An atom that a unit reaches. By how much all units of its operator bring a comparison nearer at most.
+  // A comparison that a unit may bring about, by its atom, and by how much all units of the unit's operator
+  // bring it nearer at most.
   struct Reach {
     int atom;
     double up, down;
@@ -63,7 +64,6 @@ class LandmarkCut {
   struct Unit {
     int op;  // index into remaining_; the last one is free
     int lacking;
-    int supporter;  // the dearest of its needs
     double supporter_cost;
   };
   struct Entry {
@@ -82,13 +82,15 @@ class LandmarkCut {
   void explore_again();
   void improve(int atom, double cost);
   bool pop(int& atom);
-  void find_supporter(Unit& unit, std::size_t index);
+  void find_supporter(std::size_t unit);
   double cost_of(const Unit& unit) const { return remaining_[static_cast<std::size_t>(unit.op)]; }
   double cost_of(const Unit& unit, const Reach& reach) const;
   void mark_goal_zone(int atom);
   bool leads(int unit, int atom) const;
   void find_cut(const Word* state);
   void enter(std::size_t unit);
+  void enter_operator(int op, double weight);
+  void enter_before(int atom);
   double pay_cut();
 
   const RelaxedTask& task_;
@@ -96,7 +98,9 @@ class LandmarkCut {
   std::vector<double> costs_;   // by operator
   double unit_ = 0.0;           // of which all of them are multiples; 0: none
   double total_ = 0.0;          // of the last bound under these
-  PackedLists<Reach> reaches_;
+  // By unit: atoms that it reaches by itself; comparisons.
+  PackedLists<int> reached_atoms_;
+  PackedLists<Reach> reached_numbers_;
   PackedLists<int> reached_by_, needed_by_, units_of_;
   // By comparison: what all its movers gain alike, upwards and downwards; 0 if they differ. Is its difference
   // always an integer?
@@ -107,6 +111,7 @@ class LandmarkCut {
   int goal_atom_;
   std::vector<double> remaining_, cost_;  // by operator; by atom
   std::vector<Unit> units_;
+  std::vector<int> supporter_;  // by unit: the dearest of its needs
   std::vector<Entry> heap_;
   std::vector<char> zone_;  // by atom: 0 unknown, 1 leads to the goal for nothing, 2 before that
   std::vector<int> stack_;

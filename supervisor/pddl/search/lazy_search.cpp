@@ -199,7 +199,7 @@ void LazySearch::expand(std::uint32_t node) {
     if (!evaluate(node)) return;
     push_successors(node);
     const int now = estimates_.front().value;
-    if (!options_.lookahead || now >= last) return;
+    if (!options_.lookahead || now >= last || control_.check() != StopReason::None) return;
     last = now;
     if (!look_ahead(node) || !worth(node, state_.data())) return;
     if (reached(node, state_.data()) && improved_) return;
@@ -221,10 +221,9 @@ SearchStatus LazySearch::run(std::uint64_t expansions, StopReason& reason) {
   const std::uint32_t last =
       expansion_ + static_cast<std::uint32_t>(std::min<std::uint64_t>(expansions, UINT32_MAX / 4));
   for (std::uint64_t turn = 0; !improved_ && expansion_ < last; ++turn) {
-    if (turn % 16 == 0) {
-      memory_.set(bytes());
-      if ((reason = control_.check()) != StopReason::None) return SearchStatus::Stopped;
-    }
+    // Of a large task one state can take milliseconds.
+    if (turn % 16 == 0) memory_.set(bytes());
+    if ((reason = control_.check()) != StopReason::None) return SearchStatus::Stopped;
     if (!pop(entry)) return SearchStatus::Exhausted;
     const std::uint32_t node = generate(entry);
     if (node == kNoNode || !worth(node, state_.data())) continue;

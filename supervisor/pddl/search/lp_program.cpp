@@ -211,4 +211,8 @@ std::span<const double> LpProgram::reduced_costs() const {
   return work_->reduced;
 }
 
+std::span<const double> LpProgram::values() const {
+  return {work_->model.primalColumnSolution(), work_->costs.size()};
+}
+
 }  // namespace stepwright::pddl

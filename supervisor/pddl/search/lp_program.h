@@ -58,6 +58,9 @@ class LpProgram {
   // under these costs may be added to the solution's bound.
   std::span<const double> reduced_costs() const;
 
+  // The last x: a guess, nothing is proved of it.
+  std::span<const double> values() const;
+
  private:
   struct Work;
   std::unique_ptr<Work> work_;

@@ -4,6 +4,11 @@
 #include <thread>
 
 namespace stepwright::pddl {
+namespace {
+
+constexpr std::uint64_t kSmallTask = 400;  // states of a proof that is worth no other's turn
+
+}  // namespace
 
 Portfolio::Portfolio(const RelaxedTask& task, SearchControl& control, const PortfolioOptions& options)
     : task_(task), space_(task.space()), control_(control), options_(options), bounds_(space_, [&control] {
@@ -14,22 +19,57 @@ Portfolio::Portfolio(const RelaxedTask& task, SearchControl& control, const Port
                                [](const GroundOperator& op) { return !(op.cost.low >= 0.0); });
 }
 
+// About as long as so many evaluations of relaxed plans take: a few states each with cheap bounds; with dear
+// ones a part of a state, or an iteration of the simplex method.
+SearchStatus Portfolio::prove_for(Proof& proof, std::uint64_t evaluations, StopReason& reason) {
+  constexpr std::uint64_t kCheapStates = 4, kDearStates = 5, kPerDearState = 10;
+  if (!proof.dear()) return proof.run(kCheapStates * evaluations, reason);
+  SearchStatus status = SearchStatus::Running;
+  for (std::uint64_t left = evaluations; left > 0 && status == SearchStatus::Running;) {
+    const std::uint64_t before = proof.iterations();
+    status = proof.run(kDearStates, reason);
+    left -= std::min(left, kDearStates * kPerDearState + proof.iterations() - before);
+  }
+  return status;
+}
+
+// Improvement comes first: its first turns bring most.
 bool Portfolio::take_turns(StopReason& reason) {
-  // The first turn alone proves small tasks. Dear bounds make states dear.
+  constexpr std::uint64_t kFirstTurn = 1000, kLongestTurn = 32'000;
   Proof proof(task_, control_, bounds_);
-  SearchStatus status = proof.run(UINT64_MAX, reason);
+  const bool improve = !options_.prove_first && !falling_costs_;
+  SearchStatus status = proof.run(improve ? kSmallTask : UINT64_MAX, reason);
   const Landmarks landmarks(task_, [this] { return control_.check() != StopReason::None; });
   Improvement improvement(task_, control_, bounds_, landmarks);
-  const bool improve = !options_.prove_first && !falling_costs_;
-  std::uint64_t turn = !improve ? UINT64_MAX : proof.dear() ? 100 : 20'000;
-  for (;; turn *= 2) {
-    if (status == SearchStatus::Running) status = proof.run(turn, reason);
+  FreshStarts starts(task_, control_, landmarks);
+  for (std::uint64_t turn = kFirstTurn;; turn = std::min(2 * turn, kLongestTurn)) {
     unbounded_ = proof.unbounded();
     if (status != SearchStatus::Running) return status == SearchStatus::Exhausted;
-    status = improvement.run(turn / 4, reason);
-    if (status == SearchStatus::Exhausted) return true;
-    if (status == SearchStatus::Stopped) return false;
+    if (improve) {
+      status = improvement.run(turn, reason);
+      if (status == SearchStatus::Exhausted) return true;
+      if (status == SearchStatus::Stopped) return false;
+      if (!starts.run(starts.climbing_at_random() ? turn / 4 : turn, reason)) return false;
+    }
+    status = improve ? prove_for(proof, turn / 2, reason) : proof.run(UINT64_MAX, reason);
   }
+}
+
+// Searches for other plans share the thread of the proof, half of its time at first: where the proof is long,
+// they take long, too.
+SearchStatus Portfolio::prove_and_start(Proof& proof, const Landmarks& landmarks, StopReason& reason) {
+  SearchStatus status = proof.run(options_.prove_first ? UINT64_MAX : kSmallTask, reason);
+  FreshStarts starts(task_, control_, landmarks);
+  while (status == SearchStatus::Running) {
+    const double begin = control_.elapsed_ms();
+    if (!starts.run(200, reason)) return SearchStatus::Stopped;
+    const double middle = control_.elapsed_ms();
+    const double until = middle + (starts.climbing_at_random() ? 3.0 : 1.0) * (middle - begin);
+    do {
+      status = prove_for(proof, 50, reason);
+    } while (status == SearchStatus::Running && control_.elapsed_ms() < until);
+  }
+  return status;
 }
 
 bool Portfolio::side_by_side(StopReason& reason) {
@@ -37,11 +77,11 @@ bool Portfolio::side_by_side(StopReason& reason) {
   StopReason proof_reason = StopReason::None;
   // The proof has a thread and bounds of its own; the callbacks for the clock stay on this one.
   Proof proof(task_, control_, bounds_);
+  const Landmarks landmarks(task_, [this] { return control_.check() != StopReason::None; });
   std::thread prover([&] {
-    while (proved == SearchStatus::Running) proved = proof.run(UINT64_MAX, proof_reason);
+    proved = prove_and_start(proof, landmarks, proof_reason);
     if (proved == SearchStatus::Exhausted || proof.unbounded()) control_.finish();
   });
-  const Landmarks landmarks(task_, [this] { return control_.check() != StopReason::None; });
   Improvement improvement(task_, control_, bounds_, landmarks);
   while (improved == SearchStatus::Running) improved = improvement.run(2'000, reason);
   if (improved == SearchStatus::Exhausted) control_.finish();

@@ -1,13 +1,14 @@
 #pragma once
 
-// From the first plan to the proved optimum: a search that improves plans and A* that proves, in turns on one
-// thread or side by side on two. Both prune by the best plan that either has found.
+// From the first plan to the proved optimum: a search that improves plans, searches for others, and A* that
+// proves, in turns on one thread or side by side on two. All prune by the best plan that any has found.
 //
 // On one thread the turns are counted in states, so that the same task gives the same plan. On two, only the
 // result's kind and the proved cost are the same every time.
 //
 // Thread rule: one call, one object.
 
+#include "supervisor/pddl/search/fresh_starts.h"
 #include "supervisor/pddl/search/improvement.h"
 #include "supervisor/pddl/search/proof.h"
 
@@ -31,6 +32,8 @@ class Portfolio {
 
  private:
   bool take_turns(StopReason& reason);
+  SearchStatus prove_for(Proof& proof, std::uint64_t evaluations, StopReason& reason);
+  SearchStatus prove_and_start(Proof& proof, const Landmarks& landmarks, StopReason& reason);
   bool side_by_side(StopReason& reason);
 
   const RelaxedTask& task_;

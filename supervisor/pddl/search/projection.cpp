@@ -89,7 +89,8 @@ bool Projection::certain(const Condition& condition) const {
          });
 }
 
-// False if a variable of the pattern gets a value that is not known here.
+// What the effect does but for the facts that it adds. False if a variable of the pattern gets a value that
+// is not known here.
 bool Projection::apply(const GroundEffect& effect, std::vector<Word>& state) const {
   for (const NumericEffect& numeric : effect.numeric) {
     const int place = variable_place_[static_cast<std::size_t>(numeric.variable)];
@@ -103,22 +104,30 @@ bool Projection::apply(const GroundEffect& effect, std::vector<Word>& state) con
     const bool replace = numeric.kind == ChangeKind::Assign || before.empty();
     word = std::bit_cast<Word>(snap(replace ? result.low : now + (result.low - before.low)));
   }
-  const auto set = [&](int fact, bool value) {
-    const int place = fact_place_[static_cast<std::size_t>(fact)];
-    if (place < 0) return;
-    const Word bit = Word{1} << (place & 63);
-    Word& word = state[static_cast<std::size_t>(place) >> 6];
-    word = value ? word | bit : word & ~bit;
-  };
-  for (const int fact : effect.deletes) set(fact, false);
-  for (const int fact : effect.adds) set(fact, true);
+  for (const int fact : effect.deletes) {
+    if (const int place = fact_place_[static_cast<std::size_t>(fact)]; place >= 0) {
+      state[static_cast<std::size_t>(place) >> 6] &= ~(Word{1} << (place & 63));
+    }
+  }
   return true;
+}
+
+// The adds of every effect win over the deletes of all.
+void Projection::add_facts(std::vector<Word>& state) const {
+  for (const GroundEffect* effect : fired_) {
+    for (const int fact : effect->adds) {
+      if (const int place = fact_place_[static_cast<std::size_t>(fact)]; place >= 0) {
+        state[static_cast<std::size_t>(place) >> 6] |= Word{1} << (place & 63);
+      }
+    }
+  }
 }
 
 // An effect whose condition is not decided by the pattern happens in one branch and not in the other.
 bool Projection::branch(const GroundOperator& op, std::size_t effect, std::vector<Word> state, double cost,
                         std::uint32_t from, std::int32_t index) {
   if (effect == op.effects.size()) {
+    add_facts(state);
     const auto [to, added] = nodes_.insert(state.data());
     if (to != from) transitions_.push_back({from, to, index, std::max(cost, op.cost.low)});
     return true;
@@ -129,7 +138,11 @@ bool Projection::branch(const GroundOperator& op, std::size_t effect, std::vecto
   if (!sure && !branch(op, effect + 1, state, cost, from, index)) return false;
   if (!possible_here) return true;
   const double low = evaluate_interval(next.cost, relaxed_.values).low;
-  return apply(next, state) && branch(op, effect + 1, std::move(state), cost + low, from, index);
+  if (!apply(next, state)) return false;
+  fired_.push_back(&next);
+  const bool known = branch(op, effect + 1, std::move(state), cost + low, from, index);
+  fired_.pop_back();
+  return known;
 }
 
 bool Projection::expand(std::uint32_t node) {

@@ -56,6 +56,7 @@ class Projection {
   bool branch(const GroundOperator& op, std::size_t effect, std::vector<Word> state, double cost,
               std::uint32_t from, std::int32_t index);
   bool apply(const GroundEffect& effect, std::vector<Word>& state) const;
+  void add_facts(std::vector<Word>& state) const;
   bool certain(const Condition& condition) const;
   bool relevant(const GroundOperator& op) const;
   void unpack(const Word* projected);
@@ -69,6 +70,7 @@ class Projection {
   NodeStore nodes_;
   std::vector<Transition> transitions_;
   std::vector<std::uint32_t> goals_;
+  std::vector<const GroundEffect*> fired_;  // of the operator that is being applied
   RelaxedState relaxed_;  // the projected state being expanded, as a relaxed state of the task
   mutable std::vector<Word> key_;
 };

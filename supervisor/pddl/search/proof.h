@@ -28,6 +28,8 @@ class Proof {
   // Are its states dear by now?
   bool dear() const { return cut_ != nullptr || lp_ != nullptr; }
   bool unbounded() const { return search_->unbounded(); }
+  // Of the simplex method, so far: most of what dear states take.
+  std::uint64_t iterations() const { return lp_ ? lp_->iterations() : 0; }
 
  private:
   // Sums over some states of the best plan.

@@ -15,6 +15,8 @@ namespace {
 
 constexpr settings::Range kDuration{0.0, 86'400.0};
 constexpr settings::Range kPositiveDuration{0.001, 86'400.0};
+// Tolerances that readings may walk away without a word.
+constexpr double kDrift = 1.5;
 
 milliseconds to_ms(double seconds) {
   return milliseconds(std::llround(seconds * 1000.0));
@@ -133,6 +135,7 @@ void BindingReader::read_sensors(const TomlTable& sensors) {
     sensor.resolution = table.number("resolution", sensor.resolution, {0.0, 1e9});
     sensor.filter = to_ms(table.number("filter_s", 0.5, kPositiveDuration));
     sensor.max_bias_counts = table.number("max_bias_counts", sensor.max_bias_counts, {0.0, 65'535.0});
+    sensor.max_drift = table.number("max_drift", kDrift * sensor.tolerance, {sensor.tolerance, 1e9});
     sensor.omron = table.text("omron", "");
     binding_.sensors.push_back(std::move(sensor));
   }

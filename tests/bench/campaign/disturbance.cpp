@@ -142,6 +142,10 @@ bool Disturbance::lies() const {
   return names(faults, {"drift_", "frozen_", "stuck_"});
 }
 
+bool Disturbance::drifts() const {
+  return names(faults, {"drift_"});
+}
+
 bool Disturbance::breaks() const {
   return lies() || names(faults, {"leak_", "weak_", "draw_"});
 }

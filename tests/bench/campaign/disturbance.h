@@ -40,6 +40,8 @@ struct Disturbance {
 
   // A sensor or a switch shows what is not so.
   bool lies() const;
+  // What a level sensor shows walks away.
+  bool drifts() const;
   // The plant cannot always be brought to the goal.
   bool breaks() const;
 };

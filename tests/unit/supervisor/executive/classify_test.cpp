@@ -53,6 +53,18 @@ TEST(Classify, WhenALevelRisesThoughNothingFillsIt_ThenTheSensorLies) {
   EXPECT_EQ(kind_of(now), IncidentKind::Level);
 }
 
+TEST(Classify, WhenAReadingHasCrept_ThenTheSensorDriftsOrSomethingLeaks) {
+  Situation now;
+  now.drift = Drift{"S2", "level of a1", 0.34};
+  EXPECT_EQ(kind_of(now), IncidentKind::FailedSensor);
+  EXPECT_TRUE(classify(now)->stops());
+  now.drift->amount = -0.34;
+  EXPECT_EQ(kind_of(now), IncidentKind::Leak);
+  EXPECT_NE(classify(now)->evidence.front().find("S2"), std::string::npos);
+  now.differences = {level("(level a2)", 5.0, 4.6)};  // answered first
+  EXPECT_EQ(kind_of(now), IncidentKind::Level);
+}
+
 // A weak pump that stops short is no leak, and one that overshoots no lying sensor.
 TEST(Classify, WhenAnActionEndedJustNow_ThenItsLevelsDidNotChangeByThemselves) {
   Situation now;

@@ -170,5 +170,31 @@ TEST(ExecutiveBench, WhenSupervisorAndRuntimeAreRestarted_ThenTheTimeOfTheRecord
   EXPECT_GE(record.replans[0].time_s, record.finished_s);
 }
 
+// A monitor raises its alarm once, and it is told once, also by a supervisor that has only read of it.
+TEST(ExecutiveBench, WhenASupervisorIsRestarted_ThenAlarmsThatWereToldAreNotToldAgain) {
+  struct Killed {};
+  const std::filesystem::path journal = testing::TempDir() + "told_alarms.json";
+  std::filesystem::remove(journal);
+  ExecutiveOptions options;
+  options.cell = "bench";
+  options.journal = journal;
+  SimulatedController controller({}, {{8.0, "leak_a2", 3.0}});
+  const auto kill = [](const RunRecord& record) {
+    if (record.phase == Phase::Replanning) throw Killed{};
+  };
+  EXPECT_THROW(Executive(bench_desk(), controller, options, kill).run(), Killed);
+  (void)controller.acknowledge(1'000'000);  // of the news that nobody answers any more
+  const RunRecord record = Executive(bench_desk(), controller, options, {}).run();
+  ASSERT_GE(record.incidents.size(), 3u) << story(record);
+  ASSERT_FALSE(record.incidents[0].alarms.empty());
+  EXPECT_EQ(record.incidents[1].kind, IncidentKind::LostRuntime);
+  const Alarm& first = record.incidents[0].alarms[0];
+  for (std::size_t i = 1; i < record.incidents.size(); ++i) {
+    for (const Alarm& alarm : record.incidents[i].alarms) {
+      EXPECT_NE(alarm.action + alarm.condition, first.action + first.condition) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stepwright::executive

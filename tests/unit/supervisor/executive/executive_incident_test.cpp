@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/unit/supervisor/executive/bench_fixture.h"
 
 namespace stepwright::executive {
@@ -73,6 +75,37 @@ TEST(ExecutiveIncident, WhenANewGoalIsWanted_ThenItIsReached) {
   EXPECT_NEAR(controller.plant_value("position"), 1.0, 0.05);
 }
 
+// A wish that stops a pump between two units: what is left to the next one is drawn, too.
+TEST(ExecutiveIncident, WhenANewGoalIsLessThanAUnitAway_ThenItIsReached) {
+  SimulatedController controller({});
+  ExecutiveOptions options;
+  options.goal_changes = {{47.9, "", 0.0, "(and (is-at v1 f1) (= (level a1) 2) (= (level a2) 6))"}};
+  const RunRecord record = run_bench(controller, options);
+  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  ASSERT_EQ(record.incidents.size(), 1u) << story(record);
+  EXPECT_NEAR(controller.plant_value("level_a1_percent"), 20.0, 1.5);
+  const std::vector<ActionRecord>& actions = record.episodes.back().actions;
+  EXPECT_TRUE(std::any_of(actions.begin(), actions.end(), [](const ActionRecord& action) {
+    return action.text == "(final_order a1 c1 level1)";
+  })) << story(record);
+}
+
+// The customer's pump was too slow twice, the second time a fraction of a unit before the goal: without it
+// nothing lowers a2.
+TEST(ExecutiveIncident, WhenNoActionMovesWhatIsLeft_ThenTheSafeStopNamesThePumpAndByHowMuch) {
+  assemblies::BenchParameters parameters;
+  parameters.seed = 3269;
+  SimulatedController controller(parameters, {{66.60, "weak_b4", 0.186}});
+  const RunRecord record = run_bench(controller);
+  ASSERT_EQ(record.phase, Phase::Safe) << story(record);
+  ASSERT_EQ(record.incidents.size(), 2u) << story(record);
+  EXPECT_EQ(record.incidents[1].kind, IncidentKind::FailedActuator);
+  EXPECT_EQ(record.incidents[1].devices, std::vector<std::string>{"customer pump of a2"});
+  EXPECT_NE(record.message.find("without customer pump of a2"), std::string::npos) << record.message;
+  EXPECT_NE(record.message.find("less than a plan can mend: level of a2 is 5.2"), std::string::npos)
+      << record.message;
+}
+
 TEST(ExecutiveIncident, WhenAGoalIsNoGoal_ThenItIsRefused) {
   SimulatedController controller({});
   Executive executive(bench_desk(), controller, {}, {});
@@ -90,6 +123,10 @@ TEST(ExecutiveIncident, WhenAPumpHasFailed_ThenTheSafeStopNamesIt) {
   EXPECT_TRUE(record.incidents[0].devices.empty());
   EXPECT_EQ(record.incidents[1].devices, std::vector<std::string>{"customer pump of a1"});
   EXPECT_NE(record.message.find("there is no plan from the observed state without customer pump of a1"),
+            std::string::npos)
+      << record.message;
+  // The level beyond the goal has no other way out of a1.
+  EXPECT_NE(record.message.find("so (= (level a1) 5) and (>= (received c1) (demand c1)) cannot be reached"),
             std::string::npos)
       << record.message;
   EXPECT_NEAR(controller.plant_value("delivered_c1_percent"), 0.0, 1.0);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "supervisor/pddl/grounding/grounder.h"
 #include "supervisor/pddl/search/plan_runner.h"
 #include "tests/unit/supervisor/pddl/random_task.h"
@@ -16,12 +18,13 @@ struct Climb {
   double cost = kInfinity;  // of the best plan, executed
 };
 
-Climb climb(const Task& task, std::uint64_t evaluations = 20'000) {
+Climb climb(const Task& task, std::uint64_t evaluations = 20'000, const ClimbingOptions& options = {}) {
   const GroundTask ground = ground_task(task.definition(), [] { return false; });
   const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
   SearchControl control(std::chrono::milliseconds(0), 0, nullptr);
   StopReason reason = StopReason::None;
-  HillClimbing climbing(space, control);
+  HillClimbing climbing(relaxed, control, options);
   Climb result;
   // In small pieces: it must go on where it stopped.
   for (std::uint64_t done = 0; done < evaluations && result.status == SearchStatus::Running; done += 7) {
@@ -67,6 +70,50 @@ TEST(HillClimbing, WhenThereAreOnlyFacts_ThenItFindsAPlan) {
   EXPECT_LT(result.cost, kInfinity);
 }
 
+// One dear step or three cheap ones.
+TEST(HillClimbing, WhenItMindsCosts_ThenItTakesTheCheapWay) {
+  const Task task = testing::make_task(
+      R"((define (domain ways) (:requirements :strips :numeric-fluents) (:predicates (a) (b) (there)) (:functions (cost))
+    (:action fly :parameters () :effect (and (there) (increase (cost) 50)))
+    (:action walk-a :parameters () :effect (and (a) (increase (cost) 2)))
+    (:action walk-b :parameters () :precondition (a) :effect (and (b) (increase (cost) 2)))
+    (:action walk :parameters () :precondition (b) :effect (and (there) (increase (cost) 2)))))",
+      "(define (problem p) (:domain ways) (:init (= (cost) 0)) (:goal (there)) (:metric minimize (cost)))");
+  EXPECT_EQ(climb(task).cost, 50.0);
+  EXPECT_EQ(climb(task, 100, {.costs = true}).cost, 6.0);
+}
+
+// Relaxed plans go back and forth between the buoys at once: what they begin with lets the boat stand still.
+TEST(HillClimbing, WhenEveryOperatorIsTried_ThenItCrossesWhereHelpfulOnesDoNot) {
+  EXPECT_EQ(climb(buoys(), 3000, {.costs = true, .all = true}).status, SearchStatus::Found);
+}
+
+TEST(HillClimbing, WhenTheOrderIsAnother_ThenThePlansDifferAndComeAgain) {
+  const Task task = testing::bench_task();
+  std::set<std::vector<int>> plans;
+  for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+    const Climb once = climb(task, 3000, {.costs = true, .seed = seed});
+    EXPECT_EQ(climb(task, 3000, {.costs = true, .seed = seed}).best.operators, once.best.operators);
+    if (once.status == SearchStatus::Found) plans.insert(once.best.operators);
+  }
+  EXPECT_GT(plans.size(), 3u);
+}
+
+TEST(HillClimbing, WhenAPlanIsKnown_ThenNoWayThatCostsAsMuchIsFollowed) {
+  const Task task = buoys();
+  const Climb before = climb(task);
+  const GroundTask ground = ground_task(task.definition(), [] { return false; });
+  const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
+  SearchControl control(std::chrono::milliseconds(0), 0, nullptr);
+  StopReason reason = StopReason::None;
+  control.offer(std::vector<int>(20, 0), 20.0);
+  HillClimbing climbing(relaxed, control);
+  EXPECT_EQ(climbing.run(20'000, reason), SearchStatus::Exhausted);
+  EXPECT_FALSE(climbing.arrived());
+  EXPECT_GT(before.best.operators.size(), 20u);
+}
+
 TEST(HillClimbing, WhenNothingLeadsOn_ThenItEnds) {
   // Of the two doors one shuts the other for ever, and the relaxation does not tell which.
   const Task task = testing::make_task(
@@ -96,10 +143,11 @@ TEST(HillClimbing, WhenTheControlSaysStop_ThenItStops) {
   const Task task = buoys();
   const GroundTask ground = ground_task(task.definition(), [] { return false; });
   const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
   SearchControl control(std::chrono::milliseconds(0), 0, nullptr);
   control.finish();
   StopReason reason = StopReason::None;
-  EXPECT_EQ(HillClimbing(space, control).run(100, reason), SearchStatus::Stopped);
+  EXPECT_EQ(HillClimbing(relaxed, control).run(100, reason), SearchStatus::Stopped);
   EXPECT_EQ(reason, StopReason::Finished);
 }
 

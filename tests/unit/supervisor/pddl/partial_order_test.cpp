@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "supervisor/pddl/ground_action.h"
 #include "supervisor/pddl/simulate.h"
@@ -102,6 +104,50 @@ TEST(PartialOrder, WhenReduced_ThenNoOrderingFollowsFromOthers) {
     EXPECT_FALSE(without[orderings[i].before][orderings[i].after]);
     EXPECT_TRUE(whole[orderings[i].before][orderings[i].after]);
   }
+}
+
+// Steps need the one before, but for the last one, which needs two from the beginning.
+TEST(PartialOrder, WhenThePlanIsLong_ThenExactlyTheOrderingsThatNothingImplies) {
+  constexpr std::size_t kSteps = 150;
+  std::string predicates, actions;
+  model::Plan plan;
+  std::vector<model::Ordering> expected;
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    const std::string number = std::to_string(i);
+    const bool last = i + 1 == kSteps;
+    predicates += "(f" + number + ")";
+    const std::string needs = i == 0 ? "()" : last ? "(and (f2) (f70))" : "(f" + std::to_string(i - 1) + ")";
+    actions +=
+        "(:action a" + number + " :parameters () :precondition " + needs + " :effect (f" + number + "))";
+    plan.actions.push_back({"a" + number, {}});
+    if (i > 0) expected.push_back({last ? 70 : i - 1, i});
+  }
+  std::sort(expected.begin(), expected.end(), [](const model::Ordering& a, const model::Ordering& b) {
+    return a.before != b.before ? a.before < b.before : a.after < b.after;
+  });
+  const Task task = testing::make_task("(define (domain d) (:predicates " + predicates + ")" + actions + ")",
+                                       "(define (problem p) (:domain d) (:init) (:goal (f149)))");
+  const auto orderings = lift_partial_order(task, plan);
+  ASSERT_TRUE(orderings);
+  ASSERT_EQ(orderings->size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ((*orderings)[i].before, expected[i].before);
+    EXPECT_EQ((*orderings)[i].after, expected[i].after);
+  }
+}
+
+TEST(Simulate, WhenOnlyTheEndIsAsked_ThenItIsTheLastStateOfAllAndFailsAsThese) {
+  const Task task = bench_task();
+  model::Plan plan = *solve(task).plan;
+  const auto trace = simulate(task, plan);
+  const auto end = state_after(task, plan);
+  ASSERT_TRUE(trace && end);
+  EXPECT_TRUE(*end == trace->states.back());
+  EXPECT_FALSE(*end == trace->states.front());
+  std::reverse(plan.actions.begin(), plan.actions.end());
+  const auto failed = state_after(task, plan);
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(result::to_string(failed.error()), result::to_string(simulate(task, plan).error()));
 }
 
 TEST(PartialOrder, WhenAnActionIsUnknown_ThenItFails) {

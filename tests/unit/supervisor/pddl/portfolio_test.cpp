@@ -9,6 +9,7 @@
 
 #include "supervisor/pddl/grounding/grounder.h"
 #include "supervisor/pddl/search/lazy_search.h"
+#include "supervisor/pddl/search/plan_runner.h"
 #include "supervisor/pddl/search/portfolio.h"
 #include "supervisor/pddl/solve.h"
 #include "supervisor/pddl/validate.h"
@@ -69,6 +70,30 @@ TEST(Portfolio, WhenOnTwoThreads_ThenTheBenchsOptimumIsProvedToo) {
     EXPECT_EQ(outcome.plan->actions.size(), i % 2 == 0 ? 17u : 19u);
     EXPECT_TRUE(valid(task, *outcome.plan));
   }
+}
+
+// The executive plans on one thread: a long proof must not keep it waiting for what is cheap to find.
+TEST(Portfolio, WhenOnOneThread_ThenPlansGetBetterBeforeALongProof) {
+  constexpr int kItems = 9;
+  const Task task = line(5, kItems);
+  const GroundTask ground = ground_task(task.definition(), [] { return false; });
+  const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
+  std::atomic<bool> cancel{false};
+  SearchControl control(60s, 0, &cancel);
+  // Every item alone.
+  std::vector<int> plan;
+  for (std::size_t i = 0; i < ground.operators.size(); ++i) {
+    const bool single = action_of(ground, ground.operators[i]).name.starts_with("move1");
+    if (single) plan.insert(plan.end(), kItems, static_cast<int>(i));
+  }
+  ASSERT_TRUE(offer_plan(space, control, plan));
+  ASSERT_EQ(control.best().quality.cost, 216.0);
+  control.on_improvement = [&](const Incumbent& best) { cancel = best.quality.cost <= 168.0; };
+  StopReason reason = StopReason::None;
+  EXPECT_FALSE(Portfolio(relaxed, control, {}).run(reason));
+  EXPECT_EQ(reason, StopReason::Cancelled);
+  EXPECT_LT(control.expanded(), 1000u);
 }
 
 TEST(Portfolio, WhenOnTwoThreads_ThenImprovementsComeOneAtATimeAndFall) {

@@ -22,4 +22,8 @@ RandomTask random_task(std::uint32_t seed);
 // that depend on the state, and a derived predicate in goals and preconditions.
 RandomTask random_numeric_task(std::uint32_t seed);
 
+// Trucks that burn fuel and carry parcels along random roads: much that can be done in any order, fluents of
+// which more or less is better, and now and then an action or a goal that wants them otherwise.
+RandomTask random_transport_task(std::uint32_t seed);
+
 }  // namespace stepwright::pddl::testing

@@ -51,6 +51,10 @@ TEST_P(RandomTasks, WhenFullOfNumbers_ThenAsGoodAsEnumerationAndValid) {
   EXPECT_GT(judge(GetParam() * 1000, 20, testing::random_numeric_task), 1);
 }
 
+TEST_P(RandomTasks, WhenThingsAreMovedWithFuel_ThenAsGoodAsEnumerationAndValid) {
+  EXPECT_GT(judge(GetParam() * 1000, 25, testing::random_transport_task), 3);
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomTasks, ::testing::Range(1u, 13u));
 
 }  // namespace

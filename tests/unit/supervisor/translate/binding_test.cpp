@@ -124,6 +124,9 @@ const std::vector<Slip> kSlips = {
      32},
     {"InputAsOutput", "outputs = [\"right\"]", "outputs = [\"here\"]", "B0006", "'here' cannot be driven",
      "%IX0.0", 32},
+    {"DriftBelowTheTolerance", "calibration = [[0, 100], [10, 1100]]",
+     "calibration = [[0, 100], [10, 1100]]\ntolerance = 0.4\nmax_drift = 0.3", "B0004", "max_drift",
+     "between 0.4", 14},
     {"CalibrationNotMonotone", "[10, 1100]", "[10, 100]", "B0006", "not strictly monotone", "rising", 12},
     {"CalibrationNotFinite", "[10, 1100]", "[10, inf]", "B0006", "not strictly monotone", "", 12},
     {"CalibrationOfOnePoint", "[[0, 100], [10, 1100]]", "[[0, 100]]", "B0006", "not strictly monotone", "",
@@ -170,6 +173,7 @@ TEST(ReadBinding, WhenFileIsGood_ThenEverythingIsRead) {
   EXPECT_EQ(binding->tags.size(), 5U);
   EXPECT_EQ(binding->start, milliseconds(1000));
   EXPECT_EQ(binding->sensor_of("(lev v1)")->label, "lev of v1");
+  EXPECT_DOUBLE_EQ(binding->sensor_of("(lev v1)")->max_drift, 0.3);  // of a tolerance of 0.2
   EXPECT_EQ(binding->one_of.front().searches.front().timeout, milliseconds(5000));
   Assignment assignment;
   const ActionBinding* entry = binding->action_for({"load", {"v1", "f1", "l"}}, assignment);

@@ -97,6 +97,20 @@ TEST_F(EstimateTest, WhenTrackedAmountIsNotWhole_ThenThePlannerSeesAWholeOne) {
   EXPECT_DOUBLE_EQ(now->measured.fluents.at("(received c1)"), 6.6);
 }
 
+// What is left to the other multiple is still to be drawn, and has not arrived.
+TEST_F(EstimateTest, WhenALevelIsRoundedAway_ThenTheRestOfItsUnitIsStillToBePlanned) {
+  start_.fluents["(level a1)"] = 9.0;
+  const std::vector<model::GroundAction> drawing = {{"complete_order", {"a1", "c1", "level7"}}};
+  const auto now = estimate(binding_, values(2.0, 2.46, 6.8, "fc1"), {}, start_, drawing, {"(level a1)"});
+  ASSERT_TRUE(now);
+  EXPECT_NEAR(now->measured.fluents.at("(level a1)"), 2.46, 1e-9);
+  EXPECT_DOUBLE_EQ(now->planning.fluents.at("(level a1)"), 3.0);
+  EXPECT_DOUBLE_EQ(now->planning.fluents.at("(received c1)"), 6.0);
+  EXPECT_DOUBLE_EQ(now->planning.fluents.at("(level a2)"), 7.0);
+  const auto lower = estimate(binding_, values(2.0, 2.46, 6.8, "fc1"), {}, start_, {}, {"(level a2)"});
+  EXPECT_DOUBLE_EQ(lower->planning.fluents.at("(level a2)"), 6.0);
+}
+
 TEST_F(EstimateTest, WhenPlacesContradict_ThenSaysSo) {
   Values shown = values(2, 2, 2);
   shown["fc3"] = 1.0;
