@@ -13,14 +13,12 @@
 
 namespace stepwright::fleet {
 
+// What estimates the rest of a way. None of them ever overestimates, so that A* finds the least cost with
+// each.
 enum class Heuristic : std::uint8_t {
-  // The greatest of Euclidean distance, look-up table and scaled distance around obstacles: never
-  // overestimates.
-  Admissible,
-  // With the distance around obstacles as it is, as Pecora and Cirillo use it: up to 8 percent above the
-  // truth in
-  // exchange for fewer expansions. What is proved about a path does not depend on it.
-  Greedy,
+  Euclid,    // the straight line
+  Table,     // the greater of it and the look-up table
+  Combined,  // the greatest of these and the distance around obstacles
 };
 
 struct PathOptions {
@@ -28,7 +26,7 @@ struct PathOptions {
   // less. 1.0 from the start: A*.
   double first_weight = 1.0;  // at least 1
   double weight_step = 0.5;   // positive
-  Heuristic heuristic = Heuristic::Admissible;
+  Heuristic heuristic = Heuristic::Combined;
   double sample_m = 0.1;  // between poses of the answer, at most
   std::optional<std::chrono::steady_clock::time_point> deadline{};
   std::stop_token stop{};

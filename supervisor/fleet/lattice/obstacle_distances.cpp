@@ -18,8 +18,16 @@ namespace {
 constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 constexpr double kRounding_m = 1e-4;     // of distances in single precision
 constexpr double kBeyondStart_m = 10.0;  // how much farther than the start vertices are looked at
-constexpr std::array<GridVector, 8> kNeighbours = {GridVector{1, 0}, {0, 1},  {-1, 0},  {0, -1},
-                                                   {1, 1},           {-1, 1}, {-1, -1}, {1, -1}};
+
+// The vectors of all headings: along each of them a chain is as long as a straight line.
+constexpr std::array<GridVector, kHeadings> all_steps() {
+  std::array<GridVector, kHeadings> steps;
+  for (int heading = 0; heading < kHeadings; ++heading) {
+    steps[static_cast<std::size_t>(heading)] = heading_vector(heading);
+  }
+  return steps;
+}
+constexpr std::array<GridVector, kHeadings> kSteps = all_steps();
 
 // Rounded down, so that a chain never seems longer than it is.
 std::uint32_t step_mm(GridVector step, double resolution_m) {
@@ -55,7 +63,7 @@ std::uint32_t cheapest_chain(const MotionPrimitive& primitive, double resolution
     const auto [cost, at] = open.top();
     open.pop();
     if (cost != costs[at]) continue;
-    for (const GridVector step : kNeighbours) {
+    for (const GridVector step : kSteps) {
       const auto next = costs.find({at.first + step.x, at.second + step.y});
       const std::uint32_t through = cost + step_mm(step, resolution_m);
       if (next == costs.end() || through >= next->second) continue;
@@ -81,13 +89,9 @@ std::uint32_t detour_of(const PrimitiveSet& primitives) {
 
 ObstacleDistances::ObstacleDistances(const DistanceField& clearance, const ObstacleQuestion& question)
     : columns_(question.columns),
-      detour_(question.detour),
-      distances_(static_cast<std::size_t>(question.columns) * static_cast<std::size_t>(question.rows),
-                 kNever) {
+      bounds_(static_cast<std::size_t>(question.columns) * static_cast<std::size_t>(question.rows), kNever) {
   const double least_m = question.inscribed_radius_m - kDetour * question.resolution_m - kRounding_m;
   const auto passable = [&](GridVector at) {
-    // At the border of the map there is no clearance, so that no neighbour of a passable vertex lies outside;
-    // a vehicle so small that it would pass there still stays on the map.
     if (at.x < 0 || at.y < 0 || at.x >= question.columns || at.y >= question.rows) return false;
     return clearance.at_corner({at.x * question.cells_per_step, at.y * question.cells_per_step}) >= least_m;
   };
@@ -95,17 +99,17 @@ ObstacleDistances::ObstacleDistances(const DistanceField& clearance, const Obsta
     return static_cast<std::size_t>(at.y) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(at.x);
   };
-  std::array<std::uint32_t, kNeighbours.size()> steps{};
-  for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = step_mm(kNeighbours[k], question.resolution_m);
+  std::array<std::uint32_t, kSteps.size()> steps{};
+  for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = step_mm(kSteps[k], question.resolution_m);
   internal::CostBuckets buckets(std::ranges::max(steps));
-  distances_[index(question.goal)] = 0;
+  bounds_[index(question.goal)] = 0;
   buckets.push(0, static_cast<std::uint32_t>(index(question.goal)));
   std::uint32_t last = 0;
   std::uint64_t limit = kNever;
   unreachable_ = true;
   while (const auto next = buckets.pop()) {
     const auto [distance, state] = *next;
-    if (distances_[state] != distance) continue;
+    if (bounds_[state] != distance) continue;
     last = distance;
     if (distance > limit) break;
     const auto vertex = static_cast<std::int32_t>(state);
@@ -114,17 +118,19 @@ ObstacleDistances::ObstacleDistances(const DistanceField& clearance, const Obsta
       unreachable_ = false;
       limit = distance + static_cast<std::uint64_t>(1000.0 * kBeyondStart_m);
     }
-    for (std::size_t k = 0; k < kNeighbours.size(); ++k) {
-      const GridVector to = at + kNeighbours[k];
+    for (std::size_t k = 0; k < kSteps.size(); ++k) {
+      const GridVector to = at + kSteps[k];
       if (!passable(to)) continue;
-      std::uint32_t& known = distances_[index(to)];
+      std::uint32_t& known = bounds_[index(to)];
       if (distance + steps[k] >= known) continue;
       known = distance + steps[k];
       buckets.push(known, static_cast<std::uint32_t>(index(to)));
     }
   }
   // What was offered but not looked at may still come down to `last`; no vertex comes below.
-  for (std::uint32_t& distance : distances_) distance = std::min(distance, last);
+  for (std::uint32_t& bound : bounds_) {
+    bound = static_cast<std::uint32_t>((std::uint64_t{std::min(bound, last)} << 16) / question.detour);
+  }
 }
 
 }  // namespace stepwright::fleet

@@ -4,11 +4,12 @@
 // the heading: the heuristic that finds the way through tunnels (Pecora and Cirillo 2012, "Trajectory
 // Planning").
 //
-// A value that does not change; any thread may read. It bounds the cost of ways on the lattice from below
-// once scaled: `admissible_mm` never overestimates and is consistent, `plain_mm` is up to 8 percent larger
-// and may overestimate. Why: along each primitive there is a chain of vertices, each within kDetour of the
-// track, whose length is at most `detour` times the primitive's cost; and where the vehicle fits, none of
-// these is nearer to an obstacle than its inscribed radius less kDetour (supervisor/doc/fleet_paths.md).
+// A value that does not change; any thread may read. The paper's graph has eight neighbours, whose distances
+// are up to 8 percent longer than straight lines: no lower bound. Here the steps are the vectors of the
+// sixteen headings, and `lower_bound_mm` never exceeds the cost of the rest of a way on the lattice, and is
+// consistent: along each primitive there is a chain of such steps, each vertex within kDetour of the track,
+// whose length is at most `detour` times the primitive's cost; and where the vehicle fits, none of these
+// vertices is nearer to an obstacle than its inscribed radius less kDetour (supervisor/doc/fleet_paths.md).
 //
 //   const ObstacleDistances distances(clearance, {.goal = {80, 40}, .start = {5, 5}, ...});
 
@@ -44,20 +45,16 @@ class ObstacleDistances {
 
   // Whether even a disc of the inscribed radius, less kDetour, finds no way from the start.
   bool unreachable() const { return unreachable_; }
-  std::uint32_t plain_mm(GridVector vertex) const {
-    return distances_[static_cast<std::size_t>(vertex.y) * static_cast<std::size_t>(columns_) +
-                      static_cast<std::size_t>(vertex.x)];
-  }
-  std::uint32_t admissible_mm(GridVector vertex) const {
-    return static_cast<std::uint32_t>((std::uint64_t{plain_mm(vertex)} << 16) / detour_);
+  std::uint32_t lower_bound_mm(GridVector vertex) const {
+    return bounds_[static_cast<std::size_t>(vertex.y) * static_cast<std::size_t>(columns_) +
+                   static_cast<std::size_t>(vertex.x)];
   }
 
  private:
   std::int32_t columns_ = 0;
-  std::uint32_t detour_ = 65536;
   bool unreachable_ = false;
   // Vertices that were not looked at hold the distance at which looking ended: a lower bound of theirs.
-  std::vector<std::uint32_t> distances_;
+  std::vector<std::uint32_t> bounds_;
 };
 
 }  // namespace stepwright::fleet

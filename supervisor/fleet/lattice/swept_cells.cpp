@@ -13,6 +13,53 @@ namespace {
 constexpr double kClearance_m = 0.005;    // kept from every cell that is not in the set
 constexpr double kFarthestStep_m = 0.02;  // no point of the outline moves further between two samples
 
+constexpr double kRounding_m = 1e-4;  // of distances in single precision
+
+// From a corner of the grid to the farthest corner of a cell of the spans.
+float covering_radius(std::span<const RowSpan> spans, Cell middle, double cell_m) {
+  int farthest = 0;  // squared, in cells
+  for (const RowSpan& span : spans) {
+    const int x = std::max(span.last + 1 - middle.column, middle.column - span.first);
+    const int y = std::max(span.row + 1 - middle.row, middle.row - span.row);
+    farthest = std::max(farthest, x * x + y * y);
+  }
+  return static_cast<float>(cell_m * std::sqrt(farthest) + kRounding_m);
+}
+
+// Cuts the cells into slices across the longer side of their bounds and lays a disc around each slice.
+void cover(SweptMotion& motion, double cell_m) {
+  Cell low{motion.spans.front().first, motion.spans.front().row};
+  Cell high{motion.spans.front().last, motion.spans.back().row};
+  for (const RowSpan& span : motion.spans) {
+    low.column = std::min(low.column, span.first);
+    high.column = std::max(high.column, span.last);
+  }
+  const bool by_column = high.column - low.column > high.row - low.row;
+  const int first = by_column ? low.column : low.row;
+  const int extent = (by_column ? high.column : high.row) - first + 1;
+  const auto slices = static_cast<int>(motion.discs.size());
+  for (int slice = 0; slice < slices; ++slice) {
+    const int from = first + extent * slice / slices;
+    const int to = first + extent * (slice + 1) / slices - 1;
+    std::vector<RowSpan> part;
+    for (const RowSpan& span : motion.spans) {
+      const RowSpan cut =
+          by_column ? RowSpan{span.row, std::max(span.first, from), std::min(span.last, to)} : span;
+      const bool within = by_column ? cut.first <= cut.last : from <= span.row && span.row <= to;
+      if (within) part.push_back(cut);
+    }
+    if (part.empty()) continue;  // a disc of radius zero at the vertex
+    Cell part_low{part.front().first, part.front().row};
+    Cell part_high{part.front().last, part.back().row};
+    for (const RowSpan& span : part) {
+      part_low.column = std::min(part_low.column, span.first);
+      part_high.column = std::max(part_high.column, span.last);
+    }
+    const Cell middle{(part_low.column + part_high.column + 1) / 2, (part_low.row + part_high.row + 1) / 2};
+    motion.discs[static_cast<std::size_t>(slice)] = {middle, covering_radius(part, middle, cell_m)};
+  }
+}
+
 // A row-wise picture of the cells around a vertex.
 class CellPicture {
  public:
@@ -40,24 +87,19 @@ class CellPicture {
 
   SweptMotion to_motion(double cell_m) const {
     SweptMotion motion;
-    int farthest = 0;  // squared, in cells, from the vertex to the outer corner of a cell
     for (int row = -half_; row < half_; ++row) {
       for (int column = -half_; column < half_; ++column) {
         if (!at({column, row})) continue;
-        const int x = std::max(column + 1, -column);
-        const int y = std::max(row + 1, -row);
-        farthest = std::max(farthest, x * x + y * y);
-        const bool continues =
-            !motion.spans.empty() && motion.spans.back().row == row && motion.spans.back().last == column - 1;
-        if (continues) {
-          motion.spans.back().last = column;
+        auto& spans = motion.spans;
+        if (!spans.empty() && spans.back().row == row && spans.back().last == column - 1) {
+          spans.back().last = column;
         } else {
-          motion.spans.push_back({row, column, column});
+          spans.push_back({row, column, column});
         }
       }
     }
-    constexpr double kRounding_m = 1e-4;  // of distances in single precision
-    motion.reach_m = static_cast<float>(cell_m * std::sqrt(farthest) + kRounding_m);
+    motion.reach_m = covering_radius(motion.spans, {0, 0}, cell_m);
+    cover(motion, cell_m);
     return motion;
   }
 
@@ -160,7 +202,17 @@ SweptCells::SweptCells(const VehicleModel& vehicle, const PrimitiveSet& primitiv
   }
 }
 
-bool SweptCells::free_cells(const OccupancyGrid& grid, const SweptMotion& motion, Cell cell) {
+bool SweptCells::discs_free(const OccupancyGrid& grid, const DistanceField& clearance,
+                            const SweptMotion& motion, Cell cell) {
+  return std::ranges::all_of(motion.discs, [&](const CoverDisc& disc) {
+    const Cell at{cell.column + disc.middle.column, cell.row + disc.middle.row};
+    const bool on_map =
+        at.column >= 0 && at.column <= grid.frame().columns && at.row >= 0 && at.row <= grid.frame().rows;
+    return on_map && clearance.at_corner(at) > disc.radius_m;
+  });
+}
+
+bool SweptCells::cells_free(const OccupancyGrid& grid, const SweptMotion& motion, Cell cell) {
   return std::ranges::none_of(motion.spans, [&](const RowSpan& span) {
     return grid.any_blocked(span.row + cell.row, span.first + cell.column, span.last + cell.column);
   });

@@ -10,6 +10,7 @@
 //   const SweptCells cells(vehicle, primitives, 1);
 //   if (cells.free(map, clearance, {12, 40}, primitive_index)) ...
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -19,10 +20,17 @@
 
 namespace stepwright::fleet {
 
+// A disc around a corner of the grid.
+struct CoverDisc {
+  Cell middle;
+  float radius_m = 0.0F;
+};
+
 struct SweptMotion {
   std::vector<RowSpan>
-      spans;             // relative to the cell at the upper right of the vertex where the motion begins
-  float reach_m = 0.0F;  // no covered point is farther from that vertex
+      spans;  // relative to the cell at the upper right of the vertex where the motion begins
+  std::array<CoverDisc, 6> discs{};  // together they cover all cells of the set
+  float reach_m = 0.0F;              // no covered point is farther from that vertex
 };
 
 class SweptCells {
@@ -39,11 +47,14 @@ class SweptCells {
   // Whether the motion from the corner of `cell` meets no obstacle and stays on the map.
   static bool free(const OccupancyGrid& grid, const DistanceField& clearance, const SweptMotion& motion,
                    Cell cell) {
-    return clearance.at_corner(cell) > motion.reach_m || free_cells(grid, motion, cell);
+    return clearance.at_corner(cell) > motion.reach_m || discs_free(grid, clearance, motion, cell) ||
+           cells_free(grid, motion, cell);
   }
 
  private:
-  static bool free_cells(const OccupancyGrid& grid, const SweptMotion& motion, Cell cell);
+  static bool discs_free(const OccupancyGrid& grid, const DistanceField& clearance, const SweptMotion& motion,
+                         Cell cell);
+  static bool cells_free(const OccupancyGrid& grid, const SweptMotion& motion, Cell cell);
 
   int cells_per_step_ = 1;
   std::vector<SweptMotion> motions_;  // one for each primitive

@@ -31,11 +31,10 @@ LatticeSearch::LatticeSearch(const SearchFloor& floor, const LatticePose& start,
 
 std::uint32_t LatticeSearch::estimate(const LatticePose& pose, Heuristic heuristic) const {
   const GridVector offset = pose.vertex - goal_.vertex;
-  const std::uint32_t free = std::max(euclid_mm(offset, floor_.primitives.options().resolution_m),
-                                      floor_.table.cost_mm(offset, pose.heading, goal_.heading));
-  const std::uint32_t around = heuristic == Heuristic::Greedy ? floor_.around.plain_mm(pose.vertex)
-                                                              : floor_.around.admissible_mm(pose.vertex);
-  return std::max(free, around);
+  std::uint32_t bound = euclid_mm(offset, floor_.primitives.options().resolution_m);
+  if (heuristic == Heuristic::Euclid) return bound;
+  bound = std::max(bound, floor_.table.cost_mm(offset, pose.heading, goal_.heading));
+  return heuristic == Heuristic::Table ? bound : std::max(bound, floor_.around.lower_bound_mm(pose.vertex));
 }
 
 std::uint32_t LatticeSearch::key_of(const SearchNode& node) const {
@@ -127,7 +126,7 @@ std::uint32_t LatticeSearch::lower_bound_mm() {
   std::uint32_t bound = goal_cost_;
   const auto look_at = [&](std::uint32_t state) {
     const SearchNode& node = nodes_.node(state);
-    bound = std::min(bound, node.cost_mm + estimate(nodes_.pose_of(state), Heuristic::Admissible));
+    bound = std::min(bound, node.cost_mm + estimate(nodes_.pose_of(state), Heuristic::Combined));
   };
   for (const Entry& entry : open_) {
     const SearchNode& node = nodes_.node(entry.state);
