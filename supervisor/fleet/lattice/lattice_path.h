@@ -26,6 +26,8 @@ struct PathOptions {
   // less. 1.0 from the start: A*.
   double first_weight = 1.0;  // at least 1
   double weight_step = 0.5;   // positive
+  double last_weight =
+      1.0;  // at least 1: search ends once the path is proved to cost at most so many times more
   Heuristic heuristic = Heuristic::Combined;
   double sample_m = 0.1;  // between poses of the answer, at most
   std::optional<std::chrono::steady_clock::time_point> deadline{};

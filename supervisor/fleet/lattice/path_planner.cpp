@@ -147,8 +147,10 @@ void Question::search(LatticeSearch& search, const LatticePose& start, const Pat
     answer.improvements.push_back(
         {weight, path.cost_mm, answer.epsilon, answer.expanded, std::chrono::steady_clock::now() - begin});
     answer.path = std::move(path);
-    if (end != RoundEnd::Solved || weight == 1.0 || answer.epsilon == 1.0) return;
-    weight = std::max(1.0, std::min(weight, answer.epsilon) - options.weight_step);
+    if (end != RoundEnd::Solved || weight == 1.0 || answer.epsilon <= options.last_weight) return;
+    // A round at the last weight may prove a little less where the estimate is not consistent.
+    const double floor = weight > options.last_weight ? std::max(1.0, options.last_weight) : 1.0;
+    weight = std::max(floor, std::min(weight, answer.epsilon) - options.weight_step);
   }
 }
 

@@ -5,7 +5,7 @@
 //
 // A value that does not change; any thread may read. Conservative: a cell that the outline touches anywhere
 // along the motion is in the set; so is one that it passes within 5 mm. Others may be in the set only if the
-// outline passes within 15 mm.
+// outline passes within 22 mm.
 //
 //   const SweptCells cells(vehicle, primitives, 1);
 //   if (cells.free(map, clearance, {12, 40}, primitive_index)) ...

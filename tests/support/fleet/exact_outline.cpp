@@ -8,7 +8,9 @@ bool outline_hits(const fleet::OccupancyGrid& grid, const geometry::Footprint& f
                   const geometry::Pose& pose) {
   const auto outline = geometry::footprint_at(pose, footprint);
   const auto& frame = grid.frame();
-  const auto in_cells = [&](double value_m) { return static_cast<std::int32_t>(std::floor(value_m / frame.resolution_m)); };
+  const auto in_cells = [&](double value_m) {
+    return static_cast<std::int32_t>(std::floor(value_m / frame.resolution_m));
+  };
   const auto low = outline.bounds().low - frame.origin;
   const auto high = outline.bounds().high - frame.origin;
   for (std::int32_t row = in_cells(low.y_m) - 1; row <= in_cells(high.y_m) + 1; ++row) {

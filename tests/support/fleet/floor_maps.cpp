@@ -53,7 +53,8 @@ DrawnFloor draw_mine(std::uint64_t seed) {
   constexpr int kRows = 3;
   constexpr double kStub_m = 9.0;
   SplitMix64 random(seed);
-  DrawnFloor mine{OccupancyGrid({.resolution_m = 0.2, .origin = {0, 0}, .columns = 600, .rows = 400}, true), {}};
+  DrawnFloor mine{OccupancyGrid({.resolution_m = 0.2, .origin = {0, 0}, .columns = 600, .rows = 400}, true),
+                  {}};
   std::array<std::array<Point, kColumns>, kRows> junctions;
   for (int row = 0; row < kRows; ++row) {
     for (int column = 0; column < kColumns; ++column) {
@@ -83,7 +84,8 @@ DrawnFloor draw_mine(std::uint64_t seed) {
       const Point end = mouth + kStub_m * inwards;
       carve_tunnel(mine.grid, random, mouth, end);
       const Point stand = end - 0.8 * inwards;
-      mine.stations.push_back({stand.x_m, stand.y_m, std::remainder(heading + std::numbers::pi, 2.0 * std::numbers::pi)});
+      mine.stations.push_back(
+          {stand.x_m, stand.y_m, std::remainder(heading + std::numbers::pi, 2.0 * std::numbers::pi)});
     }
   }
   return mine;
@@ -99,7 +101,8 @@ DrawnFloor draw_warehouse(std::uint64_t seed) {
   for (double y = kCross_m; y + kDepth_m + kCross_m <= 60.0; y += kDepth_m + kAisle_m) {
     for (double x = kCross_m; x + kRack_m + kCross_m <= 80.0; x += kRack_m + kCross_m) {
       if (random.below(8) != 0) block_rectangle(floor.grid, {x, y}, {x + kRack_m, y + kDepth_m});
-      floor.stations.push_back({x + 0.5 * kRack_m, y - 0.5 * kAisle_m, random.below(2) == 0 ? 0.0 : std::numbers::pi});
+      floor.stations.push_back(
+          {x + 0.5 * kRack_m, y - 0.5 * kAisle_m, random.below(2) == 0 ? 0.0 : std::numbers::pi});
     }
   }
   return floor;

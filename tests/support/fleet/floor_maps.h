@@ -1,7 +1,7 @@
 #pragma once
 
-// Floors drawn by code: an underground mine and a warehouse, and places where vehicles stand in them. The same
-// seed draws the same floor on every machine.
+// Floors drawn by code: an underground mine and a warehouse, and places where vehicles stand in them. The
+// same seed draws the same floor on every machine.
 //
 //   const DrawnFloor mine = draw_mine(1);
 //   mine.stations[0];  // in a dead end, looking out
