@@ -11,7 +11,8 @@
 //  no
 //    later than polygon k is left, at whose exit the whole outline is in both: consecutive polygons overlap
 //    by the vehicle's area at least.
-// Between poses that are at most 0.1 m apart it holds too if the vehicle turns with a radius of 3 m or more.
+// Between poses it holds too where they are at most 0.1 m apart, the curvature stays the same from one to the
+// next, and the vehicle turns with a radius of 3 m or more.
 //
 //   const auto grown = grow_envelope(map, vehicle.footprint(), "v1", answer.path->poses, {});
 //   if (!grown) std::cerr << to_string(grown.error());
@@ -29,7 +30,7 @@ namespace stepwright::fleet {
 
 struct EnvelopeOptions {
   double growth_m = 0.5;       // each side moves outwards by no more than this
-  double stretch_m = 3.0;      // of the path that a polygon is laid around before its sides grow
+  double stretch_m = 4.0;      // of the path that a polygon is laid around before its sides grow
   double growth_step_m = 0.1;  // in steps of this
   SpeedLimits speed{};
 };

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "runtime/result/diagnostic.h"
-#include "supervisor/geometry/path.h"
+#include "supervisor/fleet/lattice/motion_primitive.h"
 
 namespace stepwright::fleet {
 
@@ -29,7 +29,7 @@ struct PathOptions {
   double last_weight =
       1.0;  // at least 1: search ends once the path is proved to cost at most so many times more
   Heuristic heuristic = Heuristic::Combined;
-  double sample_m = 0.1;  // between poses of the answer, at most
+  double sample_m = kPathSample_m;  // between poses of the answer, at most
   std::optional<std::chrono::steady_clock::time_point> deadline{};
   std::stop_token stop{};
 };

@@ -14,6 +14,9 @@
 
 namespace stepwright::fleet {
 
+// Poses of a path are no farther apart than this, unless somebody asks for more.
+inline constexpr double kPathSample_m = 0.05;
+
 struct Segment {
   double length_m = 0.0;
   double curvature_1pm = 0.0;  // of the track as it is driven; positive to the left

@@ -17,7 +17,8 @@ using internal::RoundEnd;
 
 constexpr int kMostCellsPerStep = 8;
 
-// Sampled at equal distances within each primitive, both ends included.
+// Sampled at equal distances within each line and arc, both ends included: between two poses the curvature
+// stays.
 LatticePath sample(const PrimitiveSet& primitives, const GridFrame& frame, const LatticePose& start,
                    const std::vector<std::size_t>& way, double sample_m) {
   const double resolution_m = primitives.options().resolution_m;
@@ -34,10 +35,14 @@ LatticePath sample(const PrimitiveSet& primitives, const GridFrame& frame, const
   for (const std::size_t index : way) {
     const MotionPrimitive& primitive = primitives.all()[index];
     path.marks.push_back({path.poses.size() - 1, index});
-    const int steps = std::max(1, static_cast<int>(std::ceil(primitive.length_m / sample_m - 1e-9)));
-    for (int k = 1; k <= steps; ++k) {
-      const double arc_m = primitive.length_m * k / steps;
-      place(pose_along(primitive, arc_m), path.length_m + arc_m, primitive.travel);
+    double begun_m = 0.0;
+    for (const Segment& segment : primitive.segments) {
+      const int steps = static_cast<int>(std::ceil(segment.length_m / sample_m - 1e-9));
+      for (int k = 1; k <= steps; ++k) {
+        const double arc_m = begun_m + segment.length_m * k / steps;
+        place(pose_along(primitive, arc_m), path.length_m + arc_m, primitive.travel);
+      }
+      begun_m += segment.length_m;
     }
     at = at + primitive.end;
     path.length_m += primitive.length_m;

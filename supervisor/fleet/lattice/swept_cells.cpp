@@ -10,7 +10,6 @@ namespace stepwright::fleet {
 
 namespace {
 
-constexpr double kClearance_m = 0.005;    // kept from every cell that is not in the set
 constexpr double kFarthestStep_m = 0.02;  // no point of the outline moves further between two samples
 
 constexpr double kRounding_m = 1e-4;  // of distances in single precision
@@ -124,13 +123,17 @@ geometry::Footprint grown(const geometry::Footprint& footprint, double by_m) {
 class Sweeper {
  public:
   Sweeper(const VehicleModel& vehicle, double cell_m, double longest_m)
-      : vehicle_(vehicle), frame_{.resolution_m = cell_m, .origin = {}, .columns = 1, .rows = 1} {
-    half_ = static_cast<int>(std::ceil((vehicle.circumscribed_radius_m() + longest_m + 0.1) / cell_m)) + 1;
+      : vehicle_(vehicle),
+        clearance_m_(SweptCells::clearance_m(vehicle)),
+        frame_{.resolution_m = cell_m, .origin = {}, .columns = 1, .rows = 1} {
+    half_ = static_cast<int>(
+                std::ceil((vehicle.circumscribed_radius_m() + longest_m + clearance_m_ + 0.1) / cell_m)) +
+            1;
   }
 
   CellPicture stand(int heading) const {
     CellPicture picture(half_);
-    picture.add(cells_at({0.0, 0.0, heading_rad(heading)}, kClearance_m));
+    picture.add(cells_at({0.0, 0.0, heading_rad(heading)}, clearance_m_));
     return picture;
   }
 
@@ -140,7 +143,7 @@ class Sweeper {
     for (const Segment& s : primitive.segments) curvature = std::max(curvature, std::abs(s.curvature_1pm));
     const double moved_m = primitive.length_m * (1.0 + curvature * vehicle_.circumscribed_radius_m());
     const int steps = static_cast<int>(std::ceil(moved_m / kFarthestStep_m));
-    const double growth_m = kClearance_m + 0.5 * moved_m / steps;
+    const double growth_m = clearance_m_ + 0.5 * moved_m / steps;
     CellPicture picture(half_);
     for (int k = 0; k <= steps; ++k) {
       picture.add(cells_at(pose_along(primitive, primitive.length_m * k / steps), growth_m));
@@ -156,6 +159,7 @@ class Sweeper {
   }
 
   const VehicleModel& vehicle_;
+  double clearance_m_;
   GridFrame frame_;
   int half_ = 0;
 };
@@ -167,6 +171,13 @@ double longest(const PrimitiveSet& primitives) {
 }
 
 }  // namespace
+
+// The convex hull of an outline and the same turned by a small angle and moved reaches beyond what lies
+// between by a quarter of the diagonal times the angle at most.
+double SweptCells::clearance_m(const VehicleModel& vehicle) {
+  const double diagonal_m = std::hypot(vehicle.front_m + vehicle.rear_m, vehicle.width_m);
+  return 0.005 + 0.25 * diagonal_m * kPathSample_m * vehicle.largest_curvature_1pm();
+}
 
 // Only forward primitives of the first quarter are swept: the others cover the same cells, turned, or seen
 // from the other end.

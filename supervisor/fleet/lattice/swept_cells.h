@@ -4,8 +4,8 @@
 // is a look at runs of bits (Pecora and Cirillo 2012, "Trajectory Planning").
 //
 // A value that does not change; any thread may read. Conservative: a cell that the outline touches anywhere
-// along the motion is in the set; so is one that it passes within 5 mm. Others may be in the set only if the
-// outline passes within 22 mm.
+// along the motion is in the set; so is one that it passes within `clearance_m`. Others may be in the set
+// only if the outline passes within that and 15 mm.
 //
 //   const SweptCells cells(vehicle, primitives, 1);
 //   if (cells.free(map, clearance, {12, 40}, primitive_index)) ...
@@ -38,6 +38,10 @@ class SweptCells {
   // The cells are `cells_per_step` times smaller than the distance between vertices, and have a corner at
   // each.
   SweptCells(const VehicleModel& vehicle, const PrimitiveSet& primitives, int cells_per_step);
+
+  // As much as a convex region needs that holds the outline at two poses kPathSample_m apart, at the tightest
+  // turn, and 5 mm: an envelope can always grow around a path (supervisor/doc/fleet_paths.md).
+  static double clearance_m(const VehicleModel& vehicle);
 
   int cells_per_step() const { return cells_per_step_; }
   const SweptMotion& of_primitive(std::size_t index) const { return motions_[index]; }

@@ -91,6 +91,17 @@ DrawnFloor draw_mine(std::uint64_t seed) {
   return mine;
 }
 
+std::vector<DrawnTask> mine_tasks(const DrawnFloor& mine) {
+  constexpr std::array<std::size_t, 7> kGoals = {7, 4, 9, 6, 1, 8, 3};
+  std::vector<DrawnTask> tasks;
+  for (std::size_t k = 0; k < kGoals.size(); ++k) {
+    geometry::Pose goal = mine.stations[kGoals[k]];
+    goal.heading_rad = std::remainder(goal.heading_rad + std::numbers::pi, 2.0 * std::numbers::pi);
+    tasks.push_back({mine.stations[k], goal});
+  }
+  return tasks;
+}
+
 DrawnFloor draw_warehouse(std::uint64_t seed) {
   constexpr double kRack_m = 16.0;
   constexpr double kDepth_m = 2.0;

@@ -39,12 +39,12 @@ bool meets(const OccupancyGrid& map, const ConvexPolygon& polygon) {
         p.y_m > high.y_m + 1e-6)
       return true;
   }
-  for (int row = 0; row < frame.rows; ++row) {
-    for (int column = 0; column < frame.columns; ++column) {
+  const Cell first = frame.cell_at(polygon.bounds().low);
+  const Cell last = frame.cell_at(polygon.bounds().high);
+  for (int row = first.row; row <= last.row; ++row) {
+    for (int column = first.column; column <= last.column; ++column) {
       const Cell cell{column, row};
-      const Point corner = frame.corner(cell);
-      const bool near = distance(corner, polygon.centroid()) < 15.0;
-      if (near && map.blocked(cell) && overlaps(cell_square(frame, cell), polygon)) return true;
+      if (map.contains(cell) && map.blocked(cell) && overlaps(cell_square(frame, cell), polygon)) return true;
     }
   }
   return false;
@@ -102,10 +102,10 @@ TEST(GrowEnvelope, Grow_WhenNothingIsNear_ThenBoxesOfTheStretchAndTheGrowth) {
   expect_times(*grown, {});
   const auto& box = grown->envelope.polygons.front().area.bounds();
   EXPECT_NEAR(box.low.x_m, 10.0 - 2.4 - 0.5, 0.01);
-  EXPECT_NEAR(box.high.x_m, 10.0 + 3.0 + 1.6 + 0.5, 0.01);
+  EXPECT_NEAR(box.high.x_m, 10.0 + 4.0 + 1.6 + 0.5, 0.01);
   EXPECT_NEAR(box.high.y_m - box.low.y_m, 1.4 + 2 * 0.5, 0.01);
   // 20 m in steps of the stretch and the growth, less what rounding to poses takes.
-  EXPECT_EQ(grown->envelope.polygons.size(), 6u);
+  EXPECT_EQ(grown->envelope.polygons.size(), 5u);
 }
 
 TEST(GrowEnvelope, Grow_WhenAWallIsBesideThePath_ThenOnlyTheSideThereStops) {
@@ -153,14 +153,14 @@ TEST(GrowEnvelope, Grow_WhenPathsLeadThroughAMine_ThenThePromisesHold) {
   const VehicleModel forklift;
   const PrimitiveSet primitives(forklift, {});
   const HeuristicTable table = HeuristicTable::build(primitives, {.range_m = 3.0, .margin_m = 3.0});
-  const support::DrawnFloor mine = support::draw_mine(2);
+  const support::DrawnFloor mine = support::draw_mine(1);
   const auto planner = PathPlanner::create(mine.grid, forklift, primitives, table).value();
-  PathOptions coarse{.first_weight = 3.0, .last_weight = 3.0};
+  PathOptions coarse{.first_weight = 2.0, .last_weight = 2.0};
   PathOptions fine = coarse;
   fine.sample_m = 0.02;
-  for (const auto& [from, to] : {std::pair{0u, 3u}, {5u, 6u}}) {
-    const auto answer = planner.plan(mine.stations[from], mine.stations[to], coarse);
-    const auto same = planner.plan(mine.stations[from], mine.stations[to], fine);
+  for (const support::DrawnTask& task : support::mine_tasks(mine)) {
+    const auto answer = planner.plan(task.start, task.goal, coarse);
+    const auto same = planner.plan(task.start, task.goal, fine);
     ASSERT_TRUE(answer.path.has_value() && same.path.has_value());
     const auto grown = grow_envelope(mine.grid, kForklift, "v1", answer.path->poses, {});
     ASSERT_TRUE(grown.has_value()) << to_string(grown.error());

@@ -56,10 +56,15 @@ TEST_P(Swept, OfPrimitive_WhenSampledDensely_ThenEveryCellTouchedIsInTheSetAndFe
   for (std::size_t k = 0; k < primitives_.all().size(); k += 11) {
     const MotionPrimitive& primitive = primitives_.all()[k];
     const Cells set = cells_of(cells_.of_primitive(k));
-    EXPECT_TRUE(std::ranges::includes(set, sampled(vehicle_.footprint(), primitive, cell_m_, kSamples))) << k;
+    EXPECT_TRUE(
+        std::ranges::includes(set, sampled(grown(vehicle_.footprint(), SweptCells::clearance_m(vehicle_)),
+                                           primitive, cell_m_, kSamples)))
+        << k;
     // Between two samples a corner moves no more than twice as far as the reference point.
     const double between_m = primitive.length_m / kSamples;
-    const Cells near = sampled(grown(vehicle_.footprint(), 0.016 + between_m), primitive, cell_m_, kSamples);
+    const Cells near =
+        sampled(grown(vehicle_.footprint(), SweptCells::clearance_m(vehicle_) + 0.011 + between_m), primitive,
+                cell_m_, kSamples);
     EXPECT_TRUE(std::ranges::includes(near, set)) << k;
   }
 }
@@ -70,7 +75,9 @@ TEST_P(Swept, OfHeading_WhenStanding_ThenTheOutlineIsCovered) {
     stand.start_heading = heading;
     const Cells set = cells_of(cells_.of_heading(heading));
     EXPECT_TRUE(std::ranges::includes(set, sampled(vehicle_.footprint(), stand, cell_m_, 1)));
-    EXPECT_TRUE(std::ranges::includes(sampled(grown(vehicle_.footprint(), 0.006), stand, cell_m_, 1), set));
+    EXPECT_TRUE(std::ranges::includes(
+        sampled(grown(vehicle_.footprint(), SweptCells::clearance_m(vehicle_) + 0.001), stand, cell_m_, 1),
+        set));
   }
 }
 
