@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "supervisor/fleet/envelope/internal/side_polygon.h"
@@ -78,19 +79,21 @@ class Growth {
 
   bool free(const ConvexPolygon& polygon) const { return !meets_obstacle(map_, polygon); }
 
-  // Around as many poses as fit; nothing if two do not.
+  // Around as many poses as fit; nothing if two do not. Each region holds the one before it, so that the
+  // first one that meets an obstacle is found by halving.
   std::optional<Start> lay(int sides, std::size_t pose) const {
     SidePolygon laid(sides, direction(pose));
     laid.include(outlines_[pose]);
     laid.include(outlines_[after(pose)]);
     if (!free(laid.polygon())) return std::nullopt;
-    Start start{laid, after(pose)};
-    while (!reaches_far(pose, start.last)) {
-      laid.include(outlines_[start.last + 1]);
-      if (!free(laid.polygon())) break;
-      start = {laid, start.last + 1};
+    std::vector<Start> starts = {{laid, after(pose)}};
+    while (!reaches_far(pose, starts.back().last)) {
+      laid.include(outlines_[starts.back().last + 1]);
+      starts.push_back({laid, starts.back().last + 1});
     }
-    return start;
+    const auto blocked =
+        std::ranges::partition_point(starts, [&](const Start& start) { return free(start.sides.polygon()); });
+    return *std::prev(blocked);
   }
 
   ConvexPolygon grow(SidePolygon sides) const {

@@ -30,7 +30,7 @@ namespace stepwright::fleet {
 
 struct EnvelopeOptions {
   double growth_m = 0.5;       // each side moves outwards by no more than this
-  double stretch_m = 4.0;      // of the path that a polygon is laid around before its sides grow
+  double stretch_m = 3.5;      // of the path that a polygon is laid around before its sides grow
   double growth_step_m = 0.1;  // in steps of this
   SpeedLimits speed{};
 };

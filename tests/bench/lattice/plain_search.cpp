@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <queue>
 #include <unordered_map>
 #include <vector>
@@ -92,9 +93,20 @@ class PlainSearch {
       geometry::Pose pose = pose_along(primitive, primitive.length_m * k / steps);
       pose.x_m += vertex.x_m;
       pose.y_m += vertex.y_m;
-      if (meets_obstacle(grid_, footprint_at(pose, vehicle_.footprint()))) return false;
+      if (!stands(pose)) return false;
     }
     return true;
+  }
+
+  // The outline only where the distance to obstacles does not decide: what Nav2's planners do.
+  bool stands(const geometry::Pose& pose) const {
+    const Cell cell = grid_.frame().cell_at(pose.position());
+    if (!grid_.contains(cell)) return false;
+    const double clearance_m = clearance_.at_corner(cell);
+    const double to_corner_m = std::numbers::sqrt2 * grid_.frame().resolution_m;
+    if (clearance_m - to_corner_m > vehicle_.circumscribed_radius_m()) return true;
+    if (clearance_m + to_corner_m < vehicle_.inscribed_radius_m()) return false;
+    return !meets_obstacle(grid_, footprint_at(pose, vehicle_.footprint()));
   }
 
   void offer(const State& state, std::uint32_t cost) {

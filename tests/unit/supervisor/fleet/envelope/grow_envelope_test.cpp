@@ -102,7 +102,7 @@ TEST(GrowEnvelope, Grow_WhenNothingIsNear_ThenBoxesOfTheStretchAndTheGrowth) {
   expect_times(*grown, {});
   const auto& box = grown->envelope.polygons.front().area.bounds();
   EXPECT_NEAR(box.low.x_m, 10.0 - 2.4 - 0.5, 0.01);
-  EXPECT_NEAR(box.high.x_m, 10.0 + 4.0 + 1.6 + 0.5, 0.01);
+  EXPECT_NEAR(box.high.x_m, 10.0 + 3.5 + 1.6 + 0.5, 0.01);
   EXPECT_NEAR(box.high.y_m - box.low.y_m, 1.4 + 2 * 0.5, 0.01);
   // 20 m in steps of the stretch and the growth, less what rounding to poses takes.
   EXPECT_EQ(grown->envelope.polygons.size(), 5u);
