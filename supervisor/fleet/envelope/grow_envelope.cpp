@@ -144,6 +144,20 @@ std::optional<std::string> wrong_path(const Path& path) {
   return std::nullopt;
 }
 
+std::optional<std::string> wrong_growth(const EnvelopeOptions& options) {
+  constexpr double kMost_m = 1000.0;
+  constexpr double kLeastStep_m = 0.001;
+  const auto wrong = [&](const char* key, double value, double least) {
+    return fmt::format("{} is {} m, outside {} to {}", key, value, least, kMost_m);
+  };
+  const auto within = [&](double value, double least) { return value >= least && value <= kMost_m; };
+  if (!within(options.growth_m, 0.0)) return wrong("growth_m", options.growth_m, 0.0);
+  if (!within(options.stretch_m, 0.0)) return wrong("stretch_m", options.stretch_m, 0.0);
+  if (!within(options.growth_step_m, kLeastStep_m))
+    return wrong("growth_step_m", options.growth_step_m, kLeastStep_m);
+  return std::nullopt;
+}
+
 void add_times(GrownEnvelope& grown, const SpeedLimits& speed) {
   auto& polygons = grown.envelope.polygons;
   for (std::size_t k = 0; k < polygons.size(); ++k) {
@@ -163,6 +177,7 @@ result::Result<GrownEnvelope> grow_envelope(const OccupancyGrid& map, const geom
                                             const std::string& vehicle, const Path& path,
                                             const EnvelopeOptions& options) {
   if (auto wrong = wrong_path(path)) return result::fail("F0501", {}, *std::move(wrong));
+  if (auto wrong = wrong_growth(options)) return result::fail("F0504", {}, *std::move(wrong));
   if (auto wrong = check(options.speed, {}, ""); !wrong.empty()) return tl::unexpected(std::move(wrong));
   const Growth growth(map, footprint, path, options);
   GrownEnvelope grown;

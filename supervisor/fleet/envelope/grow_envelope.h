@@ -30,7 +30,7 @@ namespace stepwright::fleet {
 
 struct EnvelopeOptions {
   double growth_m = 0.5;       // each side moves outwards by no more than this
-  double stretch_m = 3.5;      // of the path that a polygon is laid around before its sides grow
+  double stretch_m = 3.0;      // of the path that a polygon is laid around before its sides grow
   double growth_step_m = 0.1;  // in steps of this
   SpeedLimits speed{};
 };
@@ -48,8 +48,8 @@ struct GrownEnvelope {
   std::vector<Visit> visits;  // one for each polygon
 };
 
-// F0501: the path is empty, or a pose is not finite, or the way along it falls. F0502: speeds. F0503: at a
-// pose, or between it and the next one, the vehicle meets an obstacle or the border of the map.
+// F0501: the path is empty, or a pose is not finite, or the way along it falls. F0502: speeds. F0504: growth.
+// F0503: at a pose, or between it and the next one, the vehicle meets an obstacle or the border of the map.
 [[nodiscard]] result::Result<GrownEnvelope> grow_envelope(const OccupancyGrid& map,
                                                           const geometry::Footprint& footprint,
                                                           const std::string& vehicle,

@@ -24,8 +24,8 @@ enum class Heuristic : std::uint8_t {
 struct PathOptions {
   // ARA* (Likhachev, Gordon, Thrun 2003): the estimate is multiplied by `first_weight`, then by less and
   // less. 1.0 from the start: A*.
-  double first_weight = 1.0;  // at least 1
-  double weight_step = 0.5;   // positive
+  double first_weight = 1.0;  // 1 to 100
+  double weight_step = 0.5;   // at least 0.01
   double last_weight =
       1.0;  // at least 1: search ends once the path is proved to cost at most so many times more
   Heuristic heuristic = Heuristic::Combined;

@@ -16,6 +16,9 @@ using internal::LatticeSearch;
 using internal::RoundEnd;
 
 constexpr int kMostCellsPerStep = 8;
+constexpr double kLargestWeight = 100.0;
+constexpr double kSmallestStep = 0.01;
+constexpr double kSmallestSample_m = 0.001;
 
 // Sampled at equal distances within each line and arc, both ends included: between two poses the curvature
 // stays.
@@ -139,14 +142,16 @@ PathEnd to_path_end(RoundEnd end) {
 
 void Question::search(LatticeSearch& search, const LatticePose& start, const PathOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  double weight = std::max(1.0, options.first_weight);
+  double weight = std::clamp(options.first_weight, 1.0, kLargestWeight);
+  const double step = std::max(kSmallestStep, options.weight_step);
   while (true) {
     const RoundEnd end = search.run_round(weight);
     answer.end = to_path_end(end);
     answer.expanded = search.expanded();
     answer.peak_bytes = search.bytes();
     if (!search.solved()) return;
-    LatticePath path = sample(primitives_, map_.frame(), start, search.way(), options.sample_m);
+    LatticePath path =
+        sample(primitives_, map_.frame(), start, search.way(), std::max(kSmallestSample_m, options.sample_m));
     const std::uint32_t bound = search.lower_bound_mm();
     answer.epsilon = path.cost_mm <= bound ? 1.0 : double(path.cost_mm) / bound;
     answer.improvements.push_back(
@@ -155,7 +160,7 @@ void Question::search(LatticeSearch& search, const LatticePose& start, const Pat
     if (end != RoundEnd::Solved || weight == 1.0 || answer.epsilon <= options.last_weight) return;
     // A round at the last weight may prove a little less where the estimate is not consistent.
     const double floor = weight > options.last_weight ? std::max(1.0, options.last_weight) : 1.0;
-    weight = std::max(floor, std::min(weight, answer.epsilon) - options.weight_step);
+    weight = std::max(floor, std::min(weight, answer.epsilon) - step);
   }
 }
 

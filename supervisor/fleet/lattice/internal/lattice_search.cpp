@@ -9,6 +9,8 @@ namespace {
 
 constexpr std::uint64_t kExpansionsBetweenLooks = 256;  // at the clock and at the stop token
 
+constexpr double kLargestKey = 4e9;
+
 std::uint32_t euclid_mm(GridVector offset, double resolution_m) {
   const double squared = double(offset.x) * offset.x + double(offset.y) * offset.y;
   return static_cast<std::uint32_t>(1000.0 * resolution_m * std::sqrt(squared));
@@ -38,7 +40,7 @@ std::uint32_t LatticeSearch::estimate(const LatticePose& pose, Heuristic heurist
 }
 
 std::uint32_t LatticeSearch::key_of(const SearchNode& node) const {
-  return node.cost_mm + static_cast<std::uint32_t>(weight_ * node.estimate_mm);
+  return static_cast<std::uint32_t>(std::min(node.cost_mm + weight_ * node.estimate_mm, kLargestKey));
 }
 
 void LatticeSearch::push(std::uint32_t state, const SearchNode& node) {

@@ -102,10 +102,10 @@ TEST(GrowEnvelope, Grow_WhenNothingIsNear_ThenBoxesOfTheStretchAndTheGrowth) {
   expect_times(*grown, {});
   const auto& box = grown->envelope.polygons.front().area.bounds();
   EXPECT_NEAR(box.low.x_m, 10.0 - 2.4 - 0.5, 0.01);
-  EXPECT_NEAR(box.high.x_m, 10.0 + 3.5 + 1.6 + 0.5, 0.01);
+  EXPECT_NEAR(box.high.x_m, 10.0 + 3.0 + 1.6 + 0.5, 0.01);
   EXPECT_NEAR(box.high.y_m - box.low.y_m, 1.4 + 2 * 0.5, 0.01);
   // 20 m in steps of the stretch and the growth, less what rounding to poses takes.
-  EXPECT_EQ(grown->envelope.polygons.size(), 5u);
+  EXPECT_EQ(grown->envelope.polygons.size(), 6u);
 }
 
 TEST(GrowEnvelope, Grow_WhenAWallIsBesideThePath_ThenOnlyTheSideThereStops) {
@@ -146,6 +146,9 @@ TEST(GrowEnvelope, Grow_WhenInputIsWrong_ThenItSaysWhere) {
               HasSubstr("F0503: at pose 133 of the path (18.30 m, 10.00 m)"));
   EXPECT_THAT(complaint(straight(2.0, 5.0, 10.0)), HasSubstr("F0503: at pose 0"));
   EXPECT_THAT(complaint(straight(5.0, 10.0, 10.0), {.speed = {.min_mps = 3.0}}), HasSubstr("F0502"));
+  EXPECT_THAT(complaint(straight(5.0, 10.0, 10.0), {.growth_step_m = 0.0}),
+              HasSubstr("F0504: growth_step_m is 0 m"));
+  EXPECT_THAT(complaint(straight(5.0, 10.0, 10.0), {.growth_m = -1.0}), HasSubstr("F0504: growth_m is -1 m"));
 }
 
 // Tight curves, narrow tunnels and reversing: paths of the planner in the drawn mine.
