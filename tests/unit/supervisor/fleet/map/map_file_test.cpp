@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "supervisor/fleet/map/internal/gray_image.h"
+#include "supervisor/fleet/map/internal/map_description.h"
 #include "tests/support/temporary_folder.h"
 
 namespace stepwright::fleet {
@@ -149,18 +151,29 @@ TEST_F(MapFile, Read_WhenTheImageIsWrong_ThenTheDiagnosticSaysWhere) {
               HasSubstr("floor.pgm:3:4: F0104: the sample 101 is above 100"));
 }
 
-TEST_F(MapFile, Read_WhenBytesAreChangedAtRandom_ThenItReadsOrSaysWhy) {
+TEST(MapBytes, Read_WhenBytesAreChangedAtRandom_ThenItReadsOrSaysWhy) {
   std::mt19937 random(17);
-  const std::string image = "P2\n# c\n4 3\n255\n0 254 0 254 1 2 3 4 5 6 7 8\n";
-  for (int round = 0; round < 600; ++round) {
-    std::string yaml = kYaml;
-    std::string picture = image;
-    std::string& text = round % 2 == 0 ? yaml : picture;
-    for (int k = 0; k < 3; ++k) text[random() % text.size()] = static_cast<char>(random() % 256);
-    if (round % 5 == 0) text.resize(random() % text.size());
-    const auto map = read(yaml, picture);
+  const std::string plain = "P2\n# c\n4 3\n255\n0 254 0 254 1 2 3 4 5 6 7 8\n";
+  const std::string raw = std::string("P5 3 2 255\n\x00\xfe\x01\x02\xff\x03", 17);
+  const auto changed = [&](std::string text) {
+    for (std::size_t k = random() % 3; k > 0; --k)
+      text[random() % text.size()] = static_cast<char>(random() % 256);
+    if (random() % 5 == 0) text.resize(random() % text.size());
+    return text;
+  };
+  int read = 0;
+  constexpr int kRounds = 4000;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto map = internal::read_description(changed(kYaml), "map.yaml");
     EXPECT_TRUE(map.has_value() || !map.error().front().message.empty());
+    const std::string picture = changed(round % 2 == 0 ? plain : raw);
+    const std::vector<std::uint8_t> bytes(picture.begin(), picture.end());
+    const auto image = internal::read_pgm(bytes, "map.pgm");
+    EXPECT_TRUE(image.has_value() || !image.error().front().message.empty());
+    read += (map ? 1 : 0) + (image ? 1 : 0);
   }
+  EXPECT_GT(read, kRounds / 20);
+  EXPECT_LT(read, 2 * kRounds);
 }
 
 TEST_F(MapFile, Write_WhenReadAgain_ThenTheGridIsTheSame) {
