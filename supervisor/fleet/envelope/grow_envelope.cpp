@@ -96,24 +96,32 @@ class Growth {
     return *std::prev(blocked);
   }
 
+  // Side by side in small steps. Where all sides can move at once, they could have one after the other.
   ConvexPolygon grow(SidePolygon sides) const {
-    ConvexPolygon grown = sides.polygon();
-    std::vector<bool> stuck(sides.sides(), false);
     const int steps = static_cast<int>(std::floor(options_.growth_m / options_.growth_step_m + 1e-9));
+    std::vector<bool> stuck(sides.sides(), false);
+    if (move_all(sides, stuck, steps * options_.growth_step_m)) return sides.polygon();
     for (int step = 0; step < steps; ++step) {
+      if (move_all(sides, stuck, options_.growth_step_m)) continue;
       for (std::size_t side = 0; side < sides.sides(); ++side) {
         if (stuck[side]) continue;
         sides.move_side(side, options_.growth_step_m);
-        ConvexPolygon larger = sides.polygon();
-        stuck[side] = !free(larger);
-        if (stuck[side]) {
-          sides.move_side(side, -options_.growth_step_m);
-        } else {
-          grown = std::move(larger);
-        }
+        stuck[side] = !free(sides.polygon());
+        if (stuck[side]) sides.move_side(side, -options_.growth_step_m);
       }
     }
-    return grown;
+    return sides.polygon();
+  }
+
+  // All sides that are not stuck, or none.
+  bool move_all(SidePolygon& sides, const std::vector<bool>& stuck, double by_m) const {
+    SidePolygon moved = sides;
+    for (std::size_t side = 0; side < sides.sides(); ++side) {
+      if (!stuck[side]) moved.move_side(side, by_m);
+    }
+    if (!free(moved.polygon())) return false;
+    sides = std::move(moved);
+    return true;
   }
 
   std::optional<ConvexPolygon> hull_of_two(std::size_t pose) const {

@@ -16,6 +16,7 @@ namespace stepwright::fleet {
 namespace {
 
 constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kExact = 65536;
 constexpr double kRounding_m = 1e-4;     // of distances in single precision
 constexpr double kBeyondStart_m = 10.0;  // how much farther than the start vertices are looked at
 
@@ -91,8 +92,10 @@ ObstacleDistances::ObstacleDistances(const DistanceField& clearance, const Obsta
     : columns_(question.columns),
       bounds_(static_cast<std::size_t>(question.columns) * static_cast<std::size_t>(question.rows), kNever) {
   const double least_m = question.inscribed_radius_m - kDetour * question.resolution_m - kRounding_m;
+  const auto within = [&](GridVector at) {
+    return at.x >= 0 && at.y >= 0 && at.x < question.columns && at.y < question.rows;
+  };
   const auto passable = [&](GridVector at) {
-    if (at.x < 0 || at.y < 0 || at.x >= question.columns || at.y >= question.rows) return false;
     return clearance.at_corner({at.x * question.cells_per_step, at.y * question.cells_per_step}) >= least_m;
   };
   const auto index = [&](GridVector at) {
@@ -120,16 +123,18 @@ ObstacleDistances::ObstacleDistances(const DistanceField& clearance, const Obsta
     }
     for (std::size_t k = 0; k < kSteps.size(); ++k) {
       const GridVector to = at + kSteps[k];
-      if (!passable(to)) continue;
+      if (!within(to)) continue;
       std::uint32_t& known = bounds_[index(to)];
-      if (distance + steps[k] >= known) continue;
+      if (distance + steps[k] >= known || !passable(to)) continue;
       known = distance + steps[k];
       buckets.push(known, static_cast<std::uint32_t>(index(to)));
     }
   }
   // What was offered but not looked at may still come down to `last`; no vertex comes below.
   for (std::uint32_t& bound : bounds_) {
-    bound = static_cast<std::uint32_t>((std::uint64_t{std::min(bound, last)} << 16) / question.detour);
+    bound = std::min(bound, last);
+    if (question.detour == kExact) continue;
+    bound = static_cast<std::uint32_t>((std::uint64_t{bound} << 16) / question.detour);
   }
 }
 
