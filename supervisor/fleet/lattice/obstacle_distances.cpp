@@ -88,8 +88,10 @@ std::uint32_t detour_of(const PrimitiveSet& primitives) {
   return static_cast<std::uint32_t>(detour);
 }
 
+// Dijkstra's algorithm from the goal, until all that is kBeyondStart_m farther than the start is known.
 ObstacleDistances::ObstacleDistances(const DistanceField& clearance, const ObstacleQuestion& question)
     : columns_(question.columns),
+      unreachable_(true),
       bounds_(static_cast<std::size_t>(question.columns) * static_cast<std::size_t>(question.rows), kNever) {
   const double least_m = question.inscribed_radius_m - kDetour * question.resolution_m - kRounding_m;
   const auto within = [&](GridVector at) {
@@ -98,23 +100,18 @@ ObstacleDistances::ObstacleDistances(const DistanceField& clearance, const Obsta
   const auto passable = [&](GridVector at) {
     return clearance.at_corner({at.x * question.cells_per_step, at.y * question.cells_per_step}) >= least_m;
   };
-  const auto index = [&](GridVector at) {
-    return static_cast<std::size_t>(at.y) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(at.x);
-  };
   std::array<std::uint32_t, kSteps.size()> steps{};
-  for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = step_mm(kSteps[k], question.resolution_m);
+  std::ranges::transform(kSteps, steps.begin(),
+                         [&](GridVector s) { return step_mm(s, question.resolution_m); });
   internal::CostBuckets buckets(std::ranges::max(steps));
   bounds_[index(question.goal)] = 0;
   buckets.push(0, static_cast<std::uint32_t>(index(question.goal)));
   std::uint32_t last = 0;
   std::uint64_t limit = kNever;
-  unreachable_ = true;
-  while (const auto next = buckets.pop()) {
+  for (auto next = buckets.pop(); next && last <= limit; next = buckets.pop()) {
     const auto [distance, state] = *next;
     if (bounds_[state] != distance) continue;
     last = distance;
-    if (distance > limit) break;
     const auto vertex = static_cast<std::int32_t>(state);
     const GridVector at{vertex % columns_, vertex / columns_};
     if (at == question.start) {
@@ -130,11 +127,14 @@ ObstacleDistances::ObstacleDistances(const DistanceField& clearance, const Obsta
       buckets.push(known, static_cast<std::uint32_t>(index(to)));
     }
   }
-  // What was offered but not looked at may still come down to `last`; no vertex comes below.
+  finish(last, question.detour);
+}
+
+// What was offered but not looked at may still come down to `last`; no vertex comes below.
+void ObstacleDistances::finish(std::uint32_t last, std::uint32_t detour) {
   for (std::uint32_t& bound : bounds_) {
     bound = std::min(bound, last);
-    if (question.detour == kExact) continue;
-    bound = static_cast<std::uint32_t>((std::uint64_t{bound} << 16) / question.detour);
+    if (detour != kExact) bound = static_cast<std::uint32_t>((std::uint64_t{bound} << 16) / detour);
   }
 }
 

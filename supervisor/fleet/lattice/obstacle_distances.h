@@ -1,8 +1,7 @@
 #pragma once
 
-// How far it is to the goal around obstacles for a point on the eight-connected grid of vertices, whatever
-// the heading: the heuristic that finds the way through tunnels (Pecora and Cirillo 2012, "Trajectory
-// Planning").
+// How far it is from each vertex of the lattice to the goal around obstacles, whatever the heading: the
+// estimate that finds the way through tunnels (Pecora and Cirillo 2012, "Trajectory Planning").
 //
 // A value that does not change; any thread may read. The paper's graph has eight neighbours, whose distances
 // are up to 8 percent longer than straight lines: no lower bound. Here the steps are the vectors of the
@@ -45,12 +44,15 @@ class ObstacleDistances {
 
   // Whether even a disc of the inscribed radius, less kDetour, finds no way from the start.
   bool unreachable() const { return unreachable_; }
-  std::uint32_t lower_bound_mm(GridVector vertex) const {
-    return bounds_[static_cast<std::size_t>(vertex.y) * static_cast<std::size_t>(columns_) +
-                   static_cast<std::size_t>(vertex.x)];
-  }
+  std::uint32_t lower_bound_mm(GridVector vertex) const { return bounds_[index(vertex)]; }
 
  private:
+  std::size_t index(GridVector vertex) const {
+    return static_cast<std::size_t>(vertex.y) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(vertex.x);
+  }
+  void finish(std::uint32_t last, std::uint32_t detour);
+
   std::int32_t columns_ = 0;
   bool unreachable_ = false;
   // Vertices that were not looked at hold the distance at which looking ended: a lower bound of theirs.
