@@ -70,9 +70,11 @@ class PlainSearch {
       if (entry.state == goal_) return {true, entry.cost, result.expanded};
       ++result.expanded;
       for (const MotionPrimitive& primitive : primitives_.from(entry.state.heading)) {
-        if (free(entry.state, primitive)) {
-          offer({entry.state.vertex + primitive.end, primitive.end_heading}, entry.cost + primitive.cost_mm);
-        }
+        const State to{entry.state.vertex + primitive.end, primitive.end_heading};
+        const std::uint32_t cost = entry.cost + primitive.cost_mm;
+        const auto known = costs_.find(to);
+        if (known != costs_.end() && known->second <= cost) continue;
+        if (free(entry.state, primitive)) offer(to, cost);
       }
     }
     return result;
@@ -110,9 +112,7 @@ class PlainSearch {
   }
 
   void offer(const State& state, std::uint32_t cost) {
-    const auto [known, fresh] = costs_.try_emplace(state, cost);
-    if (!fresh && known->second <= cost) return;
-    known->second = cost;
+    costs_[state] = cost;
     const GridVector offset = state.vertex - goal_.vertex;
     const double euclid_mm = 1000.0 * grid_.frame().resolution_m * std::hypot(offset.x, offset.y);
     const std::uint32_t estimate =
