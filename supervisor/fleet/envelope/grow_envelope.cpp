@@ -166,7 +166,9 @@ std::optional<std::string> wrong_growth(const EnvelopeOptions& options) {
   return std::nullopt;
 }
 
-void add_times(GrownEnvelope& grown, const SpeedLimits& speed) {
+}  // namespace
+
+void set_times(GrownEnvelope& grown, const SpeedLimits& speed) {
   auto& polygons = grown.envelope.polygons;
   for (std::size_t k = 0; k < polygons.size(); ++k) {
     const Visit& visit = grown.visits[k];
@@ -176,8 +178,6 @@ void add_times(GrownEnvelope& grown, const SpeedLimits& speed) {
     }
   }
 }
-
-}  // namespace
 
 // A new polygon begins at the last pose that the one before holds, and holds the next pose too: the vehicle
 // is never between two polygons, and each polygon takes it further.
@@ -209,7 +209,7 @@ result::Result<GrownEnvelope> grow_envelope(const OccupancyGrid& map, const geom
     earliest = visit.first_pose;
     pose = visit.last_pose;
   }
-  add_times(grown, options.speed);
+  set_times(grown, options.speed);
   return grown;
 }
 

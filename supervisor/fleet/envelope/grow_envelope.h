@@ -56,4 +56,7 @@ struct GrownEnvelope {
                                                           const geometry::Path& path,
                                                           const EnvelopeOptions& options);
 
+// The same polygons at other speeds. Requires limits that `check` accepts.
+void set_times(GrownEnvelope& grown, const SpeedLimits& speed);
+
 }  // namespace stepwright::fleet
