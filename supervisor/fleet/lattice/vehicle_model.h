@@ -17,7 +17,7 @@
 namespace stepwright::fleet {
 
 struct VehicleModel {
-  double wheelbase_m = 2.0;           // between the axles
+  double wheelbase_m = 1.9;           // between the axles
   double min_turning_radius_m = 3.5;  // of the reference point
   double max_steering_rad = 0.0;      // of a single wheel in the middle of the steered axle; 0 = not told
   double front_m = 1.6;               // from the reference point to the foremost point, forks included

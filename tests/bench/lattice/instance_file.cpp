@@ -9,20 +9,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const geometry::Pose& pose) {
-  return {pose.x_m, pose.y_m, pose.heading_rad};
-}
-
 Json json_of(const fleet::Bounds& bounds) {
-  return {bounds.least.count(), bounds.most.count()};
+  return Json::array({bounds.least.count(), bounds.most.count()});
 }
 
-Json json_of(const fleet::EnvelopePolygon& polygon) {
-  Json corners = Json::array();
-  for (const geometry::Point corner : polygon.area.corners()) {
-    corners.push_back(Json::array({corner.x_m, corner.y_m}));
+Json json_of(const fleet::TrajectoryEnvelope& envelope) {
+  Json polygons = Json::array();
+  for (const fleet::EnvelopePolygon& polygon : envelope.polygons) {
+    Json corners = Json::array();
+    for (const geometry::Point corner : polygon.area.corners()) {
+      corners.push_back(Json::array({corner.x_m, corner.y_m}));
+    }
+    polygons.push_back({{"corners_m", corners}, {"stay_ms", json_of(polygon.stay)}});
+    if (polygons.size() < envelope.polygons.size()) polygons.back()["overlap_ms"] = json_of(polygon.overlap);
   }
-  return {{"corners", corners}, {"stay_ms", json_of(polygon.stay)}, {"overlap_ms", json_of(polygon.overlap)}};
+  return {{"name", envelope.vehicle}, {"polygons", polygons}};
+}
+
+Json start_of(const fleet::TrajectoryEnvelope& envelope) {
+  return {{"name", envelope.vehicle + " starts at once"},
+          {"to", {{"vehicle", envelope.vehicle}, {"polygon", 0}, {"side", "entry"}}},
+          {"distance_ms", Json::array({0, 0})}};
 }
 
 }  // namespace
@@ -37,29 +44,20 @@ Instance make_instance(CircleEnvelopes& circle, int vehicles, int run, const fle
   Instance instance{vehicles, run, speed, support::circle_problem(vehicles, run), {}};
   for (const support::CircleTask& task : instance.tasks) {
     instance.envelopes.push_back(circle.of(task));
-    instance.envelopes.back().envelope.vehicle = "v" + std::to_string(instance.envelopes.size() - 1);
+    instance.envelopes.back().envelope.vehicle = "v" + std::to_string(instance.envelopes.size());
     set_times(instance.envelopes.back(), speed);
   }
   return instance;
 }
 
 std::string to_json(const Instance& instance) {
-  Json envelopes = Json::array();
-  for (std::size_t k = 0; k < instance.envelopes.size(); ++k) {
-    Json polygons = Json::array();
-    for (const auto& polygon : instance.envelopes[k].envelope.polygons) polygons.push_back(json_of(polygon));
-    envelopes.push_back({{"vehicle", instance.envelopes[k].envelope.vehicle},
-                         {"start", json_of(instance.tasks[k].start.pose())},
-                         {"goal", json_of(instance.tasks[k].goal.pose())},
-                         {"polygons", polygons}});
+  Json vehicles = Json::array();
+  Json constraints = Json::array();
+  for (const fleet::GrownEnvelope& grown : instance.envelopes) {
+    vehicles.push_back(json_of(grown.envelope));
+    constraints.push_back(start_of(grown.envelope));
   }
-  const Json json = {{"problem", "circle"},
-                     {"vehicles", instance.vehicles},
-                     {"run", instance.run},
-                     {"min_mps", instance.speed.min_mps},
-                     {"max_mps", instance.speed.max_mps},
-                     {"envelopes", envelopes}};
-  return json.dump();
+  return Json{{"vehicles", vehicles}, {"constraints", constraints}}.dump();
 }
 
 }  // namespace stepwright::bench

@@ -1,13 +1,14 @@
 #pragma once
 
-// A circle problem with its envelopes as one JSON object, for solvers in any language:
+// A circle problem with its envelopes as a scheduling problem in JSON, for solvers in any language:
 //
-//   {"problem": "circle", "vehicles": 2, "run": 0, "min_mps": 0.05, "max_mps": 1.5, "envelopes": [
-//     {"vehicle": "v0", "start": [x, y, heading], "goal": [x, y, heading], "polygons": [
-//       {"corners": [[x, y], ...], "stay_ms": [least, most], "overlap_ms": [least, most]}, ...]}, ...]}
+//   {"vehicles": [{"name": "v1", "polygons": [
+//      {"corners_m": [[x, y], ...], "stay_ms": [least, most], "overlap_ms": [least, most]}, ...]}, ...],
+//    "constraints": [{"name": "v1 starts at once", "to": {"vehicle": "v1", "polygon": 0, "side": "entry"},
+//                     "distance_ms": [0, 0]}, ...]}
 //
-// Metres and radians; corners anticlockwise; numbers read back as they were. All vehicles enter their first
-// polygon at 0.
+// Corners anticlockwise; numbers read back as they were; a last polygon has no overlap. A constraint without
+// "from" counts from time zero: all vehicles enter their first polygon then.
 
 #include <string>
 #include <vector>

@@ -35,23 +35,23 @@ TEST_F(LatticeBench, Instance_WhenWrittenAsJson_ThenEveryNumberReadsBack) {
   const Instance instance = make_instance(circle, 2, 4, {.min_mps = 0.05, .max_mps = 15.0});
   EXPECT_EQ(instance.name(), "circle_n02_r004_v15.0.json");
   const auto json = nlohmann::json::parse(to_json(instance));
-  EXPECT_EQ(json["vehicles"], 2);
-  EXPECT_EQ(json["max_mps"], 15.0);
-  ASSERT_EQ(json["envelopes"].size(), 2u);
+  ASSERT_EQ(json["vehicles"].size(), 2u);
+  ASSERT_EQ(json["constraints"].size(), 2u);
+  EXPECT_EQ(json["constraints"][1]["to"]["vehicle"], "v2");
+  EXPECT_FALSE(json["constraints"][1].contains("from"));
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& envelope = instance.envelopes[k].envelope;
-    const auto& read = json["envelopes"][k];
-    EXPECT_EQ(read["vehicle"], envelope.vehicle);
-    EXPECT_EQ(read["start"][0].get<double>(), instance.tasks[k].start.pose().x_m);
-    EXPECT_EQ(read["goal"][2].get<double>(), instance.tasks[k].goal.pose().heading_rad);
+    const auto& read = json["vehicles"][k];
+    EXPECT_EQ(read["name"], envelope.vehicle);
     ASSERT_EQ(read["polygons"].size(), envelope.polygons.size());
+    EXPECT_FALSE(read["polygons"].back().contains("overlap_ms"));
     for (std::size_t p = 0; p < envelope.polygons.size(); ++p) {
       const auto& polygon = read["polygons"][p];
       EXPECT_EQ(polygon["stay_ms"][0], envelope.polygons[p].stay.least.count());
-      EXPECT_EQ(polygon["overlap_ms"][1], envelope.polygons[p].overlap.most.count());
-      ASSERT_EQ(polygon["corners"].size(), envelope.polygons[p].area.corners().size());
-      EXPECT_EQ(polygon["corners"][2][1].get<double>(), envelope.polygons[p].area.corners()[2].y_m);
+      ASSERT_EQ(polygon["corners_m"].size(), envelope.polygons[p].area.corners().size());
+      EXPECT_EQ(polygon["corners_m"][2][1].get<double>(), envelope.polygons[p].area.corners()[2].y_m);
     }
+    EXPECT_EQ(read["polygons"][0]["overlap_ms"][1], envelope.polygons[0].overlap.most.count());
   }
   EXPECT_EQ(instance.envelopes[0].envelope.polygons[0].stay,
             time_bounds(instance.envelopes[0].visits[0].exit_m, {.min_mps = 0.05, .max_mps = 15.0}));
