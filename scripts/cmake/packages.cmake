@@ -12,9 +12,11 @@ find_package(nlohmann_json REQUIRED)
 find_package(OpenSSL 3.0 REQUIRED)
 find_package(SUNDIALS REQUIRED COMPONENTS cvode nvecserial sunnonlinsolfixedpoint)
 find_package(Threads REQUIRED)
+find_package(PNG REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(benchmark REQUIRED)
 find_package(spdlog REQUIRED)
+find_package(yaml-cpp REQUIRED)
 
 # libsodium brings no CMake configuration. It hashes in the scan process, whose memory is locked: libcrypto would be 4 MB there.
 find_library(STEPWRIGHT_SODIUM sodium REQUIRED)

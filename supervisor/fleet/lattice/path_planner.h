@@ -1,0 +1,50 @@
+#pragma once
+
+// Paths of a vehicle on a map: A* and ARA* over a state lattice (Pivtoraiko, Knepper, Kelly 2009; Pecora and
+// Cirillo 2012, "Trajectory Planning").
+//
+// Any number of threads may plan with one planner at the same time. Map, primitives and table must outlive
+// it. Vertices of the lattice lie on corners of the map's cells; poses are taken to the nearest vertex and
+// heading. A path is collision-free for the exact outline: swept cells hold more, never less. The same
+// question gives the same path unless time ends or somebody stops it.
+//
+//   const PrimitiveSet primitives(vehicle, {});
+//   const auto table = HeuristicTable::load_or_build(primitives, {}, file).table;
+//   const auto planner = PathPlanner::create(map, vehicle, primitives, table);
+//   const PathAnswer answer = planner->plan({5, 5, 0}, {60, 40, 1.57}, {.first_weight = 3.0});
+
+#include "runtime/result/result.h"
+#include "supervisor/fleet/lattice/heuristic_table.h"
+#include "supervisor/fleet/lattice/lattice_path.h"
+#include "supervisor/fleet/lattice/obstacle_distances.h"
+#include "supervisor/fleet/lattice/swept_cells.h"
+
+namespace stepwright::fleet {
+
+class PathPlanner {
+ public:
+  // F0301: the distance between vertices is not 1 to 8 times the side of the map's cells.
+  [[nodiscard]] static result::Result<PathPlanner> create(const OccupancyGrid& map,
+                                                          const VehicleModel& vehicle,
+                                                          const PrimitiveSet& primitives,
+                                                          const HeuristicTable& table);
+
+  // Diagnostics: F0302 a pose off the map, F0303 a pose in collision (and with which cell), F0304 no passage
+  // wide enough, F0305 no path on the lattice.
+  PathAnswer plan(const geometry::Pose& start, const geometry::Pose& goal,
+                  const PathOptions& options = {}) const;
+
+ private:
+  PathPlanner(const OccupancyGrid& map, const VehicleModel& vehicle, const PrimitiveSet& primitives,
+              const HeuristicTable& table, int cells_per_step);
+
+  const OccupancyGrid* map_;
+  VehicleModel vehicle_;
+  const PrimitiveSet* primitives_;
+  const HeuristicTable* table_;
+  SweptCells cells_;
+  DistanceField clearance_;
+  std::uint32_t detour_;
+};
+
+}  // namespace stepwright::fleet

@@ -1,0 +1,279 @@
+#include "supervisor/fleet/lattice/path_planner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "tests/support/fleet/exact_outline.h"
+#include "tests/support/fleet/floor_maps.h"
+#include "tests/unit/supervisor/fleet/lattice/plain_dijkstra.h"
+
+namespace stepwright::fleet {
+namespace {
+
+using geometry::Pose;
+using ::testing::HasSubstr;
+
+// A small vehicle on small floors keeps plain Dijkstra quick.
+const VehicleModel kCart{
+    .wheelbase_m = 0.6, .min_turning_radius_m = 1.0, .front_m = 0.5, .rear_m = 0.5, .width_m = 0.6};
+
+class PathPlannerTest : public ::testing::Test {
+ protected:
+  static constexpr int kColumns = 40;
+  static constexpr int kRows = 30;
+
+  OccupancyGrid random_floor(int obstacles, int cells_per_step = 1) {
+    OccupancyGrid grid({.resolution_m = 0.2 / cells_per_step,
+                        .origin = {-3.0, 1.0},
+                        .columns = kColumns * cells_per_step,
+                        .rows = kRows * cells_per_step});
+    for (int k = 0; k < obstacles; ++k)
+      grid.set({below(grid.frame().columns), below(grid.frame().rows)}, true);
+    return grid;
+  }
+  int below(int bound) { return static_cast<int>(random_() % static_cast<unsigned>(bound)); }
+  PlainPose random_pose() { return {below(kColumns + 1), below(kRows + 1), below(kHeadings)}; }
+  static Pose pose_of(const OccupancyGrid& grid, const PlainPose& pose) {
+    const auto [x, y, heading] = pose;
+    return {grid.frame().origin.x_m + 0.2 * x, grid.frame().origin.y_m + 0.2 * y, heading_rad(heading)};
+  }
+  static bool stands(const OccupancyGrid& grid, const SweptCells& cells, const PlainPose& pose) {
+    const auto [x, y, heading] = pose;
+    const int scale = cells.cells_per_step();
+    for (const RowSpan& span : cells.of_heading(heading).spans) {
+      if (grid.any_blocked(y * scale + span.row, x * scale + span.first, x * scale + span.last)) return false;
+    }
+    return true;
+  }
+  // The path is what it says: poses follow each other at the distances that it tells, marks name primitives.
+  void expect_sound(const OccupancyGrid& grid, const LatticePath& path) {
+    EXPECT_EQ(support::first_hit(grid, kCart.footprint(), path.poses), std::nullopt);
+    std::uint32_t cost = 0;
+    for (const PathMark& mark : path.marks) cost += primitives_.all()[mark.primitive].cost_mm;
+    EXPECT_EQ(cost, path.cost_mm);
+    for (std::size_t k = 1; k < path.poses.size(); ++k) {
+      const double arc_m = path.poses[k].arc_m - path.poses[k - 1].arc_m;
+      const double moved_m = distance(path.poses[k].pose.position(), path.poses[k - 1].pose.position());
+      EXPECT_GT(arc_m, 0.0);
+      EXPECT_LE(arc_m, kPathSample_m + 1e-9);
+      EXPECT_LE(moved_m, arc_m + 1e-12);
+      EXPECT_GT(moved_m, 0.999 * arc_m);
+    }
+    EXPECT_NEAR(path.poses.back().arc_m, path.length_m, 1e-9);
+  }
+
+  std::mt19937 random_{41};
+  PrimitiveSet primitives_{kCart, {.long_straight_m = 0.6}};
+  HeuristicTable table_ = HeuristicTable::build(primitives_, {.range_m = 2.0, .margin_m = 2.0});
+};
+
+TEST_F(PathPlannerTest, Plan_WhenHeldAgainstPlainDijkstra_ThenCostsAreTheLeastAndVerdictsTheSame) {
+  int found = 0;
+  int unreachable = 0;
+  for (int round = 0; round < 24; ++round) {
+    const int scale = round % 6 == 5 ? 2 : 1;
+    const OccupancyGrid grid = random_floor(30 + 2 * round, scale);
+    const SweptCells cells(kCart, primitives_, scale);
+    const auto planner = PathPlanner::create(grid, kCart, primitives_, table_).value();
+    PlainPose start = random_pose();
+    while (!stands(grid, cells, start)) start = random_pose();
+    PlainPose goal = random_pose();
+    while (!stands(grid, cells, goal)) goal = random_pose();
+    const PlainCosts costs = plain_costs({&grid, primitives_, &cells}, start, 1'000'000, goal);
+    for (const Heuristic heuristic : {Heuristic::Euclid, Heuristic::Table, Heuristic::Combined}) {
+      const PathAnswer answer =
+          planner.plan(pose_of(grid, start), pose_of(grid, goal), {.heuristic = heuristic});
+      ASSERT_EQ(answer.end == PathEnd::Found, costs.contains(goal)) << round;
+      if (!costs.contains(goal)) {
+        ++unreachable;
+        EXPECT_EQ(answer.end, PathEnd::Unreachable);
+        EXPECT_FALSE(answer.diagnostics.empty());
+        continue;
+      }
+      ++found;
+      EXPECT_EQ(answer.path->cost_mm, costs.at(goal)) << round;
+      EXPECT_EQ(answer.epsilon, 1.0);
+      expect_sound(grid, *answer.path);
+      EXPECT_LT(distance(answer.path->poses.back().pose.position(), pose_of(grid, goal).position()), 1e-9);
+    }
+  }
+  EXPECT_GT(found, 20);
+  EXPECT_GT(unreachable, 5);
+}
+
+TEST_F(PathPlannerTest, Plan_WhenAnytime_ThenEachBoundHoldsAndTheLastPathIsTheBest) {
+  int rounds = 0;
+  for (int round = 0; round < 20; ++round) {
+    const OccupancyGrid grid = random_floor(25);
+    const SweptCells cells(kCart, primitives_, 1);
+    const auto planner = PathPlanner::create(grid, kCart, primitives_, table_).value();
+    PlainPose from = random_pose();
+    while (!stands(grid, cells, from)) from = random_pose();
+    PlainPose to = random_pose();
+    while (!stands(grid, cells, to)) to = random_pose();
+    const Pose start = pose_of(grid, from);
+    const Pose goal = pose_of(grid, to);
+    const PathAnswer best = planner.plan(start, goal);
+    const PathAnswer anytime = planner.plan(start, goal, {.first_weight = 4.0, .weight_step = 0.7});
+    ASSERT_EQ(anytime.end, best.end);
+    if (best.end != PathEnd::Found) continue;
+    const PathAnswer enough = planner.plan(start, goal, {.first_weight = 4.0, .last_weight = 1.5});
+    EXPECT_LE(enough.epsilon, 1.5);
+    EXPECT_LE(enough.path->cost_mm, 1.5 * best.path->cost_mm);
+    double before = std::numeric_limits<double>::infinity();
+    for (const Improvement& improvement : anytime.improvements) {
+      EXPECT_GE(improvement.epsilon, 1.0);
+      EXPECT_LE(improvement.cost_mm, improvement.epsilon * best.path->cost_mm * (1.0 + 1e-12));
+      EXPECT_GE(improvement.cost_mm, best.path->cost_mm);
+      EXPECT_LE(improvement.cost_mm, before);
+      before = improvement.cost_mm;
+      ++rounds;
+    }
+    EXPECT_EQ(anytime.epsilon, 1.0);
+    EXPECT_EQ(anytime.path->cost_mm, best.path->cost_mm);
+    expect_sound(grid, *anytime.path);
+  }
+  EXPECT_GT(rounds, 25);
+}
+
+// Consistent: along each free motion the bound falls by no more than the motion costs.
+TEST_F(PathPlannerTest, LowerBound_WhenAlongFreeMotions_ThenItFallsByNoMoreThanTheyCost) {
+  const OccupancyGrid grid = random_floor(45);
+  const SweptCells cells(kCart, primitives_, 1);
+  const DistanceField clearance(grid);
+  PlainPose start = random_pose();
+  while (!stands(grid, cells, start)) start = random_pose();
+  const PlainFloor floor{&grid, primitives_, &cells};
+  const PlainCosts costs = plain_costs(floor, start, 30'000);
+  ASSERT_GT(costs.size(), 500u);
+  const auto [goal_x, goal_y, goal_heading] = costs.rbegin()->first;
+  const ObstacleDistances around(clearance, {.goal = {goal_x, goal_y},
+                                             .start = {std::get<0>(start), std::get<1>(start)},
+                                             .columns = kColumns + 1,
+                                             .rows = kRows + 1,
+                                             .cells_per_step = 1,
+                                             .resolution_m = 0.2,
+                                             .inscribed_radius_m = kCart.inscribed_radius_m(),
+                                             .detour = detour_of(primitives_)});
+  EXPECT_FALSE(around.unreachable());
+  EXPECT_EQ(around.lower_bound_mm({goal_x, goal_y}), 0u);
+  int edges = 0;
+  for (const auto& [pose, cost] : costs) {
+    const auto [x, y, heading] = pose;
+    for (std::size_t k = 0; k < PrimitiveSet::kPerHeading; ++k) {
+      const std::size_t index = static_cast<std::size_t>(heading) * PrimitiveSet::kPerHeading + k;
+      if (!plain_free(floor, pose, index)) continue;
+      const MotionPrimitive& primitive = primitives_.all()[index];
+      EXPECT_LE(around.lower_bound_mm({x, y}),
+                primitive.cost_mm + around.lower_bound_mm(GridVector{x, y} + primitive.end));
+      ++edges;
+    }
+  }
+  EXPECT_GT(edges, 1000);
+}
+
+TEST_F(PathPlannerTest, Plan_WhenAPoseIsNoPlaceToStand_ThenItSaysWhichAndWhy) {
+  OccupancyGrid grid = random_floor(0);
+  grid.set({10, 10}, true);
+  const auto planner = PathPlanner::create(grid, kCart, primitives_, table_).value();
+  const Pose fine{2.0, 4.0, 0.0};
+  const auto refusal = [&](const Pose& start, const Pose& goal) {
+    const PathAnswer answer = planner.plan(start, goal);
+    EXPECT_EQ(answer.end, PathEnd::Refused);
+    return to_string(answer.diagnostics);
+  };
+  EXPECT_THAT(refusal({-50.0, 4.0, 0.0}, fine),
+              HasSubstr("F0302: the start (-50.00 m, 4.00 m, 0.00 rad) is off the map"));
+  EXPECT_THAT(refusal(fine, {std::nan(""), 4.0, 0.0}), HasSubstr("F0302: the goal"));
+  EXPECT_THAT(refusal(fine, {-1.0, 3.0, 0.0}), HasSubstr("F0303: the goal (-1.00 m, 3.00 m, 0.00 rad) is in "
+                                                         "collision with the obstacle at (-1.00 m, 3.00 m)"));
+  EXPECT_THAT(
+      refusal({-2.8, 4.0, 0.0}, fine),
+      HasSubstr("F0303: at the start (-2.80 m, 4.00 m, 0.00 rad) the vehicle stands over the border"));
+}
+
+TEST_F(PathPlannerTest, Plan_WhenTheGoalCannotBeReached_ThenItSaysWhy) {
+  OccupancyGrid grid = random_floor(0);
+  for (int row = 0; row < kRows; ++row) grid.set({20, row}, true);
+  const Pose left{-1.0, 4.0, 0.0};
+  const Pose right{3.0, 4.0, 0.0};
+  const auto walled = PathPlanner::create(grid, kCart, primitives_, table_)->plan(left, right);
+  EXPECT_EQ(walled.end, PathEnd::Unreachable);
+  EXPECT_EQ(walled.diagnostics.front().code, "F0304");
+  // A gap that a disc passes, but not a vehicle that is longer than it is wide and cannot turn there.
+  const VehicleModel bus{
+      .wheelbase_m = 1.0, .min_turning_radius_m = 4.0, .front_m = 2.0, .rear_m = 0.4, .width_m = 0.6};
+  const PrimitiveSet stiff(bus, {});
+  const HeuristicTable none = HeuristicTable::build(stiff, {.range_m = 0.2, .margin_m = 1.0});
+  OccupancyGrid corner = random_floor(0);
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column < kColumns; ++column) {
+      const bool lane = (row >= 4 && row < 9) || (column >= 30 && column < 35);
+      corner.set({column, row}, !lane);
+    }
+  }
+  const auto stuck = PathPlanner::create(corner, bus, stiff, none)
+                         ->plan({-1.0, 2.3, 0.0}, {3.5, 4.0, 0.5 * std::numbers::pi});
+  EXPECT_EQ(stuck.end, PathEnd::Unreachable);
+  EXPECT_THAT(to_string(stuck.diagnostics), HasSubstr("F0305: none of the "));
+}
+
+TEST_F(PathPlannerTest, Create_WhenTheMapsCellsDoNotFitTheLattice_ThenRefused) {
+  const OccupancyGrid grid({.resolution_m = 0.15, .origin = {}, .columns = 10, .rows = 10});
+  const auto planner = PathPlanner::create(grid, kCart, primitives_, table_);
+  ASSERT_FALSE(planner.has_value());
+  EXPECT_EQ(planner.error().front().code, "F0301");
+}
+
+TEST_F(PathPlannerTest, Plan_WhenStartIsGoal_ThenThePathIsOnePose) {
+  const OccupancyGrid grid = random_floor(0);
+  const PathAnswer answer =
+      PathPlanner::create(grid, kCart, primitives_, table_)->plan({1, 4, 0}, {1.04, 3.97, 0.1});
+  ASSERT_EQ(answer.end, PathEnd::Found);
+  EXPECT_EQ(answer.path->poses.size(), 1u);
+  EXPECT_EQ(answer.path->cost_mm, 0u);
+  EXPECT_TRUE(answer.path->marks.empty());
+}
+
+// Time that has already passed, and a stop that was already asked for: no test of how fast a machine is.
+TEST_F(PathPlannerTest, Plan_WhenTimeEndsOrSomebodyStopsIt_ThenItSaysSo) {
+  const OccupancyGrid grid({.resolution_m = 0.2, .origin = {}, .columns = 200, .rows = 200});
+  const auto planner = PathPlanner::create(grid, kCart, primitives_, table_).value();
+  const Pose start{3.0, 3.0, 0.0};
+  const Pose goal{30.0, 35.0, 2.0};
+  const auto late = planner.plan(
+      start, goal, {.heuristic = Heuristic::Euclid, .deadline = std::chrono::steady_clock::now()});
+  EXPECT_EQ(late.end, PathEnd::Deadline);
+  EXPECT_FALSE(late.path.has_value());
+  std::stop_source source;
+  source.request_stop();
+  const auto stopped =
+      planner.plan(start, goal, {.heuristic = Heuristic::Euclid, .stop = source.get_token()});
+  EXPECT_EQ(stopped.end, PathEnd::Cancelled);
+  EXPECT_LE(stopped.expanded, 256u);
+}
+
+TEST(LatticeMine, Plan_WhenInAMine_ThenThePathIsFreeForTheExactOutlineAndTheBoundIsTold) {
+  const VehicleModel forklift;
+  const PrimitiveSet primitives(forklift, {});
+  const HeuristicTable table = HeuristicTable::build(primitives, {.range_m = 3.0, .margin_m = 3.0});
+  const support::DrawnFloor mine = support::draw_mine(1);
+  const auto planner = PathPlanner::create(mine.grid, forklift, primitives, table).value();
+  for (const Pose& station : mine.stations)
+    EXPECT_FALSE(support::outline_hits(mine.grid, forklift.footprint(), station));
+  const PathAnswer answer =
+      planner.plan(mine.stations[0], mine.stations[3], {.first_weight = 3.0, .last_weight = 1.6});
+  ASSERT_EQ(answer.end, PathEnd::Found) << to_string(answer.diagnostics);
+  EXPECT_EQ(support::first_hit(mine.grid, forklift.footprint(), answer.path->poses), std::nullopt);
+  EXPECT_LE(answer.epsilon, 1.6);
+  EXPECT_GT(answer.path->length_m, 25.0);
+}
+
+}  // namespace
+}  // namespace stepwright::fleet
