@@ -70,16 +70,24 @@ bool Labels::propagate(const std::vector<Edge>& edges, std::uint32_t edge,
   return true;
 }
 
-// The path that would raise `timepoint`: back to the new edge's beginning if that is what is raised, else to
-// where nothing but time zero holds it.
+// The path that would raise `timepoint`, last edge first, back to where nothing but time zero holds it. If it
+// meets the new edge a second time, then what lies between is a cycle that the heap had not come to yet.
 void Labels::blame(const std::vector<Edge>& edges, std::uint32_t timepoint, std::uint32_t edge,
                    std::vector<std::uint32_t>& cycle) {
   cycle.clear();
   const bool closed = timepoint == edges[edge].end[side_];
+  std::size_t after_edge = 0;
   std::uint32_t cause = offered_cause_[timepoint];
   while (cause != kNoEdge) {
     cycle.push_back(cause);
-    if (closed && cause == edge) break;
+    if (cause == edge) {
+      if (closed) break;
+      if (after_edge != 0) {
+        cycle.erase(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(after_edge));
+        break;
+      }
+      after_edge = cycle.size();
+    }
     const std::uint32_t before = edges[cause].end[side_];
     cause = before == kSource ? kNoEdge : cause_[before];
   }
