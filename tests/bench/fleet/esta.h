@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cstdint>
 
+#include "supervisor/fleet/schedule/schedule.h"
 #include "tests/bench/fleet/instance.h"
 
 namespace stepwright::bench::fleet {

@@ -70,8 +70,8 @@ struct Passage {
 std::vector<Passage> passages(std::span<const Pose> path, const Vehicle& vehicle) {
   std::vector<Passage> all;
   for (std::size_t at = 0;;) {
-    const std::size_t next = std::min(at + 1, path.size() - 1);
-    Passage passage{box_at(path[at], path[next], vehicle), at, at};
+    const Pose& next = path[std::min(at + 1, path.size() - 1)];
+    Passage passage{box_at(path[at], next, vehicle), at, at};
     const std::size_t earliest = all.empty() ? 0 : all.back().in;
     while (passage.in > earliest && passage.area.contains(path[passage.in - 1].position())) --passage.in;
     while (passage.out + 1 < path.size() && passage.area.contains(path[passage.out + 1].position()))
@@ -79,8 +79,8 @@ std::vector<Passage> passages(std::span<const Pose> path, const Vehicle& vehicle
     // The point before is within both, as close as it is.
     if (!all.empty()) all.back().out = std::max(all.back().out, passage.in);
     all.push_back(passage);
-    if (passage.out + 1 >= path.size()) return all;
-    at = passage.out + 1;
+    if (passage.out + 1 >= path.size() && (at + 1 == path.size() || !vehicle.goal_polygon)) return all;
+    at = std::min(passage.out + 1, path.size() - 1);
   }
 }
 
@@ -114,6 +114,19 @@ std::vector<Trip> trips(std::uint32_t vehicles, SplitMix64& random) {
     all.push_back({starts[v], goals[v], heading_from, random.below(kHeadings)});
   }
   return all;
+}
+
+// From the middle between two crossings to another one, straight on.
+std::vector<Pose> stretch(Point from, Point to) {
+  const double length_m = geometry::distance(from, to);
+  const double heading_rad = std::atan2(to.y_m - from.y_m, to.x_m - from.x_m);
+  const auto samples = static_cast<int>(std::lround(length_m / 0.2));
+  std::vector<Pose> path;
+  for (int k = 0; k <= samples; ++k) {
+    const Point p = from + (static_cast<double>(k) / samples) * (to - from);
+    path.push_back({p.x_m, p.y_m, heading_rad});
+  }
+  return path;
 }
 
 }  // namespace
@@ -180,29 +193,35 @@ Instance circle(std::uint32_t vehicles, std::uint32_t run, const Vehicle& vehicl
   return instance;
 }
 
-Instance field(std::uint32_t vehicles, std::uint32_t run, const Vehicle& vehicle, const Route& route) {
+Instance warehouse(std::uint32_t vehicles, std::uint32_t run, const Vehicle& vehicle) {
   SplitMix64 random(10000 * static_cast<std::uint64_t>(vehicles) + run);
-  constexpr double kBetween_m = 50.0;
-  const std::uint32_t circles = (vehicles + kPoints - 1) / kPoints;
-  const auto columns = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(circles))));
-  // Row by row, every other one backwards, so that circles that follow each other are neighbours.
-  const auto middle = [&](std::uint32_t c) {
-    const std::uint32_t row = c / columns, along = c % columns;
-    return Point{kBetween_m * (row % 2 == 0 ? along : columns - 1 - along), kBetween_m * row};
-  };
-  // Circles 0 and 1, 2 and 3 ... exchange who goes to odd points, 1 and 2, 3 and 4 ... who goes to even ones.
-  const auto circle_of_goal = [&](std::uint32_t c, std::uint32_t point) {
-    const bool forwards = (c + point) % 2 == 1;
-    if (forwards) return c + 1 < circles ? c + 1 : c;
-    return c > 0 ? c - 1 : c;
-  };
+  constexpr std::uint32_t kCells = 5;          // that a vehicle crosses
+  constexpr std::uint32_t kSlot = kCells + 2;  // of an aisle, for two vehicles
+  constexpr double kAisle_m = 10.0;
+  const auto slots = static_cast<std::uint32_t>(std::ceil(std::sqrt(vehicles / (4.0 * kSlot))));
+  const std::uint32_t aisles = slots * kSlot;
   Instance instance;
-  for (std::uint32_t c = 0; c < circles; ++c) {
-    for (const Trip& trip : trips(std::min(kPoints, vehicles - c * kPoints), random)) {
-      const Pose goal = pose_at(trip.to, trip.heading_to, middle(circle_of_goal(c, trip.to)));
-      const auto path = route(pose_at(trip.from, trip.heading_from, middle(c)), goal);
-      instance.envelopes.push_back(
-          envelope_along("v" + std::to_string(instance.envelopes.size()), path, vehicle));
+  const auto drive = [&](bool along_x, bool backwards, std::uint32_t aisle, std::uint32_t cell) {
+    if (instance.envelopes.size() >= vehicles) return;
+    const auto at = [&](std::uint32_t c) {
+      const double along_m = kAisle_m * (backwards ? aisles - 0.5 - c : c + 0.5);
+      const double across_m = kAisle_m * aisle;
+      return along_x ? Point{along_m, across_m} : Point{across_m, along_m};
+    };
+    const std::string name = "v" + std::to_string(instance.envelopes.size());
+    instance.envelopes.push_back(envelope_along(name, stretch(at(cell), at(cell + kCells)), vehicle));
+  };
+  // Square by square, so that few vehicles meet as much as many do.
+  for (std::uint32_t square = 0; square < slots * slots; ++square) {
+    for (std::uint32_t k = 0; k < kSlot; ++k) {
+      for (const bool along_x : {true, false}) {
+        const std::uint32_t aisle = (along_x ? square / slots : square % slots) * kSlot + k;
+        const std::uint32_t slot = along_x ? square % slots : square / slots;
+        const bool backwards = random.below(2) == 1;
+        const std::uint32_t cell = (backwards ? slots - 1 - slot : slot) * kSlot;
+        drive(along_x, backwards, aisle, cell + 1);
+        drive(along_x, backwards, aisle, cell);
+      }
     }
   }
   start_together(instance);

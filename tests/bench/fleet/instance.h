@@ -30,6 +30,8 @@ struct Vehicle {
   double growth_m = 1.5;  // how far polygons reach beyond the vehicle
   double v_min_mps = 0.05;
   double v_max_mps = 1.5;
+  bool goal_polygon =
+      false;  // a last polygon around the goal alone, so that a parked vehicle takes little room
 };
 
 // A smooth curve, a cubic of Hermite, sampled about every 0.2 m. It may turn more sharply than a vehicle can.
@@ -45,8 +47,9 @@ stepwright::fleet::TrajectoryEnvelope envelope_along(const std::string& name,
 // Starts differ, goals differ, no vehicle stays; the seed of the generator is 10000 * vehicles + run.
 Instance circle(std::uint32_t vehicles, std::uint32_t run, const Vehicle& vehicle, const Route& route);
 
-// The paper's map many times side by side, ten vehicles on each; neighbours exchange vehicles, so that all
-// meet. Goals differ.
-Instance field(std::uint32_t vehicles, std::uint32_t run, const Vehicle& vehicle, const Route& route);
+// Aisles of 10 m that cross each other, square by square; in each stretch of seven aisles one vehicle follows
+// another one over five crossings, from and to the middle between two. There always is a schedule, one
+// vehicle after the other, although all block each other where they may meet at a crossing.
+Instance warehouse(std::uint32_t vehicles, std::uint32_t run, const Vehicle& vehicle);
 
 }  // namespace stepwright::bench::fleet

@@ -69,7 +69,7 @@ std::uint32_t faulty(const Schedule& made, const Instance& instance) {
 }
 
 // Ends of random polygons, each 5 s late, one after the other.
-void measure_retiming(const Instance& instance, const Schedule& made, FieldRow& row) {
+void measure_retiming(const Instance& instance, const Schedule& made, WarehouseRow& row) {
   Retiming retiming(instance.envelopes, instance.constraints, made);
   constexpr std::uint32_t kDelays = 50;
   std::uint64_t random = 1;
@@ -133,11 +133,13 @@ CircleRow measure_circle(std::uint32_t vehicles, const Settings& settings, std::
   return row;
 }
 
-FieldRow measure_field(std::uint32_t vehicles) {
+WarehouseRow measure_warehouse(std::uint32_t vehicles) {
   Vehicle vehicle;
   vehicle.v_min_mps = 0.0;  // it may stop
-  const Instance instance = field(vehicles, 0, vehicle, curve);
-  FieldRow row{.vehicles = vehicles};
+  vehicle.growth_m = 1.0;
+  vehicle.goal_polygon = true;
+  const Instance instance = warehouse(vehicles, 0, vehicle);
+  WarehouseRow row{.vehicles = static_cast<std::uint32_t>(instance.envelopes.size())};
   row.polygons = instance.polygons();
   std::vector<std::pair<double, Schedule>> made;
   for (int round = 0; round < 3; ++round) {
@@ -148,6 +150,11 @@ FieldRow measure_field(std::uint32_t vehicles) {
   }
   std::ranges::sort(made, {}, [](const auto& m) { return m.first; });
   const auto& [ms, one] = made[1];
+  if (instance.envelopes.size() <= 200 && one.verdict == Verdict::Scheduled) {
+    for (const auto& times : {one.earliest, one.latest}) {
+      if (!faults_of(times, instance.envelopes, instance.constraints, Mode::Strict).empty()) ++row.faults;
+    }
+  }
   row.schedule_ms = ms;
   row.geometry_ms = one.figures.geometry_ms;
   row.search_ms = one.figures.search_ms;

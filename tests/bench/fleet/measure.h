@@ -15,7 +15,7 @@ struct Settings {
   std::uint32_t least = 2;  // vehicles on one circle
   std::uint32_t most = 10;
   std::uint32_t runs = 3;     // for each number of vehicles
-  std::uint32_t scale = 100;  // most vehicles on a field
+  std::uint32_t scale = 100;  // most vehicles in a warehouse
   double v_max_mps = 1.5;
   double cap_s = 1.0;  // of a baseline for one instance; what takes longer counts as this much
   bool literal = true;
@@ -45,7 +45,7 @@ struct CircleRow {
   std::uint32_t faults = 0;                  // schedules in which the checker found something
 };
 
-struct FieldRow {
+struct WarehouseRow {
   std::uint32_t vehicles = 0;
   std::size_t polygons = 0, pairs = 0, sections = 0;
   bool scheduled = false;
@@ -59,6 +59,6 @@ struct FieldRow {
 
 // Nothing in `error` if all is well.
 CircleRow measure_circle(std::uint32_t vehicles, const Settings& settings, std::string& error);
-FieldRow measure_field(std::uint32_t vehicles);
+WarehouseRow measure_warehouse(std::uint32_t vehicles);
 
 }  // namespace stepwright::bench::fleet
