@@ -1,5 +1,7 @@
 #include "tests/bench/fleet/measure.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -17,10 +19,15 @@ using namespace stepwright::fleet;
 using WallClock = std::chrono::steady_clock;
 
 template <typename Work>
-double timed_ms(Work&& work) {
-  const auto start = WallClock::now();
+double timed_ms(const Settings& settings, Work&& work) {
+  const auto now_ms = [&] {
+    timespec time{};
+    clock_gettime(settings.cpu_time ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+  };
+  const double start = now_ms();
   work();
-  return std::chrono::duration<double, std::milli>(WallClock::now() - start).count();
+  return now_ms() - start;
 }
 
 struct Judged {
@@ -33,7 +40,7 @@ void run_baseline(const Instance& instance, Closure closure, const Settings& set
   const auto cap =
       std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(settings.cap_s));
   EstaResult result;
-  const double ms = timed_ms([&] { result = solve_esta(instance, closure, cap); });
+  const double ms = timed_ms(settings, [&] { result = solve_esta(instance, closure, cap); });
   times.nodes += result.nodes;
   if (result.found == Found::TimeOut) {
     ++times.timeouts;
@@ -63,13 +70,24 @@ void judge(const Judged& judged, const Settings& settings, CircleRow& row, std::
   }
 }
 
-std::uint32_t faulty(const Schedule& made, const Instance& instance) {
-  return faults_of(made.earliest, instance.envelopes, instance.constraints, Mode::EarliestTimes).empty() ? 0
-                                                                                                         : 1;
+// Whether the checker finds something; in strict mode at earliest, latest and 100 random times.
+std::uint32_t faulty(const Schedule& made, const Instance& instance, Mode mode) {
+  std::vector<std::vector<VehicleTimes>> all = {made.earliest};
+  if (mode == Mode::Strict) {
+    all.push_back(made.latest);
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      all.push_back(random_times(made, instance.envelopes, instance.constraints, seed));
+    }
+  }
+  const auto wrong = [&](const std::vector<VehicleTimes>& times) {
+    return times.empty() || !faults_of(times, instance.envelopes, instance.constraints, mode).empty();
+  };
+  return std::ranges::any_of(all, wrong) ? 1 : 0;
 }
 
 // Ends of random polygons, each 5 s late, one after the other.
-void measure_retiming(const Instance& instance, const Schedule& made, WarehouseRow& row) {
+void measure_retiming(const Instance& instance, const Schedule& made, const Settings& settings,
+                      WarehouseRow& row) {
   Retiming retiming(instance.envelopes, instance.constraints, made);
   constexpr std::uint32_t kDelays = 50;
   std::uint64_t random = 1;
@@ -80,7 +98,7 @@ void measure_retiming(const Instance& instance, const Schedule& made, WarehouseR
     const TimepointRef late{{vehicle, static_cast<std::uint32_t>((random >> 17) % polygons)}, Side::Exit};
     const auto time = retiming.earliest(late) + std::chrono::seconds(5);
     bool met = false;
-    const double ms = timed_ms([&] { met = retiming.not_before(late, time); });
+    const double ms = timed_ms(settings, [&] { met = retiming.not_before(late, time); });
     if (!met) ++row.faults;
     row.retime_ms += ms / kDelays;
     row.retime_worst_ms = std::max(row.retime_worst_ms, ms);
@@ -116,24 +134,30 @@ CircleRow measure_circle(std::uint32_t vehicles, const Settings& settings, std::
     const ScheduleOptions options{.mode = Mode::EarliestTimes, .explain = false};
     Schedule made;
     row.ours.ms.push_back(
-        timed_ms([&] { made = schedule(instance.envelopes, instance.constraints, options); }));
+        timed_ms(settings, [&] { made = schedule(instance.envelopes, instance.constraints, options); }));
     const bool scheduled = made.verdict == Verdict::Scheduled;
     (scheduled ? row.scheduled : row.infeasible) += 1;
     row.ours.nodes += made.figures.decisions;
     row.conflicts += made.conflicts.size();
-    if (scheduled) row.faults += faulty(made, instance);
+    if (scheduled) row.faults += faulty(made, instance, Mode::EarliestTimes);
     run_baseline(instance, Closure::Incremental, settings, scheduled, row.fair, row);
     if (settings.literal) {
       run_baseline(instance, Closure::FloydWarshall, settings, scheduled, row.literal, row);
     }
     judged.scheduled.push_back(scheduled);
-    if (settings.referee) judged.problems.push_back(smt_text(instance));
+    if (!settings.referee) continue;
+    judged.problems.push_back(smt_text(instance, Mode::EarliestTimes));
+    made = schedule(instance.envelopes, instance.constraints, {.explain = false});
+    row.strictly_scheduled += made.verdict == Verdict::Scheduled ? 1 : 0;
+    judged.scheduled.push_back(made.verdict == Verdict::Scheduled);
+    judged.problems.push_back(smt_text(instance, Mode::Strict));
+    if (made.verdict == Verdict::Scheduled) row.faults += faulty(made, instance, Mode::Strict);
   }
   if (settings.referee) judge(judged, settings, row, error);
   return row;
 }
 
-WarehouseRow measure_warehouse(std::uint32_t vehicles) {
+WarehouseRow measure_warehouse(std::uint32_t vehicles, const Settings& settings) {
   Vehicle vehicle;
   vehicle.v_min_mps = 0.0;  // it may stop
   vehicle.growth_m = 1.0;
@@ -145,7 +169,8 @@ WarehouseRow measure_warehouse(std::uint32_t vehicles) {
   for (int round = 0; round < 3; ++round) {
     Schedule one;
     const ScheduleOptions options{.mode = Mode::Strict, .time = std::chrono::seconds(20), .explain = false};
-    const double ms = timed_ms([&] { one = schedule(instance.envelopes, instance.constraints, options); });
+    const double ms =
+        timed_ms(settings, [&] { one = schedule(instance.envelopes, instance.constraints, options); });
     made.emplace_back(ms, std::move(one));
   }
   std::ranges::sort(made, {}, [](const auto& m) { return m.first; });
@@ -162,7 +187,7 @@ WarehouseRow measure_warehouse(std::uint32_t vehicles) {
   row.sections = one.figures.sections;
   row.conflicts = one.figures.conflicts;
   row.scheduled = one.verdict == Verdict::Scheduled;
-  if (row.scheduled) measure_retiming(instance, one, row);
+  if (row.scheduled) measure_retiming(instance, one, settings, row);
   return row;
 }
 

@@ -20,6 +20,7 @@ struct Settings {
   double cap_s = 1.0;  // of a baseline for one instance; what takes longer counts as this much
   bool literal = true;
   bool referee = true;
+  bool cpu_time = false;     // of this thread, instead of wall time: for a machine that is busy
   std::string folder = ".";  // for the referee's file
 };
 
@@ -37,6 +38,7 @@ struct CircleRow {
   std::uint32_t vehicles = 0;
   Times ours, fair, literal;
   std::uint32_t scheduled = 0, infeasible = 0;
+  std::uint32_t strictly_scheduled = 0;  // in strict mode, which only the referee and the checker judge
   std::size_t most_polygons = 0;
   std::size_t conflicts = 0;        // pairs that overlap in space and in the earliest times, over all runs
   std::uint32_t disagreements = 0;  // with the referee
@@ -59,6 +61,6 @@ struct WarehouseRow {
 
 // Nothing in `error` if all is well.
 CircleRow measure_circle(std::uint32_t vehicles, const Settings& settings, std::string& error);
-WarehouseRow measure_warehouse(std::uint32_t vehicles);
+WarehouseRow measure_warehouse(std::uint32_t vehicles, const Settings& settings);
 
 }  // namespace stepwright::bench::fleet

@@ -15,13 +15,13 @@ using std::chrono::milliseconds;
 
 class Writer {
  public:
-  explicit Writer(const Instance& instance) : instance_(instance) {}
+  Writer(const Instance& instance, Mode mode) : instance_(instance), mode_(mode) {}
 
   std::string text() {
     out_ << "(reset)\n(set-logic QF_IDL)\n";
     for (std::uint32_t v = 0; v < instance_.envelopes.size(); ++v) vehicle(v);
     for (const TemporalConstraint& c : instance_.constraints) {
-      const std::string to = time({c.to.at}, c.to.side);
+      const std::string to = time(c.to.at, c.to.side);
       distance(to, c.from ? time(c.from->at, c.from->side) : "0", c.distance);
     }
     for (std::uint32_t v = 0; v < instance_.envelopes.size(); ++v) {
@@ -62,19 +62,27 @@ class Writer {
     }
   }
 
+  // "false" where one is parked: the first for ever, or the second from time zero.
+  std::string before(PolygonRef first, PolygonRef second) const {
+    const bool for_ever = first.polygon + 1 == instance_.envelopes[first.vehicle].polygons.size();
+    if (mode_ == Mode::Strict && (for_ever || second.polygon == 0)) return "false";
+    return "(<= (- " + time(first, Side::Exit) + " " + time(second, Side::Entry) + ") 0)";
+  }
+
   void meet(std::uint32_t v, std::uint32_t w) {
     const auto& a = instance_.envelopes[v].polygons;
     const auto& b = instance_.envelopes[w].polygons;
     for (std::uint32_t i = 0; i < a.size(); ++i) {
       for (std::uint32_t k = 0; k < b.size(); ++k) {
         if (!geometry::overlaps(a[i].area, b[k].area)) continue;
-        out_ << "(assert (or (<= (- " << time({v, i}, Side::Exit) << " " << time({w, k}, Side::Entry)
-             << ") 0) (<= (- " << time({w, k}, Side::Exit) << " " << time({v, i}, Side::Entry) << ") 0)))\n";
+        const PolygonRef p{v, i}, q{w, k};
+        out_ << "(assert (or " << before(p, q) << " " << before(q, p) << "))\n";
       }
     }
   }
 
   const Instance& instance_;
+  Mode mode_;
   std::ostringstream out_;
 };
 
@@ -84,8 +92,8 @@ struct ClosePipe {
 
 }  // namespace
 
-std::string smt_text(const Instance& instance) {
-  return Writer(instance).text();
+std::string smt_text(const Instance& instance, Mode mode) {
+  return Writer(instance, mode).text();
 }
 
 std::optional<std::vector<Ruling>> decide(std::span<const std::string> problems, const std::string& folder,

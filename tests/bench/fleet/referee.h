@@ -17,7 +17,7 @@ namespace stepwright::bench::fleet {
 enum class Ruling : std::uint8_t { Schedule, None, Unknown };
 
 // One problem in SMT-LIB 2, from `reset` to `check-sat`.
-std::string smt_text(const Instance& instance);
+std::string smt_text(const Instance& instance, stepwright::fleet::Mode mode);
 
 // In one run of z3 over a file in `folder`; nothing if z3 did not answer for each.
 std::optional<std::vector<Ruling>> decide(std::span<const std::string> problems, const std::string& folder,

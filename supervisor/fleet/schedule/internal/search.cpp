@@ -7,11 +7,6 @@ namespace stepwright::fleet::internal {
 
 namespace {
 
-// With fewer sections latest times cost less than what they save; with more only a search that has met many
-// conflicts needs them.
-constexpr std::size_t kFewSections = 2000;
-constexpr std::uint64_t kConflictsPerRestart = 64;
-
 // The sequence of Luby, Sinclair and Zuckerman 1993: 1 1 2 1 1 2 4 ...
 std::uint64_t luby(std::uint64_t k) {
   std::uint64_t size = 1, power = 0;
@@ -41,10 +36,12 @@ void index_edges(const SearchModel& model, bool leaving, std::vector<std::uint32
 
 }  // namespace
 
-Search::Search(const SearchModel& model, const SearchObjective& objective, const SearchLimits& limits)
+Search::Search(const SearchModel& model, const SearchObjective& objective, const SearchLimits& limits,
+               const SearchTuning& tuning)
     : model_(model),
       objective_(objective),
       limits_(limits),
+      tuning_(tuning),
       network_(model.timepoints),
       clauses_(model.sections()),
       activity_(model.sections()),
@@ -87,7 +84,7 @@ bool Search::prepare() {
   due.reserve(model_.sections());
   for (std::uint32_t s = 0; s < model_.sections(); ++s) due.push_back({due_ms(s), s});
   due_ = std::priority_queue<Due>(std::less<Due>{}, std::move(due));
-  return model_.sections() > kFewSections || watch_latest();
+  return model_.sections() > tuning_.few_sections || watch_latest();
 }
 
 bool Search::watch_latest() {
@@ -103,7 +100,7 @@ Answer Search::search() {
       ++figures_.conflicts;
       if (!learn()) return Answer::No;
       if (const auto answer = stopped()) return *answer;
-      const std::uint64_t patience = kConflictsPerRestart * luby(figures_.restarts);
+      const std::uint64_t patience = tuning_.conflicts_per_restart * luby(figures_.restarts);
       if (figures_.conflicts - conflicts_at_restart_ >= patience && !restart()) return Answer::No;
       continue;
     }
@@ -131,9 +128,9 @@ bool Search::restart() {
   // What was implied before any decision needs no reason any more.
   for (const Literal l : trail_) reason_[l.section()] = {};
   reasons_.clear();
-  if (clauses_.size() > clauses_kept_) {
+  if (clauses_.size() > tuning_.clauses_kept) {
     clauses_.reduce();
-    clauses_kept_ += 500;
+    tuning_.clauses_kept += tuning_.clauses_kept / 4;
   }
   return network_.tracks_latest() || watch_latest();
 }

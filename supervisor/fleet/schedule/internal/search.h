@@ -12,6 +12,7 @@
 //
 // Nothing of it depends on clocks or addresses but the limits. One thread.
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -31,6 +32,14 @@ struct SearchLimits {
   const std::atomic<bool>* cancel = nullptr;  // not owned
 };
 
+// When the search does what costs more than it saves on easy problems; answers do not depend on it.
+struct SearchTuning {
+  // With fewer sections latest times are tracked at once, else from the first restart on.
+  std::size_t few_sections = 2000;
+  std::uint64_t conflicts_per_restart = 64;
+  std::size_t clauses_kept = 2000;  // before half of them are forgotten
+};
+
 enum class Answer : std::uint8_t { Yes, No, OutOfTime, Cancelled };
 
 struct SearchFigures {
@@ -41,7 +50,8 @@ struct SearchFigures {
 
 class Search {
  public:
-  Search(const SearchModel& model, const SearchObjective& objective, const SearchLimits& limits);
+  Search(const SearchModel& model, const SearchObjective& objective, const SearchLimits& limits,
+         const SearchTuning& tuning = {});
 
   // Yes: `orders` holds one side for each section. Asked again after Yes it looks for orders with a smaller
   // objective; No then means that there are none.
@@ -114,6 +124,7 @@ class Search {
   const SearchModel& model_;
   const SearchObjective& objective_;
   SearchLimits limits_;
+  SearchTuning tuning_;
   Network network_;
   Clauses clauses_;
   ActivityHeap activity_;
@@ -141,7 +152,6 @@ class Search {
   std::int64_t root_objective_ms_ = 0;
   SearchFigures figures_;
   std::uint64_t conflicts_at_restart_ = 0;
-  std::size_t clauses_kept_ = 2000;
   bool prepared_ = false;
   bool refuted_ = false;
   std::uint32_t steps_ = 0;
