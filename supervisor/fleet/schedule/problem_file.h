@@ -1,13 +1,15 @@
 #pragma once
 
-// Scheduling problems as JSON: envelopes, bounds in milliseconds, named constraints (supervisor/doc/fleet_scheduling.md).
+// Scheduling problems as JSON: envelopes, bounds in milliseconds, named constraints
+// (supervisor/doc/fleet_scheduling.md).
 //
-// Pure functions; any thread. What is read is sound: names differ, polygons are convex and overlap the next one,
-// bounds are not negative and not turned round, constraints name what is there. Whether there is a schedule is
-// for the scheduler to say.
+// Pure functions; any thread. What is read is sound: names differ, polygons are convex and overlap the next
+// one, bounds are not negative and not turned round, constraints name what is there. Whether there is a
+// schedule is for the scheduler to say.
 //
 //   auto problem = read_problem(text, "night_shift.json");
-//   if (!problem) print(to_string(problem.error()));   // night_shift.json: F0203: vehicles[2].polygons[0] ...
+//   if (!problem) print(to_string(problem.error()));   // night_shift.json: F0603: vehicles[2].polygons[0]
+//   ...
 
 #include <string>
 #include <string_view>
@@ -23,8 +25,8 @@ struct SchedulingProblem {
   std::vector<TemporalConstraint> constraints;
 };
 
-// Codes: F0201 no JSON (with line and column), F0202 wrong shape, F0203 wrong polygon, F0204 wrong bounds,
-// F0205 a name that is unknown or used twice. The first problem found is reported.
+// Codes: F0601 no JSON (with line and column), F0602 wrong shape, F0603 wrong polygon, F0604 wrong bounds,
+// F0605 a name that is unknown or used twice. The first problem found is reported.
 [[nodiscard]] result::Result<SchedulingProblem> read_problem(std::string_view text, const std::string& file);
 
 // What read_problem reads back as the same problem.

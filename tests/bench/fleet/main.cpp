@@ -1,7 +1,7 @@
 // The scheduler of the fleet beside the paper's (Pecora and Cirillo 2012) as baselines and z3 as referee.
 //
 //   bench_fleet [--full] [--runs N] [--least N] [--most N] [--v-max MPS] [--cap S] [--scale N] [--no-literal]
-//               [--no-referee] [--cpu-time] [--json FILE] [--svg FILE]
+//               [--no-referee] [--cpu-time] [--write FOLDER] [--json FILE] [--svg FILE]
 //
 // Wall times (or CPU times, on a busy machine) of one thread, from envelopes to verdict; an instance that a
 // baseline does not finish counts as the cap. A few runs without --full, which takes 100 runs for each number
@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/result/exit_code.h"
+#include "supervisor/fleet/schedule/problem_file.h"
 #include "tests/bench/fleet/figure.h"
 #include "tests/bench/fleet/measure.h"
 
@@ -26,9 +27,27 @@ struct Arguments {
   bool full = false;
   bool no_literal = false;
   bool no_referee = false;
+  std::string write_folder;
   std::string json_file;
   std::string svg_file;
 };
+
+// All instances as files, so that every other solver gets the same.
+bool write_instances(const Arguments& arguments) {
+  Vehicle vehicle;
+  vehicle.v_max_mps = arguments.settings.v_max_mps;
+  bool written = true;
+  for (std::uint32_t n = arguments.settings.least; n <= arguments.settings.most; ++n) {
+    for (std::uint32_t r = 0; r < arguments.settings.runs; ++r) {
+      const Instance instance = circle(n, r, vehicle, curve);
+      const std::string name = "circle_" + std::to_string(n) + "_" + std::to_string(r) + ".json";
+      std::ofstream out(std::filesystem::path(arguments.write_folder) / name);
+      out << stepwright::fleet::write_problem({instance.envelopes, instance.constraints});
+      written = written && out.good();
+    }
+  }
+  return written;
+}
 
 void print_solver(const char* name, const Times& times) {
   if (times.ms.empty()) return;
@@ -174,6 +193,8 @@ int main(int argc, char** argv) {
   app.add_flag("--no-literal", arguments.no_literal);
   app.add_flag("--no-referee", arguments.no_referee);
   app.add_flag("--cpu-time", settings.cpu_time, "CPU time of the thread instead of wall time");
+  app.add_option("--write", arguments.write_folder,
+                 "write the circles as files to this folder, measure nothing");
   app.add_option("--json", arguments.json_file);
   app.add_option("--svg", arguments.svg_file);
   try {
@@ -189,6 +210,11 @@ int main(int argc, char** argv) {
   }
   settings.literal = !arguments.no_literal;
   settings.referee = !arguments.no_referee;
+  if (!arguments.write_folder.empty()) {
+    const bool written = write_instances(arguments);
+    if (!written) std::fprintf(stderr, "%s: cannot write there\n", arguments.write_folder.c_str());
+    return to_int(written ? stepwright::result::ExitCode::Done : stepwright::result::ExitCode::BadInput);
+  }
   std::string folder = (std::filesystem::temp_directory_path() / "bench_fleet_XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr) {
     std::fprintf(stderr, "bench_fleet: no folder for the referee's file\n");
