@@ -1,6 +1,7 @@
 #include "supervisor/fleet/schedule/motion.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace stepwright::fleet {
 

@@ -14,6 +14,7 @@
 //
 // Values; any thread may read.
 
+#include <chrono>
 #include <cstdint>
 #include <span>
 #include <vector>

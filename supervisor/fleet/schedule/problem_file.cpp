@@ -1,9 +1,12 @@
 #include "supervisor/fleet/schedule/problem_file.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "supervisor/fleet/network/constraint.h"
 

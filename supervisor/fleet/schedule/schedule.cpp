@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <numeric>
+#include <utility>
 
 #include "supervisor/fleet/schedule/internal/explain.h"
 #include "supervisor/fleet/schedule/internal/model.h"

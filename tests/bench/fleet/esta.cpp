@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "supervisor/fleet/schedule/motion.h"
 #include "supervisor/fleet/schedule/sections.h"

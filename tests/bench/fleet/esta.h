@@ -13,6 +13,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <vector>
 
 #include "supervisor/fleet/schedule/schedule.h"
 #include "tests/bench/fleet/instance.h"

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace stepwright::bench::fleet {
 

@@ -8,11 +8,14 @@
 // of vehicles, warehouses of up to 1000 vehicles and a cap of 60 s.
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "runtime/result/exit_code.h"
 #include "supervisor/fleet/schedule/problem_file.h"

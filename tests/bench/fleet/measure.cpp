@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "supervisor/fleet/schedule/retiming.h"
 #include "supervisor/fleet/schedule/schedule.h"

@@ -1,6 +1,7 @@
 #include "tests/bench/fleet/referee.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <memory>

@@ -1,7 +1,9 @@
 #include "tests/support/fleet/schedule_checker.h"
 
 #include <algorithm>
+#include <chrono>
 #include <random>
+#include <utility>
 
 #include "supervisor/fleet/network/network.h"
 #include "supervisor/fleet/schedule/motion.h"

@@ -1,6 +1,7 @@
 #include "supervisor/fleet/schedule/internal/clauses.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace stepwright::fleet::internal {
 

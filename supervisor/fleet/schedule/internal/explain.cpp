@@ -1,8 +1,12 @@
 #include "supervisor/fleet/schedule/internal/explain.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <set>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "supervisor/fleet/schedule/internal/model.h"
 

@@ -3,6 +3,8 @@
 // A minimal reason for which there is no schedule: QuickXplain (Junker 2004), first over vehicles, then over
 // the sections, temporal constraints and slowest motions of those that are left.
 
+#include <span>
+
 #include "supervisor/fleet/schedule/internal/search.h"
 #include "supervisor/fleet/schedule/motion.h"
 #include "supervisor/fleet/schedule/schedule.h"

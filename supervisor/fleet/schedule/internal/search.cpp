@@ -1,11 +1,15 @@
 #include "supervisor/fleet/schedule/internal/search.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace stepwright::fleet::internal {
 
 namespace {
+
+constexpr std::int64_t kWorst = std::numeric_limits<std::int64_t>::max();
 
 // The sequence of Luby, Sinclair and Zuckerman 1993: 1 1 2 1 1 2 4 ...
 std::uint64_t luby(std::uint64_t k) {
@@ -50,7 +54,7 @@ Search::Search(const SearchModel& model, const SearchObjective& objective, const
       reason_(model.sections()),
       saved_(model.sections(), 0),
       seen_(model.sections(), 0),
-      best_ms_(std::numeric_limits<std::int64_t>::max()) {}
+      best_ms_(kWorst) {}
 
 Answer Search::next() {
   if (refuted_) return Answer::No;
@@ -60,9 +64,6 @@ Answer Search::next() {
       refuted_ = true;
       return Answer::No;
     }
-  } else {
-    back_to(0);
-    root_objective_ms_ = std::max(root_objective_ms_, objective_now());
   }
   const Answer answer = search();
   refuted_ = answer == Answer::No;
@@ -80,11 +81,25 @@ bool Search::prepare() {
     if (!network_.post(c)) return false;
   }
   root_objective_ms_ = objective_now();
+  if (objective_.measure != Measure::None) raise_lower_bound();
   std::vector<Due> due;
   due.reserve(model_.sections());
   for (std::uint32_t s = 0; s < model_.sections(); ++s) due.push_back({due_ms(s), s});
   due_ = std::priority_queue<Due>(std::less<Due>{}, std::move(due));
   return model_.sections() > tuning_.few_sections || watch_latest();
+}
+
+// Each section alone makes the objective at least as large as its better order does.
+void Search::raise_lower_bound() {
+  for (std::uint32_t s = 0; s < model_.sections(); ++s) {
+    std::int64_t better = kWorst;
+    for (const int side : {0, 1}) {
+      const Network::Mark before = network_.mark();
+      if (network_.post(model_.edges_of(Literal::of(s, side)))) better = std::min(better, objective_now());
+      network_.undo(before);
+    }
+    if (better < kWorst) root_objective_ms_ = std::max(root_objective_ms_, better);
+  }
 }
 
 bool Search::watch_latest() {
@@ -125,6 +140,7 @@ bool Search::restart() {
   ++figures_.restarts;
   conflicts_at_restart_ = figures_.conflicts;
   if (!propagate()) return false;
+  root_objective_ms_ = std::max(root_objective_ms_, objective_now());
   // What was implied before any decision needs no reason any more.
   for (const Literal l : trail_) reason_[l.section()] = {};
   reasons_.clear();

@@ -62,8 +62,6 @@ class Search {
   // No orders give less.
   std::int64_t lower_bound_ms() const { return std::min(root_objective_ms_, best_ms_); }
   const SearchFigures& figures() const { return figures_; }
-  // At the orders of the last Yes, until `next` is asked again.
-  const Network& network() const { return network_; }
 
  private:
   // Why a section has its order: a decision, a clause, or literals of reasons_ that are all true.
@@ -118,6 +116,7 @@ class Search {
 
   Answer search();
   bool prepare();
+  void raise_lower_bound();
   bool watch_latest();
   std::optional<Answer> stopped();
 

@@ -1,6 +1,9 @@
 // The search's propagation and what it learns from conflicts.
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "supervisor/fleet/schedule/internal/search.h"
 

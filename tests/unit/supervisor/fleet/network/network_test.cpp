@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
 #include <random>
 #include <set>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "tests/unit/supervisor/fleet/network/all_pairs.h"

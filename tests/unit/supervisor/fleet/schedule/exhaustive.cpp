@@ -1,7 +1,9 @@
 #include "tests/unit/supervisor/fleet/schedule/exhaustive.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
+#include <utility>
 
 #include "tests/unit/supervisor/fleet/network/all_pairs.h"
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <random>
+#include <string>
 
 #include "supervisor/fleet/schedule/schedule.h"
 #include "tests/unit/supervisor/fleet/schedule/random_problem.h"

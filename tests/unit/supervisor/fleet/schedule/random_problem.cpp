@@ -1,6 +1,10 @@
 #include "tests/unit/supervisor/fleet/schedule/random_problem.h"
 
 #include <array>
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <utility>
 
 namespace stepwright::fleet {
 

@@ -3,7 +3,10 @@
 // Small scheduling problems at random: few vehicles that wander through a small place, so that they meet head
 // on, cross and follow each other.
 
+#include <chrono>
+#include <cstdint>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "supervisor/fleet/schedule/problem.h"

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdint>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "tests/support/fleet/schedule_checker.h"
 #include "tests/unit/supervisor/fleet/schedule/random_problem.h"

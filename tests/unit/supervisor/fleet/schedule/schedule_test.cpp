@@ -2,7 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/support/fleet/schedule_checker.h"
 #include "tests/unit/supervisor/fleet/schedule/exhaustive.h"

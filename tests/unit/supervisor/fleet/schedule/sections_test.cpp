@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 #include "tests/unit/supervisor/fleet/schedule/random_problem.h"
 
