@@ -146,13 +146,16 @@ CircleRow measure_circle(std::uint32_t vehicles, const Settings& settings, std::
       run_baseline(instance, Closure::FloydWarshall, settings, scheduled, row.literal, row);
     }
     judged.scheduled.push_back(scheduled);
+    made = schedule(instance.envelopes, instance.constraints, {.explain = false});
+    const bool strictly = made.verdict == Verdict::Scheduled;
+    judged.scheduled.push_back(strictly);
+    if (strictly) {
+      ++row.strictly_scheduled;
+      row.faults += faulty(made, instance, Mode::Strict);
+    }
     if (!settings.referee) continue;
     judged.problems.push_back(smt_text(instance, Mode::EarliestTimes));
-    made = schedule(instance.envelopes, instance.constraints, {.explain = false});
-    row.strictly_scheduled += made.verdict == Verdict::Scheduled ? 1 : 0;
-    judged.scheduled.push_back(made.verdict == Verdict::Scheduled);
     judged.problems.push_back(smt_text(instance, Mode::Strict));
-    if (made.verdict == Verdict::Scheduled) row.faults += faulty(made, instance, Mode::Strict);
   }
   if (settings.referee) judge(judged, settings, row, error);
   return row;
