@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace stepwright::geometry {
 
@@ -31,8 +33,13 @@ bool separates(std::span<const Point> polygon, std::span<const Point> other) {
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Point from = polygon[k];
     const Point to = polygon[(k + 1) % polygon.size()];
-    const double limit = kTouching_m * distance(from, to);
-    if (std::ranges::all_of(other, [&](Point p) { return cross(to - from, p - from) <= limit; })) return true;
+    const Point along = to - from;
+    // The length is needed only where a corner is not plainly outside.
+    const auto outside = [&](Point p) {
+      const double left = cross(along, p - from);
+      return left <= 0.0 || left <= kTouching_m * distance(from, to);
+    };
+    if (std::ranges::all_of(other, outside)) return true;
   }
   return false;
 }

@@ -1,0 +1,35 @@
+#pragma once
+
+// Scheduling problems as JSON: envelopes, bounds in milliseconds, named constraints
+// (supervisor/doc/fleet_scheduling.md).
+//
+// Pure functions; any thread. What is read is sound: names differ, polygons are convex and overlap the next
+// one, bounds are not negative and not turned round, constraints name what is there. Whether there is a
+// schedule is for the scheduler to say.
+//
+//   auto problem = read_problem(text, "night_shift.json");
+//   if (!problem) print(to_string(problem.error()));   // night_shift.json: F0603: vehicles[2].polygons[0]
+//   ...
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/result/result.h"
+#include "supervisor/fleet/schedule/problem.h"
+
+namespace stepwright::fleet {
+
+struct SchedulingProblem {
+  std::vector<TrajectoryEnvelope> envelopes;
+  std::vector<TemporalConstraint> constraints;
+};
+
+// Codes: F0601 no JSON (with line and column), F0602 wrong shape, F0603 wrong polygon, F0604 wrong bounds,
+// F0605 a name that is unknown or used twice. The first problem found is reported.
+[[nodiscard]] result::Result<SchedulingProblem> read_problem(std::string_view text, const std::string& file);
+
+// What read_problem reads back as the same problem.
+std::string write_problem(const SchedulingProblem& problem);
+
+}  // namespace stepwright::fleet
