@@ -1,11 +1,8 @@
 #include "tests/bench/fleet/instance.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <numbers>
-#include <numeric>
 #include <utility>
 
 namespace stepwright::bench::fleet {
@@ -17,10 +14,6 @@ using geometry::Pose;
 using std::chrono::milliseconds;
 
 namespace {
-
-constexpr std::uint32_t kPoints = 10;
-constexpr std::uint32_t kHeadings = 8;
-constexpr double kRadius_m = 20.0;
 
 // Steele, Lea and Flood 2014.
 class SplitMix64 {
@@ -37,21 +30,6 @@ class SplitMix64 {
  private:
   std::uint64_t state_;
 };
-
-// The first `count` of all points in a random order.
-std::vector<std::uint32_t> draw(std::uint32_t count, std::uint32_t of, SplitMix64& random) {
-  std::vector<std::uint32_t> points(of);
-  std::iota(points.begin(), points.end(), 0U);
-  for (std::uint32_t k = 0; k < count; ++k) std::swap(points[k], points[k + random.below(of - k)]);
-  points.resize(count);
-  return points;
-}
-
-Pose pose_at(std::uint32_t point, std::uint32_t heading, Point middle) {
-  const double angle = 2.0 * std::numbers::pi * point / kPoints;
-  return {middle.x_m + kRadius_m * std::cos(angle), middle.y_m + kRadius_m * std::sin(angle),
-          2.0 * std::numbers::pi * heading / kHeadings};
-}
 
 ConvexPolygon box_at(const Pose& from, const Pose& to, const Vehicle& vehicle) {
   Pose along = from;
@@ -101,23 +79,6 @@ void start_together(Instance& instance) {
   }
 }
 
-struct Trip {
-  std::uint32_t from, to, heading_from, heading_to;
-};
-
-std::vector<Trip> trips(std::uint32_t vehicles, SplitMix64& random) {
-  const auto starts = draw(vehicles, kPoints, random);
-  auto goals = draw(vehicles, kPoints, random);
-  while (!std::ranges::equal(starts, goals, std::ranges::not_equal_to{}))
-    goals = draw(vehicles, kPoints, random);
-  std::vector<Trip> all;
-  for (std::uint32_t v = 0; v < vehicles; ++v) {
-    const std::uint32_t heading_from = random.below(kHeadings);
-    all.push_back({starts[v], goals[v], heading_from, random.below(kHeadings)});
-  }
-  return all;
-}
-
 // From the middle between two crossings to another one, straight on.
 std::vector<Pose> stretch(Point from, Point to) {
   const double length_m = geometry::distance(from, to);
@@ -137,28 +98,6 @@ std::size_t Instance::polygons() const {
   std::size_t sum = 0;
   for (const auto& envelope : envelopes) sum += envelope.polygons.size();
   return sum;
-}
-
-std::vector<Pose> curve(const Pose& from, const Pose& to) {
-  const double span_m = geometry::distance(from.position(), to.position());
-  const auto tangent = [&](const Pose& pose) {
-    return span_m * Point{std::cos(pose.heading_rad), std::sin(pose.heading_rad)};
-  };
-  const auto at = [&](double t) {
-    const double s = 1.0 - t;
-    return (s * s * (1.0 + 2.0 * t)) * from.position() + (t * s * s) * tangent(from) +
-           (t * t * (1.0 + 2.0 * s)) * to.position() + (-t * t * s) * tangent(to);
-  };
-  std::vector<Pose> path = {from};
-  constexpr double kSample_m = 0.2;
-  constexpr int kSteps = 4000;
-  for (int k = 1; k <= kSteps; ++k) {
-    const Point p = at(static_cast<double>(k) / kSteps);
-    const Point before = path.back().position();
-    if (k < kSteps && geometry::distance(before, p) < kSample_m) continue;
-    path.push_back({p.x_m, p.y_m, std::atan2(p.y_m - before.y_m, p.x_m - before.x_m)});
-  }
-  return path;
 }
 
 fleet::TrajectoryEnvelope envelope_along(const std::string& name, std::span<const Pose> path,
@@ -181,15 +120,18 @@ fleet::TrajectoryEnvelope envelope_along(const std::string& name, std::span<cons
   return envelope;
 }
 
-Instance circle(std::uint32_t vehicles, std::uint32_t run, const Vehicle& vehicle, const Route& route) {
-  SplitMix64 random(10000 * static_cast<std::uint64_t>(vehicles) + run);
-  const Point middle{25.0, 25.0};
+CircleSource::CircleSource() : circle_(vehicle_, primitives_, table_, {}) {}
+
+Instance CircleSource::instance(std::uint32_t vehicles, std::uint32_t run, double v_max_mps) {
+  fleet::SpeedLimits speed;
+  speed.max_mps = v_max_mps;
   Instance instance;
-  for (const Trip& trip : trips(vehicles, random)) {
-    const auto path =
-        route(pose_at(trip.from, trip.heading_from, middle), pose_at(trip.to, trip.heading_to, middle));
-    instance.envelopes.push_back(
-        envelope_along("v" + std::to_string(instance.envelopes.size()), path, vehicle));
+  for (const support::CircleTask& task :
+       support::circle_problem(static_cast<int>(vehicles), static_cast<int>(run))) {
+    fleet::GrownEnvelope grown = circle_.of(task);
+    set_times(grown, speed);
+    instance.envelopes.push_back(std::move(grown.envelope));
+    instance.envelopes.back().vehicle = "v" + std::to_string(instance.envelopes.size());
   }
   start_together(instance);
   return instance;

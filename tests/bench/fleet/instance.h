@@ -3,13 +3,13 @@
 // Scheduling problems of the benchmark, from seeds alone.
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "supervisor/fleet/schedule/problem.h"
 #include "supervisor/geometry/point.h"
+#include "tests/bench/lattice/circle_envelopes.h"
 
 namespace stepwright::bench::fleet {
 
@@ -19,10 +19,6 @@ struct Instance {
 
   std::size_t polygons() const;
 };
-
-// How a vehicle gets from one pose to another: the seam at which other paths come in.
-using Route =
-    std::function<std::vector<geometry::Pose>(const geometry::Pose& from, const geometry::Pose& to)>;
 
 struct Vehicle {
   double length_m = 4.0;
@@ -34,18 +30,27 @@ struct Vehicle {
       false;  // a last polygon around the goal alone, so that a parked vehicle takes little room
 };
 
-// A smooth curve, a cubic of Hermite, sampled about every 0.2 m. It may turn more sharply than a vehicle can.
-std::vector<geometry::Pose> curve(const geometry::Pose& from, const geometry::Pose& to);
-
 // The polygons along a path, as in the paper: a box along the path at a point, the next one at the first
 // point outside of it; times from the lengths of path within polygons and overlaps.
 stepwright::fleet::TrajectoryEnvelope envelope_along(const std::string& name,
                                                      std::span<const geometry::Pose> path,
                                                      const Vehicle& vehicle);
 
-// 2 to 10 vehicles between ten points of a circle of 40 m, all from time zero on (the paper's 900 problems).
-// Starts differ, goals differ, no vehicle stays; the seed of the generator is 10000 * vehicles + run.
-Instance circle(std::uint32_t vehicles, std::uint32_t run, const Vehicle& vehicle, const Route& route);
+// The paper's 900 problems (support/fleet/circle_problem.h): 2 to 10 vehicles on a circle of 40 m, all from
+// time zero on, on paths of the lattice, with polygons grown along them. Each way is planned when it is first
+// asked for.
+class CircleSource {
+ public:
+  CircleSource();
+  Instance instance(std::uint32_t vehicles, std::uint32_t run, double v_max_mps);
+
+ private:
+  stepwright::fleet::VehicleModel vehicle_;
+  stepwright::fleet::PrimitiveSet primitives_{vehicle_, {}};
+  stepwright::fleet::HeuristicTable table_ =
+      stepwright::fleet::HeuristicTable::build(primitives_, {.range_m = 41.0, .threads = 2});
+  CircleEnvelopes circle_;
+};
 
 // Aisles of 10 m that cross each other, square by square; in each stretch of seven aisles one vehicle follows
 // another one over five crossings, from and to the middle between two. There always is a schedule, one

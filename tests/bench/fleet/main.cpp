@@ -37,12 +37,11 @@ struct Arguments {
 
 // All instances as files, so that every other solver gets the same.
 bool write_instances(const Arguments& arguments) {
-  Vehicle vehicle;
-  vehicle.v_max_mps = arguments.settings.v_max_mps;
+  CircleSource source;
   bool written = true;
   for (std::uint32_t n = arguments.settings.least; n <= arguments.settings.most; ++n) {
     for (std::uint32_t r = 0; r < arguments.settings.runs; ++r) {
-      const Instance instance = circle(n, r, vehicle, curve);
+      const Instance instance = source.instance(n, r, arguments.settings.v_max_mps);
       const std::string name = "circle_" + std::to_string(n) + "_" + std::to_string(r) + ".json";
       std::ofstream out(std::filesystem::path(arguments.write_folder) / name);
       out << stepwright::fleet::write_problem({instance.envelopes, instance.constraints});
@@ -103,10 +102,11 @@ bool circles(const Arguments& arguments, nlohmann::json& json, Totals& totals) {
               arguments.settings.v_max_mps, arguments.settings.runs, arguments.settings.cap_s);
   std::printf("   %-13s %10s %10s %10s %10s %10s %8s %10s\n", "ms", "mean", "median", "p95", "p99", "max",
               "timeouts", "nodes");
+  CircleSource source;
   std::vector<CircleRow> rows;
   for (std::uint32_t n = arguments.settings.least; n <= arguments.settings.most; ++n) {
     std::string error;
-    rows.push_back(measure_circle(n, arguments.settings, error));
+    rows.push_back(measure_circle(source, n, arguments.settings, error));
     const CircleRow& row = rows.back();
     print(row);
     if (!error.empty()) {

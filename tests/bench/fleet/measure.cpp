@@ -124,13 +124,12 @@ double Times::quantile(double share) const {
   return sorted[place];
 }
 
-CircleRow measure_circle(std::uint32_t vehicles, const Settings& settings, std::string& error) {
+CircleRow measure_circle(CircleSource& source, std::uint32_t vehicles, const Settings& settings,
+                         std::string& error) {
   CircleRow row{.vehicles = vehicles, .ours = {}, .fair = {}, .literal = {}};
   Judged judged;
-  Vehicle vehicle;
-  vehicle.v_max_mps = settings.v_max_mps;
   for (std::uint32_t run = 0; run < settings.runs; ++run) {
-    const Instance instance = circle(vehicles, run, vehicle, curve);
+    const Instance instance = source.instance(vehicles, run, settings.v_max_mps);
     row.most_polygons = std::max(row.most_polygons, instance.polygons());
     const ScheduleOptions options{.mode = Mode::EarliestTimes, .explain = false};
     Schedule made;

@@ -60,7 +60,8 @@ struct WarehouseRow {
 };
 
 // Nothing in `error` if all is well.
-CircleRow measure_circle(std::uint32_t vehicles, const Settings& settings, std::string& error);
+CircleRow measure_circle(CircleSource& source, std::uint32_t vehicles, const Settings& settings,
+                         std::string& error);
 WarehouseRow measure_warehouse(std::uint32_t vehicles, const Settings& settings);
 
 }  // namespace stepwright::bench::fleet

@@ -2,7 +2,6 @@
 // of 75 m through a warehouse, seven vehicles in a mine, the 900 circle problems.
 //
 //   bench_lattice [--json FILE] [--runs N]        N of the 100 runs of each circle problem; default 100
-//   bench_lattice --instances FOLDER [--runs N]   writes the circle problems with their envelopes instead
 
 #include <algorithm>
 #include <atomic>
@@ -19,7 +18,6 @@
 
 #include "runtime/result/exit_code.h"
 #include "tests/bench/lattice/circle_envelopes.h"
-#include "tests/bench/lattice/instance_file.h"
 #include "tests/bench/lattice/plain_search.h"
 #include "tests/support/fleet/floor_maps.h"
 #include "tests/support/temporary_folder.h"
@@ -191,28 +189,6 @@ void measure_circle(Bench& bench, int runs) {
 }
 
 // One file for each problem and speed, so that every solver gets the same input.
-int write_instances(const std::filesystem::path& folder, int runs) {
-  const VehicleModel vehicle;
-  const PrimitiveSet primitives(vehicle, {});
-  const HeuristicTable table = HeuristicTable::build(primitives, {.range_m = 41.0, .threads = 2});
-  CircleEnvelopes circle(vehicle, primitives, table, {});
-  std::error_code ignored;  // a folder that cannot be made shows when a file cannot be written
-  std::filesystem::create_directories(folder, ignored);
-  for (const double max_mps : {1.5, 15.0}) {
-    for (int vehicles = 2; vehicles <= support::kCirclePoints; ++vehicles) {
-      for (int run = 0; run < runs; ++run) {
-        const Instance instance = make_instance(circle, vehicles, run, {.min_mps = 0.05, .max_mps = max_mps});
-        std::ofstream file(folder / instance.name());
-        file << to_json(instance) << "\n";
-        if (file) continue;
-        std::fprintf(stderr, "%s: cannot be written\n", (folder / instance.name()).c_str());
-        return result::to_int(result::ExitCode::BadInput);
-      }
-    }
-  }
-  return result::to_int(result::ExitCode::Done);
-}
-
 int run(const char* json_file, int runs) {
   Bench bench;
   measure_preparation(bench);
@@ -230,19 +206,16 @@ int run(const char* json_file, int runs) {
 
 int main(int argc, char** argv) {
   const char* json_file = nullptr;
-  const char* folder = nullptr;
   int runs = stepwright::support::kCircleRuns;
   for (int k = 1; k < argc; k += 2) {
     const auto is = [&](const char* option) { return k + 1 < argc && std::strcmp(argv[k], option) == 0; };
     if (is("--json")) json_file = argv[k + 1];
-    if (is("--instances")) folder = argv[k + 1];
     if (is("--runs")) runs = std::atoi(argv[k + 1]);
-    const bool known = is("--json") || is("--instances") || is("--runs");
+    const bool known = is("--json") || is("--runs");
     if (!known || runs < 1 || runs > stepwright::support::kCircleRuns) {
-      std::fprintf(stderr, "usage: bench_lattice [--json FILE | --instances FOLDER] [--runs 1..100]\n");
+      std::fprintf(stderr, "usage: bench_lattice [--json FILE] [--runs 1..100]\n");
       return stepwright::result::to_int(stepwright::result::ExitCode::Usage);
     }
   }
-  return folder != nullptr ? stepwright::bench::write_instances(folder, runs)
-                           : stepwright::bench::run(json_file, runs);
+  return stepwright::bench::run(json_file, runs);
 }
