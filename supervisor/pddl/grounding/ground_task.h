@@ -92,7 +92,7 @@ struct GroundTask {
   std::vector<double> initial_values;  // NaN = undefined
   Condition goal;
   std::optional<std::string>
-      unreachable_goal;  // proved by relaxed reachability: text of the conjunct and why
+      unreachable_goal;  // proved by relaxed reachability: each conjunct that cannot hold, and why
   double base_cost = 0.0;
   GroundExpression potential;
   bool maximize = false;

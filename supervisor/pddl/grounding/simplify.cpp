@@ -121,12 +121,18 @@ class Simplifier {
     task_.potential = substitute(rest, variables_);
   }
 
+  // Each part that cannot hold is told, the first ones of many.
   void goal() {
+    constexpr int kTold = 10;
+    int unreachable = 0;
+    std::string told;
     for (const RawGoal& part : raw_.goals) {
       append(part.condition, task_.goal);
-      if (task_.unreachable_goal || can_hold(part.condition, raw_.reachable.state)) continue;
-      task_.unreachable_goal = why_unreachable(raw_, part);
+      if (can_hold(part.condition, raw_.reachable.state) || ++unreachable > kTold) continue;
+      told += (told.empty() ? "" : "; ") + why_unreachable(raw_, part);
     }
+    if (unreachable > kTold) told += "; and " + std::to_string(unreachable - kTold) + " more";
+    if (unreachable > 0) task_.unreachable_goal = std::move(told);
   }
 
   GroundExpression renumber(const GroundExpression& expression) const {

@@ -151,6 +151,19 @@ TEST(Grounding, WhenAGoalIsUnreachable_ThenItsPlaceAndTheRelaxedReasonAreSaid) {
   EXPECT_EQ(unreachable("(= (n) 2)"), "");
 }
 
+TEST(Grounding, WhenSeveralGoalsAreUnreachable_ThenEachIsSaidUpToTen) {
+  const std::string two = unreachable("(at z) (= (n) 2) (lit)");
+  EXPECT_NE(two.find("the goal (at z) cannot be reached: none of the actions"), std::string::npos) << two;
+  EXPECT_NE(two.find("; problem.pddl:3:38: P0501: the goal (lit) cannot be reached"), std::string::npos)
+      << two;
+  std::string goals;
+  for (int k = 4; k < 16; ++k) goals += "(> (n) " + std::to_string(k) + ") ";
+  const std::string many = unreachable(goals);
+  EXPECT_NE(many.find("(> (n) 13)"), std::string::npos) << many;
+  EXPECT_EQ(many.find("(> (n) 14)"), std::string::npos) << many;
+  EXPECT_NE(many.find("; and 2 more"), std::string::npos) << many;
+}
+
 TEST(Grounding, WhenWhatWaitsReadsManyGrowingNumbers_ThenItIsCalledOnceARound) {
   // Both numbers grow in every round, and the condition reads both and has alternatives: were the action
   // called by each of them, the calls would double with every round.
