@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "tests/support/fleet/split_mix.h"
+
 namespace stepwright::bench::fleet {
 
 namespace fleet = stepwright::fleet;
@@ -14,22 +16,6 @@ using geometry::Pose;
 using std::chrono::milliseconds;
 
 namespace {
-
-// Steele, Lea and Flood 2014.
-class SplitMix64 {
- public:
-  explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = state_ += 0x9E3779B97F4A7C15U;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31);
-  }
-  std::uint32_t below(std::uint32_t bound) { return static_cast<std::uint32_t>(next() % bound); }
-
- private:
-  std::uint64_t state_;
-};
 
 ConvexPolygon box_at(const Pose& from, const Pose& to, const Vehicle& vehicle) {
   Pose along = from;
@@ -138,7 +124,7 @@ Instance CircleSource::instance(std::uint32_t vehicles, std::uint32_t run, doubl
 }
 
 Instance warehouse(std::uint32_t vehicles, std::uint32_t run, const Vehicle& vehicle) {
-  SplitMix64 random(10000 * static_cast<std::uint64_t>(vehicles) + run);
+  support::SplitMix64 random(10000 * static_cast<std::uint64_t>(vehicles) + run);
   constexpr std::uint32_t kCells = 5;          // that a vehicle crosses
   constexpr std::uint32_t kSlot = kCells + 2;  // of an aisle, for two vehicles
   constexpr double kAisle_m = 10.0;
