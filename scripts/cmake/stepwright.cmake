@@ -34,9 +34,10 @@ endif()
 set(STEPWRIGHT_COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual-dtor -Wno-restrict -Wno-maybe-uninitialized
                                -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread -Werror -ffp-contract=off)
 
-# For what computes little: tests, command lines, processes that wait for others. It makes the build a good deal shorter.
-# Benchmarks and the baselines in them are compiled like what they measure.
+# For what computes little: tests, command lines, processes that wait for others, reading and writing of files. It makes the
+# build a good deal shorter. Benchmarks and the baselines in them are compiled like what they measure.
 set(STEPWRIGHT_LIGHT_OPTIONS $<$<CONFIG:Release>:-O1>)
+set(STEPWRIGHT_LIGHT_FOLDERS "^(programs|hmi_web|tests/support|firmware/link|ladder/(driver|exchange|print)|runtime/(dds|remote|settings)|supervisor/(executive|model|translate))(/|$)")
 
 add_custom_target(programs)
 
@@ -83,7 +84,7 @@ function(stepwright_library folder)
     target_compile_options(${target} PRIVATE ${STEPWRIGHT_COMPILE_OPTIONS})
     if(ARG_PORTABLE)
       target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti)
-    elseif(folder MATCHES "^(programs|hmi_web|tests/support)")
+    elseif(folder MATCHES "${STEPWRIGHT_LIGHT_FOLDERS}")
       target_compile_options(${target} PRIVATE ${STEPWRIGHT_LIGHT_OPTIONS})
       target_precompile_headers(${target} REUSE_FROM stepwright_precompiled_light)
     else()
