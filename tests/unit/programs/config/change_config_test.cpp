@@ -7,12 +7,14 @@
 #include <string>
 
 #include "programs/config/cell_config.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stepwright::config {
 namespace {
 
 result::Result<CellConfig> read(const std::string& text) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "change_config_test.toml";
+  const support::TemporaryFolder folder;  // of its own: tests run beside each other
+  const std::filesystem::path file = folder / "cell.toml";
   std::ofstream(file) << text;
   return load_cell_config(file);
 }
