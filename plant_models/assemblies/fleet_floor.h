@@ -15,7 +15,6 @@
 //   (*floor)->set_actuator(*core::find_actuator(**floor, "set_speed_v1"), 1000);
 //   (*floor)->advance(std::chrono::milliseconds(10));
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <memory>

@@ -5,16 +5,13 @@
 #include "plant_models/core/names.h"
 
 namespace stepwright::assemblies {
-namespace {
 
-std::string number(double value) {
+std::string number_text(double value) {
   std::string text = std::to_string(value);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
   return text;
 }
-
-}  // namespace
 
 result::Result<std::size_t> find_fault(std::string_view plant, std::span<const core::Quantity> faults,
                                        std::string_view name) {
@@ -29,8 +26,8 @@ result::Result<std::size_t> find_fault(std::string_view plant, std::span<const c
 result::Result<void> check_fault(const core::Quantity& fault, const FaultRange& range, double value) {
   const bool whole = !range.whole || value == std::floor(value);
   if (value >= range.min && value <= range.max && whole) return {};
-  return result::fail("C0312", {}, "fault '" + fault.name + "' cannot have the value " + number(value),
-                      "allowed: " + number(range.min) + " to " + number(range.max) +
+  return result::fail("C0312", {}, "fault '" + fault.name + "' cannot have the value " + number_text(value),
+                      "allowed: " + number_text(range.min) + " to " + number_text(range.max) +
                           (range.whole ? ", whole numbers; " : "; ") + fault.meaning);
 }
 

@@ -24,6 +24,9 @@ struct FaultRange {
   bool whole = true;  // whole numbers only
 };
 
+// "0.5", "40": as short as it is.
+std::string number_text(double value);
+
 // The index of the fault with that name. `plant` is for the message: "the sorting line". Fails with C0311 (no
 // such fault).
 [[nodiscard]] result::Result<std::size_t> find_fault(std::string_view plant,

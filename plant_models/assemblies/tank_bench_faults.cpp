@@ -3,23 +3,13 @@
 #include <string>
 
 #include "plant_models/assemblies/bench_ports.h"
+#include "plant_models/assemblies/port_target.h"
 #include "plant_models/assemblies/tank_bench.h"
-#include "plant_models/core/names.h"
 
 namespace stepwright::assemblies {
 namespace {
 
-tl::unexpected<result::Diagnostics> no_such_fault(std::string_view name) {
-  return result::fail("C0311", {}, "the tank bench has no fault named '" + std::string(name) + "'",
-                      "known faults: " + core::joined_names(bench_faults()));
-}
-
-std::string number(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
+constexpr std::string_view kPlant = "the tank bench";
 
 bool allowed(const FaultTarget& target, double value) {
   if (target.kind == FaultKind::StuckSwitch || target.kind == FaultKind::FrozenSensor)
@@ -30,15 +20,17 @@ bool allowed(const FaultTarget& target, double value) {
 }  // namespace
 
 result::Result<void> TankBench::inject_fault(std::string_view name, double value) {
-  const auto fault = core::index_of(bench_faults(), name);
-  if (!fault) return no_such_fault(name);
+  auto fault = find_fault(kPlant, bench_faults(), name);
+  if (!fault) return result::forward(fault);
   const FaultTarget target = bench_fault_target(*fault);
   if (!allowed(target, value)) {
     const core::Quantity& quantity = bench_faults()[*fault];
     const std::string unit = quantity.unit.empty() ? "" : " " + quantity.unit;
     const bool two = target.kind == FaultKind::StuckSwitch || target.kind == FaultKind::FrozenSensor;
-    const std::string range = two ? "0 or 1" : number(target.min) + " to " + number(target.max) + unit;
-    return result::fail("C0312", {}, "fault '" + quantity.name + "' cannot have the value " + number(value),
+    const std::string range =
+        two ? "0 or 1" : number_text(target.min) + " to " + number_text(target.max) + unit;
+    return result::fail("C0312", {},
+                        "fault '" + quantity.name + "' cannot have the value " + number_text(value),
                         "allowed: " + range + "; " + quantity.meaning);
   }
   apply_fault(*fault, value, true);
@@ -46,8 +38,8 @@ result::Result<void> TankBench::inject_fault(std::string_view name, double value
 }
 
 result::Result<void> TankBench::clear_fault(std::string_view name) {
-  const auto fault = core::index_of(bench_faults(), name);
-  if (!fault) return no_such_fault(name);
+  auto fault = find_fault(kPlant, bench_faults(), name);
+  if (!fault) return result::forward(fault);
   apply_fault(*fault, 0.0, false);
   return {};
 }

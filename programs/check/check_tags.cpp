@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "programs/check/extent.h"
+
 namespace stepwright::check {
 namespace {
 
@@ -70,20 +72,7 @@ const char* word(Family family, std::uint32_t bytes) {
                                     : kUnsigned[width];
 }
 
-// Bits of the image.
-struct Extent {
-  std::uint64_t first = 0;
-  std::uint64_t end = 0;
-};
-
-Extent extent_of(const reader::Variable& variable) {
-  const std::uint64_t first = std::uint64_t{variable.address} * 8;
-  if (variable.bit != bytecode::kNoBit) return {first + variable.bit, first + variable.bit + 1};
-  if (bytecode::is_string(variable.type)) return {first, first + 8 * bytecode::kStringHeaderBytes};
-  return {first, first + 8 * std::uint64_t{bytecode::size_of(bytecode::mem_type(variable.type))}};
-}
-
-Extent extent_of(const Tag& tag, std::uint32_t area) {
+Extent tag_extent(const Tag& tag, std::uint32_t area) {
   const std::uint64_t first = (std::uint64_t{area} + tag.field.byte) * 8;
   if (tag.field.type == ImageType::Bool) return {first + tag.field.bit, first + tag.field.bit + 1};
   return {first, first + 8 * std::uint64_t{modbus::client::bytes_of(tag.field.type)}};
@@ -99,13 +88,13 @@ class TagCheck {
     const std::uint32_t area = output ? sizes.input_bytes : 0;
     const std::uint64_t area_end =
         std::uint64_t{8} * (output ? area + sizes.output_bytes : sizes.input_bytes);
-    const Extent extent = extent_of(tag, area);
+    const Extent extent = tag_extent(tag, area);
     bool any = false;
     for (const reader::Tag& variable : info_.tags()) {
       const Extent other = extent_of(variable.variable);
-      if (extent.end > area_end || other.first >= extent.end || extent.first >= other.end) continue;
+      if (extent.end > area_end || !overlap(extent, other)) continue;
       any = true;
-      if (other.first == extent.first && other.end == extent.end) compare(tag, variable);
+      if (other == extent) compare(tag, variable);
     }
     if (!any)
       problems_.push_back({"C0529", Severity::Warning, tag.where,
