@@ -61,7 +61,12 @@ ARROWS = {
     "supervisor/fleet/network": ["runtime/base"],
     "supervisor/fleet/schedule": ["supervisor/fleet/network", "supervisor/fleet/envelope"],
     "supervisor/fleet/control": ["supervisor/geometry", "runtime/result"],
-    "supervisor/fleet/mission": ["supervisor/fleet/lattice", "supervisor/fleet/schedule", "supervisor/model"],
+    "supervisor/fleet/plan": ["supervisor/fleet/lattice", "supervisor/fleet/schedule"],
+    "supervisor/fleet/allocation": ["supervisor/fleet/network", "runtime/result"],
+    "supervisor/fleet/mission": ["supervisor/fleet/allocation", "supervisor/fleet/plan"],
+    "supervisor/fleet/traffic": ["supervisor/fleet/mission", "supervisor/fleet/control"],
+    "supervisor/fleet/program": ["supervisor/fleet/plan", "ladder/graphic"],
+    "supervisor/fleet/vda5050": ["supervisor/fleet/plan"],
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
     "supervisor/executive": [
         "supervisor/translate", "supervisor/pddl", "ladder/driver", "ladder/exchange", "runtime/dds", "runtime/bytecode/reader",
