@@ -54,7 +54,9 @@ ExitCode run_validate(const ValidateArguments& arguments) {
     print_diagnostics(plan.error());
     return ExitCode::BadInput;
   }
-  const pddl::Validation validation = pddl::validate(*task, *plan);
+  const bool short_answer = arguments.quiet && arguments.json_file.empty();
+  const pddl::Validation validation =
+      pddl::validate(*task, *plan, short_answer ? pddl::KeepStates::Last : pddl::KeepStates::All);
   if (!arguments.quiet) std::fputs(pddl::table(*plan, validation).c_str(), stdout);
   print_diagnostics(validation.diagnostics);
   std::printf("plan %s: %zu steps, cost %s%s\n", validation.valid ? "valid" : "invalid", plan->actions.size(),

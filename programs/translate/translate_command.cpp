@@ -39,7 +39,7 @@ Result<model::PlannedRun> read_run(const pddl::Task& task, const std::filesystem
   if (!source) return result::forward(source);
   auto text = pddl::parse_plan(*source);
   if (!text) return result::forward(text);
-  pddl::Validation validation = pddl::validate(task, *text);
+  pddl::Validation validation = pddl::validate(task, *text, pddl::KeepStates::Last);
   if (!validation.valid) return tl::unexpected(std::move(validation.diagnostics));
   model::Plan plan;
   plan.actions = text->actions;

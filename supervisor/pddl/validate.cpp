@@ -9,8 +9,11 @@
 namespace stepwright::pddl {
 namespace {
 
-void record(Validation& validation, const Definition& definition, const Executor& executor) {
+void record_state(Validation& validation, const Definition& definition, const Executor& executor) {
   validation.trace.states.push_back(name_state(definition, executor.state()));
+}
+
+void record_cost(Validation& validation, const Executor& executor) {
   validation.trace.cost.push_back(executor.cost().value_or(0.0));
 }
 
@@ -58,11 +61,13 @@ std::string fact_changes(const State& before, const State& after) {
 
 }  // namespace
 
-Validation validate(const Task& task, const PlanText& plan) {
+Validation validate(const Task& task, const PlanText& plan, KeepStates keep) {
   const Definition& definition = task.definition();
   Executor executor(definition, initial_state(definition));
   Validation validation;
-  record(validation, definition, executor);
+  const bool all = keep == KeepStates::All;
+  if (all) record_state(validation, definition, executor);
+  record_cost(validation, executor);
   for (std::size_t i = 0; i < plan.actions.size(); ++i) {
     if (auto failure = executor.step(plan.actions[i])) {
       validation.failed_step = i + 1;
@@ -74,8 +79,10 @@ Validation validate(const Task& task, const PlanText& plan) {
           failure->hint);
       break;
     }
-    record(validation, definition, executor);
+    if (all) record_state(validation, definition, executor);
+    record_cost(validation, executor);
   }
+  if (!all) record_state(validation, definition, executor);
   check_goals(validation, task, plan);
   if (!executor.cost() && validation.diagnostics.empty()) {
     report(validation, plan, 0, "P0309",

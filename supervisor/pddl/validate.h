@@ -1,7 +1,7 @@
 #pragma once
 
-// The validator, in the sense of VAL (Howey, Long, Fox 2004): executes a plan on the action schemas, notes
-// every state, and says where and why the plan fails. Shares nothing with the planner but the parser.
+// The validator, in the sense of VAL (Howey, Long, Fox 2004): executes a plan on the action schemas and says
+// where and why the plan fails. Shares nothing with the planner but the parser.
 //
 // Thread rule: pure functions.
 
@@ -15,9 +15,12 @@
 
 namespace stepwright::pddl {
 
+// All states of a long plan of a large problem take much memory: steps times facts.
+enum class KeepStates { All, Last };
+
 struct Validation {
   bool valid = false;
-  Trace trace;                      // up to the failing step
+  Trace trace;                      // up to the failing step; KeepStates::Last: one state, but every cost
   std::vector<GoalStatus> goals;    // in the last state
   std::size_t failed_step = 0;      // from 1; 0 = every step could be executed
   std::string failed_condition;     // "(is-at v1 a2)"
@@ -27,9 +30,10 @@ struct Validation {
 };
 
 // A plan that is wrong gives a Validation with valid == false, not a failure.
-Validation validate(const Task& task, const PlanText& plan);
+Validation validate(const Task& task, const PlanText& plan, KeepStates keep = KeepStates::All);
 
-// The fluents and facts that change in the plan, a row per step: what `stepwright validate` prints.
+// The fluents and facts that change in the plan, a row per step: what `stepwright validate` prints. Of a
+// validation that kept all states.
 std::string table(const PlanText& plan, const Validation& validation);
 
 }  // namespace stepwright::pddl

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "supervisor/pddl/lifted/derive.h"
@@ -48,16 +49,19 @@ class Effects {
     }
   }
 
-  // Deletes come before adds (Fox, Long 2003, section 6.1).
+  // Deletes come before adds (Fox, Long 2003, section 6.1). `state` is the one before the action; it changes
+  // only if nothing fails.
   std::optional<Failure> apply(LiftedState& state) const {
     if (failure_) return failure_;
-    LiftedState after = state;
+    std::vector<std::pair<const Atom*, double>> values;
     for (const auto& [fluent, changes] : numeric_) {
-      if (auto failure = apply(fluent, changes, after)) return failure;
+      double value = 0.0;
+      if (auto failure = combine(fluent, changes, value)) return failure;
+      values.emplace_back(&fluent, value);
     }
-    for (const Atom& fact : deletes_) after.facts.erase(fact);
-    for (const Atom& fact : adds_) after.facts.insert(fact);
-    state = std::move(after);
+    for (const auto& [fluent, value] : values) state.fluents[*fluent] = value;
+    for (const Atom& fact : deletes_) state.facts.erase(fact);
+    for (const Atom& fact : adds_) state.facts.insert(fact);
     return std::nullopt;
   }
 
@@ -74,11 +78,12 @@ class Effects {
     numeric_[ground(effect.call, binding)].push_back({effect.change, *amount});
   }
 
-  std::optional<Failure> apply(const Atom& fluent, const std::vector<NumericChange>& changes,
-                               LiftedState& after) const {
+  // The fluent's value after all changes of it.
+  std::optional<Failure> combine(const Atom& fluent, const std::vector<NumericChange>& changes,
+                                 double& value) const {
     const std::string name = fluent_name(definition_, fluent);
     const auto old = before_.fluents.find(fluent);
-    double value = old == before_.fluents.end() ? 0.0 : old->second;
+    value = old == before_.fluents.end() ? 0.0 : old->second;
     bool additive = true;
     for (const NumericChange& change : changes) {
       const bool assign = change.kind == ChangeKind::Assign;
@@ -98,7 +103,7 @@ class Effects {
     }
     if (!std::isfinite(value))
       return Failure{"P0307", name + " has no finite value after the action", {}, {}};
-    after.fluents[fluent] = snap(value);
+    value = snap(value);
     return std::nullopt;
   }
 

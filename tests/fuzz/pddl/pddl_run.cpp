@@ -171,7 +171,7 @@ Run run(std::string_view input) {
   run.finding = walk(*task, ground);
   const auto plan = parse_plan({"plan", parts.plan});
   if (!plan && run.finding.empty()) run.finding = check_diagnostics(plan.error(), parts);
-  if (plan) validate(*task, *plan);
+  if (plan) validate(*task, *plan, KeepStates::Last);
   return run;
 }
 

@@ -13,7 +13,7 @@ Judgement judge(const pddl::Task& task, const std::vector<model::GroundAction>& 
   pddl::PlanText plan;
   plan.actions = actions;
   for (std::uint32_t line = 1; line <= actions.size(); ++line) plan.lines.push_back(line);
-  const pddl::Validation validation = pddl::validate(task, plan);
+  const pddl::Validation validation = pddl::validate(task, plan, pddl::KeepStates::Last);
   if (validation.valid) return {"", validation.cost()};
   if (validation.failed_step > 0) {
     return {fmt::format("step {}: {} does not hold ({})", validation.failed_step, validation.failed_condition,

@@ -42,6 +42,20 @@ TEST(Validate, WhenSgplanAsPrinted_ThenStep18FailsAtItsLine) {
   EXPECT_EQ(validation.diagnostics[0].where.line, 19u);
 }
 
+TEST(Validate, WhenOnlyTheLastStateIsKept_ThenTheJudgementIsTheSame) {
+  for (const char* name : {"metric_ff.plan", "sgplan6_printed.plan", "sgplan6_corrected.plan"}) {
+    const PlanText plan = read_plan(name);
+    const Validation all = validate(bench_task(), plan);
+    const Validation last = validate(bench_task(), plan, KeepStates::Last);
+    EXPECT_EQ(last.valid, all.valid) << name;
+    EXPECT_EQ(last.failed_step, all.failed_step) << name;
+    EXPECT_EQ(result::to_string(last.diagnostics), result::to_string(all.diagnostics)) << name;
+    EXPECT_EQ(last.trace.cost, all.trace.cost) << name;
+    ASSERT_EQ(last.trace.states.size(), 1u) << name;
+    EXPECT_EQ(last.trace.states.front(), all.trace.states.back()) << name;
+  }
+}
+
 TEST(Validate, WhenSgplanStep18IsCorrected_ThenValidWithCost108) {
   const Validation validation = validate(bench_task(), read_plan("sgplan6_corrected.plan"));
   EXPECT_TRUE(validation.valid) << result::to_string(validation.diagnostics);
