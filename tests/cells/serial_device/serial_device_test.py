@@ -183,10 +183,13 @@ class SerialDevice(unittest.TestCase):
     def pull_out(self):
         self.guest.ask_monitor("device_del card")
         self.assertTrue(eventually(lambda: not self.card_is_there(), 20, 0.05))
+        # The guest lets it go some time after its driver has; before that there is no room for another one.
+        self.assertTrue(eventually(lambda: 'id "card"' not in self.guest.ask_monitor("info qtree"), 30, 0.05))
 
     def plug_in(self):
-        self.guest.ask_monitor(f"device_add {CARD_DEVICE}")
-        self.assertTrue(eventually(self.card_is_there, 20, 0.02))
+        said = self.guest.ask_monitor(f"device_add {CARD_DEVICE}")
+        self.assertTrue(eventually(self.card_is_there, 20, 0.02), said)
+        self.assertIn('id "card"', self.guest.ask_monitor("info qtree"))
 
     def test_the_client_polls_a_plc_with_the_settings_that_it_was_told(self):
         self.start_plc("com2")
