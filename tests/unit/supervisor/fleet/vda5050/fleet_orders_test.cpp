@@ -95,9 +95,9 @@ TEST(FleetOrders, Edges_WhenTheVehicleReverses_ThenOrientationIsPiAndTheTrajecto
 // Vehicles go on in a random order, messages are lost and repeated, states come late.
 TEST(FleetOrders, Fleet_WhenMessagesAreLostAndLate_ThenAllArriveAndNoPolygonHasTwoMasters) {
   std::size_t updates = 0, waits = 0;
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 14; ++seed) {
     SplitMix64 random(seed);
-    const auto vehicles = static_cast<std::uint32_t>(3 + seed % 6);
+    const auto vehicles = static_cast<std::uint32_t>(3 + seed % 5);
     OrderWorld world(support::random_plan(vehicles, seed));
     world.lose(random, 0.3);
     int rounds = 0;
