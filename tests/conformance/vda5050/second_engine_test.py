@@ -15,7 +15,7 @@ MOST_SHOWN = 5
 
 def main() -> int:
     program, rules_file = sys.argv[1:3]
-    seed, count = sys.argv[3:5] if len(sys.argv) > 3 else ("20261123", "2000")
+    seed, count = sys.argv[3:5] if len(sys.argv) > 3 else ("20261123", "1200")
     with open(rules_file, encoding="utf-8") as file:
         rules = json.load(file)
     jsonschema.Draft202012Validator.check_schema(rules)

@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace fleet::vda5050;
 
-constexpr std::uint64_t kRoundsPerSeed = 700;
+constexpr std::uint64_t kRoundsPerSeed = 400;
 constexpr std::array<const char*, 24> kTokens = {"{",
                                                  "}",
                                                  "[",
@@ -137,7 +137,7 @@ TEST(Vda5050Mutation, States_WhenBroken_ThenBasesStayAsTheyWereOrGrow) {
     return bases;
   };
   std::size_t taken = 0;
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < 1500; ++round) {
     const std::string text = mutated(said[random() % said.size()], said, random);
     name_case("vda5050 state, round " + std::to_string(round), std::as_bytes(std::span(text)));
     const auto state = read_state(text, "input");
