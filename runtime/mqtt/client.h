@@ -40,9 +40,9 @@ struct Tls {
 struct Options {
   std::string host = "127.0.0.1";
   std::uint16_t port = 1883;
-  std::string client_id;  // unique at the broker
-  std::string user;       // empty: none
-  std::string password;
+  std::string client_id{};  // unique at the broker
+  std::string user{};       // empty: none
+  std::string password{};
   std::chrono::seconds keep_alive{15};
   std::chrono::seconds reconnect_least{1};  // between attempts, doubled up to the most
   std::chrono::seconds reconnect_most{30};
