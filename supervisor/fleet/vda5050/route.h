@@ -6,8 +6,8 @@
 // A hand-over is a pose at which the whole outline is in both polygons, the one with most room on all sides.
 // A vehicle that waits there for the next polygon is still within the one that it has; one that drives on is
 // within the next one already. The deviation that a node allows leaves the outline within the polygons that
-// the node belongs to, whichever way the vehicle deviates. Between two nodes the vehicle is within one
-// polygon.
+// the node belongs to, whichever way the vehicle deviates; but at the first one, where the vehicle stands
+// already. Between two nodes the vehicle is within one polygon.
 //
 // Pure functions; any thread. Requires a path of one pose at least and what grow_envelope made of it.
 //

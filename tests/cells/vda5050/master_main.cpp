@@ -1,6 +1,6 @@
 // The master control of a made plan at a broker: for mqtt_fleet_test.py.
 //
-//   vda5050_master PORT VEHICLES SEED SECONDS
+//   vda5050_master PORT VEHICLES SEED SECONDS [CA_FILE]     with it: inside TLS
 //
 // Prints a line for each thing that happens, at the end one JSON object. Exits with 0 once all have arrived.
 
@@ -17,14 +17,18 @@
 int main(int argc, char** argv) {
   using namespace stepwright;
   using namespace std::chrono_literals;
-  if (argc != 5) return 2;
+  if (argc != 5 && argc != 6) return 2;
   const fleet::FleetPlan plan = support::random_plan(static_cast<std::uint32_t>(std::atoi(argv[2])),
                                                      std::strtoull(argv[3], nullptr, 10));
   std::set<std::string> names;
   for (const auto& mission : plan.missions) names.insert(mission.vehicle);
-  auto client = mqtt::Client::open(
-      {.host = "127.0.0.1", .port = static_cast<std::uint16_t>(std::atoi(argv[1])), .client_id = "master"});
+  mqtt::Options options;
+  options.port = static_cast<std::uint16_t>(std::atoi(argv[1]));
+  options.client_id = "master";
+  if (argc == 6) options.tls = mqtt::Tls{argv[5], {}, {}};
+  auto client = mqtt::Client::open(options);
   auto orders = fleet::vda5050::FleetOrders::create(plan, {.plan_name = "test"});
+  if (!client) std::printf("%s\n", to_string(client.error()).c_str());
   if (!client || !orders) return 1;
   vda5050_link::FleetLink link(*std::move(orders), names, *client, {.resend = 300ms});
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(std::atoi(argv[4]));

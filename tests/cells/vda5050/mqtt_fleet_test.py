@@ -31,8 +31,8 @@ def free_port() -> int:
 
 
 class Broker:
-    def __init__(self, folder: str):
-        self.folder = folder
+    def __init__(self, folder: str, certificate: str = ""):
+        self.folder, self.certificate = folder, certificate
         for _ in range(5):  # another process may take the port first
             self.port = free_port()
             if self.start():
@@ -40,9 +40,14 @@ class Broker:
         raise RuntimeError("mosquitto does not start")
 
     def start(self) -> bool:
-        config = pathlib.Path(self.folder, "mosquitto.conf")
-        config.write_text(f"listener {self.port} 127.0.0.1\nallow_anonymous true\npersistence false\n", encoding="utf-8")
-        self.process = subprocess.Popen(["/usr/sbin/mosquitto", "-c", str(config)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        config = pathlib.Path(self.folder, f"mosquitto{self.port}.conf")
+        lines = ["user root", f"listener {self.port} 127.0.0.1", "allow_anonymous true", "persistence false"]
+        if self.certificate:
+            lines += [f"certfile {self.certificate}.pem", f"keyfile {self.certificate}.key"]
+        config.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        self.log = pathlib.Path(self.folder, f"mosquitto{self.port}.log")
+        with self.log.open("w", encoding="utf-8") as log:
+            self.process = subprocess.Popen(["/usr/sbin/mosquitto", "-c", str(config)], stdout=log, stderr=log)
         end = time.monotonic() + PATIENCE_S
         while time.monotonic() < end and self.process.poll() is None:
             with socket.socket() as probe:
@@ -127,6 +132,37 @@ class MqttFleet(unittest.TestCase):
                             f"uagv/v2/{MANUFACTURER}/{serial}/state", "-m", payload], check=True)
         wait_until(lambda: "F0901" in text() and "F0907" in text(), "both refusals")
         self.assertIsNone(master.poll())
+
+    def test_Master_WhenTheBrokerHasTls_ThenItConnectsToTheOneThatItTrustsOnly(self):
+        def made(name: str) -> str:
+            """A certificate that signs itself, and its key."""
+            path = os.path.join(self.folder.name, name)
+            subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes", "-days", "2",
+                            "-subj", "/CN=broker", "-addext", "subjectAltName=IP:127.0.0.1", "-keyout", f"{path}.key", "-out", f"{path}.pem"],
+                           capture_output=True, check=True)
+            return path
+
+        certificate, other = made("broker"), made("other")
+        broker = Broker(self.folder.name, certificate)
+        self.addCleanup(broker.stop)
+
+        def master(trusted: str) -> pathlib.Path:
+            log = pathlib.Path(self.folder.name, os.path.basename(trusted) + ".log")
+            with log.open("w", encoding="utf-8") as output:
+                process = subprocess.Popen([MASTER, str(broker.port), "2", str(SEED), str(PATIENCE_S), trusted + ".pem"], stdout=output)
+            self.addCleanup(process.wait)
+            self.addCleanup(process.kill)
+            return log
+
+        distrusts = master(other)
+        wait_until(lambda: "unknown ca" in broker.log.read_text(encoding="utf-8"), "the refusal in the broker's log")
+        trusts = master(certificate)
+        wait_until(lambda: "connected 1" in trusts.read_text(encoding="utf-8"), "a connection inside TLS")
+        self.assertEqual(distrusts.read_text(encoding="utf-8"), "")
+        missing = subprocess.run([MASTER, str(broker.port), "2", str(SEED), "1", os.path.join(self.folder.name, "none.pem")],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(missing.returncode, 1)
+        self.assertIn("MQ001", missing.stdout)
 
 
 if __name__ == "__main__":

@@ -75,6 +75,9 @@ void FleetOrders::Desk::warn(const State& state, const std::string& source,
                      .message = message,
                      .hint = {}});
   };
+  if (state.mode != OperatingMode::Automatic && state.mode != OperatingMode::SemiAutomatic) {
+    add("/operatingMode: the vehicle is not under control: it takes no orders and has dropped its own");
+  }
   for (std::size_t k = 0; k < state.errors.size(); ++k) {
     const VehicleError& told = state.errors[k];
     add("/errors/" + std::to_string(k) + ": the vehicle reports " +
