@@ -64,6 +64,7 @@ constexpr std::array kCommands = {
     Command{"metrics", "stepwright-attend", "the figures of a runtime in the text form of Prometheus"},
     Command{"modbus-server", "stepwright-modbus-server", "serve the variables of a runtime over Modbus"},
     Command{"registers", "stepwright-registers", "list the Modbus addresses of a program's variables"},
+    Command{"vda5050", "stepwright-vda5050", "check messages of VDA 5050 by the rules of the standard"},
     Command{"reload", "stepwright-attend", "have a runtime read its configuration again"},
 };
 

@@ -35,3 +35,8 @@ find_library(STEPWRIGHT_CLP Clp REQUIRED)
 add_library(coin::clp UNKNOWN IMPORTED)
 set_target_properties(coin::clp PROPERTIES IMPORTED_LOCATION ${STEPWRIGHT_CLP} INTERFACE_INCLUDE_DIRECTORIES ${STEPWRIGHT_COIN_INCLUDE}
                                            INTERFACE_LINK_LIBRARIES ${STEPWRIGHT_COIN_UTILS})
+
+# libmosquitto brings pkg-config only. Licence: EPL-2.0 or EDL-1.0 (BSD); linked as it is.
+find_library(STEPWRIGHT_MOSQUITTO mosquitto REQUIRED)
+add_library(mosquitto::mosquitto UNKNOWN IMPORTED)
+set_target_properties(mosquitto::mosquitto PROPERTIES IMPORTED_LOCATION ${STEPWRIGHT_MOSQUITTO})

@@ -28,6 +28,7 @@ ARROWS = {
     "runtime/record": ["runtime/scan", "runtime/bytecode/reader"],
     "runtime/service": ["runtime/host"],
     "runtime/dds": ["runtime/service"],
+    "runtime/mqtt": ["runtime/result"],
     "runtime/modbus/control": ["runtime/base"],
     "runtime/modbus/line": [],
     "runtime/modbus/pdu": [],

@@ -1,0 +1,109 @@
+#include "programs/vda5050/fleet_link.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "supervisor/fleet/vda5050/read_message.h"
+#include "supervisor/fleet/vda5050/write_message.h"
+
+namespace stepwright::vda5050_link {
+
+using namespace fleet::vda5050;
+
+namespace {
+
+Timestamp utc_now() {
+  return std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
+}
+
+void append(result::Diagnostics& all, const result::Diagnostics& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+// Nobody speaks for another vehicle.
+bool speaks_for_itself(const Header& header, const Address& address, LinkNews& news,
+                       const std::string& topic) {
+  if (header.manufacturer == address.manufacturer && header.serial_number == address.serial_number)
+    return true;
+  append(news.wrong, result::fail("F0907", {topic, 0, 0},
+                                  "/serialNumber: '" + header.manufacturer + " " + header.serial_number +
+                                      "' is not whose topic this is")
+                         .value());
+  return false;
+}
+
+}  // namespace
+
+FleetLink::FleetLink(FleetOrders orders, std::set<std::string> vehicles, mqtt::Client& client,
+                     LinkOptions options)
+    : orders_(std::move(orders)),
+      vehicles_(std::move(vehicles)),
+      client_(client),
+      options_(std::move(options)) {
+  for (const Topic topic : {Topic::State, Topic::Connection}) {
+    const std::string all =
+        options_.interface_name + "/v2/" + options_.manufacturer + "/+/" + std::string(to_string(topic));
+    client_.subscribe(all, delivery_of(topic).qos);
+  }
+}
+
+void FleetLink::publish(const Order& order) {
+  const Address address{options_.interface_name, options_.manufacturer, order.header.serial_number};
+  const Delivery delivery = delivery_of(Topic::Order);
+  // What cannot be handed over now is not acknowledged either, and repeated.
+  client_.publish(topic_name(address, Topic::Order), to_json(order), delivery.qos, delivery.retained);
+  sent_[order.header.serial_number] = std::chrono::steady_clock::now();
+  ++published_;
+}
+
+void FleetLink::take_state(const mqtt::Message& message, const Address& address, LinkNews& news) {
+  const auto state = read_state(message.payload, message.topic);
+  if (!state) return append(news.wrong, state.error());
+  if (!speaks_for_itself(state->header, address, news, message.topic)) return;
+  const Progress progress = orders_.take(*state, utc_now());
+  append(news.wrong, progress.wrong);
+  for (const Order& order : progress.orders) publish(order);
+}
+
+void FleetLink::take_connection(const mqtt::Message& message, const Address& address, LinkNews& news) {
+  const auto connection = read_connection(message.payload, message.topic);
+  if (!connection) return append(news.wrong, connection.error());
+  if (!speaks_for_itself(connection->header, address, news, message.topic)) return;
+  auto& list = connection->state == ConnectionState::Online ? news.online : news.lost;
+  list.push_back(address.serial_number);
+}
+
+void FleetLink::handle(const mqtt::Message& message, LinkNews& news) {
+  const auto topic = parse_topic_name(message.topic);
+  if (!topic) return;
+  if (topic->topic == Topic::State) take_state(message, topic->address, news);
+  if (topic->topic == Topic::Connection) take_connection(message, topic->address, news);
+}
+
+void FleetLink::repeat() {
+  const auto now = std::chrono::steady_clock::now();
+  for (const auto& [name, sent] : std::map(sent_)) {
+    if (now - sent < options_.resend) continue;
+    for (const Order& order : orders_.unacknowledged(name, utc_now())) {
+      publish(order);
+      ++repeated_;
+    }
+  }
+}
+
+LinkNews FleetLink::turn(std::chrono::milliseconds wait) {
+  LinkNews news;
+  if (!begun_ && client_.connected()) {
+    begun_ = true;
+    for (const Order& order : orders_.begin(utc_now())) publish(order);
+  }
+  for (const mqtt::Message& message : client_.take(wait)) handle(message, news);
+  if (client_.connected()) repeat();
+  return news;
+}
+
+bool FleetLink::all_arrived() const {
+  return std::ranges::all_of(vehicles_, [&](const std::string& name) { return orders_.arrived(name); });
+}
+
+}  // namespace stepwright::vda5050_link

@@ -1,0 +1,54 @@
+// The master control of a made plan at a broker: for mqtt_fleet_test.py.
+//
+//   vda5050_master PORT VEHICLES SEED SECONDS [CA_FILE]     with it: inside TLS
+//
+// Prints a line for each thing that happens, at the end one JSON object. Exits with 0 once all have arrived.
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "programs/vda5050/fleet_link.h"
+#include "tests/support/vda5050/made_missions.h"
+
+int main(int argc, char** argv) {
+  using namespace stepwright;
+  using namespace std::chrono_literals;
+  if (argc != 5 && argc != 6) return 2;
+  const fleet::FleetPlan plan = support::random_plan(static_cast<std::uint32_t>(std::atoi(argv[2])),
+                                                     std::strtoull(argv[3], nullptr, 10));
+  std::set<std::string> names;
+  for (const auto& mission : plan.missions) names.insert(mission.vehicle);
+  mqtt::Options options;
+  options.port = static_cast<std::uint16_t>(std::atoi(argv[1]));
+  options.client_id = "master";
+  if (argc == 6) options.tls = mqtt::Tls{argv[5], {}, {}};
+  auto client = mqtt::Client::open(options);
+  auto orders = fleet::vda5050::FleetOrders::create(plan, {.plan_name = "test"});
+  if (!client) std::printf("%s\n", to_string(client.error()).c_str());
+  if (!client || !orders) return 1;
+  vda5050_link::FleetLink link(*std::move(orders), names, *client, {.resend = 300ms});
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(std::atoi(argv[4]));
+  std::size_t wrong = 0, connections = 0;
+  while (!link.all_arrived() && std::chrono::steady_clock::now() < end) {
+    const vda5050_link::LinkNews news = link.turn(50ms);
+    if (client->connections() > connections)
+      std::printf("connected %zu\n", connections = client->connections());
+    for (const auto& each : news.wrong) std::printf("%s\n", to_string(each).c_str());
+    for (const std::string& name : news.online) std::printf("online %s\n", name.c_str());
+    for (const std::string& name : news.lost) std::printf("lost %s\n", name.c_str());
+    wrong += news.wrong.size();
+    std::fflush(stdout);
+  }
+  const nlohmann::json report = {{"arrived", link.all_arrived()},
+                                 {"published", link.published()},
+                                 {"repeated", link.repeated()},
+                                 {"connections", connections},
+                                 {"wrong", wrong},
+                                 {"vehicles", names.size()}};
+  std::printf("%s\n", report.dump().c_str());
+  return link.all_arrived() ? 0 : 1;
+}

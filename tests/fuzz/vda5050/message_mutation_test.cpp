@@ -1,0 +1,170 @@
+// Messages of VDA 5050 and thousands of mutations of them through the readers, and into the orders of a
+// fleet.
+//
+// STEPWRIGHT_FUZZ_CORPUS, if set, names a folder that gets the seeds, for fuzz_vda5050. Longer:
+// STEPWRIGHT_FUZZ_SEED=7 STEPWRIGHT_FUZZ_ROUNDS=50000 fuzz_vda5050_mutation.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <random>
+#include <span>
+
+#include "supervisor/fleet/vda5050/fleet_orders.h"
+#include "supervisor/fleet/vda5050/read_message.h"
+#include "supervisor/fleet/vda5050/write_message.h"
+#include "tests/fuzz/fault_case.h"
+#include "tests/fuzz/vda5050/message_run.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/vda5050/made_missions.h"
+#include "tests/support/vda5050/standard_vehicle.h"
+#include "tests/unit/supervisor/fleet/vda5050/sample_messages.h"
+
+namespace stepwright::fuzz::vda5050 {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace fleet::vda5050;
+
+constexpr std::uint64_t kRoundsPerSeed = 400;
+constexpr std::array<const char*, 24> kTokens = {"{",
+                                                 "}",
+                                                 "[",
+                                                 "]",
+                                                 ",",
+                                                 ":",
+                                                 "\"",
+                                                 "null",
+                                                 "true",
+                                                 "-1",
+                                                 "1e999",
+                                                 "4294967296",
+                                                 "0.5",
+                                                 "1e-400",
+                                                 "\\u0000",
+                                                 "\"\\ud800\"",
+                                                 "\xff",
+                                                 "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[",
+                                                 "\"sequenceId\":2,",
+                                                 "\"released\":false,",
+                                                 "2",
+                                                 "4",
+                                                 "\"FINISHED\"",
+                                                 "\"2026-11-23T03:50:00Z\""};
+
+std::uint64_t setting(const char* name, std::uint64_t otherwise) {
+  const char* const text = std::getenv(name);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+std::vector<std::string> seeds() {
+  std::vector<std::string> texts;
+  for (const Topic topic : kTopics) texts.push_back(sample_message(topic));
+  return texts;
+}
+
+std::string mutated(std::string text, const std::vector<std::string>& all, std::mt19937& random) {
+  const auto below = [&](std::size_t count) { return count == 0 ? 0 : random() % count; };
+  for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
+    const std::size_t at = below(text.size()), size = below(20);
+    switch (below(6)) {
+      case 0:
+        text.erase(at, size);
+        break;
+      case 1:
+        text.insert(at, kTokens[below(kTokens.size())]);
+        break;
+      case 2:
+        text.replace(at, size, kTokens[below(kTokens.size())]);
+        break;
+      case 3: {
+        const std::string& other = all[below(all.size())];
+        text.insert(at, other.substr(below(other.size()), size));
+        break;
+      }
+      case 4:
+        // Digits become other numbers, letters other words.
+        if (!text.empty())
+          text[at] = static_cast<char>(text[at] >= '0' && text[at] <= '9' ? '0' + below(10) : below(256));
+        break;
+      default:
+        if (below(8) == 0) text.resize(at);
+        break;
+    }
+  }
+  return text;
+}
+
+TEST(Vda5050Mutation, Messages_WhenBroken_ThenAreRefusedOrAreTheSameWrittenAndRead) {
+  std::mt19937 random(static_cast<std::mt19937::result_type>(setting("STEPWRIGHT_FUZZ_SEED", 20261123)));
+  const std::uint64_t rounds = setting("STEPWRIGHT_FUZZ_ROUNDS", kRoundsPerSeed);
+  const std::vector<std::string> all = seeds();
+  std::size_t runs = 0, accepted = 0;
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    ASSERT_GE(run(all[s]).accepted, 1) << s;
+    for (std::uint64_t round = 0; round < rounds; ++round) {
+      const std::string text = mutated(all[s], all, random);
+      name_case("vda5050 seed " + std::to_string(s) + ", round " + std::to_string(round),
+                std::as_bytes(std::span(text)));
+      const auto done = run(text);
+      ++runs;
+      accepted += done.accepted > 0 ? 1 : 0;
+      ASSERT_EQ(done.finding, "") << "seed " << s << ", round " << round << ", in " << keep_case();
+    }
+  }
+  std::cout << runs << " runs, " << accepted << " accepted\n";
+  EXPECT_GT(accepted, runs / 40);  // else only the parser is tested
+}
+
+// States of a vehicle in a run, mutated: a base never shrinks, whatever a vehicle says.
+TEST(Vda5050Mutation, States_WhenBroken_ThenBasesStayAsTheyWereOrGrow) {
+  std::mt19937 random(static_cast<std::mt19937::result_type>(setting("STEPWRIGHT_FUZZ_SEED", 20261123)));
+  auto orders = FleetOrders::create(support::random_plan(4, 3), {});
+  ASSERT_TRUE(orders.has_value());
+  std::vector<std::string> said;
+  for (const Order& order : orders->begin({})) {
+    support::StandardVehicle vehicle("Stepwright", order.header.serial_number);
+    vehicle.take_order(to_json(order));
+    while (vehicle.drive()) said.push_back(to_json(vehicle.state({})));
+  }
+  const auto released = [&] {
+    std::vector<std::size_t> bases;
+    for (int v = 1; v <= 4; ++v) bases.push_back(*decision_point(*orders->order("v" + std::to_string(v))));
+    return bases;
+  };
+  std::size_t taken = 0;
+  for (int round = 0; round < 1500; ++round) {
+    const std::string text = mutated(said[random() % said.size()], said, random);
+    name_case("vda5050 state, round " + std::to_string(round), std::as_bytes(std::span(text)));
+    const auto state = read_state(text, "input");
+    if (!state) continue;
+    ++taken;
+    const auto before = released();
+    const Progress progress = orders->take(*state, {});
+    const auto after = released();
+    for (std::size_t v = 0; v < before.size(); ++v) ASSERT_GE(after[v], before[v]) << keep_case();
+    for (const Order& order : progress.orders) ASSERT_EQ(run(to_json(order)).finding, "") << keep_case();
+  }
+  EXPECT_GT(taken, 100u);
+}
+
+// Where libFuzzer is to find them: STEPWRIGHT_FUZZ_CORPUS.
+TEST(Vda5050Mutation, Seeds_WhenWrittenAsACorpus_ThenEachIsAFile) {
+  const support::TemporaryFolder own;
+  const char* const asked = std::getenv("STEPWRIGHT_FUZZ_CORPUS");
+  const fs::path folder = asked == nullptr ? own.path() : fs::path(asked);
+  fs::create_directories(folder);
+  const std::vector<std::string> all = seeds();
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    const fs::path file = folder / ("seed" + std::to_string(s));
+    std::ofstream(file, std::ios::binary) << all[s];
+    EXPECT_EQ(fs::file_size(file), all[s].size());
+  }
+}
+
+}  // namespace
+}  // namespace stepwright::fuzz::vda5050
