@@ -74,7 +74,7 @@ Draft draft(int size, Random& random) {
 }  // namespace
 
 Generator counters() {
-  return {"counters", "numbers into ascending order", kDomain, {1, 2, 4, 7, 11}, 200, false, draft};
+  return {"counters", "numbers into ascending order", kDomain, {1, 2, 4, 7, 11}, 5000, false, draft};
 }
 
 }  // namespace stepwright::bench

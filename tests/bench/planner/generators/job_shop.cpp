@@ -119,7 +119,7 @@ Draft draft(int size, Random& random) {
 }  // namespace
 
 Generator job_shop() {
-  return {"job_shop", "operations on machines, least makespan", kDomain, {1, 2, 4, 6, 9}, 200, false, draft};
+  return {"job_shop", "operations on machines, least makespan", kDomain, {1, 2, 4, 6, 9}, 5000, false, draft};
 }
 
 }  // namespace stepwright::bench

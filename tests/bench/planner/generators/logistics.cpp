@@ -119,7 +119,7 @@ Draft draft(int size, Random& random) {
 }  // namespace
 
 Generator logistics() {
-  return {"logistics", "parcels by truck and plane", kDomain, {1, 2, 4, 7, 10}, 150, true, draft};
+  return {"logistics", "parcels by truck and plane", kDomain, {1, 2, 4, 7, 10}, 5000, true, draft};
 }
 
 }  // namespace stepwright::bench
