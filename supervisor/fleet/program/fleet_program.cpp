@@ -75,7 +75,7 @@ class ProjectWriter {
 
  private:
   VehicleNames add_tables(std::size_t v, VehicleTables tables) {
-    VehicleNames names{names_[v], tables.path.name, tables.areas.name, tables.planes.name};
+    VehicleNames names{names_[v], tables.path.name, tables.areas.name, tables.planes.name, v};
     auto& globals = made_.project.globals;
     for (Variable& each : vehicle_globals(plan_.missions[v], names, terminals_.vehicles[v], options_)) {
       globals.push_back(std::move(each));

@@ -136,9 +136,8 @@ std::vector<Variable> vehicle_globals(const VehicleMission& mission, const Vehic
     globals.push_back(global(name + "_" + v, is_word(name) ? "INT" : "BOOL", "terminal of " + mission.vehicle, address));
   }
   // Vehicles take turns, so that not all of them compute in the same scan.
-  const std::uint32_t turn = static_cast<std::uint32_t>(std::hash<std::string>{}(v) % 8);
   globals.push_back(global("vehicle_" + v, "VEHICLE_REF", mission.vehicle, {},
-                           vehicle_initial(mission, options, static_cast<double>(turn) / 8.0)));
+                           vehicle_initial(mission, options, static_cast<double>(names.turn % 4) / 4.0)));
   globals.push_back(global("slack_" + v, "REAL", "by which the outline may be measured outside of its polygons", {},
                            real_literal(options.margins.outside_m)));
   globals.push_back(global("permitted_" + v, "REAL", "up to where it may drive along its path, m"));

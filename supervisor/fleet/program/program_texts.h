@@ -19,6 +19,7 @@ struct VehicleNames {
   std::string path;
   std::string areas;
   std::string planes;
+  std::size_t turn = 0;  // its number
 };
 
 std::vector<graphic::Variable> shared_globals(const FleetTerminals& terminals);
