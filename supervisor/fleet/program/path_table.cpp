@@ -48,6 +48,9 @@ Leg thinned(const Leg& leg, double sample_m) {
   for (std::size_t k = 1; k + 1 < leg.size(); ++k) {
     if (leg[k + 1].arc_m - kept.back().arc_m > sample_m + kSame_m) kept.push_back(leg[k]);
   }
+  // A last bit that is very short would have a curvature of rounding.
+  const bool short_end = leg.back().arc_m - kept.back().arc_m < 0.25 * sample_m;
+  if (short_end && kept.size() > 1) kept.pop_back();
   kept.push_back(leg.back());
   return kept;
 }
@@ -153,23 +156,6 @@ class Table {
 
 std::vector<PathSample> path_table(const VehicleMission& mission, const ProgramOptions& options) {
   return Table(mission, options).make();
-}
-
-double driving_time_s(const std::vector<PathSample>& samples, const DriveData& drive) {
-  double time = 0.0;
-  double speed = 0.0;
-  for (std::size_t k = 1; k < samples.size(); ++k) {
-    const double way = samples[k].arc_m - samples[k - 1].arc_m;
-    if (way <= 0.0) {
-      speed = 0.0;
-      continue;
-    }
-    const double next =
-        std::min(samples[k].speed_m_s, std::sqrt(speed * speed + 2.0 * drive.speed_up_m_s2 * way));
-    time += 2.0 * way / std::max(1e-3, speed + next);
-    speed = next;
-  }
-  return time;
 }
 
 }  // namespace stepwright::fleet

@@ -25,7 +25,4 @@ struct PathSample {
 // Empty where the path goes nowhere.
 std::vector<PathSample> path_table(const VehicleMission& mission, const ProgramOptions& options);
 
-// Seconds along the samples without any wait, from rest to rest.
-double driving_time_s(const std::vector<PathSample>& samples, const DriveData& drive);
-
 }  // namespace stepwright::fleet

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "supervisor/fleet/program/path_table.h"
 #include "tests/unit/supervisor/fleet/program/fleet_rig.h"
 #include "tests/unit/supervisor/fleet/program/planned_fleet.h"
 

@@ -4,11 +4,12 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include "supervisor/fleet/lattice/path_planner.h"
-#include "tests/support/fleet/split_mix.h"
+#include "supervisor/fleet/program/driving_times.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -16,10 +17,14 @@ namespace {
 constexpr std::chrono::milliseconds kService{1'000};
 constexpr double kRoom_m = 0.15;  // to each side, that plans keep for controllers
 
+constexpr double kRadius_m = 0.5;
+
 VehicleModel padded(VehicleModel model) {
   model.front_m += kRoom_m;
   model.rear_m += kRoom_m;
   model.width_m += 2.0 * kRoom_m;
+  // At full lock nothing is left to steer with, and the wheels slip.
+  model.min_turning_radius_m += kRadius_m;
   return model;
 }
 
@@ -76,6 +81,7 @@ FleetPlan plan_missions(const OccupancyGrid& grid, const std::vector<DrawnMissio
     if (!grown) throw std::runtime_error(result::to_string(grown.error()));
     plan.missions.push_back(mission_of(v, model, std::move(path), std::move(*grown), std::move(stops)));
   }
+  for (VehicleMission& mission : plan.missions) set_driving_times(mission, {});
   plan.schedule = schedule(envelopes_of(plan), plan.constraints, {.mode = mode});
   if (plan.schedule.verdict != Verdict::Scheduled) {
     throw std::runtime_error(to_string(plan.schedule.core, envelopes_of(plan), plan.constraints));
@@ -85,23 +91,15 @@ FleetPlan plan_missions(const OccupancyGrid& grid, const std::vector<DrawnMissio
 
 FleetPlan plan_mine(std::size_t vehicles) {
   const support::DrawnFloor mine = support::draw_mine(1);
-  std::vector<std::size_t> goals = {0,1,2,3,4,5,6,7,8,9};
-  support::SplitMix64 random(7);
-  for (int trial = 0; trial < 400; ++trial) {
-    for (std::size_t i = 10; i-- > 1;) std::swap(goals[i], goals[random.below(i + 1)]);
-    bool same = false;
-    for (std::size_t i = 0; i < vehicles; ++i) same |= goals[i] == i;
-    if (same) continue;
+  // A permutation of the dead ends: nobody goes where somebody stays.
+  constexpr std::array<std::size_t, 7> kGoals = {1, 6, 7, 0, 9, 2, 8};
   std::vector<DrawnMission> missions;
   for (std::size_t k = 0; k < vehicles; ++k) {
-    geometry::Pose goal = mine.stations[goals[k]];
+    geometry::Pose goal = mine.stations[kGoals[k]];
     goal.heading_rad = std::remainder(goal.heading_rad + std::numbers::pi, 2.0 * std::numbers::pi);
     missions.push_back({mine.stations[k], {goal}});
   }
-  try { FleetPlan p = plan_missions(mine.grid, missions); std::size_t n = p.schedule.precedences.size();
-   std::printf("ok %zu prec:", n); for (auto g : goals) std::printf(" %zu,", g); std::printf("\n"); if (n > 12) return p; } catch (...) {}
-  }
-  throw 1;
+  return plan_missions(mine.grid, missions);
 }
 
 FleetPlan plan_warehouse(std::size_t vehicles) {
