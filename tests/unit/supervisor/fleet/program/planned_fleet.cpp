@@ -104,8 +104,7 @@ FleetPlan plan_mine(std::size_t vehicles) {
 
 FleetPlan plan_warehouse(std::size_t vehicles) {
   const support::DrawnFloor floor = support::draw_warehouse(1);
-  // Everyone to where the next one but one stands, so that they cross.
-  constexpr std::array<std::array<std::size_t, 2>, 5> kTasks = {{{0, 13}, {10, 1}, {5, 22}, {20, 7}, {15, 4}}};
+  constexpr std::array<std::array<std::size_t, 2>, 5> kTasks = {{{14, 0}, {21, 17}, {19, 4}, {12, 15}, {6, 5}}};
   std::vector<DrawnMission> missions;
   for (std::size_t k = 0; k < vehicles; ++k) {
     missions.push_back({floor.stations[kTasks[k][0]], {floor.stations[kTasks[k][1]]}});
