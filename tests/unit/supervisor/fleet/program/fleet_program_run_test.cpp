@@ -141,14 +141,13 @@ TEST(FleetProgramRun, WhenTheEmergencyStopIsPressed_ThenAllStopAndGoOnAfterARese
   EXPECT_TRUE(rig.engines_agree);
 }
 
-TEST(FleetProgramRun, WhenNavigationFreezesOrDriftsOrTheSteeringSticks_ThenTheVehicleStopsAndIsLocated) {
+TEST(FleetProgramRun, WhenNavigationFreezesOrTheSteeringSticks_ThenTheVehicleStopsAndIsLocated) {
   const FleetPlan plan = plan_warehouse(3);
   FleetRig rig(plan, {.native = false});
   rig.run(8.0);
   ASSERT_GT(std::abs(rig.of("Speed", 0)), 0.1) << rig.state();
   rig.fault("frozen_pose_v1", 1);
   rig.fault("stuck_steering_v2", 1);
-  rig.fault("slip_v3", 0.5);
   rig.run(60.0);
   EXPECT_EQ(rig.of("ErrorID", 0), 26.0) << rig.state();
   EXPECT_TRUE(rig.of("ErrorID", 1) == 28.0 || rig.of("ErrorID", 1) == 21.0) << rig.state();
@@ -158,7 +157,6 @@ TEST(FleetProgramRun, WhenNavigationFreezesOrDriftsOrTheSteeringSticks_ThenTheVe
     EXPECT_NEAR(rig.of("ErrorY", v), rig.pose(v).y_m, 1.0);
   }
   expect_safe(rig);
-  std::printf("%s", rig.state().c_str());
 }
 
 TEST(FleetProgramRun, WhenAPalletIsToBeCarried_ThenItIsPickedUpAndSetDownWhereItBelongs) {

@@ -45,7 +45,6 @@ Ride ride_of_the_program(const geometry::Path& path) {
   }
   ride.time_s = rig.time_s();
   ride.arrived = rig.all_arrived();
-  if (!ride.arrived) std::printf("%s", rig.state().c_str());
   ride.miss_m = geometry::distance(rig.pose(0).position(), path.back().pose.position());
   return ride;
 }
@@ -81,7 +80,6 @@ Ride ride_of_the_controller(const geometry::Path& path) {
   }
   const auto at = floor->vehicle_pose(0);
   ride.arrived = follower.arrived();
-  if (!ride.arrived) std::printf("controller lost %d at %.2f of %.2f dev %.2f pose %.2f %.2f %.2f\n", follower.lost(), follower.arc_m(), path.back().arc_m, follower.deviation_m(), at.x_m, at.y_m, at.heading_rad);
   ride.miss_m = geometry::distance({at.x_m, at.y_m}, path.back().pose.position());
   return ride;
 }
@@ -89,8 +87,6 @@ Ride ride_of_the_controller(const geometry::Path& path) {
 void expect_as_good(const geometry::Path& path) {
   const Ride program = ride_of_the_program(path);
   const Ride controller = ride_of_the_controller(path);
-  std::printf("program: %.1f s, deviation %.3f m, miss %.3f m; controller: %.1f s, %.3f m, %.3f m\n", program.time_s,
-              program.most_deviation_m, program.miss_m, controller.time_s, controller.most_deviation_m, controller.miss_m);
   EXPECT_TRUE(program.arrived);
   EXPECT_TRUE(controller.arrived);
   EXPECT_LT(program.most_deviation_m, controller.most_deviation_m + 0.05);
