@@ -17,7 +17,7 @@
 #include "ladder/graphic/sfc_drawing.h"
 #include "ladder/graphic/sfc_hazards.h"
 #include "tests/unit/supervisor/fleet/control/made_path.h"
-#include "tests/unit/supervisor/fleet/program/planned_fleet.h"
+#include "tests/support/fleet_program/planned_fleet.h"
 
 namespace stepwright::fleet {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "supervisor/fleet/control/path_follower.h"
 #include "tests/unit/supervisor/fleet/control/made_path.h"
-#include "tests/unit/supervisor/fleet/program/fleet_rig.h"
-#include "tests/unit/supervisor/fleet/program/planned_fleet.h"
+#include "tests/support/fleet_program/fleet_rig.h"
+#include "tests/support/fleet_program/planned_fleet.h"
 
 namespace stepwright::fleet {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/unit/supervisor/fleet/program/planned_fleet.h"
+#include "tests/support/fleet_program/planned_fleet.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "tests/unit/supervisor/fleet/program/fleet_rig.h"
+#include "tests/support/fleet_program/fleet_rig.h"
 
 #include <fmt/format.h>
 
@@ -33,21 +33,6 @@ assemblies::FleetParameters floor_of(const FleetPlan& plan, const RigOptions& op
   return parameters;
 }
 
-std::vector<bridge::PortWire> wires_of(const FleetTerminals& terminals) {
-  std::vector<bridge::PortWire> wires = {{"estop_ok", terminals.estop_ok, {}}};
-  for (std::size_t v = 0; v < terminals.vehicles.size(); ++v) {
-    const VehicleTerminals& t = terminals.vehicles[v];
-    const std::string name = fmt::format("_v{}", v + 1);
-    for (const auto& [port, address] :
-         {std::pair("x", t.x), {"y", t.y}, {"heading", t.heading}, {"speed", t.speed}, {"lock", t.lock},
-          {"lifted", t.lifted}, {"lowered", t.lowered}, {"loaded", t.loaded}, {"bumper", t.bumper},
-          {"enable", t.enable}, {"set_speed", t.set_speed}, {"set_lock", t.set_lock}, {"lift", t.lift}}) {
-      wires.push_back({port + name, address, {}});
-    }
-  }
-  return wires;
-}
-
 bool is_interlock(const graphic::Condition& condition) {
   return condition.kind == graphic::ConditionKind::Comparison && condition.name.starts_with("areas_");
 }
@@ -79,7 +64,7 @@ FleetRig::FleetRig(const FleetPlan& plan, const RigOptions& options) : plan_(pla
   }
   floor_ = or_throw(assemblies::FleetFloor::create(floor_of(plan, options)));
   inputs_.resize(vm_->image().inputs().size());
-  const auto wires = wires_of(terminals);
+  const auto wires = bridge::default_fleet_wires(plan.missions.size());
   driver_ = or_throw(bridge::PlantDriver::create(*floor_, wires, {inputs_.size(), vm_->image().outputs().size()}));
   arrival_s.resize(plan.missions.size());
   most_deviation_m.resize(plan.missions.size());
