@@ -37,7 +37,8 @@ class Remaining {
     while (has({last.column + 1, first.row})) ++last.column;
     while (has_row(last.row + 1, first.column, last.column)) ++last.row;
     for (std::int32_t row = first.row; row <= last.row; ++row) {
-      for (std::int32_t column = first.column; column <= last.column; ++column) taken_.set({column, row}, true);
+      for (std::int32_t column = first.column; column <= last.column; ++column)
+        taken_.set({column, row}, true);
     }
     return last;
   }
@@ -118,7 +119,8 @@ class StandCheck {
   result::Diagnostics problems_;
 };
 
-result::Diagnostics check_places(const config::FleetPlantConfig& fleet, const std::optional<OccupancyGrid>& grid,
+result::Diagnostics check_places(const config::FleetPlantConfig& fleet,
+                                 const std::optional<OccupancyGrid>& grid,
                                  const assemblies::ForkliftBody& body) {
   StandCheck check(grid);
   for (std::size_t k = 0; k < fleet.vehicles.size(); ++k) {
@@ -142,8 +144,8 @@ std::vector<assemblies::BlockParameters> walls_of(const OccupancyGrid& grid) {
     for (std::int32_t column = 0; column < grid.frame().columns; ++column) {
       if (!remaining.has({column, row})) continue;
       const Cell last = remaining.take({column, row});
-      walls.push_back(block(grid.frame().corner({column, row}),
-                            grid.frame().corner({last.column + 1, last.row + 1})));
+      walls.push_back(
+          block(grid.frame().corner({column, row}), grid.frame().corner({last.column + 1, last.row + 1})));
     }
   }
   add_border(grid, walls);

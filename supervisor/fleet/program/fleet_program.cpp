@@ -110,7 +110,8 @@ class ProjectWriter {
     add_program(std::move(pou));
   }
 
-  // Instances of one task run in this order: charts see the places of their own scan, drives what charts permit.
+  // Instances of one task run in this order: charts see the places of their own scan, drives what charts
+  // permit.
   void add_program(graphic::Pou pou) {
     made_.project.instances.push_back({pou.name, pou.name, kTask});
     made_.project.pous.push_back(std::move(pou));
@@ -118,7 +119,8 @@ class ProjectWriter {
 
   void add_warnings() {
     for (const TemporalConstraint& bound : plan_.constraints) {
-      const bool seen_to = !bound.from && bound.to.side == Side::Entry && bound.distance.most.count() >= kHorizon.count();
+      const bool seen_to =
+          !bound.from && bound.to.side == Side::Entry && bound.distance.most.count() >= kHorizon.count();
       if (seen_to) continue;
       result::Diagnostic warning;
       warning.code = "F1106";
@@ -142,12 +144,12 @@ result::Result<void> check_options(const ProgramOptions& options) {
   const DriveData& d = options.drive;
   const FleetMargins& m = options.margins;
   const std::pair<const char*, double> figures[] = {
-      {"speed_up_m_s2", d.speed_up_m_s2},       {"brake_m_s2", d.brake_m_s2},
-      {"hard_brake_m_s2", d.hard_brake_m_s2},   {"lateral_m_s2", d.lateral_m_s2},
-      {"lock_rate_rad_s", d.lock_rate_rad_s},   {"speed_lag_s", d.speed_lag_s},
-      {"lock_lag_s", d.lock_lag_s},             {"halt_before_m", m.halt_before_m},
-      {"left_behind_m", m.left_behind_m},       {"outside_m", m.outside_m},
-      {"sample_m", options.sample_m},           {"interval_us", static_cast<double>(options.interval_us)}};
+      {"speed_up_m_s2", d.speed_up_m_s2},     {"brake_m_s2", d.brake_m_s2},
+      {"hard_brake_m_s2", d.hard_brake_m_s2}, {"lateral_m_s2", d.lateral_m_s2},
+      {"lock_rate_rad_s", d.lock_rate_rad_s}, {"speed_lag_s", d.speed_lag_s},
+      {"lock_lag_s", d.lock_lag_s},           {"halt_before_m", m.halt_before_m},
+      {"left_behind_m", m.left_behind_m},     {"outside_m", m.outside_m},
+      {"sample_m", options.sample_m},         {"interval_us", static_cast<double>(options.interval_us)}};
   for (const auto& [name, value] : figures) {
     if (!(std::isfinite(value) && value > 0.0)) {
       return result::fail("F1105", {}, fmt::format("{} is {}, not above zero", name, value));
@@ -158,8 +160,9 @@ result::Result<void> check_options(const ProgramOptions& options) {
 
 result::Result<void> check_terminals(const FleetPlan& plan, const FleetTerminals& terminals) {
   if (terminals.vehicles.size() != plan.missions.size()) {
-    return result::fail("F1105", {}, fmt::format("terminals of {} vehicles for a plan of {}",
-                                                  terminals.vehicles.size(), plan.missions.size()));
+    return result::fail("F1105", {},
+                        fmt::format("terminals of {} vehicles for a plan of {}", terminals.vehicles.size(),
+                                    plan.missions.size()));
   }
   if (terminals.estop_ok.empty()) {
     return result::fail("F1105", {}, "the emergency stop has no terminal", "give the address of estop_ok");

@@ -1,8 +1,8 @@
 #pragma once
 
-// A plan of the fleet as a program that runs in the scan: one sequential function chart for each vehicle, whose
-// transitions are the precedences of the schedule, paths and polygons as data, and the function blocks that
-// drive (ladder/driver/library/vehicle*.st). supervisor/doc/fleet_program.md states the rules, ADR 8 the
+// A plan of the fleet as a program that runs in the scan: one sequential function chart for each vehicle,
+// whose transitions are the precedences of the schedule, paths and polygons as data, and the function blocks
+// that drive (ladder/driver/library/vehicle*.st). supervisor/doc/fleet_program.md states the rules, ADR 8 the
 // decision.
 //
 // A pure function; the result is a value. Lowering, compiling and drawing take `project` as any hand-written
@@ -60,9 +60,9 @@ struct MissionStep {
 };
 
 struct MissionProgram {
-  std::string vehicle;   // as the plan names it
-  std::string name;      // the same in names of variables
-  std::string program;   // POU and instance of its chart
+  std::string vehicle;             // as the plan names it
+  std::string name;                // the same in names of variables
+  std::string program;             // POU and instance of its chart
   std::vector<MissionStep> steps;  // in the order of the chart's
 };
 
@@ -85,8 +85,8 @@ struct FleetProgram {
 // F1101: the plan is no schedule, or its parts do not belong together. F1102: two polygons overlap and no
 // precedence orders them, so that a delay could let vehicles meet. F1103: vehicles would wait for each other
 // for ever, because a polygon is too short to wait before it. F1104: too large for the data's types, or
-// outside of what the terminals can say. F1105: a terminal that a vehicle needs is missing, or a figure has no
-// physical sense.
+// outside of what the terminals can say. F1105: a terminal that a vehicle needs is missing, or a figure has
+// no physical sense.
 [[nodiscard]] result::Result<FleetProgram> fleet_program(const FleetPlan& plan,
                                                          const FleetTerminals& terminals,
                                                          const ProgramOptions& options);

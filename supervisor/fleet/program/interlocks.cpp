@@ -45,11 +45,13 @@ result::Result<void> check_parts(const FleetPlan& plan) {
   }
   for (const Precedence& wait : plan.schedule.precedences) {
     for (const PolygonRef at : {wait.first, wait.second}) {
-      const bool there = at.vehicle < plan.missions.size() &&
-                         at.polygon < plan.missions[at.vehicle].grown.visits.size();
+      const bool there =
+          at.vehicle < plan.missions.size() && at.polygon < plan.missions[at.vehicle].grown.visits.size();
       if (!there) {
-        return result::fail("F1101", {}, fmt::format("a precedence names polygon {} of vehicle number {}, which is not there",
-                                                      at.polygon, at.vehicle));
+        return result::fail(
+            "F1101", {},
+            fmt::format("a precedence names polygon {} of vehicle number {}, which is not there", at.polygon,
+                        at.vehicle));
       }
     }
   }
@@ -71,11 +73,13 @@ result::Result<void> check_pairs(const FleetPlan& plan, const Interlocks& made) 
   const auto envelopes = envelopes_of(plan);
   for (const SpatialPair& pair : overlapping_pairs(envelopes)) {
     if (ordered(made, pair.a, pair.b) || ordered(made, pair.b, pair.a)) continue;
-    return result::fail("F1102", {},
-                        fmt::format("polygon {} of '{}' and polygon {} of '{}' overlap, and no precedence says who comes first",
-                                    pair.a.polygon, envelopes[pair.a.vehicle].vehicle, pair.b.polygon,
-                                    envelopes[pair.b.vehicle].vehicle),
-                        "a program needs a schedule of Mode::Strict");
+    return result::fail(
+        "F1102", {},
+        fmt::format(
+            "polygon {} of '{}' and polygon {} of '{}' overlap, and no precedence says who comes first",
+            pair.a.polygon, envelopes[pair.a.vehicle].vehicle, pair.b.polygon,
+            envelopes[pair.b.vehicle].vehicle),
+        "a program needs a schedule of Mode::Strict");
   }
   return {};
 }
@@ -131,7 +135,8 @@ class Events {
       }
       // To come so far it has to have entered all polygons before which it would halt short of it.
       std::size_t needed = k + 1;
-      while (needed + 1 < polygons && made_.halt_m[v][needed + 1] < made_.free_m[v][k] + 0.5 * kReached_m) ++needed;
+      while (needed + 1 < polygons && made_.halt_m[v][needed + 1] < made_.free_m[v][k] + 0.5 * kReached_m)
+        ++needed;
       if (k + 1 < polygons) {
         require(leave(v, k), enter(v, needed));
       } else {
@@ -164,10 +169,11 @@ result::Result<Interlocks> find_interlocks(const FleetPlan& plan, const ProgramO
   if (auto good = check_pairs(plan, made); !good) return result::forward(good);
   Events events(plan, made);
   if (const auto at = events.blocked()) {
-    return result::fail("F1103", {},
-                        fmt::format("'{}' could never enter its polygon {}: the vehicle that it waits for would wait for it",
-                                    plan.missions[at->vehicle].vehicle, at->polygon),
-                        "polygons that a vehicle has to wait between need a way of 0.5 m from entry to entry");
+    return result::fail(
+        "F1103", {},
+        fmt::format("'{}' could never enter its polygon {}: the vehicle that it waits for would wait for it",
+                    plan.missions[at->vehicle].vehicle, at->polygon),
+        "polygons that a vehicle has to wait between need a way of 0.5 m from entry to entry");
   }
   return made;
 }

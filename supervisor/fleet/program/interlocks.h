@@ -1,7 +1,8 @@
 #pragma once
 
-// The precedences of a schedule as conditions for entering polygons, and the proof that they are enough: every
-// two polygons of different vehicles that overlap are ordered, and nobody waits for ever. Pure functions.
+// The precedences of a schedule as conditions for entering polygons, and the proof that they are enough:
+// every two polygons of different vehicles that overlap are ordered, and nobody waits for ever. Pure
+// functions.
 //
 //   auto interlocks = find_interlocks(plan, options);
 //   for (const Interlock& wait : interlocks->before[v][k]) ...   // what vehicle v waits for before polygon k
@@ -32,6 +33,7 @@ struct Interlocks {
 };
 
 // Fails with F1101, F1102 or F1103.
-[[nodiscard]] result::Result<Interlocks> find_interlocks(const FleetPlan& plan, const ProgramOptions& options);
+[[nodiscard]] result::Result<Interlocks> find_interlocks(const FleetPlan& plan,
+                                                         const ProgramOptions& options);
 
 }  // namespace stepwright::fleet

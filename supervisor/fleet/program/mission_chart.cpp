@@ -51,9 +51,11 @@ class Writer {
 
   MissionChart build() {
     const StepId start = step({"START", MissionStepKind::Start}, "the way begins");
-    action("BEGIN", fmt::format("vehicle_{0}.Arc := 0.0;\nvehicle_{0}.Point := 0;\nvehicle_{0}.Area := 0;\n"
-                                "vehicle_{0}.Areas := 0;\npermitted_{0} := 0.0;\n",
-                                name_), Qualifier::P1);
+    action("BEGIN",
+           fmt::format("vehicle_{0}.Arc := 0.0;\nvehicle_{0}.Point := 0;\nvehicle_{0}.Area := 0;\n"
+                       "vehicle_{0}.Areas := 0;\npermitted_{0} := 0.0;\n",
+                       name_),
+           Qualifier::P1);
     StepId at = polygon_step();
     transition({start}, at, graphic::always(), "");
     while (true) {
@@ -146,7 +148,8 @@ class Writer {
     for (const TemporalConstraint& bound : plan_.constraints) {
       const bool here = bound.to.at == PolygonRef{vehicle_, static_cast<std::uint32_t>(polygon_)};
       if (bound.from || !here || bound.to.side != Side::Entry || bound.distance.least.count() <= 0) continue;
-      conditions.push_back(compare("fleet_time", CompareOp::GreaterEqual, time_literal(bound.distance.least)));
+      conditions.push_back(
+          compare("fleet_time", CompareOp::GreaterEqual, time_literal(bound.distance.least)));
       comment += fmt::format("{}not before {} ({})", comment.empty() ? "" : ", ",
                              time_literal(bound.distance.least), bound.name);
     }
@@ -163,7 +166,8 @@ class Writer {
       block("raise_" + name_, stop.kind == StopKind::PickUp ? Qualifier::S : Qualifier::R);
     }
     transition({from}, at, all({beyond(stop.arc_m - kArrived_m), contact("standing_" + name_)}), "");
-    std::vector<Condition> conditions = {compare(name + ".T", CompareOp::GreaterEqual, time_literal(stop.service))};
+    std::vector<Condition> conditions = {
+        compare(name + ".T", CompareOp::GreaterEqual, time_literal(stop.service))};
     if (forks) conditions.push_back(contact("forks_done_" + name_));
     const bool checks = stop.kind == StopKind::PickUp && options_.load_switches;
     if (checks) conditions.push_back(contact("loaded_" + name_));
@@ -217,12 +221,14 @@ std::string real_literal(double value) {
   std::string text = fmt::format("{:.7g}", value);
   if (text == "-0") text = "0";
   const std::size_t exponent = text.find('e');
-  if (text.find('.') == std::string::npos) text.insert(exponent == std::string::npos ? text.size() : exponent, ".0");
+  if (text.find('.') == std::string::npos)
+    text.insert(exponent == std::string::npos ? text.size() : exponent, ".0");
   return text;
 }
 
 std::string time_literal(std::chrono::milliseconds time) {
-  return time.count() % 1'000 == 0 ? fmt::format("T#{}s", time.count() / 1'000) : fmt::format("T#{}ms", time.count());
+  return time.count() % 1'000 == 0 ? fmt::format("T#{}s", time.count() / 1'000)
+                                   : fmt::format("T#{}ms", time.count());
 }
 
 }  // namespace stepwright::fleet

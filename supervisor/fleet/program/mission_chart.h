@@ -20,7 +20,8 @@ struct MissionChart {
 
 // `names`: of the vehicles, as variables have them.
 MissionChart mission_chart(const FleetPlan& plan, const std::vector<std::string>& names,
-                           const Interlocks& interlocks, std::uint32_t vehicle, const ProgramOptions& options);
+                           const Interlocks& interlocks, std::uint32_t vehicle,
+                           const ProgramOptions& options);
 
 // 1.25, 1.0E-05: as a REAL literal of ST.
 std::string real_literal(double value);

@@ -96,8 +96,7 @@ class Table {
                         .way = way};
       if (samples_.size() > first) {
         PathSample& before = samples_.back();
-        before.curvature_1_m =
-            way * (heading - before.pose.heading_rad) / (sample.arc_m - before.arc_m);
+        before.curvature_1_m = way * (heading - before.pose.heading_rad) / (sample.arc_m - before.arc_m);
         sample.curvature_1_m = before.curvature_1_m;
       }
       add_room(sample);

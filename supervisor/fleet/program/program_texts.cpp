@@ -69,8 +69,10 @@ END_IF;
 power_{0}(Enable := NOT done_{0}, Vehicle := vehicle_{0});
 )";
 constexpr const char* kMoving =
-    "move_{0}(Execute := vehicle_{0}.DriveOn, Permitted := permitted_{0}, Path := {1}, Vehicle := vehicle_{0});\n";
-constexpr const char* kOutputs = R"(forks_{0}(Execute := move_forks_{0} AND vehicle_{0}.DriveOn, Up := raise_{0}, Vehicle := vehicle_{0});
+    "move_{0}(Execute := vehicle_{0}.DriveOn, Permitted := permitted_{0}, Path := {1}, Vehicle := "
+    "vehicle_{0});\n";
+constexpr const char* kOutputs =
+    R"(forks_{0}(Execute := move_forks_{0} AND vehicle_{0}.DriveOn, Up := raise_{0}, Vehicle := vehicle_{0});
 forks_done_{0} := forks_{0}.Done;
 run_{0}(Vehicle := vehicle_{0});
 enable_{0} := vehicle_{0}.DriveOn;
@@ -133,19 +135,24 @@ std::vector<Variable> vehicle_globals(const VehicleMission& mission, const Vehic
   const std::string& v = names.name;
   std::vector<Variable> globals;
   for (const auto& [name, address] : named_terminals(terminals)) {
-    globals.push_back(global(name + "_" + v, is_word(name) ? "INT" : "BOOL", "terminal of " + mission.vehicle, address));
+    globals.push_back(
+        global(name + "_" + v, is_word(name) ? "INT" : "BOOL", "terminal of " + mission.vehicle, address));
   }
   // Vehicles take turns, so that not all of them compute in the same scan.
   globals.push_back(global("vehicle_" + v, "VEHICLE_REF", mission.vehicle, {},
                            vehicle_initial(mission, options, static_cast<double>(names.turn % 4) / 4.0)));
-  globals.push_back(global("slack_" + v, "REAL", "by which the outline may be measured outside of its polygons", {},
+  globals.push_back(global("slack_" + v, "REAL",
+                           "by which the outline may be measured outside of its polygons", {},
                            real_literal(options.margins.outside_m)));
   globals.push_back(global("permitted_" + v, "REAL", "up to where it may drive along its path, m"));
   globals.push_back(global("arc_" + v, "REAL", "how far it has come along its path, m"));
   globals.push_back(global("areas_" + v, "INT", "how many of its polygons it has left"));
-  for (const auto& [name, comment] : {std::pair("standing", "it stands"), {"move_forks", "forks are to move"},
-                                      {"raise", "and up"}, {"forks_done", "and have"},
-                                      {"no_load", "it has lifted nothing"}, {"done", "it has arrived for good"}}) {
+  for (const auto& [name, comment] : {std::pair("standing", "it stands"),
+                                      {"move_forks", "forks are to move"},
+                                      {"raise", "and up"},
+                                      {"forks_done", "and have"},
+                                      {"no_load", "it has lifted nothing"},
+                                      {"done", "it has arrived for good"}}) {
     globals.push_back(global(std::string(name) + "_" + v, "BOOL", comment));
   }
   return globals;

@@ -24,7 +24,8 @@ struct VehicleNames {
 
 std::vector<graphic::Variable> shared_globals(const FleetTerminals& terminals);
 std::vector<graphic::Variable> vehicle_globals(const VehicleMission& mission, const VehicleNames& names,
-                                               const VehicleTerminals& terminals, const ProgramOptions& options);
+                                               const VehicleTerminals& terminals,
+                                               const ProgramOptions& options);
 
 // PROGRAM sensing: before the charts. Blocks: the instances that the text calls.
 std::string sensing_text(const std::vector<VehicleNames>& vehicles);

@@ -44,10 +44,11 @@ std::string field(const char* name, double value) {
 }
 
 std::string row(const PathSample& s) {
-  return fmt::format("({}, {}, {}, {}, {}, {}, {}, {}, {}, {})", field("X", s.pose.x_m), field("Y", s.pose.y_m),
-                     field("Heading", s.pose.heading_rad), field("Curvature", s.curvature_1_m),
-                     field("Arc", s.arc_m), field("Speed", s.speed_m_s), field("Rest", s.rest_m),
-                     field("Left", s.left_m), field("Right", s.right_m), field("Way", s.way));
+  return fmt::format("({}, {}, {}, {}, {}, {}, {}, {}, {}, {})", field("X", s.pose.x_m),
+                     field("Y", s.pose.y_m), field("Heading", s.pose.heading_rad),
+                     field("Curvature", s.curvature_1_m), field("Arc", s.arc_m), field("Speed", s.speed_m_s),
+                     field("Rest", s.rest_m), field("Left", s.left_m), field("Right", s.right_m),
+                     field("Way", s.way));
 }
 
 result::Result<void> check_size(const VehicleMission& mission, std::size_t samples) {
@@ -65,11 +66,12 @@ result::Result<void> check_size(const VehicleMission& mission, std::size_t sampl
   }
   for (std::size_t k = 0; k < mission.path.size(); ++k) {
     const auto& [pose, arc_m, travel] = mission.path[k];
-    const bool finite = std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.heading_rad) &&
-                        std::isfinite(arc_m);
+    const bool finite = std::isfinite(pose.x_m) && std::isfinite(pose.y_m) &&
+                        std::isfinite(pose.heading_rad) && std::isfinite(arc_m);
     if (!finite || std::abs(pose.x_m) > kFarthest_m || std::abs(pose.y_m) > kFarthest_m) {
-      return too_large(fmt::format("pose {} of its path is not within 320 m of the origin", k),
-                       "navigation counts centimetres in 16 bits: move the origin into the middle of the map");
+      return too_large(
+          fmt::format("pose {} of its path is not within 320 m of the origin", k),
+          "navigation counts centimetres in 16 bits: move the origin into the middle of the map");
     }
   }
   return {};
@@ -78,7 +80,8 @@ result::Result<void> check_size(const VehicleMission& mission, std::size_t sampl
 }  // namespace
 
 result::Result<VehicleTables> vehicle_tables(const VehicleMission& mission, const std::string& name,
-                                             const std::vector<double>& free_m, const ProgramOptions& options) {
+                                             const std::vector<double>& free_m,
+                                             const ProgramOptions& options) {
   if (auto good = check_size(mission, mission.path.size()); !good) return result::forward(good);
   const std::vector<PathSample> samples = path_table(mission, options);
   VehicleTables tables;
@@ -87,16 +90,17 @@ result::Result<VehicleTables> vehicle_tables(const VehicleMission& mission, cons
   std::string rows;
   for (const PathSample& sample : samples) rows += (rows.empty() ? "" : ",\n") + row(sample);
   if (!samples.empty()) {
-    tables.path = table("path", name, "MC_PATH_POINT", samples.size(), std::move(rows), "the way of " + mission.vehicle);
+    tables.path = table("path", name, "MC_PATH_POINT", samples.size(), std::move(rows),
+                        "the way of " + mission.vehicle);
   }
   std::string areas;
   std::string planes;
   for (std::size_t k = 0; k < tables.polygons; ++k) {
     const auto sides = mission.grown.envelope.polygons[k].area.half_planes();
     for (const geometry::HalfPlane& side : sides) {
-      planes += (planes.empty() ? "" : ",\n") +
-                fmt::format("({}, {}, {})", field("NormalX", side.normal.x_m), field("NormalY", side.normal.y_m),
-                            field("Offset", side.offset_m));
+      planes += (planes.empty() ? "" : ",\n") + fmt::format("({}, {}, {})", field("NormalX", side.normal.x_m),
+                                                            field("NormalY", side.normal.y_m),
+                                                            field("Offset", side.offset_m));
     }
     areas += (k == 0 ? "" : ",\n") +
              fmt::format("(First := {}, Last := {}, {}, {})", tables.sides, tables.sides + sides.size() - 1,

@@ -14,7 +14,7 @@
 namespace stepwright::fleet {
 
 struct VehicleTables {
-  graphic::Variable path;  // ARRAY OF MC_PATH_POINT; without a name where the path goes nowhere
+  graphic::Variable path;    // ARRAY OF MC_PATH_POINT; without a name where the path goes nowhere
   graphic::Variable areas;   // ARRAY OF MC_AREA
   graphic::Variable planes;  // ARRAY OF MC_HALF_PLANE
   std::size_t samples = 0;
@@ -24,7 +24,8 @@ struct VehicleTables {
 };
 
 // Fails with F1104.
-[[nodiscard]] result::Result<VehicleTables> vehicle_tables(const VehicleMission& mission, const std::string& name,
+[[nodiscard]] result::Result<VehicleTables> vehicle_tables(const VehicleMission& mission,
+                                                           const std::string& name,
                                                            const std::vector<double>& free_m,
                                                            const ProgramOptions& options);
 

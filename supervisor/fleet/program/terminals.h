@@ -14,10 +14,10 @@ namespace stepwright::fleet {
 // Addresses of directly represented variables. Words count as plant_models/doc/forklift.md says: cm, 0.01
 // degrees, mm/s.
 struct VehicleTerminals {
-  std::string x, y, heading, speed, lock;           // words
-  std::string lifted, lowered, loaded, bumper;      // switches
-  std::string set_speed, set_lock;                  // words
-  std::string enable, lift;                         // relays
+  std::string x, y, heading, speed, lock;       // words
+  std::string lifted, lowered, loaded, bumper;  // switches
+  std::string set_speed, set_lock;              // words
+  std::string enable, lift;                     // relays
 };
 
 struct FleetTerminals {

@@ -61,7 +61,8 @@ FleetPlan many_lanes(std::size_t vehicles) {
     mission.path = path.path();
     const double end_m = mission.path.back().arc_m;
     for (double entry = 0.0; entry < end_m - 4.0; entry += 4.0) {
-      const std::array<geometry::Point, 4> corners = {geometry::Point{-5.0, y - 5.0}, {80.0, y - 5.0}, {80.0, y + 5.0}, {-5.0, y + 5.0}};
+      const std::array<geometry::Point, 4> corners = {
+          geometry::Point{-5.0, y - 5.0}, {80.0, y - 5.0}, {80.0, y + 5.0}, {-5.0, y + 5.0}};
       mission.grown.envelope.polygons.push_back({*geometry::ConvexPolygon::hull(corners), {}, {}});
       mission.grown.visits.push_back({0, 0, entry, std::min(end_m, entry + 6.0)});
     }
@@ -74,7 +75,8 @@ FleetPlan many_lanes(std::size_t vehicles) {
 }
 
 // The inputs of every scan, as the vehicles made them while the program drove them.
-std::vector<std::vector<std::byte>> recorded_inputs(const FleetPlan& plan, const std::vector<std::byte>& container) {
+std::vector<std::vector<std::byte>> recorded_inputs(const FleetPlan& plan,
+                                                    const std::vector<std::byte>& container) {
   assemblies::FleetParameters parameters;
   for (const VehicleMission& mission : plan.missions) {
     const geometry::Pose& at = mission.path.front().pose;

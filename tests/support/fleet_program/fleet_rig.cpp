@@ -65,7 +65,8 @@ FleetRig::FleetRig(const FleetPlan& plan, const RigOptions& options) : plan_(pla
   floor_ = or_throw(assemblies::FleetFloor::create(floor_of(plan, options)));
   inputs_.resize(vm_->image().inputs().size());
   const auto wires = bridge::default_fleet_wires(plan.missions.size());
-  driver_ = or_throw(bridge::PlantDriver::create(*floor_, wires, {inputs_.size(), vm_->image().outputs().size()}));
+  driver_ =
+      or_throw(bridge::PlantDriver::create(*floor_, wires, {inputs_.size(), vm_->image().outputs().size()}));
   arrival_s.resize(plan.missions.size());
   most_deviation_m.resize(plan.missions.size());
 }
@@ -123,10 +124,12 @@ void FleetRig::fault(const std::string& name, double value) {
 std::string FleetRig::state() const {
   std::string text = fmt::format("at {:.1f} s\n", time_s());
   for (std::size_t v = 0; v < plan_.missions.size(); ++v) {
-    text += fmt::format("  {}: arc {:.2f} of {:.2f}, permitted {:.2f}, area {}, left {}, error {} at {:.2f}, speed {:.2f}, deviation {:.2f} (most {:.2f}), state {}\n",
-                        name(v), of("Arc", v), plan_.missions[v].path.back().arc_m, number("permitted_" + name(v)),
-                        of("Area", v), of("Areas", v), of("ErrorID", v), of("ErrorArc", v), of("Speed", v), of("Deviation", v),
-                        most_deviation_m[v], of("State", v));
+    text += fmt::format(
+        "  {}: arc {:.2f} of {:.2f}, permitted {:.2f}, area {}, left {}, error {} at {:.2f}, speed {:.2f}, "
+        "deviation {:.2f} (most {:.2f}), state {}\n",
+        name(v), of("Arc", v), plan_.missions[v].path.back().arc_m, number("permitted_" + name(v)),
+        of("Area", v), of("Areas", v), of("ErrorID", v), of("ErrorArc", v), of("Speed", v),
+        of("Deviation", v), most_deviation_m[v], of("State", v));
   }
   return text + first_fault;
 }
@@ -135,12 +138,14 @@ void FleetRig::judge() {
   std::vector<geometry::ConvexPolygon> outlines;
   for (std::size_t v = 0; v < plan_.missions.size(); ++v) {
     outlines.push_back(footprint_at(pose(v), plan_.missions[v].model.footprint()));
-    if (options_.grid != nullptr && support::outline_hits(*options_.grid, plan_.missions[v].model.footprint(), pose(v))) {
+    if (options_.grid != nullptr &&
+        support::outline_hits(*options_.grid, plan_.missions[v].model.footprint(), pose(v))) {
       if (wall_hits++ == 0) first_fault += fmt::format("{} hits a wall at {:.2f} s\n", name(v), time_s());
     }
     for (std::size_t other = 0; other < v; ++other) {
       if (!geometry::overlaps(outlines[v], outlines[other])) continue;
-      if (overlaps++ == 0) first_fault += fmt::format("{} and {} overlap at {:.2f} s\n", name(other), name(v), time_s());
+      if (overlaps++ == 0)
+        first_fault += fmt::format("{} and {} overlap at {:.2f} s\n", name(other), name(v), time_s());
     }
   }
 }

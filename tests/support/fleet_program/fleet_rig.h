@@ -22,9 +22,9 @@ namespace stepwright::fleet {
 
 struct RigOptions {
   std::uint64_t seed = 1;
-  bool native = true;                         // machine code beside the interpreter, hash by hash
-  const OccupancyGrid* grid = nullptr;        // outlines are held against it
-  bool interlocks = true;                     // false: transitions look at the way only
+  bool native = true;                   // machine code beside the interpreter, hash by hash
+  const OccupancyGrid* grid = nullptr;  // outlines are held against it
+  bool interlocks = true;               // false: transitions look at the way only
   std::vector<assemblies::PalletParameters> pallets = {};
   ProgramOptions program = {};
 };

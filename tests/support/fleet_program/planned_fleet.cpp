@@ -52,8 +52,8 @@ geometry::Path through(const PathPlanner& planner, const DrawnMission& mission, 
   return path;
 }
 
-VehicleMission mission_of(std::size_t index, const VehicleModel& model, geometry::Path path, GrownEnvelope grown,
-                          std::vector<Stop> stops) {
+VehicleMission mission_of(std::size_t index, const VehicleModel& model, geometry::Path path,
+                          GrownEnvelope grown, std::vector<Stop> stops) {
   VehicleMission mission;
   mission.vehicle = fmt::format("v{}", index + 1);
   mission.model = model;
@@ -104,7 +104,8 @@ FleetPlan plan_mine(std::size_t vehicles) {
 
 FleetPlan plan_warehouse(std::size_t vehicles) {
   const support::DrawnFloor floor = support::draw_warehouse(1);
-  constexpr std::array<std::array<std::size_t, 2>, 5> kTasks = {{{14, 0}, {21, 17}, {19, 4}, {12, 15}, {6, 5}}};
+  constexpr std::array<std::array<std::size_t, 2>, 5> kTasks = {
+      {{14, 0}, {21, 17}, {19, 4}, {12, 15}, {6, 5}}};
   std::vector<DrawnMission> missions;
   for (std::size_t k = 0; k < vehicles; ++k) {
     missions.push_back({floor.stations[kTasks[k][0]], {floor.stations[kTasks[k][1]]}});

@@ -1,7 +1,7 @@
 #pragma once
 
-// Plans of the fleet for tests: paths on drawn floors, envelopes with room for what a controller does not hold,
-// and a schedule.
+// Plans of the fleet for tests: paths on drawn floors, envelopes with room for what a controller does not
+// hold, and a schedule.
 //
 //   const FleetPlan plan = plan_mine(3);
 
@@ -19,7 +19,8 @@ struct DrawnMission {
 };
 
 // Throws where there is no path or no schedule.
-FleetPlan plan_missions(const OccupancyGrid& grid, const std::vector<DrawnMission>& missions, Mode mode = Mode::Strict);
+FleetPlan plan_missions(const OccupancyGrid& grid, const std::vector<DrawnMission>& missions,
+                        Mode mode = Mode::Strict);
 
 // The first `vehicles` (up to seven) of the tasks in the mine.
 FleetPlan plan_mine(std::size_t vehicles);

@@ -35,7 +35,8 @@ TEST(FleetPlant, WhenCellsAreBlocked_ThenFewRectanglesCoverThemAndNoOthers) {
     for (std::int32_t column = -1; column <= frame.columns; ++column) {
       const geometry::Point corner = frame.corner({column, row});
       const double half = 0.5 * frame.resolution_m;
-      ASSERT_EQ(in_a_wall(walls, corner.x_m + half, corner.y_m + half), grid.blocked({column, row})) << column << " " << row;
+      ASSERT_EQ(in_a_wall(walls, corner.x_m + half, corner.y_m + half), grid.blocked({column, row}))
+          << column << " " << row;
     }
   }
 }
@@ -89,8 +90,10 @@ TEST_F(WrongFleet, WhenSomethingStandsWhereItCannot_ThenItsPlaceIsNamed) {
   expect("map = \"map.yaml\"\n[[plant.vehicles]]\nx_m = 18.0\ny_m = 8.0\n", "C0322", 4);
   expect("map = \"map.yaml\"\n[[plant.vehicles]]\nx_m = 50.0\ny_m = 8.0\n", "C0322", 4);
   expect("[[plant.vehicles]]\nx_m = 4.0\ny_m = 4.0\n[[plant.vehicles]]\nx_m = 6.0\ny_m = 4.5\n", "C0322", 6);
-  expect("map = \"map.yaml\"\n[[plant.vehicles]]\nx_m = 4.0\ny_m = 4.0\n[[plant.pallets]]\nx_m = 10.0\ny_m = 7.2\n",
-         "C0322", 7);
+  expect(
+      "map = \"map.yaml\"\n[[plant.vehicles]]\nx_m = 4.0\ny_m = 4.0\n[[plant.pallets]]\nx_m = 10.0\ny_m = "
+      "7.2\n",
+      "C0322", 7);
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
-// Plans for drawn floors, compiled by the ordinary driver, run on both engines in lock-step with the simulated
-// vehicles. The judge looks at nothing but where these truly are.
+// Plans for drawn floors, compiled by the ordinary driver, run on both engines in lock-step with the
+// simulated vehicles. The judge looks at nothing but where these truly are.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "tests/unit/supervisor/fleet/control/made_path.h"
 #include "tests/support/fleet_program/fleet_rig.h"
 #include "tests/support/fleet_program/planned_fleet.h"
+#include "tests/unit/supervisor/fleet/control/made_path.h"
 
 namespace stepwright::fleet {
 namespace {

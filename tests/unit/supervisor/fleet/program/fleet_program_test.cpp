@@ -16,8 +16,8 @@
 #include "ladder/exchange/plcopen_writer.h"
 #include "ladder/graphic/sfc_drawing.h"
 #include "ladder/graphic/sfc_hazards.h"
-#include "tests/unit/supervisor/fleet/control/made_path.h"
 #include "tests/support/fleet_program/planned_fleet.h"
+#include "tests/unit/supervisor/fleet/control/made_path.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -43,7 +43,8 @@ const graphic::SfcChart& chart_of(const FleetProgram& program, std::size_t missi
 }
 
 bool mentions(const graphic::Condition& condition, const std::string& name, const std::string& operand) {
-  if (condition.kind == graphic::ConditionKind::Comparison && condition.name == name && condition.operand == operand) {
+  if (condition.kind == graphic::ConditionKind::Comparison && condition.name == name &&
+      condition.operand == operand) {
     return true;
   }
   return std::ranges::any_of(condition.children,
@@ -51,7 +52,8 @@ bool mentions(const graphic::Condition& condition, const std::string& name, cons
 }
 
 geometry::ConvexPolygon box(double low_x, double low_y, double high_x, double high_y) {
-  const std::array<Point, 4> corners = {Point{low_x, low_y}, {high_x, low_y}, {high_x, high_y}, {low_x, high_y}};
+  const std::array<Point, 4> corners = {
+      Point{low_x, low_y}, {high_x, low_y}, {high_x, high_y}, {low_x, high_y}};
   return *geometry::ConvexPolygon::hull(corners);
 }
 
@@ -67,7 +69,9 @@ VehicleMission straight(const std::string& name, Point from, double heading, dou
     const Point b{from.x_m + way_x * (leaves + 3.0), from.y_m + way_y * (leaves + 3.0)};
     mission.grown.envelope.polygons.push_back(
         {box(std::min(a.x_m, b.x_m) - 1.0, std::min(a.y_m, b.y_m) - 1.0, std::max(a.x_m, b.x_m) + 1.0,
-             std::max(a.y_m, b.y_m) + 1.0), {}, {}});
+             std::max(a.y_m, b.y_m) + 1.0),
+         {},
+         {}});
     mission.grown.visits.push_back({0, 0, entry, leaves});
   }
   mission.grown.envelope.vehicle = name;
@@ -78,7 +82,8 @@ VehicleMission straight(const std::string& name, Point from, double heading, dou
 // Two ways that cross.
 FleetPlan crossing(double step_m = 2.0, Mode mode = Mode::Strict) {
   FleetPlan plan;
-  plan.missions = {straight("a", {0, 20}, 0.0, 40.0, step_m), straight("b", {20, 0}, std::numbers::pi / 2, 40.0, step_m)};
+  plan.missions = {straight("a", {0, 20}, 0.0, 40.0, step_m),
+                   straight("b", {20, 0}, std::numbers::pi / 2, 40.0, step_m)};
   plan.schedule = schedule(envelopes_of(plan), {}, {.mode = mode});
   EXPECT_EQ(plan.schedule.verdict, Verdict::Scheduled);
   return plan;
@@ -216,7 +221,8 @@ TEST(FleetProgram, WhenThePlanIsNoneThatCanBeRun_ThenThePartIsNamed) {
 
 TEST(FleetProgram, WhenTheScheduleLooksAtEarliestTimesOnly_ThenItIsRefused) {
   FleetPlan plan;
-  plan.missions = {straight("a", {0, 20}, 0.0, 60.0, 2.0), straight("b", {50, 0}, std::numbers::pi / 2, 40.0, 2.0)};
+  plan.missions = {straight("a", {0, 20}, 0.0, 60.0, 2.0),
+                   straight("b", {50, 0}, std::numbers::pi / 2, 40.0, 2.0)};
   plan.schedule = schedule(envelopes_of(plan), {}, {.mode = Mode::EarliestTimes});
   ASSERT_EQ(plan.schedule.verdict, Verdict::Scheduled);
   EXPECT_EQ(code_of(plan), "F1102");
@@ -243,8 +249,9 @@ TEST(FleetProgram, WhenFiguresOrTerminalsAreWrong_ThenTheyAreNamed) {
 TEST(FleetProgram, WhenAConstraintSaysNotBefore_ThenATransitionWaitsAndOthersAreWarnedAbout) {
   FleetPlan plan = crossing();
   constexpr std::chrono::milliseconds kNever{100'000'000};
-  plan.constraints = {{"gate opens", std::nullopt, {{0, 3}, Side::Entry}, {std::chrono::milliseconds(90'000), kNever}},
-                      {"deadline", std::nullopt, {{1, 3}, Side::Exit}, {{}, std::chrono::milliseconds(500'000)}}};
+  plan.constraints = {
+      {"gate opens", std::nullopt, {{0, 3}, Side::Entry}, {std::chrono::milliseconds(90'000), kNever}},
+      {"deadline", std::nullopt, {{1, 3}, Side::Exit}, {{}, std::chrono::milliseconds(500'000)}}};
   const FleetProgram program = program_of(plan);
   bool found = false;
   for (const graphic::Transition& transition : chart_of(program, 0).transitions) {

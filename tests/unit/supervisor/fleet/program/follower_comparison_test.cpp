@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "supervisor/fleet/control/path_follower.h"
-#include "tests/unit/supervisor/fleet/control/made_path.h"
 #include "tests/support/fleet_program/fleet_rig.h"
 #include "tests/support/fleet_program/planned_fleet.h"
+#include "tests/unit/supervisor/fleet/control/made_path.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -41,7 +41,8 @@ Ride ride_of_the_program(const geometry::Path& path) {
   while (rig.time_s() < 240.0 && !rig.all_arrived()) {
     rig.scan();
     const double arc = rig.of("Arc", 0);
-    ride.most_deviation_m = std::max(ride.most_deviation_m, off_path_m(path, rig.pose(0), arc - 1.0, arc + 1.0));
+    ride.most_deviation_m =
+        std::max(ride.most_deviation_m, off_path_m(path, rig.pose(0), arc - 1.0, arc + 1.0));
   }
   ride.time_s = rig.time_s();
   ride.arrived = rig.all_arrived();
@@ -64,8 +65,9 @@ Ride ride_of_the_controller(const geometry::Path& path) {
   Ride ride;
   actuator("enable_v1", 1);
   while (ride.time_s < 240.0 && !follower.arrived() && !follower.lost()) {
-    const VehicleState measured{0.01 * sensor("x_v1"), 0.01 * sensor("y_v1"), kRadPerCount * sensor("heading_v1"),
-                                1e-3 * sensor("speed_v1"), kRadPerCount * sensor("lock_v1")};
+    const VehicleState measured{0.01 * sensor("x_v1"), 0.01 * sensor("y_v1"),
+                                kRadPerCount * sensor("heading_v1"), 1e-3 * sensor("speed_v1"),
+                                kRadPerCount * sensor("lock_v1")};
     const DriveCommand command = follower.step(measured, ride.time_s, {});
     actuator("set_speed_v1", 1e3 * command.speed_m_s);
     actuator("set_lock_v1", command.lock_rad / kRadPerCount);
