@@ -82,11 +82,11 @@ struct FleetProgram {
   result::Diagnostics warnings;  // F1106: temporal constraints that the program does not see to
 };
 
-// F1101: the plan is no schedule, or its parts do not belong together. F1102: two polygons overlap and no
-// precedence orders them, so that a delay could let vehicles meet. F1103: vehicles would wait for each other
-// for ever, because a polygon is too short to wait before it. F1104: too large for the data's types, or
-// outside of what the terminals can say. F1105: a terminal that a vehicle needs is missing, or a figure has
-// no physical sense.
+// F1101: the plan is no schedule, or its parts do not belong together (F0201, F0202, F0502: data of a
+// vehicle). F1102: two polygons overlap and no precedence orders them, so that a delay could let vehicles
+// meet. F1103: vehicles would wait for each other for ever, because a polygon is too short to wait before it.
+// F1104: too large for the data's types, or outside of what the terminals can say. F1105: a terminal that a
+// vehicle needs is missing, or a figure has no physical sense.
 [[nodiscard]] result::Result<FleetProgram> fleet_program(const FleetPlan& plan,
                                                          const FleetTerminals& terminals,
                                                          const ProgramOptions& options);

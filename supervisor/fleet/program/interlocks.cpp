@@ -12,6 +12,30 @@ namespace {
 // How near a vehicle surely comes to where it halts.
 constexpr double kReached_m = 0.1;
 
+// The vehicle's data, its path and its stops, as far as the tables are made of them.
+result::Result<void> check_mission(const VehicleMission& mission, std::size_t index) {
+  const std::string prefix = fmt::format("missions[{}].", index);
+  result::Diagnostics problems = check(mission.model, {}, prefix + "model.");
+  for (result::Diagnostic& each : check(mission.speed, {}, prefix + "speed."))
+    problems.push_back(std::move(each));
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  for (std::size_t k = 1; k < mission.path.size(); ++k) {
+    if (mission.path[k].arc_m >= mission.path[k - 1].arc_m) continue;
+    return result::fail("F1101", {}, fmt::format("the way of '{}' falls at pose {}", mission.vehicle, k));
+  }
+  double behind_m = 0.0;
+  for (std::size_t k = 0; k < mission.stops.size(); ++k) {
+    const double arc_m = mission.stops[k].arc_m;
+    if (!(arc_m >= behind_m && arc_m <= mission.path.back().arc_m)) {
+      return result::fail("F1101", {},
+                          fmt::format("stop {} of '{}' is at {} m of its way", k, mission.vehicle, arc_m),
+                          "stops lie on the path, in the order of the way");
+    }
+    behind_m = arc_m;
+  }
+  return {};
+}
+
 // Of each vehicle: where it halts before its polygons, and where it has left them.
 void find_places(const FleetPlan& plan, const FleetMargins& margins, Interlocks& out) {
   for (const VehicleMission& mission : plan.missions) {
@@ -42,6 +66,8 @@ result::Result<void> check_parts(const FleetPlan& plan) {
                                       polygons, mission.grown.visits.size(), mission.path.size()),
                           "each vehicle has a path, and a visit for each of its polygons");
     }
+    const auto index = static_cast<std::size_t>(&mission - plan.missions.data());
+    if (auto good = check_mission(mission, index); !good) return good;
   }
   for (const Precedence& wait : plan.schedule.precedences) {
     for (const PolygonRef at : {wait.first, wait.second}) {

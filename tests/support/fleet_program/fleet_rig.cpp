@@ -80,6 +80,7 @@ void FleetRig::scan() {
   now_ns_ += 1'000 * options_.program.interval_us;
   for (std::size_t v = 0; v < plan_.missions.size(); ++v) {
     if (arrival_s[v] == 0.0 && arrived(v)) arrival_s[v] = time_s();
+    most_overrun_m = std::max(most_overrun_m, of("Arc", v) - number("permitted_" + name(v)));
     most_deviation_m[v] = std::max(most_deviation_m[v], std::abs(of("Deviation", v)));
   }
   if (report.scan % kJudgeEvery == 0) judge();

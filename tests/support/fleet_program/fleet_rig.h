@@ -65,6 +65,7 @@ class FleetRig {
   std::string first_fault;
   std::vector<double> arrival_s;  // by vehicle; 0 = not yet
   std::vector<double> most_deviation_m;
+  double most_overrun_m = -1e9;  // of a vehicle beyond the way that its chart permits
   bool engines_agree = true;
 
  private:

@@ -33,6 +33,7 @@ void expect_safe(const FleetRig& rig) {
   EXPECT_EQ(rig.overlaps, 0U) << rig.state();
   EXPECT_EQ(rig.wall_hits, 0U) << rig.state();
   EXPECT_EQ(rig.truth("contacts"), 0.0) << rig.state();
+  EXPECT_LT(rig.most_overrun_m, 0.1) << rig.state();
 }
 
 TEST(FleetProgramRun, WhenSevenVehiclesDriveInTheMine_ThenAllArriveInTimeAndNobodyMeetsAnybody) {
@@ -48,6 +49,17 @@ TEST(FleetProgramRun, WhenSevenVehiclesDriveInTheMine_ThenAllArriveInTimeAndNobo
     EXPECT_LT(rig.most_deviation_m[v], 0.12) << rig.name(v);
     const auto goal = plan.missions[v].path.back().pose;
     EXPECT_LT(geometry::distance(rig.pose(v).position(), goal.position()), 0.12) << rig.name(v);
+  }
+}
+
+TEST(FleetProgramRun, WhenTwoToSixVehiclesDrive_ThenAllArrive) {
+  for (std::size_t vehicles = 2; vehicles <= 6; ++vehicles) {
+    const FleetPlan plan =
+        vehicles <= 5 && vehicles % 2 == 0 ? plan_warehouse(vehicles) : plan_mine(vehicles);
+    FleetRig rig(plan, {.seed = vehicles, .native = false});
+    rig.run(300.0);
+    EXPECT_TRUE(rig.all_arrived()) << rig.state();
+    expect_safe(rig);
   }
 }
 

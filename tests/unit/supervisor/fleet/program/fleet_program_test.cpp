@@ -204,6 +204,19 @@ TEST(FleetProgram, WhenThePlanIsNoneThatCanBeRun_ThenThePartIsNamed) {
   plan = crossing();
   plan.schedule.precedences.push_back({{7, 0}, {0, 1}});
   EXPECT_EQ(code_of(plan), "F1101");
+  plan = crossing();
+  plan.missions[1].stops.resize(2);
+  plan.missions[1].stops[0].arc_m = 30.0;
+  EXPECT_EQ(code_of(plan), "F1101");
+  plan = crossing();
+  plan.missions[0].path[7].arc_m = 0.01;
+  EXPECT_EQ(code_of(plan), "F1101");
+  plan = crossing();
+  plan.missions[0].model.wheelbase_m = -1.0;
+  EXPECT_EQ(code_of(plan), "F0201");
+  plan = crossing();
+  plan.missions[0].speed.max_mps = 0.0;
+  EXPECT_EQ(code_of(plan), "F0502");
   // An order is missing: with a delay the two could meet.
   plan = crossing();
   ASSERT_FALSE(plan.schedule.precedences.empty());
