@@ -67,6 +67,11 @@ FleetRig::FleetRig(const FleetPlan& plan, const RigOptions& options) : plan_(pla
   const auto wires = bridge::default_fleet_wires(plan.missions.size());
   driver_ =
       or_throw(bridge::PlantDriver::create(*floor_, wires, {inputs_.size(), vm_->image().outputs().size()}));
+  for (const MissionProgram& mission : program_.missions) {
+    const std::string vehicle = "vehicle_" + mission.name;
+    watched_.push_back({variable("done_" + mission.name), variable(vehicle + ".Arc"),
+                        variable("permitted_" + mission.name), variable(vehicle + ".Deviation")});
+  }
   arrival_s.resize(plan.missions.size());
   most_deviation_m.resize(plan.missions.size());
 }
@@ -78,11 +83,7 @@ void FleetRig::scan() {
   if (native_ && native_->scan(inputs_).image_hash != report.image_hash) engines_agree = false;
   driver_->write_outputs(now_ns_, vm_->image().outputs());
   now_ns_ += 1'000 * options_.program.interval_us;
-  for (std::size_t v = 0; v < plan_.missions.size(); ++v) {
-    if (arrival_s[v] == 0.0 && arrived(v)) arrival_s[v] = time_s();
-    most_overrun_m = std::max(most_overrun_m, of("Arc", v) - number("permitted_" + name(v)));
-    most_deviation_m[v] = std::max(most_deviation_m[v], std::abs(of("Deviation", v)));
-  }
+  for (std::size_t v = 0; v < plan_.missions.size(); ++v) watch(v);
   if (report.scan % kJudgeEvery == 0) judge();
 }
 
@@ -97,17 +98,27 @@ bool FleetRig::all_arrived() const {
   return true;
 }
 
-double FleetRig::number(const std::string& path) const {
-  const reader::Variable* variable = info_->find(path);
-  if (variable == nullptr) throw std::runtime_error("no variable " + path);
-  return reader::read_number(*variable, vm_->image().memory());
+void FleetRig::watch(std::size_t vehicle) {
+  const Watched& watched = watched_[vehicle];
+  if (arrival_s[vehicle] == 0.0 && arrived(vehicle)) arrival_s[vehicle] = time_s();
+  most_overrun_m = std::max(most_overrun_m, value(watched.arc) - value(watched.permitted));
+  most_deviation_m[vehicle] = std::max(most_deviation_m[vehicle], std::abs(value(watched.deviation)));
+}
+
+reader::Variable FleetRig::variable(const std::string& path) const {
+  const reader::Variable* found = info_->find(path);
+  if (found == nullptr) throw std::runtime_error("no variable " + path);
+  return *found;
+}
+
+double FleetRig::value(const reader::Variable& variable) const {
+  return reader::read_number(variable, vm_->image().memory());
 }
 
 void FleetRig::set(const std::string& path, bool value) {
-  const reader::Variable* variable = info_->find(path);
-  if (variable == nullptr) throw std::runtime_error("no variable " + path);
+  const std::uint32_t address = variable(path).address;
   for (support::HostMachine* machine : {vm_.get(), native_.get()}) {
-    if (machine != nullptr) machine->image().memory()[variable->address] = std::byte{value};
+    if (machine != nullptr) machine->image().memory()[address] = std::byte{value};
   }
 }
 

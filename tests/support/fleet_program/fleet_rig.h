@@ -40,12 +40,13 @@ class FleetRig {
   // Until then, or until all have arrived.
   void run(double until_s);
   bool all_arrived() const;
-  bool arrived(std::size_t vehicle) const { return text("done", vehicle) != 0; }
+  bool arrived(std::size_t vehicle) const { return value(watched_[vehicle].done) != 0.0; }
   double time_s() const { return 1e-9 * static_cast<double>(now_ns_); }
 
-  double number(const std::string& path) const;
-  std::int64_t text(const std::string& what, std::size_t vehicle) const {
-    return static_cast<std::int64_t>(number(what + "_" + name(vehicle)));
+  double number(const std::string& path) const { return value(variable(path)); }
+  // Of the globals that belong to one vehicle: "enable".
+  double global(const std::string& what, std::size_t vehicle) const {
+    return number(what + "_" + name(vehicle));
   }
   double of(const std::string& member, std::size_t vehicle) const {
     return number("vehicle_" + name(vehicle) + "." + member);
@@ -69,7 +70,18 @@ class FleetRig {
   bool engines_agree = true;
 
  private:
+  // What is looked at in every scan, found once.
+  struct Watched {
+    reader::Variable done;
+    reader::Variable arc;
+    reader::Variable permitted;
+    reader::Variable deviation;
+  };
+
   void judge();
+  void watch(std::size_t vehicle);
+  reader::Variable variable(const std::string& path) const;
+  double value(const reader::Variable& variable) const;
 
   const FleetPlan& plan_;
   RigOptions options_;
@@ -79,6 +91,7 @@ class FleetRig {
   std::unique_ptr<support::HostMachine> vm_;
   std::unique_ptr<support::HostMachine> native_;
   std::optional<reader::ProgramInfo> info_;
+  std::vector<Watched> watched_;
   std::vector<std::byte> inputs_;
   std::int64_t now_ns_ = 0;
 };
