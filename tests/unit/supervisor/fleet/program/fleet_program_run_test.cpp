@@ -110,6 +110,14 @@ TEST(FleetProgramRun, WhenAVehicleDies_ThenItIsLocatedAndOthersStopBeforeWhatItH
   EXPECT_EQ(rig.of("ErrorID", 0), 27.0) << rig.state();  // does not answer
   EXPECT_NEAR(rig.of("ErrorArc", 0), arc, 0.6);
   EXPECT_NEAR(rig.of("ErrorX", 0), rig.pose(0).x_m, 0.6);
+  // A reset does not bring it back, and what it does not answer is no progress.
+  const double areas = rig.global("areas", 0);
+  rig.set("fleet_reset", true);
+  for (int k = 0; k < 20; ++k) rig.scan();
+  rig.set("fleet_reset", false);
+  EXPECT_EQ(rig.of("ErrorID", 0), 21.0) << rig.state();
+  EXPECT_NEAR(rig.of("Arc", 0), arc, 0.6);
+  EXPECT_EQ(rig.global("areas", 0), areas);
   rig.run(160.0);
   expect_safe(rig);
   EXPECT_TRUE(rig.engines_agree);
