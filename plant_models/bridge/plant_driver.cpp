@@ -1,6 +1,8 @@
 #include "plant_models/bridge/plant_driver.h"
 
+#include <array>
 #include <chrono>
+#include <string>
 #include <utility>
 
 #include "plant_models/bridge/port_map.h"
@@ -20,6 +22,31 @@ std::vector<PortWire> default_bench_wires() {
           {"B3", "%QX0.4", {}},
           {"drive_right", "%QX0.3", {}},
           {"B4", "%QX0.5", {}}};
+}
+
+std::vector<PortWire> default_fleet_wires(std::size_t vehicles) {
+  constexpr std::array<const char*, 5> kInputWords = {"x", "y", "heading", "speed", "lock"};
+  constexpr std::array<const char*, 4> kSwitches = {"lifted", "lowered", "loaded", "bumper"};
+  constexpr std::array<const char*, 2> kOutputWords = {"set_speed", "set_lock"};
+  constexpr std::array<const char*, 2> kRelays = {"enable", "lift"};
+  std::vector<PortWire> wires;
+  const auto add = [&](std::size_t v, const auto& words, const auto& bits, const std::string& area) {
+    const std::string vehicle = "_v" + std::to_string(v + 1);
+    const std::size_t byte = 2 * words.size() * vehicles + v;
+    for (std::size_t k = 0; k < words.size(); ++k) {
+      wires.push_back({words[k] + vehicle, "%" + area + "W" + std::to_string(words.size() * v + k), {}});
+    }
+    for (std::size_t k = 0; k < bits.size(); ++k) {
+      wires.push_back(
+          {bits[k] + vehicle, "%" + area + "X" + std::to_string(byte) + "." + std::to_string(k), {}});
+    }
+  };
+  for (std::size_t v = 0; v < vehicles; ++v) {
+    add(v, kInputWords, kSwitches, "I");
+    add(v, kOutputWords, kRelays, "Q");
+  }
+  wires.push_back({"estop_ok", "%IX" + std::to_string((2 * kInputWords.size() + 1) * vehicles) + ".0", {}});
+  return wires;
 }
 
 result::Result<PlantDriver> PlantDriver::create(core::Plant& plant, std::span<const PortWire> wires,

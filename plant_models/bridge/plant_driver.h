@@ -32,6 +32,12 @@ struct PortWire {
 // outputs %QX0.0 to %QX0.5, in the order of paper 6, Tables 1 to 3.
 std::vector<PortWire> default_bench_wires();
 
+// The wiring of a fleet of `vehicles` when a cell file gives none. Inputs: x, y, heading, speed and lock of
+// v1 in %IW0 to %IW4, of v2 in %IW5 to %IW9 and so on; behind all words a byte for each vehicle with lifted,
+// lowered, loaded and bumper; then a byte with estop_ok. Outputs: set_speed and set_lock of each, then a byte
+// for each with enable and lift.
+std::vector<PortWire> default_fleet_wires(std::size_t vehicles);
+
 // Sizes of the areas that the scan passes to the driver.
 struct AreaSizes {
   std::size_t input_bytes = 0;

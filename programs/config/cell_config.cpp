@@ -31,14 +31,15 @@ EngineKind read_engine(const TomlTable& table) {
   return engine == "native" ? EngineKind::Native : engine == "vm" ? EngineKind::Vm : EngineKind::Auto;
 }
 
-void read_plant(const TomlTable& table, PlantConfig& plant) {
+void read_plant(const TomlTable& table, const std::filesystem::path& folder, PlantConfig& plant) {
   // A plant that is misspelt has no ports that could be wrong.
   const std::string otherwise = table.has("kind") ? "none" : plant.kind;
-  plant.kind = table.choice("kind", otherwise, {"tank_bench", "sorting_line", "none"});
+  plant.kind = table.choice("kind", otherwise, {"tank_bench", "sorting_line", "fleet", "none"});
   plant.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 1e15}));
   plant.uncertainty = table.boolean("uncertainty", plant.uncertainty);
   plant.diverters = static_cast<std::size_t>(table.integer("diverters", 2, {1, 4}));
   plant.boxes = static_cast<std::size_t>(table.integer("boxes", 5, {1, 9}));
+  if (plant.kind == "fleet") plant.fleet = read_fleet_plant(table, folder);
   const TomlTable ports = table.table("ports");
   for (const std::string& port : ports.keys())
     plant.ports.push_back({port, ports.text(port, {}), ports.where(port)});
@@ -192,7 +193,7 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.engine = read_engine(root.table("runtime"));
   config.cpu = read_cpu(root.table("runtime"));
   config.tasks = read_tasks(root);
-  read_plant(root.table("plant"), config.plant);
+  read_plant(root.table("plant"), folder, config.plant);
   const TomlTable image = root.table("image");
   config.image.input_bytes = static_cast<std::uint32_t>(image.integer("input_bytes", 64, {1, 65'536}));
   config.image.output_bytes = static_cast<std::uint32_t>(image.integer("output_bytes", 64, {1, 65'536}));

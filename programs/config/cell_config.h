@@ -17,6 +17,7 @@
 
 #include "programs/config/change_config.h"
 #include "programs/config/controller_config.h"
+#include "programs/config/fleet_config.h"
 #include "programs/config/log_config.h"
 #include "programs/config/metrics_config.h"
 #include "programs/config/modbus_client_config.h"
@@ -48,11 +49,14 @@ struct PortAddress {
 };
 
 struct PlantConfig {
-  std::string kind = "tank_bench";  // or "sorting_line"; or "none": outputs go nowhere, inputs stay 0
+  std::string kind = "tank_bench";  // or "sorting_line" or "fleet"; or "none": outputs go nowhere, inputs
+                                    // stay 0
   std::uint64_t seed = 1;           // of all that is uncertain
-  bool uncertainty = true;          // the bench: sensor bias, drift and noise; the line: boxes that differ
+  bool uncertainty = true;          // the bench: sensor bias, drift and noise; the line: boxes that differ; a
+                                    // fleet: noise of its sensors
   std::size_t diverters = 2;        // of the line; 1 to 4
   std::size_t boxes = 5;            // of the line's order list; 1 to 9
+  FleetPlantConfig fleet;           // of kind "fleet" only
   std::vector<PortAddress> ports;
 };
 

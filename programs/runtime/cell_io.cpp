@@ -6,10 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "plant_models/assemblies/fleet_floor.h"
 #include "plant_models/assemblies/sorting_line.h"
 #include "plant_models/assemblies/tank_bench.h"
 #include "plant_models/bridge/plant_driver.h"
 #include "plant_models/bridge/port_map.h"
+#include "programs/runtime/fleet_plant.h"
 #include "programs/runtime/plant_memory.h"
 #include "runtime/image/no_io.h"
 #include "runtime/io_memory/memory_driver.h"
@@ -135,8 +137,18 @@ result::Result<std::unique_ptr<core::Plant>> make_line(const config::PlantConfig
   return std::unique_ptr<core::Plant>(std::move(*line));
 }
 
+result::Result<std::unique_ptr<core::Plant>> make_fleet(const config::PlantConfig& plant, const Kept& left) {
+  auto parameters = fleet_parameters(plant);
+  if (!parameters) return result::forward(parameters);
+  auto floor = assemblies::FleetFloor::create(*parameters);
+  if (!floor) return result::forward(floor);
+  if (left) (void)(*floor)->resume(*left);  // the same
+  return std::unique_ptr<core::Plant>(std::move(*floor));
+}
+
 result::Result<std::unique_ptr<core::Plant>> make_plant(const config::PlantConfig& plant,
                                                         const Kept& left = std::nullopt) {
+  if (plant.kind == "fleet") return make_fleet(plant, left);
   return plant.kind == "sorting_line" ? make_line(plant, left) : make_bench(plant, left);
 }
 
@@ -167,6 +179,9 @@ std::vector<bridge::PortWire> plant_wires(const config::CellConfig& config) {
     wires.push_back({wire.port, wire.address, wire.where});
   }
   if (wires.empty() && config.plant.kind == "tank_bench") wires = bridge::default_bench_wires();
+  if (wires.empty() && config.plant.kind == "fleet") {
+    wires = bridge::default_fleet_wires(config.plant.fleet.vehicles.size());
+  }
   return wires;
 }
 

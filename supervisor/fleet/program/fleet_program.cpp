@@ -1,0 +1,190 @@
+#include "supervisor/fleet/program/fleet_program.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "ladder/graphic/identifier.h"
+#include "supervisor/fleet/program/interlocks.h"
+#include "supervisor/fleet/program/mission_chart.h"
+#include "supervisor/fleet/program/program_texts.h"
+#include "supervisor/fleet/program/tables.h"
+
+namespace stepwright::fleet {
+namespace {
+
+using graphic::Variable;
+using graphic::VariableSection;
+
+constexpr const char* kTask = "fleet";
+
+// The globals whose names occur in `text`, as VAR_EXTERNAL.
+std::vector<Variable> externals(const std::vector<Variable>& globals, const std::string& text) {
+  std::vector<Variable> declared;
+  for (const Variable& shared : globals) {
+    if (!mentions(text, shared.name)) continue;
+    Variable external;
+    external.name = shared.name;
+    external.type = shared.type;
+    external.section = VariableSection::External;
+    declared.push_back(std::move(external));
+  }
+  return declared;
+}
+
+std::string text_of(const graphic::SfcChart& chart) {
+  std::string text;
+  for (const graphic::Step& step : chart.steps) {
+    for (const graphic::ActionBlock& block : step.actions) text += block.target + "\n";
+  }
+  for (const graphic::Action& action : chart.actions) text += action.st_body;
+  for (const graphic::Transition& transition : chart.transitions) text += to_st(transition.condition) + "\n";
+  return text;
+}
+
+class ProjectWriter {
+ public:
+  ProjectWriter(const FleetPlan& plan, const FleetTerminals& terminals, const ProgramOptions& options)
+      : plan_(plan), terminals_(terminals), options_(options) {
+    graphic::NameSet taken;
+    for (const VehicleMission& mission : plan.missions) {
+      names_.push_back(taken.unique(graphic::make_identifier(mission.vehicle)));
+    }
+  }
+
+  result::Result<FleetProgram> write() {
+    auto interlocks = find_interlocks(plan_, options_);
+    if (!interlocks) return result::forward(interlocks);
+    auto& project = made_.project;
+    project.name = "fleet";
+    project.globals = shared_globals(terminals_);
+    std::vector<VehicleNames> vehicles;
+    for (std::size_t v = 0; v < plan_.missions.size(); ++v) {
+      auto tables = vehicle_tables(plan_.missions[v], names_[v], interlocks->free_m[v], options_);
+      if (!tables) return result::forward(tables);
+      vehicles.push_back(add_tables(v, std::move(*tables)));
+    }
+    add_text("sensing", sensing_text(vehicles), sensing_blocks(vehicles));
+    for (std::uint32_t v = 0; v < plan_.missions.size(); ++v) add_chart(v, *interlocks);
+    add_text("driving", driving_text(vehicles), driving_blocks(vehicles));
+    project.tasks = {{kTask, options_.interval_us, 0}};
+    add_warnings();
+    return std::move(made_);
+  }
+
+ private:
+  VehicleNames add_tables(std::size_t v, VehicleTables tables) {
+    VehicleNames names{names_[v], tables.path.name, tables.areas.name, tables.planes.name, v};
+    auto& globals = made_.project.globals;
+    for (Variable& each : vehicle_globals(plan_.missions[v], names, terminals_.vehicles[v], options_)) {
+      globals.push_back(std::move(each));
+    }
+    if (!tables.path.name.empty()) globals.push_back(std::move(tables.path));
+    globals.push_back(std::move(tables.areas));
+    globals.push_back(std::move(tables.planes));
+    made_.figures.samples += tables.samples;
+    made_.figures.polygons += tables.polygons;
+    made_.figures.planes += tables.sides;
+    made_.figures.table_bytes += tables.bytes;
+    return names;
+  }
+
+  void add_text(const std::string& name, const std::string& text, std::vector<Variable> blocks) {
+    graphic::Pou pou;
+    pou.name = name;
+    pou.variables = externals(made_.project.globals, text);
+    for (Variable& block : blocks) pou.variables.push_back(std::move(block));
+    pou.body = graphic::StBody{text};
+    add_program(std::move(pou));
+  }
+
+  void add_chart(std::uint32_t v, const Interlocks& interlocks) {
+    MissionChart chart = mission_chart(plan_, names_, interlocks, v, options_);
+    graphic::Pou pou;
+    pou.name = "mission_" + names_[v];
+    pou.variables = externals(made_.project.globals, text_of(chart.chart));
+    pou.body = std::move(chart.chart);
+    for (const auto& waits : interlocks.before[v]) made_.figures.interlocks += waits.size();
+    made_.missions.push_back({plan_.missions[v].vehicle, names_[v], pou.name, std::move(chart.steps)});
+    add_program(std::move(pou));
+  }
+
+  // Instances of one task run in this order: charts see the places of their own scan, drives what charts
+  // permit.
+  void add_program(graphic::Pou pou) {
+    made_.project.instances.push_back({pou.name, pou.name, kTask});
+    made_.project.pous.push_back(std::move(pou));
+  }
+
+  void add_warnings() {
+    for (const TemporalConstraint& bound : plan_.constraints) {
+      const bool seen_to =
+          !bound.from && bound.to.side == Side::Entry && bound.distance.most.count() >= kHorizon.count();
+      if (seen_to) continue;
+      result::Diagnostic warning;
+      warning.code = "F1106";
+      warning.severity = result::Severity::Warning;
+      warning.message = fmt::format("the program does not see to all of the constraint '{}'", bound.name);
+      warning.hint = "in the scan only 'not before' of entries counts; the rest is the schedule's";
+      made_.warnings.push_back(std::move(warning));
+    }
+  }
+
+  static constexpr std::chrono::milliseconds kHorizon{100'000'000};
+
+  const FleetPlan& plan_;
+  const FleetTerminals& terminals_;
+  const ProgramOptions& options_;
+  std::vector<std::string> names_;
+  FleetProgram made_;
+};
+
+result::Result<void> check_options(const ProgramOptions& options) {
+  const DriveData& d = options.drive;
+  const FleetMargins& m = options.margins;
+  const std::pair<const char*, double> figures[] = {
+      {"speed_up_m_s2", d.speed_up_m_s2},     {"brake_m_s2", d.brake_m_s2},
+      {"hard_brake_m_s2", d.hard_brake_m_s2}, {"lateral_m_s2", d.lateral_m_s2},
+      {"lock_rate_rad_s", d.lock_rate_rad_s}, {"speed_lag_s", d.speed_lag_s},
+      {"lock_lag_s", d.lock_lag_s},           {"halt_before_m", m.halt_before_m},
+      {"left_behind_m", m.left_behind_m},     {"outside_m", m.outside_m},
+      {"sample_m", options.sample_m},         {"interval_us", static_cast<double>(options.interval_us)}};
+  for (const auto& [name, value] : figures) {
+    if (!(std::isfinite(value) && value > 0.0)) {
+      return result::fail("F1105", {}, fmt::format("{} is {}, not above zero", name, value));
+    }
+  }
+  return {};
+}
+
+result::Result<void> check_terminals(const FleetPlan& plan, const FleetTerminals& terminals) {
+  if (terminals.vehicles.size() != plan.missions.size()) {
+    return result::fail("F1105", {},
+                        fmt::format("terminals of {} vehicles for a plan of {}", terminals.vehicles.size(),
+                                    plan.missions.size()));
+  }
+  if (terminals.estop_ok.empty()) {
+    return result::fail("F1105", {}, "the emergency stop has no terminal", "give the address of estop_ok");
+  }
+  for (std::size_t v = 0; v < plan.missions.size(); ++v) {
+    for (const auto& [name, address] : named_terminals(terminals.vehicles[v])) {
+      if (!address.empty()) continue;
+      return result::fail("F1105", {},
+                          fmt::format("vehicle '{}' has no terminal for {}", plan.missions[v].vehicle, name),
+                          "each terminal of a vehicle needs an address");
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+result::Result<FleetProgram> fleet_program(const FleetPlan& plan, const FleetTerminals& terminals,
+                                           const ProgramOptions& options) {
+  if (auto good = check_options(options); !good) return result::forward(good);
+  if (auto good = check_terminals(plan, terminals); !good) return result::forward(good);
+  return ProjectWriter(plan, terminals, options).write();
+}
+
+}  // namespace stepwright::fleet

@@ -1,0 +1,94 @@
+#pragma once
+
+// A plan of the fleet as a program that runs in the scan: one sequential function chart for each vehicle,
+// whose transitions are the precedences of the schedule, paths and polygons as data, and the function blocks
+// that drive (ladder/driver/library/vehicle*.st). supervisor/doc/fleet_program.md states the rules, ADR 8 the
+// decision.
+//
+// A pure function; the result is a value. Lowering, compiling and drawing take `project` as any hand-written
+// one.
+//
+//   auto program = fleet_program(plan, terminals_in_a_row(plan.missions.size()), {});
+//   if (!program) std::cerr << to_string(program.error());
+//   driver::compile({.texts = {}, .projects = {&program->project}});
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ladder/graphic/project.h"
+#include "runtime/result/result.h"
+#include "supervisor/fleet/plan/fleet_plan.h"
+#include "supervisor/fleet/program/terminals.h"
+
+namespace stepwright::fleet {
+
+// How the vehicles move, as far as the plan does not say it.
+struct DriveData {
+  double speed_up_m_s2 = 0.5;
+  double brake_m_s2 = 0.6;       // planned with
+  double hard_brake_m_s2 = 1.2;  // to keep to the plan
+  double lateral_m_s2 = 0.8;     // of a curve, at most
+  double lock_rate_rad_s = 0.5;
+  double speed_lag_s = 0.3;  // of the drives, which set points make up for
+  double lock_lag_s = 0.15;
+};
+
+struct FleetMargins {
+  double halt_before_m = 0.15;  // of the entry of a polygon that a vehicle may not enter yet
+  double left_behind_m = 0.1;   // of the way behind a polygon's exit, until others take it for left
+  double outside_m = 0.1;       // by which the outline may be measured outside of its polygons
+};
+
+struct ProgramOptions {
+  std::int64_t interval_us = 20'000;
+  DriveData drive;
+  FleetMargins margins;
+  double sample_m = 0.2;      // between samples of a path
+  bool load_switches = true;  // a pick-up without a load on the forks is an error
+};
+
+// What a step of a chart is about.
+enum class MissionStepKind : std::uint8_t { Start, Polygon, Stop, Failed, Done };
+struct MissionStep {
+  std::string name;
+  MissionStepKind kind = MissionStepKind::Start;
+  std::size_t polygon = 0;   // up to which the vehicle may drive, or in which it stands
+  std::size_t stop = 0;      // of a Stop or Failed
+  double permitted_m = 0.0;  // along the path
+};
+
+struct MissionProgram {
+  std::string vehicle;             // as the plan names it
+  std::string name;                // the same in names of variables
+  std::string program;             // POU and instance of its chart
+  std::vector<MissionStep> steps;  // in the order of the chart's
+};
+
+// What the data takes; the memory of the controller has to hold it.
+struct ProgramFigures {
+  std::size_t samples = 0;
+  std::size_t planes = 0;
+  std::size_t polygons = 0;
+  std::size_t interlocks = 0;
+  std::size_t table_bytes = 0;
+};
+
+struct FleetProgram {
+  graphic::Project project;
+  std::vector<MissionProgram> missions;  // in the plan's order
+  ProgramFigures figures;
+  result::Diagnostics warnings;  // F1106: temporal constraints that the program does not see to
+};
+
+// F1101: the plan is no schedule, or its parts do not belong together (F0201, F0202, F0502: data of a
+// vehicle). F1102: two polygons overlap and no precedence orders them, so that a delay could let vehicles
+// meet. F1103: vehicles would wait for each other for ever, because a polygon is too short to wait before it.
+// F1104: too large for the data's types, or outside of what the terminals can say. F1105: a terminal that a
+// vehicle needs is missing, or a figure has no physical sense.
+[[nodiscard]] result::Result<FleetProgram> fleet_program(const FleetPlan& plan,
+                                                         const FleetTerminals& terminals,
+                                                         const ProgramOptions& options);
+
+}  // namespace stepwright::fleet

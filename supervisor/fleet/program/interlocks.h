@@ -1,0 +1,39 @@
+#pragma once
+
+// The precedences of a schedule as conditions for entering polygons, and the proof that they are enough:
+// every two polygons of different vehicles that overlap are ordered, and nobody waits for ever. Pure
+// functions.
+//
+//   auto interlocks = find_interlocks(plan, options);
+//   for (const Interlock& wait : interlocks->before[v][k]) ...   // what vehicle v waits for before polygon k
+
+#include <cstdint>
+#include <vector>
+
+#include "supervisor/fleet/program/fleet_program.h"
+
+namespace stepwright::fleet {
+
+// The vehicle has left its polygon.
+struct Interlock {
+  std::uint32_t vehicle = 0;
+  std::uint32_t polygon = 0;
+
+  friend auto operator<=>(const Interlock&, const Interlock&) = default;
+};
+
+struct Interlocks {
+  // By vehicle and polygon: what it takes to enter it.
+  std::vector<std::vector<std::vector<Interlock>>> before;
+  // By vehicle and polygon, along the path: up to where the vehicle may drive while it may not enter it ...
+  std::vector<std::vector<double>> halt_m;
+  // ... and from where on others may take it for left. That is behind its exit, or earlier, where the vehicle
+  // is all within the next one and would have to wait before it has come so far.
+  std::vector<std::vector<double>> free_m;
+};
+
+// Fails with F1101, F1102 or F1103.
+[[nodiscard]] result::Result<Interlocks> find_interlocks(const FleetPlan& plan,
+                                                         const ProgramOptions& options);
+
+}  // namespace stepwright::fleet

@@ -1,0 +1,234 @@
+#include "supervisor/fleet/program/mission_chart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stepwright::fleet {
+namespace {
+
+using graphic::all;
+using graphic::compare;
+using graphic::CompareOp;
+using graphic::Condition;
+using graphic::contact;
+using graphic::Qualifier;
+using graphic::StepId;
+
+constexpr double kArrived_m = 0.06;
+constexpr std::chrono::milliseconds kNoLoad{2'000};  // behind the end of a lift
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+const char* word(StopKind kind) {
+  switch (kind) {
+    case StopKind::PickUp:
+      return "PICK_UP";
+    case StopKind::SetDown:
+      return "SET_DOWN";
+    case StopKind::Park:
+      break;
+  }
+  return "PARK";
+}
+
+class Writer {
+ public:
+  Writer(const FleetPlan& plan, const std::vector<std::string>& names, const Interlocks& interlocks,
+         std::uint32_t vehicle, const ProgramOptions& options)
+      : plan_(plan),
+        mission_(plan.missions[vehicle]),
+        names_(names),
+        name_(names[vehicle]),
+        interlocks_(interlocks),
+        vehicle_(vehicle),
+        options_(options) {
+    const double v = mission_.speed.max_mps;
+    // So early that a vehicle that may go on does not brake.
+    reach_m_ = v * v / (2.0 * options.drive.brake_m_s2) + v + options.margins.halt_before_m;
+  }
+
+  MissionChart build() {
+    const StepId start = step({"START", MissionStepKind::Start}, "the way begins");
+    action("BEGIN",
+           fmt::format("vehicle_{0}.Arc := 0.0;\nvehicle_{0}.Point := 0;\nvehicle_{0}.Area := 0;\n"
+                       "vehicle_{0}.Areas := 0;\npermitted_{0} := 0.0;\n",
+                       name_),
+           Qualifier::P1);
+    StepId at = polygon_step();
+    transition({start}, at, graphic::always(), "");
+    while (true) {
+      const double stop_m = stop_ < mission_.stops.size() ? mission_.stops[stop_].arc_m : kNever;
+      if (stop_m < next_halt_m()) {
+        at = stop_step(at);
+      } else if (polygon_ + 1 < polygons()) {
+        at = enter_next(at);
+      } else {
+        break;
+      }
+    }
+    finish(at);
+    return std::move(made_);
+  }
+
+ private:
+  std::size_t polygons() const { return mission_.grown.visits.size(); }
+  double end_m() const { return mission_.path.back().arc_m; }
+  double next_halt_m() const {
+    return polygon_ + 1 < polygons() ? interlocks_.halt_m[vehicle_][polygon_ + 1] : kNever;
+  }
+
+  StepId step(MissionStep info, std::string comment) {
+    graphic::Step step;
+    step.name = info.name;
+    step.initial = made_.chart.steps.empty();
+    step.comment = std::move(comment);
+    made_.chart.steps.push_back(std::move(step));
+    made_.steps.push_back(std::move(info));
+    return StepId(static_cast<std::uint32_t>(made_.chart.steps.size() - 1));
+  }
+  // Of the step that was written last.
+  void action(const std::string& name, std::string body, Qualifier qualifier = Qualifier::N) {
+    made_.chart.actions.push_back({.name = name, .st_body = std::move(body)});
+    block(name, qualifier);
+  }
+  void block(const std::string& target, Qualifier qualifier = Qualifier::N) {
+    graphic::ActionBlock block;
+    block.qualifier = qualifier;
+    block.target = target;
+    made_.chart.steps.back().actions.push_back(std::move(block));
+  }
+  void transition(std::vector<StepId> from, StepId to, Condition condition, std::string comment) {
+    graphic::Transition made;
+    made.name = fmt::format("T{:03}", made_.chart.transitions.size());
+    made.sources = std::move(from);
+    made.targets = {to};
+    made.condition = std::move(condition);
+    made.comment = std::move(comment);
+    made.priority = static_cast<int>(made_.chart.transitions.size()) + 1;
+    made_.chart.transitions.push_back(std::move(made));
+  }
+
+  Condition beyond(double arc_m) const {
+    return compare("arc_" + name_, CompareOp::GreaterEqual, real_literal(arc_m));
+  }
+
+  // A step that lets the vehicle drive as far as it may within its polygon.
+  StepId polygon_step() {
+    const double stop_m = stop_ < mission_.stops.size() ? mission_.stops[stop_].arc_m : kNever;
+    const double permitted = std::max(0.0, std::min({stop_m, next_halt_m(), end_m()}));
+    std::string name = fmt::format("P{:03}", polygon_);
+    if (part_ > 1) name += fmt::format("_{}", part_);
+    const StepId made = step({name, MissionStepKind::Polygon, polygon_, 0, permitted},
+                             fmt::format("may be in polygon {}, up to {:.2f} m", polygon_, permitted));
+    action(name + "_GO", fmt::format("permitted_{} := {};\n", name_, real_literal(permitted)));
+    return made;
+  }
+
+  StepId enter_next(StepId from) {
+    ++polygon_;
+    part_ = 1;
+    std::vector<Condition> conditions = {beyond(interlocks_.halt_m[vehicle_][polygon_] - reach_m_)};
+    std::string comment;
+    for (const Interlock& wait : interlocks_.before[vehicle_][polygon_]) {
+      conditions.push_back(compare("areas_" + names_[wait.vehicle], CompareOp::GreaterEqual,
+                                   std::to_string(wait.polygon + 1)));
+      comment += fmt::format("{}{} has left polygon {}", comment.empty() ? "" : ", ",
+                             plan_.missions[wait.vehicle].vehicle, wait.polygon);
+    }
+    add_times(conditions, comment);
+    const StepId to = polygon_step();
+    transition({from}, to, all(std::move(conditions)), comment);
+    return to;
+  }
+
+  // "Not before" of the problem's own constraints.
+  void add_times(std::vector<Condition>& conditions, std::string& comment) const {
+    for (const TemporalConstraint& bound : plan_.constraints) {
+      const bool here = bound.to.at == PolygonRef{vehicle_, static_cast<std::uint32_t>(polygon_)};
+      if (bound.from || !here || bound.to.side != Side::Entry || bound.distance.least.count() <= 0) continue;
+      conditions.push_back(
+          compare("fleet_time", CompareOp::GreaterEqual, time_literal(bound.distance.least)));
+      comment += fmt::format("{}not before {} ({})", comment.empty() ? "" : ", ",
+                             time_literal(bound.distance.least), bound.name);
+    }
+  }
+
+  StepId stop_step(StepId from) {
+    const Stop& stop = mission_.stops[stop_];
+    const std::string name = fmt::format("S{:02}_{}", stop_ + 1, word(stop.kind));
+    const StepId at = step({name, MissionStepKind::Stop, polygon_, stop_, stop.arc_m},
+                           fmt::format("{} at {}", stop.goal.empty() ? "stop" : stop.goal, stop.location));
+    const bool forks = stop.kind != StopKind::Park;
+    if (forks) {
+      block("move_forks_" + name_);
+      block("raise_" + name_, stop.kind == StopKind::PickUp ? Qualifier::S : Qualifier::R);
+    }
+    transition({from}, at, all({beyond(stop.arc_m - kArrived_m), contact("standing_" + name_)}), "");
+    std::vector<Condition> conditions = {
+        compare(name + ".T", CompareOp::GreaterEqual, time_literal(stop.service))};
+    if (forks) conditions.push_back(contact("forks_done_" + name_));
+    const bool checks = stop.kind == StopKind::PickUp && options_.load_switches;
+    if (checks) conditions.push_back(contact("loaded_" + name_));
+    const std::size_t stop_index = stop_++;
+    ++part_;
+    const StepId next = polygon_step();
+    transition({at}, next, all(std::move(conditions)), "");
+    if (checks) add_failure(at, name, stop, stop_index);
+    return next;
+  }
+
+  void add_failure(StepId at, const std::string& name, const Stop& stop, std::size_t stop_index) {
+    const StepId failed = step({"FAILED_" + name, MissionStepKind::Failed, polygon_, stop_index, stop.arc_m},
+                               "no load on the forks");
+    block("no_load_" + name_);
+    transition({at}, failed,
+               all({contact("forks_done_" + name_), contact("loaded_" + name_, true),
+                    compare(name + ".T", CompareOp::GreaterEqual, time_literal(stop.service + kNoLoad))}),
+               "no load on the forks");
+  }
+
+  void finish(StepId from) {
+    const StepId done = step({"DONE", MissionStepKind::Done, polygon_, 0, end_m()}, "the way ends");
+    block("done_" + name_);
+    transition({from}, done, all({beyond(end_m() - kArrived_m), contact("standing_" + name_)}), "");
+  }
+
+  const FleetPlan& plan_;
+  const VehicleMission& mission_;
+  const std::vector<std::string>& names_;
+  const std::string& name_;
+  const Interlocks& interlocks_;
+  std::uint32_t vehicle_;
+  const ProgramOptions& options_;
+  double reach_m_ = 0.0;
+  std::size_t polygon_ = 0;
+  std::size_t stop_ = 0;
+  int part_ = 1;  // of the polygon, between its stops
+  MissionChart made_;
+};
+
+}  // namespace
+
+MissionChart mission_chart(const FleetPlan& plan, const std::vector<std::string>& names,
+                           const Interlocks& interlocks, std::uint32_t vehicle,
+                           const ProgramOptions& options) {
+  return Writer(plan, names, interlocks, vehicle, options).build();
+}
+
+std::string real_literal(double value) {
+  std::string text = fmt::format("{:.7g}", value);
+  if (text == "-0") text = "0";
+  const std::size_t exponent = text.find('e');
+  if (text.find('.') == std::string::npos)
+    text.insert(exponent == std::string::npos ? text.size() : exponent, ".0");
+  return text;
+}
+
+std::string time_literal(std::chrono::milliseconds time) {
+  return time.count() % 1'000 == 0 ? fmt::format("T#{}s", time.count() / 1'000)
+                                   : fmt::format("T#{}ms", time.count());
+}
+
+}  // namespace stepwright::fleet

@@ -1,0 +1,31 @@
+#pragma once
+
+// The chart of one vehicle's mission: polygons and stops in the order of the way. Pure.
+//
+//   MissionChart made = mission_chart(plan, names, interlocks, vehicle, options);
+
+#include <string>
+#include <vector>
+
+#include "ladder/graphic/sfc_chart.h"
+#include "supervisor/fleet/program/fleet_program.h"
+#include "supervisor/fleet/program/interlocks.h"
+
+namespace stepwright::fleet {
+
+struct MissionChart {
+  graphic::SfcChart chart;
+  std::vector<MissionStep> steps;
+};
+
+// `names`: of the vehicles, as variables have them.
+MissionChart mission_chart(const FleetPlan& plan, const std::vector<std::string>& names,
+                           const Interlocks& interlocks, std::uint32_t vehicle,
+                           const ProgramOptions& options);
+
+// 1.25, 1.0E-05: as a REAL literal of ST.
+std::string real_literal(double value);
+// T#90s, T#250ms
+std::string time_literal(std::chrono::milliseconds time);
+
+}  // namespace stepwright::fleet

@@ -1,0 +1,43 @@
+#pragma once
+
+// The statements around the charts: terminals into vehicles and back, and the function blocks between. Pure.
+// Detail of this folder.
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ladder/graphic/project.h"
+#include "supervisor/fleet/program/fleet_program.h"
+
+namespace stepwright::fleet {
+
+// What a vehicle is called, and its tables; `path` empty: it goes nowhere.
+struct VehicleNames {
+  std::string name;
+  std::string path;
+  std::string areas;
+  std::string planes;
+  std::size_t turn = 0;  // its number
+};
+
+std::vector<graphic::Variable> shared_globals(const FleetTerminals& terminals);
+std::vector<graphic::Variable> vehicle_globals(const VehicleMission& mission, const VehicleNames& names,
+                                               const VehicleTerminals& terminals,
+                                               const ProgramOptions& options);
+
+// PROGRAM sensing: before the charts. Blocks: the instances that the text calls.
+std::string sensing_text(const std::vector<VehicleNames>& vehicles);
+std::vector<graphic::Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles);
+// PROGRAM driving: behind them.
+std::string driving_text(const std::vector<VehicleNames>& vehicles);
+std::vector<graphic::Variable> driving_blocks(const std::vector<VehicleNames>& vehicles);
+
+// "set_speed" -> its address, and so on; all of them.
+std::vector<std::pair<std::string, std::string>> named_terminals(const VehicleTerminals& terminals);
+
+// True where `name` stands in `text` as a name of its own.
+bool mentions(std::string_view text, std::string_view name);
+
+}  // namespace stepwright::fleet
