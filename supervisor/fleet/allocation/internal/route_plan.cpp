@@ -164,20 +164,30 @@ std::optional<RoutePlan::Tail> RoutePlan::tail(std::uint32_t vehicle, std::uint3
                                                std::uint32_t place) const {
   const Route& route = routes_[vehicle];
   const Profile& profile = profiles_[vehicle];
-  Tail out{profile.finish_ms, 0};
-  for (std::uint32_t k = at; k < route.size(); ++k) {
-    const Stop32 stop = route[k];
-    const std::int64_t begin_ms = std::max<std::int64_t>(
-        earliest_ms_[stop], ready_ms + model_->way_ms(vehicle, place, model_->place(stop)));
-    if (begin_ms > profile.latest_ms[k]) return std::nullopt;
-    if (begin_ms == begin_ms_[stop]) return out;  // nothing changes from here on
-    out.later_ms += late_ms(stop, begin_ms) - late_ms(stop, begin_ms_[stop]);
-    ready_ms = begin_ms + model_->service_ms(stop);
-    place = model_->place(stop);
+  Tail out{ready_ms + gap_ms(vehicle, at, place), 0};
+  if (at < route.size()) {
+    const std::int64_t begin_ms = std::max<std::int64_t>(earliest_ms_[route[at]], out.finish_ms);
+    if (begin_ms > profile.latest_ms[at]) return std::nullopt;
+    out.finish_ms = std::max(begin_ms + profile.after_ms[at], profile.floor_ms[at]);
+    if (model_->problem().objective.tardiness > 0) out.later_ms = later_ms(vehicle, at, begin_ms);
   }
-  out.finish_ms = ready_ms + gap_ms(vehicle, static_cast<std::uint32_t>(route.size()), place);
   if (out.finish_ms > kHorizon_ms) return std::nullopt;
   return out;
+}
+
+std::int64_t RoutePlan::later_ms(std::uint32_t vehicle, std::uint32_t at, std::int64_t begin_ms) const {
+  const Route& route = routes_[vehicle];
+  std::int64_t sum_ms = 0;
+  for (std::uint32_t k = at; k < route.size(); ++k) {
+    const Stop32 stop = route[k];
+    if (begin_ms == begin_ms_[stop]) break;  // nothing changes from here on
+    sum_ms += late_ms(stop, begin_ms) - late_ms(stop, begin_ms_[stop]);
+    if (k + 1 == route.size()) break;
+    const std::int64_t next_ms =
+        begin_ms + model_->service_ms(stop) + gap_ms(vehicle, k + 1, model_->place(stop));
+    begin_ms = std::max<std::int64_t>(earliest_ms_[route[k + 1]], next_ms);
+  }
+  return sum_ms;
 }
 
 std::int64_t RoutePlan::late_ms(Stop32 stop, std::int64_t begin_ms) const {
@@ -238,6 +248,8 @@ void RoutePlan::refresh(std::uint32_t vehicle) {
   profile.ready_ms.assign(stops + 1, starts_ms_[vehicle]);
   profile.load.assign(stops + 1, 0);
   profile.latest_ms.assign(stops, 0);
+  profile.after_ms.assign(stops, 0);
+  profile.floor_ms.assign(stops, 0);
   profile.travel_ms = 0;
   for (std::uint32_t k = 0; k < stops; ++k) {
     const Stop32 stop = route[k];
@@ -257,6 +269,15 @@ void RoutePlan::refresh(std::uint32_t vehicle) {
   for (std::uint32_t k = end; k-- > 0;) {
     latest_ms = std::min<std::int64_t>(latest_ms - model_->service_ms(route[k]), latest_ms_[route[k]]);
     profile.latest_ms[k] = latest_ms;
+    const std::int64_t onward_ms = model_->service_ms(route[k]) +
+                                   (k + 1 == end ? home_ms : gap_ms(vehicle, k + 1, model_->place(route[k])));
+    if (k + 1 == end) {
+      profile.after_ms[k] = onward_ms;
+    } else {
+      const std::int64_t next_ms = earliest_ms_[route[k + 1]];
+      profile.after_ms[k] = onward_ms + profile.after_ms[k + 1];
+      profile.floor_ms[k] = std::max(profile.floor_ms[k + 1], next_ms + profile.after_ms[k + 1]);
+    }
     latest_ms -= gap_ms(vehicle, k, place_before(vehicle, k));
   }
 }

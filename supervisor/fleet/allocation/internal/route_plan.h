@@ -69,6 +69,9 @@ class RoutePlan {
     std::vector<std::int64_t> ready_ms;   // before each stop, and at the end: the service before has ended
     std::vector<std::int64_t> latest_ms;  // of each stop, so that all after it are in time
     std::vector<std::uint32_t> load;      // before each stop, and at the end
+    // The vehicle is ready at the end max(begin + after_ms, floor_ms), if stop k begins at `begin`.
+    std::vector<std::int64_t> after_ms;
+    std::vector<std::int64_t> floor_ms;
     std::int64_t travel_ms = 0;
     std::int64_t finish_ms = 0;
   };
@@ -85,6 +88,8 @@ class RoutePlan {
   // The vehicle is ready at `place` and makes the stops from `at` on.
   std::optional<Tail> tail(std::uint32_t vehicle, std::uint32_t at, std::int64_t ready_ms,
                            std::uint32_t place) const;
+  // The tardiness that is added if the stops from `at` on begin later.
+  std::int64_t later_ms(std::uint32_t vehicle, std::uint32_t at, std::int64_t begin_ms) const;
   std::int64_t late_ms(Stop32 stop, std::int64_t begin_ms) const;
   std::int64_t gap_ms(std::uint32_t vehicle, std::uint32_t at, std::uint32_t place) const;
   std::uint32_t place_before(std::uint32_t vehicle, std::uint32_t at) const;

@@ -48,6 +48,13 @@ TripSearch::TripSearch(const TripModel& model, const AllocationObjective& object
   const bool consistent = network_.post(model.constraints());
   assert(consistent);
   (void)consistent;
+  for (Stop32 stop = 0; stop < model.stops(); ++stop) {
+    last_end_ms_ =
+        std::max<std::int64_t>(last_end_ms_, model.latest_ms(stop) + std::int64_t(model.service_ms(stop)));
+  }
+  for (std::uint32_t v = 0; v < model.vehicles(); ++v) {
+    if (model.driver(v).finish != kNone) last_end_ms_ = kHorizon_ms;
+  }
   pick_up_from_.assign(model.vehicles() + 1, std::vector<std::int64_t>(model.trips(), kNoWay));
   for (std::uint32_t v = model.vehicles(); v-- > 0;) {
     for (std::uint32_t t = 0; t < model.trips(); ++t) {
@@ -231,7 +238,7 @@ std::int64_t TripSearch::bound(const Node& node) const {
       const std::int64_t end_ms = node.last == kNone ? mine.time_ms : node.ready_ms + mine.time_ms;
       const Score score{std::max({node.makespan_ms, end_ms, std::int64_t(others.time_ms)}),
                         node.travel_ms + mine.travel_ms + others.travel_ms, 0};
-      best = std::min(best, score.value(objective_));
+      if (score.makespan_ms <= last_end_ms_) best = std::min(best, score.value(objective_));
     }
     if (own == 0) break;
   }
