@@ -9,14 +9,6 @@
 
 namespace stepwright::fleet::internal {
 
-namespace {
-
-// How much of the makespan's weight an hour of a vehicle counts that is not the last one to be ready: loads
-// are spread before the makespan shows it.
-constexpr double kSpread = 0.1;
-
-}  // namespace
-
 RoutePlan::RoutePlan(const TripModel& model)
     : model_(&model),
       routes_(model.vehicles()),
@@ -155,7 +147,7 @@ void RoutePlan::place_set_down(std::uint32_t trip, std::uint32_t vehicle, std::u
         static_cast<double>(weights.makespan) * static_cast<double>(longer_ms) +
         static_cast<double>(weights.travel) * static_cast<double>(travel_ms) +
         static_cast<double>(weights.tardiness) * static_cast<double>(later_ms) +
-        (kSpread * weights.makespan + 0.01) * static_cast<double>(rest->finish_ms - profile.finish_ms);
+        (spread_ * weights.makespan + 0.01) * static_cast<double>(rest->finish_ms - profile.finish_ms);
     candidates_.push_back({cost, vehicle, pick_up, at});
   }
 }

@@ -61,6 +61,10 @@ class RoutePlan {
   void insert(std::uint32_t trip, const Insertion& at);
   void remove(std::uint32_t trip);
 
+  // How much of the makespan's weight a millisecond counts of a vehicle that is not the last one to be ready:
+  // loads are spread before the makespan shows it.
+  void set_spread(double share) { spread_ = share; }
+
   // Between which times services may begin: from the network, in place of the model's windows.
   void set_windows(const Network& network);
 
@@ -107,6 +111,7 @@ class RoutePlan {
   std::vector<std::int32_t> latest_ms_;
   std::vector<std::int32_t> starts_ms_;
   std::int64_t other_finish_ms_ = 0;
+  double spread_ = 0.1;
   std::vector<Insertion> candidates_;
 };
 

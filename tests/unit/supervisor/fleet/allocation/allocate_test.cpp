@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/support/fleet/allocation_checker.h"
+#include "tests/support/fleet/drawn_transports.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -203,19 +204,18 @@ TEST(Allocate, WhenTwoOfManyTransportsExcludeEachOther_ThenBothAreNamed) {
 
 TEST(Allocate, WhenCancelledBeforeAnythingIsKnown_ThenItSaysSo) {
   AllocationProblem problem = row_of(8, 1, 1);
-  const TransportId left = add(problem, 0, 4), right = add(problem, 4, 7);
-  problem.constraints = {within("left", {}, end_of(left), 40s), within("right", {}, end_of(right), 69s)};
+  const TransportId left = add(problem, 3, 1), right = add(problem, 4, 7);
+  problem.constraints = {within("left", {}, end_of(left), 60s), within("right", {}, end_of(right), 75s)};
   ASSERT_EQ(allocate(problem).verdict, AllocationVerdict::Infeasible);
   const std::atomic<bool> cancel = true;
   EXPECT_EQ(allocate(problem, {.cancel = &cancel}).verdict, AllocationVerdict::Cancelled);
 }
 
 TEST(Allocate, WhenNodesAreFew_ThenTheAnswerIsFeasibleWithABound) {
-  AllocationProblem problem = row_of(9, 2, 2);
-  for (std::uint32_t t = 0; t < 8; ++t) add(problem, t, (3 * t + 5) % 9);
+  const AllocationProblem problem = support::draw_transports(support::TransportKind::Due, 8, 4, 1);
   const AllocationAnswer best = allocate(problem);
   ASSERT_EQ(best.verdict, AllocationVerdict::Optimal);
-  const AllocationAnswer answer = allocate(problem, {.iterations = 2, .nodes = 3});
+  const AllocationAnswer answer = allocate(problem, {.iterations = 2, .nodes = 100});
   ASSERT_EQ(answer.verdict, AllocationVerdict::Feasible);
   EXPECT_LE(answer.lower_bound, best.objective);
   EXPECT_GE(answer.objective, best.objective);
