@@ -140,7 +140,7 @@ NeighbourhoodSearch::Trips NeighbourhoodSearch::related_to(std::uint32_t trip, c
 double NeighbourhoodSearch::distance(std::uint32_t a, std::uint32_t b, const RoutePlan& plan) const {
   const std::vector<std::uint32_t>& tied = coupled_with_[model_.trip(a).transport];
   if (a == b || std::ranges::find(tied, model_.trip(b).transport) != tied.end()) return 0.0;
-  const auto way = [&](Stop32 from, Stop32 to) {
+  const auto way = [&](StopIndex from, StopIndex to) {
     // Any vehicle will do: near is near for all of them.
     const std::uint32_t v = plan.vehicle_of(b) == kNone ? 0 : plan.vehicle_of(b);
     return static_cast<double>(std::min(model_.least_way_ms(v, model_.place(from), model_.place(to)),
@@ -299,7 +299,7 @@ void NeighbourhoodSearch::start_network(const RoutePlan& plan) {
     Timepoint at = model_.start_of(v);
     std::uint32_t place = model_.driver(v).start;
     std::int32_t stay_ms = 0;
-    for (const Stop32 stop : plan.routes()[v]) {
+    for (const StopIndex stop : plan.routes()[v]) {
       const std::int32_t way_ms = model_.way_ms(v, place, model_.place(stop));
       consistent =
           consistent && way_ms < kNoWay && network_->post({at, TripModel::at(stop), way_ms + stay_ms, 0});

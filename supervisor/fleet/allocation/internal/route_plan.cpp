@@ -17,14 +17,14 @@ RoutePlan::RoutePlan(const TripModel& model)
       pick_up_fixed_(model.trips(), 0),
       set_down_fixed_(model.trips(), 0),
       begin_ms_(model.stops(), 0) {
-  for (Stop32 stop = 0; stop < model.stops(); ++stop) {
+  for (StopIndex stop = 0; stop < model.stops(); ++stop) {
     earliest_ms_.push_back(model.earliest_ms(stop));
     latest_ms_.push_back(model.latest_ms(stop));
   }
   for (std::uint32_t v = 0; v < model.vehicles(); ++v) {
     starts_ms_.push_back(model.start_ms(v));
     routes_[v] = model.driver(v).fixed;
-    for (const Stop32 stop : routes_[v]) {
+    for (const StopIndex stop : routes_[v]) {
       vehicle_of_[trip_of(stop)] = v;
       (is_pick_up(stop) ? pick_up_fixed_ : set_down_fixed_)[trip_of(stop)] = 1;
     }
@@ -63,7 +63,7 @@ bool RoutePlan::range(std::uint32_t trip, std::uint32_t vehicle, std::uint32_t& 
   first = static_cast<std::uint32_t>(driver.fixed.size());
   end = static_cast<std::uint32_t>(route.size());
   if (model_->trip(trip).vehicles[vehicle] == 0) return false;
-  const auto position = [&](Stop32 stop) {
+  const auto position = [&](StopIndex stop) {
     return static_cast<std::uint32_t>(std::ranges::find(route, stop) - route.begin());
   };
   for (const std::uint32_t before : model_->trip(trip).predecessors) {
@@ -94,7 +94,7 @@ void RoutePlan::candidate_insertions(std::uint32_t trip, std::uint32_t vehicle) 
                    0);
     return;
   }
-  const Stop32 up = pick_up_of(trip);
+  const StopIndex up = pick_up_of(trip);
   for (std::uint32_t at = first; at <= end; ++at) {
     if (profile.load[at] + model_->trip(trip).amount > model_->driver(vehicle).capacity) continue;
     const std::uint32_t before = place_before(vehicle, at);
@@ -113,14 +113,14 @@ void RoutePlan::place_set_down(std::uint32_t trip, std::uint32_t vehicle, std::u
   const Route& route = routes_[vehicle];
   const Profile& profile = profiles_[vehicle];
   const AllocationObjective& weights = model_->problem().objective;
-  const Stop32 down = set_down_of(trip);
+  const StopIndex down = set_down_of(trip);
   // A pick-up that is fixed counts already, up to the end of the route.
   const std::uint32_t extra = pick_up == kNone ? 0 : model_->trip(trip).amount;
   // What the vehicle drives from the change on to stop `at`, as the route is now.
   std::int64_t replaced_ms = 0;
   for (std::uint32_t at = first; at <= end; ++at) {
     if (at > first) {
-      const Stop32 passed = route[at - 1];
+      const StopIndex passed = route[at - 1];
       const std::int32_t way_ms = model_->way_ms(vehicle, place, model_->place(passed));
       const bool room = profile.load[at] + extra <= model_->driver(vehicle).capacity;
       if (way_ms >= kNoWay || !room) return;
@@ -171,7 +171,7 @@ std::int64_t RoutePlan::later_ms(std::uint32_t vehicle, std::uint32_t at, std::i
   const Route& route = routes_[vehicle];
   std::int64_t sum_ms = 0;
   for (std::uint32_t k = at; k < route.size(); ++k) {
-    const Stop32 stop = route[k];
+    const StopIndex stop = route[k];
     if (begin_ms == begin_ms_[stop]) break;  // nothing changes from here on
     sum_ms += late_ms(stop, begin_ms) - late_ms(stop, begin_ms_[stop]);
     if (k + 1 == route.size()) break;
@@ -182,7 +182,7 @@ std::int64_t RoutePlan::later_ms(std::uint32_t vehicle, std::uint32_t at, std::i
   return sum_ms;
 }
 
-std::int64_t RoutePlan::late_ms(Stop32 stop, std::int64_t begin_ms) const {
+std::int64_t RoutePlan::late_ms(StopIndex stop, std::int64_t begin_ms) const {
   const Transport& transport = model_->transport_of(trip_of(stop));
   if (is_pick_up(stop) || !transport.due) return 0;
   const std::int64_t end_ms = begin_ms + model_->service_ms(stop);
@@ -223,7 +223,7 @@ void RoutePlan::remove(std::uint32_t trip) {
 }
 
 void RoutePlan::set_windows(const Network& network) {
-  for (Stop32 stop = 0; stop < model_->stops(); ++stop) {
+  for (StopIndex stop = 0; stop < model_->stops(); ++stop) {
     earliest_ms_[stop] = network.earliest_ms(TripModel::at(stop));
     latest_ms_[stop] = std::min(network.latest_ms(TripModel::at(stop)), model_->latest_ms(stop));
   }
@@ -244,7 +244,7 @@ void RoutePlan::refresh(std::uint32_t vehicle) {
   profile.floor_ms.assign(stops, 0);
   profile.travel_ms = 0;
   for (std::uint32_t k = 0; k < stops; ++k) {
-    const Stop32 stop = route[k];
+    const StopIndex stop = route[k];
     const std::int64_t way_ms = gap_ms(vehicle, k, place_before(vehicle, k));
     const std::uint32_t amount = model_->trip(trip_of(stop)).amount;
     begin_ms_[stop] = static_cast<std::int32_t>(std::min<std::int64_t>(

@@ -35,7 +35,7 @@ class RoutePlan {
   // Trips that are not in, or of which the set-down is not.
   const std::vector<std::uint32_t>& missing() const { return missing_; }
   std::uint32_t vehicle_of(std::uint32_t trip) const { return vehicle_of_[trip]; }
-  std::int32_t begin_ms(Stop32 stop) const { return begin_ms_[stop]; }
+  std::int32_t begin_ms(StopIndex stop) const { return begin_ms_[stop]; }
   std::int64_t finish_ms(std::uint32_t vehicle) const { return profiles_[vehicle].finish_ms; }
   // Trips that `remove` may take out.
   bool removable(std::uint32_t trip) const;
@@ -94,7 +94,7 @@ class RoutePlan {
                            std::uint32_t place) const;
   // The tardiness that is added if the stops from `at` on begin later.
   std::int64_t later_ms(std::uint32_t vehicle, std::uint32_t at, std::int64_t begin_ms) const;
-  std::int64_t late_ms(Stop32 stop, std::int64_t begin_ms) const;
+  std::int64_t late_ms(StopIndex stop, std::int64_t begin_ms) const;
   std::int64_t gap_ms(std::uint32_t vehicle, std::uint32_t at, std::uint32_t place) const;
   std::uint32_t place_before(std::uint32_t vehicle, std::uint32_t at) const;
   void refresh(std::uint32_t vehicle);

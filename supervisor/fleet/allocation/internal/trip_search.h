@@ -63,7 +63,7 @@ class TripSearch {
   void visit(const Node& node);
   void branch(const Node& node);
   void close(const Node& node);
-  void append(const Node& node, Stop32 stop);
+  void append(const Node& node, StopIndex stop);
   bool may_pick_up(const Node& node, std::uint32_t trip) const;
   void record();
 

@@ -202,6 +202,18 @@ TEST(Allocate, WhenTwoOfManyTransportsExcludeEachOther_ThenBothAreNamed) {
   EXPECT_THAT(answer.conflict.constraints, ElementsAre(0U));
 }
 
+TEST(Allocate, WhenManyLoadsFillTheLargestVehicleOnly_ThenSmallOnesHelp) {
+  AllocationProblem problem = row_of(6, 4, 1);
+  problem.vehicles[0].capacity = 2;
+  for (std::uint32_t t = 0; t < 14; ++t) add(problem, t % 3, 3 + t % 3, 2);
+  const AllocationAnswer answer = allocate(problem, {.iterations = 200});
+  ASSERT_EQ(answer.verdict, AllocationVerdict::Feasible);
+  EXPECT_THAT(faults_of(answer, problem), IsEmpty());
+  // The largest one alone drives 30 s with each load, and 30 s back to the next one.
+  EXPECT_LT(answer.makespan, 14 * 60s - 30s);
+  for (const VehicleRoute& route : answer.routes) EXPECT_FALSE(route.stops.empty());
+}
+
 TEST(Allocate, WhenCancelledBeforeAnythingIsKnown_ThenItSaysSo) {
   AllocationProblem problem = row_of(8, 1, 1);
   const TransportId left = add(problem, 3, 1), right = add(problem, 4, 7);
