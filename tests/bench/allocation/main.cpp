@@ -164,7 +164,7 @@ class Bench {
       ratio(by_nearest, ours, nearest);
       ratio(by_insertion, ours, insertion);
     }
-    std::printf("%-8s %10u %8u | %10.4g %10.3f %8.1f | %9.2f %9.2f | %9.2f %9.2f\n",
+    std::printf("%-8s %10u %8u | %10.4g %10.3f %8.1f | %9s %9.2f | %9s %9.2f\n",
                 support::name_of(kind).c_str(), transports, vehicles, objective.value(), to_bound.value(),
                 ms.value(), nearest.ratio().c_str(), nearest_ms.value(), insertion.ratio().c_str(),
                 insertion_ms.value());
