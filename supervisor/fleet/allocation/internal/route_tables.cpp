@@ -84,6 +84,7 @@ void RouteTables::fill(Kind& kind) const {
   std::size_t codes = 1;
   for (std::uint32_t t = 0; t < trips; ++t) codes *= 3;
   kind.rest.assign(codes * stops, {});
+  if (stops == 0) return;
   std::vector<std::pair<StopIndex, Effort>> next;
   for (std::size_t code = 0; code < codes; ++code) {
     Effort* const row = &kind.rest[code * stops];
