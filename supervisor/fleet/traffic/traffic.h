@@ -35,7 +35,7 @@ namespace stepwright::fleet {
 struct TrafficSettings {
   double ahead_m = 6.0;                  // of the vehicle, permissions are given; more than it needs to stop
   double brake_m_s2 = 0.5;               // counted on for a new way
-  double reaction_m = 0.6;               // before that braking begins
+  double reaction_m = 1.0;               // before that braking begins
   double resolution_m = 0.2;             // of the lattice; a new way begins at one of its poses
   double slowest_gate_m_s = 0.3;         // who would have to come more slowly goes on and stands
   std::chrono::milliseconds late{1000};  // later than scheduled by so much is a delay

@@ -32,7 +32,7 @@ TrajectoryEnvelope envelope_of(const Lane& lane, milliseconds now) {
     if (k == lane.first) polygon.stay.least += standing;
     if (k + 1 < route.polygons()) {
       const double next_s = std::max(here_s, route.needed_s[k + 1]);
-      const milliseconds both = std::max(kLeastOverlap, whole(route.left_s[k] - next_s));
+      const milliseconds both = whole(route.left_s[k] - next_s) + kLeastOverlap;
       polygon.overlap = {std::min(both, polygon.stay.least), kHorizon};
     }
     rest.polygons.push_back(std::move(polygon));
@@ -77,7 +77,7 @@ Remainder remainder_of(std::span<const Lane* const> lanes, milliseconds now, mil
     const auto row = static_cast<std::uint32_t>(remainder.vehicles.size());
     remainder.vehicles.push_back(v);
     remainder.envelopes.push_back(envelope_of(lane, now));
-    for (std::uint32_t k = lane.first; k + 1 < lane.route.polygons(); ++k) {
+    for (std::uint32_t k = lane.granted; k + 1 < lane.route.polygons(); ++k) {
       if (lane.route.needed_m[k] == lane.route.needed_m[k + 1])
         remainder.constraints.push_back(together({row, k - lane.first}));
     }
