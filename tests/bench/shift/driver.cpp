@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include "supervisor/fleet/control/leg.h"
 
 namespace stepwright::bench::shift {
 
@@ -61,14 +60,6 @@ void Driver::next_part() {
   for (std::size_t k = 0; k < grown.visits.size(); ++k) {
     if (grown.visits[k].exit_m < arc_m_ - 0.5 || grown.visits[k].entry_m > target_m_) continue;
     areas.push_back({grown.envelope.polygons[k].area, grown.visits[k].entry_m, grown.visits[k].exit_m});
-  }
-  if (getenv("NOAREA")) areas.clear();
-  if (getenv("CEIL") && route_.mission.vehicle == "v5") {
-    for (const auto& leg : fleet::split_into_legs(part, limits_.wheelbase_m)) {
-      fleet::SpeedPlan plan(leg, limits_);
-      std::printf("leg %.2f..%.2f sign %.0f\n", leg.begin_m(), leg.end_m(), leg.sign());
-      for (double a = leg.begin_m(); a < leg.end_m(); a += 0.25) std::printf("  %.2f ceil %.2f lock %.2f pose %.2f %.2f %.2f\n", a, plan.ceiling_m_s(a), leg.at(a).lock_rad, leg.at(a).pose.x_m, leg.at(a).pose.y_m, leg.at(a).pose.heading_rad);
-    }
   }
   auto follower = fleet::PathFollower::create(part, areas, limits_, outline_, settings());
   if (follower) {

@@ -41,6 +41,7 @@ Judge::Judge(const Scenario& scenario, const geometry::Footprint& outline)
   touching_.assign(n, std::vector<char>(n + 1 + places_.size(), 0));
   still_since_s_.assign(n, 0.0);
   still_at_.assign(n, {-1e9, 0.0, 0.0});
+  nameless_since_s_.assign(n, 0.0);
   reported_.assign(n, 0);
 }
 
@@ -130,25 +131,31 @@ void Judge::standing(double now_s, std::span<const geometry::Pose> poses,
     longest_wait_s_ = std::max(longest_wait_s_, now_s - still_since_s_[v]);
   }
   for (std::uint32_t v = 0; v < n; ++v) {
-    if (states[v].doing != Doing::Waits || reported_[v] != 0 || now_s - still_since_s_[v] < kStuck_s)
-      continue;
-    // Whom it waits for, whom he waits for, and so on: the chain has to end with somebody whose standing has
-    // another reason, or who drives.
-    std::uint32_t at = v;
-    std::string chain = "v" + std::to_string(v + 1);
-    bool ends = false;
-    for (std::uint32_t k = 0; k <= n && !ends; ++k) {
-      const bool waits = states[at].doing == Doing::Waits && now_s - still_since_s_[at] >= kStuck_s;
-      ends = !waits;
-      if (ends) break;
-      if (!states[at].waits_for) break;
-      at = *states[at].waits_for;
-      chain += " -> v" + std::to_string(at + 1);
-    }
-    if (ends) continue;
+    if (states[v].doing != Doing::Waits || states[v].waits_for) nameless_since_s_[v] = now_s;
+  }
+  for (std::uint32_t v = 0; v < n; ++v) {
+    if (states[v].doing != Doing::Waits || reported_[v] != 0) continue;
+    const std::string chain = endless_chain(now_s, v, states);
+    if (chain.empty()) continue;
     reported_[v] = 1;
     deadlocks_.push_back("at " + std::to_string(now_s) + " s: " + chain);
   }
+}
+
+// Whom it waits for, whom he waits for, and so on: the chain has to end with somebody who stands for another
+// reason, or who drives, or who has just been permitted to. Empty if it does.
+std::string Judge::endless_chain(double now_s, std::uint32_t vehicle,
+                                 std::span<const VehicleState> states) const {
+  std::string chain = "v" + std::to_string(vehicle + 1);
+  std::uint32_t at = vehicle;
+  for (std::size_t k = 0; k <= states.size(); ++k) {
+    if (states[at].doing != Doing::Waits) return {};
+    if (!states[at].waits_for)
+      return now_s - nameless_since_s_[at] > kStuck_s ? chain + " waits for nobody" : "";
+    at = *states[at].waits_for;
+    chain += " -> v" + std::to_string(at + 1);
+  }
+  return chain;
 }
 
 }  // namespace stepwright::bench::shift

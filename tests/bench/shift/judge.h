@@ -53,14 +53,14 @@ class Judge {
 
   // Each contact once, however long it lasts.
   const std::vector<Collision>& collisions() const { return collisions_; }
-  // Circles of vehicles that wait for each other, and vehicles that stood for longer than kStuck_s without
-  // anybody in the chain of those they wait for who drives, stands at a stop, is held or dead.
+  // Circles of vehicles that wait for each other, and vehicles that stand for longer than kStuck_s although
+  // nobody keeps them from going on.
   const std::vector<std::string>& deadlocks() const { return deadlocks_; }
   double longest_wait_s() const { return longest_wait_s_; }
   double smallest_gap_m() const { return smallest_gap_m_; }
   std::uint64_t checks() const { return checks_; }
 
-  static constexpr double kStuck_s = 60.0;
+  static constexpr double kStuck_s = 20.0;
 
  private:
   struct Box {  // an oriented rectangle
@@ -73,6 +73,7 @@ class Judge {
   static bool apart(const Box& a, const Box& b);
   static double gap_m(const Box& a, const Box& b);
   bool hits_wall(const Box& box) const;
+  std::string endless_chain(double now_s, std::uint32_t vehicle, std::span<const VehicleState> states) const;
   void report(double now_s, std::uint32_t vehicle, std::uint32_t other, std::string with, bool touching);
 
   const Scenario& scenario_;
@@ -82,7 +83,7 @@ class Judge {
   std::vector<Box> boxes_;
   std::vector<geometry::Pose> last_;
   std::vector<std::vector<char>> touching_;  // by vehicle: other vehicles, then the wall, then the places
-  std::vector<double> still_since_s_;
+  std::vector<double> still_since_s_, nameless_since_s_;
   std::vector<geometry::Pose> still_at_;
   std::vector<char> reported_;
   std::vector<Collision> collisions_;

@@ -68,7 +68,13 @@ class Shift {
       if (const char* dbg = getenv("DBG"); dbg && k % 5 == 0) {
         const auto v = static_cast<std::uint32_t>(atoi(dbg));
         const auto p = traffic_.permission(v, now_);
-        std::printf("%.1f v%u arc %.2f perm %.2f gate %.2f@%.1f end %.2f dev %.2f v=%.2f lock %.2f pose %.2f %.2f %.2f doing %d first %u granted %u\n", now_s_, v + 1, traffic_.arc_m(v), p.permitted_m, p.gate ? p.gate->arc_m : -1, p.gate ? p.gate->not_before_s : -1, traffic_.route(v).end_m(), drivers_[v]->deviation_m(), measured_[v].speed_m_s, measured_[v].lock_rad, poses_[v].x_m, poses_[v].y_m, poses_[v].heading_rad, static_cast<int>(doing_[v].doing), traffic_.first(v), traffic_.granted(v));
+        std::printf(
+            "%.1f v%u arc %.2f perm %.2f gate %.2f@%.1f end %.2f dev %.2f v=%.2f lock %.2f pose %.2f %.2f "
+            "%.2f doing %d first %u granted %u\n",
+            now_s_, v + 1, traffic_.arc_m(v), p.permitted_m, p.gate ? p.gate->arc_m : -1,
+            p.gate ? p.gate->not_before_s : -1, traffic_.route(v).end_m(), drivers_[v]->deviation_m(),
+            measured_[v].speed_m_s, measured_[v].lock_rad, poses_[v].x_m, poses_[v].y_m,
+            poses_[v].heading_rad, static_cast<int>(doing_[v].doing), traffic_.first(v), traffic_.granted(v));
       }
       if (progress && k % 6000 == 0)
         std::fprintf(stderr, "\r%5.0f of %.0f s, %zu collisions ", now_s_, scenario_.end_s(),
