@@ -26,7 +26,7 @@ namespace stepwright::fleet {
 // A vehicle has left a polygon when it is so far behind the place where it could first have done.
 inline constexpr double kLeft_m = 0.1;
 // Where a vehicle stands that may not go on, before the place: at most.
-inline constexpr double kHalt_m = 0.45;
+inline constexpr double kHalt_m = 0.7;
 
 // From a way to a time and back, without others in the way; stops are stood at in full.
 class Pace {

@@ -111,7 +111,7 @@ Driver::Drive Driver::step(const fleet::VehicleState& measured, const fleet::Per
     return {{0.0, measured.lock_rad}, !still};
   }
   // The follower would say the same in more time.
-  waits_ = still && permission.permitted_m - arc_m_ < 0.35 && permission.permitted_m < target_m_;
+  waits_ = still && permission.permitted_m - arc_m_ < 0.6 && permission.permitted_m < target_m_;
   if (waits_) return {{0.0, measured.lock_rad}, true};
   ++control_steps_;
   const auto gates = permission.gate ? std::span(&*permission.gate, 1) : std::span<const fleet::Gate>();

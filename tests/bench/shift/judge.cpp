@@ -42,6 +42,7 @@ Judge::Judge(const Scenario& scenario, const geometry::Footprint& outline)
   still_since_s_.assign(n, 0.0);
   still_at_.assign(n, {-1e9, 0.0, 0.0});
   nameless_since_s_.assign(n, 0.0);
+  idle_since_s_.assign(n, 0.0);
   reported_.assign(n, 0);
 }
 
@@ -122,20 +123,22 @@ void Judge::standing(double now_s, std::span<const geometry::Pose> poses,
                      std::span<const VehicleState> states) {
   const auto n = static_cast<std::uint32_t>(states.size());
   for (std::uint32_t v = 0; v < n; ++v) {
+    const Doing doing = states[v].doing;
     const bool still = geometry::distance(poses[v].position(), still_at_[v].position()) < kStill_m;
-    if (!still || states[v].doing != Doing::Waits) {
+    if (!still || (doing != Doing::Waits && doing != Doing::Drives)) {
       still_since_s_[v] = now_s;
       still_at_[v] = poses[v];
       reported_[v] = 0;
     }
-    longest_wait_s_ = std::max(longest_wait_s_, now_s - still_since_s_[v]);
+    if (!still || doing != Doing::Drives) idle_since_s_[v] = now_s;
+    if (doing != Doing::Waits || states[v].waits_for) nameless_since_s_[v] = now_s;
+    if (doing == Doing::Waits) longest_wait_s_ = std::max(longest_wait_s_, now_s - still_since_s_[v]);
   }
   for (std::uint32_t v = 0; v < n; ++v) {
-    if (states[v].doing != Doing::Waits || states[v].waits_for) nameless_since_s_[v] = now_s;
-  }
-  for (std::uint32_t v = 0; v < n; ++v) {
-    if (states[v].doing != Doing::Waits || reported_[v] != 0) continue;
-    const std::string chain = endless_chain(now_s, v, states);
+    if (reported_[v] != 0) continue;
+    std::string chain = endless_chain(now_s, v, states);
+    if (now_s - idle_since_s_[v] > kStuck_s)
+      chain = "v" + std::to_string(v + 1) + " could drive and does not";
     if (chain.empty()) continue;
     reported_[v] = 1;
     deadlocks_.push_back("at " + std::to_string(now_s) + " s: " + chain);
@@ -153,7 +156,7 @@ std::string Judge::endless_chain(double now_s, std::uint32_t vehicle,
     if (!states[at].waits_for)
       return now_s - nameless_since_s_[at] > kStuck_s ? chain + " waits for nobody" : "";
     at = *states[at].waits_for;
-    chain += " -> v" + std::to_string(at + 1);
+    if (k < states.size()) chain += " -> v" + std::to_string(at + 1);
   }
   return chain;
 }

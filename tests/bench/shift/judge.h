@@ -83,7 +83,7 @@ class Judge {
   std::vector<Box> boxes_;
   std::vector<geometry::Pose> last_;
   std::vector<std::vector<char>> touching_;  // by vehicle: other vehicles, then the wall, then the places
-  std::vector<double> still_since_s_, nameless_since_s_;
+  std::vector<double> still_since_s_, nameless_since_s_, idle_since_s_;
   std::vector<geometry::Pose> still_at_;
   std::vector<char> reported_;
   std::vector<Collision> collisions_;

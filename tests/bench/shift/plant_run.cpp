@@ -76,6 +76,12 @@ class Shift {
             measured_[v].speed_m_s, measured_[v].lock_rad, poses_[v].x_m, poses_[v].y_m,
             poses_[v].heading_rad, static_cast<int>(doing_[v].doing), traffic_.first(v), traffic_.granted(v));
       }
+      if (getenv("ROOT") && k % 600 == 0) {
+        for (std::uint32_t v = 0; v < drivers_.size(); ++v) {
+          const auto p = traffic_.permission(v, now_);
+          std::printf("R %.0f v%u doing %d arc %.1f perm %.1f end %.1f at %.1f %.1f waits %d eta %.0f first %u granted %u/%u busy %d\n", now_s_, v + 1, static_cast<int>(doing_[v].doing), traffic_.arc_m(v), p.permitted_m, traffic_.route(v).end_m(), poses_[v].x_m, poses_[v].y_m, doing_[v].waits_for ? static_cast<int>(*doing_[v].waits_for) + 1 : 0, static_cast<double>(traffic_.expected_end(v).count()) * 1e-3, traffic_.first(v), traffic_.granted(v), traffic_.route(v).polygons(), desk_.busy(v));
+        }
+      }
       if (progress && k % 6000 == 0)
         std::fprintf(stderr, "\r%5.0f of %.0f s, %zu collisions ", now_s_, scenario_.end_s(),
                      judge_.collisions().size());
@@ -299,7 +305,7 @@ class Shift {
     } else if (traffic_.held(v) && still) {
       state.doing = Doing::Held;
       spent.held_s += kTick_s;
-    } else if (still) {
+    } else if (driver.waits()) {
       state.doing = Doing::Waits;
       state.waits_for = traffic_.waits_for(v);
       spent.waiting_s += kTick_s;
