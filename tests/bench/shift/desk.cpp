@@ -42,7 +42,7 @@ Desk::Desk(const Scenario& scenario, fleet::Traffic& traffic, fleet::RoutePlanne
       planner_(planner),
       rule_(rule),
       figures_(figures),
-      jobs_(scenario.settings.vehicles),
+      jobs_(traffic.vehicles()),
       not_before_s_(scenario.transports.size(), 0.0) {
   figures_.deliveries.resize(scenario.transports.size());
 }
@@ -105,7 +105,10 @@ void Desk::dispatch(milliseconds now) {
   std::vector<FreeVehicle> free;
   for (std::uint32_t v = 0; v < jobs_.size(); ++v) {
     if (jobs_[v] || traffic_.removed(v) || traffic_.held(v)) continue;
-    if (const auto branch = traffic_.branch(v)) free.push_back({v, branch->place});
+    const auto branch = traffic_.branch(v);
+    if (!branch) continue;
+    const bool here = branch->arc_m - traffic_.arc_m(v) < 0.05;
+    if (here || !only_standing_) free.push_back({v, branch->place});
   }
   for (const DispatchRule::Choice& choice : rule_.choose(waiting, free)) {
     if (assign(choice.vehicle, choice.transport, false, now)) {

@@ -56,6 +56,9 @@ class Desk {
 
   void release(std::uint32_t transport) { open_.push_back(transport); }
   void dispatch(std::chrono::milliseconds now);
+  // Vehicles on their way home are not given another mission before they are there: fewer different ways to
+  // plan.
+  void only_standing() { only_standing_ = true; }
   // Whether the next standing is that of a job, and how long it really takes.
   double service_s(std::uint32_t vehicle) const;
   void stood(std::uint32_t vehicle, double now_s);
@@ -85,6 +88,7 @@ class Desk {
   std::vector<std::optional<Job>> jobs_;
   std::vector<double> not_before_s_;  // by transport, after a refusal
   std::vector<std::uint32_t> rerouted_;
+  bool only_standing_ = false;
 };
 
 }  // namespace stepwright::bench::shift

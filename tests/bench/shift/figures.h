@@ -19,6 +19,7 @@ struct Delivery {
 
 // How a vehicle spent the shift, in seconds.
 struct Spent {
+  double busy_s = 0.0;  // with a job; the others are parts of all of its time
   double driving_s = 0.0;
   double serving_s = 0.0;
   double waiting_s = 0.0;  // for other vehicles

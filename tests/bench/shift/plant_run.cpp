@@ -65,23 +65,6 @@ class Shift {
       if (k % 50 == 0) {
         for (std::uint32_t v = 0; v < drivers_.size(); ++v) run_.tracks[v].push_back(poses_[v]);
       }
-      if (const char* dbg = getenv("DBG"); dbg && k % 5 == 0) {
-        const auto v = static_cast<std::uint32_t>(atoi(dbg));
-        const auto p = traffic_.permission(v, now_);
-        std::printf(
-            "%.1f v%u arc %.2f perm %.2f gate %.2f@%.1f end %.2f dev %.2f v=%.2f lock %.2f pose %.2f %.2f "
-            "%.2f doing %d first %u granted %u\n",
-            now_s_, v + 1, traffic_.arc_m(v), p.permitted_m, p.gate ? p.gate->arc_m : -1,
-            p.gate ? p.gate->not_before_s : -1, traffic_.route(v).end_m(), drivers_[v]->deviation_m(),
-            measured_[v].speed_m_s, measured_[v].lock_rad, poses_[v].x_m, poses_[v].y_m,
-            poses_[v].heading_rad, static_cast<int>(doing_[v].doing), traffic_.first(v), traffic_.granted(v));
-      }
-      if (getenv("ROOT") && k % 600 == 0) {
-        for (std::uint32_t v = 0; v < drivers_.size(); ++v) {
-          const auto p = traffic_.permission(v, now_);
-          std::printf("R %.0f v%u doing %d arc %.1f perm %.1f end %.1f at %.1f %.1f waits %d eta %.0f first %u granted %u/%u busy %d\n", now_s_, v + 1, static_cast<int>(doing_[v].doing), traffic_.arc_m(v), p.permitted_m, traffic_.route(v).end_m(), poses_[v].x_m, poses_[v].y_m, doing_[v].waits_for ? static_cast<int>(*doing_[v].waits_for) + 1 : 0, static_cast<double>(traffic_.expected_end(v).count()) * 1e-3, traffic_.first(v), traffic_.granted(v), traffic_.route(v).polygons(), desk_.busy(v));
-        }
-      }
       if (progress && k % 6000 == 0)
         std::fprintf(stderr, "\r%5.0f of %.0f s, %zu collisions ", now_s_, scenario_.end_s(),
                      judge_.collisions().size());
@@ -290,6 +273,7 @@ class Shift {
     const bool still = std::abs(measured_[v].speed_m_s) < kStands_m_s;
     VehicleState& state = doing_[v];
     state.waits_for.reset();
+    if (desk_.busy(v)) spent.busy_s += kTick_s;
     if (traffic_.removed(v) || silent_[v] > 0) {
       state.doing = Doing::Dead;
       spent.dead_s += kTick_s;
