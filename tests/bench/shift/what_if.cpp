@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "tests/bench/shift/desk.h"
 
@@ -41,7 +43,7 @@ class TimedShift {
              whole(scenario_.transports[transport_].release_s) <= now)
         desk_.release(static_cast<std::uint32_t>(transport_++));
       desk_.dispatch(now);
-      for (const std::uint32_t v : desk_.take_rerouted()) next_[v] = first_stop(v);
+      for (const std::uint32_t v : desk_.take_rerouted()) next_[v] = stops_ahead(v);
       now = std::min(end, after(now));
     }
     figures_.simulated_s = scenario_.end_s();
@@ -50,24 +52,29 @@ class TimedShift {
   }
 
  private:
-  // Of the stops still ahead: how much of the way is behind the vehicle when it has stood there.
-  std::vector<double> first_stop(std::uint32_t vehicle) const {
-    std::vector<double> stops;
+  // A stop still ahead: how much of the way is behind the vehicle when it has stood there.
+  struct Ahead {
+    double arc_m;
+    std::string name;
+  };
+
+  std::vector<Ahead> stops_ahead(std::uint32_t vehicle) const {
+    std::vector<Ahead> stops;
     for (const fleet::Stop& stop : traffic_.route(vehicle).mission.stops) {
-      const bool begun = seconds(traffic_.expected(vehicle, stop.arc_m)) <= seconds(last_);
-      if (stop.kind != fleet::StopKind::Park && !begun) stops.push_back(stop.arc_m);
+      const std::string name = stop.goal + (stop.kind == fleet::StopKind::SetDown ? " set down" : " pick up");
+      if (stop.kind != fleet::StopKind::Park && !stood_.contains(name)) stops.push_back({stop.arc_m, name});
     }
     return stops;
   }
 
   void leave_stops(std::uint32_t vehicle, milliseconds now) {
-    last_ = now;
+    figures_.spent[vehicle].busy_s += desk_.busy(vehicle) ? seconds(now - before_) : 0.0;
     auto& stops = next_[vehicle];
-    while (!stops.empty() && traffic_.expected(vehicle, stops.front()) <= now) {
+    while (!stops.empty() && traffic_.expected(vehicle, stops.front().arc_m) <= now) {
       desk_.stood(vehicle, seconds(now));
+      stood_.insert(stops.front().name);
       stops.erase(stops.begin());
     }
-    figures_.spent[vehicle].busy_s += desk_.busy(vehicle) ? seconds(now - before_) : 0.0;
     if (vehicle + 1 == next_.size()) before_ = now;
   }
 
@@ -76,7 +83,7 @@ class TimedShift {
     if (transport_ < scenario_.transports.size())
       next = std::min(next, whole(scenario_.transports[transport_].release_s));
     for (std::uint32_t v = 0; v < next_.size(); ++v) {
-      if (!next_[v].empty()) next = std::min(next, traffic_.expected(v, next_[v].front()));
+      if (!next_[v].empty()) next = std::min(next, traffic_.expected(v, next_[v].front().arc_m));
     }
     return std::max(next, now + milliseconds(50));
   }
@@ -86,9 +93,10 @@ class TimedShift {
   ShiftFigures figures_;
   EarliestDueNearestVehicle rule_;
   Desk desk_;
-  std::vector<std::vector<double>> next_;  // by vehicle: stops ahead
+  std::vector<std::vector<Ahead>> next_;  // by vehicle
+  std::set<std::string> stood_;
   std::size_t transport_ = 0;
-  milliseconds last_{0}, before_{0};
+  milliseconds before_{0};
 };
 
 }  // namespace
