@@ -89,8 +89,12 @@ const RoutePlanner::Layer& RoutePlanner::layer(std::uint32_t number) {
   const auto found = layers_.find(number);
   if (found != layers_.end()) return found->second;
   Layer made{std::make_unique<OccupancyGrid>(*floor_), nullptr};
+  // With room for the polygon in which a vehicle rests for ever: nobody would get past it.
+  geometry::Footprint closed = planned_.footprint();
+  closed.front_m += settings_.tail_m + 4.0 * settings_.tail_growth_m;
+  closed.rear_m += settings_.tail_m + 4.0 * settings_.tail_growth_m;
   for (std::uint32_t v = 0; v < homes_.size(); ++v)
-    if (v != number) close(*made.grid, footprint_at(homes_[v].pose, planned_.footprint()));
+    if (v != number) close(*made.grid, footprint_at(homes_[v].pose, closed));
   for (const auto& [name, blocked] : blocked_) close(*made.grid, blocked.area);
   made.planner = std::make_unique<PathPlanner>(base_->on(*made.grid));
   return layers_.emplace(number, std::move(made)).first->second;
