@@ -12,8 +12,8 @@ constexpr double kBefore_m = 1.0;
 constexpr double kTurnRound_s = 0.5;  // at a cusp, with the steering
 constexpr double kLongest_s = 24.0 * 3600.0;
 
-// A drive that follows its set point with this lag moves by `rate` times a step if the set point, which holds for
-// the step, is so many seconds of that rate ahead.
+// A drive that follows its set point with this lag moves by `rate` times a step if the set point, which holds
+// for the step, is so many seconds of that rate ahead.
 double ahead_s(double lag_s) {
   return lag_s > 0.0 ? kControlStep_s / (1.0 - std::exp(-kControlStep_s / lag_s)) : kControlStep_s;
 }
