@@ -77,7 +77,7 @@ Detour FloorEvents::detour(std::uint32_t vehicle, milliseconds now) {
   return made;
 }
 
-std::vector<Detour> FloorEvents::release_free(milliseconds) {
+std::vector<Detour> FloorEvents::release_free() {
   std::vector<Detour> released;
   for (std::uint32_t v = 0; v < traffic_.vehicles(); ++v) {
     if (!traffic_.held(v) || traffic_.removed(v)) continue;
@@ -97,9 +97,9 @@ Blockage FloorEvents::block(const geometry::ConvexPolygon& area, milliseconds no
   return blockage;
 }
 
-std::vector<Detour> FloorEvents::unblock(std::uint32_t number, milliseconds now) {
+std::vector<Detour> FloorEvents::unblock(std::uint32_t number) {
   planner_.unblock(number);
-  return release_free(now);
+  return release_free();
 }
 
 std::vector<Detour> FloorEvents::retry(milliseconds now) {
@@ -144,7 +144,7 @@ result::Result<std::vector<Detour>> FloorEvents::came_back(std::uint32_t vehicle
     return result::forward(change);
   }
   dead_.erase(vehicle);
-  return release_free(now);
+  return release_free();
 }
 
 }  // namespace stepwright::fleet

@@ -11,7 +11,7 @@
 //   const auto blocked = events.block(area, now);
 //   for (const Detour& detour : blocked.detours) report(detour);
 //   ...
-//   for (const Detour& detour : events.unblock(blocked.number, now)) report(detour);
+//   for (const Detour& detour : events.unblock(blocked.number)) report(detour);
 
 #include <chrono>
 #include <cstdint>
@@ -47,7 +47,7 @@ class FloorEvents {
   FloorEvents(Traffic& traffic, RoutePlanner& planner) : traffic_(traffic), planner_(planner) {}
 
   Blockage block(const geometry::ConvexPolygon& area, std::chrono::milliseconds now);
-  std::vector<Detour> unblock(std::uint32_t number, std::chrono::milliseconds now);
+  std::vector<Detour> unblock(std::uint32_t number);
 
   // It stands there and will not move; its outline is an obstacle until it comes back. Requires a vehicle
   // that has not died.
@@ -67,7 +67,7 @@ class FloorEvents {
   std::optional<double> first_blocked_m(std::uint32_t vehicle) const;
   std::vector<Detour> detour_all(std::chrono::milliseconds now);
   Detour detour(std::uint32_t vehicle, std::chrono::milliseconds now);
-  std::vector<Detour> release_free(std::chrono::milliseconds now);
+  std::vector<Detour> release_free();
 
   Traffic& traffic_;
   RoutePlanner& planner_;

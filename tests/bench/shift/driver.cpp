@@ -69,11 +69,11 @@ void Driver::next_part() {
   }
 }
 
-void Driver::renew(double) {
+void Driver::renew() {
   if (!standing_until_s_) next_part();
 }
 
-void Driver::restart(double arc_m, double) {
+void Driver::restart(double arc_m) {
   arc_m_ = arc_m;
   speed_m_s_ = 0.0;
   if (!standing_until_s_) next_part();

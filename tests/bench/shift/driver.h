@@ -17,9 +17,9 @@ class Driver {
  public:
   Driver(const fleet::Route& route, const fleet::DriveLimits& limits, const geometry::Footprint& outline);
 
-  void renew(double now_s);
+  void renew();
   // From a place on a new route, after the vehicle was out of order.
-  void restart(double arc_m, double now_s);
+  void restart(double arc_m);
   // Its set points, and whether its brake is off.
   struct Drive {
     fleet::DriveCommand command;

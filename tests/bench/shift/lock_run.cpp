@@ -37,7 +37,6 @@ class LockShift {
     for (double now_s = 0.0; now_s < scenario_.end_s(); now_s += kTick_s) {
       while (transport_ < scenario_.transports.size() && scenario_.transports[transport_].release_s <= now_s)
         open_.push_back(static_cast<std::uint32_t>(transport_++));
-      // Whoever has waited longest asks first: the order changes from tick to tick.
       for (std::uint32_t k = 0; k < lockers_.size(); ++k) move(k, now_s);
       find_circles(now_s);
       dispatch(now_s);

@@ -95,7 +95,7 @@ int run_shift(const Arguments& arguments) {
   return to_int(sound ? result::ExitCode::Done : result::ExitCode::RuntimeFault);
 }
 
-// The smallest number from which on nothing is late that fewer are late with.
+// The smallest number with which no more are late than one in two hundred, or than with the best number.
 std::uint32_t enough(const std::vector<SweepRow>& rows) {
   std::size_t fewest = rows.front().summary.late;
   for (const SweepRow& row : rows) fewest = std::min(fewest, row.summary.late);

@@ -135,7 +135,7 @@ class Shift {
       }
       plant_.set_blocked(closed->place, false);
       judge_.block(closed->place, false);
-      const auto detours = timed("free again", [&] { return events_.unblock(closed->number, now_); });
+      const auto detours = timed("free again", [&] { return events_.unblock(closed->number); });
       tell(fmt::format("place {} is free again", closed->place), detours);
       closed = closed_.erase(closed);
     }
@@ -157,7 +157,7 @@ class Shift {
 
   void renew() {
     for (const std::uint32_t v : desk_.take_rerouted())
-      if (!traffic_.removed(v)) drivers_[v]->renew(now_s_);
+      if (!traffic_.removed(v)) drivers_[v]->renew();
   }
 
   void control() {
@@ -245,7 +245,7 @@ class Shift {
     }
     silent_[vehicle] = 0;
     comes_back_s_[vehicle] = 1e18;
-    drivers_[vehicle]->restart(traffic_.arc_m(vehicle), now_s_);
+    drivers_[vehicle]->restart(traffic_.arc_m(vehicle));
     tell(fmt::format("v{} is back", vehicle + 1), *detours);
   }
 

@@ -18,7 +18,7 @@ milliseconds whole(double seconds) {
   return milliseconds(static_cast<milliseconds::rep>(std::ceil(1e3 * std::max(0.0, seconds))));
 }
 
-// Without its corners' copies envelopes could not be scheduled beside those of other vehicles.
+// From where the vehicle is, with what it still has to stand.
 TrajectoryEnvelope envelope_of(const Lane& lane, milliseconds now) {
   const Route& route = lane.route;
   TrajectoryEnvelope rest;

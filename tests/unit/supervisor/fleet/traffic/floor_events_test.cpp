@@ -55,7 +55,7 @@ TEST(FloorEvents, WhenThereIsNoWayAtAll_ThenItWaitsAndDrivesOnWhenThePlaceIsFree
     if (at.arc_m > floor.traffic().arc_m(0)) break;
     EXPECT_FALSE(floor.planner().meets_blocked(at.pose)) << at.arc_m;
   }
-  const auto on = floor.events().unblock(made.number, floor.now());
+  const auto on = floor.events().unblock(made.number);
   ASSERT_EQ(on.size(), 1U);
   EXPECT_EQ(on[0].kind, DetourKind::DrivesOn);
   EXPECT_TRUE(floor.settle(1000)) << floor.broken();

@@ -190,7 +190,7 @@ class Story {
     blocked_ = made.number;
   }
   void unblock() {
-    take(floor.events().unblock(*blocked_, floor.now()));
+    take(floor.events().unblock(*blocked_));
     blocked_.reset();
   }
   void die(std::uint32_t v) {
