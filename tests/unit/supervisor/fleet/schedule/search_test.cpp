@@ -79,26 +79,5 @@ TEST(Search, Next_WhenTimeIsOver_ThenItSaysSo) {
   EXPECT_EQ(search.next(), Answer::OutOfTime);
 }
 
-TEST(Search, Next_WhenSoManyConflictsAreAllowedOnly_ThenItStopsThere) {
-  std::mt19937 random(43);
-  int stopped = 0;
-  for (int round = 0; round < 200; ++round) {
-    const Problem problem = random_problem(4, 5, random);
-    const Prepared prepared(problem, Mode::Strict);
-    Search all(prepared.model, prepared.objective, {}, kPatient);
-    while (all.next() == Answer::Yes) {
-    }
-    Search some(prepared.model, prepared.objective, {.until = {}, .cancel = nullptr, .conflicts = 2},
-                kPatient);
-    Answer answer = Answer::Yes;
-    while (answer == Answer::Yes) answer = some.next();
-    EXPECT_LE(some.figures().conflicts, 3u);
-    if (answer != Answer::OutOfTime) continue;
-    EXPECT_GE(all.figures().conflicts, 2u);
-    ++stopped;
-  }
-  EXPECT_GT(stopped, 10);
-}
-
 }  // namespace
 }  // namespace stepwright::fleet::internal
