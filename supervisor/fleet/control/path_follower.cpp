@@ -12,6 +12,12 @@ constexpr double kBefore_m = 1.0;
 constexpr double kTurnRound_s = 0.5;  // at a cusp, with the steering
 constexpr double kLongest_s = 24.0 * 3600.0;
 
+// A drive that follows its set point with this lag moves by `rate` times a step if the set point, which holds
+// for the step, is so many seconds of that rate ahead.
+double ahead_s(double lag_s) {
+  return lag_s > 0.0 ? kControlStep_s / (1.0 - std::exp(-kControlStep_s / lag_s)) : kControlStep_s;
+}
+
 bool finite(const VehicleState& s) {
   return std::isfinite(s.x_m) && std::isfinite(s.y_m) && std::isfinite(s.heading_rad) &&
          std::isfinite(s.speed_m_s) && std::isfinite(s.lock_rad);
@@ -121,8 +127,8 @@ DriveCommand PathFollower::step(const VehicleState& measured, double time_s, con
   lost_ = stalled(measured);
   if (lost_) return {0.0, measured.lock_rad};
   prediction_ = controller_.solve(measured, reference_);
-  const double speed = measured.speed_m_s + limits_.speed_lag_s * prediction_.acceleration_m_s2;
-  const double lock = measured.lock_rad + limits_.lock_lag_s * prediction_.lock_rate_rad_s;
+  const double speed = measured.speed_m_s + ahead_s(limits_.speed_lag_s) * prediction_.acceleration_m_s2;
+  const double lock = measured.lock_rad + ahead_s(limits_.lock_lag_s) * prediction_.lock_rate_rad_s;
   return {std::clamp(speed, -limits_.top_speed_m_s, limits_.top_speed_m_s),
           std::clamp(lock, -limits_.full_lock_rad, limits_.full_lock_rad)};
 }

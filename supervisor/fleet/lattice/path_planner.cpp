@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "supervisor/fleet/lattice/internal/lattice_search.h"
@@ -189,6 +190,14 @@ PathPlanner::PathPlanner(const OccupancyGrid& map, const VehicleModel& vehicle,
       cells_(vehicle, primitives, cells_per_step),
       clearance_(map),
       detour_(detour_of(primitives)) {}
+
+PathPlanner PathPlanner::on(const OccupancyGrid& map) const {
+  assert(map.frame() == map_->frame());
+  PathPlanner other(*this);
+  other.map_ = &map;
+  other.clearance_ = DistanceField(map);
+  return other;
+}
 
 PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& goal,
                              const PathOptions& options) const {

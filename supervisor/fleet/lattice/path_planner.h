@@ -29,6 +29,10 @@ class PathPlanner {
                                                           const PrimitiveSet& primitives,
                                                           const HeuristicTable& table);
 
+  // The same vehicle on another map with the same cells, which must outlive the planner too: without the work
+  // that depends on the vehicle only.
+  PathPlanner on(const OccupancyGrid& map) const;
+
   // Diagnostics: F0302 a pose off the map, F0303 a pose in collision (and with which cell), F0304 no passage
   // wide enough, F0305 no path on the lattice.
   PathAnswer plan(const geometry::Pose& start, const geometry::Pose& goal,

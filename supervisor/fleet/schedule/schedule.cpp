@@ -38,6 +38,7 @@ class Scheduler {
         sections_(merge_sections(overlapping_pairs(envelopes), envelopes)) {
     if (options.time.count() > 0) limits_.until = WallClock::now() + options.time;
     limits_.cancel = options.cancel;
+    limits_.conflicts = options.conflicts;
     made_.figures.polygons = motion_.polygons();
     made_.figures.spatial_pairs = sections_.pairs.size();
     made_.figures.sections = sections_.sections.size();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "tests/support/fleet/split_mix.h"
 
@@ -117,6 +118,53 @@ DrawnFloor draw_warehouse(std::uint64_t seed) {
     }
   }
   return floor;
+}
+
+DrawnHall draw_hall() {
+  constexpr double kWall_m = 6.0;
+  constexpr double kWidth_m = 100.0, kHeight_m = 66.0;
+  constexpr double kNiche_m = 2.8;
+  constexpr double kDeep_m = 2.0;  // of the reference point behind the niche's end
+  constexpr std::array<std::pair<double, double>, 3> kBlocks = {{{13.0, 33.0}, {39.0, 61.0}, {67.0, 87.0}}};
+  DrawnHall hall{
+      OccupancyGrid({.resolution_m = 0.2, .origin = {0, 0}, .columns = 500, .rows = 330}), {}, {}, {}};
+  OccupancyGrid& grid = hall.grid;
+  block_rectangle(grid, {0, 0}, {kWidth_m, kWall_m});
+  block_rectangle(grid, {0, kHeight_m - kWall_m}, {kWidth_m, kHeight_m});
+  block_rectangle(grid, {0, 0}, {kWall_m, kHeight_m});
+  block_rectangle(grid, {kWidth_m - kWall_m, 0}, {kWidth_m, kHeight_m});
+  const auto carve = [&](Point low, Point high) {
+    for (int row = grid.frame().cell_at(low).row; row <= grid.frame().cell_at(high).row; ++row) {
+      for (int c = grid.frame().cell_at(low).column; c <= grid.frame().cell_at(high).column; ++c)
+        grid.set({c, row}, false);
+    }
+  };
+  constexpr double kIn = 0.1;  // the middle of the outermost cells
+  for (int k = 0; k < 25; ++k) {
+    const double x = 10.0 + 3.2 * ((k * 7) % 25);
+    carve({x - 0.5 * kNiche_m + kIn, 0.2 + kIn}, {x + 0.5 * kNiche_m - kIn, kWall_m + kIn});
+    carve({x - 0.5 * kNiche_m + kIn, kHeight_m - kWall_m - kIn},
+          {x + 0.5 * kNiche_m - kIn, kHeight_m - 0.2 - kIn});
+    hall.bays.push_back({x, 0.2 + kDeep_m, -0.5 * std::numbers::pi});
+    hall.bays.push_back({x, kHeight_m - 0.2 - kDeep_m, 0.5 * std::numbers::pi});
+  }
+  for (int k = 0; k < 6; ++k) {
+    const double y = 15.0 + 7.2 * k;
+    carve({0.2 + kIn, y - 0.5 * kNiche_m + kIn}, {kWall_m + kIn, y + 0.5 * kNiche_m - kIn});
+    carve({kWidth_m - kWall_m - kIn, y - 0.5 * kNiche_m + kIn},
+          {kWidth_m - 0.2 - kIn, y + 0.5 * kNiche_m - kIn});
+    hall.docks.push_back({0.2 + kDeep_m, y, std::numbers::pi});
+    hall.docks.push_back({kWidth_m - 0.2 - kDeep_m, y, 0.0});
+  }
+  for (const auto& [left, right] : kBlocks) {
+    for (int row = 0; row < 7; ++row)
+      block_rectangle(grid, {left, 14.0 + 6.0 * row}, {right, 16.0 + 6.0 * row});
+    for (int aisle = 0; aisle < 6; ++aisle) {
+      const double middle = std::round(0.5 * (left + right) / 0.2) * 0.2;
+      hall.shelves.push_back({middle, 18.0 + 6.0 * aisle, aisle % 2 == 0 ? 0.0 : std::numbers::pi});
+    }
+  }
+  return hall;
 }
 
 }  // namespace stepwright::support

@@ -32,4 +32,16 @@ std::vector<DrawnTask> mine_tasks(const DrawnFloor& mine);
 // 80 x 60 m, cells of 0.2 m: racks, aisles of 4 m, cross aisles of 6 m. The seed leaves out some racks.
 DrawnFloor draw_warehouse(std::uint64_t seed);
 
+// 100 x 66 m, cells of 0.2 m: racks with aisles of 4 m and cross aisles of 6 m in the middle, wider aisles
+// around them; places where vehicles take or leave something, in the aisles (shelves) and in niches of the
+// walls on the left and right (docks); bays in which they rest, one vehicle each, in the walls below and
+// above.
+struct DrawnHall {
+  fleet::OccupancyGrid grid;
+  std::vector<geometry::Pose> shelves;
+  std::vector<geometry::Pose> docks;
+  std::vector<geometry::Pose> bays;  // 50; the first ones are spread over the hall
+};
+DrawnHall draw_hall();
+
 }  // namespace stepwright::support

@@ -129,6 +129,7 @@ Answer Search::search() {
 }
 
 std::optional<Answer> Search::stopped() {
+  if (limits_.conflicts > 0 && figures_.conflicts >= limits_.conflicts) return Answer::OutOfTime;
   if (++steps_ % 256 != 1) return std::nullopt;
   if (limits_.cancel && limits_.cancel->load(std::memory_order_relaxed)) return Answer::Cancelled;
   if (limits_.until && std::chrono::steady_clock::now() >= *limits_.until) return Answer::OutOfTime;

@@ -30,6 +30,7 @@ namespace stepwright::fleet::internal {
 struct SearchLimits {
   std::optional<std::chrono::steady_clock::time_point> until;
   const std::atomic<bool>* cancel = nullptr;  // not owned
+  std::uint64_t conflicts = 0;                // zero = no limit
 };
 
 // When the search does what costs more than it saves on easy problems; answers do not depend on it.

@@ -107,6 +107,29 @@ TEST_F(PathPlannerTest, Plan_WhenHeldAgainstPlainDijkstra_ThenCostsAreTheLeastAn
   EXPECT_GT(unreachable, 5);
 }
 
+TEST_F(PathPlannerTest, On_WhenTheMapIsAnother_ThenItPlansAsIfItHadBeenMadeForIt) {
+  const OccupancyGrid first = random_floor(10);
+  const OccupancyGrid second = random_floor(60);
+  const auto made_for_first = PathPlanner::create(first, kCart, primitives_, table_).value();
+  const auto made_for_second = PathPlanner::create(second, kCart, primitives_, table_).value();
+  const PathPlanner moved = made_for_first.on(second);
+  int found = 0, none = 0;
+  for (int round = 0; round < 30; ++round) {
+    const Pose start = pose_of(second, random_pose());
+    const Pose goal = pose_of(second, random_pose());
+    const PathAnswer expected = made_for_second.plan(start, goal);
+    const PathAnswer answer = moved.plan(start, goal);
+    ASSERT_EQ(answer.end, expected.end);
+    ASSERT_EQ(answer.path.has_value(), expected.path.has_value());
+    if (answer.path) {
+      EXPECT_EQ(answer.path->cost_mm, expected.path->cost_mm);
+    }
+    (answer.path ? found : none) += 1;
+  }
+  EXPECT_GT(found, 0);
+  EXPECT_GT(none, 0);
+}
+
 TEST_F(PathPlannerTest, Plan_WhenAnytime_ThenEachBoundHoldsAndTheLastPathIsTheBest) {
   int rounds = 0;
   for (int round = 0; round < 20; ++round) {

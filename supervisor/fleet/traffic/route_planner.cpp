@@ -1,0 +1,252 @@
+#include "supervisor/fleet/traffic/route_planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "supervisor/fleet/map/row_span.h"
+
+namespace stepwright::fleet {
+
+namespace {
+
+using geometry::ConvexPolygon;
+using geometry::Path;
+using geometry::Pose;
+
+constexpr std::uint32_t kNobody = 0xFFFFFFFF;
+constexpr double kSamePlace_m = 0.01;
+
+bool same_place(const Pose& a, const Pose& b) {
+  return geometry::distance(a.position(), b.position()) < kSamePlace_m &&
+         std::cos(a.heading_rad - b.heading_rad) > 0.9999;
+}
+
+void close(OccupancyGrid& grid, const ConvexPolygon& area) {
+  for (const RowSpan& span : covered_spans(area, grid.frame())) {
+    for (std::int32_t column = span.first; column <= span.last; ++column)
+      if (grid.contains({column, span.row})) grid.set({column, span.row}, true);
+  }
+}
+
+std::size_t pose_at(const Path& path, double arc_m) {
+  const auto at = std::ranges::lower_bound(path, arc_m, {}, &geometry::PathPose::arc_m);
+  return at == path.end() ? path.size() - 1 : static_cast<std::size_t>(at - path.begin());
+}
+
+Path part(const Path& path, std::size_t first, std::size_t last) {
+  return {path.begin() + static_cast<std::ptrdiff_t>(first),
+          path.begin() + static_cast<std::ptrdiff_t>(last) + 1};
+}
+
+void append(GrownEnvelope& grown, const GrownEnvelope& more, std::size_t offset) {
+  for (std::size_t k = 0; k < more.visits.size(); ++k) {
+    grown.envelope.polygons.push_back(more.envelope.polygons[k]);
+    grown.visits.push_back(more.visits[k]);
+    grown.visits.back().first_pose += offset;
+    grown.visits.back().last_pose += offset;
+  }
+}
+
+}  // namespace
+
+VehicleModel with_margin(const RouteSettings& settings) {
+  VehicleModel model = settings.vehicle;
+  model.front_m += settings.margin_m;
+  model.rear_m += settings.margin_m;
+  model.width_m += 2.0 * settings.margin_m;
+  return model;
+}
+
+result::Result<RoutePlanner> RoutePlanner::create(OccupancyGrid floor, const PrimitiveSet& primitives,
+                                                  const HeuristicTable& table, std::vector<HomePlace> homes,
+                                                  const RouteSettings& settings) {
+  RoutePlanner made(std::move(floor), primitives, std::move(homes), settings);
+  auto planner = PathPlanner::create(*made.floor_, made.planned_, primitives, table);
+  if (!planner) return result::forward(planner);
+  made.base_.emplace(*std::move(planner));
+  return made;
+}
+
+RoutePlanner::RoutePlanner(OccupancyGrid floor, const PrimitiveSet& primitives, std::vector<HomePlace> homes,
+                           const RouteSettings& settings)
+    : floor_(std::make_unique<OccupancyGrid>(std::move(floor))),
+      primitives_(&primitives),
+      homes_(std::move(homes)),
+      settings_(settings),
+      planned_(with_margin(settings)) {}
+
+std::uint32_t RoutePlanner::layer_of(std::uint32_t vehicle, const Pose& from, const Pose& to) const {
+  // Ways that have nothing to do with the vehicle's home are the same for all vehicles.
+  constexpr double kNear_m = 12.0;
+  const geometry::Point home = homes_[vehicle].pose.position();
+  const bool near =
+      geometry::distance(home, from.position()) < kNear_m || same_place(homes_[vehicle].pose, to);
+  return near ? vehicle : kNobody;
+}
+
+const RoutePlanner::Layer& RoutePlanner::layer(std::uint32_t number) {
+  const auto found = layers_.find(number);
+  if (found != layers_.end()) return found->second;
+  Layer made{std::make_unique<OccupancyGrid>(*floor_), nullptr};
+  // With room for the polygon in which a vehicle rests for ever: nobody would get past it.
+  geometry::Footprint closed = planned_.footprint();
+  closed.front_m += settings_.tail_m + 4.0 * settings_.tail_growth_m;
+  closed.rear_m += settings_.tail_m + 4.0 * settings_.tail_growth_m;
+  for (std::uint32_t v = 0; v < homes_.size(); ++v)
+    if (v != number) close(*made.grid, footprint_at(homes_[v].pose, closed));
+  for (const auto& [name, blocked] : blocked_) close(*made.grid, blocked.area);
+  made.planner = std::make_unique<PathPlanner>(base_->on(*made.grid));
+  return layers_.emplace(number, std::move(made)).first->second;
+}
+
+// The last polygon holds the tail of the path alone.
+result::Result<GrownEnvelope> RoutePlanner::grow(const OccupancyGrid& grid, const Path& path) const {
+  const geometry::Footprint outline = planned_.footprint();
+  EnvelopeOptions tight = settings_.envelope;
+  tight.growth_m = settings_.tail_growth_m;
+  tight.stretch_m = 2.0 * settings_.tail_m;
+  const double begin_m = path.front().arc_m;
+  const double tail_m = path.back().arc_m - settings_.tail_m;
+  if (tail_m - begin_m < kLeft_m + kHalt_m) return grow_envelope(grid, outline, {}, path, tight);
+  const std::size_t cut = pose_at(path, tail_m);
+  auto grown = grow_envelope(grid, outline, {}, part(path, 0, cut), settings_.envelope);
+  if (!grown) return grown;
+  auto tail = grow_envelope(grid, outline, {}, part(path, cut, path.size() - 1), tight);
+  if (!tail) return tail;
+  append(*grown, *tail, cut);
+  return grown;
+}
+
+result::Result<Route> RoutePlanner::leg_along(const OccupancyGrid& grid, Path path) const {
+  auto grown = grow(grid, path);
+  if (!grown) return result::forward(grown);
+  VehicleMission mission;
+  mission.model = planned_;
+  mission.grown = *std::move(grown);
+  std::vector<double> driving_s = driving_times_s(path, settings_.limits);
+  mission.path = std::move(path);
+  return make_route(std::move(mission), std::move(driving_s));
+}
+
+result::Result<const RoutePlanner::Leg*> RoutePlanner::leg(std::uint32_t vehicle, const Pose& from,
+                                                           const Pose& to) {
+  const std::uint32_t number = layer_of(vehicle, from, to);
+  const auto grid_pose = [&](const Pose& pose) {
+    const double step_m = primitives_->options().resolution_m;
+    return std::tuple(static_cast<int>(std::lround(pose.x_m / step_m)),
+                      static_cast<int>(std::lround(pose.y_m / step_m)), nearest_heading(pose.heading_rad));
+  };
+  const LegKey key = std::tuple_cat(std::tuple(number), grid_pose(from), grid_pose(to));
+  if (const auto found = legs_.find(key); found != legs_.end()) return &found->second;
+  const Layer& on = layer(number);
+  ++paths_planned_;
+  const PathOptions options{.first_weight = settings_.path_weight, .last_weight = settings_.path_weight};
+  PathAnswer answer = on.planner->plan(from, to, options);
+  if (!answer.path) return tl::unexpected(std::move(answer.diagnostics));
+  auto route = leg_along(*on.grid, std::move(answer.path->poses));
+  if (!route) return result::forward(route);
+  return &legs_.insert_or_assign(key, Leg{*std::move(route), changes_}).first->second;
+}
+
+result::Result<Route> RoutePlanner::stand(std::uint32_t vehicle, const Pose& at) {
+  Path path{{at, 0.0, geometry::Travel::Forward}};
+  auto route = leg_along(*layer(vehicle).grid, std::move(path));
+  if (route) route->mission.vehicle = homes_[vehicle].vehicle;
+  return route;
+}
+
+result::Result<Route> RoutePlanner::plan(std::uint32_t vehicle, const Pose& from,
+                                         std::span<const Waypoint> stops) {
+  return plan_behind(vehicle, std::nullopt, from, stops);
+}
+
+result::Result<Route> RoutePlanner::plan_from(std::uint32_t vehicle, const Path& begin,
+                                              std::span<const Waypoint> stops) {
+  auto first = tight_leg(*layer(vehicle).grid, begin);
+  if (!first) return first;
+  return plan_behind(vehicle, *std::move(first), begin.back().pose, stops);
+}
+
+result::Result<Route> RoutePlanner::plan_behind(std::uint32_t vehicle, std::optional<Route> whole, Pose at,
+                                                std::span<const Waypoint> stops) {
+  std::vector<Stop> stands;
+  for (const Waypoint& stop : stops) {
+    if (!same_place(at, stop.pose)) {
+      auto next = leg(vehicle, at, stop.pose);
+      if (!next) return result::forward(next);
+      auto joined = whole ? splice(*whole, 0, whole->mission.path.size() - 1, (*next)->route)
+                          : result::Result<Route>((*next)->route);
+      if (!joined) return joined;
+      whole = *std::move(joined);
+    } else if (!whole) {
+      auto here = stand(vehicle, at);
+      if (!here) return here;
+      whole = *std::move(here);
+    }
+    at = whole->mission.path.back().pose;
+    stands.push_back(stop.stop);
+    stands.back().pose = whole->mission.path.size() - 1;
+    stands.back().arc_m = whole->end_m();
+  }
+  if (!whole) return stand(vehicle, at);
+  std::vector<double> driving_s;
+  for (const geometry::PathPose& pose : whole->mission.path)
+    driving_s.push_back(whole->pace.time_s(pose.arc_m));
+  whole->mission.vehicle = homes_[vehicle].vehicle;
+  whole->mission.grown.envelope.vehicle = homes_[vehicle].vehicle;
+  whole->mission.stops = std::move(stands);
+  return make_route(std::move(whole->mission), std::move(driving_s));
+}
+
+// The first half metre needs no more room than the outline.
+result::Result<Route> RoutePlanner::tight_leg(const OccupancyGrid& grid, const Path& path) const {
+  constexpr double kTight_m = 0.5;
+  EnvelopeOptions tight = settings_.envelope;
+  tight.growth_m = 0.0;
+  tight.stretch_m = 4.0 * kTight_m;
+  const bool is_long = path.back().arc_m - path.front().arc_m > 2.0 * kTight_m;
+  const std::size_t cut = is_long ? pose_at(path, path.front().arc_m + kTight_m) : path.size() - 1;
+  auto grown = grow_envelope(grid, planned_.footprint(), {}, part(path, 0, cut), tight);
+  if (!grown) return result::forward(grown);
+  if (is_long) {
+    auto rest = grow(grid, part(path, cut, path.size() - 1));
+    if (!rest) return result::forward(rest);
+    append(*grown, *rest, cut);
+  }
+  VehicleMission mission;
+  mission.model = planned_;
+  mission.grown = *std::move(grown);
+  mission.path = path;
+  return make_route(std::move(mission), driving_times_s(path, settings_.limits));
+}
+
+std::uint32_t RoutePlanner::block(const ConvexPolygon& area) {
+  const std::uint32_t number = next_block_++;
+  blocked_.emplace(number, Blocked{area, ++changes_});
+  layers_.clear();
+  std::erase_if(legs_, [&](const auto& entry) {
+    return std::ranges::any_of(entry.second.route.mission.grown.envelope.polygons,
+                               [&](const EnvelopePolygon& polygon) { return overlaps(polygon.area, area); });
+  });
+  return number;
+}
+
+// Ways that were planned while it was blocked may be longer than need be.
+void RoutePlanner::unblock(std::uint32_t number) {
+  const auto found = blocked_.find(number);
+  if (found == blocked_.end()) return;
+  ++changes_;
+  std::erase_if(legs_, [&](const auto& entry) { return entry.second.planned >= found->second.since; });
+  blocked_.erase(found);
+  layers_.clear();
+}
+
+bool RoutePlanner::meets_blocked(const Pose& pose) const {
+  if (blocked_.empty()) return false;
+  const ConvexPolygon outline = footprint_at(pose, planned_.footprint());
+  return std::ranges::any_of(blocked_,
+                             [&](const auto& entry) { return overlaps(outline, entry.second.area); });
+}
+
+}  // namespace stepwright::fleet

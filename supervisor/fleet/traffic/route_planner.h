@@ -1,0 +1,127 @@
+#pragma once
+
+// Ways through several stops on a floor that changes, with their envelopes and times.
+//
+// One thread at a time. Each vehicle has a home, where it rests; homes are closed to all others. Places may
+// be blocked for a time. Legs from stop to stop are planned once and kept until the floor changes where they
+// lead, or where they might become shorter. The same calls give the same ways.
+//
+//   auto planner = RoutePlanner::create(floor, primitives, table, homes, {});
+//   const auto route = planner->plan(3, from, std::array{at_shelf, at_dock, at_home});
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "supervisor/fleet/lattice/path_planner.h"
+#include "supervisor/fleet/traffic/route.h"
+
+namespace stepwright::fleet {
+
+struct RouteSettings {
+  VehicleModel vehicle;   // its true outline
+  double margin_m = 0.1;  // around it: what navigation and control may be off
+  DriveLimits limits;
+  EnvelopeOptions envelope{.growth_m = 0.2, .stretch_m = 3.0, .growth_step_m = 0.1, .speed = {}};
+  double tail_m = 0.6;         // the last polygon of a leg holds no more of its way than this
+  double tail_growth_m = 0.1;  // and grows by this, so that who rests there is in nobody's way
+  double path_weight = 1.5;    // paths cost at most so many times the least
+};
+
+// A vehicle's outline as it is planned with: the true one and the margin.
+VehicleModel with_margin(const RouteSettings& settings);
+
+struct Waypoint {
+  geometry::Pose pose;
+  Stop stop;
+};
+
+struct HomePlace {
+  std::string vehicle;
+  geometry::Pose pose;
+};
+
+class RoutePlanner {
+ public:
+  // `primitives` and `table` are those of the vehicle with its margin (`with_margin`), and must outlive the
+  // planner. Fails with F0301.
+  [[nodiscard]] static result::Result<RoutePlanner> create(OccupancyGrid floor,
+                                                           const PrimitiveSet& primitives,
+                                                           const HeuristicTable& table,
+                                                           std::vector<HomePlace> homes,
+                                                           const RouteSettings& settings);
+
+  // From a pose of the lattice through the stops in their order; the last one is where the mission ends.
+  // Fails with what the path planner and the envelope say, and F1001.
+  [[nodiscard]] result::Result<Route> plan(std::uint32_t vehicle, const geometry::Pose& from,
+                                           std::span<const Waypoint> stops);
+  // A route of one pose: a vehicle that rests.
+  [[nodiscard]] result::Result<Route> stand(std::uint32_t vehicle, const geometry::Pose& at);
+  // Along a path that ends at a pose of the lattice, then as `plan`. The first half metre needs no more room
+  // than the outline: for vehicles that stand anywhere.
+  [[nodiscard]] result::Result<Route> plan_from(std::uint32_t vehicle, const geometry::Path& begin,
+                                                std::span<const Waypoint> stops);
+
+  // Nobody is to drive there until it is unblocked. `block` returns a number to name it by.
+  std::uint32_t block(const geometry::ConvexPolygon& area);
+  void unblock(std::uint32_t number);
+  // Requires a number that `block` has returned and that is not unblocked.
+  const geometry::ConvexPolygon& blocked_area(std::uint32_t number) const { return blocked_.at(number).area; }
+  // Whether the planned outline meets a blocked place there.
+  bool meets_blocked(const geometry::Pose& pose) const;
+
+  double resolution_m() const { return primitives_->options().resolution_m; }
+  const RouteSettings& settings() const { return settings_; }
+  const geometry::Pose& home(std::uint32_t vehicle) const { return homes_[vehicle].pose; }
+  const std::string& name(std::uint32_t vehicle) const { return homes_[vehicle].vehicle; }
+  std::uint64_t paths_planned() const { return paths_planned_; }
+
+ private:
+  // The floor as one vehicle sees it, or, without a home, as it is for ways from station to station.
+  struct Layer {
+    std::unique_ptr<OccupancyGrid> grid;
+    std::unique_ptr<PathPlanner> planner;
+  };
+  using LegKey = std::tuple<std::uint32_t, int, int, int, int, int, int>;  // layer, start, goal
+  struct Leg {
+    Route route;
+    std::uint64_t planned = 0;  // changes of the floor before
+  };
+  struct Blocked {
+    geometry::ConvexPolygon area;
+    std::uint64_t since = 0;
+  };
+
+  RoutePlanner(OccupancyGrid floor, const PrimitiveSet& primitives, std::vector<HomePlace> homes,
+               const RouteSettings& settings);
+  std::uint32_t layer_of(std::uint32_t vehicle, const geometry::Pose& from, const geometry::Pose& to) const;
+  const Layer& layer(std::uint32_t number);
+  [[nodiscard]] result::Result<const Leg*> leg(std::uint32_t vehicle, const geometry::Pose& from,
+                                               const geometry::Pose& to);
+  [[nodiscard]] result::Result<Route> leg_along(const OccupancyGrid& grid, geometry::Path path) const;
+  [[nodiscard]] result::Result<Route> tight_leg(const OccupancyGrid& grid, const geometry::Path& path) const;
+  [[nodiscard]] result::Result<Route> plan_behind(std::uint32_t vehicle, std::optional<Route> whole,
+                                                  geometry::Pose at, std::span<const Waypoint> stops);
+  [[nodiscard]] result::Result<GrownEnvelope> grow(const OccupancyGrid& grid,
+                                                   const geometry::Path& path) const;
+
+  std::unique_ptr<OccupancyGrid> floor_;
+  const PrimitiveSet* primitives_;
+  std::vector<HomePlace> homes_;
+  RouteSettings settings_;
+  VehicleModel planned_;
+  std::optional<PathPlanner> base_;
+  std::map<std::uint32_t, Layer> layers_;
+  std::map<LegKey, Leg> legs_;
+  std::map<std::uint32_t, Blocked> blocked_;
+  std::uint64_t changes_ = 0;
+  std::uint32_t next_block_ = 1;
+  std::uint64_t paths_planned_ = 0;
+};
+
+}  // namespace stepwright::fleet

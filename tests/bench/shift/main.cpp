@@ -1,0 +1,173 @@
+// A shift of forklifts in a warehouse: on the simulated plant with a judge of its own, and what-if runs over
+// the number of vehicles, beside first-come-first-served locks.
+//
+//   bench_shift [--vehicles N] [--hours H] [--rate R] [--seed S] [--json FILE] [--svg FILE] [--log]
+//   bench_shift --sweep [--sizes 1,2,...] [--validate] [--hours H] [--rate R] [--json FILE] [--svg FILE]
+//
+// Times are CPU times of the one thread. Exit code 5 if there was a collision or a deadlock.
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "runtime/result/exit_code.h"
+#include "tests/bench/shift/report.h"
+
+namespace stepwright::bench::shift {
+namespace {
+
+constexpr std::uint32_t kMostVehicles = 50;
+
+struct Arguments {
+  ScenarioSettings settings;
+  bool sweep = false;
+  bool validate = false;
+  bool log = false;
+  bool no_baseline = false;
+  std::vector<std::uint32_t> sizes;
+  std::string json_file, svg_file;
+};
+
+bool write(const std::string& file, const std::string& text) {
+  if (file.empty()) return true;
+  std::ofstream out(file);
+  out << text;
+  out.flush();
+  if (!out) std::fprintf(stderr, "%s: cannot be written\n", file.c_str());
+  return out.good();
+}
+
+nlohmann::json json_of(const Summary& s) {
+  return {{"released", s.released},
+          {"delivered", s.delivered},
+          {"late", s.late},
+          {"mean_tardiness_s", s.mean_tardiness_s},
+          {"mean_delivery_s", s.mean_delivery_s},
+          {"utilisation", s.utilisation}};
+}
+
+void print(const char* name, std::uint32_t vehicles, const Summary& s, double cpu) {
+  std::printf(
+      "%-8s %3u vehicles: %5zu of %zu delivered, %5zu late, tardiness %6.0f s, %5.0f s from release, jobs "
+      "%3.0f %%, CPU %.1f s\n",
+      name, vehicles, s.delivered, s.released, s.late, s.mean_tardiness_s, s.mean_delivery_s,
+      100.0 * s.utilisation, cpu);
+  std::fflush(stdout);
+}
+
+// First come, first served, beside the timed model of the same transports.
+nlohmann::json baseline(const Scenario& scenario, Fleet& fleet, std::uint32_t vehicles) {
+  const ShiftFigures timed = run_timed(scenario, fleet, vehicles);
+  const double begin_s = cpu_s();
+  const LockFigures locks = run_with_locks(scenario, fleet, vehicles);
+  const Summary ours = summary_of(scenario, timed), theirs = summary_of(scenario, locks.figures);
+  print("timed", vehicles, ours, timed.cpu_s);
+  print("locks", vehicles, theirs, cpu_s() - begin_s);
+  std::printf("         first come, first served: %u deadlocks, each cleared by hand\n", locks.deadlocks);
+  nlohmann::json json = {{"vehicles", vehicles}, {"timed", json_of(ours)}, {"locks", json_of(theirs)}};
+  json["locks"]["deadlocks"] = locks.deadlocks;
+  return json;
+}
+
+int run_shift(const Arguments& arguments) {
+  const Scenario scenario = draw_scenario(arguments.settings);
+  const PlantRun run = run_on_plant(scenario, arguments.log);
+  if (!run.failed.empty()) {
+    std::fprintf(stderr, "bench_shift: %s\n", run.failed.c_str());
+    return to_int(result::ExitCode::RuntimeFault);
+  }
+  Fleet fleet(scenario, arguments.settings.vehicles);
+  const std::vector<bool> kept = can_be_kept(scenario, fleet, arguments.settings.vehicles);
+  if (arguments.log) {
+    for (const std::string& line : run.log) std::printf("%s\n", line.c_str());
+  }
+  std::fputs(text_of(scenario, run, kept).c_str(), stdout);
+  nlohmann::json json = json_of(scenario, run, kept);
+  if (!arguments.no_baseline) json["baseline"] = baseline(scenario, fleet, arguments.settings.vehicles);
+  const bool written =
+      write(arguments.json_file, json.dump(2) + "\n") && write(arguments.svg_file, picture_of(scenario, run));
+  if (!written) return to_int(result::ExitCode::BadInput);
+  const bool sound = run.collisions.empty() && run.deadlocks.empty();
+  return to_int(sound ? result::ExitCode::Done : result::ExitCode::RuntimeFault);
+}
+
+// The smallest number with which no more are late than one in two hundred, or than with the best number.
+std::uint32_t enough(const std::vector<SweepRow>& rows) {
+  std::size_t fewest = rows.front().summary.late;
+  for (const SweepRow& row : rows) fewest = std::min(fewest, row.summary.late);
+  const std::size_t bound = std::max(fewest, rows.front().summary.released / 200);
+  for (const SweepRow& row : rows)
+    if (row.summary.late <= bound) return row.vehicles;
+  return rows.back().vehicles;
+}
+
+int run_sweep(const Arguments& arguments) {
+  ScenarioSettings settings = arguments.settings;
+  settings.vehicles = kMostVehicles;
+  const Scenario scenario = draw_scenario(settings);
+  Fleet fleet(scenario, kMostVehicles);
+  nlohmann::json json;
+  std::vector<SweepRow> rows;
+  const double begin_s = cpu_s();
+  for (const std::uint32_t vehicles : arguments.sizes) {
+    const ShiftFigures figures = run_timed(scenario, fleet, vehicles);
+    rows.push_back({vehicles, summary_of(scenario, figures), figures.cpu_s});
+    print("timed", vehicles, rows.back().summary, figures.cpu_s);
+    json["rows"].push_back(json_of(rows.back().summary));
+    json["rows"].back()["vehicles"] = vehicles;
+  }
+  json["sweep_cpu_s"] = cpu_s() - begin_s;
+  json["enough_vehicles"] = enough(rows);
+  std::printf("sweep: CPU %.1f s, %llu paths; %u vehicles suffice\n", cpu_s() - begin_s,
+              static_cast<unsigned long long>(fleet.planner().paths_planned()), enough(rows));
+  for (const std::uint32_t vehicles : {5U, 10U, 20U}) {
+    if (!arguments.validate) break;
+    settings.vehicles = vehicles;
+    const Scenario smaller = draw_scenario(settings);
+    const PlantRun run = run_on_plant(smaller, false);
+    print("plant", vehicles, summary_of(smaller, run.figures), run.figures.cpu_s);
+    json["plant"].push_back(json_of(summary_of(smaller, run.figures)));
+    json["plant"].back()["vehicles"] = vehicles;
+  }
+  const bool written =
+      write(arguments.json_file, json.dump(2) + "\n") && write(arguments.svg_file, plot_of(rows));
+  return to_int(written ? result::ExitCode::Done : result::ExitCode::BadInput);
+}
+
+}  // namespace
+}  // namespace stepwright::bench::shift
+
+int main(int argc, char** argv) {
+  using namespace stepwright::bench::shift;
+  Arguments arguments;
+  ScenarioSettings& settings = arguments.settings;
+  CLI::App app("a shift of forklifts on the simulated floor, and how many of them suffice", "bench_shift");
+  app.add_option("--vehicles", settings.vehicles)->check(CLI::Range(1U, kMostVehicles));
+  app.add_option("--hours", settings.hours)->check(CLI::Range(0.02, 24.0));
+  app.add_option("--rate", settings.transports_per_hour, "transports an hour")
+      ->check(CLI::Range(1.0, 1000.0));
+  app.add_option("--seed", settings.seed);
+  app.add_flag("--sweep", arguments.sweep, "the timed model over the number of vehicles");
+  app.add_option("--sizes", arguments.sizes, "of the sweep; default 1 to 50")
+      ->delimiter(',')
+      ->check(CLI::Range(1U, kMostVehicles));
+  app.add_flag("--validate", arguments.validate, "5, 10 and 20 vehicles of the sweep on the plant as well");
+  app.add_flag("--log", arguments.log, "what happened, and progress on the error output");
+  app.add_flag("--no-baseline", arguments.no_baseline);
+  app.add_option("--json", arguments.json_file);
+  app.add_option("--svg", arguments.svg_file);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : to_int(stepwright::result::ExitCode::Usage);
+  }
+  if (arguments.sizes.empty()) {
+    for (std::uint32_t n = 1; n <= kMostVehicles; ++n) arguments.sizes.push_back(n);
+  }
+  return arguments.sweep ? run_sweep(arguments) : run_shift(arguments);
+}

@@ -1,0 +1,55 @@
+#pragma once
+
+// A shift driven on the simulated plant: SUNDIALS forklifts and Box2D, through measured poses, ten times a
+// second, judged at every step of 10 ms.
+//
+//   const PlantRun run = run_on_plant(scenario, fleet);
+//   run.judge.collisions().empty();
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "supervisor/fleet/traffic/route_planner.h"
+#include "tests/bench/shift/figures.h"
+#include "tests/bench/shift/judge.h"
+#include "tests/bench/shift/scenario.h"
+
+namespace stepwright::bench::shift {
+
+// What routes are planned with: the drawn hall, the first bays as homes.
+class Fleet {
+ public:
+  explicit Fleet(const Scenario& scenario, std::uint32_t vehicles);
+  fleet::RoutePlanner& planner() { return *planner_; }
+  const fleet::RouteSettings& settings() const { return settings_; }
+
+ private:
+  fleet::RouteSettings settings_;
+  std::unique_ptr<fleet::PrimitiveSet> primitives_;
+  std::unique_ptr<fleet::HeuristicTable> table_;
+  std::unique_ptr<fleet::RoutePlanner> planner_;
+};
+
+fleet::DriveLimits limits_of_the_plant();
+std::vector<fleet::Route> resting(fleet::RoutePlanner& planner, std::uint32_t vehicles);
+
+struct PlantRun {
+  ShiftFigures figures;
+  std::vector<Collision> collisions;
+  std::vector<std::string> deadlocks;
+  double smallest_gap_m = 0.0;
+  double longest_wait_s = 0.0;
+  double largest_deviation_m = 0.0;
+  std::uint64_t outline_checks = 0;
+  std::uint64_t control_steps = 0;
+  std::uint32_t lost = 0;
+  std::uint32_t contacts = 0;  // that the plant's bumpers felt
+  std::vector<std::string> log;
+  std::vector<std::vector<geometry::Pose>> tracks;  // by vehicle, every few seconds, for the picture
+  std::string failed;                               // why it could not run; empty if all is well
+};
+
+PlantRun run_on_plant(const Scenario& scenario, bool progress);
+
+}  // namespace stepwright::bench::shift
