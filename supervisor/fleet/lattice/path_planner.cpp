@@ -190,6 +190,13 @@ PathPlanner::PathPlanner(const OccupancyGrid& map, const VehicleModel& vehicle,
       clearance_(map),
       detour_(detour_of(primitives)) {}
 
+PathPlanner PathPlanner::on(const OccupancyGrid& map) const {
+  PathPlanner other = *this;
+  other.map_ = &map;
+  other.clearance_ = DistanceField(map);
+  return other;
+}
+
 PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& goal,
                              const PathOptions& options) const {
   Question question(*map_, *primitives_, cells_, clearance_);

@@ -29,6 +29,10 @@ class PathPlanner {
                                                           const PrimitiveSet& primitives,
                                                           const HeuristicTable& table);
 
+  // The same vehicle on another map with cells of the same size and the same origin, for a fraction of the
+  // cost: with some places closed, say. The map must outlive the new planner.
+  PathPlanner on(const OccupancyGrid& map) const;
+
   // Diagnostics: F0302 a pose off the map, F0303 a pose in collision (and with which cell), F0304 no passage
   // wide enough, F0305 no path on the lattice.
   PathAnswer plan(const geometry::Pose& start, const geometry::Pose& goal,

@@ -1,0 +1,65 @@
+#pragma once
+
+// Which stops each vehicle makes, as the chain hands them from allocation to paths. Values.
+
+#include <optional>
+#include <vector>
+
+#include "supervisor/fleet/allocation/allocate.h"
+#include "supervisor/fleet/mission/fleet_floor.h"
+#include "supervisor/fleet/mission/mission_problem.h"
+#include "supervisor/fleet/plan/fleet_plan.h"
+
+namespace stepwright::fleet::internal {
+
+struct RouteStop {
+  StopKind kind = StopKind::Park;
+  std::size_t location = 0;
+  std::optional<std::size_t> goal;
+  std::optional<std::size_t> task;
+  std::uint32_t amount = 0;
+  std::uint32_t aboard = 0;
+};
+
+using Route = std::vector<RouteStop>;
+
+// A vehicle that is planned for, not one whose path or envelope is given.
+inline bool is_planned(const MissionVehicle& vehicle) {
+  return !vehicle.path && !vehicle.envelope;
+}
+
+// The legs of a route, from the vehicle's start on.
+std::vector<LegRequest> legs_of(const MissionProblem& problem, std::size_t vehicle, const Route& route);
+
+// What the allocation is asked, and how its answer becomes routes by vehicle of the problem.
+class AllocationTask {
+ public:
+  // Prepares on the floor what driving times are needed.
+  AllocationTask(const MissionProblem& problem, FleetFloor& floor, const AllocationObjective& objective);
+
+  const AllocationProblem& problem() const { return asked_; }
+  // F0801 for goals between whose places no vehicle that may carry them finds a way.
+  result::Diagnostics unreachable() const;
+  std::vector<Route> routes(const AllocationAnswer& answer) const;
+
+ private:
+  LocationId start_of(std::size_t vehicle) const;
+  std::optional<TransportTimepoint> timepoint(const MomentRef& moment) const;
+  LegRequest leg(std::size_t model, std::size_t from, std::size_t to) const;
+  void add_classes(FleetFloor& floor);
+  void add_vehicles();
+  void add_transports();
+  void add_constraints();
+
+  const MissionProblem& mission_;
+  const FleetFloor& floor_;
+  AllocationProblem asked_;
+  std::vector<std::size_t> vehicles_;                    // of the problem, by vehicle of the allocation
+  std::vector<std::optional<std::size_t>> carriers_;     // the other way round
+  std::vector<std::pair<std::size_t, double>> classes_;  // model and greatest speed
+};
+
+// The stops of the tasks, behind those of the goals.
+void append_tasks(const MissionProblem& problem, std::vector<Route>& routes);
+
+}  // namespace stepwright::fleet::internal
