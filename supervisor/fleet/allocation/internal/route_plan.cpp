@@ -122,14 +122,15 @@ void RoutePlan::place_set_down(std::uint32_t trip, std::uint32_t vehicle, std::u
   const Profile& profile = profiles_[vehicle];
   const AllocationObjective& weights = model_->problem().objective;
   const Stop32 down = set_down_of(trip);
+  // A pick-up that is fixed counts already, up to the end of the route.
+  const std::uint32_t extra = pick_up == kNone ? 0 : model_->trip(trip).amount;
   // What the vehicle drives from the change on to stop `at`, as the route is now.
   std::int64_t replaced_ms = 0;
   for (std::uint32_t at = first; at <= end; ++at) {
     if (at > first) {
       const Stop32 passed = route[at - 1];
       const std::int32_t way_ms = model_->way_ms(vehicle, place, model_->place(passed));
-      const bool room = pick_up == kNone ||
-                        profile.load[at] + model_->trip(trip).amount <= model_->driver(vehicle).capacity;
+      const bool room = profile.load[at] + extra <= model_->driver(vehicle).capacity;
       if (way_ms >= kNoWay || !room) return;
       ready_ms = std::max<std::int64_t>(earliest_ms_[passed], ready_ms + way_ms);
       if (ready_ms > latest_ms_[passed]) return;
