@@ -101,4 +101,9 @@ const PathAnswer& FleetFloor::leg(const LegRequest& leg) const {
   return known_.at(key_of(leg));
 }
 
+const PathAnswer* FleetFloor::find(const LegRequest& leg) const {
+  const auto found = known_.find(key_of(leg));
+  return found == known_.end() ? nullptr : &found->second;
+}
+
 }  // namespace stepwright::fleet

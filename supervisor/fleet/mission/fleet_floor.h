@@ -55,6 +55,8 @@ class FleetFloor {
   void prepare(std::span<const LegRequest> legs, const PathOptions& options);
   // Requires that it was prepared. Stays where it is until the next `prepare`.
   const PathAnswer& leg(const LegRequest& leg) const;
+  // The same; nullptr if it was not prepared.
+  const PathAnswer* find(const LegRequest& leg) const;
   std::size_t searches() const { return searches_; }
 
  private:

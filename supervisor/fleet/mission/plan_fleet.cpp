@@ -20,6 +20,9 @@ using internal::Route;
 using std::chrono::milliseconds;
 using WallClock = std::chrono::steady_clock;
 
+// Of allocations, each with more driving times that are exact.
+constexpr std::size_t kMostRounds = 12;
+
 class Stopwatch {
  public:
   double lap_ms() {
@@ -49,6 +52,11 @@ class Chain {
     if (auto wrong = allocate_goals(); !wrong.empty()) return tl::unexpected(std::move(wrong));
     if (!refused_) {
       if (auto wrong = plan_paths(); !wrong.empty()) return tl::unexpected(std::move(wrong));
+    }
+    if (out_of_time_) {
+      answer_.verdict = Verdict::Exhausted;
+      answer_.reason = "the budget ended before all paths were found\n";
+    } else if (!refused_) {
       if (auto wrong = grow(); !wrong.empty()) return tl::unexpected(std::move(wrong));
       order();
     }
@@ -70,23 +78,50 @@ class Chain {
   // Goals to routes. Where no vehicles can carry them all the answer is complete.
   result::Diagnostics allocate_goals() {
     if (!problem_.goals.empty()) {
-      say("allocation");
       internal::AllocationTask task(problem_, floor_, options_.allocation);
-      if (auto wrong = task.unreachable(); !wrong.empty()) return wrong;
-      AllocationOptions limits{.cancel = options_.cancel};
-      if (limited()) limits.time = std::max(left() / 4, milliseconds(1));
-      answer_.allocation = allocate(task.problem(), limits);
-      const AllocationVerdict verdict = answer_.allocation->verdict;
-      refused_ = verdict != AllocationVerdict::Optimal && verdict != AllocationVerdict::Feasible;
+      for (std::size_t round = 0; round < kMostRounds; ++round) {
+        say("allocation", round + 1);
+        if (!allocate_once(task)) break;
+      }
       if (refused_) {
+        if (auto wrong = task.unreachable(); !wrong.empty()) return wrong;
         refuse_allocation(task.problem());
-      } else {
-        routes_ = task.routes(*answer_.allocation);
       }
     }
     append_tasks(problem_, routes_);
     answer_.figures.allocation_ms = watch_.lap_ms();
     return {};
+  }
+
+  // False if there is nothing more to be learned.
+  bool allocate_once(internal::AllocationTask& task) {
+    AllocationOptions limits{.cancel = options_.cancel};
+    if (limited()) limits.time = std::max(left() / 4, milliseconds(1));
+    answer_.allocation = allocate(task.problem(), limits);
+    const AllocationVerdict verdict = answer_.allocation->verdict;
+    refused_ = verdict != AllocationVerdict::Optimal && verdict != AllocationVerdict::Feasible;
+    if (refused_) return false;
+    routes_ = task.routes(*answer_.allocation);
+    std::vector<Route> with_tasks = routes_;
+    append_tasks(problem_, with_tasks);
+    std::vector<LegRequest> legs;
+    for (std::size_t v = 0; v < with_tasks.size(); ++v) {
+      const auto own = legs_of(problem_, v, with_tasks[v]);
+      legs.insert(legs.end(), own.begin(), own.end());
+    }
+    floor_.prepare(legs, path_options());
+    return task.learn();
+  }
+
+  // A* unless paths have a time of their own.
+  PathOptions path_options() const {
+    PathOptions options;
+    if (limited()) options.deadline = until_;
+    if (options_.path_time.count() == 0) return options;
+    options.first_weight = 3.0;
+    const auto until = WallClock::now() + options_.path_time;
+    options.deadline = options.deadline ? std::min(*options.deadline, until) : until;
+    return options;
   }
 
   void refuse_allocation(const AllocationProblem& asked) {
@@ -117,12 +152,7 @@ class Chain {
       }
       all.insert(all.end(), legs_.back().begin(), legs_.back().end());
     }
-    PathOptions options;
-    if (options_.path_time.count() > 0) {
-      options.first_weight = 3.0;
-      options.deadline = WallClock::now() + options_.path_time;
-    }
-    floor_.prepare(all, options);
+    floor_.prepare(all, path_options());
     answer_.figures.paths_ms = watch_.lap_ms();
     result::Diagnostics wrong;
     for (std::size_t v = 0, planned = 0; v < routes_.size(); ++v) {
@@ -144,12 +174,10 @@ class Chain {
       if (stop.task) key = problem_.tasks[*stop.task].key;
       if (stop.goal) key = problem_.goals[*stop.goal].key;
     }
-    const std::string reason = answer.diagnostics.empty() ? std::string("the time for paths ended first")
-                                                          : answer.diagnostics.front().message;
-    const std::string hint = answer.diagnostics.empty() ? std::string() : answer.diagnostics.front().hint;
     wrong.push_back({"F0801", result::Severity::Error, place_of(problem_, key),
-                     fmt::format("{}: '{}' finds no way: {}", key, problem_.vehicles[vehicle].name, reason),
-                     hint});
+                     fmt::format("{}: '{}' finds no way: {}", key, problem_.vehicles[vehicle].name,
+                                 answer.diagnostics.front().message),
+                     answer.diagnostics.front().hint});
   }
 
   result::Diagnostics grow() {
@@ -270,6 +298,7 @@ class Chain {
   std::vector<Route> routes_;
   std::vector<std::vector<LegRequest>> legs_;  // of the vehicles that are planned for
   bool refused_ = false;                       // there is no allocation
+  bool out_of_time_ = false;                   // there are not all paths
   bool all_tried_ = false;
   FleetAnswer answer_;
 };
@@ -285,6 +314,33 @@ std::vector<VehicleModel> models_of(const MissionProblem& problem) {
 result::Result<FleetAnswer> plan_fleet(const MissionProblem& problem, FleetFloor& floor,
                                        const FleetOptions& options) {
   return Chain(problem, floor, options).run();
+}
+
+FleetAnswer schedule_fleet(const SchedulingProblem& problem, const FleetOptions& options) {
+  Stopwatch watch;
+  FleetAnswer answer;
+  for (const TrajectoryEnvelope& envelope : problem.envelopes) {
+    answer.plan.missions.push_back({.vehicle = envelope.vehicle,
+                                    .model = {},
+                                    .speed = {},
+                                    .path = {},
+                                    .grown = {.envelope = envelope, .visits = {}, .stands = {}},
+                                    .stops = {}});
+  }
+  answer.plan.constraints = problem.constraints;
+  // Tardiness is held against times that these problems do not have.
+  const Objective objective =
+      options.objective == Objective::TotalTardiness ? Objective::Makespan : options.objective;
+  answer.plan.schedule = schedule(
+      problem.envelopes, problem.constraints,
+      {.mode = options.mode, .objective = objective, .time = options.time, .cancel = options.cancel});
+  answer.verdict = answer.plan.schedule.verdict;
+  answer.figures.improve_ms = answer.plan.schedule.figures.improve_ms;
+  answer.figures.total_ms = watch.total_ms();
+  answer.figures.schedule_ms = answer.figures.total_ms - answer.figures.improve_ms;
+  if (answer.verdict == Verdict::Infeasible)
+    answer.reason = reason_of(answer.plan, answer.plan.schedule.core, nullptr, {});
+  return answer;
 }
 
 }  // namespace stepwright::fleet

@@ -27,6 +27,7 @@
 #include "supervisor/fleet/mission/fleet_floor.h"
 #include "supervisor/fleet/mission/mission_problem.h"
 #include "supervisor/fleet/plan/fleet_plan.h"
+#include "supervisor/fleet/schedule/problem_file.h"
 
 namespace stepwright::fleet {
 
@@ -86,5 +87,8 @@ std::vector<VehicleModel> models_of(const MissionProblem& problem);
 // read: F0801 no vehicle finds its way from a place to another, F0802 a given path meets an obstacle.
 [[nodiscard]] result::Result<FleetAnswer> plan_fleet(const MissionProblem& problem, FleetFloor& floor,
                                                      const FleetOptions& options);
+
+// The scheduler alone: envelopes and constraints are all that is known.
+FleetAnswer schedule_fleet(const SchedulingProblem& problem, const FleetOptions& options);
 
 }  // namespace stepwright::fleet

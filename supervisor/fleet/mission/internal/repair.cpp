@@ -1,6 +1,7 @@
 #include "supervisor/fleet/mission/internal/repair.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <queue>
 #include <set>
@@ -16,6 +17,7 @@ namespace {
 using geometry::ConvexPolygon;
 
 constexpr double kMillimetres = 1000.0;
+constexpr std::array kClearOf_m = {0.0, 8.0, 16.0, 30.0};
 
 struct Avoided {
   std::uint32_t vehicle = 0;  // whose place it is
@@ -102,9 +104,30 @@ class Repair {
           if (k == 0 || k == last) stands.insert(k);
         }
         if (!stands.empty()) add_step(node, vehicle, other, stands);
-        if (stands != met) add_step(node, vehicle, other, met);
+        // All of it, then less and less of what is near the places where it must stand itself.
+        std::set<std::uint32_t> tried = stands;
+        for (const double distance_m : kClearOf_m) {
+          const auto kept = beyond(of.missions[vehicle], of.missions[other], met, distance_m);
+          if (kept == tried || kept.empty()) continue;
+          add_step(node, vehicle, other, kept);
+          tried = kept;
+        }
       }
     }
+  }
+
+  // Those of the polygons of `other` that are farther from all stands of `mission`.
+  static std::set<std::uint32_t> beyond(const VehicleMission& mission, const VehicleMission& other,
+                                        const std::set<std::uint32_t>& polygons, double distance_m) {
+    std::vector<geometry::Point> stands = {mission.path.front().pose.position()};
+    for (const Stop& stop : mission.stops) stands.push_back(mission.path[stop.pose].pose.position());
+    std::set<std::uint32_t> kept;
+    for (const std::uint32_t k : polygons) {
+      const geometry::Point middle = other.grown.envelope.polygons[k].area.centroid();
+      const auto near = [&](geometry::Point stand) { return distance(stand, middle) <= distance_m; };
+      if (std::ranges::none_of(stands, near)) kept.insert(k);
+    }
+    return kept;
   }
 
   void add_step(std::size_t node, std::uint32_t vehicle, std::uint32_t other,

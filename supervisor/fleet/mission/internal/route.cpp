@@ -3,18 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <utility>
 
 #include "supervisor/fleet/envelope/time_bounds.h"
+#include "supervisor/fleet/mission/internal/parallel.h"
 
 namespace stepwright::fleet::internal {
-
-namespace {
-
-// Good enough to choose by; the ways that are chosen are planned again, as well as is asked.
-constexpr double kEstimateWeight = 2.0;
-
-}  // namespace
 
 std::vector<LegRequest> legs_of(const MissionProblem& problem, std::size_t vehicle, const Route& route) {
   std::vector<LegRequest> legs;
@@ -42,7 +36,7 @@ AllocationTask::AllocationTask(const MissionProblem& problem, FleetFloor& floor,
     carriers_[v] = vehicles_.size();
     vehicles_.push_back(v);
   }
-  add_classes(floor);
+  add_classes();
   add_vehicles();
   add_transports();
   add_constraints();
@@ -61,8 +55,12 @@ LegRequest AllocationTask::leg(std::size_t model, std::size_t from, std::size_t 
   return {model, pose(from), pose(to)};
 }
 
+std::chrono::milliseconds AllocationTask::time_of(double length_m, double speed_mps) const {
+  return time_bounds(length_m, {.min_mps = 0.0, .max_mps = speed_mps}).least;
+}
+
 // Between the places of goals, from starts to pick-ups, from set-downs to where tasks begin.
-void AllocationTask::add_classes(FleetFloor& floor) {
+void AllocationTask::add_classes() {
   std::set<std::size_t> places;
   for (const MissionGoal& goal : mission_.goals) {
     places.insert(goal.from);
@@ -74,7 +72,7 @@ void AllocationTask::add_classes(FleetFloor& floor) {
     if (std::ranges::find(classes_, key) == classes_.end()) classes_.push_back(key);
   }
   for (const auto& [model, speed_mps] : classes_) {
-    std::set<std::pair<std::size_t, std::size_t>> pairs;
+    auto& pairs = pairs_.emplace_back();
     for (const std::size_t from : places) {
       for (const std::size_t to : places) {
         if (from != to) pairs.emplace(from, to);
@@ -82,27 +80,58 @@ void AllocationTask::add_classes(FleetFloor& floor) {
     }
     for (const std::size_t v : vehicles_) {
       if (mission_.vehicles[v].vehicle_class != model) continue;
-      for (const MissionGoal& goal : mission_.goals) pairs.emplace(mission_.locations.size() + v, goal.from);
+      for (const MissionGoal& goal : mission_.goals) pairs.emplace(start_of(v).value, goal.from);
       for (const MissionTask& task : mission_.tasks) {
         if (task.vehicle != v) continue;
-        pairs.emplace(mission_.locations.size() + v, task.location);
+        pairs.emplace(start_of(v).value, task.location);
         for (const MissionGoal& goal : mission_.goals) {
           if (goal.to != task.location) pairs.emplace(goal.to, task.location);
         }
       }
     }
-    std::vector<LegRequest> legs;
-    for (const auto& [from, to] : pairs) legs.push_back(leg(model, from, to));
-    floor.prepare(legs, {.first_weight = kEstimateWeight, .last_weight = kEstimateWeight});
-    TravelTimes times(asked_.locations.size());
-    for (const auto& [from, to] : pairs) {
-      const PathAnswer& answer = floor.leg(leg(model, from, to));
-      if (!answer.path) continue;
-      times.set(LocationId(static_cast<std::uint32_t>(from)), LocationId(static_cast<std::uint32_t>(to)),
-                time_bounds(answer.path->length_m, {.min_mps = 0.0, .max_mps = speed_mps}).least);
-    }
-    asked_.classes.push_back(std::move(times));
+    estimate(model);
+    asked_.classes.emplace_back(asked_.locations.size());
   }
+  learn();
+}
+
+// One search of the floor for each place to which somebody drives.
+void AllocationTask::estimate(std::size_t model) {
+  std::map<std::size_t, std::vector<std::size_t>> by_goal;
+  for (const auto& [from, to] : pairs_.back()) by_goal[to].push_back(from);
+  const std::vector<std::pair<std::size_t, std::vector<std::size_t>>> all(by_goal.begin(), by_goal.end());
+  std::vector<std::vector<double>> found(all.size());
+  each_index(all.size(), floor_.threads(), [&](std::size_t k) {
+    std::vector<geometry::Pose> from;
+    for (const std::size_t place : all[k].second) from.push_back(leg(model, place, all[k].first).from);
+    found[k] = floor_.planner(model).estimated_ways(from, leg(model, 0, all[k].first).to);
+  });
+  auto& ways_m = ways_m_.emplace_back();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    for (std::size_t i = 0; i < found[k].size(); ++i) {
+      ways_m[{all[k].second[i], all[k].first}] = found[k][i];
+    }
+  }
+}
+
+bool AllocationTask::learn() {
+  std::size_t known = 0;
+  for (std::size_t c = 0; c < classes_.size(); ++c) {
+    TravelTimes times(asked_.locations.size());
+    for (const auto& pair : pairs_[c]) {
+      const PathAnswer* answer = floor_.find(leg(classes_[c].first, pair.first, pair.second));
+      double length_m = ways_m_[c].at(pair);
+      if (answer != nullptr) {
+        ++known;
+        if (!answer->path && answer->end != PathEnd::Deadline) continue;
+        if (answer->path) length_m = answer->path->length_m;
+      }
+      times.set(LocationId(static_cast<std::uint32_t>(pair.first)),
+                LocationId(static_cast<std::uint32_t>(pair.second)), time_of(length_m, classes_[c].second));
+    }
+    asked_.classes[c] = std::move(times);
+  }
+  return std::exchange(known_, known) != known;
 }
 
 void AllocationTask::add_vehicles() {
@@ -190,10 +219,10 @@ result::Diagnostics AllocationTask::unreachable() const {
       reached = true;
       for (const LegRequest& way :
            {leg(model, mission_.locations.size() + v, goal.from), leg(model, goal.from, goal.to)}) {
-        const PathAnswer& answer = floor_.leg(way);
-        if (answer.path) continue;
+        const PathAnswer* answer = floor_.find(way);
+        if (answer == nullptr || answer->diagnostics.empty()) continue;
         reached = false;
-        if (!answer.diagnostics.empty()) reason = answer.diagnostics.front().message;
+        reason = answer->diagnostics.front().message;
       }
     }
     if (reached) continue;

@@ -2,7 +2,10 @@
 
 // Which stops each vehicle makes, as the chain hands them from allocation to paths. Values.
 
+#include <map>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "supervisor/fleet/allocation/allocate.h"
@@ -32,13 +35,19 @@ inline bool is_planned(const MissionVehicle& vehicle) {
 std::vector<LegRequest> legs_of(const MissionProblem& problem, std::size_t vehicle, const Route& route);
 
 // What the allocation is asked, and how its answer becomes routes by vehicle of the problem.
+//
+// Most driving times are never needed exactly: they begin as distances around obstacles, which seldom exceed
+// what the vehicle drives. The legs that an allocation takes are planned on the lattice, and it is asked
+// again with their times, until it takes only legs that are known. What is best under estimates that are too
+// small, and uses none of them, is best.
 class AllocationTask {
  public:
-  // Prepares on the floor what driving times are needed.
   AllocationTask(const MissionProblem& problem, FleetFloor& floor, const AllocationObjective& objective);
 
   const AllocationProblem& problem() const { return asked_; }
-  // F0801 for goals between whose places no vehicle that may carry them finds a way.
+  // Takes the times of the legs that the floor knows by now. False if nothing is new.
+  bool learn();
+  // F0801 for goals of which the floor knows that no vehicle that may carry them finds its way.
   result::Diagnostics unreachable() const;
   std::vector<Route> routes(const AllocationAnswer& answer) const;
 
@@ -46,7 +55,9 @@ class AllocationTask {
   LocationId start_of(std::size_t vehicle) const;
   std::optional<TransportTimepoint> timepoint(const MomentRef& moment) const;
   LegRequest leg(std::size_t model, std::size_t from, std::size_t to) const;
-  void add_classes(FleetFloor& floor);
+  void add_classes();
+  void estimate(std::size_t model);
+  std::chrono::milliseconds time_of(double length_m, double speed_mps) const;
   void add_vehicles();
   void add_transports();
   void add_constraints();
@@ -57,6 +68,10 @@ class AllocationTask {
   std::vector<std::size_t> vehicles_;                    // of the problem, by vehicle of the allocation
   std::vector<std::optional<std::size_t>> carriers_;     // the other way round
   std::vector<std::pair<std::size_t, double>> classes_;  // model and greatest speed
+  // By class: the pairs of places that it may drive, and estimates of how far that is.
+  std::vector<std::set<std::pair<std::size_t, std::size_t>>> pairs_;
+  std::vector<std::map<std::pair<std::size_t, std::size_t>, double>> ways_m_;
+  std::size_t known_ = 0;  // pairs with exact times
 };
 
 // The stops of the tasks, behind those of the goals.
