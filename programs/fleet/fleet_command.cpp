@@ -71,6 +71,7 @@ FleetOptions options_of(const FleetArguments& arguments, ProgressLine& line) {
   options.objective = arguments.objective;
   options.time = whole_ms(arguments.time_s);
   if (arguments.path_time_s) options.path_time = whole_ms(*arguments.path_time_s);
+  options.path_factor = arguments.path_factor;
   options.alternatives = arguments.alternatives;
   options.on_progress = [&line](const FleetProgress& progress) { line.show(progress); };
   return options;

@@ -16,6 +16,7 @@ struct FleetArguments {
   Objective objective = Objective::Makespan;
   double time_s = 10.0;
   std::optional<double> path_time_s;  // nothing: A*
+  double path_factor = 1.0;
   unsigned alternatives = 48;
   unsigned threads = 2;
   std::optional<std::string> cache_folder;

@@ -27,6 +27,9 @@ void describe(CLI::App& app, fleet::FleetArguments& arguments) {
   app.add_option("--path-time", arguments.path_time_s,
                  "find paths by ARA* and improve them for so many seconds (default: A*, the best paths)")
       ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
+  app.add_option("--path-factor", arguments.path_factor,
+                 "take paths that are proved to cost at most so many times the least (default 1)")
+      ->check(CLI::Range(1.0, 100.0));
   app.add_option("--alternatives", arguments.alternatives,
                  "other paths to try where there is no schedule (default 48; 0: none)")
       ->check(CLI::Range(0u, 100000u));

@@ -44,6 +44,7 @@ class FleetFloor {
                                                          const FloorOptions& options);
 
   const OccupancyGrid& map() const { return *map_; }
+  std::size_t models() const { return models_.size(); }
   const VehicleModel& model(std::size_t index) const { return models_[index]->model; }
   // Any number of threads may plan with it.
   const PathPlanner& planner(std::size_t model) const { return models_[model]->planner; }

@@ -17,7 +17,7 @@ constexpr const char* kStyle =
     "<style>text{font:12px "
     "system-ui,sans-serif;fill:#222}.t{font-weight:600;font-size:15px}.m{text-anchor:middle}"
     ".page{fill:#fff}.floor{fill:#f7f8f9}.wall{fill:#6b737b}.g{stroke:#dde1e5}path{fill:none}"
-    "path.wall{fill:#6b737b}.envelope "
+    "path.wall{fill:#6b737b;shape-rendering:crispEdges}.envelope "
     "path{fill:var(--hue);fill-opacity:.07;stroke:var(--hue);stroke-opacity:.35;"
     "stroke-width:.6}path.section{fill:#c4321f;fill-opacity:.28}.way{stroke:var(--hue);stroke-width:1.8}"
     ".back{stroke-dasharray:5 "
@@ -57,7 +57,7 @@ void draw_legend(SvgPage& page, double top) {
   entry("<path class=\"stop\" d=\"M2 -6H24V6H2Z\"/>", "stop", 80);
   entry("<path class=\"way\" d=\"M0 0H26\"/>", "forward", 98);
   entry("<path class=\"way back\" d=\"M0 0H26\"/>", "in reverse", 112);
-  entry("<g class=\"envelope\"><path d=\"M1 -7H25V7H1Z\"/></g>", "envelope", 104);
+  entry("<path class=\"envelope\" d=\"M1 -7H25V7H1Z\"/>", "envelope", 104);
   entry("<path class=\"section\" d=\"M1 -7H25V7H1Z\"/>", "critical section", 140);
   entry("<rect class=\"bar\" x=\"1\" y=\"-6\" width=\"24\" height=\"10\"/>", "in a polygon", 122);
   entry("<rect class=\"bar hot\" x=\"1\" y=\"-6\" width=\"24\" height=\"10\"/>", "in one with a precedence",

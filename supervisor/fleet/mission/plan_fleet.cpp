@@ -113,12 +113,12 @@ class Chain {
     return task.learn();
   }
 
-  // A* unless paths have a time of their own.
+  // A*, unless a longer path will do or paths have a time of their own.
   PathOptions path_options() const {
-    PathOptions options;
+    PathOptions options{.first_weight = options_.path_factor, .last_weight = options_.path_factor};
     if (limited()) options.deadline = until_;
     if (options_.path_time.count() == 0) return options;
-    options.first_weight = 3.0;
+    options.first_weight = std::max(3.0, options_.path_factor);
     const auto until = WallClock::now() + options_.path_time;
     options.deadline = options.deadline ? std::min(*options.deadline, until) : until;
     return options;

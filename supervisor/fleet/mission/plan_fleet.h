@@ -43,6 +43,7 @@ struct FleetOptions {
   std::chrono::milliseconds time{10'000};     // of everything; improving ends with it. Zero: no limit
   // Of the search for each set of paths, with ARA* from weight 3 on. Zero: A*, without a limit.
   std::chrono::milliseconds path_time{0};
+  double path_factor = 1.0;         // paths that are proved to cost at most so many times the least will do
   std::uint32_t alternatives = 48;  // paths planned anew, at most, where there is no schedule
   EnvelopeOptions envelope{};       // but for the speeds, which each vehicle has its own
   AllocationObjective allocation{};

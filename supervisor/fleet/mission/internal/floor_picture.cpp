@@ -101,11 +101,11 @@ void FloorPicture::draw_walls(SvgPage& page) const {
 
 void FloorPicture::draw_envelopes(SvgPage& page) const {
   for (std::size_t v = 0; v < plan_.missions.size(); ++v) {
-    page.print("<g class=\"envelope\" style=\"--hue:{}\">", hue(v));
+    page.print("<path class=\"envelope\" style=\"--hue:{}\" d=\"", hue(v));
     for (const EnvelopePolygon& polygon : plan_.missions[v].grown.envelope.polygons) {
-      page.print("<path d=\"{}\"/>", outline(polygon.area));
+      page.print("{}", outline(polygon.area));
     }
-    page.print("</g>\n");
+    page.print("\"/>\n");
   }
 }
 

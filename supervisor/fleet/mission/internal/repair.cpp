@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "supervisor/fleet/map/row_span.h"
 #include "supervisor/fleet/mission/internal/mission_builder.h"
 
 namespace stepwright::fleet::internal {
@@ -46,14 +45,6 @@ struct Step {
 
 double length_of(const VehicleMission& mission) {
   return mission.path.empty() ? 0.0 : mission.path.back().arc_m;
-}
-
-void block(OccupancyGrid& map, const ConvexPolygon& area) {
-  for (const RowSpan& span : covered_spans(area, map.frame())) {
-    for (std::int32_t column = span.first; column <= span.last; ++column) {
-      if (map.contains({column, span.row})) map.set({column, span.row}, true);
-    }
-  }
 }
 
 class Repair {
