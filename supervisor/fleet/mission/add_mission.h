@@ -37,8 +37,8 @@ struct NewStop {
 };
 
 struct NewMission {
-  std::vector<NewStop> stops;           // at least one
-  std::vector<std::uint32_t> vehicles;  // one of these drives it; empty: any that has a path
+  std::vector<NewStop> stops;                // at least one
+  std::vector<std::uint32_t> vehicles = {};  // one of these drives it; empty: any that has a path
 };
 
 struct AddOptions {

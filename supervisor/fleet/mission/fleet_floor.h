@@ -26,6 +26,8 @@ namespace stepwright::fleet {
 
 struct FloorOptions {
   std::filesystem::path table_folder;  // look-up tables are kept there; empty: they are built each time
+  double table_range_m = 10.0;
+  double table_margin_m = 8.0;
   unsigned threads = 2;
 };
 

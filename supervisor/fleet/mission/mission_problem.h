@@ -48,11 +48,11 @@ struct MissionVehicle {
   SpeedLimits speed{.min_mps = 0.0, .max_mps = 1.5};
   geometry::Pose start;
   std::uint32_t capacity = 1;
-  std::chrono::milliseconds available{0};      // it does not leave its start before
-  std::vector<HandStop> route;                 // fixed by an operator; empty: free
-  std::optional<geometry::Path> path;          // drawn or recorded: it drives this and nothing else
-  std::optional<TrajectoryEnvelope> envelope;  // given: nothing else of the vehicle is known
-  std::string key;                             // in the file: "vehicles[2]"
+  std::chrono::milliseconds available{0};           // it does not leave its start before
+  std::vector<HandStop> route = {};                 // fixed by an operator; empty: free
+  std::optional<geometry::Path> path = {};          // drawn or recorded: it drives this and nothing else
+  std::optional<TrajectoryEnvelope> envelope = {};  // given: nothing else of the vehicle is known
+  std::string key;                                  // in the file: "vehicles[2]"
 };
 
 // A goal <k, s, g>: `amount` loads from `from` to `to`.
@@ -62,10 +62,10 @@ struct MissionGoal {
   std::size_t from = 0;
   std::size_t to = 0;
   bool divisible = true;
-  std::optional<std::size_t> vehicle;            // fixed by an operator
-  std::vector<std::size_t> after;                // the same vehicle carries these goals before, in full
-  std::optional<std::chrono::milliseconds> due;  // later is tardy; no constraint
-  std::string key;                               // in the file: "vehicles[2]"
+  std::optional<std::size_t> vehicle = {};            // fixed by an operator
+  std::vector<std::size_t> after = {};                // the same vehicle carries these goals before, in full
+  std::optional<std::chrono::milliseconds> due = {};  // later is tardy; no constraint
+  std::string key;                                    // in the file: "vehicles[2]"
 };
 
 // The vehicle drives there, after all that it carries, in the order of the file.

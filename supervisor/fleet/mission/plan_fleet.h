@@ -47,8 +47,8 @@ struct FleetOptions {
   std::uint32_t alternatives = 48;  // paths planned anew, at most, where there is no schedule
   EnvelopeOptions envelope{};       // but for the speeds, which each vehicle has its own
   AllocationObjective allocation{};
-  std::function<void(const FleetProgress&)> on_progress;  // called now and then, from this thread
-  const std::atomic<bool>* cancel = nullptr;              // not owned; may be null
+  std::function<void(const FleetProgress&)> on_progress = {};  // called now and then, from this thread
+  const std::atomic<bool>* cancel = nullptr;                   // not owned; may be null
 };
 
 struct FleetFigures {
