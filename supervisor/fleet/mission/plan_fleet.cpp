@@ -85,7 +85,7 @@ class Chain {
       }
       if (refused_) {
         if (auto wrong = task.unreachable(); !wrong.empty()) return wrong;
-        refuse_allocation(task.problem());
+        refuse_allocation(task);
       }
     }
     append_tasks(problem_, routes_);
@@ -124,11 +124,13 @@ class Chain {
     return options;
   }
 
-  void refuse_allocation(const AllocationProblem& asked) {
+  void refuse_allocation(const internal::AllocationTask& task) {
     switch (answer_.allocation->verdict) {
       case AllocationVerdict::Infeasible:
         answer_.verdict = Verdict::Infeasible;
-        answer_.reason = to_string(answer_.allocation->conflict, asked);
+        answer_.reason = to_string(answer_.allocation->conflict, task.problem());
+        if (!answer_.reason.empty() && answer_.reason.back() != '\n') answer_.reason += "\n";
+        answer_.reason += task.places_of(answer_.allocation->conflict);
         break;
       case AllocationVerdict::Cancelled:
         answer_.verdict = Verdict::Cancelled;
@@ -164,10 +166,13 @@ class Chain {
   }
 
   // Told at the task or goal that the leg serves.
-  void check_leg(std::size_t vehicle, std::size_t k, const LegRequest& leg,
-                 result::Diagnostics& wrong) const {
+  void check_leg(std::size_t vehicle, std::size_t k, const LegRequest& leg, result::Diagnostics& wrong) {
     const PathAnswer& answer = floor_.leg(leg);
     if (answer.path) return;
+    if (answer.diagnostics.empty()) {
+      out_of_time_ = true;
+      return;
+    }
     std::string key = problem_.vehicles[vehicle].key;
     if (k < routes_[vehicle].size()) {
       const internal::RouteStop& stop = routes_[vehicle][k];

@@ -200,6 +200,7 @@ void AllocationTask::add_constraints() {
     const auto from = timepoint(constraint.from);
     const auto to = timepoint(constraint.to);
     if (!from || !to) continue;
+    constraint_keys_.push_back(constraint.key);
     asked_.constraints.push_back({.name = constraint.name,
                                   .from = *from,
                                   .to = *to,
@@ -251,6 +252,16 @@ std::vector<Route> AllocationTask::routes(const AllocationAnswer& answer) const 
     }
   }
   return routes;
+}
+
+std::string AllocationTask::places_of(const AllocationConflict& conflict) const {
+  std::string text;
+  for (const std::uint32_t k : conflict.constraints) {
+    const result::Location where = place_of(mission_, constraint_keys_.at(k));
+    if (where.line == 0) continue;
+    text += fmt::format("{}:{}:{}: {}\n", where.file, where.line, where.column, asked_.constraints[k].name);
+  }
+  return text;
 }
 
 void append_tasks(const MissionProblem& problem, std::vector<Route>& routes) {

@@ -50,6 +50,8 @@ class AllocationTask {
   // F0801 for goals of which the floor knows that no vehicle that may carry them finds its way.
   result::Diagnostics unreachable() const;
   std::vector<Route> routes(const AllocationAnswer& answer) const;
+  // Where in the file the constraints of a conflict stand, a line each.
+  std::string places_of(const AllocationConflict& conflict) const;
 
  private:
   LocationId start_of(std::size_t vehicle) const;
@@ -71,7 +73,8 @@ class AllocationTask {
   // By class: the pairs of places that it may drive, and estimates of how far that is.
   std::vector<std::set<std::pair<std::size_t, std::size_t>>> pairs_;
   std::vector<std::map<std::pair<std::size_t, std::size_t>, double>> ways_m_;
-  std::size_t known_ = 0;  // pairs with exact times
+  std::size_t known_ = 0;                     // pairs with exact times
+  std::vector<std::string> constraint_keys_;  // of the problem, by constraint of the allocation
 };
 
 // The stops of the tasks, behind those of the goals.

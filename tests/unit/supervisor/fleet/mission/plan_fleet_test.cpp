@@ -133,11 +133,11 @@ TEST(PlanFleet, Deadline_WhenJustMet_ThenScheduledAndOneMillisecondLessIsNot) {
 // Two aisles, a parked vehicle in the nearer one.
 TEST(PlanFleet, ParkedVehicle_WhenInTheShortestWay_ThenTheOtherAisleIsTaken) {
   MissionProblem problem = empty_problem();
-  wall(problem, 12, 9, 28, 15);
+  wall(problem, 12, 8.2, 28, 15);
   wall(problem, 12, 0, 28, 4);
-  const auto v = add_vehicle(problem, "mover", {6, 6.6, 0});
-  add_vehicle(problem, "sleeper", {20, 6.6, 0});
-  add_task(problem, v, add_location(problem, "east", {35, 6.6, 0}));
+  const auto v = add_vehicle(problem, "mover", {6, 6, 0});
+  add_vehicle(problem, "sleeper", {20, 6, 0});
+  add_task(problem, v, add_location(problem, "east", {35, 6, 0}));
   const FleetAnswer answer = planned(problem);
   ASSERT_EQ(answer.verdict, Verdict::Scheduled) << answer.reason;
   ASSERT_EQ(answer.changes.size(), 1u);
@@ -182,11 +182,11 @@ TEST(PlanFleet, GivenParts_WhenAPathAndAnEnvelopeAreGiven_ThenOnlyTheRestIsPlann
   }
   problem.vehicles[drawn].path = path;
   const auto given = add_vehicle(problem, "given", {});
-  const auto box = geometry::footprint_at({30, 6, 0}, {.front_m = 2, .rear_m = 2, .half_width_m = 1});
+  const auto box = geometry::footprint_at({30, 6, 0}, {.front_m = 2, .rear_m = 2, .half_width_m = 2});
   problem.vehicles[given].envelope =
       TrajectoryEnvelope{.vehicle = "given",
                          .polygons = {{box, {5s, 20s}, {1s, 2s}},
-                                      {geometry::footprint_at({30, 9, 0}, {2, 2, 2.5}), {5s, 20s}, {}}}};
+                                      {geometry::footprint_at({30, 10.2, 0}, {2, 2, 2.6}), {5s, 20s}, {}}}};
   const FleetAnswer answer = planned(problem);
   ASSERT_EQ(answer.verdict, Verdict::Scheduled) << answer.reason;
   expect_sound(problem, answer.plan);
