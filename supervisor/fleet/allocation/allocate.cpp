@@ -64,13 +64,9 @@ class Allocator {
     const Division& fewest = divisions_.all.front();
     std::size_t trips = 0;
     for (const Amounts& amounts : fewest) trips += amounts.size();
-    const std::size_t most = trips <= exact_trips_ ? divisions_.all.size() : kMostSearched;
-    for (std::size_t i = 0; i < divisions_.all.size(); ++i) {
-      if (i >= most) {
-        divisions_.complete = false;
-        break;
-      }
-      TripModel model = make_model(problem_, everything_, divisions_.all[i], Ways::AsGiven);
+    if (trips > exact_trips_) divisions_ = usual_divisions(problem_, everything_);
+    for (const Division& division : divisions_.all) {
+      TripModel model = make_model(problem_, everything_, division, Ways::AsGiven);
       if (!model.contradiction()) models_.push_back(std::move(model));
     }
     for (const TripModel& model : models_) {

@@ -23,15 +23,16 @@ namespace stepwright::fleet {
 struct AllocationOptions {
   std::chrono::milliseconds time{0};  // budget of everything; zero = no limit
   std::uint64_t iterations = 2000;    // of large neighbourhood search; zero = until the time is over
-  std::uint32_t exact_trips = 10;     // branch and bound up to so many trips, at most 12; zero = never
+  std::uint32_t exact_trips = 10;     // branch and bound up to so many trips, at most 11; zero = never
   std::uint64_t nodes = 2'000'000;    // of branch and bound; zero = no limit
   std::uint64_t seed = 1;
   bool explain = true;                        // name the reason where there is no allocation
   const std::atomic<bool>* cancel = nullptr;  // not owned; may be null
 };
 
-// Requires indices that are there, names or none, amounts and capacities of at least 1, times between 0 and
-// the horizon. That something cannot be reached or carried is an answer, not a precondition.
+// Requires indices that are there, amounts and capacities of at least 1, times between 0 and the horizon,
+// weights of the objective up to 100,000 and of transports up to 100. That something cannot be reached or
+// carried is an answer, not a precondition.
 AllocationAnswer allocate(const AllocationProblem& problem, const AllocationOptions& options = {});
 
 }  // namespace stepwright::fleet

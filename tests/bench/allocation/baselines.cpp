@@ -53,7 +53,7 @@ std::optional<fleet::AllocationAnswer> nearest_vehicle(const fleet::AllocationPr
       taken = t;
     }
     if (taken == internal::kNone) return std::nullopt;
-    for (const internal::Stop32 stop : {internal::pick_up_of(taken), internal::set_down_of(taken)}) {
+    for (const internal::StopIndex stop : {internal::pick_up_of(taken), internal::set_down_of(taken)}) {
       free_ms[v] = std::max<std::int64_t>(free_ms[v] + model.way_ms(v, place[v], model.place(stop)),
                                           model.earliest_ms(stop)) +
                    model.service_ms(stop);

@@ -1,9 +1,10 @@
 // The allocation of transports beside two rules of thumb: the nearest vehicle, and plain insertion.
 //
-//   bench_allocation [--most N] [--seeds N] [--seconds S] [--exact N] [--cpu-time] [--json FILE]
+//   bench_allocation [--most N] [--seeds N] [--rounds N] [--exact N] [--cpu-time] [--json FILE]
 //
-// First what is proved: 8 transports for 4 vehicles. Then 10 to 200 transports with a budget each; the
-// objective of each rule is told as a ratio to ours. Every answer is judged by the checker of the tests.
+// First what is proved: 8 transports for 4 vehicles. Then 10 to 200 transports with so many rounds each, so
+// that the objectives do not depend on the machine; that of each rule is told as a ratio to ours. Every
+// answer is judged by the checker of the tests.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -21,8 +22,8 @@
 #include "runtime/result/exit_code.h"
 #include "supervisor/fleet/allocation/allocate.h"
 #include "tests/bench/allocation/baselines.h"
-#include "tests/bench/allocation/instance.h"
 #include "tests/support/fleet/allocation_checker.h"
+#include "tests/support/fleet/drawn_transports.h"
 
 namespace stepwright::bench::allocation {
 namespace {
@@ -34,7 +35,7 @@ using fleet::AllocationVerdict;
 struct Arguments {
   std::uint32_t most = 200;
   std::uint32_t seeds = 3;
-  double seconds = 2.0;
+  std::uint64_t rounds = 3000;
   std::uint32_t exact = 25;
   bool cpu_time = false;
   std::string json_file;
@@ -73,7 +74,7 @@ class Bench {
     exact();
     std::printf("%-8s %10s %8s | %10s %10s %8s | %9s %9s | %9s %9s\n", "kind", "transports", "vehicles",
                 "objective", "to bound", "ms", "nearest", "ms", "insertion", "ms");
-    for (const Kind kind : kKinds) {
+    for (const support::TransportKind kind : support::kTransportKinds) {
       for (const std::uint32_t transports : {10U, 20U, 50U, 100U, 200U}) {
         if (transports <= arguments_.most) row(kind, transports);
       }
@@ -99,12 +100,12 @@ class Bench {
   }
 
   void exact() {
-    for (const Kind kind : kKinds) {
+    for (const support::TransportKind kind : support::kTransportKinds) {
       std::vector<double> times_ms;
       std::uint32_t proved = 0;
       Mean nodes;
       for (std::uint32_t seed = 1; seed <= arguments_.exact; ++seed) {
-        const AllocationProblem problem = draw(kind, 8, 4, seed);
+        const AllocationProblem problem = support::draw_transports(kind, 8, 4, seed);
         const Watch watch(arguments_.cpu_time);
         const AllocationAnswer answer =
             allocate(problem, {.time = std::chrono::seconds(20), .iterations = 500});
@@ -119,8 +120,8 @@ class Bench {
       const double median_ms = times_ms[times_ms.size() / 2], worst_ms = times_ms.back();
       std::printf(
           "8 transports, 4 vehicles, %-8s %u of %u proved, median %.1f ms, worst %.1f ms, %.0f nodes\n",
-          name_of(kind).c_str(), proved, arguments_.exact, median_ms, worst_ms, nodes.value());
-      json_["exact"].push_back({{"kind", name_of(kind)},
+          support::name_of(kind).c_str(), proved, arguments_.exact, median_ms, worst_ms, nodes.value());
+      json_["exact"].push_back({{"kind", support::name_of(kind)},
                                 {"instances", arguments_.exact},
                                 {"proved", proved},
                                 {"median_ms", median_ms},
@@ -136,14 +137,14 @@ class Bench {
     return ratio;
   }
 
-  void row(Kind kind, std::uint32_t transports) {
+  void row(support::TransportKind kind, std::uint32_t transports) {
     const std::uint32_t vehicles = std::max(3U, transports / 10);
     Mean objective, to_bound, ms, nearest_ms, insertion_ms, nearest, insertion;
     for (std::uint32_t seed = 1; seed <= arguments_.seeds; ++seed) {
-      const AllocationProblem problem = draw(kind, transports, vehicles, 1000 * transports + seed);
-      const std::chrono::milliseconds budget(static_cast<std::int64_t>(1000.0 * arguments_.seconds));
+      const AllocationProblem problem =
+          support::draw_transports(kind, transports, vehicles, 1000 * transports + seed);
       const Watch watch(arguments_.cpu_time);
-      const AllocationAnswer ours = allocate(problem, {.time = budget, .iterations = 0});
+      const AllocationAnswer ours = allocate(problem, {.iterations = arguments_.rounds});
       ms.add(watch.ms());
       const Watch nearest_watch(arguments_.cpu_time);
       const auto by_nearest = nearest_vehicle(problem);
@@ -158,11 +159,11 @@ class Bench {
       ratio(by_nearest, ours, nearest);
       ratio(by_insertion, ours, insertion);
     }
-    std::printf("%-8s %10u %8u | %10.4g %10.3f %8.1f | %9.2f %9.2f | %9.2f %9.2f\n", name_of(kind).c_str(),
-                transports, vehicles, objective.value(), to_bound.value(), ms.value(), nearest.value(),
-                nearest_ms.value(), insertion.value(), insertion_ms.value());
+    std::printf("%-8s %10u %8u | %10.4g %10.3f %8.1f | %9.2f %9.2f | %9.2f %9.2f\n",
+                support::name_of(kind).c_str(), transports, vehicles, objective.value(), to_bound.value(),
+                ms.value(), nearest.value(), nearest_ms.value(), insertion.value(), insertion_ms.value());
     std::fflush(stdout);
-    json_["rows"].push_back({{"kind", name_of(kind)},
+    json_["rows"].push_back({{"kind", support::name_of(kind)},
                              {"transports", transports},
                              {"vehicles", vehicles},
                              {"found", objective.count},
@@ -196,7 +197,8 @@ int main(int argc, char** argv) {
   CLI::App app("the allocation of transports beside rules of thumb", "bench_allocation");
   app.add_option("--most", arguments.most, "transports")->check(CLI::Range(10, 200));
   app.add_option("--seeds", arguments.seeds, "problems of each kind and size")->check(CLI::Range(1, 1000));
-  app.add_option("--seconds", arguments.seconds, "budget of each")->check(CLI::Range(0.01, 600.0));
+  app.add_option("--rounds", arguments.rounds, "of large neighbourhood search")
+      ->check(CLI::Range(1, 10000000));
   app.add_option("--exact", arguments.exact, "problems of each kind to prove")->check(CLI::Range(0, 10000));
   app.add_flag("--cpu-time", arguments.cpu_time, "CPU time of the thread instead of wall time");
   app.add_option("--json", arguments.json_file);

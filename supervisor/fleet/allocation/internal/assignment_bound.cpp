@@ -23,13 +23,13 @@ class Origins {
   std::size_t columns() const { return model_.stops() + model_.vehicles(); }
 
   std::int64_t cost(std::size_t row, std::size_t column) const {
-    const auto to = static_cast<Stop32>(row);
+    const auto to = static_cast<StopIndex>(row);
     if (column >= model_.stops()) {
       const auto v = static_cast<std::uint32_t>(column - model_.stops());
       if (!is_pick_up(to) || model_.trip(trip_of(to)).vehicles[v] == 0) return kNoWay;
       return model_.least_way_ms(v, model_.driver(v).start, model_.place(to));
     }
-    const auto from = static_cast<Stop32>(column);
+    const auto from = static_cast<StopIndex>(column);
     const std::uint32_t a = trip_of(from), b = trip_of(to);
     if (a == b) return is_pick_up(from) && !is_pick_up(to) ? least_way_ms(from, to, 0) : kNoWay;
     // Only from a set-down to a pick-up the two need not be aboard at once, and only from there.
@@ -38,7 +38,7 @@ class Origins {
   }
 
  private:
-  std::int64_t least_way_ms(Stop32 from, Stop32 to, std::uint32_t capacity) const {
+  std::int64_t least_way_ms(StopIndex from, StopIndex to, std::uint32_t capacity) const {
     std::int64_t least_ms = kNoWay;
     for (std::uint32_t v = 0; v < model_.vehicles(); ++v) {
       if (model_.driver(v).capacity < capacity) continue;
@@ -120,7 +120,7 @@ std::int64_t least_value(const TripModel& model) {
   score.travel_ms = least_travel_ms(model);
   std::int64_t work_ms = score.travel_ms;
   std::vector<std::int32_t> begin_ms;
-  for (Stop32 stop = 0; stop < model.stops(); ++stop) {
+  for (StopIndex stop = 0; stop < model.stops(); ++stop) {
     begin_ms.push_back(model.earliest_ms(stop));
     work_ms += model.service_ms(stop);
     score.makespan_ms = std::max<std::int64_t>(

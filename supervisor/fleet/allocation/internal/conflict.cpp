@@ -68,6 +68,7 @@ class Filter {
   bool shrink(std::size_t share) {
     const std::vector<Part> all = parts();
     bool any = false;
+    unknown_ = false;
     for (std::size_t i = 0; i < all.size(); i += share) {
       const auto some = std::span(all).subspan(i, std::min(share, all.size() - i));
       const Selection before = selection_;
@@ -79,7 +80,7 @@ class Filter {
       if (!changes) continue;
       leave_out_unused();
       const Judgement judgement = judge(problem_, selection_, Ways::AsGiven, limits_);
-      if (judgement == Judgement::Unknown && share == 1) unknown_ = true;
+      unknown_ |= judgement == Judgement::Unknown;
       if (judgement == Judgement::Impossible) {
         any = true;
         continue;
@@ -121,7 +122,7 @@ class Filter {
   const AllocationProblem& problem_;
   Selection selection_;
   const Limits& limits_;
-  bool unknown_ = false;
+  bool unknown_ = false;  // in the last pass
 };
 
 Selection nothing_of(const AllocationProblem& problem) {

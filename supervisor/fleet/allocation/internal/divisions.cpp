@@ -122,4 +122,33 @@ JointDivisions joint_divisions(const AllocationProblem& problem, const Selection
   return joint;
 }
 
+JointDivisions usual_divisions(const AllocationProblem& problem, const Selection& selection) {
+  const Amounts left = undivided(problem, selection);
+  std::set<std::uint32_t, std::greater<>> found;
+  for (const TransportVehicle& vehicle : problem.vehicles) found.insert(vehicle.capacity);
+  const std::vector<std::uint32_t> classes(found.begin(), found.end());
+  // Full loads of the largest vehicle that may take it and is no larger than `most`, and the rest.
+  const auto divided = [&](std::uint32_t t, std::uint32_t most) {
+    const std::vector<std::uint32_t> sizes = capacities(problem, selection, t);
+    if (!problem.transports[t].divisible || sizes.empty()) return Amounts{left[t]};
+    const auto size = std::ranges::find_if(sizes, [most](std::uint32_t c) { return c <= most; });
+    const std::uint32_t load = size == sizes.end() ? sizes.back() : *size;
+    Amounts amounts(left[t] / load, load);
+    if (left[t] % load > 0) amounts.push_back(left[t] % load);
+    return amounts;
+  };
+  JointDivisions joint;
+  joint.complete = classes.size() <= 1;
+  for (std::size_t i = 0; i < (classes.size() > 1 ? 2 * classes.size() : 1); ++i) {
+    Division division(problem.transports.size());
+    for (std::uint32_t t = 0; t < division.size(); ++t) {
+      if (selection.transports[t] == 0 || left[t] == 0) continue;
+      const std::size_t turn = i < classes.size() ? i : (i + t) % classes.size();
+      division[t] = divided(t, classes.empty() ? 1 : classes[turn]);
+    }
+    joint.all.push_back(std::move(division));
+  }
+  return joint;
+}
+
 }  // namespace stepwright::fleet::internal

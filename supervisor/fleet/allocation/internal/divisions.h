@@ -39,4 +39,8 @@ struct JointDivisions {
 JointDivisions joint_divisions(const AllocationProblem& problem, const Selection& selection,
                                std::size_t most_trips);
 
+// A few for problems whose divisions cannot all be tried: all transports into full loads of the largest
+// vehicles, or of those of each other capacity, or of one by turns.
+JointDivisions usual_divisions(const AllocationProblem& problem, const Selection& selection);
+
 }  // namespace stepwright::fleet::internal

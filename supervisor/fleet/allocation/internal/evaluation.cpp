@@ -31,7 +31,7 @@ std::optional<std::int32_t> post_route(const TripModel& model, std::uint32_t veh
     place = to;
     return true;
   };
-  for (const Stop32 stop : route) {
+  for (const StopIndex stop : route) {
     if (!drive(model.place(stop), TripModel::at(stop))) return std::nullopt;
     stay_ms = model.service_ms(stop);
   }
@@ -49,7 +49,7 @@ std::int64_t tardiness_ms(const TripModel& model, const std::vector<std::int32_t
   const std::vector<Transport>& transports = model.problem().transports;
   std::vector<std::int64_t> late(transports.size(), 0);
   for (std::uint32_t t = 0; t < model.trips(); ++t) {
-    const Stop32 down = set_down_of(t);
+    const StopIndex down = set_down_of(t);
     const std::uint32_t transport = model.trip(t).transport;
     if (!transports[transport].due) continue;
     const std::int64_t end_ms = static_cast<std::int64_t>(begin_ms[down]) + model.service_ms(down);
@@ -70,7 +70,7 @@ std::optional<Evaluation> evaluate(const TripModel& model, const Routes& routes)
     out.travel_ms.push_back(*travel_ms);
     out.score.travel_ms += *travel_ms;
   }
-  for (Stop32 stop = 0; stop < model.stops(); ++stop) {
+  for (StopIndex stop = 0; stop < model.stops(); ++stop) {
     out.begin_ms.push_back(network.earliest_ms(TripModel::at(stop)));
   }
   for (std::uint32_t v = 0; v < model.vehicles(); ++v) {
@@ -92,7 +92,7 @@ AllocationAnswer answer_of(const TripModel& model, const Routes& routes, const E
     route.finish = milliseconds(evaluation.finish_ms[v]);
     route.travel = milliseconds(evaluation.travel_ms[v]);
     std::uint32_t aboard = 0;
-    for (const Stop32 stop : routes[v]) {
+    for (const StopIndex stop : routes[v]) {
       const Trip& trip = model.trip(trip_of(stop));
       const Transport& transport = model.transport_of(trip_of(stop));
       RouteStop made;

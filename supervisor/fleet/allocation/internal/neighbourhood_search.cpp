@@ -15,8 +15,11 @@ namespace stepwright::fleet::internal {
 namespace {
 
 constexpr std::uint64_t kMostRemoved = 30;
+constexpr std::size_t kMostJudged = 4;         // consistent ones of them
 constexpr std::size_t kMostTried = 12;         // insertions of a coupled trip, the cheapest ones
 constexpr double kBlink = 0.02;                // how often a place is passed over
+constexpr double kSpread = 0.1;                // see RoutePlan::set_spread
+constexpr double kSmooth = 0.05;               // weight of the mean beside that of the last vehicle
 constexpr double kHot = 0.02, kCold = 0.0002;  // of the value: what the search begins and ends with
 
 }  // namespace
@@ -51,6 +54,7 @@ void NeighbourhoodSearch::run(std::uint64_t iterations, const Limits& limits) {
   for (std::uint64_t i = 0; (iterations == 0 || i < iterations) && !limits.over(); ++i) {
     ++iterations_;
     RoutePlan plan = current_;
+    plan.set_spread(kSpread * (0.5 + unit()));
     for (const std::uint32_t trip : ruined(plan)) plan.remove(trip);
     if (plan.missing().empty()) return;  // nothing can be moved
     recreate(plan, false);
@@ -66,7 +70,12 @@ void NeighbourhoodSearch::run(std::uint64_t iterations, const Limits& limits) {
 }
 
 NeighbourhoodSearch::Standing NeighbourhoodSearch::standing(const RoutePlan& plan) const {
-  return {plan.missing().size(), plan.score().value(model_.problem().objective)};
+  const std::int64_t value = plan.score().value(model_.problem().objective);
+  std::int64_t finishes_ms = 0;
+  for (std::uint32_t v = 0; v < model_.vehicles(); ++v) finishes_ms += plan.finish_ms(v);
+  const double mean_ms = static_cast<double>(finishes_ms) / std::max(1U, model_.vehicles());
+  const double smooth = kSmooth * model_.problem().objective.makespan * mean_ms;
+  return {plan.missing().size(), value, value + static_cast<std::int64_t>(smooth)};
 }
 
 void NeighbourhoodSearch::keep_if_better(const RoutePlan& plan, const Standing& now) {
@@ -83,9 +92,10 @@ void NeighbourhoodSearch::keep_if_better(const RoutePlan& plan, const Standing& 
 }
 
 bool NeighbourhoodSearch::accept(const Standing& now, double temperature) {
-  if (now <= current_standing_) return true;
+  if (now.missing < current_standing_.missing) return true;
   if (now.missing > current_standing_.missing) return false;
-  const double worse = static_cast<double>(now.value - current_standing_.value);
+  const double worse = static_cast<double>(now.smooth - current_standing_.smooth);
+  if (worse <= 0) return true;
   return temperature > 0 && unit() < std::exp(-worse / temperature);
 }
 
@@ -95,7 +105,7 @@ NeighbourhoodSearch::Trips NeighbourhoodSearch::ruined(const RoutePlan& plan) {
     if (plan.removable(t)) among.push_back(t);
   }
   if (among.empty()) return among;
-  const std::uint64_t most = std::min<std::uint64_t>({among.size(), kMostRemoved, 4 + among.size() / 3});
+  const std::uint64_t most = std::min<std::uint64_t>({among.size(), kMostRemoved, 8 + among.size() / 4});
   const std::size_t count = 1 + below(most);
   Trips out;
   const std::uint64_t way = below(8);
@@ -130,7 +140,7 @@ NeighbourhoodSearch::Trips NeighbourhoodSearch::related_to(std::uint32_t trip, c
 double NeighbourhoodSearch::distance(std::uint32_t a, std::uint32_t b, const RoutePlan& plan) const {
   const std::vector<std::uint32_t>& tied = coupled_with_[model_.trip(a).transport];
   if (a == b || std::ranges::find(tied, model_.trip(b).transport) != tied.end()) return 0.0;
-  const auto way = [&](Stop32 from, Stop32 to) {
+  const auto way = [&](StopIndex from, StopIndex to) {
     // Any vehicle will do: near is near for all of them.
     const std::uint32_t v = plan.vehicle_of(b) == kNone ? 0 : plan.vehicle_of(b);
     return static_cast<double>(std::min(model_.least_way_ms(v, model_.place(from), model_.place(to)),
@@ -246,17 +256,39 @@ void NeighbourhoodSearch::put_back(RoutePlan& plan, std::uint32_t trip,
     if (best) plan.insert(trip, *best);
     return;
   }
-  const std::span<const Insertion> all = plan.insertions(trip);
-  std::vector<Insertion> tried(all.begin(), all.end());
-  std::ranges::stable_sort(tried, {}, &Insertion::cost);
-  // Cheap places may all be wrong for the same reason: some are tried from all over.
-  const std::size_t step = std::max<std::size_t>(1, tried.size() / kMostTried);
-  for (std::size_t i = 0; i < tried.size(); i += i < kMostTried ? 1 : step) {
-    if (!post(plan, trip, tried[i])) continue;
-    plan.insert(trip, tried[i]);
-    plan.set_windows(*network_);
-    return;
+  // What an insertion delays elsewhere only the network knows: a few are judged by what they come to.
+  std::optional<Insertion> chosen;
+  std::int64_t least = 0;
+  std::size_t judged = 0;
+  for (const Insertion& at : diverse(plan.insertions(trip))) {
+    const Network::Mark mark = network_->mark();
+    if (unit() < kBlink || !post(plan, trip, at)) continue;
+    RoutePlan trial = plan;
+    trial.insert(trip, at);
+    trial.set_windows(*network_);
+    const std::int64_t value = standing(trial).smooth;
+    network_->undo(mark);
+    if (!chosen || value < least) {
+      chosen = at;
+      least = value;
+    }
+    if (++judged == kMostJudged) break;
   }
+  if (!chosen || !post(plan, trip, *chosen)) return;
+  plan.insert(trip, *chosen);
+  plan.set_windows(*network_);
+}
+
+std::vector<Insertion> NeighbourhoodSearch::diverse(std::span<const Insertion> all) const {
+  std::vector<Insertion> sorted(all.begin(), all.end()), out, rest;
+  std::ranges::stable_sort(sorted, {}, &Insertion::cost);
+  std::vector<char> seen(model_.vehicles(), 0);
+  for (const Insertion& insertion : sorted) {
+    (seen[insertion.vehicle]++ == 0 ? out : rest).push_back(insertion);
+  }
+  const std::size_t step = std::max<std::size_t>(1, rest.size() / kMostTried);
+  for (std::size_t i = 0; i < rest.size(); i += i < kMostTried ? 1 : step) out.push_back(rest[i]);
+  return out;
 }
 
 void NeighbourhoodSearch::start_network(const RoutePlan& plan) {
@@ -267,7 +299,7 @@ void NeighbourhoodSearch::start_network(const RoutePlan& plan) {
     Timepoint at = model_.start_of(v);
     std::uint32_t place = model_.driver(v).start;
     std::int32_t stay_ms = 0;
-    for (const Stop32 stop : plan.routes()[v]) {
+    for (const StopIndex stop : plan.routes()[v]) {
       const std::int32_t way_ms = model_.way_ms(v, place, model_.place(stop));
       consistent =
           consistent && way_ms < kNoWay && network_->post({at, TripModel::at(stop), way_ms + stay_ms, 0});

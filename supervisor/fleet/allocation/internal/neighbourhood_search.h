@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "supervisor/fleet/allocation/internal/limits.h"
@@ -45,6 +46,8 @@ class NeighbourhoodSearch {
   struct Standing {
     std::size_t missing = 0;
     std::int64_t value = 0;
+    std::int64_t smooth =
+        0;  // what is compared with the plan before: when all vehicles are ready counts, too
     friend auto operator<=>(const Standing&, const Standing&) = default;
   };
   using Trips = std::vector<std::uint32_t>;
@@ -63,6 +66,9 @@ class NeighbourhoodSearch {
   void by_regret(RoutePlan& plan, const Trips& trips);
   void shuffle(Trips& trips);
   void put_back(RoutePlan& plan, std::uint32_t trip, const std::optional<Insertion>& best);
+  // The cheapest insertion into each route, then other cheap ones, then some from all over: cheap places may
+  // all be wrong for the same reason.
+  std::vector<Insertion> diverse(std::span<const Insertion> all) const;
   void start_network(const RoutePlan& plan);
   bool post(const RoutePlan& plan, std::uint32_t trip, const Insertion& at);
 

@@ -9,14 +9,6 @@
 
 namespace stepwright::fleet::internal {
 
-namespace {
-
-// How much of the makespan's weight an hour of a vehicle counts that is not the last one to be ready: loads
-// are spread before the makespan shows it.
-constexpr double kSpread = 0.1;
-
-}  // namespace
-
 RoutePlan::RoutePlan(const TripModel& model)
     : model_(&model),
       routes_(model.vehicles()),
@@ -25,14 +17,14 @@ RoutePlan::RoutePlan(const TripModel& model)
       pick_up_fixed_(model.trips(), 0),
       set_down_fixed_(model.trips(), 0),
       begin_ms_(model.stops(), 0) {
-  for (Stop32 stop = 0; stop < model.stops(); ++stop) {
+  for (StopIndex stop = 0; stop < model.stops(); ++stop) {
     earliest_ms_.push_back(model.earliest_ms(stop));
     latest_ms_.push_back(model.latest_ms(stop));
   }
   for (std::uint32_t v = 0; v < model.vehicles(); ++v) {
     starts_ms_.push_back(model.start_ms(v));
     routes_[v] = model.driver(v).fixed;
-    for (const Stop32 stop : routes_[v]) {
+    for (const StopIndex stop : routes_[v]) {
       vehicle_of_[trip_of(stop)] = v;
       (is_pick_up(stop) ? pick_up_fixed_ : set_down_fixed_)[trip_of(stop)] = 1;
     }
@@ -71,7 +63,7 @@ bool RoutePlan::range(std::uint32_t trip, std::uint32_t vehicle, std::uint32_t& 
   first = static_cast<std::uint32_t>(driver.fixed.size());
   end = static_cast<std::uint32_t>(route.size());
   if (model_->trip(trip).vehicles[vehicle] == 0) return false;
-  const auto position = [&](Stop32 stop) {
+  const auto position = [&](StopIndex stop) {
     return static_cast<std::uint32_t>(std::ranges::find(route, stop) - route.begin());
   };
   for (const std::uint32_t before : model_->trip(trip).predecessors) {
@@ -102,7 +94,7 @@ void RoutePlan::candidate_insertions(std::uint32_t trip, std::uint32_t vehicle) 
                    0);
     return;
   }
-  const Stop32 up = pick_up_of(trip);
+  const StopIndex up = pick_up_of(trip);
   for (std::uint32_t at = first; at <= end; ++at) {
     if (profile.load[at] + model_->trip(trip).amount > model_->driver(vehicle).capacity) continue;
     const std::uint32_t before = place_before(vehicle, at);
@@ -121,14 +113,14 @@ void RoutePlan::place_set_down(std::uint32_t trip, std::uint32_t vehicle, std::u
   const Route& route = routes_[vehicle];
   const Profile& profile = profiles_[vehicle];
   const AllocationObjective& weights = model_->problem().objective;
-  const Stop32 down = set_down_of(trip);
+  const StopIndex down = set_down_of(trip);
   // A pick-up that is fixed counts already, up to the end of the route.
   const std::uint32_t extra = pick_up == kNone ? 0 : model_->trip(trip).amount;
   // What the vehicle drives from the change on to stop `at`, as the route is now.
   std::int64_t replaced_ms = 0;
   for (std::uint32_t at = first; at <= end; ++at) {
     if (at > first) {
-      const Stop32 passed = route[at - 1];
+      const StopIndex passed = route[at - 1];
       const std::int32_t way_ms = model_->way_ms(vehicle, place, model_->place(passed));
       const bool room = profile.load[at] + extra <= model_->driver(vehicle).capacity;
       if (way_ms >= kNoWay || !room) return;
@@ -155,7 +147,7 @@ void RoutePlan::place_set_down(std::uint32_t trip, std::uint32_t vehicle, std::u
         static_cast<double>(weights.makespan) * static_cast<double>(longer_ms) +
         static_cast<double>(weights.travel) * static_cast<double>(travel_ms) +
         static_cast<double>(weights.tardiness) * static_cast<double>(later_ms) +
-        (kSpread * weights.makespan + 0.01) * static_cast<double>(rest->finish_ms - profile.finish_ms);
+        (spread_ * weights.makespan + 0.01) * static_cast<double>(rest->finish_ms - profile.finish_ms);
     candidates_.push_back({cost, vehicle, pick_up, at});
   }
 }
@@ -164,23 +156,33 @@ std::optional<RoutePlan::Tail> RoutePlan::tail(std::uint32_t vehicle, std::uint3
                                                std::uint32_t place) const {
   const Route& route = routes_[vehicle];
   const Profile& profile = profiles_[vehicle];
-  Tail out{profile.finish_ms, 0};
-  for (std::uint32_t k = at; k < route.size(); ++k) {
-    const Stop32 stop = route[k];
-    const std::int64_t begin_ms = std::max<std::int64_t>(
-        earliest_ms_[stop], ready_ms + model_->way_ms(vehicle, place, model_->place(stop)));
-    if (begin_ms > profile.latest_ms[k]) return std::nullopt;
-    if (begin_ms == begin_ms_[stop]) return out;  // nothing changes from here on
-    out.later_ms += late_ms(stop, begin_ms) - late_ms(stop, begin_ms_[stop]);
-    ready_ms = begin_ms + model_->service_ms(stop);
-    place = model_->place(stop);
+  Tail out{ready_ms + gap_ms(vehicle, at, place), 0};
+  if (at < route.size()) {
+    const std::int64_t begin_ms = std::max<std::int64_t>(earliest_ms_[route[at]], out.finish_ms);
+    if (begin_ms > profile.latest_ms[at]) return std::nullopt;
+    out.finish_ms = std::max(begin_ms + profile.after_ms[at], profile.floor_ms[at]);
+    if (model_->problem().objective.tardiness > 0) out.later_ms = later_ms(vehicle, at, begin_ms);
   }
-  out.finish_ms = ready_ms + gap_ms(vehicle, static_cast<std::uint32_t>(route.size()), place);
   if (out.finish_ms > kHorizon_ms) return std::nullopt;
   return out;
 }
 
-std::int64_t RoutePlan::late_ms(Stop32 stop, std::int64_t begin_ms) const {
+std::int64_t RoutePlan::later_ms(std::uint32_t vehicle, std::uint32_t at, std::int64_t begin_ms) const {
+  const Route& route = routes_[vehicle];
+  std::int64_t sum_ms = 0;
+  for (std::uint32_t k = at; k < route.size(); ++k) {
+    const StopIndex stop = route[k];
+    if (begin_ms == begin_ms_[stop]) break;  // nothing changes from here on
+    sum_ms += late_ms(stop, begin_ms) - late_ms(stop, begin_ms_[stop]);
+    if (k + 1 == route.size()) break;
+    const std::int64_t next_ms =
+        begin_ms + model_->service_ms(stop) + gap_ms(vehicle, k + 1, model_->place(stop));
+    begin_ms = std::max<std::int64_t>(earliest_ms_[route[k + 1]], next_ms);
+  }
+  return sum_ms;
+}
+
+std::int64_t RoutePlan::late_ms(StopIndex stop, std::int64_t begin_ms) const {
   const Transport& transport = model_->transport_of(trip_of(stop));
   if (is_pick_up(stop) || !transport.due) return 0;
   const std::int64_t end_ms = begin_ms + model_->service_ms(stop);
@@ -221,7 +223,7 @@ void RoutePlan::remove(std::uint32_t trip) {
 }
 
 void RoutePlan::set_windows(const Network& network) {
-  for (Stop32 stop = 0; stop < model_->stops(); ++stop) {
+  for (StopIndex stop = 0; stop < model_->stops(); ++stop) {
     earliest_ms_[stop] = network.earliest_ms(TripModel::at(stop));
     latest_ms_[stop] = std::min(network.latest_ms(TripModel::at(stop)), model_->latest_ms(stop));
   }
@@ -238,9 +240,11 @@ void RoutePlan::refresh(std::uint32_t vehicle) {
   profile.ready_ms.assign(stops + 1, starts_ms_[vehicle]);
   profile.load.assign(stops + 1, 0);
   profile.latest_ms.assign(stops, 0);
+  profile.after_ms.assign(stops, 0);
+  profile.floor_ms.assign(stops, 0);
   profile.travel_ms = 0;
   for (std::uint32_t k = 0; k < stops; ++k) {
-    const Stop32 stop = route[k];
+    const StopIndex stop = route[k];
     const std::int64_t way_ms = gap_ms(vehicle, k, place_before(vehicle, k));
     const std::uint32_t amount = model_->trip(trip_of(stop)).amount;
     begin_ms_[stop] = static_cast<std::int32_t>(std::min<std::int64_t>(
@@ -257,6 +261,15 @@ void RoutePlan::refresh(std::uint32_t vehicle) {
   for (std::uint32_t k = end; k-- > 0;) {
     latest_ms = std::min<std::int64_t>(latest_ms - model_->service_ms(route[k]), latest_ms_[route[k]]);
     profile.latest_ms[k] = latest_ms;
+    const std::int64_t onward_ms = model_->service_ms(route[k]) +
+                                   (k + 1 == end ? home_ms : gap_ms(vehicle, k + 1, model_->place(route[k])));
+    if (k + 1 == end) {
+      profile.after_ms[k] = onward_ms;
+    } else {
+      const std::int64_t next_ms = earliest_ms_[route[k + 1]];
+      profile.after_ms[k] = onward_ms + profile.after_ms[k + 1];
+      profile.floor_ms[k] = std::max(profile.floor_ms[k + 1], next_ms + profile.after_ms[k + 1]);
+    }
     latest_ms -= gap_ms(vehicle, k, place_before(vehicle, k));
   }
 }

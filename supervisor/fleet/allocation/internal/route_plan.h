@@ -35,7 +35,7 @@ class RoutePlan {
   // Trips that are not in, or of which the set-down is not.
   const std::vector<std::uint32_t>& missing() const { return missing_; }
   std::uint32_t vehicle_of(std::uint32_t trip) const { return vehicle_of_[trip]; }
-  std::int32_t begin_ms(Stop32 stop) const { return begin_ms_[stop]; }
+  std::int32_t begin_ms(StopIndex stop) const { return begin_ms_[stop]; }
   std::int64_t finish_ms(std::uint32_t vehicle) const { return profiles_[vehicle].finish_ms; }
   // Trips that `remove` may take out.
   bool removable(std::uint32_t trip) const;
@@ -61,6 +61,10 @@ class RoutePlan {
   void insert(std::uint32_t trip, const Insertion& at);
   void remove(std::uint32_t trip);
 
+  // How much of the makespan's weight a millisecond counts of a vehicle that is not the last one to be ready:
+  // loads are spread before the makespan shows it.
+  void set_spread(double share) { spread_ = share; }
+
   // Between which times services may begin: from the network, in place of the model's windows.
   void set_windows(const Network& network);
 
@@ -69,6 +73,9 @@ class RoutePlan {
     std::vector<std::int64_t> ready_ms;   // before each stop, and at the end: the service before has ended
     std::vector<std::int64_t> latest_ms;  // of each stop, so that all after it are in time
     std::vector<std::uint32_t> load;      // before each stop, and at the end
+    // The vehicle is ready at the end max(begin + after_ms, floor_ms), if stop k begins at `begin`.
+    std::vector<std::int64_t> after_ms;
+    std::vector<std::int64_t> floor_ms;
     std::int64_t travel_ms = 0;
     std::int64_t finish_ms = 0;
   };
@@ -85,7 +92,9 @@ class RoutePlan {
   // The vehicle is ready at `place` and makes the stops from `at` on.
   std::optional<Tail> tail(std::uint32_t vehicle, std::uint32_t at, std::int64_t ready_ms,
                            std::uint32_t place) const;
-  std::int64_t late_ms(Stop32 stop, std::int64_t begin_ms) const;
+  // The tardiness that is added if the stops from `at` on begin later.
+  std::int64_t later_ms(std::uint32_t vehicle, std::uint32_t at, std::int64_t begin_ms) const;
+  std::int64_t late_ms(StopIndex stop, std::int64_t begin_ms) const;
   std::int64_t gap_ms(std::uint32_t vehicle, std::uint32_t at, std::uint32_t place) const;
   std::uint32_t place_before(std::uint32_t vehicle, std::uint32_t at) const;
   void refresh(std::uint32_t vehicle);
@@ -102,6 +111,7 @@ class RoutePlan {
   std::vector<std::int32_t> latest_ms_;
   std::vector<std::int32_t> starts_ms_;
   std::int64_t other_finish_ms_ = 0;
+  double spread_ = 0.1;
   std::vector<Insertion> candidates_;
 };
 

@@ -69,11 +69,11 @@ void RouteTables::fill(Kind& kind) const {
   std::size_t codes = 1;
   for (std::uint32_t t = 0; t < trips; ++t) codes *= 3;
   kind.rest.assign(codes * stops, {});
-  std::vector<std::pair<Stop32, Effort>> next;
+  std::vector<std::pair<StopIndex, Effort>> next;
   for (std::size_t code = 0; code < codes; ++code) {
     Effort* const row = &kind.rest[code * stops];
     if (code == 0) {
-      for (Stop32 last = 0; last < stops; ++last) row[last] = finish_from(v, model_.place(last));
+      for (StopIndex last = 0; last < stops; ++last) row[last] = finish_from(v, model_.place(last));
       continue;
     }
     // A stop takes one from the digit of its trip: 2 to be picked up, 1 aboard, 0 done or not ours.
@@ -89,13 +89,13 @@ void RouteTables::fill(Kind& kind) const {
       const std::size_t digit = left % 3;
       if (digit == 0 || model_.trip(t).vehicles[v] == 0) continue;
       if (digit == 2 && load + model_.trip(t).amount > model_.driver(v).capacity) continue;
-      const Stop32 stop = digit == 2 ? pick_up_of(t) : set_down_of(t);
+      const StopIndex stop = digit == 2 ? pick_up_of(t) : set_down_of(t);
       Effort then = kind.rest[(code - power) * stops + stop];
       if (then.travel_ms >= kNoWay) continue;
       then.time_ms = sum(then.time_ms, model_.service_ms(stop));
       next.emplace_back(stop, then);
     }
-    for (Stop32 last = 0; last < stops; ++last) {
+    for (StopIndex last = 0; last < stops; ++last) {
       for (const auto& [stop, then] : next) {
         keep_least(row[last], then, model_.least_way_ms(v, model_.place(last), model_.place(stop)));
       }

@@ -30,7 +30,7 @@ class RouteTables {
   explicit RouteTables(const TripModel& model);
 
   // From the end of the service at `last`: to set down what is aboard and to make all trips of `to_do`.
-  Effort rest(std::uint32_t vehicle, Stop32 last, TripMask aboard, TripMask to_do) const {
+  Effort rest(std::uint32_t vehicle, StopIndex last, TripMask aboard, TripMask to_do) const {
     const std::size_t code = digits_[aboard] + 2 * static_cast<std::size_t>(digits_[to_do]);
     return kinds_[kind_of_[vehicle]].rest[code * model_.stops() + last];
   }

@@ -87,9 +87,10 @@ class TripModelMaker {
       place_of(vehicle.start);
       if (vehicle.finish) place_of(*vehicle.finish);
     }
-    for (const Transport& transport : problem_.transports) {
-      place_of(transport.from);
-      place_of(transport.to);
+    for (std::size_t t = 0; t < problem_.transports.size(); ++t) {
+      if (selection_.transports[t] == 0) continue;
+      place_of(problem_.transports[t].from);
+      place_of(problem_.transports[t].to);
     }
     for (const TravelTimes& times : problem_.classes) {
       std::vector<std::int32_t> ways;
@@ -192,7 +193,7 @@ class TripModelMaker {
   void check_fixed(const Driver& driver) {
     std::uint64_t load = 0;
     std::vector<char> done(model_.trips(), 0);
-    for (const Stop32 stop : driver.fixed) {
+    for (const StopIndex stop : driver.fixed) {
       const Trip& trip = model_.trips_[trip_of(stop)];
       if (is_pick_up(stop)) {
         load += trip.amount;
@@ -292,7 +293,7 @@ class TripModelMaker {
     std::vector<Moment> moments;
     for (std::uint32_t t = 0; t < model_.trips(); ++t) {
       if (model_.trips_[t].transport != timepoint.index) continue;
-      const Stop32 down = set_down_of(t);
+      const StopIndex down = set_down_of(t);
       moments.push_back(timepoint.moment == TransportMoment::TransportStart
                             ? Moment{TripModel::at(pick_up_of(t)), 0, t}
                             : Moment{TripModel::at(down), model_.service_ms(down), t});
@@ -335,7 +336,7 @@ class TripModelMaker {
       return;
     }
     network.track_latest();
-    for (Stop32 stop = 0; stop < model_.stops(); ++stop) {
+    for (StopIndex stop = 0; stop < model_.stops(); ++stop) {
       model_.earliest_.push_back(network.earliest_ms(TripModel::at(stop)));
       model_.latest_.push_back(
           std::min(network.latest_ms(TripModel::at(stop)), kHorizon_ms - model_.service_ms(stop)));

@@ -21,21 +21,21 @@ namespace stepwright::fleet::internal {
 inline constexpr std::int32_t kNoWay = 1'000'000'000;
 inline constexpr std::uint32_t kNone = 0xffffffff;
 
-using Stop32 = std::uint32_t;
-constexpr Stop32 pick_up_of(std::uint32_t trip) {
+using StopIndex = std::uint32_t;
+constexpr StopIndex pick_up_of(std::uint32_t trip) {
   return 2 * trip;
 }
-constexpr Stop32 set_down_of(std::uint32_t trip) {
+constexpr StopIndex set_down_of(std::uint32_t trip) {
   return 2 * trip + 1;
 }
-constexpr std::uint32_t trip_of(Stop32 stop) {
+constexpr std::uint32_t trip_of(StopIndex stop) {
   return stop / 2;
 }
-constexpr bool is_pick_up(Stop32 stop) {
+constexpr bool is_pick_up(StopIndex stop) {
   return stop % 2 == 0;
 }
 
-using Route = std::vector<Stop32>;
+using Route = std::vector<StopIndex>;
 using Routes = std::vector<Route>;  // by vehicle
 
 struct Trip {
@@ -77,8 +77,8 @@ class TripModel {
   // Some trip is coupled: times need the network.
   bool coupled() const { return coupled_; }
 
-  std::uint32_t place(Stop32 stop) const { return place_[stop]; }
-  std::int32_t service_ms(Stop32 stop) const { return service_[stop]; }
+  std::uint32_t place(StopIndex stop) const { return place_[stop]; }
+  std::int32_t service_ms(StopIndex stop) const { return service_[stop]; }
   // kNoWay if there is none.
   std::int32_t way_ms(std::uint32_t vehicle, std::uint32_t from, std::uint32_t to) const {
     return ways_[drivers_[vehicle].vehicle_class][from * places_ + to];
@@ -89,11 +89,11 @@ class TripModel {
   }
 
   // When a service can begin at all, whoever does it.
-  std::int32_t earliest_ms(Stop32 stop) const { return earliest_[stop]; }
-  std::int32_t latest_ms(Stop32 stop) const { return latest_[stop]; }
+  std::int32_t earliest_ms(StopIndex stop) const { return earliest_[stop]; }
+  std::int32_t latest_ms(StopIndex stop) const { return latest_[stop]; }
 
   std::size_t timepoints() const { return 1 + stops() + 2 * static_cast<std::size_t>(vehicles()); }
-  static Timepoint at(Stop32 stop) { return Timepoint(1 + stop); }
+  static Timepoint at(StopIndex stop) { return Timepoint(1 + stop); }
   Timepoint start_of(std::uint32_t vehicle) const { return Timepoint(1 + stops() + vehicle); }
   Timepoint finish_of(std::uint32_t vehicle) const { return Timepoint(1 + stops() + vehicles() + vehicle); }
   // What holds whatever the routes are; consistent unless contradiction().

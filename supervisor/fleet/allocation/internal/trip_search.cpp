@@ -48,6 +48,13 @@ TripSearch::TripSearch(const TripModel& model, const AllocationObjective& object
   const bool consistent = network_.post(model.constraints());
   assert(consistent);
   (void)consistent;
+  for (StopIndex stop = 0; stop < model.stops(); ++stop) {
+    last_end_ms_ =
+        std::max<std::int64_t>(last_end_ms_, model.latest_ms(stop) + std::int64_t(model.service_ms(stop)));
+  }
+  for (std::uint32_t v = 0; v < model.vehicles(); ++v) {
+    if (model.driver(v).finish != kNone) last_end_ms_ = kHorizon_ms;
+  }
   pick_up_from_.assign(model.vehicles() + 1, std::vector<std::int64_t>(model.trips(), kNoWay));
   for (std::uint32_t v = model.vehicles(); v-- > 0;) {
     for (std::uint32_t t = 0; t < model.trips(); ++t) {
@@ -98,13 +105,13 @@ void TripSearch::branch(const Node& node) {
   const Driver& driver = model_.driver(node.vehicle);
   const std::size_t made = routes_[node.vehicle].size();
   if (made < driver.fixed.size()) {
-    const Stop32 stop = driver.fixed[made];
+    const StopIndex stop = driver.fixed[made];
     if (!is_pick_up(stop) || may_pick_up(node, trip_of(stop))) append(node, stop);
     return;
   }
   if (!driver.whole) {
-    std::vector<std::pair<std::int64_t, Stop32>> stops;
-    const auto add = [&](Stop32 stop) {
+    std::vector<std::pair<std::int64_t, StopIndex>> stops;
+    const auto add = [&](StopIndex stop) {
       const std::int32_t way_ms = model_.way_ms(node.vehicle, place_of(node), model_.place(stop));
       if (way_ms >= kNoWay) return;
       stops.emplace_back(std::max<std::int64_t>(model_.earliest_ms(stop), node.ready_ms + way_ms), stop);
@@ -133,7 +140,7 @@ bool TripSearch::may_pick_up(const Node& node, std::uint32_t t) const {
   });
 }
 
-void TripSearch::append(const Node& node, Stop32 stop) {
+void TripSearch::append(const Node& node, StopIndex stop) {
   const std::uint32_t v = node.vehicle, t = trip_of(stop);
   const std::int32_t way_ms = model_.way_ms(v, place_of(node), model_.place(stop));
   if (way_ms >= kNoWay) return;
@@ -231,7 +238,7 @@ std::int64_t TripSearch::bound(const Node& node) const {
       const std::int64_t end_ms = node.last == kNone ? mine.time_ms : node.ready_ms + mine.time_ms;
       const Score score{std::max({node.makespan_ms, end_ms, std::int64_t(others.time_ms)}),
                         node.travel_ms + mine.travel_ms + others.travel_ms, 0};
-      best = std::min(best, score.value(objective_));
+      if (score.makespan_ms <= last_end_ms_) best = std::min(best, score.value(objective_));
     }
     if (own == 0) break;
   }
@@ -245,7 +252,7 @@ std::int64_t TripSearch::least_tardiness(const Node& node) const {
   each(node.aboard | node.to_do, [&](std::uint32_t t) {
     const Transport& transport = model_.transport_of(t);
     if (!transport.due) return;
-    const Stop32 up = pick_up_of(t), down = set_down_of(t);
+    const StopIndex up = pick_up_of(t), down = set_down_of(t);
     std::int64_t begin_ms = node.ready_ms + model_.least_way_ms(v, here, model_.place(down));
     if ((node.to_do & bit(t)) != 0) {
       std::int64_t up_ms = pick_up_from_[v + 1][t];
@@ -267,11 +274,11 @@ bool TripSearch::in_time(const Node& node) const {
   const std::uint32_t v = node.vehicle, here = place_of(node);
   bool all = true;
   each(node.aboard, [&](std::uint32_t t) {
-    const Stop32 down = set_down_of(t);
+    const StopIndex down = set_down_of(t);
     all &= node.ready_ms + model_.least_way_ms(v, here, model_.place(down)) <= model_.latest_ms(down);
   });
   each(node.to_do, [&](std::uint32_t t) {
-    const Stop32 up = pick_up_of(t);
+    const StopIndex up = pick_up_of(t);
     std::int64_t up_ms = pick_up_from_[v + 1][t];
     if (model_.trip(t).vehicles[v] != 0) {
       up_ms = std::min(up_ms, node.ready_ms + model_.least_way_ms(v, here, model_.place(up)));
@@ -320,7 +327,7 @@ std::int64_t TripSearch::made_makespan(std::uint32_t vehicles) const {
 std::int64_t TripSearch::made_tardiness() {
   std::ranges::fill(late_ms_, 0);
   for (const Route& route : routes_) {
-    for (const Stop32 stop : route) {
+    for (const StopIndex stop : route) {
       const Transport& transport = model_.transport_of(trip_of(stop));
       if (is_pick_up(stop) || !transport.due) continue;
       std::int64_t& late_ms = late_ms_[model_.trip(trip_of(stop)).transport];

@@ -3,9 +3,9 @@
 // Branch and bound over routes, stop by stop and vehicle by vehicle: complete for one division of the loads.
 //
 // What is cut off: a bound (RouteTables, for what is left of this route and the vehicles to come) that is no
-// better than the best value; times outside of windows or, where trips are coupled, a network that is
-// inconsistent; partial allocations that another one dominates (no coupled trips only); all but one of what
-// differs by exchanging trips or vehicles that are alike.
+// better than the best value, or later than every window; times outside of windows or, where trips are
+// coupled, a network that is inconsistent; partial allocations that another one dominates (no coupled trips
+// only); all but one of what differs by exchanging trips or vehicles that are alike.
 //
 //   TripSearch search(model, objective, limits);
 //   search.run(best_value);
@@ -63,7 +63,7 @@ class TripSearch {
   void visit(const Node& node);
   void branch(const Node& node);
   void close(const Node& node);
-  void append(const Node& node, Stop32 stop);
+  void append(const Node& node, StopIndex stop);
   bool may_pick_up(const Node& node, std::uint32_t trip) const;
   void record();
 
@@ -94,6 +94,7 @@ class TripSearch {
   std::int64_t best_ = kNoValue;
   Routes routes_;
   std::vector<std::int64_t> late_ms_;  // by transport, of the trips made
+  std::int64_t last_end_ms_ = 0;       // no vehicle may be ready later
   // By vehicle and trip: when that vehicle or a later one can begin to pick up, at the earliest.
   std::vector<std::vector<std::int64_t>> pick_up_from_;
   DominanceStore store_;

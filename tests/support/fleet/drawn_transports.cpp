@@ -1,4 +1,4 @@
-#include "tests/bench/allocation/instance.h"
+#include "tests/support/fleet/drawn_transports.h"
 
 #include <algorithm>
 #include <chrono>
@@ -9,7 +9,7 @@
 
 #include "tests/support/fleet/split_mix.h"
 
-namespace stepwright::bench::allocation {
+namespace stepwright::support {
 
 namespace {
 
@@ -34,23 +34,23 @@ milliseconds way(const Point& a, const Point& b) {
 
 }  // namespace
 
-std::string name_of(Kind kind) {
+std::string name_of(TransportKind kind) {
   switch (kind) {
-    case Kind::Single:
+    case TransportKind::Single:
       return "single";
-    case Kind::Shared:
+    case TransportKind::Shared:
       return "shared";
-    case Kind::Due:
+    case TransportKind::Due:
       return "due";
-    case Kind::Coupled:
+    case TransportKind::Coupled:
       return "coupled";
   }
   return {};
 }
 
-fleet::AllocationProblem draw(Kind kind, std::uint32_t transports, std::uint32_t vehicles,
-                              std::uint64_t seed) {
-  support::SplitMix64 random(seed);
+fleet::AllocationProblem draw_transports(TransportKind kind, std::uint32_t transports, std::uint32_t vehicles,
+                                         std::uint64_t seed) {
+  SplitMix64 random(seed);
   fleet::AllocationProblem problem;
   std::vector<Point> points;
   const auto location = [&] {
@@ -59,13 +59,14 @@ fleet::AllocationProblem draw(Kind kind, std::uint32_t transports, std::uint32_t
     return fleet::LocationId(static_cast<std::uint32_t>(points.size() - 1));
   };
   for (std::uint32_t v = 0; v < vehicles; ++v) {
-    problem.vehicles.push_back(
-        {.name = "v" + std::to_string(v), .start = location(), .capacity = kind == Kind::Shared ? 3U : 1U});
+    problem.vehicles.push_back({.name = "v" + std::to_string(v),
+                                .start = location(),
+                                .capacity = kind == TransportKind::Shared ? 3U : 1U});
   }
   for (std::uint32_t t = 0; t < transports; ++t) {
     fleet::Transport transport;
     transport.name = "t" + std::to_string(t);
-    if (kind == Kind::Shared) {
+    if (kind == TransportKind::Shared) {
       transport.amount = t % 20 == 19 ? 7 : static_cast<std::uint32_t>(1 + random.below(3));
     }
     transport.from = location();
@@ -74,17 +75,18 @@ fleet::AllocationProblem draw(Kind kind, std::uint32_t transports, std::uint32_t
     transport.set_down_service = milliseconds(15'000);
     // A vehicle makes a trip in about 100 s: late ones are due when most are done.
     const double span_s = 110.0 * transports / vehicles;
-    if (kind == Kind::Due) transport.due = milliseconds(std::llround(1000.0 * random.between(60.0, span_s)));
+    if (kind == TransportKind::Due)
+      transport.due = milliseconds(std::llround(1000.0 * random.between(60.0, span_s)));
     problem.transports.push_back(transport);
     const fleet::TransportId id(t);
-    if (kind == Kind::Coupled && t % 4 == 3) {
+    if (kind == TransportKind::Coupled && t % 4 == 3) {
       const fleet::TransportId before(static_cast<std::uint32_t>(random.below(t)));
       problem.constraints.push_back({"after " + std::to_string(t),
                                      fleet::end_of(before),
                                      fleet::start_of(id),
                                      {milliseconds(0), milliseconds(600'000)}});
     }
-    if (kind == Kind::Coupled && t % 5 == 4) {
+    if (kind == TransportKind::Coupled && t % 5 == 4) {
       problem.constraints.push_back(
           {"deadline " + std::to_string(t),
            {},
@@ -92,7 +94,7 @@ fleet::AllocationProblem draw(Kind kind, std::uint32_t transports, std::uint32_t
            {milliseconds(0), milliseconds(std::llround(1000.0 * span_s) + 120'000)}});
     }
   }
-  if (kind == Kind::Due) problem.objective = {.makespan = 0, .travel = 1, .tardiness = 1000};
+  if (kind == TransportKind::Due) problem.objective = {.makespan = 0, .travel = 1, .tardiness = 1000};
   fleet::TravelTimes times(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     for (std::uint32_t j = 0; j < points.size(); ++j) {
@@ -103,4 +105,4 @@ fleet::AllocationProblem draw(Kind kind, std::uint32_t transports, std::uint32_t
   return problem;
 }
 
-}  // namespace stepwright::bench::allocation
+}  // namespace stepwright::support
