@@ -10,7 +10,7 @@
 namespace stepwright::bench::fleet {
 
 struct MineRow {
-  // The whole: models prepared with a stored look-up table, paths within twice the least cost, envelopes,
+  // The whole: models prepared with a stored look-up table, paths within 1.2 times the least cost, envelopes,
   // schedule in strict mode, other paths where the first ones leave none. Medians of five.
   double total_ms = 0.0;
   double prepare_ms = 0.0;

@@ -82,10 +82,11 @@ class Mutator {
 
   static bool ends(char c) { return std::string_view(",:[]{}\n").find(c) != std::string_view::npos; }
 
-  // A value, or a whole list or object.
+  // A value, or a whole list or object; mostly of the problem, which stands before the long image.
   Span span(const std::string& text) {
     if (text.empty()) return {};
-    std::size_t first = below(text.size());
+    constexpr std::size_t kProblem = 2000;
+    std::size_t first = below(below(8) != 0 && text.size() > kProblem ? kProblem : text.size());
     while (first > 0 && !ends(text[first]) && !ends(text[first - 1])) --first;
     std::size_t end = first;
     int depth = 0;

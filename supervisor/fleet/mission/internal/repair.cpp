@@ -16,6 +16,8 @@ namespace {
 using geometry::ConvexPolygon;
 
 constexpr double kMillimetres = 1000.0;
+// Where the way is closed the lattice has a lot of poses to look at before that is proved.
+constexpr std::uint64_t kMostExpanded = 20'000;
 constexpr std::array kClearOf_m = {0.0, 8.0, 16.0, 30.0};
 
 struct Avoided {
@@ -188,7 +190,7 @@ class Repair {
     for (const Avoided& place : avoided) block(map, place.area);
     const auto legs = legs_of(input_.problem, vehicle, input_.routes[vehicle]);
     const PathPlanner planner = input_.floor.planner(legs.front().model).on(map);
-    PathOptions options{.first_weight = 3.0, .last_weight = 1.2};
+    PathOptions options{.first_weight = 2.0, .last_weight = 1.5, .most_expanded = kMostExpanded};
     if (input_.limited) options.deadline = input_.until;
     std::vector<LatticePath> paths;
     for (const LegRequest& leg : legs) {

@@ -138,7 +138,7 @@ TEST(PlanFleet, ParkedVehicle_WhenInTheShortestWay_ThenTheOtherAisleIsTaken) {
   const auto v = add_vehicle(problem, "mover", {6, 6, 0});
   add_vehicle(problem, "sleeper", {20, 6, 0});
   add_task(problem, v, add_location(problem, "east", {35, 6, 0}));
-  const FleetAnswer answer = planned(problem);
+  const FleetAnswer answer = planned(problem, {.path_factor = 1.5});
   ASSERT_EQ(answer.verdict, Verdict::Scheduled) << answer.reason;
   ASSERT_EQ(answer.changes.size(), 1u);
   EXPECT_EQ(answer.changes[0].vehicle, 0u);
@@ -146,7 +146,7 @@ TEST(PlanFleet, ParkedVehicle_WhenInTheShortestWay_ThenTheOtherAisleIsTaken) {
   expect_sound(problem, answer.plan);
   // One wall more, and it is proved that there is no way past the sleeper on the paths that there are.
   wall(problem, 12, 15, 28, 24);
-  const FleetAnswer none = planned(problem);
+  const FleetAnswer none = planned(problem, {.path_factor = 1.5});
   EXPECT_EQ(none.verdict, Verdict::Infeasible);
   EXPECT_THAT(none.reason, HasSubstr("sleeper stands there all the time"));
   EXPECT_THAT(none.reason, HasSubstr("did not help"));
