@@ -12,6 +12,7 @@ namespace stepwright::bench::fleet {
 struct MineRow {
   // The whole: models prepared with a stored look-up table, paths within 1.2 times the least cost, envelopes,
   // schedule in strict mode, other paths where the first ones leave none. Medians of five.
+  // With Settings::cpu_time the wholes are CPU time of all threads; parts are wall time always.
   double total_ms = 0.0;
   double prepare_ms = 0.0;
   double paths_ms = 0.0;
