@@ -41,7 +41,7 @@ class Allocator {
     if (iterations == 0 && options_.time.count() == 0) iterations = kUsualIterations;
     make_models();
     if (models_.empty() && divisions_.complete) return infeasible(everything_);
-    const bool exact = !models_.empty() && models_.front().trips() <= exact_trips_;
+    const bool exact = !models_.empty() && provable(models_.front());
     improve(exact && (iterations == 0 || iterations > kWarmUp) ? kWarmUp : iterations);
     if (exact && search_exactly()) {
       if (!answer_) return infeasible(everything_);
@@ -73,6 +73,8 @@ class Allocator {
       if (searches_.size() < kMostSearched) searches_.emplace_back(model, options_.seed);
     }
   }
+
+  bool provable(const TripModel& model) const { return model.trips() <= exact_trips_ && tables_fit(model); }
 
   // Half of the iterations for all divisions, the other half for the best one.
   void improve(std::uint64_t iterations) {
@@ -116,7 +118,7 @@ class Allocator {
     bool proved = divisions_.complete;
     lower_bound_ = divisions_.complete ? kNoValue : 0;
     for (const TripModel& model : models_) {
-      if (model.trips() > exact_trips_) {
+      if (!provable(model)) {
         proved = false;
         lower_bound_ = 0;
         continue;
@@ -210,6 +212,8 @@ class Allocator {
 }  // namespace internal
 
 AllocationAnswer allocate(const AllocationProblem& problem, const AllocationOptions& options) {
+  // Amounts are numbers: a single one may stand for more trips than there is memory for.
+  if (internal::fewest_trips(problem, internal::Selection(problem)) > kMostTrips) return {};
   return internal::Allocator(problem, options).run();
 }
 

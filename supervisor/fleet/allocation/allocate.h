@@ -20,6 +20,9 @@
 
 namespace stepwright::fleet {
 
+// Problems with more trips than that are not tried: their answer is Exhausted.
+inline constexpr std::uint32_t kMostTrips = 2000;
+
 struct AllocationOptions {
   std::chrono::milliseconds time{0};  // budget of everything; zero = no limit
   std::uint64_t iterations = 2000;    // of large neighbourhood search; zero = until the time is over

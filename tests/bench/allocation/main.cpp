@@ -64,6 +64,11 @@ struct Mean {
     ++count;
   }
   double value() const { return count == 0 ? 0.0 : sum / count; }
+  std::string ratio() const {
+    char text[32] = "none";
+    if (count > 0) std::snprintf(text, sizeof text, "%.2f", value());
+    return text;
+  }
 };
 
 class Bench {
@@ -159,9 +164,10 @@ class Bench {
       ratio(by_nearest, ours, nearest);
       ratio(by_insertion, ours, insertion);
     }
-    std::printf("%-8s %10u %8u | %10.4g %10.3f %8.1f | %9.2f %9.2f | %9.2f %9.2f\n",
+    std::printf("%-8s %10u %8u | %10.4g %10.3f %8.1f | %9s %9.2f | %9s %9.2f\n",
                 support::name_of(kind).c_str(), transports, vehicles, objective.value(), to_bound.value(),
-                ms.value(), nearest.value(), nearest_ms.value(), insertion.value(), insertion_ms.value());
+                ms.value(), nearest.ratio().c_str(), nearest_ms.value(), insertion.ratio().c_str(),
+                insertion_ms.value());
     std::fflush(stdout);
     json_["rows"].push_back({{"kind", support::name_of(kind)},
                              {"transports", transports},

@@ -28,6 +28,14 @@ ENVELOPES = {
 
 
 class FleetCommand(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.cache = pathlib.Path(tempfile.mkdtemp(prefix="stepwright-test-"))
+
+    @classmethod
+    def tearDownClass(cls) -> None:
+        shutil.rmtree(cls.cache)
+
     def setUp(self) -> None:
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="stepwright-test-"))
         for file in CELL.glob("*.*"):
@@ -38,7 +46,7 @@ class FleetCommand(unittest.TestCase):
         shutil.rmtree(self.folder)
 
     def fleet(self, problem: str, *options: str) -> subprocess.CompletedProcess:
-        return subprocess.run([STEPWRIGHT, "fleet", self.folder / problem, "--cache", self.folder / "cache", *options],
+        return subprocess.run([STEPWRIGHT, "fleet", self.folder / problem, "--cache", self.cache, *options],
                               capture_output=True, text=True, timeout=200, check=False)
 
     def report(self, problem: str, *options: str) -> dict:
@@ -64,7 +72,7 @@ class FleetCommand(unittest.TestCase):
         for vehicle in report["polygons"]:
             for polygon in vehicle["polygons"]:
                 self.assertLessEqual(polygon["earliest_ms"][0], polygon["latest_ms"][0])
-        self.assertTrue((self.folder / "cache").exists())
+        self.assertEqual(len(list(self.cache.glob("*.table"))), 1)
         picture = xml.etree.ElementTree.parse(self.folder / "mine.svg")
         self.assertIn("loader 3", "".join(picture.getroot().itertext()))
         again = self.report("mine.json", "--path-factor", "2")

@@ -167,7 +167,7 @@ Judgement judge(const AllocationProblem& problem, const Selection& selection, Wa
   for (const Division& division : joint.all) {
     const TripModel model = make_model(problem, selection, division, ways);
     if (model.contradiction()) continue;
-    if (model.trips() > kMostTableTrips) {
+    if (!tables_fit(model)) {
       known = false;
       continue;
     }

@@ -72,6 +72,18 @@ Amounts undivided(const AllocationProblem& problem, const Selection& selection) 
   return left;
 }
 
+std::uint64_t fewest_trips(const AllocationProblem& problem, const Selection& selection) {
+  const Amounts left = undivided(problem, selection);
+  std::uint64_t trips = 0;
+  for (std::uint32_t t = 0; t < problem.transports.size(); ++t) {
+    if (selection.transports[t] == 0 || left[t] == 0) continue;
+    const std::vector<std::uint32_t> sizes = capacities(problem, selection, t);
+    const bool one = !problem.transports[t].divisible || sizes.empty();
+    trips += one ? 1 : (left[t] + std::uint64_t(sizes.front()) - 1) / sizes.front();
+  }
+  return trips;
+}
+
 Divisions divisions(const AllocationProblem& problem, const Selection& selection, std::uint32_t transport,
                     std::uint32_t amount) {
   Divisions out;

@@ -19,6 +19,9 @@ using Amounts = std::vector<std::uint32_t>;  // of trips, the largest first
 // By transport: what is left to divide; nothing if fixed routes take all, or more than there is.
 Amounts undivided(const AllocationProblem& problem, const Selection& selection);
 
+// No division of what is selected has fewer trips, but for those of fixed routes.
+std::uint64_t fewest_trips(const AllocationProblem& problem, const Selection& selection);
+
 struct Divisions {
   std::vector<Amounts> all;  // fewest trips first; the first one loads the largest vehicles
   bool complete = true;      // false: there are more

@@ -15,6 +15,7 @@ namespace stepwright::fleet::internal {
 namespace {
 
 constexpr std::uint64_t kMostRemoved = 30;
+constexpr std::size_t kMostRegretted = 400;    // trips; their time grows with the second power
 constexpr std::size_t kMostJudged = 4;         // consistent ones of them
 constexpr std::size_t kMostTried = 12;         // insertions of a coupled trip, the cheapest ones
 constexpr double kBlink = 0.02;                // how often a place is passed over
@@ -179,7 +180,7 @@ void NeighbourhoodSearch::recreate(RoutePlan& plan, bool greedy) {
     plan.set_windows(*network_);
   }
   Trips trips = plan.missing();
-  const std::uint64_t way = greedy ? 0 : below(4);
+  const std::uint64_t way = greedy ? (trips.size() <= kMostRegretted ? 0 : 1) : below(4);
   if (way == 0) {
     by_regret(plan, trips);
     return;

@@ -21,10 +21,35 @@ void keep_least(Effort& best, const Effort& other, std::int32_t way_ms) {
   best.travel_ms = std::min(best.travel_ms, sum(other.travel_ms, way_ms));
 }
 
+// Whether one table serves both vehicles.
+bool same_kind(const TripModel& model, std::uint32_t a, std::uint32_t b) {
+  const Driver &first = model.driver(a), &second = model.driver(b);
+  if (first.vehicle_class != second.vehicle_class || first.capacity != second.capacity) return false;
+  if (first.finish != second.finish) return false;
+  for (std::uint32_t t = 0; t < model.trips(); ++t) {
+    if (model.trip(t).vehicles[a] != model.trip(t).vehicles[b]) return false;
+  }
+  return true;
+}
+
+constexpr std::size_t kMostBytes = std::size_t(256) << 20;
+
 }  // namespace
 
+bool tables_fit(const TripModel& model) {
+  if (model.trips() > kMostTableTrips) return false;
+  std::size_t bytes = sizeof(Effort) * model.stops();
+  for (std::uint32_t t = 0; t < model.trips(); ++t) bytes *= 3;
+  std::vector<std::uint32_t> kinds;
+  for (std::uint32_t v = 0; v < model.vehicles(); ++v) {
+    const auto like = [&](std::uint32_t other) { return same_kind(model, other, v); };
+    if (std::ranges::none_of(kinds, like)) kinds.push_back(v);
+  }
+  return bytes * kinds.size() <= kMostBytes;
+}
+
 RouteTables::RouteTables(const TripModel& model) : model_(model) {
-  assert(model.trips() <= kMostTableTrips);
+  assert(tables_fit(model));
   const TripMask masks = TripMask(1) << model.trips();
   digits_.assign(masks, 0);
   std::uint32_t power = 1;
@@ -36,7 +61,7 @@ RouteTables::RouteTables(const TripModel& model) : model_(model) {
   }
   for (std::uint32_t v = 0; v < model.vehicles(); ++v) {
     std::size_t kind = 0;
-    while (kind < kinds_.size() && !same_kind(kinds_[kind].vehicle, v)) ++kind;
+    while (kind < kinds_.size() && !same_kind(model, kinds_[kind].vehicle, v)) ++kind;
     if (kind == kinds_.size()) {
       kinds_.push_back({v, {}});
       fill(kinds_.back());
@@ -45,16 +70,6 @@ RouteTables::RouteTables(const TripModel& model) : model_(model) {
     whole_.push_back(from_start(v));
   }
   share();
-}
-
-bool RouteTables::same_kind(std::uint32_t a, std::uint32_t b) const {
-  const Driver &first = model_.driver(a), &second = model_.driver(b);
-  if (first.vehicle_class != second.vehicle_class || first.capacity != second.capacity) return false;
-  if (first.finish != second.finish) return false;
-  for (std::uint32_t t = 0; t < model_.trips(); ++t) {
-    if (model_.trip(t).vehicles[a] != model_.trip(t).vehicles[b]) return false;
-  }
-  return true;
 }
 
 Effort RouteTables::finish_from(std::uint32_t vehicle, std::uint32_t place) const {

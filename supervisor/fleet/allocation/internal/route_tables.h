@@ -19,6 +19,9 @@ inline constexpr std::uint32_t kMostTableTrips = 11;
 
 using TripMask = std::uint32_t;  // bit t: trip t
 
+// Whether there are few enough trips and kinds of vehicles: tables take no more than 256 MB.
+bool tables_fit(const TripModel& model);
+
 struct Effort {
   std::int32_t time_ms = kNoWay;  // driving and services; not waiting
   std::int32_t travel_ms = kNoWay;
@@ -26,7 +29,7 @@ struct Effort {
 
 class RouteTables {
  public:
-  // At most kMostTableTrips trips; no contradiction.
+  // Requires tables_fit and no contradiction.
   explicit RouteTables(const TripModel& model);
 
   // From the end of the service at `last`: to set down what is aboard and to make all trips of `to_do`.
@@ -45,7 +48,6 @@ class RouteTables {
     std::uint32_t vehicle = 0;  // the first of them
     std::vector<Effort> rest;   // by code, then by last stop
   };
-  bool same_kind(std::uint32_t a, std::uint32_t b) const;
   void fill(Kind& kind) const;
   Effort finish_from(std::uint32_t vehicle, std::uint32_t place) const;
   std::vector<Effort> from_start(std::uint32_t vehicle) const;

@@ -33,7 +33,7 @@ class TripSearch {
     std::int64_t value = kNoValue;
   };
 
-  // All weights 0: any allocation will do. At most kMostTableTrips trips, and no contradiction. `nodes`: zero
+  // All weights 0: any allocation will do. Requires tables_fit and no contradiction. `nodes`: zero
   // is no limit. The model outlives the search.
   TripSearch(const TripModel& model, const AllocationObjective& objective, const Limits& limits,
              std::uint64_t nodes);

@@ -235,6 +235,20 @@ result::Diagnostics AllocationTask::unreachable() const {
                      mission_.locations[goal.from].name, mission_.locations[goal.to].name, reason),
          {}});
   }
+  for (const MissionTask& task : mission_.tasks) {
+    for (std::size_t from = 0; from < asked_.locations.size(); ++from) {
+      const std::size_t model = mission_.vehicles[task.vehicle].vehicle_class;
+      const PathAnswer* answer = floor_.find(leg(model, from, task.location));
+      if (answer == nullptr || answer->diagnostics.empty()) continue;
+      found.push_back({"F0801",
+                       result::Severity::Error,
+                       place_of(mission_, task.key),
+                       fmt::format("{}: '{}' finds no way: {}", task.key,
+                                   mission_.vehicles[task.vehicle].name, answer->diagnostics.front().message),
+                       {}});
+      break;
+    }
+  }
   return found;
 }
 

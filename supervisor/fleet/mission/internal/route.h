@@ -47,7 +47,8 @@ class AllocationTask {
   const AllocationProblem& problem() const { return asked_; }
   // Takes the times of the legs that the floor knows by now. False if nothing is new.
   bool learn();
-  // F0801 for goals of which the floor knows that no vehicle that may carry them finds its way.
+  // F0801 for goals of which the floor knows that no vehicle that may carry them finds its way, and for tasks
+  // to which there is none.
   result::Diagnostics unreachable() const;
   std::vector<Route> routes(const AllocationAnswer& answer) const;
   // Where in the file the constraints of a conflict stand, a line each.

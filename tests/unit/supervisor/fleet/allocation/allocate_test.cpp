@@ -214,6 +214,17 @@ TEST(Allocate, WhenManyLoadsFillTheLargestVehicleOnly_ThenSmallOnesHelp) {
   for (const VehicleRoute& route : answer.routes) EXPECT_FALSE(route.stops.empty());
 }
 
+TEST(Allocate, WhenALoadWouldTakeAMillionTrips_ThenItIsNotTried) {
+  AllocationProblem problem = row_of(2, 2, 1);
+  problem.vehicles[1].capacity = 3;
+  add(problem, 0, 1, 1'000'000'000);
+  EXPECT_EQ(allocate(problem).verdict, AllocationVerdict::Exhausted);
+  problem.transports[0].amount = 500;
+  const AllocationAnswer answer = allocate(problem, {.iterations = 1});
+  ASSERT_EQ(answer.verdict, AllocationVerdict::Feasible);
+  EXPECT_THAT(faults_of(answer, problem), IsEmpty());
+}
+
 TEST(Allocate, WhenCancelledBeforeAnythingIsKnown_ThenItSaysSo) {
   AllocationProblem problem = row_of(8, 1, 1);
   const TransportId left = add(problem, 3, 1), right = add(problem, 4, 7);

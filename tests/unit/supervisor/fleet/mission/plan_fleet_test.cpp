@@ -164,8 +164,13 @@ TEST(PlanFleet, Goal_WhenBehindAWall_ThenToldWithItsPlace) {
   ASSERT_FALSE(unreachable.has_value());
   EXPECT_THAT(to_string(unreachable.error()),
               HasSubstr("F0801: goals[0]: no vehicle reaches 'west' and from there 'east'"));
-  problem.goals.clear();
+  // The load could be carried, but not the task driven after it.
+  problem.goals[0].to = add_location(problem, "near", {12, 18, 0});
   add_task(problem, v, east);
+  const auto after = plan_fleet(problem, floor, {});
+  ASSERT_FALSE(after.has_value());
+  EXPECT_THAT(to_string(after.error()), HasSubstr("F0801: tasks[0]: 'v1' finds no way"));
+  problem.goals.clear();
   const auto task = plan_fleet(problem, floor, {});
   ASSERT_FALSE(task.has_value());
   EXPECT_THAT(to_string(task.error()), HasSubstr("F0801: tasks[0]: 'v1' finds no way"));
