@@ -44,7 +44,9 @@ struct NewMission {
 struct AddOptions {
   Mode mode = Mode::Strict;
   EnvelopeOptions envelope{};
-  double path_factor = 2.0;               // paths cost at most so many times the least
+  // Paths are proved to cost at most so many times the least. In mines they are a few percent longer; the
+  // search is four times as quick as with 2.
+  double path_factor = 5.0;
   std::uint32_t alternatives = 4;         // paths around vehicles that stand in the way
   std::chrono::milliseconds time{1'000};  // of the search for orders; zero: no limit
 };
