@@ -62,7 +62,7 @@ std::string text_of(const json& object, const std::string& key, const char* name
 void only(const json& object, const std::string& key, std::initializer_list<const char*> names) {
   if (!object.is_object()) reject("F0602", key, "is no object");
   for (const auto& [name, value] : object.items()) {
-    const bool known = std::ranges::any_of(names, [&](const char* n) { return name == n; });
+    const bool known = std::ranges::any_of(names, [&name = name](const char* n) { return name == n; });
     if (!known) reject("F0602", key.empty() ? name : key + "." + name, "is not known here");
   }
 }
