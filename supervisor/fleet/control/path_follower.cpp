@@ -35,7 +35,7 @@ result::Result<PathFollower> PathFollower::create(const geometry::Path& path, st
                                                   const geometry::Footprint& footprint,
                                                   const FollowerSettings& settings) {
   if (!std::ranges::all_of(path, [](const geometry::PathPose& p) { return finite(p); })) {
-    return result::fail("F0701", {}, "the path has a number that is none");
+    return result::fail("F1201", {}, "the path has a number that is none");
   }
   std::vector<Section> sections;
   for (Leg& leg : split_into_legs(path, limits.wheelbase_m)) {
@@ -43,7 +43,7 @@ result::Result<PathFollower> PathFollower::create(const geometry::Path& path, st
     sections.push_back({std::move(leg), std::move(plan)});
   }
   if (sections.empty())
-    return result::fail("F0701", {}, "the path goes nowhere", "it needs two poses at different places");
+    return result::fail("F1201", {}, "the path goes nowhere", "it needs two poses at different places");
   std::vector<Area> sides;
   for (const PathArea& area : areas) sides.push_back({area.polygon.half_planes(), area.entry_m, area.exit_m});
   return PathFollower(std::move(sections), std::move(sides), limits, footprint, settings);

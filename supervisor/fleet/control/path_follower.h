@@ -42,7 +42,7 @@ struct FollowerSettings {
 
 class PathFollower {
  public:
-  // Fails with F0701: the path has a number that is none, or goes nowhere.
+  // Fails with F1201: the path has a number that is none, or goes nowhere.
   [[nodiscard]] static result::Result<PathFollower> create(const geometry::Path& path,
                                                            std::span<const PathArea> areas,
                                                            const DriveLimits& limits,

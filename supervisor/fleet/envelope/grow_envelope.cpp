@@ -3,141 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
 #include <optional>
 
-#include "supervisor/fleet/envelope/internal/side_polygon.h"
-#include "supervisor/fleet/map/row_span.h"
+#include "supervisor/fleet/envelope/internal/polygon_growth.h"
 
 namespace stepwright::fleet {
 
 namespace {
 
-using geometry::ConvexPolygon;
 using geometry::Path;
-using internal::SidePolygon;
-
-// By how much the outline is enlarged, so that it is inside between poses too: along a chord of 0.2 m, which
-// is what a corner moves in 0.1 m, an arc of 3 m radius bulges by less.
-constexpr double kBulge_m = 0.002;
-constexpr double kInside_m = 1e-7;
-constexpr std::array<int, 3> kSides = {4, 8, 16};
-
-struct Start {
-  SidePolygon sides;
-  std::size_t last = 0;  // the last pose that was laid in
-};
-
-class Growth {
- public:
-  Growth(const OccupancyGrid& map, const geometry::Footprint& footprint, const Path& path,
-         const EnvelopeOptions& options)
-      : map_(map), path_(path), options_(options) {
-    const geometry::Footprint enlarged{footprint.front_m + kBulge_m, footprint.rear_m + kBulge_m,
-                                       footprint.half_width_m + kBulge_m};
-    for (const geometry::PathPose& pose : path) outlines_.push_back(footprint_at(pose.pose, enlarged));
-  }
-
-  // A polygon that holds the vehicle at `pose` and at the next one at least; nothing if an obstacle is
-  // between.
-  std::optional<ConvexPolygon> from(std::size_t pose) const {
-    std::optional<Start> best;
-    for (const int sides : kSides) {
-      auto start = lay(sides, pose);
-      if (start && (!best || start->last > best->last)) best = std::move(start);
-      if (best && reaches_far(pose, best->last)) break;
-    }
-    if (best) return grow(std::move(best->sides));
-    return hull_of_two(pose);
-  }
-
-  // The run of poses around `pose` at which the polygon holds the vehicle, from `earliest` on.
-  Visit visit(const ConvexPolygon& polygon, std::size_t pose, std::size_t earliest) const {
-    const auto inside = [&](std::size_t k) { return polygon.contains(outlines_[k], kInside_m); };
-    Visit visit{pose, pose};
-    while (visit.first_pose > earliest && inside(visit.first_pose - 1)) --visit.first_pose;
-    while (visit.last_pose + 1 < path_.size() && inside(visit.last_pose + 1)) ++visit.last_pose;
-    visit.entry_m = path_[visit.first_pose].arc_m;
-    visit.exit_m = path_[visit.last_pose].arc_m;
-    return visit;
-  }
-
- private:
-  std::size_t after(std::size_t pose) const { return std::min(pose + 1, path_.size() - 1); }
-
-  // Along the vector from this pose to the next one, as the paper has it.
-  double direction(std::size_t pose) const {
-    const geometry::Point moved = path_[after(pose)].pose.position() - path_[pose].pose.position();
-    return moved == geometry::Point{} ? path_[pose].pose.heading_rad : std::atan2(moved.y_m, moved.x_m);
-  }
-
-  bool reaches_far(std::size_t pose, std::size_t last) const {
-    return last + 1 == path_.size() || path_[last + 1].arc_m - path_[pose].arc_m > options_.stretch_m;
-  }
-
-  bool free(const ConvexPolygon& polygon) const { return !meets_obstacle(map_, polygon); }
-
-  // Around as many poses as fit; nothing if two do not. Each region holds the one before it, so that the
-  // first one that meets an obstacle is found by halving.
-  std::optional<Start> lay(int sides, std::size_t pose) const {
-    SidePolygon laid(sides, direction(pose));
-    laid.include(outlines_[pose]);
-    laid.include(outlines_[after(pose)]);
-    if (!free(laid.polygon())) return std::nullopt;
-    std::vector<Start> starts = {{laid, after(pose)}};
-    while (!reaches_far(pose, starts.back().last)) {
-      laid.include(outlines_[starts.back().last + 1]);
-      starts.push_back({laid, starts.back().last + 1});
-    }
-    const auto blocked =
-        std::ranges::partition_point(starts, [&](const Start& start) { return free(start.sides.polygon()); });
-    return *std::prev(blocked);
-  }
-
-  // Side by side in small steps. Where all sides can move at once, they could have one after the other.
-  ConvexPolygon grow(SidePolygon sides) const {
-    const int steps = static_cast<int>(std::floor(options_.growth_m / options_.growth_step_m + 1e-9));
-    std::vector<bool> stuck(sides.sides(), false);
-    if (move_all(sides, stuck, steps * options_.growth_step_m)) return sides.polygon();
-    for (int step = 0; step < steps; ++step) {
-      if (move_all(sides, stuck, options_.growth_step_m)) continue;
-      for (std::size_t side = 0; side < sides.sides(); ++side) {
-        if (stuck[side]) continue;
-        sides.move_side(side, options_.growth_step_m);
-        stuck[side] = !free(sides.polygon());
-        if (stuck[side]) sides.move_side(side, -options_.growth_step_m);
-      }
-    }
-    return sides.polygon();
-  }
-
-  // All sides that are not stuck, or none.
-  bool move_all(SidePolygon& sides, const std::vector<bool>& stuck, double by_m) const {
-    SidePolygon moved = sides;
-    for (std::size_t side = 0; side < sides.sides(); ++side) {
-      if (!stuck[side]) moved.move_side(side, by_m);
-    }
-    if (!free(moved.polygon())) return false;
-    sides = std::move(moved);
-    return true;
-  }
-
-  std::optional<ConvexPolygon> hull_of_two(std::size_t pose) const {
-    std::vector<geometry::Point> corners;
-    for (const std::size_t k : {pose, after(pose)}) {
-      corners.insert(corners.end(), outlines_[k].corners().begin(), outlines_[k].corners().end());
-    }
-    auto hull = ConvexPolygon::hull(corners);
-    return hull && free(*hull) ? hull : std::nullopt;
-  }
-
-  const OccupancyGrid& map_;
-  const Path& path_;
-  const EnvelopeOptions& options_;
-  std::vector<ConvexPolygon> outlines_;
-};
+using internal::PolygonGrowth;
 
 std::optional<std::string> wrong_path(const Path& path) {
   if (path.empty()) return "the path has no poses";
@@ -160,10 +36,79 @@ std::optional<std::string> wrong_growth(const EnvelopeOptions& options) {
   };
   const auto within = [&](double value, double least) { return value >= least && value <= kMost_m; };
   if (!within(options.growth_m, 0.0)) return wrong("growth_m", options.growth_m, 0.0);
+  if (!within(options.stand_growth_m, 0.0)) return wrong("stand_growth_m", options.stand_growth_m, 0.0);
   if (!within(options.stretch_m, 0.0)) return wrong("stretch_m", options.stretch_m, 0.0);
   if (!within(options.growth_step_m, kLeastStep_m))
     return wrong("growth_step_m", options.growth_step_m, kLeastStep_m);
   return std::nullopt;
+}
+
+std::optional<tl::unexpected<result::Diagnostics>> refusal(const Path& path, const EnvelopeOptions& options) {
+  if (auto wrong = wrong_path(path)) return result::fail("F0501", {}, *std::move(wrong));
+  if (auto wrong = wrong_growth(options)) return result::fail("F0504", {}, *std::move(wrong));
+  if (auto wrong = check(options.speed, {}, ""); !wrong.empty()) return tl::unexpected(std::move(wrong));
+  return std::nullopt;
+}
+
+tl::unexpected<result::Diagnostics> blocked(const Path& path, std::size_t pose) {
+  const auto& at = path[pose].pose;
+  return result::fail("F0503", {},
+                      fmt::format("at pose {} of the path ({:.2f} m, {:.2f} m), or between it and the next, "
+                                  "the vehicle meets an obstacle or the border of the map",
+                                  pose, at.x_m, at.y_m));
+}
+
+// The way between two neighbouring stands of a path, and what is appended for it.
+class Leg {
+ public:
+  Leg(const OccupancyGrid& map, const geometry::Footprint& footprint, std::span<const geometry::PathPose> way,
+      const EnvelopeOptions& options, std::size_t begin)
+      : growth_(map, footprint, way, options), last_(way.size() - 1), begin_(begin) {}
+
+  // The pose of the way at which an obstacle is met; nothing if all is well.
+  std::optional<std::size_t> grow(GrownEnvelope& grown) {
+    auto goal = growth_.around(last_, last_ == 0 ? 0 : last_ - 1);
+    if (!goal) return last_ == 0 ? 0 : last_ - 1;
+    if (last_ == 0) {
+      const Visit only = growth_.visit(*goal, 0, 0, 0);
+      append(*std::move(goal), only, grown);
+      return std::nullopt;
+    }
+    const Visit arrival = growth_.visit(*goal, last_, 0, last_);
+    auto start = growth_.around(0, 1);
+    if (!start) return 0;
+    Visit visit = growth_.visit(*start, 0, 0, arrival.first_pose);
+    append(*std::move(start), visit, grown);
+    while (visit.last_pose < arrival.first_pose) {
+      auto polygon = growth_.from(visit.last_pose);
+      if (!polygon) return visit.last_pose;
+      visit = growth_.visit(*polygon, visit.last_pose, visit.first_pose, arrival.first_pose);
+      append(*std::move(polygon), visit, grown);
+    }
+    append(*std::move(goal), arrival, grown);
+    return std::nullopt;
+  }
+
+ private:
+  void append(geometry::ConvexPolygon polygon, Visit visit, GrownEnvelope& grown) const {
+    visit.first_pose += begin_;
+    visit.last_pose += begin_;
+    grown.envelope.polygons.push_back({std::move(polygon), {}, {}});
+    grown.visits.push_back(visit);
+  }
+
+  PolygonGrowth growth_;
+  std::size_t last_;
+  std::size_t begin_;
+};
+
+bool in_order(std::span<const Stand> stands, std::size_t poses) {
+  std::size_t least = 0;
+  for (const Stand& stand : stands) {
+    if (stand.pose < least || stand.pose >= poses || stand.service.count() < 0) return false;
+    least = stand.pose;
+  }
+  return true;
 }
 
 }  // namespace
@@ -173,6 +118,8 @@ void set_times(GrownEnvelope& grown, const SpeedLimits& speed) {
   for (std::size_t k = 0; k < polygons.size(); ++k) {
     const Visit& visit = grown.visits[k];
     polygons[k].stay = time_bounds(visit.exit_m - visit.entry_m, speed);
+    polygons[k].stay.least = std::min(polygons[k].stay.least + visit.service, speed.horizon);
+    polygons[k].stay.most = std::min(polygons[k].stay.most + visit.service, speed.horizon);
     if (k + 1 < polygons.size()) {
       polygons[k].overlap = time_bounds(visit.exit_m - grown.visits[k + 1].entry_m, speed);
     }
@@ -184,31 +131,57 @@ void set_times(GrownEnvelope& grown, const SpeedLimits& speed) {
 result::Result<GrownEnvelope> grow_envelope(const OccupancyGrid& map, const geometry::Footprint& footprint,
                                             const std::string& vehicle, const Path& path,
                                             const EnvelopeOptions& options) {
-  if (auto wrong = wrong_path(path)) return result::fail("F0501", {}, *std::move(wrong));
-  if (auto wrong = wrong_growth(options)) return result::fail("F0504", {}, *std::move(wrong));
-  if (auto wrong = check(options.speed, {}, ""); !wrong.empty()) return tl::unexpected(std::move(wrong));
-  const Growth growth(map, footprint, path, options);
+  if (auto refused = refusal(path, options)) return *std::move(refused);
+  const PolygonGrowth growth(map, footprint, path, options);
   GrownEnvelope grown;
   grown.envelope.vehicle = vehicle;
   std::size_t pose = 0;
   std::size_t earliest = 0;
   while (true) {
     auto polygon = growth.from(pose);
-    if (!polygon) {
-      const auto& at = path[pose].pose;
-      return result::fail(
-          "F0503", {},
-          fmt::format("at pose {} of the path ({:.2f} m, {:.2f} m), or between it and the next, "
-                      "the vehicle meets an obstacle or the border of the map",
-                      pose, at.x_m, at.y_m));
-    }
-    const Visit visit = growth.visit(*polygon, pose, earliest);
+    if (!polygon) return blocked(path, pose);
+    const Visit visit = growth.visit(*polygon, pose, earliest, path.size() - 1);
     grown.envelope.polygons.push_back({*std::move(polygon), {}, {}});
     grown.visits.push_back(visit);
     if (visit.last_pose + 1 == path.size()) break;
     earliest = visit.first_pose;
     pose = visit.last_pose;
   }
+  set_times(grown, options.speed);
+  return grown;
+}
+
+// Between two stands: a small polygon around the first, then polygons as above, each from the last pose that
+// the one before holds, up to the first pose that the small polygon around the second stand holds.
+result::Result<GrownEnvelope> grow_between_stands(const OccupancyGrid& map,
+                                                  const geometry::Footprint& footprint,
+                                                  const std::string& vehicle, const Path& path,
+                                                  std::span<const Stand> stands,
+                                                  const EnvelopeOptions& options) {
+  if (auto refused = refusal(path, options)) return *std::move(refused);
+  if (!in_order(stands, path.size())) {
+    return result::fail("F0505", {}, "a stand is not on the path, or before the one that precedes it");
+  }
+  std::vector<Stand> all(stands.begin(), stands.end());
+  if (all.empty() || all.back().pose + 1 < path.size()) all.push_back({path.size() - 1});
+  GrownEnvelope grown;
+  grown.envelope.vehicle = vehicle;
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    // Who only begins there needs no polygon for it.
+    const bool nothing = k == 0 && all.size() > 1 && all[k].pose == 0 && all[k].service.count() == 0;
+    if (nothing) {
+      grown.stands.push_back(0);
+      continue;
+    }
+    const auto way = std::span(path).subspan(begin, all[k].pose - begin + 1);
+    Leg leg(map, footprint, way, options, begin);
+    if (const auto met = leg.grow(grown)) return blocked(path, begin + *met);
+    grown.visits.back().service = all[k].service;
+    grown.stands.push_back(grown.visits.size() - 1);
+    begin = all[k].pose;
+  }
+  grown.stands.resize(stands.size());
   set_times(grown, options.speed);
   return grown;
 }

@@ -14,9 +14,17 @@
 // Between poses it holds too where they are at most 0.1 m apart, the curvature stays the same from one to the
 // next, and the vehicle turns with a radius of 3 m or more.
 //
+// grow_between_stands promises the same of a path on which the vehicle stands now and then: where it begins,
+// at each stop, at its end. It lays a small polygon around each stand, in which the vehicle arrives, stands
+// for the service and waits, so that who stands takes no more of the floor than he needs; and where it goes
+// on, a second one that begins with the end of the service. The exit of the first one is the end of the
+// service.
+//
 //   const auto grown = grow_envelope(map, vehicle.footprint(), "v1", answer.path->poses, {});
 //   if (!grown) std::cerr << to_string(grown.error());
 
+#include <chrono>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,9 +37,10 @@
 namespace stepwright::fleet {
 
 struct EnvelopeOptions {
-  double growth_m = 0.5;       // each side moves outwards by no more than this
-  double stretch_m = 3.0;      // of the path that a polygon is laid around before its sides grow
-  double growth_step_m = 0.1;  // in steps of this
+  double growth_m = 0.5;        // each side moves outwards by no more than this
+  double stretch_m = 3.0;       // of the path that a polygon is laid around before its sides grow
+  double growth_step_m = 0.1;   // in steps of this
+  double stand_growth_m = 0.2;  // instead of growth_m around the stands of grow_between_stands
   SpeedLimits speed{};
 };
 
@@ -41,11 +50,20 @@ struct Visit {
   std::size_t last_pose = 0;
   double entry_m = 0.0;
   double exit_m = 0.0;
+  // It stands for at least so long at its last pose; part of the stay.
+  std::chrono::milliseconds service{0};
+};
+
+// Where a vehicle comes to rest on its path.
+struct Stand {
+  std::size_t pose = 0;
+  std::chrono::milliseconds service{0};
 };
 
 struct GrownEnvelope {
   TrajectoryEnvelope envelope;
-  std::vector<Visit> visits;  // one for each polygon
+  std::vector<Visit> visits;        // one for each polygon
+  std::vector<std::size_t> stands;  // of grow_between_stands: the polygon in which each stand's service ends
 };
 
 // F0501: the path is empty, or a pose is not finite, or the way along it falls. F0502: speeds. F0504: growth.
@@ -55,6 +73,12 @@ struct GrownEnvelope {
                                                           const std::string& vehicle,
                                                           const geometry::Path& path,
                                                           const EnvelopeOptions& options);
+
+// Stands in the order of the path; its begin and its end need not be named. Fails as grow_envelope, and with
+// F0505 where stands are not in order.
+[[nodiscard]] result::Result<GrownEnvelope> grow_between_stands(
+    const OccupancyGrid& map, const geometry::Footprint& footprint, const std::string& vehicle,
+    const geometry::Path& path, std::span<const Stand> stands, const EnvelopeOptions& options);
 
 // The same polygons at other speeds. Requires limits that `check` accepts.
 void set_times(GrownEnvelope& grown, const SpeedLimits& speed);

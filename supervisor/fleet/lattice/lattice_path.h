@@ -34,6 +34,8 @@ struct PathOptions {
   Heuristic heuristic = Heuristic::Combined;
   double sample_m = kPathSample_m;  // between poses of the answer, at most
   std::optional<std::chrono::steady_clock::time_point> deadline{};
+  // The search ends as at the deadline after about so many expansions, on every machine alike. 0: no limit.
+  std::uint64_t most_expanded = 0;
   std::stop_token stop{};
 };
 

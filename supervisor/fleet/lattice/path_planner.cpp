@@ -199,6 +199,33 @@ PathPlanner PathPlanner::on(const OccupancyGrid& map) const {
   return other;
 }
 
+std::vector<double> PathPlanner::estimated_ways(std::span<const geometry::Pose> from,
+                                                const geometry::Pose& to) const {
+  const GridFrame& frame = map_->frame();
+  const int scale = cells_.cells_per_step();
+  const std::int32_t columns = frame.columns / scale + 1;
+  const std::int32_t rows = frame.rows / scale + 1;
+  const double step_m = primitives_->options().resolution_m;
+  const auto nearest = [&](const geometry::Pose& pose) {
+    const auto on = [&](double at_m, std::int32_t count) {
+      return static_cast<std::int32_t>(std::clamp(std::round(at_m / step_m), 0.0, count - 1.0));
+    };
+    return GridVector{on(pose.x_m - frame.origin.x_m, columns), on(pose.y_m - frame.origin.y_m, rows)};
+  };
+  // A start that is nowhere: distances of the whole floor.
+  const ObstacleDistances around(clearance_, {.goal = nearest(to),
+                                              .start = {-1, -1},
+                                              .columns = columns,
+                                              .rows = rows,
+                                              .cells_per_step = scale,
+                                              .resolution_m = step_m,
+                                              .inscribed_radius_m = vehicle_.inscribed_radius_m(),
+                                              .detour = detour_});
+  std::vector<double> ways_m;
+  for (const geometry::Pose& pose : from) ways_m.push_back(around.lower_bound_mm(nearest(pose)) / 1000.0);
+  return ways_m;
+}
+
 PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& goal,
                              const PathOptions& options) const {
   Question question(*map_, *primitives_, cells_, clearance_);

@@ -13,6 +13,9 @@
 //   const auto planner = PathPlanner::create(map, vehicle, primitives, table);
 //   const PathAnswer answer = planner->plan({5, 5, 0}, {60, 40, 1.57}, {.first_weight = 3.0});
 
+#include <span>
+#include <vector>
+
 #include "runtime/result/result.h"
 #include "supervisor/fleet/lattice/heuristic_table.h"
 #include "supervisor/fleet/lattice/lattice_path.h"
@@ -29,9 +32,14 @@ class PathPlanner {
                                                           const PrimitiveSet& primitives,
                                                           const HeuristicTable& table);
 
-  // The same vehicle on another map with the same cells, which must outlive the planner too: without the work
-  // that depends on the vehicle only.
+  // The same vehicle on another map with the same cells, for a fraction of the cost: with some places closed,
+  // say. The map must outlive the new planner.
   PathPlanner on(const OccupancyGrid& map) const;
+
+  // How far it is at least around obstacles from each of these places to `to`, in metres: an estimate of the
+  // length of the path that costs far less than the path. It knows nothing of headings, and may say a number
+  // where there is no path.
+  std::vector<double> estimated_ways(std::span<const geometry::Pose> from, const geometry::Pose& to) const;
 
   // Diagnostics: F0302 a pose off the map, F0303 a pose in collision (and with which cell), F0304 no passage
   // wide enough, F0305 no path on the lattice.

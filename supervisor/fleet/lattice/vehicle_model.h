@@ -30,6 +30,8 @@ struct VehicleModel {
   double inscribed_radius_m() const;
   // Distance from the reference point to the farthest corner.
   double circumscribed_radius_m() const;
+
+  friend bool operator==(const VehicleModel&, const VehicleModel&) = default;
 };
 
 // F0201: a value that is no length of a vehicle; F0202: values that contradict each other. Each message names

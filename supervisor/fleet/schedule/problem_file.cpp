@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "supervisor/fleet/network/constraint.h"
+#include "supervisor/fleet/schedule/json_place.h"
 
 namespace stepwright::fleet {
 
@@ -23,13 +24,14 @@ constexpr double kFarthest_m = 1e6;
 // Ends the reading at the first problem; never leaves this file.
 struct Rejected {
   const char* code;
-  std::string message;
+  std::string key;
+  std::string what;
   std::string hint;
 };
 
 [[noreturn]] void reject(const char* code, const std::string& key, const std::string& what,
                          const std::string& hint = {}) {
-  throw Rejected{code, key + ": " + what, hint};
+  throw Rejected{code, key, what, hint};
 }
 
 std::string item(const std::string& key, std::size_t index) {
@@ -60,7 +62,7 @@ std::string text_of(const json& object, const std::string& key, const char* name
 void only(const json& object, const std::string& key, std::initializer_list<const char*> names) {
   if (!object.is_object()) reject("F0602", key, "is no object");
   for (const auto& [name, value] : object.items()) {
-    const bool known = std::ranges::any_of(names, [&](const char* n) { return name == n; });
+    const bool known = std::ranges::any_of(names, [&name = name](const char* n) { return name == n; });
     if (!known) reject("F0602", key.empty() ? name : key + "." + name, "is not known here");
   }
 }
@@ -193,17 +195,6 @@ SchedulingProblem problem_of(const json& root) {
   return problem;
 }
 
-result::Location place_of(std::string_view text, std::size_t byte, const std::string& file) {
-  result::Location place{file, 1, 1};
-  for (const char c : text.substr(0, byte == 0 ? 0 : byte - 1)) {
-    ++place.column;
-    if (c != '\n') continue;
-    ++place.line;
-    place.column = 1;
-  }
-  return place;
-}
-
 json to_json(const Bounds& bounds) {
   json pair = {bounds.least.count(), bounds.most.count()};
   if (bounds.most.count() >= kHorizon_ms) pair[1] = nullptr;
@@ -222,11 +213,13 @@ result::Result<SchedulingProblem> read_problem(std::string_view text, const std:
   try {
     return problem_of(json::parse(text.begin(), text.end()));
   } catch (const json::parse_error& error) {
-    return result::fail("F0601", place_of(text, error.byte, file), "this is no JSON");
+    return result::fail("F0601", place_of_byte(text, error.byte == 0 ? 0 : error.byte - 1, file),
+                        "this is no JSON");
   } catch (const json::exception&) {
     return result::fail("F0601", {file, 0, 0}, "a number is too large for any computer");
   } catch (const Rejected& rejected) {
-    return result::fail(rejected.code, {file, 0, 0}, rejected.message, rejected.hint);
+    return result::fail(rejected.code, place_of_key(text, rejected.key, file),
+                        rejected.key + ": " + rejected.what, rejected.hint);
   }
 }
 

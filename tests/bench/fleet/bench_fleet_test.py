@@ -28,12 +28,15 @@ class BenchFleet(unittest.TestCase):
         self.assertEqual(figures["baseline_disagreements"], 0)
         self.assertEqual(figures["checker_faults"], 0)
         self.assertEqual(figures["instances"], 7 * 3)
-        for key in ("mean_ms", "p99_ms", "ratio_to_paper_fair_n8", "vehicles_100_ms"):
+        for key in ("mean_ms", "p99_ms", "ratio_to_paper_fair_n8", "vehicles_100_ms",
+                    "mine_total_ms", "mine_baseline_ms", "new_goal_ms"):
             self.assertGreater(figures[key], 0.0, key)
         # Both answers occur, or the referee would prove little.
         self.assertGreater(sum(row["scheduled"] for row in figures["circles"]), 4)
         self.assertGreater(sum(row["infeasible"] for row in figures["circles"]), 2)
         self.assertTrue(all(row["scheduled"] for row in figures["warehouses"]))
+        self.assertTrue(figures["mine_scheduled"])
+        self.assertEqual(figures["new_goals_scheduled"], 7)
 
     def test_wrong_options_are_told(self) -> None:
         for options in (("--runs", "0"), ("--most", "11"), ("--cap", "-1"), ("--quickly",)):

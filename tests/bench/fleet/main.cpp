@@ -1,4 +1,5 @@
-// The scheduler of the fleet beside the paper's (Pecora and Cirillo 2012) as baselines and z3 as referee.
+// The scheduler of the fleet beside the paper's (Pecora and Cirillo 2012) as baselines and z3 as referee, and
+// the whole chain in a mine.
 //
 //   bench_fleet [--full] [--runs N] [--least N] [--most N] [--v-max MPS] [--cap S] [--scale N] [--no-literal]
 //               [--no-referee] [--cpu-time] [--write FOLDER] [--json FILE] [--svg FILE]
@@ -21,6 +22,7 @@
 #include "supervisor/fleet/schedule/problem_file.h"
 #include "tests/bench/fleet/figure.h"
 #include "tests/bench/fleet/measure.h"
+#include "tests/bench/fleet/mine.h"
 
 namespace stepwright::bench::fleet {
 namespace {
@@ -157,11 +159,35 @@ void warehouses(const Arguments& arguments, nlohmann::json& json, Totals& totals
   }
 }
 
+void mine(const Arguments& arguments, nlohmann::json& json, Totals& totals) {
+  const MineRow row = measure_mine(arguments.settings);
+  print(row);
+  totals.faults += row.faults;
+  json["mine_total_ms"] = row.total_ms;
+  json["mine_prepare_ms"] = row.prepare_ms;
+  json["mine_paths_ms"] = row.paths_ms;
+  json["mine_envelopes_ms"] = row.envelopes_ms;
+  json["mine_schedule_ms"] = row.schedule_ms;
+  json["mine_repair_ms"] = row.repair_ms;
+  json["mine_best_paths_total_ms"] = row.best_paths_ms;
+  json["mine_polygons"] = row.polygons;
+  json["mine_scheduled"] = row.scheduled;
+  json["mine_baseline_ms"] = row.baseline_ms;
+  json["mine_baseline_paths_ms"] = row.baseline_paths_ms;
+  json["mine_baseline_schedule_ms"] = row.baseline_schedule_ms;
+  json["mine_baseline_timeout"] = row.baseline_timeout;
+  json["new_goal_ms"] = row.new_goal_ms;
+  json["new_goal_worst_ms"] = row.new_goal_worst_ms;
+  json["new_goal_paths_ms"] = row.new_goal_paths_ms;
+  json["new_goals_scheduled"] = row.new_goals;
+}
+
 int run(const Arguments& arguments) {
   nlohmann::json json;
   Totals totals;
   if (!circles(arguments, json, totals)) return to_int(result::ExitCode::RuntimeFault);
   warehouses(arguments, json, totals);
+  mine(arguments, json, totals);
   json["instances"] = totals.ours.ms.size();
   json["mean_ms"] = totals.ours.mean();
   json["p99_ms"] = totals.ours.quantile(0.99);

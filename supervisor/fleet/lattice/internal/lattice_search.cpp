@@ -79,6 +79,7 @@ RoundEnd LatticeSearch::run_round(double weight) {
     expand(entry.state);
     if (++expanded_ % kExpansionsBetweenLooks != 0) continue;
     if (options_.stop.stop_requested()) return RoundEnd::Cancelled;
+    if (options_.most_expanded != 0 && expanded_ >= options_.most_expanded) return RoundEnd::Deadline;
     if (options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline)
       return RoundEnd::Deadline;
   }

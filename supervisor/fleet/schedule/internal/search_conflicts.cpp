@@ -50,7 +50,7 @@ bool Search::post(Literal l) {
 void Search::literals_of(std::vector<std::uint32_t>& labels, std::vector<Literal>& literals) {
   std::erase_if(labels, [this](std::uint32_t label) { return !model_.is_literal(label); });
   std::ranges::sort(labels);
-  labels.erase(std::ranges::unique(labels).begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
   for (const std::uint32_t label : labels) literals.push_back(model_.literal_of(label));
 }
 

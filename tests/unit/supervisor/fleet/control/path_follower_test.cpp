@@ -160,8 +160,8 @@ TEST(PathFollower, WhenMeasurementsAreNoNumbers_ThenItStops) {
 TEST(PathFollower, WhenThePathIsNone_ThenItIsRefused) {
   geometry::Path path = MadePath({0, 0, 0}).drive(4.0).path();
   path[3].pose.x_m = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(PathFollower::create(path, {}, {}, kOutline, {}).error().front().code, "F0701");
-  EXPECT_EQ(PathFollower::create({}, {}, {}, kOutline, {}).error().front().code, "F0701");
+  EXPECT_EQ(PathFollower::create(path, {}, {}, kOutline, {}).error().front().code, "F1201");
+  EXPECT_EQ(PathFollower::create({}, {}, {}, kOutline, {}).error().front().code, "F1201");
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -84,7 +86,10 @@ void expect_promises(const OccupancyGrid& map, const geometry::Footprint& footpr
 void expect_times(const GrownEnvelope& grown, const SpeedLimits& speed) {
   for (std::size_t k = 0; k < grown.visits.size(); ++k) {
     const Visit& visit = grown.visits[k];
-    EXPECT_EQ(grown.envelope.polygons[k].stay, time_bounds(visit.exit_m - visit.entry_m, speed));
+    Bounds stay = time_bounds(visit.exit_m - visit.entry_m, speed);
+    stay.least += visit.service;
+    stay.most = std::min(stay.most + visit.service, speed.horizon);
+    EXPECT_EQ(grown.envelope.polygons[k].stay, stay);
     const Bounds overlap = k + 1 < grown.visits.size()
                                ? time_bounds(visit.exit_m - grown.visits[k + 1].entry_m, speed)
                                : Bounds{};
@@ -151,6 +156,58 @@ TEST(GrowEnvelope, Grow_WhenInputIsWrong_ThenItSaysWhere) {
   EXPECT_THAT(complaint(straight(5.0, 10.0, 10.0), {.growth_m = -1.0}), HasSubstr("F0504: growth_m is -1 m"));
 }
 
+TEST(GrowEnvelope, Stands_WhenOnAStraightPath_ThenSmallPolygonsThereAndTheServiceInTheFirstOfTwo) {
+  using std::chrono::seconds;
+  const OccupancyGrid map({.resolution_m = 0.2, .origin = {0, 0}, .columns = 250, .rows = 100});
+  const Path path = straight(10.0, 30.0, 10.0);
+  const std::vector<Stand> stands = {{0, seconds(0)}, {100, seconds(7)}};
+  const SpeedLimits speed{.min_mps = 0.0};
+  const auto grown = grow_between_stands(map, kForklift, "v1", path, stands, {.speed = speed});
+  ASSERT_TRUE(grown.has_value()) << to_string(grown.error());
+  expect_promises(map, kForklift, *grown, path, straight(10.0, 30.0, 10.0, 0.02));
+  expect_times(*grown, speed);
+  std::vector<std::size_t> serving;
+  for (std::size_t k = 0; k < grown->visits.size(); ++k) {
+    const Visit& visit = grown->visits[k];
+    if (visit.service.count() > 0) serving.push_back(k);
+    if (visit.first_pose > 96 || visit.last_pose < 104) continue;
+    ADD_FAILURE() << "polygon " << k << " reaches across the stand";
+  }
+  ASSERT_EQ(serving.size(), 1u);
+  const std::size_t arrival = serving.front();
+  EXPECT_EQ(grown->stands, (std::vector<std::size_t>{0, arrival}));
+  EXPECT_EQ(grown->visits[arrival].last_pose, 100u);
+  EXPECT_EQ(grown->visits[arrival + 1].first_pose, 100u);
+  for (const std::size_t k : {std::size_t{0}, arrival, arrival + 1, grown->visits.size() - 1}) {
+    const auto& box = grown->envelope.polygons[k].area.bounds();
+    EXPECT_LE(box.high.x_m - box.low.x_m, 4.0 + 2 * 0.2 + 0.1 + 0.01) << k;
+    EXPECT_LE(box.high.y_m - box.low.y_m, 1.4 + 2 * 0.2 + 0.01) << k;
+  }
+  // Elsewhere as large as ever.
+  EXPECT_NEAR(grown->envelope.polygons[1].area.bounds().high.y_m, 10.0 + 0.7 + 0.5, 0.01);
+}
+
+TEST(GrowEnvelope, Stands_WhenThereIsNoWayBetweenTwo_ThenOnePolygonForEach) {
+  const OccupancyGrid map({.resolution_m = 0.2, .origin = {0, 0}, .columns = 100, .rows = 100});
+  const Path path = {{{10.0, 10.0, 0.7}, 0.0, Travel::Forward}};
+  const std::vector<Stand> stands = {{0, std::chrono::seconds(2)}, {0, std::chrono::seconds(3)}};
+  const auto grown = grow_between_stands(map, kForklift, "v1", path, stands, {});
+  ASSERT_TRUE(grown.has_value());
+  ASSERT_EQ(grown->envelope.polygons.size(), 2u);
+  EXPECT_EQ(grown->envelope.polygons[0].stay.least, std::chrono::seconds(2));
+  EXPECT_EQ(grown->envelope.polygons[1].stay.least, std::chrono::seconds(3));
+}
+
+TEST(GrowEnvelope, Stands_WhenNotInOrderOrOffThePath_ThenRefused) {
+  const OccupancyGrid map({.resolution_m = 0.2, .origin = {0, 0}, .columns = 250, .rows = 100});
+  const Path path = straight(10.0, 20.0, 10.0);
+  for (const std::vector<Stand>& stands : {std::vector<Stand>{{50}, {40}}, std::vector<Stand>{{101}}}) {
+    const auto grown = grow_between_stands(map, kForklift, "v1", path, stands, {});
+    ASSERT_FALSE(grown.has_value());
+    EXPECT_THAT(to_string(grown.error()), HasSubstr("F0505"));
+  }
+}
+
 // Tight curves, narrow tunnels and reversing: paths of the planner in the drawn mine.
 TEST(GrowEnvelope, Grow_WhenPathsLeadThroughAMine_ThenThePromisesHold) {
   const VehicleModel forklift;
@@ -170,6 +227,11 @@ TEST(GrowEnvelope, Grow_WhenPathsLeadThroughAMine_ThenThePromisesHold) {
     expect_promises(mine.grid, kForklift, *grown, answer.path->poses, same.path->poses);
     expect_times(*grown, {});
     EXPECT_LT(static_cast<double>(grown->visits.size()), answer.path->length_m / 1.5);
+    const std::vector<Stand> stands = {{answer.path->poses.size() / 3, std::chrono::seconds(5)}};
+    const auto standing = grow_between_stands(mine.grid, kForklift, "v1", answer.path->poses, stands, {});
+    ASSERT_TRUE(standing.has_value()) << to_string(standing.error());
+    expect_promises(mine.grid, kForklift, *standing, answer.path->poses, same.path->poses);
+    expect_times(*standing, {});
   }
 }
 

@@ -1,0 +1,14 @@
+#pragma once
+
+// What `stepwright fleet` prints: vehicles and their stops with times, who waits for whom where; or why there
+// is no schedule.
+
+#include <string>
+
+#include "supervisor/fleet/mission/plan_fleet.h"
+
+namespace stepwright::fleet {
+
+std::string fleet_text(const FleetAnswer& answer, const std::string& problem);
+
+}  // namespace stepwright::fleet

@@ -1,0 +1,57 @@
+// The process behind `stepwright fleet`.
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+
+#include "programs/fleet/fleet_command.h"
+#include "programs/process/command_line.h"
+
+namespace {
+
+using namespace stepwright;
+
+void describe(CLI::App& app, fleet::FleetArguments& arguments) {
+  const std::map<std::string, fleet::Objective> objectives = {
+      {"none", fleet::Objective::None},
+      {"makespan", fleet::Objective::Makespan},
+      {"tardiness", fleet::Objective::TotalTardiness}};
+  app.add_option("problem", arguments.problem, "the problem: map, vehicles, goals; or envelopes alone")
+      ->required();
+  app.add_flag("--paper", arguments.paper,
+               "order only what the earliest times bring together, as Pecora and Cirillo 2012 do");
+  app.add_option("--objective", arguments.objective, "none, makespan or tardiness (default makespan)")
+      ->transform(CLI::CheckedTransformer(objectives));
+  app.add_option("--time", arguments.time_s, "time budget of everything in seconds (default 10)")
+      ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
+  app.add_option("--path-time", arguments.path_time_s,
+                 "find paths by ARA* and improve them for so many seconds (default: A*, the best paths)")
+      ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
+  app.add_option("--path-factor", arguments.path_factor,
+                 "take paths that are proved to cost at most so many times the least (default 1)")
+      ->check(CLI::Range(1.0, 100.0));
+  app.add_option("--alternatives", arguments.alternatives,
+                 "other paths to try where there is no schedule (default 48; 0: none)")
+      ->check(CLI::Range(0u, 100000u));
+  app.add_option("--threads", arguments.threads, "for paths and envelopes (default 2)")
+      ->check(CLI::Range(1u, 64u));
+  app.add_option("--cache", arguments.cache_folder,
+                 "where look-up tables of vehicles are kept (default: $XDG_CACHE_HOME/stepwright)");
+  app.add_flag("--progress", arguments.progress, "show the progress also where stderr is no terminal");
+  app.add_option("--json", arguments.json_file, "write plan and figures as JSON");
+  app.add_option("--svg", arguments.svg_file, "draw floor, paths, envelopes, critical sections and times");
+  app.footer(
+      "Exit codes: 0 there is a schedule, 1 wrong input, 2 wrong usage, 3 there is none for these paths or "
+      "loads "
+      "(proved), 4 the budget ended first, or Ctrl-C or SIGTERM came, before there was one.");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Plan a fleet: who carries what, on which paths, in which order", "stepwright fleet");
+  fleet::FleetArguments arguments;
+  describe(app, arguments);
+  if (const auto exit = process::parse(app, argc, argv)) return *exit;
+  return result::to_int(fleet::run_fleet(arguments));
+}

@@ -1,0 +1,93 @@
+#include "supervisor/fleet/mission/internal/mission_builder.h"
+
+#include <cassert>
+#include <utility>
+
+#include "supervisor/fleet/map/row_span.h"
+
+namespace stepwright::fleet::internal {
+
+geometry::Path join_legs(std::span<const LatticePath* const> legs) {
+  geometry::Path path;
+  for (const LatticePath* leg : legs) {
+    const double begun_m = path.empty() ? 0.0 : path.back().arc_m;
+    if (path.size() == 1) path.front().travel = leg->poses.front().travel;
+    // A leg begins with the pose at which the one before ends.
+    for (std::size_t k = path.empty() ? 0 : 1; k < leg->poses.size(); ++k) {
+      geometry::PathPose pose = leg->poses[k];
+      pose.arc_m += begun_m;
+      path.push_back(pose);
+    }
+  }
+  return path;
+}
+
+std::vector<Stop> stops_on(const MissionProblem& problem, const Route& route,
+                           std::span<const LatticePath* const> legs) {
+  assert(route.size() == legs.size());
+  std::vector<Stop> stops;
+  std::size_t pose = 0;
+  double arc_m = 0.0;
+  for (std::size_t k = 0; k < route.size(); ++k) {
+    pose += legs[k]->poses.size() - 1;
+    arc_m += legs[k]->length_m;
+    const RouteStop& stop = route[k];
+    const MissionLocation& location = problem.locations[stop.location];
+    stops.push_back({.kind = stop.kind,
+                     .location = location.name,
+                     .goal = stop.goal ? problem.goals[*stop.goal].name : std::string(),
+                     .amount = stop.amount,
+                     .aboard = stop.aboard,
+                     .pose = pose,
+                     .arc_m = arc_m,
+                     .service = location.service});
+  }
+  return stops;
+}
+
+std::vector<Stand> stands_of(std::span<const Stop> stops) {
+  std::vector<Stand> stands;
+  for (const Stop& stop : stops) stands.push_back({stop.pose, stop.service});
+  return stands;
+}
+
+result::Result<VehicleMission> build_mission(const MissionProblem& problem, std::size_t vehicle,
+                                             geometry::Path path, std::vector<Stop> stops,
+                                             const OccupancyGrid& map, const EnvelopeOptions& options) {
+  const MissionVehicle& of = problem.vehicles[vehicle];
+  VehicleMission mission{.vehicle = of.name,
+                         .model = problem.classes[of.vehicle_class].model,
+                         .speed = of.speed,
+                         .path = std::move(path),
+                         .grown = {},
+                         .stops = std::move(stops)};
+  EnvelopeOptions own = options;
+  own.speed = of.speed;
+  auto grown = grow_between_stands(map, mission.model.footprint(), of.name, mission.path,
+                                   stands_of(mission.stops), own);
+  if (!grown) return result::forward(grown);
+  mission.grown = *std::move(grown);
+  return mission;
+}
+
+void block(OccupancyGrid& map, const geometry::ConvexPolygon& area) {
+  for (const RowSpan& span : covered_spans(area, map.frame())) {
+    for (std::int32_t column = span.first; column <= span.last; ++column) {
+      if (map.contains({column, span.row})) map.set({column, span.row}, true);
+    }
+  }
+}
+
+VehicleMission given_mission(const MissionProblem& problem, std::size_t vehicle) {
+  const MissionVehicle& of = problem.vehicles[vehicle];
+  VehicleMission mission{.vehicle = of.name,
+                         .model = problem.classes[of.vehicle_class].model,
+                         .speed = of.speed,
+                         .path = {},
+                         .grown = {},
+                         .stops = {}};
+  mission.grown.envelope = *of.envelope;
+  return mission;
+}
+
+}  // namespace stepwright::fleet::internal

@@ -1,0 +1,246 @@
+#include "supervisor/fleet/mission/internal/repair.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+#include <set>
+#include <utility>
+
+#include "supervisor/fleet/mission/internal/mission_builder.h"
+
+namespace stepwright::fleet::internal {
+
+namespace {
+
+using geometry::ConvexPolygon;
+
+constexpr double kMillimetres = 1000.0;
+// Where the way is closed the lattice has a lot of poses to look at before that is proved.
+constexpr std::uint64_t kMostExpanded = 20'000;
+constexpr std::array kClearOf_m = {0.0, 8.0, 16.0, 30.0};
+
+struct Avoided {
+  std::uint32_t vehicle = 0;  // whose place it is
+  ConvexPolygon area;
+};
+
+// Paths without a schedule, and why.
+struct Node {
+  std::vector<VehicleMission> missions;
+  std::vector<std::vector<Avoided>> avoided;  // by vehicle
+  Core core;
+};
+
+// A vehicle that keeps out of more than it does in the node.
+struct Step {
+  double longer_m = 0.0;  // of the node; the step is tried before it is known what it costs
+  std::size_t order = 0;
+  std::size_t node = 0;
+  std::uint32_t vehicle = 0;
+  std::vector<Avoided> more;
+
+  bool operator>(const Step& other) const {
+    return std::pair(longer_m, order) > std::pair(other.longer_m, other.order);
+  }
+};
+
+double length_of(const VehicleMission& mission) {
+  return mission.path.empty() ? 0.0 : mission.path.back().arc_m;
+}
+
+class Repair {
+ public:
+  Repair(const RepairInput& input, const std::vector<VehicleMission>& missions, const Core& core)
+      : input_(input), first_(missions) {
+    nodes_.push_back({missions, std::vector<std::vector<Avoided>>(missions.size()), core});
+    add_steps(0);
+  }
+
+  RepairAnswer run() {
+    RepairAnswer answer;
+    while (!open_.empty() && answer.tried < input_.options.alternatives && !over()) {
+      const Step step = open_.top();
+      open_.pop();
+      ++answer.tried;
+      if (input_.on_tried) input_.on_tried(answer.tried);
+      if (auto schedule = take(step)) {
+        answer.found = Repaired{nodes_.back().missions, *std::move(schedule), changes(nodes_.back())};
+        return answer;
+      }
+    }
+    answer.all_tried = open_.empty();
+    return answer;
+  }
+
+ private:
+  bool over() const {
+    return (input_.options.cancel != nullptr && input_.options.cancel->load()) ||
+           (input_.limited && std::chrono::steady_clock::now() >= input_.until);
+  }
+
+  // Steps for both vehicles of each section, around where the other stands first.
+  void add_steps(std::size_t node) {
+    const Node& of = nodes_[node];
+    for (const auto& section : of.core.sections) {
+      for (const bool first : {true, false}) {
+        const auto& pair = section.front();
+        const std::uint32_t vehicle = first ? pair.a.vehicle : pair.b.vehicle;
+        const std::uint32_t other = first ? pair.b.vehicle : pair.a.vehicle;
+        if (!is_planned(input_.problem.vehicles[vehicle]) || input_.routes[vehicle].empty()) continue;
+        std::set<std::uint32_t> met;
+        for (const SpatialPair& p : section) met.insert(first ? p.b.polygon : p.a.polygon);
+        const auto& polygons = of.missions[other].grown.envelope.polygons;
+        const auto last = static_cast<std::uint32_t>(polygons.size() - 1);
+        std::set<std::uint32_t> stands;
+        for (const std::uint32_t k : met) {
+          if (k == 0 || k == last) stands.insert(k);
+        }
+        if (!stands.empty()) add_step(node, vehicle, other, stands);
+        // All of it, then less and less of what is near the places where it must stand itself.
+        std::set<std::uint32_t> tried = stands;
+        for (const double distance_m : kClearOf_m) {
+          const auto kept = beyond(of.missions[vehicle], of.missions[other], met, distance_m);
+          if (kept == tried || kept.empty()) continue;
+          add_step(node, vehicle, other, kept);
+          tried = kept;
+        }
+      }
+    }
+  }
+
+  // Those of the polygons of `other` that are farther from all stands of `mission`.
+  static std::set<std::uint32_t> beyond(const VehicleMission& mission, const VehicleMission& other,
+                                        const std::set<std::uint32_t>& polygons, double distance_m) {
+    std::vector<geometry::Point> stands = {mission.path.front().pose.position()};
+    for (const Stop& stop : mission.stops) stands.push_back(mission.path[stop.pose].pose.position());
+    std::set<std::uint32_t> kept;
+    for (const std::uint32_t k : polygons) {
+      const geometry::Point middle = other.grown.envelope.polygons[k].area.centroid();
+      const auto near = [&](geometry::Point stand) { return distance(stand, middle) <= distance_m; };
+      if (std::ranges::none_of(stands, near)) kept.insert(k);
+    }
+    return kept;
+  }
+
+  void add_step(std::size_t node, std::uint32_t vehicle, std::uint32_t other,
+                const std::set<std::uint32_t>& polygons) {
+    const Node& of = nodes_[node];
+    Step step{.longer_m = longer(of), .order = order_++, .node = node, .vehicle = vehicle, .more = {}};
+    for (const std::uint32_t k : polygons) {
+      const ConvexPolygon& area = of.missions[other].grown.envelope.polygons[k].area;
+      // Where it has to stand itself it cannot keep out.
+      if (!stands_in(of.missions[vehicle], area)) step.more.push_back({other, area});
+    }
+    if (!step.more.empty()) open_.push(std::move(step));
+  }
+
+  static bool stands_in(const VehicleMission& mission, const ConvexPolygon& area) {
+    const geometry::Footprint outline = mission.model.footprint();
+    if (overlaps(footprint_at(mission.path.front().pose, outline), area)) return true;
+    return std::ranges::any_of(mission.stops, [&](const Stop& stop) {
+      return overlaps(footprint_at(mission.path[stop.pose].pose, outline), area);
+    });
+  }
+
+  double longer(const Node& node) const {
+    double sum_m = 0.0;
+    for (std::size_t v = 0; v < node.missions.size(); ++v) {
+      sum_m += length_of(node.missions[v]) - length_of(first_[v]);
+    }
+    return sum_m;
+  }
+
+  // A schedule, or a new node if there is a path but no schedule. Paths that were tried are not tried again.
+  std::optional<Schedule> take(const Step& step) {
+    std::vector<Avoided> avoided = nodes_[step.node].avoided[step.vehicle];
+    avoided.insert(avoided.end(), step.more.begin(), step.more.end());
+    auto mission = plan_around(step.vehicle, avoided);
+    if (!mission) return std::nullopt;
+    Node next{nodes_[step.node].missions, nodes_[step.node].avoided, {}};
+    next.missions[step.vehicle] = *std::move(mission);
+    next.avoided[step.vehicle] = std::move(avoided);
+    if (!seen_.insert(lengths(next)).second) return std::nullopt;
+    const auto mapped = map_constraints(input_.problem, input_.routes, next.missions);
+    std::vector<TrajectoryEnvelope> envelopes;
+    for (const VehicleMission& one : next.missions) envelopes.push_back(one.grown.envelope);
+    Schedule made = schedule(envelopes, mapped.constraints, options());
+    const bool scheduled = made.verdict == Verdict::Scheduled;
+    if (made.verdict == Verdict::Infeasible) next.core = made.core;
+    nodes_.push_back(std::move(next));
+    if (scheduled) return made;
+    add_steps(nodes_.size() - 1);
+    return std::nullopt;
+  }
+
+  ScheduleOptions options() const {
+    ScheduleOptions options{.mode = input_.options.mode, .cancel = input_.options.cancel};
+    if (input_.limited) {
+      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+          input_.until - std::chrono::steady_clock::now());
+      options.time = std::max(left, std::chrono::milliseconds(1));
+    }
+    return options;
+  }
+
+  // The route with these places closed, for its polygons as well.
+  std::optional<VehicleMission> plan_around(std::uint32_t vehicle,
+                                            const std::vector<Avoided>& avoided) const {
+    OccupancyGrid map = input_.floor.map();
+    for (const Avoided& place : avoided) block(map, place.area);
+    const auto legs = legs_of(input_.problem, vehicle, input_.routes[vehicle]);
+    const PathPlanner planner = input_.floor.planner(legs.front().model).on(map);
+    PathOptions options{.first_weight = 2.0, .last_weight = 1.5, .most_expanded = kMostExpanded};
+    if (input_.limited) options.deadline = input_.until;
+    std::vector<LatticePath> paths;
+    for (const LegRequest& leg : legs) {
+      PathAnswer answer = planner.plan(leg.from, leg.to, options);
+      if (!answer.path) return std::nullopt;
+      paths.push_back(*std::move(answer.path));
+    }
+    std::vector<const LatticePath*> borrowed;
+    for (const LatticePath& path : paths) borrowed.push_back(&path);
+    auto mission = build_mission(input_.problem, vehicle, join_legs(borrowed),
+                                 stops_on(input_.problem, input_.routes[vehicle], borrowed), map,
+                                 input_.options.envelope);
+    return mission ? std::optional(*std::move(mission)) : std::nullopt;
+  }
+
+  static std::vector<std::int64_t> lengths(const Node& node) {
+    std::vector<std::int64_t> all;
+    for (const VehicleMission& mission : node.missions) {
+      all.push_back(std::llround(kMillimetres * length_of(mission)));
+      all.push_back(static_cast<std::int64_t>(mission.grown.envelope.polygons.size()));
+      double sum_m = 0.0;
+      for (const auto& pose : mission.path) sum_m += pose.pose.x_m - 2.0 * pose.pose.y_m;
+      all.push_back(std::llround(kMillimetres * sum_m));
+    }
+    return all;
+  }
+
+  std::vector<PathChange> changes(const Node& node) const {
+    std::vector<PathChange> all;
+    for (std::uint32_t v = 0; v < node.avoided.size(); ++v) {
+      if (node.avoided[v].empty()) continue;
+      std::set<std::uint32_t> around;
+      for (const Avoided& place : node.avoided[v]) around.insert(place.vehicle);
+      all.push_back({v, {around.begin(), around.end()}, length_of(node.missions[v]) - length_of(first_[v])});
+    }
+    return all;
+  }
+
+  const RepairInput& input_;
+  const std::vector<VehicleMission>& first_;
+  std::vector<Node> nodes_;
+  std::priority_queue<Step, std::vector<Step>, std::greater<>> open_;
+  std::size_t order_ = 0;
+  std::set<std::vector<std::int64_t>> seen_;
+};
+
+}  // namespace
+
+RepairAnswer repair(const RepairInput& input, const std::vector<VehicleMission>& missions, const Core& core) {
+  return Repair(input, missions, core).run();
+}
+
+}  // namespace stepwright::fleet::internal

@@ -1,0 +1,84 @@
+#pragma once
+
+// Which stops each vehicle makes, as the chain hands them from allocation to paths. Values.
+
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "supervisor/fleet/allocation/allocate.h"
+#include "supervisor/fleet/mission/fleet_floor.h"
+#include "supervisor/fleet/mission/mission_problem.h"
+#include "supervisor/fleet/plan/fleet_plan.h"
+
+namespace stepwright::fleet::internal {
+
+struct RouteStop {
+  StopKind kind = StopKind::Park;
+  std::size_t location = 0;
+  std::optional<std::size_t> goal;
+  std::optional<std::size_t> task;
+  std::uint32_t amount = 0;
+  std::uint32_t aboard = 0;
+};
+
+using Route = std::vector<RouteStop>;
+
+// A vehicle that is planned for, not one whose path or envelope is given.
+inline bool is_planned(const MissionVehicle& vehicle) {
+  return !vehicle.path && !vehicle.envelope;
+}
+
+// The legs of a route, from the vehicle's start on.
+std::vector<LegRequest> legs_of(const MissionProblem& problem, std::size_t vehicle, const Route& route);
+
+// What the allocation is asked, and how its answer becomes routes by vehicle of the problem.
+//
+// Most driving times are never needed exactly: they begin as distances around obstacles, which seldom exceed
+// what the vehicle drives. The legs that an allocation takes are planned on the lattice, and it is asked
+// again with their times, until it takes only legs that are known. What is best under estimates that are too
+// small, and uses none of them, is best.
+class AllocationTask {
+ public:
+  AllocationTask(const MissionProblem& problem, FleetFloor& floor, const AllocationObjective& objective);
+
+  const AllocationProblem& problem() const { return asked_; }
+  // Takes the times of the legs that the floor knows by now. False if nothing is new.
+  bool learn();
+  // F0801 for goals of which the floor knows that no vehicle that may carry them finds its way, and for tasks
+  // to which there is none.
+  result::Diagnostics unreachable() const;
+  std::vector<Route> routes(const AllocationAnswer& answer) const;
+  // Where in the file the constraints of a conflict stand, a line each.
+  std::string places_of(const AllocationConflict& conflict) const;
+
+ private:
+  LocationId start_of(std::size_t vehicle) const;
+  std::optional<TransportTimepoint> timepoint(const MomentRef& moment) const;
+  LegRequest leg(std::size_t model, std::size_t from, std::size_t to) const;
+  void add_classes();
+  void estimate(std::size_t model);
+  std::chrono::milliseconds time_of(double length_m, double speed_mps) const;
+  void add_vehicles();
+  void add_transports();
+  void add_constraints();
+
+  const MissionProblem& mission_;
+  const FleetFloor& floor_;
+  AllocationProblem asked_;
+  std::vector<std::size_t> vehicles_;                    // of the problem, by vehicle of the allocation
+  std::vector<std::optional<std::size_t>> carriers_;     // the other way round
+  std::vector<std::pair<std::size_t, double>> classes_;  // model and greatest speed
+  // By class: the pairs of places that it may drive, and estimates of how far that is.
+  std::vector<std::set<std::pair<std::size_t, std::size_t>>> pairs_;
+  std::vector<std::map<std::pair<std::size_t, std::size_t>, double>> ways_m_;
+  std::size_t known_ = 0;                     // pairs with exact times
+  std::vector<std::string> constraint_keys_;  // of the problem, by constraint of the allocation
+};
+
+// The stops of the tasks, behind those of the goals.
+void append_tasks(const MissionProblem& problem, std::vector<Route>& routes);
+
+}  // namespace stepwright::fleet::internal

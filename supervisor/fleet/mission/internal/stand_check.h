@@ -1,0 +1,22 @@
+#pragma once
+
+// Whether vehicles can stand where a problem has them begin and stop. Pure functions.
+
+#include "supervisor/fleet/mission/internal/json_item.h"
+
+namespace stepwright::fleet::internal {
+
+// The lattice has poses every so far, and paths begin and end at them.
+inline constexpr double kLattice_m = 0.2;
+
+// The pose of the lattice that stands for this one.
+geometry::Pose on_lattice(const OccupancyGrid& map, const geometry::Pose& pose);
+
+// What is in the way, in words; empty if nothing is.
+std::string in_the_way(const OccupancyGrid& map, const VehicleModel& model, const geometry::Pose& pose);
+
+// F0707: starts and places of which that is so for the vehicles that have to stand there, and vehicles that
+// begin in each other's place.
+void check_stands(const MissionProblem& problem, JsonComplaints& complaints);
+
+}  // namespace stepwright::fleet::internal
