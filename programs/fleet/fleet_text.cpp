@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "supervisor/fleet/mission/explain_schedule.h"
@@ -87,13 +88,13 @@ class Text {
 
   void print_changes() {
     if (answer_.changes.empty()) return;
-    print("\nThe shortest paths leave no schedule:\n");
+    print("\nThe first paths leave no schedule:\n");
     for (const PathChange& change : answer_.changes) {
       std::string around;
       for (const std::uint32_t v : change.around)
         around += (around.empty() ? "" : ", ") + plan_.missions[v].vehicle;
-      print("  {} drives around {}, {:.1f} m more\n", plan_.missions[change.vehicle].vehicle, around,
-            change.longer_m);
+      print("  {} drives around {}, {:.1f} m {}\n", plan_.missions[change.vehicle].vehicle, around,
+            std::abs(change.longer_m), change.longer_m < 0.0 ? "less" : "more");
     }
   }
 

@@ -17,7 +17,7 @@ constexpr const char* kStyle =
     "<style>text{font:12px "
     "system-ui,sans-serif;fill:#222}.t{font-weight:600;font-size:15px}.m{text-anchor:middle}"
     ".page{fill:#fff}.floor{fill:#f7f8f9}.wall{fill:#6b737b}.g{stroke:#dde1e5}path{fill:none}"
-    "path.wall{fill:#6b737b;shape-rendering:crispEdges}"
+    "path.wall{fill:#6b737b;stroke:#6b737b;stroke-width:.5}"
     "path.envelope{fill:var(--hue);fill-opacity:.12;stroke:var(--hue);stroke-opacity:.35;"
     "stroke-width:.6}path.section{fill:#c4321f;fill-opacity:.28}.way{stroke:var(--hue);stroke-width:1.8}"
     ".back{stroke-dasharray:5 "
@@ -26,7 +26,8 @@ constexpr const char* kStyle =
     "stroke-width:3px}.place{fill:#444;paint-order:stroke;stroke:#fff;stroke-width:3px}.bar{fill:var(--hue);"
     "fill-opacity:.45}.hot{fill-opacity:.95}.wait{fill:#c4321f}.legend{font-size:12px}"
     "@media(prefers-color-scheme:dark){text{fill:#e4e8eb}.page{fill:#16191c}.floor{fill:#20252a}"
-    "path.wall{fill:#4d555d}.g{stroke:#343b41}.stop{fill:#16191c}.name,.place{stroke:#16191c}.place{fill:#"
+    "path.wall{fill:#4d555d;stroke:#4d555d}.g{stroke:#343b41}.stop{fill:#16191c}.name,.place{stroke:#16191c}."
+    "place{fill:#"
     "c6ccd1}"
     ".start{stroke:#16191c}path.section{fill:#ff6a50}.wait{fill:#ff6a50}}</style>\n";
 

@@ -62,7 +62,7 @@ class FleetCommand(unittest.TestCase):
         file.write_text(text.replace(old, new, 1), encoding="utf-8")
 
     def test_the_mine_is_scheduled_around_one_vehicle(self) -> None:
-        report = self.report("mine.json", "--path-factor", "2", "--svg", str(self.folder / "mine.svg"))
+        report = self.report("mine.json", "--svg", str(self.folder / "mine.svg"))
         self.assertLessEqual(KEYS, report.keys())
         self.assertEqual(report["verdict"], "scheduled")
         self.assertEqual(len(report["paths"]), 7)

@@ -17,7 +17,8 @@ using geometry::ConvexPolygon;
 
 constexpr double kMillimetres = 1000.0;
 // Where the way is closed the lattice has a lot of poses to look at before that is proved.
-constexpr std::uint64_t kMostExpanded = 20'000;
+const PathOptions kHasty{.first_weight = 2.0, .last_weight = 1.5, .most_expanded = 20'000};
+const PathOptions kThorough{.first_weight = 2.0, .most_expanded = 500'000};
 constexpr std::array kClearOf_m = {0.0, 8.0, 16.0, 30.0};
 
 struct Avoided {
@@ -65,7 +66,7 @@ class Repair {
       ++answer.tried;
       if (input_.on_tried) input_.on_tried(answer.tried);
       if (auto schedule = take(step)) {
-        answer.found = Repaired{nodes_.back().missions, *std::move(schedule), changes(nodes_.back())};
+        answer.found = shortened(nodes_.back(), *std::move(schedule));
         return answer;
       }
     }
@@ -155,22 +156,44 @@ class Repair {
   std::optional<Schedule> take(const Step& step) {
     std::vector<Avoided> avoided = nodes_[step.node].avoided[step.vehicle];
     avoided.insert(avoided.end(), step.more.begin(), step.more.end());
-    auto mission = plan_around(step.vehicle, avoided);
+    auto mission = plan_around(step.vehicle, avoided, kHasty);
     if (!mission) return std::nullopt;
     Node next{nodes_[step.node].missions, nodes_[step.node].avoided, {}};
     next.missions[step.vehicle] = *std::move(mission);
     next.avoided[step.vehicle] = std::move(avoided);
     if (!seen_.insert(lengths(next)).second) return std::nullopt;
-    const auto mapped = map_constraints(input_.problem, input_.routes, next.missions);
-    std::vector<TrajectoryEnvelope> envelopes;
-    for (const VehicleMission& one : next.missions) envelopes.push_back(one.grown.envelope);
-    Schedule made = schedule(envelopes, mapped.constraints, options());
+    Schedule made = schedule_of(next.missions);
     const bool scheduled = made.verdict == Verdict::Scheduled;
     if (made.verdict == Verdict::Infeasible) next.core = made.core;
     nodes_.push_back(std::move(next));
     if (scheduled) return made;
     add_steps(nodes_.size() - 1);
     return std::nullopt;
+  }
+
+  // The paths were found in haste: around the same places again, as short as can be.
+  Repaired shortened(Node node, Schedule schedule) const {
+    for (std::uint32_t v = 0; v < node.avoided.size() && !over(); ++v) {
+      if (node.avoided[v].empty()) continue;
+      auto mission = plan_around(v, node.avoided[v], kThorough);
+      if (!mission || length_of(*mission) >= length_of(node.missions[v])) continue;
+      std::swap(node.missions[v], *mission);
+      Schedule made = schedule_of(node.missions);
+      if (made.verdict == Verdict::Scheduled) {
+        schedule = std::move(made);
+      } else {
+        std::swap(node.missions[v], *mission);
+      }
+    }
+    auto changed = changes(node);
+    return {std::move(node.missions), std::move(schedule), std::move(changed)};
+  }
+
+  Schedule schedule_of(const std::vector<VehicleMission>& missions) const {
+    const auto mapped = map_constraints(input_.problem, input_.routes, missions);
+    std::vector<TrajectoryEnvelope> envelopes;
+    for (const VehicleMission& mission : missions) envelopes.push_back(mission.grown.envelope);
+    return schedule(envelopes, mapped.constraints, options());
   }
 
   ScheduleOptions options() const {
@@ -184,13 +207,12 @@ class Repair {
   }
 
   // The route with these places closed, for its polygons as well.
-  std::optional<VehicleMission> plan_around(std::uint32_t vehicle,
-                                            const std::vector<Avoided>& avoided) const {
+  std::optional<VehicleMission> plan_around(std::uint32_t vehicle, const std::vector<Avoided>& avoided,
+                                            PathOptions options) const {
     OccupancyGrid map = input_.floor.map();
     for (const Avoided& place : avoided) block(map, place.area);
     const auto legs = legs_of(input_.problem, vehicle, input_.routes[vehicle]);
     const PathPlanner planner = input_.floor.planner(legs.front().model).on(map);
-    PathOptions options{.first_weight = 2.0, .last_weight = 1.5, .most_expanded = kMostExpanded};
     if (input_.limited) options.deadline = input_.until;
     std::vector<LatticePath> paths;
     for (const LegRequest& leg : legs) {
