@@ -75,7 +75,7 @@ class FleetCommand(unittest.TestCase):
         self.assertEqual(len(list(self.cache.glob("*.table"))), 1)
         picture = xml.etree.ElementTree.parse(self.folder / "mine.svg")
         self.assertIn("loader 3", "".join(picture.getroot().itertext()))
-        again = self.report("mine.json", "--path-factor", "2")
+        again = self.report("mine.json")
         self.assertEqual(again["precedences"], report["precedences"])
 
     def test_without_other_paths_it_is_proved_that_there_is_none(self) -> None:
