@@ -126,7 +126,7 @@ Draft draft(int size, Random& random) {
 }  // namespace
 
 Generator zeno() {
-  return {"zeno", "people by plane, slow or fast, with fuel", kDomain, {1, 2, 3, 4, 6}, 60, false, draft};
+  return {"zeno", "people by plane, slow or fast, with fuel", kDomain, {1, 2, 3, 4, 6}, 5000, false, draft};
 }
 
 }  // namespace stepwright::bench
