@@ -1,8 +1,13 @@
 #include "supervisor/pddl/partial_order.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "supervisor/pddl/ground_action.h"
 
@@ -25,29 +30,76 @@ class Names {
     std::sort(list.begin(), list.end());
     return list;
   }
+  std::size_t count() const { return numbers_.size(); }
 
  private:
   std::unordered_map<std::string, int> numbers_;
 };
 
-// Calls `visit` with every number that both have, until it says so.
-template <typename Visit>
-bool any_common(const std::vector<int>& a, const std::vector<int>& b, const Visit& visit) {
-  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
-    if (*i == *j && visit(*i)) return true;
-    *i <= *j ? ++i : ++j;
-  }
-  return false;
+bool has(const std::vector<int>& list, int name) {
+  return std::binary_search(list.begin(), list.end(), name);
 }
 
-bool interfere(const Footprint& a, const Footprint& b) {
-  const auto always = [](int) { return true; };
-  const auto counted = [](const Footprint& print, int name) {
-    return std::binary_search(print.counts.begin(), print.counts.end(), name);
-  };
-  return any_common(a.writes, b.reads, always) || any_common(a.reads, b.writes, always) ||
-         any_common(a.writes, b.writes, [&](int name) { return !(counted(a, name) && counted(b, name)); });
-}
+// Who has used a fact or fluent so far. Two uses interfere if one of them writes, unless both only count.
+class Uses {
+ public:
+  // Adds the earlier actions to which `action` must be ordered, but for those that come before another one of
+  // them; `action` is the last use from now on.
+  void use(std::size_t action, bool reads, bool writes, bool counts, std::vector<std::size_t>& earlier) {
+    if (barrier_) earlier.push_back(*barrier_);
+    const bool plain = writes && !counts;
+    if (reads || plain) earlier.insert(earlier.end(), counted_.begin(), counted_.end());
+    if (writes) earlier.insert(earlier.end(), readers_.begin(), readers_.end());
+    if (plain || (reads && writes)) {
+      barrier_ = action;  // behind all uses before it, before all that follow
+      counted_.clear();
+      readers_.clear();
+    } else {
+      (writes ? counted_ : readers_).push_back(action);
+    }
+  }
+
+ private:
+  std::optional<std::size_t> barrier_;
+  std::vector<std::size_t> counted_, readers_;  // since then
+};
+
+// The direct predecessors of each action, ascending actions first.
+class Reduction {
+ public:
+  explicit Reduction(std::size_t count) : predecessors_(count), seen_(count, count) {}
+
+  // Of these earlier actions those that come before no other one of them.
+  const std::vector<std::size_t>& add(std::size_t action, std::vector<std::size_t>& earlier) {
+    std::sort(earlier.begin(), earlier.end(), std::greater<>());
+    earlier.erase(std::unique(earlier.begin(), earlier.end()), earlier.end());
+    for (const std::size_t before : earlier) {
+      if (seen_[before] == action) continue;
+      predecessors_[action].push_back(before);
+      if (before != earlier.back()) mark(action, before, earlier.back());
+    }
+    return predecessors_[action];
+  }
+
+ private:
+  // All that comes before `from`, back to `first`.
+  void mark(std::size_t action, std::size_t from, std::size_t first) {
+    open_.assign(1, from);
+    while (!open_.empty()) {
+      const std::size_t at = open_.back();
+      open_.pop_back();
+      for (const std::size_t before : predecessors_[at]) {
+        if (before < first || seen_[before] == action) continue;
+        seen_[before] = action;
+        open_.push_back(before);
+      }
+    }
+  }
+
+  std::vector<std::vector<std::size_t>> predecessors_;
+  std::vector<std::size_t> seen_;  // the last action before which each was found to come
+  std::vector<std::size_t> open_;
+};
 
 }  // namespace
 
@@ -60,19 +112,21 @@ result::Result<std::vector<model::Ordering>> lift_partial_order(const Task& task
     if (!info) return result::forward(info);
     prints.push_back({names.numbers(info->reads), names.numbers(info->writes), names.numbers(info->counts)});
   }
-  // Bit i of before[j]: i comes before j. Walking i downwards from j, a pair that is implied by a later one
-  // is left out.
-  const std::size_t words = count / 64 + 1;
-  std::vector<std::vector<std::uint64_t>> before(count, std::vector<std::uint64_t>(words, 0));
+  Reduction reduction(count);
+  std::vector<Uses> uses(names.count());
   std::vector<model::Ordering> orderings;
+  std::vector<std::size_t> earlier;
   for (std::size_t j = 0; j < count; ++j) {
-    for (std::size_t i = j; i-- > 0;) {
-      const std::uint64_t bit = std::uint64_t{1} << (i % 64);
-      if ((before[j][i / 64] & bit) != 0 || !interfere(prints[i], prints[j])) continue;
-      orderings.push_back({i, j});
-      before[j][i / 64] |= bit;
-      for (std::size_t w = 0; w <= i / 64; ++w) before[j][w] |= before[i][w];
+    const Footprint& print = prints[j];
+    std::vector<int> used;
+    std::set_union(print.reads.begin(), print.reads.end(), print.writes.begin(), print.writes.end(),
+                   std::back_inserter(used));
+    earlier.clear();
+    for (const int name : used) {
+      uses[static_cast<std::size_t>(name)].use(j, has(print.reads, name), has(print.writes, name),
+                                               has(print.counts, name), earlier);
     }
+    for (const std::size_t i : reduction.add(j, earlier)) orderings.push_back({i, j});
   }
   std::sort(orderings.begin(), orderings.end(), [](const model::Ordering& a, const model::Ordering& b) {
     return a.before != b.before ? a.before < b.before : a.after < b.after;
