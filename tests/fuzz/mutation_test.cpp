@@ -16,6 +16,7 @@
 
 #include "ladder/driver/compile.h"
 #include "runtime/bytecode/writer/container_writer.h"
+#include "tests/fuzz/corpus.h"
 #include "tests/fuzz/fault_case.h"
 #include "tests/fuzz/guarded.h"
 #include "tests/fuzz/guarded_run.h"
@@ -28,11 +29,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kRoundsPerProgram = 2000;
-
-std::uint64_t setting(const char* name, std::uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 struct Seed {
   std::string name;

@@ -5,18 +5,14 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <span>
-#include <sstream>
 
+#include "tests/fuzz/corpus.h"
 #include "tests/fuzz/fault_case.h"
 #include "tests/fuzz/fleet/fleet_run.h"
 #include "tests/fuzz/fleet/mutation.h"
-#include "tests/support/temporary_folder.h"
 
 namespace stepwright::fuzz::fleet {
 namespace {
@@ -25,23 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kRoundsPerSeed = 300;
 
-std::uint64_t setting(const char* name, std::uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
-
 std::vector<std::string> seeds() {
-  const fs::path folder = fs::path(STEPWRIGHT_SOURCE_DIR) / "tests/fuzz/fleet/seeds";
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  std::vector<std::string> texts;
-  for (const fs::path& file : files) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    texts.push_back(text.str());
-  }
-  return texts;
+  return contents(fs::path(STEPWRIGHT_SOURCE_DIR) / "tests/fuzz/fleet/seeds");
 }
 
 TEST(FleetMutation, Seeds_WhenRead_ThenEveryOneIsAProblem) {
@@ -81,16 +62,7 @@ TEST(FleetMutation, Texts_WhenBroken_ThenAreRefusedWithAPlaceOrReadWhole) {
 
 // Where libFuzzer is to find them: STEPWRIGHT_FUZZ_CORPUS.
 TEST(FleetMutation, Seeds_WhenWrittenAsACorpus_ThenEachIsAFile) {
-  const support::TemporaryFolder own;
-  const char* const asked = std::getenv("STEPWRIGHT_FUZZ_CORPUS");
-  const fs::path folder = asked == nullptr ? own.path() : fs::path(asked);
-  fs::create_directories(folder);
-  const std::vector<std::string> all = seeds();
-  for (std::size_t s = 0; s < all.size(); ++s) {
-    const fs::path file = folder / ("seed" + std::to_string(s));
-    std::ofstream(file, std::ios::binary) << all[s];
-    EXPECT_EQ(fs::file_size(file), all[s].size());
-  }
+  expect_corpus_written(seeds());
 }
 
 }  // namespace

@@ -5,18 +5,14 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <span>
-#include <sstream>
 
+#include "tests/fuzz/corpus.h"
 #include "tests/fuzz/fault_case.h"
 #include "tests/fuzz/pddl/mutation.h"
 #include "tests/fuzz/pddl/pddl_run.h"
-#include "tests/support/temporary_folder.h"
 
 namespace stepwright::fuzz::pddl {
 namespace {
@@ -25,26 +21,10 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kRoundsPerSeed = 600;
 
-std::uint64_t setting(const char* name, std::uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
-
-std::string content(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 // What is in the folder, and the bench with one of its plans.
 std::vector<std::string> seeds() {
   const fs::path source(STEPWRIGHT_SOURCE_DIR);
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(source / "tests/fuzz/pddl/seeds"))
-    files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  std::vector<std::string> texts;
-  for (const fs::path& file : files) texts.push_back(content(file));
+  std::vector<std::string> texts = contents(source / "tests/fuzz/pddl/seeds");
   const fs::path bench = source / "tests/cells/bench";
   texts.push_back(content(bench / "domain.pddl") + "\n;;problem\n" + content(bench / "problem.pddl") +
                   "\n;;plan\n" + content(bench / "plans/metric_ff.plan"));
@@ -86,16 +66,7 @@ TEST(PddlMutation, Texts_WhenBroken_ThenAreRefusedWithAPlaceOrMeanTheSameEverywh
 
 // Where libFuzzer is to find them: STEPWRIGHT_FUZZ_CORPUS.
 TEST(PddlMutation, Seeds_WhenWrittenAsACorpus_ThenEachIsAFile) {
-  const support::TemporaryFolder own;
-  const char* const asked = std::getenv("STEPWRIGHT_FUZZ_CORPUS");
-  const fs::path folder = asked == nullptr ? own.path() : fs::path(asked);
-  fs::create_directories(folder);
-  const std::vector<std::string> all = seeds();
-  for (std::size_t s = 0; s < all.size(); ++s) {
-    const fs::path file = folder / ("seed" + std::to_string(s));
-    std::ofstream(file, std::ios::binary) << all[s];
-    EXPECT_EQ(fs::file_size(file), all[s].size());
-  }
+  expect_corpus_written(seeds());
 }
 
 }  // namespace

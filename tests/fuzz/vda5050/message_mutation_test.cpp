@@ -7,9 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <random>
 #include <span>
@@ -17,9 +14,9 @@
 #include "supervisor/fleet/vda5050/fleet_orders.h"
 #include "supervisor/fleet/vda5050/read_message.h"
 #include "supervisor/fleet/vda5050/write_message.h"
+#include "tests/fuzz/corpus.h"
 #include "tests/fuzz/fault_case.h"
 #include "tests/fuzz/vda5050/message_run.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/support/vda5050/made_missions.h"
 #include "tests/support/vda5050/standard_vehicle.h"
 #include "tests/unit/supervisor/fleet/vda5050/sample_messages.h"
@@ -27,7 +24,6 @@
 namespace stepwright::fuzz::vda5050 {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace fleet::vda5050;
 
 constexpr std::uint64_t kRoundsPerSeed = 400;
@@ -55,11 +51,6 @@ constexpr std::array<const char*, 24> kTokens = {"{",
                                                  "4",
                                                  "\"FINISHED\"",
                                                  "\"2026-11-23T03:50:00Z\""};
-
-std::uint64_t setting(const char* name, std::uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 std::vector<std::string> seeds() {
   std::vector<std::string> texts;
@@ -154,16 +145,7 @@ TEST(Vda5050Mutation, States_WhenBroken_ThenBasesStayAsTheyWereOrGrow) {
 
 // Where libFuzzer is to find them: STEPWRIGHT_FUZZ_CORPUS.
 TEST(Vda5050Mutation, Seeds_WhenWrittenAsACorpus_ThenEachIsAFile) {
-  const support::TemporaryFolder own;
-  const char* const asked = std::getenv("STEPWRIGHT_FUZZ_CORPUS");
-  const fs::path folder = asked == nullptr ? own.path() : fs::path(asked);
-  fs::create_directories(folder);
-  const std::vector<std::string> all = seeds();
-  for (std::size_t s = 0; s < all.size(); ++s) {
-    const fs::path file = folder / ("seed" + std::to_string(s));
-    std::ofstream(file, std::ios::binary) << all[s];
-    EXPECT_EQ(fs::file_size(file), all[s].size());
-  }
+  expect_corpus_written(seeds());
 }
 
 }  // namespace
