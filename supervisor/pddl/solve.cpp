@@ -25,12 +25,15 @@ class Solver {
                  options.cancel) {}
 
   model::Outcome run() {
-    ground_ = ground_task(task_.definition(), [this] { return stopped(); });
+    ground_ = ground_task(
+        task_.definition(), [this] { return stopped(); },
+        [this](std::size_t bytes) { return makes_room_for(bytes); });
     if (ground_.cancelled) return finish();
     if (ground_.unreachable_goal) return infeasible(*ground_.unreachable_goal);
     leave_out();
     arrange_by_groups(ground_);
     report();
+    if (!makes_room_for(indices_of_task())) return finish();
     const StateSpace space(ground_);
     if (stopped()) return finish();
     const RelaxedTask relaxed(space);
@@ -61,6 +64,26 @@ class Solver {
   bool stopped() {
     if (reason_ == StopReason::None) reason_ = control_.check();
     return reason_ != StopReason::None;
+  }
+
+  // Ends the search if it does not.
+  bool makes_room_for(std::size_t bytes) {
+    if (control_.has_room_for(bytes)) return true;
+    control_.run_out_of_memory();
+    return !stopped();
+  }
+
+  // What the states' and the relaxed task's indices take, seen from above: nothing stops their making.
+  std::size_t indices_of_task() const {
+    std::size_t numbers = 0;
+    for (const GroundOperator& op : ground_.operators) {
+      numbers += 8 + op.precondition.literals.size() + 2 * op.precondition.comparisons.size();
+      for (const GroundEffect& effect : op.effects) {
+        numbers += 4 + 4 * (effect.adds.size() + effect.deletes.size()) + 8 * effect.numeric.size() +
+                   effect.when.literals.size();
+      }
+    }
+    return numbers * 3 * sizeof(int);
   }
 
   // What the plan can do without is seen at once; bounds and the proof take longer.

@@ -35,9 +35,9 @@ struct Progress {
 struct Options {
   bool optimal =
       false;  // go for the proof directly; without it the search improves plans first and proves last
-  bool first_only = false;                                 // stop at the first plan
-  unsigned threads = 1;                                    // 1: deterministic; 2: a portfolio
-  model::Budget budget;                                    // zero = no limit; memory defaults to 4096 MB
+  bool first_only = false;  // stop at the first plan
+  unsigned threads = 1;     // 1: deterministic; 2: a portfolio
+  model::Budget budget;     // zero = no limit; memory: 4096 MB, of all that the process grows by
   std::function<void(const model::Plan&)> on_improvement;  // every better plan, orderings not filled
   std::function<void(const Progress&)> on_progress;        // about once a second
   const std::atomic<bool>* cancel = nullptr;               // not owned; set from any thread

@@ -13,8 +13,8 @@ constexpr std::size_t kStepsBetweenChecks = 1024;
 
 class Grounder {
  public:
-  Grounder(const Definition& definition, const std::function<bool()>& stop)
-      : definition_(definition), stop_(stop), compiler_(definition, stop) {}
+  Grounder(const Definition& definition, const std::function<bool()>& stop, const RoomFor& room_for)
+      : definition_(definition), stop_(stop), room_for_(room_for), compiler_(definition, stop) {}
 
   GroundTask run() {
     raw_.definition = &definition_;
@@ -27,7 +27,7 @@ class Grounder {
     raw_.facts = compiler_.facts();
     raw_.variables = compiler_.variables();
     const std::vector<Invariant> invariants = find_invariants(raw_, stop_);
-    return simplify(std::move(raw_), invariants);
+    return simplify(std::move(raw_), invariants, room_for_);
   }
 
  private:
@@ -48,6 +48,16 @@ class Grounder {
     for (const Formula& part : goal.parts) raw_.goals.push_back({compiler_.condition(part, binding), &part});
   }
 
+  // No list is longer than that of the operators, and while it grows it is there twice.
+  bool room_for_one_more() {
+    std::vector<GroundOperator>& list = raw_.operators;
+    if (list.size() < list.capacity()) return true;
+    const std::size_t next = list.size() + list.size() / 4 + 64;
+    if (!room_for_(next * sizeof(GroundOperator))) return false;
+    list.reserve(next);
+    return true;
+  }
+
   bool time_to_stop() { return ++steps_ % kStepsBetweenChecks == 0 && stop_(); }
 
   // Facts are joined to operators, operators make facts reachable, and so on. False if stopped.
@@ -59,7 +69,7 @@ class Grounder {
     const std::vector<JoinRule> rules = join_rules(definition_);
     Reachability reach(raw_, compiler_);
     Joiner joiner(definition_, rules, [&](const JoinRule& rule, Binding& binding) {
-      if (time_to_stop()) return false;
+      if (time_to_stop() || !room_for_one_more()) return false;
       compile(rule, binding, reach);
       return !compiler_.stopped();
     });
@@ -84,6 +94,7 @@ class Grounder {
 
   const Definition& definition_;
   const std::function<bool()>& stop_;
+  const RoomFor& room_for_;
   Compiler compiler_;
   RawTask raw_;
   std::size_t steps_ = 0;
@@ -91,8 +102,9 @@ class Grounder {
 
 }  // namespace
 
-GroundTask ground_task(const Definition& definition, const std::function<bool()>& stop) {
-  return Grounder(definition, stop).run();
+GroundTask ground_task(const Definition& definition, const std::function<bool()>& stop,
+                       const RoomFor& room_for) {
+  return Grounder(definition, stop, room_for).run();
 }
 
 model::GroundAction action_of(const GroundTask& task, const GroundOperator& op) {

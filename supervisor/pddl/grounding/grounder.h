@@ -7,11 +7,13 @@
 #include <functional>
 
 #include "supervisor/pddl/grounding/ground_task.h"
+#include "supervisor/pddl/memory_room.h"
 
 namespace stepwright::pddl {
 
-// `stop` is asked now and then; when it answers true the result is marked cancelled. The definition must
-// outlive the task.
-GroundTask ground_task(const Definition& definition, const std::function<bool()>& stop);
+// `stop` is asked now and then, `room_for` before the lists of operators grow; when one says so the result is
+// marked cancelled. The definition must outlive the task.
+GroundTask ground_task(const Definition& definition, const std::function<bool()>& stop,
+                       const RoomFor& room_for = everything_fits);
 
 }  // namespace stepwright::pddl

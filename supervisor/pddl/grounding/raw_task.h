@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "supervisor/pddl/grounding/relaxed_bounds.h"
+#include "supervisor/pddl/memory_room.h"
 
 namespace stepwright::pddl {
 
@@ -41,7 +42,7 @@ struct RawTask {
 struct Invariant;
 
 // Numbers what matters, folds what is constant, separates the accumulated cost from the variables, groups the
-// facts that exclude each other.
-GroundTask simplify(RawTask raw, const std::vector<Invariant>& invariants);
+// facts that exclude each other. Marked cancelled if there is no room for the list of operators.
+GroundTask simplify(RawTask raw, const std::vector<Invariant>& invariants, const RoomFor& room_for);
 
 }  // namespace stepwright::pddl

@@ -17,7 +17,7 @@ class Simplifier {
  public:
   explicit Simplifier(RawTask raw) : raw_(std::move(raw)), relevance_(find_relevance(raw_)) {}
 
-  GroundTask run(const std::vector<Invariant>& invariants) {
+  GroundTask run(const std::vector<Invariant>& invariants, const RoomFor& room_for) {
     task_.definition = raw_.definition;
     task_.maximize = raw_.definition->metric && raw_.definition->metric->maximize;
     number_facts();
@@ -26,14 +26,17 @@ class Simplifier {
     metric();
     goal();
     axioms();
-    operators();
+    task_.cancelled = !operators(room_for);
     return std::move(task_);
   }
 
  private:
   // By action and arguments, whatever order they were found in; each raw one is let go once it is read.
-  void operators() {
+  bool operators(const RoomFor& room_for) {
+    const std::size_t most = raw_.operators.size();
+    if (!room_for(most * (sizeof(std::size_t) + sizeof(GroundOperator)))) return false;
     std::vector<std::size_t> order;
+    order.reserve(most);
     for (std::size_t i = 0; i < raw_.operators.size(); ++i) {
       if (raw_.reachable.operators[i]) order.push_back(i);
     }
@@ -41,7 +44,9 @@ class Simplifier {
       const GroundOperator &left = raw_.operators[a], &right = raw_.operators[b];
       return std::tie(left.action, left.arguments) < std::tie(right.action, right.arguments);
     });
+    task_.operators.reserve(order.size());
     for (const std::size_t i : order) add(std::exchange(raw_.operators[i], {}));
+    return true;
   }
 
   bool reachable(std::size_t literal) const { return raw_.reachable.state.literals[literal]; }
@@ -234,8 +239,8 @@ class Simplifier {
 
 }  // namespace
 
-GroundTask simplify(RawTask raw, const std::vector<Invariant>& invariants) {
-  return Simplifier(std::move(raw)).run(invariants);
+GroundTask simplify(RawTask raw, const std::vector<Invariant>& invariants, const RoomFor& room_for) {
+  return Simplifier(std::move(raw)).run(invariants, room_for);
 }
 
 }  // namespace stepwright::pddl

@@ -97,7 +97,7 @@ SearchStatus FirstPlan::run(StopReason& reason) {
   constexpr std::uint64_t kQuick = 150, kPrograms = 10, kWidth = 4000;
   SearchStatus status = LazySearch(task_, control_, {}).run(kQuick, reason);
   if (status != SearchStatus::Running) return status;
-  landmarks_.emplace(task_, [this] { return control_.check() != StopReason::None; });
+  landmarks_ = find_landmarks(task_, control_);
   if ((reason = control_.check()) != StopReason::None) return SearchStatus::Stopped;
   if (landmarks_->size() > 0) {
     status = LazySearch(task_, control_, with_landmarks()).run(kQuick, reason);

@@ -5,6 +5,7 @@
 
 #include "supervisor/pddl/search/atom_order.h"
 #include "supervisor/pddl/search/reasonable_order.h"
+#include "supervisor/pddl/search/search_control.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -34,8 +35,9 @@ std::vector<int> common_needs(const RelaxedTask& task, const AtomOrder& order, s
 
 }  // namespace
 
-Landmarks::Landmarks(const RelaxedTask& task, const std::function<bool()>& stop)
+Landmarks::Landmarks(const RelaxedTask& task, const std::function<bool()>& stop, const RoomFor& room_for)
     : landmark_of_(task.atoms(), -1) {
+  if (!room_for(2 * AtomOrder::bytes_for(task))) return;
   AtomOrder order(task);
   if (!order.work_out(stop)) return;
   std::vector<Word> all(order.words(), 0);
@@ -65,6 +67,11 @@ Landmarks::Landmarks(const RelaxedTask& task, const std::function<bool()>& stop)
   }
   wanted_for_ = PackedLists<int>(wanted_for);
   better_first_ = PackedLists<int>(reasonable_order(task, order, atoms_, wanted_for, stop));
+}
+
+Landmarks find_landmarks(const RelaxedTask& task, SearchControl& control) {
+  return {task, [&control] { return control.check() != StopReason::None; },
+          [&control](std::size_t bytes) { return control.has_room_for(bytes); }};
 }
 
 }  // namespace stepwright::pddl

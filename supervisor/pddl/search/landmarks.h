@@ -10,14 +10,19 @@
 #include <functional>
 #include <vector>
 
+#include "supervisor/pddl/memory_room.h"
 #include "supervisor/pddl/search/relaxed_task.h"
 
 namespace stepwright::pddl {
 
+class SearchControl;
+
 class Landmarks {
  public:
-  // Of all plans from the initial state. `stop`: gives up; there are no landmarks then.
-  Landmarks(const RelaxedTask& task, const std::function<bool()>& stop);
+  // Of all plans from the initial state. `stop` gives up, and so it does where the orders of all atoms are
+  // too large for half of the room; there are no landmarks then.
+  Landmarks(const RelaxedTask& task, const std::function<bool()>& stop,
+            const RoomFor& room_for = everything_fits);
 
   std::size_t size() const { return atoms_.size(); }
   int atom(std::size_t landmark) const { return atoms_[landmark]; }
@@ -34,5 +39,8 @@ class Landmarks {
   std::vector<bool> goal_;
   PackedLists<int> wanted_for_, better_first_;
 };
+
+// As long as the search goes on, in the room that is left.
+Landmarks find_landmarks(const RelaxedTask& task, SearchControl& control);
 
 }  // namespace stepwright::pddl

@@ -39,7 +39,7 @@ bool Portfolio::take_turns(StopReason& reason) {
   Proof proof(task_, control_, bounds_);
   const bool improve = !options_.prove_first && !falling_costs_;
   SearchStatus status = proof.run(improve ? kSmallTask : UINT64_MAX, reason);
-  const Landmarks landmarks(task_, [this] { return control_.check() != StopReason::None; });
+  const Landmarks landmarks = find_landmarks(task_, control_);
   Improvement improvement(task_, control_, bounds_, landmarks);
   FreshStarts starts(task_, control_, landmarks);
   for (std::uint64_t turn = kFirstTurn;; turn = std::min(2 * turn, kLongestTurn)) {
@@ -77,7 +77,7 @@ bool Portfolio::side_by_side(StopReason& reason) {
   StopReason proof_reason = StopReason::None;
   // The proof has a thread and bounds of its own; the callbacks for the clock stay on this one.
   Proof proof(task_, control_, bounds_);
-  const Landmarks landmarks(task_, [this] { return control_.check() != StopReason::None; });
+  const Landmarks landmarks = find_landmarks(task_, control_);
   std::thread prover([&] {
     proved = prove_and_start(proof, landmarks, proof_reason);
     if (proved == SearchStatus::Exhausted || proof.unbounded()) control_.finish();

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "supervisor/pddl/search/resident_memory.h"
+
 namespace stepwright::pddl {
 namespace {
 
 constexpr std::size_t kMegabyte = 1024 * 1024;
+constexpr std::chrono::milliseconds kBetweenLooks{4};
 
 template <typename T>
 void raise(std::atomic<T>& target, T value) {
@@ -23,6 +26,8 @@ SearchControl::SearchControl(std::chrono::milliseconds time, std::size_t memory_
       next_report_(start_ + std::chrono::seconds(1)),
       time_(time),
       memory_limit_(memory_mb == 0 ? SIZE_MAX : memory_mb * kMegabyte),
+      resident_before_(resident_bytes()),
+      next_look_((start_ + kBetweenLooks).time_since_epoch().count()),
       cancel_(cancel) {}
 
 StopReason SearchControl::check() {
@@ -36,8 +41,28 @@ StopReason SearchControl::check() {
   }
   if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return stop(StopReason::Cancelled);
   if (time_.count() > 0 && now - start_ >= time_) return stop(StopReason::Time);
-  if (memory_.load(std::memory_order_relaxed) >= memory_limit_) return stop(StopReason::Memory);
+  if (memory_used_up(now)) return stop(StopReason::Memory);
   return StopReason::None;
+}
+
+bool SearchControl::memory_used_up(Clock::time_point now) {
+  if (memory_.load(std::memory_order_relaxed) >= memory_limit_) return true;
+  if (now.time_since_epoch().count() < next_look_.load(std::memory_order_relaxed)) return false;
+  next_look_.store((now + kBetweenLooks).time_since_epoch().count(), std::memory_order_relaxed);
+  const std::size_t held = grown();
+  raise(peak_, held);
+  return held >= memory_limit_;
+}
+
+std::size_t SearchControl::grown() const {
+  const std::size_t resident = resident_bytes();
+  return resident > resident_before_ ? resident - resident_before_ : 0;
+}
+
+bool SearchControl::has_room_for(std::size_t bytes) const {
+  if (memory_limit_ == SIZE_MAX) return true;
+  const std::size_t held = std::max(grown(), memory_.load(std::memory_order_relaxed));
+  return held < memory_limit_ && bytes < memory_limit_ - held;
 }
 
 // The first reason counts.

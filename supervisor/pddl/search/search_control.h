@@ -1,7 +1,8 @@
 #pragma once
 
 // When to stop and what has been found: what all searches of one call share, on however many threads they
-// run.
+// run. The memory budget is of all that the process has grown by since; what searches tell of their tables is
+// seen at once, everything else a few milliseconds later.
 //
 // Thread rule: thread-safe. `on_improvement` is called under a lock, one call at a time, from the thread that
 // found the plan; `on_second` from the thread that made the control.
@@ -52,6 +53,12 @@ class SearchControl {
   // reason to stop, it stays.
   StopReason check();
 
+  // Whether the budget allows for so many bytes more; for what cannot be stopped half-way.
+  bool has_room_for(std::size_t bytes) const;
+  // Bytes that the process has grown by since this control was made.
+  std::size_t grown() const;
+  void run_out_of_memory() { stop(StopReason::Memory); }
+
   // Tells the other threads that nothing is left to do.
   void finish() { stop(StopReason::Finished); }
 
@@ -81,12 +88,15 @@ class SearchControl {
   friend class MemoryShare;
 
   StopReason stop(StopReason reason);
+  bool memory_used_up(Clock::time_point now);
 
   const std::thread::id owner_;
   const Clock::time_point start_;
   Clock::time_point next_report_;  // the owner's
   const std::chrono::milliseconds time_;
   const std::size_t memory_limit_;
+  const std::size_t resident_before_;
+  std::atomic<Clock::rep> next_look_;  // at what the process holds, on the clock of Clock
   const std::atomic<bool>* cancel_;
   std::atomic<StopReason> stopped_{StopReason::None};
   std::atomic<std::size_t> memory_{0};

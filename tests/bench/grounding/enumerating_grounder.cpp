@@ -29,7 +29,7 @@ class Grounder {
     initial_state();
     if (!explore(raw_, start(), stop_)) return cancelled();
     const std::vector<Invariant> invariants = find_invariants(raw_, stop_);
-    return simplify(std::move(raw_), invariants);
+    return simplify(std::move(raw_), invariants, everything_fits);
   }
 
  private:

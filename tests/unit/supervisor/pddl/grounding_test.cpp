@@ -183,5 +183,19 @@ TEST(Grounding, WhenStopped_ThenCancelled) {
   EXPECT_TRUE(ground_task(task.definition(), [] { return true; }).cancelled);
 }
 
+TEST(Grounding, WhenTheListOfOperatorsHasNoRoom_ThenCancelled) {
+  const Task task = testing::logistics_task(20);
+  std::size_t most = 0;
+  const auto never = [] { return false; };
+  const auto note = [&](std::size_t bytes) {
+    most = std::max(most, bytes);
+    return true;
+  };
+  const GroundTask whole = ground_task(task.definition(), never, note);
+  EXPECT_GE(most, whole.operators.size() * sizeof(GroundOperator));
+  const auto less = [&](std::size_t bytes) { return bytes < most; };
+  EXPECT_TRUE(ground_task(task.definition(), never, less).cancelled);
+}
+
 }  // namespace
 }  // namespace stepwright::pddl

@@ -51,6 +51,16 @@ void expect_on_every_plan(const Task& task) {
   EXPECT_EQ(count.estimate(state.data(), reached.data()), 0);
 }
 
+TEST(Landmarks, WhenTheirOrdersHaveNoRoom_ThenThereAreNone) {
+  const Task task = testing::logistics_task(6);
+  const GroundTask ground = ground_task(task.definition(), [] { return false; });
+  const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
+  const auto never = [] { return false; };
+  EXPECT_GT(Landmarks(relaxed, never).size(), 0u);
+  EXPECT_EQ(Landmarks(relaxed, never, [](std::size_t) { return false; }).size(), 0u);
+}
+
 TEST(Landmarks, WhenAPlanIsExecuted_ThenItReachesThemAll) {
   expect_on_every_plan(testing::bench_task());
   expect_on_every_plan(testing::logistics_task(6));

@@ -358,6 +358,23 @@ TEST(Solve, WhenMemoryEnds_ThenExhausted) {
   EXPECT_NE(outcome.reason.find("memory"), std::string::npos);
 }
 
+TEST(Solve, WhenTheGroundTaskIsLargerThanTheMemory_ThenExhaustedBeforeItIsThere) {
+  std::string objects;
+  for (int i = 0; i < 48; ++i) objects += " o" + std::to_string(i);  // 48 * 48 * 48 operators
+  const Task task = make_task(
+      R"((define (domain d) (:predicates (joined ?a ?b ?c)) (:action join :parameters (?a ?b ?c)
+        :effect (joined ?a ?b ?c))))",
+      "(define (problem p) (:domain d) (:objects" + objects +
+          ") (:init) (:goal (joined o1 o2 o3)))");
+  Options options;
+  options.budget.memory_mb = 12;
+  const model::Outcome outcome = solve(task, options);
+  EXPECT_EQ(outcome.kind, OutcomeKind::Exhausted);
+  EXPECT_NE(outcome.reason.find("memory"), std::string::npos) << outcome.reason;
+  EXPECT_FALSE(outcome.plan.has_value());
+  EXPECT_LT(outcome.peak_mb, 12.0 * 1.25);
+}
+
 TEST(Solve, WhenAFluentHasNoValue_ThenActionsThatNeedItAreNotUsed) {
   const Task task = make_task(R"((define (domain d) (:requirements :strips :numeric-fluents)
     (:predicates (done)) (:functions (x) (y))
