@@ -46,6 +46,8 @@ class SuccessorTree {
 
   int build(std::vector<Candidate>::iterator begin, std::vector<Candidate>::iterator end, std::size_t depth,
             const FiniteDomains& domains);
+  Node node_of(std::vector<Candidate>::iterator& begin, std::vector<Candidate>::iterator end,
+               std::size_t depth, const FiniteDomains& domains);
 
   template <typename Visit>
   void walk(int at, const Word* state, const FiniteDomains& domains, const Visit& visit) const {
