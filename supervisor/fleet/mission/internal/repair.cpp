@@ -214,6 +214,7 @@ class Repair {
     const auto legs = legs_of(input_.problem, vehicle, input_.routes[vehicle]);
     const PathPlanner planner = input_.floor.planner(legs.front().model).on(map);
     if (input_.limited) options.deadline = input_.until;
+    options.cancel = input_.options.cancel;
     std::vector<LatticePath> paths;
     for (const LegRequest& leg : legs) {
       PathAnswer answer = planner.plan(leg.from, leg.to, options);
