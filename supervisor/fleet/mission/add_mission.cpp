@@ -117,7 +117,7 @@ class Addition {
     std::optional<OccupancyGrid> closed;
     if (!avoided_.empty()) {
       closed = floor_.map();
-      for (const auto& area : avoided_) internal::block(*closed, area);
+      for (const auto& area : avoided_) block(*closed, area);
     }
     const OccupancyGrid& map = closed ? *closed : floor_.map();
     const auto answers = find_paths(map);

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "supervisor/fleet/map/row_span.h"
 #include "supervisor/fleet/mission/internal/mission_builder.h"
 
 namespace stepwright::fleet::internal {
