@@ -36,7 +36,7 @@ std::chrono::milliseconds end_of_stop(const FleetPlan& plan, std::size_t vehicle
 TEST(PlanFleet, Mine_WhenShortestPathsLeaveNoSchedule_ThenOneVehicleDrivesAroundAnother) {
   const MissionProblem mine = example("mine.json");
   FleetFloor floor = floor_of(mine);
-  FleetOptions options{.objective = Objective::None, .alternatives = 0};
+  FleetOptions options{.objective = Objective::None, .time = 0ms, .alternatives = 0};
   const auto fixed = plan_fleet(mine, floor, options);
   ASSERT_TRUE(fixed.has_value());
   EXPECT_EQ(fixed->verdict, Verdict::Infeasible);
