@@ -95,8 +95,9 @@ result::Result<Work> plan(const FleetArguments& arguments, const std::string& te
   auto problem = read_mission_problem(text, arguments.problem);
   if (!problem) return result::forward(problem);
   line.show({"preparing", 0, 0.0});
-  auto floor = FleetFloor::create(problem->map, models_of(*problem),
-                                  {.table_folder = cache_folder(arguments), .threads = arguments.threads});
+  auto floor = FleetFloor::create(
+      problem->map, models_of(*problem),
+      {.table_folder = cache_folder(arguments), .threads = arguments.threads, .cancel = options.cancel});
   if (!floor) return result::forward(floor);
   for (const std::string& note : floor->notes()) std::fprintf(stderr, "note: %s\n", note.c_str());
   auto answer = plan_fleet(*problem, *floor, options);
@@ -134,9 +135,10 @@ bool writable(const std::string& path) {
   return refused.empty();
 }
 
-ExitCode exit_code(Verdict verdict) {
-  if (verdict == Verdict::Scheduled) return ExitCode::Done;
-  return verdict == Verdict::Infeasible ? ExitCode::NoPlan : ExitCode::BudgetExhausted;
+// A proof for some paths only is none that there is no plan: the alternatives that may be tried have ended.
+ExitCode exit_code(const FleetAnswer& answer) {
+  if (answer.verdict == Verdict::Scheduled) return ExitCode::Done;
+  return answer.proof == Proof::AllPaths ? ExitCode::NoPlan : ExitCode::BudgetExhausted;
 }
 
 }  // namespace
@@ -167,7 +169,7 @@ ExitCode run_fleet(const FleetArguments& arguments) {
       (arguments.json_file.empty() || write(arguments.json_file, fleet_json(answer, problem, retime_ms))) &&
       (arguments.svg_file.empty() ||
        write(arguments.svg_file, fleet_svg(answer.plan, problem != nullptr ? &problem->map : nullptr)));
-  return written ? exit_code(answer.verdict) : ExitCode::BadInput;
+  return written ? exit_code(answer) : ExitCode::BadInput;
 }
 
 }  // namespace stepwright::fleet

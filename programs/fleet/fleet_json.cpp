@@ -169,6 +169,20 @@ json objective_json(const Schedule& made) {
           {"proved_optimal", made.proved_optimal}};
 }
 
+json proof_json(Proof proof) {
+  switch (proof) {
+    case Proof::None:
+      return nullptr;
+    case Proof::ThisAllocation:
+      return "this_allocation";
+    case Proof::PathsFound:
+      return "paths_found";
+    case Proof::AllPaths:
+      return "all_paths";
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 const char* name_of(Verdict verdict) {
@@ -187,7 +201,8 @@ const char* name_of(Verdict verdict) {
 
 std::string fleet_json(const FleetAnswer& answer, const MissionProblem* problem,
                        std::optional<double> retime_ms) {
-  json report = {{"verdict", name_of(answer.verdict)}, {"reason", answer.reason}};
+  json report = {
+      {"verdict", name_of(answer.verdict)}, {"proof", proof_json(answer.proof)}, {"reason", answer.reason}};
   report["allocation"] = problem != nullptr ? allocation_json(answer, *problem) : json(nullptr);
   report["paths"] = json::array();
   report["polygons"] = json::array();

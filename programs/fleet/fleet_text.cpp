@@ -128,13 +128,26 @@ class Text {
   std::string text_;
 };
 
+const char* none_is_proved(Proof proof) {
+  switch (proof) {
+    case Proof::ThisAllocation:
+      return "no schedule was found; that there is none is proved for these paths only, with loads shared "
+             "out "
+             "as they are";
+    case Proof::PathsFound:
+      return "no schedule was found; that there is none is proved for the paths found, not for all";
+    default:
+      return "there is no schedule, proved";
+  }
+}
+
 }  // namespace
 
 std::string fleet_text(const FleetAnswer& answer, const std::string& problem) {
   if (answer.verdict == Verdict::Scheduled) return Text(answer).scheduled(problem);
   switch (answer.verdict) {
     case Verdict::Infeasible:
-      return fmt::format("{}: there is no schedule, proved:\n{}", problem, answer.reason);
+      return fmt::format("{}: {}:\n{}", problem, none_is_proved(answer.proof), answer.reason);
     case Verdict::Cancelled:
       return fmt::format("{}: cancelled before there was a schedule\n", problem);
     default:

@@ -41,9 +41,9 @@ void describe(CLI::App& app, fleet::FleetArguments& arguments) {
   app.add_option("--json", arguments.json_file, "write plan and figures as JSON");
   app.add_option("--svg", arguments.svg_file, "draw floor, paths, envelopes, critical sections and times");
   app.footer(
-      "Exit codes: 0 there is a schedule, 1 wrong input, 2 wrong usage, 3 there is none for these paths or "
-      "loads "
-      "(proved), 4 the budget ended first, or Ctrl-C or SIGTERM came, before there was one.");
+      "Exit codes: 0 there is a schedule, 1 wrong input, 2 wrong usage, 3 there is none on any "
+      "paths (proved), 4 the budget ended first, or Ctrl-C or SIGTERM came, before there was one; so did all "
+      "that was tried, where none is proved for some paths only.");
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ ARROWS = {
     "supervisor/fleet/allocation": ["supervisor/fleet/network", "runtime/result"],
     "supervisor/fleet/mission": ["supervisor/fleet/allocation", "supervisor/fleet/plan"],
     "supervisor/fleet/traffic": ["supervisor/fleet/plan", "supervisor/fleet/control"],
-    "supervisor/fleet/program": ["supervisor/fleet/plan", "ladder/graphic"],
+    "supervisor/fleet/program": ["supervisor/fleet/plan", "supervisor/fleet/control", "ladder/graphic"],
     "supervisor/fleet/vda5050": ["supervisor/fleet/plan"],
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
     "supervisor/executive": [

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "supervisor/fleet/control/greatest_speeds.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -9,20 +12,14 @@ namespace {
 constexpr double kStep_m = 0.1;
 constexpr double kTick_s = 0.02;
 
-// A window in which the steering has to turn: paths of arcs ask for it at once.
-constexpr double kSteering_m = 1.0;
-constexpr double kSteeringShare = 0.8;  // of the rate, which leaves the controller some
-
 // The speed from which it stops within the way, if braking begins with the next tick.
 double stoppable_m_s(double way_m, double brake_m_s2) {
   const double way = std::max(0.0, way_m);
   return brake_m_s2 * (std::sqrt(kTick_s * kTick_s + 2.0 * way / brake_m_s2) - kTick_s);
 }
 
-double steerable_m_s(const Leg& leg, double arc_m, const DriveLimits& limits) {
-  const double turn = leg.at(arc_m + kSteering_m / 2.0).lock_rad - leg.at(arc_m - kSteering_m / 2.0).lock_rad;
-  const double rate = kSteeringShare * limits.lock_rate_rad_s;
-  return turn == 0.0 ? limits.top_speed_m_s : rate * kSteering_m / std::abs(turn);
+double turn_rad(const Leg& leg, double arc_m) {
+  return leg.at(arc_m + kSteeringWindow_m / 2.0).lock_rad - leg.at(arc_m - kSteeringWindow_m / 2.0).lock_rad;
 }
 
 }  // namespace
@@ -31,17 +28,14 @@ SpeedPlan::SpeedPlan(const Leg& leg, const DriveLimits& limits)
     : limits_(limits), begin_m_(leg.begin_m()), end_m_(leg.end_m()) {
   const auto steps = static_cast<std::size_t>(std::ceil((end_m_ - begin_m_) / kStep_m));
   step_m_ = (end_m_ - begin_m_) / static_cast<double>(std::max<std::size_t>(1, steps));
+  std::vector<SpeedStation> stations;
   for (std::size_t k = 0; k <= steps; ++k) {
     const double arc_m = begin_m_ + static_cast<double>(k) * step_m_;
-    const double sharpest = leg.sharpest_1_m(arc_m - step_m_, arc_m + step_m_);
-    const double in_curve = sharpest > 0.0 ? std::sqrt(limits.lateral_m_s2 / sharpest) : limits.top_speed_m_s;
-    ceiling_m_s_.push_back(std::min({limits.top_speed_m_s, in_curve, steerable_m_s(leg, arc_m, limits)}));
+    stations.push_back({.sharpest_1_m = leg.sharpest_1_m(arc_m - step_m_, arc_m + step_m_),
+                        .turn_rad = turn_rad(leg, arc_m),
+                        .to_next_m = step_m_});
   }
-  ceiling_m_s_.back() = 0.0;
-  for (std::size_t k = ceiling_m_s_.size() - 1; k-- > 0;) {
-    const double next = ceiling_m_s_[k + 1];
-    ceiling_m_s_[k] = std::min(ceiling_m_s_[k], std::sqrt(next * next + 2.0 * limits.brake_m_s2 * step_m_));
-  }
+  ceiling_m_s_ = greatest_speeds(stations, limits);
 }
 
 double SpeedPlan::ceiling_m_s(double arc_m) const {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "supervisor/fleet/envelope/internal/polygon_growth.h"
 
@@ -148,6 +150,30 @@ result::Result<GrownEnvelope> grow_envelope(const OccupancyGrid& map, const geom
     pose = visit.last_pose;
   }
   set_times(grown, options.speed);
+  return grown;
+}
+
+result::Result<GrownEnvelope> grow_in_parts(const OccupancyGrid& map, const geometry::Footprint& footprint,
+                                            const std::string& vehicle, const Path& path,
+                                            std::span<const EnvelopePart> parts) {
+  assert(!parts.empty() && parts.back().last_pose + 1 == path.size());
+  GrownEnvelope grown;
+  grown.envelope.vehicle = vehicle;
+  std::size_t begin = 0;
+  for (const EnvelopePart& part : parts) {
+    const auto first = path.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto end = path.begin() + static_cast<std::ptrdiff_t>(part.last_pose) + 1;
+    auto more = grow_envelope(map, footprint, vehicle, Path(first, end), part.options);
+    if (!more) return more;
+    for (std::size_t k = 0; k < more->visits.size(); ++k) {
+      grown.envelope.polygons.push_back(std::move(more->envelope.polygons[k]));
+      grown.visits.push_back(more->visits[k]);
+      grown.visits.back().first_pose += begin;
+      grown.visits.back().last_pose += begin;
+    }
+    begin = part.last_pose;
+  }
+  set_times(grown, parts.front().options.speed);
   return grown;
 }
 

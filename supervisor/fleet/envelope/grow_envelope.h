@@ -80,6 +80,21 @@ struct GrownEnvelope {
     const OccupancyGrid& map, const geometry::Footprint& footprint, const std::string& vehicle,
     const geometry::Path& path, std::span<const Stand> stands, const EnvelopeOptions& options);
 
+// One part of a path after the other, each with its own options: tight ones where the vehicle begins or
+// rests.
+struct EnvelopePart {
+  std::size_t last_pose = 0;  // of the path; where the next part begins
+  EnvelopeOptions options;    // but for the speeds, which are those of the first part
+};
+
+// Polygons of a part end with its last pose, in which the next one begins. Requires parts in the order of the
+// path, the last one up to its end. Fails as grow_envelope.
+[[nodiscard]] result::Result<GrownEnvelope> grow_in_parts(const OccupancyGrid& map,
+                                                          const geometry::Footprint& footprint,
+                                                          const std::string& vehicle,
+                                                          const geometry::Path& path,
+                                                          std::span<const EnvelopePart> parts);
+
 // The same polygons at other speeds. Requires limits that `check` accepts.
 void set_times(GrownEnvelope& grown, const SpeedLimits& speed);
 

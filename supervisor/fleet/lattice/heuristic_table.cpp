@@ -13,6 +13,7 @@ namespace stepwright::fleet {
 
 namespace {
 
+constexpr std::uint64_t kStatesBetweenLooks = 4096;  // whether it is cancelled
 constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 
 // Edges of the lattice against their direction: where one comes from to arrive with a heading.
@@ -40,12 +41,14 @@ class BackwardSearch {
   }
 
   // Stops where ways that leave the square and come `way_back_mm` back might be cheaper, or than
-  // kMostCost_mm.
-  void run(int goal_heading, std::uint64_t way_back_mm) {
+  // kMostCost_mm. False: it was cancelled, and costs mean nothing.
+  bool run(int goal_heading, std::uint64_t way_back_mm, const std::atomic<bool>* cancel) {
+    std::uint64_t looked_at = 0;
     offer({}, goal_heading, 0);
     while (const auto next = buckets_.pop()) {
       const auto [cost, state] = *next;
       if (costs_[state] != cost) continue;
+      if (cancel != nullptr && ++looked_at % kStatesBetweenLooks == 0 && cancel->load()) return false;
       if (cost > HeuristicTable::kMostCost_mm || cost > cost_of_leaving_ + way_back_mm) break;
       const auto vertex = static_cast<std::int32_t>(state / kHeadings);
       const GridVector at{vertex % side_ - half_, vertex / side_ - half_};
@@ -53,6 +56,7 @@ class BackwardSearch {
         offer(at + arrival.step, arrival.heading, cost + arrival.cost_mm);
       }
     }
+    return true;
   }
 
   std::uint32_t cost(GridVector at, int heading) const { return costs_[index(at, heading)]; }
@@ -112,10 +116,14 @@ HeuristicTable HeuristicTable::build(const PrimitiveSet& primitives, const Table
   const auto way_back_mm =
       static_cast<std::uint64_t>(std::floor(1000.0 * margin * primitives.options().resolution_m - 1e-6));
   std::atomic<int> next = 0;
+  std::atomic<bool> cancelled = false;
   const auto work = [&] {
     for (int goal = next++; goal < kQuarter; goal = next++) {
       BackwardSearch search(arrivals, table.range_ + margin, longest);
-      search.run(goal, way_back_mm);
+      if (!search.run(goal, way_back_mm, options.cancel)) {
+        cancelled = true;
+        return;
+      }
       const std::uint64_t surely =
           std::min<std::uint64_t>(search.cost_of_leaving() + way_back_mm, kMostCost_mm);
       for (std::int32_t y = -table.range_; y <= table.range_; ++y) {
@@ -132,6 +140,7 @@ HeuristicTable HeuristicTable::build(const PrimitiveSet& primitives, const Table
   for (unsigned k = 1; k < options.threads; ++k) helpers.emplace_back(work);
   work();
   helpers.clear();
+  if (cancelled) std::ranges::fill(table.costs_, std::uint16_t{0});
   return table;
 }
 

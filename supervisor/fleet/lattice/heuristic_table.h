@@ -10,6 +10,7 @@
 //   const auto loaded = HeuristicTable::load_or_build(primitives, {}, "cache/forklift.table");
 //   loaded.table.cost_mm({-12, 3}, 4, 0);  // from 2.4 m behind and 0.6 m left, heading 4, to heading 0
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -25,6 +26,8 @@ struct TableOptions {
   double range_m = 10.0;  // in x and in y
   double margin_m = 8.0;  // how far beyond it ways are searched
   unsigned threads = 1;   // 1 to 4 are of use
+  // Building ends soon after this has become true. Not owned; may be null.
+  const std::atomic<bool>* cancel = nullptr;
 };
 
 class HeuristicTable {
@@ -33,9 +36,10 @@ class HeuristicTable {
 
   struct Loaded;
 
+  // Where it was cancelled all entries are 0, which is a lower bound, too.
   static HeuristicTable build(const PrimitiveSet& primitives, const TableOptions& options = {});
   // From the file if it belongs to these primitives and range and is whole; else built, and written there.
-  // That it cannot be written is no failure, `note` says so.
+  // That it cannot be written is no failure, `note` says so. What was cancelled is not written.
   static Loaded load_or_build(const PrimitiveSet& primitives, const TableOptions& options,
                               const std::filesystem::path& file);
 

@@ -126,6 +126,7 @@ HeuristicTable::Loaded HeuristicTable::load_or_build(const PrimitiveSet& primiti
     return {*std::move(table), false, {}};
   } else {
     Loaded loaded{build(primitives, options), true, to_string(table.error())};
+    if (options.cancel != nullptr && options.cancel->load()) return loaded;
     if (auto written = loaded.table.write(primitives, options, file); !written) {
       loaded.note += "\n" + to_string(written.error());
     }

@@ -5,10 +5,10 @@
 //   const PathOptions soon{.first_weight = 3.0, .last_weight = 1.5};
 //   if (answer.end == PathEnd::Found) follow(answer.path->poses);  // costs at most 1.5 times the least
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
 #include "runtime/result/diagnostic.h"
@@ -36,7 +36,9 @@ struct PathOptions {
   std::optional<std::chrono::steady_clock::time_point> deadline{};
   // The search ends as at the deadline after about so many expansions, on every machine alike. 0: no limit.
   std::uint64_t most_expanded = 0;
-  std::stop_token stop{};
+  // The search ends soon after this has become true: it is looked at every few hundred expansions, and while
+  // distances around obstacles are worked out. Not owned; may be null.
+  const std::atomic<bool>* cancel = nullptr;
 };
 
 // Where a primitive of the path begins.

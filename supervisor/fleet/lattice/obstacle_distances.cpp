@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t kExact = 65536;
-constexpr double kRounding_m = 1e-4;     // of distances in single precision
-constexpr double kBeyondStart_m = 10.0;  // how much farther than the start vertices are looked at
+constexpr double kRounding_m = 1e-4;                 // of distances in single precision
+constexpr std::size_t kVerticesBetweenLooks = 4096;  // whether it is cancelled
+constexpr double kBeyondStart_m = 10.0;              // how much farther than the start vertices are looked at
 
 // The vectors of all headings: along each of them a chain is as long as a straight line.
 constexpr std::array<GridVector, kHeadings> all_steps() {
@@ -77,15 +78,26 @@ std::uint32_t cheapest_chain(const MotionPrimitive& primitive, double resolution
   return chain;
 }
 
-}  // namespace
-
-std::uint32_t detour_of(const PrimitiveSet& primitives) {
+template <typename Millimetres>
+std::uint32_t largest_detour(const PrimitiveSet& primitives, const Millimetres& of) {
   std::uint64_t detour = 0;
   for (const MotionPrimitive& primitive : primitives.all()) {
     const std::uint64_t chain = cheapest_chain(primitive, primitives.options().resolution_m);
-    detour = std::max(detour, ((chain << 16) + primitive.cost_mm - 1) / primitive.cost_mm);
+    detour = std::max(detour, ((chain << 16) + of(primitive) - 1) / of(primitive));
   }
   return static_cast<std::uint32_t>(detour);
+}
+
+}  // namespace
+
+std::uint32_t detour_of(const PrimitiveSet& primitives) {
+  return largest_detour(primitives, [](const MotionPrimitive& p) { return p.cost_mm; });
+}
+
+std::uint32_t length_detour_of(const PrimitiveSet& primitives) {
+  return largest_detour(primitives, [](const MotionPrimitive& p) {
+    return static_cast<std::uint32_t>(1000.0 * p.length_m);  // rounded down
+  });
 }
 
 // Dijkstra's algorithm from the goal, until all that is kBeyondStart_m farther than the start is known.
@@ -108,9 +120,16 @@ ObstacleDistances::ObstacleDistances(const DistanceField& clearance, const Obsta
   buckets.push(0, static_cast<std::uint32_t>(index(question.goal)));
   std::uint32_t last = 0;
   std::uint64_t limit = kNever;
+  std::size_t looked_at = 0;
   for (auto next = buckets.pop(); next && last <= limit; next = buckets.pop()) {
     const auto [distance, state] = *next;
     if (bounds_[state] != distance) continue;
+    if (question.cancel != nullptr && ++looked_at % kVerticesBetweenLooks == 0 && question.cancel->load()) {
+      cancelled_ = true;
+      unreachable_ = false;
+      last = 0;
+      break;
+    }
     last = distance;
     const auto vertex = static_cast<std::int32_t>(state);
     const GridVector at{vertex % columns_, vertex / columns_};

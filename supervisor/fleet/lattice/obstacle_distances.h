@@ -12,6 +12,7 @@
 //
 //   const ObstacleDistances distances(clearance, {.goal = {80, 40}, .start = {5, 5}, ...});
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,9 @@ inline constexpr double kDetour = 0.75;
 
 // The largest quotient of a primitive's cheapest chain and its cost, as a share of 65536, rounded up.
 std::uint32_t detour_of(const PrimitiveSet& primitives);
+// The same with lengths instead of costs: distances less this detour never exceed the length of any way on
+// the lattice, whatever it costs. What turns costs more than it is long, so that this is the larger one.
+std::uint32_t length_detour_of(const PrimitiveSet& primitives);
 
 struct ObstacleQuestion {
   GridVector goal;  // vertices, both within the lattice
@@ -36,6 +40,7 @@ struct ObstacleQuestion {
   double resolution_m = 0.2;
   double inscribed_radius_m = 0.7;
   std::uint32_t detour = 65536;
+  const std::atomic<bool>* cancel = nullptr;  // looked at now and then; not owned, may be null
 };
 
 class ObstacleDistances {
@@ -44,6 +49,8 @@ class ObstacleDistances {
 
   // Whether even a disc of the inscribed radius, less kDetour, finds no way from the start.
   bool unreachable() const { return unreachable_; }
+  // It was cancelled: all bounds are 0, and nothing is known of what can be reached.
+  bool cancelled() const { return cancelled_; }
   std::uint32_t lower_bound_mm(GridVector vertex) const { return bounds_[index(vertex)]; }
 
  private:
@@ -55,6 +62,7 @@ class ObstacleDistances {
 
   std::int32_t columns_ = 0;
   bool unreachable_ = false;
+  bool cancelled_ = false;
   // Vertices that were not looked at hold the distance at which looking ended: a lower bound of theirs.
   std::vector<std::uint32_t> bounds_;
 };

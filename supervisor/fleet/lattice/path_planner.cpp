@@ -21,6 +21,10 @@ constexpr double kLargestWeight = 100.0;
 constexpr double kSmallestStep = 0.01;
 constexpr double kSmallestSample_m = 0.001;
 
+int poses_along(const Segment& segment, double sample_m) {
+  return static_cast<int>(std::ceil(segment.length_m / sample_m - 1e-9));
+}
+
 // Sampled at equal distances within each line and arc, both ends included: between two poses the curvature
 // stays.
 LatticePath sample(const PrimitiveSet& primitives, const GridFrame& frame, const LatticePose& start,
@@ -41,7 +45,7 @@ LatticePath sample(const PrimitiveSet& primitives, const GridFrame& frame, const
     path.marks.push_back({path.poses.size() - 1, index});
     double begun_m = 0.0;
     for (const Segment& segment : primitive.segments) {
-      const int steps = static_cast<int>(std::ceil(segment.length_m / sample_m - 1e-9));
+      const int steps = poses_along(segment, sample_m);
       for (int k = 1; k <= steps; ++k) {
         const double arc_m = begun_m + segment.length_m * k / steps;
         place(pose_along(primitive, arc_m), path.length_m + arc_m, primitive.travel);
@@ -189,7 +193,8 @@ PathPlanner::PathPlanner(const OccupancyGrid& map, const VehicleModel& vehicle,
       table_(&table),
       cells_(vehicle, primitives, cells_per_step),
       clearance_(map),
-      detour_(detour_of(primitives)) {}
+      detour_(detour_of(primitives)),
+      length_detour_(length_detour_of(primitives)) {}
 
 PathPlanner PathPlanner::on(const OccupancyGrid& map) const {
   assert(map.frame() == map_->frame());
@@ -199,8 +204,8 @@ PathPlanner PathPlanner::on(const OccupancyGrid& map) const {
   return other;
 }
 
-std::vector<double> PathPlanner::estimated_ways(std::span<const geometry::Pose> from,
-                                                const geometry::Pose& to) const {
+std::vector<double> PathPlanner::least_ways_m(std::span<const geometry::Pose> from, const geometry::Pose& to,
+                                              const std::atomic<bool>* cancel) const {
   const GridFrame& frame = map_->frame();
   const int scale = cells_.cells_per_step();
   const std::int32_t columns = frame.columns / scale + 1;
@@ -220,10 +225,26 @@ std::vector<double> PathPlanner::estimated_ways(std::span<const geometry::Pose> 
                                               .cells_per_step = scale,
                                               .resolution_m = step_m,
                                               .inscribed_radius_m = vehicle_.inscribed_radius_m(),
-                                              .detour = detour_});
+                                              .detour = length_detour_,
+                                              .cancel = cancel});
   std::vector<double> ways_m;
-  for (const geometry::Pose& pose : from) ways_m.push_back(around.lower_bound_mm(nearest(pose)) / 1000.0);
+  for (const geometry::Pose& pose : from) {
+    const GridVector straight = nearest(pose) - nearest(to);
+    const double around_m = around.lower_bound_mm(nearest(pose)) / 1000.0;
+    const bool known = !around.cancelled();
+    ways_m.push_back(known ? std::max(around_m, step_m * std::hypot(straight.x, straight.y)) : 0.0);
+  }
   return ways_m;
+}
+
+double PathPlanner::most_poses_per_m(double sample_m) const {
+  double most = 0.0;
+  for (const MotionPrimitive& primitive : primitives_->all()) {
+    int poses = 0;
+    for (const Segment& segment : primitive.segments) poses += poses_along(segment, sample_m);
+    most = std::max(most, poses / primitive.length_m);
+  }
+  return most;
 }
 
 PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& goal,
@@ -242,7 +263,12 @@ PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& 
                                               .cells_per_step = cells_.cells_per_step(),
                                               .resolution_m = primitives_->options().resolution_m,
                                               .inscribed_radius_m = vehicle_.inscribed_radius_m(),
-                                              .detour = detour_});
+                                              .detour = detour_,
+                                              .cancel = options.cancel});
+  if (around.cancelled()) {
+    question.answer.end = PathEnd::Cancelled;
+    return std::move(question.answer);
+  }
   if (around.unreachable()) {
     question.answer.end = PathEnd::Unreachable;
     question.refuse("F0304", fmt::format("no passage from {} to {} is wide enough for the vehicle's {:.2f} m",

@@ -13,6 +13,7 @@
 //   const auto planner = PathPlanner::create(map, vehicle, primitives, table);
 //   const PathAnswer answer = planner->plan({5, 5, 0}, {60, 40, 1.57}, {.first_weight = 3.0});
 
+#include <atomic>
 #include <span>
 #include <vector>
 
@@ -36,10 +37,14 @@ class PathPlanner {
   // say. The map must outlive the new planner.
   PathPlanner on(const OccupancyGrid& map) const;
 
-  // How far it is at least around obstacles from each of these places to `to`, in metres: an estimate of the
-  // length of the path that costs far less than the path. It knows nothing of headings, and may say a number
-  // where there is no path.
-  std::vector<double> estimated_ways(std::span<const geometry::Pose> from, const geometry::Pose& to) const;
+  // A length in metres that no path on the lattice from each of these places to `to` is shorter than,
+  // whatever it costs. Takes far less time than a path. It knows nothing of headings, and may say a number
+  // where there is no path. All are 0 where it was cancelled.
+  std::vector<double> least_ways_m(std::span<const geometry::Pose> from, const geometry::Pose& to,
+                                   const std::atomic<bool>* cancel = nullptr) const;
+
+  // No path has more poses for a metre of its way, at sample_m of PathOptions.
+  double most_poses_per_m(double sample_m = kPathSample_m) const;
 
   // Diagnostics: F0302 a pose off the map, F0303 a pose in collision (and with which cell), F0304 no passage
   // wide enough, F0305 no path on the lattice.
@@ -57,6 +62,7 @@ class PathPlanner {
   SweptCells cells_;
   DistanceField clearance_;
   std::uint32_t detour_;
+  std::uint32_t length_detour_;
 };
 
 }  // namespace stepwright::fleet

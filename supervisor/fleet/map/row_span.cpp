@@ -57,6 +57,14 @@ std::vector<RowSpan> covered_spans(const geometry::ConvexPolygon& polygon, const
   return spans;
 }
 
+void block(OccupancyGrid& grid, const geometry::ConvexPolygon& polygon) {
+  for (const RowSpan& span : covered_spans(polygon, grid.frame())) {
+    for (std::int32_t column = span.first; column <= span.last; ++column) {
+      if (grid.contains({column, span.row})) grid.set({column, span.row}, true);
+    }
+  }
+}
+
 bool meets_obstacle(const OccupancyGrid& grid, const geometry::ConvexPolygon& polygon) {
   return std::ranges::any_of(covered_spans(polygon, grid.frame()), [&](const RowSpan& span) {
     return grid.any_blocked(span.row, span.first, span.last);

@@ -25,6 +25,9 @@ struct RowSpan {
 // cell into which the polygon reaches less than a nanometre is only touched and left out.
 std::vector<RowSpan> covered_spans(const geometry::ConvexPolygon& polygon, const GridFrame& frame);
 
+// Blocks the covered cells that are on the map.
+void block(OccupancyGrid& grid, const geometry::ConvexPolygon& polygon);
+
 // Whether the polygon shares inner points with a blocked cell or with what lies outside the map.
 bool meets_obstacle(const OccupancyGrid& grid, const geometry::ConvexPolygon& polygon);
 

@@ -66,7 +66,7 @@ class Addition {
     std::vector<geometry::Pose> ends;
     for (const std::uint32_t v : candidates) ends.push_back(plan_.missions[v].path.back().pose);
     const auto ways_m = floor_.planner(model_of(plan_.missions[candidates.front()]))
-                            .estimated_ways(ends, mission_.stops.front().pose);
+                            .least_ways_m(ends, mission_.stops.front().pose, options_.cancel);
     std::uint32_t best = candidates.front();
     double least_s = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < candidates.size(); ++k) {
@@ -94,7 +94,8 @@ class Addition {
   std::vector<PathAnswer> find_paths(const OccupancyGrid& map) {
     const auto begin = WallClock::now();
     const auto wanted = legs();
-    const PathOptions options{.first_weight = options_.path_factor, .last_weight = options_.path_factor};
+    const PathOptions options{
+        .first_weight = options_.path_factor, .last_weight = options_.path_factor, .cancel = options_.cancel};
     std::vector<PathAnswer> answers;
     if (avoided_.empty()) {
       floor_.prepare(wanted, options);
@@ -116,13 +117,17 @@ class Addition {
     std::optional<OccupancyGrid> closed;
     if (!avoided_.empty()) {
       closed = floor_.map();
-      for (const auto& area : avoided_) internal::block(*closed, area);
+      for (const auto& area : avoided_) block(*closed, area);
     }
     const OccupancyGrid& map = closed ? *closed : floor_.map();
     const auto answers = find_paths(map);
     std::vector<const LatticePath*> paths;
     for (const PathAnswer& answer : answers) {
       if (!answer.path) {
+        if (answer.end == PathEnd::Cancelled) {
+          added_.verdict = Verdict::Cancelled;
+          return std::nullopt;
+        }
         // A detour that does not exist leaves the reason of before.
         if (avoided_.empty())
           refuse(answer.diagnostics.empty() ? "no path" : answer.diagnostics.front().message);
@@ -230,8 +235,8 @@ class Addition {
     const auto begin = WallClock::now();
     FleetPlan next{plan_.missions, facts(extended), {}};
     next.missions[added_.vehicle] = std::move(extended);
-    next.schedule =
-        schedule(envelopes_of(next), next.constraints, {.mode = options_.mode, .time = options_.time});
+    next.schedule = schedule(envelopes_of(next), next.constraints,
+                             {.mode = options_.mode, .time = options_.time, .cancel = options_.cancel});
     added_.verdict = next.schedule.verdict;
     added_.schedule_ms += since_ms(begin);
     if (added_.verdict == Verdict::Infeasible) {

@@ -9,6 +9,7 @@
 //                                          {.stops = {{StopKind::PickUp, "dock", dock}, ...}}, {});
 //   if (added.verdict == Verdict::Scheduled) plan = added.plan;
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -47,8 +48,9 @@ struct AddOptions {
   // Paths are proved to cost at most so many times the least. In mines they are a few percent longer; the
   // search is four times as quick as with 2.
   double path_factor = 5.0;
-  std::uint32_t alternatives = 4;         // paths around vehicles that stand in the way
-  std::chrono::milliseconds time{1'000};  // of the search for orders; zero: no limit
+  std::uint32_t alternatives = 4;             // paths around vehicles that stand in the way
+  std::chrono::milliseconds time{1'000};      // of the search for orders; zero: no limit
+  const std::atomic<bool>* cancel = nullptr;  // not owned; may be null
 };
 
 struct AddedMission {

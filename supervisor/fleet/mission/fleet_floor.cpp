@@ -48,8 +48,10 @@ result::Result<FleetFloor> FleetFloor::create(const OccupancyGrid& map, std::spa
 
 void FleetFloor::add(const VehicleModel& model) {
   PrimitiveSet primitives(model, {});
-  const TableOptions table{
-      .range_m = options_.table_range_m, .margin_m = options_.table_margin_m, .threads = options_.threads};
+  const TableOptions table{.range_m = options_.table_range_m,
+                           .margin_m = options_.table_margin_m,
+                           .threads = options_.threads,
+                           .cancel = options_.cancel};
   if (options_.table_folder.empty()) {
     auto built = HeuristicTable::build(primitives, table);
     models_.push_back(std::make_unique<Model>(*map_, model, std::move(built), std::move(primitives)));

@@ -10,6 +10,7 @@
 //   floor->prepare(legs, {});
 //   if (const auto& path = floor->leg(legs[0]).path) ...
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -29,6 +30,9 @@ struct FloorOptions {
   double table_range_m = 10.0;
   double table_margin_m = 8.0;
   unsigned threads = 2;
+  // Tables are left unfinished once this has become true: plan_fleet with the same flag is cancelled at once.
+  // Not owned; may be null.
+  const std::atomic<bool>* cancel = nullptr;
 };
 
 // A way of one model from pose to pose.

@@ -9,6 +9,7 @@
 #include "supervisor/fleet/mission/internal/mission_builder.h"
 #include "supervisor/fleet/mission/internal/moments.h"
 #include "supervisor/fleet/mission/internal/parallel.h"
+#include "supervisor/fleet/mission/internal/proof.h"
 #include "supervisor/fleet/mission/internal/repair.h"
 
 namespace stepwright::fleet {
@@ -16,12 +17,15 @@ namespace stepwright::fleet {
 namespace {
 
 using internal::is_planned;
+using internal::LegTimes;
 using internal::Route;
 using std::chrono::milliseconds;
 using WallClock = std::chrono::steady_clock;
 
 // Of allocations, each with more driving times that are exact.
 constexpr std::size_t kMostRounds = 12;
+// Of allocations that are to prove that there is none.
+constexpr std::size_t kMostProofRounds = 50;
 
 class Stopwatch {
  public:
@@ -53,7 +57,9 @@ class Chain {
     if (!refused_) {
       if (auto wrong = plan_paths(); !wrong.empty()) return tl::unexpected(std::move(wrong));
     }
-    if (out_of_time_) {
+    if (cancelled()) {
+      answer_.verdict = Verdict::Cancelled;
+    } else if (out_of_time_) {
       answer_.verdict = Verdict::Exhausted;
       answer_.reason = "the budget ended before all paths were found\n";
     } else if (!refused_) {
@@ -70,6 +76,7 @@ class Chain {
     if (options_.on_progress) options_.on_progress({stage, done, watch_.total_ms()});
   }
 
+  bool cancelled() const { return options_.cancel != nullptr && options_.cancel->load(); }
   bool limited() const { return options_.time.count() > 0; }
   milliseconds left() const {
     return std::max(std::chrono::duration_cast<milliseconds>(until_ - WallClock::now()), milliseconds(1));
@@ -78,11 +85,12 @@ class Chain {
   // Goals to routes. Where no vehicles can carry them all the answer is complete.
   result::Diagnostics allocate_goals() {
     if (!problem_.goals.empty()) {
-      internal::AllocationTask task(problem_, floor_, options_.allocation);
+      internal::AllocationTask task(problem_, floor_, options_.allocation, options_.cancel);
       for (std::size_t round = 0; round < kMostRounds; ++round) {
         say("allocation", round + 1);
-        if (!allocate_once(task)) break;
+        if (!allocate_once(task, LegTimes::Paths)) break;
       }
+      if (infeasible()) prove_refusal(task);
       if (refused_) {
         if (auto wrong = task.unreachable(); !wrong.empty()) return wrong;
         refuse_allocation(task);
@@ -93,8 +101,29 @@ class Chain {
     return {};
   }
 
-  // False if there is nothing more to be learned.
-  bool allocate_once(internal::AllocationTask& task) {
+  bool infeasible() const { return refused_ && answer_.allocation->verdict == AllocationVerdict::Infeasible; }
+
+  // Times of paths are not quite the least there can be: schedules may be faster by what they round, and
+  // other paths shorter. So the same is asked with times that nothing falls below. Where these leave an
+  // allocation, its legs are planned, until there is one that is known to be as fast as that, or none on
+  // these paths.
+  void prove_refusal(internal::AllocationTask& task) {
+    task.learn(LegTimes::Least);
+    allocate_once(task, LegTimes::LeastOnPaths);
+    if (infeasible()) {
+      answer_.proof = Proof::AllPaths;
+      return;
+    }
+    for (std::size_t round = 0; !refused_ && round < kMostProofRounds; ++round) {
+      say("proof", round + 1);
+      if (!allocate_once(task, LegTimes::LeastOnPaths)) break;
+    }
+    if (infeasible()) answer_.proof = Proof::PathsFound;
+  }
+
+  // Asked with the times that the task has; then it learns these. False if there is nothing more to be
+  // learned.
+  bool allocate_once(internal::AllocationTask& task, LegTimes next) {
     AllocationOptions limits{.cancel = options_.cancel};
     if (limited()) limits.time = std::max(left() / 4, milliseconds(1));
     answer_.allocation = allocate(task.problem(), limits);
@@ -110,12 +139,13 @@ class Chain {
       legs.insert(legs.end(), own.begin(), own.end());
     }
     floor_.prepare(legs, path_options());
-    return task.learn();
+    return task.learn(next);
   }
 
   // A*, unless a longer path will do or paths have a time of their own.
   PathOptions path_options() const {
-    PathOptions options{.first_weight = options_.path_factor, .last_weight = options_.path_factor};
+    PathOptions options{
+        .first_weight = options_.path_factor, .last_weight = options_.path_factor, .cancel = options_.cancel};
     if (limited()) options.deadline = until_;
     if (options_.path_time.count() == 0) return options;
     options.first_weight = std::max(3.0, options_.path_factor);
@@ -230,7 +260,10 @@ class Chain {
     answer_.figures.schedule_ms = watch_.lap_ms();
     if (made.verdict == Verdict::Infeasible) {
       const Core core = made.core;
-      if (!mend(core, made)) answer_.reason = why_not(core, mapped.keys);
+      if (!mend(core, made)) {
+        answer_.reason = why_not(core, mapped.keys);
+        answer_.proof = proof_of_none();
+      }
       answer_.figures.repair_ms = watch_.lap_ms();
     }
     if (made.verdict == Verdict::Scheduled && options_.objective != Objective::None) {
@@ -283,6 +316,18 @@ class Chain {
     answer_.changes = std::move(mended.found->changes);
     made = std::move(mended.found->schedule);
     return true;
+  }
+
+  // Goals may be shared out in other ways, so that nothing is proved of all of them here.
+  Proof proof_of_none() const {
+    if (!problem_.goals.empty()) return Proof::ThisAllocation;
+    const bool none = internal::no_paths_help({.problem = problem_,
+                                               .floor = floor_,
+                                               .routes = routes_,
+                                               .missions = answer_.plan.missions,
+                                               .mode = options_.mode,
+                                               .cancel = options_.cancel});
+    return none ? Proof::AllPaths : Proof::PathsFound;
   }
 
   std::string why_not(const Core& core, const std::vector<std::string>& keys) const {
@@ -343,6 +388,7 @@ FleetAnswer schedule_fleet(const SchedulingProblem& problem, const FleetOptions&
   answer.figures.improve_ms = answer.plan.schedule.figures.improve_ms;
   answer.figures.total_ms = watch.total_ms();
   answer.figures.schedule_ms = answer.figures.total_ms - answer.figures.improve_ms;
+  if (answer.verdict == Verdict::Infeasible) answer.proof = Proof::AllPaths;
   if (answer.verdict == Verdict::Infeasible)
     answer.reason = reason_of(answer.plan, answer.plan.schedule.core, nullptr, {});
   return answer;

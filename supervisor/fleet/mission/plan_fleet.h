@@ -6,7 +6,8 @@
 // routes, drawn paths, given envelopes.
 //
 // Where paths leave no schedule, paths of the vehicles to blame are planned anew around what they meet,
-// cheapest first, a bounded number of times. Where nothing helps the answer is the proof for the first paths.
+// cheapest first, a bounded number of times. Where nothing helps the answer is the proof for the first paths,
+// or for all paths, if there is one (FleetAnswer::proof).
 //
 // The same problem and options give the same plan unless time ends or somebody cancels. One thread at a time
 // for one floor.
@@ -17,6 +18,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -70,9 +72,17 @@ struct PathChange {
   double longer_m = 0.0;
 };
 
+// Of what Infeasible is proved.
+enum class Proof : std::uint8_t {
+  None,            // the verdict is another one
+  ThisAllocation,  // of the first paths, with loads shared out as they are
+  PathsFound,      // of the paths found, however loads are shared out
+  AllPaths,        // of all paths of the lattice, however loads are shared out: there is no plan
+};
+
 struct FleetAnswer {
-  // Infeasible is proved: for the allocation as a whole, or for the first paths.
   Verdict verdict = Verdict::Exhausted;
+  Proof proof = Proof::None;
   // Missions are there unless there is no allocation; the schedule says what became of it.
   FleetPlan plan;
   std::optional<AllocationAnswer> allocation;  // if there are goals
@@ -89,7 +99,7 @@ std::vector<VehicleModel> models_of(const MissionProblem& problem);
 [[nodiscard]] result::Result<FleetAnswer> plan_fleet(const MissionProblem& problem, FleetFloor& floor,
                                                      const FleetOptions& options);
 
-// The scheduler alone: envelopes and constraints are all that is known.
+// The scheduler alone: envelopes and constraints are all that is known. Its proofs are of everything.
 FleetAnswer schedule_fleet(const SchedulingProblem& problem, const FleetOptions& options);
 
 }  // namespace stepwright::fleet

@@ -65,11 +65,16 @@ class ProjectWriter {
       if (!tables) return result::forward(tables);
       vehicles.push_back(add_tables(v, std::move(*tables)));
     }
-    add_text("sensing", sensing_text(vehicles), sensing_blocks(vehicles));
+    for (Variable& each : time_globals(plan_, interlocks->times)) project.globals.push_back(std::move(each));
+    add_text("sensing", sensing_text(plan_, vehicles, interlocks->times),
+             sensing_blocks(vehicles, interlocks->times));
     for (std::uint32_t v = 0; v < plan_.missions.size(); ++v) add_chart(v, *interlocks);
     add_text("driving", driving_text(vehicles), driving_blocks(vehicles));
     project.tasks = {{kTask, options_.interval_us, 0}};
-    add_warnings();
+    for (const TimeLimit& limit : interlocks->times.limits) {
+      made_.limits.push_back({limit.constraint, interlocks->times.events[limit.event].vehicle, limit.within});
+    }
+    add_warnings(interlocks->times.open);
     return std::move(made_);
   }
 
@@ -117,21 +122,17 @@ class ProjectWriter {
     made_.project.pous.push_back(std::move(pou));
   }
 
-  void add_warnings() {
-    for (const TemporalConstraint& bound : plan_.constraints) {
-      const bool seen_to =
-          !bound.from && bound.to.side == Side::Entry && bound.distance.most.count() >= kHorizon.count();
-      if (seen_to) continue;
+  void add_warnings(const std::vector<std::uint32_t>& open) {
+    for (const std::uint32_t constraint : open) {
       result::Diagnostic warning;
       warning.code = "F1106";
       warning.severity = result::Severity::Warning;
-      warning.message = fmt::format("the program does not see to all of the constraint '{}'", bound.name);
-      warning.hint = "in the scan only 'not before' of entries counts; the rest is the schedule's";
+      warning.message = fmt::format("the program does not see to all of the constraint '{}'",
+                                    plan_.constraints[constraint].name);
+      warning.hint = "who waits for it would wait for ever: what it waits for comes only behind it";
       made_.warnings.push_back(std::move(warning));
     }
   }
-
-  static constexpr std::chrono::milliseconds kHorizon{100'000'000};
 
   const FleetPlan& plan_;
   const FleetTerminals& terminals_;

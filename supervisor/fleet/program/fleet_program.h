@@ -12,6 +12,7 @@
 //   if (!program) std::cerr << to_string(program.error());
 //   driver::compile({.texts = {}, .projects = {&program->project}});
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -75,11 +76,20 @@ struct ProgramFigures {
   std::size_t table_bytes = 0;
 };
 
+// An upper bound of a temporal constraint, which the scan watches: `late_V` is true once it is missed, and
+// `late_for_V` the constraint's index plus 1.
+struct ProgramLimit {
+  std::uint32_t constraint = 0;         // index into the plan's
+  std::uint32_t vehicle = 0;            // V, whose part it is
+  std::chrono::milliseconds within{0};  // since time zero or what the constraint counts from
+};
+
 struct FleetProgram {
   graphic::Project project;
   std::vector<MissionProgram> missions;  // in the plan's order
   ProgramFigures figures;
-  result::Diagnostics warnings;  // F1106: temporal constraints that the program does not see to
+  std::vector<ProgramLimit> limits;
+  result::Diagnostics warnings;  // F1106: temporal constraints that the program does not see to in full
 };
 
 // F1101: the plan is no schedule, or its parts do not belong together (F0201, F0202, F0502: data of a

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <utility>
+#include <vector>
+
+#include "supervisor/fleet/program/event_order.h"
 
 namespace stepwright::fleet {
 namespace {
-
-// How near a vehicle surely comes to where it halts.
-constexpr double kReached_m = 0.1;
 
 // The vehicle's data, its path and its stops, as far as the tables are made of them.
 result::Result<void> check_mission(const VehicleMission& mission, std::size_t index) {
@@ -69,11 +70,17 @@ result::Result<void> check_parts(const FleetPlan& plan) {
     const auto index = static_cast<std::size_t>(&mission - plan.missions.data());
     if (auto good = check_mission(mission, index); !good) return good;
   }
+  const auto there = [&](PolygonRef at) {
+    return at.vehicle < plan.missions.size() && at.polygon < plan.missions[at.vehicle].grown.visits.size();
+  };
+  for (const TemporalConstraint& bound : plan.constraints) {
+    if (there(bound.to.at) && (!bound.from || there(bound.from->at))) continue;
+    return result::fail("F1101", {},
+                        fmt::format("the constraint '{}' names a polygon that is not there", bound.name));
+  }
   for (const Precedence& wait : plan.schedule.precedences) {
     for (const PolygonRef at : {wait.first, wait.second}) {
-      const bool there =
-          at.vehicle < plan.missions.size() && at.polygon < plan.missions[at.vehicle].grown.visits.size();
-      if (!there) {
+      if (!there(at)) {
         return result::fail(
             "F1101", {},
             fmt::format("a precedence names polygon {} of vehicle number {}, which is not there", at.polygon,
@@ -110,74 +117,21 @@ result::Result<void> check_pairs(const FleetPlan& plan, const Interlocks& made) 
   return {};
 }
 
-// Entering and leaving of polygons as events, each with the events that must have come before.
-class Events {
- public:
-  Events(const FleetPlan& plan, const Interlocks& made) : plan_(plan), made_(made) {
-    for (const VehicleMission& mission : plan.missions) {
-      first_.push_back(count_);
-      count_ += 2 * mission.grown.visits.size();
-    }
-    after_.resize(count_);
-    open_.resize(count_, 0);
-    for (std::uint32_t v = 0; v < plan.missions.size(); ++v) add_vehicle(v);
-  }
-
-  // The first event, vehicle by vehicle, that never comes.
-  std::optional<PolygonRef> blocked() {
-    std::vector<std::size_t> ready;
-    for (std::size_t event = 0; event < count_; ++event) {
-      if (open_[event] == 0) ready.push_back(event);
-    }
-    while (!ready.empty()) {
-      const std::size_t event = ready.back();
-      ready.pop_back();
-      for (const std::size_t next : after_[event]) {
-        if (--open_[next] == 0) ready.push_back(next);
-      }
-    }
-    for (std::uint32_t v = 0; v < plan_.missions.size(); ++v) {
-      for (std::uint32_t k = 0; k < plan_.missions[v].grown.visits.size(); ++k) {
-        if (open_[enter(v, k)] != 0) return PolygonRef{v, k};
-      }
-    }
-    return std::nullopt;
-  }
-
- private:
-  std::size_t enter(std::uint32_t v, std::size_t k) const { return first_[v] + 2 * k; }
-  std::size_t leave(std::uint32_t v, std::size_t k) const { return first_[v] + 2 * k + 1; }
-  void require(std::size_t event, std::size_t before) {
-    after_[before].push_back(event);
-    ++open_[event];
-  }
-
-  void add_vehicle(std::uint32_t v) {
-    const std::size_t polygons = plan_.missions[v].grown.visits.size();
-    for (std::size_t k = 0; k < polygons; ++k) {
-      if (k > 0) require(enter(v, k), enter(v, k - 1));
-      for (const Interlock& wait : made_.before[v][k]) {
-        require(enter(v, k), leave(wait.vehicle, wait.polygon));
-      }
-      // To come so far it has to have entered all polygons before which it would halt short of it.
-      std::size_t needed = k + 1;
-      while (needed + 1 < polygons && made_.halt_m[v][needed + 1] < made_.free_m[v][k] + 0.5 * kReached_m)
-        ++needed;
-      if (k + 1 < polygons) {
-        require(leave(v, k), enter(v, needed));
-      } else {
-        require(leave(v, k), leave(v, k));  // nobody leaves its last polygon
-      }
+// Waits that would close a circle are left out: their constraints are not seen to.
+void keep_waits_that_end(const FleetPlan& plan, Interlocks& made) {
+  EventOrder order(plan, made);
+  std::vector<TimeWait> kept;
+  for (const TimeWait& wait : made.times.waits) {
+    order.require(wait, made.times.events);
+    if (wait.event && order.blocked()) {
+      order.take_back();
+      made.times.open.push_back(wait.constraint);
+    } else {
+      kept.push_back(wait);
     }
   }
-
-  const FleetPlan& plan_;
-  const Interlocks& made_;
-  std::vector<std::size_t> first_;
-  std::size_t count_ = 0;
-  std::vector<std::vector<std::size_t>> after_;
-  std::vector<std::size_t> open_;
-};
+  made.times.waits = std::move(kept);
+}
 
 }  // namespace
 
@@ -193,14 +147,16 @@ result::Result<Interlocks> find_interlocks(const FleetPlan& plan, const ProgramO
   }
   find_places(plan, options.margins, made);
   if (auto good = check_pairs(plan, made); !good) return result::forward(good);
-  Events events(plan, made);
-  if (const auto at = events.blocked()) {
+  const EventOrder order(plan, made);
+  if (const auto at = order.blocked()) {
     return result::fail(
         "F1103", {},
         fmt::format("'{}' could never enter its polygon {}: the vehicle that it waits for would wait for it",
                     plan.missions[at->vehicle].vehicle, at->polygon),
         "polygons that a vehicle has to wait between need a way of 0.5 m from entry to entry");
   }
+  made.times = time_rules(plan);
+  keep_waits_that_end(plan, made);
   return made;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
 // The precedences of a schedule as conditions for entering polygons, and the proof that they are enough:
-// every two polygons of different vehicles that overlap are ordered, and nobody waits for ever. Pure
+// every two polygons of different vehicles that overlap are ordered, and nobody waits for ever, neither for
+// them nor for what temporal constraints ask for. Pure
 // functions.
 //
 //   auto interlocks = find_interlocks(plan, options);
@@ -11,8 +12,12 @@
 #include <vector>
 
 #include "supervisor/fleet/program/fleet_program.h"
+#include "supervisor/fleet/program/time_rules.h"
 
 namespace stepwright::fleet {
+
+// How near a vehicle surely comes to where it halts.
+inline constexpr double kReached_m = 0.1;
 
 // The vehicle has left its polygon.
 struct Interlock {
@@ -30,6 +35,8 @@ struct Interlocks {
   // ... and from where on others may take it for left. That is behind its exit, or earlier, where the vehicle
   // is all within the next one and would have to wait before it has come so far.
   std::vector<std::vector<double>> free_m;
+  // What the constraints ask for. No wait of these is for what comes only after it.
+  TimeRules times;
 };
 
 // Fails with F1101, F1102 or F1103.

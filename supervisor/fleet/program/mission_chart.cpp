@@ -51,13 +51,22 @@ class Writer {
 
   MissionChart build() {
     const StepId start = step({"START", MissionStepKind::Start}, "the way begins");
-    action("BEGIN",
-           fmt::format("vehicle_{0}.Arc := 0.0;\nvehicle_{0}.Point := 0;\nvehicle_{0}.Area := 0;\n"
-                       "vehicle_{0}.Areas := 0;\npermitted_{0} := 0.0;\n",
-                       name_),
-           Qualifier::P1);
+    action(
+        "BEGIN",
+        fmt::format("vehicle_{0}.Arc := 0.0;\nvehicle_{0}.Point := 0;\nvehicle_{0}.Area := 0;\n"
+                    "vehicle_{0}.Areas := 0;\npermitted_{0} := 0.0;\nlate_{0} := FALSE;\nlate_for_{0} := 0;\n"
+                    "fleet_epoch := fleet_clock;\nfleet_time := T#0s;\n",
+                    name_) +
+            forgotten_events(),
+        Qualifier::P1);
+    std::vector<Condition> conditions;
+    std::string comment;
+    add_times(ChartPlace::Start, 0, conditions, comment);
+    // The clock was set by the step itself.
+    if (!conditions.empty()) conditions.push_back(compare("START.T", CompareOp::GreaterEqual, "T#1ms"));
     StepId at = polygon_step();
-    transition({start}, at, graphic::always(), "");
+    happened(EventKind::Begun, 0);
+    transition({start}, at, conditions.empty() ? graphic::always() : all(std::move(conditions)), comment);
     while (true) {
       const double stop_m = stop_ < mission_.stops.size() ? mission_.stops[stop_].arc_m : kNever;
       if (stop_m < next_halt_m()) {
@@ -137,22 +146,47 @@ class Writer {
       comment += fmt::format("{}{} has left polygon {}", comment.empty() ? "" : ", ",
                              plan_.missions[wait.vehicle].vehicle, wait.polygon);
     }
-    add_times(conditions, comment);
+    add_times(ChartPlace::Polygon, polygon_, conditions, comment);
     const StepId to = polygon_step();
     transition({from}, to, all(std::move(conditions)), comment);
     return to;
   }
 
-  // "Not before" of the problem's own constraints.
-  void add_times(std::vector<Condition>& conditions, std::string& comment) const {
-    for (const TemporalConstraint& bound : plan_.constraints) {
-      const bool here = bound.to.at == PolygonRef{vehicle_, static_cast<std::uint32_t>(polygon_)};
-      if (bound.from || !here || bound.to.side != Side::Entry || bound.distance.least.count() <= 0) continue;
-      conditions.push_back(
-          compare("fleet_time", CompareOp::GreaterEqual, time_literal(bound.distance.least)));
-      comment += fmt::format("{}not before {} ({})", comment.empty() ? "" : ", ",
-                             time_literal(bound.distance.least), bound.name);
+  // What temporal constraints ask for at this place.
+  void add_times(ChartPlace place, std::size_t index, std::vector<Condition>& conditions,
+                 std::string& comment) const {
+    const auto& waits = interlocks_.times.waits;
+    for (std::size_t k = 0; k < waits.size(); ++k) {
+      const TimeWait& wait = waits[k];
+      if (wait.vehicle != vehicle_ || wait.place != place || wait.index != index) continue;
+      const std::string& name = plan_.constraints[wait.constraint].name;
+      const std::string time = time_literal(wait.delay);
+      const std::string since = wait.event ? " after " + event_name(*wait.event) : "";
+      if (!wait.event) {
+        conditions.push_back(compare("fleet_time", CompareOp::GreaterEqual, time));
+      } else {
+        conditions.push_back(contact(wait.delay.count() > 0 ? waited_name(k) : event_name(*wait.event)));
+      }
+      comment += fmt::format("{}not before {}{} ({})", comment.empty() ? "" : ", ", time, since, name);
     }
+  }
+
+  // Of the step that was written last: that the vehicle has come to it is what others wait for.
+  void happened(EventKind kind, std::size_t index) {
+    const auto& events = interlocks_.times.events;
+    for (std::uint32_t k = 0; k < events.size(); ++k) {
+      if (events[k] != MissionEvent{kind, vehicle_, static_cast<std::uint32_t>(index)}) continue;
+      action(made_.chart.steps.back().name + "_EVENT", event_name(k) + " := TRUE;\n", Qualifier::P1);
+    }
+  }
+
+  std::string forgotten_events() const {
+    std::string text;
+    const auto& events = interlocks_.times.events;
+    for (std::uint32_t k = 0; k < events.size(); ++k) {
+      if (events[k].vehicle == vehicle_ && set_by_chart(events[k])) text += event_name(k) + " := FALSE;\n";
+    }
+    return text;
   }
 
   StepId stop_step(StepId from) {
@@ -165,16 +199,22 @@ class Writer {
       block("move_forks_" + name_);
       block("raise_" + name_, stop.kind == StopKind::PickUp ? Qualifier::S : Qualifier::R);
     }
-    transition({from}, at, all({beyond(stop.arc_m - kArrived_m), contact("standing_" + name_)}), "");
+    std::vector<Condition> begin = {beyond(stop.arc_m - kArrived_m), contact("standing_" + name_)};
+    std::string begin_comment;
+    add_times(ChartPlace::StopBegin, stop_, begin, begin_comment);
+    transition({from}, at, all(std::move(begin)), begin_comment);
     std::vector<Condition> conditions = {
         compare(name + ".T", CompareOp::GreaterEqual, time_literal(stop.service))};
+    std::string comment;
+    add_times(ChartPlace::StopEnd, stop_, conditions, comment);
     if (forks) conditions.push_back(contact("forks_done_" + name_));
     const bool checks = stop.kind == StopKind::PickUp && options_.load_switches;
     if (checks) conditions.push_back(contact("loaded_" + name_));
     const std::size_t stop_index = stop_++;
     ++part_;
     const StepId next = polygon_step();
-    transition({at}, next, all(std::move(conditions)), "");
+    happened(EventKind::StopDone, stop_index);
+    transition({at}, next, all(std::move(conditions)), comment);
     if (checks) add_failure(at, name, stop, stop_index);
     return next;
   }
@@ -192,7 +232,10 @@ class Writer {
   void finish(StepId from) {
     const StepId done = step({"DONE", MissionStepKind::Done, polygon_, 0, end_m()}, "the way ends");
     block("done_" + name_);
-    transition({from}, done, all({beyond(end_m() - kArrived_m), contact("standing_" + name_)}), "");
+    std::vector<Condition> conditions = {beyond(end_m() - kArrived_m), contact("standing_" + name_)};
+    std::string comment;
+    add_times(ChartPlace::End, 0, conditions, comment);
+    transition({from}, done, all(std::move(conditions)), comment);
   }
 
   const FleetPlan& plan_;
@@ -215,6 +258,18 @@ MissionChart mission_chart(const FleetPlan& plan, const std::vector<std::string>
                            const Interlocks& interlocks, std::uint32_t vehicle,
                            const ProgramOptions& options) {
   return Writer(plan, names, interlocks, vehicle, options).build();
+}
+
+std::string event_name(std::size_t event) {
+  return fmt::format("event_{}", event + 1);
+}
+
+std::string waited_name(std::size_t wait) {
+  return fmt::format("waited_{}", wait + 1);
+}
+
+bool set_by_chart(const MissionEvent& event) {
+  return event.kind == EventKind::Begun || event.kind == EventKind::StopDone;
 }
 
 std::string real_literal(double value) {

@@ -23,6 +23,12 @@ MissionChart mission_chart(const FleetPlan& plan, const std::vector<std::string>
                            const Interlocks& interlocks, std::uint32_t vehicle,
                            const ProgramOptions& options);
 
+// Variables: that an event has happened, and that the delay of a wait has passed since.
+std::string event_name(std::size_t event);
+std::string waited_name(std::size_t wait);
+// By an action of its vehicle's chart; the others are seen from measurements.
+bool set_by_chart(const MissionEvent& event);
+
 // 1.25, 1.0E-05: as a REAL literal of ST.
 std::string real_literal(double value);
 // T#90s, T#250ms

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "supervisor/fleet/control/greatest_speeds.h"
+
 namespace stepwright::fleet {
 namespace {
 
@@ -12,9 +14,6 @@ using geometry::PathPose;
 using geometry::Point;
 using geometry::Travel;
 
-// A window in which the steering has to turn: paths of arcs ask for it at once.
-constexpr double kSteering_m = 1.0;
-constexpr double kSteeringShare = 0.8;  // of the rate, which leaves the controller some
 constexpr double kSame_m = 1e-6;
 
 // The poses that become samples, from one place of rest to the next.
@@ -124,25 +123,21 @@ class Table {
   }
 
   void limit_speeds(std::size_t first) {
-    const DriveData& drive = options_.drive;
+    std::vector<SpeedStation> stations;
     for (std::size_t k = first; k < samples_.size(); ++k) {
-      PathSample& sample = samples_[k];
-      double sharpest = std::abs(sample.curvature_1_m);
-      if (k > first) sharpest = std::max(sharpest, std::abs(samples_[k - 1].curvature_1_m));
-      double speed = mission_.speed.max_mps;
-      if (sharpest > 0.0) speed = std::min(speed, std::sqrt(drive.lateral_m_s2 / sharpest));
-      const double turn = std::abs(lock_at(first, sample.arc_m + kSteering_m / 2.0) -
-                                   lock_at(first, sample.arc_m - kSteering_m / 2.0));
-      if (turn > 0.0) speed = std::min(speed, kSteeringShare * drive.lock_rate_rad_s * kSteering_m / turn);
-      sample.speed_m_s = speed;
+      const double arc_m = samples_[k].arc_m;
+      const double before = k > first ? std::abs(samples_[k - 1].curvature_1_m) : 0.0;
+      stations.push_back({.sharpest_1_m = std::max(std::abs(samples_[k].curvature_1_m), before),
+                          .turn_rad = lock_at(first, arc_m + kSteeringWindow_m / 2.0) -
+                                      lock_at(first, arc_m - kSteeringWindow_m / 2.0),
+                          .to_next_m = k + 1 < samples_.size() ? samples_[k + 1].arc_m - arc_m : 0.0});
     }
-    samples_.back().speed_m_s = 0.0;
-    for (std::size_t k = samples_.size() - 1; k-- > first;) {
-      const PathSample& next = samples_[k + 1];
-      const double way = next.arc_m - samples_[k].arc_m;
-      samples_[k].speed_m_s = std::min(
-          samples_[k].speed_m_s, std::sqrt(next.speed_m_s * next.speed_m_s + 2.0 * drive.brake_m_s2 * way));
-    }
+    const std::vector<double> speeds =
+        greatest_speeds(stations, {.top_speed_m_s = mission_.speed.max_mps,
+                                   .brake_m_s2 = options_.drive.brake_m_s2,
+                                   .lateral_m_s2 = options_.drive.lateral_m_s2,
+                                   .lock_rate_rad_s = options_.drive.lock_rate_rad_s});
+    for (std::size_t k = first; k < samples_.size(); ++k) samples_[k].speed_m_s = speeds[k - first];
   }
 
   const VehicleMission& mission_;

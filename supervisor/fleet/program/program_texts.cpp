@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -81,6 +82,67 @@ set_lock_{0} := REAL_TO_INT(vehicle_{0}.SetLock * 5729.578);
 lift_{0} := vehicle_{0}.Lift;
 )";
 
+bool needs_timer(const TimeWait& wait) {
+  return wait.event && wait.delay.count() > 0;
+}
+
+std::string words(const MissionEvent& event) {
+  switch (event.kind) {
+    case EventKind::Begun:
+      return "has begun its mission";
+    case EventKind::Entered:
+      return fmt::format("has entered polygon {}", event.index);
+    case EventKind::StopDone:
+      return fmt::format("has done its stop {}", event.index + 1);
+    case EventKind::Left:
+      return fmt::format("has left polygon {}", event.index);
+    case EventKind::Arrived:
+      break;
+  }
+  return "has arrived for good";
+}
+
+// An event that no chart knows of.
+std::string sensed(const FleetPlan& plan, const std::vector<VehicleNames>& vehicles, const TimeRules& rules,
+                   std::size_t number) {
+  const MissionEvent& event = rules.events[number];
+  const std::string& vehicle = vehicles[event.vehicle].name;
+  std::string seen = "done_" + vehicle;
+  if (event.kind == EventKind::Left) seen = fmt::format("areas_{} >= {}", vehicle, event.index + 1);
+  if (event.kind == EventKind::Entered) {
+    const auto begun = std::ranges::find(rules.events, MissionEvent{EventKind::Begun, event.vehicle, 0});
+    const auto index = static_cast<std::size_t>(begun - rules.events.begin());
+    const double entry_m = plan.missions[event.vehicle].grown.visits[event.index].entry_m;
+    seen = fmt::format("{} AND arc_{} >= {}", event_name(index), vehicle, real_literal(entry_m));
+  }
+  return fmt::format("{} := {};\n", event_name(number), seen);
+}
+
+// Late is who has not done in time what a constraint asks for, until a reset or its next mission.
+std::string limits_text(const std::vector<VehicleNames>& vehicles, const TimeRules& rules) {
+  if (rules.limits.empty()) return {};
+  std::string text = "IF fleet_reset THEN\n";
+  for (const VehicleNames& names : vehicles)
+    text += fmt::format("  late_{0} := FALSE;\n  late_for_{0} := 0;\n", names.name);
+  text += "END_IF;\n";
+  for (std::size_t k = 0; k < rules.limits.size(); ++k) {
+    const TimeLimit& limit = rules.limits[k];
+    const std::string& vehicle = vehicles[rules.events[limit.event].vehicle].name;
+    const std::string event = event_name(limit.event);
+    std::string over = fmt::format("fleet_time > {} AND NOT {}", time_literal(limit.within), event);
+    if (limit.since) {
+      text += fmt::format("limit_{}(IN := {} AND NOT {}, PT := {});\n", k + 1, event_name(*limit.since),
+                          event, time_literal(limit.within));
+      over = fmt::format("limit_{}.Q", k + 1);
+    }
+    text += fmt::format(
+        "IF {0} THEN\n  IF NOT late_{1} THEN\n    late_for_{1} := {2};\n  END_IF;\n  late_{1} := "
+        "TRUE;\nEND_IF;\n",
+        over, vehicle, limit.constraint + 1);
+  }
+  return text;
+}
+
 std::string filled(const char* text, const VehicleNames& names) {
   return fmt::format(fmt::runtime(text), names.name, names.path, names.areas, names.planes);
 }
@@ -127,7 +189,25 @@ std::vector<std::pair<std::string, std::string>> named_terminals(const VehicleTe
 std::vector<Variable> shared_globals(const FleetTerminals& terminals) {
   return {global("estop_ok", "BOOL", "off while the emergency stop is pressed", terminals.estop_ok),
           global("fleet_reset", "BOOL", "a rising edge lets vehicles go on that have stopped by themselves"),
-          global("fleet_time", "TIME", "since the program began")};
+          global("fleet_clock", "TIME", "since the program began"),
+          global("fleet_epoch", "TIME", "of that clock: when the missions began"),
+          global("fleet_time", "TIME", "since the missions began: the schedule's clock")};
+}
+
+std::vector<Variable> time_globals(const FleetPlan& plan, const TimeRules& rules) {
+  std::vector<Variable> globals;
+  for (std::size_t k = 0; k < rules.events.size(); ++k) {
+    const MissionEvent& event = rules.events[k];
+    globals.push_back(
+        global(event_name(k), "BOOL", plan.missions[event.vehicle].vehicle + " " + words(event)));
+  }
+  for (std::size_t k = 0; k < rules.waits.size(); ++k) {
+    const TimeWait& wait = rules.waits[k];
+    if (!needs_timer(wait)) continue;
+    globals.push_back(global(waited_name(k), "BOOL",
+                             fmt::format("{} since {}", time_literal(wait.delay), event_name(*wait.event))));
+  }
+  return globals;
 }
 
 std::vector<Variable> vehicle_globals(const VehicleMission& mission, const VehicleNames& names,
@@ -147,7 +227,10 @@ std::vector<Variable> vehicle_globals(const VehicleMission& mission, const Vehic
   globals.push_back(global("permitted_" + v, "REAL", "up to where it may drive along its path, m"));
   globals.push_back(global("arc_" + v, "REAL", "how far it has come along its path, m"));
   globals.push_back(global("areas_" + v, "INT", "how many of its polygons it has left"));
+  globals.push_back(
+      global("late_for_" + v, "INT", "number of the first temporal constraint that it has missed, from 1"));
   for (const auto& [name, comment] : {std::pair("standing", "it stands"),
+                                      {"late", "its mission is late"},
                                       {"move_forks", "forks are to move"},
                                       {"raise", "and up"},
                                       {"forks_done", "and have"},
@@ -158,17 +241,35 @@ std::vector<Variable> vehicle_globals(const VehicleMission& mission, const Vehic
   return globals;
 }
 
-std::string sensing_text(const std::vector<VehicleNames>& vehicles) {
-  std::string text = "clock(IN := TRUE, PT := T#100000s);\nfleet_time := clock.ET;\n";
+std::string sensing_text(const FleetPlan& plan, const std::vector<VehicleNames>& vehicles,
+                         const TimeRules& rules) {
+  std::string text =
+      "clock(IN := TRUE, PT := T#100000s);\nfleet_clock := clock.ET;\n"
+      "fleet_time := fleet_clock - fleet_epoch;\n";
   for (const VehicleNames& names : vehicles) text += filled(kSensing, names);
-  return text;
+  for (std::size_t k = 0; k < rules.events.size(); ++k) {
+    if (!set_by_chart(rules.events[k])) text += sensed(plan, vehicles, rules, k);
+  }
+  for (std::size_t k = 0; k < rules.waits.size(); ++k) {
+    const TimeWait& wait = rules.waits[k];
+    if (!needs_timer(wait)) continue;
+    text += fmt::format("wait_{0}(IN := {1}, PT := {2});\n{3} := wait_{0}.Q;\n", k + 1,
+                        event_name(*wait.event), time_literal(wait.delay), waited_name(k));
+  }
+  return text + limits_text(vehicles, rules);
 }
 
-std::vector<Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles) {
+std::vector<Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles, const TimeRules& rules) {
   std::vector<Variable> blocks = {block("clock", "TON")};
   for (const VehicleNames& names : vehicles) {
     blocks.push_back(block("read_" + names.name, "MC_ReadVehicle"));
     blocks.push_back(block("watch_" + names.name, "MC_WatchArea"));
+  }
+  for (std::size_t k = 0; k < rules.waits.size(); ++k) {
+    if (needs_timer(rules.waits[k])) blocks.push_back(block(fmt::format("wait_{}", k + 1), "TON"));
+  }
+  for (std::size_t k = 0; k < rules.limits.size(); ++k) {
+    if (rules.limits[k].since) blocks.push_back(block(fmt::format("limit_{}", k + 1), "TON"));
   }
   return blocks;
 }

@@ -10,6 +10,7 @@
 
 #include "ladder/graphic/project.h"
 #include "supervisor/fleet/program/fleet_program.h"
+#include "supervisor/fleet/program/time_rules.h"
 
 namespace stepwright::fleet {
 
@@ -23,13 +24,17 @@ struct VehicleNames {
 };
 
 std::vector<graphic::Variable> shared_globals(const FleetTerminals& terminals);
+// Of what temporal constraints ask for.
+std::vector<graphic::Variable> time_globals(const FleetPlan& plan, const TimeRules& rules);
 std::vector<graphic::Variable> vehicle_globals(const VehicleMission& mission, const VehicleNames& names,
                                                const VehicleTerminals& terminals,
                                                const ProgramOptions& options);
 
 // PROGRAM sensing: before the charts. Blocks: the instances that the text calls.
-std::string sensing_text(const std::vector<VehicleNames>& vehicles);
-std::vector<graphic::Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles);
+std::string sensing_text(const FleetPlan& plan, const std::vector<VehicleNames>& vehicles,
+                         const TimeRules& rules);
+std::vector<graphic::Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles,
+                                              const TimeRules& rules);
 // PROGRAM driving: behind them.
 std::string driving_text(const std::vector<VehicleNames>& vehicles);
 std::vector<graphic::Variable> driving_blocks(const std::vector<VehicleNames>& vehicles);

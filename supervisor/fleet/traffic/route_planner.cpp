@@ -22,30 +22,9 @@ bool same_place(const Pose& a, const Pose& b) {
          std::cos(a.heading_rad - b.heading_rad) > 0.9999;
 }
 
-void close(OccupancyGrid& grid, const ConvexPolygon& area) {
-  for (const RowSpan& span : covered_spans(area, grid.frame())) {
-    for (std::int32_t column = span.first; column <= span.last; ++column)
-      if (grid.contains({column, span.row})) grid.set({column, span.row}, true);
-  }
-}
-
 std::size_t pose_at(const Path& path, double arc_m) {
   const auto at = std::ranges::lower_bound(path, arc_m, {}, &geometry::PathPose::arc_m);
   return at == path.end() ? path.size() - 1 : static_cast<std::size_t>(at - path.begin());
-}
-
-Path part(const Path& path, std::size_t first, std::size_t last) {
-  return {path.begin() + static_cast<std::ptrdiff_t>(first),
-          path.begin() + static_cast<std::ptrdiff_t>(last) + 1};
-}
-
-void append(GrownEnvelope& grown, const GrownEnvelope& more, std::size_t offset) {
-  for (std::size_t k = 0; k < more.visits.size(); ++k) {
-    grown.envelope.polygons.push_back(more.envelope.polygons[k]);
-    grown.visits.push_back(more.visits[k]);
-    grown.visits.back().first_pose += offset;
-    grown.visits.back().last_pose += offset;
-  }
 }
 
 }  // namespace
@@ -94,32 +73,24 @@ const RoutePlanner::Layer& RoutePlanner::layer(std::uint32_t number) {
   closed.front_m += settings_.tail_m + 4.0 * settings_.tail_growth_m;
   closed.rear_m += settings_.tail_m + 4.0 * settings_.tail_growth_m;
   for (std::uint32_t v = 0; v < homes_.size(); ++v)
-    if (v != number) close(*made.grid, footprint_at(homes_[v].pose, closed));
-  for (const auto& [name, blocked] : blocked_) close(*made.grid, blocked.area);
+    if (v != number) fleet::block(*made.grid, footprint_at(homes_[v].pose, closed));
+  for (const auto& [name, blocked] : blocked_) fleet::block(*made.grid, blocked.area);
   made.planner = std::make_unique<PathPlanner>(base_->on(*made.grid));
   return layers_.emplace(number, std::move(made)).first->second;
 }
 
 // The last polygon holds the tail of the path alone.
-result::Result<GrownEnvelope> RoutePlanner::grow(const OccupancyGrid& grid, const Path& path) const {
-  const geometry::Footprint outline = planned_.footprint();
+std::vector<EnvelopePart> RoutePlanner::parts_from(const Path& path, std::size_t begin) const {
   EnvelopeOptions tight = settings_.envelope;
   tight.growth_m = settings_.tail_growth_m;
   tight.stretch_m = 2.0 * settings_.tail_m;
-  const double begin_m = path.front().arc_m;
   const double tail_m = path.back().arc_m - settings_.tail_m;
-  if (tail_m - begin_m < kLeft_m + kHalt_m) return grow_envelope(grid, outline, {}, path, tight);
-  const std::size_t cut = pose_at(path, tail_m);
-  auto grown = grow_envelope(grid, outline, {}, part(path, 0, cut), settings_.envelope);
-  if (!grown) return grown;
-  auto tail = grow_envelope(grid, outline, {}, part(path, cut, path.size() - 1), tight);
-  if (!tail) return tail;
-  append(*grown, *tail, cut);
-  return grown;
+  if (tail_m - path[begin].arc_m < kLeft_m + kHalt_m) return {{path.size() - 1, tight}};
+  return {{pose_at(path, tail_m), settings_.envelope}, {path.size() - 1, tight}};
 }
 
 result::Result<Route> RoutePlanner::leg_along(const OccupancyGrid& grid, Path path) const {
-  auto grown = grow(grid, path);
+  auto grown = grow_in_parts(grid, planned_.footprint(), {}, path, parts_from(path, 0));
   if (!grown) return result::forward(grown);
   VehicleMission mission;
   mission.model = planned_;
@@ -207,13 +178,12 @@ result::Result<Route> RoutePlanner::tight_leg(const OccupancyGrid& grid, const P
   tight.stretch_m = 4.0 * kTight_m;
   const bool is_long = path.back().arc_m - path.front().arc_m > 2.0 * kTight_m;
   const std::size_t cut = is_long ? pose_at(path, path.front().arc_m + kTight_m) : path.size() - 1;
-  auto grown = grow_envelope(grid, planned_.footprint(), {}, part(path, 0, cut), tight);
-  if (!grown) return result::forward(grown);
+  std::vector<EnvelopePart> parts = {{cut, tight}};
   if (is_long) {
-    auto rest = grow(grid, part(path, cut, path.size() - 1));
-    if (!rest) return result::forward(rest);
-    append(*grown, *rest, cut);
+    for (const EnvelopePart& part : parts_from(path, cut)) parts.push_back(part);
   }
+  auto grown = grow_in_parts(grid, planned_.footprint(), {}, path, parts);
+  if (!grown) return result::forward(grown);
   VehicleMission mission;
   mission.model = planned_;
   mission.grown = *std::move(grown);

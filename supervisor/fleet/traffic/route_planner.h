@@ -107,8 +107,7 @@ class RoutePlanner {
   [[nodiscard]] result::Result<Route> tight_leg(const OccupancyGrid& grid, const geometry::Path& path) const;
   [[nodiscard]] result::Result<Route> plan_behind(std::uint32_t vehicle, std::optional<Route> whole,
                                                   geometry::Pose at, std::span<const Waypoint> stops);
-  [[nodiscard]] result::Result<GrownEnvelope> grow(const OccupancyGrid& grid,
-                                                   const geometry::Path& path) const;
+  std::vector<EnvelopePart> parts_from(const geometry::Path& path, std::size_t begin) const;
 
   std::unique_ptr<OccupancyGrid> floor_;
   const PrimitiveSet* primitives_;

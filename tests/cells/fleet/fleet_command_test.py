@@ -78,12 +78,16 @@ class FleetCommand(unittest.TestCase):
         again = self.report("mine.json")
         self.assertEqual(again["precedences"], report["precedences"])
 
-    def test_without_other_paths_it_is_proved_that_there_is_none(self) -> None:
-        done = self.fleet("mine.json", "--path-factor", "2", "--alternatives", "0")
-        self.assertEqual(done.returncode, 3, done.stdout)
+    def test_without_other_paths_there_is_none_and_that_this_is_no_proof_for_all_paths_is_said(self) -> None:
+        file = self.folder / "report.json"
+        done = self.fleet("mine.json", "--path-factor", "2", "--alternatives", "0", "--json", str(file))
+        self.assertEqual(done.returncode, 4, done.stdout)
+        self.assertIn("proved for the paths found, not for all", done.stderr)
+        report = json.loads(file.read_text(encoding="utf-8"))
+        self.assertEqual((report["verdict"], report["proof"]), ("infeasible", "paths_found"))
         self.assertIn("loader 2 and loader 5 meet at", done.stderr)
         paper = self.fleet("mine.json", "--path-factor", "2", "--paper", "--objective", "none", "--alternatives", "0")
-        self.assertIn(paper.returncode, (0, 3), paper.stderr)
+        self.assertIn(paper.returncode, (0, 4), paper.stderr)
 
     def test_the_warehouse_carries_everything(self) -> None:
         report = self.report("warehouse.json", "--path-factor", "2")
@@ -94,8 +98,11 @@ class FleetCommand(unittest.TestCase):
 
     def test_an_impossible_deadline_is_named_with_its_line(self) -> None:
         self.change("warehouse.json", '"deadline_ms": 240000', '"deadline_ms": 20000')
-        done = self.fleet("warehouse.json", "--path-factor", "2")
+        file = self.folder / "report.json"
+        done = self.fleet("warehouse.json", "--path-factor", "2", "--json", str(file))
         self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("there is no schedule, proved", done.stderr)
+        self.assertEqual(json.loads(file.read_text(encoding="utf-8"))["proof"], "all_paths")
         self.assertIn("deadline of order 41", done.stderr)
 
     def test_envelopes_alone_are_scheduled(self) -> None:

@@ -7,7 +7,7 @@ namespace stepwright::fleet::internal {
 
 namespace {
 
-constexpr std::uint64_t kExpansionsBetweenLooks = 256;  // at the clock and at the stop token
+constexpr std::uint64_t kExpansionsBetweenLooks = 256;  // at the clock and whether it is cancelled
 
 constexpr double kLargestKey = 4e9;
 
@@ -78,7 +78,7 @@ RoundEnd LatticeSearch::run_round(double weight) {
     node.closed_in = round_;
     expand(entry.state);
     if (++expanded_ % kExpansionsBetweenLooks != 0) continue;
-    if (options_.stop.stop_requested()) return RoundEnd::Cancelled;
+    if (options_.cancel != nullptr && options_.cancel->load()) return RoundEnd::Cancelled;
     if (options_.most_expanded != 0 && expanded_ >= options_.most_expanded) return RoundEnd::Deadline;
     if (options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline)
       return RoundEnd::Deadline;

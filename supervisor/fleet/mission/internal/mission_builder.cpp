@@ -3,8 +3,6 @@
 #include <cassert>
 #include <utility>
 
-#include "supervisor/fleet/map/row_span.h"
-
 namespace stepwright::fleet::internal {
 
 geometry::Path join_legs(std::span<const LatticePath* const> legs) {
@@ -68,14 +66,6 @@ result::Result<VehicleMission> build_mission(const MissionProblem& problem, std:
   if (!grown) return result::forward(grown);
   mission.grown = *std::move(grown);
   return mission;
-}
-
-void block(OccupancyGrid& map, const geometry::ConvexPolygon& area) {
-  for (const RowSpan& span : covered_spans(area, map.frame())) {
-    for (std::int32_t column = span.first; column <= span.last; ++column) {
-      if (map.contains({column, span.row})) map.set({column, span.row}, true);
-    }
-  }
 }
 
 VehicleMission given_mission(const MissionProblem& problem, std::size_t vehicle) {

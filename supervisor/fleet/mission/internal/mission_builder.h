@@ -28,7 +28,4 @@ VehicleMission given_mission(const MissionProblem& problem, std::size_t vehicle)
 // The stands of stops, for grow_between_stands.
 std::vector<Stand> stands_of(std::span<const Stop> stops);
 
-// Closes the cells that the area covers.
-void block(OccupancyGrid& map, const geometry::ConvexPolygon& area);
-
 }  // namespace stepwright::fleet::internal

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "supervisor/fleet/map/row_span.h"
 #include "supervisor/fleet/mission/internal/mission_builder.h"
 
 namespace stepwright::fleet::internal {
@@ -214,6 +215,7 @@ class Repair {
     const auto legs = legs_of(input_.problem, vehicle, input_.routes[vehicle]);
     const PathPlanner planner = input_.floor.planner(legs.front().model).on(map);
     if (input_.limited) options.deadline = input_.until;
+    options.cancel = input_.options.cancel;
     std::vector<LatticePath> paths;
     for (const LegRequest& leg : legs) {
       PathAnswer answer = planner.plan(leg.from, leg.to, options);

@@ -21,10 +21,24 @@ std::vector<LegRequest> legs_of(const MissionProblem& problem, std::size_t vehic
   return legs;
 }
 
+std::chrono::milliseconds least_leg_time(const FleetFloor& floor, const LegRequest& leg, double least_way_m,
+                                         double speed_mps, bool known) {
+  const PathAnswer* answer = known ? floor.find(leg) : nullptr;
+  double least_ms = 0.0;
+  if (answer != nullptr && answer->path) {
+    least_ms = 1000.0 * answer->path->length_m / speed_mps - static_cast<double>(answer->path->poses.size());
+  } else {
+    // A longer way has more poses, too; so it takes longer, or it is not known to take any time.
+    least_ms = least_way_m * (1000.0 / speed_mps - floor.planner(leg.model).most_poses_per_m()) - 1.0;
+  }
+  const auto horizon_ms = static_cast<double>(SpeedLimits{}.horizon.count());
+  return std::chrono::milliseconds(static_cast<std::int64_t>(std::clamp(least_ms, 0.0, horizon_ms)));
+}
+
 // Locations of the allocation are those of the problem, then the starts of its vehicles.
 AllocationTask::AllocationTask(const MissionProblem& problem, FleetFloor& floor,
-                               const AllocationObjective& objective)
-    : mission_(problem), floor_(floor), carriers_(problem.vehicles.size()) {
+                               const AllocationObjective& objective, const std::atomic<bool>* cancel)
+    : mission_(problem), floor_(floor), cancel_(cancel), carriers_(problem.vehicles.size()) {
   asked_.objective = objective;
   for (const MissionLocation& location : problem.locations) asked_.locations.push_back(location.name);
   for (const MissionVehicle& vehicle : problem.vehicles) {
@@ -53,10 +67,6 @@ LegRequest AllocationTask::leg(std::size_t model, std::size_t from, std::size_t 
                : mission_.vehicles[location - mission_.locations.size()].start;
   };
   return {model, pose(from), pose(to)};
-}
-
-std::chrono::milliseconds AllocationTask::time_of(double length_m, double speed_mps) const {
-  return time_bounds(length_m, {.min_mps = 0.0, .max_mps = speed_mps}).least;
 }
 
 // Between the places of goals, from starts to pick-ups, from set-downs to where tasks begin.
@@ -89,14 +99,14 @@ void AllocationTask::add_classes() {
         }
       }
     }
-    estimate(model);
+    find_least_ways(model);
     asked_.classes.emplace_back(asked_.locations.size());
   }
-  learn();
+  learn(LegTimes::Paths);
 }
 
 // One search of the floor for each place to which somebody drives.
-void AllocationTask::estimate(std::size_t model) {
+void AllocationTask::find_least_ways(std::size_t model) {
   std::map<std::size_t, std::vector<std::size_t>> by_goal;
   for (const auto& [from, to] : pairs_.back()) by_goal[to].push_back(from);
   const std::vector<std::pair<std::size_t, std::vector<std::size_t>>> all(by_goal.begin(), by_goal.end());
@@ -104,7 +114,7 @@ void AllocationTask::estimate(std::size_t model) {
   each_index(all.size(), floor_.threads(), [&](std::size_t k) {
     std::vector<geometry::Pose> from;
     for (const std::size_t place : all[k].second) from.push_back(leg(model, place, all[k].first).from);
-    found[k] = floor_.planner(model).estimated_ways(from, leg(model, 0, all[k].first).to);
+    found[k] = floor_.planner(model).least_ways_m(from, leg(model, 0, all[k].first).to, cancel_);
   });
   auto& ways_m = ways_m_.emplace_back();
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -114,20 +124,26 @@ void AllocationTask::estimate(std::size_t model) {
   }
 }
 
-bool AllocationTask::learn() {
+bool AllocationTask::learn(LegTimes wanted) {
   std::size_t known = 0;
   for (std::size_t c = 0; c < classes_.size(); ++c) {
     TravelTimes times(asked_.locations.size());
     for (const auto& pair : pairs_[c]) {
-      const PathAnswer* answer = floor_.find(leg(classes_[c].first, pair.first, pair.second));
-      double length_m = ways_m_[c].at(pair);
-      if (answer != nullptr) {
-        ++known;
-        if (!answer->path && answer->end != PathEnd::Deadline) continue;
-        if (answer->path) length_m = answer->path->length_m;
-      }
+      const LegRequest way = leg(classes_[c].first, pair.first, pair.second);
+      const PathAnswer* answer = floor_.find(way);
+      if (answer != nullptr) ++known;
+      // No path of the lattice, not only none that was found in time.
+      if (answer != nullptr && (answer->end == PathEnd::Unreachable || answer->end == PathEnd::Refused))
+        continue;
+      const double speed_mps = classes_[c].second;
+      const double least_m = ways_m_[c].at(pair);
+      const double length_m = answer != nullptr && answer->path ? answer->path->length_m : least_m;
+      const auto time =
+          wanted == LegTimes::Paths
+              ? time_bounds(length_m, {.min_mps = 0.0, .max_mps = speed_mps}).least
+              : least_leg_time(floor_, way, least_m, speed_mps, wanted == LegTimes::LeastOnPaths);
       times.set(LocationId(static_cast<std::uint32_t>(pair.first)),
-                LocationId(static_cast<std::uint32_t>(pair.second)), time_of(length_m, classes_[c].second));
+                LocationId(static_cast<std::uint32_t>(pair.second)), time);
     }
     asked_.classes[c] = std::move(times);
   }

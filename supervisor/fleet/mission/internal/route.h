@@ -2,6 +2,9 @@
 
 // Which stops each vehicle makes, as the chain hands them from allocation to paths. Values.
 
+#include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -36,17 +39,23 @@ std::vector<LegRequest> legs_of(const MissionProblem& problem, std::size_t vehic
 
 // What the allocation is asked, and how its answer becomes routes by vehicle of the problem.
 //
-// Most driving times are never needed exactly: they begin as distances around obstacles, which seldom exceed
-// what the vehicle drives. The legs that an allocation takes are planned on the lattice, and it is asked
-// again with their times, until it takes only legs that are known. What is best under estimates that are too
-// small, and uses none of them, is best.
+// Most driving times are never needed exactly: they begin as lengths that no path is shorter than. The legs
+// that an allocation takes are planned on the lattice, and it is asked again with their times, until it takes
+// only legs that are known. What is best under times that are too small, and uses none of them, is best.
+enum class LegTimes : std::uint8_t {
+  Paths,         // of the paths that are known; the least there can be where none is
+  LeastOnPaths,  // the same, less all that a schedule can gain by rounding: see least_leg_ms
+  Least,         // no path of the lattice takes less, with the same taken off
+};
+
 class AllocationTask {
  public:
-  AllocationTask(const MissionProblem& problem, FleetFloor& floor, const AllocationObjective& objective);
+  AllocationTask(const MissionProblem& problem, FleetFloor& floor, const AllocationObjective& objective,
+                 const std::atomic<bool>* cancel);
 
   const AllocationProblem& problem() const { return asked_; }
-  // Takes the times of the legs that the floor knows by now. False if nothing is new.
-  bool learn();
+  // What the allocation is asked with. False if no leg has become known since the last call.
+  bool learn(LegTimes times);
   // F0801 for goals of which the floor knows that no vehicle that may carry them finds its way, and for tasks
   // to which there is none.
   result::Diagnostics unreachable() const;
@@ -59,24 +68,31 @@ class AllocationTask {
   std::optional<TransportTimepoint> timepoint(const MomentRef& moment) const;
   LegRequest leg(std::size_t model, std::size_t from, std::size_t to) const;
   void add_classes();
-  void estimate(std::size_t model);
-  std::chrono::milliseconds time_of(double length_m, double speed_mps) const;
+  void find_least_ways(std::size_t model);
   void add_vehicles();
   void add_transports();
   void add_constraints();
 
   const MissionProblem& mission_;
   const FleetFloor& floor_;
+  const std::atomic<bool>* cancel_;
   AllocationProblem asked_;
   std::vector<std::size_t> vehicles_;                    // of the problem, by vehicle of the allocation
   std::vector<std::optional<std::size_t>> carriers_;     // the other way round
   std::vector<std::pair<std::size_t, double>> classes_;  // model and greatest speed
-  // By class: the pairs of places that it may drive, and estimates of how far that is.
+  // By class: the pairs of places that it may drive, and how far that is at least.
   std::vector<std::set<std::pair<std::size_t, std::size_t>>> pairs_;
   std::vector<std::map<std::pair<std::size_t, std::size_t>, double>> ways_m_;
   std::size_t known_ = 0;                     // pairs with exact times
   std::vector<std::string> constraint_keys_;  // of the problem, by constraint of the allocation
 };
+
+// How long a leg takes in every schedule, at least. Its polygons' times are whole milliseconds, rounded so
+// that each by itself is driven no faster than the vehicle can; their sum may be less than the way takes by
+// up to a millisecond for each polygon, of which there is at most one for each pose. Known: of the path that
+// the floor knows, if it does.
+std::chrono::milliseconds least_leg_time(const FleetFloor& floor, const LegRequest& leg, double least_way_m,
+                                         double speed_mps, bool known);
 
 // The stops of the tasks, behind those of the goals.
 void append_tasks(const MissionProblem& problem, std::vector<Route>& routes);

@@ -208,6 +208,25 @@ TEST(GrowEnvelope, Stands_WhenNotInOrderOrOffThePath_ThenRefused) {
   }
 }
 
+// As each part by itself, and together what the header promises.
+TEST(GrowEnvelope, GrowInParts_WhenThePartsHaveOptionsOfTheirOwn_ThenEachIsGrownByItsOwn) {
+  const OccupancyGrid map({.resolution_m = 0.2, .origin = {0, 0}, .columns = 250, .rows = 100});
+  const Path path = straight(10.0, 30.0, 10.0);
+  EnvelopeOptions tight;
+  tight.growth_m = 0.1;
+  const std::vector<EnvelopePart> parts = {{150, {}}, {200, tight}};
+  const auto grown = grow_in_parts(map, kForklift, "v1", path, parts);
+  ASSERT_TRUE(grown.has_value());
+  expect_promises(map, kForklift, *grown, path, straight(10.0, 30.0, 10.0, 0.02));
+  expect_times(*grown, {});
+  const auto first = grow_envelope(map, kForklift, "v1", Path(path.begin(), path.begin() + 151), {});
+  const auto second = grow_envelope(map, kForklift, "v1", Path(path.begin() + 150, path.end()), tight);
+  ASSERT_EQ(grown->visits.size(), first->visits.size() + second->visits.size());
+  EXPECT_EQ(grown->visits[first->visits.size()].first_pose, 150U);
+  const auto& box = grown->envelope.polygons.back().area.bounds();
+  EXPECT_NEAR(box.high.y_m - box.low.y_m, 1.4 + 2 * 0.1, 0.01);
+}
+
 // Tight curves, narrow tunnels and reversing: paths of the planner in the drawn mine.
 TEST(GrowEnvelope, Grow_WhenPathsLeadThroughAMine_ThenThePromisesHold) {
   const VehicleModel forklift;

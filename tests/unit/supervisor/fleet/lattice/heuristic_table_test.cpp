@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -76,6 +77,18 @@ TEST_F(Table, LoadOrBuild_WhenTheFileIsThere_ThenItIsNotBuiltAgain) {
   const auto homeless = HeuristicTable::load_or_build(primitives_, kSmall, folder_ / "no/such.table");
   EXPECT_TRUE(homeless.built);
   EXPECT_THAT(homeless.note, HasSubstr("F0404"));
+}
+
+// Zero is a lower bound as well; what is not whole must not be kept.
+TEST_F(Table, Build_WhenCancelled_ThenNothingIsKnownAndNothingIsWritten) {
+  const std::atomic<bool> cancel = true;
+  const TableOptions large{.range_m = 4.0, .margin_m = 4.0, .threads = 2, .cancel = &cancel};
+  const HeuristicTable table = HeuristicTable::build(primitives_, large);
+  EXPECT_EQ(table.cost_mm({-12, 3}, 4, 0), 0U);
+  EXPECT_EQ(table.cost_mm({3, -7}, 1, 2), 0U);
+  const auto loaded = HeuristicTable::load_or_build(primitives_, large, file_);
+  EXPECT_TRUE(loaded.built);
+  EXPECT_FALSE(std::filesystem::exists(file_));
 }
 
 TEST_F(Table, Read_WhenPrimitivesOrRangeAreOthers_ThenRefused) {

@@ -3,12 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
 #include <string>
+#include <vector>
 
+#include "supervisor/fleet/lattice/internal/lattice_search.h"
 #include "tests/support/fleet/exact_outline.h"
 #include "tests/support/fleet/floor_maps.h"
 #include "tests/unit/supervisor/fleet/lattice/plain_dijkstra.h"
@@ -274,12 +277,78 @@ TEST_F(PathPlannerTest, Plan_WhenTimeEndsOrSomebodyStopsIt_ThenItSaysSo) {
       start, goal, {.heuristic = Heuristic::Euclid, .deadline = std::chrono::steady_clock::now()});
   EXPECT_EQ(late.end, PathEnd::Deadline);
   EXPECT_FALSE(late.path.has_value());
-  std::stop_source source;
-  source.request_stop();
-  const auto stopped =
-      planner.plan(start, goal, {.heuristic = Heuristic::Euclid, .stop = source.get_token()});
-  EXPECT_EQ(stopped.end, PathEnd::Cancelled);
-  EXPECT_LE(stopped.expanded, 256u);
+  const std::atomic<bool> cancel = true;
+  const auto cancelled = planner.plan(start, goal, {.heuristic = Heuristic::Euclid, .cancel = &cancel});
+  EXPECT_EQ(cancelled.end, PathEnd::Cancelled);
+  EXPECT_LE(cancelled.expanded, 256u);
+}
+
+// In the middle of a search that goes on for long without it: counted, whatever the machine.
+TEST_F(PathPlannerTest, Search_WhenCancelledInTheMiddle_ThenItEndsWithinSomeHundredExpansions) {
+  const OccupancyGrid grid({.resolution_m = 0.2, .origin = {}, .columns = 200, .rows = 200});
+  const SweptCells cells(kCart, primitives_, 1);
+  const DistanceField clearance(grid);
+  const internal::LatticePose start{{15, 15}, 0}, goal{{150, 175}, 5};
+  const ObstacleQuestion question{.goal = goal.vertex,
+                                  .start = start.vertex,
+                                  .columns = 201,
+                                  .rows = 201,
+                                  .inscribed_radius_m = kCart.inscribed_radius_m(),
+                                  .detour = detour_of(primitives_)};
+  const ObstacleDistances around(clearance, question);
+  const internal::SearchFloor floor{grid, clearance, primitives_, cells, table_, around, 201, 201};
+  std::atomic<bool> cancel = false;
+  PathOptions options{.heuristic = Heuristic::Euclid, .most_expanded = 10'000, .cancel = &cancel};
+  internal::LatticeSearch search(floor, start, goal, options);
+  EXPECT_EQ(search.run_round(1.0), internal::RoundEnd::Deadline);
+  const std::uint64_t before = search.expanded();
+  EXPECT_GE(before, 10'000U);
+  options.most_expanded = 0;
+  cancel = true;
+  EXPECT_EQ(search.run_round(1.0), internal::RoundEnd::Cancelled);
+  EXPECT_LE(search.expanded(), before + 256);
+  cancel = false;
+  EXPECT_EQ(search.run_round(1.0), internal::RoundEnd::Solved);
+  EXPECT_GT(search.expanded(), before + 5'000) << "it was near its end before it was cancelled";
+}
+
+TEST_F(PathPlannerTest, Distances_WhenCancelled_ThenNothingIsKnownAndNothingIsBoundedWrongly) {
+  const OccupancyGrid grid({.resolution_m = 0.2, .origin = {}, .columns = 200, .rows = 200});
+  const auto planner = PathPlanner::create(grid, kCart, primitives_, table_).value();
+  const std::atomic<bool> cancel = true;
+  const Pose from{30.0, 35.0, 2.0};
+  EXPECT_EQ(planner.least_ways_m({&from, 1}, {3.0, 3.0, 0.0}, &cancel), std::vector<double>{0.0});
+  EXPECT_GE(planner.least_ways_m({&from, 1}, {3.0, 3.0, 0.0})[0], std::hypot(27.0, 32.0) - 1e-9);
+}
+
+// With factors of 1 the cost of a path is its length: the least ones by Dijkstra's algorithm.
+TEST_F(PathPlannerTest, LeastWays_WhenHeldAgainstTheShortestPaths_ThenNoneIsShorter) {
+  const PrimitiveSet by_length(kCart, {.reverse_factor = 1.0, .turn_factor = 1.0, .long_straight_m = 0.6});
+  EXPECT_GT(length_detour_of(primitives_), detour_of(primitives_)) << "costs would have done as well";
+  std::size_t compared = 0;
+  double most = 0.0;
+  for (int round = 0; round < 3; ++round) {
+    const OccupancyGrid grid = random_floor(30 + 10 * round);
+    const SweptCells cells(kCart, primitives_, 1);
+    const auto planner = PathPlanner::create(grid, kCart, primitives_, table_).value();
+    PlainPose end = random_pose();
+    while (!stands(grid, cells, end)) end = random_pose();
+    // Each way there is as long as the way back, driven in the other direction.
+    const PlainCosts lengths_mm = plain_costs({&grid, by_length, &cells}, end, 20'000);
+    std::vector<Pose> from;
+    for (const auto& [pose, length_mm] : lengths_mm) from.push_back(pose_of(grid, pose));
+    const auto least_m = planner.least_ways_m(from, pose_of(grid, end));
+    std::size_t k = 0;
+    for (const auto& [pose, length_mm] : lengths_mm) {
+      // A length of the lattice counts whole millimetres for each of its primitives, rounded up.
+      ASSERT_LE(1000.0 * least_m[k], length_mm + 1e-6) << round;
+      if (length_mm > 0) most = std::max(most, 1000.0 * least_m[k] / length_mm);
+      ++k;
+    }
+    compared += lengths_mm.size();
+  }
+  EXPECT_GT(compared, 2'000U);
+  EXPECT_GT(most, 0.95) << "of no use";
 }
 
 TEST(LatticeMine, Plan_WhenInAMine_ThenThePathIsFreeForTheExactOutlineAndTheBoundIsTold) {

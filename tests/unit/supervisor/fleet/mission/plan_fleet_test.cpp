@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <fstream>
 #include <numbers>
 #include <sstream>
@@ -34,16 +36,18 @@ std::chrono::milliseconds end_of_stop(const FleetPlan& plan, std::size_t vehicle
 TEST(PlanFleet, Mine_WhenShortestPathsLeaveNoSchedule_ThenOneVehicleDrivesAroundAnother) {
   const MissionProblem mine = example("mine.json");
   FleetFloor floor = floor_of(mine);
-  FleetOptions options{.objective = Objective::None, .alternatives = 0};
+  FleetOptions options{.objective = Objective::None, .time = 0ms, .alternatives = 0};
   const auto fixed = plan_fleet(mine, floor, options);
   ASSERT_TRUE(fixed.has_value());
   EXPECT_EQ(fixed->verdict, Verdict::Infeasible);
+  EXPECT_EQ(fixed->proof, Proof::PathsFound);
   EXPECT_THAT(fixed->reason, HasSubstr("loader 2 and loader 5 meet at"));
   EXPECT_THAT(fixed->reason, HasSubstr("loader 2 stands there at its start"));
   options.alternatives = 48;
   const auto mended = plan_fleet(mine, floor, options);
   ASSERT_TRUE(mended.has_value());
   ASSERT_EQ(mended->verdict, Verdict::Scheduled) << mended->reason;
+  EXPECT_EQ(mended->proof, Proof::None);
   ASSERT_FALSE(mended->changes.empty());
   EXPECT_GT(mended->changes.front().longer_m, 0.0);
   expect_sound(mine, mended->plan);
@@ -117,6 +121,10 @@ TEST(PlanFleet, Deadline_WhenJustMet_ThenScheduledAndOneMillisecondLessIsNot) {
   problem.constraints[0].distance.most = end - 1ms;
   const FleetAnswer late = planned(problem);
   EXPECT_EQ(late.verdict, Verdict::Infeasible);
+  // Of all paths the times are known less exactly than to the millisecond.
+  EXPECT_EQ(late.proof, Proof::PathsFound);
+  problem.constraints[0].distance.most = end - 2s;
+  EXPECT_EQ(planned(problem).proof, Proof::AllPaths);
   EXPECT_THAT(late.reason, HasSubstr("constraint 'lunch'"));
   EXPECT_THAT(late.reason, HasSubstr("constraint 'v1 is available'"));
   // The beginning of the service is as much sooner as the service takes.
@@ -144,10 +152,11 @@ TEST(PlanFleet, ParkedVehicle_WhenInTheShortestWay_ThenTheOtherAisleIsTaken) {
   EXPECT_EQ(answer.changes[0].vehicle, 0u);
   EXPECT_EQ(answer.changes[0].around, std::vector<std::uint32_t>{1});
   expect_sound(problem, answer.plan);
-  // One wall more, and it is proved that there is no way past the sleeper on the paths that there are.
+  // One wall more, and it is proved that no path leads past the sleeper.
   wall(problem, 12, 15, 28, 24);
   const FleetAnswer none = planned(problem, {.path_factor = 1.5});
   EXPECT_EQ(none.verdict, Verdict::Infeasible);
+  EXPECT_EQ(none.proof, Proof::AllPaths);
   EXPECT_THAT(none.reason, HasSubstr("sleeper stands there all the time"));
   EXPECT_THAT(none.reason, HasSubstr("did not help"));
 }
@@ -210,10 +219,70 @@ TEST(PlanFleet, Modes_WhenOneVehicleEndsWhereAnotherPasses_ThenOnlyThePaperForge
   add_task(problem, first, add_location(problem, "middle", {28, 6, 0}));
   const auto second = add_vehicle(problem, "second", {6, 6, 0});
   add_task(problem, second, add_location(problem, "east", {36, 6, 0}));
-  EXPECT_EQ(planned(problem).verdict, Verdict::Infeasible);
+  const FleetAnswer strict = planned(problem);
+  EXPECT_EQ(strict.verdict, Verdict::Infeasible);
+  EXPECT_EQ(strict.proof, Proof::PathsFound);
   const FleetAnswer paper = planned(problem, {.mode = Mode::EarliestTimes});
   ASSERT_EQ(paper.verdict, Verdict::Scheduled);
   expect_sound(problem, paper.plan, Mode::EarliestTimes);
+}
+
+// Who carries nothing may stand elsewhere: what is proved with a load in the tunnel is proved of that only.
+TEST(PlanFleet, Proof_WhenLoadsAreSharedOut_ThenItIsOfThisAllocation) {
+  MissionProblem problem = empty_problem();
+  wall(problem, 0, 8, 40, 24);
+  wall(problem, 0, 0, 40, 4);
+  const auto first = add_vehicle(problem, "first", {16, 6, 0});
+  const auto second = add_vehicle(problem, "second", {6, 6, 0});
+  add_task(problem, second, add_location(problem, "east", {36, 6, 0}));
+  problem.goals.push_back({.name = "load",
+                           .from = add_location(problem, "here", {20, 6, 0}),
+                           .to = add_location(problem, "there", {28, 6, 0}),
+                           .vehicle = first,
+                           .key = "goals[0]"});
+  const FleetAnswer answer = planned(problem);
+  EXPECT_EQ(answer.verdict, Verdict::Infeasible);
+  EXPECT_EQ(answer.proof, Proof::ThisAllocation);
+}
+
+// Envelopes and paths that are all given leave no other paths to look for.
+TEST(PlanFleet, Proof_WhenAllPathsAreGiven_ThenItIsOfAll) {
+  MissionProblem problem = empty_problem();
+  for (const double from_m : {6.0, 16.0}) {
+    const auto v = add_vehicle(problem, from_m < 10 ? "behind" : "before", {from_m, 6, 0});
+    geometry::Path path;
+    for (int k = 0; k <= 400; ++k)
+      path.push_back({{from_m + 0.05 * k, 6, 0}, 0.05 * k, geometry::Travel::Forward});
+    problem.vehicles[v].path = path;
+  }
+  EXPECT_EQ(planned(problem).verdict, Verdict::Scheduled);
+  std::ranges::reverse(*problem.vehicles[1].path);
+  for (std::size_t k = 0; k < problem.vehicles[1].path->size(); ++k) {
+    auto& at = (*problem.vehicles[1].path)[k];
+    at.arc_m = 0.05 * static_cast<double>(k);
+    at.travel = geometry::Travel::Reverse;
+  }
+  const FleetAnswer against = planned(problem);
+  EXPECT_EQ(against.verdict, Verdict::Infeasible);
+  EXPECT_EQ(against.proof, Proof::AllPaths);
+}
+
+// Before anything is searched, and the paths that are open then are given up at once.
+TEST(PlanFleet, Cancel_WhenAskedForBefore_ThenCancelledAndNoPathIsSearchedFar) {
+  const MissionProblem mine = example("mine.json");
+  const std::atomic<bool> cancel = true;
+  FleetFloor floor =
+      FleetFloor::create(mine.map, models_of(mine), {.table_folder = {}, .cancel = &cancel}).value();
+  const auto answer = plan_fleet(mine, floor, {.cancel = &cancel});
+  ASSERT_TRUE(answer.has_value());
+  EXPECT_EQ(answer->verdict, Verdict::Cancelled);
+  for (const MissionTask& task : mine.tasks) {
+    const PathAnswer* leg =
+        floor.find({0, mine.vehicles[task.vehicle].start, mine.locations[task.location].pose});
+    if (leg == nullptr) continue;
+    EXPECT_EQ(leg->end, PathEnd::Cancelled);
+    EXPECT_LE(leg->expanded, 256U);
+  }
 }
 
 TEST(PlanFleet, Time_WhenItIsOverBeforeThePaths_ThenExhausted) {

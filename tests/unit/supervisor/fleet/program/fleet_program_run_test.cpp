@@ -210,5 +210,53 @@ TEST(FleetProgramRun, WhenAPalletIsToBeCarried_ThenItIsPickedUpAndSetDownWhereIt
   EXPECT_NEAR(empty.of("Arc", 0), 6.0, 0.1);
 }
 
+// One vehicle begins 5 s after another has done its last stop; a deadline that cannot be kept is told, and
+// kept ones are not.
+TEST(FleetProgramRun, WhenConstraintsTieVehicles_ThenTheyWaitAndWhoIsLateSaysSo) {
+  using namespace std::chrono_literals;
+  constexpr std::chrono::milliseconds kNever{100'000'000};
+  FleetPlan plan = plan_warehouse(2);
+  const std::uint32_t first = waits_for(plan, 0)[1] ? 0 : 1;
+  const std::uint32_t second = 1 - first;
+  const auto last = [&](std::uint32_t v) {
+    return PolygonRef{v, static_cast<std::uint32_t>(plan.missions[v].grown.visits.size() - 1)};
+  };
+  plan.constraints = {
+      {"one after the other",
+       TimepointRef{last(first), Side::Exit},
+       {{second, 0}, Side::Entry},
+       {5s, kNever}},
+      {"first in time", std::nullopt, {last(first), Side::Exit}, {0s, 500s}},
+      {"second in time", std::nullopt, {last(second), Side::Exit}, {0s, 20s}},
+      {"second soon behind", TimepointRef{last(first), Side::Exit}, {last(second), Side::Exit}, {0s, 600s}}};
+  FleetRig rig(plan, {});
+  ASSERT_TRUE(rig.program().warnings.empty()) << result::to_string(rig.program().warnings);
+  double done_s = 0.0, begun_s = 0.0, late_s = 0.0;
+  const geometry::Pose stood = rig.pose(second);
+  while (rig.time_s() < 400.0 && !rig.all_arrived()) {
+    rig.scan();
+    if (done_s == 0.0 && rig.arrived(first)) done_s = rig.time_s();
+    const double moved_m = geometry::distance(rig.pose(second).position(), stood.position());
+    if (begun_s == 0.0 && moved_m > 0.05) begun_s = rig.time_s();
+    if (late_s == 0.0 && rig.global("late", second) != 0.0) late_s = rig.time_s();
+  }
+  EXPECT_TRUE(rig.all_arrived()) << rig.state();
+  EXPECT_TRUE(rig.engines_agree);
+  expect_safe(rig);
+  ASSERT_GT(done_s, 0.0);
+  EXPECT_GE(begun_s, done_s + 5.0) << rig.state();
+  EXPECT_LT(begun_s, done_s + 8.0) << rig.state();
+  EXPECT_EQ(rig.global("late", first), 0.0);
+  EXPECT_NEAR(late_s, 20.0, 0.2);
+  EXPECT_EQ(rig.global("late_for", second), 3.0);
+  // Once it has come, a reset ends the alarm for good.
+  rig.set("fleet_reset", true);
+  rig.scan();
+  rig.set("fleet_reset", false);
+  for (int k = 0; k < 5; ++k) rig.scan();
+  EXPECT_EQ(rig.global("late", second), 0.0);
+  EXPECT_EQ(rig.global("late_for", second), 0.0);
+}
+
 }  // namespace
 }  // namespace stepwright::fleet

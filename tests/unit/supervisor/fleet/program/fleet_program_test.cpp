@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -22,6 +23,7 @@
 namespace stepwright::fleet {
 namespace {
 
+using namespace std::chrono_literals;
 using geometry::Point;
 
 FleetProgram program_of(const FleetPlan& plan) {
@@ -259,21 +261,142 @@ TEST(FleetProgram, WhenFiguresOrTerminalsAreWrong_ThenTheyAreNamed) {
   EXPECT_NE(made.error().front().message.find("'b' has no terminal for heading"), std::string::npos);
 }
 
-TEST(FleetProgram, WhenAConstraintSaysNotBefore_ThenATransitionWaitsAndOthersAreWarnedAbout) {
-  FleetPlan plan = crossing();
-  constexpr std::chrono::milliseconds kNever{100'000'000};
-  plan.constraints = {
-      {"gate opens", std::nullopt, {{0, 3}, Side::Entry}, {std::chrono::milliseconds(90'000), kNever}},
-      {"deadline", std::nullopt, {{1, 3}, Side::Exit}, {{}, std::chrono::milliseconds(500'000)}}};
-  const FleetProgram program = program_of(plan);
-  bool found = false;
-  for (const graphic::Transition& transition : chart_of(program, 0).transitions) {
-    found |= mentions(transition.condition, "fleet_time", "T#90s");
+constexpr std::chrono::milliseconds kNever{100'000'000};
+
+bool mentions_contact(const graphic::Condition& condition, const std::string& name) {
+  if (condition.kind == graphic::ConditionKind::Contact && condition.name == name) return true;
+  return std::ranges::any_of(condition.children,
+                             [&](const graphic::Condition& each) { return mentions_contact(each, name); });
+}
+
+// The condition under which a step is entered.
+const graphic::Condition& condition_into(const FleetProgram& program, std::size_t mission, const char* step) {
+  const graphic::SfcChart& chart = chart_of(program, mission);
+  for (const graphic::Transition& transition : chart.transitions) {
+    if (chart.steps[transition.targets.front().value].name == step) return transition.condition;
   }
-  EXPECT_TRUE(found);
+  throw std::runtime_error("no such step");
+}
+
+const std::string& sensing_of(const FleetProgram& program) {
+  return std::get<graphic::StBody>(program.project.pous.front().body).text;
+}
+
+void expect_compiles(const FleetProgram& program) {
+  driver::CompileInput input;
+  input.projects = {&program.project};
+  input.lint = lint::Level::Default;
+  const auto compiled = driver::compile(input);
+  ASSERT_TRUE(compiled) << result::to_string(compiled.error());
+  EXPECT_TRUE(compiled->warnings.empty()) << result::to_string(compiled->warnings);
+}
+
+TEST(FleetProgram, WhenAConstraintSaysNotBefore_ThenATransitionWaits) {
+  FleetPlan plan = crossing();
+  plan.constraints = {{"gate opens", std::nullopt, {{0, 3}, Side::Entry}, {90s, kNever}},
+                      {"is available", std::nullopt, {{1, 0}, Side::Entry}, {7s, kNever}},
+                      {"not home too soon", std::nullopt, {{1, 19}, Side::Exit}, {200s, kNever}},
+                      {"leaves late", std::nullopt, {{1, 0}, Side::Exit}, {11s, kNever}}};
+  const FleetProgram program = program_of(plan);
+  EXPECT_TRUE(program.warnings.empty());
+  EXPECT_TRUE(program.limits.empty());
+  EXPECT_TRUE(mentions(condition_into(program, 0, "P003"), "fleet_time", "T#90s"));
+  EXPECT_FALSE(mentions(condition_into(program, 0, "P002"), "fleet_time", "T#90s"));
+  EXPECT_TRUE(mentions(condition_into(program, 1, "P000"), "fleet_time", "T#7s"));
+  EXPECT_TRUE(mentions(condition_into(program, 1, "P001"), "fleet_time", "T#11s"));
+  EXPECT_TRUE(mentions(condition_into(program, 1, "DONE"), "fleet_time", "T#200s"));
+  expect_compiles(program);
+}
+
+TEST(FleetProgram, WhenConstraintsRelateVehicles_ThenOneWaitsForTheOtherAndForTheTimeBetween) {
+  FleetPlan plan = crossing();
+  const std::uint32_t early = plan.schedule.precedences.front().first.vehicle;
+  const std::uint32_t late = 1 - early;
+  plan.constraints = {
+      {"five seconds behind", TimepointRef{{early, 2}, Side::Exit}, {{late, 3}, Side::Entry}, {5s, kNever}},
+      {"at once", TimepointRef{{early, 4}, Side::Entry}, {{late, 5}, Side::Entry}, {0ms, kNever}},
+      // The other way round: the first comes 2 s before the second at least.
+      {"before", TimepointRef{{late, 6}, Side::Entry}, {{early, 5}, Side::Entry}, {-kNever, -2s}}};
+  const FleetProgram program = program_of(plan);
+  EXPECT_TRUE(program.warnings.empty()) << result::to_string(program.warnings);
+  EXPECT_TRUE(mentions_contact(condition_into(program, late, "P003"), "waited_1"));
+  EXPECT_NE(sensing_of(program).find("PT := T#5s"), std::string::npos);
+  const std::string left = "event_1 := areas_" + program.missions[early].name + " >= 3;";
+  EXPECT_NE(sensing_of(program).find(left), std::string::npos);
+  EXPECT_TRUE(mentions_contact(condition_into(program, late, "P006"), "waited_3"));
+  expect_compiles(program);
+}
+
+TEST(FleetProgram, WhenAConstraintSaysNotAfter_ThenItIsWatchedAndWhoMissesItIsLate) {
+  FleetPlan plan = crossing();
+  plan.constraints = {
+      {"deadline", std::nullopt, {{1, 3}, Side::Exit}, {{}, 500s}},
+      {"soon", TimepointRef{{0, 2}, Side::Entry}, {{0, 9}, Side::Entry}, {-kNever, 60s}},
+      {"not long before", TimepointRef{{0, 6}, Side::Entry}, {{1, 6}, Side::Entry}, {-9s, kNever}}};
+  const FleetProgram program = program_of(plan);
+  EXPECT_TRUE(program.warnings.empty());
+  ASSERT_EQ(program.limits.size(), 3U);
+  EXPECT_EQ(program.limits[0].vehicle, 1U);
+  EXPECT_EQ(program.limits[0].within, 500s);
+  EXPECT_EQ(program.limits[1].vehicle, 0U);
+  // At most 9 s after the second one the first one has to come.
+  EXPECT_EQ(program.limits[2].vehicle, 0U);
+  EXPECT_EQ(program.limits[2].constraint, 2U);
+  EXPECT_NE(sensing_of(program).find("fleet_time > T#500s"), std::string::npos);
+  EXPECT_NE(sensing_of(program).find("late_for_a := 3;"), std::string::npos);
+  expect_compiles(program);
+}
+
+// The end of a stop is the end of its service, not the way behind it; what cannot wait before, waits at the
+// stop.
+TEST(FleetProgram, WhenAConstraintIsOfStops_ThenTheStopWaitsAndItsEndIsWaitedFor) {
+  FleetPlan plan = crossing();
+  const std::uint32_t early = plan.schedule.precedences.front().first.vehicle;
+  const std::uint32_t late = 1 - early;
+  for (const std::uint32_t v : {early, late}) {
+    Stop stop;
+    stop.location = "here";
+    stop.arc_m = 4.2;
+    stop.service = 2s;
+    plan.missions[v].stops = {stop};
+    plan.missions[v].grown.stands = {1};
+  }
+  plan.constraints = {
+      {"end to end", TimepointRef{{early, 1}, Side::Exit}, {{late, 1}, Side::Exit}, {3s, kNever}},
+      {"start to start", TimepointRef{{early, 1}, Side::Entry}, {{late, 1}, Side::Entry}, {-1s, kNever}}};
+  const FleetProgram program = program_of(plan);
+  EXPECT_TRUE(program.warnings.empty()) << result::to_string(program.warnings);
+  EXPECT_TRUE(program.limits.empty());
+  EXPECT_TRUE(mentions_contact(condition_into(program, late, "S01_PARK"), "waited_2"));
+  const graphic::SfcChart& chart = chart_of(program, late);
+  bool ends = false;
+  for (const graphic::Transition& transition : chart.transitions) {
+    const std::string& from = chart.steps[transition.sources.front().value].name;
+    ends |= from == "S01_PARK" && mentions_contact(transition.condition, "waited_1");
+  }
+  EXPECT_TRUE(ends);
+  bool sets = false;
+  for (const graphic::Action& action : chart_of(program, early).actions) {
+    sets |= action.st_body == "event_1 := TRUE;\n" && action.name.starts_with("P00");
+  }
+  EXPECT_TRUE(sets);
+  expect_compiles(program);
+}
+
+// Waiting for what comes only behind it would never end: that part is left out, and said.
+TEST(FleetProgram, WhenAConstraintAsksToWaitForWhatComesBehind_ThenItIsWarnedAbout) {
+  FleetPlan plan = crossing();
+  const Precedence order = plan.schedule.precedences.front();
+  plan.constraints = {{"against the order",
+                       TimepointRef{order.second, Side::Exit},
+                       {order.first, Side::Entry},
+                       {0ms, kNever}}};
+  const FleetProgram program = program_of(plan);
   ASSERT_EQ(program.warnings.size(), 1U);
   EXPECT_EQ(program.warnings[0].code, "F1106");
-  EXPECT_NE(program.warnings[0].message.find("'deadline'"), std::string::npos);
+  EXPECT_NE(program.warnings[0].message.find("'against the order'"), std::string::npos);
+  plan.constraints[0].to.at.polygon = 1000;
+  EXPECT_EQ(code_of(plan), "F1101");
 }
 
 }  // namespace
