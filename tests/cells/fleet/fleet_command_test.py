@@ -14,6 +14,7 @@ STEPWRIGHT = pathlib.Path(os.environ["STEPWRIGHT_BIN_DIR"]) / "stepwright"
 CELL = pathlib.Path(__file__).parent
 KEYS = {"verdict", "paths", "polygons", "conflicts", "precedences", "paths_ms", "envelopes_ms", "schedule_ms", "retime_ms",
         "allocation", "waits", "bounds", "makespan_ms", "changed_paths"}
+PATIENT = ("--time", "100")  # all of these end by a proof, on slow machines later
 ENVELOPES = {
     "vehicles": [
         {"name": "v1", "polygons": [{"corners_m": [[0, 0], [5, 0], [5, 2], [0, 2]], "stay_ms": [2000, None],
@@ -51,7 +52,7 @@ class FleetCommand(unittest.TestCase):
 
     def report(self, problem: str, *options: str) -> dict:
         file = self.folder / "report.json"
-        done = self.fleet(problem, "--json", str(file), *options)
+        done = self.fleet(problem, "--json", str(file), *PATIENT, *options)
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(file.read_text(encoding="utf-8"))
 
@@ -80,13 +81,13 @@ class FleetCommand(unittest.TestCase):
 
     def test_without_other_paths_there_is_none_and_that_this_is_no_proof_for_all_paths_is_said(self) -> None:
         file = self.folder / "report.json"
-        done = self.fleet("mine.json", "--path-factor", "2", "--alternatives", "0", "--json", str(file))
+        done = self.fleet("mine.json", "--path-factor", "2", "--alternatives", "0", "--json", str(file), *PATIENT)
         self.assertEqual(done.returncode, 4, done.stdout)
         self.assertIn("proved for the paths found, not for all", done.stderr)
         report = json.loads(file.read_text(encoding="utf-8"))
         self.assertEqual((report["verdict"], report["proof"]), ("infeasible", "paths_found"))
         self.assertIn("loader 2 and loader 5 meet at", done.stderr)
-        paper = self.fleet("mine.json", "--path-factor", "2", "--paper", "--objective", "none", "--alternatives", "0")
+        paper = self.fleet("mine.json", "--path-factor", "2", "--paper", "--objective", "none", "--alternatives", "0", *PATIENT)
         self.assertIn(paper.returncode, (0, 4), paper.stderr)
 
     def test_the_warehouse_carries_everything(self) -> None:
@@ -99,7 +100,7 @@ class FleetCommand(unittest.TestCase):
     def test_an_impossible_deadline_is_named_with_its_line(self) -> None:
         self.change("warehouse.json", '"deadline_ms": 240000', '"deadline_ms": 20000')
         file = self.folder / "report.json"
-        done = self.fleet("warehouse.json", "--path-factor", "2", "--json", str(file))
+        done = self.fleet("warehouse.json", "--path-factor", "2", "--json", str(file), *PATIENT)
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("there is no schedule, proved", done.stderr)
         self.assertEqual(json.loads(file.read_text(encoding="utf-8"))["proof"], "all_paths")
