@@ -21,6 +21,10 @@
 namespace stepwright::bench::grounding {
 namespace {
 
+pddl::GroundTask joining(const pddl::Definition& definition, const std::function<bool()>& stop) {
+  return pddl::ground_task(definition, stop);
+}
+
 using result::ExitCode;
 
 struct Arguments {
@@ -64,7 +68,7 @@ nlohmann::json curve(Generator generator, const Arguments& arguments) {
     if (objects > arguments.most || new_ended) break;
     const Instance instance = generator(objects);
     if (!arguments.only.empty() && instance.name != arguments.only) break;
-    const Measured joined = measure(instance, &pddl::ground_task, arguments.limits);
+    const Measured joined = measure(instance, joining, arguments.limits);
     Measured enumerated;
     if (!old_ended) {
       enumerated = measure(instance, &pddl::baseline::ground_by_enumeration, arguments.limits);
@@ -105,7 +109,7 @@ nlohmann::json tank_bench() {
     if (found.operators.empty()) std::exit(1);
   };
   for (int i = 0; i < 101; ++i) {
-    run(&pddl::ground_task, joined);
+    run(joining, joined);
     run(&pddl::baseline::ground_by_enumeration, enumerated);
   }
   std::sort(joined.begin(), joined.end());
