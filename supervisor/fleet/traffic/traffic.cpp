@@ -39,7 +39,7 @@ result::Result<Traffic> Traffic::create(std::vector<Route> routes, const Traffic
   for (const Lane& lane : traffic.lanes_) lanes.push_back(&lane);
   auto planned = traffic.plan(lanes, std::nullopt, now);
   if (!planned) return result::forward(planned);
-  traffic.install(*planned, now);
+  traffic.install(*std::move(planned), now);
   return traffic;
 }
 
@@ -238,21 +238,24 @@ result::Result<Change> Traffic::adopt(std::uint32_t vehicle, Lane candidate, mil
   auto planned = plan(lanes, vehicle, now);
   if (!planned) return result::forward(planned);
   lanes_[vehicle] = std::move(candidate);
-  install(*planned, now);
-  return planned->change;
+  const Change change = planned->change;
+  install(*std::move(planned), now);
+  return change;
 }
 
 result::Result<Traffic::Planned> Traffic::plan(const std::vector<const Lane*>& lanes,
                                                std::optional<std::uint32_t> changed, milliseconds now) const {
   Planned planned;
   planned.remainder = internal::remainder_of(lanes, now, settings_.held);
-  internal::keep_permissions(lanes, planned.remainder);
+  planned.overlaps = internal::overlaps_ahead(lanes, overlaps_, changed);
+  const std::vector<SpatialPair> rows = internal::by_row(lanes, planned.overlaps);
+  internal::keep_permissions(lanes, rows, planned.remainder);
   ScheduleOptions options{.mode = Mode::Strict, .conflicts = settings_.conflicts, .explain = false};
-  planned.made = schedule(planned.remainder.envelopes, planned.remainder.constraints, options);
+  planned.made = schedule(planned.remainder.envelopes, planned.remainder.constraints, rows, options);
   if (planned.made.verdict == Verdict::Exhausted && changed) {
     planned.change.orders_kept = true;
     internal::keep_orders(lanes, *changed, planned.remainder);
-    planned.made = schedule(planned.remainder.envelopes, planned.remainder.constraints, options);
+    planned.made = schedule(planned.remainder.envelopes, planned.remainder.constraints, rows, options);
   }
   planned.change.conflicts = planned.made.figures.conflicts;
   if (planned.made.verdict == Verdict::Scheduled) return planned;
@@ -262,9 +265,10 @@ result::Result<Traffic::Planned> Traffic::plan(const std::vector<const Lane*>& l
                           : fmt::format("no order was found within {} conflicts", settings_.conflicts));
 }
 
-void Traffic::install(const Planned& planned, milliseconds now) {
+void Traffic::install(Planned planned, milliseconds now) {
   const internal::Remainder& rest = planned.remainder;
   since_ = now;
+  overlaps_ = std::move(planned.overlaps);
   retiming_.emplace(rest.envelopes, rest.constraints, planned.made);
   for (std::uint32_t row = 0; row < rest.vehicles.size(); ++row) {
     Lane& lane = lanes_[rest.vehicles[row]];

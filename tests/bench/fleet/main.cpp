@@ -2,7 +2,7 @@
 // the whole chain in a mine.
 //
 //   bench_fleet [--full] [--runs N] [--least N] [--most N] [--v-max MPS] [--cap S] [--scale N] [--no-literal]
-//               [--no-referee] [--cpu-time] [--write FOLDER] [--json FILE] [--svg FILE]
+//               [--literal-runs N] [--keep FILE] [--no-referee] [--cpu-time] [--write FOLDER] [--json FILE] [--svg FILE]
 //
 // Wall times (or CPU times, on a busy machine) of one thread, from envelopes to verdict; an instance that a
 // baseline does not finish counts as the cap. A few runs without --full, which takes 100 runs for each number
@@ -21,11 +21,14 @@
 #include "runtime/result/exit_code.h"
 #include "supervisor/fleet/schedule/problem_file.h"
 #include "tests/bench/fleet/figure.h"
+#include "tests/bench/fleet/goals.h"
 #include "tests/bench/fleet/measure.h"
 #include "tests/bench/fleet/mine.h"
 
 namespace stepwright::bench::fleet {
 namespace {
+
+constexpr std::uint32_t kFloors = 4;  // mines, and as many warehouses, for new goals
 
 struct Arguments {
   Settings settings;
@@ -35,6 +38,7 @@ struct Arguments {
   std::string write_folder;
   std::string json_file;
   std::string svg_file;
+  std::string kept_file;
 };
 
 // All instances as files, so that every other solver gets the same.
@@ -176,10 +180,20 @@ void mine(const Arguments& arguments, nlohmann::json& json, Totals& totals) {
   json["mine_baseline_paths_ms"] = row.baseline_paths_ms;
   json["mine_baseline_schedule_ms"] = row.baseline_schedule_ms;
   json["mine_baseline_timeout"] = row.baseline_timeout;
-  json["new_goal_ms"] = row.new_goal_ms;
-  json["new_goal_worst_ms"] = row.new_goal_worst_ms;
-  json["new_goal_paths_ms"] = row.new_goal_paths_ms;
-  json["new_goals_scheduled"] = row.new_goals;
+}
+
+void goals(const Arguments& arguments, nlohmann::json& json, Totals& totals) {
+  const GoalsRow row = measure_goals(arguments.full ? kFloors : 1, arguments.settings);
+  print(row);
+  totals.faults += row.cold.faults + row.known.faults;
+  json["new_goal_ms"] = row.known.total(0.5);
+  json["new_goal_worst_ms"] = row.known.total(1.0);
+  json["new_goal_prepare_ms"] = row.prepare_ms;
+  json["new_goal_cold_ms"] = row.cold.total(0.5);
+  json["new_goal_cold_worst_ms"] = row.cold.total(1.0);
+  json["new_goals"] = row.known.total_ms.size();
+  json["new_goals_scheduled"] = row.known.scheduled;
+  json["new_goals_cold_scheduled"] = row.cold.scheduled;
 }
 
 int run(const Arguments& arguments) {
@@ -188,6 +202,7 @@ int run(const Arguments& arguments) {
   if (!circles(arguments, json, totals)) return to_int(result::ExitCode::RuntimeFault);
   warehouses(arguments, json, totals);
   mine(arguments, json, totals);
+  goals(arguments, json, totals);
   json["instances"] = totals.ours.ms.size();
   json["mean_ms"] = totals.ours.mean();
   json["p99_ms"] = totals.ours.quantile(0.99);
@@ -220,6 +235,8 @@ int main(int argc, char** argv) {
   auto* cap = app.add_option("--cap", settings.cap_s)->check(CLI::Range(0.01, 3600.0));
   auto* scale = app.add_option("--scale", settings.scale);
   app.add_flag("--no-literal", arguments.no_literal);
+  app.add_option("--literal-runs", settings.literal_runs, "runs that paper-literal takes part in, at most");
+  app.add_option("--keep", arguments.kept_file, "what paper-literal took: read, and what is new appended");
   app.add_flag("--no-referee", arguments.no_referee);
   app.add_flag("--cpu-time", settings.cpu_time, "CPU time of the thread instead of wall time");
   app.add_option("--write", arguments.write_folder,
@@ -250,6 +267,8 @@ int main(int argc, char** argv) {
     return to_int(stepwright::result::ExitCode::RuntimeFault);
   }
   settings.folder = folder;
+  Kept kept(arguments.kept_file);
+  settings.kept = arguments.kept_file.empty() ? nullptr : &kept;
   const int code = run(arguments);
   std::filesystem::remove_all(folder);
   return code;
