@@ -30,6 +30,7 @@ void extend_chain(std::vector<Point>& chain, std::size_t first, Point point) {
 
 // Whether all of `other` lies beyond one side of `polygon`.
 bool separates(std::span<const Point> polygon, std::span<const Point> other) {
+  auto inside = other.begin();  // of the side before: mostly of the next one, too
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Point from = polygon[k];
     const Point to = polygon[(k + 1) % polygon.size()];
@@ -39,7 +40,9 @@ bool separates(std::span<const Point> polygon, std::span<const Point> other) {
       const double left = cross(along, p - from);
       return left <= 0.0 || left * left <= touching;
     };
-    if (std::ranges::all_of(other, outside)) return true;
+    if (!outside(*inside)) continue;
+    inside = std::ranges::find_if_not(other, outside);
+    if (inside == other.end()) return true;
   }
   return false;
 }

@@ -4,8 +4,8 @@
 // bound on every floor that has more obstacles. The estimate for goals to which many ways are asked for.
 //
 // A value that does not change; any thread may read. Worked out by Dijkstra's algorithm backwards from the
-// goal over all of the lattice: a fraction of a second for a hall of 100 m, after which a search from anywhere
-// hardly leaves its way. The motions must outlive it.
+// goal over all of the lattice: a fraction of a second for a hall of 100 m, after which a search from
+// anywhere hardly leaves its way. The motions must outlive it.
 //
 //   const CostToGo to_dock(motions, primitives, {{12, 40}, 4});
 //   to_dock.lower_bound_mm({200, 30}, 0);

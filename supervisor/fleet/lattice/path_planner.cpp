@@ -230,15 +230,16 @@ FreeMotions PathPlanner::free_motions(unsigned threads) const {
   return FreeMotions(*map_, clearance_, *primitives_, cells_, threads);
 }
 
-std::optional<CostToGo> PathPlanner::cost_to_go(const FreeMotions& motions, const geometry::Pose& goal) const {
+std::optional<CostToGo> PathPlanner::cost_to_go(const FreeMotions& motions,
+                                                const geometry::Pose& goal) const {
   Question question(*map_, *primitives_, cells_, clearance_);
   const auto to = question.place(goal, "goal");
   if (!to) return std::nullopt;
   return CostToGo(motions, *primitives_, to->vertex, to->heading);
 }
 
-PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& goal, const PathOptions& options,
-                             const CostToGo* to_go) const {
+PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& goal,
+                             const PathOptions& options, const CostToGo* to_go) const {
   Question question(*map_, *primitives_, cells_, clearance_);
   const auto from = question.place(start, "start");
   const auto to = question.place(goal, "goal");
@@ -252,8 +253,10 @@ PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& 
   if (to_go != nullptr && options.heuristic == Heuristic::Combined &&
       to_go->lower_bound_mm(from->vertex, from->heading) != CostToGo::kNoWay)
     floor.to_go = to_go;
+  // A short search with costs to go needs nothing else. A long one has come to something that was not there
+  // when they were worked out: what is around that, distances on this map know.
   std::optional<ObstacleDistances> around;
-  if (floor.to_go == nullptr) {
+  if (floor.to_go == nullptr || options.most_expanded == 0) {
     around.emplace(clearance_, ObstacleQuestion{.goal = to->vertex,
                                                 .start = from->vertex,
                                                 .columns = question.columns(),
@@ -266,8 +269,8 @@ PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& 
     if (around->unreachable()) {
       question.answer.end = PathEnd::Unreachable;
       question.refuse("F0304",
-                      fmt::format("no passage from {} to {} is wide enough for the vehicle's {:.2f} m", name(start),
-                                  name(goal), vehicle_.width_m));
+                      fmt::format("no passage from {} to {} is wide enough for the vehicle's {:.2f} m",
+                                  name(start), name(goal), vehicle_.width_m));
       return std::move(question.answer);
     }
   }
@@ -289,7 +292,8 @@ PathAnswer PathPlanner::plan_guided(const geometry::Pose& start, const geometry:
   constexpr std::uint64_t kExpansions = 4000;
   PathOptions straight = options;
   straight.first_weight = std::min(kWeight, options.first_weight);
-  straight.most_expanded = options.most_expanded == 0 ? kExpansions : std::min(kExpansions, options.most_expanded);
+  straight.most_expanded =
+      options.most_expanded == 0 ? kExpansions : std::min(kExpansions, options.most_expanded);
   PathAnswer answer = plan(start, goal, straight, &to_go);
   const bool gave_up = answer.end == PathEnd::Deadline && answer.expanded >= straight.most_expanded;
   return gave_up ? plan(start, goal, options, &to_go) : answer;

@@ -51,8 +51,8 @@ class PathPlanner {
   // `to_go`: of this goal, if there is one.
   // Diagnostics: F0302 a pose off the map, F0303 a pose in collision (and with which cell), F0304 no passage
   // wide enough, F0305 no path on the lattice.
-  PathAnswer plan(const geometry::Pose& start, const geometry::Pose& goal,
-                  const PathOptions& options = {}, const CostToGo* to_go = nullptr) const;
+  PathAnswer plan(const geometry::Pose& start, const geometry::Pose& goal, const PathOptions& options = {},
+                  const CostToGo* to_go = nullptr) const;
   // With the costs of all ways to the goal a search goes straight to the best one, unless what its map closes
   // lies on it: nearly without a weight first, and as `options` say where that leads nowhere soon.
   PathAnswer plan_guided(const geometry::Pose& start, const geometry::Pose& goal, const PathOptions& options,

@@ -92,7 +92,8 @@ PathAnswer FleetFloor::plan(const LegRequest& leg, const PathOptions& options) c
   return plan(models_[leg.model]->planner, leg, options);
 }
 
-PathAnswer FleetFloor::plan(const PathPlanner& planner, const LegRequest& leg, const PathOptions& options) const {
+PathAnswer FleetFloor::plan(const PathPlanner& planner, const LegRequest& leg,
+                            const PathOptions& options) const {
   const auto& known = models_[leg.model]->costs_to_go;
   const auto to_go = known.find(place_of(leg.to));
   return to_go == known.end() ? planner.plan(leg.from, leg.to, options)

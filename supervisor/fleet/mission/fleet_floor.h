@@ -55,11 +55,12 @@ class FleetFloor {
   // Tables that could not be kept.
   const std::vector<std::string>& notes() const { return notes_; }
 
-  // Works out what it costs a model to drive to these places from everywhere, in parallel: some tenths of a second
-  // each, kept as long as the floor. Ways to them then take about a millisecond, around obstacles too. Places
-  // off the map are left out.
+  // Works out what it costs a model to drive to these places from everywhere, in parallel: some tenths of a
+  // second each, kept as long as the floor. Ways to them then take about a millisecond, around obstacles too.
+  // Places off the map are left out.
   void prepare_goals(std::size_t model, std::span<const geometry::Pose> goals);
-  // One way, with what is known of its goal, on the floor's map or by a planner for one that has more obstacles.
+  // One way, with what is known of its goal, on the floor's map or by a planner for one that has more
+  // obstacles.
   PathAnswer plan(const LegRequest& leg, const PathOptions& options) const;
   PathAnswer plan(const PathPlanner& planner, const LegRequest& leg, const PathOptions& options) const;
 
@@ -73,7 +74,7 @@ class FleetFloor {
 
  private:
   using Place = std::tuple<std::int64_t, std::int64_t, int>;  // of the lattice
-  using Key = std::tuple<std::size_t, Place, Place>;           // model, start, goal
+  using Key = std::tuple<std::size_t, Place, Place>;          // model, start, goal
   struct Model {
     Model(const OccupancyGrid& map, const VehicleModel& of, HeuristicTable loaded, PrimitiveSet made);
 

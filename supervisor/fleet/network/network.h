@@ -38,8 +38,8 @@ class Network {
   // All of them, or none.
   [[nodiscard]] bool post(std::span<const Constraint> constraints);
 
-  // All of them, or none, in less time: what was posted before and these cannot be taken back any more, marks of
-  // before are void. Requires that latest times are not tracked yet.
+  // All of them, or none, in less time: what was posted before and these cannot be taken back any more, marks
+  // of before are void. Requires that latest times are not tracked yet.
   [[nodiscard]] bool load(std::span<const Constraint> constraints);
 
   // The labels of the constraints of the cycle behind the last false answer: it is closed by the fact

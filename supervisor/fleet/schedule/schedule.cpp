@@ -114,7 +114,8 @@ class Scheduler {
     return true;
   }
 
-  bool order_all(const internal::SearchModel& model, const std::vector<std::uint8_t>& orders, Network& network) {
+  bool order_all(const internal::SearchModel& model, const std::vector<std::uint8_t>& orders,
+                 Network& network) {
     std::vector<Constraint> posted;
     for (std::uint32_t s = 0; s < sections_.sections.size(); ++s) {
       for (const Constraint& c : model.edges_of(internal::Literal::of(s, orders[s]))) {

@@ -52,7 +52,7 @@ struct Route {
   VehicleMission mission;
   Pace pace;
   std::vector<double> driving_s;  // by pose, without standing
-  std::vector<double> needed_m;  // by polygon
+  std::vector<double> needed_m;   // by polygon
   std::vector<double> left_m;
   // By polygon, seconds from the begin of the path.
   std::vector<double> needed_s;

@@ -99,12 +99,14 @@ void RoutePlanner::prepare(std::span<const Pose> goals, unsigned threads) {
   std::vector<Pose> missing;
   std::set<Place> places;
   for (const Pose& goal : goals) {
-    if (!costs_to_go_.contains(place_of(goal)) && places.insert(place_of(goal)).second) missing.push_back(goal);
+    if (!costs_to_go_.contains(place_of(goal)) && places.insert(place_of(goal)).second)
+      missing.push_back(goal);
   }
   std::vector<std::optional<CostToGo>> made(missing.size());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
-    for (std::size_t k = next++; k < missing.size(); k = next++) made[k] = base_->cost_to_go(*motions_, missing[k]);
+    for (std::size_t k = next++; k < missing.size(); k = next++)
+      made[k] = base_->cost_to_go(*motions_, missing[k]);
   };
   {
     std::vector<std::jthread> helpers;

@@ -95,7 +95,7 @@ class RoutePlanner {
     std::unique_ptr<OccupancyGrid> grid;
     std::unique_ptr<PathPlanner> planner;
   };
-  using Place = std::tuple<int, int, int>;  // of the lattice
+  using Place = std::tuple<int, int, int>;                 // of the lattice
   using LegKey = std::tuple<std::uint32_t, Place, Place>;  // layer, start, goal
   struct Leg {
     Route route;

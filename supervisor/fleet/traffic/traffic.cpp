@@ -56,12 +56,14 @@ void Traffic::progress(std::uint32_t vehicle, const Whereabouts& at, millisecond
   post_delay(vehicle, now);
 }
 
+// Who waited for a vehicle that is out of order goes on, but not who is held: it would stand where that one
+// has to begin to drive again, for as long as that one stands in its way.
 bool Traffic::open(std::uint32_t vehicle, std::uint32_t polygon) const {
-  const auto& waits = lanes_[vehicle].waits;
-  const auto [begin, end] = std::ranges::equal_range(waits, polygon, {}, &internal::Wait::polygon);
+  const Lane& lane = lanes_[vehicle];
+  const auto [begin, end] = std::ranges::equal_range(lane.waits, polygon, {}, &internal::Wait::polygon);
   return std::all_of(begin, end, [&](const internal::Wait& wait) {
     const Lane& other = lanes_[wait.vehicle];
-    return other.removed || other.first > wait.left;
+    return other.first > wait.left || (other.removed && !lane.limit_m);
   });
 }
 

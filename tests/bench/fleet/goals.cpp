@@ -51,7 +51,8 @@ Site mine(std::uint64_t seed) {
 Site warehouse_site(std::uint64_t seed) {
   Site site{support::draw_warehouse(seed), {}, {}};
   const auto& stations = site.floor.stations;
-  for (std::size_t k = 0; k < kVehicles; ++k) site.tasks.push_back({stations[k], stations[stations.size() - 1 - k]});
+  for (std::size_t k = 0; k < kVehicles; ++k)
+    site.tasks.push_back({stations[k], stations[stations.size() - 1 - k]});
   for (std::size_t k = 0; k < 3; ++k) site.free.push_back(stations[kVehicles + 1 + k]);
   return site;
 }
@@ -90,25 +91,25 @@ void add_goals(const Site& site, const MissionProblem& problem, const FleetPlan&
     if (known) floor.prepare_goals(0, at);
     const double begin_ms = now_ms(settings);
     if (known) row.prepare_ms += (begin_ms - prepare_ms) / 2.0;
-    const NewMission mission{
-        .stops = {{StopKind::PickUp, "from", at[0], std::chrono::seconds(10), "new", 1},
-                  {StopKind::SetDown, "to", at[1], std::chrono::seconds(10), "new", 1}},
-        .vehicles = {v}};
+    const NewMission mission{.stops = {{StopKind::PickUp, "from", at[0], std::chrono::seconds(10), "new", 1},
+                                       {StopKind::SetDown, "to", at[1], std::chrono::seconds(10), "new", 1}},
+                             .vehicles = {v}};
     const AddedMission added = add_mission(floor, plan, running, mission, {});
     times.total_ms.push_back(now_ms(settings) - begin_ms);
     times.paths_ms.push_back(added.paths_ms);
     if (added.verdict != Verdict::Scheduled) continue;
     ++times.scheduled;
-    const auto faults = faults_of(added.plan.schedule.earliest, envelopes_of(added.plan), added.plan.constraints,
-                                  Mode::Strict);
+    const auto faults = faults_of(added.plan.schedule.earliest, envelopes_of(added.plan),
+                                  added.plan.constraints, Mode::Strict);
     times.faults += faults.empty() ? 0 : 1;
   }
 }
 
 double at(std::vector<double> values, double share) {
   std::ranges::sort(values);
-  return values.empty() ? 0.0
-                        : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+  return values.empty()
+             ? 0.0
+             : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
 }  // namespace
@@ -135,9 +136,10 @@ GoalsRow measure_goals(std::uint32_t instances, const Settings& settings) {
 void print(const GoalsRow& row) {
   std::printf("one more goal while a plan runs, %u mines and warehouses\n", row.floors);
   const auto line = [](const char* name, const GoalTimes& times) {
-    std::printf("   %-22s median %6.1f ms, worst %6.1f (paths: median %5.1f, worst %5.1f); %u of %zu scheduled\n",
-                name, times.total(0.5), times.total(1.0), at(times.paths_ms, 0.5), at(times.paths_ms, 1.0),
-                times.scheduled, times.total_ms.size());
+    std::printf(
+        "   %-22s median %6.1f ms, worst %6.1f (paths: median %5.1f, worst %5.1f); %u of %zu scheduled\n",
+        name, times.total(0.5), times.total(1.0), at(times.paths_ms, 0.5), at(times.paths_ms, 1.0),
+        times.scheduled, times.total_ms.size());
   };
   line("floor without a path", row.cold);
   line("costs of ways known", row.known);

@@ -18,7 +18,8 @@ Kept::Kept(const std::string& file) {
     std::istringstream words(line);
     std::string key, end;
     Measured measured;
-    if (words >> key >> measured.ms >> measured.nodes >> measured.found >> measured.sound >> end && end == kEnd)
+    if (words >> key >> measured.ms >> measured.nodes >> measured.found >> measured.sound >> end &&
+        end == kEnd)
       known_[key] = measured;
   }
   out_.open(file, std::ios::app);
@@ -36,8 +37,8 @@ std::optional<Measured> Kept::find(const std::string& key) const {
 void Kept::add(const std::string& key, const Measured& measured) {
   if (!out_.is_open()) return;
   known_[key] = measured;
-  out_ << key << ' ' << std::setprecision(17) << measured.ms << ' ' << measured.nodes << ' ' << measured.found << ' '
-       << measured.sound << ' ' << kEnd << std::endl;
+  out_ << key << ' ' << std::setprecision(17) << measured.ms << ' ' << measured.nodes << ' ' << measured.found
+       << ' ' << measured.sound << ' ' << kEnd << std::endl;
 }
 
 }  // namespace stepwright::bench::fleet

@@ -2,7 +2,9 @@
 // the whole chain in a mine.
 //
 //   bench_fleet [--full] [--runs N] [--least N] [--most N] [--v-max MPS] [--cap S] [--scale N] [--no-literal]
-//               [--literal-runs N] [--keep FILE] [--no-referee] [--cpu-time] [--write FOLDER] [--json FILE] [--svg FILE]
+//               [--literal-runs N] [--keep FILE [--kept-only]] [--no-referee] [--cpu-time] [--write FOLDER]
+//               [--json FILE]
+//               [--svg FILE]
 //
 // Wall times (or CPU times, on a busy machine) of one thread, from envelopes to verdict; an instance that a
 // baseline does not finish counts as the cap. A few runs without --full, which takes 100 runs for each number
@@ -59,9 +61,9 @@ bool write_instances(const Arguments& arguments) {
 
 void print_solver(const char* name, const Times& times) {
   if (times.ms.empty()) return;
-  std::printf("   %-13s %10.3f %10.3f %10.3f %10.3f %10.3f %8u %10llu\n", name, times.mean(),
-              times.quantile(0.5), times.quantile(0.95), times.quantile(0.99), times.quantile(1.0),
-              times.timeouts, static_cast<unsigned long long>(times.nodes));
+  std::printf("   %-13s %4zu %10.3f %10.3f %10.3f %10.3f %10.3f %8u %10llu\n", name, times.ms.size(),
+              times.mean(), times.quantile(0.5), times.quantile(0.95), times.quantile(0.99),
+              times.quantile(1.0), times.timeouts, static_cast<unsigned long long>(times.nodes));
 }
 
 void print(const CircleRow& row) {
@@ -80,13 +82,10 @@ void print(const CircleRow& row) {
 }
 
 nlohmann::json to_json(const Times& times) {
-  return {{"mean_ms", times.mean()},
-          {"median_ms", times.quantile(0.5)},
-          {"p95_ms", times.quantile(0.95)},
-          {"p99_ms", times.quantile(0.99)},
-          {"max_ms", times.quantile(1.0)},
-          {"timeouts", times.timeouts},
-          {"nodes", times.nodes}};
+  return {{"runs", times.ms.size()},          {"mean_ms", times.mean()},
+          {"median_ms", times.quantile(0.5)}, {"p95_ms", times.quantile(0.95)},
+          {"p99_ms", times.quantile(0.99)},   {"max_ms", times.quantile(1.0)},
+          {"timeouts", times.timeouts},       {"nodes", times.nodes}};
 }
 
 nlohmann::json to_json(const CircleRow& row) {
@@ -106,8 +105,8 @@ struct Totals {
 bool circles(const Arguments& arguments, nlohmann::json& json, Totals& totals) {
   std::printf("circle of 40 m, v_max %.2f m/s, %u runs each; baselines stop after %.0f s\n",
               arguments.settings.v_max_mps, arguments.settings.runs, arguments.settings.cap_s);
-  std::printf("   %-13s %10s %10s %10s %10s %10s %8s %10s\n", "ms", "mean", "median", "p95", "p99", "max",
-              "timeouts", "nodes");
+  std::printf("   %-13s %4s %10s %10s %10s %10s %10s %8s %10s\n", "ms", "runs", "mean", "median", "p95",
+              "p99", "max", "timeouts", "nodes");
   CircleSource source;
   std::vector<CircleRow> rows;
   for (std::uint32_t n = arguments.settings.least; n <= arguments.settings.most; ++n) {
@@ -236,7 +235,9 @@ int main(int argc, char** argv) {
   auto* scale = app.add_option("--scale", settings.scale);
   app.add_flag("--no-literal", arguments.no_literal);
   app.add_option("--literal-runs", settings.literal_runs, "runs that paper-literal takes part in, at most");
-  app.add_option("--keep", arguments.kept_file, "what paper-literal took: read, and what is new appended");
+  auto* keep = app.add_option("--keep", arguments.kept_file,
+                              "what paper-literal took: read, and what is new appended");
+  app.add_flag("--kept-only", settings.kept_only, "of paper-literal what is kept, nothing new")->needs(keep);
   app.add_flag("--no-referee", arguments.no_referee);
   app.add_flag("--cpu-time", settings.cpu_time, "CPU time of the thread instead of wall time");
   app.add_option("--write", arguments.write_folder,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "supervisor/fleet/schedule/problem_file.h"
@@ -43,21 +44,25 @@ struct Judged {
 };
 
 // The answer of a baseline; what is kept is taken over where the instance is the same to the last character.
-Measured measured_baseline(const Instance& instance, Closure closure, const Settings& settings, Kept* kept) {
+std::optional<Measured> measured_baseline(const Instance& instance, Closure closure, const Settings& settings,
+                                          Kept* kept) {
   std::string key;
   if (kept != nullptr) {
     const std::string text = write_problem({instance.envelopes, instance.constraints});
     std::uint64_t hash = 0xcbf29ce484222325U;
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-    key = fmt::format("{}-{:016x}-{}-{}", closure == Closure::Incremental ? "fair" : "literal", hash, settings.cap_s,
-                      settings.cpu_time ? "cpu" : "wall");
-    if (auto before = kept->find(key)) return *before;
+    key = fmt::format("{}-{:016x}-{}-{}", closure == Closure::Incremental ? "fair" : "literal", hash,
+                      settings.cap_s, settings.cpu_time ? "cpu" : "wall");
+    if (auto before = kept->find(key)) return before;
+    if (settings.kept_only) return std::nullopt;
   }
   EstaResult result;
   Measured measured;
   measured.ms = timed_ms(settings, [&] { result = solve_esta(instance, closure, cap_of(settings)); });
   measured.nodes = result.nodes;
-  measured.found = result.found == Found::TimeOut ? "timeout" : result.found == Found::Schedule ? "schedule" : "none";
+  measured.found = result.found == Found::TimeOut    ? "timeout"
+                   : result.found == Found::Schedule ? "schedule"
+                                                     : "none";
   measured.sound =
       result.found != Found::Schedule ||
       faults_of(result.earliest, instance.envelopes, instance.constraints, Mode::EarliestTimes).empty();
@@ -67,8 +72,10 @@ Measured measured_baseline(const Instance& instance, Closure closure, const Sett
 
 void run_baseline(const Instance& instance, Closure closure, const Settings& settings, bool scheduled,
                   Times& times, CircleRow& row) {
-  const Measured measured =
-      measured_baseline(instance, closure, settings, closure == Closure::FloydWarshall ? settings.kept : nullptr);
+  const std::optional<Measured> answer = measured_baseline(
+      instance, closure, settings, closure == Closure::FloydWarshall ? settings.kept : nullptr);
+  if (!answer) return;
+  const Measured& measured = *answer;
   times.nodes += measured.nodes;
   if (measured.found == "timeout") {
     ++times.timeouts;

@@ -2,9 +2,11 @@
 // the number of vehicles, beside first-come-first-served locks.
 //
 //   bench_shift [--vehicles N] [--hours H] [--rate R] [--seed S] [--json FILE] [--svg FILE] [--log]
-//   bench_shift --sweep [--sizes 1,2,...] [--threads N] [--validate] [--hours H] [--rate R] [--json FILE] [--svg FILE]
+//   bench_shift --sweep [--sizes 1,2,...] [--threads N] [--validate] [--hours H] [--rate R] [--json FILE]
+//   [--svg FILE]
 //
-// Times are CPU times of one thread, of a sweep those of all threads and wall time. Exit code 5 if there was a collision or a deadlock.
+// Times are CPU times of one thread, of a sweep those of all threads and wall time. Exit code 5 if there was
+// a collision or a deadlock.
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -142,9 +144,10 @@ int run_sweep(const Arguments& arguments) {
   json["sweep_wall_s"] = wall;
   json["prepare_cpu_s"] = fleet.prepare_cpu_s();
   json["enough_vehicles"] = enough_vehicles(rows);
-  std::printf("sweep: %.1f s, CPU %.1f s (%.1f s of it for costs of ways, once), %llu paths; %u vehicles suffice\n", wall,
-              cpu, fleet.prepare_cpu_s(), static_cast<unsigned long long>(fleet.planner().paths_planned()),
-              enough_vehicles(rows));
+  std::printf(
+      "sweep: %.1f s, CPU %.1f s (%.1f s of it for costs of ways, once), %llu paths; %u vehicles suffice\n",
+      wall, cpu, fleet.prepare_cpu_s(), static_cast<unsigned long long>(fleet.planner().paths_planned()),
+      enough_vehicles(rows));
   for (const std::uint32_t vehicles : {5U, 10U, 20U}) {
     if (!arguments.validate) break;
     settings.vehicles = vehicles;
@@ -154,8 +157,8 @@ int run_sweep(const Arguments& arguments) {
     json["plant"].push_back(json_of(summary_of(smaller, run.figures)));
     json["plant"].back()["vehicles"] = vehicles;
   }
-  const bool written =
-      write(arguments.json_file, json.dump(2) + "\n") && write(arguments.svg_file, plot_of(rows, settings.hours));
+  const bool written = write(arguments.json_file, json.dump(2) + "\n") &&
+                       write(arguments.svg_file, plot_of(rows, settings.hours));
   return to_int(written ? result::ExitCode::Done : result::ExitCode::BadInput);
 }
 

@@ -106,9 +106,12 @@ std::string plot_of(std::span<const SweepRow> rows, double hours) {
   svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">vehicles</text>\n",
                      0.5 * (kLeft + kWidth - kRight), kHeight - 10);
   const std::uint32_t enough = enough_vehicles(rows);
-  svg += fmt::format("<path d=\"M{0} {1}V{2}\" stroke=\"#000\" stroke-dasharray=\"4 3\"/><text x=\"{3}\" y=\"{4}\">{5} suffice</text>\n",
-                     x(enough), y(0.0), kTop, x(enough) + 5, y(0.5), enough);
-  const std::string delivered = fmt::format("delivered (100 % = {:.0f} an hour)", static_cast<double>(rows.front().summary.released) / hours);
+  svg += fmt::format(
+      "<path d=\"M{0} {1}V{2}\" stroke=\"#000\" stroke-dasharray=\"4 3\"/><text x=\"{3}\" y=\"{4}\">{5} "
+      "suffice</text>\n",
+      x(enough), y(0.0), kTop, x(enough) + 5, y(0.5), enough);
+  const std::string delivered = fmt::format("delivered (100 % = {:.0f} an hour)",
+                                            static_cast<double>(rows.front().summary.released) / hours);
   const std::string tardiness = fmt::format("tardiness (100 % = {:.0f} s)", most_tardiness_s);
   const std::array<Curve, 4> curves = {
       Curve{delivered.c_str(), "#06c",

@@ -32,8 +32,10 @@ LatticeSearch::LatticeSearch(const SearchFloor& floor, const LatticePose& start,
 }
 
 std::uint32_t LatticeSearch::estimate(const LatticePose& pose, Heuristic heuristic) const {
-  if (floor_.to_go != nullptr && heuristic == Heuristic::Combined)
-    return floor_.to_go->lower_bound_mm(pose.vertex, pose.heading);
+  if (floor_.to_go != nullptr && heuristic == Heuristic::Combined) {
+    const std::uint32_t known = floor_.to_go->lower_bound_mm(pose.vertex, pose.heading);
+    return floor_.around == nullptr ? known : std::max(known, floor_.around->lower_bound_mm(pose.vertex));
+  }
   const GridVector offset = pose.vertex - goal_.vertex;
   std::uint32_t bound = euclid_mm(offset, floor_.primitives.options().resolution_m);
   if (heuristic == Heuristic::Euclid) return bound;

@@ -26,7 +26,7 @@ struct SearchFloor {
   const PrimitiveSet& primitives;
   const SweptCells& cells;
   const HeuristicTable& table;
-  const ObstacleDistances* around = nullptr;  // one of these two; with both the second
+  const ObstacleDistances* around = nullptr;  // one of these two, or both
   const CostToGo* to_go = nullptr;
   std::int32_t columns = 0;  // of vertices
   std::int32_t rows = 0;

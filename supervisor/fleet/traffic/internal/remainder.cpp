@@ -93,7 +93,8 @@ Remainder remainder_of(std::span<const Lane* const> lanes, milliseconds now, mil
   return remainder;
 }
 
-std::vector<SpatialPair> overlaps_ahead(std::span<const Lane* const> lanes, std::span<const SpatialPair> known,
+std::vector<SpatialPair> overlaps_ahead(std::span<const Lane* const> lanes,
+                                        std::span<const SpatialPair> known,
                                         std::optional<std::uint32_t> changed) {
   std::vector<geometry::Box> boxes;
   std::vector<std::uint32_t> groups;
@@ -117,9 +118,8 @@ std::vector<SpatialPair> overlaps_ahead(std::span<const Lane* const> lanes, std:
     return at.vehicle != changed && takes_part(*lanes[at.vehicle]) && at.polygon >= lanes[at.vehicle]->first;
   };
   if (changed) {
-    std::ranges::copy_if(known, std::back_inserter(ahead), [&](const SpatialPair& pair) {
-      return still_ahead(pair.a) && still_ahead(pair.b);
-    });
+    std::ranges::copy_if(known, std::back_inserter(ahead),
+                         [&](const SpatialPair& pair) { return still_ahead(pair.a) && still_ahead(pair.b); });
   }
   std::ranges::sort(ahead, {}, [](const SpatialPair& p) {
     return std::tuple(p.a.vehicle, p.b.vehicle, p.a.polygon, p.b.polygon);
@@ -138,7 +138,8 @@ std::vector<SpatialPair> by_row(std::span<const Lane* const> lanes, std::span<co
   return pairs;
 }
 
-void keep_permissions(std::span<const Lane* const> lanes, std::span<const SpatialPair> rows, Remainder& remainder) {
+void keep_permissions(std::span<const Lane* const> lanes, std::span<const SpatialPair> rows,
+                      Remainder& remainder) {
   const auto permitted = [&](PolygonRef at) {
     const Lane& lane = *lanes[remainder.vehicles[at.vehicle]];
     return lane.first + at.polygon < lane.granted;

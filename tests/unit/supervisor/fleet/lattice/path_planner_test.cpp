@@ -107,7 +107,8 @@ TEST_F(PathPlannerTest, Plan_WhenHeldAgainstPlainDijkstra_ThenCostsAreTheLeastAn
   EXPECT_GT(unreachable, 5);
 }
 
-// Exact on its own floor, never too much on one with more obstacles, and A* with it finds the least cost there.
+// Exact on its own floor, never too much on one with more obstacles, and A* with it finds the least cost
+// there.
 TEST_F(PathPlannerTest, CostToGo_WhenHeldAgainstPlainDijkstra_ThenItIsExactAndALowerBoundWhereMoreStands) {
   constexpr std::uint32_t kUnit_mm = 8;
   int exact = 0, detours = 0, none = 0;

@@ -191,7 +191,8 @@ TEST(Network, Load_WhenConstraintsAreRandom_ThenVerdictTimesAndReasonsAreThoseOf
     all.pop_back();
     network.track_latest();
     ASSERT_NO_FATAL_FAILURE(expect_times(network, AllPairs(size, all))) << round;
-    expect_explained(network, all, Timepoint(static_cast<std::uint32_t>(round) % static_cast<std::uint32_t>(size)));
+    expect_explained(network, all,
+                     Timepoint(static_cast<std::uint32_t>(round) % static_cast<std::uint32_t>(size)));
   }
   EXPECT_GT(loaded, 100);
   EXPECT_GT(refused, 50);
@@ -200,8 +201,9 @@ TEST(Network, Load_WhenConstraintsAreRandom_ThenVerdictTimesAndReasonsAreThoseOf
 // It would take a hundred million rounds to see by raising labels that there is no answer.
 TEST(Network, Load_WhenACycleGrowsByAMillisecond_ThenItIsNamed) {
   Network network(4);
-  const std::vector<Constraint> cycle = {
-      {Timepoint(1), Timepoint(2), 1, 5}, {Timepoint(2), Timepoint(3), 0, 6}, {Timepoint(3), Timepoint(1), 0, 7}};
+  const std::vector<Constraint> cycle = {{Timepoint(1), Timepoint(2), 1, 5},
+                                         {Timepoint(2), Timepoint(3), 0, 6},
+                                         {Timepoint(3), Timepoint(1), 0, 7}};
   EXPECT_FALSE(network.load(cycle));
   const std::set<std::uint32_t> named(network.conflict().begin(), network.conflict().end());
   EXPECT_EQ(named, (std::set<std::uint32_t>{5, 6, 7}));
