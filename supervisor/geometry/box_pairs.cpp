@@ -53,16 +53,31 @@ class Grid {
   double per_x_ = 0.0, per_y_ = 0.0;
 };
 
+// Without branches: which of the four fails cannot be foreseen.
 bool overlap(const Box& a, const Box& b) {
-  return a.low.x_m < b.high.x_m && b.low.x_m < a.high.x_m && a.low.y_m < b.high.y_m && b.low.y_m < a.high.y_m;
+  return ((a.low.x_m < b.high.x_m) & (b.low.x_m < a.high.x_m) & (a.low.y_m < b.high.y_m) &
+          (b.low.y_m < a.high.y_m)) != 0;
+}
+
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+// Of few boxes all pairs are looked at sooner than a grid is made.
+constexpr std::size_t kFew = 160;
+
+Pairs among_few(std::span<const Box> boxes, std::span<const std::uint32_t> groups) {
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    for (std::uint32_t k = i + 1; k < boxes.size(); ++k)
+      if (groups[i] != groups[k] && overlap(boxes[i], boxes[k])) pairs.emplace_back(i, k);
+  }
+  return pairs;
 }
 
 }  // namespace
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> overlapping_boxes(
-    std::span<const Box> boxes, std::span<const std::uint32_t> groups) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  if (boxes.empty()) return pairs;
+Pairs overlapping_boxes(std::span<const Box> boxes, std::span<const std::uint32_t> groups) {
+  if (boxes.size() <= kFew) return among_few(boxes, groups);
+  Pairs pairs;
   const Grid grid(boxes);
   std::vector<std::uint32_t> begin(grid.cells() + 1, 0);
   for (const Box& box : boxes) grid.each_cell(box, [&](std::uint32_t cell) { ++begin[cell + 1]; });

@@ -30,16 +30,19 @@ void extend_chain(std::vector<Point>& chain, std::size_t first, Point point) {
 
 // Whether all of `other` lies beyond one side of `polygon`.
 bool separates(std::span<const Point> polygon, std::span<const Point> other) {
+  auto inside = other.begin();  // of the side before: mostly of the next one, too
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Point from = polygon[k];
     const Point to = polygon[(k + 1) % polygon.size()];
     const Point along = to - from;
-    // The length is needed only where a corner is not plainly outside.
+    const double touching = kTouching_m * kTouching_m * dot(along, along);
     const auto outside = [&](Point p) {
       const double left = cross(along, p - from);
-      return left <= 0.0 || left <= kTouching_m * distance(from, to);
+      return left <= 0.0 || left * left <= touching;
     };
-    if (std::ranges::all_of(other, outside)) return true;
+    if (!outside(*inside)) continue;
+    inside = std::ranges::find_if_not(other, outside);
+    if (inside == other.end()) return true;
   }
   return false;
 }
@@ -120,7 +123,9 @@ std::vector<HalfPlane> ConvexPolygon::half_planes() const {
 
 bool ConvexPolygon::contains(Point point, double slack_m) const {
   for (std::size_t k = 0; k < corners_.size(); ++k) {
-    if (distance_left_of(corners_[k], corners_[(k + 1) % corners_.size()], point) < -slack_m) return false;
+    const Point along = corners_[(k + 1) % corners_.size()] - corners_[k];
+    const double left = cross(along, point - corners_[k]);
+    if (left < 0.0 && left * left > slack_m * slack_m * dot(along, along)) return false;
   }
   return true;
 }
@@ -145,15 +150,17 @@ std::optional<ConvexPolygon> intersection(const ConvexPolygon& a, const ConvexPo
 }
 
 ConvexPolygon footprint_at(const Pose& pose, const Footprint& footprint) {
-  const std::array<Point, 4> corners = {
+  std::array<Point, 4> corners = {
       from_frame(pose, {-footprint.rear_m, -footprint.half_width_m}),
       from_frame(pose, {footprint.front_m, -footprint.half_width_m}),
       from_frame(pose, {footprint.front_m, footprint.half_width_m}),
       from_frame(pose, {-footprint.rear_m, footprint.half_width_m}),
   };
-  auto polygon = ConvexPolygon::hull(corners);
-  assert(polygon.has_value());
-  return *std::move(polygon);
+  // Anticlockwise as they are; like those of a hull they begin with the one farthest to the left.
+  const auto first = std::ranges::min_element(
+      corners, [](Point a, Point b) { return a.x_m != b.x_m ? a.x_m < b.x_m : a.y_m < b.y_m; });
+  std::ranges::rotate(corners, first);
+  return ConvexPolygon({corners.begin(), corners.end()});
 }
 
 }  // namespace stepwright::geometry

@@ -28,6 +28,13 @@ struct HalfPlane {
   double offset_m = 0.0;
 };
 
+// A rectangle around the reference point of a vehicle, which lies between its sides; all lengths positive.
+struct Footprint {
+  double front_m = 0.0;  // from the reference point to the front
+  double rear_m = 0.0;
+  double half_width_m = 0.0;
+};
+
 class ConvexPolygon {
  public:
   // The convex hull of the points; nothing where they lie on one line or are not finite.
@@ -44,6 +51,7 @@ class ConvexPolygon {
   bool contains(const ConvexPolygon& inner, double slack_m = 0.0) const;
 
  private:
+  friend ConvexPolygon footprint_at(const Pose& pose, const Footprint& footprint);
   explicit ConvexPolygon(std::vector<Point> corners);
 
   std::vector<Point> corners_;
@@ -56,13 +64,7 @@ bool overlaps(const ConvexPolygon& a, const ConvexPolygon& b);
 // What both cover; nothing where they do not overlap.
 std::optional<ConvexPolygon> intersection(const ConvexPolygon& a, const ConvexPolygon& b);
 
-// A rectangle around the reference point of a vehicle, which lies between its sides; all lengths positive.
-struct Footprint {
-  double front_m = 0.0;  // from the reference point to the front
-  double rear_m = 0.0;
-  double half_width_m = 0.0;
-};
-
+// Requires a finite pose.
 ConvexPolygon footprint_at(const Pose& pose, const Footprint& footprint);
 
 }  // namespace stepwright::geometry

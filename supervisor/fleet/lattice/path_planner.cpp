@@ -247,8 +247,20 @@ double PathPlanner::most_poses_per_m(double sample_m) const {
   return most;
 }
 
+FreeMotions PathPlanner::free_motions(unsigned threads) const {
+  return FreeMotions(*map_, clearance_, *primitives_, cells_, threads);
+}
+
+std::optional<CostToGo> PathPlanner::cost_to_go(const FreeMotions& motions,
+                                                const geometry::Pose& goal) const {
+  Question question(*map_, *primitives_, cells_, clearance_);
+  const auto to = question.place(goal, "goal");
+  if (!to) return std::nullopt;
+  return CostToGo(motions, *primitives_, to->vertex, to->heading);
+}
+
 PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& goal,
-                             const PathOptions& options) const {
+                             const PathOptions& options, const CostToGo* to_go) const {
   Question question(*map_, *primitives_, cells_, clearance_);
   const auto from = question.place(start, "start");
   const auto to = question.place(goal, "goal");
@@ -256,27 +268,38 @@ PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& 
     question.answer.end = PathEnd::Refused;
     return std::move(question.answer);
   }
-  const ObstacleDistances around(clearance_, {.goal = to->vertex,
-                                              .start = from->vertex,
-                                              .columns = question.columns(),
-                                              .rows = question.rows(),
-                                              .cells_per_step = cells_.cells_per_step(),
-                                              .resolution_m = primitives_->options().resolution_m,
-                                              .inscribed_radius_m = vehicle_.inscribed_radius_m(),
-                                              .detour = detour_,
-                                              .cancel = options.cancel});
-  if (around.cancelled()) {
-    question.answer.end = PathEnd::Cancelled;
-    return std::move(question.answer);
+  internal::SearchFloor floor{*map_,   clearance_, *primitives_,       cells_,         *table_,
+                              nullptr, nullptr,    question.columns(), question.rows()};
+  // Where it knows of no way the plain search says why.
+  if (to_go != nullptr && options.heuristic == Heuristic::Combined &&
+      to_go->lower_bound_mm(from->vertex, from->heading) != CostToGo::kNoWay)
+    floor.to_go = to_go;
+  // A short search with costs to go needs nothing else. A long one has come to something that was not there
+  // when they were worked out: what is around that, distances on this map know.
+  std::optional<ObstacleDistances> around;
+  if (floor.to_go == nullptr || options.most_expanded == 0) {
+    around.emplace(clearance_, ObstacleQuestion{.goal = to->vertex,
+                                                .start = from->vertex,
+                                                .columns = question.columns(),
+                                                .rows = question.rows(),
+                                                .cells_per_step = cells_.cells_per_step(),
+                                                .resolution_m = primitives_->options().resolution_m,
+                                                .inscribed_radius_m = vehicle_.inscribed_radius_m(),
+                                                .detour = detour_,
+                                                .cancel = options.cancel});
+    if (around->cancelled()) {
+      question.answer.end = PathEnd::Cancelled;
+      return std::move(question.answer);
+    }
+    floor.around = &*around;
+    if (around->unreachable()) {
+      question.answer.end = PathEnd::Unreachable;
+      question.refuse("F0304",
+                      fmt::format("no passage from {} to {} is wide enough for the vehicle's {:.2f} m",
+                                  name(start), name(goal), vehicle_.width_m));
+      return std::move(question.answer);
+    }
   }
-  if (around.unreachable()) {
-    question.answer.end = PathEnd::Unreachable;
-    question.refuse("F0304", fmt::format("no passage from {} to {} is wide enough for the vehicle's {:.2f} m",
-                                         name(start), name(goal), vehicle_.width_m));
-    return std::move(question.answer);
-  }
-  const internal::SearchFloor floor{*map_,   clearance_, *primitives_,       cells_,
-                                    *table_, around,     question.columns(), question.rows()};
   LatticeSearch search(floor, *from, *to, options);
   question.search(search, *from, options);
   if (question.answer.end == PathEnd::Unreachable) {
@@ -287,6 +310,19 @@ PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& 
         fmt::format("is there room to turn with a radius of {:.2f} m?", vehicle_.min_turning_radius_m));
   }
   return std::move(question.answer);
+}
+
+PathAnswer PathPlanner::plan_guided(const geometry::Pose& start, const geometry::Pose& goal,
+                                    const PathOptions& options, const CostToGo& to_go) const {
+  constexpr double kWeight = 1.02;  // more than the rounding of estimates
+  constexpr std::uint64_t kExpansions = 4000;
+  PathOptions straight = options;
+  straight.first_weight = std::min(kWeight, options.first_weight);
+  straight.most_expanded =
+      options.most_expanded == 0 ? kExpansions : std::min(kExpansions, options.most_expanded);
+  PathAnswer answer = plan(start, goal, straight, &to_go);
+  const bool gave_up = answer.end == PathEnd::Deadline && answer.expanded >= straight.most_expanded;
+  return gave_up ? plan(start, goal, options, &to_go) : answer;
 }
 
 }  // namespace stepwright::fleet

@@ -14,10 +14,12 @@
 //   const PathAnswer answer = planner->plan({5, 5, 0}, {60, 40, 1.57}, {.first_weight = 3.0});
 
 #include <atomic>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "runtime/result/result.h"
+#include "supervisor/fleet/lattice/cost_to_go.h"
 #include "supervisor/fleet/lattice/heuristic_table.h"
 #include "supervisor/fleet/lattice/lattice_path.h"
 #include "supervisor/fleet/lattice/obstacle_distances.h"
@@ -46,10 +48,20 @@ class PathPlanner {
   // No path has more poses for a metre of its way, at sample_m of PathOptions.
   double most_poses_per_m(double sample_m = kPathSample_m) const;
 
+  // All that can be driven on its map, and what it costs from everywhere to a pose: estimates for plan(),
+  // here and in planners for maps that have more obstacles. Nothing for a pose off the map.
+  FreeMotions free_motions(unsigned threads) const;
+  std::optional<CostToGo> cost_to_go(const FreeMotions& motions, const geometry::Pose& goal) const;
+
+  // `to_go`: of this goal, if there is one.
   // Diagnostics: F0302 a pose off the map, F0303 a pose in collision (and with which cell), F0304 no passage
   // wide enough, F0305 no path on the lattice.
-  PathAnswer plan(const geometry::Pose& start, const geometry::Pose& goal,
-                  const PathOptions& options = {}) const;
+  PathAnswer plan(const geometry::Pose& start, const geometry::Pose& goal, const PathOptions& options = {},
+                  const CostToGo* to_go = nullptr) const;
+  // With the costs of all ways to the goal a search goes straight to the best one, unless what its map closes
+  // lies on it: nearly without a weight first, and as `options` say where that leads nowhere soon.
+  PathAnswer plan_guided(const geometry::Pose& start, const geometry::Pose& goal, const PathOptions& options,
+                         const CostToGo& to_go) const;
 
  private:
   PathPlanner(const OccupancyGrid& map, const VehicleModel& vehicle, const PrimitiveSet& primitives,

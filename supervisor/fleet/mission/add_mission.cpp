@@ -103,9 +103,8 @@ class Addition {
     } else {
       const PathPlanner planner = floor_.planner(wanted.front().model).on(map);
       answers.resize(wanted.size());
-      internal::each_index(wanted.size(), floor_.threads(), [&](std::size_t k) {
-        answers[k] = planner.plan(wanted[k].from, wanted[k].to, options);
-      });
+      internal::each_index(wanted.size(), floor_.threads(),
+                           [&](std::size_t k) { answers[k] = floor_.plan(planner, wanted[k], options); });
     }
     added_.paths_ms += since_ms(begin);
     return answers;

@@ -67,17 +67,39 @@ void FleetFloor::add(const VehicleModel& model) {
 }
 
 // Poses are taken to the nearest of the lattice.
-FleetFloor::Key FleetFloor::key_of(const LegRequest& leg) const {
+FleetFloor::Place FleetFloor::place_of(const geometry::Pose& pose) const {
   const double step_m = LatticeOptions{}.resolution_m;
   const geometry::Point origin = map_->frame().origin;
-  const auto whole = [&](double at_m, double from_m) { return std::llround((at_m - from_m) / step_m); };
-  return {leg.model,
-          whole(leg.from.x_m, origin.x_m),
-          whole(leg.from.y_m, origin.y_m),
-          nearest_heading(leg.from.heading_rad),
-          whole(leg.to.x_m, origin.x_m),
-          whole(leg.to.y_m, origin.y_m),
-          nearest_heading(leg.to.heading_rad)};
+  return {std::llround((pose.x_m - origin.x_m) / step_m), std::llround((pose.y_m - origin.y_m) / step_m),
+          nearest_heading(pose.heading_rad)};
+}
+
+FleetFloor::Key FleetFloor::key_of(const LegRequest& leg) const {
+  return {leg.model, place_of(leg.from), place_of(leg.to)};
+}
+
+void FleetFloor::prepare_goals(std::size_t model, std::span<const geometry::Pose> goals) {
+  Model& of = *models_[model];
+  if (!of.motions) of.motions = of.planner.free_motions(options_.threads);
+  std::vector<std::optional<CostToGo>> made(goals.size());
+  internal::each_index(goals.size(), options_.threads, [&](std::size_t k) {
+    if (!of.costs_to_go.contains(place_of(goals[k]))) made[k] = of.planner.cost_to_go(*of.motions, goals[k]);
+  });
+  for (std::size_t k = 0; k < goals.size(); ++k) {
+    if (made[k]) of.costs_to_go.emplace(place_of(goals[k]), *std::move(made[k]));
+  }
+}
+
+PathAnswer FleetFloor::plan(const LegRequest& leg, const PathOptions& options) const {
+  return plan(models_[leg.model]->planner, leg, options);
+}
+
+PathAnswer FleetFloor::plan(const PathPlanner& planner, const LegRequest& leg,
+                            const PathOptions& options) const {
+  const auto& known = models_[leg.model]->costs_to_go;
+  const auto to_go = known.find(place_of(leg.to));
+  return to_go == known.end() ? planner.plan(leg.from, leg.to, options)
+                              : planner.plan_guided(leg.from, leg.to, options, to_go->second);
 }
 
 void FleetFloor::prepare(std::span<const LegRequest> legs, const PathOptions& options) {
@@ -95,7 +117,7 @@ void FleetFloor::prepare(std::span<const LegRequest> legs, const PathOptions& op
   }
   internal::each_index(missing.size(), options_.threads, [&](std::size_t k) {
     const auto [leg, answer] = missing[k];
-    *answer = models_[leg->model]->planner.plan(leg->from, leg->to, options);
+    *answer = plan(*leg, options);
   });
   searches_ += missing.size();
 }

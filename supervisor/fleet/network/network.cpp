@@ -1,15 +1,15 @@
 #include "supervisor/fleet/network/network.h"
 
 #include <cassert>
+#include <limits>
 
 namespace stepwright::fleet {
 
 Network::Network(std::size_t timepoints)
     : timepoints_(timepoints), earliest_(0, timepoints, 0), remaining_(1, timepoints, kHorizon_ms) {}
 
-bool Network::post(const Constraint& constraint) {
+void Network::link(const Constraint& constraint) {
   assert(constraint.least_ms >= -kHorizon_ms - 1 && constraint.least_ms <= kHorizon_ms + 1);
-  const Mark before = mark();
   const auto edge = static_cast<std::uint32_t>(edges_.size());
   edges_.push_back({.end = {constraint.from.value, constraint.to.value},
                     .next = {},
@@ -17,6 +17,26 @@ bool Network::post(const Constraint& constraint) {
                     .label = constraint.label});
   earliest_.link(edges_, edge);
   remaining_.link(edges_, edge);
+}
+
+bool Network::load(std::span<const Constraint> constraints) {
+  assert(!tracks_latest_);
+  earliest_.forget_changes();
+  const Mark before = mark();
+  edges_.reserve(edges_.size() + constraints.size());
+  for (const Constraint& constraint : constraints) link(constraint);
+  // On a cycle of a millisecond it would go on up to the horizon.
+  constexpr std::size_t kMostVisits = 64;
+  if (earliest_.settle(edges_, kMostVisits * timepoints_)) return true;
+  // One by one: which of them contradict each other.
+  undo(before);
+  return post(constraints);
+}
+
+bool Network::post(const Constraint& constraint) {
+  const Mark before = mark();
+  const auto edge = static_cast<std::uint32_t>(edges_.size());
+  link(constraint);
   bool consistent = earliest_.propagate(edges_, edge, cycle_);
   if (consistent && tracks_latest_) {
     consistent = remaining_.propagate(edges_, edge, cycle_);
@@ -58,7 +78,8 @@ std::vector<std::int32_t> Network::latest_times() const {
 void Network::track_latest() {
   if (tracks_latest_) return;
   tracks_latest_ = true;
-  remaining_.settle(edges_);
+  [[maybe_unused]] const bool settled = remaining_.settle(edges_, std::numeric_limits<std::size_t>::max());
+  assert(settled && "earliest times that meet all constraints leave latest times");
   earliest_.forget_changes();
 }
 

@@ -38,6 +38,10 @@ class Network {
   // All of them, or none.
   [[nodiscard]] bool post(std::span<const Constraint> constraints);
 
+  // All of them, or none, in less time: what was posted before and these cannot be taken back any more, marks
+  // of before are void. Requires that latest times are not tracked yet.
+  [[nodiscard]] bool load(std::span<const Constraint> constraints);
+
   // The labels of the constraints of the cycle behind the last false answer: it is closed by the fact
   // that no timepoint lies before 0, if `beyond_horizon` by the horizon, or by itself. A label may repeat.
   std::span<const std::uint32_t> conflict() const { return conflict_; }
@@ -82,6 +86,7 @@ class Network {
   }
 
  private:
+  void link(const Constraint& constraint);
   void append_labels(std::span<const std::uint32_t> path, std::vector<std::uint32_t>& labels) const;
 
   std::size_t timepoints_;

@@ -11,12 +11,14 @@ using std::chrono::milliseconds;
 Retiming::Retiming(std::span<const TrajectoryEnvelope> envelopes,
                    std::span<const TemporalConstraint> constraints, const Schedule& made)
     : motion_(envelopes, constraints), network_(motion_.timepoints()), precedences_(made.precedences) {
-  [[maybe_unused]] bool consistent = network_.post(motion_.constraints());
+  std::vector<Constraint> all(motion_.constraints().begin(), motion_.constraints().end());
+  all.reserve(all.size() + precedences_.size());
   for (std::uint32_t k = 0; k < precedences_.size(); ++k) {
     const Timepoint exit = motion_.timepoint(precedences_[k].first, Side::Exit);
     const Timepoint entry = motion_.timepoint(precedences_[k].second, Side::Entry);
-    consistent = network_.post({exit, entry, 0, motion_.labels().precedences() + k}) && consistent;
+    all.push_back({exit, entry, 0, motion_.labels().precedences() + k});
   }
+  [[maybe_unused]] const bool consistent = network_.load(all);
   assert(consistent && "these are the precedences of a schedule");
 }
 

@@ -30,12 +30,14 @@ class Stopwatch {
 
 class Scheduler {
  public:
+  // `watch` has run since the question came.
   Scheduler(std::span<const TrajectoryEnvelope> envelopes, std::span<const TemporalConstraint> constraints,
-            const ScheduleOptions& options)
-      : constraints_(constraints),
+            std::vector<SpatialPair> overlaps, const ScheduleOptions& options, const Stopwatch& watch)
+      : watch_(watch),
+        constraints_(constraints),
         options_(options),
         motion_(envelopes, constraints),
-        sections_(merge_sections(overlapping_pairs(envelopes), envelopes)) {
+        sections_(merge_sections(std::move(overlaps), envelopes)) {
     if (options.time.count() > 0) limits_.until = WallClock::now() + options.time;
     limits_.cancel = options.cancel;
     limits_.conflicts = options.conflicts;
@@ -87,15 +89,10 @@ class Scheduler {
 
   void write_down(const internal::SearchModel& model, const std::vector<std::uint8_t>& orders) {
     Network network(motion_.timepoints());
-    bool consistent = network.post(model.base);
+    bool consistent = network.load(model.base);
     find_conflicts(network);
-    if (options_.mode == Mode::EarliestTimes) {
-      consistent = consistent && order_overlaps(model, orders, network);
-    } else {
-      for (std::uint32_t s = 0; s < sections_.sections.size(); ++s) {
-        consistent = consistent && order(model, internal::Literal::of(s, orders[s]), network);
-      }
-    }
+    consistent = consistent && (options_.mode == Mode::EarliestTimes ? order_overlaps(model, orders, network)
+                                                                     : order_all(model, orders, network));
     assert(consistent && "the search has posted the same constraints");
     network.track_latest();
     made_.earliest = times([&](Timepoint t) { return network.earliest_ms(t); });
@@ -115,6 +112,18 @@ class Scheduler {
       made_.precedences.push_back({motion_.polygon_of(c.from), motion_.polygon_of(c.to)});
     }
     return true;
+  }
+
+  bool order_all(const internal::SearchModel& model, const std::vector<std::uint8_t>& orders,
+                 Network& network) {
+    std::vector<Constraint> posted;
+    for (std::uint32_t s = 0; s < sections_.sections.size(); ++s) {
+      for (const Constraint& c : model.edges_of(internal::Literal::of(s, orders[s]))) {
+        posted.push_back(c);
+        made_.precedences.push_back({motion_.polygon_of(c.from), motion_.polygon_of(c.to)});
+      }
+    }
+    return network.load(posted);
   }
 
   // Of the orders found, those alone without which earliest times would overlap.
@@ -169,7 +178,14 @@ std::string place(PolygonRef at, std::span<const TrajectoryEnvelope> envelopes) 
 
 Schedule schedule(std::span<const TrajectoryEnvelope> envelopes,
                   std::span<const TemporalConstraint> constraints, const ScheduleOptions& options) {
-  return Scheduler(envelopes, constraints, options).run();
+  const Stopwatch watch;
+  return Scheduler(envelopes, constraints, overlapping_pairs(envelopes), options, watch).run();
+}
+
+Schedule schedule(std::span<const TrajectoryEnvelope> envelopes,
+                  std::span<const TemporalConstraint> constraints, std::vector<SpatialPair> overlaps,
+                  const ScheduleOptions& options) {
+  return Scheduler(envelopes, constraints, std::move(overlaps), options, Stopwatch()).run();
 }
 
 std::string to_string(const Core& core, std::span<const TrajectoryEnvelope> envelopes,

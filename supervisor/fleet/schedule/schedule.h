@@ -97,6 +97,10 @@ struct Schedule {
 // Envelopes have at least one polygon each and no negative bounds; constraints name polygons that are there.
 Schedule schedule(std::span<const TrajectoryEnvelope> envelopes,
                   std::span<const TemporalConstraint> constraints, const ScheduleOptions& options);
+// The same for one who knows which polygons overlap in space: `overlaps` is what overlapping_pairs would say.
+Schedule schedule(std::span<const TrajectoryEnvelope> envelopes,
+                  std::span<const TemporalConstraint> constraints, std::vector<SpatialPair> overlaps,
+                  const ScheduleOptions& options);
 
 // One sentence for each part of the reason.
 std::string to_string(const Core& core, std::span<const TrajectoryEnvelope> envelopes,

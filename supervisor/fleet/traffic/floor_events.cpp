@@ -13,6 +13,8 @@ constexpr double kBefore_m = 0.05;  // of the place where the outline with its m
 // A dead vehicle's surroundings that nobody drives into, so that it has room to begin to drive again.
 constexpr double kAround_m = 0.15;
 constexpr double kAlong_m = 0.75;
+// Beyond the branch: more than where a follower halts before the place that it may not pass.
+constexpr double kBranch_m = 0.35;
 constexpr double kDriveOn_m = 1.2;  // how far it comes before its new way begins
 
 }  // namespace
@@ -73,6 +75,9 @@ Detour FloorEvents::detour(std::uint32_t vehicle, milliseconds now) {
   } else if (stops.size() > 1 && attempt(std::span(stops).last(1))) {
     made.kind = DetourKind::SentHome;
     for (const Waypoint& stop : std::span(stops).first(stops.size() - 1)) made.given_up.push_back(stop.stop);
+  } else if (const auto blocked_m = first_blocked_m(vehicle)) {
+    // It does not drive on to where it could not branch off any more.
+    traffic_.hold(vehicle, std::min(*blocked_m - kBefore_m, branch->arc_m + kBranch_m));
   }
   return made;
 }

@@ -40,7 +40,8 @@ double drive_leg(const Leg& leg, const DriveLimits& limits, double begin_s,
 
 }  // namespace
 
-Pace::Pace(const geometry::Path& path, std::vector<double> driving_s, std::span<const Stop> stops) {
+Pace::Pace(const geometry::Path& path, std::span<const double> driving_s, std::span<const Stop> stops) {
+  points_.reserve(path.size() + stops.size());
   double stood_s = 0.0;
   std::size_t stop = 0;
   for (std::size_t k = 0; k < path.size(); ++k) {
@@ -105,7 +106,8 @@ result::Result<Route> make_route(VehicleMission mission, std::vector<double> dri
     route.left_m.push_back(last ? end_m : std::min(end_m, visits[k].exit_m + kLeft_m));
     together = k > 0 && visits[k].exit_m - begin_m < kLeft_m + kHalt_m;
   }
-  route.pace = Pace(mission.path, std::move(driving_s), mission.stops);
+  route.pace = Pace(mission.path, driving_s, mission.stops);
+  route.driving_s = std::move(driving_s);
   for (std::size_t k = 0; k < visits.size(); ++k) {
     route.needed_s.push_back(route.pace.time_s(route.needed_m[k]));
     route.left_s.push_back(route.pace.time_s(route.left_m[k], true));
@@ -135,19 +137,11 @@ namespace {
 std::vector<double> spliced_times(const Route& old, std::size_t from, std::size_t branch,
                                   const Route& continuation) {
   std::vector<double> times;
-  const auto driving = [](const Route& route, std::size_t pose) {
-    const double arc_m = route.mission.path[pose].arc_m;
-    double stood_s = 0.0;
-    for (const Stop& stop : route.mission.stops)
-      if (stop.pose <= pose) stood_s += seconds(stop.service);
-    return route.pace.time_s(arc_m, true) - stood_s;
-  };
-  const double begin_s = driving(old, from);
-  for (std::size_t k = from; k <= branch; ++k) times.push_back(driving(old, k) - begin_s);
-  const double offset_s = times.back();
-  const double first_s = driving(continuation, 0);
-  for (std::size_t k = 1; k < continuation.mission.path.size(); ++k)
-    times.push_back(offset_s + driving(continuation, k) - first_s);
+  times.reserve(branch - from + continuation.driving_s.size());
+  for (std::size_t k = from; k <= branch; ++k) times.push_back(old.driving_s[k] - old.driving_s[from]);
+  const double offset_s = times.back() - continuation.driving_s.front();
+  for (std::size_t k = 1; k < continuation.driving_s.size(); ++k)
+    times.push_back(offset_s + continuation.driving_s[k]);
   return times;
 }
 
@@ -170,7 +164,10 @@ result::Result<Route> splice(const Route& old, std::uint32_t first, std::size_t 
   const std::size_t from = before.grown.visits[first].first_pose;
   if (before.grown.visits[last].exit_m < branch_m || branch < from)
     return result::fail("F1002", {}, before.vehicle + ": the place of the branch is in none of its polygons");
-  VehicleMission made = before;
+  VehicleMission made;
+  made.vehicle = before.vehicle;
+  made.model = before.model;
+  made.speed = before.speed;
   made.path.assign(before.path.begin() + static_cast<std::ptrdiff_t>(from),
                    before.path.begin() + static_cast<std::ptrdiff_t>(branch) + 1);
   const double offset_m = branch_m - continuation.mission.path.front().arc_m;
@@ -181,9 +178,7 @@ result::Result<Route> splice(const Route& old, std::uint32_t first, std::size_t 
   }
   // A vehicle that stands at the end of its path has not yet said how it leaves it.
   if (made.path.size() > 1 && offset == 0) made.path.front().travel = made.path[1].travel;
-  made.grown = {};
   made.grown.envelope.vehicle = before.vehicle;
-  made.stops.clear();
   for (const Stop& stop : before.stops) {
     if (stop.pose < from || stop.pose > branch || stop.kind == StopKind::Park) continue;
     made.stops.push_back(stop);

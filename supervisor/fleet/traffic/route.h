@@ -33,7 +33,7 @@ class Pace {
  public:
   Pace() = default;
   // Standing at `stops` of the mission comes on top of driving. `driving_s[k]` is the time at pose k.
-  Pace(const geometry::Path& path, std::vector<double> driving_s, std::span<const Stop> stops);
+  Pace(const geometry::Path& path, std::span<const double> driving_s, std::span<const Stop> stops);
 
   // Just before a stop at this place; just behind it with `behind`.
   double time_s(double arc_m, bool behind = false) const;
@@ -51,7 +51,8 @@ class Pace {
 struct Route {
   VehicleMission mission;
   Pace pace;
-  std::vector<double> needed_m;  // by polygon
+  std::vector<double> driving_s;  // by pose, without standing
+  std::vector<double> needed_m;   // by polygon
   std::vector<double> left_m;
   // By polygon, seconds from the begin of the path.
   std::vector<double> needed_s;

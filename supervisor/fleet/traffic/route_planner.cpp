@@ -1,7 +1,10 @@
 #include "supervisor/fleet/traffic/route_planner.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <set>
+#include <thread>
 #include <utility>
 
 #include "supervisor/fleet/map/row_span.h"
@@ -64,7 +67,39 @@ std::uint32_t RoutePlanner::layer_of(std::uint32_t vehicle, const Pose& from, co
   return near ? vehicle : kNobody;
 }
 
+RoutePlanner::Place RoutePlanner::place_of(const Pose& pose) const {
+  const double step_m = primitives_->options().resolution_m;
+  return {static_cast<int>(std::lround(pose.x_m / step_m)), static_cast<int>(std::lround(pose.y_m / step_m)),
+          nearest_heading(pose.heading_rad)};
+}
+
+void RoutePlanner::prepare(std::span<const Pose> goals, unsigned threads) {
+  if (!motions_) motions_ = std::make_unique<FreeMotions>(base_->free_motions(threads));
+  std::vector<Pose> missing;
+  std::set<Place> places;
+  for (const Pose& goal : goals) {
+    if (!costs_to_go_.contains(place_of(goal)) && places.insert(place_of(goal)).second)
+      missing.push_back(goal);
+  }
+  std::vector<std::optional<CostToGo>> made(missing.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t k = next++; k < missing.size(); k = next++)
+      made[k] = base_->cost_to_go(*motions_, missing[k]);
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (unsigned k = 1; k < threads; ++k) helpers.emplace_back(work);
+    work();
+  }
+  for (std::size_t k = 0; k < missing.size(); ++k) {
+    if (made[k]) costs_to_go_.emplace(place_of(missing[k]), *std::move(made[k]));
+  }
+}
+
+// Maps keep where their values are, so that what is found stays there while other threads add theirs.
 const RoutePlanner::Layer& RoutePlanner::layer(std::uint32_t number) {
+  const std::lock_guard lock(*kept_);
   const auto found = layers_.find(number);
   if (found != layers_.end()) return found->second;
   Layer made{std::make_unique<OccupancyGrid>(*floor_), nullptr};
@@ -103,21 +138,28 @@ result::Result<Route> RoutePlanner::leg_along(const OccupancyGrid& grid, Path pa
 result::Result<const RoutePlanner::Leg*> RoutePlanner::leg(std::uint32_t vehicle, const Pose& from,
                                                            const Pose& to) {
   const std::uint32_t number = layer_of(vehicle, from, to);
-  const auto grid_pose = [&](const Pose& pose) {
-    const double step_m = primitives_->options().resolution_m;
-    return std::tuple(static_cast<int>(std::lround(pose.x_m / step_m)),
-                      static_cast<int>(std::lround(pose.y_m / step_m)), nearest_heading(pose.heading_rad));
-  };
-  const LegKey key = std::tuple_cat(std::tuple(number), grid_pose(from), grid_pose(to));
-  if (const auto found = legs_.find(key); found != legs_.end()) return &found->second;
+  const LegKey key{number, place_of(from), place_of(to)};
+  {
+    const std::lock_guard lock(*kept_);
+    if (const auto found = legs_.find(key); found != legs_.end()) return &found->second;
+  }
   const Layer& on = layer(number);
-  ++paths_planned_;
-  const PathOptions options{.first_weight = settings_.path_weight, .last_weight = settings_.path_weight};
-  PathAnswer answer = on.planner->plan(from, to, options);
+  PathAnswer answer = path(*on.planner, from, to);
   if (!answer.path) return tl::unexpected(std::move(answer.diagnostics));
   auto route = leg_along(*on.grid, std::move(answer.path->poses));
   if (!route) return result::forward(route);
-  return &legs_.insert_or_assign(key, Leg{*std::move(route), changes_}).first->second;
+  // Who came second has found the same.
+  const std::lock_guard lock(*kept_);
+  const auto [kept, is_new] = legs_.try_emplace(key, Leg{*std::move(route), changes_});
+  paths_planned_ += is_new ? 1 : 0;
+  return &kept->second;
+}
+
+PathAnswer RoutePlanner::path(const PathPlanner& planner, const Pose& from, const Pose& to) const {
+  const PathOptions options{.first_weight = settings_.path_weight, .last_weight = settings_.path_weight};
+  const auto to_go = costs_to_go_.find(place_of(to));
+  return to_go == costs_to_go_.end() ? planner.plan(from, to, options)
+                                     : planner.plan_guided(from, to, options, to_go->second);
 }
 
 result::Result<Route> RoutePlanner::stand(std::uint32_t vehicle, const Pose& at) {
@@ -161,9 +203,7 @@ result::Result<Route> RoutePlanner::plan_behind(std::uint32_t vehicle, std::opti
     stands.back().arc_m = whole->end_m();
   }
   if (!whole) return stand(vehicle, at);
-  std::vector<double> driving_s;
-  for (const geometry::PathPose& pose : whole->mission.path)
-    driving_s.push_back(whole->pace.time_s(pose.arc_m));
+  std::vector<double> driving_s = std::move(whole->driving_s);
   whole->mission.vehicle = homes_[vehicle].vehicle;
   whole->mission.grown.envelope.vehicle = homes_[vehicle].vehicle;
   whole->mission.stops = std::move(stands);

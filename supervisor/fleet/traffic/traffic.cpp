@@ -39,7 +39,7 @@ result::Result<Traffic> Traffic::create(std::vector<Route> routes, const Traffic
   for (const Lane& lane : traffic.lanes_) lanes.push_back(&lane);
   auto planned = traffic.plan(lanes, std::nullopt, now);
   if (!planned) return result::forward(planned);
-  traffic.install(*planned, now);
+  traffic.install(*std::move(planned), now);
   return traffic;
 }
 
@@ -56,12 +56,14 @@ void Traffic::progress(std::uint32_t vehicle, const Whereabouts& at, millisecond
   post_delay(vehicle, now);
 }
 
+// Who waited for a vehicle that is out of order goes on, but not who is held: it would stand where that one
+// has to begin to drive again, for as long as that one stands in its way.
 bool Traffic::open(std::uint32_t vehicle, std::uint32_t polygon) const {
-  const auto& waits = lanes_[vehicle].waits;
-  const auto [begin, end] = std::ranges::equal_range(waits, polygon, {}, &internal::Wait::polygon);
+  const Lane& lane = lanes_[vehicle];
+  const auto [begin, end] = std::ranges::equal_range(lane.waits, polygon, {}, &internal::Wait::polygon);
   return std::all_of(begin, end, [&](const internal::Wait& wait) {
     const Lane& other = lanes_[wait.vehicle];
-    return other.removed || other.first > wait.left;
+    return other.first > wait.left || (other.removed && !lane.limit_m);
   });
 }
 
@@ -238,21 +240,24 @@ result::Result<Change> Traffic::adopt(std::uint32_t vehicle, Lane candidate, mil
   auto planned = plan(lanes, vehicle, now);
   if (!planned) return result::forward(planned);
   lanes_[vehicle] = std::move(candidate);
-  install(*planned, now);
-  return planned->change;
+  const Change change = planned->change;
+  install(*std::move(planned), now);
+  return change;
 }
 
 result::Result<Traffic::Planned> Traffic::plan(const std::vector<const Lane*>& lanes,
                                                std::optional<std::uint32_t> changed, milliseconds now) const {
   Planned planned;
   planned.remainder = internal::remainder_of(lanes, now, settings_.held);
-  internal::keep_permissions(lanes, planned.remainder);
+  planned.overlaps = internal::overlaps_ahead(lanes, overlaps_, changed);
+  const std::vector<SpatialPair> rows = internal::by_row(lanes, planned.overlaps);
+  internal::keep_permissions(lanes, rows, planned.remainder);
   ScheduleOptions options{.mode = Mode::Strict, .conflicts = settings_.conflicts, .explain = false};
-  planned.made = schedule(planned.remainder.envelopes, planned.remainder.constraints, options);
+  planned.made = schedule(planned.remainder.envelopes, planned.remainder.constraints, rows, options);
   if (planned.made.verdict == Verdict::Exhausted && changed) {
     planned.change.orders_kept = true;
     internal::keep_orders(lanes, *changed, planned.remainder);
-    planned.made = schedule(planned.remainder.envelopes, planned.remainder.constraints, options);
+    planned.made = schedule(planned.remainder.envelopes, planned.remainder.constraints, rows, options);
   }
   planned.change.conflicts = planned.made.figures.conflicts;
   if (planned.made.verdict == Verdict::Scheduled) return planned;
@@ -262,9 +267,10 @@ result::Result<Traffic::Planned> Traffic::plan(const std::vector<const Lane*>& l
                           : fmt::format("no order was found within {} conflicts", settings_.conflicts));
 }
 
-void Traffic::install(const Planned& planned, milliseconds now) {
+void Traffic::install(Planned planned, milliseconds now) {
   const internal::Remainder& rest = planned.remainder;
   since_ = now;
+  overlaps_ = std::move(planned.overlaps);
   retiming_.emplace(rest.envelopes, rest.constraints, planned.made);
   for (std::uint32_t row = 0; row < rest.vehicles.size(); ++row) {
     Lane& lane = lanes_[rest.vehicles[row]];

@@ -123,6 +123,7 @@ class Traffic {
  private:
   struct Planned {
     internal::Remainder remainder;
+    std::vector<SpatialPair> overlaps;  // as overlaps_
     Schedule made;
     Change change;
   };
@@ -139,7 +140,7 @@ class Traffic {
   [[nodiscard]] result::Result<Planned> plan(const std::vector<const internal::Lane*>& lanes,
                                              std::optional<std::uint32_t> changed,
                                              std::chrono::milliseconds now) const;
-  void install(const Planned& planned, std::chrono::milliseconds now);
+  void install(Planned planned, std::chrono::milliseconds now);
   bool open(std::uint32_t vehicle, std::uint32_t polygon) const;
   // The first polygon behind this one that is not needed together with it.
   std::uint32_t behind_group(std::uint32_t vehicle, std::uint32_t polygon) const;
@@ -152,6 +153,7 @@ class Traffic {
 
   TrafficSettings settings_;
   std::vector<internal::Lane> lanes_;
+  std::vector<SpatialPair> overlaps_;  // internal::overlaps_ahead of the lanes as last planned
   std::optional<Retiming> retiming_;
   std::chrono::milliseconds since_{0};  // time zero of the times of retiming_
   std::uint64_t delays_ = 0;

@@ -15,6 +15,8 @@ namespace {
 using namespace stepwright::fleet;
 using std::chrono::milliseconds;
 
+constexpr std::uint64_t kNodesBetweenLooks = 16;  // at the clock, which is not free
+
 // distance(i, j): how much later than i timepoint j can be at most.
 class Matrix {
  public:
@@ -72,10 +74,11 @@ class Matrix {
 
 class Esta {
  public:
-  Esta(const Instance& instance, Closure closure, std::chrono::steady_clock::duration cap)
+  Esta(const Instance& instance, Closure closure, const Cap& cap)
       : motion_(instance.envelopes, instance.constraints),
         closure_(closure),
-        until_(std::chrono::steady_clock::now() + cap),
+        cap_(cap),
+        until_s_(now_s() + cap.seconds),
         matrix_(motion_.timepoints()) {
     for (const SpatialPair& pair : overlapping_pairs(instance.envelopes)) {
       const auto centre = [&](PolygonRef p) {
@@ -98,6 +101,11 @@ class Esta {
     geometry::Point middle;
   };
 
+  double now_s() const {
+    timespec time{};
+    clock_gettime(cap_.clock, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
   Timepoint at(PolygonRef p, Side side) const { return motion_.timepoint(p, side); }
   std::int32_t earliest(Timepoint t) const { return -matrix_(t, kOrigin); }
 
@@ -136,8 +144,7 @@ class Esta {
     if (slack(orders[1]) > slack(orders[0])) std::swap(orders[0], orders[1]);
     const Matrix saved = matrix_;
     for (const auto& [first, second] : orders) {
-      if (std::chrono::steady_clock::now() >= until_) return Found::TimeOut;
-      ++result_.nodes;
+      if (++result_.nodes % kNodesBetweenLooks == 0 && now_s() >= until_s_) return Found::TimeOut;
       const Constraint resolver{at(first, Side::Exit), at(second, Side::Entry), 0, 0};
       if (closure_ == Closure::Incremental ? matrix_.post(resolver) : matrix_.post_afresh(resolver)) {
         ++result_.resolvers;
@@ -162,7 +169,8 @@ class Esta {
 
   Motion motion_;
   Closure closure_;
-  std::chrono::steady_clock::time_point until_;
+  Cap cap_;
+  double until_s_;
   Matrix matrix_;
   std::vector<Pair> pairs_;
   EstaResult result_;
@@ -170,7 +178,7 @@ class Esta {
 
 }  // namespace
 
-EstaResult solve_esta(const Instance& instance, Closure closure, std::chrono::steady_clock::duration cap) {
+EstaResult solve_esta(const Instance& instance, Closure closure, const Cap& cap) {
   return Esta(instance, closure, cap).run();
 }
 

@@ -11,7 +11,8 @@
 // Closure::Incremental adds a constraint in O(n^2). Both take a constraint back by restoring a saved matrix,
 // and both find spatial overlaps once before the search: in that they are better than what was published.
 
-#include <chrono>
+#include <time.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -30,6 +31,12 @@ struct EstaResult {
   std::vector<std::vector<stepwright::fleet::PolygonTimes>> earliest;
 };
 
-EstaResult solve_esta(const Instance& instance, Closure closure, std::chrono::steady_clock::duration cap);
+// By the clock that the run is measured with: on a busy machine wall time would end it before its time.
+struct Cap {
+  clockid_t clock = CLOCK_MONOTONIC;
+  double seconds = 60.0;
+};
+
+EstaResult solve_esta(const Instance& instance, Closure closure, const Cap& cap);
 
 }  // namespace stepwright::bench::fleet

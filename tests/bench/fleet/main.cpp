@@ -2,7 +2,9 @@
 // the whole chain in a mine.
 //
 //   bench_fleet [--full] [--runs N] [--least N] [--most N] [--v-max MPS] [--cap S] [--scale N] [--no-literal]
-//               [--no-referee] [--cpu-time] [--write FOLDER] [--json FILE] [--svg FILE]
+//               [--literal-runs N] [--keep FILE [--kept-only]] [--no-referee] [--cpu-time] [--write FOLDER]
+//               [--json FILE]
+//               [--svg FILE]
 //
 // Wall times (or CPU times, on a busy machine) of one thread, from envelopes to verdict; an instance that a
 // baseline does not finish counts as the cap. A few runs without --full, which takes 100 runs for each number
@@ -21,11 +23,14 @@
 #include "runtime/result/exit_code.h"
 #include "supervisor/fleet/schedule/problem_file.h"
 #include "tests/bench/fleet/figure.h"
+#include "tests/bench/fleet/goals.h"
 #include "tests/bench/fleet/measure.h"
 #include "tests/bench/fleet/mine.h"
 
 namespace stepwright::bench::fleet {
 namespace {
+
+constexpr std::uint32_t kFloors = 4;  // mines, and as many warehouses, for new goals
 
 struct Arguments {
   Settings settings;
@@ -35,6 +40,7 @@ struct Arguments {
   std::string write_folder;
   std::string json_file;
   std::string svg_file;
+  std::string kept_file;
 };
 
 // All instances as files, so that every other solver gets the same.
@@ -55,9 +61,9 @@ bool write_instances(const Arguments& arguments) {
 
 void print_solver(const char* name, const Times& times) {
   if (times.ms.empty()) return;
-  std::printf("   %-13s %10.3f %10.3f %10.3f %10.3f %10.3f %8u %10llu\n", name, times.mean(),
-              times.quantile(0.5), times.quantile(0.95), times.quantile(0.99), times.quantile(1.0),
-              times.timeouts, static_cast<unsigned long long>(times.nodes));
+  std::printf("   %-13s %4zu %10.3f %10.3f %10.3f %10.3f %10.3f %8u %10llu\n", name, times.ms.size(),
+              times.mean(), times.quantile(0.5), times.quantile(0.95), times.quantile(0.99),
+              times.quantile(1.0), times.timeouts, static_cast<unsigned long long>(times.nodes));
 }
 
 void print(const CircleRow& row) {
@@ -76,13 +82,10 @@ void print(const CircleRow& row) {
 }
 
 nlohmann::json to_json(const Times& times) {
-  return {{"mean_ms", times.mean()},
-          {"median_ms", times.quantile(0.5)},
-          {"p95_ms", times.quantile(0.95)},
-          {"p99_ms", times.quantile(0.99)},
-          {"max_ms", times.quantile(1.0)},
-          {"timeouts", times.timeouts},
-          {"nodes", times.nodes}};
+  return {{"runs", times.ms.size()},          {"mean_ms", times.mean()},
+          {"median_ms", times.quantile(0.5)}, {"p95_ms", times.quantile(0.95)},
+          {"p99_ms", times.quantile(0.99)},   {"max_ms", times.quantile(1.0)},
+          {"timeouts", times.timeouts},       {"nodes", times.nodes}};
 }
 
 nlohmann::json to_json(const CircleRow& row) {
@@ -102,8 +105,8 @@ struct Totals {
 bool circles(const Arguments& arguments, nlohmann::json& json, Totals& totals) {
   std::printf("circle of 40 m, v_max %.2f m/s, %u runs each; baselines stop after %.0f s\n",
               arguments.settings.v_max_mps, arguments.settings.runs, arguments.settings.cap_s);
-  std::printf("   %-13s %10s %10s %10s %10s %10s %8s %10s\n", "ms", "mean", "median", "p95", "p99", "max",
-              "timeouts", "nodes");
+  std::printf("   %-13s %4s %10s %10s %10s %10s %10s %8s %10s\n", "ms", "runs", "mean", "median", "p95",
+              "p99", "max", "timeouts", "nodes");
   CircleSource source;
   std::vector<CircleRow> rows;
   for (std::uint32_t n = arguments.settings.least; n <= arguments.settings.most; ++n) {
@@ -176,10 +179,20 @@ void mine(const Arguments& arguments, nlohmann::json& json, Totals& totals) {
   json["mine_baseline_paths_ms"] = row.baseline_paths_ms;
   json["mine_baseline_schedule_ms"] = row.baseline_schedule_ms;
   json["mine_baseline_timeout"] = row.baseline_timeout;
-  json["new_goal_ms"] = row.new_goal_ms;
-  json["new_goal_worst_ms"] = row.new_goal_worst_ms;
-  json["new_goal_paths_ms"] = row.new_goal_paths_ms;
-  json["new_goals_scheduled"] = row.new_goals;
+}
+
+void goals(const Arguments& arguments, nlohmann::json& json, Totals& totals) {
+  const GoalsRow row = measure_goals(arguments.full ? kFloors : 1, arguments.settings);
+  print(row);
+  totals.faults += row.cold.faults + row.known.faults;
+  json["new_goal_ms"] = row.known.total(0.5);
+  json["new_goal_worst_ms"] = row.known.total(1.0);
+  json["new_goal_prepare_ms"] = row.prepare_ms;
+  json["new_goal_cold_ms"] = row.cold.total(0.5);
+  json["new_goal_cold_worst_ms"] = row.cold.total(1.0);
+  json["new_goals"] = row.known.total_ms.size();
+  json["new_goals_scheduled"] = row.known.scheduled;
+  json["new_goals_cold_scheduled"] = row.cold.scheduled;
 }
 
 int run(const Arguments& arguments) {
@@ -188,6 +201,7 @@ int run(const Arguments& arguments) {
   if (!circles(arguments, json, totals)) return to_int(result::ExitCode::RuntimeFault);
   warehouses(arguments, json, totals);
   mine(arguments, json, totals);
+  goals(arguments, json, totals);
   json["instances"] = totals.ours.ms.size();
   json["mean_ms"] = totals.ours.mean();
   json["p99_ms"] = totals.ours.quantile(0.99);
@@ -220,6 +234,10 @@ int main(int argc, char** argv) {
   auto* cap = app.add_option("--cap", settings.cap_s)->check(CLI::Range(0.01, 3600.0));
   auto* scale = app.add_option("--scale", settings.scale);
   app.add_flag("--no-literal", arguments.no_literal);
+  app.add_option("--literal-runs", settings.literal_runs, "runs that paper-literal takes part in, at most");
+  auto* keep = app.add_option("--keep", arguments.kept_file,
+                              "what paper-literal took: read, and what is new appended");
+  app.add_flag("--kept-only", settings.kept_only, "of paper-literal what is kept, nothing new")->needs(keep);
   app.add_flag("--no-referee", arguments.no_referee);
   app.add_flag("--cpu-time", settings.cpu_time, "CPU time of the thread instead of wall time");
   app.add_option("--write", arguments.write_folder,
@@ -250,6 +268,8 @@ int main(int argc, char** argv) {
     return to_int(stepwright::result::ExitCode::RuntimeFault);
   }
   settings.folder = folder;
+  Kept kept(arguments.kept_file);
+  settings.kept = arguments.kept_file.empty() ? nullptr : &kept;
   const int code = run(arguments);
   std::filesystem::remove_all(folder);
   return code;

@@ -1,11 +1,14 @@
 #include "tests/bench/fleet/measure.h"
 
+#include <fmt/format.h>
 #include <time.h>
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
+#include "supervisor/fleet/schedule/problem_file.h"
 #include "supervisor/fleet/schedule/retiming.h"
 #include "supervisor/fleet/schedule/schedule.h"
 #include "tests/bench/fleet/esta.h"
@@ -31,29 +34,56 @@ double timed_ms(const Settings& settings, Work&& work) {
   return now_ms() - start;
 }
 
+Cap cap_of(const Settings& settings) {
+  return {settings.cpu_time ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, settings.cap_s};
+}
+
 struct Judged {
   std::vector<std::string> problems;
   std::vector<bool> scheduled;
 };
 
+// The answer of a baseline; what is kept is taken over where the instance is the same to the last character.
+std::optional<Measured> measured_baseline(const Instance& instance, Closure closure, const Settings& settings,
+                                          Kept* kept) {
+  std::string key;
+  if (kept != nullptr) {
+    const std::string text = write_problem({instance.envelopes, instance.constraints});
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    key = fmt::format("{}-{:016x}-{}-{}", closure == Closure::Incremental ? "fair" : "literal", hash,
+                      settings.cap_s, settings.cpu_time ? "cpu" : "wall");
+    if (auto before = kept->find(key)) return before;
+    if (settings.kept_only) return std::nullopt;
+  }
+  EstaResult result;
+  Measured measured;
+  measured.ms = timed_ms(settings, [&] { result = solve_esta(instance, closure, cap_of(settings)); });
+  measured.nodes = result.nodes;
+  measured.found = result.found == Found::TimeOut    ? "timeout"
+                   : result.found == Found::Schedule ? "schedule"
+                                                     : "none";
+  measured.sound =
+      result.found != Found::Schedule ||
+      faults_of(result.earliest, instance.envelopes, instance.constraints, Mode::EarliestTimes).empty();
+  if (kept != nullptr) kept->add(key, measured);
+  return measured;
+}
+
 void run_baseline(const Instance& instance, Closure closure, const Settings& settings, bool scheduled,
                   Times& times, CircleRow& row) {
-  const auto cap =
-      std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(settings.cap_s));
-  EstaResult result;
-  const double ms = timed_ms(settings, [&] { result = solve_esta(instance, closure, cap); });
-  times.nodes += result.nodes;
-  if (result.found == Found::TimeOut) {
+  const std::optional<Measured> answer = measured_baseline(
+      instance, closure, settings, closure == Closure::FloydWarshall ? settings.kept : nullptr);
+  if (!answer) return;
+  const Measured& measured = *answer;
+  times.nodes += measured.nodes;
+  if (measured.found == "timeout") {
     ++times.timeouts;
-    times.ms.push_back(std::max(ms, 1000.0 * settings.cap_s));
+    times.ms.push_back(std::max(measured.ms, 1000.0 * settings.cap_s));
     return;
   }
-  times.ms.push_back(ms);
-  if ((result.found == Found::Schedule) != scheduled) ++row.baseline_disagreements;
-  if (result.found != Found::Schedule) return;
-  if (!faults_of(result.earliest, instance.envelopes, instance.constraints, Mode::EarliestTimes).empty()) {
-    ++row.baseline_disagreements;
-  }
+  times.ms.push_back(measured.ms);
+  if ((measured.found == "schedule") != scheduled || !measured.sound) ++row.baseline_disagreements;
 }
 
 void judge(const Judged& judged, const Settings& settings, CircleRow& row, std::string& error) {
@@ -141,7 +171,7 @@ CircleRow measure_circle(CircleSource& source, std::uint32_t vehicles, const Set
     row.conflicts += made.conflicts.size();
     if (scheduled) row.faults += faulty(made, instance, Mode::EarliestTimes);
     run_baseline(instance, Closure::Incremental, settings, scheduled, row.fair, row);
-    if (settings.literal) {
+    if (settings.literal && run < settings.literal_runs) {
       run_baseline(instance, Closure::FloydWarshall, settings, scheduled, row.literal, row);
     }
     judged.scheduled.push_back(scheduled);

@@ -8,20 +8,24 @@
 #include <vector>
 
 #include "tests/bench/fleet/instance.h"
+#include "tests/bench/fleet/kept.h"
 
 namespace stepwright::bench::fleet {
 
 struct Settings {
   std::uint32_t least = 2;  // vehicles on one circle
   std::uint32_t most = 10;
-  std::uint32_t runs = 3;     // for each number of vehicles
-  std::uint32_t scale = 100;  // most vehicles in a warehouse
+  std::uint32_t runs = 3;              // for each number of vehicles
+  std::uint32_t literal_runs = 10000;  // of these, how many paper-literal takes part in
+  std::uint32_t scale = 100;           // most vehicles in a warehouse
   double v_max_mps = 1.5;
   double cap_s = 1.0;  // of a baseline for one instance; what takes longer counts as this much
   bool literal = true;
   bool referee = true;
   bool cpu_time = false;     // of this thread, instead of wall time: for a machine that is busy
   std::string folder = ".";  // for the referee's file
+  bool kept_only = false;    // of paper-literal nothing is measured anew
+  Kept* kept = nullptr;      // what paper-literal took in an earlier run; may be null, not owned
 };
 
 // Of one solver over the instances of one size.

@@ -3,16 +3,12 @@
 #include <time.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdio>
 #include <filesystem>
-#include <numbers>
 #include <thread>
 
-#include "supervisor/fleet/mission/add_mission.h"
 #include "supervisor/fleet/mission/plan_fleet.h"
-#include "supervisor/fleet/schedule/retiming.h"
 #include "tests/bench/fleet/esta.h"
 #include "tests/support/fleet/floor_maps.h"
 #include "tests/support/fleet/schedule_checker.h"
@@ -26,7 +22,6 @@ using WallClock = std::chrono::steady_clock;
 
 constexpr int kRounds = 5;
 constexpr double kPathFactor = 1.2;  // paths are proved to cost at most so many times the least
-constexpr std::array<std::size_t, 3> kFreeStations = {0, 2, 5};  // where nobody's way ends
 
 double since_ms(WallClock::time_point begin) {
   return std::chrono::duration<double, std::milli>(WallClock::now() - begin).count();
@@ -78,7 +73,7 @@ FleetAnswer chain(const MissionProblem& problem, const Settings& settings, doubl
   return answer ? *std::move(answer) : FleetAnswer{};
 }
 
-FleetPlan measure_chain(const MissionProblem& problem, const Settings& settings, MineRow& row) {
+void measure_chain(const MissionProblem& problem, const Settings& settings, MineRow& row) {
   floor_of(problem, settings);  // stores the table
   std::vector<double> total, prepare, paths, envelopes, scheduling, repair;
   FleetPlan plan;
@@ -105,11 +100,10 @@ FleetPlan measure_chain(const MissionProblem& problem, const Settings& settings,
   chain(problem, settings, 1.0, prepare_ms, row.best_paths_ms);
   const auto made = envelopes_of(plan);
   for (const TrajectoryEnvelope& envelope : made) row.polygons += envelope.polygons.size();
-  if (!row.scheduled) return plan;
+  if (!row.scheduled) return;
   for (const auto& times : {plan.schedule.earliest, plan.schedule.latest}) {
     if (!faults_of(times, made, plan.constraints, Mode::Strict).empty()) ++row.faults;
   }
-  return plan;
 }
 
 void measure_baseline(const MissionProblem& problem, const Settings& settings, MineRow& row) {
@@ -140,48 +134,10 @@ void measure_baseline(const MissionProblem& problem, const Settings& settings, M
   }
   row.baseline_envelopes_ms = since_ms(planned);
   const auto grown = WallClock::now();
-  const auto cap =
-      std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(settings.cap_s));
-  row.baseline_timeout = solve_esta(instance, Closure::Incremental, cap).found == Found::TimeOut;
+  row.baseline_timeout =
+      solve_esta(instance, Closure::Incremental, {CLOCK_MONOTONIC, settings.cap_s}).found == Found::TimeOut;
   row.baseline_schedule_ms = since_ms(grown);
   row.baseline_ms = now_ms(settings) - begin_ms + row.prepare_ms;
-}
-
-// As the goals of the tasks: forwards into a dead end.
-geometry::Pose inwards(geometry::Pose station) {
-  station.heading_rad += std::numbers::pi;
-  return station;
-}
-
-// 30 s after the plan has begun; a floor that knows no paths yet.
-void measure_new_goals(const MissionProblem& problem, const support::DrawnFloor& mine, const FleetPlan& plan,
-                       const Settings& settings, MineRow& row) {
-  const auto envelopes = envelopes_of(plan);
-  const RunningPlan running{.now = std::chrono::seconds(30),
-                            .times = Retiming(envelopes, plan.constraints, plan.schedule).earliest()};
-  std::vector<double> total, paths;
-  for (std::uint32_t v = 0; v < plan.missions.size(); ++v) {
-    FleetFloor floor = floor_of(problem, settings);
-    const geometry::Pose from = inwards(mine.stations[kFreeStations[v % 3]]);
-    const geometry::Pose to = inwards(mine.stations[kFreeStations[(v + 1) % 3]]);
-    const NewMission mission{.stops = {{StopKind::PickUp, "from", from, std::chrono::seconds(10), "new", 1},
-                                       {StopKind::SetDown, "to", to, std::chrono::seconds(10), "new", 1}},
-                             .vehicles = {v}};
-    const double begin_ms = now_ms(settings);
-    const AddedMission added = add_mission(floor, plan, running, mission, {});
-    total.push_back(now_ms(settings) - begin_ms);
-    paths.push_back(added.paths_ms);
-    if (added.verdict != Verdict::Scheduled) continue;
-    ++row.new_goals;
-    if (!faults_of(added.plan.schedule.earliest, envelopes_of(added.plan), added.plan.constraints,
-                   Mode::Strict)
-             .empty()) {
-      ++row.faults;
-    }
-  }
-  row.new_goal_ms = median(total);
-  row.new_goal_worst_ms = total.empty() ? 0.0 : std::ranges::max(total);
-  row.new_goal_paths_ms = median(paths);
 }
 
 }  // namespace
@@ -190,9 +146,8 @@ MineRow measure_mine(const Settings& settings) {
   const support::DrawnFloor mine = support::draw_mine(1);
   const MissionProblem problem = mine_problem(mine);
   MineRow row;
-  const FleetPlan plan = measure_chain(problem, settings, row);
+  measure_chain(problem, settings, row);
   measure_baseline(problem, settings, row);
-  if (row.scheduled) measure_new_goals(problem, mine, plan, settings, row);
   return row;
 }
 
@@ -209,8 +164,6 @@ void print(const MineRow& row) {
   std::printf("   baseline      %8.1f ms: models %.1f, paths %.1f, envelopes %.1f, paper-fair %.1f%s\n",
               row.baseline_ms, row.prepare_ms, row.baseline_paths_ms, row.baseline_envelopes_ms,
               row.baseline_schedule_ms, row.baseline_timeout ? " (cap)" : "");
-  std::printf("   a new goal    %8.1f ms: paths %.1f; worst %.1f; %u of 7 scheduled\n", row.new_goal_ms,
-              row.new_goal_paths_ms, row.new_goal_worst_ms, row.new_goals);
 }
 
 }  // namespace stepwright::bench::fleet

@@ -1,7 +1,6 @@
 #pragma once
 
-// Seven vehicles in the drawn mine, from goals to scheduled envelopes, with a plainer chain beside it; and
-// one more goal while that plan runs.
+// Seven vehicles in the drawn mine, from goals to scheduled envelopes, with a plainer chain beside it.
 
 #include <string>
 
@@ -30,11 +29,6 @@ struct MineRow {
   double baseline_envelopes_ms = 0.0;
   double baseline_schedule_ms = 0.0;  // the cap if it came to no end
   bool baseline_timeout = false;
-  // One more goal, for each vehicle in turn, its two paths included.
-  double new_goal_ms = 0.0;  // median
-  double new_goal_worst_ms = 0.0;
-  double new_goal_paths_ms = 0.0;  // of it, median
-  std::uint32_t new_goals = 0;     // that were scheduled
 };
 
 MineRow measure_mine(const Settings& settings);

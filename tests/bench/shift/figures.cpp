@@ -18,10 +18,22 @@ double Times::sum() const {
   return std::accumulate(ms.begin(), ms.end(), 0.0);
 }
 
-double cpu_s() {
+namespace {
+
+double now_s(clockid_t clock) {
   timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  clock_gettime(clock, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
+double cpu_s() {
+  return now_s(CLOCK_THREAD_CPUTIME_ID);
+}
+
+double process_cpu_s() {
+  return now_s(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 }  // namespace stepwright::bench::shift

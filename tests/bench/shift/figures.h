@@ -57,7 +57,8 @@ struct ShiftFigures {
   double judge_cpu_s = 0.0;
 };
 
-// Of the thread.
+// Of the thread, and of all threads together.
 double cpu_s();
+double process_cpu_s();
 
 }  // namespace stepwright::bench::shift

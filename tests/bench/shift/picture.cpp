@@ -72,8 +72,17 @@ std::string picture_of(const Scenario& scenario, const PlantRun& run) {
   return svg + "</g></svg>\n";
 }
 
-std::string plot_of(std::span<const SweepRow> rows) {
-  constexpr double kWidth = 640.0, kHeight = 360.0, kLeft = 50.0, kRight = 190.0, kTop = 20.0, kBottom = 45.0;
+std::uint32_t enough_vehicles(std::span<const SweepRow> rows) {
+  std::size_t fewest = rows.front().summary.late;
+  for (const SweepRow& row : rows) fewest = std::min(fewest, row.summary.late);
+  const std::size_t bound = std::max(fewest, rows.front().summary.released / 200);
+  for (const SweepRow& row : rows)
+    if (row.summary.late <= bound) return row.vehicles;
+  return rows.back().vehicles;
+}
+
+std::string plot_of(std::span<const SweepRow> rows, double hours) {
+  constexpr double kWidth = 700.0, kHeight = 360.0, kLeft = 50.0, kRight = 250.0, kTop = 20.0, kBottom = 45.0;
   double most = 1.0, most_tardiness_s = 1.0;
   for (const SweepRow& row : rows) {
     most = std::max(most, static_cast<double>(row.vehicles));
@@ -96,9 +105,16 @@ std::string plot_of(std::span<const SweepRow> rows) {
         fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{:.0f}</text>\n", x(n), kHeight - 28, n);
   svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">vehicles</text>\n",
                      0.5 * (kLeft + kWidth - kRight), kHeight - 10);
+  const std::uint32_t enough = enough_vehicles(rows);
+  svg += fmt::format(
+      "<path d=\"M{0} {1}V{2}\" stroke=\"#000\" stroke-dasharray=\"4 3\"/><text x=\"{3}\" y=\"{4}\">{5} "
+      "suffice</text>\n",
+      x(enough), y(0.0), kTop, x(enough) + 5, y(0.5), enough);
+  const std::string delivered = fmt::format("delivered (100 % = {:.0f} an hour)",
+                                            static_cast<double>(rows.front().summary.released) / hours);
   const std::string tardiness = fmt::format("tardiness (100 % = {:.0f} s)", most_tardiness_s);
   const std::array<Curve, 4> curves = {
-      Curve{"delivered", "#06c",
+      Curve{delivered.c_str(), "#06c",
             [](const SweepRow& r) {
               return static_cast<double>(r.summary.delivered) / static_cast<double>(r.summary.released);
             }},

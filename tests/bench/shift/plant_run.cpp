@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <deque>
 #include <optional>
+#include <set>
 
 #include "tests/bench/shift/desk.h"
 #include "tests/bench/shift/driver.h"
@@ -342,6 +343,19 @@ class Shift {
 
 }  // namespace
 
+namespace {
+
+// Where missions of the scenario lead to.
+std::vector<geometry::Pose> goals_of(const Scenario& scenario, std::uint32_t vehicles) {
+  std::set<std::uint32_t> stations;
+  for (const Transport& transport : scenario.transports) stations.insert({transport.from, transport.to});
+  std::vector<geometry::Pose> goals(scenario.hall.bays.begin(), scenario.hall.bays.begin() + vehicles);
+  for (const std::uint32_t station : stations) goals.push_back(scenario.stations[station]);
+  return goals;
+}
+
+}  // namespace
+
 fleet::DriveLimits limits_of_the_plant() {
   const assemblies::ForkliftParameters parameters;
   fleet::DriveLimits limits;
@@ -362,6 +376,9 @@ Fleet::Fleet(const Scenario& scenario, std::uint32_t vehicles) {
   planner_ = std::make_unique<fleet::RoutePlanner>(
       fleet::RoutePlanner::create(scenario.hall.grid, *primitives_, *table_, std::move(homes), settings_)
           .value());
+  const double begin_s = process_cpu_s();
+  planner_->prepare(goals_of(scenario, vehicles), 2);
+  prepare_cpu_s_ = process_cpu_s() - begin_s;
 }
 
 std::vector<fleet::Route> resting(fleet::RoutePlanner& planner, std::uint32_t vehicles) {

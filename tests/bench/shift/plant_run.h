@@ -23,12 +23,15 @@ class Fleet {
   explicit Fleet(const Scenario& scenario, std::uint32_t vehicles);
   fleet::RoutePlanner& planner() { return *planner_; }
   const fleet::RouteSettings& settings() const { return settings_; }
+  // What the costs of ways to all stations and homes took, before the shift.
+  double prepare_cpu_s() const { return prepare_cpu_s_; }
 
  private:
   fleet::RouteSettings settings_;
   std::unique_ptr<fleet::PrimitiveSet> primitives_;
   std::unique_ptr<fleet::HeuristicTable> table_;
   std::unique_ptr<fleet::RoutePlanner> planner_;
+  double prepare_cpu_s_ = 0.0;
 };
 
 fleet::DriveLimits limits_of_the_plant();

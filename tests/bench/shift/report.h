@@ -39,7 +39,9 @@ struct SweepRow {
   Summary summary;
   double cpu_s = 0.0;
 };
-// Deliveries, tardiness and utilisation over the number of vehicles.
-std::string plot_of(std::span<const SweepRow> rows);
+// The smallest number with which no more are late than one in two hundred, or than with the best number.
+std::uint32_t enough_vehicles(std::span<const SweepRow> rows);
+// Deliveries an hour, lateness and utilisation over the number of vehicles, and how many suffice.
+std::string plot_of(std::span<const SweepRow> rows, double hours);
 
 }  // namespace stepwright::bench::shift

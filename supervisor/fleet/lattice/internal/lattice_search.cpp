@@ -32,11 +32,15 @@ LatticeSearch::LatticeSearch(const SearchFloor& floor, const LatticePose& start,
 }
 
 std::uint32_t LatticeSearch::estimate(const LatticePose& pose, Heuristic heuristic) const {
+  if (floor_.to_go != nullptr && heuristic == Heuristic::Combined) {
+    const std::uint32_t known = floor_.to_go->lower_bound_mm(pose.vertex, pose.heading);
+    return floor_.around == nullptr ? known : std::max(known, floor_.around->lower_bound_mm(pose.vertex));
+  }
   const GridVector offset = pose.vertex - goal_.vertex;
   std::uint32_t bound = euclid_mm(offset, floor_.primitives.options().resolution_m);
   if (heuristic == Heuristic::Euclid) return bound;
   bound = std::max(bound, floor_.table.cost_mm(offset, pose.heading, goal_.heading));
-  return heuristic == Heuristic::Table ? bound : std::max(bound, floor_.around.lower_bound_mm(pose.vertex));
+  return heuristic == Heuristic::Table ? bound : std::max(bound, floor_.around->lower_bound_mm(pose.vertex));
 }
 
 std::uint32_t LatticeSearch::key_of(const SearchNode& node) const {
@@ -110,6 +114,10 @@ void LatticeSearch::offer(std::size_t index, const LatticePose& to, std::uint32_
     return;
   }
   if (node.cost_mm == kUnreached) node.estimate_mm = estimate(to, options_.heuristic);
+  if (node.estimate_mm == CostToGo::kNoWay) {
+    node.cost_mm = 0;  // nobody offers it again
+    return;
+  }
   node.cost_mm = cost;
   node.arrived_by = static_cast<std::uint8_t>(index % PrimitiveSet::kPerHeading);
   node.came_from = static_cast<std::uint8_t>(index / PrimitiveSet::kPerHeading);

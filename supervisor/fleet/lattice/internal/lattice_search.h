@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "supervisor/fleet/lattice/cost_to_go.h"
 #include "supervisor/fleet/lattice/heuristic_table.h"
 #include "supervisor/fleet/lattice/internal/node_store.h"
 #include "supervisor/fleet/lattice/lattice_path.h"
@@ -25,7 +26,8 @@ struct SearchFloor {
   const PrimitiveSet& primitives;
   const SweptCells& cells;
   const HeuristicTable& table;
-  const ObstacleDistances& around;
+  const ObstacleDistances* around = nullptr;  // one of these two, or both
+  const CostToGo* to_go = nullptr;
   std::int32_t columns = 0;  // of vertices
   std::int32_t rows = 0;
 };

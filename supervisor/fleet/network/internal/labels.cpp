@@ -1,6 +1,7 @@
 #include "supervisor/fleet/network/internal/labels.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "supervisor/fleet/network/constraint.h"
 
@@ -96,29 +97,40 @@ void Labels::blame(const std::vector<Edge>& edges, std::uint32_t timepoint, std:
   heap_.clear();
 }
 
-void Labels::settle(const std::vector<Edge>& edges) {
+bool Labels::settle(const std::vector<Edge>& edges, std::size_t most_visits) {
+  std::vector<std::int32_t> labels = label_;
+  std::vector<std::uint32_t> causes = cause_;
+  if (raise_all(edges, most_visits)) return true;
+  label_ = std::move(labels);
+  cause_ = std::move(causes);
+  return false;
+}
+
+bool Labels::raise_all(const std::vector<Edge>& edges, std::size_t most_visits) {
+  const auto size = static_cast<std::uint32_t>(label_.size());
   std::vector<std::uint32_t> queue;
-  std::vector<char> queued(label_.size(), 1);
+  std::vector<char> queued(size, 1);
+  queue.reserve(2 * label_.size());
   // Timepoints are mostly numbered along the way, so that one pass in their order settles most of them.
-  for (std::uint32_t k = 0; k < label_.size(); ++k) {
-    const auto size = static_cast<std::uint32_t>(label_.size());
-    queue.push_back(side_ == 0 ? k : size - 1 - k);
-  }
+  for (std::uint32_t k = 0; k < size; ++k) queue.push_back(side_ == 0 ? k : size - 1 - k);
   // The source is seen by all: it comes first.
   if (side_ == 1) std::rotate(queue.begin(), queue.end() - 1, queue.end());
   for (std::size_t next_in_queue = 0; next_in_queue < queue.size(); ++next_in_queue) {
+    if (next_in_queue == most_visits) return false;
     const std::uint32_t here = queue[next_in_queue];
     queued[here] = 0;
     for (std::uint32_t e = head_[here]; e != kNoEdge; e = edges[e].next[side_]) {
       const std::uint32_t next = edges[e].end[1 - side_];
       const std::int32_t label = label_[here] + edges[e].least_ms;
       if (label <= label_[next]) continue;
+      if (next == kSource || label > kHorizon_ms) return false;
       label_[next] = label;
       cause_[next] = e;
       if (!queued[next]) queue.push_back(next);
       queued[next] = 1;
     }
   }
+  return true;
 }
 
 void Labels::explain(const std::vector<Edge>& edges, std::uint32_t timepoint,

@@ -35,8 +35,10 @@ class Labels {
   // source or over the horizon: `cycle` then holds the edges that bring it about, and the labels are spoilt
   // until `undo`.
   bool propagate(const std::vector<Edge>& edges, std::uint32_t edge, std::vector<std::uint32_t>& cycle);
-  // All edges at once, of a graph without positive cycles, from labels that are too low.
-  void settle(const std::vector<Edge>& edges);
+  // All edges at once, from labels that are too low: without the trail and the order by rises that single
+  // edges need. False on what `propagate` fails on, or where it takes long to see that there is none of it:
+  // labels are as before then. `most_visits` of timepoints.
+  bool settle(const std::vector<Edge>& edges, std::size_t most_visits);
   // The edges that make the label what it is, last one first.
   void explain(const std::vector<Edge>& edges, std::uint32_t timepoint,
                std::vector<std::uint32_t>& path) const;
@@ -61,6 +63,8 @@ class Labels {
   void accept(const Rise& rise);
   void blame(const std::vector<Edge>& edges, std::uint32_t timepoint, std::uint32_t edge,
              std::vector<std::uint32_t>& cycle);
+
+  bool raise_all(const std::vector<Edge>& edges, std::size_t most_visits);
 
   int side_;
   std::vector<std::int32_t> label_;

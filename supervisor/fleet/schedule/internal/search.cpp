@@ -77,9 +77,7 @@ Answer Search::next() {
 }
 
 bool Search::prepare() {
-  for (const Constraint& c : model_.base) {
-    if (!network_.post(c)) return false;
-  }
+  if (!network_.load(model_.base)) return false;
   root_objective_ms_ = objective_now();
   if (objective_.measure != Measure::None) raise_lower_bound();
   std::vector<Due> due;

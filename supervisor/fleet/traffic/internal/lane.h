@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "supervisor/fleet/schedule/problem.h"
+#include "supervisor/fleet/schedule/sections.h"
 #include "supervisor/fleet/traffic/route.h"
 
 namespace stepwright::fleet::internal {
@@ -48,8 +49,19 @@ struct Remainder {
 Remainder remainder_of(std::span<const Lane* const> lanes, std::chrono::milliseconds now,
                        std::chrono::milliseconds held);
 
+// Polygons still ahead that overlap in space, of vehicles that take part: `vehicle` is the lane, `polygon`
+// that of its route. In the order of overlapping_pairs. `known`: what this was for the same lanes before, of
+// which the changed one alone is new; without it all is worked out.
+std::vector<SpatialPair> overlaps_ahead(std::span<const Lane* const> lanes,
+                                        std::span<const SpatialPair> known,
+                                        std::optional<std::uint32_t> changed);
+
+// The same by row and polygon of the remainder.
+std::vector<SpatialPair> by_row(std::span<const Lane* const> lanes, std::span<const SpatialPair> ahead);
+
 // That polygons already permitted come before all others that overlap them.
-void keep_permissions(std::span<const Lane* const> lanes, Remainder& remainder);
+void keep_permissions(std::span<const Lane* const> lanes, std::span<const SpatialPair> rows,
+                      Remainder& remainder);
 
 // That vehicles other than `changed` keep the orders that they have among themselves.
 void keep_orders(std::span<const Lane* const> lanes, std::uint32_t changed, Remainder& remainder);

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 
-#include "supervisor/fleet/schedule/sections.h"
 #include "supervisor/fleet/traffic/internal/lane.h"
+#include "supervisor/geometry/box_pairs.h"
 
 namespace stepwright::fleet::internal {
 
@@ -91,12 +93,58 @@ Remainder remainder_of(std::span<const Lane* const> lanes, milliseconds now, mil
   return remainder;
 }
 
-void keep_permissions(std::span<const Lane* const> lanes, Remainder& remainder) {
+std::vector<SpatialPair> overlaps_ahead(std::span<const Lane* const> lanes,
+                                        std::span<const SpatialPair> known,
+                                        std::optional<std::uint32_t> changed) {
+  std::vector<geometry::Box> boxes;
+  std::vector<std::uint32_t> groups;
+  std::vector<PolygonRef> places;
+  const auto area = [&](PolygonRef at) -> const geometry::ConvexPolygon& {
+    return lanes[at.vehicle]->route.mission.grown.envelope.polygons[at.polygon].area;
+  };
+  for (std::uint32_t v = 0; v < lanes.size(); ++v) {
+    if (!takes_part(*lanes[v])) continue;
+    for (std::uint32_t k = lanes[v]->first; k < lanes[v]->route.polygons(); ++k) {
+      places.push_back({v, k});
+      boxes.push_back(area(places.back()).bounds());
+      // All that has not changed is one group: what overlaps within it is known.
+      groups.push_back(!changed ? v : v == *changed ? 1 : 0);
+    }
+  }
+  std::vector<SpatialPair> ahead;
+  for (const auto& [i, k] : geometry::overlapping_boxes(boxes, groups))
+    if (geometry::overlaps(area(places[i]), area(places[k]))) ahead.push_back({places[i], places[k]});
+  const auto still_ahead = [&](PolygonRef at) {
+    return at.vehicle != changed && takes_part(*lanes[at.vehicle]) && at.polygon >= lanes[at.vehicle]->first;
+  };
+  if (changed) {
+    std::ranges::copy_if(known, std::back_inserter(ahead),
+                         [&](const SpatialPair& pair) { return still_ahead(pair.a) && still_ahead(pair.b); });
+  }
+  std::ranges::sort(ahead, {}, [](const SpatialPair& p) {
+    return std::tuple(p.a.vehicle, p.b.vehicle, p.a.polygon, p.b.polygon);
+  });
+  return ahead;
+}
+
+std::vector<SpatialPair> by_row(std::span<const Lane* const> lanes, std::span<const SpatialPair> ahead) {
+  const std::vector<std::uint32_t> rows = rows_of(lanes);
+  const auto placed = [&](PolygonRef at) {
+    return PolygonRef{rows[at.vehicle], at.polygon - lanes[at.vehicle]->first};
+  };
+  std::vector<SpatialPair> pairs;
+  pairs.reserve(ahead.size());
+  for (const SpatialPair& pair : ahead) pairs.push_back({placed(pair.a), placed(pair.b)});
+  return pairs;
+}
+
+void keep_permissions(std::span<const Lane* const> lanes, std::span<const SpatialPair> rows,
+                      Remainder& remainder) {
   const auto permitted = [&](PolygonRef at) {
     const Lane& lane = *lanes[remainder.vehicles[at.vehicle]];
     return lane.first + at.polygon < lane.granted;
   };
-  for (const SpatialPair& pair : overlapping_pairs(remainder.envelopes)) {
+  for (const SpatialPair& pair : rows) {
     // The first polygons come first anyway.
     if (permitted(pair.a) && pair.a.polygon > 0) remainder.constraints.push_back(after(pair.a, pair.b));
     if (permitted(pair.b) && pair.b.polygon > 0) remainder.constraints.push_back(after(pair.b, pair.a));

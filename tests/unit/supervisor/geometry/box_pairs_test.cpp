@@ -34,7 +34,7 @@ TEST(BoxPairs, Overlapping_WhenBoxesAreRandom_ThenTheyAreThoseOfAllComparisons) 
     std::uniform_int_distribution<int> place(-20, 20), extent(1, round % 3 == 0 ? 30 : 4), group(0, 5);
     std::vector<Box> boxes;
     std::vector<std::uint32_t> groups;
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < (round % 2 == 0 ? 60 : 240); ++k) {  // without and with the grid
       const double away_m = k == 7 ? 1e5 : 0.0;
       const Point low{place(random) + away_m, static_cast<double>(place(random))};
       boxes.push_back(

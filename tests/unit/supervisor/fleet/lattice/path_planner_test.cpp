@@ -110,6 +110,61 @@ TEST_F(PathPlannerTest, Plan_WhenHeldAgainstPlainDijkstra_ThenCostsAreTheLeastAn
   EXPECT_GT(unreachable, 5);
 }
 
+// Exact on its own floor, never too much on one with more obstacles, and A* with it finds the least cost
+// there.
+TEST_F(PathPlannerTest, CostToGo_WhenHeldAgainstPlainDijkstra_ThenItIsExactAndALowerBoundWhereMoreStands) {
+  constexpr std::uint32_t kUnit_mm = 8;
+  int exact = 0, detours = 0, none = 0;
+  for (int round = 0; round < 10; ++round) {
+    const int scale = round % 5 == 4 ? 2 : 1;
+    OccupancyGrid grid = random_floor(30 + 4 * round, scale);
+    const SweptCells cells(kCart, primitives_, scale);
+    const auto planner = PathPlanner::create(grid, kCart, primitives_, table_).value();
+    const FreeMotions motions = planner.free_motions(2);
+    PlainPose goal = random_pose();
+    while (!stands(grid, cells, goal)) goal = random_pose();
+    const auto [goal_x, goal_y, goal_heading] = goal;
+    const auto to_go = planner.cost_to_go(motions, pose_of(grid, goal));
+    ASSERT_TRUE(to_go.has_value());
+    EXPECT_EQ(to_go->lower_bound_mm({goal_x, goal_y}, goal_heading), 0U);
+    OccupancyGrid fuller = grid;
+    for (int k = 0; k < 15; ++k) fuller.set({below(grid.frame().columns), below(grid.frame().rows)}, true);
+    const PathPlanner elsewhere = planner.on(fuller);
+    for (int question = 0; question < 12; ++question) {
+      PlainPose start = random_pose();
+      while (!stands(grid, cells, start)) start = random_pose();
+      const auto [x, y, heading] = start;
+      const std::uint32_t bound = to_go->lower_bound_mm({x, y}, heading);
+      const PathAnswer here = planner.plan(pose_of(grid, start), pose_of(grid, goal), {}, &*to_go);
+      const PathAnswer plain = planner.plan(pose_of(grid, start), pose_of(grid, goal));
+      ASSERT_EQ(here.end, plain.end);
+      ASSERT_EQ(bound == CostToGo::kNoWay, plain.end == PathEnd::Unreachable);
+      if (!here.path) {
+        ++none;
+        EXPECT_EQ(here.diagnostics.front().code, plain.diagnostics.front().code);
+        continue;
+      }
+      ++exact;
+      EXPECT_EQ(here.path->cost_mm, plain.path->cost_mm);
+      EXPECT_EQ(bound, plain.path->cost_mm / kUnit_mm * kUnit_mm);
+      EXPECT_LE(here.expanded, plain.expanded);
+      expect_sound(grid, *here.path);
+      const PathAnswer there = elsewhere.plan(pose_of(grid, start), pose_of(grid, goal), {}, &*to_go);
+      const PathAnswer other = elsewhere.plan(pose_of(grid, start), pose_of(grid, goal));
+      ASSERT_EQ(there.end, other.end);
+      if (!other.path) continue;
+      detours += other.path->cost_mm > plain.path->cost_mm ? 1 : 0;
+      EXPECT_EQ(there.path->cost_mm, other.path->cost_mm);
+      EXPECT_LE(bound, other.path->cost_mm);
+      expect_sound(fuller, *there.path);
+    }
+    EXPECT_FALSE(planner.cost_to_go(motions, {-100.0, 0.0, 0.0}).has_value());
+  }
+  EXPECT_GT(exact, 30);
+  EXPECT_GT(detours, 3);
+  EXPECT_GT(none, 3);
+}
+
 TEST_F(PathPlannerTest, On_WhenTheMapIsAnother_ThenItPlansAsIfItHadBeenMadeForIt) {
   const OccupancyGrid first = random_floor(10);
   const OccupancyGrid second = random_floor(60);

@@ -157,6 +157,60 @@ TEST(Network, Post_WhenTheNetworkIsLarger_ThenEarliestTimesAreThoseOfBellmanAndF
   }
 }
 
+// Some posted first, the rest loaded at once, then more posted and taken back.
+TEST(Network, Load_WhenConstraintsAreRandom_ThenVerdictTimesAndReasonsAreThoseOfPostingThem) {
+  std::mt19937 random(7);
+  int refused = 0, loaded = 0;
+  for (int round = 0; round < 400; ++round) {
+    const std::size_t size = 3 + static_cast<std::size_t>(round % 8);
+    Network network(size);
+    std::vector<Constraint> posted, more;
+    std::uint32_t label = 0;
+    for (; label < 4; ++label) {
+      posted.push_back(random_constraint(size, label, random));
+      if (!network.post(posted.back())) posted.pop_back();
+    }
+    for (; label < 4 + size / 2; ++label) more.push_back(random_constraint(size, label, random));
+    std::vector<Constraint> all = posted;
+    all.insert(all.end(), more.begin(), more.end());
+    const bool consistent = AllPairs(size, all).consistent();
+    ASSERT_EQ(network.load(more), consistent) << round;
+    if (consistent) {
+      ++loaded;
+    } else {
+      ++refused;
+      EXPECT_FALSE(AllPairs(size, labelled(all, network.conflict())).consistent());
+      all = posted;
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_times(network, AllPairs(size, all))) << round;
+    const Network::Mark mark = network.mark();
+    const Constraint one = random_constraint(size, label, random);
+    all.push_back(one);
+    ASSERT_EQ(network.post(one), AllPairs(size, all).consistent());
+    network.undo(mark);
+    all.pop_back();
+    network.track_latest();
+    ASSERT_NO_FATAL_FAILURE(expect_times(network, AllPairs(size, all))) << round;
+    expect_explained(network, all,
+                     Timepoint(static_cast<std::uint32_t>(round) % static_cast<std::uint32_t>(size)));
+  }
+  EXPECT_GT(loaded, 100);
+  EXPECT_GT(refused, 50);
+}
+
+// It would take a hundred million rounds to see by raising labels that there is no answer.
+TEST(Network, Load_WhenACycleGrowsByAMillisecond_ThenItIsNamed) {
+  Network network(4);
+  const std::vector<Constraint> cycle = {{Timepoint(1), Timepoint(2), 1, 5},
+                                         {Timepoint(2), Timepoint(3), 0, 6},
+                                         {Timepoint(3), Timepoint(1), 0, 7}};
+  EXPECT_FALSE(network.load(cycle));
+  const std::set<std::uint32_t> named(network.conflict().begin(), network.conflict().end());
+  EXPECT_EQ(named, (std::set<std::uint32_t>{5, 6, 7}));
+  EXPECT_EQ(network.earliest_ms(Timepoint(2)), 0);
+  EXPECT_EQ(network.constraints(), 0U);
+}
+
 TEST(Network, ConflictOfALargerNetwork_WhenNamed_ThenItIsOneByBellmanAndFord) {
   std::mt19937 random(6);
   constexpr std::size_t kSize = 200;

@@ -105,6 +105,37 @@ TEST(Traffic, WhenAVehicleIsHeld_ThenItGoesNoFartherUntilItIsReleased) {
   EXPECT_TRUE(floor.settle(800));
 }
 
+// Else neither could drive on: the one behind stands in the other's polygon, and waits until that one is
+// gone.
+TEST(Traffic, WhenOneIsHeldBehindAVehicleOutOfOrder_ThenItIsPermittedNoPolygonThatThatOneIsIn) {
+  SmallFloor floor(3);
+  ASSERT_TRUE(floor.send(0, 1));
+  while (floor.traffic().arc_m(0) < 20.0) floor.tick();
+  ASSERT_TRUE(floor.send(2, 1));
+  floor.tick({0});
+  Traffic& traffic = floor.traffic();
+  const auto outline = [&](std::uint32_t vehicle, double arc_m) {
+    const geometry::Path& path = traffic.route(vehicle).mission.path;
+    const auto at = std::ranges::lower_bound(path, arc_m - 1e-9, {}, &geometry::PathPose::arc_m);
+    return footprint_at(at->pose, traffic.route(vehicle).mission.model.footprint());
+  };
+  const auto stands = outline(0, traffic.arc_m(0));
+  const geometry::ConvexPolygon room =
+      traffic.route(0).mission.grown.envelope.polygons[traffic.first(0)].area;
+  double blocked_m = traffic.arc_m(2);
+  while (blocked_m < traffic.route(2).end_m() && !overlaps(outline(2, blocked_m), stands)) blocked_m += 0.05;
+  ASSERT_LT(blocked_m, traffic.route(2).end_m());
+  ASSERT_GT(blocked_m, traffic.arc_m(2) + 2.0);
+  traffic.remove(0);
+  traffic.hold(2, blocked_m - 0.05);
+  for (int k = 0; k < 100; ++k) floor.tick();
+  for (std::uint32_t k = traffic.first(2); k < traffic.granted(2); ++k)
+    EXPECT_FALSE(overlaps(traffic.route(2).mission.grown.envelope.polygons[k].area, room)) << k;
+  traffic.release(2);
+  for (int k = 0; k < 20; ++k) floor.tick();
+  EXPECT_GT(traffic.arc_m(2), blocked_m);
+}
+
 TEST(Traffic, WhenEverybodyKeepsTheTimes_ThenAllAreAtTheirEndsWhenExpected) {
   SmallFloor floor(3);
   for (std::uint32_t v = 0; v < 3; ++v) ASSERT_TRUE(floor.send(v, v));

@@ -1,0 +1,81 @@
+#include "supervisor/fleet/traffic/route_planner.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+#include <vector>
+
+#include "tests/unit/supervisor/fleet/traffic/small_floor.h"
+
+namespace stepwright::fleet {
+namespace {
+
+std::vector<geometry::Pose> goals_of(SmallFloor& floor, std::uint32_t vehicles) {
+  std::vector<geometry::Pose> goals;
+  for (std::uint32_t k = 0; k < 4; ++k) goals.push_back(SmallFloor::station(k));
+  for (std::uint32_t v = 0; v < vehicles; ++v) goals.push_back(floor.planner().home(v));
+  return goals;
+}
+
+result::Result<Route> round_trip(RoutePlanner& planner, std::uint32_t vehicle, std::uint32_t station) {
+  const std::vector<Waypoint> stops = {SmallFloor::stop(SmallFloor::station(station), "goal"),
+                                       SmallFloor::stop(planner.home(vehicle), "home")};
+  return planner.plan(vehicle, planner.home(vehicle), stops);
+}
+
+TEST(RoutePlanner, WhenCostsOfWaysAreKnown_ThenWaysAreAsGoodAndBlockedPlacesAreStillAvoided) {
+  constexpr std::uint32_t kVehicles = 4;
+  SmallFloor plain(kVehicles), prepared(kVehicles);
+  auto goals = goals_of(prepared, kVehicles);
+  goals.push_back({-50.0, 0.0, 0.0});  // off the floor
+  prepared.planner().prepare(goals, 2);
+  const auto wall = geometry::ConvexPolygon::hull(
+      std::vector<geometry::Point>{{20.0, 6.0}, {22.0, 6.0}, {22.0, 14.0}, {20.0, 14.0}});
+  for (const bool blocked : {false, true}) {
+    if (blocked) plain.planner().block(*wall);
+    if (blocked) prepared.planner().block(*wall);
+    for (std::uint32_t v = 0; v < kVehicles; ++v) {
+      for (std::uint32_t station = 0; station < 4; ++station) {
+        const auto before = round_trip(plain.planner(), v, station);
+        const auto made = round_trip(prepared.planner(), v, station);
+        ASSERT_EQ(made.has_value(), before.has_value());
+        if (!made) continue;
+        EXPECT_LT(made->pace.time_s(made->end_m()), 1.1 * before->pace.time_s(before->end_m()));
+        const auto& polygons = made->mission.grown.envelope.polygons;
+        EXPECT_TRUE(!blocked || std::ranges::none_of(polygons, [&](const EnvelopePolygon& polygon) {
+          return overlaps(polygon.area, *wall);
+        }));
+      }
+    }
+  }
+}
+
+TEST(RoutePlanner, WhenSeveralThreadsPlan_ThenEachGetsTheWayThatOneAloneGets) {
+  constexpr std::uint32_t kVehicles = 4;
+  SmallFloor alone(kVehicles), shared(kVehicles);
+  alone.planner().prepare(goals_of(alone, kVehicles), 1);
+  shared.planner().prepare(goals_of(shared, kVehicles), 3);
+  std::vector<std::vector<double>> ends_m(3);
+  {
+    std::vector<std::jthread> threads;
+    for (auto& ends : ends_m) {
+      threads.emplace_back([&] {
+        for (std::uint32_t v = 0; v < kVehicles; ++v) {
+          for (std::uint32_t station = 0; station < 4; ++station)
+            ends.push_back(round_trip(shared.planner(), v, station)->end_m());
+        }
+      });
+    }
+  }
+  std::vector<double> expected;
+  for (std::uint32_t v = 0; v < kVehicles; ++v) {
+    for (std::uint32_t station = 0; station < 4; ++station)
+      expected.push_back(round_trip(alone.planner(), v, station)->end_m());
+  }
+  for (const auto& ends : ends_m) EXPECT_EQ(ends, expected);
+  EXPECT_EQ(shared.planner().paths_planned(), alone.planner().paths_planned());
+}
+
+}  // namespace
+}  // namespace stepwright::fleet
