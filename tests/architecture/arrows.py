@@ -77,6 +77,8 @@ ARROWS = {
     "plant_models/body2d": ["plant_models/core"],
     "plant_models/assemblies": ["plant_models/ode", "plant_models/body2d"],
     "plant_models/bridge": ["plant_models/core", "runtime/image"],
+    "hmi_web/storage": ["runtime/result"],
+    "hmi_web/historian": ["hmi_web/storage", "runtime/base"],
     "hmi_web/protocol": ["runtime/result"],
     "hmi_web/client": ["hmi_web/protocol"],
     "hmi_web/server": ["hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
