@@ -79,6 +79,7 @@ ARROWS = {
     "plant_models/bridge": ["plant_models/core", "runtime/image"],
     "hmi_web/storage": ["runtime/result"],
     "hmi_web/historian": ["hmi_web/storage", "runtime/base"],
+    "hmi_web/alarms": ["hmi_web/storage", "runtime/base", "runtime/settings"],
     "hmi_web/protocol": ["runtime/result"],
     "hmi_web/client": ["hmi_web/protocol"],
     "hmi_web/server": ["hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
