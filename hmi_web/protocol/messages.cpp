@@ -55,12 +55,17 @@ std::string program_message(const Program& program) {
                            {"to", transition.targets},
                            {"condition", transition.condition}});
   }
+  json charts = json::array();
+  for (const auto& chart : program.charts) {
+    charts.push_back({{"name", chart.name}, {"steps", chart.steps}, {"transitions", chart.transitions}});
+  }
   json tags = json::array();
   for (const auto& tag : program.tags) {
     tags.push_back({{"name", tag.name}, {"type", tag.type}, {"address", tag.address}});
   }
   return text({{"type", "program"},
                {"digest", program.digest},
+               {"charts", std::move(charts)},
                {"steps", std::move(steps)},
                {"transitions", std::move(transitions)},
                {"tags", std::move(tags)}});

@@ -21,7 +21,7 @@
 
 namespace stepwright::protocol {
 
-inline constexpr int kProtocolVersion = 1;
+inline constexpr int kProtocolVersion = 2;
 
 struct Greeting {
   std::string cell;
