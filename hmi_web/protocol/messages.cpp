@@ -105,13 +105,4 @@ std::string trend_message(std::span<const TrendRow> rows, std::uint64_t first, b
   return text({{"type", "trend"}, {"first", first}, {"restart", restart}, {"rows", std::move(list)}});
 }
 
-std::optional<std::string> plan_message(const std::string& document) {
-  // Writing a value out again recurses, so that what is nested deeper than any plan is left out.
-  constexpr int kMaxDepth = 16;
-  const auto shallow = [](int depth, json::parse_event_t, json&) { return depth < kMaxDepth; };
-  json parsed = json::parse(document, shallow, /*allow_exceptions=*/false);
-  if (!parsed.is_object()) return std::nullopt;
-  return text({{"type", "plan"}, {"document", std::move(parsed)}});
-}
-
 }  // namespace stepwright::protocol

@@ -49,6 +49,8 @@ export class Cell {
   hello = $state.raw<HelloMessage | null>(null);
   program = $state.raw<ProgramMessage | null>(null);
   plan = $state.raw<PlanDocument | null>(null);
+  // Paths and polygons of a fleet, as they came.
+  routes = $state.raw<unknown>(null);
   live = $state<LiveFields>({ ...NOTHING });
   points = $state<Value[]>([]);
   tags = $state<Value[]>([]);
@@ -57,6 +59,8 @@ export class Cell {
   trendVersion = $state(0);
 
   private pointIndex = new Map<string, number>();
+  // By name in lower case: IEC 61131-3 does not tell them apart.
+  private tagIndex = $state.raw(new Map<string, number>());
 
   connect(): void {
     new Connection(liveUrl(window.location), {
@@ -75,6 +79,12 @@ export class Cell {
     return (this.point(id) ?? 0) > 0.5;
   }
 
+  // The value of a variable of the program by its whole name in lower case.
+  tag(name: string): Value {
+    const index = this.tagIndex.get(name);
+    return index === undefined ? null : (this.tags[index] ?? null);
+  }
+
   private take(message: ServerMessage): void {
     this.heardAt = new Date();
     switch (message.type) {
@@ -82,6 +92,7 @@ export class Cell {
         return this.takeHello(message);
       case 'program':
         this.program = message.digest === '' ? null : message;
+        this.tagIndex = new Map(message.tags.map((tag, index) => [tag.name.toLowerCase(), index]));
         return;
       case 'state':
         return this.takeState(message);
@@ -89,6 +100,9 @@ export class Cell {
         return this.takeDelta(message);
       case 'plan':
         this.plan = onCellTime(message.document);
+        return;
+      case 'routes':
+        this.routes = message.routes;
         return;
       case 'trend':
         this.trend.add(message);
@@ -105,6 +119,7 @@ export class Cell {
     this.trendVersion += 1;
     this.program = null;
     this.plan = null;
+    this.routes = null;
     this.hello = message;
   }
 

@@ -174,28 +174,5 @@ TEST(TrendMessage, WhenRowsAreGiven_ThenTimeComesFirst) {
   EXPECT_EQ(message["rows"], json({{1.5, 20, nullptr}, {1.6, 20.5, 3}}));
 }
 
-TEST(PlanMessage, WhenTheDocumentIsAnObject_ThenItIsWrapped) {
-  const auto message = plan_message(R"({"phase":"executing","actions":[]})");
-
-  ASSERT_TRUE(message.has_value());
-  EXPECT_EQ(json::parse(*message)["document"]["phase"], "executing");
-}
-
-TEST(PlanMessage, WhenTheTextIsNoObject_ThenThereIsNone) {
-  for (const char* text : {"", "[]", "7", "{\"phase\":", "{} {}", "\xff", "null"}) {
-    EXPECT_FALSE(plan_message(text).has_value()) << text;
-  }
-}
-
-TEST(PlanMessage, WhenItIsNestedWithoutEnd_ThenTheDepthIsCut) {
-  const std::string deep =
-      "{\"phase\":\"x\",\"deep\":" + std::string(200'000, '[') + std::string(200'000, ']') + "}";
-
-  const auto message = plan_message(deep);
-
-  ASSERT_TRUE(message.has_value());
-  EXPECT_LT(message->size(), 200u);
-}
-
 }  // namespace
 }  // namespace stepwright::protocol

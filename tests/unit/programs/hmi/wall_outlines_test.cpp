@@ -86,7 +86,7 @@ TEST(WallOutlines, WhenWallsHaveHolesCornersAndEdges_ThenTheLinesFillTheSameCell
 TEST(WallOutlines, WhenCellsAreDrawnByLot_ThenTheLinesFillTheSameCells) {
   std::mt19937 random(7);
   for (int trial = 0; trial < 50; ++trial) {
-    OccupancyGrid grid({.columns = 1 + trial % 13, .rows = 1 + trial % 9});
+    OccupancyGrid grid({.resolution_m = 0.2, .origin = {}, .columns = 1 + trial % 13, .rows = 1 + trial % 9});
     for (std::int32_t row = 0; row < grid.frame().rows; ++row) {
       for (std::int32_t column = 0; column < grid.frame().columns; ++column) {
         grid.set({column, row}, random() % 2 == 0);
@@ -107,7 +107,7 @@ TEST(WallOutlines, WhenTheExamplesAreOutlined_ThenTheyAreAFewThousandNumbers) {
 }
 
 TEST(WallOutlines, WhenThereAreTooManyNumbers_ThenTheMapIsCoarserAndNothingBlockedIsLost) {
-  OccupancyGrid grid({.resolution_m = 0.2, .columns = 101, .rows = 60});
+  OccupancyGrid grid({.resolution_m = 0.2, .origin = {}, .columns = 101, .rows = 60});
   for (std::int32_t row = 0; row < 60; ++row) {
     for (std::int32_t column = 0; column < 101; ++column) grid.set({column, row}, (row + column) % 2 == 0);
   }
