@@ -23,7 +23,9 @@ export interface GoalNews {
   amount: number;
   delivered: number;
   state: string;
-  dueMs: number | null;
+  dueMs: number | null; // clock of the run's first schedule
+  late: boolean;
+  reason: string; // why it was given up
   vehicle: string;
 }
 
@@ -36,9 +38,11 @@ export interface Wait {
 
 export interface FleetNews {
   epochS: number; // scan clock at time 0 of the schedule
+  firstEpochS: number; // at time 0 of the run's first one
   vehicles: VehicleNews[];
   goals: GoalNews[];
   waits: Wait[];
+  blocked: { name: string; area: Pair[] }[];
   makespanMs: number | null;
 }
 
@@ -148,6 +152,8 @@ function goalNews(value: unknown): GoalNews[] {
       delivered: count(from.delivered),
       state: text(from.state),
       dueMs: number(from.due_ms),
+      late: from.late === true,
+      reason: text(from.reason),
       vehicle: text(from.vehicle),
     },
   ];
@@ -161,15 +167,23 @@ function wait(value: unknown): Wait[] {
   return [{ vehicle: text(from.vehicle), for: text(from.for), fromMs: begin, untilMs: end }];
 }
 
+function blockedPlace(value: unknown): { name: string; area: Pair[] }[] {
+  const from = members(value);
+  const area = outline(from.corners_m);
+  return area.length > 0 ? [{ name: text(from.name), area }] : [];
+}
+
 // Null if the document is not about a fleet.
 export function readFleet(value: unknown): FleetNews | null {
   if (typeof value !== 'object' || value === null || Array.isArray(value)) return null;
   const from = members(value);
   return {
     epochS: number(from.epoch_s) ?? 0,
+    firstEpochS: number(from.first_epoch_s) ?? number(from.epoch_s) ?? 0,
     vehicles: unique(list(from.vehicles).flatMap(vehicleNews), (news) => news.vehicle),
     goals: unique(list(from.goals).flatMap(goalNews), (goal) => goal.name),
     waits: list(from.waits).flatMap(wait),
+    blocked: list(from.blocked).flatMap(blockedPlace),
     makespanMs: number(from.makespan_ms),
   };
 }

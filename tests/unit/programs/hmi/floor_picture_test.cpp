@@ -28,20 +28,24 @@ config::PlantConfig two_vehicles() {
   return plant;
 }
 
-TEST(FloorPicture, WhenTheCellIsTheExample_ThenItsMapVehiclesAndBlockageAreInIt) {
+TEST(FloorPicture, WhenACellIsConfigured_ThenItsMapVehiclesAndBlockageAreInIt) {
   const support::TemporaryFolder folder;
-  const auto config = config::load_cell_config(STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/cell.toml",
-                                               {"cell.state_dir=" + folder.path().string()});
+  const std::filesystem::path file = folder.path() / "cell.toml";
+  std::ofstream(file) << "[plant]\nkind = \"fleet\"\nmap = \"" STEPWRIGHT_SOURCE_DIR
+                         "/tests/cells/fleet/warehouse.yaml\"\n"
+                         "[[plant.vehicles]]\nx_m = 3.0\ny_m = 8.0\n[[plant.vehicles]]\nx_m = 3.0\ny_m = 28.0\n"
+                         "[[plant.blockages]]\nx_m = 20.0\ny_m = 12.0\nlength_m = 2.0\nwidth_m = 2.0\n";
+  const auto config = config::load_cell_config(file, {"cell.state_dir=" + folder.path().string()});
   ASSERT_TRUE(config) << result::to_string(config.error());
   const auto picture = picture_of(config->plant);
   ASSERT_TRUE(picture) << result::to_string(picture.error());
   const protocol::Floor& floor = picture->synoptic.floor;
   ASSERT_EQ(floor.maps.size(), 1u);
-  EXPECT_EQ(floor.maps[0].columns, 180);
+  EXPECT_EQ(floor.maps[0].columns, 400);
   EXPECT_FALSE(floor.maps[0].outlines.empty());
-  ASSERT_EQ(floor.forklifts.size(), 3u);
-  EXPECT_EQ(floor.forklifts[2].id, "v3");
-  EXPECT_EQ(floor.forklifts[2].wheelbase_m, 1.9);
+  ASSERT_EQ(floor.forklifts.size(), 2u);
+  EXPECT_EQ(floor.forklifts[1].id, "v2");
+  EXPECT_EQ(floor.forklifts[1].wheelbase_m, 1.9);
   ASSERT_EQ(floor.blockages.size(), 1u);  // walls are on the map, not here
   EXPECT_EQ(picture->sources.size(), picture->synoptic.points.size());
 }
