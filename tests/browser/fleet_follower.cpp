@@ -117,16 +117,16 @@ double FleetFollower::value(const std::string& name, const dds::Snapshot& snapsh
 }
 
 std::optional<std::size_t> FleetFollower::waited_for(std::size_t index, const dds::Snapshot& snapshot) const {
-  const double inside = value("vehicle_" + program_.missions[index].name + ".Area", snapshot);
+  const double left = value("areas_" + program_.missions[index].name, snapshot);
+  std::optional<Precedence> next;
   for (const Precedence& order : plan_.schedule.precedences) {
-    const bool ahead =
-        order.second.vehicle == index && order.second.polygon > inside && order.second.polygon <= inside + 2;
-    if (!ahead) continue;
-    if (value("areas_" + program_.missions[order.first.vehicle].name, snapshot) < order.first.polygon + 1.0) {
-      return order.first.vehicle;
-    }
+    if (order.second.vehicle != index || order.second.polygon < left) continue;
+    const bool behind =
+        value("areas_" + program_.missions[order.first.vehicle].name, snapshot) > order.first.polygon;
+    if (!behind && (!next || order.second.polygon < next->second.polygon)) next = order;
   }
-  return std::nullopt;
+  if (!next) return std::nullopt;
+  return next->first.vehicle;
 }
 
 json FleetFollower::vehicle(std::size_t index, const dds::Snapshot& snapshot, double now_ms) const {
