@@ -13,13 +13,17 @@
 #include <iostream>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "ladder/driver/compile.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/dds/runtime_client.h"
+#include "supervisor/fleet/map/map_file.h"
 #include "tests/browser/fleet_follower.h"
+#include "tests/support/fleet/floor_maps.h"
 #include "tests/support/fleet_program/planned_fleet.h"
 
 using namespace stepwright;
@@ -36,13 +40,30 @@ struct Lost {
   std::string reason;
 };
 
-std::string cell_toml(const std::string& floor, const fleet::FleetPlan& plan, const char* domain,
+// From one bay of the hall to another each: the first assignment for which there is a schedule.
+fleet::FleetPlan plan_hall(const support::DrawnHall& hall, std::size_t vehicles) {
+  const std::size_t half = hall.bays.size() / 2;
+  for (std::size_t shift = 0; shift < half; ++shift) {
+    std::vector<fleet::DrawnMission> missions;
+    for (std::size_t v = 0; v < vehicles; ++v) {
+      missions.push_back({hall.bays[v], {hall.bays[half + (v + shift) % half]}});
+    }
+    try {
+      return fleet::plan_missions(hall.grid, missions);
+    } catch (const std::runtime_error& error) {
+      std::fprintf(stderr, "shift %zu: %s", shift, error.what());
+    }
+  }
+  std::exit(1);
+}
+
+std::string cell_toml(const std::string& folder, const fleet::FleetPlan& plan, const char* domain,
                       const char* speed) {
   std::string text = fmt::format(
       "[cell]\nname = \"fleet\"\n[clock]\nmode = \"simulated\"\nspeed = {}.0\ninterval_us = 20_000\n"
-      "[dds]\ndomain_id = {}\n[image]\ninput_bytes = 128\noutput_bytes = 64\n"
-      "[plant]\nkind = \"fleet\"\nmap = \"{}/tests/cells/fleet/{}.yaml\"\n",
-      speed, domain, STEPWRIGHT_SOURCE_DIR, floor);
+      "[dds]\ndomain_id = {}\n[image]\ninput_bytes = 256\noutput_bytes = 128\n"
+      "[plant]\nkind = \"fleet\"\nmap = \"{}/map.yaml\"\n",
+      speed, domain, folder);
   for (const auto& mission : plan.missions) {
     const geometry::Pose& at = mission.path.front().pose;
     text += fmt::format("[[plant.vehicles]]\nx_m = {:.3f}\ny_m = {:.3f}\nheading_deg = {:.3f}\n", at.x_m,
@@ -99,13 +120,15 @@ T taken(result::Result<T> result) {
 
 int main(int argc, char** argv) {
   if (argc != 6) return 2;
-  const std::string floor = argv[1];
+  const bool in_hall = std::string(argv[1]) == "hall";
+  const std::string folder = argv[3];
   const auto vehicles = static_cast<std::size_t>(std::atoi(argv[2]));
-  const fleet::FleetPlan plan =
-      floor == "mine" ? fleet::plan_mine(vehicles) : fleet::plan_warehouse(vehicles);
+  const support::DrawnHall hall = support::draw_hall();
+  const fleet::FleetPlan plan = in_hall ? plan_hall(hall, vehicles) : fleet::plan_mine(vehicles);
   const auto program = taken(fleet::fleet_program(plan, fleet::terminals_in_a_row(plan.missions.size()), {}));
   auto compiled = taken(driver::compile({.texts = {}, .projects = {&program.project}}));
-  std::ofstream(std::string(argv[3]) + "/cell.toml") << cell_toml(floor, plan, argv[4], argv[5]);
+  if (!fleet::write_map(in_hall ? hall.grid : support::draw_mine(1).grid, folder + "/map.yaml")) return 1;
+  std::ofstream(folder + "/cell.toml") << cell_toml(folder, plan, argv[4], argv[5]);
   std::puts("ready");
   std::fflush(stdout);
 

@@ -93,8 +93,8 @@ async function tellsWhoIsLost(page, fleet) {
     document.querySelector('[data-vehicle=v3]')?.classList.contains('abnormal'));
 }
 
-async function takePictures(page, moment) {
-  for (const [width, scheme] of [[1440, 'light'], [1440, 'dark'], [360, 'light'], [360, 'dark']]) {
+async function takePictures(page, moment, schemes) {
+  for (const [width, scheme] of [[360, schemes[0]], [1440, schemes[1]]]) {
     await page.emulateMedia({ colorScheme: scheme });
     await page.setViewportSize({ width, height: 900 });
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
@@ -136,10 +136,10 @@ try {
   await drawsThePlan(page);
   await obeysTheKeyboard(page);
   await obeysTheMouse(page);
-  await takePictures(page, 'during');
+  await takePictures(page, 'during', ['dark', 'light']);
   await seesThemDrive(page);
   await tellsWhoIsLost(page, fleet);
-  await takePictures(page, 'after');
+  await takePictures(page, 'after', ['light', 'dark']);
   check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
 } catch (error) {
   if (fleet) console.error(fleet.logs());
