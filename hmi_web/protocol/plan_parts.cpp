@@ -90,6 +90,12 @@ json ways(json paths) {
   return paths;
 }
 
+// Millimetres are finer than what is drawn, and half of the bytes.
+void round_all(json& value) {
+  if (value.is_number_float()) value = number(value.get<double>());
+  if (value.is_structured()) std::for_each(value.begin(), value.end(), round_all);
+}
+
 // Only what is drawn: corners, and when each is entered and left at the earliest.
 json areas(json vehicles) {
   if (!vehicles.is_array()) return json::array();
@@ -97,6 +103,7 @@ json areas(json vehicles) {
     if (!vehicle.is_object() || !vehicle.contains("polygons") || !vehicle["polygons"].is_array()) continue;
     for (json& polygon : vehicle["polygons"]) {
       if (!polygon.is_object()) continue;
+      if (polygon.contains("corners_m")) round_all(polygon["corners_m"]);
       for (const char* key : {"latest_ms", "stay_ms", "overlap_ms"}) polygon.erase(key);
     }
   }
@@ -109,6 +116,7 @@ std::string routes_message(json& fleet) {
   json routes = {{"paths", ways(taken(fleet, "paths"))},
                  {"polygons", areas(taken(fleet, "polygons"))},
                  {"sections", taken(fleet, "sections")}};
+  round_all(routes["sections"]);
   return text({{"type", "routes"}, {"routes", std::move(routes)}});
 }
 

@@ -13,10 +13,10 @@ import { until } from './support.mjs';
 // Several tests run on one machine, and what one sends must not reach another.
 const DOMAIN = 100 + (process.pid % 90);
 
-export async function startFleet({ server, supervisor }, floor, vehicles, speed) {
+export async function startFleet({ server, supervisor }, vehicles, speed) {
   const folder = mkdtempSync(join(tmpdir(), 'stepwright-fleet-'));
   const port = await freePort();
-  const planner = spawn(supervisor, [floor, vehicles, folder, DOMAIN, speed].map(String), {
+  const planner = spawn(supervisor, [vehicles, folder, DOMAIN, speed].map(String), {
     stdio: ['pipe', 'pipe', 'inherit'],
   });
   const children = [planner];

@@ -1,7 +1,7 @@
-// hmi_fleet_supervisor FLOOR VEHICLES FOLDER DOMAIN SPEED: plans vehicles on the floor "warehouse" (up to
-// five) or "mine" (up to seven), writes FOLDER/cell.toml for the processes of that cell, says "ready",
-// downloads and starts the program as soon as a runtime is there, and publishes how it goes. A line "lost v1
-// SENTENCE" on its input makes its document say so of a vehicle; it ends with its input.
+// hmi_fleet_supervisor VEHICLES FOLDER DOMAIN SPEED: plans up to seven vehicles in the mine, writes
+// FOLDER/cell.toml for the processes of that cell, says "ready", downloads and starts the program as soon as
+// a runtime is there, and publishes how it goes. A line "lost v1 SENTENCE" on its input makes its document
+// say so of a vehicle; it ends with its input.
 
 #include <fmt/format.h>
 
@@ -13,17 +13,13 @@
 #include <iostream>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "ladder/driver/compile.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/dds/runtime_client.h"
-#include "supervisor/fleet/map/map_file.h"
 #include "tests/browser/fleet_follower.h"
-#include "tests/support/fleet/floor_maps.h"
 #include "tests/support/fleet_program/planned_fleet.h"
 
 using namespace stepwright;
@@ -40,30 +36,12 @@ struct Lost {
   std::string reason;
 };
 
-// From one bay of the hall to another each: the first assignment for which there is a schedule.
-fleet::FleetPlan plan_hall(const support::DrawnHall& hall, std::size_t vehicles) {
-  const std::size_t half = hall.bays.size() / 2;
-  for (std::size_t shift = 0; shift < half; ++shift) {
-    std::vector<fleet::DrawnMission> missions;
-    for (std::size_t v = 0; v < vehicles; ++v) {
-      missions.push_back({hall.bays[v], {hall.bays[half + (v + shift) % half]}});
-    }
-    try {
-      return fleet::plan_missions(hall.grid, missions);
-    } catch (const std::runtime_error& error) {
-      std::fprintf(stderr, "shift %zu: %s", shift, error.what());
-    }
-  }
-  std::exit(1);
-}
-
-std::string cell_toml(const std::string& folder, const fleet::FleetPlan& plan, const char* domain,
-                      const char* speed) {
+std::string cell_toml(const fleet::FleetPlan& plan, const char* domain, const char* speed) {
   std::string text = fmt::format(
       "[cell]\nname = \"fleet\"\n[clock]\nmode = \"simulated\"\nspeed = {}.0\ninterval_us = 20_000\n"
       "[dds]\ndomain_id = {}\n[image]\ninput_bytes = 256\noutput_bytes = 128\n"
-      "[plant]\nkind = \"fleet\"\nmap = \"{}/map.yaml\"\n",
-      speed, domain, folder);
+      "[plant]\nkind = \"fleet\"\nmap = \"{}/tests/cells/fleet/mine.yaml\"\n",
+      speed, domain, STEPWRIGHT_SOURCE_DIR);
   for (const auto& mission : plan.missions) {
     const geometry::Pose& at = mission.path.front().pose;
     text += fmt::format("[[plant.vehicles]]\nx_m = {:.3f}\ny_m = {:.3f}\nheading_deg = {:.3f}\n", at.x_m,
@@ -119,20 +97,17 @@ T taken(result::Result<T> result) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 6) return 2;
-  const bool in_hall = std::string(argv[1]) == "hall";
-  const std::string folder = argv[3];
-  const auto vehicles = static_cast<std::size_t>(std::atoi(argv[2]));
-  const support::DrawnHall hall = support::draw_hall();
-  const fleet::FleetPlan plan = in_hall ? plan_hall(hall, vehicles) : fleet::plan_mine(vehicles);
+  if (argc != 5) return 2;
+  const std::string folder = argv[2];
+  const char* const domain = argv[3];
+  const fleet::FleetPlan plan = fleet::plan_mine(static_cast<std::size_t>(std::atoi(argv[1])));
   const auto program = taken(fleet::fleet_program(plan, fleet::terminals_in_a_row(plan.missions.size()), {}));
   auto compiled = taken(driver::compile({.texts = {}, .projects = {&program.project}}));
-  if (!fleet::write_map(in_hall ? hall.grid : support::draw_mine(1).grid, folder + "/map.yaml")) return 1;
-  std::ofstream(folder + "/cell.toml") << cell_toml(folder, plan, argv[4], argv[5]);
+  std::ofstream(folder + "/cell.toml") << cell_toml(plan, domain, argv[4]);
   std::puts("ready");
   std::fflush(stdout);
 
-  const dds::ParticipantConfig participant{static_cast<std::uint32_t>(std::atoi(argv[4])), "supervisor",
+  const dds::ParticipantConfig participant{static_cast<std::uint32_t>(std::atoi(domain)), "supervisor",
                                            "fleet"};
   const auto client = taken(dds::RuntimeClient::connect(participant, dds::ClientRole::Supervisor));
   const auto publisher = taken(dds::PlanPublisher::create(participant));

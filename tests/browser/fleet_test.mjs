@@ -38,7 +38,7 @@ function keepHistory() {
 async function drawsThePlan(page) {
   await waitFor(page, 'every vehicle is drawn', (count) => document.querySelectorAll('[data-vehicle]').length === count, VEHICLES);
   await waitFor(page, 'every vehicle has a way and polygons to come', (count) =>
-    document.querySelectorAll('[data-envelope] .way').length === count &&
+    document.querySelectorAll('[data-way]').length === count &&
     [...document.querySelectorAll('[data-envelope]')].every(({ dataset }) => Number(dataset.ahead) > 0), VEHICLES);
   await waitFor(page, 'critical sections are marked', () => document.querySelectorAll('[data-section]').length > 0);
   await waitFor(page, 'missions are drawn over time', (count) =>
@@ -131,7 +131,7 @@ const browser = await launchBrowser(given);
 let fleet;
 try {
   await browser.context.addInitScript(keepHistory);
-  fleet = await startFleet(given, 'mine', VEHICLES, SPEED);
+  fleet = await startFleet(given, VEHICLES, SPEED);
   const { page, problems } = await openPage(browser.context, fleet.url);
   await drawsThePlan(page);
   await obeysTheKeyboard(page);

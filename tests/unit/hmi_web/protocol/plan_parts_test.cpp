@@ -20,7 +20,7 @@ json fleet_document() {
       "waits": [{"vehicle": "v2", "for": "v1", "from_ms": 0, "until_ms": 5}],
       "conflicts": [[1, 2]],
       "precedences": [{"first": {"vehicle": "v1", "polygon": 2}, "second": {"vehicle": "v2", "polygon": 8}}],
-      "sections": [{"order": ["v1", "v2"]}],
+      "sections": [{"order": ["v1", "v2"], "corners_m": [[[0.12345, 1]]]}],
       "paths": [{"vehicle": "v1", "length_m": 3, "stops": [{"arc_m": 1}],
                  "poses_m_m_deg": [[0, 0, 0], [1, 0.001, 0], [2, 0, 0], [2.5, 0, 0], [2, 0, 0]]}],
       "polygons": [{"vehicle": "v1", "polygons": [
@@ -49,7 +49,7 @@ TEST(PlanParts, WhenItIsAFleet_ThenWhatIsLargeGoesApart) {
   const json message = json::parse(parts->routes);
   EXPECT_EQ(message["type"], "routes");
   const json routes = message["routes"];
-  EXPECT_EQ(routes["sections"], json::parse(R"([{"order": ["v1", "v2"]}])"));
+  EXPECT_EQ(routes["sections"], json::parse(R"([{"order": ["v1", "v2"], "corners_m": [[[0.123, 1]]]}])"));
   EXPECT_EQ(routes["polygons"][0]["polygons"][0],
             json::parse(R"({"corners_m": [[0, 0], [1, 0], [1, 1]], "earliest_ms": [0, 9]})"));
   EXPECT_EQ(routes["paths"][0]["stops"], json::parse(R"([{"arc_m": 1}])"));
