@@ -1,5 +1,7 @@
 // What the panels of a fleet share: the vehicles with what is known of each, and which of them is selected.
 
+import { untrack } from 'svelte';
+
 import type { Cell } from '../lib/cell.svelte';
 import type { Forklift, Value } from '../lib/protocol';
 import { chartRanges } from '../sfc/parts';
@@ -12,6 +14,10 @@ import { errorText, isAbnormal } from './words';
 
 const NO_PROGRESS: Progress = { left: 0, heldTo: -1, arcM: null, permittedM: null, step: '' };
 const STANDS_M_S = 0.03;
+// What is read or drawn large changes no more often than this, however fast the cell runs.
+const BEAT_MS = 250;
+const SLOW_BEAT_MS = 500; // of many vehicles
+const MANY = 8;
 
 export class Fleet {
   // Name of a vehicle; empty: none.
@@ -34,10 +40,30 @@ export class Fleet {
     return digest === '' || digest === this.cell.live.program;
   });
   private readonly charts = $derived.by(() => (this.cell.program ? chartRanges(this.cell.program) : []));
+  private readonly beat = $derived.by(() => Math.floor((this.cell.heardAt?.getTime() ?? 0) / (this.forklifts.length > MANY ? SLOW_BEAT_MS : BEAT_MS)));
+  readonly time = $derived.by(() => {
+    void this.beat;
+    return untrack(() => this.cell.live.time_s);
+  });
   readonly progress = $derived.by(() => {
-    const tag = (name: string) => (this.ours ? this.cell.tag(name) : null);
-    const steps = this.ours ? this.cell.live.steps : [];
-    return new Map(this.vehicles.map((one) => [one.name, progressOf(one, this.cell.program, this.charts, steps, tag)]));
+    void this.beat;
+    const { vehicles, charts, ours } = this;
+    return untrack(() => {
+      const tag = (name: string) => (ours ? this.cell.tag(name) : null);
+      const steps = ours ? this.cell.live.steps : [];
+      return new Map(vehicles.map((one) => [one.name, progressOf(one, this.cell.program, charts, steps, tag)]));
+    });
+  });
+  private readonly errors = $derived.by(() => {
+    void this.beat;
+    const { vehicles, ours } = this;
+    const tag = (one: FleetVehicle) => (ours ? this.cell.tag(`vehicle_${one.variable}.errorid`) : null);
+    return untrack(() => new Map(vehicles.map((one) => [one.name, tag(one) || (one.news?.error ?? 0)])));
+  });
+  private readonly speeds = $derived.by(() => {
+    void this.beat;
+    const { vehicles } = this;
+    return untrack(() => new Map(vehicles.map((one) => [one.name, this.value(one.forklift?.speed)])));
   });
   readonly now = $derived.by(() => new Map(this.vehicles.map((one) => [one.name, this.poseOf(one)])));
 
@@ -71,15 +97,18 @@ export class Fleet {
 
   // By the program at once, and by the supervisor once it has said so.
   errorOf(vehicle: FleetVehicle): number {
-    const number = this.ours ? this.cell.tag(`vehicle_${vehicle.variable}.errorid`) : null;
-    return number || (vehicle.news?.error ?? 0);
+    return this.errors.get(vehicle.name) ?? 0;
+  }
+
+  speedOf(vehicle: FleetVehicle): Value {
+    return this.speeds.get(vehicle.name) ?? null;
   }
 
   stateOf(vehicle: FleetVehicle): string {
     const state = vehicle.news?.state ?? '';
     if (this.errorOf(vehicle) !== 0 && !isAbnormal(state)) return 'stopped';
     if (state !== '') return state;
-    const speed = this.value(vehicle.forklift?.speed);
+    const speed = this.speedOf(vehicle);
     return speed === null ? '' : Math.abs(speed) > STANDS_M_S ? 'driving' : 'resting';
   }
 

@@ -53,7 +53,9 @@ export class Cell {
   routes = $state.raw<unknown>(null);
   live = $state<LiveFields>({ ...NOTHING });
   points = $state<Value[]>([]);
-  tags = $state<Value[]>([]);
+  // Programs have thousands of tags that change with every scan and are hardly ever looked at: one signal for them all.
+  private tagValues: Value[] = [];
+  private tagVersion = $state(0);
   // Not reactive itself: a chart redraws when `trendVersion` moves.
   trend = new TrendData(0);
   trendVersion = $state(0);
@@ -77,6 +79,11 @@ export class Cell {
 
   isOn(id: string): boolean {
     return (this.point(id) ?? 0) > 0.5;
+  }
+
+  get tags(): readonly Value[] {
+    void this.tagVersion;
+    return this.tagValues;
   }
 
   // The value of a variable of the program by its whole name in lower case.
@@ -127,13 +134,16 @@ export class Cell {
     const { type: _type, seq: _seq, points, tags, ...live } = message;
     this.live = live;
     this.points = points;
-    this.tags = tags;
+    this.tagValues = tags;
+    this.tagVersion += 1;
   }
 
   private takeDelta(message: DeltaMessage): void {
     const { type: _type, seq: _seq, points, tags, ...changed } = message;
     Object.assign(this.live, changed);
     for (const [index, value] of Object.entries(points ?? {})) this.points[Number(index)] = value;
-    for (const [index, value] of Object.entries(tags ?? {})) this.tags[Number(index)] = value;
+    if (!tags) return;
+    for (const index in tags) this.tagValues[Number(index)] = tags[index] ?? null;
+    this.tagVersion += 1;
   }
 }
