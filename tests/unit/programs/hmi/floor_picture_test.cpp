@@ -31,10 +31,11 @@ config::PlantConfig two_vehicles() {
 TEST(FloorPicture, WhenACellIsConfigured_ThenItsMapVehiclesAndBlockageAreInIt) {
   const support::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "cell.toml";
-  std::ofstream(file) << "[plant]\nkind = \"fleet\"\nmap = \"" STEPWRIGHT_SOURCE_DIR
-                         "/tests/cells/fleet/warehouse.yaml\"\n"
-                         "[[plant.vehicles]]\nx_m = 3.0\ny_m = 8.0\n[[plant.vehicles]]\nx_m = 3.0\ny_m = 28.0\n"
-                         "[[plant.blockages]]\nx_m = 20.0\ny_m = 12.0\nlength_m = 2.0\nwidth_m = 2.0\n";
+  std::ofstream(file)
+      << "[plant]\nkind = \"fleet\"\nmap = \"" STEPWRIGHT_SOURCE_DIR
+         "/tests/cells/fleet/warehouse.yaml\"\n"
+         "[[plant.vehicles]]\nx_m = 3.0\ny_m = 8.0\n[[plant.vehicles]]\nx_m = 3.0\ny_m = 28.0\n"
+         "[[plant.blockages]]\nx_m = 20.0\ny_m = 12.0\nlength_m = 2.0\nwidth_m = 2.0\n";
   const auto config = config::load_cell_config(file, {"cell.state_dir=" + folder.path().string()});
   ASSERT_TRUE(config) << result::to_string(config.error());
   const auto picture = picture_of(config->plant);
