@@ -1,5 +1,6 @@
 // The greeting with the description of the plant; see messages.h.
 
+#include "hmi_web/protocol/floor_json.h"
 #include "hmi_web/protocol/json_text.h"
 #include "hmi_web/protocol/messages.h"
 
@@ -119,7 +120,8 @@ std::string hello_message(const Greeting& greeting, const Synoptic& synoptic) {
                  {"belts", list(synoptic.belts)},
                  {"beams", list(synoptic.beams)},
                  {"pushers", list(synoptic.pushers)},
-                 {"boxes", list(synoptic.boxes)}}}});
+                 {"boxes", list(synoptic.boxes)},
+                 {"floor", floor_json(synoptic.floor)}}}});
 }
 
 }  // namespace stepwright::protocol

@@ -55,12 +55,17 @@ std::string program_message(const Program& program) {
                            {"to", transition.targets},
                            {"condition", transition.condition}});
   }
+  json charts = json::array();
+  for (const auto& chart : program.charts) {
+    charts.push_back({{"name", chart.name}, {"steps", chart.steps}, {"transitions", chart.transitions}});
+  }
   json tags = json::array();
   for (const auto& tag : program.tags) {
     tags.push_back({{"name", tag.name}, {"type", tag.type}, {"address", tag.address}});
   }
   return text({{"type", "program"},
                {"digest", program.digest},
+               {"charts", std::move(charts)},
                {"steps", std::move(steps)},
                {"transitions", std::move(transitions)},
                {"tags", std::move(tags)}});
@@ -98,15 +103,6 @@ std::string trend_message(std::span<const TrendRow> rows, std::uint64_t first, b
     list.push_back(std::move(values));
   }
   return text({{"type", "trend"}, {"first", first}, {"restart", restart}, {"rows", std::move(list)}});
-}
-
-std::optional<std::string> plan_message(const std::string& document) {
-  // Writing a value out again recurses, so that what is nested deeper than any plan is left out.
-  constexpr int kMaxDepth = 16;
-  const auto shallow = [](int depth, json::parse_event_t, json&) { return depth < kMaxDepth; };
-  json parsed = json::parse(document, shallow, /*allow_exceptions=*/false);
-  if (!parsed.is_object()) return std::nullopt;
-  return text({{"type", "plan"}, {"document", std::move(parsed)}});
 }
 
 }  // namespace stepwright::protocol

@@ -11,7 +11,6 @@
 //   socket.send(delta_message(state, next_state, 2));
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -21,7 +20,7 @@
 
 namespace stepwright::protocol {
 
-inline constexpr int kProtocolVersion = 1;
+inline constexpr int kProtocolVersion = 2;
 
 struct Greeting {
   std::string cell;
@@ -38,7 +37,6 @@ std::string delta_message(const CellState& before, const CellState& now, std::ui
 // `first` is the number of the first row; a viewer that gets `restart` throws away the rows that it has.
 std::string trend_message(std::span<const TrendRow> rows, std::uint64_t first, bool restart);
 
-// Wraps the supervisor's plan document. nullopt if `document` is not a JSON object.
-std::optional<std::string> plan_message(const std::string& document);
+// The supervisor's plan document: plan_parts.h.
 
 }  // namespace stepwright::protocol

@@ -30,8 +30,16 @@ struct ProgramTag {
   std::string address;  // "%IX0.0", or empty if the tag is not located
 };
 
+// Charts follow each other in the lists of steps and transitions.
+struct ProgramChart {
+  std::string name;         // of the program that it is the body of
+  std::uint32_t steps = 0;  // how many
+  std::uint32_t transitions = 0;
+};
+
 struct Program {
   std::string digest;  // hex; empty = no program
+  std::vector<ProgramChart> charts;
   std::vector<ProgramStep> steps;
   std::vector<ProgramTransition> transitions;
   std::vector<ProgramTag> tags;

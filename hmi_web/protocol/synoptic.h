@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "hmi_web/protocol/floor.h"
+
 namespace stepwright::protocol {
 
 struct Point {
@@ -129,6 +131,7 @@ struct Synoptic {
   std::vector<Beam> beams;
   std::vector<Pusher> pushers;
   std::vector<Box> boxes;
+  Floor floor;
 };
 
 }  // namespace stepwright::protocol

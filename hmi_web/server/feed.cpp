@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "hmi_web/protocol/plan_parts.h"
+
 namespace stepwright::server {
 namespace {
 
@@ -57,11 +59,18 @@ bool Feed::take_state(const CellView& view, bool whole, Time now) {
 bool Feed::take_plan(const CellView& view) {
   if (!view.plan || *view.plan == plan_source_ || view.plan->size() > options_.max_plan_bytes) return false;
   plan_source_ = *view.plan;
-  auto message = protocol::plan_message(plan_source_);
-  if (!message) return false;
-  plan_ = shared(std::move(*message));
+  auto parts = protocol::plan_parts(plan_source_);
+  if (!parts) return false;
+  take_routes(std::move(parts->routes));
+  plan_ = shared(std::move(parts->plan));
   ++plan_revision_;
   return true;
+}
+
+void Feed::take_routes(std::string routes) {
+  if (routes.empty() || (routes_ && *routes_ == routes)) return;
+  routes_ = shared(std::move(routes));
+  ++routes_revision_;
 }
 
 bool Feed::take_trend(const protocol::CellState& state, Time now) {
@@ -90,6 +99,10 @@ MessageText Feed::next(Cursor& cursor) const {
     return program_;
   }
   if (cursor.state != sequence_) return next_state(cursor);
+  if (cursor.routes != routes_revision_) {
+    cursor.routes = routes_revision_;
+    return routes_;
+  }
   if (cursor.plan != plan_revision_) {
     cursor.plan = plan_revision_;
     return plan_;

@@ -31,7 +31,7 @@ struct FeedOptions {
   std::chrono::milliseconds trend_spacing{100};  // between two rows of the trend
   std::size_t trend_rows = 6'000;                // kept: ten minutes
   std::size_t trend_rows_per_message = 1'000;
-  std::size_t max_plan_bytes = 4u << 20;  // a longer plan document is ignored
+  std::size_t max_plan_bytes = 16u << 20;  // a longer plan document is ignored
 };
 
 class Feed {
@@ -41,6 +41,7 @@ class Feed {
     bool greeted = false;
     std::uint64_t program = 0;
     std::uint64_t state = 0;
+    std::uint64_t routes = 0;
     std::uint64_t plan = 0;
     std::uint64_t trend_run = 0;
     std::uint64_t trend_row = 0;
@@ -62,6 +63,7 @@ class Feed {
   bool take_program(const CellView& view);
   bool take_state(const CellView& view, bool whole, Time now);
   bool take_plan(const CellView& view);
+  void take_routes(std::string routes);
   bool take_trend(const protocol::CellState& state, Time now);
   MessageText next_state(Cursor& cursor) const;
   MessageText next_trend(Cursor& cursor) const;
@@ -80,6 +82,8 @@ class Feed {
   mutable MessageText whole_;   // of sequence_, made when the first viewer needs it
   Time last_sent_{};
   std::string plan_source_;
+  MessageText routes_;  // of a fleet; null = never any
+  std::uint64_t routes_revision_ = 0;
   MessageText plan_;
   std::uint64_t plan_revision_ = 0;
   TrendBuffer trend_;

@@ -1,6 +1,8 @@
 #include "hmi_web/server/program_layout.h"
 
+#include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "runtime/bytecode/value_type.h"
@@ -23,6 +25,8 @@ std::string_view last_part(std::string_view name) {
 
 void add_chart(const reader::ChartInfo& chart, ProgramLayout& layout) {
   const auto first_step = static_cast<std::uint32_t>(layout.steps.size());
+  layout.program.charts.push_back({chart.name, static_cast<std::uint32_t>(chart.steps.size()),
+                                   static_cast<std::uint32_t>(chart.transitions.size())});
   for (const auto& step : chart.steps) {
     layout.program.steps.push_back({step.name, step.comment, step.initial});
     layout.steps.push_back(step.active);
@@ -36,6 +40,23 @@ void add_chart(const reader::ChartInfo& chart, ProgramLayout& layout) {
         {transition.name, shifted(transition.sources), shifted(transition.targets), transition.condition});
     layout.transitions.push_back(transition.fires);
   }
+}
+
+// An array with more single values than this is a table that the program looks things up in.
+constexpr std::size_t kMostOfAnArray = 128;
+
+std::string_view array_of(std::string_view tag) {
+  const auto bracket = tag.find('[');
+  return bracket == std::string_view::npos ? std::string_view() : tag.substr(0, bracket);
+}
+
+// How many single values each array has.
+std::map<std::string_view, std::size_t> array_sizes(const std::vector<reader::Tag>& tags) {
+  std::map<std::string_view, std::size_t> sizes;
+  for (const auto& tag : tags) {
+    if (const auto array = array_of(tag.name); !array.empty()) ++sizes[array];
+  }
+  return sizes;
 }
 
 // "%QX0.3" of a variable in an I/O area; empty for any other.
@@ -74,8 +95,11 @@ result::Result<ProgramLayout> read_layout(std::span<const std::byte> container, 
   for (const auto& transition : layout.transitions) {
     if (transition) drawn.insert(place_of(*transition));
   }
+  const auto arrays = array_sizes(info->tags());
   for (const auto& tag : info->tags()) {
     if (drawn.contains(place_of(tag.variable))) continue;
+    const auto array = arrays.find(array_of(tag.name));
+    if (array != arrays.end() && array->second > kMostOfAnArray) continue;
     layout.program.tags.push_back(
         {tag.name, bytecode::name_of(tag.variable.type), address_of(tag.variable, info->sizes())});
     layout.tags.push_back(tag.variable);

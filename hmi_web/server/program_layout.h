@@ -29,7 +29,8 @@ struct ProgramLayout {
   std::uint32_t output_offset = 0;  // of the output area in the image; the input area begins at 0
 };
 
-// Reads a container: all its charts as one, its tags without the bits of steps and transitions. Fails as
+// Reads a container: all its charts as one, its tags without the bits of steps and transitions and without
+// tables (arrays with more than 128 single values), which would be most of what a viewer is sent. Fails as
 // reader::ProgramInfo::read.
 [[nodiscard]] result::Result<ProgramLayout> read_layout(std::span<const std::byte> container,
                                                         const std::string& digest);

@@ -190,6 +190,8 @@ double FleetFloor::truth(core::TruthId id) const {
       return world_.pose(pallets_[i].body).angle;
     case FleetTruth::PalletState:
       return pallets_[i].carrier ? 2.0 : 1.0;
+    case FleetTruth::Blocked:
+      return world_.present(blockages_[i]) ? 1.0 : 0.0;
     case FleetTruth::Contacts:
       return contacts_;
     case FleetTruth::GreatestForce:

@@ -22,6 +22,8 @@ class Builder {
           "the most that a vehicle was pressed with so far");
     for (std::size_t i = 0; i < parameters_.blockages.size(); ++i) {
       fault(FleetFault::Block, i, "block_" + std::to_string(i + 1), "1: something stands in this place");
+      truth(FleetTruth::Blocked, i, "blocked_" + std::to_string(i + 1), "",
+            "1: something stands in this place");
     }
     fault(FleetFault::EmergencyStop, 0, "press_estop", "1: the emergency stop is pressed");
     return std::move(ports_);
@@ -113,20 +115,23 @@ core::PlantDescription describe_fleet(const FleetParameters& p) {
   for (std::size_t i = 0; i < p.starts.size(); ++i) {
     const std::string v = "v" + std::to_string(i + 1);
     d.forklifts.push_back({v, p.forklift.body.front_m, p.forklift.body.rear_m, p.forklift.body.width_m,
-                           "true_x_" + v, "true_y_" + v, "true_heading_" + v, "true_lock_" + v, "load_" + v});
+                           "true_x_" + v, "true_y_" + v, "true_heading_" + v, "true_lock_" + v, "load_" + v,
+                           p.forklift.body.wheelbase_m});
   }
   for (std::size_t i = 0; i < p.pallets.size(); ++i) {
     const std::string name = "p" + std::to_string(i + 1);
     d.boxes.push_back(
         {name, kPalletLength_m, kPalletWidth_m, "state_" + name, "x_" + name, "y_" + name, "angle_" + name});
   }
-  const auto add_block = [&d](const BlockParameters& block, std::string name) {
+  const auto add_block = [&d](const BlockParameters& block, std::string name, std::string there) {
     d.obstacles.push_back({std::move(name), block.pose.position.x, block.pose.position.y, block.pose.angle,
-                           block.rectangle.size.x, block.rectangle.size.y});
+                           block.rectangle.size.x, block.rectangle.size.y, std::move(there)});
   };
-  for (const BlockParameters& wall : p.walls) add_block(wall, "");
-  for (std::size_t i = 0; i < p.blockages.size(); ++i)
-    add_block(p.blockages[i], "block_" + std::to_string(i + 1));
+  for (const BlockParameters& wall : p.walls) add_block(wall, "", "");
+  for (std::size_t i = 0; i < p.blockages.size(); ++i) {
+    const std::string number = std::to_string(i + 1);
+    add_block(p.blockages[i], "block_" + number, "blocked_" + number);
+  }
   return d;
 }
 

@@ -36,6 +36,7 @@ enum class FleetTruth : std::uint8_t {
   PalletY,
   PalletAngle,
   PalletState,  // 1 = stands on the floor, 2 = is carried
+  Blocked,      // index: of the blockage
   Contacts,
   GreatestForce,
 };

@@ -20,8 +20,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PusherDescription, name, actuator, travel_tru
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BoxDescription, name, length, width, state_truth, x_truth, y_truth,
                                    angle_truth)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForkliftDescription, name, front, rear, width, x_truth, y_truth,
-                                   heading_truth, lock_truth, load_truth)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ObstacleDescription, name, x, y, angle, length, width)
+                                   heading_truth, lock_truth, load_truth, wheelbase)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ObstacleDescription, name, x, y, angle, length, width, there_truth)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlantDescription, name, tanks, pumps, pipes, vehicles, sensors, belts,
                                    beams, pushers, boxes, forklifts, obstacles)
 

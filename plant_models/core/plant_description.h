@@ -118,6 +118,7 @@ struct ForkliftDescription {
   std::string heading_truth;  // rad
   std::string lock_truth;     // steering, rad
   std::string load_truth;     // number of the box that it carries, from 1; 0 = none
+  double wheelbase = 0.0;     // the steered axle is so far behind the reference point
 };
 
 // A rectangle that nothing passes.
@@ -128,6 +129,7 @@ struct ObstacleDescription {
   double angle = 0.0;
   double length = 0.0;
   double width = 0.0;
+  std::string there_truth;  // 1 = it stands there; empty = always
 };
 
 struct PlantDescription {

@@ -37,8 +37,9 @@ int run(const config::CellConfig& config) {
   auto log = log::Logger::open("hmi", config.log);
   if (!log) return fail(log.error(), ExitCode::BadInput);
   config::CellConfig running = config;
-  const hmi::PlantPicture picture = hmi::picture_of(config.plant);
-  server::Feed feed({config.name, STEPWRIGHT_VERSION}, picture.synoptic);
+  const auto picture = hmi::picture_of(config.plant);
+  if (!picture) return fail(picture.error(), ExitCode::BadInput);
+  server::Feed feed({config.name, STEPWRIGHT_VERSION}, picture->synoptic);
   // The port first: it fails at once, and before anything else has begun.
   auto http = server::HttpServer::listen({config.hmi.host, config.hmi.port}, client::client_assets(), feed);
   if (!http) return fail(http.error(), ExitCode::BadInput);
@@ -51,7 +52,7 @@ int run(const config::CellConfig& config) {
 
   std::thread network([&] { (*http)->run(); });
   {
-    const server::CellPoller poller(**source, server::CellViewer(picture.sources), feed,
+    const server::CellPoller poller(**source, server::CellViewer(picture->sources), feed,
                                     [&] { (*http)->notify(); });
     const std::string address = "http://" + config.hmi.host + ":" + std::to_string((*http)->port()) + "/";
     (*log)->info("listens", "cell " + config.name + " at " + address,

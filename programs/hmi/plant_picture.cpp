@@ -4,11 +4,18 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
+#include <optional>
 #include <utility>
 
 #include "plant_models/assemblies/bench_ports.h"
+#include "plant_models/assemblies/fleet_ports.h"
 #include "plant_models/assemblies/line_ports.h"
+#include "plant_models/bridge/plant_driver.h"
 #include "plant_models/core/names.h"
+#include "programs/hmi/floor_picture.h"
+#include "programs/hmi/picture_points.h"
+#include "supervisor/fleet/map/map_file.h"
 
 namespace stepwright::hmi {
 namespace {
@@ -24,7 +31,7 @@ constexpr double kSensorNoisePercent = 3;
 class PictureBuilder {
  public:
   PictureBuilder(const PlantDescription& plant, const std::vector<config::PortAddress>& ports)
-      : plant_(plant), ports_(ports) {}
+      : plant_(plant), points_(ports) {}
 
   PlantPicture build() {
     for (const auto& vehicle : plant_.vehicles) add_vehicle(vehicle);
@@ -35,37 +42,11 @@ class PictureBuilder {
     for (const auto& beam : plant_.beams) add_beam(beam);
     for (const auto& pusher : plant_.pushers) add_pusher(pusher);
     for (const auto& box : plant_.boxes) add_box(box);
-    return std::move(picture_);
+    synoptic_.points = std::move(points_.points);
+    return {std::move(synoptic_), std::move(points_.sources)};
   }
 
  private:
-  // Adds a point and returns its id; without a source there is no point, and the id is empty.
-  std::string point(std::string id, std::string label, std::string unit, bool trend, PointSources sources) {
-    if (sources.empty()) return {};
-    picture_.synoptic.points.push_back({id, std::move(label), std::move(unit), trend});
-    picture_.sources.push_back(std::move(sources));
-    return id;
-  }
-
-  // The terminal of the plant, 0 or 1.
-  std::string terminal(const std::string& id, const std::string& port) {
-    const std::string* address = address_of(port);
-    if (address == nullptr) return {};
-    return point(id, port, "", false, {{PointSourceKind::Address, *address}});
-  }
-
-  std::string truth(const std::string& id, const std::string& label, const std::string& unit, bool trend,
-                    const std::string& name) {
-    if (name.empty()) return {};
-    return point(id, label, unit, trend, {{PointSourceKind::PlantTruth, name}});
-  }
-
-  const std::string* address_of(const std::string& port) const {
-    const auto found = std::find_if(ports_.begin(), ports_.end(),
-                                    [&](const auto& entry) { return core::same_name(entry.port, port); });
-    return found == ports_.end() ? nullptr : &found->address;
-  }
-
   // The inverse of the static calibration, from counts without their tare.
   PointSources measured(const std::string& sensor) const {
     const auto index = core::index_of(plant_.sensors, sensor);
@@ -75,7 +56,7 @@ class PictureBuilder {
     const double factor = 1 / found.counts_per_unit;
     const double offset = -found.counts_at_zero / found.counts_per_unit;
     PointSources sources = {{PointSourceKind::Tag, found.name + "_filtered", factor, offset, sensor}};
-    if (const std::string* address = address_of(sensor)) {
+    if (const std::string* address = points_.address_of(sensor)) {
       sources.push_back({PointSourceKind::Address, *address, factor, offset, sensor});
     }
     return sources;
@@ -83,24 +64,24 @@ class PictureBuilder {
 
   void add_vehicle(const core::VehicleDescription& vehicle) {
     protocol::Vehicle drawn{vehicle.name, vehicle.name, {}, {}, {}};
-    drawn.position_point =
-        truth(vehicle.name + ".position", vehicle.name + " position", "m", false, vehicle.position_truth);
-    drawn.left_point = terminal(vehicle.name + ".left", vehicle.drive_left);
-    drawn.right_point = terminal(vehicle.name + ".right", vehicle.drive_right);
-    picture_.synoptic.vehicles.push_back(std::move(drawn));
+    drawn.position_point = points_.truth(vehicle.name + ".position", vehicle.name + " position", "m", false,
+                                         vehicle.position_truth);
+    drawn.left_point = points_.terminal(vehicle.name + ".left", vehicle.drive_left);
+    drawn.right_point = points_.terminal(vehicle.name + ".right", vehicle.drive_right);
+    synoptic_.vehicles.push_back(std::move(drawn));
     for (const auto& place : vehicle.places) {
-      picture_.synoptic.places.push_back(
-          {place.name, place.name, place.position, terminal(place.switch_sensor, place.switch_sensor)});
+      synoptic_.places.push_back({place.name, place.name, place.position,
+                                  points_.terminal(place.switch_sensor, place.switch_sensor)});
     }
   }
 
   void add_tank(const core::TankDescription& tank) {
     protocol::Tank drawn{tank.name, tank.label, side_of(tank), place_of(tank), {}, {}, 0, 0};
-    drawn.level_point = point(tank.name + ".level", tank.label, "%", true, measured(tank.sensor));
-    drawn.truth_point =
-        truth(tank.name + ".truth", tank.label + ", true", "%", !drawn.level_point.empty(), tank.level_truth);
+    drawn.level_point = points_.add(tank.name + ".level", tank.label, "%", true, measured(tank.sensor));
+    drawn.truth_point = points_.truth(tank.name + ".truth", tank.label + ", true", "%",
+                                      !drawn.level_point.empty(), tank.level_truth);
     drawn.high_percent = tank.overflow_percent + kSensorNoisePercent;
-    picture_.synoptic.tanks.push_back(std::move(drawn));
+    synoptic_.tanks.push_back(std::move(drawn));
   }
 
   // What fills a vehicle stands above the track.
@@ -117,7 +98,7 @@ class PictureBuilder {
   std::string place_of(const core::TankDescription& tank) const {
     if (!tank.vehicle.empty()) return tank.vehicle;
     const protocol::Place* nearest = nullptr;
-    for (const auto& place : picture_.synoptic.places) {
+    for (const auto& place : synoptic_.places) {
       const double distance = std::abs(place.position - tank.position);
       if (nearest == nullptr || distance < std::abs(nearest->position - tank.position)) nearest = &place;
     }
@@ -126,53 +107,90 @@ class PictureBuilder {
 
   void add_pump(const core::PumpDescription& pump) {
     protocol::Pump drawn{pump.actuator, pump.actuator, {}, {}};
-    drawn.running_point = terminal(pump.actuator, pump.actuator);
-    drawn.flow_point = truth(pump.actuator + ".flow", pump.actuator + " flow", "l/s", false, pump.flow_truth);
-    picture_.synoptic.pumps.push_back(std::move(drawn));
+    drawn.running_point = points_.terminal(pump.actuator, pump.actuator);
+    drawn.flow_point =
+        points_.truth(pump.actuator + ".flow", pump.actuator + " flow", "l/s", false, pump.flow_truth);
+    synoptic_.pumps.push_back(std::move(drawn));
   }
 
   // Overflow lines carry nothing in normal operation and would hide the others.
   void add_pipe(const core::PipeDescription& pipe) {
     const auto pump = core::index_of(plant_.pumps, pipe.pump);
     if (!pump) return;
-    picture_.synoptic.pipes.push_back({pipe.from, pipe.to, plant_.pumps[*pump].actuator, pipe.at_place});
+    synoptic_.pipes.push_back({pipe.from, pipe.to, plant_.pumps[*pump].actuator, pipe.at_place});
   }
 
   void add_belt(const core::BeltDescription& b) {
-    const std::string running = b.actuator.empty() ? "" : terminal(b.actuator, b.actuator);
-    picture_.synoptic.belts.push_back(
+    const std::string running = b.actuator.empty() ? "" : points_.terminal(b.actuator, b.actuator);
+    synoptic_.belts.push_back(
         {b.name, b.name, running, b.low_x, b.low_y, b.high_x, b.high_y, b.direction_x, b.direction_y});
     // One curve shows whether a drive is up to speed; a chute has none.
     if (!b.speed_truth.empty()) {
-      truth(b.name + ".speed", "belt " + b.name, "m/s", true, b.speed_truth);
+      points_.truth(b.name + ".speed", "belt " + b.name, "m/s", true, b.speed_truth);
     }
   }
 
   void add_beam(const core::BeamDescription& b) {
-    picture_.synoptic.beams.push_back({b.name, terminal(b.name, b.name), b.from_x, b.from_y, b.to_x, b.to_y});
+    synoptic_.beams.push_back({b.name, points_.terminal(b.name, b.name), b.from_x, b.from_y, b.to_x, b.to_y});
   }
 
   void add_pusher(const core::PusherDescription& p) {
-    const std::string travel = truth(p.name + ".travel", "pusher " + p.name, "m", false, p.travel_truth);
-    picture_.synoptic.pushers.push_back({p.name, p.name, terminal(p.actuator, p.actuator), travel, p.home_x,
-                                         p.home_y, p.length, p.thickness, p.direction_x, p.direction_y,
-                                         p.stroke});
+    const std::string travel =
+        points_.truth(p.name + ".travel", "pusher " + p.name, "m", false, p.travel_truth);
+    synoptic_.pushers.push_back({p.name, p.name, points_.terminal(p.actuator, p.actuator), travel, p.home_x,
+                                 p.home_y, p.length, p.thickness, p.direction_x, p.direction_y, p.stroke});
   }
 
   void add_box(const core::BoxDescription& b) {
     const std::string id = "box " + b.name;
     protocol::Box drawn{id, b.name, b.length, b.width, {}, {}, {}, {}};
-    drawn.state_point = truth(id + ".state", id, "", false, b.state_truth);
-    drawn.x_point = truth(id + ".x", id, "m", false, b.x_truth);
-    drawn.y_point = truth(id + ".y", id, "m", false, b.y_truth);
-    drawn.angle_point = truth(id + ".angle", id, "rad", false, b.angle_truth);
-    picture_.synoptic.boxes.push_back(std::move(drawn));
+    drawn.state_point = points_.truth(id + ".state", id, "", false, b.state_truth);
+    drawn.x_point = points_.truth(id + ".x", id, "m", false, b.x_truth);
+    drawn.y_point = points_.truth(id + ".y", id, "m", false, b.y_truth);
+    drawn.angle_point = points_.truth(id + ".angle", id, "rad", false, b.angle_truth);
+    synoptic_.boxes.push_back(std::move(drawn));
   }
 
   const PlantDescription& plant_;
-  const std::vector<config::PortAddress>& ports_;
-  PlantPicture picture_;
+  PicturePoints points_;
+  protocol::Synoptic synoptic_;
 };
+
+// What of the configuration is to be seen; the walls are the map's.
+assemblies::FleetParameters seen_of(const config::FleetPlantConfig& fleet) {
+  const auto pose = [](const config::PlaceConfig& place) {
+    return body2d::Pose{{place.x_m, place.y_m}, place.heading_deg * std::numbers::pi / 180.0};
+  };
+  assemblies::FleetParameters parameters;
+  parameters.starts.resize(fleet.vehicles.size());
+  for (const auto& pallet : fleet.pallets) parameters.pallets.push_back({pose(pallet.place), pallet.load_kg});
+  for (const auto& block : fleet.blockages) {
+    parameters.blockages.push_back({{{block.length_m, block.width_m}}, pose(block.place)});
+  }
+  return parameters;
+}
+
+result::Result<PlantPicture> fleet_picture(const config::PlantConfig& plant) {
+  std::optional<fleet::OccupancyGrid> map;
+  if (!plant.fleet.map.empty()) {
+    auto read = fleet::read_map(plant.fleet.map);
+    if (!read) return result::forward(read);
+    map = std::move(*read);
+  }
+  std::vector<config::PortAddress> ports = plant.ports;
+  if (ports.empty()) {
+    for (auto& wire : bridge::default_fleet_wires(plant.fleet.vehicles.size())) {
+      ports.push_back({std::move(wire.port), std::move(wire.address), {}});
+    }
+  }
+  PicturePoints points(ports);
+  PlantPicture picture;
+  picture.synoptic.floor =
+      floor_of(assemblies::describe_fleet(seen_of(plant.fleet)), map ? &*map : nullptr, points);
+  picture.synoptic.points = std::move(points.points);
+  picture.sources = std::move(points.sources);
+  return picture;
+}
 
 }  // namespace
 
@@ -180,7 +198,8 @@ PlantPicture picture_of(const PlantDescription& plant, const std::vector<config:
   return PictureBuilder(plant, ports).build();
 }
 
-PlantPicture picture_of(const config::PlantConfig& plant) {
+result::Result<PlantPicture> picture_of(const config::PlantConfig& plant) {
+  if (plant.kind == "fleet") return fleet_picture(plant);
   if (plant.kind == "sorting_line") {
     assemblies::LineParameters parameters;
     parameters.seed = plant.seed;
@@ -189,7 +208,7 @@ PlantPicture picture_of(const config::PlantConfig& plant) {
     parameters.boxes = plant.boxes;
     return picture_of(assemblies::describe_line(parameters), plant.ports);
   }
-  if (plant.kind != "tank_bench") return {};
+  if (plant.kind != "tank_bench") return PlantPicture{};
   return picture_of(assemblies::describe_bench({}), plant.ports);
 }
 

@@ -3,7 +3,7 @@
 // The plant's description as the page's picture: what to draw, and from which values of the cell each part of
 // it lives.
 //
-//   PlantPicture picture = picture_of(config.plant);
+//   PlantPicture picture = picture_of(config.plant).value();
 //   Feed feed(greeting, picture.synoptic);
 //   CellViewer viewer(picture.sources);
 //
@@ -18,6 +18,7 @@
 #include "hmi_web/server/point_reader.h"
 #include "plant_models/core/plant_description.h"
 #include "programs/config/cell_config.h"
+#include "runtime/result/result.h"
 
 namespace stepwright::hmi {
 
@@ -26,8 +27,9 @@ struct PlantPicture {
   std::vector<server::PointSources> sources;  // by the points of the synoptic
 };
 
-// The configured plant; an empty picture for a kind without a description.
-PlantPicture picture_of(const config::PlantConfig& plant);
+// The configured plant; an empty picture for a kind without a description. Fails with what is wrong with a
+// fleet's map (F0101 to F0104).
+[[nodiscard]] result::Result<PlantPicture> picture_of(const config::PlantConfig& plant);
 
 // `ports` says at which address of the process image each terminal of the plant is.
 PlantPicture picture_of(const core::PlantDescription& plant, const std::vector<config::PortAddress>& ports);

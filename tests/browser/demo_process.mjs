@@ -9,7 +9,7 @@ import { join } from 'node:path';
 
 import { until } from './support.mjs';
 
-async function freePort() {
+export async function freePort() {
   const server = createServer();
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   const { port } = server.address();

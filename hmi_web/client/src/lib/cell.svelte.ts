@@ -49,14 +49,20 @@ export class Cell {
   hello = $state.raw<HelloMessage | null>(null);
   program = $state.raw<ProgramMessage | null>(null);
   plan = $state.raw<PlanDocument | null>(null);
+  // Paths and polygons of a fleet, as they came.
+  routes = $state.raw<unknown>(null);
   live = $state<LiveFields>({ ...NOTHING });
   points = $state<Value[]>([]);
-  tags = $state<Value[]>([]);
+  // Programs have thousands of tags that change with every scan and are hardly ever looked at: one signal for them all.
+  private tagValues: Value[] = [];
+  private tagVersion = $state(0);
   // Not reactive itself: a chart redraws when `trendVersion` moves.
   trend = new TrendData(0);
   trendVersion = $state(0);
 
   private pointIndex = new Map<string, number>();
+  // By name in lower case: IEC 61131-3 does not tell them apart.
+  private tagIndex = $state.raw(new Map<string, number>());
 
   connect(): void {
     new Connection(liveUrl(window.location), {
@@ -75,6 +81,17 @@ export class Cell {
     return (this.point(id) ?? 0) > 0.5;
   }
 
+  get tags(): readonly Value[] {
+    void this.tagVersion;
+    return this.tagValues;
+  }
+
+  // The value of a variable of the program by its whole name in lower case.
+  tag(name: string): Value {
+    const index = this.tagIndex.get(name);
+    return index === undefined ? null : (this.tags[index] ?? null);
+  }
+
   private take(message: ServerMessage): void {
     this.heardAt = new Date();
     switch (message.type) {
@@ -82,6 +99,7 @@ export class Cell {
         return this.takeHello(message);
       case 'program':
         this.program = message.digest === '' ? null : message;
+        this.tagIndex = new Map(message.tags.map((tag, index) => [tag.name.toLowerCase(), index]));
         return;
       case 'state':
         return this.takeState(message);
@@ -89,6 +107,9 @@ export class Cell {
         return this.takeDelta(message);
       case 'plan':
         this.plan = onCellTime(message.document);
+        return;
+      case 'routes':
+        this.routes = message.routes;
         return;
       case 'trend':
         this.trend.add(message);
@@ -105,6 +126,7 @@ export class Cell {
     this.trendVersion += 1;
     this.program = null;
     this.plan = null;
+    this.routes = null;
     this.hello = message;
   }
 
@@ -112,13 +134,16 @@ export class Cell {
     const { type: _type, seq: _seq, points, tags, ...live } = message;
     this.live = live;
     this.points = points;
-    this.tags = tags;
+    this.tagValues = tags;
+    this.tagVersion += 1;
   }
 
   private takeDelta(message: DeltaMessage): void {
     const { type: _type, seq: _seq, points, tags, ...changed } = message;
     Object.assign(this.live, changed);
     for (const [index, value] of Object.entries(points ?? {})) this.points[Number(index)] = value;
-    for (const [index, value] of Object.entries(tags ?? {})) this.tags[Number(index)] = value;
+    if (!tags) return;
+    for (const index in tags) this.tagValues[Number(index)] = tags[index] ?? null;
+    this.tagVersion += 1;
   }
 }

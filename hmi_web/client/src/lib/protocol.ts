@@ -86,6 +86,63 @@ export interface Box {
   angle: string;
 }
 
+// Closed lines around what is blocked, in cells: column and row, then steps along x and y by turns.
+export interface FloorMap {
+  low: Pair;
+  cell: number; // m
+  size: Pair; // columns, rows
+  outlines: number[][];
+}
+
+export interface Forklift {
+  id: string;
+  label: string;
+  front: number; // m, from the reference point
+  rear: number;
+  width: number;
+  wheelbase: number;
+  x: string;
+  y: string;
+  heading: string;
+  speed: string;
+  lock: string;
+  loaded: string;
+  bumper: string;
+  enable: string;
+  lift: string;
+  true_x: string;
+  true_y: string;
+  true_heading: string;
+  carries: string;
+}
+
+export interface Pallet {
+  id: string;
+  label: string;
+  size: Pair;
+  state: string;
+  x: string;
+  y: string;
+  angle: string;
+}
+
+export interface Blockage {
+  id: string;
+  label: string;
+  at: Pair;
+  angle: number;
+  size: Pair;
+  there: string;
+}
+
+export interface FloorDescription {
+  maps: FloorMap[];
+  forklifts: Forklift[];
+  pallets: Pallet[];
+  blockages: Blockage[];
+  estop_ok: string;
+}
+
 export interface SynopticDescription {
   points: Point[];
   places: Place[];
@@ -97,6 +154,7 @@ export interface SynopticDescription {
   beams: Beam[];
   pushers: Pusher[];
   boxes: Box[];
+  floor: FloorDescription;
 }
 
 export interface HelloMessage {
@@ -126,9 +184,17 @@ export interface Tag {
   address: string;
 }
 
+// So many of the steps and of the transitions, behind those of the chart before.
+export interface Chart {
+  name: string;
+  steps: number;
+  transitions: number;
+}
+
 export interface ProgramMessage {
   type: 'program';
   digest: string;
+  charts: Chart[];
   steps: Step[];
   transitions: Transition[];
   tags: Tag[];
@@ -248,11 +314,18 @@ export interface PlanDocument {
   observed?: Record<string, Value>;
   goal?: { text: string; met: boolean }[];
   makespan_s?: Value;
+  // Of a fleet; src/fleet/document.ts reads it, and the message `routes`.
+  fleet?: unknown;
 }
 
 export interface PlanMessage {
   type: 'plan';
   document: PlanDocument;
+}
+
+export interface RoutesMessage {
+  type: 'routes';
+  routes: unknown;
 }
 
 export type ServerMessage =
@@ -261,6 +334,7 @@ export type ServerMessage =
   | StateMessage
   | DeltaMessage
   | TrendMessage
-  | PlanMessage;
+  | PlanMessage
+  | RoutesMessage;
 
-export const PROTOCOL_VERSION = 1;
+export const PROTOCOL_VERSION = 2;

@@ -36,7 +36,7 @@ export function barOf(timeline: Timeline, start: Value | undefined, end: Value |
 }
 
 // A few round times.
-function ticksOf(from: number, to: number): number[] {
+export function ticksOf(from: number, to: number): number[] {
   const rough = (to - from) / 7;
   const step = ROUND_SECONDS.find((candidate) => candidate >= rough) ?? Math.ceil(rough / 3_600) * 3_600;
   const ticks: number[] = [];

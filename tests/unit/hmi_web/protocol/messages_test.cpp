@@ -57,12 +57,43 @@ TEST(HelloMessage, WhenThePlantIsDescribed_ThenEveryElementIsInIt) {
   EXPECT_EQ(message["synoptic"]["boxes"][0]["angle"], "a");
 }
 
+TEST(HelloMessage, WhenThePlantIsAFloor_ThenItsMapAndVehiclesAreInIt) {
+  Synoptic synoptic;
+  synoptic.floor.maps = {{-1, 2.5, 0.0125, 10, 5, {{3, 1, 2, 2, -2}}}};
+  Forklift v1;
+  v1.id = "v1";
+  v1.front_m = 1.6;
+  v1.wheelbase_m = 1.9;
+  v1.heading_point = "v1.heading";
+  v1.true_x_point = "v1.true_x";
+  synoptic.floor.forklifts = {v1};
+  synoptic.floor.pallets = {{"pallet p1", "p1", 1.2, 0.8, "s", "x", "y", "a"}};
+  synoptic.floor.blockages = {{"block_1", "block_1", 20, 12, 0.5, 2, 1, "there"}};
+  synoptic.floor.estop_ok_point = "estop_ok";
+
+  const json floor = json::parse(hello_message({"fleet", "1.2.3"}, synoptic))["synoptic"]["floor"];
+
+  EXPECT_EQ(
+      floor["maps"][0],
+      json::parse(R"({"low": [-1, 2.5], "cell": 0.0125, "size": [10, 5], "outlines": [[3, 1, 2, 2, -2]]})"));
+  EXPECT_EQ(floor["forklifts"][0]["front"], 1.6);
+  EXPECT_EQ(floor["forklifts"][0]["wheelbase"], 1.9);
+  EXPECT_EQ(floor["forklifts"][0]["heading"], "v1.heading");
+  EXPECT_EQ(floor["forklifts"][0]["true_x"], "v1.true_x");
+  EXPECT_EQ(floor["forklifts"][0]["bumper"], "");
+  EXPECT_EQ(floor["pallets"][0]["size"], json::parse("[1.2, 0.8]"));
+  EXPECT_EQ(floor["blockages"][0]["at"], json::parse("[20, 12]"));
+  EXPECT_EQ(floor["blockages"][0]["there"], "there");
+  EXPECT_EQ(floor["estop_ok"], "estop_ok");
+}
+
 TEST(ProgramMessage, WhenAChartBranches_ThenTransitionsNameAllTheirSteps) {
   Program program;
   program.digest = "ab12";
   program.steps = {{"START", "", true}, {"S01_LOAD", "(load v1 f1 level8)", false}, {"W", "", false}};
   program.transitions = {{"T0", {0}, {1, 2}, "fc1"}};
   program.tags = {{"fc1", "BOOL", "%IX0.0"}};
+  program.charts = {{"PLAN", 3, 1}};
 
   const json message = json::parse(program_message(program));
 
@@ -71,6 +102,7 @@ TEST(ProgramMessage, WhenAChartBranches_ThenTransitionsNameAllTheirSteps) {
   EXPECT_EQ(message["steps"][1]["comment"], "(load v1 f1 level8)");
   EXPECT_EQ(message["transitions"][0]["to"], json({1, 2}));
   EXPECT_EQ(message["tags"][0]["address"], "%IX0.0");
+  EXPECT_EQ(message["charts"], json::parse(R"([{"name": "PLAN", "steps": 3, "transitions": 1}])"));
 }
 
 TEST(StateMessage, WhenAValueIsUnknown_ThenItIsNull) {
@@ -140,29 +172,6 @@ TEST(TrendMessage, WhenRowsAreGiven_ThenTimeComesFirst) {
   EXPECT_EQ(message["first"], 12);
   EXPECT_EQ(message["restart"], true);
   EXPECT_EQ(message["rows"], json({{1.5, 20, nullptr}, {1.6, 20.5, 3}}));
-}
-
-TEST(PlanMessage, WhenTheDocumentIsAnObject_ThenItIsWrapped) {
-  const auto message = plan_message(R"({"phase":"executing","actions":[]})");
-
-  ASSERT_TRUE(message.has_value());
-  EXPECT_EQ(json::parse(*message)["document"]["phase"], "executing");
-}
-
-TEST(PlanMessage, WhenTheTextIsNoObject_ThenThereIsNone) {
-  for (const char* text : {"", "[]", "7", "{\"phase\":", "{} {}", "\xff", "null"}) {
-    EXPECT_FALSE(plan_message(text).has_value()) << text;
-  }
-}
-
-TEST(PlanMessage, WhenItIsNestedWithoutEnd_ThenTheDepthIsCut) {
-  const std::string deep =
-      "{\"phase\":\"x\",\"deep\":" + std::string(200'000, '[') + std::string(200'000, ']') + "}";
-
-  const auto message = plan_message(deep);
-
-  ASSERT_TRUE(message.has_value());
-  EXPECT_LT(message->size(), 200u);
 }
 
 }  // namespace

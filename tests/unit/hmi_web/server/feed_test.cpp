@@ -139,6 +139,21 @@ TEST_F(FeedTest, WhenTheProgramGoes_ThenAnEmptyOneIsSent) {
   EXPECT_EQ(drain(cursor)[0]["digest"], "");
 }
 
+TEST_F(FeedTest, WhenOnlyAStateOfAFleetChanges_ThenItsRoutesAreNotSentAgain) {
+  view_.plan = R"({"fleet":{"paths":[],"vehicles":[{"vehicle":"v1","state":"driving"}]}})";
+  update();
+  Feed::Cursor cursor;
+  EXPECT_EQ(types(drain(cursor)), (Types{"hello", "state", "routes", "plan", "trend"}));
+
+  view_.plan = R"({"fleet":{"paths":[],"vehicles":[{"vehicle":"v1","state":"waiting"}]}})";
+  update();
+  EXPECT_EQ(types(drain(cursor)), Types{"plan"});
+
+  view_.plan = R"({"fleet":{"paths":[{"vehicle":"v1"}],"vehicles":[]}})";
+  update();
+  EXPECT_EQ(types(drain(cursor)), (Types{"routes", "plan"}));
+}
+
 TEST_F(FeedTest, WhenThePlanIsBroken_ThenTheLastGoodOneStays) {
   view_.plan = R"({"phase":"executing"})";
   update();

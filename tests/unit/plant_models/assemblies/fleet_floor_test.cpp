@@ -179,8 +179,10 @@ TEST(FleetFloor, WhenFaultsHold_ThenTheyDoWhatTheyAreCalled) {
   floor.fault("frozen_pose_v2", 1);
   floor.fault("stuck_steering_v3", 1);
   floor.fault("drift_v3", 2);
+  EXPECT_EQ(floor.truth("blocked_1"), 0.0);
   floor.fault("block_1", 1);
   floor.run(6s);
+  EXPECT_EQ(floor.truth("blocked_1"), 1.0);
   EXPECT_EQ(floor.truth("true_x_v1"), 0.0);
   EXPECT_EQ(floor.sensor("x_v1"), 0);
   EXPECT_NEAR(floor.truth("true_speed_v2"), 0.5, 1e-3);

@@ -21,7 +21,7 @@ TEST(SensorTare, WhenTheDocumentIsAnythingElse_ThenThereIsNone) {
 TEST(PlantPicture, WhenALevelIsMeasured_ThenItsSourcesNameTheSensor) {
   config::PlantConfig plant;
   plant.ports = {{"S3", "%IW3", {}}};
-  const PlantPicture picture = picture_of(plant);
+  const PlantPicture picture = picture_of(plant).value();
   std::size_t measured = 0;
   for (std::size_t i = 0; i < picture.sources.size(); ++i) {
     if (picture.synoptic.points[i].id != "a2.level") continue;
@@ -38,7 +38,7 @@ TEST(PlantPicture, WhenThePlantIsASortingLine_ThenItsPartsLiveFromTerminalsAndTr
   config::PlantConfig plant;
   plant.kind = "sorting_line";
   plant.ports = {{"belt_r", "%QX0.1", {}}, {"eye_r", "%IX0.1", {}}, {"push_1", "%QX1.0", {}}};
-  const PlantPicture picture = picture_of(plant);
+  const PlantPicture picture = picture_of(plant).value();
   const protocol::Synoptic& s = picture.synoptic;
   EXPECT_EQ(picture.sources.size(), s.points.size());
   ASSERT_EQ(s.boxes.size(), 5u);
