@@ -65,9 +65,16 @@ class ProjectWriter {
       if (!tables) return result::forward(tables);
       vehicles.push_back(add_tables(v, std::move(*tables)));
     }
-    add_text("sensing", sensing_text(vehicles), sensing_blocks(vehicles));
+    add_text("sensing", sensing_text(vehicles, options_.revision),
+             sensing_blocks(vehicles, options_.revision));
     for (std::uint32_t v = 0; v < plan_.missions.size(); ++v) add_chart(v, *interlocks);
     add_text("driving", driving_text(vehicles), driving_blocks(vehicles));
+    if (options_.news_every.count() > 0) {
+      graphic::Pou pou;
+      pou.name = kNewsProgram;
+      pou.body = news_chart(options_.news_every);
+      add_program(std::move(pou));
+    }
     project.tasks = {{kTask, options_.interval_us, 0}};
     add_warnings();
     return std::move(made_);

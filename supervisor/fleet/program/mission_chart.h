@@ -23,6 +23,9 @@ MissionChart mission_chart(const FleetPlan& plan, const std::vector<std::string>
                            const Interlocks& interlocks, std::uint32_t vehicle,
                            const ProgramOptions& options);
 
+// Two steps that take turns.
+graphic::SfcChart news_chart(std::chrono::milliseconds every);
+
 // 1.25, 1.0E-05: as a REAL literal of ST.
 std::string real_literal(double value);
 // T#90s, T#250ms

@@ -158,14 +158,16 @@ std::vector<Variable> vehicle_globals(const VehicleMission& mission, const Vehic
   return globals;
 }
 
-std::string sensing_text(const std::vector<VehicleNames>& vehicles) {
-  std::string text = "clock(IN := TRUE, PT := T#100000s);\nfleet_time := clock.ET;\n";
+std::string sensing_text(const std::vector<VehicleNames>& vehicles, std::uint32_t revision) {
+  // An online change carries a block by its name.
+  std::string text =
+      fmt::format("clock_{0}(IN := TRUE, PT := T#100000s);\nfleet_time := clock_{0}.ET;\n", revision);
   for (const VehicleNames& names : vehicles) text += filled(kSensing, names);
   return text;
 }
 
-std::vector<Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles) {
-  std::vector<Variable> blocks = {block("clock", "TON")};
+std::vector<Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles, std::uint32_t revision) {
+  std::vector<Variable> blocks = {block(fmt::format("clock_{}", revision), "TON")};
   for (const VehicleNames& names : vehicles) {
     blocks.push_back(block("read_" + names.name, "MC_ReadVehicle"));
     blocks.push_back(block("watch_" + names.name, "MC_WatchArea"));

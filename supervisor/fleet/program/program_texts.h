@@ -28,8 +28,9 @@ std::vector<graphic::Variable> vehicle_globals(const VehicleMission& mission, co
                                                const ProgramOptions& options);
 
 // PROGRAM sensing: before the charts. Blocks: the instances that the text calls.
-std::string sensing_text(const std::vector<VehicleNames>& vehicles);
-std::vector<graphic::Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles);
+std::string sensing_text(const std::vector<VehicleNames>& vehicles, std::uint32_t revision);
+std::vector<graphic::Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles,
+                                              std::uint32_t revision);
 // PROGRAM driving: behind them.
 std::string driving_text(const std::vector<VehicleNames>& vehicles);
 std::vector<graphic::Variable> driving_blocks(const std::vector<VehicleNames>& vehicles);
