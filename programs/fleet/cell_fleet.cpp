@@ -1,7 +1,12 @@
 #include "programs/fleet/cell_fleet.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <string>
+
+#include "supervisor/fleet/mission/problem_reader.h"
 
 namespace stepwright::config {
 namespace {
@@ -56,6 +61,23 @@ result::Result<fleet::FleetTerminals> fleet_terminals(const CellConfig& cell, st
   all.estop_ok = ports.address("estop_ok");
   if (auto wrong = ports.take(); !wrong.empty()) return tl::unexpected(std::move(wrong));
   return all;
+}
+
+std::optional<std::size_t> fleet_size(const std::filesystem::path& problem) {
+  std::stringstream text;
+  text << std::ifstream(problem).rdbuf();
+  const auto read = fleet::read_mission_problem(text.str(), problem);
+  return read ? std::optional(read->vehicles.size()) : std::nullopt;
+}
+
+std::filesystem::path fleet_table_folder() {
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/') {
+    return std::filesystem::path(cache) / "stepwright";
+  }
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') {
+    return std::filesystem::path(home) / ".cache" / "stepwright";
+  }
+  return {};
 }
 
 fleet::ProgramOptions fleet_program_options(const CellConfig& cell) {

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 #include "supervisor/fleet/report/fleet_json.h"
 #include "programs/fleet/cell_fleet.h"
@@ -54,14 +53,7 @@ class ProgressLine {
 };
 
 std::filesystem::path cache_folder(const FleetArguments& arguments) {
-  if (arguments.cache_folder) return *arguments.cache_folder;
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/') {
-    return std::filesystem::path(cache) / "stepwright";
-  }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') {
-    return std::filesystem::path(home) / ".cache" / "stepwright";
-  }
-  return {};
+  return arguments.cache_folder ? std::filesystem::path(*arguments.cache_folder) : config::fleet_table_folder();
 }
 
 FleetOptions options_of(const FleetArguments& arguments, ProgressLine& line) {
