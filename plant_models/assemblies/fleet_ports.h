@@ -38,7 +38,7 @@ enum class FleetTruth : std::uint8_t {
   PalletState,  // 1 = stands on the floor, 2 = is carried
   Contacts,
   GreatestForce,
-  Overlaps,          // as the judge counts them (outline_judge.h)
+  Overlaps,  // as the judge counts them (outline_judge.h)
   ObstacleOverlaps,
   SmallestGap,
 };

@@ -21,14 +21,16 @@ Outline rectangle(const body2d::Pose& pose, double front_m, double rear_m, doubl
   return {{at(front_m, half_width_m), at(-rear_m, half_width_m), at(-rear_m, -half_width_m),
            at(front_m, -half_width_m)},
           at(0.5 * (front_m - rear_m), 0.0),
-          std::hypot(0.5 * (front_m + rear_m), half_width_m), true};
+          std::hypot(0.5 * (front_m + rear_m), half_width_m),
+          true};
 }
 
 double dot(Vec2 a, Vec2 b) {
   return a.x * b.x + a.y * b.y;
 }
 
-// The greatest distance between the two along the normal of a side of `a`: negative where none of them separates.
+// The greatest distance between the two along the normal of a side of `a`: negative where none of them
+// separates.
 double apart(const Outline& a, const Outline& b) {
   double most = -1e9;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -37,7 +39,8 @@ double apart(const Outline& a, const Outline& b) {
     const double side_m = std::hypot(to.x - from.x, to.y - from.y);
     const Vec2 normal{(to.y - from.y) / side_m, -(to.x - from.x) / side_m};
     double least = 1e9;
-    for (const Vec2 corner : b.corners) least = std::min(least, dot(normal, {corner.x - from.x, corner.y - from.y}));
+    for (const Vec2 corner : b.corners)
+      least = std::min(least, dot(normal, {corner.x - from.x, corner.y - from.y}));
     most = std::max(most, least);
   }
   return most;

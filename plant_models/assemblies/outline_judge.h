@@ -1,7 +1,7 @@
 #pragma once
 
-// Looks at where vehicles are, and at nothing else: whether outlines share points with one another, or with walls
-// and what stands in the way. It knows no plan, so that it can judge one.
+// Looks at where vehicles are, and at nothing else: whether outlines share points with one another, or with
+// walls and what stands in the way. It knows no plan, so that it can judge one.
 //
 // One thread at a time; takes no memory after its making. Outlines are exact rectangles, forks included.
 //
@@ -26,9 +26,11 @@ class OutlineJudge {
   // After all vehicles have been put where they are.
   void look();
 
-  std::uint64_t overlaps() const { return overlaps_; }                // of two vehicles: pairs times steps
+  std::uint64_t overlaps() const { return overlaps_; }  // of two vehicles: pairs times steps
   std::uint64_t obstacle_overlaps() const { return obstacle_overlaps_; }  // of a vehicle with an obstacle
-  double smallest_gap_m() const { return smallest_gap_m_; }  // between two vehicles so far; 0 where they overlapped
+  double smallest_gap_m() const {
+    return smallest_gap_m_;
+  }  // between two vehicles so far; 0 where they overlapped
 
   struct Outline {
     std::array<body2d::Vec2, 4> corners;  // anticlockwise

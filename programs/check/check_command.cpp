@@ -102,7 +102,8 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   // Planning costs seconds: not for a file that has to be changed anyway.
   const bool plans = !cell.config.planning.domain.empty();
   if (plans && !result::has_errors(report.problems)) check_planning(cell.config, report);
-  if (!cell.config.fleet.problem.empty() && !result::has_errors(report.problems)) check_missions(cell.config, report);
+  if (!cell.config.fleet.problem.empty() && !result::has_errors(report.problems))
+    check_missions(cell.config, report);
   sort(report.problems);
   return report;
 }

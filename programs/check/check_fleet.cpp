@@ -20,16 +20,19 @@ result::Diagnostic problem(const char* code, result::Location where, std::string
   return {code, result::Severity::Error, std::move(where), std::move(message), std::move(hint)};
 }
 
-void compare_floors(const config::CellConfig& config, const fleet::FleetDesk& desk, result::Diagnostics& found) {
+void compare_floors(const config::CellConfig& config, const fleet::FleetDesk& desk,
+                    result::Diagnostics& found) {
   if (config.plant.fleet.map.empty()) return;  // a floor without walls takes any plan
   const auto map = fleet::read_map(config.plant.fleet.map);
   if (!map || *map == desk.problem().map) return;  // what cannot be read is said with the plant
-  found.push_back(problem("C0543", config.fleet.where,
-                          "the map of the problem is not that of the plant, " + config.plant.fleet.map.string(),
-                          "both have to name the same floor"));
+  found.push_back(
+      problem("C0543", config.fleet.where,
+              "the map of the problem is not that of the plant, " + config.plant.fleet.map.string(),
+              "both have to name the same floor"));
 }
 
-void compare_stands(const config::CellConfig& config, const fleet::FleetDesk& desk, result::Diagnostics& found) {
+void compare_stands(const config::CellConfig& config, const fleet::FleetDesk& desk,
+                    result::Diagnostics& found) {
   const auto& vehicles = desk.problem().vehicles;
   for (std::size_t k = 0; k < vehicles.size(); ++k) {
     const config::PlaceConfig& stands = config.plant.fleet.vehicles[k];
@@ -38,12 +41,13 @@ void compare_stands(const config::CellConfig& config, const fleet::FleetDesk& de
     const double turned = std::remainder(stands.heading_deg * std::numbers::pi / 180.0 - begins.heading_rad,
                                          2.0 * std::numbers::pi);
     if (beside_m <= kBeside_m && std::abs(turned) <= kTurned_rad) continue;
-    found.push_back(problem(
-        "C0544", stands.where,
-        fmt::format("v{} stands at ({} m, {} m), {} degrees; '{}' of the problem begins at ({} m, {} m), {:g} degrees",
-                    k + 1, stands.x_m, stands.y_m, stands.heading_deg, vehicles[k].name, begins.x_m, begins.y_m,
-                    begins.heading_rad * 180.0 / std::numbers::pi),
-        "v1, v2, ... are the problem's vehicles in their order"));
+    found.push_back(
+        problem("C0544", stands.where,
+                fmt::format("v{} stands at ({} m, {} m), {} degrees; '{}' of the problem begins at ({} m, {} "
+                            "m), {:g} degrees",
+                            k + 1, stands.x_m, stands.y_m, stands.heading_deg, vehicles[k].name, begins.x_m,
+                            begins.y_m, begins.heading_rad * 180.0 / std::numbers::pi),
+                "v1, v2, ... are the problem's vehicles in their order"));
   }
 }
 

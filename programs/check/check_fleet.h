@@ -1,7 +1,7 @@
 #pragma once
 
-// The fleet of a cell: its problem, whether the problem and the plant speak of the same floor and vehicles, and
-// the program of its first plan.
+// The fleet of a cell: its problem, whether the problem and the plant speak of the same floor and vehicles,
+// and the program of its first plan.
 
 #include <cstddef>
 #include <string>
@@ -21,8 +21,8 @@ struct FleetCheck {
   bool proved = false;             // that there is none
 };
 
-// C0541: a terminal without address; C0542: another number of vehicles in the plant; C0543: another floor; C0544:
-// a vehicle that stands elsewhere; and what is wrong with the problem's file.
+// C0541: a terminal without address; C0542: another number of vehicles in the plant; C0543: another floor;
+// C0544: a vehicle that stands elsewhere; and what is wrong with the problem's file.
 FleetCheck check_fleet(const config::CellConfig& config);
 
 }  // namespace stepwright::check

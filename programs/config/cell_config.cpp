@@ -208,8 +208,8 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   if (root.has("fleet")) {
     config.fleet = read_fleet_mission(root.table("fleet"), folder);
     if (root.has("planning")) {
-      root.report("fleet", "the cell has [planning] and [fleet]", "a cell has one mission: leave one of them out",
-                  "0545");
+      root.report("fleet", "the cell has [planning] and [fleet]",
+                  "a cell has one mission: leave one of them out", "0545");
     }
   }
   for (const TomlTable& fault : root.tables("faults")) {

@@ -12,8 +12,8 @@
 
 namespace stepwright::config {
 
-// Where the terminals of v1, v2, ... are: as [plant.ports] says, without it in a row. C0541: a terminal has no
-// address there; C0542: the plant has another number of vehicles.
+// Where the terminals of v1, v2, ... are: as [plant.ports] says, without it in a row. C0541: a terminal has
+// no address there; C0542: the plant has another number of vehicles.
 [[nodiscard]] result::Result<fleet::FleetTerminals> fleet_terminals(const CellConfig& cell,
                                                                     std::size_t vehicles);
 

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <cstdio>
 
-#include "supervisor/fleet/report/fleet_json.h"
 #include "programs/fleet/cell_fleet.h"
 #include "programs/fleet/fleet_text.h"
 #include "programs/process/files.h"
 #include "programs/process/interruption.h"
-#include "supervisor/fleet/prepare/prepare_fleet.h"
 #include "supervisor/fleet/mission/fleet_svg.h"
 #include "supervisor/fleet/mission/problem_reader.h"
+#include "supervisor/fleet/prepare/prepare_fleet.h"
+#include "supervisor/fleet/report/fleet_json.h"
 #include "supervisor/fleet/schedule/retiming.h"
 
 namespace stepwright::fleet {
@@ -53,7 +53,8 @@ class ProgressLine {
 };
 
 std::filesystem::path cache_folder(const FleetArguments& arguments) {
-  return arguments.cache_folder ? std::filesystem::path(*arguments.cache_folder) : config::fleet_table_folder();
+  return arguments.cache_folder ? std::filesystem::path(*arguments.cache_folder)
+                                : config::fleet_table_folder();
 }
 
 FleetOptions options_of(const FleetArguments& arguments, ProgressLine& line) {
@@ -80,7 +81,7 @@ struct Work {
 
 // What the program of the plan needs to know of the cell that runs it.
 result::Result<PrepareOptions> prepare_options(const FleetArguments& arguments, const FleetOptions& planning,
-                                           std::size_t vehicles) {
+                                               std::size_t vehicles) {
   PrepareOptions options{.planning = planning, .program = {}, .terminals = {}, .reserve = {}};
   if (arguments.config.empty()) {
     options.terminals = terminals_in_a_row(vehicles);
@@ -97,7 +98,7 @@ result::Result<PrepareOptions> prepare_options(const FleetArguments& arguments, 
 
 // The plan that a program drives, and the program.
 result::Result<Work> prepare(const FleetArguments& arguments, const FleetOptions& planning,
-                           MissionProblem problem) {
+                             MissionProblem problem) {
   auto options = prepare_options(arguments, planning, problem.vehicles.size());
   if (!options) return result::forward(options);
   auto floor = FleetFloor::create(problem.map, models_of(with_reserve(problem, options->reserve)),
@@ -202,7 +203,7 @@ ExitCode run_fleet(const FleetArguments& arguments) {
       (arguments.svg_file.empty() ||
        write(arguments.svg_file, fleet_svg(answer.plan, problem != nullptr ? &problem->map : nullptr))) &&
       (!work->program || write(arguments.program_file, {reinterpret_cast<const char*>(work->container.data()),
-                                                         work->container.size()}));
+                                                        work->container.size()}));
   return written ? exit_code(answer.verdict) : ExitCode::BadInput;
 }
 

@@ -21,11 +21,11 @@ struct FleetArguments {
   unsigned alternatives = 48;
   unsigned threads = 2;
   std::optional<std::string> cache_folder;
-  bool progress = false;  // also where stderr is no terminal
-  std::string json_file;  // empty: none
-  std::string svg_file;   // empty: none
-  std::string program_file;            // the plan as a program; empty: none
-  std::string config;                  // of the cell whose terminals and interval it has; empty: terminals in a row
+  bool progress = false;     // also where stderr is no terminal
+  std::string json_file;     // empty: none
+  std::string svg_file;      // empty: none
+  std::string program_file;  // the plan as a program; empty: none
+  std::string config;        // of the cell whose terminals and interval it has; empty: terminals in a row
   std::vector<std::string> overrides;  // KEY=VALUE that win over it
 };
 

@@ -34,15 +34,15 @@ inline fleet::FleetDeskOptions fleet_desk_options(const CellConfig& config, flee
 }
 
 inline geometry::ConvexPolygon area_of(const BlockageConfig& blockage) {
-  return geometry::footprint_at({blockage.place.x_m, blockage.place.y_m,
-                                 blockage.place.heading_deg * std::numbers::pi / 180.0},
-                                {.front_m = 0.5 * blockage.length_m,
-                                 .rear_m = 0.5 * blockage.length_m,
-                                 .half_width_m = 0.5 * blockage.width_m});
+  return geometry::footprint_at(
+      {blockage.place.x_m, blockage.place.y_m, blockage.place.heading_deg * std::numbers::pi / 180.0},
+      {.front_m = 0.5 * blockage.length_m,
+       .rear_m = 0.5 * blockage.length_m,
+       .half_width_m = 0.5 * blockage.width_m});
 }
 
-// What people at the cell report and order while it runs: a place that the fault block_K of the plant blocks is
-// reported by whoever sees it, at once.
+// What people at the cell report and order while it runs: a place that the fault block_K of the plant blocks
+// is reported by whoever sees it, at once.
 inline std::vector<fleet::TimedRequest> fleet_requests(const CellConfig& config) {
   std::vector<fleet::TimedRequest> requests;
   for (const FleetOrderConfig& order : config.fleet.orders)
@@ -68,6 +68,7 @@ inline fleet::FleetExecutiveOptions fleet_executive_options(const CellConfig& co
           .max_replans = config.executive.max_replans,
           .barrier = config.clock.mode == ClockMode::Simulated,
           .late = config.fleet.late,
+          .journal = config.journal_path(),
           .requests = fleet_requests(config)};
 }
 

@@ -21,7 +21,8 @@ namespace stepwright::supervisor_program {
 
 class CellMission {
  public:
-  using Observer = std::function<void(const executive::RunRecord&)>;  // after every change, from the thread of `run`
+  using Observer =
+      std::function<void(const executive::RunRecord&)>;  // after every change, from the thread of `run`
 
   virtual ~CellMission() = default;
   // Reads all files; what is wrong with them.

@@ -135,7 +135,8 @@ result::Diagnostics check(std::span<const config::CellConfig> cells) {
     const bool plans = !cells[i].planning.domain.empty();
     const bool drives = !cells[i].fleet.problem.empty();
     if (!plans && !drives) {
-      problems.push_back({"C0005", result::Severity::Error, where, "there is no [planning] table and no [fleet]",
+      problems.push_back({"C0005", result::Severity::Error, where,
+                          "there is no [planning] table and no [fleet]",
                           "name domain, problem and binding there, or the problem of a fleet"});
     }
     for (std::size_t j = 0; j < i; ++j) {

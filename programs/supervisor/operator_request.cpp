@@ -23,8 +23,8 @@ std::optional<fleet::OrderChange> order(const json& request) {
   const auto from = text(request, "from");
   const auto to = text(request, "to");
   const auto amount = request.find("amount");
-  const bool counted = amount == request.end() ||
-                       (amount->is_number_unsigned() && amount->get<std::uint64_t>() <= kMostLoad);
+  const bool counted =
+      amount == request.end() || (amount->is_number_unsigned() && amount->get<std::uint64_t>() <= kMostLoad);
   if (!name || !from || !to || !counted) return std::nullopt;
   return fleet::OrderChange{*name, *from, *to, amount == request.end() ? 1U : amount->get<std::uint32_t>()};
 }
@@ -36,7 +36,8 @@ std::optional<fleet::BlockChange> block(const json& request) {
     return std::nullopt;
   std::vector<geometry::Point> points;
   for (const json& corner : *corners) {
-    const bool pair = corner.is_array() && corner.size() == 2 && corner[0].is_number() && corner[1].is_number();
+    const bool pair =
+        corner.is_array() && corner.size() == 2 && corner[0].is_number() && corner[1].is_number();
     if (!pair) return std::nullopt;
     points.push_back({corner[0].get<double>(), corner[1].get<double>()});
   }

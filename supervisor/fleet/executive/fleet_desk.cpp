@@ -102,7 +102,8 @@ result::Result<FleetOutcome> FleetDesk::plan(const FleetLedger& ledger, const Fl
     task_keys.push_back(problem.tasks[k].key);
   }
   floor_.set_map(problem.map);
-  PrepareOptions prepare{.planning = {}, .program = options_.program, .terminals = {}, .reserve = options_.reserve};
+  PrepareOptions prepare{
+      .planning = {}, .program = options_.program, .terminals = {}, .reserve = options_.reserve};
   prepare.planning.time = options_.time;
   prepare.planning.path_factor = options_.path_factor;
   prepare.planning.conflicts = kConflicts;
@@ -129,8 +130,8 @@ result::Result<FleetOutcome> FleetDesk::plan(const FleetLedger& ledger, const Fl
     remove_begun(plan.missions[k], "aboard " + plan.missions[k].vehicle);
   }
   for (const Standing& each : request.standing) {
-    insert_standing(plan, each.vehicle, problem_.vehicles[each.vehicle].name, model(each.vehicle),
-                    each.pose, each.place);
+    insert_standing(plan, each.vehicle, problem_.vehicles[each.vehicle].name, model(each.vehicle), each.pose,
+                    each.place);
   }
   auto prepared = program_of(std::move(plan), request.revision);
   if (!prepared) return result::forward(prepared);

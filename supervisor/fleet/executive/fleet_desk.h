@@ -49,11 +49,12 @@ struct FleetRequest {
 };
 
 struct FleetOutcome {
-  PreparedFleet prepared;              // with missions of all vehicles, standing ones included
-  RestProblem rest;                    // what was planned
-  std::vector<std::size_t> no_way_to;  // goals of the ledger to which nobody finds a way; nothing is planned then
+  PreparedFleet prepared;  // with missions of all vehicles, standing ones included
+  RestProblem rest;        // what was planned
+  std::vector<std::size_t>
+      no_way_to;  // goals of the ledger to which nobody finds a way; nothing is planned then
   std::vector<std::size_t> no_way_to_task;
-  std::string reason;                  // why there is no plan
+  std::string reason;  // why there is no plan
 };
 
 class FleetDesk {

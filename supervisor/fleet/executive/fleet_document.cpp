@@ -105,10 +105,12 @@ json sections_json(const FleetPlan& plan) {
     // Who leaves first at the first of its pairs.
     const SpatialPair& head = pairs.front();
     const auto& times = plan.schedule.earliest;
-    const bool a_first = times[head.a.vehicle][head.a.polygon].exit <= times[head.b.vehicle][head.b.polygon].entry;
+    const bool a_first =
+        times[head.a.vehicle][head.a.polygon].exit <= times[head.b.vehicle][head.b.polygon].entry;
     json order = {plan.missions[a_first ? section.a : section.b].vehicle,
                   plan.missions[a_first ? section.b : section.a].vehicle};
-    all.push_back({{"polygons", std::move(polygons)}, {"corners_m", std::move(corners)}, {"order", std::move(order)}});
+    all.push_back(
+        {{"polygons", std::move(polygons)}, {"corners_m", std::move(corners)}, {"order", std::move(order)}});
   }
   return all;
 }

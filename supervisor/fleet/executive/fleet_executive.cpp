@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "supervisor/fleet/executive/fleet_journal.h"
+
 namespace stepwright::fleet {
 
 using executive::IncidentKind;
@@ -13,12 +15,6 @@ using executive::Phase;
 using executive::Response;
 using executive::RunRecord;
 using std::chrono::milliseconds;
-
-namespace {
-
-constexpr milliseconds kBetweenDocuments{500};  // of wall time
-
-}  // namespace
 
 FleetExecutive::FleetExecutive(FleetDesk& desk, executive::Controller& controller,
                                FleetExecutiveOptions options, Observer observer)
@@ -34,7 +30,7 @@ FleetExecutive::FleetExecutive(FleetDesk& desk, executive::Controller& controlle
 
 RunRecord FleetExecutive::run() {
   set_phase(Phase::Planning, "planning the missions of the fleet");
-  bool going = start_afresh();
+  bool going = resume() || (record_.phase == Phase::Planning && start_afresh());
   while (going) {
     const Decision decision = follow();
     switch (decision.verdict) {
@@ -71,7 +67,72 @@ bool FleetExecutive::start_afresh() {
                    : proved ? result::ExitCode::NoPlan
                             : result::ExitCode::BudgetExhausted);
   }
-  return await_runtime() && launch(*std::move(outcome));
+  return await_runtime() && launch(*std::move(outcome), request);
+}
+
+// False with phase Planning: there is nothing to go on with.
+bool FleetExecutive::resume() {
+  if (options_.journal.empty()) return false;
+  auto journal = read_fleet_journal(options_.journal);
+  if (!journal) return give_up(result::to_string(journal.error()), IncidentKind::ProgramFault);
+  if (!*journal || (*journal)->record.episodes.empty()) return false;
+  FleetJournal& known = **journal;
+  if (known.record.phase == Phase::Done || known.record.phase == Phase::Safe) return false;
+  if (!ledger_.restore(known.ledger)) {
+    return give_up("the journal is of another problem", IncidentKind::ProgramFault);
+  }
+  known.request.cancel = &abort_;
+  auto outcome = desk_.plan(ledger_, known.request);
+  if (!outcome || !outcome->prepared.program) {
+    return give_up("the plan that runs cannot be made again", IncidentKind::ProgramFault);
+  }
+  record_ = std::move(known.record);
+  blocked_ = std::move(known.blocked);
+  next_request_ = known.next_request;
+  first_epoch_s_ = known.first_epoch_s;
+  epoch_s_ = known.epoch_s;
+  time_s_ = known.time_s;
+  time_offset_s_ = known.time_offset_s;
+  revision_ = known.request.revision;
+  for (const Standing& each : known.request.standing) {
+    if (ledger_.vehicles()[each.vehicle].lost) standing_[each.vehicle] = each;
+  }
+  set_phase(Phase::Waiting, "the supervisor was restarted and looks for its runtime");
+  return await_runtime() && resume_plan(*std::move(outcome), known.request);
+}
+
+// The runtime has to have that very program, and to run it.
+bool FleetExecutive::resume_plan(FleetOutcome outcome, const FleetRequest& request) {
+  auto reader = FleetReader::create(outcome.prepared.container, *outcome.prepared.program);
+  const auto program = controller_.program();
+  const auto status = controller_.status();
+  const bool runs = reader && program && *program == outcome.prepared.container && status &&
+                    status->state == host::RuntimeState::Running;
+  if (!runs) {
+    (void)controller_.stop("the supervisor was restarted and does not know this program");
+    return give_up("the supervisor was restarted, and the runtime does not run the plan of its journal",
+                   IncidentKind::LostRuntime);
+  }
+  running_.emplace(Running{status->program_digest, *std::move(reader)});
+  follow_plan(std::move(outcome), request);
+  open_incident({IncidentKind::LostRuntime, {"the supervisor was restarted; the missions have gone on"}, {}});
+  decide(Response::GoOn);
+  set_phase(Phase::Executing, "following the missions again");
+  return true;  // what happened meanwhile shows in the next event
+}
+
+void FleetExecutive::write_journal() {
+  if (options_.journal.empty() || !follow_) return;
+  // A journal that cannot be written costs a restart its memory, not this run.
+  (void)write_fleet_journal(options_.journal, {.record = record_,
+                                               .ledger = planned_from_,
+                                               .request = planned_as_,
+                                               .blocked = blocked_,
+                                               .next_request = next_request_,
+                                               .first_epoch_s = first_epoch_s_,
+                                               .epoch_s = epoch_s_,
+                                               .time_s = time_s_,
+                                               .time_offset_s = time_offset_s_});
 }
 
 bool FleetExecutive::await_runtime() {
@@ -82,18 +143,19 @@ bool FleetExecutive::await_runtime() {
   return true;
 }
 
-// The missions run without anybody who follows them. A runtime that has them still goes on; one that has lost them
-// has stopped the vehicles.
+// The missions run without anybody who follows them. A runtime that has them still goes on; one that has lost
+// them has stopped the vehicles.
 bool FleetExecutive::recover_runtime() {
   if (!controller_.alive()) {
     set_phase(Phase::Waiting, "the runtime does not answer; waiting for it");
     if (!await_runtime()) return false;
   }
   const auto status = controller_.status();
-  const bool runs = status && status->state == host::RuntimeState::Running &&
-                    status->program_digest == running_->digest;
+  const bool runs =
+      status && status->state == host::RuntimeState::Running && status->program_digest == running_->digest;
   if (!runs) {
-    return replan({IncidentKind::LostRuntime, {"the runtime was restarted or stopped while nobody watched it"}, {}});
+    return replan(
+        {IncidentKind::LostRuntime, {"the runtime was restarted or stopped while nobody watched it"}, {}});
   }
   open_incident({IncidentKind::LostRuntime, {"the runtime was not seen for a while; it has gone on"}, {}});
   decide(Response::GoOn);
@@ -110,8 +172,11 @@ std::vector<std::string> FleetExecutive::missed() const {
     if (goal.delivered >= goal.amount) continue;
     std::string text = fmt::format("{} of {} of '{}' are not delivered", goal.amount - goal.delivered,
                                    goal.amount, problem.goals[k].name);
-    if (goal.aboard > 0 && goal.vehicle)
-      text += fmt::format(" ({} aboard of {})", goal.aboard, problem.vehicles[*goal.vehicle].name);
+    for (std::size_t v = 0; v < ledger_.vehicles().size(); ++v) {
+      const auto aboard = ledger_.vehicles()[v].aboard.find(k);
+      if (aboard == ledger_.vehicles()[v].aboard.end()) continue;
+      text += fmt::format(" ({} aboard of {})", aboard->second, problem.vehicles[v].name);
+    }
     if (!goal.why.empty()) text += ": " + goal.why;
     sentences.push_back(std::move(text));
   }
@@ -159,7 +224,8 @@ void FleetExecutive::note_goals() {
 result::Result<void> FleetExecutive::request(const FleetChange& change) {
   if (const auto* back = std::get_if<ReturnChange>(&change)) {
     bool known = false;
-    for (const MissionVehicle& vehicle : desk_.problem().vehicles) known = known || vehicle.name == back->vehicle;
+    for (const MissionVehicle& vehicle : desk_.problem().vehicles)
+      known = known || vehicle.name == back->vehicle;
     if (!known) {
       return result::fail("X0003", {}, "there is no vehicle '" + back->vehicle + "'",
                           "vehicles are those of the problem's file");
@@ -181,15 +247,15 @@ void FleetExecutive::set_phase(Phase phase, std::string message) {
   publish(true);
 }
 
-// The document is large: unless it must be now, at most twice a second.
 void FleetExecutive::publish(bool now) {
   changed_ = changed_ || now;
   const auto clock = std::chrono::steady_clock::now();
-  if (!changed_ || (!now && clock - published_ < kBetweenDocuments)) return;
+  if (!changed_ || (!now && clock - published_ < options_.between_documents)) return;
   published_ = clock;
   changed_ = false;
   note_goals();
   renew_document();
+  write_journal();
   if (observer_) observer_(record_);
 }
 

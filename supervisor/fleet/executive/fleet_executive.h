@@ -1,13 +1,13 @@
 #pragma once
 
 // The executive of a fleet: plans a problem's loads, downloads the missions as one program, follows vehicles
-// through their polygons, gives everybody new times when one is late, and plans anew for what new times do not
-// mend: a vehicle that has stopped or come back, a blocked place, another order. Whatever cannot be mended ends
-// in the safe state of the outputs, with a report.
+// through their polygons, gives everybody new times when one is late, and plans anew for what new times do
+// not mend: a vehicle that has stopped or come back, a blocked place, another order. Whatever cannot be
+// mended ends in the safe state of the outputs, with a report.
 //
 // A new plan begins from rest: everybody drives on as far as he is permitted already and needs to brake
-// (halt_plan.h), which always can be done without asking anybody; then one plan for all that remains takes over by
-// an online change (ADR 9 says why). The missions run in the scan without this.
+// (halt_plan.h), which always can be done without asking anybody; then one plan for all that remains takes
+// over by an online change (ADR 9 says why). The missions run in the scan without this.
 //
 // Threads: `run` belongs to one; requests may come from any. In simulated time the clock stands still while a
 // decision is made. The same problem, faults and requests at the same scan times give the same run.
@@ -18,6 +18,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -38,14 +39,18 @@ namespace stepwright::fleet {
 struct FleetExecutiveOptions {
   std::string cell;
   int max_replans = 8;
-  bool barrier = true;                   // simulated time waits for every decision
+  bool barrier = true;                    // simulated time waits for every decision
   std::chrono::milliseconds late{3'000};  // more is a delay
-  std::vector<TimedRequest> requests;    // in order of time
+  // Of wall time between two documents that only tell of progress: they are large.
+  std::chrono::milliseconds between_documents{500};
+  std::filesystem::path journal;       // for a restarted supervisor; empty: none is kept
+  std::vector<TimedRequest> requests;  // in order of time
 };
 
 class FleetExecutive {
  public:
-  using Observer = std::function<void(const executive::RunRecord&)>;  // after changes, from the thread of `run`
+  using Observer =
+      std::function<void(const executive::RunRecord&)>;  // after changes, from the thread of `run`
 
   FleetExecutive(FleetDesk& desk, executive::Controller& controller, FleetExecutiveOptions options,
                  Observer observer);
@@ -82,6 +87,9 @@ class FleetExecutive {
 
   // fleet_executive.cpp: from start to end.
   bool start_afresh();
+  bool resume();
+  bool resume_plan(FleetOutcome outcome, const FleetRequest& request);
+  void write_journal();
   bool await_runtime();
   bool recover_runtime();
   bool finish();
@@ -126,7 +134,8 @@ class FleetExecutive {
   bool plan_rest();
   bool relax(const FleetOutcome& outcome);
   void launch_record(const FleetOutcome& outcome);
-  bool launch(FleetOutcome outcome);
+  bool launch(FleetOutcome outcome, const FleetRequest& request);
+  void follow_plan(FleetOutcome outcome, const FleetRequest& request);
   bool install(const PreparedFleet& prepared);
   bool download_and_start(const PreparedFleet& prepared);
   bool await_event(host::EventKind kind);
@@ -141,13 +150,15 @@ class FleetExecutive {
 
   executive::RunRecord record_;
   FleetLedger ledger_;
-  std::optional<FleetFollow> follow_;   // of the plan that is driven
-  std::optional<PreparedFleet> plan_;   // that one; what the document shows
-  std::optional<Running> running_;      // plan or halt
-  FleetReading reading_;                // the newest
-  std::vector<Track> tracks_;                      // by vehicle: the last way, and where on it the vehicle stood
+  std::optional<FleetFollow> follow_;  // of the plan that is driven
+  std::optional<PreparedFleet> plan_;  // that one; what the document shows
+  std::optional<Running> running_;     // plan or halt
+  FleetReading reading_;               // the newest
+  std::vector<Track> tracks_;          // by vehicle: the last way, and where on it the vehicle stood
   std::vector<std::optional<Standing>> standing_;  // by vehicle: lost ones
   std::vector<Blocked> blocked_;
+  LedgerState planned_from_;  // of the plan: what the ledger said, and what was asked
+  FleetRequest planned_as_;
   std::uint32_t revision_ = 0;
   double time_s_ = 0.0;         // scan clock
   double time_offset_s_ = 0.0;  // of the record's time, over restarts of the runtime

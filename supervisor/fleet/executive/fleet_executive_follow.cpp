@@ -84,7 +84,7 @@ void FleetExecutive::note(const FollowNews& news) {
   for (const StopMade& stop : news.begun) note_stop(stop, true);
   for (const StopMade& stop : news.stops) note_stop(stop, false);
   for (const Delay& delay : news.delays) note_delay(delay);
-  changed_ = changed_ || !news.begun.empty() || !news.stops.empty() || !news.delays.empty();
+  changed_ = changed_ || news.moved_on || !news.begun.empty() || !news.stops.empty() || !news.delays.empty();
 }
 
 // A stop that has begun ends by itself: for what remains it counts as made.
@@ -94,11 +94,11 @@ void FleetExecutive::note_stop(const StopMade& stop, bool begun) {
   if (begun) {
     ledger_.made(stop.vehicle, mission.stops[stop.stop], first_clock());
     action.state = executive::ActionState::Active;
-    action.started_s = time_s_;
+    if (!action.started_s) action.started_s = time_s_;  // a journal may know better
     return;
   }
   action.state = executive::ActionState::Done;
-  action.finished_s = time_s_;
+  if (!action.finished_s) action.finished_s = time_s_;
   record_.finished_s = time_s_;
 }
 
@@ -111,8 +111,10 @@ std::size_t FleetExecutive::action_of(const StopMade& stop) const {
 void FleetExecutive::note_delay(const Delay& delay) {
   const auto& missions = follow_->plan().missions;
   ledger_.mark_late(delay.broken);
-  std::string text = fmt::format("{} is {:.1f} s late in its polygon {}", missions[delay.vehicle].vehicle,
-                                 1e-3 * static_cast<double>(delay.late.count()), delay.polygon);
+  const auto seconds = [](milliseconds time) { return 1e-3 * static_cast<double>(time.count()); };
+  std::string text = fmt::format("{} is {:.1f} s late in its polygon {} and arrives {:.1f} s later",
+                                 missions[delay.vehicle].vehicle, seconds(delay.late), delay.polygon,
+                                 seconds(delay.arrives_later));
   if (!delay.others.empty()) {
     text += "; later for it:";
     for (const std::uint32_t v : delay.others) text += " " + missions[v].vehicle;
@@ -126,8 +128,7 @@ void FleetExecutive::note_delay(const Delay& delay) {
 
 // Vehicles that have stopped by themselves take no part any more; where they stand nobody is to drive.
 FleetExecutive::Cause FleetExecutive::lose(const std::vector<std::uint32_t>& errors,
-                                           const FleetReading& reading,
-                                           const std::vector<double>& begun_m) {
+                                           const FleetReading& reading, const std::vector<double>& begun_m) {
   Cause cause;
   for (const std::uint32_t v : errors) {
     const VehicleReading& now = reading.vehicles[v];
@@ -212,14 +213,16 @@ bool FleetExecutive::apply(const BlockChange& block, Cause& cause) {
   blocked_.push_back(block.place);
   const bool concerned = crosses(block.place.area);
   const geometry::Point middle = block.place.area.centroid();
-  cause.evidence.push_back(fmt::format("{} is blocked at ({:.1f} m, {:.1f} m){}", block.place.name, middle.x_m,
-                                       middle.y_m, concerned ? "" : "; nobody is to drive there"));
+  cause.evidence.push_back(fmt::format("{} is blocked at ({:.1f} m, {:.1f} m){}", block.place.name,
+                                       middle.x_m, middle.y_m,
+                                       concerned ? "" : "; nobody is to drive there"));
   return concerned;
 }
 
 bool FleetExecutive::apply(const UnblockChange& unblock, Cause& cause) {
   cause.kind = IncidentKind::Position;
-  const auto known = std::erase_if(blocked_, [&](const Blocked& place) { return place.name == unblock.name; });
+  const auto known =
+      std::erase_if(blocked_, [&](const Blocked& place) { return place.name == unblock.name; });
   cause.evidence.push_back(unblock.name + (known > 0 ? " is free again" : " was not blocked"));
   return known > 0 && ledger_.reopen();
 }

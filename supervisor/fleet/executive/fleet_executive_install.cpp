@@ -22,7 +22,8 @@ constexpr milliseconds kPatience{5'000};
 bool FleetExecutive::install(const PreparedFleet& prepared) {
   auto reader = FleetReader::create(prepared.container, *prepared.program);
   if (!reader) {
-    return give_up("the program cannot be read: " + result::to_string(reader.error()), IncidentKind::ProgramFault);
+    return give_up("the program cannot be read: " + result::to_string(reader.error()),
+                   IncidentKind::ProgramFault);
   }
   const auto status = controller_.status();
   const bool runs = running_ && status && status->state == host::RuntimeState::Running &&
@@ -50,9 +51,10 @@ bool FleetExecutive::install(const PreparedFleet& prepared) {
 bool FleetExecutive::download_and_start(const PreparedFleet& prepared) {
   auto digest = controller_.download(prepared.container);
   if (!digest) {
-    return controller_.alive() ? give_up("the runtime refuses the program: " + result::to_string(digest.error()),
-                                         IncidentKind::ProgramFault)
-                               : false;
+    return controller_.alive()
+               ? give_up("the runtime refuses the program: " + result::to_string(digest.error()),
+                         IncidentKind::ProgramFault)
+               : false;
   }
   running_->digest = std::move(*digest);
   confirmed_ = false;

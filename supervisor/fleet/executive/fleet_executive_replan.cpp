@@ -36,7 +36,8 @@ double arc_near(const geometry::Path& path, double guess_m, const geometry::Pose
   for (const geometry::PathPose& at : path) {
     if (std::abs(at.arc_m - guess_m) > kSearch_m) continue;
     // A place that is passed twice: the one with the vehicle's heading, then the one that is expected.
-    const double turned = std::abs(std::remainder(at.pose.heading_rad - pose.heading_rad, 2.0 * 3.14159265358979));
+    const double turned =
+        std::abs(std::remainder(at.pose.heading_rad - pose.heading_rad, 2.0 * 3.14159265358979));
     const double off = geometry::distance(at.pose.position(), pose.position()) + turned +
                        0.02 * std::abs(at.arc_m - guess_m);
     if (off >= least) continue;
@@ -69,8 +70,8 @@ bool FleetExecutive::replan(const Cause& cause) {
 }
 
 bool FleetExecutive::bring_to_rest() {
-  const HaltPlan halt = halt_plan(follow_->plan(), follow_->program(), reading_, desk_.options().program.drive,
-                                  desk_.problem().map.frame());
+  const HaltPlan halt = halt_plan(follow_->plan(), follow_->program(), reading_,
+                                  desk_.options().program.drive, desk_.problem().map.frame());
   auto prepared = desk_.program_of(halt.plan, revision_);
   if (!prepared) {
     return give_up("the fleet cannot be brought to rest: " + result::to_string(prepared.error()),
@@ -141,7 +142,8 @@ void FleetExecutive::track(const std::vector<double>& begun_m) {
 NewStart FleetExecutive::start_of(std::uint32_t v, const OccupancyGrid& map) const {
   const Track& track = tracks_[v];
   const geometry::Footprint outline = with_reserve(desk_.model(v), desk_.options().reserve).footprint();
-  if (distance_from(track.path, track.arc_m, reading_.vehicles[v].pose) > kBeside_m) return {.start = {}, .able = false};
+  if (distance_from(track.path, track.arc_m, reading_.vehicles[v].pose) > kBeside_m)
+    return {.start = {}, .able = false};
   for (LeadIn& way : lead_ins(track.path, track.arc_m, map.frame())) {
     if (!is_free(way.path, outline, map)) continue;
     NewStart start{.start = way.start};
@@ -177,6 +179,8 @@ bool FleetExecutive::plan_rest() {
   const auto begin = std::chrono::steady_clock::now();
   while (true) {
     const FleetRequest request = next_request();
+    if (request.standing.size() == reading_.vehicles.size())
+      return give_up("no vehicle is left that can drive", IncidentKind::FailedActuator);
     auto outcome = desk_.plan(ledger_, request);
     if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
     if (!outcome) {
@@ -187,9 +191,10 @@ bool FleetExecutive::plan_rest() {
       record_.incidents.back().replan_ms =
           std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
       ++revision_;
-      return launch(*std::move(outcome));
+      return launch(*std::move(outcome), request);
     }
-    if (!relax(*outcome)) return give_up("there is no plan for what remains: " + outcome->reason, IncidentKind::Position);
+    if (!relax(*outcome))
+      return give_up("there is no plan for what remains: " + outcome->reason, IncidentKind::Position);
   }
 }
 
@@ -214,22 +219,28 @@ bool FleetExecutive::relax(const FleetOutcome& outcome) {
   return true;
 }
 
-bool FleetExecutive::launch(FleetOutcome outcome) {
+bool FleetExecutive::launch(FleetOutcome outcome, const FleetRequest& request) {
   const bool first = record_.episodes.empty();
   while (!install(outcome.prepared)) {
     if (record_.phase == Phase::Safe || !await_runtime()) return false;
   }
   epoch_s_ = time_s_;
   if (first) first_epoch_s_ = epoch_s_;
-  FollowOptions options{.late = options_.late};
-  for (std::uint32_t v = 0; v < standing_.size(); ++v) options.lost.push_back(ledger_.vehicles()[v].lost);
-  follow_.emplace(outcome.prepared.answer.plan, *outcome.prepared.program, std::move(options));
   launch_record(outcome);
-  plan_ = std::move(outcome.prepared);
+  follow_plan(std::move(outcome), request);
   if (!first) decide(Response::Replan);
   set_phase(Phase::Executing, fmt::format("driving plan {} of {} stops", record_.episodes.size(),
                                           record_.episodes.back().actions.size()));
   return true;
+}
+
+void FleetExecutive::follow_plan(FleetOutcome outcome, const FleetRequest& request) {
+  FollowOptions options{.late = options_.late};
+  for (const VehicleEntry& vehicle : ledger_.vehicles()) options.lost.push_back(vehicle.lost);
+  follow_.emplace(outcome.prepared.answer.plan, *outcome.prepared.program, std::move(options));
+  plan_ = std::move(outcome.prepared);
+  planned_from_ = ledger_.state();
+  planned_as_ = request;
 }
 
 void FleetExecutive::launch_record(const FleetOutcome& outcome) {

@@ -12,6 +12,7 @@ using std::chrono::milliseconds;
 constexpr std::array kStates = {"driving", "waiting", "serving", "resting", "lost", "stopped"};
 // So near to where it halts a vehicle waits.
 constexpr double kHalts_m = 0.5;
+constexpr milliseconds kWorthTelling{1'000};
 
 std::size_t stops_before(const MissionProgram& mission, std::size_t step) {
   std::size_t made = 0;
@@ -47,8 +48,10 @@ FollowNews FleetFollow::take(const FleetReading& reading, milliseconds now) {
   FollowNews news;
   bool finished = true;
   for (std::uint32_t v = 0; v < vehicles_.size(); ++v) {
+    const VehicleFollow before = vehicles_[v];
     read_progress(v, reading, news);
     const DriveState state = vehicles_[v].state;
+    news.moved_on = news.moved_on || state != before.state || vehicles_[v].waits_for != before.waits_for;
     finished = finished && (state == DriveState::Resting || state == DriveState::Lost);
   }
   for (std::uint32_t v = 0; v < vehicles_.size(); ++v) read_delay(v, reading.vehicles[v], now, news);
@@ -118,7 +121,7 @@ void FleetFollow::read_delay(std::uint32_t v, const VehicleReading& now, millise
 void FleetFollow::post(std::uint32_t v, std::uint32_t polygon, milliseconds time, FollowNews& news) {
   const auto begin = std::chrono::steady_clock::now();
   const TimepointRef exit{{v, polygon}, Side::Exit};
-  Delay delay{.vehicle = v, .polygon = polygon, .late = time - retiming_.earliest(exit), .others = {}};
+  Delay delay{.vehicle = v, .polygon = polygon, .late = time - retiming_.earliest(exit)};
   const std::vector<VehicleFollow> old = vehicles_;
   if (!retiming_.not_before(exit, time)) {
     delay.broken = release_broken();
@@ -127,12 +130,17 @@ void FleetFollow::post(std::uint32_t v, std::uint32_t polygon, milliseconds time
   posted_.emplace_back(exit, time);
   renew_arrivals();
   for (std::uint32_t other = 0; other < vehicles_.size(); ++other) {
-    if (other != v && vehicles_[other].arrives > old[other].arrives) delay.others.push_back(other);
+    const milliseconds later = vehicles_[other].arrives - old[other].arrives;
+    if (other == v) delay.arrives_later = later;
+    if (other != v && later >= kWorthTelling) delay.others.push_back(other);
   }
-  delay.retime_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  delay.retime_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   ++retimings_;
   slowest_ms_ = std::max(slowest_ms_, delay.retime_ms);
-  news.delays.push_back(std::move(delay));
+  // Who waited has left his polygon later than he might have, and may be in time all the same.
+  const bool tell = delay.arrives_later >= kWorthTelling || !delay.others.empty() || !delay.broken.empty();
+  if (tell) news.delays.push_back(std::move(delay));
 }
 
 // Constraints with an end bind no more; orders and what has been posted stay.

@@ -7,7 +7,8 @@
 //
 //   FleetFollow follow(plan, program, {.late = 3s});
 //   const FollowNews news = follow.take(reading, now);
-//   for (const StopMade& stop : news.stops) ledger.made(stop.vehicle, plan.missions[stop.vehicle].stops[stop.stop], now);
+//   for (const StopMade& stop : news.stops) ledger.made(stop.vehicle,
+//   plan.missions[stop.vehicle].stops[stop.stop], now);
 
 #include <chrono>
 #include <cstdint>
@@ -46,8 +47,9 @@ struct Delay {
   std::uint32_t vehicle = 0;
   std::uint32_t polygon = 0;
   std::chrono::milliseconds late{0};
-  std::vector<std::uint32_t> others;      // that arrive later for it
-  std::vector<std::string> broken = {};   // constraints that cannot be kept any more, by name
+  std::chrono::milliseconds arrives_later{0};
+  std::vector<std::uint32_t> others = {};  // that arrive later for it, by a second and more
+  std::vector<std::string> broken = {};    // constraints that cannot be kept any more, by name
   double retime_ms = 0.0;
 };
 
@@ -56,6 +58,7 @@ struct FollowNews {
   std::vector<StopMade> stops;  // it has been served
   std::vector<Delay> delays;
   std::vector<std::uint32_t> errors;  // vehicles that have stopped by themselves since the last reading
+  bool moved_on = false;              // a vehicle is in another state, or waits for another one
   bool finished = false;              // every vehicle that can has come to the end of its mission
 };
 

@@ -18,6 +18,7 @@ GoalState GoalEntry::state() const {
 
 FleetLedger::FleetLedger(MissionProblem problem)
     : problem_(std::move(problem)),
+      file_goals_(problem_.goals.size()),
       vehicles_(problem_.vehicles.size()),
       tasks_dropped_(problem_.tasks.size(), false) {
   for (const MissionGoal& goal : problem_.goals) goals_.push_back({.amount = goal.amount});
@@ -118,7 +119,8 @@ result::Result<void> FleetLedger::order(const std::string& name, const std::stri
   const auto origin = location(from);
   const auto target = location(to);
   for (const auto& [place, found] : {std::pair(from, origin), std::pair(to, target)}) {
-    if (!found) return refuse("there is no location '" + place + "'", "locations are those of the problem's file");
+    if (!found)
+      return refuse("there is no location '" + place + "'", "locations are those of the problem's file");
   }
   if (*origin == *target) return refuse("'" + name + "' begins and ends at " + from, "name two locations");
   if (known != problem_.goals.end()) {
@@ -132,13 +134,39 @@ result::Result<void> FleetLedger::order(const std::string& name, const std::stri
     return {};
   }
   if (amount == 0) return refuse("'" + name + "' is nothing", "an amount of at least 1");
-  problem_.goals.push_back({.name = name,
-                            .amount = amount,
-                            .from = *origin,
-                            .to = *target,
-                            .key = "order " + name});
+  problem_.goals.push_back(
+      {.name = name, .amount = amount, .from = *origin, .to = *target, .key = "order " + name});
   goals_.push_back({.amount = amount});
   return {};
+}
+
+LedgerState FleetLedger::state() const {
+  return {.orders = {problem_.goals.begin() + static_cast<std::ptrdiff_t>(file_goals_), problem_.goals.end()},
+          .goals = goals_,
+          .vehicles = vehicles_,
+          .tasks_dropped = tasks_dropped_,
+          .limits_dropped = limits_dropped_};
+}
+
+bool FleetLedger::restore(LedgerState state) {
+  const std::size_t goals = file_goals_ + state.orders.size();
+  const auto known = [&](std::size_t place) { return place < problem_.locations.size(); };
+  bool sound = state.goals.size() == goals && state.vehicles.size() == vehicles_.size() &&
+               state.tasks_dropped.size() == tasks_dropped_.size();
+  for (const MissionGoal& order : state.orders) sound = sound && known(order.from) && known(order.to);
+  for (const VehicleEntry& vehicle : state.vehicles) {
+    for (const auto& [goal, units] : vehicle.aboard) sound = sound && goal < goals;
+  }
+  for (const GoalEntry& goal : state.goals)
+    sound = sound && (!goal.vehicle || *goal.vehicle < vehicles_.size());
+  if (!sound) return false;
+  problem_.goals.resize(file_goals_);
+  for (MissionGoal& order : state.orders) problem_.goals.push_back(std::move(order));
+  goals_ = std::move(state.goals);
+  vehicles_ = std::move(state.vehicles);
+  tasks_dropped_ = std::move(state.tasks_dropped);
+  limits_dropped_ = state.limits_dropped;
+  return true;
 }
 
 bool FleetLedger::complete() const {

@@ -1,8 +1,8 @@
 #pragma once
 
-// What has become of a fleet's loads and drives over all plans of a run: who has what aboard, what is delivered,
-// what was ordered meanwhile; and the problem of what remains. The one thing that a new plan needs to know of
-// the old ones.
+// What has become of a fleet's loads and drives over all plans of a run: who has what aboard, what is
+// delivered, what was ordered meanwhile; and the problem of what remains. The one thing that a new plan needs
+// to know of the old ones.
 //
 // No clock, no I/O; one thread at a time. Times count from the time zero of the first plan.
 //
@@ -29,10 +29,10 @@ enum class GoalState : std::uint8_t { Waiting, Carried, Delivered, GivenUp };
 struct GoalEntry {
   std::uint32_t amount = 0;  // that is wanted by now
   std::uint32_t delivered = 0;
-  std::uint32_t aboard = 0;  // of all vehicles, lost ones included
-  bool given_up = false;     // of what nobody has picked up nothing will be
-  std::string why = {};      // it was given up
-  bool late = false;         // its constraints cannot be kept any more
+  std::uint32_t aboard = 0;                            // of all vehicles, lost ones included
+  bool given_up = false;                               // of what nobody has picked up nothing will be
+  std::string why = {};                                // it was given up
+  bool late = false;                                   // its constraints cannot be kept any more
   std::vector<std::chrono::milliseconds> starts = {};  // of its trips so far
   std::vector<std::chrono::milliseconds> ends = {};
   std::optional<std::uint32_t> vehicle = {};  // that carries or carried it last
@@ -68,6 +68,15 @@ struct RestProblem {
   std::vector<std::size_t> tasks;
 };
 
+// All of a ledger but the problem's file: what a journal keeps.
+struct LedgerState {
+  std::vector<MissionGoal> orders = {};  // goals beyond those of the file
+  std::vector<GoalEntry> goals = {};
+  std::vector<VehicleEntry> vehicles = {};
+  std::vector<bool> tasks_dropped = {};
+  bool limits_dropped = false;
+};
+
 class FleetLedger {
  public:
   explicit FleetLedger(MissionProblem problem);
@@ -87,10 +96,15 @@ class FleetLedger {
   // Of goals that are not delivered, whose constraints are named: they do not bind any more.
   std::vector<std::string> drop_limits();
 
-  // A new load, or another amount of one that is known by its name; 0: of what nobody has yet picked up nothing
-  // is wanted any more. X0003: a place that is unknown or the same twice, or another way of a known load.
+  // A new load, or another amount of one that is known by its name; 0: of what nobody has yet picked up
+  // nothing is wanted any more. X0003: a place that is unknown or the same twice, or another way of a known
+  // load.
   [[nodiscard]] result::Result<void> order(const std::string& name, const std::string& from,
                                            const std::string& to, std::uint32_t amount);
+
+  LedgerState state() const;
+  // Of the same file; false, and nothing happens, if the state cannot be of it.
+  bool restore(LedgerState state);
 
   // Everything is delivered; no vehicle has anything left to carry.
   bool complete() const;
@@ -100,6 +114,7 @@ class FleetLedger {
   std::optional<std::size_t> location(const std::string& name) const;
 
   MissionProblem problem_;
+  std::size_t file_goals_ = 0;
   std::vector<GoalEntry> goals_;
   std::vector<VehicleEntry> vehicles_;
   std::vector<bool> tasks_dropped_;

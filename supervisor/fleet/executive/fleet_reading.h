@@ -22,14 +22,14 @@
 namespace stepwright::fleet {
 
 struct VehicleReading {
-  double arc_m = 0.0;         // along its path
-  std::uint32_t areas = 0;    // polygons that it has left
-  std::uint32_t error = 0;    // ErrorID (ladder/driver/library/vehicle.st)
-  double speed_m_s = 0.0;     // negative in reverse
+  double arc_m = 0.0;       // along its path
+  std::uint32_t areas = 0;  // polygons that it has left
+  std::uint32_t error = 0;  // ErrorID (ladder/driver/library/vehicle.st)
+  double speed_m_s = 0.0;   // negative in reverse
   bool standing = false;
-  bool forks_at_end = true;   // up or down, not between
-  geometry::Pose pose;        // as it is estimated
-  std::size_t step = 0;       // the active one of its chart, as in MissionProgram::steps
+  bool forks_at_end = true;  // up or down, not between
+  geometry::Pose pose;       // as it is estimated
+  std::size_t step = 0;      // the active one of its chart, as in MissionProgram::steps
 };
 
 struct FleetReading {

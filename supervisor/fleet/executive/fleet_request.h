@@ -32,8 +32,8 @@ struct UnblockChange {
   std::string name;
 };
 
-// A vehicle that stopped by itself is to take part again; whoever says so has seen to what stopped it and reset
-// it (fleet_reset).
+// A vehicle that stopped by itself is to take part again; whoever says so has seen to what stopped it and
+// reset it (fleet_reset).
 struct ReturnChange {
   std::string vehicle;
 };

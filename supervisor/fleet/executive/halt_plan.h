@@ -1,11 +1,11 @@
 #pragma once
 
-// How a fleet comes to rest between two plans: each vehicle drives on along its way as far as its chart lets it
-// already, and no farther than it needs, then stands. A pure function.
+// How a fleet comes to rest between two plans: each vehicle drives on along its way as far as its chart lets
+// it already, and no farther than it needs, then stands. A pure function.
 //
 // Nobody needs anything that he has not been permitted: polygons are the ones that the vehicle is in or may
-// enter, and no two of different vehicles overlap, because the interlocks let nobody in before the other one has
-// left. So there is nothing to order, and the halt always exists.
+// enter, and no two of different vehicles overlap, because the interlocks let nobody in before the other one
+// has left. So there is nothing to order, and the halt always exists.
 //
 //   const HaltPlan halt = halt_plan(plan, program, reading, brake, frame);
 //   controller.change(container_of(fleet_program(halt.plan, terminals, options)));

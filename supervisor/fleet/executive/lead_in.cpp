@@ -21,7 +21,8 @@ Travel turned(Travel travel) {
 }
 
 Path onward(const Path& path, std::size_t from, std::size_t to) {
-  Path way(path.begin() + static_cast<std::ptrdiff_t>(from), path.begin() + static_cast<std::ptrdiff_t>(to) + 1);
+  Path way(path.begin() + static_cast<std::ptrdiff_t>(from),
+           path.begin() + static_cast<std::ptrdiff_t>(to) + 1);
   const double begun_m = way.front().arc_m;
   for (PathPose& at : way) at.arc_m -= begun_m;
   if (way.size() > 1) way.front().travel = way[1].travel;

@@ -5,7 +5,8 @@
 //
 // Pure functions.
 //
-//   for (const LeadIn& way : lead_ins(mission.path, reading.arc_m, map.frame())) ...   // the first that is free
+//   for (const LeadIn& way : lead_ins(mission.path, reading.arc_m, map.frame())) ...   // the first that is
+//   free
 
 #include <vector>
 

@@ -110,7 +110,8 @@ class Rest {
       const bool done = met[v]++ < vehicles_[v].tasks_done;
       // The last drive is where the vehicle rests; whoever has been moved away goes there again.
       const bool rests = std::ranges::none_of(problem_.tasks.begin() + static_cast<std::ptrdiff_t>(k) + 1,
-                                              problem_.tasks.end(), [&](const MissionTask& task) { return task.vehicle == v; });
+                                              problem_.tasks.end(),
+                                              [&](const MissionTask& task) { return task.vehicle == v; });
       if (!number_[v] || tasks_dropped_[k] || (done && !rests)) continue;
       MissionTask task = problem_.tasks[k];
       task.vehicle = *number_[v];
@@ -121,8 +122,8 @@ class Rest {
   }
 
   struct Moments {
-    std::vector<MomentRef> open;         // of the new problem
-    std::vector<milliseconds> past;      // of the first plan's clock
+    std::vector<MomentRef> open;     // of the new problem
+    std::vector<milliseconds> past;  // of the first plan's clock
   };
 
   Moments moments(const MomentRef& at) const {
@@ -186,7 +187,8 @@ class Rest {
   }
 
   void put(const MissionConstraint& of, const MomentRef& from, const MomentRef& to, const Bounds& distance) {
-    const bool binds = distance.least.count() > 0 || distance.most < kHorizon || from.moment != Moment::TimeZero;
+    const bool binds =
+        distance.least.count() > 0 || distance.most < kHorizon || from.moment != Moment::TimeZero;
     if (!binds) return;
     MissionConstraint constraint = of;
     constraint.from = from;

@@ -11,8 +11,9 @@ geometry::ConvexPolygon place_around(const geometry::Pose& pose, const geometry:
                              .half_width_m = outline.half_width_m + beside_m});
 }
 
-void insert_standing(FleetPlan& plan, std::uint32_t vehicle, const std::string& name, const VehicleModel& model,
-                     const geometry::Pose& pose, const geometry::ConvexPolygon& place) {
+void insert_standing(FleetPlan& plan, std::uint32_t vehicle, const std::string& name,
+                     const VehicleModel& model, const geometry::Pose& pose,
+                     const geometry::ConvexPolygon& place) {
   const auto moved = [vehicle](PolygonRef at) {
     if (at.vehicle >= vehicle) ++at.vehicle;
     return at;

@@ -67,7 +67,6 @@ void FleetFloor::add(const VehicleModel& model) {
 
 void FleetFloor::set_map(const OccupancyGrid& map) {
   assert(map.frame() == map_->frame());
-  if (map == *map_) return;
   *map_ = map;
   for (auto& model : models_) model->planner = model->planner.on(*map_);
   known_.clear();

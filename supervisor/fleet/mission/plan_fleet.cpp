@@ -217,8 +217,7 @@ class Chain {
       return internal::build_mission(problem_, v, *vehicle.path, {}, floor_.map(), options_.envelope);
     std::vector<const LatticePath*> paths;
     for (const LegRequest& leg : *legs) paths.push_back(&*floor_.leg(leg).path);
-    auto mission =
-        internal::route_mission(problem_, v, routes_[v], paths, floor_.map(), options_.envelope);
+    auto mission = internal::route_mission(problem_, v, routes_[v], paths, floor_.map(), options_.envelope);
     if (mission && options_.pace) options_.pace(*mission);
     return mission;
   }

@@ -22,7 +22,7 @@ result::Result<std::vector<std::byte>> compile_fleet(const FleetProgram& program
 }
 
 result::Result<PreparedFleet> prepare_fleet(const MissionProblem& problem, FleetFloor& floor,
-                                       const PrepareOptions& options) {
+                                            const PrepareOptions& options) {
   auto answer = plan_fleet(with_reserve(problem, options.reserve), floor, planning_options(options));
   if (!answer) return result::forward(answer);
   PreparedFleet prepared{.answer = *std::move(answer), .program = {}};

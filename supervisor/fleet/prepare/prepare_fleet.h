@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "runtime/result/result.h"
-#include "supervisor/fleet/prepare/reserve.h"
 #include "supervisor/fleet/mission/plan_fleet.h"
+#include "supervisor/fleet/prepare/reserve.h"
 #include "supervisor/fleet/program/fleet_program.h"
 
 namespace stepwright::fleet {
@@ -29,8 +29,8 @@ struct PrepareOptions {
 };
 
 struct PreparedFleet {
-  FleetAnswer answer;                    // its missions have the vehicles' true outlines
-  std::optional<FleetProgram> program;   // if there is a schedule
+  FleetAnswer answer;                     // its missions have the vehicles' true outlines
+  std::optional<FleetProgram> program;    // if there is a schedule
   std::vector<std::byte> container = {};  // of it
 };
 
@@ -39,7 +39,7 @@ FleetOptions planning_options(const PrepareOptions& options);
 
 // `floor` has the models of the problem with the reserve. Diagnostics: those of plan_fleet and fleet_program.
 [[nodiscard]] result::Result<PreparedFleet> prepare_fleet(const MissionProblem& problem, FleetFloor& floor,
-                                                     const PrepareOptions& options);
+                                                          const PrepareOptions& options);
 
 // The program of a plan that is there already.
 [[nodiscard]] result::Result<std::vector<std::byte>> compile_fleet(const FleetProgram& program);

@@ -197,9 +197,8 @@ class Repair {
   }
 
   ScheduleOptions options() const {
-    ScheduleOptions options{.mode = input_.options.mode,
-                            .conflicts = input_.options.conflicts,
-                            .cancel = input_.options.cancel};
+    ScheduleOptions options{
+        .mode = input_.options.mode, .conflicts = input_.options.conflicts, .cancel = input_.options.cancel};
     if (input_.limited) {
       const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
           input_.until - std::chrono::steady_clock::now());
