@@ -154,6 +154,11 @@ bool FleetExecutive::recover_runtime() {
   const bool runs =
       status && status->state == host::RuntimeState::Running && status->program_digest == running_->digest;
   if (!runs) {
+    if (const auto loaded = carrier()) {
+      return give_up(
+          "the runtime was restarted, and the forks of " + *loaded + " have left their load somewhere",
+          IncidentKind::LostRuntime);
+    }
     return replan(
         {IncidentKind::LostRuntime, {"the runtime was restarted or stopped while nobody watched it"}, {}});
   }

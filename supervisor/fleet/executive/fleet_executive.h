@@ -90,6 +90,7 @@ class FleetExecutive {
   bool resume();
   bool resume_plan(FleetOutcome outcome, const FleetRequest& request);
   void write_journal();
+  std::optional<std::string> carrier() const;
   bool await_runtime();
   bool recover_runtime();
   bool finish();

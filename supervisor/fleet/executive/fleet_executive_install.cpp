@@ -36,16 +36,24 @@ bool FleetExecutive::install(const PreparedFleet& prepared) {
       return await_event(host::EventKind::Changed);
     }
     // Without a program the forks go down: a load that is aboard would be left where the vehicle stands.
-    for (std::size_t v = 0; v < ledger_.vehicles().size(); ++v) {
-      if (ledger_.vehicles()[v].aboard.empty() || ledger_.vehicles()[v].lost) continue;
-      return give_up("the online change was refused, and " + desk_.problem().vehicles[v].name +
-                         " has a load aboard that a download would drop",
-                     IncidentKind::ProgramFault);
+    if (const auto loaded = carrier()) {
+      return give_up(
+          "the online change was refused, and " + *loaded + " has a load aboard that a download would drop",
+          IncidentKind::ProgramFault);
     }
     (void)controller_.stop("the next program cannot take over");
   }
   running_.emplace(Running{{}, std::move(*reader)});
   return download_and_start(prepared);
+}
+
+// A vehicle that has a load aboard, if any takes part.
+std::optional<std::string> FleetExecutive::carrier() const {
+  for (std::size_t v = 0; v < ledger_.vehicles().size(); ++v) {
+    const VehicleEntry& entry = ledger_.vehicles()[v];
+    if (!entry.aboard.empty() && !entry.lost) return desk_.problem().vehicles[v].name;
+  }
+  return std::nullopt;
 }
 
 bool FleetExecutive::download_and_start(const PreparedFleet& prepared) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "supervisor/fleet/executive/fleet_executive.h"
@@ -37,7 +38,7 @@ double arc_near(const geometry::Path& path, double guess_m, const geometry::Pose
     if (std::abs(at.arc_m - guess_m) > kSearch_m) continue;
     // A place that is passed twice: the one with the vehicle's heading, then the one that is expected.
     const double turned =
-        std::abs(std::remainder(at.pose.heading_rad - pose.heading_rad, 2.0 * 3.14159265358979));
+        std::abs(std::remainder(at.pose.heading_rad - pose.heading_rad, 2.0 * std::numbers::pi));
     const double off = geometry::distance(at.pose.position(), pose.position()) + turned +
                        0.02 * std::abs(at.arc_m - guess_m);
     if (off >= least) continue;

@@ -97,7 +97,7 @@ TEST(FleetExecutiveRun, WhenSomethingIsOrderedMeanwhile_ThenAllIsDeliveredAndNob
 }
 
 TEST(FleetExecutiveRun, WhenAVehicleDies_ThenTheOthersDoItsWorkAroundIt) {
-  SmallHall hall({{15.0, "dead_v2", 1.0}});
+  SmallHall hall({{10.0, "dead_v2", 1.0}});
   const RunRecord record = hall.run(hall.options());
   SCOPED_TRACE(story(record));
   EXPECT_EQ(record.phase, Phase::Done);

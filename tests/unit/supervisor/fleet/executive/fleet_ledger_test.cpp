@@ -126,11 +126,17 @@ TEST(FleetLedger, WhenSomethingIsOrdered_ThenItIsAGoalOrAnotherAmountOfOne) {
   ledger.made(0, stop(StopKind::PickUp, "flour", 2), 10s);
   EXPECT_TRUE(ledger.order("flour", "dock", "rack", 0));  // what is aboard is delivered all the same
   EXPECT_EQ(ledger.goals()[0].amount, 2u);
-  for (const auto& [name, from, to, amount] : {std::tuple("salt", "dock", "rack", 1u),
-                                               {"x", "nowhere", "rack", 1u},
-                                               {"x", "rack", "rack", 1u},
-                                               {"", "rack", "dock", 1u},
-                                               {"x", "rack", "dock", 0u}}) {
+  struct Order {
+    const char* name;
+    const char* from;
+    const char* to;
+    std::uint32_t amount;
+  };
+  for (const auto& [name, from, to, amount] : {Order{"salt", "dock", "rack", 1},
+                                               {"x", "nowhere", "rack", 1},
+                                               {"x", "rack", "rack", 1},
+                                               {"", "rack", "dock", 1},
+                                               {"x", "rack", "dock", 0}}) {
     const auto refused = ledger.order(name, from, to, amount);
     ASSERT_FALSE(refused) << name << from;
     EXPECT_EQ(refused.error().front().code, "X0003");
