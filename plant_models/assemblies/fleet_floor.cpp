@@ -34,7 +34,8 @@ FleetFloor::FleetFloor(const FleetParameters& parameters)
     : parameters_(parameters),
       ports_(make_ports(parameters)),
       description_(describe_fleet(parameters)),
-      world_({.step_s = kFleetStepS}) {}
+      world_({.step_s = kFleetStepS}),
+      judge_(parameters) {}
 
 result::Result<std::unique_ptr<FleetFloor>> FleetFloor::create(const FleetParameters& parameters) {
   if (auto valid = validate(parameters); !valid) return result::forward(valid);
@@ -196,6 +197,12 @@ double FleetFloor::truth(core::TruthId id) const {
       return contacts_;
     case FleetTruth::GreatestForce:
       return greatest_force_n_;
+    case FleetTruth::Overlaps:
+      return static_cast<double>(judge_.overlaps());
+    case FleetTruth::ObstacleOverlaps:
+      return static_cast<double>(judge_.obstacle_overlaps());
+    case FleetTruth::SmallestGap:
+      return judge_.smallest_gap_m();
   }
   return 0.0;
 }

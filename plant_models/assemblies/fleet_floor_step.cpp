@@ -37,7 +37,11 @@ bool FleetFloor::step() {
   }
   world_.step();
   for (Vehicle& vehicle : vehicles_) feel_contacts(vehicle);
-  for (std::size_t i = 0; i < vehicles_.size(); ++i) move_forks(i);
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    move_forks(i);
+    judge_.put(i, vehicles_[i].forklift->pose());
+  }
+  judge_.look();
   return true;
 }
 

@@ -20,6 +20,11 @@ class Builder {
     truth(FleetTruth::Contacts, 0, "contacts", "", "how often a vehicle has run into something");
     truth(FleetTruth::GreatestForce, 0, "greatest_force", "N",
           "the most that a vehicle was pressed with so far");
+    truth(FleetTruth::Overlaps, 0, "overlaps", "",
+          "pairs of vehicles whose exact outlines shared a point, counted in each step");
+    truth(FleetTruth::ObstacleOverlaps, 0, "obstacle_overlaps", "",
+          "outlines of vehicles that shared a point with a wall or a blocked place, counted in each step");
+    truth(FleetTruth::SmallestGap, 0, "smallest_gap", "m", "least distance of two outlines so far");
     for (std::size_t i = 0; i < parameters_.blockages.size(); ++i) {
       fault(FleetFault::Block, i, "block_" + std::to_string(i + 1), "1: something stands in this place");
       truth(FleetTruth::Blocked, i, "blocked_" + std::to_string(i + 1), "",

@@ -39,6 +39,9 @@ enum class FleetTruth : std::uint8_t {
   Blocked,      // index: of the blockage
   Contacts,
   GreatestForce,
+  Overlaps,  // as the judge counts them (outline_judge.h)
+  ObstacleOverlaps,
+  SmallestGap,
 };
 enum class FleetFault : std::uint8_t {
   Dead,

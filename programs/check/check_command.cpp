@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "programs/check/check_fleet.h"
 #include "programs/check/check_processes.h"
 #include "programs/check/check_program.h"
 #include "programs/config/executive_options.h"
@@ -39,9 +40,23 @@ void check_planning(const config::CellConfig& config, CheckReport& report) {
                          : result::ExitCode::BudgetExhausted;
 }
 
+// The first plan of its fleet, as the supervisor would make it at its start.
+void check_missions(const config::CellConfig& config, CheckReport& report) {
+  FleetCheck fleet = check_fleet(config);
+  add(report.problems, fleet.problems);
+  if (!fleet.no_plan.empty()) {
+    report.no_plan = fleet.no_plan;
+    report.plan_exit = fleet.proved ? result::ExitCode::NoPlan : result::ExitCode::BudgetExhausted;
+  }
+  if (fleet.program.empty()) return;
+  report.program = "the program of the plan";
+  add(report.problems, check_program(config, {report.program, fleet.program}));
+  report.plan = {fleet.stops, fleet.makespan_s, fleet.program.size()};
+}
+
 // A sound report must not be taken for more than it is.
 void note_unknown(const config::CellConfig& config, result::Diagnostics& problems) {
-  const bool plans = !config.planning.domain.empty();
+  const bool plans = !config.planning.domain.empty() || !config.fleet.problem.empty();
   const bool ranges = config.modbus_server.enabled && !config.modbus_server.map.ranges.empty();
   const bool tags = !config.modbus_client.devices.empty();
   if (plans || (!ranges && !tags)) return;
@@ -87,6 +102,8 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   // Planning costs seconds: not for a file that has to be changed anyway.
   const bool plans = !cell.config.planning.domain.empty();
   if (plans && !result::has_errors(report.problems)) check_planning(cell.config, report);
+  if (!cell.config.fleet.problem.empty() && !result::has_errors(report.problems))
+    check_missions(cell.config, report);
   sort(report.problems);
   return report;
 }

@@ -205,6 +205,13 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
                                             found);
   config.modbus_client_metrics = read_metrics(root.table("modbus").table("client"));
   if (root.has("planning")) read_planning(root.table("planning"), folder, config.planning);
+  if (root.has("fleet")) {
+    config.fleet = read_fleet_mission(root.table("fleet"), folder);
+    if (root.has("planning")) {
+      root.report("fleet", "the cell has [planning] and [fleet]",
+                  "a cell has one mission: leave one of them out", "0545");
+    }
+  }
   for (const TomlTable& fault : root.tables("faults")) {
     config.faults.push_back({fault.required_number("at_s", {0.0, 1e9}), fault.required_text("name"),
                              fault.required_number("value"), fault.where("name")});

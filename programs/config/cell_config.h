@@ -129,6 +129,7 @@ struct CellConfig {
   LostSupervisorPolicy on_lost_supervisor = LostSupervisorPolicy::Continue;
   std::chrono::milliseconds supervisor_lost_after{1'000};
   PlanningConfig planning;
+  FleetMissionConfig fleet;  // [fleet]; a cell has this or [planning]
   ExecutiveConfig executive;
   DdsConfig dds;
   HmiConfig hmi;

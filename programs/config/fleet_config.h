@@ -22,7 +22,10 @@
 //
 // Thread-safe: pure.
 
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "runtime/result/diagnostic.h"
@@ -58,5 +61,40 @@ struct FleetPlantConfig {
 
 // What is wrong is reported to the document of `plant`. Relative paths are taken from `folder`.
 FleetPlantConfig read_fleet_plant(const settings::TomlTable& plant, const std::filesystem::path& folder);
+
+// A load that somebody orders while the fleet runs.
+struct FleetOrderConfig {
+  double at_s = 0.0;
+  std::string name;
+  std::string from;
+  std::string to;
+  std::uint32_t amount = 1;
+  result::Location where;
+};
+
+// [fleet]: what the supervisor has the fleet do.
+//
+//   [fleet]
+//   problem = "warehouse.json"   # supervisor/doc/fleet_problems.md
+//   path_factor = 1.5            # paths are proved to cost at most so many times the least
+//   time_ms = 0                  # budget of a planning; 0: none, so that plans are the same on every machine
+//   late_ms = 3000               # who is later than scheduled by more gives all others new times
+//   [[fleet.orders]]             # somebody orders this at that time
+//   at_s = 60.0
+//   name = "order 43"
+//   from = "rack A"
+//   to = "outbound"
+//   amount = 1
+struct FleetMissionConfig {
+  std::filesystem::path problem;  // empty: the supervisor has no fleet
+  double path_factor = 1.5;
+  std::chrono::milliseconds time{0};
+  std::chrono::milliseconds late{3'000};
+  std::vector<FleetOrderConfig> orders;
+  result::Location where;  // of `problem`
+};
+
+// A file that is not there is reported to the document of `fleet`.
+FleetMissionConfig read_fleet_mission(const settings::TomlTable& fleet, const std::filesystem::path& folder);
 
 }  // namespace stepwright::config

@@ -195,7 +195,8 @@ int run_demo(const DemoOptions& options) {
   if (!run) return fail(run.error(), ExitCode::RuntimeFault);
   std::optional<CellRunResult> sequential;
   // Two charts are compared on the host: on a controller that says the same and takes its time.
-  const bool compare = options.compare && !options.sequential && !config->controller.remote();
+  const bool planned = config->fleet.problem.empty();  // a fleet's missions are never sequential
+  const bool compare = options.compare && planned && !options.sequential && !config->controller.remote();
   if (run->report && run->exit == ExitCode::Done && compare && !stop_requested) {
     std::vector<std::string> strict = *overrides;
     strict.emplace_back("planning.sequential=true");

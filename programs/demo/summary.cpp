@@ -49,6 +49,25 @@ void add_runtime(const host::RuntimeStatus& runtime, json& out) {
   for (const host::NamedValue& value : runtime.plant) plant[value.name] = value.value;
 }
 
+// What only a cell with a fleet has; overlaps are counted by the plant's own judge.
+void add_fleet(const executive::Report& report, json& out) {
+  const json document = json::parse(report.record.fleet, nullptr, false);
+  if (!document.is_object()) return;
+  json& fleet = out["fleet"] = json::object();
+  std::uint64_t delivered = 0;
+  for (const json& goal : document.value("goals", json::array())) delivered += goal.value("delivered", 0U);
+  fleet["delivered"] = delivered;
+  fleet["plans"] = report.record.episodes.size();
+  fleet["vehicles"] = document.value("vehicles", json::array());
+  fleet["goals"] = document.value("goals", json::array());
+  fleet["retime_ms"] = document.value("retime_ms", 0.0);
+  fleet["retimings"] = document.value("retimings", 0U);
+  for (const host::NamedValue& value : report.runtime.plant) {
+    if (value.name == "overlaps" || value.name == "obstacle_overlaps") fleet[value.name] = value.value;
+    if (value.name == "smallest_gap") fleet["smallest_gap_m"] = value.value;
+  }
+}
+
 }  // namespace
 
 std::string summary_json(const CellRunResult& run, const std::optional<CellRunResult>& sequential) {
@@ -57,6 +76,7 @@ std::string summary_json(const CellRunResult& run, const std::optional<CellRunRe
   if (run.report) {
     add_record(run.report->record, out);
     add_runtime(run.report->runtime, out);
+    add_fleet(*run.report, out);
     out["record"] = json::parse(executive::to_json(run.report->record));
   }
   const auto strict = sequential_makespan_s(sequential);

@@ -4,14 +4,15 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
-#include "programs/fleet/fleet_json.h"
+#include "programs/fleet/cell_fleet.h"
 #include "programs/fleet/fleet_text.h"
 #include "programs/process/files.h"
 #include "programs/process/interruption.h"
 #include "supervisor/fleet/mission/fleet_svg.h"
 #include "supervisor/fleet/mission/problem_reader.h"
+#include "supervisor/fleet/prepare/prepare_fleet.h"
+#include "supervisor/fleet/report/fleet_json.h"
 #include "supervisor/fleet/schedule/retiming.h"
 
 namespace stepwright::fleet {
@@ -52,14 +53,8 @@ class ProgressLine {
 };
 
 std::filesystem::path cache_folder(const FleetArguments& arguments) {
-  if (arguments.cache_folder) return *arguments.cache_folder;
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/') {
-    return std::filesystem::path(cache) / "stepwright";
-  }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') {
-    return std::filesystem::path(home) / ".cache" / "stepwright";
-  }
-  return {};
+  return arguments.cache_folder ? std::filesystem::path(*arguments.cache_folder)
+                                : config::fleet_table_folder();
 }
 
 FleetOptions options_of(const FleetArguments& arguments, ProgressLine& line) {
@@ -80,7 +75,41 @@ FleetOptions options_of(const FleetArguments& arguments, ProgressLine& line) {
 struct Work {
   FleetAnswer answer;
   std::optional<MissionProblem> problem;  // nothing: envelopes alone
+  std::optional<FleetProgram> program = {};
+  std::vector<std::byte> container = {};
 };
+
+// What the program of the plan needs to know of the cell that runs it.
+result::Result<PrepareOptions> prepare_options(const FleetArguments& arguments, const FleetOptions& planning,
+                                               std::size_t vehicles) {
+  PrepareOptions options{.planning = planning, .program = {}, .terminals = {}, .reserve = {}};
+  if (arguments.config.empty()) {
+    options.terminals = terminals_in_a_row(vehicles);
+    return options;
+  }
+  auto cell = config::load_cell_config(arguments.config, arguments.overrides);
+  if (!cell) return result::forward(cell);
+  auto terminals = config::fleet_terminals(*cell, vehicles);
+  if (!terminals) return result::forward(terminals);
+  options.terminals = *std::move(terminals);
+  options.program = config::fleet_program_options(*cell);
+  return options;
+}
+
+// The plan that a program drives, and the program.
+result::Result<Work> prepare(const FleetArguments& arguments, const FleetOptions& planning,
+                             MissionProblem problem) {
+  auto options = prepare_options(arguments, planning, problem.vehicles.size());
+  if (!options) return result::forward(options);
+  auto floor = FleetFloor::create(problem.map, models_of(with_reserve(problem, options->reserve)),
+                                  {.table_folder = cache_folder(arguments), .threads = arguments.threads});
+  if (!floor) return result::forward(floor);
+  auto prepared = prepare_fleet(problem, *floor, *options);
+  if (!prepared) return result::forward(prepared);
+  if (prepared->program) print(prepared->program->warnings);
+  return Work{std::move(prepared->answer), std::move(problem), std::move(prepared->program),
+              std::move(prepared->container)};
+}
 
 result::Result<Work> plan(const FleetArguments& arguments, const std::string& text) {
   const process::Interruption interruption;
@@ -88,13 +117,18 @@ result::Result<Work> plan(const FleetArguments& arguments, const std::string& te
   FleetOptions options = options_of(arguments, line);
   options.cancel = interruption.flag();
   if (is_scheduling_problem(text)) {
+    if (!arguments.program_file.empty()) {
+      return result::fail("F1101", {arguments.problem, 0, 0}, "envelopes alone make no program",
+                          "a program drives along paths: give a problem with a map");
+    }
     auto problem = read_problem(text, arguments.problem);
     if (!problem) return result::forward(problem);
-    return Work{schedule_fleet(*problem, options), std::nullopt};
+    return Work{.answer = schedule_fleet(*problem, options), .problem = std::nullopt};
   }
   auto problem = read_mission_problem(text, arguments.problem);
   if (!problem) return result::forward(problem);
   line.show({"preparing", 0, 0.0});
+  if (!arguments.program_file.empty()) return prepare(arguments, options, *std::move(problem));
   auto floor = FleetFloor::create(
       problem->map, models_of(*problem),
       {.table_folder = cache_folder(arguments), .threads = arguments.threads, .cancel = options.cancel});
@@ -102,7 +136,7 @@ result::Result<Work> plan(const FleetArguments& arguments, const std::string& te
   for (const std::string& note : floor->notes()) std::fprintf(stderr, "note: %s\n", note.c_str());
   auto answer = plan_fleet(*problem, *floor, options);
   if (!answer) return result::forward(answer);
-  return Work{*std::move(answer), *std::move(problem)};
+  return Work{.answer = *std::move(answer), .problem = *std::move(problem)};
 }
 
 // How long it takes to give all vehicles new times after one is 5 s late in the middle of its way.
@@ -149,7 +183,8 @@ ExitCode run_fleet(const FleetArguments& arguments) {
     print(text.error());
     return ExitCode::BadInput;
   }
-  if (!writable(arguments.json_file) || !writable(arguments.svg_file)) return ExitCode::BadInput;
+  if (!writable(arguments.json_file) || !writable(arguments.svg_file) || !writable(arguments.program_file))
+    return ExitCode::BadInput;
   const auto work = plan(arguments, *text);
   if (!work) {
     print(work.error());
@@ -168,7 +203,9 @@ ExitCode run_fleet(const FleetArguments& arguments) {
       flushed &&
       (arguments.json_file.empty() || write(arguments.json_file, fleet_json(answer, problem, retime_ms))) &&
       (arguments.svg_file.empty() ||
-       write(arguments.svg_file, fleet_svg(answer.plan, problem != nullptr ? &problem->map : nullptr)));
+       write(arguments.svg_file, fleet_svg(answer.plan, problem != nullptr ? &problem->map : nullptr))) &&
+      (!work->program || write(arguments.program_file, {reinterpret_cast<const char*>(work->container.data()),
+                                                        work->container.size()}));
   return written ? exit_code(answer) : ExitCode::BadInput;
 }
 

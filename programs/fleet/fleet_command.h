@@ -1,9 +1,10 @@
 #pragma once
 
-// `stepwright fleet PROBLEM.json [--json FILE] [--svg FILE] [--paper] [--time S] ...`.
+// `stepwright fleet PROBLEM.json [--json FILE] [--svg FILE] [--program FILE.swb [--config CELL.toml]] ...`.
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "runtime/result/exit_code.h"
 #include "supervisor/fleet/schedule/problem.h"
@@ -20,9 +21,12 @@ struct FleetArguments {
   unsigned alternatives = 48;
   unsigned threads = 2;
   std::optional<std::string> cache_folder;
-  bool progress = false;  // also where stderr is no terminal
-  std::string json_file;  // empty: none
-  std::string svg_file;   // empty: none
+  bool progress = false;     // also where stderr is no terminal
+  std::string json_file;     // empty: none
+  std::string svg_file;      // empty: none
+  std::string program_file;  // the plan as a program; empty: none
+  std::string config;        // of the cell whose terminals and interval it has; empty: terminals in a row
+  std::vector<std::string> overrides;  // KEY=VALUE that win over it
 };
 
 result::ExitCode run_fleet(const FleetArguments& arguments);

@@ -40,6 +40,14 @@ void describe(CLI::App& app, fleet::FleetArguments& arguments) {
   app.add_flag("--progress", arguments.progress, "show the progress also where stderr is no terminal");
   app.add_option("--json", arguments.json_file, "write plan and figures as JSON");
   app.add_option("--svg", arguments.svg_file, "draw floor, paths, envelopes, critical sections and times");
+  auto* program = app.add_option("--program", arguments.program_file,
+                                 "compile the plan to a program for a runtime; it is planned with a reserve "
+                                 "for what drives it");
+  auto* config = app.add_option("--config", arguments.config,
+                                "cell that is to run the program: its terminals, its scan interval (default: "
+                                "terminals in a row, 20 ms)")
+                     ->needs(program);
+  app.add_option("--set", arguments.overrides, "KEY=VALUE that wins over the cell's file")->needs(config);
   app.footer(
       "Exit codes: 0 there is a schedule, 1 wrong input, 2 wrong usage, 3 there is none on any "
       "paths (proved), 4 the budget ended first, or Ctrl-C or SIGTERM came, before there was one; so did all "

@@ -15,12 +15,12 @@
 
 #include "programs/config/cell_config.h"
 #include "programs/config/dds_options.h"
-#include "programs/config/executive_options.h"
 #include "programs/log/logger.h"
 #include "programs/log/reload_log.h"
 #include "programs/process/command_line.h"
 #include "programs/process/notify_socket.h"
 #include "programs/process/reload_signal.h"
+#include "programs/supervisor/cell_mission.h"
 #include "programs/supervisor/operator_request.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/result/exit_code.h"
@@ -46,20 +46,14 @@ struct Shared {
   std::string of(const config::CellConfig& config) const { return cells > 1 ? config.name + ": " : ""; }
 };
 
-void obey(executive::Executive& executive, const std::string& text, const std::string& cell,
+void obey(supervisor_program::CellMission& mission, const std::string& text, const std::string& cell,
           log::Logger& log) {
   const auto refuse = [&](const result::Diagnostics& why) {
     log.warning("refused", cell + "operator request refused: " + result::to_string(why));
   };
   auto request = supervisor_program::parse_operator_request(text);
   if (!request) return refuse(request.error());
-  if (std::holds_alternative<supervisor_program::AbortRequest>(*request)) return executive.request_abort();
-  if (const auto* wanted = std::get_if<supervisor_program::GoalRequest>(&*request)) {
-    if (auto set = executive.request_goal(wanted->goal); !set) refuse(set.error());
-    return;
-  }
-  const auto& change = std::get<supervisor_program::ChangeRequest>(*request);
-  if (auto changed = executive.request_change(change.fluent, change.value); !changed) refuse(changed.error());
+  if (auto obeyed = mission.obey(*request); !obeyed) refuse(obeyed.error());
 }
 
 // One line for each change of phase.
@@ -98,8 +92,8 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
                                      "the state folder cannot be made: " + error.message());
     return fail(failed.value(), ExitCode::BadInput);
   }
-  auto desk = executive::PlanningDesk::open(config::desk_options(config));
-  if (!desk) return fail(desk.error(), ExitCode::BadInput);
+  auto mission = supervisor_program::CellMission::open(config);
+  if (!mission) return fail(mission.error(), ExitCode::BadInput);
   const dds::ParticipantConfig participant = config::participant_of(config.dds, "supervisor");
   std::unique_lock joining(shared.joining);
   auto controller = executive::DdsController::connect(participant);
@@ -113,18 +107,17 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
   joining.unlock();
 
   std::string last_line;
-  executive::Executive executive(*desk, **controller, config::executive_options(config),
-                                 [&](const executive::RunRecord& record) {
-                                   narrate(record, last_line, config, shared);
-                                   (void)(*publisher)->publish(to_json(record));  // viewers keep the last one
-                                 });
+  (*mission)->begin(**controller, [&](const executive::RunRecord& record) {
+    narrate(record, last_line, config, shared);
+    (void)(*publisher)->publish(to_json(record));  // viewers keep the last one
+  });
   std::jthread requests([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       if (auto request = (*publisher)->wait_request(milliseconds(200)))
-        obey(executive, *request, shared.of(config), shared.log);
+        obey(**mission, *request, shared.of(config), shared.log);
     }
   });
-  const executive::RunRecord record = executive.run();
+  const executive::RunRecord record = (*mission)->run();
   const executive::Report report{record, final_status(**controller)};
   write_file(config.report_path(), executive::to_json(report));
   std::printf("%s%s", shared.of(config).c_str(), executive::report_table(record).c_str());
@@ -139,9 +132,12 @@ result::Diagnostics check(std::span<const config::CellConfig> cells) {
   result::Diagnostics problems;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const result::Location where{cells[i].file.string(), 0, 0};
-    if (cells[i].planning.domain.empty()) {
-      problems.push_back({"C0005", result::Severity::Error, where, "there is no [planning] table",
-                          "name domain, problem and binding there"});
+    const bool plans = !cells[i].planning.domain.empty();
+    const bool drives = !cells[i].fleet.problem.empty();
+    if (!plans && !drives) {
+      problems.push_back({"C0005", result::Severity::Error, where,
+                          "there is no [planning] table and no [fleet]",
+                          "name domain, problem and binding there, or the problem of a fleet"});
     }
     for (std::size_t j = 0; j < i; ++j) {
       const bool same = cells[i].dds.runtime_id == cells[j].dds.runtime_id &&

@@ -6,11 +6,19 @@
 //   {"request": "abort"}
 //   {"request": "change", "fluent": "(demand c1)", "value": 8}
 //   {"request": "goal", "goal": "(= (level a1) 4)"}
+//
+// And of a fleet:
+//
+//   {"request": "order", "name": "order 44", "from": "rack 1", "to": "outbound A", "amount": 1}
+//   {"request": "block", "name": "spill", "corners_m": [[10, 5], [12, 5], [12, 7], [10, 7]]}
+//   {"request": "unblock", "name": "spill"}
+//   {"request": "return", "vehicle": "truck 2"}
 
 #include <string>
 #include <variant>
 
 #include "runtime/result/result.h"
+#include "supervisor/fleet/executive/fleet_request.h"
 
 namespace stepwright::supervisor_program {
 
@@ -22,7 +30,7 @@ struct ChangeRequest {
 struct GoalRequest {
   std::string goal;  // PDDL
 };
-using OperatorRequest = std::variant<AbortRequest, ChangeRequest, GoalRequest>;
+using OperatorRequest = std::variant<AbortRequest, ChangeRequest, GoalRequest, fleet::FleetChange>;
 
 // Fails with X0005 for a text that is none of the above.
 [[nodiscard]] result::Result<OperatorRequest> parse_operator_request(const std::string& text);

@@ -41,12 +41,19 @@ namespace internal {
 json incident_json(const Incident& incident) {
   json alarms = json::array();
   for (const Alarm& alarm : incident.alarms) alarms.push_back(alarm_json(alarm));
-  return {{"time_s", incident.time_s},           {"kind", to_string(incident.kind)},
-          {"evidence", incident.evidence},       {"action", incident.action},
-          {"alarms", std::move(alarms)},         {"decision", to_string(incident.response)},
-          {"decision_ms", incident.decision_ms}, {"repair_ms", incident.repair_ms},
-          {"replan_ms", incident.replan_ms},     {"kept", incident.kept},
-          {"remaining", incident.remaining},     {"restarts", incident.restarts},
+  return {{"time_s", incident.time_s},
+          {"kind", to_string(incident.kind)},
+          {"evidence", incident.evidence},
+          {"action", incident.action},
+          {"alarms", std::move(alarms)},
+          {"decision", to_string(incident.response)},
+          {"decision_ms", incident.decision_ms},
+          {"repair_ms", incident.repair_ms},
+          {"replan_ms", incident.replan_ms},
+          {"retime_ms", incident.retime_ms},
+          {"kept", incident.kept},
+          {"remaining", incident.remaining},
+          {"restarts", incident.restarts},
           {"devices", incident.devices}};
 }
 
@@ -66,6 +73,7 @@ Incident incident_from(const json& value) {
   incident.decision_ms = value.at("decision_ms");
   incident.repair_ms = value.at("repair_ms");
   incident.replan_ms = value.at("replan_ms");
+  incident.retime_ms = value.value("retime_ms", 0.0);  // journals from before have none
   incident.kept = value.at("kept");
   incident.remaining = value.at("remaining");
   incident.restarts = value.at("restarts");

@@ -56,6 +56,7 @@ struct Incident {
   double decision_ms = 0.0;            // of the supervisor's own work, from the news to the decision
   double repair_ms = 0.0;              // of it: until there was a repaired plan, or none
   double replan_ms = 0.0;              // of it: for the new plan beside it
+  double retime_ms = 0.0;              // of a fleet: for new times of all vehicles
   std::size_t kept = 0;                // actions of the old plan that were kept
   std::size_t remaining = 0;           // of so many that were left
   std::size_t restarts = 0;            // plannings that newer news overtook

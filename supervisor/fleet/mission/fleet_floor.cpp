@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 #include <system_error>
 #include <utility>
@@ -64,6 +65,13 @@ void FleetFloor::add(const VehicleModel& model) {
   // That there was none is no news.
   if (loaded.note.find("F0404") != std::string::npos) notes_.push_back(loaded.note);
   models_.push_back(std::make_unique<Model>(*map_, model, std::move(loaded.table), std::move(primitives)));
+}
+
+void FleetFloor::set_map(const OccupancyGrid& map) {
+  assert(map.frame() == map_->frame());
+  *map_ = map;
+  for (auto& model : models_) model->planner = model->planner.on(*map_);
+  known_.clear();
 }
 
 // Poses are taken to the nearest of the lattice.

@@ -55,6 +55,9 @@ class FleetFloor {
   const VehicleModel& model(std::size_t index) const { return models_[index]->model; }
   // Any number of threads may plan with it.
   const PathPlanner& planner(std::size_t model) const { return models_[model]->planner; }
+  // Other cells are free and blocked from here on; paths are forgotten, so that what is planned does not
+  // depend on what was planned before. Requires the frame of the map so far.
+  void set_map(const OccupancyGrid& map);
   unsigned threads() const { return options_.threads; }
   // Tables that could not be kept.
   const std::vector<std::string>& notes() const { return notes_; }

@@ -48,8 +48,11 @@ struct MissionVehicle {
   SpeedLimits speed{.min_mps = 0.0, .max_mps = 1.5};
   geometry::Pose start;
   std::uint32_t capacity = 1;
-  std::chrono::milliseconds available{0};           // it does not leave its start before
-  std::vector<HandStop> route = {};                 // fixed by an operator; empty: free
+  std::chrono::milliseconds available{0};  // it does not leave its start before
+  std::vector<HandStop> route = {};        // fixed by an operator; empty: free
+  bool route_is_whole = true;              // nothing comes after `route`; otherwise it is the beginning
+  // The way to `start` for a vehicle that stands elsewhere: it ends there. What is planned comes behind it.
+  geometry::Path lead_in = {};
   std::optional<geometry::Path> path = {};          // drawn or recorded: it drives this and nothing else
   std::optional<TrajectoryEnvelope> envelope = {};  // given: nothing else of the vehicle is known
   std::string key;                                  // in the file: "vehicles[2]"

@@ -247,9 +247,9 @@ class Chain {
       return internal::build_mission(problem_, v, *vehicle.path, {}, floor_.map(), options_.envelope);
     std::vector<const LatticePath*> paths;
     for (const LegRequest& leg : *legs) paths.push_back(&*floor_.leg(leg).path);
-    auto stops = routes_[v].empty() ? std::vector<Stop>() : internal::stops_on(problem_, routes_[v], paths);
-    return internal::build_mission(problem_, v, internal::join_legs(paths), std::move(stops), floor_.map(),
-                                   options_.envelope);
+    auto mission = internal::route_mission(problem_, v, routes_[v], paths, floor_.map(), options_.envelope);
+    if (mission && options_.pace) options_.pace(*mission);
+    return mission;
   }
 
   void order() {
@@ -278,7 +278,10 @@ class Chain {
   }
 
   Schedule schedule_with(Objective objective) const {
-    ScheduleOptions options{.mode = options_.mode, .objective = objective, .cancel = options_.cancel};
+    ScheduleOptions options{.mode = options_.mode,
+                            .objective = objective,
+                            .conflicts = options_.conflicts,
+                            .cancel = options_.cancel};
     if (limited()) options.time = left();
     if (objective == Objective::TotalTardiness) options.due = due_times();
     return schedule(envelopes_of(answer_.plan), answer_.plan.constraints, options);

@@ -47,8 +47,13 @@ struct FleetOptions {
   std::chrono::milliseconds path_time{0};
   double path_factor = 1.0;         // paths that are proved to cost at most so many times the least will do
   std::uint32_t alternatives = 48;  // paths planned anew, at most, where there is no schedule
-  EnvelopeOptions envelope{};       // but for the speeds, which each vehicle has its own
+  std::uint64_t conflicts =
+      0;  // of each search for orders; a budget that is the same on every machine. 0: none
+  EnvelopeOptions envelope{};  // but for the speeds, which each vehicle has its own
   AllocationObjective allocation{};
+  // Puts what a mission's polygons take at least to what they will take (supervisor/fleet/program knows);
+  // from several threads. Empty: ways at greatest speed.
+  std::function<void(VehicleMission&)> pace = {};
   std::function<void(const FleetProgress&)> on_progress = {};  // called now and then, from this thread
   const std::atomic<bool>* cancel = nullptr;                   // not owned; may be null
 };

@@ -66,10 +66,16 @@ class ProjectWriter {
       vehicles.push_back(add_tables(v, std::move(*tables)));
     }
     for (Variable& each : time_globals(plan_, interlocks->times)) project.globals.push_back(std::move(each));
-    add_text("sensing", sensing_text(plan_, vehicles, interlocks->times),
-             sensing_blocks(vehicles, interlocks->times));
+    add_text("sensing", sensing_text(plan_, vehicles, interlocks->times, options_.revision),
+             sensing_blocks(vehicles, interlocks->times, options_.revision));
     for (std::uint32_t v = 0; v < plan_.missions.size(); ++v) add_chart(v, *interlocks);
     add_text("driving", driving_text(vehicles), driving_blocks(vehicles));
+    if (options_.news_every.count() > 0) {
+      graphic::Pou pou;
+      pou.name = kNewsProgram;
+      pou.body = news_chart(options_.news_every);
+      add_program(std::move(pou));
+    }
     project.tasks = {{kTask, options_.interval_us, 0}};
     for (const TimeLimit& limit : interlocks->times.limits) {
       made_.limits.push_back({limit.constraint, interlocks->times.events[limit.event].vehicle, limit.within});

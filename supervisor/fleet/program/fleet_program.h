@@ -48,6 +48,11 @@ struct ProgramOptions {
   FleetMargins margins;
   double sample_m = 0.2;      // between samples of a path
   bool load_switches = true;  // a pick-up without a load on the forks is an error
+  // A chart of its own changes its step so often: news for whoever follows the missions although no vehicle
+  // takes a step. Zero: none.
+  std::chrono::milliseconds news_every{0};
+  // Counts the plans of a run. The program's clock begins anew with each, also after an online change.
+  std::uint32_t revision = 1;
 };
 
 // What a step of a chart is about.
@@ -91,6 +96,9 @@ struct FleetProgram {
   std::vector<ProgramLimit> limits;
   result::Diagnostics warnings;  // F1106: temporal constraints that the program does not see to in full
 };
+
+// The program with that chart.
+inline constexpr const char* kNewsProgram = "news";
 
 // F1101: the plan is no schedule, or its parts do not belong together (F0201, F0202, F0502: data of a
 // vehicle). F1102: two polygons overlap and no precedence orders them, so that a delay could let vehicles

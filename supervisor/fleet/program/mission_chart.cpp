@@ -272,6 +272,26 @@ bool set_by_chart(const MissionEvent& event) {
   return event.kind == EventKind::Begun || event.kind == EventKind::StopDone;
 }
 
+graphic::SfcChart news_chart(std::chrono::milliseconds every) {
+  graphic::SfcChart chart;
+  for (const char* name : {"TICK", "TOCK"}) {
+    graphic::Step step;
+    step.name = name;
+    step.initial = chart.steps.empty();
+    chart.steps.push_back(std::move(step));
+  }
+  for (std::uint32_t from = 0; from < 2; ++from) {
+    graphic::Transition turn;
+    turn.name = fmt::format("T{:03}", from);
+    turn.sources = {StepId(from)};
+    turn.targets = {StepId(1 - from)};
+    turn.condition = compare(chart.steps[from].name + ".T", CompareOp::GreaterEqual, time_literal(every));
+    turn.priority = 1;
+    chart.transitions.push_back(std::move(turn));
+  }
+  return chart;
+}
+
 std::string real_literal(double value) {
   std::string text = fmt::format("{:.7g}", value);
   if (text == "-0") text = "0";

@@ -242,10 +242,12 @@ std::vector<Variable> vehicle_globals(const VehicleMission& mission, const Vehic
 }
 
 std::string sensing_text(const FleetPlan& plan, const std::vector<VehicleNames>& vehicles,
-                         const TimeRules& rules) {
-  std::string text =
-      "clock(IN := TRUE, PT := T#100000s);\nfleet_clock := clock.ET;\n"
-      "fleet_time := fleet_clock - fleet_epoch;\n";
+                         const TimeRules& rules, std::uint32_t revision) {
+  // An online change carries a block by its name.
+  std::string text = fmt::format(
+      "clock_{0}(IN := TRUE, PT := T#100000s);\nfleet_clock := clock_{0}.ET;\n"
+      "fleet_time := fleet_clock - fleet_epoch;\n",
+      revision);
   for (const VehicleNames& names : vehicles) text += filled(kSensing, names);
   for (std::size_t k = 0; k < rules.events.size(); ++k) {
     if (!set_by_chart(rules.events[k])) text += sensed(plan, vehicles, rules, k);
@@ -259,8 +261,9 @@ std::string sensing_text(const FleetPlan& plan, const std::vector<VehicleNames>&
   return text + limits_text(vehicles, rules);
 }
 
-std::vector<Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles, const TimeRules& rules) {
-  std::vector<Variable> blocks = {block("clock", "TON")};
+std::vector<Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles, const TimeRules& rules,
+                                     std::uint32_t revision) {
+  std::vector<Variable> blocks = {block(fmt::format("clock_{}", revision), "TON")};
   for (const VehicleNames& names : vehicles) {
     blocks.push_back(block("read_" + names.name, "MC_ReadVehicle"));
     blocks.push_back(block("watch_" + names.name, "MC_WatchArea"));

@@ -32,9 +32,9 @@ std::vector<graphic::Variable> vehicle_globals(const VehicleMission& mission, co
 
 // PROGRAM sensing: before the charts. Blocks: the instances that the text calls.
 std::string sensing_text(const FleetPlan& plan, const std::vector<VehicleNames>& vehicles,
-                         const TimeRules& rules);
+                         const TimeRules& rules, std::uint32_t revision);
 std::vector<graphic::Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles,
-                                              const TimeRules& rules);
+                                              const TimeRules& rules, std::uint32_t revision);
 // PROGRAM driving: behind them.
 std::string driving_text(const std::vector<VehicleNames>& vehicles);
 std::vector<graphic::Variable> driving_blocks(const std::vector<VehicleNames>& vehicles);

@@ -20,6 +20,35 @@ geometry::Path join_legs(std::span<const LatticePath* const> legs) {
   return path;
 }
 
+namespace {
+
+// The way behind its lead-in, which ends where the way begins; stops go with it.
+geometry::Path behind(const geometry::Path& lead_in, geometry::Path way, std::vector<Stop>& stops) {
+  if (lead_in.size() < 2) return way;
+  geometry::Path path = lead_in;
+  const std::size_t poses = path.size() - 1;
+  const double begun_m = path.back().arc_m;
+  for (std::size_t k = 1; k < way.size(); ++k) {
+    path.push_back(way[k]);
+    path.back().arc_m += begun_m;
+  }
+  for (Stop& stop : stops) {
+    stop.pose += poses;
+    stop.arc_m += begun_m;
+  }
+  return path;
+}
+
+}  // namespace
+
+result::Result<VehicleMission> route_mission(const MissionProblem& problem, std::size_t vehicle,
+                                             const Route& route, std::span<const LatticePath* const> legs,
+                                             const OccupancyGrid& map, const EnvelopeOptions& options) {
+  std::vector<Stop> stops = route.empty() ? std::vector<Stop>() : stops_on(problem, route, legs);
+  geometry::Path path = behind(problem.vehicles[vehicle].lead_in, join_legs(legs), stops);
+  return build_mission(problem, vehicle, std::move(path), std::move(stops), map, options);
+}
+
 std::vector<Stop> stops_on(const MissionProblem& problem, const Route& route,
                            std::span<const LatticePath* const> legs) {
   assert(route.size() == legs.size());

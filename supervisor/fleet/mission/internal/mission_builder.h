@@ -16,6 +16,13 @@ geometry::Path join_legs(std::span<const LatticePath* const> legs);
 std::vector<Stop> stops_on(const MissionProblem& problem, const Route& route,
                            std::span<const LatticePath* const> legs);
 
+// The mission of a vehicle along its route: its lead-in, then these legs.
+[[nodiscard]] result::Result<VehicleMission> route_mission(const MissionProblem& problem, std::size_t vehicle,
+                                                           const Route& route,
+                                                           std::span<const LatticePath* const> legs,
+                                                           const OccupancyGrid& map,
+                                                           const EnvelopeOptions& options);
+
 // The mission of a vehicle along its path; polygons grow on `map`. F0503 if that cannot be.
 [[nodiscard]] result::Result<VehicleMission> build_mission(const MissionProblem& problem, std::size_t vehicle,
                                                            geometry::Path path, std::vector<Stop> stops,

@@ -198,7 +198,8 @@ class Repair {
   }
 
   ScheduleOptions options() const {
-    ScheduleOptions options{.mode = input_.options.mode, .cancel = input_.options.cancel};
+    ScheduleOptions options{
+        .mode = input_.options.mode, .conflicts = input_.options.conflicts, .cancel = input_.options.cancel};
     if (input_.limited) {
       const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
           input_.until - std::chrono::steady_clock::now());
@@ -224,10 +225,11 @@ class Repair {
     }
     std::vector<const LatticePath*> borrowed;
     for (const LatticePath& path : paths) borrowed.push_back(&path);
-    auto mission = build_mission(input_.problem, vehicle, join_legs(borrowed),
-                                 stops_on(input_.problem, input_.routes[vehicle], borrowed), map,
+    auto mission = route_mission(input_.problem, vehicle, input_.routes[vehicle], borrowed, map,
                                  input_.options.envelope);
-    return mission ? std::optional(*std::move(mission)) : std::nullopt;
+    if (!mission) return std::nullopt;
+    if (input_.options.pace) input_.options.pace(*mission);
+    return *std::move(mission);
   }
 
   static std::vector<std::int64_t> lengths(const Node& node) {

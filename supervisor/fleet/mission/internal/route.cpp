@@ -164,7 +164,8 @@ void AllocationTask::add_vehicles() {
     asked_.vehicles.push_back(std::move(added));
     if (vehicle.route.empty()) continue;
     FixedRoute route{.vehicle = VehicleId(static_cast<std::uint32_t>(asked_.vehicles.size() - 1)),
-                     .stops = {}};
+                     .stops = {},
+                     .whole = vehicle.route_is_whole};
     for (const HandStop& stop : vehicle.route) {
       route.stops.push_back({stop.pick_up ? LoadAction::PickUp : LoadAction::SetDown,
                              TransportId(static_cast<std::uint32_t>(stop.goal)), stop.amount});

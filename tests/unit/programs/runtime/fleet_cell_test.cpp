@@ -19,7 +19,7 @@
 namespace stepwright::cell_runtime {
 namespace {
 
-constexpr const char* kCell = STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/cell.toml";
+constexpr const char* kCell = STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/small_hall.toml";
 
 fleet::FleetPlan plan_for(const config::PlantConfig& plant) {
   const geometry::Pose goals[] = {

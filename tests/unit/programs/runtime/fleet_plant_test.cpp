@@ -15,7 +15,7 @@ namespace {
 
 using fleet::OccupancyGrid;
 
-const std::filesystem::path kCell = STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/cell.toml";
+const std::filesystem::path kCell = STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/small_hall.toml";
 
 bool in_a_wall(const std::vector<assemblies::BlockParameters>& walls, double x, double y) {
   for (const assemblies::BlockParameters& wall : walls) {

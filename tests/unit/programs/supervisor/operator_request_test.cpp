@@ -26,16 +26,53 @@ TEST(OperatorRequest, WhenItWantsAnotherGoal_ThenTheGoalIsRead) {
   EXPECT_EQ(std::get<GoalRequest>(*request).goal, "(= (level a1) 4)");
 }
 
+TEST(OperatorRequest, WhenAFleetIsAsked_ThenEachKindIsRead) {
+  const auto read = [](const char* text) {
+    return std::get<fleet::FleetChange>(parse_operator_request(text).value());
+  };
+  const auto order = std::get<fleet::OrderChange>(
+      read(R"_({"request": "order", "name": "box", "from": "dock", "to": "rack", "amount": 2})_"));
+  EXPECT_EQ(order.name, "box");
+  EXPECT_EQ(order.from, "dock");
+  EXPECT_EQ(order.to, "rack");
+  EXPECT_EQ(order.amount, 2u);
+  const auto block = std::get<fleet::BlockChange>(
+      read(R"_({"request": "block", "name": "spill", "corners_m": [[1, 1], [3, 1], [3, 2], [1, 2]]})_"));
+  EXPECT_NEAR(block.place.area.area_m2(), 2.0, 1e-12);
+  const auto free = std::get<fleet::UnblockChange>(read(R"_({"request": "unblock", "name": "spill"})_"));
+  EXPECT_EQ(free.name, "spill");
+  const auto back = std::get<fleet::ReturnChange>(read(R"_({"request": "return", "vehicle": "truck 2"})_"));
+  EXPECT_EQ(back.vehicle, "truck 2");
+}
+
 TEST(OperatorRequest, WhenTheTextIsAnythingElse_ThenItIsRefused) {
   for (const char* text :
-       {"", "{", "7", "null", "[]", "{}", R"_({"request": 7})_", R"_({"request": null})_",
-        R"_({"request": ["abort"]})_", R"_({"request": "halt"})_", R"_({"request": "goal"})_",
-        R"_({"request": "goal", "goal": 4})_", R"_({"request": "change"})_",
+       {"",
+        "{",
+        "7",
+        "null",
+        "[]",
+        "{}",
+        R"_({"request": 7})_",
+        R"_({"request": null})_",
+        R"_({"request": ["abort"]})_",
+        R"_({"request": "halt"})_",
+        R"_({"request": "goal"})_",
+        R"_({"request": "goal", "goal": 4})_",
+        R"_({"request": "change"})_",
         R"_({"request": "change", "fluent": "(demand c1)"})_",
         R"_({"request": "change", "fluent": 3, "value": 8})_",
         R"_({"request": "change", "fluent": [], "value": 8})_",
         R"_({"request": "change", "fluent": "(demand c1)", "value": "8"})_",
-        R"_({"request": "change", "fluent": "(demand c1)", "value": 1e999})_", "{\"request\": \"\xff\"}"}) {
+        R"_({"request": "order", "name": "box", "from": "dock"})_",
+        R"_({"request": "order", "name": "box", "from": "dock", "to": "rack", "amount": -1})_",
+        R"_({"request": "order", "name": "box", "from": "dock", "to": "rack", "amount": 1e12})_",
+        R"_({"request": "block", "name": "spill", "corners_m": [[1, 1], [3, 1]]})_",
+        R"_({"request": "block", "name": "spill", "corners_m": [[1, 1], [3, "x"], [4, 4]]})_",
+        R"_({"request": "unblock"})_",
+        R"_({"request": "return", "vehicle": 2})_",
+        R"_({"request": "change", "fluent": "(demand c1)", "value": 1e999})_",
+        "{\"request\": \"\xff\"}"}) {
     const auto request = parse_operator_request(text);
     ASSERT_FALSE(request.has_value()) << text;
     EXPECT_EQ(request.error()[0].code, "X0005");

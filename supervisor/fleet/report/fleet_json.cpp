@@ -1,4 +1,4 @@
-#include "programs/fleet/fleet_json.h"
+#include "supervisor/fleet/report/fleet_json.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,0 +1,97 @@
+#include "programs/check/check_fleet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "programs/fleet/fleet_executive_options.h"
+#include "supervisor/fleet/map/map_file.h"
+
+namespace stepwright::check {
+namespace {
+
+// What the reserve of a plan has room for, with the noise of a navigation.
+constexpr double kBeside_m = 0.1;
+constexpr double kTurned_rad = 0.05;
+
+result::Diagnostic problem(const char* code, result::Location where, std::string message, std::string hint) {
+  return {code, result::Severity::Error, std::move(where), std::move(message), std::move(hint)};
+}
+
+void compare_floors(const config::CellConfig& config, const fleet::FleetDesk& desk,
+                    result::Diagnostics& found) {
+  if (config.plant.fleet.map.empty()) return;  // a floor without walls takes any plan
+  const auto map = fleet::read_map(config.plant.fleet.map);
+  if (!map || *map == desk.problem().map) return;  // what cannot be read is said with the plant
+  found.push_back(
+      problem("C0543", config.fleet.where,
+              "the map of the problem is not that of the plant, " + config.plant.fleet.map.string(),
+              "both have to name the same floor"));
+}
+
+void compare_stands(const config::CellConfig& config, const fleet::FleetDesk& desk,
+                    result::Diagnostics& found) {
+  const auto& vehicles = desk.problem().vehicles;
+  for (std::size_t k = 0; k < vehicles.size(); ++k) {
+    const config::PlaceConfig& stands = config.plant.fleet.vehicles[k];
+    const geometry::Pose& begins = vehicles[k].start;
+    const double beside_m = std::hypot(stands.x_m - begins.x_m, stands.y_m - begins.y_m);
+    const double turned = std::remainder(stands.heading_deg * std::numbers::pi / 180.0 - begins.heading_rad,
+                                         2.0 * std::numbers::pi);
+    if (beside_m <= kBeside_m && std::abs(turned) <= kTurned_rad) continue;
+    found.push_back(
+        problem("C0544", stands.where,
+                fmt::format("v{} stands at ({} m, {} m), {} degrees; '{}' of the problem begins at ({} m, {} "
+                            "m), {:g} degrees",
+                            k + 1, stands.x_m, stands.y_m, stands.heading_deg, vehicles[k].name, begins.x_m,
+                            begins.y_m, begins.heading_rad * 180.0 / std::numbers::pi),
+                "v1, v2, ... are the problem's vehicles in their order"));
+  }
+}
+
+}  // namespace
+
+FleetCheck check_fleet(const config::CellConfig& config) {
+  FleetCheck check;
+  auto desk = config::open_fleet_desk(config);
+  if (!desk) {
+    check.problems = std::move(desk.error());
+    return check;
+  }
+  if (config.plant.kind == "fleet") {
+    compare_floors(config, *desk, check.problems);
+    compare_stands(config, *desk, check.problems);
+  }
+  for (const config::FleetOrderConfig& order : config.fleet.orders) {
+    fleet::FleetLedger trial(desk->problem());
+    if (auto taken = trial.order(order.name, order.from, order.to, order.amount); !taken) {
+      result::Diagnostic wrong = taken.error().front();
+      wrong.where = order.where;
+      check.problems.push_back(std::move(wrong));
+    }
+  }
+  if (!check.problems.empty()) return check;
+  const fleet::FleetLedger ledger(desk->problem());
+  auto outcome = desk->plan(ledger, {.rest = {.starts = desk->first_starts()}});
+  if (!outcome) {
+    check.problems = std::move(outcome.error());
+    return check;
+  }
+  if (!outcome->prepared.program) {
+    check.no_plan = outcome->reason;
+    check.proved = outcome->prepared.answer.proof == fleet::Proof::AllPaths;
+    return check;
+  }
+  const fleet::FleetPlan& plan = outcome->prepared.answer.plan;
+  for (std::size_t v = 0; v < plan.missions.size(); ++v) {
+    check.stops += plan.missions[v].stops.size();
+    const auto end = plan.schedule.earliest[v].back().exit;
+    check.makespan_s = std::max(check.makespan_s, 1e-3 * static_cast<double>(end.count()));
+  }
+  check.program = std::move(outcome->prepared.container);
+  return check;
+}
+
+}  // namespace stepwright::check

@@ -1,0 +1,278 @@
+// From start to end.
+
+#include "supervisor/fleet/executive/fleet_executive.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "supervisor/fleet/executive/fleet_journal.h"
+
+namespace stepwright::fleet {
+
+using executive::IncidentKind;
+using executive::Phase;
+using executive::Response;
+using executive::RunRecord;
+using std::chrono::milliseconds;
+
+FleetExecutive::FleetExecutive(FleetDesk& desk, executive::Controller& controller,
+                               FleetExecutiveOptions options, Observer observer)
+    : desk_(desk),
+      controller_(controller),
+      options_(std::move(options)),
+      observer_(std::move(observer)),
+      ledger_(desk.problem()),
+      tracks_(desk.problem().vehicles.size()),
+      standing_(desk.problem().vehicles.size()) {
+  record_.cell = options_.cell;
+}
+
+RunRecord FleetExecutive::run() {
+  set_phase(Phase::Planning, "planning the missions of the fleet");
+  bool going = resume() || (record_.phase == Phase::Planning && start_afresh());
+  while (going) {
+    const Decision decision = follow();
+    switch (decision.verdict) {
+      case Verdict::GoOn:
+        break;
+      case Verdict::Finished:
+        going = finish();
+        break;
+      case Verdict::Replan:
+        going = replan(decision.cause);
+        break;
+      case Verdict::RuntimeLost:
+        going = recover_runtime();
+        break;
+      case Verdict::GiveUp:
+        open_incident(decision.cause);
+        going = give_up(fmt::format("{}", fmt::join(decision.cause.evidence, "; ")), decision.cause.kind);
+        break;
+    }
+  }
+  return record_;
+}
+
+bool FleetExecutive::start_afresh() {
+  FleetRequest request{.rest = {.starts = desk_.first_starts()}, .cancel = &abort_};
+  request.revision = ++revision_;
+  auto outcome = desk_.plan(ledger_, request);
+  if (!outcome) return give_up(result::to_string(outcome.error()), IncidentKind::ProgramFault);
+  if (!outcome->prepared.program) {
+    const bool proved = outcome->prepared.answer.proof == Proof::AllPaths;
+    const bool wrong = !outcome->no_way_to.empty() || !outcome->no_way_to_task.empty();
+    return give_up(outcome->reason, IncidentKind::ProgramFault,
+                   wrong    ? result::ExitCode::BadInput
+                   : proved ? result::ExitCode::NoPlan
+                            : result::ExitCode::BudgetExhausted);
+  }
+  return await_runtime() && launch(*std::move(outcome), request);
+}
+
+// False with phase Planning: there is nothing to go on with.
+bool FleetExecutive::resume() {
+  if (options_.journal.empty()) return false;
+  auto journal = read_fleet_journal(options_.journal);
+  if (!journal) return give_up(result::to_string(journal.error()), IncidentKind::ProgramFault);
+  if (!*journal || (*journal)->record.episodes.empty()) return false;
+  FleetJournal& known = **journal;
+  if (known.record.phase == Phase::Done || known.record.phase == Phase::Safe) return false;
+  if (!ledger_.restore(known.ledger)) {
+    return give_up("the journal is of another problem", IncidentKind::ProgramFault);
+  }
+  known.request.cancel = &abort_;
+  auto outcome = desk_.plan(ledger_, known.request);
+  if (!outcome || !outcome->prepared.program) {
+    return give_up("the plan that runs cannot be made again", IncidentKind::ProgramFault);
+  }
+  record_ = std::move(known.record);
+  blocked_ = std::move(known.blocked);
+  next_request_ = known.next_request;
+  first_epoch_s_ = known.first_epoch_s;
+  epoch_s_ = known.epoch_s;
+  time_s_ = known.time_s;
+  time_offset_s_ = known.time_offset_s;
+  revision_ = known.request.revision;
+  for (const Standing& each : known.request.standing) {
+    if (ledger_.vehicles()[each.vehicle].lost) standing_[each.vehicle] = each;
+  }
+  set_phase(Phase::Waiting, "the supervisor was restarted and looks for its runtime");
+  return await_runtime() && resume_plan(*std::move(outcome), known.request);
+}
+
+// The runtime has to have that very program, and to run it.
+bool FleetExecutive::resume_plan(FleetOutcome outcome, const FleetRequest& request) {
+  auto reader = FleetReader::create(outcome.prepared.container, *outcome.prepared.program);
+  const auto program = controller_.program();
+  const auto status = controller_.status();
+  const bool runs = reader && program && *program == outcome.prepared.container && status &&
+                    status->state == host::RuntimeState::Running;
+  if (!runs) {
+    (void)controller_.stop("the supervisor was restarted and does not know this program");
+    return give_up("the supervisor was restarted, and the runtime does not run the plan of its journal",
+                   IncidentKind::LostRuntime);
+  }
+  running_.emplace(Running{status->program_digest, *std::move(reader)});
+  follow_plan(std::move(outcome), request);
+  open_incident({IncidentKind::LostRuntime, {"the supervisor was restarted; the missions have gone on"}, {}});
+  decide(Response::GoOn);
+  set_phase(Phase::Executing, "following the missions again");
+  return true;  // what happened meanwhile shows in the next event
+}
+
+void FleetExecutive::write_journal() {
+  if (options_.journal.empty() || !follow_) return;
+  // A journal that cannot be written costs a restart its memory, not this run.
+  (void)write_fleet_journal(options_.journal, {.record = record_,
+                                               .ledger = planned_from_,
+                                               .request = planned_as_,
+                                               .blocked = blocked_,
+                                               .next_request = next_request_,
+                                               .first_epoch_s = first_epoch_s_,
+                                               .epoch_s = epoch_s_,
+                                               .time_s = time_s_,
+                                               .time_offset_s = time_offset_s_});
+}
+
+bool FleetExecutive::await_runtime() {
+  while (!controller_.wait_for_runtime(milliseconds(1'000))) {
+    if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
+    if (record_.phase != Phase::Waiting) set_phase(Phase::Waiting, "waiting for the runtime");
+  }
+  return true;
+}
+
+// The missions run without anybody who follows them. A runtime that has them still goes on; one that has lost
+// them has stopped the vehicles.
+bool FleetExecutive::recover_runtime() {
+  if (!controller_.alive()) {
+    set_phase(Phase::Waiting, "the runtime does not answer; waiting for it");
+    if (!await_runtime()) return false;
+  }
+  const auto status = controller_.status();
+  const bool runs =
+      status && status->state == host::RuntimeState::Running && status->program_digest == running_->digest;
+  if (!runs) {
+    if (const auto loaded = carrier()) {
+      return give_up(
+          "the runtime was restarted, and the forks of " + *loaded + " have left their load somewhere",
+          IncidentKind::LostRuntime);
+    }
+    return replan(
+        {IncidentKind::LostRuntime, {"the runtime was restarted or stopped while nobody watched it"}, {}});
+  }
+  open_incident({IncidentKind::LostRuntime, {"the runtime was not seen for a while; it has gone on"}, {}});
+  decide(Response::GoOn);
+  set_phase(Phase::Executing, "following the missions again");
+  return true;
+}
+
+// What of the loads is not where it was to be, as sentences.
+std::vector<std::string> FleetExecutive::missed() const {
+  std::vector<std::string> sentences;
+  const MissionProblem& problem = ledger_.problem();
+  for (std::size_t k = 0; k < problem.goals.size(); ++k) {
+    const GoalEntry& goal = ledger_.goals()[k];
+    if (goal.delivered >= goal.amount) continue;
+    std::string text = fmt::format("{} of {} of '{}' are not delivered", goal.amount - goal.delivered,
+                                   goal.amount, problem.goals[k].name);
+    for (std::size_t v = 0; v < ledger_.vehicles().size(); ++v) {
+      const auto aboard = ledger_.vehicles()[v].aboard.find(k);
+      if (aboard == ledger_.vehicles()[v].aboard.end()) continue;
+      text += fmt::format(" ({} aboard of {})", aboard->second, problem.vehicles[v].name);
+    }
+    if (!goal.why.empty()) text += ": " + goal.why;
+    sentences.push_back(std::move(text));
+  }
+  return sentences;
+}
+
+bool FleetExecutive::finish() {
+  const std::vector<std::string> left = missed();
+  if (!left.empty()) {
+    const std::string text = fmt::format("all that could be done is done: {}", fmt::join(left, "; "));
+    open_incident({IncidentKind::Position, {text}, {}});
+    return give_up(text, IncidentKind::Position);
+  }
+  (void)controller_.stop("all missions are done");  // a lost runtime has stopped already
+  set_phase(Phase::Done, "everything is delivered, and every vehicle rests");
+  return false;
+}
+
+bool FleetExecutive::give_up(const std::string& reason, IncidentKind kind, result::ExitCode exit) {
+  const bool open = !record_.incidents.empty() && record_.incidents.back().response == Response::Open;
+  if (!open) open_incident({kind, {reason}, {}});
+  decide(Response::SafeStop);
+  std::string message = reason;
+  // Before the first program there is nothing to stop.
+  if (running_ && !controller_.stop(reason.substr(0, 200))) {
+    message += " (the runtime does not answer; its own rules for a lost supervisor hold)";
+  }
+  record_.exit = exit;
+  set_phase(Phase::Safe, std::move(message));
+  return false;
+}
+
+void FleetExecutive::note_goals() {
+  record_.goal.clear();
+  const MissionProblem& problem = ledger_.problem();
+  for (std::size_t k = 0; k < problem.goals.size(); ++k) {
+    const GoalEntry& entry = ledger_.goals()[k];
+    record_.goal.push_back({fmt::format("{} {} from {} to {}", entry.amount, problem.goals[k].name,
+                                        problem.locations[problem.goals[k].from].name,
+                                        problem.locations[problem.goals[k].to].name),
+                            entry.delivered >= entry.amount});
+  }
+}
+
+result::Result<void> FleetExecutive::request(const FleetChange& change) {
+  if (const auto* back = std::get_if<ReturnChange>(&change)) {
+    bool known = false;
+    for (const MissionVehicle& vehicle : desk_.problem().vehicles)
+      known = known || vehicle.name == back->vehicle;
+    if (!known) {
+      return result::fail("X0003", {}, "there is no vehicle '" + back->vehicle + "'",
+                          "vehicles are those of the problem's file");
+    }
+  }
+  if (const auto* order = std::get_if<OrderChange>(&change)) {
+    FleetLedger trial(desk_.problem());  // what the file says is enough to see whether it can be meant
+    if (auto good = trial.order(order->name, order->from, order->to, std::max(1U, order->amount)); !good)
+      return good;
+  }
+  const std::lock_guard lock(requests_mutex_);
+  requests_.push_back(change);
+  return {};
+}
+
+void FleetExecutive::set_phase(Phase phase, std::string message) {
+  record_.phase = phase;
+  record_.message = std::move(message);
+  publish(true);
+}
+
+void FleetExecutive::publish(bool now) {
+  changed_ = changed_ || now;
+  const auto clock = std::chrono::steady_clock::now();
+  if (!changed_ || (!now && clock - published_ < options_.between_documents)) return;
+  published_ = clock;
+  changed_ = false;
+  note_goals();
+  renew_document();
+  write_journal();
+  if (observer_) observer_(record_);
+}
+
+void FleetExecutive::renew_document() {
+  if (!follow_ || !plan_) return;
+  record_.fleet = fleet_document({.prepared = &*plan_,
+                                  .follow = &*follow_,
+                                  .ledger = &ledger_,
+                                  .blocked = &blocked_,
+                                  .epoch_s = epoch_s_,
+                                  .first_epoch_s = first_epoch_s_,
+                                  .revision = revision_});
+}
+
+}  // namespace stepwright::fleet

@@ -1,0 +1,181 @@
+#pragma once
+
+// The executive of a fleet: plans a problem's loads, downloads the missions as one program, follows vehicles
+// through their polygons, gives everybody new times when one is late, and plans anew for what new times do
+// not mend: a vehicle that has stopped or come back, a blocked place, another order. Whatever cannot be
+// mended ends in the safe state of the outputs, with a report.
+//
+// A new plan begins from rest: everybody drives on as far as he is permitted already and needs to brake
+// (halt_plan.h), which always can be done without asking anybody; then one plan for all that remains takes
+// over by an online change (ADR 9 says why). The missions run in the scan without this.
+//
+// Threads: `run` belongs to one; requests may come from any. In simulated time the clock stands still while a
+// decision is made. The same problem, faults and requests at the same scan times give the same run.
+//
+//   FleetExecutive executive(*desk, controller, {.cell = "fleet"}, publish);
+//   executive::RunRecord record = executive.run();
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/result/result.h"
+#include "supervisor/executive/controller.h"
+#include "supervisor/executive/run_record.h"
+#include "supervisor/fleet/executive/fleet_desk.h"
+#include "supervisor/fleet/executive/fleet_document.h"
+#include "supervisor/fleet/executive/fleet_follow.h"
+#include "supervisor/fleet/executive/fleet_reading.h"
+#include "supervisor/fleet/executive/fleet_request.h"
+
+namespace stepwright::fleet {
+
+struct FleetExecutiveOptions {
+  std::string cell;
+  int max_replans = 8;
+  bool barrier = true;                    // simulated time waits for every decision
+  std::chrono::milliseconds late{3'000};  // more is a delay
+  // Of wall time between two documents that only tell of progress: they are large.
+  std::chrono::milliseconds between_documents{500};
+  std::filesystem::path journal;       // for a restarted supervisor; empty: none is kept
+  std::vector<TimedRequest> requests;  // in order of time
+};
+
+class FleetExecutive {
+ public:
+  using Observer =
+      std::function<void(const executive::RunRecord&)>;  // after changes, from the thread of `run`
+
+  FleetExecutive(FleetDesk& desk, executive::Controller& controller, FleetExecutiveOptions options,
+                 Observer observer);
+
+  // Until everything is delivered and all vehicles rest (Phase::Done), or the outputs are safe (Phase::Safe).
+  executive::RunRecord run();
+
+  // Stops the fleet safely at the next decision and ends the run.
+  void request_abort() { abort_ = true; }
+  // At the next decision. Fails at once where the request cannot be meant (X0003).
+  [[nodiscard]] result::Result<void> request(const FleetChange& change);
+
+ private:
+  enum class Verdict : std::uint8_t { GoOn, Replan, Finished, GiveUp, RuntimeLost };
+  struct Cause {
+    executive::IncidentKind kind = executive::IncidentKind::Position;
+    std::vector<std::string> evidence;
+    std::string vehicle;
+  };
+  struct Decision {
+    Verdict verdict = Verdict::GoOn;
+    Cause cause{};
+  };
+  // A way that a vehicle has driven, and how far.
+  struct Track {
+    geometry::Path path;
+    double arc_m = 0.0;
+  };
+  // A program that runs.
+  struct Running {
+    std::string digest;
+    FleetReader reader;
+  };
+
+  // fleet_executive.cpp: from start to end.
+  bool start_afresh();
+  bool resume();
+  bool resume_plan(FleetOutcome outcome, const FleetRequest& request);
+  void write_journal();
+  std::optional<std::string> carrier() const;
+  bool await_runtime();
+  bool recover_runtime();
+  bool finish();
+  std::vector<std::string> missed() const;
+  void note_goals();
+  bool give_up(const std::string& reason, executive::IncidentKind kind,
+               result::ExitCode exit = result::ExitCode::RuntimeFault);
+  void set_phase(executive::Phase phase, std::string message);
+  void publish(bool now);
+  void renew_document();
+
+  // fleet_executive_follow.cpp: watching one plan.
+  Decision follow();
+  Decision judge(const host::StepEvent& event);
+  Decision judge_reading(const FleetReading& reading);
+  void note(const FollowNews& news);
+  void note_stop(const StopMade& stop, bool begun);
+  void note_delay(const Delay& delay);
+  std::optional<Cause> due_requests();
+  // What each kind of request comes to; true if it takes another plan.
+  bool apply(const OrderChange& order, Cause& cause);
+  bool apply(const BlockChange& block, Cause& cause);
+  bool apply(const UnblockChange& unblock, Cause& cause);
+  bool apply(const ReturnChange& back, Cause& cause);
+  bool crosses(const geometry::ConvexPolygon& area) const;
+  Cause lose(const std::vector<std::uint32_t>& errors, const FleetReading& reading,
+             const std::vector<double>& begun_m);
+  void take_time(std::int64_t time_ns);
+  bool runtime_lost();
+  std::chrono::milliseconds plan_clock() const;   // since the plan's time zero
+  std::chrono::milliseconds first_clock() const;  // since the first plan's
+  std::size_t action_of(const StopMade& stop) const;
+
+  // fleet_executive_replan.cpp: from a cause to the next plan.
+  bool replan(const Cause& cause);
+  bool bring_to_rest();
+  bool await_rest(const PreparedFleet& halt, const std::vector<double>& begun_m);
+  bool all_rest(const PreparedFleet& halt) const;
+  void track(const std::vector<double>& begun_m);
+  FleetRequest next_request();
+  NewStart start_of(std::uint32_t vehicle, const OccupancyGrid& map) const;
+  bool plan_rest();
+  bool relax(const FleetOutcome& outcome);
+  void launch_record(const FleetOutcome& outcome);
+  bool launch(FleetOutcome outcome, const FleetRequest& request);
+  void follow_plan(FleetOutcome outcome, const FleetRequest& request);
+  bool install(const PreparedFleet& prepared);
+  bool download_and_start(const PreparedFleet& prepared);
+  bool await_event(host::EventKind kind);
+  void open_incident(const Cause& cause);
+  void decide(executive::Response response);
+  void add_evidence(std::string sentence);
+
+  FleetDesk& desk_;
+  executive::Controller& controller_;
+  const FleetExecutiveOptions options_;
+  const Observer observer_;
+
+  executive::RunRecord record_;
+  FleetLedger ledger_;
+  std::optional<FleetFollow> follow_;  // of the plan that is driven
+  std::optional<PreparedFleet> plan_;  // that one; what the document shows
+  std::optional<Running> running_;     // plan or halt
+  FleetReading reading_;               // the newest
+  std::vector<Track> tracks_;          // by vehicle: the last way, and where on it the vehicle stood
+  std::vector<std::optional<Standing>> standing_;  // by vehicle: lost ones
+  std::vector<Blocked> blocked_;
+  LedgerState planned_from_;  // of the plan: what the ledger said, and what was asked
+  FleetRequest planned_as_;
+  std::uint32_t revision_ = 0;
+  double time_s_ = 0.0;         // scan clock
+  double time_offset_s_ = 0.0;  // of the record's time, over restarts of the runtime
+  double first_epoch_s_ = 0.0;  // of the first plan's time zero
+  double epoch_s_ = 0.0;        // of this plan's
+  bool confirmed_ = false;
+  int silent_rounds_ = 0;
+  bool changed_ = false;  // since the document was published
+  std::chrono::steady_clock::time_point published_{};
+  std::chrono::steady_clock::time_point working_since_;
+  bool working_ = false;
+
+  std::size_t next_request_ = 0;  // into options_.requests
+  std::atomic<bool> abort_{false};
+  std::mutex requests_mutex_;
+  std::vector<FleetChange> requests_;  // from other threads, not yet taken
+};
+
+}  // namespace stepwright::fleet

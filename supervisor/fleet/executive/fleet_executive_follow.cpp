@@ -1,0 +1,280 @@
+// Watching one plan: events, progress, delays, requests.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "supervisor/fleet/executive/fleet_executive.h"
+#include "supervisor/fleet/executive/standing.h"
+#include "supervisor/fleet/executive/stop_cause.h"
+
+namespace stepwright::fleet {
+
+using executive::IncidentKind;
+using executive::Response;
+using std::chrono::milliseconds;
+
+namespace {
+
+constexpr int kMaxSilentRounds = 5;
+
+milliseconds since(double epoch_s, double now_s) {
+  return milliseconds(std::llround(1e3 * (now_s - epoch_s)));
+}
+
+}  // namespace
+
+FleetExecutive::Decision FleetExecutive::follow() {
+  while (true) {
+    if (abort_) return {Verdict::GiveUp, {IncidentKind::Operator, {"aborted by the operator"}, {}}};
+    const auto event = controller_.wait_event(milliseconds(200));
+    if (!event) {
+      if (runtime_lost()) return {Verdict::RuntimeLost, {}};
+      if (auto cause = due_requests()) return {Verdict::Replan, *cause};
+      publish(false);
+      continue;
+    }
+    const Decision decision = judge(*event);
+    publish(false);
+    if (decision.verdict != Verdict::GoOn) return decision;
+    (void)controller_.acknowledge(event->sequence);  // a lost runtime shows in the next round
+  }
+}
+
+FleetExecutive::Decision FleetExecutive::judge(const host::StepEvent& event) {
+  if (event.kind == host::EventKind::RolledBack) {
+    return {Verdict::GiveUp,
+            {IncidentKind::ProgramFault, {"the program trapped and was rolled back: " + event.detail}, {}}};
+  }
+  if (event.program_digest != running_->digest) return {};  // news of a program that was replaced since
+  take_time(event.time_ns);
+  switch (event.kind) {
+    case host::EventKind::Started:
+    case host::EventKind::Changed:
+    case host::EventKind::RolledBack:
+      return {};
+    case host::EventKind::StepChange:
+      return judge_reading(running_->reader.read(event.image));
+    case host::EventKind::Trap:
+      return {Verdict::GiveUp, {IncidentKind::ProgramFault, {"the program trapped: " + event.detail}, {}}};
+    case host::EventKind::Stopped:
+      break;
+  }
+  // Whoever stopped the fleet on purpose does not want it to go on by itself.
+  return {Verdict::GiveUp, {IncidentKind::Operator, {"stopped from outside: " + event.detail}, {}}};
+}
+
+FleetExecutive::Decision FleetExecutive::judge_reading(const FleetReading& reading) {
+  reading_ = reading;
+  if (reading.emergency_stop) {
+    return {Verdict::GiveUp,
+            {IncidentKind::Operator, {"the emergency stop is pressed: somebody has to look after it"}, {}}};
+  }
+  const FollowNews news = follow_->take(reading, plan_clock());
+  note(news);
+  if (!news.errors.empty()) return {Verdict::Replan, lose(news.errors, reading, {})};
+  if (auto cause = due_requests()) return {Verdict::Replan, *cause};
+  if (news.finished) return {Verdict::Finished, {}};
+  return {};
+}
+
+void FleetExecutive::note(const FollowNews& news) {
+  for (const StopMade& stop : news.begun) note_stop(stop, true);
+  for (const StopMade& stop : news.stops) note_stop(stop, false);
+  for (const Delay& delay : news.delays) note_delay(delay);
+  changed_ = changed_ || news.moved_on || !news.begun.empty() || !news.stops.empty() || !news.delays.empty();
+}
+
+// A stop that has begun ends by itself: for what remains it counts as made.
+void FleetExecutive::note_stop(const StopMade& stop, bool begun) {
+  const VehicleMission& mission = follow_->plan().missions[stop.vehicle];
+  executive::ActionRecord& action = record_.episodes.back().actions[action_of(stop)];
+  if (begun) {
+    ledger_.made(stop.vehicle, mission.stops[stop.stop], first_clock());
+    action.state = executive::ActionState::Active;
+    if (!action.started_s) action.started_s = time_s_;  // a journal may know better
+    return;
+  }
+  action.state = executive::ActionState::Done;
+  if (!action.finished_s) action.finished_s = time_s_;
+  record_.finished_s = time_s_;
+}
+
+std::size_t FleetExecutive::action_of(const StopMade& stop) const {
+  std::size_t index = stop.stop;
+  for (std::uint32_t v = 0; v < stop.vehicle; ++v) index += follow_->plan().missions[v].stops.size();
+  return index;
+}
+
+void FleetExecutive::note_delay(const Delay& delay) {
+  const auto& missions = follow_->plan().missions;
+  ledger_.mark_late(delay.broken);
+  const auto seconds = [](milliseconds time) { return 1e-3 * static_cast<double>(time.count()); };
+  std::string text = fmt::format("{} is {:.1f} s late in its polygon {} and arrives {:.1f} s later",
+                                 missions[delay.vehicle].vehicle, seconds(delay.late), delay.polygon,
+                                 seconds(delay.arrives_later));
+  if (!delay.others.empty()) {
+    text += "; later for it:";
+    for (const std::uint32_t v : delay.others) text += " " + missions[v].vehicle;
+  }
+  std::vector<std::string> evidence = {std::move(text)};
+  for (const std::string& name : delay.broken) evidence.push_back("'" + name + "' cannot be kept any more");
+  open_incident({IncidentKind::Timeout, std::move(evidence), missions[delay.vehicle].vehicle});
+  record_.incidents.back().retime_ms = delay.retime_ms;
+  decide(Response::GoOn);
+}
+
+// Vehicles that have stopped by themselves take no part any more; where they stand nobody is to drive.
+FleetExecutive::Cause FleetExecutive::lose(const std::vector<std::uint32_t>& errors,
+                                           const FleetReading& reading, const std::vector<double>& begun_m) {
+  Cause cause;
+  for (const std::uint32_t v : errors) {
+    const VehicleReading& now = reading.vehicles[v];
+    const StopCause why = stop_cause(now.error);
+    const double arc_m = now.arc_m + (begun_m.empty() ? 0.0 : begun_m[v]);
+    tracks_[v] = {plan_->answer.plan.missions[v].path, arc_m};
+    const std::string& name = desk_.problem().vehicles[v].name;
+    const std::string reason = fmt::format("{} at ({:.1f} m, {:.1f} m), error {}", why.sentence, now.pose.x_m,
+                                           now.pose.y_m, now.error);
+    cause.kind = why.kind;
+    cause.vehicle = name;
+    cause.evidence.push_back(name + ": " + reason);
+    ledger_.lose(v, reason);
+    const geometry::Footprint outline = desk_.model(v).footprint();
+    const auto place = why.place_unsure ? place_around(now.pose, outline, 0.75, 0.15)
+                                        : place_around(now.pose, outline, 0.05, 0.05);
+    standing_[v] = Standing{v, now.pose, place};
+  }
+  return cause;
+}
+
+std::optional<FleetExecutive::Cause> FleetExecutive::due_requests() {
+  std::vector<FleetChange> due;
+  {
+    const std::lock_guard lock(requests_mutex_);
+    due.swap(requests_);
+  }
+  for (; next_request_ < options_.requests.size(); ++next_request_) {
+    if (options_.requests[next_request_].at_s > time_s_) break;
+    due.push_back(options_.requests[next_request_].change);
+  }
+  if (due.empty()) return std::nullopt;
+  Cause all;
+  bool replan = false;
+  for (const FleetChange& change : due) {
+    Cause cause;
+    const bool needed = std::visit([&](const auto& asked) { return apply(asked, cause); }, change);
+    all.kind = cause.kind;
+    all.vehicle = cause.vehicle;
+    all.evidence.insert(all.evidence.end(), cause.evidence.begin(), cause.evidence.end());
+    replan = replan || needed;
+  }
+  changed_ = true;
+  if (replan) return all;
+  open_incident(all);
+  decide(Response::GoOn);
+  return std::nullopt;
+}
+
+bool FleetExecutive::apply(const OrderChange& order, Cause& cause) {
+  const auto& goals = ledger_.problem().goals;
+  const bool known = std::ranges::find(goals, order.name, &MissionGoal::name) != goals.end();
+  cause.kind = known ? IncidentKind::ChangedDemand : IncidentKind::NewGoal;
+  const std::string text =
+      fmt::format("'{}': {} from {} to {}", order.name, order.amount, order.from, order.to);
+  auto taken = ledger_.order(order.name, order.from, order.to, order.amount);
+  if (!taken) {
+    cause.evidence.push_back(text + " was refused: " + taken.error().front().message);
+    return false;
+  }
+  cause.evidence.push_back((known ? "changed " : "ordered ") + text);
+  return true;
+}
+
+// Whether somebody is still to drive there.
+bool FleetExecutive::crosses(const geometry::ConvexPolygon& area) const {
+  const FleetPlan& plan = follow_->plan();
+  for (std::size_t v = 0; v < plan.missions.size(); ++v) {
+    if (ledger_.vehicles()[v].lost) continue;
+    const geometry::Footprint outline = plan.missions[v].model.footprint();
+    for (const geometry::PathPose& at : plan.missions[v].path) {
+      const bool ahead = at.arc_m >= reading_.vehicles[v].arc_m;
+      if (ahead && geometry::overlaps(geometry::footprint_at(at.pose, outline), area)) return true;
+    }
+  }
+  return false;
+}
+
+bool FleetExecutive::apply(const BlockChange& block, Cause& cause) {
+  cause.kind = IncidentKind::Position;
+  std::erase_if(blocked_, [&](const Blocked& place) { return place.name == block.place.name; });
+  blocked_.push_back(block.place);
+  const bool concerned = crosses(block.place.area);
+  const geometry::Point middle = block.place.area.centroid();
+  cause.evidence.push_back(fmt::format("{} is blocked at ({:.1f} m, {:.1f} m){}", block.place.name,
+                                       middle.x_m, middle.y_m,
+                                       concerned ? "" : "; nobody is to drive there"));
+  return concerned;
+}
+
+bool FleetExecutive::apply(const UnblockChange& unblock, Cause& cause) {
+  cause.kind = IncidentKind::Position;
+  const auto known =
+      std::erase_if(blocked_, [&](const Blocked& place) { return place.name == unblock.name; });
+  cause.evidence.push_back(unblock.name + (known > 0 ? " is free again" : " was not blocked"));
+  return known > 0 && ledger_.reopen();
+}
+
+bool FleetExecutive::apply(const ReturnChange& back, Cause& cause) {
+  cause.kind = IncidentKind::Position;
+  cause.vehicle = back.vehicle;
+  const auto& vehicles = desk_.problem().vehicles;
+  const auto found = std::ranges::find(vehicles, back.vehicle, &MissionVehicle::name);
+  const auto v = static_cast<std::uint32_t>(found - vehicles.begin());
+  if (found == vehicles.end() || !ledger_.vehicles()[v].lost) {
+    cause.evidence.push_back("'" + back.vehicle + "' was not lost");
+    return false;
+  }
+  if (reading_.vehicles[v].error != 0) {
+    cause.evidence.push_back(fmt::format("{} cannot come back: error {} has not been reset", back.vehicle,
+                                         reading_.vehicles[v].error));
+    return false;
+  }
+  ledger_.find(v);
+  standing_[v].reset();
+  ledger_.reopen();
+  cause.evidence.push_back(back.vehicle + " is back");
+  return true;
+}
+
+// Asked after a while without news.
+bool FleetExecutive::runtime_lost() {
+  if (!controller_.alive()) return true;
+  const auto status = controller_.status();
+  if (status && status->program_digest == running_->digest) {
+    confirmed_ = true;
+    silent_rounds_ = 0;
+    return false;
+  }
+  // Right after a download the newest status may still be an old one.
+  return confirmed_ || ++silent_rounds_ > kMaxSilentRounds;
+}
+
+// A runtime that was restarted counts its time from zero again; the record's time goes on.
+void FleetExecutive::take_time(std::int64_t time_ns) {
+  const double time_s = static_cast<double>(time_ns) * 1e-9;
+  if (time_s + time_offset_s_ < time_s_) time_offset_s_ = time_s_;
+  time_s_ = time_s + time_offset_s_;
+}
+
+milliseconds FleetExecutive::plan_clock() const {
+  return since(epoch_s_, time_s_);
+}
+
+milliseconds FleetExecutive::first_clock() const {
+  return since(first_epoch_s_, time_s_);
+}
+
+}  // namespace stepwright::fleet

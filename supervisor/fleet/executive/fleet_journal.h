@@ -1,0 +1,41 @@
+#pragma once
+
+// What a restarted supervisor needs to go on with a fleet: not the plan, but all that it was made of. The
+// same request gives the same plan, and so the program that the runtime still has; what vehicles have done
+// since shows in its image.
+//
+// A file of its own, replaced as a whole; it is not trusted when it is read.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "runtime/result/result.h"
+#include "supervisor/executive/run_record.h"
+#include "supervisor/fleet/executive/fleet_desk.h"
+#include "supervisor/fleet/executive/fleet_ledger.h"
+#include "supervisor/fleet/executive/fleet_request.h"
+
+namespace stepwright::fleet {
+
+struct FleetJournal {
+  executive::RunRecord record;  // without the fleet's document
+  LedgerState ledger;           // when the plan was made
+  FleetRequest request;         // of the plan
+  std::vector<Blocked> blocked = {};
+  std::size_t next_request = 0;
+  double first_epoch_s = 0.0;
+  double epoch_s = 0.0;
+  double time_s = 0.0;
+  double time_offset_s = 0.0;
+};
+
+// X0004: the file cannot be written.
+[[nodiscard]] result::Result<void> write_fleet_journal(const std::filesystem::path& file,
+                                                       const FleetJournal& journal);
+// Nothing if there is no file; X0001 if there is one that is no journal.
+[[nodiscard]] result::Result<std::optional<FleetJournal>> read_fleet_journal(
+    const std::filesystem::path& file);
+
+}  // namespace stepwright::fleet

@@ -1,0 +1,49 @@
+#pragma once
+
+// What people ask of a fleet while it runs. Values.
+//
+//   FleetChange{OrderChange{"order 44", "rack 1", "outbound A", 1}}
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "supervisor/geometry/convex_polygon.h"
+
+namespace stepwright::fleet {
+
+// A new load, or another amount of one that is known by its name.
+struct OrderChange {
+  std::string name;
+  std::string from;  // locations of the problem
+  std::string to;
+  std::uint32_t amount = 1;
+};
+
+// Nobody is to drive there until it is free again.
+struct Blocked {
+  std::string name;
+  geometry::ConvexPolygon area;
+};
+struct BlockChange {
+  Blocked place;
+};
+struct UnblockChange {
+  std::string name;
+};
+
+// A vehicle that stopped by itself is to take part again; whoever says so has seen to what stopped it and
+// reset it (fleet_reset).
+struct ReturnChange {
+  std::string vehicle;
+};
+
+using FleetChange = std::variant<OrderChange, BlockChange, UnblockChange, ReturnChange>;
+
+// At the first decision at or after that time of the scan clock.
+struct TimedRequest {
+  double at_s = 0.0;
+  FleetChange change;
+};
+
+}  // namespace stepwright::fleet

@@ -1,0 +1,21 @@
+#pragma once
+
+// Why a vehicle has stopped by itself: what the numbers of ladder/driver/library/vehicle.st mean for whoever
+// plans around it. Pure.
+
+#include <cstdint>
+#include <string>
+
+#include "supervisor/executive/incident.h"
+
+namespace stepwright::fleet {
+
+struct StopCause {
+  executive::IncidentKind kind = executive::IncidentKind::FailedActuator;
+  std::string sentence;
+  bool place_unsure = false;  // it may stand somewhat elsewhere
+};
+
+StopCause stop_cause(std::uint32_t error_id);
+
+}  // namespace stepwright::fleet

@@ -1,0 +1,175 @@
+// The fleet's executive with its real planner, compiler, scan and plant, in one thread. The judges are the
+// plant's: exact outlines along the motion, contacts, where vehicles stand in the end.
+
+#include "supervisor/fleet/executive/fleet_executive.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "plant_models/assemblies/fleet_floor.h"
+#include "programs/fleet/fleet_executive_options.h"
+#include "programs/runtime/fleet_plant.h"
+#include "tests/support/controller/simulated_controller.h"
+#include "tests/support/temporary_folder.h"
+
+namespace stepwright::fleet {
+namespace {
+
+using executive::IncidentKind;
+using executive::Phase;
+using executive::Response;
+using executive::RunRecord;
+using support::PlantFault;
+using support::SimulatedController;
+
+constexpr const char* kCell = STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/small_hall.toml";
+
+template <typename Value>
+Value or_throw(result::Result<Value> made) {
+  if (!made) throw std::runtime_error(result::to_string(made.error()));
+  return std::move(*made);
+}
+
+class SmallHall {
+ public:
+  explicit SmallHall(std::vector<PlantFault> faults = {})
+      : config_(or_throw(config::load_cell_config(kCell))),
+        controller_(
+            or_throw(assemblies::FleetFloor::create(or_throw(cell_runtime::fleet_parameters(config_.plant)))),
+            bridge::default_fleet_wires(3), {64, 64}, std::move(faults)) {}
+
+  FleetExecutiveOptions options() const { return config::fleet_executive_options(config_); }
+  RunRecord run(FleetExecutiveOptions options, FleetExecutive::Observer observer = {}) {
+    options.journal = folder_.path() / "executive.json";
+    return FleetExecutive(desk(), controller_, std::move(options), std::move(observer)).run();
+  }
+  // Made once: what it plans does not depend on what it has planned.
+  FleetDesk& desk() {
+    static FleetDesk desk = or_throw(config::open_fleet_desk(config_));
+    return desk;
+  }
+  SimulatedController& controller() { return controller_; }
+  void expect_clean() const {
+    for (const char* name : {"overlaps", "obstacle_overlaps", "contacts"})
+      EXPECT_EQ(controller_.plant_value(name), 0.0) << name;
+  }
+
+ private:
+  support::TemporaryFolder folder_;
+  config::CellConfig config_;
+  SimulatedController controller_;
+};
+
+std::string story(const RunRecord& record) {
+  std::string text = std::string(to_string(record.phase)) + ": " + record.message;
+  for (const auto& incident : record.incidents) {
+    text += "\n  " + std::to_string(incident.time_s) + " s:";
+    for (const std::string& sentence : incident.evidence) text += " " + sentence + ";";
+  }
+  return text;
+}
+
+bool all_met(const RunRecord& record) {
+  return std::ranges::all_of(record.goal, [](const executive::GoalRecord& goal) { return goal.met; });
+}
+
+TEST(FleetExecutiveRun, WhenSomethingIsOrderedMeanwhile_ThenAllIsDeliveredAndNobodyMeets) {
+  SmallHall hall;
+  FleetExecutiveOptions options = hall.options();
+  options.requests = {{20.0, OrderChange{"box", "dock B", "shelf 2", 1}}};
+  const RunRecord record = hall.run(options);
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  ASSERT_EQ(record.goal.size(), 3u);
+  EXPECT_TRUE(all_met(record));
+  ASSERT_EQ(record.replans.size(), 1u);
+  EXPECT_EQ(record.episodes.size(), 2u);
+  const auto& incident = record.incidents.front();
+  EXPECT_EQ(incident.kind, IncidentKind::NewGoal);
+  EXPECT_EQ(incident.response, Response::Replan);
+  EXPECT_GT(incident.replan_ms, 0.0);
+  EXPECT_GE(hall.controller().changes(), 2);  // to rest, and to the new plan
+  EXPECT_EQ(hall.controller().stops(), 1);    // at the end
+  hall.expect_clean();
+  EXPECT_NE(record.fleet.find("\"revision\":2"), std::string::npos);
+}
+
+TEST(FleetExecutiveRun, WhenNobodyCanDoWhatIsLeft_ThenTheOutputsAreSafeAndItIsSaidWhatIsMissing) {
+  SmallHall hall({{5.0, "dead_v1", 1.0}, {5.0, "dead_v2", 1.0}, {5.0, "dead_v3", 1.0}});
+  const RunRecord record = hall.run(hall.options());
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Safe);
+  EXPECT_EQ(record.exit, result::ExitCode::RuntimeFault);
+  EXPECT_FALSE(all_met(record));
+  EXPECT_EQ(record.incidents.back().response, Response::SafeStop);
+  EXPECT_FALSE(hall.controller().any_output());
+}
+
+TEST(FleetExecutiveRun, WhenAChangeIsRefused_ThenTheFleetIsStoppedAndTheNextProgramDownloaded) {
+  SmallHall hall;
+  hall.controller().refuse_changes();
+  FleetExecutiveOptions options = hall.options();
+  options.requests = {{5.0, OrderChange{"box", "dock B", "shelf 2", 1}}};
+  const RunRecord record = hall.run(options);
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  EXPECT_EQ(hall.controller().changes(), 0);
+  hall.expect_clean();
+}
+
+struct Killed {};
+
+TEST(FleetExecutiveRun, WhenTheSupervisorIsKilled_ThenTheNextOneGoesOnWithTheSamePlan) {
+  SmallHall hall;
+  int seen = 0;
+  const auto kill = [&](const RunRecord& record) {
+    // After the first plan runs, at the first news of it.
+    if (record.phase == Phase::Executing && ++seen == 2) throw Killed();
+  };
+  FleetExecutiveOptions options = hall.options();
+  options.between_documents = {};
+  EXPECT_THROW(hall.run(options, kill), Killed);
+  // The service repeats an event for whoever comes anew; here nobody does.
+  ASSERT_TRUE(hall.controller().acknowledge(1'000'000));
+  const RunRecord record = hall.run(hall.options());
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  EXPECT_EQ(record.episodes.size(), 1u);
+  EXPECT_EQ(record.incidents.front().kind, IncidentKind::LostRuntime);
+  EXPECT_EQ(hall.controller().stops(), 1);
+  hall.expect_clean();
+}
+
+TEST(FleetExecutiveRequests, WhenTheyCannotBeMeant_ThenTheyAreRefusedAtOnce) {
+  SmallHall hall;
+  FleetExecutive executive(hall.desk(), hall.controller(), hall.options(), {});
+  for (const FleetChange& change :
+       {FleetChange(OrderChange{"box", "dock B", "nowhere", 1}), FleetChange(ReturnChange{"truck 9"})}) {
+    const auto refused = executive.request(change);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().front().code, "X0003");
+  }
+  EXPECT_TRUE(executive.request(OrderChange{"box", "dock B", "shelf 2", 1}));
+}
+
+TEST(FleetDeskOpen, WhenTheProblemIsMissingOrHasOtherVehicles_ThenThatIsSaid) {
+  SmallHall hall;
+  FleetDeskOptions options = hall.desk().options();
+  options.terminals = terminals_in_a_row(2);
+  const auto fewer = FleetDesk::open(options);
+  ASSERT_FALSE(fewer);
+  EXPECT_EQ(fewer.error().front().code, "F1105");
+  options.problem = "nowhere.json";
+  const auto missing = FleetDesk::open(options);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().front().where.file, "nowhere.json");
+}
+
+}  // namespace
+}  // namespace stepwright::fleet
