@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "programs/fleet/fleet_json.h"
 #include "programs/fleet/fleet_text.h"
 #include "programs/process/files.h"
 #include "programs/process/interruption.h"
 #include "supervisor/fleet/mission/fleet_svg.h"
 #include "supervisor/fleet/mission/problem_reader.h"
+#include "supervisor/fleet/report/fleet_json.h"
 #include "supervisor/fleet/schedule/retiming.h"
 
 namespace stepwright::fleet {

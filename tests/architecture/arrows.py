@@ -68,6 +68,7 @@ ARROWS = {
     "supervisor/fleet/traffic": ["supervisor/fleet/plan", "supervisor/fleet/control"],
     "supervisor/fleet/program": ["supervisor/fleet/plan", "ladder/graphic"],
     "supervisor/fleet/vda5050": ["supervisor/fleet/plan"],
+    "supervisor/fleet/report": ["supervisor/fleet/mission"],
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
     "supervisor/executive": [
         "supervisor/translate", "supervisor/pddl", "ladder/driver", "ladder/exchange", "runtime/dds", "runtime/bytecode/reader",
