@@ -60,13 +60,15 @@ result::Result<void> read_address(const BrokerArguments& arguments, mqtt::Option
                         "--credentials FILE");
   }
   const auto parts = split(std::string(rest));
-  const auto port = parts && parts->port ? port_of(*parts->port) : std::optional<std::uint16_t>(tls ? 8883 : 1883);
+  const auto port =
+      parts && parts->port ? port_of(*parts->port) : std::optional<std::uint16_t>(tls ? 8883 : 1883);
   if (!parts || !port) {
     return result::fail("MQ003", {}, "'" + arguments.url + "' is no address of a broker", kForm);
   }
   options.host = parts->host;
   options.port = *port;
-  const bool files = !arguments.ca_file.empty() || !arguments.certificate_file.empty() || !arguments.key_file.empty();
+  const bool files =
+      !arguments.ca_file.empty() || !arguments.certificate_file.empty() || !arguments.key_file.empty();
   if (!tls && files) {
     return result::fail("MQ003", {}, "certificates are given, and the address says no TLS",
                         "write mqtts:// for TLS");
@@ -108,8 +110,11 @@ result::Result<Broker> broker_of(const BrokerArguments& arguments) {
 
 result::Diagnostic explain(const mqtt::Trouble& trouble, const mqtt::Options& broker) {
   const std::string at = "broker " + broker.host + ":" + std::to_string(broker.port) + ": ";
-  result::Diagnostic found{
-      .code = "MQ005", .severity = result::Severity::Error, .where = {}, .message = at + trouble.text, .hint = {}};
+  result::Diagnostic found{.code = "MQ005",
+                           .severity = result::Severity::Error,
+                           .where = {},
+                           .message = at + trouble.text,
+                           .hint = {}};
   switch (trouble.kind) {
     case mqtt::TroubleKind::Unreachable:
       found.severity = result::Severity::Warning;

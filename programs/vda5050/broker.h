@@ -24,7 +24,7 @@ struct BrokerArguments {
 };
 
 struct Broker {
-  mqtt::Options options;         // without client id and last will
+  mqtt::Options options;  // without client id and last will
   result::Diagnostics warnings;
 };
 

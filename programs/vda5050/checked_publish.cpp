@@ -4,8 +4,8 @@
 
 namespace stepwright::vda5050_link {
 
-bool publish_checked(mqtt::Client& client, const fleet::vda5050::Address& address, fleet::vda5050::Topic topic,
-                     const std::string& text, result::Diagnostics& wrong) {
+bool publish_checked(mqtt::Client& client, const fleet::vda5050::Address& address,
+                     fleet::vda5050::Topic topic, const std::string& text, result::Diagnostics& wrong) {
   const std::string name = topic_name(address, topic);
   const result::Diagnostics found = check_message(topic, text, name);
   wrong.insert(wrong.end(), found.begin(), found.end());

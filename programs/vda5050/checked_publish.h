@@ -13,7 +13,7 @@
 namespace stepwright::vda5050_link {
 
 // False where it was not handed over: not connected, or against the rules, which `wrong` then says.
-bool publish_checked(mqtt::Client& client, const fleet::vda5050::Address& address, fleet::vda5050::Topic topic,
-                     const std::string& text, result::Diagnostics& wrong);
+bool publish_checked(mqtt::Client& client, const fleet::vda5050::Address& address,
+                     fleet::vda5050::Topic topic, const std::string& text, result::Diagnostics& wrong);
 
 }  // namespace stepwright::vda5050_link

@@ -101,8 +101,7 @@ geometry::Path path_of(const json& entry, const std::string& pointer) {
     if (!path.empty()) {
       const auto& before = path.back();
       const double dx = x - before.pose.x_m, dy = y - before.pose.y_m;
-      const double along =
-          dx * std::cos(before.pose.heading_rad) + dy * std::sin(before.pose.heading_rad);
+      const double along = dx * std::cos(before.pose.heading_rad) + dy * std::sin(before.pose.heading_rad);
       next.arc_m = before.arc_m + std::hypot(dx, dy);
       next.travel = std::abs(along) < 1e-6 ? before.travel : along < 0.0 ? Travel::Reverse : Travel::Forward;
     }
@@ -118,8 +117,7 @@ geometry::Path path_of(const json& entry, const std::string& pointer) {
   return path;
 }
 
-std::vector<fleet::Stop> stops_of(const json& entry, const geometry::Path& path,
-                                  const std::string& pointer) {
+std::vector<fleet::Stop> stops_of(const json& entry, const geometry::Path& path, const std::string& pointer) {
   const json& all = list(entry, "stops", pointer);
   std::vector<fleet::Stop> stops;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -140,8 +138,7 @@ std::vector<fleet::Stop> stops_of(const json& entry, const geometry::Path& path,
   return stops;
 }
 
-fleet::GrownEnvelope envelope_of(const json& entry, const geometry::Path& path,
-                                 const std::string& pointer) {
+fleet::GrownEnvelope envelope_of(const json& entry, const geometry::Path& path, const std::string& pointer) {
   const json& all = list(entry, "polygons", pointer);
   const std::string polygons = below(pointer, "polygons");
   if (all.empty()) throw Wrong(polygons, "is empty");
@@ -159,9 +156,10 @@ fleet::GrownEnvelope envelope_of(const json& entry, const geometry::Path& path,
     const auto [entry_m, exit_m] = numbers<2>(member(all[k], "way_m", at), below(at, "way_m"));
     grown.envelope.polygons.push_back({*std::move(area), {}, {}});
     grown.visits.push_back({nearest(path, entry_m), nearest(path, exit_m), entry_m, exit_m, {}});
-    const bool ordered = k == 0 || (entry_m >= grown.visits[k - 1].entry_m &&
-                                    entry_m <= grown.visits[k - 1].exit_m + 0.01);
-    if (!ordered || exit_m < entry_m) throw Wrong(below(at, "way_m"), "does not go on where the way has come to");
+    const bool ordered =
+        k == 0 || (entry_m >= grown.visits[k - 1].entry_m && entry_m <= grown.visits[k - 1].exit_m + 0.01);
+    if (!ordered || exit_m < entry_m)
+      throw Wrong(below(at, "way_m"), "does not go on where the way has come to");
   }
   return grown;
 }

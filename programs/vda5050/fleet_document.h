@@ -50,7 +50,6 @@ struct VehicleData {
 using DataOf = std::function<VehicleData(const std::string& variable)>;
 
 [[nodiscard]] result::Result<PlanDocument> read_plan_document(const std::string& text,
-                                                              const std::string& source,
-                                                              const DataOf& data);
+                                                              const std::string& source, const DataOf& data);
 
 }  // namespace stepwright::vda5050_link

@@ -76,7 +76,7 @@ class FleetLink {
   bool begun_ = false;
   fleet::vda5050::Places places_;
   std::map<std::string, Cancelling> cancels_;
-  LinkNews later_;  // of what is sent between two turns
+  LinkNews later_;                                                     // of what is sent between two turns
   std::map<std::string, std::chrono::steady_clock::time_point> sent_;  // the last order of each vehicle
   std::size_t published_ = 0;
   std::size_t repeated_ = 0;

@@ -5,8 +5,8 @@
 //
 // Plan document and image belong together only if the program in the image is the one that the document
 // names. While they do not (a new plan is on its way), orders and progress stay as they are and only places,
-// speeds and errors go on. A new plan then gives updates to whose base it goes on from; the others' orders are
-// cancelled, and new ones given as soon as their vehicles have confirmed that.
+// speeds and errors go on. A new plan then gives updates to whose base it goes on from; the others' orders
+// are cancelled, and new ones given as soon as their vehicles have confirmed that.
 //
 // One thread at a time; waits only in `turn`.
 //
@@ -31,7 +31,7 @@ namespace stepwright::vda5050_link {
 // What is known of the cell now.
 struct CellView {
   bool runtime_alive = false;
-  std::string controller;                             // why the program does not run; empty: it does
+  std::string controller;                              // why the program does not run; empty: it does
   std::shared_ptr<const reader::ProgramInfo> program;  // that `image` is of; null: not known yet
   std::string program_digest;
   std::vector<std::byte> image;
@@ -77,12 +77,12 @@ class FleetPublisher {
   fleet::vda5050::Places places_of(const FleetDocument& fleet, const std::vector<VehicleImage>& images) const;
 
   PublisherOptions options_;
-  std::unique_ptr<mqtt::Client> client_;  // of the master control; at one place in memory
-  std::string read_;                      // the document that `waiting_` or `fleet_` was read from
-  std::string read_program_;              // and the program beside it
-  std::string digest_;                    // of the program that it names
-  std::optional<FleetDocument> fleet_;    // orders are of its plan
-  std::optional<FleetDocument> waiting_;  // comes next
+  std::unique_ptr<mqtt::Client> client_;     // of the master control; at one place in memory
+  std::string read_;                         // the document that `waiting_` or `fleet_` was read from
+  std::string read_program_;                 // and the program beside it
+  std::string digest_;                       // of the program that it names
+  std::optional<FleetDocument> fleet_;       // orders are of its plan
+  std::optional<FleetDocument> waiting_;     // comes next
   std::map<std::string, VehicleTags> tags_;  // by variable, of the program with `tags_digest_`
   std::string tags_digest_;
   std::unique_ptr<FleetLink> link_;

@@ -42,7 +42,9 @@ PublisherOptions options_of(const config::CellConfig& config, const PublishArgum
           .interface_name = arguments.interface_name,
           .manufacturer = arguments.manufacturer,
           .plan_name = plan_name(config.name),
-          .map_id = !arguments.map_id.empty() ? arguments.map_id : map.empty() ? "floor" : map,
+          .map_id = !arguments.map_id.empty() ? arguments.map_id
+                    : map.empty()             ? "floor"
+                                              : map,
           .times = arguments.times};
 }
 
@@ -126,10 +128,11 @@ ExitCode run_publish(const config::CellConfig& config, const PublishArguments& a
   std::uint64_t revision = 0;
   while (!stop.came()) {
     tell((*publisher)->turn((*watch)->observe(), kTurn), **log);
-    report.tell((*publisher)->client());
     if (const auto end = report.hopeless((*publisher)->client())) return fail({*end}, ExitCode::BadInput);
+    report.tell((*publisher)->client());
     if ((*publisher)->revision() != std::exchange(revision, (*publisher)->revision())) {
-      (*log)->info("plan", fmt::format("orders of {} vehicles by plan {}", (*publisher)->vehicles(), revision),
+      (*log)->info("plan",
+                   fmt::format("orders of {} vehicles by plan {}", (*publisher)->vehicles(), revision),
                    {{"revision", revision}});
     }
     if (reload.take()) log::reload_log(running, **log, init);

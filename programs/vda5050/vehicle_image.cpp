@@ -9,11 +9,11 @@ namespace {
 
 // `*` stands for the vehicle's variable; in the order in which `read` takes them.
 constexpr std::array<std::string_view, 20> kNumberNames = {
-    "vehicle_*.X",          "vehicle_*.Y",         "vehicle_*.Heading",      "vehicle_*.Speed",
-    "vehicle_*.Lock",       "vehicle_*.Wheelbase", "vehicle_*.Front",        "vehicle_*.Rear",
-    "vehicle_*.HalfWidth",  "vehicle_*.MaxSpeed",  "vehicle_*.Acceleration", "vehicle_*.Deceleration",
-    "vehicle_*.MaxLock",    "vehicle_*.ErrorX",    "vehicle_*.ErrorY",       "arc_*",
-    "permitted_*",          "vehicle_*.ErrorID",   "vehicle_*.ErrorArea",    "areas_*"};
+    "vehicle_*.X",         "vehicle_*.Y",         "vehicle_*.Heading",      "vehicle_*.Speed",
+    "vehicle_*.Lock",      "vehicle_*.Wheelbase", "vehicle_*.Front",        "vehicle_*.Rear",
+    "vehicle_*.HalfWidth", "vehicle_*.MaxSpeed",  "vehicle_*.Acceleration", "vehicle_*.Deceleration",
+    "vehicle_*.MaxLock",   "vehicle_*.ErrorX",    "vehicle_*.ErrorY",       "arc_*",
+    "permitted_*",         "vehicle_*.ErrorID",   "vehicle_*.ErrorArea",    "areas_*"};
 constexpr std::array<std::string_view, 6> kSwitchNames = {"vehicle_*.Known", "standing_*", "done_*",
                                                           "loaded_*",        "bumper_*",   "estop_ok"};
 
@@ -42,7 +42,8 @@ VehicleData data_of(const VehicleImage& seen) {
   data.model.front_m = seen.front_m;
   data.model.rear_m = seen.rear_m;
   data.model.width_m = 2.0 * seen.half_width_m;
-  if (seen.max_lock_rad > 0.0) data.model.min_turning_radius_m = seen.wheelbase_m / std::tan(seen.max_lock_rad);
+  if (seen.max_lock_rad > 0.0)
+    data.model.min_turning_radius_m = seen.wheelbase_m / std::tan(seen.max_lock_rad);
   data.max_mps = seen.max_mps;
   return data;
 }

@@ -55,8 +55,8 @@ std::vector<VehicleError> errors_of(const Shown& shown) {
                                 {"polygon", std::to_string(seen.error_area)}};
   }
   if (shown.vehicle.state == "lost" || (shown.vehicle.state == "stopped" && seen.error_id == 0)) {
-    errors.push_back(fatal(shown.vehicle.state == "lost" ? "vehicleLost" : "vehicleStopped",
-                           shown.vehicle.reason));
+    errors.push_back(
+        fatal(shown.vehicle.state == "lost" ? "vehicleLost" : "vehicleStopped", shown.vehicle.reason));
   }
   return errors;
 }

@@ -202,8 +202,8 @@ class Client::Connection {
   Options options_;
   mosquitto* handle_ = nullptr;
   std::thread thread_;
-  std::string told_;  // by the library in this attempt; on the thread of `serve` only, as is the next
-  int refused_ = 0;   // the broker's word
+  std::string told_;          // by the library in this attempt; on the thread of `serve` only, as is the next
+  int refused_ = 0;           // the broker's word
   mutable std::mutex mutex_;  // of everything below
   std::condition_variable came_, wake_;
   std::deque<Message> waiting_;

@@ -114,7 +114,8 @@ class FleetOrders {
   // comes to rest is not known. F0908 if it has none.
   [[nodiscard]] result::Result<InstantActions> cancel(const std::string& vehicle, Timestamp now);
 
-  // The cancelOrder of a vehicle again, with the same id, while no state shows that it has come; nothing else.
+  // The cancelOrder of a vehicle again, with the same id, while no state shows that it has come; nothing
+  // else.
   std::optional<InstantActions> unconfirmed(const std::string& vehicle, Timestamp now);
   // The id of the cancelOrder that is under way; empty: none.
   std::string cancelling(const std::string& vehicle) const;

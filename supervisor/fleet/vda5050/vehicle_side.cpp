@@ -42,10 +42,10 @@ void VehicleSide::refuse(Topic topic, const result::Diagnostics& wrong, Timestam
 
 void VehicleSide::take(const Order& order, Sender sender, Timestamp now) {
   if (sender == Sender::Stranger) {
-    return refuse(warning("orderError",
-                          "the vehicle drives by the plan of its cell and takes orders of nobody else",
-                          references_to(order)),
-                  now);
+    return refuse(
+        warning("orderError", "the vehicle drives by the plan of its cell and takes orders of nobody else",
+                references_to(order)),
+        now);
   }
   if (order_ && order.order_id == order_->order_id) {
     if (order.update_id <= update_id_) return;  // it came twice

@@ -31,8 +31,8 @@ def free_port() -> int:
 
 
 class Broker:
-    def __init__(self, folder: str, certificate: str = ""):
-        self.folder, self.certificate = folder, certificate
+    def __init__(self, folder: str, certificate: str = "", more: tuple[str, ...] = ("allow_anonymous true",)):
+        self.folder, self.certificate, self.more = folder, certificate, more
         for _ in range(5):  # another process may take the port first
             self.port = free_port()
             if self.start():
@@ -41,7 +41,7 @@ class Broker:
 
     def start(self) -> bool:
         config = pathlib.Path(self.folder, f"mosquitto{self.port}.conf")
-        lines = ["user root", f"listener {self.port} 127.0.0.1", "allow_anonymous true", "persistence false"]
+        lines = ["user root", f"listener {self.port} 127.0.0.1", *self.more, "persistence false"]
         if self.certificate:
             lines += [f"certfile {self.certificate}.pem", f"keyfile {self.certificate}.key"]
         config.write_text("\n".join(lines) + "\n", encoding="utf-8")
@@ -162,7 +162,7 @@ class MqttFleet(unittest.TestCase):
         missing = subprocess.run([MASTER, str(broker.port), "2", str(SEED), "1", os.path.join(self.folder.name, "none.pem")],
                                  capture_output=True, text=True, check=False)
         self.assertEqual(missing.returncode, 1)
-        self.assertIn("MQ001", missing.stdout)
+        self.assertIn("MQ002", missing.stdout)
 
 
 if __name__ == "__main__":

@@ -29,7 +29,7 @@ class FleetOrders::Desk {
     std::optional<VehicleOrder> order;
     std::uint32_t orders = 0;  // given so far
     std::uint32_t instants = 0;
-    std::string cancel_id;   // of the cancelOrder that is not confirmed; empty: none
+    std::string cancel_id;     // of the cancelOrder that is not confirmed; empty: none
     bool cancel_came = false;  // a state shows it, in whatever status
     std::optional<AgvPosition> position;
     bool charging = false;

@@ -154,8 +154,8 @@ bool VehicleOrder::sent(const Order& order) const {
 }
 
 std::size_t VehicleOrder::passed(double arc_m, double reach_m) const {
-  const auto ahead = std::ranges::find_if(
-      waypoints_, [&](const Waypoint& point) { return point.arc_m > arc_m + reach_m; });
+  const auto ahead =
+      std::ranges::find_if(waypoints_, [&](const Waypoint& point) { return point.arc_m > arc_m + reach_m; });
   return static_cast<std::size_t>(ahead - waypoints_.begin());
 }
 
