@@ -90,6 +90,17 @@ void FleetPublisher::read_document(const CellView& view, LinkNews& news) {
   }
 }
 
+bool FleetPublisher::settled(const FleetDocument& fleet, const std::vector<VehicleImage>& images,
+                             const std::string& digest) {
+  const std::string key = digest + "/" + std::to_string(fleet.revision);
+  if (settled_ == key) return true;
+  for (std::size_t v = 0; v < images.size(); ++v) {
+    if (!plausible(images[v], fleet.plan.missions[v])) return false;
+  }
+  settled_ = key;
+  return true;
+}
+
 Places FleetPublisher::places_of(const FleetDocument& fleet, const std::vector<VehicleImage>& images) const {
   Places places;
   for (std::size_t v = 0; v < images.size(); ++v) {
@@ -167,10 +178,7 @@ void FleetPublisher::show(const CellView& view, const std::vector<VehicleImage>&
                                       .orders = link_->orders(),
                                       .map_id = options_.map_id,
                                       .controller = view.controller});
-    if (!whole) {
-      next.passed = reading.passed;
-      next.unfinished = reading.unfinished;
-    }
+    if (!whole) next.order_id.clear();
     reading = std::move(next);
   }
 }
@@ -180,7 +188,8 @@ LinkNews FleetPublisher::turn(const CellView& view, std::chrono::milliseconds wa
   read_document(view, news);
   const bool fits = digest_.empty() || digest_ == view.program_digest;
   if (waiting_ && fits) {
-    if (const auto images = images_of(view, *waiting_)) adopt(*images, news);
+    const auto images = images_of(view, *waiting_);
+    if (images && settled(*waiting_, *images, view.program_digest)) adopt(*images, news);
   }
   if (!link_) {
     std::this_thread::sleep_for(wait);
@@ -188,7 +197,7 @@ LinkNews FleetPublisher::turn(const CellView& view, std::chrono::milliseconds wa
   }
   const auto images = images_of(view, *fleet_);
   if (images) {
-    const bool whole = fits && !waiting_;
+    const bool whole = fits && !waiting_ && settled(*fleet_, *images, view.program_digest);
     if (whole) append(news, link_->place(places_of(*fleet_, *images)));
     show(view, *images, whole);
   }

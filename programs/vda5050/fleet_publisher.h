@@ -5,8 +5,9 @@
 //
 // Plan document and image belong together only if the program in the image is the one that the document
 // names. While they do not (a new plan is on its way), orders and progress stay as they are and only places,
-// speeds and errors go on. A new plan then gives updates to whose base it goes on from; the others' orders
-// are cancelled, and new ones given as soon as their vehicles have confirmed that.
+// speeds and errors go on. So it is until each vehicle has been seen on the path of the plan. A new plan then
+// gives updates to whose base it goes on from; the others' orders are cancelled, and new ones given as soon
+// as their vehicles have confirmed that.
 //
 // One thread at a time; waits only in `turn`.
 //
@@ -74,6 +75,9 @@ class FleetPublisher {
   // True once the plan of `waiting_` is the one that orders are of.
   bool adopt(const std::vector<VehicleImage>& images, LinkNews& news);
   void show(const CellView& view, const std::vector<VehicleImage>& images, bool whole);
+  // True once all vehicles of the plan were seen where the program says that they are.
+  bool settled(const FleetDocument& fleet, const std::vector<VehicleImage>& images,
+               const std::string& digest);
   fleet::vda5050::Places places_of(const FleetDocument& fleet, const std::vector<VehicleImage>& images) const;
 
   PublisherOptions options_;
@@ -85,6 +89,7 @@ class FleetPublisher {
   std::optional<FleetDocument> waiting_;     // comes next
   std::map<std::string, VehicleTags> tags_;  // by variable, of the program with `tags_digest_`
   std::string tags_digest_;
+  std::string settled_;  // program and plan for which `settled` is true
   std::unique_ptr<FleetLink> link_;
   std::map<std::string, Vehicle> vehicles_;  // by serial number
 };

@@ -15,6 +15,8 @@ namespace {
 constexpr int kEmergencyStop = 24;
 constexpr int kForks = 23;
 constexpr int kNoLoad = 29;
+// A vehicle stops by itself when it is 0.6 m off its path.
+constexpr double kOff_m = 1.0;
 // Behind a stop: it is done whatever the supervisor says, whose word comes later than the image.
 constexpr double kBehindStop_m = 0.3;
 
@@ -61,16 +63,18 @@ std::vector<VehicleError> errors_of(const Shown& shown) {
   return errors;
 }
 
-// Stops that the vehicle has reached and not finished. Of a stop that it has left behind the supervisor's
-// word is not waited for.
+// Stops with work that the vehicle has reached and not finished. Of a stop that it has left behind the
+// supervisor's word is not waited for.
 std::size_t unfinished_stops(const Shown& shown) {
-  std::size_t reached = 0, behind = 0;
-  for (const fleet::Stop& stop : shown.mission.stops) {
-    if (stop.arc_m <= shown.image.arc_m + kReach_m) ++reached;
-    if (stop.arc_m <= shown.image.arc_m - kBehindStop_m) ++behind;
+  const std::size_t told = shown.vehicle.stops_done.value_or(0);
+  std::size_t unfinished = 0;
+  for (std::size_t s = 0; s < shown.mission.stops.size(); ++s) {
+    const fleet::Stop& stop = shown.mission.stops[s];
+    const bool reached = stop.arc_m <= shown.image.arc_m + kReach_m;
+    const bool done = s < told || shown.image.done || stop.arc_m <= shown.image.arc_m - kBehindStop_m;
+    if (stop.kind != fleet::StopKind::Park && reached && !done) ++unfinished;
   }
-  const std::size_t done = std::max(behind, shown.vehicle.stops_done.value_or(behind));
-  return shown.image.done || done >= reached ? 0 : reached - done;
+  return unfinished;
 }
 
 }  // namespace
@@ -84,6 +88,19 @@ std::pair<std::string, std::string> words_of_error(int error_id) {
 Whereabouts whereabouts_of(const VehicleImage& image, const fleet::VehicleMission& mission) {
   const auto most = static_cast<int>(mission.grown.visits.size());
   return {.arc_m = image.arc_m, .left = static_cast<std::uint32_t>(std::clamp(image.left, 0, most))};
+}
+
+bool plausible(const VehicleImage& image, const fleet::VehicleMission& mission) {
+  if (!image.known || image.error_id != 0) return image.known;
+  const auto& visits = mission.grown.visits;
+  const auto& path = mission.path;
+  if (image.left < 0 || image.left >= static_cast<int>(visits.size())) return false;
+  if (image.arc_m > path.back().arc_m + kOff_m) return false;
+  if (image.left > 0 && image.arc_m < visits[static_cast<std::size_t>(image.left)].entry_m - kOff_m)
+    return false;
+  const auto at = std::ranges::lower_bound(path, image.arc_m, {}, &geometry::PathPose::arc_m);
+  const geometry::Pose& pose = at == path.end() ? path.back().pose : at->pose;
+  return geometry::distance(pose.position(), {image.x_m, image.y_m}) <= kOff_m;
 }
 
 VehicleReading reading_of(const Shown& shown) {
@@ -100,6 +117,8 @@ VehicleReading reading_of(const Shown& shown) {
   reading.velocity = {.vx_mps = seen.speed_mps, .vy_mps = 0.0, .omega_radps = seen.speed_mps * turn};
   reading.driving = !seen.standing;
   const double arc_m = seen.done ? shown.mission.path.back().arc_m : seen.arc_m;
+  if (const Order* const order = shown.orders.order(shown.mission.vehicle))
+    reading.order_id = order->order_id;
   reading.passed = shown.orders.passed(shown.mission.vehicle, arc_m, kReach_m);
   reading.unfinished = unfinished_stops(shown);
   reading.action_failed = seen.error_id == kForks || seen.error_id == kNoLoad;

@@ -55,6 +55,7 @@ void VehicleSide::take(const Order& order, Sender sender, Timestamp now) {
   } else {
     if (order.update_id != 0) return;  // its first message was lost
     order_ = order;
+    progress_ = {};
     std::erase_if(refusals_, [](const Refusal& refusal) { return refusal.error.type == "orderError"; });
   }
   order_id_ = order.order_id;
@@ -102,8 +103,14 @@ Wishes VehicleSide::take(const InstantActions& message, const std::string& cance
   return wishes;
 }
 
+void VehicleSide::show(VehicleReading reading) {
+  reading_ = std::move(reading);
+  if (!order_ || reading_.order_id != order_->order_id) return;
+  progress_ = {reading_.passed, reading_.unfinished, reading_.action_failed};
+}
+
 std::size_t VehicleSide::passed() const {
-  return order_ ? std::min(reading_.passed, decision_point(*order_).value_or(0) + 1) : 0;
+  return order_ ? std::min(progress_.passed, decision_point(*order_).value_or(0) + 1) : 0;
 }
 
 std::vector<ActionState> VehicleSide::order_actions() const {
@@ -119,11 +126,11 @@ std::vector<ActionState> VehicleSide::order_actions() const {
     if (k < behind && !order_->nodes[k].actions.empty()) last_end = all.size();
   }
   std::size_t first = last_end;
-  while (first > 0 && first > last_end - std::min(last_end, reading_.unfinished)) {
+  while (first > 0 && first > last_end - std::min(last_end, progress_.unfinished)) {
     all[--first].status = ActionStatus::Waiting;
   }
   if (first < last_end) {
-    all[first].status = reading_.action_failed ? ActionStatus::Failed : ActionStatus::Running;
+    all[first].status = progress_.action_failed ? ActionStatus::Failed : ActionStatus::Running;
   }
   return all;
 }

@@ -11,7 +11,7 @@
 //
 //   VehicleSide side({"uagv", "Stepwright", "v1"});
 //   side.take(order, Sender::Control, now);
-//   side.show({.position = ..., .passed = 3});
+//   side.show({.position = ..., .order_id = order.order_id, .passed = 3});
 //   if (side.has_news()) publish(to_json(side.state(now)));
 
 #include <chrono>
@@ -32,7 +32,8 @@ struct VehicleReading {
   std::optional<AgvPosition> position;  // nothing: not known yet
   Velocity velocity;
   bool driving = false;
-  std::size_t passed = 0;      // nodes of the order that lie behind the vehicle, by the way
+  std::string order_id;        // that the next three are of; another order stays as far as it was
+  std::size_t passed = 0;      // nodes that lie behind the vehicle, by the way
   std::size_t unfinished = 0;  // of the actions at the last of these that has some, from the back
   bool action_failed = false;  // the first of the unfinished ones has
   std::optional<std::size_t> loads;
@@ -67,7 +68,7 @@ class VehicleSide {
   Wishes take(const InstantActions& message, const std::string& cancel_id, Timestamp now);
   // A message that is none.
   void refuse(Topic topic, const result::Diagnostics& wrong, Timestamp now);
-  void show(VehicleReading reading) { reading_ = std::move(reading); }
+  void show(VehicleReading reading);
 
   // Something other than the place has changed since the last state.
   bool has_news(Timestamp now);
@@ -104,6 +105,13 @@ class VehicleSide {
   std::deque<ActionState> instants_;
   std::deque<Refusal> refusals_;
   VehicleReading reading_;
+  // Of the order that the vehicle has.
+  struct Progress {
+    std::size_t passed = 0;
+    std::size_t unfinished = 0;
+    bool action_failed = false;
+  };
+  Progress progress_;
   std::optional<State> said_;  // without header, place and speed
 };
 

@@ -3,15 +3,17 @@
 //
 //   vda5050_fleet CELL.toml [KEY=VALUE ...]
 //
-// Lines on its input: "replan" sends the vehicles on from where the first plan leaves them; the end of the
-// input ends it.
+// Lines on its input: "go" lets the simulated clock go on, which stands still at the first step until then;
+// "replan" sends the vehicles on from where the first plan leaves them; the end of the input ends it.
 
+#include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "ladder/driver/compile.h"
@@ -88,10 +90,19 @@ class Supervisor {
     const bool change = revision_++ > 0;
     const auto mode = change ? dds::DownloadMode::ChangeRestartCharts : dds::DownloadMode::Replace;
     const std::string digest = take(runtime_->download(compiled.container, mode)).digest;
-    if (!change) take(runtime_->start({}));
+    if (!change) take(runtime_->start({.barrier = true}));
     publish(plan, program, digest);
     std::printf("plan %d\n", revision_);
     std::fflush(stdout);
+  }
+
+  void go() {
+    steps_ = std::jthread([this](const std::stop_token& stop) {
+      while (!stop.stop_requested()) {
+        const auto event = runtime_->wait_event(std::chrono::milliseconds(100));
+        if (event) static_cast<void>(runtime_->acknowledge(event->sequence));
+      }
+    });
   }
 
  private:
@@ -121,6 +132,7 @@ class Supervisor {
   std::unique_ptr<dds::RuntimeClient> runtime_;
   std::unique_ptr<dds::PlanPublisher> plans_;
   int revision_ = 0;
+  std::jthread steps_;  // last: it uses the runtime
 };
 
 }  // namespace
@@ -132,6 +144,7 @@ int main(int argc, char** argv) {
     Supervisor supervisor(cell);
     supervisor.run(first_missions(cell));
     for (std::string line; std::getline(std::cin, line);) {
+      if (line == "go") supervisor.go();
       if (line == "replan") supervisor.run(next_missions());
     }
   } catch (const std::exception& wrong) {

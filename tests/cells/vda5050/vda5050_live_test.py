@@ -178,8 +178,9 @@ class Live(unittest.TestCase):
                 return False
         return True
 
-    def replan(self, fleet: subprocess.Popen):
-        fleet.stdin.write(b"replan\n")
+    @staticmethod
+    def tell(fleet: subprocess.Popen, line: bytes):
+        fleet.stdin.write(line)
         fleet.stdin.flush()
 
     def test_Fleet_WhenItRuns_ThenTheBrokerHearsOrdersAndStatesThatKeepTheStandard(self):
@@ -192,12 +193,13 @@ class Live(unittest.TestCase):
         wait_until(lambda: "listens on" in self.log("runtime"), "the runtime")
         self.start("link", [str(BIN / "stepwright"), "link", *self.options])
         fleet = self.start("fleet", [FLEET, *self.cell], stdin=subprocess.PIPE)
-        wait_until(lambda: all(hearing.last(v, "state") for v in VEHICLES), "states:" + self.log("publisher"))
+        wait_until(lambda: all((hearing.last(v, "state") or {"orderId": ""})["orderId"] for v in VEHICLES), "orders that are taken")
+        self.tell(fleet, b"go\n")
         self.asks_are_answered(hearing)
         wait_until(lambda: self.arrived(hearing, 0), "the end of the first plan")
         self.first_plan_was_said(hearing)
 
-        self.replan(fleet)
+        self.tell(fleet, b"replan\n")
         wait_until(lambda: "plan 2" in self.log("fleet") and hearing.last("v2", "order")["orderId"].endswith(".2"), "a new order")
         broker.stop()  # and what is said now is lost
         time.sleep(0.3)
