@@ -29,15 +29,15 @@ namespace stepwright::fleet::vda5050 {
 
 // What the controller shows of the vehicle.
 struct VehicleReading {
-  std::optional<AgvPosition> position;  // nothing: not known yet
-  Velocity velocity;
+  std::optional<AgvPosition> position{};  // nothing: not known yet
+  Velocity velocity{};
   bool driving = false;
-  std::string order_id;        // that the next three are of; another order stays as far as it was
+  std::string order_id{};      // that the next three are of; another order stays as far as it was
   std::size_t passed = 0;      // nodes that lie behind the vehicle, by the way
   std::size_t unfinished = 0;  // of the actions at the last of these that has some, from the back
   bool action_failed = false;  // the first of the unfinished ones has
-  std::optional<std::size_t> loads;
-  std::vector<VehicleError> errors;
+  std::optional<std::size_t> loads{};
+  std::vector<VehicleError> errors{};
   EmergencyStop emergency_stop = EmergencyStop::None;
   bool field_violation = false;
 

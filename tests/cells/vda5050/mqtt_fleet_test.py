@@ -111,6 +111,39 @@ class MqttFleet(unittest.TestCase):
         for vehicle in vehicles:
             vehicle.leave()
 
+    def cancels(self, lost: int) -> tuple[str, Vehicle, int | None]:
+        """What a master control says that cancels the order of v1, of whose cancelOrders so many are lost; and its exit code."""
+        vehicles = [Vehicle(f"v{k + 1}", self.broker.port, judges(), lost if k == 0 else 0) for k in range(2)]
+        log = pathlib.Path(self.folder.name, f"master{lost}.log")
+        with log.open("w", encoding="utf-8") as output:
+            master = subprocess.Popen([MASTER, str(self.broker.port), "2", str(SEED), str(PATIENCE_S), "cancel=v1"], stdout=output)
+        self.addCleanup(master.wait)
+        self.addCleanup(master.kill)
+        end = time.monotonic() + PATIENCE_S
+        while master.poll() is None and "F0910" not in log.read_text(encoding="utf-8") and time.monotonic() < end:
+            for vehicle in vehicles:
+                vehicle.tick()
+            time.sleep(0.02)
+        if master.poll() is None:
+            time.sleep(1.0)  # nothing more is to come
+        for vehicle in vehicles:
+            vehicle.leave()
+        return log.read_text(encoding="utf-8"), vehicles[0], master.poll()
+
+    def test_CancelOrder_WhenItIsLostTwice_ThenItComesAgainUntilTheVehicleConfirmsIt(self):
+        said, vehicle, code = self.cancels(2)
+        self.assertEqual(code, 0, said)
+        self.assertIn("cancelled", said)
+        self.assertGreaterEqual(len(vehicle.cancels), 3)
+        self.assertEqual(len(set(vehicle.cancels)), 1)  # always the same one
+        self.assertIsNone(vehicle.order)
+
+    def test_CancelOrder_WhenNobodyConfirmsIt_ThenThatIsToldOnceAndItEnds(self):
+        said, vehicle, code = self.cancels(1000)
+        self.assertIsNone(code, said)
+        self.assertEqual(said.count("F0910"), 1, said)
+        self.assertEqual(len(vehicle.cancels), 4)
+
     def test_Vehicle_WhenItsConnectionBreaks_ThenTheLastWillIsToldAndKept(self):
         vehicles = [Vehicle(f"v{k + 1}", self.broker.port, judges()) for k in range(2)]
         log = pathlib.Path(self.folder.name, "master.log")
