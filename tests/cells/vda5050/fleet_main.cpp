@@ -1,4 +1,4 @@
-// A supervisor of the fleet in tests/cells/fleet, for vda5050_live_test.py: plans for its three vehicles,
+// A supervisor of the fleet in cell.toml, for vda5050_live_test.py: plans for its three vehicles,
 // downloads the program, starts it and publishes the plan document.
 //
 //   vda5050_fleet CELL.toml [KEY=VALUE ...]

@@ -19,7 +19,7 @@ from vehicle_peer import MANUFACTURER, now
 
 BIN = pathlib.Path(os.environ["STEPWRIGHT_BIN_DIR"])
 FLEET = os.path.join(os.environ["STEPWRIGHT_TEST_DIR"], "vda5050_fleet")
-CELL = SOURCE / "tests/cells/fleet/cell.toml"
+CELL = SOURCE / "tests/cells/vda5050/cell.toml"
 TOPICS = ("order", "instantActions", "state", "visualization", "connection", "factsheet")
 VEHICLES = ("v1", "v2", "v3")
 LENGTH_M, WIDTH_M = 36.0, 24.0  # of the hall
@@ -150,8 +150,7 @@ class Live(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-        self.cell = [str(CELL), f"cell.state_dir={self.folder.name}/state", "dds.domain_id=65", "clock.speed=20",
-                     f"dds.runtime_id=live-{os.getpid()}"]
+        self.cell = [str(CELL), f"cell.state_dir={self.folder.name}/state", f"dds.runtime_id=live-{os.getpid()}"]
         self.options = ["--config", self.cell[0]] + [word for each in self.cell[1:] for word in ("--set", each)]
 
     def start(self, name: str, line: list[str], **options) -> subprocess.Popen:
