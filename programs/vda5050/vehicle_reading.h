@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "programs/vda5050/fleet_document.h"
 #include "programs/vda5050/vehicle_image.h"

@@ -82,7 +82,11 @@ void VehicleSide::refuse_action(const Action& action, const Header& header, cons
 Wishes VehicleSide::take(const InstantActions& message, const std::string& cancel_id, Timestamp now) {
   Wishes wishes{.state = true, .factsheet = false};
   for (const Action& action : message.actions) {
-    if (std::ranges::find(instants_, action.id, &ActionState::id) != instants_.end()) continue;  // again
+    if (const auto known = std::ranges::find(instants_, action.id, &ActionState::id);
+        known != instants_.end()) {
+      std::rotate(known, known + 1, instants_.end());  // it came again: the answer stays for longer
+      continue;
+    }
     if (action.type == "stateRequest") {
       answer(action, ActionStatus::Finished, {});
     } else if (action.type == "factsheetRequest") {
