@@ -87,10 +87,13 @@ void tell(const LinkNews& news, log::Logger& log) {
   for (const std::string& name : news.online) log.info("vehicle", name + " is online", {{"vehicle", name}});
   for (const std::string& name : news.lost) log.warning("vehicle", name + " is offline", {{"vehicle", name}});
   for (const result::Diagnostic& each : news.wrong) {
+    const log::Fields fields = {{"code", each.code}};
     if (each.severity == result::Severity::Error) {
-      log.error("message", result::to_string(each), {{"code", each.code}});
+      log.error("message", result::to_string(each), fields);
+    } else if (each.code == "F0909") {
+      log.debug("vehicle", result::to_string(each), fields);  // in each state again
     } else {
-      log.debug("vehicle", result::to_string(each), {{"code", each.code}});
+      log.warning("request", result::to_string(each), fields);
     }
   }
 }

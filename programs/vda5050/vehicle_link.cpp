@@ -74,7 +74,11 @@ void VehicleLink::handle(const mqtt::Message& message, const FleetOrders& orders
   if (!topic) return;
   const auto refuse = [&](const result::Diagnostics& wrong) {
     side_.refuse(topic->topic, wrong, utc_now());
-    news.wrong.insert(news.wrong.end(), wrong.begin(), wrong.end());
+    // A stranger's fault, not ours.
+    for (result::Diagnostic each : wrong) {
+      each.severity = result::Severity::Warning;
+      news.wrong.push_back(std::move(each));
+    }
   };
   if (topic->topic == Topic::Order) {
     auto order = read_order(message.payload, message.topic);

@@ -37,6 +37,7 @@ class Listener:
         self.judges, self.lock, self.faults, self.said = judges(), threading.Lock(), [], []
         self.strangers = set()  # payloads of the test's own
         self.held, self.numbers, self.places = {}, {}, {}
+        self.lossy = False  # the broker was away: orders may be missing
         self.client = mqtt.Client(client_id="listener")
         self.client.reconnect_delay_set(1, 1)
         self.client.on_connect = lambda client, *_: client.subscribe("uagv/v2/#", 1)
@@ -69,17 +70,22 @@ class Listener:
             self.fault(f"{serial}: base behind horizon")
         held = self.held.get(serial)
         if held is None or held["orderId"] != order["orderId"]:
-            if order["orderUpdateId"] != 0:
+            if order["orderUpdateId"] != 0 and not self.lossy:
                 self.fault(f"{serial}: a new order begins with update {order['orderUpdateId']}")
             self.held[serial] = order
             return
         if order["orderUpdateId"] <= held["orderUpdateId"]:
             return  # sent again
+        if self.lossy and order["orderUpdateId"] > held["orderUpdateId"] + 1:
+            self.held[serial] = order
+            return
         if order["orderUpdateId"] != held["orderUpdateId"] + 1:
-            return self.fault(f"{serial}: update {order['orderUpdateId']} after {held['orderUpdateId']}")
+            self.fault(f"{serial}: update {order['orderUpdateId']} after {held['orderUpdateId']}")
+            return
         end = max(k for k, node in enumerate(held["nodes"]) if node["released"])
         if order["nodes"][0] != held["nodes"][end]:
-            return self.fault(f"{serial}: update {order['orderUpdateId']} does not begin where the base ends")
+            self.fault(f"{serial}: update {order['orderUpdateId']} does not begin where the base ends")
+            return
         order["nodes"] = held["nodes"][:end] + order["nodes"]
         order["edges"] = held["edges"][:end] + order["edges"]
         if sum(node["released"] for node in order["nodes"]) <= end:
@@ -95,6 +101,8 @@ class Listener:
             return
         ahead = [node["nodeId"] for node in state["nodeStates"]]
         ids = [node["nodeId"] for node in held["nodes"]]
+        if self.lossy and len(ahead) >= len(ids):
+            return
         if ahead != ids[len(ids) - len(ahead):]:
             self.fault(f"{serial}: the nodes ahead are not those of the order")
         behind = len(ids) - len(ahead)
@@ -187,7 +195,7 @@ class Live(unittest.TestCase):
         self.addCleanup(lambda: broker.stop())
         hearing = Listener(broker.port)
         self.addCleanup(hearing.leave)
-        publisher = self.start("publisher", publish_line(broker.port, *self.options, "--visualization-every", "0.1"))
+        publisher = self.start("publisher", publish_line(broker.port, *self.options, "--visualization-every", "0.1", "--state-every", "2"))
         runtime = self.start("runtime", [str(BIN / "stepwright"), "runtime", *self.options])
         wait_until(lambda: "listens on" in self.log("runtime"), "the runtime")
         self.start("link", [str(BIN / "stepwright"), "link", *self.options])
@@ -200,7 +208,8 @@ class Live(unittest.TestCase):
 
         self.tell(fleet, b"replan\n")
         wait_until(lambda: "plan 2" in self.log("fleet") and hearing.last("v2", "order")["orderId"].endswith(".2"), "a new order")
-        broker.stop()  # and what is said now is lost
+        hearing.lossy = True
+        broker.stop()  # what is said now is lost
         time.sleep(0.3)
         index = hearing.heard()
         self.assertTrue(broker.start())
@@ -220,7 +229,7 @@ class Live(unittest.TestCase):
         self.assertEqual(again.wait(PATIENCE_S), 0, self.log("again"))
         wait_until(lambda: all(hearing.last(v, "connection")["connectionState"] == "OFFLINE" for v in VEHICLES), "farewells")
         self.assertEqual(hearing.faults, [])
-        self.assertNotIn(" error ", self.log("publisher").replace("error vda5050: uagv/v2/Stepwright/v3/", ""))
+        self.assertNotRegex(self.log("publisher"), "Z error ")
 
     def first_plan_was_said(self, hearing: Listener):
         for serial in VEHICLES:
@@ -235,7 +244,8 @@ class Live(unittest.TestCase):
         updates = sum(hearing.held[v]["orderUpdateId"] for v in VEHICLES)
         self.assertGreater(updates, 0, "nobody waited for anybody")
         statuses = [a["actionStatus"] for s in hearing.since(0, "v1", "state") for a in s["actionStates"] if a["actionType"] == "pick"]
-        self.assertEqual(list(dict.fromkeys(statuses)), ["WAITING", "RUNNING", "FINISHED"])
+        # It runs for 0.15 s of wall time, in which there may be no state.
+        self.assertIn(list(dict.fromkeys(statuses)), (["WAITING", "RUNNING", "FINISHED"], ["WAITING", "FINISHED"]))
 
     def asks_are_answered(self, hearing: Listener):
         """What the cell cannot do is refused, and what it can is done."""
