@@ -17,10 +17,10 @@ namespace stepwright::vda5050_link {
 
 struct BrokerArguments {
   std::string url;               // mqtt://HOST[:PORT] or mqtts://HOST[:PORT]
-  std::string credentials_file;  // TOML: user, password; empty: none
-  std::string ca_file;           // PEM; empty: the authorities of the system
-  std::string certificate_file;
-  std::string key_file;
+  std::string credentials_file{};  // TOML: user, password; empty: none
+  std::string ca_file{};           // PEM; empty: the authorities of the system
+  std::string certificate_file{};
+  std::string key_file{};
 };
 
 struct Broker {
