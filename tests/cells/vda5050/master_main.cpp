@@ -48,9 +48,14 @@ int main(int argc, char** argv) {
     for (const std::string& name : news.lost) std::printf("lost %s\n", name.c_str());
     wrong += news.wrong.size();
     std::fflush(stdout);
-    if (cancelled.empty() || !link.orders().unacknowledged(cancelled, {}).empty()) continue;
-    if (!cancelling && !link.cancel(cancelled)) return 1;
-    cancelling = true;
+    if (cancelled.empty()) continue;
+    if (!cancelling) {
+      const bool has_it = link.orders().hold(cancelled) == fleet::vda5050::Hold::Ordered &&
+                          link.orders().unacknowledged(cancelled, {}).empty();
+      if (!has_it) continue;
+      if (!link.cancel(cancelled)) return 1;
+      cancelling = true;
+    }
     if (link.orders().hold(cancelled) == fleet::vda5050::Hold::Idle) {
       std::printf("cancelled, %zu sent again\n", link.repeated());
       return 0;

@@ -158,7 +158,7 @@ TEST(Vda5050Mutation, Requests_WhenBroken_ThenTheVehicleAnswersOrRefusesAndKeeps
   const std::vector<std::string> all = seeds();
   const std::vector<std::string> said = {sample_message(Topic::InstantActions), to_json(order)};
   std::size_t taken = 0;
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < 1000; ++round) {
     const std::string text = mutated(said[random() % said.size()], all, random);
     name_case("vda5050 request, round " + std::to_string(round), std::as_bytes(std::span(text)));
     const auto actions = read_instant_actions(text, "input");
@@ -187,7 +187,7 @@ TEST(Vda5050Mutation, Requests_WhenBroken_ThenTheVehicleAnswersOrRefusesAndKeeps
           << keep_case();
     }
   }
-  EXPECT_GT(taken, 100u);
+  EXPECT_GT(taken, 50u);
 }
 
 // Where libFuzzer is to find them: STEPWRIGHT_FUZZ_CORPUS.
