@@ -187,7 +187,7 @@ TEST(Vda5050Mutation, Requests_WhenBroken_ThenTheVehicleAnswersOrRefusesAndKeeps
           << keep_case();
     }
   }
-  EXPECT_GT(taken, 50u);
+  EXPECT_GT(taken, 40u);  // of 1000; else only the parser is tested
 }
 
 // Where libFuzzer is to find them: STEPWRIGHT_FUZZ_CORPUS.
