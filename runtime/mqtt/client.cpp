@@ -2,15 +2,41 @@
 
 #include <mosquitto.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <condition_variable>
+#include <cstring>
 #include <deque>
+#include <fstream>
 #include <limits>
 #include <mutex>
+#include <thread>
 #include <utility>
 
 namespace stepwright::mqtt {
 
-// At one place in memory: the library's thread calls back with its address.
+namespace {
+
+constexpr int kTurn_ms = 200;
+constexpr std::chrono::seconds kFarewell{1};  // for what is still to be sent at the end
+
+// What the library's codes say of the cause; errno is still that of the call.
+Trouble trouble_of(int code, const std::string& told) {
+  const std::string why = code == MOSQ_ERR_ERRNO ? std::strerror(errno) : mosquitto_strerror(code);
+  switch (code) {
+    case MOSQ_ERR_EAI:
+      return {TroubleKind::NoHost, "no machine of that name is known"};
+    case MOSQ_ERR_TLS:
+    case MOSQ_ERR_TLS_HANDSHAKE:
+      return {TroubleKind::Tls, told.empty() ? why : told};
+    default:
+      return {TroubleKind::Unreachable, why};
+  }
+}
+
+}  // namespace
+
+// At one place in memory: the library calls back with its address, on the thread of `serve`.
 class Client::Connection {
  public:
   explicit Connection(const Options& options) : options_(options) {
@@ -20,31 +46,31 @@ class Client::Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
   ~Connection() {
-    if (handle_ != nullptr) {
+    if (thread_.joinable()) {
+      {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+        give_up_ = std::chrono::steady_clock::now() + kFarewell;
+      }
+      wake_.notify_all();
       mosquitto_disconnect(handle_);
-      if (running_) mosquitto_loop_stop(handle_, false);
-      mosquitto_destroy(handle_);
+      thread_.join();
     }
+    if (handle_ != nullptr) mosquitto_destroy(handle_);
     mosquitto_lib_cleanup();
   }
 
   // What the library says of a wrong option; nothing if all is well.
   std::optional<std::string> start() {
     if (handle_ == nullptr) return "no memory, or no client id";
-    int code = set_up();
-    if (code == MOSQ_ERR_SUCCESS) {
-      mosquitto_connect_callback_set(handle_, &Connection::on_connect);
-      mosquitto_disconnect_callback_set(handle_, &Connection::on_disconnect);
-      mosquitto_message_callback_set(handle_, &Connection::on_message);
-      code = mosquitto_connect_async(handle_, options_.host.c_str(), options_.port,
-                                     static_cast<int>(options_.keep_alive.count()));
-      // Whether the broker is there is for the thread to find out.
-      if (code == MOSQ_ERR_INVAL) return mosquitto_strerror(code);
-      code = mosquitto_loop_start(handle_);
-      running_ = code == MOSQ_ERR_SUCCESS;
-    }
-    if (code == MOSQ_ERR_SUCCESS) return std::nullopt;
-    return mosquitto_strerror(code);
+    const int code = set_up();
+    if (code != MOSQ_ERR_SUCCESS) return mosquitto_strerror(code);
+    mosquitto_threaded_set(handle_, true);
+    mosquitto_connect_callback_set(handle_, &Connection::on_connect);
+    mosquitto_message_callback_set(handle_, &Connection::on_message);
+    mosquitto_log_callback_set(handle_, &Connection::on_log);
+    thread_ = std::thread([this] { serve(); });
+    return std::nullopt;
   }
 
   void subscribe(const std::string& filter, int qos) {
@@ -72,6 +98,10 @@ class Client::Connection {
     const std::lock_guard lock(mutex_);
     return connected_;
   }
+  std::optional<Trouble> trouble() const {
+    const std::lock_guard lock(mutex_);
+    return connected_ ? std::nullopt : trouble_;
+  }
   std::size_t connections() const {
     const std::lock_guard lock(mutex_);
     return connections_;
@@ -83,9 +113,8 @@ class Client::Connection {
 
  private:
   int set_up() {
-    int code = mosquitto_reconnect_delay_set(handle_, static_cast<unsigned>(options_.reconnect_least.count()),
-                                             static_cast<unsigned>(options_.reconnect_most.count()), true);
-    if (code == MOSQ_ERR_SUCCESS && !options_.user.empty()) {
+    int code = MOSQ_ERR_SUCCESS;
+    if (!options_.user.empty()) {
       code = mosquitto_username_pw_set(handle_, options_.user.c_str(), options_.password.c_str());
     }
     if (code == MOSQ_ERR_SUCCESS && options_.will) {
@@ -93,17 +122,55 @@ class Client::Connection {
       code = mosquitto_will_set(handle_, will.topic.c_str(), static_cast<int>(will.payload.size()),
                                 will.payload.data(), will.qos, will.retained);
     }
-    if (code == MOSQ_ERR_SUCCESS && options_.tls) {
-      const auto file = [](const std::string& name) { return name.empty() ? nullptr : name.c_str(); };
-      code = mosquitto_tls_set(handle_, file(options_.tls->ca_file), nullptr,
-                               file(options_.tls->certificate_file), file(options_.tls->key_file), nullptr);
-    }
+    if (code == MOSQ_ERR_SUCCESS && options_.tls) code = set_up_tls(*options_.tls);
     return code;
   }
 
+  int set_up_tls(const Tls& tls) {
+    const auto file = [](const std::string& name) { return name.empty() ? nullptr : name.c_str(); };
+    const char* const system = tls.ca_file.empty() ? "/etc/ssl/certs" : nullptr;
+    return mosquitto_tls_set(handle_, file(tls.ca_file), system, file(tls.certificate_file),
+                             file(tls.key_file), nullptr);
+  }
+
+  // One attempt after the other, each until its connection ends.
+  void serve() {
+    auto pause = std::chrono::duration_cast<std::chrono::milliseconds>(options_.reconnect_least);
+    for (bool first = true;; first = false) {
+      const bool was_connected = serve_once(first);
+      std::unique_lock lock(mutex_);
+      connected_ = false;
+      if (was_connected) pause = options_.reconnect_least;
+      if (wake_.wait_for(lock, pause, [&] { return stopping_; })) return;
+      pause = std::min<std::chrono::milliseconds>(2 * pause, options_.reconnect_most);
+    }
+  }
+
+  // True if the broker took the connection.
+  bool serve_once(bool first) {
+    told_.clear();
+    refused_ = 0;
+    const std::size_t before = connections();
+    int code = first ? mosquitto_connect_async(handle_, options_.host.c_str(), options_.port,
+                                               static_cast<int>(options_.keep_alive.count()))
+                     : mosquitto_reconnect_async(handle_);
+    while (code == MOSQ_ERR_SUCCESS && !over()) code = mosquitto_loop(handle_, kTurn_ms, 1);
+    Trouble trouble = trouble_of(code, told_);
+    if (refused_ != 0) trouble = {TroubleKind::Refused, mosquitto_connack_string(refused_)};
+    const std::lock_guard lock(mutex_);
+    trouble_ = std::move(trouble);
+    return connections_ > before;
+  }
+
+  bool over() const {
+    const std::lock_guard lock(mutex_);
+    return stopping_ && (!connected_ || std::chrono::steady_clock::now() > give_up_);
+  }
+
   static void on_connect(mosquitto* handle, void* self, int code) {
-    if (code != 0) return;  // refused; the library tries again
     auto& connection = *static_cast<Connection*>(self);
+    connection.refused_ = code;
+    if (code != 0) return;
     const std::lock_guard lock(connection.mutex_);
     connection.connected_ = true;
     ++connection.connections_;
@@ -112,10 +179,10 @@ class Client::Connection {
     }
   }
 
-  static void on_disconnect(mosquitto*, void* self, int) {
+  // The library says what is wrong with certificates here and nowhere else; the first line says most.
+  static void on_log(mosquitto*, void* self, int level, const char* text) {
     auto& connection = *static_cast<Connection*>(self);
-    const std::lock_guard lock(connection.mutex_);
-    connection.connected_ = false;
+    if (level == MOSQ_LOG_ERR && connection.told_.empty()) connection.told_ = text;
   }
 
   static void on_message(mosquitto*, void* self, const mosquitto_message* message) {
@@ -134,11 +201,16 @@ class Client::Connection {
 
   Options options_;
   mosquitto* handle_ = nullptr;
-  bool running_ = false;
+  std::thread thread_;
+  std::string told_;          // by the library in this attempt; on the thread of `serve` only, as is the next
+  int refused_ = 0;           // the broker's word
   mutable std::mutex mutex_;  // of everything below
-  std::condition_variable came_;
+  std::condition_variable came_, wake_;
   std::deque<Message> waiting_;
   std::vector<std::pair<std::string, int>> filters_;
+  std::optional<Trouble> trouble_;
+  std::chrono::steady_clock::time_point give_up_{};
+  bool stopping_ = false;
   bool connected_ = false;
   std::size_t connections_ = 0;
   std::size_t dropped_ = 0;
@@ -150,16 +222,28 @@ Client& Client::operator=(Client&&) noexcept = default;
 Client::~Client() = default;
 
 result::Result<Client> Client::open(const Options& options) {
+  if (options.tls) {
+    for (const std::string& file :
+         {options.tls->ca_file, options.tls->certificate_file, options.tls->key_file}) {
+      if (file.empty() || std::ifstream(file).good()) continue;
+      return result::fail("MQ002", {file, 0, 0}, std::string("cannot be read: ") + std::strerror(errno),
+                          "TLS needs certificates and keys as PEM files that this user may read");
+    }
+  }
   auto connection = std::make_unique<Connection>(options);
   if (const auto wrong = connection->start()) {
     return result::fail("MQ001", {}, "MQTT client of " + options.host + ": " + *wrong,
-                        options.tls ? "are the files of TLS there and readable?" : "");
+                        options.tls ? "do certificate and key come together?" : "");
   }
   return Client(std::move(connection));
 }
 
 bool Client::connected() const {
   return connection_->connected();
+}
+
+std::optional<Trouble> Client::trouble() const {
+  return connection_->trouble();
 }
 
 std::size_t Client::connections() const {

@@ -1,7 +1,7 @@
 #pragma once
 
-// A client of an MQTT 3.1.1 broker (libmosquitto): connects on a thread of its own, and again whenever the
-// connection is lost; what it has subscribed to stays subscribed.
+// A client of an MQTT 3.1.1 broker (libmosquitto): connects on a thread of its own, and again with growing
+// pauses whenever the connection is lost; what it has subscribed to stays subscribed.
 //
 // Any thread may call; messages that came are taken by one. Move-only. The destructor ends the connection as
 // the protocol has it, so that the broker does not send the last will.
@@ -32,7 +32,7 @@ struct Will {
 };
 
 struct Tls {
-  std::string ca_file;           // PEM; certificates of the authorities that are trusted
+  std::string ca_file;           // PEM; the authorities that are trusted; empty: those of the system
   std::string certificate_file;  // PEM, of this client; empty: none
   std::string key_file;
 };
@@ -57,16 +57,30 @@ struct Message {
   bool retained = false;
 };
 
+// Why there is no connection.
+enum class TroubleKind : std::uint8_t {
+  Unreachable,  // nobody listens there, or the connection broke: may pass
+  NoHost,       // the name of the broker is not known
+  Refused,      // by the broker: user, password, client id
+  Tls,          // certificates and keys
+};
+struct Trouble {
+  TroubleKind kind = TroubleKind::Unreachable;
+  std::string text;
+};
+
 class Client {
  public:
-  // MQ001: an option that the library refuses (files of TLS, say). An absent broker is no fault: attempts go
-  // on.
+  // MQ001: an option that the library refuses. MQ002: a file of TLS that cannot be read. An absent broker is
+  // no fault: attempts go on, and `trouble` says why they fail.
   [[nodiscard]] static result::Result<Client> open(const Options& options);
   Client(Client&&) noexcept;
   Client& operator=(Client&&) noexcept;
   ~Client();
 
   bool connected() const;
+  // What came of the last attempt; nothing while there is a connection, and before the first attempt ended.
+  std::optional<Trouble> trouble() const;
   // How often a connection was made.
   std::size_t connections() const;
   // Messages that were dropped because nobody took them.

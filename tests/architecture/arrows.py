@@ -72,6 +72,7 @@ ARROWS = {
     "supervisor/fleet/prepare": ["supervisor/fleet/mission", "supervisor/fleet/program", "ladder/driver"],
     "supervisor/fleet/executive": ["supervisor/fleet/prepare", "supervisor/fleet/report", "supervisor/executive"],
     "supervisor/fleet/vda5050": ["supervisor/fleet/plan"],
+    "supervisor/fleet/report": ["supervisor/fleet/mission"],
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
     "supervisor/executive": [
         "supervisor/translate", "supervisor/pddl", "ladder/driver", "ladder/exchange", "runtime/dds", "runtime/bytecode/reader",

@@ -74,6 +74,9 @@ json polygons_json(const FleetAnswer& answer, std::size_t v) {
     for (const geometry::Point p : polygons[k].area.corners())
       corners.push_back({rounded(p.x_m), rounded(p.y_m)});
     json one = {{"corners_m", std::move(corners)}, {"stay_ms", bounds_json(polygons[k].stay)}};
+    if (k < mission.grown.visits.size()) {
+      one["way_m"] = {rounded(mission.grown.visits[k].entry_m), rounded(mission.grown.visits[k].exit_m)};
+    }
     if (k + 1 < polygons.size()) one["overlap_ms"] = bounds_json(polygons[k].overlap);
     if (!made.earliest.empty()) {
       one["earliest_ms"] = {made.earliest[v][k].entry.count(), made.earliest[v][k].exit.count()};

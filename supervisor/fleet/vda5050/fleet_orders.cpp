@@ -17,16 +17,30 @@ result::Result<FleetOrders> FleetOrders::create(FleetPlan plan, OrderOptions opt
   return FleetOrders(std::make_unique<Desk>(std::move(plan), std::move(options)));
 }
 
-std::vector<Order> FleetOrders::begin(Timestamp now) {
-  return desk_->begin(now);
+std::vector<Order> FleetOrders::begin(Timestamp now, const Places& places) {
+  return desk_->begin(now, places);
 }
 
 Progress FleetOrders::take(const State& state, Timestamp now) {
   return desk_->take(state, now);
 }
 
+Progress FleetOrders::place(const Places& places, Timestamp now) {
+  return desk_->place(places, now);
+}
+
+std::size_t FleetOrders::passed(const std::string& vehicle, double arc_m, double reach_m) const {
+  const Desk::Vehicle* const found = desk_->find(vehicle);
+  return found != nullptr && found->order ? found->order->passed(arc_m, reach_m) : 0;
+}
+
 std::vector<Order> FleetOrders::unacknowledged(const std::string& vehicle, Timestamp now) {
   return desk_->unacknowledged(vehicle, now);
+}
+
+bool FleetOrders::sent(const Order& order) const {
+  const Desk::Vehicle* const found = desk_->find(order.header.serial_number);
+  return found != nullptr && found->order && found->order->sent(order);
 }
 
 Hold FleetOrders::hold(const std::string& vehicle) const {
@@ -45,8 +59,8 @@ const Order* FleetOrders::order(const std::string& vehicle) const {
   return found != nullptr && found->order ? &found->order->whole() : nullptr;
 }
 
-std::vector<std::string> FleetOrders::affected(const FleetPlan& next) const {
-  return desk_->affected(next);
+std::vector<std::string> FleetOrders::affected(const FleetPlan& next, const Places& places) const {
+  return desk_->affected(next, places);
 }
 
 result::Result<InstantActions> FleetOrders::cancel(const std::string& vehicle, Timestamp now) {
@@ -56,11 +70,20 @@ result::Result<InstantActions> FleetOrders::cancel(const std::string& vehicle, T
   return desk_->cancel(vehicle, now);
 }
 
-result::Result<std::vector<Order>> FleetOrders::adopt(FleetPlan next, Timestamp now) {
+std::optional<InstantActions> FleetOrders::unconfirmed(const std::string& vehicle, Timestamp now) {
+  return desk_->unconfirmed(vehicle, now);
+}
+
+std::string FleetOrders::cancelling(const std::string& vehicle) const {
+  const Desk::Vehicle* const found = desk_->find(vehicle);
+  return found != nullptr && found->order ? found->cancel_id : std::string();
+}
+
+result::Result<std::vector<Order>> FleetOrders::adopt(FleetPlan next, Timestamp now, const Places& places) {
   auto wrong = Desk::check_plan(next, desk_->options());
-  if (wrong.empty()) wrong = desk_->hindrances(next);
+  if (wrong.empty()) wrong = desk_->hindrances(next, places);
   if (!wrong.empty()) return tl::unexpected(std::move(wrong));
-  return desk_->adopt(std::move(next), now);
+  return desk_->adopt(std::move(next), now, places);
 }
 
 result::Result<InstantActions> FleetOrders::instant(const std::string& vehicle, const std::string& type,

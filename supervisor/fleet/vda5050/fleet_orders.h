@@ -10,6 +10,9 @@
 //    and not left yet.
 // States are untrusted: one that contradicts the order is told and moves nothing.
 //
+// What is left and so no longer in the way is known from the vehicles' states or, where one controller drives
+// all of them and counts it itself (Releases::ByController), from what it shows (`place`).
+//
 // One thread at a time. Time is passed in.
 //
 //   auto orders = FleetOrders::create(plan, {.plan_name = "shift7"});
@@ -19,7 +22,9 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,6 +37,18 @@
 
 namespace stepwright::fleet::vda5050 {
 
+enum class Releases : std::uint8_t {
+  ByStates,      // a node that a vehicle reports
+  ByController,  // polygons that the controller counts as left
+};
+
+// Where a vehicle is on the path of its mission, as the controller has it.
+struct Whereabouts {
+  double arc_m = 0.0;
+  std::uint32_t left = 0;  // polygons, from the first one
+};
+using Places = std::map<std::string, Whereabouts>;  // by vehicle
+
 struct OrderOptions {
   std::string plan_name = "plan";  // order ids begin with it: letters, digits and _ . : -
   std::string map_id = "floor";
@@ -39,6 +56,7 @@ struct OrderOptions {
   std::string manufacturer = "Stepwright";     // serial numbers are the names of the vehicles
   std::set<std::string> charging_locations{};  // who parks there for good begins to charge
   RouteOptions route{};
+  Releases releases = Releases::ByStates;
 };
 
 enum class Hold : std::uint8_t {
@@ -61,15 +79,26 @@ class FleetOrders {
   FleetOrders& operator=(FleetOrders&&) noexcept;
   ~FleetOrders();
 
-  // The first order of each vehicle that has something to do. Once.
-  std::vector<Order> begin(Timestamp now);
+  // The first order of each vehicle that has something to do, from where it is on its path. Once.
+  std::vector<Order> begin(Timestamp now, const Places& places = {});
 
   // What a vehicle says of itself: how far it is, what it has taken, whether it has cancelled.
   Progress take(const State& state, Timestamp now);
 
+  // What the controller shows: bases grow past what has been left. Requires Releases::ByController. F0907: it
+  // has left what it was not to enter yet.
+  Progress place(const Places& places, Timestamp now);
+
+  // How many nodes of its order a vehicle has passed that is so far on the path of its mission, give or take
+  // `reach_m`; 0 without an order.
+  std::size_t passed(const std::string& vehicle, double arc_m, double reach_m) const;
+
   // Orders and updates that the last state of the vehicle did not know, oldest first, with new headers: QoS 0
   // loses messages. Send them again where the vehicle stays behind for longer than a message takes.
   std::vector<Order> unacknowledged(const std::string& vehicle, Timestamp now);
+
+  // Whether this very order or update was sent to the vehicle that it names, its header aside.
+  bool sent(const Order& order) const;
 
   Hold hold(const std::string& vehicle) const;
   // All of its order is passed and done.
@@ -79,16 +108,24 @@ class FleetOrders {
 
   // Vehicles whose base another plan would change: a way that does not go on where the base leads, other work
   // on it, or a precedence in it that is not met. Their order has to be cancelled first.
-  std::vector<std::string> affected(const FleetPlan& next) const;
+  std::vector<std::string> affected(const FleetPlan& next, const Places& places = {}) const;
 
   // cancelOrder for a vehicle with an order. Until `adopt` no base grows, of any vehicle: where this one
   // comes to rest is not known. F0908 if it has none.
   [[nodiscard]] result::Result<InstantActions> cancel(const std::string& vehicle, Timestamp now);
 
+  // The cancelOrder of a vehicle again, with the same id, while no state shows that it has come; nothing
+  // else.
+  std::optional<InstantActions> unconfirmed(const std::string& vehicle, Timestamp now);
+  // The id of the cancelOrder that is under way; empty: none.
+  std::string cancelling(const std::string& vehicle) const;
+
   // Goes on with another plan: new horizons for bases that stay, new orders for vehicles without one. F0908
   // if a vehicle is affected or still cancelling, if one with an order is missing, or if the path of a new
-  // order does not begin where the vehicle stands. Nothing has changed then.
-  [[nodiscard]] result::Result<std::vector<Order>> adopt(FleetPlan next, Timestamp now);
+  // order does not begin where the vehicle stands. Nothing has changed then. `places` are on the paths of
+  // `next`; with Releases::ByController orders begin there.
+  [[nodiscard]] result::Result<std::vector<Order>> adopt(FleetPlan next, Timestamp now,
+                                                         const Places& places = {});
 
   // startPause, stopPause, stateRequest, factsheetRequest and the like, without parameters. F0907 for a
   // vehicle that is in no plan.

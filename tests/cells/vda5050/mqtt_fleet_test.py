@@ -31,8 +31,8 @@ def free_port() -> int:
 
 
 class Broker:
-    def __init__(self, folder: str, certificate: str = ""):
-        self.folder, self.certificate = folder, certificate
+    def __init__(self, folder: str, certificate: str = "", more: tuple[str, ...] = ("allow_anonymous true",)):
+        self.folder, self.certificate, self.more = folder, certificate, more
         for _ in range(5):  # another process may take the port first
             self.port = free_port()
             if self.start():
@@ -41,7 +41,7 @@ class Broker:
 
     def start(self) -> bool:
         config = pathlib.Path(self.folder, f"mosquitto{self.port}.conf")
-        lines = ["user root", f"listener {self.port} 127.0.0.1", "allow_anonymous true", "persistence false"]
+        lines = ["user root", f"listener {self.port} 127.0.0.1", *self.more, "persistence false"]
         if self.certificate:
             lines += [f"certfile {self.certificate}.pem", f"keyfile {self.certificate}.key"]
         config.write_text("\n".join(lines) + "\n", encoding="utf-8")
@@ -111,6 +111,39 @@ class MqttFleet(unittest.TestCase):
         for vehicle in vehicles:
             vehicle.leave()
 
+    def cancels(self, lost: int) -> tuple[str, Vehicle, int | None]:
+        """What a master control says that cancels the order of v1, of whose cancelOrders so many are lost; and its exit code."""
+        vehicles = [Vehicle(f"v{k + 1}", self.broker.port, judges(), lost if k == 0 else 0) for k in range(2)]
+        log = pathlib.Path(self.folder.name, f"master{lost}.log")
+        with log.open("w", encoding="utf-8") as output:
+            master = subprocess.Popen([MASTER, str(self.broker.port), "2", str(SEED), str(PATIENCE_S), "cancel=v1"], stdout=output)
+        self.addCleanup(master.wait)
+        self.addCleanup(master.kill)
+        end = time.monotonic() + PATIENCE_S
+        while master.poll() is None and "F0910" not in log.read_text(encoding="utf-8") and time.monotonic() < end:
+            for vehicle in vehicles:
+                vehicle.tick()
+            time.sleep(0.02)
+        if master.poll() is None:
+            time.sleep(1.0)  # nothing more is to come
+        for vehicle in vehicles:
+            vehicle.leave()
+        return log.read_text(encoding="utf-8"), vehicles[0], master.poll()
+
+    def test_CancelOrder_WhenItIsLostTwice_ThenItComesAgainUntilTheVehicleConfirmsIt(self):
+        said, vehicle, code = self.cancels(2)
+        self.assertEqual(code, 0, said)
+        self.assertIn("cancelled", said)
+        self.assertGreaterEqual(len(vehicle.cancels), 3)
+        self.assertEqual(len(set(vehicle.cancels)), 1)  # always the same one
+        self.assertIsNone(vehicle.order)
+
+    def test_CancelOrder_WhenNobodyConfirmsIt_ThenThatIsToldOnceAndItEnds(self):
+        said, vehicle, code = self.cancels(1000)
+        self.assertIsNone(code, said)
+        self.assertEqual(said.count("F0910"), 1, said)
+        self.assertEqual(len(vehicle.cancels), 4)
+
     def test_Vehicle_WhenItsConnectionBreaks_ThenTheLastWillIsToldAndKept(self):
         vehicles = [Vehicle(f"v{k + 1}", self.broker.port, judges()) for k in range(2)]
         log = pathlib.Path(self.folder.name, "master.log")
@@ -162,7 +195,7 @@ class MqttFleet(unittest.TestCase):
         missing = subprocess.run([MASTER, str(broker.port), "2", str(SEED), "1", os.path.join(self.folder.name, "none.pem")],
                                  capture_output=True, text=True, check=False)
         self.assertEqual(missing.returncode, 1)
-        self.assertIn("MQ001", missing.stdout)
+        self.assertIn("MQ002", missing.stdout)
 
 
 if __name__ == "__main__":

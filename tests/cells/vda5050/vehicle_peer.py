@@ -18,8 +18,10 @@ def now() -> str:
 
 
 class Vehicle:
-    def __init__(self, serial: str, port: int, judges: dict):
+    def __init__(self, serial: str, port: int, judges: dict, lost_cancels: int = 0):
+        """`lost_cancels`: so many cancelOrders do not come through."""
         self.serial, self.judges, self.faults = serial, judges, []
+        self.lost_cancels, self.cancels, self.instants = lost_cancels, [], []
         self.lock = threading.Lock()
         self.order, self.passed, self.updates, self.repeats = None, -1, 0, 0
         self.counts: dict[str, int] = {}
@@ -43,17 +45,28 @@ class Vehicle:
     def on_connect(self, client, _data, _flags, code):
         if code != 0:
             return
-        client.subscribe(self.topic("order"), 0)
+        client.subscribe([(self.topic("order"), 0), (self.topic("instantActions"), 0)])
         client.publish(self.topic("connection"), self.message("connection", connectionState="ONLINE"), 1, True)
 
     def on_message(self, _client, _data, message):
         with self.lock:
             order = json.loads(message.payload)
+            if message.topic.endswith("/instantActions"):
+                self.take_actions(order)
+                return
             for error in self.judges["order"].iter_errors(order):
                 self.faults.append(f"{self.serial}: {error.message}")
             if message.retain or message.qos != 0:
                 self.faults.append(f"{self.serial}: an order is retained or not QoS 0")
             self.take(order)
+
+    def take_actions(self, message: dict):
+        for action in message["actions"]:
+            self.cancels.append(action["actionId"])
+            if len(self.cancels) <= self.lost_cancels:
+                continue
+            self.order, self.passed = None, -1
+            self.instants = [{"actionId": action["actionId"], "actionType": action["actionType"], "actionStatus": "FINISHED"}]
 
     def take(self, order: dict):
         """Figure 8 of the standard."""
@@ -100,7 +113,7 @@ class Vehicle:
                 "lastNodeId": last["nodeId"], "lastNodeSequenceId": last["sequenceId"], "driving": False,
                 "operatingMode": "AUTOMATIC", "nodeStates": [part(n, "nodeId") for n in nodes[self.passed + 1 :]],
                 "edgeStates": [part(e, "edgeId") for e in edges[max(self.passed, 0) :]],
-                "actionStates": [{"actionId": a["actionId"], "actionStatus": "FINISHED"} for a in actions],
+                "actionStates": [{"actionId": a["actionId"], "actionStatus": "FINISHED"} for a in actions] + self.instants,
                 "batteryState": {"batteryCharge": 80.0, "charging": False}, "errors": [],
                 "safetyState": {"eStop": "NONE", "fieldViolation": False}}
 

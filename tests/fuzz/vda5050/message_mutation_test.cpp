@@ -6,13 +6,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <random>
 #include <span>
 
+#include "supervisor/fleet/vda5050/check_message.h"
 #include "supervisor/fleet/vda5050/fleet_orders.h"
 #include "supervisor/fleet/vda5050/read_message.h"
+#include "supervisor/fleet/vda5050/vehicle_side.h"
 #include "supervisor/fleet/vda5050/write_message.h"
 #include "tests/fuzz/corpus.h"
 #include "tests/fuzz/fault_case.h"
@@ -141,6 +144,50 @@ TEST(Vda5050Mutation, States_WhenBroken_ThenBasesStayAsTheyWereOrGrow) {
     for (const Order& order : progress.orders) ASSERT_EQ(run(to_json(order)).finding, "") << keep_case();
   }
   EXPECT_GT(taken, 100u);
+}
+
+// What strangers send to a vehicle: each action is answered, each broken message refused, the order stays,
+// and what the vehicle says keeps the rules and its size.
+TEST(Vda5050Mutation, Requests_WhenBroken_ThenTheVehicleAnswersOrRefusesAndKeepsItsOrder) {
+  std::mt19937 random(static_cast<std::mt19937::result_type>(setting("STEPWRIGHT_FUZZ_SEED", 20261123)));
+  auto orders = FleetOrders::create(support::random_plan(2, 3), {});
+  ASSERT_TRUE(orders.has_value());
+  const Order order = orders->begin({}).front();
+  VehicleSide side({"uagv", "Stepwright", order.header.serial_number});
+  side.take(order, Sender::Control, {});
+  const std::vector<std::string> all = seeds();
+  const std::vector<std::string> said = {sample_message(Topic::InstantActions), to_json(order)};
+  std::size_t taken = 0;
+  for (int round = 0; round < 1000; ++round) {
+    const std::string text = mutated(said[random() % said.size()], all, random);
+    name_case("vda5050 request, round " + std::to_string(round), std::as_bytes(std::span(text)));
+    const auto actions = read_instant_actions(text, "input");
+    const auto other = read_order(text, "input");
+    if (actions) {
+      side.take(*actions, "cancel of master control", {});
+    } else if (other) {
+      side.take(*other, orders->sent(*other) ? Sender::Control : Sender::Stranger, {});
+    } else {
+      side.refuse(Topic::InstantActions, actions.error(), {});
+    }
+    const State state = side.state({});
+    ASSERT_EQ(state.order_id, order.order_id) << keep_case();
+    ASSERT_EQ(side.order()->nodes, order.nodes) << keep_case();
+    ASSERT_LE(state.errors.size(), VehicleSide::kMostRefusals) << keep_case();
+    const std::string answer = to_json(state);
+    ASSERT_EQ(result::to_string(check_message(Topic::State, answer, "state")), "") << keep_case();
+    ASSERT_LT(answer.size(), 256u << 10) << keep_case();
+    if (!actions) continue;
+    ++taken;
+    // Of more than it keeps, the last ones are there.
+    const std::size_t kept = std::min(actions->actions.size(), VehicleSide::kMostInstantActions);
+    for (std::size_t k = actions->actions.size() - kept; k < actions->actions.size(); ++k) {
+      ASSERT_NE(std::ranges::find(state.actions, actions->actions[k].id, &ActionState::id),
+                state.actions.end())
+          << keep_case();
+    }
+  }
+  EXPECT_GT(taken, 40u);  // of 1000; else only the parser is tested
 }
 
 // Where libFuzzer is to find them: STEPWRIGHT_FUZZ_CORPUS.

@@ -11,6 +11,9 @@ result::Diagnostic error(const char* code, const std::string& message, const std
   return {.code = code, .severity = result::Severity::Error, .where = {}, .message = message, .hint = hint};
 }
 
+// Of the end of its path: nothing is left to be ordered.
+constexpr double kArrived_m = 0.15;
+
 bool id_text(const std::string& text) {
   Address address;
   address.serial_number = text;
@@ -48,20 +51,35 @@ void FleetOrders::Desk::meet() {
   }
 }
 
-Order FleetOrders::Desk::new_order(Vehicle& vehicle, std::size_t index, Timestamp now) {
+// By states an order begins with the mission, by a controller with the last pose that is behind the vehicle.
+std::optional<Order> FleetOrders::Desk::new_order(Vehicle& vehicle, std::size_t index, Timestamp now,
+                                                  const Places& places) {
   const VehicleMission& mission = plan_.missions[index];
+  if (!to_do(mission)) return std::nullopt;
+  std::size_t from = 0;
+  if (const auto at = places.find(mission.vehicle);
+      options_.releases == Releases::ByController && at != places.end()) {
+    while (from + 1 < mission.path.size() && mission.path[from + 1].arc_m <= at->second.arc_m) ++from;
+    if (mission.path.back().arc_m - at->second.arc_m < kArrived_m) return std::nullopt;
+  }
   const std::string id = options_.plan_name + "." + mission.vehicle + "." + std::to_string(++vehicle.orders);
   vehicle.order.emplace(id, options_, vehicle.charging);
-  vehicle.order->lay(mission, route_of(mission, options_.route), 0);
+  vehicle.order->lay(mission, route_of(mission, options_.route, from), 0);
   vehicle.order->release(clearances_.clear(static_cast<std::uint32_t>(index)));
   return vehicle.order->first(make_header(vehicle.address, Topic::Order, vehicle.ids, now));
 }
 
-std::vector<Order> FleetOrders::Desk::begin(Timestamp now) {
+std::vector<Order> FleetOrders::Desk::begin(Timestamp now, const Places& places) {
+  for (const auto& [name, at] : places) {
+    if (const auto index = index_.find(name); index != index_.end()) {
+      clearances_.reached(index->second, at.left);
+    }
+  }
   std::vector<Order> orders;
   for (std::size_t v = 0; v < plan_.missions.size(); ++v) {
     Vehicle& vehicle = vehicles_[plan_.missions[v].vehicle];
-    if (!vehicle.order && to_do(plan_.missions[v])) orders.push_back(new_order(vehicle, v, now));
+    if (vehicle.order) continue;
+    if (auto order = new_order(vehicle, v, now, places)) orders.push_back(*std::move(order));
   }
   return orders;
 }
@@ -105,6 +123,7 @@ Progress FleetOrders::Desk::take(const State& state, Timestamp now) {
   warn(state, source, progress.wrong);
   if (!vehicle.cancel_id.empty()) {
     const auto cancelled = std::ranges::find(state.actions, vehicle.cancel_id, &ActionState::id);
+    vehicle.cancel_came |= cancelled != state.actions.end();
     // Failed: it had no order to cancel.
     if (cancelled != state.actions.end() &&
         (cancelled->status == ActionStatus::Finished || cancelled->status == ActionStatus::Failed)) {
@@ -118,13 +137,40 @@ Progress FleetOrders::Desk::take(const State& state, Timestamp now) {
     progress.wrong.insert(progress.wrong.end(), reached.error().begin(), reached.error().end());
     return progress;
   }
-  if (!*reached) return progress;
-  const auto grown = clearances_.reached(index_.at(name), **reached);
-  if (frozen()) return progress;
+  if (!*reached || options_.releases == Releases::ByController) return progress;
+  progress.orders = extend(clearances_.reached(index_.at(name), **reached), now);
+  return progress;
+}
+
+std::vector<Order> FleetOrders::Desk::extend(const std::vector<std::uint32_t>& grown, Timestamp now) {
+  std::vector<Order> orders;
+  if (frozen()) return orders;
   for (const std::uint32_t other : grown) {
     Vehicle& next = vehicles_[plan_.missions[other].vehicle];
     if (!next.order || !next.order->release(clearances_.clear(other))) continue;
-    progress.orders.push_back(next.order->update(make_header(next.address, Topic::Order, next.ids, now)));
+    orders.push_back(next.order->update(make_header(next.address, Topic::Order, next.ids, now)));
+  }
+  return orders;
+}
+
+Progress FleetOrders::Desk::place(const Places& places, Timestamp now) {
+  std::vector<std::uint32_t> grown;
+  for (const auto& [name, at] : places) {
+    const auto index = index_.find(name);
+    if (index == index_.end()) continue;
+    for (const std::uint32_t other : clearances_.reached(index->second, at.left)) {
+      if (std::ranges::find(grown, other) == grown.end()) grown.push_back(other);
+    }
+  }
+  Progress progress{.orders = extend(grown, now), .wrong = {}};
+  for (const auto& [name, at] : places) {
+    const auto index = index_.find(name);
+    if (index == index_.end() || clearances_.left(index->second) >= at.left) continue;
+    progress.wrong.push_back(error("F0907",
+                                   "'" + name + "' has left " + std::to_string(at.left) +
+                                       " polygons and was to enter " +
+                                       std::to_string(clearances_.clear(index->second)) + " only",
+                                   "are plan and program of the same fleet?"));
   }
   return progress;
 }
@@ -152,7 +198,19 @@ InstantActions FleetOrders::Desk::cancel(const std::string& name, Timestamp now)
   InstantActions message = instant(name, "cancelOrder", now);
   message.actions.front().blocking = Blocking::Hard;
   vehicles_.at(name).cancel_id = message.actions.front().id;
+  vehicles_.at(name).cancel_came = false;
   return message;
+}
+
+std::optional<InstantActions> FleetOrders::Desk::unconfirmed(const std::string& name, Timestamp now) {
+  const auto found = vehicles_.find(name);
+  if (found == vehicles_.end()) return std::nullopt;
+  Vehicle& vehicle = found->second;
+  if (!vehicle.order || vehicle.cancel_id.empty() || vehicle.cancel_came) return std::nullopt;
+  return InstantActions{
+      .header = make_header(vehicle.address, Topic::InstantActions, vehicle.ids, now),
+      .actions = {
+          {.type = "cancelOrder", .id = vehicle.cancel_id, .blocking = Blocking::Hard, .parameters = {}}}};
 }
 
 }  // namespace stepwright::fleet::vda5050

@@ -29,7 +29,8 @@ class FleetOrders::Desk {
     std::optional<VehicleOrder> order;
     std::uint32_t orders = 0;  // given so far
     std::uint32_t instants = 0;
-    std::string cancel_id;  // of the cancelOrder that is not confirmed; empty: none
+    std::string cancel_id;     // of the cancelOrder that is not confirmed; empty: none
+    bool cancel_came = false;  // a state shows it, in whatever status
     std::optional<AgvPosition> position;
     bool charging = false;
   };
@@ -40,16 +41,18 @@ class FleetOrders::Desk {
   }
 
   static result::Diagnostics check_plan(const FleetPlan& plan, const OrderOptions& options);
-  std::vector<Order> begin(Timestamp now);
+  std::vector<Order> begin(Timestamp now, const Places& places);
+  Progress place(const Places& places, Timestamp now);
+  std::optional<InstantActions> unconfirmed(const std::string& name, Timestamp now);
   Progress take(const State& state, Timestamp now);
   std::vector<Order> unacknowledged(const std::string& name, Timestamp now);
   // F0908: why the plan cannot be adopted now.
-  result::Diagnostics hindrances(const FleetPlan& next) const;
-  std::vector<std::string> affected(const FleetPlan& next) const;
+  result::Diagnostics hindrances(const FleetPlan& next, const Places& places) const;
+  std::vector<std::string> affected(const FleetPlan& next, const Places& places) const;
   InstantActions instant(const std::string& name, const std::string& type, Timestamp now);
   InstantActions cancel(const std::string& name, Timestamp now);
   // Requires a plan without hindrances.
-  std::vector<Order> adopt(FleetPlan next, Timestamp now);
+  std::vector<Order> adopt(FleetPlan next, Timestamp now, const Places& places);
   const Vehicle* find(const std::string& name) const {
     const auto found = vehicles_.find(name);
     return found == vehicles_.end() ? nullptr : &found->second;
@@ -58,14 +61,16 @@ class FleetOrders::Desk {
 
  private:
   void meet();
-  Order new_order(Vehicle& vehicle, std::size_t index, Timestamp now);
+  // Nothing where there is nothing left to do.
+  std::optional<Order> new_order(Vehicle& vehicle, std::size_t index, Timestamp now, const Places& places);
+  std::vector<Order> extend(const std::vector<std::uint32_t>& grown, Timestamp now);
   // How the bases of a fleet fit another plan.
   struct Fit {
     Clearances clearances;                     // of that plan, with what has been reached
     std::map<std::string, BaseMatch> matches;  // of vehicles whose order goes on
     std::vector<std::string> affected;
   };
-  Fit fit(const FleetPlan& next) const;
+  Fit fit(const FleetPlan& next, const Places& places) const;
   void go_on(Vehicle& vehicle, const VehicleMission& mission, const BaseMatch& match);
   bool stands_at(const Vehicle& vehicle, const VehicleMission& mission) const;
   bool frozen() const {

@@ -36,8 +36,13 @@ std::uint32_t polygon_of(const VehicleMission& mission, std::size_t pose) {
 
 }  // namespace
 
-FleetOrders::Desk::Fit FleetOrders::Desk::fit(const FleetPlan& next) const {
+FleetOrders::Desk::Fit FleetOrders::Desk::fit(const FleetPlan& next, const Places& places) const {
   Fit fit{Clearances(next), {}, {}};
+  const bool shown = options_.releases == Releases::ByController;
+  for (std::size_t v = 0; shown && v < next.missions.size(); ++v) {
+    const auto at = places.find(next.missions[v].vehicle);
+    if (at != places.end()) fit.clearances.reached(static_cast<std::uint32_t>(v), at->second.left);
+  }
   for (std::size_t v = 0; v < next.missions.size(); ++v) {
     const VehicleMission& mission = next.missions[v];
     const Vehicle* const vehicle = find(mission.vehicle);
@@ -50,7 +55,7 @@ FleetOrders::Desk::Fit FleetOrders::Desk::fit(const FleetPlan& next) const {
       continue;
     }
     fit.matches.emplace(mission.vehicle, *match);
-    if (!order.traversed()) continue;
+    if (!order.traversed() || shown) continue;
     fit.clearances.reached(static_cast<std::uint32_t>(v),
                            polygon_reached(order, *order.traversed(), *match, mission));
   }
@@ -66,8 +71,8 @@ FleetOrders::Desk::Fit FleetOrders::Desk::fit(const FleetPlan& next) const {
   return fit;
 }
 
-std::vector<std::string> FleetOrders::Desk::affected(const FleetPlan& next) const {
-  return fit(next).affected;
+std::vector<std::string> FleetOrders::Desk::affected(const FleetPlan& next, const Places& places) const {
+  return fit(next, places).affected;
 }
 
 bool FleetOrders::Desk::stands_at(const Vehicle& vehicle, const VehicleMission& mission) const {
@@ -84,7 +89,7 @@ bool FleetOrders::Desk::stands_at(const Vehicle& vehicle, const VehicleMission& 
          std::abs(turn) <= options_.route.start_deviation_rad;
 }
 
-result::Diagnostics FleetOrders::Desk::hindrances(const FleetPlan& next) const {
+result::Diagnostics FleetOrders::Desk::hindrances(const FleetPlan& next, const Places& places) const {
   result::Diagnostics wrong;
   const auto add = [&](const std::string& message, const std::string& hint) {
     wrong.push_back({.code = "F0908",
@@ -93,7 +98,7 @@ result::Diagnostics FleetOrders::Desk::hindrances(const FleetPlan& next) const {
                      .message = message,
                      .hint = hint});
   };
-  for (const std::string& name : affected(next)) {
+  for (const std::string& name : affected(next, places)) {
     add("the base of '" + name + "' does not fit the plan", "cancel its order and plan from where it stands");
   }
   const auto planned = [&](const std::string& name) {
@@ -107,6 +112,8 @@ result::Diagnostics FleetOrders::Desk::hindrances(const FleetPlan& next) const {
       add("'" + name + "' has an order and is not in the plan", "cancel its order, or plan for it as well");
     }
   }
+  // Of vehicles that one controller drives the order begins where they are.
+  if (options_.releases == Releases::ByController) return wrong;
   for (const VehicleMission& mission : next.missions) {
     const Vehicle* const vehicle = find(mission.vehicle);
     const bool fresh = vehicle != nullptr && (!vehicle->order || vehicle->order->done());
@@ -123,13 +130,13 @@ void FleetOrders::Desk::go_on(Vehicle& vehicle, const VehicleMission& mission, c
   for (std::size_t k = 0; k <= order.released(); ++k) {
     const bool ahead = k >= order.traversed().value_or(0);
     const std::uint32_t polygon = ahead ? polygon_reached(order, k, match, mission) : 0;
-    order.set_polygons(k, polygon, polygon);
+    order.set_place(k, polygon, arc_of(order, k, match));
   }
   order.lay(mission, route_of(mission, options_.route, match.decision_pose), order.released() + 1);
 }
 
-std::vector<Order> FleetOrders::Desk::adopt(FleetPlan next, Timestamp now) {
-  Fit fit = this->fit(next);
+std::vector<Order> FleetOrders::Desk::adopt(FleetPlan next, Timestamp now, const Places& places) {
+  Fit fit = this->fit(next, places);
   plan_ = std::move(next);
   clearances_ = std::move(fit.clearances);
   meet();
@@ -142,7 +149,7 @@ std::vector<Order> FleetOrders::Desk::adopt(FleetPlan next, Timestamp now) {
     if (index == index_.end()) continue;
     const VehicleMission& mission = plan_.missions[index->second];
     if (match == fit.matches.end()) {
-      if (to_do(mission)) orders.push_back(new_order(vehicle, index->second, now));
+      if (auto order = new_order(vehicle, index->second, now, places)) orders.push_back(*std::move(order));
       continue;
     }
     go_on(vehicle, mission, match->second);

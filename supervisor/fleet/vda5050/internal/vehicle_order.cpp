@@ -128,7 +128,11 @@ void VehicleOrder::lay(const VehicleMission& mission, const Route& route, std::s
                                    mission.path.begin() + static_cast<std::ptrdiff_t>(at.pose) + 1);
     }
     whole_.nodes.push_back(node_for(mission, at, whole_.nodes.size()));
-    Waypoint point{.polygon = at.polygon, .next = at.polygon, .way = {}, .stops = {}};
+    Waypoint point{.polygon = at.polygon,
+                   .next = at.polygon,
+                   .arc_m = mission.path[at.pose].arc_m,
+                   .way = {},
+                   .stops = {}};
     for (const std::size_t s : at.stops) point.stops.push_back(mission.stops[s]);
     waypoints_.push_back(std::move(point));
   }
@@ -136,9 +140,23 @@ void VehicleOrder::lay(const VehicleMission& mission, const Route& route, std::s
   mark_released();
 }
 
-void VehicleOrder::set_polygons(std::size_t node, std::uint32_t polygon, std::uint32_t next) {
+void VehicleOrder::set_place(std::size_t node, std::uint32_t polygon, double arc_m) {
   waypoints_[node].polygon = polygon;
-  waypoints_[node].next = next;
+  waypoints_[node].next = polygon;
+  waypoints_[node].arc_m = arc_m;
+}
+
+bool VehicleOrder::sent(const Order& order) const {
+  if (order.order_id != whole_.order_id || order.update_id > whole_.update_id) return false;
+  const auto found = std::ranges::find(pending_, order.update_id, &Order::update_id);
+  if (found == pending_.end()) return true;
+  return found->nodes == order.nodes && found->edges == order.edges;
+}
+
+std::size_t VehicleOrder::passed(double arc_m, double reach_m) const {
+  const auto ahead =
+      std::ranges::find_if(waypoints_, [&](const Waypoint& point) { return point.arc_m > arc_m + reach_m; });
+  return static_cast<std::size_t>(ahead - waypoints_.begin());
 }
 
 void VehicleOrder::mark_released() {

@@ -20,6 +20,7 @@ namespace stepwright::fleet::vda5050 {
 struct Waypoint {
   std::uint32_t polygon = 0;  // within which the vehicle is, at the latest, once it has passed the node
   std::uint32_t next = 0;     // polygon of the edge behind it
+  double arc_m = 0.0;         // on the path of the mission; negative: before it begins
   std::vector<geometry::PathPose> way;  // of the edge behind it, both ends included; empty at the end
   std::vector<Stop> stops;
 };
@@ -32,7 +33,7 @@ class VehicleOrder {
   // node of the route is the last of these, or the first of all.
   void lay(const VehicleMission& mission, const Route& route, std::size_t keep);
   // What is known of kept nodes in the terms of another plan.
-  void set_polygons(std::size_t node, std::uint32_t polygon, std::uint32_t next);
+  void set_place(std::size_t node, std::uint32_t polygon, double arc_m);
 
   // Edges whose polygon is one of the first `clear` ones become base. True if the base has grown.
   bool release(std::uint32_t clear);
@@ -43,6 +44,12 @@ class VehicleOrder {
   // F0907 where it contradicts the order. Else the polygon that is reached; nothing where the vehicle says
   // nothing new.
   result::Result<std::optional<std::uint32_t>> take(const State& state, const std::string& source);
+
+  // How many nodes lie before `arc_m + reach_m`.
+  std::size_t passed(double arc_m, double reach_m) const;
+
+  // True for what was sent and is not acknowledged, and for what is older than that.
+  bool sent(const Order& order) const;
 
   const std::string& id() const { return whole_.order_id; }
   const Order& whole() const { return whole_; }
