@@ -35,8 +35,7 @@ FleetFollow::FleetFollow(FleetPlan plan, FleetProgram program, FollowOptions opt
       envelopes_(envelopes_of(plan_)),
       retiming_(envelopes_, plan_.constraints, plan_.schedule),
       vehicles_(plan_.missions.size()),
-      begun_(plan_.missions.size(), 0),
-      areas_left_(plan_.missions.size(), 0) {
+      begun_(plan_.missions.size(), 0) {
   for (const VehicleMission& mission : plan_.missions) before_.emplace_back(mission.grown.visits.size());
   for (const Precedence& wait : plan_.schedule.precedences) {
     before_[wait.second.vehicle][wait.second.polygon].push_back(wait.first);
@@ -102,7 +101,8 @@ std::optional<std::uint32_t> FleetFollow::whom_it_waits_for(std::uint32_t v,
   return std::nullopt;
 }
 
-// Who waits for somebody is late because that one is.
+// Who waits for somebody is late because that one is. What was left since the last reading was so in time, or
+// has been told then.
 void FleetFollow::read_delay(std::uint32_t v, const VehicleReading& now, milliseconds time,
                              FollowNews& news) {
   const DriveState state = vehicles_[v].state;
@@ -110,10 +110,6 @@ void FleetFollow::read_delay(std::uint32_t v, const VehicleReading& now, millise
   const auto polygons = static_cast<std::uint32_t>(before_[v].size());
   const std::uint32_t left = std::min(now.areas, polygons - 1);
   const bool rests = state == DriveState::Resting;
-  for (; areas_left_[v] < left; ++areas_left_[v]) {
-    const TimepointRef exit{{v, areas_left_[v]}, Side::Exit};
-    if (time > retiming_.earliest(exit) + options_.late) post(v, areas_left_[v], time, news);
-  }
   const TimepointRef next{{v, left}, Side::Exit};
   if (!rests && time > retiming_.earliest(next) + options_.late) post(v, left, time, news);
 }

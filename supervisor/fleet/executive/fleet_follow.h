@@ -102,8 +102,7 @@ class FleetFollow {
   // By vehicle and polygon: whom it has to let pass.
   std::vector<std::vector<std::vector<PolygonRef>>> before_;
   std::vector<VehicleFollow> vehicles_;
-  std::vector<std::size_t> begun_;         // stops at which it has stood
-  std::vector<std::uint32_t> areas_left_;  // polygons of which it is known when they were left
+  std::vector<std::size_t> begun_;  // stops at which it has stood
   std::size_t retimings_ = 0;
   double slowest_ms_ = 0.0;
 };
