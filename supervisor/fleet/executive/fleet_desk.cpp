@@ -15,14 +15,6 @@ namespace {
 // Of each search for orders; far more than the problems of a hall take.
 constexpr std::uint64_t kConflicts = 20'000;
 
-void close(OccupancyGrid& map, const geometry::ConvexPolygon& area) {
-  for (const RowSpan& span : covered_spans(area, map.frame())) {
-    for (std::int32_t column = span.first; column <= span.last; ++column) {
-      if (map.contains({column, span.row})) map.set({column, span.row}, true);
-    }
-  }
-}
-
 // "goals[3]" of the key with which a diagnostic begins.
 std::optional<std::size_t> named(const std::string& message, const std::vector<std::string>& keys) {
   for (std::size_t k = 0; k < keys.size(); ++k) {
@@ -81,8 +73,8 @@ std::vector<NewStart> FleetDesk::first_starts() const {
 OccupancyGrid FleetDesk::floor_with(const std::vector<Standing>& standing,
                                     const std::vector<geometry::ConvexPolygon>& blocked) const {
   OccupancyGrid map = problem_.map;
-  for (const Standing& each : standing) close(map, each.place);
-  for (const geometry::ConvexPolygon& area : blocked) close(map, area);
+  for (const Standing& each : standing) block(map, each.place);
+  for (const geometry::ConvexPolygon& area : blocked) block(map, area);
   return map;
 }
 

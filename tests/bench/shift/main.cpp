@@ -131,6 +131,7 @@ int run_sweep(const Arguments& arguments) {
   const double begin_s = process_cpu_s();
   const auto begin = std::chrono::steady_clock::now();
   Fleet fleet(scenario, kMostVehicles);
+  fleet.prepare();
   const std::vector<SweepRow> rows = rows_of(arguments, scenario, fleet);
   nlohmann::json json;
   for (const SweepRow& row : rows) {

@@ -376,8 +376,12 @@ Fleet::Fleet(const Scenario& scenario, std::uint32_t vehicles) {
   planner_ = std::make_unique<fleet::RoutePlanner>(
       fleet::RoutePlanner::create(scenario.hall.grid, *primitives_, *table_, std::move(homes), settings_)
           .value());
+  goals_ = goals_of(scenario, vehicles);
+}
+
+void Fleet::prepare() {
   const double begin_s = process_cpu_s();
-  planner_->prepare(goals_of(scenario, vehicles), 2);
+  planner_->prepare(goals_, 2);
   prepare_cpu_s_ = process_cpu_s() - begin_s;
 }
 

@@ -20,10 +20,12 @@ namespace stepwright::bench::shift {
 // What routes are planned with: the drawn hall, the first bays as homes.
 class Fleet {
  public:
-  explicit Fleet(const Scenario& scenario, std::uint32_t vehicles);
+  Fleet(const Scenario& scenario, std::uint32_t vehicles);
   fleet::RoutePlanner& planner() { return *planner_; }
   const fleet::RouteSettings& settings() const { return settings_; }
-  // What the costs of ways to all stations and homes took, before the shift.
+  // Works out what ways to all stations and homes cost, so that all later ones are nearly the best there are.
+  void prepare();
+  // What that took.
   double prepare_cpu_s() const { return prepare_cpu_s_; }
 
  private:
@@ -31,6 +33,7 @@ class Fleet {
   std::unique_ptr<fleet::PrimitiveSet> primitives_;
   std::unique_ptr<fleet::HeuristicTable> table_;
   std::unique_ptr<fleet::RoutePlanner> planner_;
+  std::vector<geometry::Pose> goals_;
   double prepare_cpu_s_ = 0.0;
 };
 

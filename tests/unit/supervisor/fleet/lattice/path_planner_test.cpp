@@ -351,7 +351,7 @@ TEST_F(PathPlannerTest, Search_WhenCancelledInTheMiddle_ThenItEndsWithinSomeHund
                                   .inscribed_radius_m = kCart.inscribed_radius_m(),
                                   .detour = detour_of(primitives_)};
   const ObstacleDistances around(clearance, question);
-  const internal::SearchFloor floor{grid, clearance, primitives_, cells, table_, around, 201, 201};
+  const internal::SearchFloor floor{grid, clearance, primitives_, cells, table_, &around, nullptr, 201, 201};
   std::atomic<bool> cancel = false;
   PathOptions options{.heuristic = Heuristic::Euclid, .most_expanded = 10'000, .cancel = &cancel};
   internal::LatticeSearch search(floor, start, goal, options);
