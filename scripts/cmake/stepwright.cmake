@@ -37,7 +37,7 @@ set(STEPWRIGHT_COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual
 # For what computes little: tests, command lines, processes that wait for others, reading and writing of files. It makes the
 # build a good deal shorter (a fifth less than -O1). Benchmarks and the baselines in them are compiled like what they measure.
 set(STEPWRIGHT_LIGHT_OPTIONS $<$<CONFIG:Release>:-Og>)
-set(STEPWRIGHT_LIGHT_FOLDERS "^(programs|hmi_web/(client|protocol|server|storage)|tests/support|firmware/link|ladder/(driver|exchange|print)|runtime/(dds|mqtt|remote|settings)|supervisor/(executive|fleet/vda5050|model|translate))(/|$)")
+set(STEPWRIGHT_LIGHT_FOLDERS "^(programs|hmi_web|tests/support|firmware/link|ladder/(driver|exchange|print)|runtime/(dds|mqtt|remote|settings)|supervisor/(executive|fleet/vda5050|model|translate))(/|$)")
 
 add_custom_target(programs)
 
