@@ -16,7 +16,7 @@
 namespace stepwright::vda5050_link {
 
 struct BrokerArguments {
-  std::string url;               // mqtt://HOST[:PORT] or mqtts://HOST[:PORT]
+  std::string url;                 // mqtt://HOST[:PORT] or mqtts://HOST[:PORT]
   std::string credentials_file{};  // TOML: user, password; empty: none
   std::string ca_file{};           // PEM; empty: the authorities of the system
   std::string certificate_file{};

@@ -67,12 +67,10 @@ ARROWS = {
     "supervisor/fleet/mission": ["supervisor/fleet/allocation", "supervisor/fleet/plan"],
     "supervisor/fleet/traffic": ["supervisor/fleet/plan", "supervisor/fleet/control"],
     "supervisor/fleet/program": ["supervisor/fleet/plan", "supervisor/fleet/control", "ladder/graphic"],
-    "supervisor/fleet/program": ["supervisor/fleet/plan", "ladder/graphic"],
     "supervisor/fleet/report": ["supervisor/fleet/mission"],
     "supervisor/fleet/prepare": ["supervisor/fleet/mission", "supervisor/fleet/program", "ladder/driver"],
     "supervisor/fleet/executive": ["supervisor/fleet/prepare", "supervisor/fleet/report", "supervisor/executive"],
     "supervisor/fleet/vda5050": ["supervisor/fleet/plan"],
-    "supervisor/fleet/report": ["supervisor/fleet/mission"],
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
     "supervisor/executive": [
         "supervisor/translate", "supervisor/pddl", "ladder/driver", "ladder/exchange", "runtime/dds", "runtime/bytecode/reader",

@@ -364,8 +364,7 @@ TEST(Solve, WhenTheGroundTaskIsLargerThanTheMemory_ThenExhaustedBeforeItIsThere)
   const Task task = make_task(
       R"((define (domain d) (:predicates (joined ?a ?b ?c)) (:action join :parameters (?a ?b ?c)
         :effect (joined ?a ?b ?c))))",
-      "(define (problem p) (:domain d) (:objects" + objects +
-          ") (:init) (:goal (joined o1 o2 o3)))");
+      "(define (problem p) (:domain d) (:objects" + objects + ") (:init) (:goal (joined o1 o2 o3)))");
   Options options;
   options.budget.memory_mb = 12;
   const model::Outcome outcome = solve(task, options);
