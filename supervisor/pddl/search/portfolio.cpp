@@ -1,12 +1,15 @@
 #include "supervisor/pddl/search/portfolio.h"
 
 #include <algorithm>
+#include <optional>
 #include <thread>
 
 namespace stepwright::pddl {
 namespace {
 
 constexpr std::uint64_t kSmallTask = 400;  // states of a proof that is worth no other's turn
+// What the searches of fresh starts hold for each unit of the relaxed task before their first state.
+constexpr std::size_t kStartsPerUnit = 256;
 
 }  // namespace
 
@@ -41,7 +44,8 @@ bool Portfolio::take_turns(StopReason& reason) {
   SearchStatus status = proof.run(improve ? kSmallTask : UINT64_MAX, reason);
   const Landmarks landmarks = find_landmarks(task_, control_);
   Improvement improvement(task_, control_, bounds_, landmarks);
-  FreshStarts starts(task_, control_, landmarks);
+  std::optional<FreshStarts> starts;
+  if (room_for_starts()) starts.emplace(task_, control_, landmarks);
   for (std::uint64_t turn = kFirstTurn;; turn = std::min(2 * turn, kLongestTurn)) {
     unbounded_ = proof.unbounded();
     if (status != SearchStatus::Running) return status == SearchStatus::Exhausted;
@@ -49,7 +53,7 @@ bool Portfolio::take_turns(StopReason& reason) {
       status = improvement.run(turn, reason);
       if (status == SearchStatus::Exhausted) return true;
       if (status == SearchStatus::Stopped) return false;
-      if (!starts.run(starts.climbing_at_random() ? turn / 4 : turn, reason)) return false;
+      if (starts && !starts->run(starts->climbing_at_random() ? turn / 4 : turn, reason)) return false;
     }
     status = improve ? prove_for(proof, turn / 2, reason) : proof.run(UINT64_MAX, reason);
   }
@@ -59,6 +63,8 @@ bool Portfolio::take_turns(StopReason& reason) {
 // they take long, too.
 SearchStatus Portfolio::prove_and_start(Proof& proof, const Landmarks& landmarks, StopReason& reason) {
   SearchStatus status = proof.run(options_.prove_first ? UINT64_MAX : kSmallTask, reason);
+  if (status != SearchStatus::Running) return status;
+  if (!room_for_starts()) return proof.run(UINT64_MAX, reason);
   FreshStarts starts(task_, control_, landmarks);
   while (status == SearchStatus::Running) {
     const double begin = control_.elapsed_ms();
@@ -70,6 +76,10 @@ SearchStatus Portfolio::prove_and_start(Proof& proof, const Landmarks& landmarks
     } while (status == SearchStatus::Running && control_.elapsed_ms() < until);
   }
   return status;
+}
+
+bool Portfolio::room_for_starts() const {
+  return control_.has_room_for(kStartsPerUnit * task_.units());
 }
 
 bool Portfolio::side_by_side(StopReason& reason) {

@@ -35,6 +35,7 @@ class Portfolio {
   SearchStatus prove_for(Proof& proof, std::uint64_t evaluations, StopReason& reason);
   SearchStatus prove_and_start(Proof& proof, const Landmarks& landmarks, StopReason& reason);
   bool side_by_side(StopReason& reason);
+  bool room_for_starts() const;
 
   const RelaxedTask& task_;
   const StateSpace& space_;
