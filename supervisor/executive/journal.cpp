@@ -1,9 +1,7 @@
 #include "supervisor/executive/journal.h"
 
-#include <fstream>
-#include <sstream>
-
 #include "supervisor/executive/internal/record_json.h"
+#include "supervisor/executive/journal_file.h"
 
 namespace stepwright::executive {
 namespace {
@@ -89,25 +87,13 @@ result::Result<void> write_journal(const std::filesystem::path& file, const Jour
                          {"next_change", journal.next_change},
                          {"time_s", journal.time_s},
                          {"time_offset_s", journal.time_offset_s}};
-  const std::filesystem::path fresh = file.string() + ".new";
-  std::ofstream out(fresh, std::ios::trunc);
-  out << internal::text_of(document) << '\n';
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(fresh, file, error);
-  if (!out || error) {
-    return result::fail("X0004", {file.string(), 0, 0}, "the journal cannot be written",
-                        "is the state folder there, and is there room on the disk?");
-  }
-  return {};
+  return replace_journal_file(file, internal::text_of(document));
 }
 
 result::Result<std::optional<Journal>> read_journal(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) return std::optional<Journal>();
-  std::stringstream text;
-  text << in.rdbuf();
-  return internal::read_text(text.str(), file.string(), "journal",
+  const auto text = read_journal_file(file);
+  if (!text) return std::optional<Journal>();
+  return internal::read_text(*text, file.string(), "journal",
                              [&](const json& document) { return journal_from(document, file); });
 }
 

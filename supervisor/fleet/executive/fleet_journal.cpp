@@ -1,9 +1,9 @@
 #include "supervisor/fleet/executive/fleet_journal.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
+
+#include "supervisor/executive/journal_file.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -184,30 +184,19 @@ json document_of(const FleetJournal& journal) {
 }  // namespace
 
 result::Result<void> write_fleet_journal(const std::filesystem::path& file, const FleetJournal& journal) {
-  const std::filesystem::path fresh = file.string() + ".new";
-  std::ofstream out(fresh, std::ios::trunc);
-  out << document_of(journal).dump(-1, ' ', false, json::error_handler_t::replace) << '\n';
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(fresh, file, error);
-  if (!out || error) {
-    return result::fail("X0004", {file.string(), 0, 0}, "the journal cannot be written",
-                        "is the state folder there, and is there room on the disk?");
-  }
-  return {};
+  return executive::replace_journal_file(
+      file, document_of(journal).dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 result::Result<std::optional<FleetJournal>> read_fleet_journal(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) return std::optional<FleetJournal>();
-  std::stringstream text;
-  text << in.rdbuf();
+  const auto text = executive::read_journal_file(file);
+  if (!text) return std::optional<FleetJournal>();
   const auto refuse = [&](const std::string& why) {
     return result::fail("X0001", {file.string(), 0, 0}, "not a fleet's journal: " + why,
                         "delete the file to start afresh");
   };
   try {
-    const json document = json::parse(text.str());
+    const json document = json::parse(*text);
     if (document.at("version") != kVersion) return refuse("another version");
     FleetJournal journal;
     auto record = executive::record_from_json(document.at("record").dump(), file.string());

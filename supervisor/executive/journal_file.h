@@ -1,0 +1,22 @@
+#pragma once
+
+// The file of an executive's journal, replaced as a whole, so that whoever reads it finds the old one or the
+// new one. What stands in it is for journal.h and the fleet's.
+//
+// One thread for one file.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "runtime/result/result.h"
+
+namespace stepwright::executive {
+
+// X0004: the file cannot be written; the one before it is still there.
+[[nodiscard]] result::Result<void> replace_journal_file(const std::filesystem::path& file,
+                                                        const std::string& text);
+// Nothing if there is no file.
+std::optional<std::string> read_journal_file(const std::filesystem::path& file);
+
+}  // namespace stepwright::executive
