@@ -56,7 +56,7 @@ json to_json(const Blockage& blockage) {
 }
 
 template <typename T>
-json list(const std::vector<T>& items) {
+json rows_of(const std::vector<T>& items) {
   json result = json::array();
   for (const auto& item : items) result.push_back(to_json(item));
   return result;
@@ -65,10 +65,10 @@ json list(const std::vector<T>& items) {
 }  // namespace
 
 json floor_json(const Floor& floor) {
-  return {{"maps", list(floor.maps)},
-          {"forklifts", list(floor.forklifts)},
-          {"pallets", list(floor.pallets)},
-          {"blockages", list(floor.blockages)},
+  return {{"maps", rows_of(floor.maps)},
+          {"forklifts", rows_of(floor.forklifts)},
+          {"pallets", rows_of(floor.pallets)},
+          {"blockages", rows_of(floor.blockages)},
           {"estop_ok", floor.estop_ok_point}};
 }
 

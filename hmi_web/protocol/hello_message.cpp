@@ -110,6 +110,7 @@ std::string hello_message(const Greeting& greeting, const Synoptic& synoptic) {
                {"protocol", kProtocolVersion},
                {"cell", greeting.cell},
                {"version", greeting.server_version},
+               {"recipes", greeting.recipes},
                {"synoptic",
                 {{"points", list(synoptic.points)},
                  {"places", list(synoptic.places)},

@@ -25,6 +25,7 @@ inline constexpr int kProtocolVersion = 2;
 struct Greeting {
   std::string cell;
   std::string server_version;
+  bool recipes = false;  // the API has some
 };
 
 std::string hello_message(const Greeting& greeting, const Synoptic& synoptic);

@@ -5,12 +5,13 @@
 namespace stepwright::server {
 
 CellPoller::CellPoller(CellSource& source, CellViewer viewer, Feed& feed, std::function<void()> on_news,
-                       std::chrono::milliseconds period)
+                       std::chrono::milliseconds period, OnLook on_look)
     : source_(source),
       viewer_(std::move(viewer)),
       feed_(feed),
       on_news_(std::move(on_news)),
       period_(period),
+      on_look_(std::move(on_look)),
       thread_([this] { run(); }) {}
 
 CellPoller::~CellPoller() {
@@ -28,7 +29,10 @@ void CellPoller::run() {
   while (!stopping_) {
     lock.unlock();
     const auto now = std::chrono::steady_clock::now();
-    if (feed_.update(viewer_.view(source_.observe()), now)) on_news_();
+    const Observation seen = source_.observe();
+    const CellView view = viewer_.view(seen);
+    if (on_look_) on_look_(seen, view);
+    if (feed_.update(view, now)) on_news_();
     // After a long observation the pace goes on from here instead of catching up.
     next = std::max(next + period_, now);
     lock.lock();

@@ -5,8 +5,8 @@
 //
 //   CellPoller poller(source, CellViewer(points), feed, [&] { server.notify(); });
 //
-// Thread rule: constructed and destroyed by one thread; `on_news` is called on the poller's own. Source and
-// feed outlive it.
+// Thread rule: constructed and destroyed by one thread; `on_news` and `on_look` are called on the poller's
+// own. Source and feed outlive it.
 
 #include <chrono>
 #include <condition_variable>
@@ -22,8 +22,10 @@ namespace stepwright::server {
 
 class CellPoller {
  public:
+  // `on_look` (may be empty) is given every look at the cell before viewers are told.
+  using OnLook = std::function<void(const Observation&, const CellView&)>;
   CellPoller(CellSource& source, CellViewer viewer, Feed& feed, std::function<void()> on_news,
-             std::chrono::milliseconds period = std::chrono::milliseconds(50));
+             std::chrono::milliseconds period = std::chrono::milliseconds(50), OnLook on_look = {});
   // Ends after the observation that is under way.
   ~CellPoller();
 
@@ -38,6 +40,7 @@ class CellPoller {
   Feed& feed_;
   std::function<void()> on_news_;
   std::chrono::milliseconds period_;
+  OnLook on_look_;
   std::mutex mutex_;
   std::condition_variable stop_signal_;
   bool stopping_ = false;  // guarded by mutex_

@@ -88,6 +88,12 @@ bool Feed::take_trend(const protocol::CellState& state, Time now) {
   return true;
 }
 
+void Feed::set_alarms(std::string message) {
+  const std::lock_guard lock(mutex_);
+  alarms_ = shared(std::move(message));
+  ++alarms_revision_;
+}
+
 MessageText Feed::next(Cursor& cursor) const {
   if (!cursor.greeted) {
     cursor.greeted = true;
@@ -107,7 +113,22 @@ MessageText Feed::next(Cursor& cursor) const {
     cursor.plan = plan_revision_;
     return plan_;
   }
+  if (cursor.alarms != alarms_revision_) {
+    cursor.alarms = alarms_revision_;
+    return alarms_;
+  }
+  if (cursor.forces != forces_revision_) {
+    cursor.forces = forces_revision_;
+    return forces_;
+  }
   return next_trend(cursor);
+}
+
+void Feed::set_forces(const std::string& list) {
+  // The list is an object of our own: its type goes in front of its members.
+  const std::lock_guard lock(mutex_);
+  forces_ = shared("{\"type\":\"forces\"," + list.substr(1));
+  ++forces_revision_;
 }
 
 MessageText Feed::next_state(Cursor& cursor) const {

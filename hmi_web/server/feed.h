@@ -43,6 +43,8 @@ class Feed {
     std::uint64_t state = 0;
     std::uint64_t routes = 0;
     std::uint64_t plan = 0;
+    std::uint64_t alarms = 0;
+    std::uint64_t forces = 0;
     std::uint64_t trend_run = 0;
     std::uint64_t trend_row = 0;
     bool trend_begun = false;
@@ -53,6 +55,11 @@ class Feed {
 
   // Takes over what is seen now. True if viewers have something to fetch.
   bool update(const CellView& view, std::chrono::steady_clock::time_point now);
+
+  // The newest message about alarms (hmi_web/doc/protocol.md), whole.
+  void set_alarms(std::string message);
+  // The list of what is forced, a JSON object (api::ForceDesk::json).
+  void set_forces(const std::string& list);
 
   // The next message that a viewer at `cursor` misses, and moves the cursor past it; null = up to date.
   MessageText next(Cursor& cursor) const;
@@ -86,6 +93,10 @@ class Feed {
   std::uint64_t routes_revision_ = 0;
   MessageText plan_;
   std::uint64_t plan_revision_ = 0;
+  MessageText alarms_;
+  std::uint64_t alarms_revision_ = 0;
+  MessageText forces_;  // null = nobody has told
+  std::uint64_t forces_revision_ = 0;
   TrendBuffer trend_;
   Time last_trend_{};
 };

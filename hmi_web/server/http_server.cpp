@@ -7,12 +7,15 @@
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "hmi_web/server/api_lanes.h"
 #include "hmi_web/server/internal/viewer_session.h"
+#include "hmi_web/server/internal/wire.h"
 
 namespace stepwright::server {
 
@@ -28,7 +31,7 @@ struct HttpServer::State {
 
   void accept();
   void end_connection() { --connections; }
-  void add_viewer(tcp::socket socket, HttpRequest request);
+  void add_viewer(internal::Wire wire, HttpRequest request, const api::Caller& who);
   void pump_viewers();
   void shut_down();
 
@@ -42,6 +45,9 @@ struct HttpServer::State {
   std::vector<std::weak_ptr<ViewerSession>> viewers;
   std::function<std::string()> metrics;
   std::string metrics_type;
+  internal::TlsContextPointer tls;
+  const api::Door* door = nullptr;  // null: there is no API
+  std::unique_ptr<ApiLanes> lanes;  // last: its jobs use all of the above
 };
 
 namespace {
@@ -89,34 +95,132 @@ void fill_with_error(Response& response, const Decision& decision, bool head_onl
   if (!head_only) response.body() = body;
 }
 
+void fill_with_answer(Response& response, const api::Answer& answer, const std::string& allowed) {
+  response.set(http::field::content_type, answer.content_type);
+  response.set(http::field::cache_control, "no-store");
+  if (!allowed.empty()) response.set(http::field::allow, allowed);
+  if (answer.retry_after.count() > 0)
+    response.set(http::field::retry_after, std::to_string(answer.retry_after.count()));
+  if (!answer.file_name.empty())
+    response.set(http::field::content_disposition, "attachment; filename=\"" + answer.file_name + "\"");
+  if (!answer.set_cookie.empty()) {
+    const bool ends = answer.set_cookie == "-";
+    response.set(http::field::set_cookie, std::string(api::kSessionCookie) + "=" +
+                                              (ends ? "; Max-Age=0" : answer.set_cookie) +
+                                              "; Path=/; Secure; HttpOnly; SameSite=Strict");
+  }
+  response.content_length(answer.text.size());
+  response.body() = answer.text;
+}
+
+// The part behind "csrf." of the subprotocol that a page offers for its WebSocket.
+std::string_view offered_csrf(std::string_view protocols) {
+  return protocols.starts_with(api::kCsrfProtocol) ? protocols.substr(api::kCsrfProtocol.size())
+                                                   : std::string_view();
+}
+
 // One HTTP connection until it ends or becomes a WebSocket. shared_ptr: each pending operation holds it.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(tcp::socket socket, HttpServer::State& server)
-      : stream_(std::move(socket)), server_(server) {}
+      : peer_(peer_of(socket)),
+        wire_(std::in_place, internal::make_wire(std::move(socket), server.tls.get())),
+        server_(server) {}
   ~HttpConnection() {
     if (!upgraded_) server_.end_connection();
   }
 
+  void start() {
+    transport().expires_after(server_.limits.request_timeout);
+    wire_->kind().handshake([self = shared_from_this()](beast::error_code error) {
+      if (!error) self->read();
+    });
+  }
+
+ private:
+  static asio::ip::address peer_of(const tcp::socket& socket) {
+    beast::error_code error;
+    return socket.remote_endpoint(error).address();
+  }
+  beast::tcp_stream& transport() { return wire_->kind().transport(); }
+  std::string_view header(http::field name) const { return view(parser_->get()[name]); }
+
   void read() {
     parser_.emplace();
     parser_->header_limit(static_cast<std::uint32_t>(server_.limits.header_bytes));
-    parser_->body_limit(0);
-    stream_.expires_after(server_.limits.request_timeout);
-    http::async_read(stream_, input_, *parser_,
+    parser_->body_limit(server_.door != nullptr ? server_.limits.body_bytes : 0);
+    transport().expires_after(server_.limits.request_timeout);
+    http::async_read(*wire_, input_, *parser_,
                      [self = shared_from_this()](beast::error_code error, std::size_t) {
                        if (!error) return self->answer();
+                       if (error == http::error::body_limit && self->server_.door != nullptr)
+                         return self->refuse(413, "the body is too long");
                        if (error.category() == http::make_error_code(http::error::bad_method).category() &&
                            error != http::error::end_of_stream) {
-                         self->refuse();
+                         self->refuse(400, "this request cannot be read");
                        }
                      });
   }
 
- private:
   void answer() {
+    if (server_.door == nullptr) return serve({});
+    if (!server_.policy->is_own_authority(header(http::field::host)))
+      return refuse(403, "this name is not served here");
+    api::Admission admission = admit();
+    if (admission.route == nullptr) return send(admission.refusal, admission.allowed);
+    if (admission.route->lane == api::Lane::Server) {
+      if (parser_->get().body().empty()) return serve(admission.call.who);
+      return refuse(400, "this takes no body");
+    }
+    perform(std::move(admission));
+  }
+
+  api::Admission admit() const {
     const HttpRequest& request = parser_->get();
-    const auto header = [&](http::field name) { return view(request[name]); };
+    const bool upgrades = beast::websocket::is_upgrade(request);
+    api::Request asked;
+    asked.method = view(request.method_string());
+    asked.target = view(request.target());
+    asked.cookie = header(http::field::cookie);
+    asked.csrf = upgrades
+                     ? offered_csrf(header(http::field::sec_websocket_protocol))
+                     : view(request[beast::string_view(api::kCsrfHeader.data(), api::kCsrfHeader.size())]);
+    asked.content_type = header(http::field::content_type);
+    asked.own_origin = server_.policy->is_own_origin(header(http::field::origin));
+    asked.peer = peer_.to_string();
+    asked.peer_is_local = peer_.is_loopback();
+    return server_.door->admit(asked);
+  }
+
+  // In a thread of the lane; the answer comes back to the network's.
+  void perform(api::Admission admission) {
+    transport().expires_never();
+    const api::Lane lane = admission.route->lane;
+    const bool taken =
+        server_.lanes->post(lane, [self = shared_from_this(), admission = std::move(admission)]() mutable {
+          auto answer = std::make_shared<api::Answer>(
+              self->server_.door->perform(std::move(admission), self->parser_->get().body()));
+          asio::post(self->server_.io, [self, answer] { self->send(*answer, ""); });
+        });
+    if (taken) return;
+    api::Answer busy = api::refused(503, "H0047", "too many requests wait already", "try again in a moment");
+    busy.retry_after = std::chrono::seconds(1);
+    send(busy, "");
+  }
+
+  void send(const api::Answer& answer, const std::string& allowed) {
+    const HttpRequest& request = parser_->get();
+    response_ = Response(static_cast<http::status>(answer.status), request.version());
+    add_common_fields(response_);
+    fill_with_answer(response_, answer, allowed);
+    if (request.method() == http::verb::head) response_.body().clear();
+    response_.keep_alive(request.keep_alive());
+    write();
+  }
+
+  // What the policy decides: the page's files, the WebSocket, the metrics.
+  void serve(const api::Caller& who) {
+    const HttpRequest& request = parser_->get();
     Decision decision =
         server_.policy->decide({view(request.method_string()), view(request.target()),
                                 header(http::field::host), header(http::field::origin),
@@ -125,8 +229,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
       decision = {404, nullptr, "there is nothing here"};
     if (decision.status == 101) {
       upgraded_ = true;
-      stream_.expires_never();
-      server_.add_viewer(stream_.release_socket(), parser_->release());
+      transport().expires_never();
+      server_.add_viewer(*std::exchange(wire_, std::nullopt), parser_->release(), who);
       return;
     }
     const bool figures = decision.status == 200 && decision.asset == nullptr;
@@ -147,31 +251,37 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     write();
   }
 
-  // For what is not HTTP, is too long, or brings a body.
-  void refuse() {
-    response_ = Response(http::status::bad_request, 11);
+  // For what is not HTTP, is too long, or brings a body that nobody wants. The connection ends.
+  void refuse(unsigned status, std::string_view reason) {
+    response_ = Response(static_cast<http::status>(status), 11);
     add_common_fields(response_);
-    fill_with_error(response_, {400, nullptr, "this request cannot be read"}, false);
+    fill_with_error(response_, {status, nullptr, reason}, false);
     response_.keep_alive(false);
     write();
   }
 
   void write() {
-    stream_.expires_after(server_.limits.request_timeout);
+    transport().expires_after(server_.limits.request_timeout);
     serializer_.emplace(response_);
-    http::async_write(stream_, *serializer_,
+    http::async_write(*wire_, *serializer_,
                       [self = shared_from_this()](beast::error_code error, std::size_t) {
                         if (error) return;
                         if (self->response_.keep_alive()) return self->read();
-                        beast::error_code ignored;
-                        self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+                        self->end();
                       });
   }
 
-  beast::tcp_stream stream_;
+  void end() {
+    if (server_.tls) return wire_->kind().end([self = shared_from_this()](beast::error_code) {});
+    beast::error_code ignored;
+    transport().socket().shutdown(tcp::socket::shutdown_send, ignored);
+  }
+
+  asio::ip::address peer_;
+  std::optional<internal::Wire> wire_;  // none once it has become a WebSocket's
   HttpServer::State& server_;
-  beast::flat_buffer input_{16'384};
-  std::optional<http::request_parser<http::empty_body>> parser_;
+  beast::flat_buffer input_{32'768};
+  std::optional<http::request_parser<http::string_body>> parser_;
   Response response_;
   std::optional<http::response_serializer<http::string_body>> serializer_;
   bool upgraded_ = false;
@@ -194,17 +304,20 @@ void HttpServer::State::accept() {
       ++connections;
       beast::error_code ignored;
       socket.set_option(tcp::no_delay(true), ignored);
-      std::make_shared<HttpConnection>(std::move(socket), *this)->read();
+      std::make_shared<HttpConnection>(std::move(socket), *this)->start();
     }
     accept();
   });
 }
 
-void HttpServer::State::add_viewer(tcp::socket socket, HttpRequest request) {
+void HttpServer::State::add_viewer(internal::Wire wire, HttpRequest request, const api::Caller& who) {
   std::erase_if(viewers, [](const auto& viewer) { return viewer.expired(); });
-  auto viewer = std::make_shared<ViewerSession>(std::move(socket), *feed, [this] { end_connection(); });
+  auto viewer = std::make_shared<ViewerSession>(
+      std::move(wire), *feed, [this, who] { return door == nullptr || door->may_listen(who); },
+      [this] { end_connection(); });
   viewers.push_back(viewer);
-  viewer->start(std::move(request), limits.silent_viewer);
+  const std::string protocol = who.csrf.empty() ? "" : std::string(api::kCsrfProtocol) + who.csrf;
+  viewer->start(std::move(request), limits.silent_viewer, protocol);
 }
 
 void HttpServer::State::pump_viewers() {
@@ -240,6 +353,11 @@ result::Result<std::unique_ptr<HttpServer>> HttpServer::listen_for_metrics(const
 result::Result<std::unique_ptr<HttpServer>> HttpServer::bind(const ListenAddress& address,
                                                              protocol::Assets assets,
                                                              std::unique_ptr<State> state) {
+  if (address.tls()) {
+    auto tls = internal::load_tls(address.certificate, address.key);
+    if (!tls) return result::forward(tls);
+    state->tls = std::move(*tls);
+  }
   const std::string where = address.host + ":" + std::to_string(address.port);
   beast::error_code error;
   tcp::resolver resolver(state->io);
@@ -267,8 +385,9 @@ result::Result<std::unique_ptr<HttpServer>> HttpServer::bind(const ListenAddress
         "H0002", {}, "cannot serve at " + where + ": " + error.message(),
         "ports below 1024 need rights; " + address.setting + ".host must be an address of this machine");
   }
-  state->policy.emplace(ListenAddress{address.host, acceptor.local_endpoint().port(), address.setting},
-                        assets);
+  ListenAddress bound = address;
+  bound.port = acceptor.local_endpoint().port();
+  state->policy.emplace(bound, assets);
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(state)));
 }
 
@@ -280,6 +399,11 @@ void HttpServer::serve_metrics(std::function<std::string()> text, std::string co
   state_->metrics_type = std::move(content_type);
 }
 
+void HttpServer::serve_api(const api::Door& door) {
+  state_->door = &door;
+  state_->lanes = std::make_unique<ApiLanes>();
+}
+
 std::uint16_t HttpServer::port() const {
   return state_->acceptor.local_endpoint().port();
 }
@@ -287,6 +411,7 @@ std::uint16_t HttpServer::port() const {
 void HttpServer::run() {
   state_->accept();
   state_->io.run();
+  state_->lanes.reset();  // what is under way ends with the server, and not after what it refers to
 }
 
 void HttpServer::stop() {

@@ -8,8 +8,9 @@
 //
 // Thread rule: run() in one thread; stop() and notify() from any. The feed outlives the server.
 // Invariants: memory per viewer is bounded (one message under way, none queued); no request and no sequence
-// of bytes ends the process. The only input that it takes is requests without a body: a viewer that sends a
-// WebSocket message is disconnected.
+// of bytes ends the process. Without an API the only input that it takes is requests without a body; a viewer
+// that sends a WebSocket message is disconnected in any case. With an API nothing happens that is no row of
+// its route table.
 
 #include <chrono>
 #include <cstddef>
@@ -18,6 +19,7 @@
 #include <memory>
 #include <string>
 
+#include "hmi_web/api/door.h"
 #include "hmi_web/protocol/asset.h"
 #include "hmi_web/server/feed.h"
 #include "hmi_web/server/request_policy.h"
@@ -28,13 +30,15 @@ namespace stepwright::server {
 struct ServerLimits {
   std::size_t connections = 128;             // more are closed at once
   std::size_t header_bytes = 8'192;          // of a request
+  std::size_t body_bytes = 16'384;           // of a request to the API
   std::chrono::seconds request_timeout{10};  // from the first byte expected to the last
   std::chrono::seconds silent_viewer{15};    // without any answer to pings: disconnected
 };
 
 class HttpServer {
  public:
-  // Binds and listens. Fails with H0001 (port in use), H0002 (any other reason: no such address, no right).
+  // Binds and listens. Fails with H0001 (port in use), H0002 (any other reason: no such address, no right),
+  // H0003 (TLS).
   [[nodiscard]] static result::Result<std::unique_ptr<HttpServer>> listen(const ListenAddress& address,
                                                                           protocol::Assets assets,
                                                                           const Feed& feed,
@@ -48,6 +52,9 @@ class HttpServer {
   // What kMetricsPath answers, made by the thread of run() for each request; without it there is nothing
   // there. Before run().
   void serve_metrics(std::function<std::string()> text, std::string content_type);
+
+  // Everything goes through this door from now on. Before run(); the door outlives the server.
+  void serve_api(const api::Door& door);
 
   // The port that is bound.
   std::uint16_t port() const;

@@ -15,14 +15,18 @@ std::string lower(std::string_view text) {
 
 }  // namespace
 
-RequestPolicy::RequestPolicy(const ListenAddress& address, protocol::Assets assets) : assets_(assets) {
-  const bool is_ipv6 = address.host.find(':') != std::string::npos;
-  const std::string own = is_ipv6 ? "[" + address.host + "]" : address.host;
-  for (const std::string& host :
-       {std::string("localhost"), std::string("127.0.0.1"), std::string("[::1]"), own}) {
-    authorities_.push_back(lower(host) + ":" + std::to_string(address.port));
+RequestPolicy::RequestPolicy(const ListenAddress& address, protocol::Assets assets)
+    : scheme_(address.tls() ? "https://" : "http://"), assets_(assets) {
+  std::vector<std::string> hosts = address.names;
+  hosts.insert(hosts.end(), {"localhost", "127.0.0.1", "::1"});
+  // All addresses of a machine are a name of none.
+  if (address.host != "0.0.0.0" && address.host != "::") hosts.push_back(address.host);
+  for (const std::string& host : hosts) {
+    const bool is_ipv6 = host.find(':') != std::string::npos;
+    const std::string own = is_ipv6 ? "[" + lower(host) + "]" : lower(host);
+    authorities_.push_back(own + ":" + std::to_string(address.port));
     // Browsers leave the default port out.
-    if (address.port == 80) authorities_.push_back(lower(host));
+    if (address.port == (address.tls() ? 443 : 80)) authorities_.push_back(own);
   }
 }
 
@@ -51,8 +55,7 @@ bool RequestPolicy::is_own_authority(std::string_view authority) const {
 }
 
 bool RequestPolicy::is_own_origin(std::string_view origin) const {
-  constexpr std::string_view kScheme = "http://";
-  return origin.substr(0, kScheme.size()) == kScheme && is_own_authority(origin.substr(kScheme.size()));
+  return origin.starts_with(scheme_) && is_own_authority(origin.substr(scheme_.size()));
 }
 
 }  // namespace stepwright::server

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,9 +24,14 @@
 namespace stepwright::server {
 
 struct ListenAddress {
-  std::string host = "127.0.0.1";  // a name or an IPv4 or IPv6 address without brackets
-  std::uint16_t port = 8080;       // 0 = any free one
-  std::string setting = "hmi";     // the table of the configuration that says so, for hints
+  std::string host = "127.0.0.1";          // a name or an IPv4 or IPv6 address without brackets
+  std::uint16_t port = 8080;               // 0 = any free one
+  std::string setting = "hmi";             // the table of the configuration that says so, for hints
+  std::filesystem::path certificate = {};  // a chain in PEM form; empty: no TLS
+  std::filesystem::path key = {};
+  std::vector<std::string> names = {};  // what the page is called beside its host, without a port
+
+  bool tls() const { return !certificate.empty(); }
 };
 
 struct RequestHead {
@@ -61,15 +67,18 @@ inline constexpr std::string_view kMetricsPath = "/metrics";  // made for each r
 
 class RequestPolicy {
  public:
-  // The address with the port that is really bound. Its host, and the loopback names beside it, are ours.
+  // The address with the port that is really bound. Its host (unless it means all addresses), its names and
+  // the loopback names are ours.
   RequestPolicy(const ListenAddress& address, protocol::Assets assets);
 
   Decision decide(const RequestHead& request) const;
-
- private:
+  // A Host header is one of our names.
   bool is_own_authority(std::string_view authority) const;
+  // An Origin header is our own page.
   bool is_own_origin(std::string_view origin) const;
 
+ private:
+  std::string_view scheme_;
   std::vector<std::string> authorities_;  // "localhost:8080", in lower case
   protocol::Assets assets_;
 };

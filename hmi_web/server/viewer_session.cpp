@@ -12,6 +12,9 @@ namespace websocket = boost::beast::websocket;
 // Viewers have nothing to say yet; this is room for the frames of the protocol itself.
 constexpr std::size_t kMaxMessageBytes = 4'096;
 
+// Whoever listened has logged out, or was logged out (hmi_web/doc/protocol.md).
+constexpr std::uint16_t kLoggedOut = 4'401;
+
 websocket::stream_base::timeout timeouts(std::chrono::seconds silent_viewer) {
   websocket::stream_base::timeout timeout{};
   timeout.handshake_timeout = std::chrono::seconds(10);
@@ -22,19 +25,25 @@ websocket::stream_base::timeout timeouts(std::chrono::seconds silent_viewer) {
 
 }  // namespace
 
-ViewerSession::ViewerSession(boost::asio::ip::tcp::socket socket, const Feed& feed,
+ViewerSession::ViewerSession(Wire wire, const Feed& feed, std::function<bool()> may_listen,
                              std::function<void()> on_end)
-    : socket_(std::move(socket)), feed_(feed), on_end_(std::move(on_end)) {}
+    : socket_(std::move(wire)), feed_(feed), may_listen_(std::move(may_listen)), on_end_(std::move(on_end)) {}
 
 ViewerSession::~ViewerSession() {
   on_end_();
 }
 
-void ViewerSession::start(HttpRequest request, std::chrono::seconds silent_viewer) {
+void ViewerSession::start(HttpRequest request, std::chrono::seconds silent_viewer,
+                          const std::string& protocol) {
   socket_.set_option(timeouts(silent_viewer));
   socket_.read_message_max(kMaxMessageBytes);
   socket_.text(true);
   socket_.auto_fragment(false);  // one message, one frame
+  if (!protocol.empty()) {
+    socket_.set_option(websocket::stream_base::decorator([protocol](websocket::response_type& response) {
+      response.set(beast::http::field::sec_websocket_protocol, protocol);
+    }));
+  }
   // The request outlives the call: it is moved into the handler.
   auto kept = std::make_shared<HttpRequest>(std::move(request));
   socket_.async_accept(*kept, [self = shared_from_this(), kept](beast::error_code error) {
@@ -47,6 +56,7 @@ void ViewerSession::start(HttpRequest request, std::chrono::seconds silent_viewe
 
 void ViewerSession::pump() {
   if (!open_ || under_way_) return;
+  if (!may_listen_()) return close(static_cast<websocket::close_code>(kLoggedOut));
   under_way_ = feed_.next(cursor_);
   if (!under_way_) return;
   socket_.async_write(boost::asio::buffer(*under_way_),
@@ -62,8 +72,7 @@ void ViewerSession::pump() {
 
 void ViewerSession::cut() {
   open_ = false;
-  beast::error_code ignored;
-  beast::get_lowest_layer(socket_).socket().close(ignored);
+  beast_close_socket(socket_.next_layer());
 }
 
 // A pending read is what makes Beast answer pings and closes.

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view kReservedFiles[] = {"library/bistables.st", "library/counters.st",
                                                "library/timers.st"};
 
-bool is_name(char c) {
+bool is_name_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
@@ -25,7 +25,7 @@ std::string_view declared_name(std::string_view line) {
   for (const std::string_view word : {"FUNCTION_BLOCK ", "FUNCTION ", "TYPE "}) {
     if (line.substr(0, word.size()) != word) continue;
     const std::string_view rest = line.substr(word.size());
-    const auto end = std::find_if_not(rest.begin(), rest.end(), is_name);
+    const auto end = std::find_if_not(rest.begin(), rest.end(), is_name_letter);
     return rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
   }
   return {};

@@ -17,7 +17,7 @@ namespace {
 
 using graphic::Sheet;
 
-const char* kind_of(graphic::PouKind kind) {
+const char* kind_word(graphic::PouKind kind) {
   return kind == graphic::PouKind::Program         ? "PROGRAM"
          : kind == graphic::PouKind::FunctionBlock ? "FUNCTION_BLOCK"
                                                    : "FUNCTION";
@@ -79,7 +79,7 @@ class ProjectSheets {
   }
 
   void add(const graphic::Pou& pou) {
-    Sheet sheet{kind_of(pou.kind), pou.name};
+    Sheet sheet{kind_word(pou.kind), pou.name};
     sheet.result_type = pou.result_type;
     sheet.comment = pou.comment;
     sheet.variables = texts_.quoted(pou.variables);

@@ -35,7 +35,7 @@ graphic::VariableSection section_of(syntax::Section section) {
   return graphic::VariableSection::Global;
 }
 
-const char* kind_of(syntax::PouKind kind) {
+const char* kind_word(syntax::PouKind kind) {
   return kind == syntax::PouKind::Program         ? "PROGRAM"
          : kind == syntax::PouKind::FunctionBlock ? "FUNCTION_BLOCK"
                                                   : "FUNCTION";
@@ -106,7 +106,7 @@ class TextSheets {
   std::size_t end_of(const Token& token) const { return token.where.offset + token.text.size(); }
 
   void add(const syntax::PouDeclaration& pou) {
-    Sheet sheet{kind_of(pou.kind), std::string(pou.name.text)};
+    Sheet sheet{kind_word(pou.kind), std::string(pou.name.text)};
     if (pou.result) sheet.result_type = until(at(pou.result->where.offset), result_end(pou));
     for (const syntax::VariableDeclaration& line : pou.variables) add(line, sheet.variables);
     if (pou.chart) {

@@ -164,7 +164,11 @@ void Parser::transition_condition(TransitionDeclaration& result) {
     slice_until(Keyword::EndTransition);
     return;
   }
-  if (at(TokenKind::Semicolon)) unexpected("a condition");
+  if (at(TokenKind::Semicolon)) {
+    unexpected("a condition");
+    advance();
+    return;
+  }
   result.condition = slice_until(TokenKind::Semicolon);
   expect(TokenKind::Semicolon, "behind the condition");
 }

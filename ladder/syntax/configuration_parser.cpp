@@ -55,8 +55,14 @@ void Parser::resource_item(Resource& out) {
   if (accept(TokenKind::Semicolon)) return;
   unexpected("TASK, PROGRAM or VAR_GLOBAL");
   if (!at_pou_start()) advance();
+  skip_resource_item();
+}
+
+// Behind its semicolon, or to what can only be the next item or the end.
+void Parser::skip_resource_item() {
   while (!at(TokenKind::End) && !at_pou_start() && !at_variable_section() && !at(Keyword::VarConfig) &&
-         !at(Keyword::VarAccess) && !at(Keyword::Task) && !at(Keyword::EndResource)) {
+         !at(Keyword::VarAccess) && !at(Keyword::Task) && !at(Keyword::EndResource) &&
+         !at(Keyword::EndConfiguration)) {
     if (advance().is(TokenKind::Semicolon)) return;
   }
 }
@@ -85,7 +91,7 @@ void Parser::task(Resource& out) {
     }
   }
   if (name) out.tasks.push_back(std::move(result));
-  if (!expect(TokenKind::Semicolon, "behind the task")) skip_statement();
+  if (!expect(TokenKind::Semicolon, "behind the task")) skip_resource_item();
 }
 
 bool Parser::task_argument(const Argument& argument, const char* name) {
@@ -114,7 +120,7 @@ void Parser::program_instance(Resource& out) {
   if (understood && at(TokenKind::LeftParen)) program_elements(result);
   result.broken = !understood;
   if (name) out.programs.push_back(std::move(result));
-  if (!understood || !expect(TokenKind::Semicolon, "behind the program instance")) skip_statement();
+  if (!understood || !expect(TokenKind::Semicolon, "behind the program instance")) skip_resource_item();
 }
 
 // "(in := global, out => global, block WITH task)"

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "hmi_web/alarms/definition_file.h"
+#include "hmi_web/recipes/definition_file.h"
 #include "programs/check/check_fleet.h"
 #include "programs/check/check_processes.h"
 #include "programs/check/check_program.h"
@@ -16,10 +18,6 @@
 
 namespace stepwright::check {
 namespace {
-
-void add(result::Diagnostics& problems, const result::Diagnostics& found) {
-  problems.insert(problems.end(), found.begin(), found.end());
-}
 
 // The cell's own problem: planned, translated and compiled, as the supervisor would do it at its start.
 void check_planning(const config::CellConfig& config, CheckReport& report) {
@@ -98,6 +96,14 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   if (auto options = cell_runtime::host_options(cell.config); !options) add(report.problems, options.error());
   add(report.problems, cell_runtime::check_cell_io(cell.config));
   add(report.problems, check_processes(cell.config));
+  if (!cell.config.history.alarms.empty()) {
+    if (const auto alarms = alarms::load_alarms(cell.config.history.alarms); !alarms)
+      add(report.problems, alarms.error());
+  }
+  if (!cell.config.hmi.recipes.empty()) {
+    if (const auto tags = recipes::load_definitions(cell.config.hmi.recipes); !tags)
+      add(report.problems, tags.error());
+  }
   check_image(cell.config, image, report);
   // Planning costs seconds: not for a file that has to be changed anyway.
   const bool plans = !cell.config.planning.domain.empty();

@@ -51,6 +51,17 @@ void compare_stands(const config::CellConfig& config, const fleet::FleetDesk& de
   }
 }
 
+void check_requests(const config::CellConfig& config, const fleet::FleetDesk& desk,
+                    result::Diagnostics& found) {
+  for (const config::FleetRequestConfig& asked : config.fleet.requests) {
+    if (asked.request != "return") continue;
+    const auto& vehicles = desk.problem().vehicles;
+    if (std::ranges::find(vehicles, asked.vehicle, &fleet::MissionVehicle::name) != vehicles.end()) continue;
+    found.push_back(problem("X0003", asked.where, "there is no vehicle '" + asked.vehicle + "'",
+                            "vehicles are those of the problem's file"));
+  }
+}
+
 }  // namespace
 
 FleetCheck check_fleet(const config::CellConfig& config) {
@@ -72,6 +83,7 @@ FleetCheck check_fleet(const config::CellConfig& config) {
       check.problems.push_back(std::move(wrong));
     }
   }
+  check_requests(config, *desk, check.problems);
   if (!check.problems.empty()) return check;
   const fleet::FleetLedger ledger(desk->problem());
   auto outcome = desk->plan(ledger, {.rest = {.starts = desk->first_starts()}});

@@ -16,11 +16,12 @@
 #include "runtime/remote/remote_program.h"
 
 namespace stepwright::check {
-namespace {
 
 void add(result::Diagnostics& problems, const result::Diagnostics& found) {
   problems.insert(problems.end(), found.begin(), found.end());
 }
+
+namespace {
 
 // As a load finds it; said about this program instead of "download".
 template <typename Value>

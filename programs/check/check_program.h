@@ -31,4 +31,7 @@ struct CellProgram {
 // C0531 of the plant's wires (check_wires.h).
 result::Diagnostics check_program(const config::CellConfig& config, const CellProgram& program);
 
+// Puts what was found behind the problems.
+void add(result::Diagnostics& problems, const result::Diagnostics& found);
+
 }  // namespace stepwright::check

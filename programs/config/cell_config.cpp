@@ -226,13 +226,11 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   read_addresses(dds, config.dds);
   config.change = read_change(root);
   const result::Diagnostics controller = read_controller(root, folder, config.controller);
-  const TomlTable hmi = root.table("hmi");
-  config.hmi.host = hmi.text("host", config.hmi.host);
-  config.hmi.port = static_cast<std::uint16_t>(hmi.integer("port", 8080, {0, 65'535}));
-  config.hmi.metrics_of = hmi.texts("metrics_of");
+  config.hmi = read_hmi(root.table("hmi"), folder, config.state_dir);
   config.log = read_log(root, folder);
   read_retain(root, folder, config.state_dir, config.retain, config.boot);
   config.record = read_record(root.table("record"), config.state_dir);
+  config.history = read_history(root.table("history"), folder, config.state_dir);
   const result::Diagnostics unserved =
       read_modbus_server(root.table("modbus").table("server"), config.modbus_server);
   const result::Diagnostics closed =

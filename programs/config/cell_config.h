@@ -18,6 +18,7 @@
 #include "programs/config/change_config.h"
 #include "programs/config/controller_config.h"
 #include "programs/config/fleet_config.h"
+#include "programs/config/hmi_config.h"
 #include "programs/config/log_config.h"
 #include "programs/config/metrics_config.h"
 #include "programs/config/modbus_client_config.h"
@@ -105,13 +106,6 @@ struct DdsConfig {
   std::vector<std::string> peers;  // IPv4 addresses of other machines, where multicast does not reach
 };
 
-struct HmiConfig {
-  std::string host = "127.0.0.1";
-  std::uint16_t port = 8080;
-  std::vector<std::string>
-      metrics_of;  // runtimes of the domain beside the cell's own whose figures /metrics gives
-};
-
 struct CellConfig {
   std::filesystem::path file;          // the configuration file itself
   std::vector<std::string> overrides;  // "dotted.key=value", which won over the file
@@ -138,6 +132,7 @@ struct CellConfig {
   RetainSection retain;
   BootSection boot;
   RecordConfig record;
+  HistoryConfig history;
   ModbusServerConfig modbus_server;
   modbus::client::ClientSettings modbus_client;  // [modbus.client], [modbus.lines], [[modbus.device]]
   MetricsConfig modbus_client_metrics;           // [modbus.client.metrics]

@@ -34,6 +34,22 @@ std::filesystem::path read_map_file(const TomlTable& plant, const std::filesyste
   return file;
 }
 
+FleetRequestConfig read_request(const TomlTable& table) {
+  FleetRequestConfig request;
+  request.at_s = table.required_number("at_s", {0.0, 1e9});
+  request.request = table.required_text("request");
+  request.vehicle = table.text("vehicle", "");
+  request.where = table.where("request");
+  const bool known = request.request == "return" || request.request == "hold" || request.request == "resume";
+  if (!known && !request.request.empty())
+    table.report("request", "nobody can ask for '" + request.request + "'",
+                 "\"return\", \"hold\" or \"resume\"");
+  if (known && (request.request == "return") == request.vehicle.empty())
+    table.report("request", "a vehicle can return, and only the fleet can hold or resume",
+                 "vehicle = \"truck 2\"");
+  return request;
+}
+
 }  // namespace
 
 FleetPlantConfig read_fleet_plant(const TomlTable& plant, const std::filesystem::path& folder) {
@@ -69,6 +85,8 @@ FleetMissionConfig read_fleet_mission(const TomlTable& fleet, const std::filesys
   mission.path_factor = fleet.number("path_factor", mission.path_factor, {1.0, 100.0});
   mission.time = std::chrono::milliseconds(fleet.integer("time_ms", 0, {0, 86'400'000}));
   mission.late = std::chrono::milliseconds(fleet.integer("late_ms", mission.late.count(), {100, 3'600'000}));
+  mission.hold = std::chrono::seconds(fleet.integer("hold_s", mission.hold.count(), {0, 31'536'000}));
+  for (const TomlTable& table : fleet.tables("requests")) mission.requests.push_back(read_request(table));
   for (const TomlTable& table : fleet.tables("orders")) {
     FleetOrderConfig order;
     order.at_s = table.required_number("at_s", {0.0, 1e9});

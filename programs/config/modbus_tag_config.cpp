@@ -15,8 +15,6 @@ namespace {
 using modbus::client::ImageField;
 using modbus::client::ImageType;
 using modbus::client::LossValue;
-using modbus::client::Order;
-using modbus::client::Table;
 using modbus::client::Tag;
 using modbus::client::WireType;
 using modbus::map::kLastAddress;
@@ -116,10 +114,11 @@ class TagReader {
   }
 
   bool read_object() {
-    using Object = std::pair<const char*, Table>;
-    constexpr std::array kObjects = {Object{"coil", Table::Coils}, Object{"discrete", Table::DiscreteInputs},
-                                     Object{"input", Table::InputRegisters},
-                                     Object{"holding", Table::HoldingRegisters}};
+    using Object = std::pair<const char*, modbus::client::Table>;
+    constexpr std::array kObjects = {Object{"coil", modbus::client::Table::Coils},
+                                     Object{"discrete", modbus::client::Table::DiscreteInputs},
+                                     Object{"input", modbus::client::Table::InputRegisters},
+                                     Object{"holding", modbus::client::Table::HoldingRegisters}};
     int found = 0;
     const char* key = "";
     for (const auto& [name, table] : kObjects) {
@@ -136,7 +135,8 @@ class TagReader {
           "this tag names " + std::string(found == 0 ? "no object" : "several objects") + " of the device",
           "one of coil, discrete, input and holding, with the address from 0: holding = 100");
     }
-    const bool writable = read_.tag.table == Table::Coils || read_.tag.table == Table::HoldingRegisters;
+    const bool writable = read_.tag.table == modbus::client::Table::Coils ||
+                          read_.tag.table == modbus::client::Table::HoldingRegisters;
     if (read_.output && !writable)
       return fail("C0522", key, "a master cannot write this table",
                   "coil or holding for %Q, or read it into %I");
@@ -238,10 +238,10 @@ std::optional<ReadModbusTag> read_modbus_tag(const TomlTable& table, const Modbu
   return TagReader(table, frame, problems).read();
 }
 
-Order read_modbus_order(const TomlTable& table, Order fallback) {
+modbus::client::Order read_modbus_order(const TomlTable& table, modbus::client::Order fallback) {
   static const std::vector<std::string> kOrders = {"ABCD", "CDAB", "BADC", "DCBA"};
   const std::string word = table.choice("order", kOrders[static_cast<std::size_t>(fallback)], kOrders);
-  return static_cast<Order>(std::ranges::find(kOrders, word) - kOrders.begin());
+  return static_cast<modbus::client::Order>(std::ranges::find(kOrders, word) - kOrders.begin());
 }
 
 std::optional<ImageField> read_input_field(const TomlTable& table, const char* key, std::uint8_t bits,

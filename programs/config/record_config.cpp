@@ -14,4 +14,16 @@ RecordConfig read_record(const settings::TomlTable& table, const std::filesystem
   return config;
 }
 
+HistoryConfig read_history(const settings::TomlTable& table, const std::filesystem::path& folder,
+                           const std::filesystem::path& state_dir) {
+  HistoryConfig config;
+  const std::string kept_in = table.text("folder", {});
+  if (!kept_in.empty()) config.folder = std::filesystem::absolute(state_dir / kept_in).lexically_normal();
+  config.most_age = std::chrono::hours(24 * table.integer("days", 90, {0, 36'500}));
+  config.max_mb = static_cast<std::uint64_t>(table.integer("max_mb", 4'096, {0, 1e9}));
+  const std::string alarms = table.text("alarms", {});
+  if (!alarms.empty()) config.alarms = (folder / alarms).lexically_normal();
+  return config;
+}
+
 }  // namespace stepwright::config

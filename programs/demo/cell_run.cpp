@@ -6,6 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include "programs/demo/token_teller.h"
+
 namespace stepwright::demo {
 namespace {
 
@@ -53,6 +55,12 @@ result::Result<CellRun::Member> CellRun::start(const std::string& name) const {
   }
   if (options_.emulator) {
     arguments.insert(arguments.end(), {"--set", "controller.device=\"" + line_link().string() + "\""});
+  }
+  // A demonstration shows its page, with history and alarms, to whoever started it. To act on it somebody
+  // logs in.
+  if (name == "hmi") {
+    arguments.insert(arguments.begin() + 4, {"--set", "hmi.anonymous=viewer"});
+    arguments.insert(arguments.end(), {"--history", (options_.state_dir / "history").string()});
   }
   if (name == "supervisor" && !options_.page) arguments.push_back("--once");
   auto process = ChildProcess::start(arguments, log_of(name));
@@ -111,6 +119,7 @@ result::Result<void> CellRun::start_all(std::vector<Member>& members, CellRunRes
 result::Result<CellRunResult> CellRun::run(const std::atomic<bool>& stop) {
   CellRunResult result;
   std::vector<Member> members;
+  TokenTeller teller(log_of("hmi"));
   if (auto started = start_all(members, result); !started) return result::forward(started);
   bool reported = false;
   for (bool going = true; going && !stop;) {
@@ -119,7 +128,10 @@ result::Result<CellRunResult> CellRun::run(const std::atomic<bool>& stop) {
       if (!tended) return result::forward(tended);
       going = *tended;
     }
-    if (options_.page) take_report(result);
+    if (options_.page) {
+      take_report(result);
+      teller.look();
+    }
     if (result.report && !std::exchange(reported, true) && options_.page) {
       std::printf("%s", executive::report_table(result.report->record).c_str());
       std::fflush(stdout);

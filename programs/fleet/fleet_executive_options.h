@@ -47,6 +47,11 @@ inline std::vector<fleet::TimedRequest> fleet_requests(const CellConfig& config)
   std::vector<fleet::TimedRequest> requests;
   for (const FleetOrderConfig& order : config.fleet.orders)
     requests.push_back({order.at_s, fleet::OrderChange{order.name, order.from, order.to, order.amount}});
+  for (const FleetRequestConfig& asked : config.fleet.requests) {
+    if (asked.request == "return") requests.push_back({asked.at_s, fleet::ReturnChange{asked.vehicle}});
+    if (asked.request == "hold") requests.push_back({asked.at_s, fleet::HoldChange{}});
+    if (asked.request == "resume") requests.push_back({asked.at_s, fleet::ResumeChange{}});
+  }
   for (const ScheduledFault& fault : config.faults) {
     for (std::size_t k = 0; k < config.plant.fleet.blockages.size(); ++k) {
       const std::string name = "block_" + std::to_string(k + 1);
@@ -68,6 +73,7 @@ inline fleet::FleetExecutiveOptions fleet_executive_options(const CellConfig& co
           .max_replans = config.executive.max_replans,
           .barrier = config.clock.mode == ClockMode::Simulated,
           .late = config.fleet.late,
+          .hold = config.fleet.hold,
           .journal = config.journal_path(),
           .requests = fleet_requests(config)};
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "programs/config/dds_options.h"
+#include "programs/hmi/runtime_word.h"
 #include "programs/hmi/sensor_tare.h"
 #include "runtime/service/digest.h"
 
@@ -10,20 +11,6 @@ namespace stepwright::hmi {
 namespace {
 
 constexpr std::chrono::seconds kFetchPause{1};
-
-const char* word_for(dds::RuntimeState state) {
-  switch (state) {
-    case dds::RuntimeState::Empty:
-      return "empty";
-    case dds::RuntimeState::Stopped:
-      return "stopped";
-    case dds::RuntimeState::Running:
-      return "running";
-    case dds::RuntimeState::Fault:
-      return "fault";
-  }
-  return "";
-}
 
 server::RuntimeReport report_of(const dds::RuntimeStatus& status) {
   return {
@@ -87,6 +74,8 @@ void DdsCellSource::fetch_program(const std::string& digest) {
     log_.warning("program", result::to_string(layout.error()), {{"digest", digest}});
     return;
   }
+  if (auto info = reader::ProgramInfo::read(*container))
+    running_.set(std::make_shared<const KnownProgram>(KnownProgram{digest, std::move(*info)}));
   layout_ = std::make_shared<const server::ProgramLayout>(std::move(*layout));
 }
 

@@ -11,6 +11,7 @@
 
 #include "hmi_web/server/cell_source.h"
 #include "programs/config/cell_config.h"
+#include "programs/hmi/running_program.h"
 #include "programs/log/logger.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/dds/runtime_client.h"
@@ -28,6 +29,11 @@ class DdsCellSource : public server::CellSource {
   // Its figures may be asked for by any thread.
   const dds::RuntimeClient& runtime() const { return *runtime_; }
 
+  // For whoever acts on the cell; any thread.
+  dds::RuntimeClient& client() { return *runtime_; }
+  dds::PlanSubscriber& plans() { return *plans_; }
+  const RunningProgram& running() const { return running_; }
+
  private:
   DdsCellSource(std::unique_ptr<dds::RuntimeClient> runtime, std::unique_ptr<dds::PlanSubscriber> plans,
                 log::Logger& log)
@@ -38,6 +44,7 @@ class DdsCellSource : public server::CellSource {
   std::unique_ptr<dds::RuntimeClient> runtime_;
   std::unique_ptr<dds::PlanSubscriber> plans_;
   log::Logger& log_;
+  RunningProgram running_;
   std::shared_ptr<const server::ProgramLayout> layout_;  // of the program with its digest; shared with views
   std::chrono::steady_clock::time_point next_fetch_{};   // a fetch that failed is not repeated at once
   std::string tare_source_;                              // the plan document that `tare_` was read from

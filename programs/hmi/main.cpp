@@ -1,18 +1,24 @@
-// `stepwright hmi --config CELL.toml [--port N]`: shows the cell in a browser. Attaches over Fast DDS only,
-// so that it can come, go and fail without any effect on the scan.
+// `stepwright hmi --config CELL.toml [--port N] [--history FOLDER]`: shows the cell in a browser and lets
+// those act on it who may. Attaches over Fast DDS only, so that it can come, go and fail without any effect
+// on the scan. `--openapi` and `--verify-audit FILE` need no cell.
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <thread>
 
 #include "hmi_web/client/client_assets.h"
+#include "hmi_web/recorder/record_queries.h"
 #include "hmi_web/server/cell_poller.h"
 #include "hmi_web/server/http_server.h"
 #include "programs/config/cell_options.h"
+#include "programs/hmi/access_point.h"
+#include "programs/hmi/dds_cell_control.h"
 #include "programs/hmi/dds_cell_source.h"
 #include "programs/hmi/plant_picture.h"
+#include "programs/hmi/recording.h"
 #include "programs/hmi/runtime_watch.h"
 #include "programs/log/logger.h"
 #include "programs/log/reload_log.h"
@@ -39,22 +45,53 @@ int run(const config::CellConfig& config) {
   config::CellConfig running = config;
   const auto picture = hmi::picture_of(config.plant);
   if (!picture) return fail(picture.error(), ExitCode::BadInput);
-  server::Feed feed({config.name, STEPWRIGHT_VERSION}, picture->synoptic);
+  server::Feed feed({config.name, STEPWRIGHT_VERSION, !config.hmi.recipes.empty()}, picture->synoptic);
+  const auto where = hmi::listening_of(config.hmi);
+  if (!where) return fail(where.error(), ExitCode::BadInput);
   // The port first: it fails at once, and before anything else has begun.
-  auto http = server::HttpServer::listen({config.hmi.host, config.hmi.port}, client::client_assets(), feed);
+  auto http = server::HttpServer::listen(
+      {where->host, config.hmi.port, "hmi", config.hmi.certificate, config.hmi.key, config.hmi.names},
+      client::client_assets(), feed);
   if (!http) return fail(http.error(), ExitCode::BadInput);
   auto source = hmi::DdsCellSource::connect(config, **log);
   if (!source) return fail(source.error(), ExitCode::RuntimeFault);
 
+  auto recorder = hmi::open_recorder(config, picture->synoptic);
+  if (!recorder) return fail(recorder.error(), ExitCode::BadInput);
+  std::optional<recorder::RecordQueries> records;
+  if (*recorder) records.emplace(**recorder);
   auto watch = hmi::RuntimeWatch::connect(config, (*source)->runtime());
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
+  hmi::DdsCellControl control(**source);
+  auto access = hmi::AccessPoint::open(config.hmi, {control, records ? &*records : nullptr, watch->get()},
+                                       **log, [&](const std::string& list) {
+                                         feed.set_forces(list);
+                                         (*http)->notify();
+                                       });
+  if (!access) return fail(access.error(), ExitCode::BadInput);
+  (*http)->serve_api((*access)->door());
+  if (where->held_back) {
+    (*log)->warning("setup",
+                    "listens at this machine only until somebody has claimed the administrator and the "
+                    "server is started again");
+  }
+
+  const auto record = [&](const server::Observation& seen, const server::CellView& view) {
+    if (!*recorder) return;
+    auto news = (*recorder)->take(seen, view);
+    if (!news) return;
+    feed.set_alarms(std::move(*news));
+    (*http)->notify();
+  };
   (*http)->serve_metrics([&] { return (*watch)->metrics(); }, std::string(metrics::kContentType));
 
   std::thread network([&] { (*http)->run(); });
   {
-    const server::CellPoller poller(**source, server::CellViewer(picture->sources), feed,
-                                    [&] { (*http)->notify(); });
-    const std::string address = "http://" + config.hmi.host + ":" + std::to_string((*http)->port()) + "/";
+    const server::CellPoller poller(
+        **source, server::CellViewer(picture->sources), feed, [&] { (*http)->notify(); },
+        std::chrono::milliseconds(50), record);
+    const std::string scheme = config.hmi.certificate.empty() ? "http://" : "https://";
+    const std::string address = scheme + where->host + ":" + std::to_string((*http)->port()) + "/";
     (*log)->info("listens", "cell " + config.name + " at " + address,
                  {{"cell", config.name}, {"address", address}});
     init.ready(address);
@@ -78,10 +115,25 @@ int main(int argc, char** argv) {
   CLI::App app{"Show the cell in a browser", "stepwright hmi"};
   stepwright::config::CellOptions options;
   std::optional<std::uint16_t> port;
+  bool openapi = false;
+  std::string audit, history;
   stepwright::config::add_cell_options(app, options);
+  app.get_option("--config")->required(false);
   app.add_option("--port", port, "instead of hmi.port of the configuration; 0 takes any free port");
-  auto config = stepwright::config::parse_cell(app, options, argc, argv);
+  app.add_option("--history", history, "folder for values and alarms, instead of history.folder");
+  app.add_flag("--openapi", openapi, "print the API as an OpenAPI 3.1 document, and end");
+  app.add_option("--verify-audit", audit,
+                 "check the chain of an audit trail, name the first wrong line, and end");
+  if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
+  if (openapi) return stepwright::hmi::print_openapi();
+  if (!audit.empty()) return stepwright::hmi::verify_audit(audit);
+  if (options.config.empty()) {
+    std::fputs("--config is required\nRun with --help for more information.\n", stderr);
+    return to_int(stepwright::result::ExitCode::Usage);
+  }
+  auto config = stepwright::config::load_cell(options);
   if (!config) return config.error();
   if (port) config->hmi.port = *port;
+  if (!history.empty()) config->history.folder = std::filesystem::absolute(history).lexically_normal();
   return stepwright::run(*config);
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "programs/config/dds_options.h"
+#include "programs/hmi/scan_report.h"
 
 namespace stepwright::hmi {
 
@@ -22,6 +23,17 @@ result::Result<std::unique_ptr<RuntimeWatch>> RuntimeWatch::connect(const config
     self->watched_.push_back({id, self->others_.back().get()});
   }
   return self;
+}
+
+api::Answer RuntimeWatch::scan() const {
+  std::vector<FollowedRuntime> followed;
+  for (const Watched& each : watched_) {
+    followed.push_back({each.runtime, &each == &watched_.front(), each.client->runtime_alive(),
+                        each.client->status(), each.client->health(), each.client->traffic()});
+  }
+  api::Answer answer;
+  answer.text = scan_report(followed);
+  return answer;
 }
 
 std::string RuntimeWatch::metrics() const {

@@ -1,14 +1,15 @@
 #pragma once
 
-// The figures of one or more runtimes of the domain, heard over Fast DDS, for /metrics: the cell's own, and
-// those that [hmi] metrics_of names.
+// The figures of one or more runtimes of the domain, heard over Fast DDS, for /metrics and /api/scan: the
+// cell's own, and those that [hmi] metrics_of names.
 //
-// Threads: `metrics` from any; nothing blocks.
+// Threads: `metrics` and `scan` from any; nothing blocks.
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "hmi_web/api/cell_figures.h"
 #include "programs/config/cell_config.h"
 #include "programs/metrics/metrics_text.h"
 #include "runtime/dds/runtime_client.h"
@@ -16,7 +17,7 @@
 
 namespace stepwright::hmi {
 
-class RuntimeWatch {
+class RuntimeWatch final : public api::CellFigures {
  public:
   // Joins the domain once for each other runtime; nobody needs to be there yet. `own` outlives it. Fails with
   // D0004 to D0006.
@@ -24,6 +25,7 @@ class RuntimeWatch {
                                                                              const dds::RuntimeClient& own);
 
   std::string metrics() const;
+  api::Answer scan() const override;
 
  private:
   struct Watched {

@@ -3,6 +3,7 @@
 #include <poll.h>
 
 #include <array>
+#include <utility>
 
 namespace stepwright::link {
 namespace {
@@ -12,6 +13,7 @@ using namespace std::chrono_literals;
 constexpr auto kTurn = 20ms;            // of the loop, when nothing happens
 constexpr auto kAlivePeriod = 50ms;     // of the signs of life in both directions
 constexpr auto kSnapshotPeriod = 50ms;  // of the image on Fast DDS: often enough for an eye
+constexpr auto kHealthPeriod = 1s;
 constexpr auto kConnectPeriod = 50ms;
 // The service sends its status every 100 ms: a runtime that is silent for so long hangs.
 constexpr auto kSilence = 600ms;
@@ -28,6 +30,7 @@ void Bridge::turn(int stop_descriptor) {
   pass_messages();
   keep_alive();
   publish_snapshot();
+  publish_health();
 }
 
 void Bridge::connect() {
@@ -92,6 +95,16 @@ void Bridge::publish_snapshot() {
   snapshot_at_ = Clock::now();
   // Repeated even when nothing moved: samples are best effort, and a viewer may just have come.
   if (auto snapshot = connection_->snapshot()) endpoint_->publish_snapshot(*snapshot);
+}
+
+// Also without a runtime: its I/O may be there.
+void Bridge::publish_health() {
+  if (Clock::now() - health_at_ < kHealthPeriod) return;
+  health_at_ = Clock::now();
+  dds::RuntimeHealth health;
+  health.tasks = status_.task_details;
+  devices_.fill(health);
+  endpoint_->publish_health(std::move(health));
 }
 
 }  // namespace stepwright::link

@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 
+#include "programs/link/device_watch.h"
 #include "programs/log/logger.h"
 #include "runtime/dds/link_endpoint.h"
 #include "runtime/service/connection.h"
@@ -19,9 +20,10 @@ namespace stepwright::link {
 
 class Bridge {
  public:
-  // The log must outlive it.
-  Bridge(std::unique_ptr<dds::LinkEndpoint> endpoint, std::filesystem::path socket, log::Logger& log)
-      : endpoint_(std::move(endpoint)), socket_(std::move(socket)), log_(log) {}
+  // Log and devices must outlive it.
+  Bridge(std::unique_ptr<dds::LinkEndpoint> endpoint, std::filesystem::path socket,
+         const DeviceWatch& devices, log::Logger& log)
+      : endpoint_(std::move(endpoint)), socket_(std::move(socket)), devices_(devices), log_(log) {}
 
   // Waits for something to pass on, a moment at most, and passes it on.
   void turn(int stop_descriptor);
@@ -36,10 +38,12 @@ class Bridge {
   void keep_alive();
   void publish_status();
   void publish_snapshot();
+  void publish_health();
   bool runtime_answers() const;
 
   std::unique_ptr<dds::LinkEndpoint> endpoint_;
   std::filesystem::path socket_;
+  const DeviceWatch& devices_;
   log::Logger& log_;
   std::unique_ptr<service::Connection> connection_;  // null while no runtime serves the socket
   host::RuntimeStatus status_;                       // the newest
@@ -48,6 +52,7 @@ class Bridge {
   Clock::time_point heard_{};  // a status of the runtime
   Clock::time_point alive_at_{};
   Clock::time_point snapshot_at_{};
+  Clock::time_point health_at_{};
   Clock::time_point connect_at_{};
 };
 

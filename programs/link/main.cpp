@@ -7,6 +7,7 @@
 #include "programs/config/cell_options.h"
 #include "programs/config/dds_options.h"
 #include "programs/link/bridge.h"
+#include "programs/link/device_watch.h"
 #include "programs/log/logger.h"
 #include "programs/log/reload_log.h"
 #include "programs/process/command_line.h"
@@ -33,7 +34,8 @@ int run(const config::CellConfig& config) {
                               " and Fast DDS domain " + std::to_string(config.dds.domain_id);
   (*log)->info("listens", between, {{"cell", config.name}, {"domain_id", config.dds.domain_id}});
   init.ready(between);
-  Bridge bridge(std::move(*endpoint), config.socket_path(), **log);
+  const DeviceWatch devices(config);
+  Bridge bridge(std::move(*endpoint), config.socket_path(), devices, **log);
   process::Heartbeat heartbeat(init);
   while (!stop.came()) {
     bridge.turn(stop.descriptor());

@@ -8,7 +8,7 @@
 namespace stepwright::metrics {
 namespace {
 
-constexpr double kNsPerS = 1e9;
+constexpr double kNsPerSecond = 1e9;
 
 std::string number(double value) {
   if (std::isnan(value)) return "NaN";
@@ -66,7 +66,7 @@ void Exposition::quantiles(std::string_view labels, const scan::Histogram& durat
   const std::string before = labels.empty() ? std::string() : std::string(labels) + ",";
   for (const Quantile& each : kQuantiles) {
     sample(before + label("quantile", each.name),
-           static_cast<double>(durations.percentile_ns(each.per_100000)) / kNsPerS);
+           static_cast<double>(durations.percentile_ns(each.per_100000)) / kNsPerSecond);
   }
 }
 

@@ -12,7 +12,7 @@ namespace stepwright::cell_runtime {
 namespace {
 
 // Commands are answered within a scan of an empty runtime; this is for a machine in trouble.
-constexpr int kPatienceMs = 10'000;
+constexpr int kAnswerWithinMs = 10'000;
 
 }  // namespace
 
@@ -114,7 +114,8 @@ result::Result<void> BootProgram::complete(int commands) {
       continue;
     }
     pollfd entry{runtime_.descriptor(), POLLIN, 0};
-    if (poll(&entry, 1, kPatienceMs) == 0) return result::fail("R0006", {}, "the runtime does not answer");
+    if (poll(&entry, 1, kAnswerWithinMs) == 0)
+      return result::fail("R0006", {}, "the runtime does not answer");
     runtime_.clear();
   }
   if (!problems.empty()) return tl::unexpected(std::move(problems));

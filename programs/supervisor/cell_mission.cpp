@@ -27,6 +27,8 @@ class PlannedMission final : public CellMission {
       executive_->request_abort();
       return {};
     }
+    if (std::holds_alternative<HoldRequest>(request)) return executive_->request_hold();
+    if (std::holds_alternative<ResumeRequest>(request)) return executive_->request_resume();
     if (const auto* goal = std::get_if<GoalRequest>(&request)) return executive_->request_goal(goal->goal);
     if (const auto* change = std::get_if<ChangeRequest>(&request))
       return executive_->request_change(change->fluent, change->value);
@@ -53,8 +55,10 @@ class FleetMission final : public CellMission {
       executive_->request_abort();
       return {};
     }
+    if (std::holds_alternative<HoldRequest>(request)) return executive_->request(fleet::HoldChange{});
+    if (std::holds_alternative<ResumeRequest>(request)) return executive_->request(fleet::ResumeChange{});
     if (const auto* change = std::get_if<fleet::FleetChange>(&request)) return executive_->request(*change);
-    return not_here("it has a fleet: order, block, unblock, return, abort");
+    return not_here("it has a fleet: order, block, unblock, return, hold, resume, abort");
   }
 
  private:

@@ -31,7 +31,7 @@ class CellMission {
   // Once, before the others; the controller must outlive this.
   virtual void begin(executive::Controller& controller, Observer observer) = 0;
   virtual executive::RunRecord run() = 0;
-  // X0003 and others where the request cannot be meant.
+  // X0003 and others where the request cannot be meant, X0008 where not now.
   [[nodiscard]] virtual result::Result<void> obey(const OperatorRequest& request) = 0;
 };
 

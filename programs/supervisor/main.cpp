@@ -4,6 +4,7 @@
 // own; what becomes of one does not concern the others.
 
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -46,14 +47,19 @@ struct Shared {
   std::string of(const config::CellConfig& config) const { return cells > 1 ? config.name + ": " : ""; }
 };
 
-void obey(supervisor_program::CellMission& mission, const std::string& text, const std::string& cell,
-          log::Logger& log) {
-  const auto refuse = [&](const result::Diagnostics& why) {
-    log.warning("refused", cell + "operator request refused: " + result::to_string(why));
-  };
+result::Result<void> obey(supervisor_program::CellMission& mission, const std::string& text, bool over) {
   auto request = supervisor_program::parse_operator_request(text);
-  if (!request) return refuse(request.error());
-  if (auto obeyed = mission.obey(*request); !obeyed) refuse(obeyed.error());
+  if (!request) return result::forward(request);
+  if (over) return result::fail("X0008", {}, "the run is over", "start the supervisor again for another one");
+  return mission.obey(*request);
+}
+
+void answer(dds::PlanPublisher& publisher, const dds::OperatorRequest& request,
+            const result::Result<void>& verdict, const std::string& cell, log::Logger& log) {
+  if (!verdict)
+    log.warning("refused", cell + "operator request refused: " + result::to_string(verdict.error()));
+  // Who asked may be gone.
+  (void)publisher.answer(request, verdict);
 }
 
 // One line for each change of phase.
@@ -111,13 +117,15 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
     narrate(record, last_line, config, shared);
     (void)(*publisher)->publish(to_json(record));  // viewers keep the last one
   });
+  std::atomic<bool> over{false};
   std::jthread requests([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-      if (auto request = (*publisher)->wait_request(milliseconds(200)))
-        obey(**mission, *request, shared.of(config), shared.log);
+      if (const auto request = (*publisher)->wait_request(milliseconds(200)))
+        answer(**publisher, *request, obey(**mission, request->text, over), shared.of(config), shared.log);
     }
   });
   const executive::RunRecord record = (*mission)->run();
+  over = true;
   const executive::Report report{record, final_status(**controller)};
   write_file(config.report_path(), executive::to_json(report));
   std::printf("%s%s", shared.of(config).c_str(), executive::report_table(record).c_str());

@@ -75,6 +75,8 @@ result::Result<OperatorRequest> parse_operator_request(const std::string& reques
   const auto kind = text(request, "request");
   if (!kind) return refused;
   if (*kind == "abort") return AbortRequest{};
+  if (*kind == "hold") return HoldRequest{};
+  if (*kind == "resume") return ResumeRequest{};
   const auto goal = text(request, "goal");
   if (*kind == "goal" && goal) return GoalRequest{*goal};
   if (auto asked = fleet_request(*kind, request)) return *std::move(asked);

@@ -4,6 +4,8 @@
 // it is a request or it is refused. Pure; any thread.
 //
 //   {"request": "abort"}
+//   {"request": "hold"}
+//   {"request": "resume"}
 //   {"request": "change", "fluent": "(demand c1)", "value": 8}
 //   {"request": "goal", "goal": "(= (level a1) 4)"}
 //
@@ -23,6 +25,8 @@
 namespace stepwright::supervisor_program {
 
 struct AbortRequest {};
+struct HoldRequest {};
+struct ResumeRequest {};
 struct ChangeRequest {
   std::string fluent;
   double value = 0.0;
@@ -30,7 +34,8 @@ struct ChangeRequest {
 struct GoalRequest {
   std::string goal;  // PDDL
 };
-using OperatorRequest = std::variant<AbortRequest, ChangeRequest, GoalRequest, fleet::FleetChange>;
+using OperatorRequest =
+    std::variant<AbortRequest, HoldRequest, ResumeRequest, ChangeRequest, GoalRequest, fleet::FleetChange>;
 
 // Fails with X0005 for a text that is none of the above.
 [[nodiscard]] result::Result<OperatorRequest> parse_operator_request(const std::string& text);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "programs/vda5050/checked_publish.h"
+#include "programs/vda5050/utc_now.h"
 #include "supervisor/fleet/vda5050/read_message.h"
 #include "supervisor/fleet/vda5050/write_message.h"
 
@@ -12,10 +13,6 @@ namespace stepwright::vda5050_link {
 using namespace fleet::vda5050;
 
 namespace {
-
-Timestamp utc_now() {
-  return std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
-}
 
 void append(result::Diagnostics& all, const result::Diagnostics& more) {
   all.insert(all.end(), more.begin(), more.end());

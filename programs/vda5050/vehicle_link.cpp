@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "programs/vda5050/checked_publish.h"
+#include "programs/vda5050/utc_now.h"
 #include "supervisor/fleet/vda5050/read_message.h"
 #include "supervisor/fleet/vda5050/write_message.h"
 
@@ -14,10 +15,6 @@ namespace {
 
 // What comes in and is not looked at in time is dropped beyond this.
 constexpr std::size_t kMostWaiting = 256;
-
-Timestamp utc_now() {
-  return std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
-}
 
 }  // namespace
 

@@ -35,7 +35,8 @@ constexpr std::array kErrors = {
     ErrorWords{26, "navigationFrozen", "the navigation shows the same place while the wheels turn"},
     ErrorWords{27, "localizationLost", "the navigation shows another place than the wheels lead to"},
     ErrorWords{28, "outOfEnvelope", "the outline is outside of the polygons that are the vehicle's"},
-    ErrorWords{29, "noLoad", "the forks were lifted and nothing is on them"}};
+    ErrorWords{29, "noLoad", "the forks were lifted and nothing is on them"},
+    ErrorWords{30, "navigationWalksAway", "the navigation moves otherwise than wheels and steering say"}};
 
 VehicleError fatal(std::string type, std::string description) {
   return {.type = std::move(type),

@@ -29,6 +29,7 @@ struct LinkEndpoint::State {
         events(*participant, kEventTopic, Profile::Queue),
         statuses(*participant, kStatusTopic, Profile::Heartbeat),
         snapshots(*participant, kSnapshotTopic, Profile::Picture),
+        health(*participant, kHealthTopic, Profile::Picture),
         presence(
             *participant, kPresenceTopic, Profile::Heartbeat, [](idl::Presence&) {},
             [this](bool) { notify(); }),
@@ -42,8 +43,8 @@ struct LinkEndpoint::State {
   }
 
   bool ok() const {
-    return wake >= 0 && replies.ok() && events.ok() && statuses.ok() && snapshots.ok() && presence.ok() &&
-           commands.ok() && chunks.ok();
+    return wake >= 0 && replies.ok() && events.ok() && statuses.ok() && snapshots.ok() && health.ok() &&
+           presence.ok() && commands.ok() && chunks.ok();
   }
 
   void notify() const {
@@ -70,6 +71,7 @@ struct LinkEndpoint::State {
   Writer<idl::EventPubSubType> events;
   Writer<idl::StatusPubSubType> statuses;
   Writer<idl::SnapshotPubSubType> snapshots;
+  Writer<idl::HealthPubSubType> health;
   // Last, so that they are silent before what their handlers use is gone.
   Reader<idl::PresencePubSubType> presence;
   Reader<idl::CommandPubSubType> commands;
@@ -126,6 +128,13 @@ void LinkEndpoint::publish_status(const RuntimeStatus& status, bool runtime_conn
 void LinkEndpoint::publish_snapshot(const Snapshot& snapshot) {
   auto sample = to_snapshot(state_->participant->runtime_id(), snapshot);
   state_->snapshots.write(sample);
+}
+
+void LinkEndpoint::publish_health(RuntimeHealth health) {
+  if (!state_->health.matched()) return;
+  health.readers = state_->statuses.readers();
+  auto sample = to_health(state_->participant->runtime_id(), health);
+  state_->health.write(sample);
 }
 
 bool LinkEndpoint::snapshot_wanted() const {

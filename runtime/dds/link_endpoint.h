@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 
+#include "runtime/dds/health.h"
 #include "runtime/dds/types.h"
 #include "runtime/result/result.h"
 #include "runtime/service/requests.h"
@@ -39,6 +40,8 @@ class LinkEndpoint {
   // Also the heartbeat of the link: call it at least every 80 ms, or clients take the link for dead.
   void publish_status(const RuntimeStatus& status, bool runtime_connected);
   void publish_snapshot(const Snapshot& snapshot);
+  // For people who look closely: once a second is enough. It adds who follows the runtime.
+  void publish_health(RuntimeHealth health);
   // False while nobody looks at snapshots.
   bool snapshot_wanted() const;
 

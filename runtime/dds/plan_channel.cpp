@@ -1,12 +1,15 @@
 #include "runtime/dds/plan_channel.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <utility>
 
 #include "plan_typesPubSubTypes.h"
 #include "runtime/dds/internal/participant.h"
+#include "runtime/dds/internal/random_client.h"
 #include "runtime/dds/internal/topics.h"
 
 namespace stepwright::dds {
@@ -15,7 +18,10 @@ namespace {
 using namespace internal;
 
 // Requests of operators that nobody has taken; a person cannot fill it.
-constexpr std::size_t kMaxQueuedRequests = 256;
+constexpr std::size_t kMaxQueuedPlanRequests = 256;
+// Of an answer: who asked with a long goal does not need all of it back.
+constexpr std::size_t kMaxProblems = 16;
+constexpr std::size_t kMaxProblemBytes = 4'096;
 
 result::Result<void> check_size(const std::string& text, std::size_t bound, const char* what) {
   if (text.size() <= bound) return {};
@@ -24,12 +30,42 @@ result::Result<void> check_size(const std::string& text, std::size_t bound, cons
                       "up to " + std::to_string(bound) + " bytes are possible");
 }
 
+idl::AnswerProblem to_problem(const result::Diagnostic& diagnostic) {
+  const auto cut = [](const std::string& text) { return text.substr(0, kMaxProblemBytes); };
+  idl::AnswerProblem problem;
+  problem.code(cut(diagnostic.code));
+  problem.file(cut(diagnostic.where.file));
+  problem.line(diagnostic.where.line);
+  problem.column(diagnostic.where.column);
+  problem.message(cut(diagnostic.message));
+  problem.hint(cut(diagnostic.hint));
+  return problem;
+}
+
+// Nothing of an answer out of its bounds.
+std::optional<result::Diagnostics> from_answer(const idl::OperatorAnswer& sample) {
+  if (sample.problems().size() > kMaxProblems) return std::nullopt;
+  result::Diagnostics problems;
+  for (const idl::AnswerProblem& problem : sample.problems()) {
+    for (const std::string* text : {&problem.code(), &problem.file(), &problem.message(), &problem.hint()}) {
+      if (text->size() > kMaxProblemBytes) return std::nullopt;
+    }
+    problems.push_back({problem.code(),
+                        result::Severity::Error,
+                        {problem.file(), problem.line(), problem.column()},
+                        problem.message(),
+                        problem.hint()});
+  }
+  return problems;
+}
+
 }  // namespace
 
 struct PlanPublisher::State {
   explicit State(std::unique_ptr<Participant> p)
       : participant(std::move(p)),
         documents(*participant, kDocumentTopic, Profile::Document),
+        answers(*participant, kAnswerTopic, Profile::Queue),
         requests(*participant, kOperatorTopic, Profile::Queue,
                  [this](idl::OperatorRequest& sample) { on_request(sample); }) {}
 
@@ -37,8 +73,8 @@ struct PlanPublisher::State {
     if (sample.text().size() > kMaxOperatorRequestBytes) return;
     {
       const std::scoped_lock lock(mutex);
-      if (queue.size() >= kMaxQueuedRequests) return;
-      queue.push_back(std::move(sample.text()));
+      if (queue.size() >= kMaxQueuedPlanRequests) return;
+      queue.push_back({std::move(sample.text()), sample.client(), sample.request()});
     }
     arrived.notify_one();
   }
@@ -46,9 +82,10 @@ struct PlanPublisher::State {
   std::unique_ptr<Participant> participant;
   std::mutex mutex;
   std::condition_variable arrived;
-  std::deque<std::string> queue;
+  std::deque<OperatorRequest> queue;
   std::uint64_t revision = 0;
   Writer<idl::PlanDocumentPubSubType> documents;
+  Writer<idl::OperatorAnswerPubSubType> answers;
   Reader<idl::OperatorRequestPubSubType> requests;
 };
 
@@ -59,7 +96,7 @@ result::Result<std::unique_ptr<PlanPublisher>> PlanPublisher::create(const Parti
   auto participant = Participant::create(config);
   if (!participant) return result::forward(participant);
   auto state = std::make_unique<State>(std::move(*participant));
-  if (!state->documents.ok() || !state->requests.ok()) {
+  if (!state->documents.ok() || !state->requests.ok() || !state->answers.ok()) {
     return result::fail("D0005", {}, "Fast DDS cannot create the endpoints of the plan channel");
   }
   return std::unique_ptr<PlanPublisher>(new PlanPublisher(std::move(state)));
@@ -79,19 +116,38 @@ result::Result<void> PlanPublisher::publish(const std::string& json) {
   return {};
 }
 
-std::optional<std::string> PlanPublisher::wait_request(std::chrono::milliseconds timeout) {
+std::optional<OperatorRequest> PlanPublisher::wait_request(std::chrono::milliseconds timeout) {
   std::unique_lock lock(state_->mutex);
   if (!state_->arrived.wait_for(lock, timeout, [this] { return !state_->queue.empty(); }))
     return std::nullopt;
-  std::string text = std::move(state_->queue.front());
+  OperatorRequest request = std::move(state_->queue.front());
   state_->queue.pop_front();
-  return text;
+  return request;
+}
+
+result::Result<void> PlanPublisher::answer(const OperatorRequest& request,
+                                           const result::Result<void>& verdict) {
+  idl::OperatorAnswer sample;
+  sample.runtime_id(state_->participant->runtime_id());
+  sample.client(request.client);
+  sample.request(request.number);
+  if (!verdict) {
+    const std::size_t problems = std::min(verdict.error().size(), kMaxProblems);
+    for (std::size_t i = 0; i < problems; ++i) sample.problems().push_back(to_problem(verdict.error()[i]));
+    // Without any problem it would be accepted.
+    if (problems == 0)
+      sample.problems().push_back(to_problem({"", result::Severity::Error, {}, "refused", ""}));
+  }
+  if (!state_->answers.write(sample)) return result::fail("D0001", {}, "nobody takes the answer");
+  return {};
 }
 
 struct PlanSubscriber::State {
   explicit State(std::unique_ptr<Participant> p)
       : participant(std::move(p)),
         requests(*participant, kOperatorTopic, Profile::Queue),
+        answers(*participant, kAnswerTopic, Profile::Queue,
+                [this](idl::OperatorAnswer& sample) { on_answer(sample); }),
         documents(*participant, kDocumentTopic, Profile::Document,
                   [this](idl::PlanDocument& sample) { on_document(sample); }) {}
 
@@ -105,14 +161,31 @@ struct PlanSubscriber::State {
     arrived.notify_all();
   }
 
+  void on_answer(const idl::OperatorAnswer& sample) {
+    if (sample.client() != client) return;
+    auto problems = from_answer(sample);
+    if (!problems) return;
+    {
+      const std::scoped_lock lock(mutex);
+      const auto asked = open.find(sample.request());
+      if (asked == open.end()) return;
+      asked->second = std::move(problems);
+    }
+    arrived.notify_all();
+  }
+
   std::unique_ptr<Participant> participant;
+  const std::uint64_t client = random_client();
   std::mutex mutex;
   std::condition_variable arrived;
   std::optional<std::string> newest;
   std::uint64_t arrivals = 0;
   std::uint64_t waited_for = 0;  // arrivals when wait_newer returned last
   std::uint64_t last_request = 0;
+  // Requests that somebody waits for, and their answers.
+  std::map<std::uint64_t, std::optional<result::Diagnostics>> open;
   Writer<idl::OperatorRequestPubSubType> requests;
+  Reader<idl::OperatorAnswerPubSubType> answers;
   Reader<idl::PlanDocumentPubSubType> documents;
 };
 
@@ -123,7 +196,7 @@ result::Result<std::unique_ptr<PlanSubscriber>> PlanSubscriber::create(const Par
   auto participant = Participant::create(config);
   if (!participant) return result::forward(participant);
   auto state = std::make_unique<State>(std::move(*participant));
-  if (!state->documents.ok() || !state->requests.ok()) {
+  if (!state->documents.ok() || !state->requests.ok() || !state->answers.ok()) {
     return result::fail("D0005", {}, "Fast DDS cannot create the endpoints of the plan channel");
   }
   return std::unique_ptr<PlanSubscriber>(new PlanSubscriber(std::move(state)));
@@ -146,21 +219,33 @@ bool PlanSubscriber::supervisor_alive() const {
   return state_->documents.matched();
 }
 
-result::Result<void> PlanSubscriber::request(const std::string& json) {
+result::Result<void> PlanSubscriber::request(const std::string& json, std::chrono::milliseconds timeout) {
   if (auto fits = check_size(json, kMaxOperatorRequestBytes, "a request"); !fits) return fits;
-  if (!state_->requests.matched()) {
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
+  // An answer to somebody who is not yet known to the supervisor would be lost.
+  if (!state_->requests.matched() || !state_->answers.matched()) {
     return result::fail("D0001", {}, "no supervisor takes requests",
                         "is the supervisor of the cell running?");
   }
   idl::OperatorRequest sample;
   sample.runtime_id(state_->participant->runtime_id());
-  {
-    const std::scoped_lock lock(state_->mutex);
-    sample.request(++state_->last_request);
-  }
+  sample.client(state_->client);
   sample.text(json);
-  if (!state_->requests.write(sample))
-    return result::fail("D0001", {}, "the supervisor does not take the request");
+  std::unique_lock lock(state_->mutex);
+  const std::uint64_t number = ++state_->last_request;
+  sample.request(number);
+  state_->open.emplace(number, std::nullopt);
+  lock.unlock();
+  const bool taken = state_->requests.write(sample);
+  lock.lock();
+  if (taken) state_->arrived.wait_until(lock, deadline, [&] { return state_->open.at(number).has_value(); });
+  const std::optional<result::Diagnostics> answer = std::move(state_->open.extract(number).mapped());
+  if (!taken) return result::fail("D0001", {}, "the supervisor does not take the request");
+  if (!answer) {
+    return result::fail("D0007", {}, "the supervisor has the request and has not answered",
+                        "it may obey all the same: look at what it does");
+  }
+  if (!answer->empty()) return tl::unexpected(*answer);
   return {};
 }
 

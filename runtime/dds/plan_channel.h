@@ -1,17 +1,19 @@
 #pragma once
 
 // The supervisor's plan document (JSON text) to every viewer, and operator requests (JSON text) from viewers
-// to the supervisor. A viewer that joins late gets the newest document at once. The channel does not look
-// into the text.
+// to the supervisor, which answers each. A viewer that joins late gets the newest document at once. The
+// channel does not look into the text.
 //
 //   auto publisher = PlanPublisher::create({61, "supervisor", "bench"});
 //   (*publisher)->publish(document);
-//   auto request = (*publisher)->wait_request(100ms);
+//   if (auto request = (*publisher)->wait_request(100ms)) (*publisher)->answer(*request,
+//   obey(request->text));
 //
 // Threads: every function from any thread. Fast DDS failing to start is D0005.
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +27,16 @@ namespace stepwright::dds {
 inline constexpr std::size_t kMaxPlanDocumentBytes = 4u << 20;
 inline constexpr std::size_t kMaxOperatorRequestBytes = 64u << 10;
 
+// A supervisor that lives answers in milliseconds.
+inline constexpr std::chrono::milliseconds kAnswerTimeout{5'000};
+
+struct OperatorRequest {
+  std::string text;
+  // Which one of whom: for the answer.
+  std::uint64_t client = 0;
+  std::uint64_t number = 0;
+};
+
 class PlanPublisher {
  public:
   [[nodiscard]] static result::Result<std::unique_ptr<PlanPublisher>> create(const ParticipantConfig& config);
@@ -33,7 +45,10 @@ class PlanPublisher {
   // Replaces the document that viewers see.
   [[nodiscard]] result::Result<void> publish(const std::string& json);
   // The next request of any viewer, in order of arrival; none after `timeout`.
-  std::optional<std::string> wait_request(std::chrono::milliseconds timeout);
+  std::optional<OperatorRequest> wait_request(std::chrono::milliseconds timeout);
+  // Says to whoever asked that the request is accepted, or why not. Fails with D0001 if nobody takes it.
+  [[nodiscard]] result::Result<void> answer(const OperatorRequest& request,
+                                            const result::Result<void>& verdict);
 
  private:
   struct State;
@@ -53,8 +68,10 @@ class PlanSubscriber {
   std::optional<std::string> wait_newer(std::chrono::milliseconds timeout);
   // True while a supervisor holds the other end, and up to a second longer if it was killed.
   bool supervisor_alive() const;
-  // Hands a request to the supervisor; fails with D0001 when none is there.
-  [[nodiscard]] result::Result<void> request(const std::string& json);
+  // Asks the supervisor and waits for its answer. Fails with D0001 when none is there, with D0007 when none
+  // has answered within `timeout` (it may obey all the same), else with the problems of the refusal.
+  [[nodiscard]] result::Result<void> request(const std::string& json,
+                                             std::chrono::milliseconds timeout = kAnswerTimeout);
 
  private:
   struct State;

@@ -1,21 +1,15 @@
 #include "runtime/dds/runtime_client.h"
 
 #include <algorithm>
-#include <random>
 #include <utility>
 
 #include "runtime/dds/internal/client_session.h"
+#include "runtime/dds/internal/random_client.h"
 #include "runtime/host/limits.h"
 #include "runtime/service/digest.h"
 
 namespace stepwright::dds {
 namespace {
-
-std::uint64_t random_client() {
-  std::random_device source;
-  const std::uint64_t high = source();
-  return (high << 32 | source()) | 1u;
-}
 
 result::Result<void> done(result::Result<service::Reply> reply) {
   if (!reply) return result::forward(reply);
@@ -35,8 +29,8 @@ result::Result<std::unique_ptr<RuntimeClient>> RuntimeClient::connect(const Part
                                                                       ClientRole role) {
   auto participant = internal::Participant::create(config);
   if (!participant) return result::forward(participant);
-  std::unique_ptr<State> state(
-      new State{internal::ClientSession(std::move(*participant), role, random_client(), config.name)});
+  std::unique_ptr<State> state(new State{
+      internal::ClientSession(std::move(*participant), role, internal::random_client(), config.name)});
   if (!state->session.ok()) {
     return result::fail("D0005", {}, "Fast DDS cannot create the endpoints of '" + config.name + "'");
   }
@@ -138,6 +132,14 @@ std::optional<RuntimeStatus> RuntimeClient::status() const {
 
 std::optional<Snapshot> RuntimeClient::snapshot() const {
   return state_->session.snapshot();
+}
+
+std::optional<RuntimeHealth> RuntimeClient::health() const {
+  return state_->session.health();
+}
+
+std::vector<TopicTraffic> RuntimeClient::traffic() const {
+  return state_->session.traffic();
 }
 
 }  // namespace stepwright::dds

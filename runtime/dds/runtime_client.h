@@ -24,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/dds/health.h"
 #include "runtime/dds/types.h"
 #include "runtime/result/result.h"
 
@@ -81,6 +82,10 @@ class RuntimeClient {
   // The newest of each, or none before the first arrived.
   std::optional<RuntimeStatus> status() const;
   std::optional<Snapshot> snapshot() const;
+  // About once a second; none from a link that does not publish it.
+  std::optional<RuntimeHealth> health() const;
+  // What has come here so far, topic by topic.
+  std::vector<TopicTraffic> traffic() const;
 
  private:
   struct State;

@@ -245,7 +245,9 @@ RuntimeStatus HostRuntime::status() const {
     const TaskPlan& plan = figures.program->tasks();
     if (!plan.unknown.empty()) note(plan.unknown);
     for (std::uint32_t i = 0; i < plan.tasks.size(); ++i) {
-      status.tasks.push_back(task_status(plan.tasks[i], figures.program->timing(i)));
+      const scan::TaskTiming timing = figures.program->timing(i);
+      status.tasks.push_back(task_status(plan.tasks[i], timing));
+      status.task_details.push_back(task_detail(plan.tasks[i], plan.options[i].watchdog, timing));
     }
   }
   if (auto snapshot = reader_->read()) status.plant = std::move(snapshot->plant);

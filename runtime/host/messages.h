@@ -64,6 +64,29 @@ struct TaskStatus {
   friend bool operator==(const TaskStatus&, const TaskStatus&) = default;
 };
 
+// A distribution to be drawn: how many durations lie in each bucket, two buckets for a doubling
+// (duration_counts.h says where they end).
+struct DurationCounts {
+  std::uint32_t first = 0;            // number of the first bucket that holds any
+  std::vector<std::uint64_t> counts;  // from it to the last one that holds any; at most kMaxDurationCounts
+
+  friend bool operator==(const DurationCounts&, const DurationCounts&) = default;
+};
+
+// What only those ask who look closely at a task; in the order of the tasks.
+struct TaskDetail {
+  std::string name;
+  std::uint64_t watchdog_us = 0;  // 0: none
+  std::uint32_t watchdog_sensitivity = 0;
+  std::uint32_t too_long = 0;  // executions in a row that exceeded the watchdog's time
+  std::uint32_t watchdog_expiries = 0;
+  DurationCounts latency;
+  DurationCounts execution;
+  DurationCounts jitter;
+
+  friend bool operator==(const TaskDetail&, const TaskDetail&) = default;
+};
+
 // What the process around the scan says about itself, for monitoring.
 struct ProcessFigures {
   std::string version;               // of Stepwright
@@ -88,12 +111,13 @@ struct RuntimeStatus {
   double scan_p50_us = 0.0;      // duration of a scan, without the wait for the next; right to 1/32
   double scan_p99_us = 0.0;
   double scan_max_us = 0.0;
-  double realtime_factor = 0.0;         // scan-clock seconds per second of computing; barriers do not count
-  std::uint64_t trace_hash = 0;         // over every scan so far, chained over program changes
-  bool waiting_for_supervisor = false;  // standing still at a barrier until last_event is acknowledged
-  std::string detail;                   // why it is in this state; what it could not get from the system
-  std::vector<NamedValue> plant;        // truth of the simulated plant, for reports
-  std::vector<TaskStatus> tasks;        // in the order of the program; at most bytecode::kMaxTasks
+  double realtime_factor = 0.0;          // scan-clock seconds per second of computing; barriers do not count
+  std::uint64_t trace_hash = 0;          // over every scan so far, chained over program changes
+  bool waiting_for_supervisor = false;   // standing still at a barrier until last_event is acknowledged
+  std::string detail;                    // why it is in this state; what it could not get from the system
+  std::vector<NamedValue> plant;         // truth of the simulated plant, for reports
+  std::vector<TaskStatus> tasks;         // in the order of the program; at most bytecode::kMaxTasks
+  std::vector<TaskDetail> task_details;  // of the same tasks; over Fast DDS they travel apart from the rest
   ProcessFigures process;
   std::uint64_t changes = 0;          // online changes so far, those that were rolled back included
   double last_change_pause_us = 0.0;  // by which the newest one made the scan thread later

@@ -151,6 +151,11 @@ void TaskWorker::give_back(const scan::Execution& done, scan::TaskCycle measured
   measured.begin_ns = done.begin_ns;
   measured.end_ns = done.end_ns;
   timing_.cycle(measured);
+  timing_.too_long = task_.watchdog.too_long();
+  if (done.watchdog.took_ns > 0) {
+    ++timing_.watchdog_expiries;
+    published_ns_ = 0;  // nothing may follow that would bring it
+  }
   publish_if_due(measured.end_ns);
   if (!share_.running || share_.epoch != epoch_) return;
   const std::span<std::byte> after = std::span(memory_).first(before_.size());

@@ -247,7 +247,10 @@ void ScanCycle::account(const Task& task, bool due, const Execution& done) {
     cycle.due_ns = config_.clock_origin_ns + task.wanted_ns;
     cycle.interval_ns = task.interval_ns;
   }
-  config_.timings[task.index].cycle(cycle);
+  TaskTiming& timing = config_.timings[task.index];
+  timing.cycle(cycle);
+  timing.too_long = task.watchdog.too_long();
+  if (done.watchdog.took_ns > 0) ++timing.watchdog_expiries;
 }
 
 void ScanCycle::advance(std::int64_t time_ns) {

@@ -29,8 +29,10 @@ struct TaskTiming {
   Histogram execution;  // from begin to end
   Histogram jitter;     // |begin - begin before - interval|
   std::uint64_t cycles = 0;
-  std::uint64_t overruns = 0;  // cycles that were due while an earlier one had not begun
-  std::uint64_t skipped = 0;   // of these, the ones that were left out
+  std::uint64_t overruns = 0;           // cycles that were due while an earlier one had not begun
+  std::uint64_t skipped = 0;            // of these, the ones that were left out
+  std::uint32_t too_long = 0;           // executions in a row that the watchdog counted, the newest included
+  std::uint32_t watchdog_expiries = 0;  // of the task's own watchdog
   std::int64_t last_begin_ns = TaskCycle::kNone;
 
   void cycle(const TaskCycle& at);

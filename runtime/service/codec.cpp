@@ -149,12 +149,21 @@ template <typename A, Like<host::TaskStatus> T>
 void fields(A& a, T& m) {
   a(m.name, m.interval_us, m.priority, m.cycles, m.overruns, m.skipped, m.latency, m.execution, m.jitter);
 }
+template <typename A, Like<host::DurationCounts> T>
+void fields(A& a, T& m) {
+  a(m.first, m.counts);
+}
+template <typename A, Like<host::TaskDetail> T>
+void fields(A& a, T& m) {
+  a(m.name, m.watchdog_us, m.watchdog_sensitivity, m.too_long, m.watchdog_expiries, m.latency, m.execution,
+    m.jitter);
+}
 template <typename A, Like<host::RuntimeStatus> T>
 void fields(A& a, T& m) {
   a(m.incarnation, m.state, m.program_digest, m.scan, m.time_ns, m.last_event, m.overruns, m.scan_p50_us,
     m.scan_p99_us, m.scan_max_us, m.realtime_factor, m.trace_hash, m.waiting_for_supervisor, m.detail,
-    m.changes, m.last_change_pause_us, m.plant, m.tasks, m.process.version, m.process.uptime_s,
-    m.process.resident_bytes, m.process.clients, m.process.traps, m.process.lost_events);
+    m.changes, m.last_change_pause_us, m.plant, m.tasks, m.task_details, m.process.version,
+    m.process.uptime_s, m.process.resident_bytes, m.process.clients, m.process.traps, m.process.lost_events);
 }
 
 class Encoder {

@@ -16,6 +16,7 @@ find_package(PNG REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(benchmark REQUIRED)
 find_package(spdlog REQUIRED)
+find_package(SQLite3 REQUIRED)
 find_package(yaml-cpp REQUIRED)
 
 # libsodium brings no CMake configuration. It hashes in the scan process, whose memory is locked: libcrypto would be 4 MB there.

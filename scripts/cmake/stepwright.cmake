@@ -4,6 +4,8 @@
 #   stepwright_program(stepwright-link SOURCES main.cpp bridge.cpp DEPENDS programs/config runtime/dds)
 #   stepwright_test(runtime/vm SOURCES interpreter_test.cpp)
 
+include(${CMAKE_CURRENT_LIST_DIR}/together.cmake)
+
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -37,7 +39,11 @@ set(STEPWRIGHT_COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual
 # For what computes little: tests, command lines, processes that wait for others, reading and writing of files. It makes the
 # build a good deal shorter (a fifth less than -O1). Benchmarks and the baselines in them are compiled like what they measure.
 set(STEPWRIGHT_LIGHT_OPTIONS $<$<CONFIG:Release>:-Og>)
-set(STEPWRIGHT_LIGHT_FOLDERS "^(programs|hmi_web|tests/support|firmware/link|ladder/(driver|exchange|print)|runtime/(dds|mqtt|remote|settings)|supervisor/(executive|fleet/vda5050|model|translate))(/|$)")
+string(JOIN "|" STEPWRIGHT_LIGHT_FOLDERS
+  "programs" "hmi_web/(access|alarms|api|client|protocol|recorder|server|storage)" "tests/support" "firmware/link"
+  "ladder/(driver|exchange|print)" "runtime/(dds|mqtt|remote|settings)" "supervisor/(executive|model|translate)"
+  "supervisor/fleet/(executive|program|report|vda5050)")
+set(STEPWRIGHT_LIGHT_FOLDERS "^(${STEPWRIGHT_LIGHT_FOLDERS})(/|$)")
 
 # g++ looks for garbage all the time while it reads headers; where there is memory that is a twentieth of the build.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -79,13 +85,17 @@ endfunction()
 # A library of one folder. PORTABLE: no exceptions, no RTTI (it also builds for the firmware).
 # DEPENDS names folders; PRIVATE names third-party targets, which never show in our headers.
 function(stepwright_library folder)
-  cmake_parse_arguments(ARG "PORTABLE" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "PORTABLE" "" "SOURCES;APART;DEPENDS;PRIVATE" ${ARGN})
   string(REPLACE "/" "_" name ${folder})
   string(REGEX REPLACE "^[^/]+/(.*)" "\\1" alias ${folder})
   string(REPLACE "/" "_" alias ${alias})
   set(target stepwright_${name})
   if(ARG_SOURCES)
-    add_library(${target} STATIC ${ARG_SOURCES})
+    if(folder MATCHES "${STEPWRIGHT_LIGHT_FOLDERS}|^ladder/semantics$" AND NOT ARG_PORTABLE)
+      _stepwright_together(${target} ARG_SOURCES SOURCES ${ARG_SOURCES} APART ${ARG_APART})
+      set(ARG_APART "")
+    endif()
+    add_library(${target} STATIC ${ARG_SOURCES} ${ARG_APART})
     target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
     target_compile_options(${target} PRIVATE ${STEPWRIGHT_COMPILE_OPTIONS})
     if(ARG_PORTABLE)
@@ -121,8 +131,12 @@ endfunction()
 
 # An executable in build/<preset>/bin; the target `programs` builds those of programs/.
 function(stepwright_program name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "" "" "SOURCES;APART;DEPENDS;PRIVATE" ${ARGN})
+  if("GTest::gtest_main" IN_LIST ARG_PRIVATE OR CMAKE_CURRENT_SOURCE_DIR MATCHES "^${PROJECT_SOURCE_DIR}/programs/")
+    _stepwright_together(${name} ARG_SOURCES SOURCES ${ARG_SOURCES} APART ${ARG_APART})
+    set(ARG_APART "")
+  endif()
+  add_executable(${name} ${ARG_SOURCES} ${ARG_APART})
   target_compile_options(${name} PRIVATE ${STEPWRIGHT_COMPILE_OPTIONS})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   _stepwright_link(${name} PRIVATE ${ARG_DEPENDS})
@@ -142,10 +156,10 @@ endfunction()
 
 # The unit tests of one folder: executable unit_<folder>, one ctest entry per GoogleTest case.
 function(stepwright_test folder)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;APART;DEPENDS;PRIVATE" ${ARGN})
   string(REPLACE "/" "_" name ${folder})
   set(target unit_${name})
-  stepwright_program(${target} SOURCES ${ARG_SOURCES} DEPENDS ${folder} ${ARG_DEPENDS}
+  stepwright_program(${target} SOURCES ${ARG_SOURCES} APART ${ARG_APART} DEPENDS ${folder} ${ARG_DEPENDS}
                      PRIVATE GTest::gtest_main GTest::gmock ${ARG_PRIVATE})
   target_compile_definitions(${target} PRIVATE STEPWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                STEPWRIGHT_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")

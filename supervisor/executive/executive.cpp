@@ -84,7 +84,7 @@ bool Executive::start_afresh() {
   Episode figures = current_.episode;
   current_ = std::move(*rebuilt);
   current_.episode = std::move(figures);
-  return launch();
+  return hold_ ? replan(held_by_operator()) : launch();
 }
 
 bool Executive::resume() {
@@ -93,6 +93,7 @@ bool Executive::resume() {
   if (!journal) return give_up("the journal cannot be read", journal.error());
   if (!*journal) return false;
   const Phase phase = (*journal)->record.phase;
+  if (phase == Phase::Holding || phase == Phase::Held) hold_ = true;
   if (phase == Phase::Done || phase == Phase::Safe || (*journal)->record.episodes.empty()) return false;
   record_ = std::move((*journal)->record);
   changed_ = std::move((*journal)->changed);
@@ -193,6 +194,7 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
       }
       if (progress.finished) {
         means_ = reader_->values(event->image);
+        observed_event_ = event->sequence;
         return true;  // not acknowledged: the clock stands still while the plan is made
       }
     }

@@ -3,14 +3,15 @@
 // The executive: takes a plan to its goal on a real controller. Looks at the plant, downloads the plan's
 // program, follows it step by step, compares what it observes with what the plan expects, and replans from
 // the observed state on a deviation, a timeout or a changed goal. Whatever it cannot mend ends in the safe
-// state of the outputs with a report.
+// state of the outputs with a report. An operator may hold the run: what the plan drives is switched off at
+// once, the plant is brought to a known place and rests there; resumed, it is looked at and planned for anew.
 //
 //   Executive executive(desk, controller, {.max_replans = 8}, publish);
 //   RunRecord record = executive.run();
 //
-// Threads: `run` belongs to one thread; `request_abort`, `request_change` and `request_goal` may be called
-// from any. Plans are made in a thread of their own, while that of `run` watches plant and runtime: news that
-// overtakes a planning cancels it, and it begins again from there.
+// Threads: `run` belongs to one thread; every `request_...` may be called from any. Plans are made in a
+// thread of their own, while that of `run` watches plant and runtime: news that overtakes a planning cancels
+// it, and it begins again from there.
 
 #include <atomic>
 #include <chrono>
@@ -73,6 +74,10 @@ class Executive {
 
   // Stops the plant safely at the next decision and ends the run.
   void request_abort() { abort_ = true; }
+  // Brings the plant to rest at the next decision and keeps it there until the run is resumed or aborted,
+  // over a restart of this supervisor too. Refused (X0008) while it is held, or is not.
+  [[nodiscard]] result::Result<void> request_hold();
+  [[nodiscard]] result::Result<void> request_resume();
   // Sets a fluent at the next decision and replans. An unknown fluent or one that the plant decides is
   // refused (X0003).
   [[nodiscard]] result::Result<void> request_change(const std::string& fluent, double value);
@@ -138,6 +143,11 @@ class Executive {
   bool give_up_planless();
   void decide(Response response);
   void overtake(std::string evidence);
+
+  // executive_hold.cpp: at rest for as long as an operator wants it.
+  static Cause held_by_operator();
+  bool stay_held();
+  void note_while_held(const host::StepEvent& event);
 
   // executive_install.cpp: bringing a program to run.
   enum class Kind : std::uint8_t { Observer, Plan };
@@ -207,7 +217,10 @@ class Executive {
   double time_s_ = 0.0;                    // of the record: scan clock, going on over restarts of the runtime
   double time_offset_s_ = 0.0;             // record time - scan clock
 
+  std::uint64_t observed_event_ = 0;  // the event with which the last observation ended
+
   std::atomic<bool> abort_{false};
+  std::atomic<bool> hold_{false};
   std::mutex requests_mutex_;
   std::vector<GoalChange> requests_;  // from other threads, not yet taken
 };

@@ -45,6 +45,7 @@ std::string sentence_of(const std::vector<std::string>& causes) {
 Executive::Decision Executive::follow() {
   while (true) {
     if (abort_) return give_up_because(IncidentKind::Operator, "aborted by the operator");
+    if (hold_) return {Verdict::Replan, held_by_operator()};
     const auto event = controller_.wait_event(std::chrono::milliseconds(200));
     if (!event) {
       if (runtime_lost()) return {Verdict::RuntimeLost};

@@ -17,9 +17,10 @@ using std::chrono::steady_clock;
 // Between two looks at the plant while a plan is made.
 constexpr milliseconds kLook{5};
 
-// Who wants something else does so in any state.
+// Who wants something else, or a pause, does so in any state.
 bool is_wish(IncidentKind kind) {
-  return kind == IncidentKind::NewGoal || kind == IncidentKind::ChangedDemand;
+  return kind == IncidentKind::NewGoal || kind == IncidentKind::ChangedDemand ||
+         kind == IncidentKind::Operator;
 }
 
 Response response_of(const Episode& episode) {
@@ -115,14 +116,16 @@ bool Executive::replan(const Cause& cause) {
   const std::string sentence = sentence_of(cause.evidence);
   open_incident(cause);
   if (cause.stops()) return give_up(cause);
-  if (static_cast<int>(record_.replans.size()) >= options_.max_replans) {
-    return give_up("after " + std::to_string(record_.replans.size()) + " replans: " + sentence, cause.kind);
+  const bool held = cause.kind == IncidentKind::Operator;
+  const std::size_t replans = counted(record_.replans);
+  if (!held && static_cast<int>(replans) >= options_.max_replans) {
+    return give_up("after " + std::to_string(replans) + " replans: " + sentence, cause.kind);
   }
-  record_.replans.push_back({time_s_, sentence, last_done});
+  record_.replans.push_back({time_s_, sentence, last_done, held});
   note_failed_devices(cause);
   if (is_wish(cause.kind)) recurrence_.forget();
   if (cause.kind == IncidentKind::LostRuntime) drift_.forget();
-  set_phase(Phase::Replanning, sentence);
+  set_phase(hold_ ? Phase::Holding : Phase::Replanning, sentence);
   // A program that runs is relieved by the next one, without a stop. Anything else stops at once, not only
   // with the download that follows; a runtime that is gone or was restarted has nothing to stop.
   if (!can_take_over()) (void)controller_.stop(sentence.substr(0, 200));
@@ -139,6 +142,10 @@ bool Executive::mend(const std::string& signature, const model::NamedState& trac
   while (true) {
     if (std::exchange(working_, false)) record_.incidents.back().decision_ms += ms_since(working_since_);
     if (!observe(true)) return false;
+    if (hold_) {
+      if (!stay_held()) return false;
+      continue;  // the plant may be elsewhere by now
+    }
     working_ = true;
     working_since_ = steady_clock::now();
     auto estimate = translate::estimate(desk_.binding(), means_, tare_, with_changes(tracked), interrupted);
@@ -165,6 +172,7 @@ bool Executive::mend(const std::string& signature, const model::NamedState& trac
     if (planned == Planned::Over) return false;
     if (planned == Planned::Again) continue;
     if (planned == Planned::None) return give_up_planless();
+    if (hold_) continue;
     stuck_at_ = with_changes(seen_.planning);
     const bool left = !current_.plan.actions.empty();
     if (left && !signature.empty() && recurrence_.in_vain(signature, current_.plan.actions.size())) {
@@ -271,6 +279,12 @@ std::optional<Executive::Planned> Executive::overtaken(PlanningJob& job, StartSt
     return std::nullopt;
   }
   if (!reader_) return std::nullopt;  // before the first program there is nothing to watch
+  if (hold_) {
+    job.cancel();
+    overtake("held by the operator");
+    set_phase(Phase::Holding, "held by the operator");
+    return Planned::Again;
+  }
   if (!controller_.alive()) {
     job.cancel();
     overtake("the runtime does not answer");

@@ -1,5 +1,6 @@
 #include "supervisor/executive/run_record.h"
 
+#include <algorithm>
 #include <array>
 
 #include "supervisor/executive/internal/record_json.h"
@@ -10,8 +11,8 @@ namespace {
 using internal::json;
 
 constexpr std::array kActionStates = {"pending", "active", "done", "failed"};
-constexpr std::array kPhases = {"planning", "observing", "executing", "replanning",
-                                "waiting",  "done",      "safe"};
+constexpr std::array kPhases = {"planning", "observing", "executing", "replanning", "waiting",
+                                "holding",  "held",      "done",      "safe"};
 
 template <typename Enum, std::size_t N>
 Enum enum_from(const json& value, const std::array<const char*, N>& names) {
@@ -104,6 +105,10 @@ Episode episode_from(const json& value) {
 const char* to_string(ActionState state) {
   return kActionStates[static_cast<std::size_t>(state)];
 }
+std::size_t counted(const std::vector<Replan>& replans) {
+  return static_cast<std::size_t>(std::ranges::count(replans, false, &Replan::held));
+}
+
 const char* to_string(Phase phase) {
   return kPhases[static_cast<std::size_t>(phase)];
 }
@@ -137,8 +142,10 @@ json record_json(const RunRecord& record) {
   for (const Episode& episode : record.episodes) episodes.push_back(episode_json(episode));
   json replans = json::array();
   for (const Replan& replan : record.replans) {
-    replans.push_back(
-        {{"time_s", replan.time_s}, {"cause", replan.cause}, {"after_action", replan.after_action}});
+    replans.push_back({{"time_s", replan.time_s},
+                       {"cause", replan.cause},
+                       {"after_action", replan.after_action},
+                       {"held", replan.held}});
   }
   json incidents = json::array();
   for (const Incident& incident : record.incidents) incidents.push_back(incident_json(incident));
@@ -181,7 +188,8 @@ RunRecord record_from(const json& value) {
   record.exit = static_cast<result::ExitCode>(value.at("exit_code").get<int>());
   for (const json& episode : value.at("episodes")) record.episodes.push_back(episode_from(episode));
   for (const json& replan : value.at("replans")) {
-    record.replans.push_back({replan.at("time_s"), replan.at("cause"), replan.at("after_action")});
+    record.replans.push_back(
+        {replan.at("time_s"), replan.at("cause"), replan.at("after_action"), replan.value("held", false)});
   }
   for (const json& incident : value.at("incidents")) record.incidents.push_back(incident_from(incident));
   for (const json& goal : value.at("goal")) record.goal.push_back({goal.at("text"), goal.at("met")});

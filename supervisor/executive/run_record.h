@@ -7,6 +7,7 @@
 // Plain values. Times are seconds of the runtime's scan clock; planned times count from the start of the
 // episode.
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -66,6 +67,7 @@ struct Replan {
   double time_s = 0.0;
   std::string cause;
   std::string after_action;  // the last action that was done; empty at the start
+  bool held = false;         // an operator held the run: no fault of the plan
 
   friend bool operator==(const Replan&, const Replan&) = default;
 };
@@ -83,6 +85,8 @@ enum class Phase : std::uint8_t {
   Executing,
   Replanning,
   Waiting,  // for a runtime that is not there
+  Holding,  // on the way to rest, because an operator wants it
+  Held,     // at rest until an operator resumes or aborts the run
   Done,     // the goal is reached
   Safe,     // given up; the plant is in its safe state
 };
@@ -106,6 +110,9 @@ struct RunRecord {
 
   friend bool operator==(const RunRecord&, const RunRecord&) = default;
 };
+
+// Of them those that count towards the most that a run may have.
+std::size_t counted(const std::vector<Replan>& replans);
 
 const char* to_string(ActionState state);
 const char* to_string(Phase phase);

@@ -94,11 +94,12 @@ State from_named(const model::NamedState& state) {
 result::Result<model::PlannedRun> describe_run(const Task& task, const model::Plan& plan) {
   auto trace = simulate(task, plan);
   if (!trace) return result::forward(trace);
+  ActionInspector inspector(task);
   model::PlannedRun run;
   run.initial = to_named(trace->states.front());
   run.orderings = plan.orderings;
   for (std::size_t i = 0; i < plan.actions.size(); ++i) {
-    auto info = inspect_action(task, plan.actions[i]);
+    auto info = inspector.inspect(plan.actions[i]);
     if (!info) return result::forward(info);
     std::vector<model::Condition> conditions;
     for (const Requirement& requirement : info->preconditions)

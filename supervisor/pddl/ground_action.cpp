@@ -71,8 +71,7 @@ class DerivedReads {
 };
 
 // A fluent only counts for the metric if every change of it here adds or subtracts.
-void find_counts(const Definition& definition, GroundActionInfo& info) {
-  const std::set<int> pure = metric_only_functions(definition);
+void find_counts(const Definition& definition, const std::set<int>& pure, GroundActionInfo& info) {
   for (const Change& change : info.changes) {
     const std::string name = change.target.substr(1, change.target.find_first_of(" )") - 1);
     const auto function = definition.function_ids.find(name);
@@ -90,15 +89,25 @@ void find_counts(const Definition& definition, GroundActionInfo& info) {
 
 }  // namespace
 
-result::Result<GroundActionInfo> inspect_action(const Task& task, const model::GroundAction& action) {
-  const Definition& definition = task.definition();
+struct ActionInspector::Parts {
+  const Definition& definition;
+  ActionInstantiator instantiator{definition};
+  std::set<int> metric_only = metric_only_functions(definition);
+};
+
+ActionInspector::ActionInspector(const Task& task) : parts_(new Parts{task.definition()}) {}
+
+ActionInspector::~ActionInspector() = default;
+
+result::Result<GroundActionInfo> ActionInspector::inspect(const model::GroundAction& action) {
+  const Definition& definition = parts_->definition;
+  ActionInstantiator& instantiator = parts_->instantiator;
   Failure failure;
   auto bound = bind(definition, action, failure);
   if (!bound) {
     return result::fail(failure.code, {"plan", 0, 0}, model::to_string(action) + ": " + failure.message,
                         failure.hint);
   }
-  ActionInstantiator instantiator(definition);
   GroundActionInfo info;
   info.action = action;
   instantiator.conjuncts(bound->action->precondition, bound->binding, info.preconditions);
@@ -110,8 +119,12 @@ result::Result<GroundActionInfo> inspect_action(const Task& task, const model::G
     info.writes.insert(change.target);
   }
   DerivedReads(definition, instantiator).complete(info.reads);
-  find_counts(definition, info);
+  find_counts(definition, parts_->metric_only, info);
   return info;
+}
+
+result::Result<GroundActionInfo> inspect_action(const Task& task, const model::GroundAction& action) {
+  return ActionInspector(task).inspect(action);
 }
 
 }  // namespace stepwright::pddl

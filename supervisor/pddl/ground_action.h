@@ -9,6 +9,7 @@
 //   for (const Requirement& r : info->preconditions) ...
 
 #include <cstdint>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -65,7 +66,23 @@ struct GroundActionInfo {
       counts;  // fluents that only the metric reads and that are only increased or decreased here
 };
 
-// Fails (P03xx) on an unknown action, a wrong number of arguments, an unknown object or a wrong type.
+// For many actions of one task. One object per use; it only reads the task, which must outlive it.
+class ActionInspector {
+ public:
+  explicit ActionInspector(const Task& task);
+  ActionInspector(const ActionInspector&) = delete;
+  ActionInspector& operator=(const ActionInspector&) = delete;
+  ~ActionInspector();
+
+  // Fails (P03xx) on an unknown action, a wrong number of arguments, an unknown object or a wrong type.
+  [[nodiscard]] result::Result<GroundActionInfo> inspect(const model::GroundAction& action);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+// The same for a single action.
 [[nodiscard]] result::Result<GroundActionInfo> inspect_action(const Task& task,
                                                               const model::GroundAction& action);
 

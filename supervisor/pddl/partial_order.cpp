@@ -36,6 +36,27 @@ class Names {
   std::unordered_map<std::string, int> numbers_;
 };
 
+// Of each action once: a long plan applies the same ones again and again.
+class Footprints {
+ public:
+  explicit Footprints(const Task& task) : inspector_(task) {}
+
+  result::Result<const Footprint*> of(const model::GroundAction& action) {
+    const auto [entry, added] = known_.try_emplace(model::to_string(action));
+    if (!added) return &entry->second;
+    auto info = inspector_.inspect(action);
+    if (!info) return result::forward(info);
+    entry->second = {names_.numbers(info->reads), names_.numbers(info->writes), names_.numbers(info->counts)};
+    return &entry->second;
+  }
+  std::size_t names() const { return names_.count(); }
+
+ private:
+  ActionInspector inspector_;
+  Names names_;
+  std::unordered_map<std::string, Footprint> known_;  // pointers to its values stay valid
+};
+
 bool has(const std::vector<int>& list, int name) {
   return std::binary_search(list.begin(), list.end(), name);
 }
@@ -105,19 +126,19 @@ class Reduction {
 
 result::Result<std::vector<model::Ordering>> lift_partial_order(const Task& task, const model::Plan& plan) {
   const std::size_t count = plan.actions.size();
-  std::vector<Footprint> prints;
-  Names names;
+  Footprints prints(task);
+  std::vector<const Footprint*> steps;
   for (const model::GroundAction& action : plan.actions) {
-    auto info = inspect_action(task, action);
-    if (!info) return result::forward(info);
-    prints.push_back({names.numbers(info->reads), names.numbers(info->writes), names.numbers(info->counts)});
+    auto print = prints.of(action);
+    if (!print) return result::forward(print);
+    steps.push_back(*print);
   }
   Reduction reduction(count);
-  std::vector<Uses> uses(names.count());
+  std::vector<Uses> uses(prints.names());
   std::vector<model::Ordering> orderings;
   std::vector<std::size_t> earlier;
   for (std::size_t j = 0; j < count; ++j) {
-    const Footprint& print = prints[j];
+    const Footprint& print = *steps[j];
     std::vector<int> used;
     std::set_union(print.reads.begin(), print.reads.end(), print.writes.begin(), print.writes.end(),
                    std::back_inserter(used));

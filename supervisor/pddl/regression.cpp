@@ -144,10 +144,11 @@ std::optional<std::string> formula_of(const std::optional<Requirement>& requirem
 result::Result<std::vector<std::optional<std::string>>> weakest_preconditions(
     const Task& task, const std::vector<model::GroundAction>& actions) {
   std::vector<std::optional<std::string>> formulas(actions.size() + 1);
+  ActionInspector inspector(task);
   std::optional<Requirement> needed = goal_of(task);
   formulas.back() = formula_of(needed);
   for (std::size_t i = actions.size(); i-- > 0;) {
-    auto info = inspect_action(task, actions[i]);
+    auto info = inspector.inspect(actions[i]);
     if (!info) return result::forward(info);
     if (needed) needed = Regression(*info).before(*needed);
     if (!needed) continue;

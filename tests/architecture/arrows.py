@@ -80,9 +80,19 @@ ARROWS = {
     "plant_models/body2d": ["plant_models/core"],
     "plant_models/assemblies": ["plant_models/ode", "plant_models/body2d"],
     "plant_models/bridge": ["plant_models/core", "runtime/image"],
+    "hmi_web/storage": ["runtime/result"],
+    "hmi_web/historian": ["hmi_web/storage", "runtime/base"],
+    "hmi_web/alarms": ["hmi_web/storage", "runtime/base", "runtime/settings"],
     "hmi_web/protocol": ["runtime/result"],
     "hmi_web/client": ["hmi_web/protocol"],
+    "hmi_web/recorder": ["hmi_web/alarms", "hmi_web/api", "hmi_web/historian", "hmi_web/server"],
     "hmi_web/server": ["hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
+    "hmi_web/access": ["runtime/result"],
+    "hmi_web/recipes": ["hmi_web/access", "runtime/bytecode/reader", "runtime/settings"],
+    "hmi_web/api": ["hmi_web/access", "hmi_web/recipes"],
+    "hmi_web/protocol": ["runtime/result"],
+    "hmi_web/client": ["hmi_web/protocol"],
+    "hmi_web/server": ["hmi_web/api", "hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
 }
 # Composition roots and tests may include everything; nothing else includes them.
 FREE = ("programs/", "tests/")

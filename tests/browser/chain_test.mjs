@@ -4,7 +4,7 @@
 import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
-import { check, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
+import { check, endInTime, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
 
 const SPEED = 30;
 const KILL_AFTER_ACTIONS = 3;
@@ -100,10 +100,7 @@ async function sawEverythingMove(page) {
   check(seen.progress.length > 3, `the progress went ${seen.progress.join(' ')}`);
 }
 
-setTimeout(() => {
-  console.error('not so: the whole test ends in time');
-  process.exit(1);
-}, WHOLE_TEST_MS).unref();
+endInTime(WHOLE_TEST_MS);
 
 const browser = await launchBrowser(given);
 let demo;

@@ -34,12 +34,12 @@ function processesWith(text) {
 }
 
 // Starts `stepwright demo CELL` at `speed` times real time and waits until its page can be fetched.
-export async function startDemo(program, speed, cell = 'bench') {
+export async function startDemo(program, speed, cell = 'bench', more = []) {
   const port = await freePort();
   const stateDir = mkdtempSync(join(tmpdir(), 'stepwright-chain-'));
   const demo = spawn(
     program,
-    ['demo', cell, '--port', port, '--no-compare', '--set', `clock.speed=${speed}`, '--state-dir', stateDir].map(String),
+    ['demo', cell, '--port', port, '--no-compare', '--set', `clock.speed=${speed}`, '--state-dir', stateDir, ...more].map(String),
     { stdio: ['ignore', 'pipe', 'inherit'] },
   );
   // Whatever ends the test ends the demo, and the demo's death ends its processes.
@@ -54,6 +54,7 @@ export async function startDemo(program, speed, cell = 'bench') {
   const processes = () => processesWith(stateDir);
   const self = {
     url: `http://127.0.0.1:${port}/`,
+    stateDir,
     output: () => output,
     processes,
     pidOf: (name) => processes().find(({ command }) => command.includes(`stepwright-${name} `))?.pid,

@@ -1,5 +1,5 @@
 // Runtime, link and HMI of a floor with vehicles, and a supervisor of the test's own that plans them, follows them and
-// publishes how it goes (fleet_main.cpp).
+// publishes how it goes (fleet_main.cpp). They begin to drive when they are told: fleet.tell('drive').
 
 import { spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
@@ -32,7 +32,7 @@ export async function startFleet({ server, supervisor }, vehicles, speed) {
     planner.once('exit', (code) => reject(new Error(`the planner ended with ${code}`)));
   });
   for (const name of ['runtime', 'link', 'hmi']) {
-    const more = name === 'hmi' ? ['--port', String(port)] : [];
+    const more = name === 'hmi' ? ['--port', String(port), '--set', 'hmi.anonymous=viewer'] : [];
     const settings = ['--config', join(folder, 'cell.toml'), '--set', `cell.state_dir=${join(folder, 'state')}`];
     children.push(spawn(join(dirname(server), `stepwright-${name}`), [name, ...settings, ...more], { stdio: ['ignore', 'ignore', 'inherit'] }));
   }

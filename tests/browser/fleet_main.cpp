@@ -1,7 +1,8 @@
 // hmi_fleet_supervisor VEHICLES FOLDER DOMAIN SPEED: plans up to seven vehicles in the mine, writes
 // FOLDER/cell.toml for the processes of that cell, says "ready", downloads and starts the program as soon as
-// a runtime is there, and publishes how it goes. A line "lost v1 SENTENCE" on its input makes its document
-// say so of a vehicle; it ends with its input.
+// a runtime is there, and publishes how it goes. The clock stands at the first event until a line "drive"
+// comes on its input; a line "lost v1 SENTENCE" makes its document say so of a vehicle. It ends with its
+// input.
 
 #include <fmt/format.h>
 
@@ -76,8 +77,21 @@ void follow(dds::RuntimeClient& client, dds::PlanPublisher& publisher, browser::
   }
 }
 
-void obey(Lost& lost) {
+void acknowledge(dds::RuntimeClient& client, const std::atomic<bool>& drive, const std::atomic<bool>& stop) {
+  drive.wait(false);
+  while (!stop) {
+    if (const auto event = client.wait_event(200ms)) (void)client.acknowledge(event->sequence);
+  }
+}
+
+void release(std::atomic<bool>& flag) {
+  flag = true;
+  flag.notify_all();
+}
+
+void obey(Lost& lost, std::atomic<bool>& drive) {
   for (std::string line; std::getline(std::cin, line);) {
+    if (line == "drive") release(drive);
     const auto name = line.find(' ');
     const auto reason = line.find(' ', name + 1);
     if (!line.starts_with("lost ") || reason == std::string::npos) continue;
@@ -113,13 +127,16 @@ int main(int argc, char** argv) {
   const auto publisher = taken(dds::PlanPublisher::create(participant));
   if (!client->wait_for_runtime(kPatience)) return 1;
   const std::string digest = taken(client->download(compiled.container));
-  if (!client->start({})) return 1;
+  if (!client->start({.barrier = true})) return 1;
   browser::FleetFollower follower(plan, program, compiled.container, digest);
   Lost lost;
-  std::atomic<bool> stop = false;
+  std::atomic<bool> drive = false, stop = false;
   std::thread following([&] { follow(*client, *publisher, follower, lost, stop); });
-  obey(lost);
+  std::thread driving([&] { acknowledge(*client, drive, stop); });
+  obey(lost, drive);
   stop = true;
+  release(drive);
   following.join();
+  driving.join();
   return 0;
 }

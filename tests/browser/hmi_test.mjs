@@ -2,7 +2,7 @@
 
 import { join } from 'node:path';
 
-import { check, launchBrowser, openPage, options, startServer, waitFor } from './support.mjs';
+import { check, fitsEveryWidth, launchBrowser, openPage, options, startServer, waitFor } from './support.mjs';
 
 const given = options();
 const shot = (page, name, fullPage = true) => page.screenshot({ path: join(given.out, `${name}.png`), fullPage });
@@ -128,22 +128,6 @@ async function findsTags(page) {
   await page.getByLabel('Search tags by name or address').fill('');
 }
 
-async function fitsEveryWidth(page) {
-  for (const width of [1440, 1000, 768, 360]) {
-    await page.setViewportSize({ width, height: 900 });
-    await page.waitForTimeout(250);
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
-    await shot(page, `light-${width}`);
-  }
-  await page.emulateMedia({ colorScheme: 'dark' });
-  await shot(page, 'dark-360');
-  await page.setViewportSize({ width: 1440, height: 900 });
-  await page.waitForTimeout(250);
-  await shot(page, 'dark-1440');
-  await page.emulateMedia({ colorScheme: 'light' });
-}
-
 async function saysWhenTheRuntimeIsGone(page, server) {
   server.tell('runtime off');
   await waitFor(page, 'a banner says that the runtime is gone', () =>
@@ -182,7 +166,7 @@ try {
   await drawsTheChartReadably(page);
   await showsExitsWhenAsked(page);
   await findsTags(page);
-  await fitsEveryWidth(page);
+  await fitsEveryWidth(page, [1440, 1000, 768, 360], shot);
   await saysWhenTheRuntimeIsGone(page, server);
   server = await outlivesTheServer(page, server);
   await drawsTheTrend(page);

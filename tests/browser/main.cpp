@@ -1,6 +1,7 @@
-// hmi_scripted_cell [PORT [SPEED [START_S]]]: the real HMI server over a scripted bench, for the browser
-// test. Prints its address; "runtime off" and "runtime on" on its input end and restart the runtime that it
-// plays.
+// hmi_scripted_cell [PORT [SPEED [START_S [HISTORY]]]]: the real HMI server over a scripted bench, for the
+// browser test, open to whoever looks. With a folder for its history there are users, too: operator,
+// engineer, password "correct horse". Prints its address; "runtime off" and "runtime on" on its input end and
+// restart the runtime that it plays.
 
 #include <cstdio>
 #include <cstdlib>
@@ -8,12 +9,76 @@
 #include <string>
 #include <thread>
 
+#include "hmi_web/api/routes.h"
 #include "hmi_web/client/client_assets.h"
+#include "hmi_web/recorder/record_queries.h"
 #include "hmi_web/server/cell_poller.h"
 #include "hmi_web/server/http_server.h"
 #include "tests/browser/scripted_cell.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace stepwright;
+
+namespace {
+
+// With what every cell is watched for; null without a folder.
+std::unique_ptr<recorder::CellRecorder> open_recorder(const char* folder) {
+  if (folder == nullptr) return nullptr;
+  recorder::RecorderOptions options;
+  options.folder = folder;
+  options.points = browser::bench_synoptic().points;
+  options.alarms = recorder::built_in_alarms(browser::bench_synoptic(), {.supervisor = true});
+  const auto now = [] {
+    return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
+  };
+  auto made = recorder::CellRecorder::open(std::move(options), now);
+  if (made) return std::move(*made);
+  std::fputs(result::to_string(made.error()).c_str(), stderr);
+  std::exit(1);
+}
+
+// Nobody acts on a script.
+class NoControl : public api::CellControl {
+ public:
+  result::Result<void> ask_supervisor(const std::string&) override { return nobody(); }
+  result::Result<void> stop_runtime(const std::string&) override { return nobody(); }
+  result::Result<std::string> read(const std::string&) override { return nobody(); }
+  result::Result<std::string> spell(const std::string&, const std::string&) override { return nobody(); }
+  result::Result<std::string> write(const std::string&, const std::string&) override { return nobody(); }
+  result::Result<std::string> force(const std::string&, const std::string&) override { return nobody(); }
+  result::Result<void> unforce(const std::string&) override { return nobody(); }
+
+ private:
+  static tl::unexpected<result::Diagnostics> nobody() {
+    return result::fail("D0001", {}, "a script takes no requests");
+  }
+};
+
+// What it opens and makes it does not check: a test that has no folder fails loudly.
+struct OpenAccess {
+  // With records there is something to do, and there are those who may.
+  explicit OpenAccess(api::CellRecords* kept) : records(kept) {
+    if (records == nullptr) return;
+    bool made =
+        control->claim(*control->setup_token(), "administrator", "correct horse", "127.0.0.1").has_value();
+    for (const access::Role role : {access::Role::Engineer, access::Role::Operator})
+      made = made && control->add_user(access::to_string(role), role, "correct horse");
+    if (!made) std::exit(1);
+  }
+
+  api::CellRecords* records;
+  support::TemporaryFolder folder;
+  NoControl cell;
+  std::unique_ptr<access::AccessControl> control =
+      *access::AccessControl::open(folder / "access", {}, std::chrono::steady_clock::now);
+  std::unique_ptr<access::AuditLog> audit = *access::AuditLog::open(folder / "access/audit.jsonl");
+  std::unique_ptr<api::ForceDesk> forces = *api::ForceDesk::open(
+      folder / "access/forces.json", cell, *audit, std::chrono::system_clock::now, [](const std::string&) {});
+  api::RouteTable table{api::all_routes({control.get(), audit.get(), forces.get(), &cell, records})};
+  api::Door door{table, *control, *audit, {access::Role::Viewer}};
+};
+
+}  // namespace
 
 int main(int argc, char** argv) {
   const auto port = static_cast<std::uint16_t>(argc > 1 ? std::atoi(argv[1]) : 0);
@@ -24,10 +89,23 @@ int main(int argc, char** argv) {
     std::fputs(result::to_string(http.error()).c_str(), stderr);
     return 1;
   }
+  const auto recorder = open_recorder(argc > 4 ? argv[4] : nullptr);
+  std::optional<recorder::RecordQueries> records;
+  if (recorder) records.emplace(*recorder);
+  OpenAccess access(records ? &*records : nullptr);
+  (*http)->serve_api(access.door);
+  const auto record = [&](const server::Observation& seen, const server::CellView& view) {
+    if (!recorder) return;
+    auto news = recorder->take(seen, view);
+    if (!news) return;
+    feed.set_alarms(std::move(*news));
+    (*http)->notify();
+  };
   std::thread network([&] { (*http)->run(); });
   {
-    const server::CellPoller poller(cell, server::CellViewer(browser::ScriptedCell::point_sources()), feed,
-                                    [&] { (*http)->notify(); });
+    const server::CellPoller poller(
+        cell, server::CellViewer(browser::ScriptedCell::point_sources()), feed, [&] { (*http)->notify(); },
+        std::chrono::milliseconds(50), record);
     std::printf("http://127.0.0.1:%d/\n", (*http)->port());
     std::fflush(stdout);
     // Until the input ends: with the test that started it.

@@ -21,8 +21,8 @@ export function options() {
 }
 
 // Starts the scripted cell and waits for its address.
-export async function startServer(program, port, speed, startS) {
-  const child = spawn(program, [port, speed, startS].map(String), { stdio: ['pipe', 'pipe', 'inherit'] });
+export async function startServer(program, port, speed, startS, ...more) {
+  const child = spawn(program, [port, speed, startS, ...more].map(String), { stdio: ['pipe', 'pipe', 'inherit'] });
   const ended = new Promise((resolve) => child.once('exit', resolve));
   const url = await new Promise((resolve, reject) => {
     createInterface({ input: child.stdout }).once('line', resolve);
@@ -43,7 +43,7 @@ export async function startServer(program, port, speed, startS) {
   };
 }
 
-export async function launchBrowser({ modules, chromium }) {
+export async function launchBrowser({ modules, chromium }, more = []) {
   const { chromium: driver } = createRequire(join(modules, 'playwright-core', 'package.json'))('playwright-core');
   const profile = mkdtempSync(join(tmpdir(), 'hmi-browser-'));
   const context = await driver.launchPersistentContext(profile, {
@@ -57,6 +57,7 @@ export async function launchBrowser({ modules, chromium }) {
       '--disable-background-networking',
       '--disable-component-update',
       '--disable-sync',
+      ...more,
     ],
   });
   return {
@@ -71,10 +72,11 @@ export async function launchBrowser({ modules, chromium }) {
 // A page that remembers what it must not do: log errors, break the content policy, call another host.
 export async function openPage(context, url) {
   const page = await context.newPage();
+  page.setDefaultTimeout(90_000); // of a busy machine: a button that moves is not clicked until it rests
   const problems = [];
   page.on('console', (message) => {
     // A server that is stopped on purpose is reported by the browser itself.
-    const expected = /ERR_CONNECTION_REFUSED|WebSocket connection to/.test(message.text());
+    const expected = /ERR_CONNECTION_(REFUSED|RESET|CLOSED)|ERR_EMPTY_RESPONSE|WebSocket connection to/.test(message.text());
     if (message.type() === 'error' && !expected) problems.push(`console: ${message.text()}`);
   });
   page.on('pageerror', (error) => problems.push(`exception: ${error.message}`));
@@ -111,4 +113,29 @@ export async function until(what, condition) {
 // evaluate text inside it.
 export function waitFor(page, what, condition, argument) {
   return until(what, () => page.evaluate(condition, argument));
+}
+
+// A test that hangs ends all the same.
+export function endInTime(ms) {
+  setTimeout(() => {
+    console.error('not so: the whole test ends in time');
+    process.exit(1);
+  }, ms).unref();
+}
+
+// At each width nothing sticks out; `shot` takes a picture by name: "light-1440" and so on, and both ends in the dark.
+export async function fitsEveryWidth(page, widths, shot) {
+  for (const width of widths) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForTimeout(250);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
+    await shot(page, `light-${width}`);
+  }
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await shot(page, `dark-${widths.at(-1)}`);
+  await page.setViewportSize({ width: widths[0], height: 900 });
+  await page.waitForTimeout(250);
+  await shot(page, `dark-${widths[0]}`);
+  await page.emulateMedia({ colorScheme: 'light' });
 }

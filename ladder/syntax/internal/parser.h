@@ -149,6 +149,7 @@ class Parser {
   Configuration configuration();
   Resource resource();
   void resource_item(Resource& out);
+  void skip_resource_item();
   void task(Resource& out);
   bool task_argument(const Argument& argument, const char* name);
   void program_instance(Resource& out);

@@ -25,12 +25,16 @@ ClientSession::ClientSession(std::unique_ptr<Participant> participant, ClientRol
       chunks_(*participant_, kChunkTopic, Profile::Queue),
       reply_reader_(*participant_, kReplyTopic, Profile::Queue,
                     [this](idl::Reply& sample) {
-                      if (auto reply = from_reply(sample)) requests_.answer(std::move(*reply));
+                      auto reply = from_reply(sample);
+                      if (!reply) return reply_reader_.refuse();
+                      requests_.answer(std::move(*reply));
                     }),
       event_reader_(*participant_, kEventTopic, Profile::Queue,
                     [this](idl::Event& sample) { on_event(sample); }),
       snapshot_reader_(*participant_, kSnapshotTopic, Profile::Picture,
                        [this](idl::Snapshot& sample) { on_snapshot(sample); }),
+      health_reader_(*participant_, kHealthTopic, Profile::Picture,
+                     [this](idl::Health& sample) { on_health(sample); }),
       status_reader_(
           *participant_, kStatusTopic, Profile::Heartbeat, [this](idl::Status& sample) { on_status(sample); },
           [this](bool) { news_.notify_all(); }) {
@@ -56,7 +60,8 @@ void ClientSession::beat(const std::stop_token& stop, const std::string& process
 
 bool ClientSession::ok() const {
   return commands_.ok() && chunks_.ok() && reply_reader_.ok() && event_reader_.ok() &&
-         snapshot_reader_.ok() && status_reader_.ok() && (presence_ == nullptr || presence_->ok());
+         snapshot_reader_.ok() && health_reader_.ok() && status_reader_.ok() &&
+         (presence_ == nullptr || presence_->ok());
 }
 
 bool ClientSession::runtime_alive() const {
@@ -144,7 +149,7 @@ void ClientSession::fetch_missing(std::unique_lock<std::mutex>& lock) {
 
 void ClientSession::on_status(const idl::Status& sample) {
   auto status = from_status(sample);
-  if (!status) return;
+  if (!status) return status_reader_.refuse();
   {
     const std::scoped_lock lock(mutex_);
     runtime_connected_ = sample.runtime_connected();
@@ -158,7 +163,7 @@ void ClientSession::on_status(const idl::Status& sample) {
 
 void ClientSession::on_event(const idl::Event& sample) {
   auto event = from_event(sample);
-  if (!event) return;
+  if (!event) return event_reader_.refuse();
   {
     const std::scoped_lock lock(mutex_);
     events_.add(sample.incarnation(), std::move(*event));
@@ -168,9 +173,26 @@ void ClientSession::on_event(const idl::Event& sample) {
 
 void ClientSession::on_snapshot(const idl::Snapshot& sample) {
   auto snapshot = from_snapshot(sample);
-  if (!snapshot) return;
+  if (!snapshot) return snapshot_reader_.refuse();
   const std::scoped_lock lock(mutex_);
   snapshot_ = std::move(snapshot);
+}
+
+void ClientSession::on_health(const idl::Health& sample) {
+  auto health = from_health(sample);
+  if (!health) return health_reader_.refuse();
+  const std::scoped_lock lock(mutex_);
+  health_ = std::move(health);
+}
+
+std::optional<RuntimeHealth> ClientSession::health() const {
+  const std::scoped_lock lock(mutex_);
+  return health_;
+}
+
+std::vector<TopicTraffic> ClientSession::traffic() const {
+  return {status_reader_.traffic(), snapshot_reader_.traffic(), event_reader_.traffic(),
+          health_reader_.traffic(), reply_reader_.traffic()};
 }
 
 std::optional<RuntimeStatus> ClientSession::status() const {

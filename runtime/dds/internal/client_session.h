@@ -14,6 +14,7 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "runtime/dds/internal/convert.h"
 #include "runtime/dds/internal/event_order.h"
@@ -37,6 +38,8 @@ class ClientSession {
   std::optional<StepEvent> wait_event(std::chrono::milliseconds timeout);
   std::optional<RuntimeStatus> status() const;
   std::optional<Snapshot> snapshot() const;
+  std::optional<RuntimeHealth> health() const;
+  std::vector<TopicTraffic> traffic() const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -44,6 +47,7 @@ class ClientSession {
   void on_status(const idl::Status& sample);
   void on_event(const idl::Event& sample);
   void on_snapshot(const idl::Snapshot& sample);
+  void on_health(const idl::Health& sample);
   bool send(const service::Request& request);
   // Says until it is stopped that this supervisor lives.
   void beat(const std::stop_token& stop, const std::string& process);
@@ -58,6 +62,7 @@ class ClientSession {
   bool runtime_connected_ = false;
   std::optional<RuntimeStatus> status_;
   std::optional<Snapshot> snapshot_;
+  std::optional<RuntimeHealth> health_;
   EventOrder events_;
   std::uint64_t fetch_id_ = 0;  // the open ResendEvents request, 0 = none
   Clock::time_point fetch_at_{};
@@ -70,6 +75,7 @@ class ClientSession {
   Reader<idl::ReplyPubSubType> reply_reader_;
   Reader<idl::EventPubSubType> event_reader_;
   Reader<idl::SnapshotPubSubType> snapshot_reader_;
+  Reader<idl::HealthPubSubType> health_reader_;
   Reader<idl::StatusPubSubType> status_reader_;
 };
 

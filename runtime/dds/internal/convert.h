@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/dds/health.h"
 #include "runtime/dds/types.h"
 #include "runtime/service/requests.h"
 #include "runtime_types.h"
@@ -28,6 +29,10 @@ std::optional<StepEvent> from_event(const idl::Event& sample);
 
 idl::Status to_status(const std::string& runtime_id, const RuntimeStatus& status, bool runtime_connected);
 std::optional<RuntimeStatus> from_status(const idl::Status& sample);
+
+// Of no more than the bound of tasks and devices, the first ones.
+idl::Health to_health(const std::string& runtime_id, const RuntimeHealth& health);
+std::optional<RuntimeHealth> from_health(const idl::Health& sample);
 
 idl::Snapshot to_snapshot(const std::string& runtime_id, const Snapshot& snapshot);
 std::optional<Snapshot> from_snapshot(const idl::Snapshot& sample);

@@ -6,7 +6,10 @@
 // Threads: Fast DDS calls handlers from its own receive threads, one at a time for one reader. An endpoint
 // that is destroyed waits for the handler that runs. Endpoints must be destroyed before their participant.
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
@@ -20,6 +23,7 @@
 #include <memory>
 #include <string>
 
+#include "runtime/dds/health.h"
 #include "runtime/dds/internal/qos.h"
 #include "runtime/dds/types.h"
 #include "runtime/result/result.h"
@@ -72,7 +76,10 @@ class Writer final : private fdds::DataWriterListener {
   bool ok() const { return writer_ != nullptr; }
   // False if the queue stayed full for the blocking time.
   bool write(Sample& sample) { return writer_->write(&sample); }
-  bool matched() const { return matched_.load(std::memory_order_acquire) > 0; }
+  bool matched() const { return readers() > 0; }
+  std::uint32_t readers() const {
+    return static_cast<std::uint32_t>(std::max(0, matched_.load(std::memory_order_acquire)));
+  }
 
  private:
   void on_publication_matched(fdds::DataWriter*, const fdds::PublicationMatchedStatus& status) override {
@@ -95,13 +102,17 @@ class Reader final : private fdds::DataReaderListener {
 
   Reader(Participant& participant, const char* topic_name, Profile profile, OnSample on_sample,
          OnAlive on_alive = {})
-      : participant_(participant), on_sample_(std::move(on_sample)), on_alive_(std::move(on_alive)) {
+      : participant_(participant),
+        name_(topic_name),
+        on_sample_(std::move(on_sample)),
+        on_alive_(std::move(on_alive)) {
     fdds::Topic* topic = participant.topic(topic_name, fdds::TypeSupport(new PubSubType()));
     if (topic != nullptr) {
       reader_ = participant.subscriber()->create_datareader(topic, reader_qos(profile), this,
                                                             fdds::StatusMask::data_available()
                                                                 << fdds::StatusMask::liveliness_changed()
-                                                                << fdds::StatusMask::subscription_matched());
+                                                                << fdds::StatusMask::subscription_matched()
+                                                                << fdds::StatusMask::sample_lost());
     }
   }
   ~Reader() override {
@@ -117,14 +128,38 @@ class Reader final : private fdds::DataReaderListener {
   bool matched() const { return matched_.load(std::memory_order_acquire) > 0; }
   // True while a writer of heartbeats lives; for Profile::Heartbeat only.
   bool alive() const { return alive_.load(std::memory_order_acquire) > 0; }
+  // What has come so far; `refused` is for the owner, who knows what the samples mean.
+  TopicTraffic traffic() const {
+    TopicTraffic traffic;
+    traffic.topic = name_;
+    traffic.writers = static_cast<std::uint32_t>(std::max(0, matched_.load(std::memory_order_acquire)));
+    traffic.received = received_.load(std::memory_order_acquire);
+    traffic.refused = refused_.load(std::memory_order_acquire);
+    traffic.lost = lost_.load(std::memory_order_acquire);
+    if (traffic.received > 0) {
+      const auto newest = Clock::time_point(Clock::duration(newest_.load(std::memory_order_acquire)));
+      traffic.age_s = std::max(0.0, std::chrono::duration<double>(Clock::now() - newest).count());
+    }
+    return traffic;
+  }
+  // The handler found that a sample breaks a bound.
+  void refuse() { refused_.fetch_add(1, std::memory_order_acq_rel); }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void on_data_available(fdds::DataReader* reader) override {
     Sample sample;
     fdds::SampleInfo info;
     while (reader->take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
-      if (info.valid_data) on_sample_(sample);
+      if (!info.valid_data) continue;
+      newest_.store(Clock::now().time_since_epoch().count(), std::memory_order_release);
+      received_.fetch_add(1, std::memory_order_acq_rel);
+      on_sample_(sample);
     }
+  }
+  void on_sample_lost(fdds::DataReader*, const fdds::SampleLostStatus& status) override {
+    lost_.store(static_cast<std::uint64_t>(std::max(0, status.total_count)), std::memory_order_release);
   }
   void on_liveliness_changed(fdds::DataReader*, const fdds::LivelinessChangedStatus& status) override {
     const bool before = alive_.exchange(status.alive_count, std::memory_order_acq_rel) > 0;
@@ -136,11 +171,16 @@ class Reader final : private fdds::DataReaderListener {
   }
 
   Participant& participant_;
+  const char* name_;  // one of topics.h
   OnSample on_sample_;
   OnAlive on_alive_;
   fdds::DataReader* reader_ = nullptr;
   std::atomic<int> matched_{0};
   std::atomic<int> alive_{0};
+  std::atomic<std::uint64_t> received_{0};
+  std::atomic<std::uint64_t> refused_{0};
+  std::atomic<std::uint64_t> lost_{0};
+  std::atomic<Clock::rep> newest_{0};
 };
 
 }  // namespace stepwright::dds::internal

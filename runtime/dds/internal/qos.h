@@ -20,7 +20,7 @@ inline constexpr std::chrono::milliseconds kHeartbeatPeriod{80};
 inline constexpr std::chrono::milliseconds kHeartbeatLease{300};
 
 enum class Profile {
-  Queue,      // Command, ProgramChunk, Reply, Event, OperatorRequest: reliable, a bounded queue
+  Queue,  // Command, ProgramChunk, Reply, Event, OperatorRequest, OperatorAnswer: reliable, a bounded queue
   Heartbeat,  // Status, Presence: best effort, newest only; each sample says that its writer lives
   Picture,    // Snapshot: best effort, newest only, large
   Document,   // PlanDocument: reliable, the newest one also for those who join late

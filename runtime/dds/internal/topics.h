@@ -10,9 +10,11 @@ inline constexpr char kChunkTopic[] = "stepwright/program_chunk/1";
 inline constexpr char kReplyTopic[] = "stepwright/reply/2";
 inline constexpr char kEventTopic[] = "stepwright/event/1";
 inline constexpr char kStatusTopic[] = "stepwright/status/2";
+inline constexpr char kHealthTopic[] = "stepwright/health/1";
 inline constexpr char kSnapshotTopic[] = "stepwright/snapshot/1";
 inline constexpr char kPresenceTopic[] = "stepwright/presence/1";
 inline constexpr char kDocumentTopic[] = "stepwright/plan_document/1";
 inline constexpr char kOperatorTopic[] = "stepwright/operator_request/1";
+inline constexpr char kAnswerTopic[] = "stepwright/operator_answer/1";
 
 }  // namespace stepwright::dds::internal

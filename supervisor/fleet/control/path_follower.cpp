@@ -10,6 +10,9 @@ namespace {
 constexpr double kBehind_m = 0.3;
 constexpr double kBefore_m = 1.0;
 constexpr double kTurnRound_s = 0.5;  // at a cusp, with the steering
+constexpr double kStands_m_s = 0.05;  // also with what a measurement is off
+constexpr double kSteers_rad = 0.2;   // what the steering may make up for on the way
+constexpr double kMoved_m = 0.1;      // who comes no farther than this does not drive
 constexpr double kLongest_s = 24.0 * 3600.0;
 
 // A drive that follows its set point with this lag moves by `rate` times a step if the set point, which holds
@@ -96,12 +99,28 @@ void PathFollower::find_place(const VehicleState& measured) {
   speed_m_s_ = std::max(0.0, leg->sign() * measured.speed_m_s);
 }
 
-void PathFollower::fill_reference(double time_s, const Clearance& clearance) {
+// Who stands with the steering turned elsewhere turns it first. To a controller that has to drive off at once
+// it may be cheapest to stay: with the wrong lock each way leads away from the path, and there is no time to
+// change it.
+double PathFollower::turning_s(const VehicleState& measured) const {
+  if (std::abs(measured.speed_m_s) > kStands_m_s) return 0.0;
+  const double wanted =
+      std::clamp(section().leg.at(arc_m_).lock_rad, -limits_.full_lock_rad, limits_.full_lock_rad);
+  return std::max(0.0, std::abs(wanted - measured.lock_rad) - kSteers_rad) / limits_.lock_rate_rad_s;
+}
+
+void PathFollower::fill_reference(const VehicleState& measured, double time_s, const Clearance& clearance) {
   const auto& [leg, plan] = section();
-  Progress progress{arc_m_, speed_m_s_, time_s};
+  const double turning = turning_s(measured);
+  Progress progress{arc_m_, turning > 0.0 ? 0.0 : speed_m_s_, time_s};
   const Clearance held{clearance.permitted_m - settings_.halt_before_m, clearance.gates};
   for (std::size_t k = 0; k <= kHorizon; ++k) {
-    if (k > 0) progress = plan.advance(progress, kControlStep_s, held);
+    const double in_s = kControlStep_s * static_cast<double>(k);
+    if (in_s <= turning) {
+      progress.time_s = time_s + in_s;
+    } else {
+      progress = plan.advance(progress, kControlStep_s, held);
+    }
     const LegPoint point = leg.at(progress.arc_m);
     reference_[k].state = {point.pose.x_m, point.pose.y_m, point.pose.heading_rad,
                            leg.sign() * progress.speed_m_s, point.lock_rad};
@@ -109,12 +128,13 @@ void PathFollower::fill_reference(double time_s, const Clearance& clearance) {
   }
 }
 
-// What the drives cannot do any more, a controller takes for a reason to stand.
-bool PathFollower::stalled(const VehicleState& measured) {
+// What the drives cannot do any more, a controller takes for a reason to stand. Measured speeds of who stands
+// are not all small: it is places that count.
+bool PathFollower::stalled() {
   const double ahead = section().leg.sign() * reference_.back().state.speed_m_s;
-  const bool stands =
-      std::abs(measured.speed_m_s) <= settings_.arrived_m_s && ahead > 2.0 * settings_.arrived_m_s;
+  const bool stands = std::abs(arc_m_ - stood_at_m_) <= kMoved_m && ahead > 2.0 * settings_.arrived_m_s;
   standing_s_ = stands ? standing_s_ + kControlStep_s : 0.0;
+  if (!stands) stood_at_m_ = arc_m_;
   return standing_s_ > settings_.stalled_s;
 }
 
@@ -123,8 +143,8 @@ DriveCommand PathFollower::step(const VehicleState& measured, double time_s, con
   find_place(measured);
   lost_ = deviation_m_ > settings_.lost_m;
   if (lost_ || arrived_) return {0.0, measured.lock_rad};
-  fill_reference(time_s, clearance);
-  lost_ = stalled(measured);
+  fill_reference(measured, time_s, clearance);
+  lost_ = stalled();
   if (lost_) return {0.0, measured.lock_rad};
   prediction_ = controller_.solve(measured, reference_);
   const double speed = measured.speed_m_s + ahead_s(limits_.speed_lag_s) * prediction_.acceleration_m_s2;

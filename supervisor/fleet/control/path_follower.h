@@ -78,8 +78,9 @@ class PathFollower {
                const geometry::Footprint& footprint, const FollowerSettings& settings);
   void find_place(const VehicleState& measured);
   bool at_end_of_leg(const VehicleState& measured) const;
-  bool stalled(const VehicleState& measured);
-  void fill_reference(double time_s, const Clearance& clearance);
+  bool stalled();
+  double turning_s(const VehicleState& measured) const;
+  void fill_reference(const VehicleState& measured, double time_s, const Clearance& clearance);
   std::span<const geometry::HalfPlane> area_at(double arc_m) const;
   const Section& section() const { return sections_[at_]; }
 
@@ -95,6 +96,7 @@ class PathFollower {
   double speed_m_s_ = 0.0;  // along the path
   double deviation_m_ = 0.0;
   double standing_s_ = 0.0;  // while it should drive
+  double stood_at_m_ = 0.0;  // since then
   bool arrived_ = false;
   bool lost_ = false;
 };

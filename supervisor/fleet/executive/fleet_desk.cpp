@@ -133,8 +133,10 @@ result::Result<FleetOutcome> FleetDesk::plan(const FleetLedger& ledger, const Fl
   return outcome;
 }
 
-result::Result<PreparedFleet> FleetDesk::program_of(FleetPlan plan, std::uint32_t revision) const {
+result::Result<PreparedFleet> FleetDesk::program_of(FleetPlan plan, std::uint32_t revision,
+                                                    ErrorReset reset) const {
   ProgramOptions options = options_.program;
+  options.reset = std::move(reset);
   options.revision = revision;
   auto program = fleet_program(plan, options_.terminals, options);
   if (!program) return result::forward(program);

@@ -76,7 +76,8 @@ class FleetDesk {
   // Diagnostics are faults of the tools: of a plan that no program can drive, say.
   [[nodiscard]] result::Result<FleetOutcome> plan(const FleetLedger& ledger, const FleetRequest& request);
   // The program of a plan that needs no planning.
-  [[nodiscard]] result::Result<PreparedFleet> program_of(FleetPlan plan, std::uint32_t revision) const;
+  [[nodiscard]] result::Result<PreparedFleet> program_of(FleetPlan plan, std::uint32_t revision,
+                                                         ErrorReset reset = {}) const;
 
  private:
   FleetDesk(FleetDeskOptions options, MissionProblem problem, FleetFloor floor);

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "supervisor/fleet/executive/telling_poses.h"
 #include "supervisor/fleet/report/fleet_json.h"
 #include "supervisor/fleet/schedule/sections.h"
+#include "supervisor/geometry/union_outlines.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -14,6 +17,12 @@ using nlohmann::json;
 
 double rounded(double metres) {
   return std::round(metres * 1e4) / 1e4;
+}
+
+// What is only drawn: to a centimetre.
+constexpr double kDrawn_m = 0.01;
+double to_drawn(double metres) {
+  return std::round(metres / kDrawn_m) / std::round(1.0 / kDrawn_m);
 }
 
 json corners_json(const geometry::ConvexPolygon& area) {
@@ -85,53 +94,87 @@ json goals_json(const DocumentInput& input) {
   return all;
 }
 
+json rings_json(const std::vector<geometry::ConvexPolygon>& pieces) {
+  json rings = json::array();
+  for (const auto& outline : geometry::union_outlines(pieces, kDrawn_m)) {
+    json ring = json::array();
+    for (const geometry::Point p : outline) ring.push_back({to_drawn(p.x_m), to_drawn(p.y_m)});
+    rings.push_back(std::move(ring));
+  }
+  return rings;
+}
+
+json section_json(const FleetPlan& plan, const std::vector<TrajectoryEnvelope>& envelopes,
+                  const CriticalSection& section, std::span<const SpatialPair> pairs) {
+  json polygons = json::array();
+  std::vector<geometry::ConvexPolygon> pieces;
+  for (const SpatialPair& pair : pairs) {
+    for (const PolygonRef at : {pair.a, pair.b}) {
+      json one = {{"vehicle", plan.missions[at.vehicle].vehicle}, {"polygon", at.polygon}};
+      if (std::ranges::find(polygons, one) == polygons.end()) polygons.push_back(std::move(one));
+    }
+    auto both = intersection(envelopes[pair.a.vehicle].polygons[pair.a.polygon].area,
+                             envelopes[pair.b.vehicle].polygons[pair.b.polygon].area);
+    if (both) pieces.push_back(*std::move(both));
+  }
+  // Who leaves first at the first of its pairs.
+  const SpatialPair& head = pairs.front();
+  const auto& times = plan.schedule.earliest;
+  const bool a_first =
+      times[head.a.vehicle][head.a.polygon].exit <= times[head.b.vehicle][head.b.polygon].entry;
+  json order = {plan.missions[a_first ? section.a : section.b].vehicle,
+                plan.missions[a_first ? section.b : section.a].vehicle};
+  return {{"polygons", std::move(polygons)}, {"corners_m", rings_json(pieces)}, {"order", std::move(order)}};
+}
+
 json sections_json(const FleetPlan& plan) {
   json all = json::array();
   const auto envelopes = envelopes_of(plan);
   const Sections sections = merge_sections(overlapping_pairs(envelopes), envelopes);
-  for (const CriticalSection& section : sections.sections) {
-    json polygons = json::array();
-    json corners = json::array();
-    const auto pairs = sections.of(section);
-    for (const SpatialPair& pair : pairs) {
-      for (const PolygonRef at : {pair.a, pair.b}) {
-        json one = {{"vehicle", plan.missions[at.vehicle].vehicle}, {"polygon", at.polygon}};
-        if (std::ranges::find(polygons, one) == polygons.end()) polygons.push_back(std::move(one));
-      }
-      const auto both = intersection(envelopes[pair.a.vehicle].polygons[pair.a.polygon].area,
-                                     envelopes[pair.b.vehicle].polygons[pair.b.polygon].area);
-      if (both) corners.push_back(corners_json(*both));
-    }
-    // Who leaves first at the first of its pairs.
-    const SpatialPair& head = pairs.front();
-    const auto& times = plan.schedule.earliest;
-    const bool a_first =
-        times[head.a.vehicle][head.a.polygon].exit <= times[head.b.vehicle][head.b.polygon].entry;
-    json order = {plan.missions[a_first ? section.a : section.b].vehicle,
-                  plan.missions[a_first ? section.b : section.a].vehicle};
-    all.push_back(
-        {{"polygons", std::move(polygons)}, {"corners_m", std::move(corners)}, {"order", std::move(order)}});
-  }
+  for (const CriticalSection& section : sections.sections)
+    all.push_back(section_json(plan, envelopes, section, sections.of(section)));
   return all;
+}
+
+void thin_ways(const FleetPlan& plan, json& paths) {
+  for (std::size_t v = 0; v < plan.missions.size(); ++v) {
+    json& poses = paths[v]["poses_m_m_deg"];
+    json kept = json::array();
+    for (const std::size_t k : telling_poses(plan.missions[v])) kept.push_back(std::move(poses[k]));
+    poses = std::move(kept);
+  }
+}
+
+std::string text_of(const json& object) {
+  return object.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 }  // namespace
 
+std::string plan_document(const PreparedFleet& prepared, const MissionProblem& problem) {
+  json report = json::parse(fleet_json(prepared.answer, &problem, std::nullopt));
+  for (const char* key : {"conflicts", "retime_ms"}) report.erase(key);
+  thin_ways(prepared.answer.plan, report["paths"]);
+  report["sections"] = sections_json(prepared.answer.plan);
+  return text_of(report);
+}
+
 std::string fleet_document(const DocumentInput& input) {
-  json report = json::parse(fleet_json(input.prepared->answer, &input.ledger->problem(), std::nullopt));
-  report["epoch_s"] = input.epoch_s;
-  report["first_epoch_s"] = input.first_epoch_s;
-  report["revision"] = input.revision;
-  report["vehicles"] = vehicles_json(input);
-  report["goals"] = goals_json(input);
-  report["sections"] = sections_json(input.follow->plan());
-  report["blocked"] = json::array();
+  json news = {{"epoch_s", input.epoch_s},
+               {"first_epoch_s", input.first_epoch_s},
+               {"revision", input.revision},
+               {"vehicles", vehicles_json(input)},
+               {"goals", goals_json(input)},
+               {"blocked", json::array()},
+               {"retimings", input.follow->retimings()},
+               {"retime_ms", input.follow->slowest_retiming_ms()},
+               {"arrives_ms", input.follow->arrives().count()}};
   for (const Blocked& place : *input.blocked)
-    report["blocked"].push_back({{"name", place.name}, {"corners_m", corners_json(place.area)}});
-  report["retimings"] = input.follow->retimings();
-  report["retime_ms"] = input.follow->slowest_retiming_ms();
-  report["arrives_ms"] = input.follow->arrives().count();
-  return report.dump(-1, ' ', false, json::error_handler_t::replace);
+    news["blocked"].push_back({{"name", place.name}, {"corners_m", corners_json(place.area)}});
+  // The plan's object goes on with the members of this one.
+  std::string text = *input.plan;
+  text.back() = ',';
+  return text + text_of(news).substr(1);
 }
 
 }  // namespace stepwright::fleet

@@ -1,9 +1,11 @@
 #pragma once
 
 // The object "fleet" of the plan document: the report of a plan with where vehicles and loads are by now
-// (supervisor/doc/fleet_executive.md lists its keys). A pure function.
+// (supervisor/doc/fleet_executive.md lists its keys). What stays as long as the plan does is made once: it is
+// nearly all of it. Pure functions.
 //
-//   record.fleet = fleet_document({.prepared = &plan, .follow = &follow, .ledger = &ledger, ...});
+//   const std::string plan = plan_document(prepared, problem);
+//   record.fleet = fleet_document({.plan = &plan, .follow = &follow, .ledger = &ledger, ...});
 
 #include <cstdint>
 #include <string>
@@ -17,7 +19,7 @@
 namespace stepwright::fleet {
 
 struct DocumentInput {
-  const PreparedFleet* prepared = nullptr;  // none of these is null
+  const std::string* plan = nullptr;  // of plan_document; none of these is null
   const FleetFollow* follow = nullptr;
   const FleetLedger* ledger = nullptr;
   const std::vector<Blocked>* blocked = nullptr;
@@ -26,6 +28,8 @@ struct DocumentInput {
   std::uint32_t revision = 1;
 };
 
+// The object without what changes while the plan is driven.
+std::string plan_document(const PreparedFleet& prepared, const MissionProblem& problem);
 std::string fleet_document(const DocumentInput& input);
 
 }  // namespace stepwright::fleet

@@ -24,7 +24,10 @@ FleetExecutive::FleetExecutive(FleetDesk& desk, executive::Controller& controlle
       observer_(std::move(observer)),
       ledger_(desk.problem()),
       tracks_(desk.problem().vehicles.size()),
-      standing_(desk.problem().vehicles.size()) {
+      standing_(desk.problem().vehicles.size()),
+      returning_(desk.problem().vehicles.size()),
+      begun_(desk.problem().vehicles.size()),
+      resets_(desk.problem().vehicles.size(), false) {
   record_.cell = options_.cell;
 }
 
@@ -42,6 +45,11 @@ RunRecord FleetExecutive::run() {
       case Verdict::Replan:
         going = replan(decision.cause);
         break;
+      case Verdict::Hold: {
+        const auto cause = hold_stopped();
+        going = cause && replan(*cause);
+        break;
+      }
       case Verdict::RuntimeLost:
         going = recover_runtime();
         break;
@@ -266,7 +274,7 @@ void FleetExecutive::publish(bool now) {
 
 void FleetExecutive::renew_document() {
   if (!follow_ || !plan_) return;
-  record_.fleet = fleet_document({.prepared = &*plan_,
+  record_.fleet = fleet_document({.plan = &plan_document_,
                                   .follow = &*follow_,
                                   .ledger = &ledger_,
                                   .blocked = &blocked_,

@@ -3,7 +3,9 @@
 // The executive of a fleet: plans a problem's loads, downloads the missions as one program, follows vehicles
 // through their polygons, gives everybody new times when one is late, and plans anew for what new times do
 // not mend: a vehicle that has stopped or come back, a blocked place, another order. Whatever cannot be
-// mended ends in the safe state of the outputs, with a report.
+// mended ends in the safe state of the outputs, with a report. An emergency stop holds the fleet until
+// somebody lets it go on, and so does an operator who asks for it (then all come to rest first); then
+// everybody is planned for anew from where he stands.
 //
 // A new plan begins from rest: everybody drives on as far as he is permitted already and needs to brake
 // (halt_plan.h), which always can be done without asking anybody; then one plan for all that remains takes
@@ -33,6 +35,7 @@
 #include "supervisor/fleet/executive/fleet_follow.h"
 #include "supervisor/fleet/executive/fleet_reading.h"
 #include "supervisor/fleet/executive/fleet_request.h"
+#include "supervisor/fleet/executive/track.h"
 
 namespace stepwright::fleet {
 
@@ -41,6 +44,8 @@ struct FleetExecutiveOptions {
   int max_replans = 8;
   bool barrier = true;                    // simulated time waits for every decision
   std::chrono::milliseconds late{3'000};  // more is a delay
+  // Of the scan clock: so long an emergency stop or an operator holds the fleet until somebody lets it go on.
+  std::chrono::seconds hold{3'600};
   // Of wall time between two documents that only tell of progress: they are large.
   std::chrono::milliseconds between_documents{500};
   std::filesystem::path journal;       // for a restarted supervisor; empty: none is kept
@@ -64,7 +69,8 @@ class FleetExecutive {
   [[nodiscard]] result::Result<void> request(const FleetChange& change);
 
  private:
-  enum class Verdict : std::uint8_t { GoOn, Replan, Finished, GiveUp, RuntimeLost };
+  enum class Verdict : std::uint8_t { GoOn, Replan, Finished, GiveUp, RuntimeLost, Hold };
+  enum class Rest : std::uint8_t { Reached, EmergencyStop, Ended };
   struct Cause {
     executive::IncidentKind kind = executive::IncidentKind::Position;
     std::vector<std::string> evidence;
@@ -73,11 +79,6 @@ class FleetExecutive {
   struct Decision {
     Verdict verdict = Verdict::GoOn;
     Cause cause{};
-  };
-  // A way that a vehicle has driven, and how far.
-  struct Track {
-    geometry::Path path;
-    double arc_m = 0.0;
   };
   // A program that runs.
   struct Running {
@@ -109,12 +110,14 @@ class FleetExecutive {
   void note(const FollowNews& news);
   void note_stop(const StopMade& stop, bool begun);
   void note_delay(const Delay& delay);
-  std::optional<Cause> due_requests();
+  std::optional<Cause> due_requests(double time_s);
   // What each kind of request comes to; true if it takes another plan.
   bool apply(const OrderChange& order, Cause& cause);
   bool apply(const BlockChange& block, Cause& cause);
   bool apply(const UnblockChange& unblock, Cause& cause);
   bool apply(const ReturnChange& back, Cause& cause);
+  bool apply(const HoldChange& hold, Cause& cause);
+  bool apply(const ResumeChange& resume, Cause& cause);
   bool crosses(const geometry::ConvexPolygon& area) const;
   Cause lose(const std::vector<std::uint32_t>& errors, const FleetReading& reading,
              const std::vector<double>& begun_m);
@@ -124,12 +127,23 @@ class FleetExecutive {
   std::chrono::milliseconds first_clock() const;  // since the first plan's
   std::size_t action_of(const StopMade& stop) const;
 
+  // fleet_executive_rest.cpp: to rest, between two plans and after an emergency stop.
+  std::optional<Cause> hold(const Cause& cause, executive::Phase phase, const std::string& message);
+  std::optional<Cause> hold_stopped();
+  std::optional<Cause> hold_asked();
+  bool take_held(const host::StepEvent& event);
+  Cause resumed();
+  bool bring_to_rest();
+  bool install_to_stay(const PreparedFleet& prepared);
+  Rest await_rest(const PreparedFleet& halt, const std::vector<double>& begun_m);
+  bool all_rest(const PreparedFleet& halt) const;
+  void watch_errors(const std::vector<double>& begun_m);
+  void receive_returned(bool seen_anew);
+  void track(const std::vector<double>& begun_m);
+  ErrorReset take_resets();
+
   // fleet_executive_replan.cpp: from a cause to the next plan.
   bool replan(const Cause& cause);
-  bool bring_to_rest();
-  bool await_rest(const PreparedFleet& halt, const std::vector<double>& begun_m);
-  bool all_rest(const PreparedFleet& halt) const;
-  void track(const std::vector<double>& begun_m);
   FleetRequest next_request();
   NewStart start_of(std::uint32_t vehicle, const OccupancyGrid& map) const;
   bool plan_rest();
@@ -152,11 +166,19 @@ class FleetExecutive {
   executive::RunRecord record_;
   FleetLedger ledger_;
   std::optional<FleetFollow> follow_;  // of the plan that is driven
-  std::optional<PreparedFleet> plan_;  // that one; what the document shows
+  std::optional<PreparedFleet> plan_;  // that one
+  std::string plan_document_;          // of it: what the document shows as long as it is driven
   std::optional<Running> running_;     // plan or halt
   FleetReading reading_;               // the newest
   std::vector<Track> tracks_;          // by vehicle: the last way, and where on it the vehicle stood
-  std::vector<std::optional<Standing>> standing_;  // by vehicle: lost ones
+  std::vector<std::optional<Standing>> standing_;   // by vehicle: lost ones
+  std::vector<std::optional<Standing>> returning_;  // by vehicle: where one stood that is to come back
+  std::vector<std::chrono::milliseconds> begun_;    // by vehicle: its last stop, of the first plan's clock
+  std::vector<bool> resets_;                        // by vehicle: with the next program
+  std::vector<bool> reset_running_;                 // with the one that brings the fleet to rest
+  std::uint32_t reset_number_ = 0;
+  bool held_ = false;     // by an emergency stop or an operator
+  bool to_hold_ = false;  // an operator wants it as soon as all rest
   std::vector<Blocked> blocked_;
   LedgerState planned_from_;  // of the plan: what the ledger said, and what was asked
   FleetRequest planned_as_;

@@ -32,12 +32,14 @@ FleetExecutive::Decision FleetExecutive::follow() {
     const auto event = controller_.wait_event(milliseconds(200));
     if (!event) {
       if (runtime_lost()) return {Verdict::RuntimeLost, {}};
-      if (auto cause = due_requests()) return {Verdict::Replan, *cause};
+      if (auto cause = due_requests(time_s_)) return {Verdict::Replan, *cause};
       publish(false);
       continue;
     }
     const Decision decision = judge(*event);
     publish(false);
+    // While an emergency stop holds the fleet, the clock goes on.
+    if (decision.verdict == Verdict::Hold) (void)controller_.acknowledge(event->sequence);
     if (decision.verdict != Verdict::GoOn) return decision;
     (void)controller_.acknowledge(event->sequence);  // a lost runtime shows in the next round
   }
@@ -68,14 +70,11 @@ FleetExecutive::Decision FleetExecutive::judge(const host::StepEvent& event) {
 
 FleetExecutive::Decision FleetExecutive::judge_reading(const FleetReading& reading) {
   reading_ = reading;
-  if (reading.emergency_stop) {
-    return {Verdict::GiveUp,
-            {IncidentKind::Operator, {"the emergency stop is pressed: somebody has to look after it"}, {}}};
-  }
   const FollowNews news = follow_->take(reading, plan_clock());
   note(news);
+  if (reading.emergency_stop) return {Verdict::Hold, {}};
   if (!news.errors.empty()) return {Verdict::Replan, lose(news.errors, reading, {})};
-  if (auto cause = due_requests()) return {Verdict::Replan, *cause};
+  if (auto cause = due_requests(time_s_)) return {Verdict::Replan, *cause};
   if (news.finished) return {Verdict::Finished, {}};
   return {};
 }
@@ -92,11 +91,13 @@ void FleetExecutive::note_stop(const StopMade& stop, bool begun) {
   const VehicleMission& mission = follow_->plan().missions[stop.vehicle];
   executive::ActionRecord& action = record_.episodes.back().actions[action_of(stop)];
   if (begun) {
+    begun_[stop.vehicle] = first_clock();
     ledger_.made(stop.vehicle, mission.stops[stop.stop], first_clock());
     action.state = executive::ActionState::Active;
     if (!action.started_s) action.started_s = time_s_;  // a journal may know better
     return;
   }
+  ledger_.ended(mission.stops[stop.stop], begun_[stop.vehicle], first_clock());
   action.state = executive::ActionState::Done;
   if (!action.finished_s) action.finished_s = time_s_;
   record_.finished_s = time_s_;
@@ -150,14 +151,14 @@ FleetExecutive::Cause FleetExecutive::lose(const std::vector<std::uint32_t>& err
   return cause;
 }
 
-std::optional<FleetExecutive::Cause> FleetExecutive::due_requests() {
+std::optional<FleetExecutive::Cause> FleetExecutive::due_requests(double time_s) {
   std::vector<FleetChange> due;
   {
     const std::lock_guard lock(requests_mutex_);
     due.swap(requests_);
   }
   for (; next_request_ < options_.requests.size(); ++next_request_) {
-    if (options_.requests[next_request_].at_s > time_s_) break;
+    if (options_.requests[next_request_].at_s > time_s) break;
     due.push_back(options_.requests[next_request_].change);
   }
   if (due.empty()) return std::nullopt;
@@ -237,15 +238,41 @@ bool FleetExecutive::apply(const ReturnChange& back, Cause& cause) {
     cause.evidence.push_back("'" + back.vehicle + "' was not lost");
     return false;
   }
-  if (reading_.vehicles[v].error != 0) {
-    cause.evidence.push_back(fmt::format("{} cannot come back: error {} has not been reset", back.vehicle,
-                                         reading_.vehicles[v].error));
+  ledger_.find(v);
+  returning_[v] = std::exchange(standing_[v], std::nullopt);
+  resets_[v] = true;
+  ledger_.reopen();
+  cause.evidence.push_back(back.vehicle + " is to come back");
+  return true;
+}
+
+bool FleetExecutive::apply(const HoldChange&, Cause& cause) {
+  cause.kind = IncidentKind::Operator;
+  if (held_ || to_hold_) {
+    cause.evidence.emplace_back("the fleet is held already");
     return false;
   }
-  ledger_.find(v);
-  standing_[v].reset();
-  ledger_.reopen();
-  cause.evidence.push_back(back.vehicle + " is back");
+  to_hold_ = true;
+  cause.evidence.emplace_back("held by the operator");
+  return true;
+}
+
+bool FleetExecutive::apply(const ResumeChange&, Cause& cause) {
+  cause.kind = IncidentKind::Operator;
+  if (std::exchange(to_hold_, false)) {
+    cause.evidence.emplace_back("the fleet may go on");
+    return false;
+  }
+  if (!held_) {
+    cause.evidence.emplace_back("nothing holds the fleet that could be resumed");
+    return false;
+  }
+  if (reading_.emergency_stop) {
+    cause.evidence.emplace_back("the fleet cannot go on: the emergency stop is still pressed");
+    return false;
+  }
+  held_ = false;
+  cause.evidence.emplace_back("the fleet may go on");
   return true;
 }
 

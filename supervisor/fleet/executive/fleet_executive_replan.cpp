@@ -3,13 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <utility>
 
 #include "supervisor/fleet/executive/fleet_executive.h"
-#include "supervisor/fleet/executive/halt_plan.h"
 #include "supervisor/fleet/executive/lead_in.h"
 #include "supervisor/fleet/executive/standing.h"
 
@@ -22,129 +18,27 @@ using std::chrono::milliseconds;
 
 namespace {
 
-constexpr double kRestWithin_s = 60.0;  // of the scan clock
-constexpr double kSearch_m = 6.0;       // of the way, around where it is thought to be
-constexpr double kBeside_m = 0.4;       // of the way: a vehicle that stands farther from it is not on it
-
 std::string joined(const std::vector<std::string>& sentences) {
   return fmt::format("{}", fmt::join(sentences, "; "));
-}
-
-// Where on the path the vehicle stands, near a place of it.
-double arc_near(const geometry::Path& path, double guess_m, const geometry::Pose& pose) {
-  double best_m = guess_m;
-  double least = std::numeric_limits<double>::infinity();
-  for (const geometry::PathPose& at : path) {
-    if (std::abs(at.arc_m - guess_m) > kSearch_m) continue;
-    // A place that is passed twice: the one with the vehicle's heading, then the one that is expected.
-    const double turned =
-        std::abs(std::remainder(at.pose.heading_rad - pose.heading_rad, 2.0 * std::numbers::pi));
-    const double off = geometry::distance(at.pose.position(), pose.position()) + turned +
-                       0.02 * std::abs(at.arc_m - guess_m);
-    if (off >= least) continue;
-    least = off;
-    best_m = at.arc_m;
-  }
-  return best_m;
-}
-
-double distance_from(const geometry::Path& path, double arc_m, const geometry::Pose& pose) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const geometry::PathPose& at : path) {
-    if (std::abs(at.arc_m - arc_m) < 0.1)
-      least = std::min(least, geometry::distance(at.pose.position(), pose.position()));
-  }
-  return least;
 }
 
 }  // namespace
 
 bool FleetExecutive::replan(const Cause& cause) {
-  record_.replans.push_back({time_s_, joined(cause.evidence), {}});
+  record_.replans.push_back({time_s_, joined(cause.evidence), {}, to_hold_});
   open_incident(cause);
-  if (static_cast<int>(record_.replans.size()) > options_.max_replans) {
+  if (!to_hold_ && static_cast<int>(counted(record_.replans)) > options_.max_replans) {
     return give_up(fmt::format("{} plans were not enough: {}", options_.max_replans, joined(cause.evidence)),
                    cause.kind);
   }
-  set_phase(Phase::Replanning, joined(cause.evidence));
+  set_phase(to_hold_ ? Phase::Holding : Phase::Replanning, joined(cause.evidence));
   return bring_to_rest() && plan_rest();
-}
-
-bool FleetExecutive::bring_to_rest() {
-  const HaltPlan halt = halt_plan(follow_->plan(), follow_->program(), reading_,
-                                  desk_.options().program.drive, desk_.problem().map.frame());
-  auto prepared = desk_.program_of(halt.plan, revision_);
-  if (!prepared) {
-    return give_up("the fleet cannot be brought to rest: " + result::to_string(prepared.error()),
-                   IncidentKind::ProgramFault);
-  }
-  while (!install(*prepared)) {
-    if (record_.phase == Phase::Safe || !await_runtime()) return false;
-  }
-  return await_rest(*prepared, halt.begun_m);
-}
-
-// Who stops by himself meanwhile is lost as well. The clock stands still at the event with which all rest.
-bool FleetExecutive::await_rest(const PreparedFleet& halt, const std::vector<double>& begun_m) {
-  const double until_s = time_s_ + kRestWithin_s;
-  while (true) {
-    if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
-    const auto event = controller_.wait_event(milliseconds(200));
-    if (!event) {
-      if (!runtime_lost()) continue;
-      return give_up("the runtime was lost while the fleet was brought to rest", IncidentKind::LostRuntime);
-    }
-    if (event->kind == host::EventKind::Trap || event->kind == host::EventKind::Stopped ||
-        event->kind == host::EventKind::RolledBack) {
-      return give_up("the fleet was stopped while it was brought to rest: " + event->detail,
-                     IncidentKind::ProgramFault);
-    }
-    if (event->program_digest == running_->digest && event->kind == host::EventKind::StepChange) {
-      take_time(event->time_ns);
-      reading_ = running_->reader.read(event->image);
-      if (reading_.emergency_stop) return give_up("the emergency stop is pressed", IncidentKind::Operator);
-      std::vector<std::uint32_t> errors;
-      for (std::uint32_t v = 0; v < reading_.vehicles.size(); ++v) {
-        if (reading_.vehicles[v].error != 0 && !ledger_.vehicles()[v].lost) errors.push_back(v);
-      }
-      for (const std::string& sentence : lose(errors, reading_, begun_m).evidence) add_evidence(sentence);
-      if (all_rest(halt)) {
-        track(begun_m);
-        return true;
-      }
-      if (time_s_ > until_s) return give_up("the fleet does not come to rest", IncidentKind::Timeout);
-    }
-    (void)controller_.acknowledge(event->sequence);
-  }
-}
-
-bool FleetExecutive::all_rest(const PreparedFleet& halt) const {
-  for (std::uint32_t v = 0; v < reading_.vehicles.size(); ++v) {
-    const VehicleReading& now = reading_.vehicles[v];
-    const MissionStepKind step = halt.program->missions[v].steps[now.step].kind;
-    const bool rests = now.standing && now.forks_at_end && step == MissionStepKind::Done;
-    if (!rests && !ledger_.vehicles()[v].lost) return false;
-  }
-  return true;
-}
-
-// Where vehicles stand on their last ways.
-void FleetExecutive::track(const std::vector<double>& begun_m) {
-  for (std::uint32_t v = 0; v < reading_.vehicles.size(); ++v) {
-    if (ledger_.vehicles()[v].lost) continue;
-    const VehicleReading& now = reading_.vehicles[v];
-    const geometry::Path& path = plan_->answer.plan.missions[v].path;
-    // Of a vehicle that was lost the plan knows a place, and no way.
-    if (path.size() > 1 || tracks_[v].path.empty()) tracks_[v] = {path, begun_m[v] + now.arc_m};
-    tracks_[v].arc_m = arc_near(tracks_[v].path, tracks_[v].arc_m, now.pose);
-  }
 }
 
 NewStart FleetExecutive::start_of(std::uint32_t v, const OccupancyGrid& map) const {
   const Track& track = tracks_[v];
   const geometry::Footprint outline = with_reserve(desk_.model(v), desk_.options().reserve).footprint();
-  if (distance_from(track.path, track.arc_m, reading_.vehicles[v].pose) > kBeside_m)
-    return {.start = {}, .able = false};
+  if (distance_from_way(track, reading_.vehicles[v].pose) > kBesideWay_m) return {.start = {}, .able = false};
   for (LeadIn& way : lead_ins(track.path, track.arc_m, map.frame())) {
     if (!is_free(way.path, outline, map)) continue;
     NewStart start{.start = way.start};
@@ -189,6 +83,8 @@ bool FleetExecutive::plan_rest() {
                      IncidentKind::ProgramFault);
     }
     if (outcome->prepared.program) {
+      for (const std::string& name : outcome->rest.unbound)
+        add_evidence("'" + name + "' does not bind: what it counts from will not happen");
       record_.incidents.back().replan_ms =
           std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
       ++revision_;
@@ -240,6 +136,7 @@ void FleetExecutive::follow_plan(FleetOutcome outcome, const FleetRequest& reque
   for (const VehicleEntry& vehicle : ledger_.vehicles()) options.lost.push_back(vehicle.lost);
   follow_.emplace(outcome.prepared.answer.plan, *outcome.prepared.program, std::move(options));
   plan_ = std::move(outcome.prepared);
+  plan_document_ = plan_document(*plan_, ledger_.problem());
   planned_from_ = ledger_.state();
   planned_as_ = request;
 }

@@ -47,7 +47,15 @@ void FleetLedger::made(std::uint32_t vehicle, const Stop& stop, std::chrono::mil
   if (entry.aboard[index] == 0) entry.aboard.erase(index);
   goal.aboard -= std::min(left, goal.aboard);
   goal.delivered += stop.amount;
-  goal.ends.push_back(when);
+  goal.ends.push_back(when + stop.service);
+}
+
+void FleetLedger::ended(const Stop& stop, std::chrono::milliseconds begun, std::chrono::milliseconds when) {
+  const auto found = std::ranges::find(problem_.goals, stop.goal, &MissionGoal::name);
+  if (stop.kind != StopKind::SetDown || found == problem_.goals.end()) return;
+  auto& ends = goals_[static_cast<std::size_t>(found - problem_.goals.begin())].ends;
+  const auto expected = std::ranges::find(ends, begun + stop.service);
+  if (expected != ends.end()) *expected = when;
 }
 
 void FleetLedger::lose(std::uint32_t vehicle, std::string why) {

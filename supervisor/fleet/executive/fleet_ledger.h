@@ -66,6 +66,8 @@ struct RestProblem {
   std::vector<std::uint32_t> vehicles;  // of the ledger, by vehicle of the problem
   std::vector<std::size_t> goals;       // likewise
   std::vector<std::size_t> tasks;
+  // Constraints that count from what will not happen: it is aboard of a lost vehicle, say, or given up.
+  std::vector<std::string> unbound = {};
 };
 
 // All of a ledger but the problem's file: what a journal keeps.
@@ -87,6 +89,8 @@ class FleetLedger {
 
   // The vehicle stands there and has begun; that ends by itself.
   void made(std::uint32_t vehicle, const Stop& stop, std::chrono::milliseconds when);
+  // One that began then has ended: until this is told, it counts as ending behind its service.
+  void ended(const Stop& stop, std::chrono::milliseconds begun, std::chrono::milliseconds when);
   void lose(std::uint32_t vehicle, std::string why);
   void find(std::uint32_t vehicle);  // it is there again
   void give_up(std::size_t goal, std::string why);

@@ -32,13 +32,21 @@ struct UnblockChange {
   std::string name;
 };
 
-// A vehicle that stopped by itself is to take part again; whoever says so has seen to what stopped it and
-// reset it (fleet_reset).
+// A vehicle that stopped by itself is to take part again; whoever says so has seen to what stopped it. Its
+// error is reset with that.
 struct ReturnChange {
   std::string vehicle;
 };
 
-using FleetChange = std::variant<OrderChange, BlockChange, UnblockChange, ReturnChange>;
+// Everybody comes to rest where he may, and stays there.
+struct HoldChange {};
+
+// The fleet goes on after that, or after an emergency stop; whoever says so has released it and sees
+// everybody clear.
+struct ResumeChange {};
+
+using FleetChange =
+    std::variant<OrderChange, BlockChange, UnblockChange, ReturnChange, HoldChange, ResumeChange>;
 
 // At the first decision at or after that time of the scan clock.
 struct TimedRequest {

@@ -152,10 +152,25 @@ class Rest {
       }
       case Moment::TaskStart:
       case Moment::TaskEnd:
-        if (task_number_[at.index]) found.open = {{at.moment, *task_number_[at.index]}};
+        if (task_number_[at.index]) {
+          found.open = {{at.moment, *task_number_[at.index]}};
+        } else if (const auto begun = task_begun(at.index)) {
+          const milliseconds service = problem_.locations[problem_.tasks[at.index].location].service;
+          found.past = {at.moment == Moment::TaskEnd ? *begun + service : *begun};
+        }
         break;
     }
     return found;
+  }
+
+  // Of a task that is behind its vehicle.
+  std::optional<milliseconds> task_begun(std::size_t task) const {
+    const std::size_t v = problem_.tasks[task].vehicle;
+    const auto before = static_cast<std::size_t>(
+        std::count_if(problem_.tasks.begin(), problem_.tasks.begin() + static_cast<std::ptrdiff_t>(task),
+                      [&](const MissionTask& each) { return each.vehicle == v; }));
+    const auto& times = vehicles_[v].task_times;
+    return before < times.size() ? std::optional(times[before]) : std::nullopt;
   }
 
   void add(const MissionConstraint& constraint) {
@@ -163,6 +178,7 @@ class Rest {
     if (!options_.keep_limits) distance.most = kHorizon;
     const Moments from = moments(constraint.from);
     const Moments to = moments(constraint.to);
+    if (!to.open.empty() && from.open.empty() && from.past.empty()) made_.unbound.push_back(constraint.name);
     for (const MomentRef& end : to.open) {
       for (const MomentRef& begin : from.open) put(constraint, begin, end, distance);
       for (const milliseconds begun : from.past) {

@@ -23,6 +23,8 @@ StopCause stop_cause(std::uint32_t error_id) {
       return {Kind::Position, "it has come out of its area"};
     case 29:
       return {Kind::Level, "there is no load on its forks"};
+    case 30:
+      return {Kind::FailedSensor, "its navigation walks away from where the wheels lead", true};
     default:
       return {Kind::FailedActuator, "it has stopped by itself"};
   }

@@ -259,6 +259,13 @@ std::optional<CostToGo> PathPlanner::cost_to_go(const FreeMotions& motions,
   return CostToGo(motions, *primitives_, to->vertex, to->heading);
 }
 
+std::optional<Approaches> PathPlanner::approaches(const geometry::Pose& goal, std::size_t most) const {
+  Question question(*map_, *primitives_, cells_, clearance_);
+  const auto to = question.place(goal, "goal");
+  if (!to) return std::nullopt;
+  return Approaches::find(*map_, clearance_, *primitives_, cells_, to->vertex, to->heading, most);
+}
+
 PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& goal,
                              const PathOptions& options, const CostToGo* to_go) const {
   Question question(*map_, *primitives_, cells_, clearance_);

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "runtime/result/result.h"
+#include "supervisor/fleet/lattice/approaches.h"
 #include "supervisor/fleet/lattice/cost_to_go.h"
 #include "supervisor/fleet/lattice/heuristic_table.h"
 #include "supervisor/fleet/lattice/lattice_path.h"
@@ -52,6 +53,10 @@ class PathPlanner {
   // here and in planners for maps that have more obstacles. Nothing for a pose off the map.
   FreeMotions free_motions(unsigned threads) const;
   std::optional<CostToGo> cost_to_go(const FreeMotions& motions, const geometry::Pose& goal) const;
+
+  // From where the goal can be reached, if that are no more than so many poses of the lattice; nothing as
+  // well for a goal off the map or in collision.
+  std::optional<Approaches> approaches(const geometry::Pose& goal, std::size_t most) const;
 
   // `to_go`: of this goal, if there is one.
   // Diagnostics: F0302 a pose off the map, F0303 a pose in collision (and with which cell), F0304 no passage

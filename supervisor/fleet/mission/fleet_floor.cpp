@@ -22,6 +22,15 @@ std::string hex(const Digest& digest) {
   return text;
 }
 
+// Whether all obstacles of the other one are in this map too.
+bool holds_all_of(const OccupancyGrid& map, const OccupancyGrid& other) {
+  for (std::int32_t row = 0; row < map.frame().rows; ++row) {
+    for (std::int32_t column = 0; column < map.frame().columns; ++column)
+      if (other.blocked({column, row}) && !map.blocked({column, row})) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 FleetFloor::Model::Model(const OccupancyGrid& map, const VehicleModel& of, HeuristicTable loaded,
@@ -70,7 +79,12 @@ void FleetFloor::add(const VehicleModel& model) {
 void FleetFloor::set_map(const OccupancyGrid& map) {
   assert(map.frame() == map_->frame());
   *map_ = map;
-  for (auto& model : models_) model->planner = model->planner.on(*map_);
+  for (auto& model : models_) {
+    model->planner = model->planner.on(*map_);
+    if (!model->motions || holds_all_of(*map_, *model->motions_floor)) continue;
+    model->costs_to_go.clear();
+    model->motions.reset();
+  }
   known_.clear();
 }
 
@@ -88,7 +102,10 @@ FleetFloor::Key FleetFloor::key_of(const LegRequest& leg) const {
 
 void FleetFloor::prepare_goals(std::size_t model, std::span<const geometry::Pose> goals) {
   Model& of = *models_[model];
-  if (!of.motions) of.motions = of.planner.free_motions(options_.threads);
+  if (!of.motions) {
+    of.motions = of.planner.free_motions(options_.threads);
+    of.motions_floor = *map_;
+  }
   std::vector<std::optional<CostToGo>> made(goals.size());
   internal::each_index(goals.size(), options_.threads, [&](std::size_t k) {
     if (!of.costs_to_go.contains(place_of(goals[k]))) made[k] = of.planner.cost_to_go(*of.motions, goals[k]);
@@ -96,6 +113,12 @@ void FleetFloor::prepare_goals(std::size_t model, std::span<const geometry::Pose
   for (std::size_t k = 0; k < goals.size(); ++k) {
     if (made[k]) of.costs_to_go.emplace(place_of(goals[k]), *std::move(made[k]));
   }
+}
+
+std::size_t FleetFloor::prepared_goals() const {
+  std::size_t count = 0;
+  for (const auto& model : models_) count += model->costs_to_go.size();
+  return count;
 }
 
 PathAnswer FleetFloor::plan(const LegRequest& leg, const PathOptions& options) const {

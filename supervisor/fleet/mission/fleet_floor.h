@@ -56,7 +56,8 @@ class FleetFloor {
   // Any number of threads may plan with it.
   const PathPlanner& planner(std::size_t model) const { return models_[model]->planner; }
   // Other cells are free and blocked from here on; paths are forgotten, so that what is planned does not
-  // depend on what was planned before. Requires the frame of the map so far.
+  // depend on what was planned before. What ways cost is forgotten too where a cell is free that was not when
+  // it was worked out: it would be no lower bound. Requires the frame of the map so far.
   void set_map(const OccupancyGrid& map);
   unsigned threads() const { return options_.threads; }
   // Tables that could not be kept.
@@ -66,6 +67,8 @@ class FleetFloor {
   // second each, kept as long as the floor. Ways to them then take about a millisecond, around obstacles too.
   // Places off the map are left out.
   void prepare_goals(std::size_t model, std::span<const geometry::Pose> goals);
+  // Pairs of a model and a place that are prepared.
+  std::size_t prepared_goals() const;
   // One way, with what is known of its goal, on the floor's map or by a planner for one that has more
   // obstacles.
   PathAnswer plan(const LegRequest& leg, const PathOptions& options) const;
@@ -89,7 +92,8 @@ class FleetFloor {
     PrimitiveSet primitives;
     HeuristicTable table;
     PathPlanner planner;
-    std::optional<FreeMotions> motions;  // once a goal was prepared
+    std::optional<FreeMotions> motions;          // once a goal was prepared
+    std::optional<OccupancyGrid> motions_floor;  // on which they are free
     std::map<Place, CostToGo> costs_to_go;
   };
 

@@ -69,7 +69,7 @@ class ProjectWriter {
     add_text("sensing", sensing_text(plan_, vehicles, interlocks->times, options_.revision),
              sensing_blocks(vehicles, interlocks->times, options_.revision));
     for (std::uint32_t v = 0; v < plan_.missions.size(); ++v) add_chart(v, *interlocks);
-    add_text("driving", driving_text(vehicles), driving_blocks(vehicles));
+    add_text("driving", driving_text(vehicles, options_), driving_blocks(vehicles, options_));
     if (options_.news_every.count() > 0) {
       graphic::Pou pou;
       pou.name = kNewsProgram;

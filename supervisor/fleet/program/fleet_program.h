@@ -42,6 +42,13 @@ struct FleetMargins {
   double outside_m = 0.1;       // by which the outline may be measured outside of its polygons
 };
 
+// Vehicles whose errors are reset as the program begins.
+struct ErrorReset {
+  std::vector<bool> vehicles;  // by vehicle; empty: none
+  // Another one in each program of a run: an online change carries a block by its name, and so what it knows.
+  std::uint32_t number = 0;
+};
+
 struct ProgramOptions {
   std::int64_t interval_us = 20'000;
   DriveData drive;
@@ -53,6 +60,7 @@ struct ProgramOptions {
   std::chrono::milliseconds news_every{0};
   // Counts the plans of a run. The program's clock begins anew with each, also after an online change.
   std::uint32_t revision = 1;
+  ErrorReset reset = {};
 };
 
 // What a step of a chart is about.

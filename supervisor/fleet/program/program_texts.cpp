@@ -143,6 +143,14 @@ std::string limits_text(const std::vector<VehicleNames>& vehicles, const TimeRul
   return text;
 }
 
+bool resets(const ProgramOptions& options, std::size_t vehicle) {
+  return vehicle < options.reset.vehicles.size() && options.reset.vehicles[vehicle];
+}
+
+std::string reset_block(const VehicleNames& names, const ProgramOptions& options) {
+  return fmt::format("reset_{}_{}", options.reset.number, names.name);
+}
+
 std::string filled(const char* text, const VehicleNames& names) {
   return fmt::format(fmt::runtime(text), names.name, names.path, names.areas, names.planes);
 }
@@ -277,9 +285,13 @@ std::vector<Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles, 
   return blocks;
 }
 
-std::string driving_text(const std::vector<VehicleNames>& vehicles) {
+std::string driving_text(const std::vector<VehicleNames>& vehicles, const ProgramOptions& options) {
   std::string text;
-  for (const VehicleNames& names : vehicles) {
+  for (std::size_t v = 0; v < vehicles.size(); ++v) {
+    const VehicleNames& names = vehicles[v];
+    if (resets(options, v))
+      text += fmt::format("{}(Execute := TRUE, Vehicle := vehicle_{});\n", reset_block(names, options),
+                          names.name);
     text += filled(kDriving, names);
     if (!names.path.empty()) text += filled(kMoving, names);
     text += filled(kOutputs, names);
@@ -287,9 +299,12 @@ std::string driving_text(const std::vector<VehicleNames>& vehicles) {
   return text;
 }
 
-std::vector<Variable> driving_blocks(const std::vector<VehicleNames>& vehicles) {
+std::vector<Variable> driving_blocks(const std::vector<VehicleNames>& vehicles,
+                                     const ProgramOptions& options) {
   std::vector<Variable> blocks = {block("failed", "BOOL")};
-  for (const VehicleNames& names : vehicles) {
+  for (std::size_t v = 0; v < vehicles.size(); ++v) {
+    const VehicleNames& names = vehicles[v];
+    if (resets(options, v)) blocks.push_back(block(reset_block(names, options), "MC_GroupReset"));
     blocks.push_back(block("reset_" + names.name, "MC_GroupReset"));
     blocks.push_back(block("power_" + names.name, "MC_GroupPower"));
     if (!names.path.empty()) blocks.push_back(block("move_" + names.name, "MC_MovePath"));

@@ -36,8 +36,9 @@ std::string sensing_text(const FleetPlan& plan, const std::vector<VehicleNames>&
 std::vector<graphic::Variable> sensing_blocks(const std::vector<VehicleNames>& vehicles,
                                               const TimeRules& rules, std::uint32_t revision);
 // PROGRAM driving: behind them.
-std::string driving_text(const std::vector<VehicleNames>& vehicles);
-std::vector<graphic::Variable> driving_blocks(const std::vector<VehicleNames>& vehicles);
+std::string driving_text(const std::vector<VehicleNames>& vehicles, const ProgramOptions& options);
+std::vector<graphic::Variable> driving_blocks(const std::vector<VehicleNames>& vehicles,
+                                              const ProgramOptions& options);
 
 // "set_speed" -> its address, and so on; all of them.
 std::vector<std::pair<std::string, std::string>> named_terminals(const VehicleTerminals& terminals);

@@ -96,6 +96,18 @@ std::vector<Detour> FloorEvents::release_free() {
   return released;
 }
 
+// Where vehicles that are held may be, as blocked places.
+std::vector<std::uint32_t> FloorEvents::block_held() {
+  std::vector<std::uint32_t> places;
+  for (std::uint32_t v = 0; v < traffic_.vehicles(); ++v) {
+    if (!traffic_.held(v) || traffic_.removed(v)) continue;
+    const auto& polygons = traffic_.route(v).mission.grown.envelope.polygons;
+    for (std::uint32_t k = traffic_.first(v); k < traffic_.granted(v); ++k)
+      places.push_back(planner_.block(polygons[k].area));
+  }
+  return places;
+}
+
 Blockage FloorEvents::block(const geometry::ConvexPolygon& area, milliseconds now) {
   Blockage blockage{.number = planner_.block(area), .detours = {}};
   blockage.detours = detour_all(now);
@@ -140,10 +152,19 @@ result::Result<std::vector<Detour>> FloorEvents::came_back(std::uint32_t vehicle
   const std::uint32_t number = dead_.at(vehicle);
   const geometry::ConvexPolygon area = planner_.blocked_area(number);
   planner_.unblock(number);
-  auto route = from == path.end() || from >= to ? planner_.plan(vehicle, path.back().pose, stops)
-                                                : planner_.plan_from(vehicle, {from, to + 1}, stops);
-  auto change = route ? traffic_.restore(vehicle, *std::move(route), now)
-                      : result::Result<Change>(tl::unexpected(route.error()));
+  const auto attempt = [&] {
+    auto route = from == path.end() || from >= to ? planner_.plan(vehicle, path.back().pose, stops)
+                                                  : planner_.plan_from(vehicle, {from, to + 1}, stops);
+    return route ? traffic_.restore(vehicle, *std::move(route), now)
+                 : result::Result<Change>(tl::unexpected(route.error()));
+  };
+  auto change = attempt();
+  if (!change) {
+    // Who is held waits for this one, perhaps right in its way: then it leaves them where they stand.
+    const std::vector<std::uint32_t> places = block_held();
+    if (!places.empty() && attempt()) change = Change{};
+    for (const std::uint32_t place : places) planner_.unblock(place);
+  }
   if (!change) {
     dead_[vehicle] = planner_.block(area);
     return result::forward(change);

@@ -68,6 +68,7 @@ class FloorEvents {
   std::vector<Detour> detour_all(std::chrono::milliseconds now);
   Detour detour(std::uint32_t vehicle, std::chrono::milliseconds now);
   std::vector<Detour> release_free();
+  std::vector<std::uint32_t> block_held();
 
   Traffic& traffic_;
   RoutePlanner& planner_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "supervisor/fleet/control/leg.h"
@@ -97,6 +98,7 @@ result::Result<Route> make_route(VehicleMission mission, std::vector<double> dri
         fmt::format("{}: {} times for {} poses", mission.vehicle, driving_s.size(), mission.path.size()));
   }
   const auto& visits = mission.grown.visits;
+  assert(std::ranges::is_sorted(visits, {}, &Visit::exit_m));
   const double end_m = mission.path.back().arc_m;
   bool together = false;  // with the polygon before
   for (std::size_t k = 0; k < visits.size(); ++k) {
@@ -194,8 +196,13 @@ result::Result<Route> splice(const Route& old, std::uint32_t first, std::size_t 
     made.grown.envelope.polygons.push_back(before.grown.envelope.polygons[k]);
     made.grown.visits.push_back(visit);
   }
+  const double held_to_m = made.grown.visits.back().exit_m;
   for (std::uint32_t k = 0; k < continuation.polygons(); ++k) {
     Visit visit = continuation.mission.grown.visits[k];
+    // Whom the polygon of the branch holds farther than this one does needs this one never. It would have to
+    // be permitted while the vehicle cannot leave the one before.
+    const bool last_of_all = k + 1 == continuation.polygons();
+    if (visit.exit_m + offset_m <= held_to_m && !last_of_all) continue;
     visit.first_pose += offset;
     visit.last_pose += offset;
     visit.entry_m += offset_m;

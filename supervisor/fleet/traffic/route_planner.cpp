@@ -1,5 +1,7 @@
 #include "supervisor/fleet/traffic/route_planner.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -144,8 +146,19 @@ result::Result<const RoutePlanner::Leg*> RoutePlanner::leg(std::uint32_t vehicle
     if (const auto found = legs_.find(key); found != legs_.end()) return &found->second;
   }
   const Layer& on = layer(number);
+  if (enclosed(number, from, to)) {
+    return result::fail("F0305", {},
+                        fmt::format("what is blocked keeps {} from ({:.2f} m, {:.2f} m)",
+                                    homes_[vehicle].vehicle, to.x_m, to.y_m));
+  }
   PathAnswer answer = path(*on.planner, from, to);
-  if (!answer.path) return tl::unexpected(std::move(answer.diagnostics));
+  if (!answer.path) {
+    // Where not even a disc gets through that was found out in no time, and will be again.
+    const std::lock_guard lock(*kept_);
+    if (answer.expanded > 0) in_doubt_.insert(place_of(to));
+    in_vain_ += answer.expanded > 0 ? 1 : 0;
+    return tl::unexpected(std::move(answer.diagnostics));
+  }
   auto route = leg_along(*on.grid, std::move(answer.path->poses));
   if (!route) return result::forward(route);
   // Who came second has found the same.
@@ -153,6 +166,24 @@ result::Result<const RoutePlanner::Leg*> RoutePlanner::leg(std::uint32_t vehicle
   const auto [kept, is_new] = legs_.try_emplace(key, Leg{*std::move(route), changes_});
   paths_planned_ += is_new ? 1 : 0;
   return &kept->second;
+}
+
+// A search in vain looks at all of the floor, and who waits for a way asks again and again. After the first
+// one, what is enclosed with the goal is looked at instead, once for each layer.
+bool RoutePlanner::enclosed(std::uint32_t number, const Pose& from, const Pose& to) {
+  constexpr std::size_t kFew = 40'000;
+  const std::pair key(number, place_of(to));
+  const PathPlanner& planner = *layer(number).planner;
+  {
+    const std::lock_guard lock(*kept_);
+    if (!in_doubt_.contains(key.second)) return false;
+    if (const auto known = approaches_.find(key); known != approaches_.end())
+      return known->second && !known->second->hold(from);
+  }
+  auto found = planner.approaches(to, kFew);
+  const std::lock_guard lock(*kept_);
+  const auto& known = approaches_.try_emplace(key, std::move(found)).first->second;
+  return known && !known->hold(from);
 }
 
 PathAnswer RoutePlanner::path(const PathPlanner& planner, const Pose& from, const Pose& to) const {
@@ -235,6 +266,8 @@ std::uint32_t RoutePlanner::block(const ConvexPolygon& area) {
   const std::uint32_t number = next_block_++;
   blocked_.emplace(number, Blocked{area, ++changes_});
   layers_.clear();
+  // What was enclosed still is; what was not may be now.
+  std::erase_if(approaches_, [](const auto& entry) { return !entry.second.has_value(); });
   std::erase_if(legs_, [&](const auto& entry) {
     return std::ranges::any_of(entry.second.route.mission.grown.envelope.polygons,
                                [&](const EnvelopePolygon& polygon) { return overlaps(polygon.area, area); });
@@ -250,6 +283,8 @@ void RoutePlanner::unblock(std::uint32_t number) {
   std::erase_if(legs_, [&](const auto& entry) { return entry.second.planned >= found->second.since; });
   blocked_.erase(found);
   layers_.clear();
+  in_doubt_.clear();
+  approaches_.clear();
 }
 
 bool RoutePlanner::meets_blocked(const Pose& pose) const {

@@ -16,9 +16,11 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "supervisor/fleet/lattice/path_planner.h"
@@ -88,6 +90,8 @@ class RoutePlanner {
   const geometry::Pose& home(std::uint32_t vehicle) const { return homes_[vehicle].pose; }
   const std::string& name(std::uint32_t vehicle) const { return homes_[vehicle].vehicle; }
   std::uint64_t paths_planned() const { return paths_planned_; }
+  // Searches that looked at all that can be reached and found no way.
+  std::uint64_t searches_in_vain() const { return in_vain_; }
 
  private:
   // The floor as one vehicle sees it, or, without a home, as it is for ways from station to station.
@@ -112,6 +116,8 @@ class RoutePlanner {
   Place place_of(const geometry::Pose& pose) const;
   const Layer& layer(std::uint32_t number);
   PathAnswer path(const PathPlanner& planner, const geometry::Pose& from, const geometry::Pose& to) const;
+  // Whether blocked places are known to keep the vehicle from getting there.
+  bool enclosed(std::uint32_t layer, const geometry::Pose& from, const geometry::Pose& to);
   [[nodiscard]] result::Result<const Leg*> leg(std::uint32_t vehicle, const geometry::Pose& from,
                                                const geometry::Pose& to);
   [[nodiscard]] result::Result<Route> leg_along(const OccupancyGrid& grid, geometry::Path path) const;
@@ -128,10 +134,15 @@ class RoutePlanner {
   std::optional<PathPlanner> base_;
   std::unique_ptr<FreeMotions> motions_;  // on the floor without homes; where it is the costs point to
   std::map<Place, CostToGo> costs_to_go_;
-  std::unique_ptr<std::mutex> kept_ = std::make_unique<std::mutex>();  // guards the next three
+  std::unique_ptr<std::mutex> kept_ = std::make_unique<std::mutex>();  // guards the next six
   std::map<std::uint32_t, Layer> layers_;
   std::map<LegKey, Leg> legs_;
   std::uint64_t paths_planned_ = 0;
+  // Goals to which some way was searched for in vain, and from where each is reached; until a place is free
+  // again.
+  std::set<Place> in_doubt_;
+  std::map<std::pair<std::uint32_t, Place>, std::optional<Approaches>> approaches_;  // by layer
+  std::uint64_t in_vain_ = 0;
   std::map<std::uint32_t, Blocked> blocked_;
   std::uint64_t changes_ = 0;
   std::uint32_t next_block_ = 1;

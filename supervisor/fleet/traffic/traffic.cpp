@@ -51,19 +51,39 @@ void Traffic::progress(std::uint32_t vehicle, const Whereabouts& at, millisecond
   lane.arc_m = std::max(lane.arc_m, std::min(at.arc_m, lane.route.end_m()));
   lane.speed_m_s = at.speed_m_s;
   lane.standing_until = at.standing_until;
-  while (lane.first + 1 < lane.granted && lane.arc_m >= lane.route.left_m[lane.first]) ++lane.first;
+  leave(vehicle);
   grant(vehicle);
   post_delay(vehicle, now);
 }
 
-// Who waited for a vehicle that is out of order goes on, but not who is held: it would stand where that one
-// has to begin to drive again, for as long as that one stands in its way.
+// Who rests is in his last polygon alone, also if he stands a little before the end.
+void Traffic::leave(std::uint32_t vehicle) {
+  Lane& lane = lanes_[vehicle];
+  const bool resting = rests(vehicle);
+  while (lane.first + 1 < lane.granted && (resting || lane.arc_m >= lane.route.left_m[lane.first]))
+    ++lane.first;
+}
+
+// Who waited for a vehicle that is out of order goes on.
 bool Traffic::open(std::uint32_t vehicle, std::uint32_t polygon) const {
   const Lane& lane = lanes_[vehicle];
+  if (lane.limit_m && room_of_removed(lane.route.mission.grown.envelope.polygons[polygon].area)) return false;
   const auto [begin, end] = std::ranges::equal_range(lane.waits, polygon, {}, &internal::Wait::polygon);
   return std::all_of(begin, end, [&](const internal::Wait& wait) {
     const Lane& other = lanes_[wait.vehicle];
-    return other.first > wait.left || (other.removed && !lane.limit_m);
+    return other.first > wait.left || other.removed;
+  });
+}
+
+// Who is held there would stand where a vehicle out of order has to begin to drive again, for as long as that
+// one stands in its way. No schedule says so: vehicles out of order are in none.
+bool Traffic::room_of_removed(const geometry::ConvexPolygon& area) const {
+  return std::ranges::any_of(lanes_, [&](const Lane& other) {
+    if (!other.removed) return false;
+    const auto& polygons = other.route.mission.grown.envelope.polygons;
+    for (std::uint32_t k = other.first; k < other.granted; ++k)
+      if (overlaps(polygons[k].area, area)) return true;
+    return false;
   });
 }
 
@@ -114,6 +134,7 @@ void Traffic::keep_times(milliseconds now) {
     if (lane.limit_m) arc_m = std::min(arc_m, *lane.limit_m);
     if (arc_m < lane.arc_m) continue;
     lane.arc_m = arc_m;
+    if (rests(v)) leave(v);
     const double behind_s = route.pace.time_s(arc_m, true);
     const bool stands = time_s >= route.pace.time_s(arc_m) && behind_s > time_s;
     lane.standing_until = stands ? now + whole(behind_s - time_s) : milliseconds(0);

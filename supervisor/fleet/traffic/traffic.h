@@ -22,6 +22,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "runtime/result/result.h"
@@ -114,6 +115,9 @@ class Traffic {
   bool removed(std::uint32_t vehicle) const { return lanes_[vehicle].removed; }
   bool held(std::uint32_t vehicle) const { return lanes_[vehicle].limit_m.has_value(); }
   bool rests(std::uint32_t vehicle) const;
+  // Orders of the last schedule, also those that have come true: by polygon, whose must have been left
+  // before.
+  std::span<const internal::Wait> waits(std::uint32_t vehicle) const { return lanes_[vehicle].waits; }
   // When it comes to the end of its way as things stand.
   std::chrono::milliseconds expected_end(std::uint32_t vehicle) const;
   // When it is expected behind the place, as `keep_times` would have it.
@@ -142,8 +146,11 @@ class Traffic {
                                              std::chrono::milliseconds now) const;
   void install(Planned planned, std::chrono::milliseconds now);
   bool open(std::uint32_t vehicle, std::uint32_t polygon) const;
+  // Whether a vehicle that takes no part is permitted a polygon that overlaps this one.
+  bool room_of_removed(const geometry::ConvexPolygon& area) const;
   // The first polygon behind this one that is not needed together with it.
   std::uint32_t behind_group(std::uint32_t vehicle, std::uint32_t polygon) const;
+  void leave(std::uint32_t vehicle);
   void grant(std::uint32_t vehicle);
   void post_delay(std::uint32_t vehicle, std::chrono::milliseconds now);
   Start start_in(std::uint32_t vehicle, std::uint32_t polygon) const;

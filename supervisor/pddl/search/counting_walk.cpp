@@ -16,9 +16,7 @@ CountingWalk::CountingWalk(const RelaxedTask& task, SearchControl& control)
     : task_(task),
       space_(task.space()),
       control_(control),
-      memory_(control),
-      lookahead_(task),
-      nodes_(space_),
+      lookahead_(task, control),
       state_(space_.initial()) {}
 
 // How often each operator is to be applied from the state. False if the program has no answer.
@@ -32,7 +30,6 @@ bool CountingWalk::count() {
       costs.push_back(std::isfinite(op.cost.low) ? std::max(op.cost.low, 0.0) + 1e-3 : 1e-3);
     }
     program_.emplace(std::move(costs), rows_->rows());
-    node_ = nodes_.insert(state_.data()).first;
   }
   for (std::size_t r = 0; r < rows_->rows().size(); ++r) program_->set_low(r, rows_->low(r, state_.data()));
   const LpSolution solution = program_->minimize(stop, kIterations);
@@ -50,14 +47,17 @@ bool CountingWalk::count() {
 // False if it leads nowhere.
 bool CountingWalk::step() {
   if (!count()) return false;
-  const std::size_t known = nodes_.size();
-  node_ = lookahead_.follow(nodes_, node_, state_, uses_);
-  memory_.set(nodes_.memory());
+  before_ = state_;
+  lookahead_.follow(state_, uses_, [this](int op, double, const std::vector<Word>& next) {
+    if (next == state_) return false;
+    plan_.push_back(op);
+    return true;
+  });
   if (space_.goal(state_.data())) {
-    found_ = offer_plan(space_, control_, nodes_.path(node_));
+    found_ = offer_plan(space_, control_, plan_);
     return false;
   }
-  return nodes_.size() > known;
+  return state_ != before_;
 }
 
 SearchStatus CountingWalk::run(std::uint64_t programs, StopReason& reason) {

@@ -5,6 +5,9 @@
 // Lipovetzky 2015, "Sequencing operator counts"). Where numbers depend on each other in long chains, this
 // sees the whole where estimates that add up their parts see plateaus.
 //
+// Only the way is kept, not the states on it: in a task of thousands of numbers a plan of millions of steps
+// takes some megabytes.
+//
 // Thread rule: one call, one object. `run` can be resumed after Running.
 
 #include <optional>
@@ -31,14 +34,12 @@ class CountingWalk {
   const RelaxedTask& task_;
   const StateSpace& space_;
   SearchControl& control_;
-  MemoryShare memory_;
   std::optional<LpProgram> program_;  // none: not built yet
   std::optional<CountingRows> rows_;
   Lookahead lookahead_;
-  StateTable nodes_;
   std::vector<AdditiveHeuristic::Use> uses_;
-  std::vector<Word> state_;
-  std::uint32_t node_ = 0;
+  std::vector<Word> state_, before_;
+  std::vector<int> plan_;  // the way to the state
   bool found_ = false;
 };
 

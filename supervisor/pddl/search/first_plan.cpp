@@ -4,6 +4,13 @@
 #include <thread>
 
 namespace stepwright::pddl {
+namespace {
+
+// Where many steps of numbers lead to the goal, programs see the whole of them at once; a first look need not
+// take them one by one.
+constexpr std::size_t kQuickStates = 5'000;
+
+}  // namespace
 
 template <typename Search>
 void FirstPlan::enter(Search& search, std::uint64_t share, bool first_thread, bool proves) {
@@ -95,12 +102,15 @@ SearchStatus FirstPlan::side_by_side(StopReason& reason) {
 
 SearchStatus FirstPlan::run(StopReason& reason) {
   constexpr std::uint64_t kQuick = 150, kPrograms = 10, kWidth = 4000;
-  SearchStatus status = LazySearch(task_, control_, {}).run(kQuick, reason);
+  LazyOptions quick;
+  if (has_numbers()) quick.most_states = kQuickStates;
+  SearchStatus status = LazySearch(task_, control_, quick).run(kQuick, reason);
   if (status != SearchStatus::Running) return status;
   landmarks_ = find_landmarks(task_, control_);
   if ((reason = control_.check()) != StopReason::None) return SearchStatus::Stopped;
   if (landmarks_->size() > 0) {
-    status = LazySearch(task_, control_, with_landmarks()).run(kQuick, reason);
+    quick.landmarks = with_landmarks().landmarks;
+    status = LazySearch(task_, control_, quick).run(kQuick, reason);
     if (status != SearchStatus::Running) return status;
   }
   if (has_numbers()) {

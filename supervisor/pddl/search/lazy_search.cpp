@@ -31,7 +31,7 @@ LazySearch::LazySearch(const RelaxedTask& task, SearchControl& control, const La
       weights_(options.costs ? cost_weights(space_.task()) : unit_weights(space_.task())),
       least_potential_(evaluate_interval(space_.task().potential, space_.task().bounds).low),
       additive_(task, weights_),
-      lookahead_(task),
+      lookahead_(task, control),
       costs_can_fall_(costs_can_fall(space_.task())),
       nodes_(space_),
       reached_(options.landmarks == nullptr ? 0 : (options.landmarks->size() + 63) / 64),
@@ -173,7 +173,15 @@ void LazySearch::push_successors(std::uint32_t node) {
 bool LazySearch::look_ahead(std::uint32_t& node) {
   const std::size_t known = nodes_.size();
   ahead_ = state_;
-  const std::uint32_t last = lookahead_.follow(nodes_, node, ahead_, additive_.plan());
+  std::uint32_t last = node;
+  lookahead_.follow(ahead_, additive_.plan(), [&](int op, double cost, const std::vector<Word>& state) {
+    if (nodes_.size() >= options_.most_states) return false;
+    const auto [next, added] = nodes_.insert(state.data());
+    if (next == last) return false;
+    if (added) nodes_[next] = {snap(nodes_[last].cost + cost), last, op, nodes_[last].steps + 1, false};
+    last = next;
+    return true;
+  });
   if (last == node || last < known || nodes_[last].closed) return false;
   if (count_) {
     // The landmarks on the way: from the last node that was known before to the new ones.

@@ -20,6 +20,7 @@
 #include "supervisor/pddl/search/node_words.h"
 #include "supervisor/pddl/search/relaxed_plan.h"
 #include "supervisor/pddl/search/search_control.h"
+#include "supervisor/pddl/search/state_table.h"
 
 namespace stepwright::pddl {
 
@@ -30,6 +31,7 @@ struct LazyOptions {
   bool intervals = false;                // the relaxed plan over intervals as another heuristic
   const Landmarks* landmarks = nullptr;  // counted as another heuristic
   const LowerBounds* bounds = nullptr;   // for pruning
+  std::size_t most_states = SIZE_MAX;    // that it looks ahead to; beyond, it only expands
 };
 
 class LazySearch {

@@ -3,8 +3,15 @@
 #include <algorithm>
 
 namespace stepwright::pddl {
+namespace {
 
-Lookahead::Lookahead(const RelaxedTask& task) : task_(task), space_(task.space()), next_(space_.words()) {
+// Steps between two looks at the control: a plan of numbers can have millions.
+constexpr std::uint32_t kBetweenLooks = 64;
+
+}  // namespace
+
+Lookahead::Lookahead(const RelaxedTask& task, SearchControl& control)
+    : task_(task), space_(task.space()), control_(control), next_(space_.words()) {
   std::vector<std::vector<int>> units(space_.task().operators.size());
   for (std::size_t u = 0; u < task.units(); ++u) {
     const int op = task.operator_of(u);
@@ -13,24 +20,22 @@ Lookahead::Lookahead(const RelaxedTask& task) : task_(task), space_(task.space()
   units_of_ = PackedLists<int>(units);
 }
 
-bool Lookahead::apply(StateTable& states, std::uint32_t& node, std::vector<Word>& state, int op) {
+bool Lookahead::apply(std::vector<Word>& state, int op, const Enter& enter) {
+  if (stopped_) return false;
   const GroundOperator& whole = space_.task().operators[static_cast<std::size_t>(op)];
   if (!space_.holds(whole.precondition, state.data())) return false;
   double cost = 0.0;
-  if (!space_.apply(op, state.data(), next_.data(), cost)) return false;
-  const auto [next, added] = states.insert(next_.data());
-  if (next == node) return false;
-  if (added) states[next] = {snap(states[node].cost + cost), node, op, states[node].steps + 1, false};
-  node = next;
+  if (!space_.apply(op, state.data(), next_.data(), cost) || !enter(op, cost, next_)) return false;
   state.swap(next_);
+  if (++steps_ % kBetweenLooks == 0) stopped_ = control_.check() != StopReason::None;
   return true;
 }
 
-bool Lookahead::pass(StateTable& states, std::uint32_t& node, std::vector<Word>& state) {
+bool Lookahead::pass(std::vector<Word>& state, const Enter& enter) {
   bool any = false;
   std::size_t kept = 0;
   for (AdditiveHeuristic::Use use : rest_) {
-    while (use.times > 0 && apply(states, node, state, use.op)) {
+    while (use.times > 0 && apply(state, use.op, enter)) {
       --use.times;
       any = true;
     }
@@ -77,19 +82,19 @@ bool Lookahead::replace(const std::vector<Word>& state) {
   return false;
 }
 
-std::uint32_t Lookahead::follow(StateTable& states, std::uint32_t node, std::vector<Word>& state,
-                                const std::vector<AdditiveHeuristic::Use>& plan) {
+void Lookahead::follow(std::vector<Word>& state, const std::vector<AdditiveHeuristic::Use>& plan,
+                       const Enter& enter) {
   rest_ = plan;
   std::stable_sort(rest_.begin(), rest_.end(),
                    [](const auto& a, const auto& b) { return a.needs_cost < b.needs_cost; });
   // Replacements could go round in circles: each operator of the relaxed plan pays for one.
   std::size_t replacements = rest_.size();
   patience_ = 2000;
-  while (!rest_.empty()) {
-    if (pass(states, node, state)) continue;
+  stopped_ = false;
+  while (!rest_.empty() && !stopped_) {
+    if (pass(state, enter)) continue;
     if (replacements-- == 0 || !replace(state)) break;
   }
-  return node;
 }
 
 }  // namespace stepwright::pddl

@@ -6,35 +6,41 @@
 //
 // Thread rule: one search, one object.
 
+#include <functional>
 #include <vector>
 
 #include "supervisor/pddl/search/additive_heuristic.h"
-#include "supervisor/pddl/search/state_table.h"
+#include "supervisor/pddl/search/search_control.h"
 
 namespace stepwright::pddl {
 
 class Lookahead {
  public:
-  explicit Lookahead(const RelaxedTask& task);
+  Lookahead(const RelaxedTask& task, SearchControl& control);
+
+  // Takes the step of the operator to the next state; false if that leads nowhere.
+  using Enter = std::function<bool(int op, double cost, const std::vector<Word>& next)>;
 
   // Applies the operators of the relaxed plan, those with cheaper needs first, again and again while any can
-  // be applied; where none can, one that reaches the same for another takes its place. Every state on the way
-  // is a node. `state` is the node's before and the last one's after. Returns the last node.
-  std::uint32_t follow(StateTable& states, std::uint32_t node, std::vector<Word>& state,
-                       const std::vector<AdditiveHeuristic::Use>& plan);
+  // be applied; where none can, one that reaches the same for another takes its place. `state` is where it
+  // begins before and where it ends after. Ends earlier if the control says stop.
+  void follow(std::vector<Word>& state, const std::vector<AdditiveHeuristic::Use>& plan, const Enter& enter);
 
  private:
-  bool apply(StateTable& states, std::uint32_t& node, std::vector<Word>& state, int op);
-  bool pass(StateTable& states, std::uint32_t& node, std::vector<Word>& state);
+  bool apply(std::vector<Word>& state, int op, const Enter& enter);
+  bool pass(std::vector<Word>& state, const Enter& enter);
   bool replace(const std::vector<Word>& state);
   int substitute(const std::vector<Word>& state, int supplier, int user);
 
   const RelaxedTask& task_;
   const StateSpace& space_;
+  SearchControl& control_;
   PackedLists<int> units_of_;  // by operator
   std::vector<AdditiveHeuristic::Use> rest_;
   std::vector<Word> next_;
   int patience_ = 0;  // looks that are left for replacements
+  std::uint32_t steps_ = 0;
+  bool stopped_ = false;
 };
 
 }  // namespace stepwright::pddl

@@ -9,6 +9,10 @@ namespace {
 
 constexpr std::size_t kMegabyte = 1024 * 1024;
 constexpr std::chrono::milliseconds kBetweenLooks{4};
+// What a step of a plan takes with its names, as it leaves the planner; asked for before long plans are
+// taken.
+constexpr std::size_t kBytesPerStep = 256;
+constexpr std::size_t kLongPlan = 50'000;
 
 template <typename T>
 void raise(std::atomic<T>& target, T value) {
@@ -82,6 +86,10 @@ double SearchControl::peak_mb() const {
 bool SearchControl::offer(std::vector<int> operators, double cost) {
   const double rounded = comparable(cost);
   const auto steps = static_cast<std::uint32_t>(operators.size());
+  if (steps > kLongPlan && !has_room_for(steps * kBytesPerStep)) {
+    stop(StopReason::Memory);
+    return false;
+  }
   const std::lock_guard lock(mutex_);
   if (!best_.quality.leaves_room_for(rounded, steps)) return false;
   best_ = {std::move(operators), {rounded, steps}};

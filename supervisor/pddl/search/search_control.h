@@ -64,7 +64,7 @@ class SearchControl {
 
   double elapsed_ms() const;
 
-  // Takes the plan if it is better than the best so far.
+  // Takes the plan if it is better than the best so far. One that is too long for the memory budget ends all.
   bool offer(std::vector<int> operators, double cost);
 
   Incumbent best() const;

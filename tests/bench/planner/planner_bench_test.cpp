@@ -77,8 +77,7 @@ TEST(Measurement, PlannerThatLies_IsFoundOut) {
   const Instance instance = smallest("blocks");
   const auto task = task_of(instance);
   std::string plan;
-  for (const auto& action : instance.reference)
-    plan += (plan.empty() ? "\"" : ",\"") + model::to_string(action) + "\"";
+  for (const auto& action : instance.reference) plan += model::to_string(action) + "\\n";
   const auto said = [&](const std::string& line) {
     ChildResult child;
     child.end = ChildEnd::Done;
@@ -86,13 +85,13 @@ TEST(Measurement, PlannerThatLies_IsFoundOut) {
     return measurement_of(child, *task);
   };
   const std::string times = R"({"wall_ms": 1, "cpu_ms": 1, "expanded": 1, )";
-  const Measurement good = said(times + R"("plan": [)" + plan + "]}");
+  const Measurement good = said(times + R"("plan": ")" + plan + "\"}");
   EXPECT_THAT(good.wrong, IsEmpty());
   ASSERT_TRUE(good.solved());
   EXPECT_EQ(good.last().steps, instance.reference.size());
-  EXPECT_THAT(said(times + R"("plan": [)" + plan + R"(], "cost": 1})").wrong,
+  EXPECT_THAT(said(times + R"("plan": ")" + plan + R"(", "cost": 1})").wrong,
               HasSubstr("says that it costs"));
-  EXPECT_THAT(said(times + R"("plan": []})").wrong, HasSubstr("goal"));
+  EXPECT_THAT(said(times + R"("plan": ""})").wrong, HasSubstr("goal"));
   EXPECT_THAT(said(times + R"("infeasible": true, "reason": "no"})").wrong, HasSubstr("no plan"));
 }
 

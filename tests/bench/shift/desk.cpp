@@ -27,7 +27,9 @@ std::vector<DispatchRule::Choice> EarliestDueNearestVehicle::choose(std::span<co
   for (const Waiting& transport : by_due) {
     if (left.empty() || choices.size() == kAtOnce) break;
     const auto nearest = std::ranges::min_element(left, {}, [&](const FreeVehicle& vehicle) {
-      return geometry::distance(vehicle.place.position(), transport.from.position());
+      const bool refused = std::ranges::find(transport.not_by, vehicle.vehicle) != transport.not_by.end();
+      const double way_m = geometry::distance(vehicle.place.position(), transport.from.position());
+      return std::pair(refused, way_m);
     });
     choices.push_back({transport.transport, nearest->vehicle});
     left.erase(nearest);
@@ -43,7 +45,8 @@ Desk::Desk(const Scenario& scenario, fleet::Traffic& traffic, fleet::RoutePlanne
       rule_(rule),
       figures_(figures),
       jobs_(traffic.vehicles()),
-      not_before_s_(scenario.transports.size(), 0.0) {
+      not_before_s_(scenario.transports.size(), 0.0),
+      not_by_(scenario.transports.size()) {
   figures_.deliveries.resize(scenario.transports.size());
 }
 
@@ -99,7 +102,8 @@ void Desk::dispatch(milliseconds now) {
   std::vector<Waiting> waiting;
   for (const std::uint32_t t : open_) {
     if (not_before_s_[t] > now_s) continue;
-    waiting.push_back({t, scenario_.transports[t].due_s, scenario_.stations[scenario_.transports[t].from]});
+    waiting.push_back(
+        {t, scenario_.transports[t].due_s, scenario_.stations[scenario_.transports[t].from], not_by_[t]});
   }
   if (waiting.empty()) return;
   std::vector<FreeVehicle> free;
@@ -113,7 +117,12 @@ void Desk::dispatch(milliseconds now) {
   for (const DispatchRule::Choice& choice : rule_.choose(waiting, free)) {
     if (assign(choice.vehicle, choice.transport, false, now)) {
       std::erase(open_, choice.transport);
+      not_by_[choice.transport].clear();
     } else {
+      // Each is asked once before anybody is asked again.
+      auto& refused = not_by_[choice.transport];
+      if (std::ranges::find(refused, choice.vehicle) != refused.end()) refused.clear();
+      refused.push_back(choice.vehicle);
       not_before_s_[choice.transport] = now_s + kAgain_s;
     }
   }

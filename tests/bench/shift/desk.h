@@ -29,6 +29,7 @@ struct Waiting {
   std::uint32_t transport = 0;
   double due_s = 0.0;
   geometry::Pose from;
+  std::span<const std::uint32_t> not_by = {};  // vehicles that found no way or no order a moment ago
 };
 
 // Who takes what. Answers pairs in the order in which they are to be tried.
@@ -86,7 +87,8 @@ class Desk {
   ShiftFigures& figures_;
   std::vector<std::uint32_t> open_;
   std::vector<std::optional<Job>> jobs_;
-  std::vector<double> not_before_s_;  // by transport, after a refusal
+  std::vector<double> not_before_s_;                // by transport, after a refusal
+  std::vector<std::vector<std::uint32_t>> not_by_;  // by transport: who was refused since it was given to one
   std::vector<std::uint32_t> rerouted_;
   bool only_standing_ = false;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace stepwright::bench::shift {
 
@@ -10,6 +11,8 @@ namespace {
 
 constexpr double kHere_m = 0.05;
 constexpr double kStands_m_s = 0.03;
+// Of the place up to which it may go: who stands so near to it stays there.
+constexpr double kNear_m = 0.6;
 
 std::string key_of(const fleet::Stop& stop) {
   return stop.goal + (stop.kind == fleet::StopKind::SetDown ? " set down" : " pick up");
@@ -92,6 +95,10 @@ fleet::Whereabouts Driver::whereabouts() const {
   return {arc_m_, speed_m_s_, until};
 }
 
+bool Driver::waits_for_more_than(const fleet::Permission& permission) const {
+  return permission.permitted_m - arc_m_ < kNear_m && permission.permitted_m < target_m_;
+}
+
 Driver::Drive Driver::step(const fleet::VehicleState& measured, const fleet::Permission& permission,
                            double now_s, bool paused) {
   left_stop_.reset();
@@ -107,15 +114,21 @@ Driver::Drive Driver::step(const fleet::VehicleState& measured, const fleet::Per
   speed_m_s_ = std::abs(measured.speed_m_s);
   const bool still = speed_m_s_ < kStands_m_s;
   if (paused) {
-    // It stops on the spot and stays in its lane, as when its scanner sees somebody.
+    // It stops on the spot and stays in its lane, as when its scanner sees somebody. How far it comes until
+    // then has to be told: a new way would begin behind it.
+    follower_->step(measured, now_s, {arc_m_, {}});
+    arc_m_ = std::max(arc_m_, follower_->arc_m());
     return {{0.0, measured.lock_rad}, !still};
   }
   // The follower would say the same in more time.
-  waits_ = still && permission.permitted_m - arc_m_ < 0.6 && permission.permitted_m < target_m_;
+  waits_ = still && waits_for_more_than(permission);
   if (waits_) return {{0.0, measured.lock_rad}, true};
   ++control_steps_;
   const auto gates = permission.gate ? std::span(&*permission.gate, 1) : std::span<const fleet::Gate>();
-  const fleet::DriveCommand command = follower_->step(measured, now_s, {permission.permitted_m, gates});
+  // It need not keep its distance from a place behind the one where it stops anyway.
+  const double permitted_m =
+      permission.permitted_m < target_m_ ? permission.permitted_m : std::numeric_limits<double>::infinity();
+  const fleet::DriveCommand command = follower_->step(measured, now_s, {permitted_m, gates});
   arc_m_ = std::max(arc_m_, follower_->arc_m());
   if (!follower_->arrived()) return {command, true};
   arc_m_ = target_m_;

@@ -39,6 +39,8 @@ class Driver {
   bool stands() const { return standing_until_s_.has_value(); }
   bool lost() const { return follower_ && follower_->lost(); }
   bool waits() const { return waits_; }  // for its permission
+  // Whether it would still wait with this one, which may be newer than the one of its last step.
+  bool waits_for_more_than(const fleet::Permission& permission) const;
   double deviation_m() const { return follower_ ? follower_->deviation_m() : 0.0; }
   std::uint64_t control_steps() const { return control_steps_; }
 

@@ -1,8 +1,9 @@
 // A shift of forklifts in a warehouse: on the simulated plant with a judge of its own, and what-if runs over
 // the number of vehicles, beside first-come-first-served locks.
 //
-//   bench_shift [--vehicles N] [--hours H] [--rate R] [--seed S] [--json FILE] [--svg FILE] [--log]
-//   bench_shift --sweep [--sizes 1,2,...] [--threads N] [--validate] [--hours H] [--rate R] [--json FILE]
+//   bench_shift [--vehicles N] [--hours H] [--rate R] [--seed S] [--until S] [--json FILE] [--svg FILE]
+//   [--log] bench_shift --sweep [--sizes 1,2,...] [--threads N] [--validate] [--hours H] [--rate R] [--json
+//   FILE]
 //   [--svg FILE]
 //
 // Times are CPU times of one thread, of a sweep those of all threads and wall time. Exit code 5 if there was
@@ -14,6 +15,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -28,14 +31,20 @@ namespace {
 
 constexpr std::uint32_t kMostVehicles = 50;
 
+// Whether costs of ways to stations and homes are worked out before the shift.
+enum class Ways : std::uint8_t { Searched, Known };
+
 struct Arguments {
   ScenarioSettings settings;
+  Ways ways = Ways::Searched;
   bool sweep = false;
   bool validate = false;
   bool log = false;
   bool no_baseline = false;
   std::vector<std::uint32_t> sizes;
   unsigned threads = 2;
+  double until_s = 1e9;
+  double path_weight = fleet::RouteSettings().path_weight;
   std::string json_file, svg_file;
 };
 
@@ -80,14 +89,23 @@ nlohmann::json baseline(const Scenario& scenario, Fleet& fleet, std::uint32_t ve
   return json;
 }
 
+std::unique_ptr<Fleet> fleet_of(const Arguments& arguments, const Scenario& scenario) {
+  auto fleet = std::make_unique<Fleet>(scenario, scenario.settings.vehicles, arguments.path_weight);
+  if (arguments.ways == Ways::Known) fleet->prepare();
+  return fleet;
+}
+
 int run_shift(const Arguments& arguments) {
   const Scenario scenario = draw_scenario(arguments.settings);
-  const PlantRun run = run_on_plant(scenario, arguments.log);
+  const auto made = fleet_of(arguments, scenario);
+  const PlantRun run = run_on_plant(scenario, *made, arguments.log, arguments.until_s);
   if (!run.failed.empty()) {
     std::fprintf(stderr, "bench_shift: %s\n", run.failed.c_str());
     return to_int(result::ExitCode::RuntimeFault);
   }
-  Fleet fleet(scenario, arguments.settings.vehicles);
+  // On an empty floor, with the same kind of ways.
+  const auto fresh = fleet_of(arguments, scenario);
+  Fleet& fleet = *fresh;
   const std::vector<bool> kept = can_be_kept(scenario, fleet, arguments.settings.vehicles);
   if (arguments.log) {
     for (const std::string& line : run.log) std::printf("%s\n", line.c_str());
@@ -98,7 +116,7 @@ int run_shift(const Arguments& arguments) {
   const bool written =
       write(arguments.json_file, json.dump(2) + "\n") && write(arguments.svg_file, picture_of(scenario, run));
   if (!written) return to_int(result::ExitCode::BadInput);
-  const bool sound = run.collisions.empty() && run.deadlocks.empty();
+  const bool sound = run.collisions.empty() && run.deadlocks.empty() && run.broken.empty();
   return to_int(sound ? result::ExitCode::Done : result::ExitCode::RuntimeFault);
 }
 
@@ -153,7 +171,8 @@ int run_sweep(const Arguments& arguments) {
     if (!arguments.validate) break;
     settings.vehicles = vehicles;
     const Scenario smaller = draw_scenario(settings);
-    const PlantRun run = run_on_plant(smaller, false);
+    const auto fleet_there = fleet_of(arguments, smaller);
+    const PlantRun run = run_on_plant(smaller, *fleet_there, false);
     print("plant", vehicles, summary_of(smaller, run.figures), run.figures.cpu_s);
     json["plant"].push_back(json_of(summary_of(smaller, run.figures)));
     json["plant"].back()["vehicles"] = vehicles;
@@ -176,6 +195,14 @@ int main(int argc, char** argv) {
   app.add_option("--rate", settings.transports_per_hour, "transports an hour")
       ->check(CLI::Range(1.0, 1000.0));
   app.add_option("--seed", settings.seed);
+  app.add_option("--until", arguments.until_s, "seconds of the shift that are driven; default: all of it")
+      ->check(CLI::Range(1.0, 1e9));
+  app.add_option("--path-weight", arguments.path_weight,
+                 "of ways searched: they cost at most so many times the least")
+      ->check(CLI::Range(1.0, 10.0));
+  app.add_option("--ways", arguments.ways, "searched one by one, or with their costs known before")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Ways>{{"searched", Ways::Searched}, {"known", Ways::Known}}));
   app.add_flag("--sweep", arguments.sweep, "the timed model over the number of vehicles");
   app.add_option("--sizes", arguments.sizes, "of the sweep; default 1 to 50")
       ->delimiter(',')

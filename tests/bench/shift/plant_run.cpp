@@ -3,15 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <deque>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <set>
 
 #include "tests/bench/shift/desk.h"
 #include "tests/bench/shift/driver.h"
 #include "tests/bench/shift/plant.h"
+#include "tests/support/fleet_traffic/traffic_invariants.h"
 
 namespace stepwright::bench::shift {
 
@@ -40,6 +44,9 @@ class Shift {
     run_.figures.spent.resize(n);
     run_.tracks.resize(n);
     paused_until_s_.assign(n, 0.0);
+    waits_since_s_.assign(n, 0.0);
+    told_wait_.assign(n, 0);
+    stands_dead_.assign(n, 0);
     silent_.assign(n, 0);
     comes_back_s_.assign(n, 1e18);
     measured_.resize(n);
@@ -52,9 +59,10 @@ class Shift {
     }
   }
 
-  PlantRun run(bool progress) {
+  PlantRun run(bool progress, double until_s) {
+    end_s_ = std::min(until_s, scenario_.end_s());
     const double begin_s = cpu_s();
-    const auto ticks = static_cast<std::int64_t>(std::llround(scenario_.end_s() / kTick_s));
+    const auto ticks = static_cast<std::int64_t>(std::llround(end_s_ / kTick_s));
     for (std::int64_t k = 0; k < ticks && run_.failed.empty(); ++k) {
       now_ = k * kTick;
       now_s_ = kTick_s * static_cast<double>(k);
@@ -63,11 +71,13 @@ class Shift {
       operate(k);
       move();
       if (k % 10 == 0) judge_.standing(now_s_, poses_, doing_);
+      if (k % 10 == 0) note_waits();
+      if (k % 100 == 0) check_invariants();
       if (k % 50 == 0) {
         for (std::uint32_t v = 0; v < drivers_.size(); ++v) run_.tracks[v].push_back(poses_[v]);
       }
       if (progress && k % 6000 == 0)
-        std::fprintf(stderr, "\r%5.0f of %.0f s, %zu collisions ", now_s_, scenario_.end_s(),
+        std::fprintf(stderr, "\r%5.0f of %.0f s, %zu collisions ", now_s_, end_s_,
                      judge_.collisions().size());
     }
     if (progress) std::fprintf(stderr, "\n");
@@ -76,6 +86,14 @@ class Shift {
   }
 
  private:
+  // Each one once, however long it lasts.
+  void check_invariants() {
+    std::string wrong = support::broken_invariant(traffic_);
+    if (!wrong.empty() && wrong != last_broken_)
+      run_.broken.push_back(fmt::format("at {} s: {}", now_s_, wrong));
+    last_broken_ = std::move(wrong);
+  }
+
   void note(std::string text) { run_.log.push_back(fmt::format("{:8.1f} s  {}", now_s_, text)); }
 
   template <typename Change>
@@ -126,6 +144,7 @@ class Shift {
       judge_.block(closing->place, true);
       const auto blockage = timed("blocked", [&] { return events_.block(place.polygon(), now_); });
       closed_.push_back({closing->place, blockage.number, now_s_ + closing->seconds});
+      run_.stood.push_back({place.polygon(), now_s_, now_s_ + closing->seconds});
       tell(fmt::format("place {} is blocked", closing->place), blockage.detours);
       closing = closings_.erase(closing);
     }
@@ -193,7 +212,14 @@ class Shift {
   void bury(std::uint32_t vehicle) {
     const auto detours = timed("died", [&] { return events_.died(vehicle, last_answer_[vehicle], now_); });
     desk_.died(vehicle);
-    tell(fmt::format("v{} is dead", vehicle + 1), detours);
+    const geometry::Pose& at = last_answer_[vehicle];
+    // Its true outline, where it truly stands.
+    stands_dead_[vehicle] = run_.stood.size();
+    run_.stood.push_back({geometry::footprint_at(plant_.pose(vehicle), fleet_.settings().vehicle.footprint()),
+                          now_s_, std::numeric_limits<double>::infinity()});
+    tell(fmt::format("v{} is dead at {:.1f}, {:.1f} m, {:.0f} degrees", vehicle + 1, at.x_m, at.y_m,
+                     at.heading_rad * 180.0 / std::numbers::pi),
+         detours);
   }
 
   void operate(std::int64_t tick) {
@@ -246,6 +272,7 @@ class Shift {
     }
     silent_[vehicle] = 0;
     comes_back_s_[vehicle] = 1e18;
+    run_.stood[stands_dead_[vehicle]].end_s = now_s_;
     drivers_[vehicle]->restart(traffic_.arc_m(vehicle));
     tell(fmt::format("v{} is back", vehicle + 1), *detours);
   }
@@ -290,7 +317,7 @@ class Shift {
     } else if (traffic_.held(v) && still) {
       state.doing = Doing::Held;
       spent.held_s += kTick_s;
-    } else if (driver.waits()) {
+    } else if (driver.waits() && driver.waits_for_more_than(traffic_.permission(v, now_))) {
       state.doing = Doing::Waits;
       state.waits_for = traffic_.waits_for(v);
       spent.waiting_s += kTick_s;
@@ -300,9 +327,32 @@ class Shift {
     }
   }
 
+  // Long waits, told once each when they are long: who waits for whom, and what the last one does.
+  void note_waits() {
+    constexpr double kLong_s = 60.0;
+    static constexpr std::array<const char*, 6> kDoing = {"drives",  "rests",   "stands",
+                                                          "is held", "is dead", "waits"};
+    for (std::uint32_t v = 0; v < doing_.size(); ++v) {
+      if (doing_[v].doing != Doing::Waits) {
+        waits_since_s_[v] = now_s_;
+        told_wait_[v] = 0;
+      }
+      if (told_wait_[v] != 0 || now_s_ - waits_since_s_[v] < kLong_s) continue;
+      told_wait_[v] = 1;
+      std::string chain = fmt::format("v{}", v + 1);
+      std::uint32_t at = v;
+      for (std::size_t k = 0; k < doing_.size() && doing_[at].waits_for; ++k) {
+        at = *doing_[at].waits_for;
+        chain += fmt::format(" -> v{}", at + 1);
+      }
+      note(fmt::format("waits for {:.0f} s: {} at {:.1f}, {:.1f} m, which {}", kLong_s, chain, poses_[at].x_m,
+                       poses_[at].y_m, kDoing[static_cast<std::size_t>(doing_[at].doing)]));
+    }
+  }
+
   void finish(double cpu) {
     run_.figures.cpu_s = cpu;
-    run_.figures.simulated_s = scenario_.end_s();
+    run_.figures.simulated_s = end_s_;
     run_.figures.delays = traffic_.delays();
     run_.collisions = judge_.collisions();
     run_.deadlocks = judge_.deadlocks();
@@ -331,14 +381,17 @@ class Shift {
   std::vector<std::unique_ptr<Driver>> drivers_;
   std::deque<Closing> closings_;
   std::vector<Closed> closed_;
-  std::vector<double> paused_until_s_, comes_back_s_;
+  std::vector<double> paused_until_s_, comes_back_s_, waits_since_s_;
+  std::vector<char> told_wait_;
+  std::vector<std::size_t> stands_dead_;  // by vehicle, into run_.stood
   std::vector<int> silent_;
   std::vector<fleet::VehicleState> measured_;
   std::vector<geometry::Pose> last_answer_, poses_;
   std::vector<VehicleState> doing_;
   std::size_t next_transport_ = 0, next_pause_ = 0, next_breakdown_ = 0;
   milliseconds now_{0};
-  double now_s_ = 0.0;
+  double now_s_ = 0.0, end_s_ = 0.0;
+  std::string last_broken_;
 };
 
 }  // namespace
@@ -364,7 +417,8 @@ fleet::DriveLimits limits_of_the_plant() {
   return limits;
 }
 
-Fleet::Fleet(const Scenario& scenario, std::uint32_t vehicles) {
+Fleet::Fleet(const Scenario& scenario, std::uint32_t vehicles, double path_weight) {
+  settings_.path_weight = path_weight;
   settings_.limits = limits_of_the_plant();
   // Steering needs something left to get back to the path with.
   settings_.vehicle.min_turning_radius_m = 4.4;
@@ -391,8 +445,7 @@ std::vector<fleet::Route> resting(fleet::RoutePlanner& planner, std::uint32_t ve
   return routes;
 }
 
-PlantRun run_on_plant(const Scenario& scenario, bool progress) {
-  Fleet fleet(scenario, scenario.settings.vehicles);
+PlantRun run_on_plant(const Scenario& scenario, Fleet& fleet, bool progress, double until_s) {
   PlantRun none;
   auto plant = Plant::create(scenario);
   if (!plant) {
@@ -405,7 +458,7 @@ PlantRun run_on_plant(const Scenario& scenario, bool progress) {
     none.failed = result::to_string(traffic.error());
     return none;
   }
-  return Shift(scenario, fleet, *std::move(traffic), *std::move(plant)).run(progress);
+  return Shift(scenario, fleet, *std::move(traffic), *std::move(plant)).run(progress, until_s);
 }
 
 }  // namespace stepwright::bench::shift

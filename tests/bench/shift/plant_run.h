@@ -3,7 +3,7 @@
 // A shift driven on the simulated plant: SUNDIALS forklifts and Box2D, through measured poses, ten times a
 // second, judged at every step of 10 ms.
 //
-//   const PlantRun run = run_on_plant(scenario, fleet);
+//   const PlantRun run = run_on_plant(scenario, fleet, false);
 //   run.judge.collisions().empty();
 
 #include <memory>
@@ -13,6 +13,7 @@
 #include "supervisor/fleet/traffic/route_planner.h"
 #include "tests/bench/shift/figures.h"
 #include "tests/bench/shift/judge.h"
+#include "tests/bench/shift/reach.h"
 #include "tests/bench/shift/scenario.h"
 
 namespace stepwright::bench::shift {
@@ -20,7 +21,9 @@ namespace stepwright::bench::shift {
 // What routes are planned with: the drawn hall, the first bays as homes.
 class Fleet {
  public:
-  Fleet(const Scenario& scenario, std::uint32_t vehicles);
+  // `path_weight`: ways that are searched one by one cost at most so many times the least.
+  Fleet(const Scenario& scenario, std::uint32_t vehicles,
+        double path_weight = fleet::RouteSettings().path_weight);
   fleet::RoutePlanner& planner() { return *planner_; }
   const fleet::RouteSettings& settings() const { return settings_; }
   // Works out what ways to all stations and homes cost, so that all later ones are nearly the best there are.
@@ -44,6 +47,7 @@ struct PlantRun {
   ShiftFigures figures;
   std::vector<Collision> collisions;
   std::vector<std::string> deadlocks;
+  std::vector<std::string> broken;  // what must hold for there to be none, and did not
   double smallest_gap_m = 0.0;
   double longest_wait_s = 0.0;
   double largest_deviation_m = 0.0;
@@ -52,10 +56,12 @@ struct PlantRun {
   std::uint32_t lost = 0;
   std::uint32_t contacts = 0;  // that the plant's bumpers felt
   std::vector<std::string> log;
+  std::vector<Standing> stood;                      // blocked places, and dead vehicles where they stood
   std::vector<std::vector<geometry::Pose>> tracks;  // by vehicle, every few seconds, for the picture
   std::string failed;                               // why it could not run; empty if all is well
 };
 
-PlantRun run_on_plant(const Scenario& scenario, bool progress);
+// Ends at `until_s`, or with the shift.
+PlantRun run_on_plant(const Scenario& scenario, Fleet& fleet, bool progress, double until_s = 1e9);
 
 }  // namespace stepwright::bench::shift

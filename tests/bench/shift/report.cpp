@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace stepwright::bench::shift {
@@ -36,6 +37,21 @@ std::vector<std::size_t> missed(const Scenario& scenario, const ShiftFigures& fi
     if (late && kept[k]) found.push_back(k);
   }
   return found;
+}
+
+std::string missed_text(const Scenario& scenario, const Delivery& d, std::size_t k) {
+  const Transport& t = scenario.transports[k];
+  const auto place = [&](std::uint32_t station) {
+    return fmt::format("{:.1f}, {:.1f} m", scenario.stations[station].x_m, scenario.stations[station].y_m);
+  };
+  return fmt::format(
+      "  transport {} from {} to {}: released {:.0f} s, due {:.0f} s, given to {} at {:.0f} s, picked up at "
+      "{:.0f} s, {}\n",
+      k, place(t.from), place(t.to), t.release_s, t.due_s,
+      d.vehicle ? "v" + std::to_string(*d.vehicle + 1) : "nobody", d.assigned_s.value_or(0.0),
+      d.picked_s.value_or(0.0),
+      d.delivered_s ? fmt::format("delivered {:.0f} s late", *d.delivered_s - t.due_s)
+                    : std::string("not delivered"));
 }
 
 nlohmann::json json_of(const Times& times) {
@@ -131,19 +147,33 @@ std::string text_of(const Scenario& scenario, const PlantRun& run, const std::ve
   text += fmt::format("oracle (each transport alone): keeps {} of {} deadlines; {} of these were missed\n",
                       std::ranges::count(kept_by_oracle, true), s.released, not_kept.size());
   for (const std::size_t k : not_kept) {
-    const Delivery& d = f.deliveries[k];
-    text += fmt::format(
-        "  transport {}: due {:.0f} s, given to {} at {:.0f} s, {}\n", k, scenario.transports[k].due_s,
-        d.vehicle ? "v" + std::to_string(*d.vehicle + 1) : "nobody", d.assigned_s.value_or(0.0),
-        d.delivered_s ? fmt::format("delivered {:.0f} s late", *d.delivered_s - scenario.transports[k].due_s)
-                      : std::string("not delivered"));
+    text += missed_text(scenario, f.deliveries[k], k);
+    const double least_s = earliest_delivery_s(scenario, run.stood, scenario.transports[k], {});
+    text +=
+        least_s > scenario.transports[k].due_s
+            ? fmt::format(
+                  "    nobody could: what was blocked and who was dead there let none pass before {:.0f} s\n",
+                  least_s)
+            : fmt::format("    no passage was closed for so long: {:.0f} s is not excluded\n", least_s);
   }
   text += fmt::format("CPU {:.1f} s: plant {:.1f}, control {:.1f}, judge {:.1f}\n", f.cpu_s, f.plant_cpu_s,
                       f.control_cpu_s, f.judge_cpu_s);
   for (const Collision& c : run.collisions)
     text += fmt::format("  COLLISION {:.2f} s: v{} with {}\n", c.time_s, c.vehicle + 1, c.with);
   for (const std::string& deadlock : run.deadlocks) text += "  DEADLOCK " + deadlock + "\n";
+  for (const std::string& broken : run.broken) text += "  INVARIANT " + broken + "\n";
   return text;
+}
+
+// Of the deadlines that were missed those that no fleet could have kept, with who was dead where he was.
+std::vector<std::size_t> out_of_reach(const Scenario& scenario, const PlantRun& run,
+                                      const std::vector<std::size_t>& missed) {
+  std::vector<std::size_t> found;
+  std::ranges::copy_if(missed, std::back_inserter(found), [&](std::size_t k) {
+    const Transport& t = scenario.transports[k];
+    return earliest_delivery_s(scenario, run.stood, t, {}) > t.due_s;
+  });
+  return found;
 }
 
 nlohmann::json json_of(const Scenario& scenario, const PlantRun& run,
@@ -151,40 +181,43 @@ nlohmann::json json_of(const Scenario& scenario, const PlantRun& run,
   const ShiftFigures& f = run.figures;
   const Summary s = summary_of(scenario, f);
   const Spent spent = total(f.spent);
-  nlohmann::json json = {{"vehicles", f.spent.size()},
-                         {"simulated_s", f.simulated_s},
-                         {"released", s.released},
-                         {"delivered", s.delivered},
-                         {"late", s.late},
-                         {"mean_delivery_s", s.mean_delivery_s},
-                         {"utilisation", s.utilisation},
-                         {"collisions", run.collisions.size()},
-                         {"contacts", run.contacts},
-                         {"deadlocks", run.deadlocks.size()},
-                         {"lost", run.lost},
-                         {"longest_wait_s", run.longest_wait_s},
-                         {"smallest_gap_m", run.smallest_gap_m},
-                         {"largest_deviation_m", run.largest_deviation_m},
-                         {"outline_checks", run.outline_checks},
-                         {"rerouted", f.rerouted},
-                         {"sent_home", f.sent_home},
-                         {"waited", f.waited},
-                         {"delays", f.delays},
-                         {"cpu_s", f.cpu_s},
-                         {"plant_cpu_s", f.plant_cpu_s},
-                         {"control_cpu_s", f.control_cpu_s},
-                         {"judge_cpu_s", f.judge_cpu_s},
-                         {"retime", json_of(f.retimes)},
-                         {"driving_s", spent.driving_s},
-                         {"at_stops_s", spent.serving_s},
-                         {"waiting_s", spent.waiting_s},
-                         {"held_s", spent.held_s},
-                         {"paused_s", spent.paused_s},
-                         {"dead_s", spent.dead_s},
-                         {"resting_s", spent.resting_s},
-                         {"log", run.log},
-                         {"oracle_keeps", std::ranges::count(kept_by_oracle, true)},
-                         {"missed_but_kept_by_oracle", missed(scenario, f, kept_by_oracle)}};
+  nlohmann::json json = {
+      {"vehicles", f.spent.size()},
+      {"simulated_s", f.simulated_s},
+      {"released", s.released},
+      {"delivered", s.delivered},
+      {"late", s.late},
+      {"mean_delivery_s", s.mean_delivery_s},
+      {"utilisation", s.utilisation},
+      {"collisions", run.collisions.size()},
+      {"contacts", run.contacts},
+      {"deadlocks", run.deadlocks.size()},
+      {"broken_invariants", run.broken.size()},
+      {"lost", run.lost},
+      {"longest_wait_s", run.longest_wait_s},
+      {"smallest_gap_m", run.smallest_gap_m},
+      {"largest_deviation_m", run.largest_deviation_m},
+      {"outline_checks", run.outline_checks},
+      {"rerouted", f.rerouted},
+      {"sent_home", f.sent_home},
+      {"waited", f.waited},
+      {"delays", f.delays},
+      {"cpu_s", f.cpu_s},
+      {"plant_cpu_s", f.plant_cpu_s},
+      {"control_cpu_s", f.control_cpu_s},
+      {"judge_cpu_s", f.judge_cpu_s},
+      {"retime", json_of(f.retimes)},
+      {"driving_s", spent.driving_s},
+      {"at_stops_s", spent.serving_s},
+      {"waiting_s", spent.waiting_s},
+      {"held_s", spent.held_s},
+      {"paused_s", spent.paused_s},
+      {"dead_s", spent.dead_s},
+      {"resting_s", spent.resting_s},
+      {"log", run.log},
+      {"oracle_keeps", std::ranges::count(kept_by_oracle, true)},
+      {"missed_but_kept_by_oracle", missed(scenario, f, kept_by_oracle)},
+      {"missed_out_of_reach", out_of_reach(scenario, run, missed(scenario, f, kept_by_oracle))}};
   for (const auto& [cause, times] : f.decisions.times) json["decisions"][cause] = json_of(times);
   for (const auto& [code, count] : f.decisions.refused) json["refused"][code] = count;
   return json;

@@ -1,8 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
+#include "tests/bench/shift/desk.h"
+#include "tests/bench/shift/driver.h"
 #include "tests/bench/shift/plant_run.h"
+#include "tests/bench/shift/reach.h"
 
 namespace stepwright::bench::shift {
 namespace {
@@ -17,7 +22,8 @@ TEST(Shift, WhenAnAisleIsBlockedAndAVehicleDies_ThenNothingCollidesAndEverybodyG
     scenario.transports[k].release_s = 2.0 * static_cast<double>(k);
   scenario.closings = {{40.0, 60.0, 3}};
   scenario.breakdowns = {{1, 50.0, 30.0, false}};
-  const PlantRun run = run_on_plant(scenario, false);
+  Fleet fleet(scenario, scenario.settings.vehicles);
+  const PlantRun run = run_on_plant(scenario, fleet, false);
   ASSERT_EQ(run.failed, "");
   EXPECT_TRUE(run.collisions.empty());
   EXPECT_EQ(run.contacts, 0U);
@@ -35,6 +41,136 @@ TEST(Shift, WhenAnAisleIsBlockedAndAVehicleDies_ThenNothingCollidesAndEverybodyG
   EXPECT_TRUE(told("is blocked"));
   EXPECT_TRUE(told("v2 is dead"));
   EXPECT_TRUE(told("v2 is back"));
+}
+
+// A vehicle without lags, as it is told.
+fleet::VehicleState driven(const fleet::VehicleState& from, const fleet::DriveCommand& command) {
+  constexpr double kStep_s = 0.1;
+  const double wheelbase_m = limits_of_the_plant().wheelbase_m;
+  fleet::VehicleState to = from;
+  to.speed_m_s = command.speed_m_s;
+  to.lock_rad = command.lock_rad;
+  to.x_m += kStep_s * to.speed_m_s * std::cos(from.heading_rad);
+  to.y_m += kStep_s * to.speed_m_s * std::sin(from.heading_rad);
+  to.heading_rad += kStep_s * to.speed_m_s * std::tan(to.lock_rad) / wheelbase_m;
+  return to;
+}
+
+// It stood 0.3 m before the place that it might not pass, and so before a stop that it might go to.
+TEST(Driver, WhenItsStopIsJustBeforeThePlaceThatItMayNotPass_ThenItDrivesToTheStop) {
+  const Scenario scenario = draw_scenario({.vehicles = 1, .hours = 0.1});
+  Fleet fleet(scenario, 1);
+  fleet::Waypoint dock{scenario.hall.docks[0], {}};
+  dock.stop.kind = fleet::StopKind::PickUp;
+  const geometry::Pose home = fleet.planner().home(0);
+  const std::array<fleet::Waypoint, 2> stops = {dock, fleet::Waypoint{home, {}}};
+  const fleet::Route route = fleet.planner().plan(0, home, stops).value();
+  Driver driver(route, limits_of_the_plant(), kOutline);
+  const fleet::Permission permission{route.mission.stops[0].arc_m + 0.1, {}};
+  fleet::VehicleState at{home.x_m, home.y_m, home.heading_rad, 0.0, 0.0};
+  for (int k = 0; k < 3000 && driver.arrived_at() == nullptr; ++k) {
+    const Driver::Drive drive = driver.step(at, permission, 0.1 * k, false);
+    ASSERT_FALSE(driver.lost()) << k;
+    at = driven(at, drive.command);
+  }
+  ASSERT_NE(driver.arrived_at(), nullptr);
+  EXPECT_NEAR(geometry::distance({at.x_m, at.y_m}, dock.pose.position()), 0.0, 0.1);
+  // There it waits for more only once it wants to go on.
+  EXPECT_FALSE(driver.waits());
+}
+
+// A new way used to begin where it had been when the pause began: behind it, up to more than half a metre.
+TEST(Driver, WhenItIsPausedWhileItDrives_ThenItTellsHowFarItComesUntilItStands) {
+  const Scenario scenario = draw_scenario({.vehicles = 1, .hours = 0.1});
+  Fleet fleet(scenario, 1);
+  const geometry::Pose home = fleet.planner().home(0);
+  const std::array<fleet::Waypoint, 1> stops = {fleet::Waypoint{scenario.hall.docks[0], {}}};
+  const fleet::Route route = fleet.planner().plan(0, home, stops).value();
+  Driver driver(route, limits_of_the_plant(), kOutline);
+  fleet::VehicleState at{home.x_m, home.y_m, home.heading_rad, 0.0, 0.0};
+  int k = 0;
+  for (; k < 600 && std::abs(at.speed_m_s) < 1.0; ++k)
+    at = driven(at, driver.step(at, {1e9, {}}, 0.1 * k, false).command);
+  ASSERT_GE(std::abs(at.speed_m_s), 1.0);
+  const double begin_m = driver.whereabouts().arc_m;
+  for (int left = 10; left >= 0; --left, ++k) {
+    at = driven(at, {at.speed_m_s * (left > 0 ? 0.85 : 0.0), at.lock_rad});
+    driver.step(at, {1e9, {}}, 0.1 * k, true);
+  }
+  const double arc_m = driver.whereabouts().arc_m;
+  EXPECT_GT(arc_m, begin_m + 0.4);
+  const auto place = std::ranges::lower_bound(route.mission.path, arc_m, {}, &geometry::PathPose::arc_m);
+  EXPECT_LT(geometry::distance(place->pose.position(), {at.x_m, at.y_m}), 0.15);
+}
+
+// The nearest one used to be asked again and again, also if it stood where no way led out.
+TEST(Dispatch, WhenTheNearestVehicleWasRefused_ThenTheNextOneIsAskedUntilAllHaveBeen) {
+  const EarliestDueNearestVehicle rule;
+  const std::vector<FreeVehicle> free = {{0, {10.0, 8.0, 0.0}}, {1, {40.0, 8.0, 0.0}}, {2, {20.0, 8.0, 0.0}}};
+  std::vector<std::uint32_t> refused;
+  const auto chosen = [&] {
+    const std::vector<Waiting> waiting = {{7, 100.0, {9.0, 8.0, 0.0}, refused}};
+    return rule.choose(waiting, free).front().vehicle;
+  };
+  EXPECT_EQ(chosen(), 0U);
+  refused = {0};
+  EXPECT_EQ(chosen(), 2U);
+  refused = {0, 2};
+  EXPECT_EQ(chosen(), 1U);
+  refused = {0, 2, 1};
+  EXPECT_EQ(chosen(), 0U);
+}
+
+// From the left dock to the right one, with a row of places blocked between them.
+class ReachTest : public testing::Test {
+ protected:
+  static constexpr ReachOptions kCoarse{.step_m = 0.1};
+  static Standing wall(Rectangle area, double begin_s, double end_s) {
+    return {area.polygon(), begin_s, end_s};
+  }
+  Scenario scenario = draw_scenario({.vehicles = 1, .hours = 0.1});
+  Transport transport{
+      .release_s = 100.0, .due_s = 1000.0, .from = 0, .to = 1, .pick_up_s = 20.0, .set_down_s = 10.0};
+  double way_s = geometry::distance(scenario.stations[0].position(), scenario.stations[1].position()) / 1.5;
+};
+
+TEST_F(ReachTest, WhenAPassageIsOpen_ThenOnlyTheStraightWayCounts) {
+  EXPECT_NEAR(earliest_delivery_s(scenario, {}, transport, kCoarse), 130.0 + way_s, 1e-9);
+  // All of the hall but a gap of the vehicle's width and a little more.
+  const std::vector<Standing> gap = {wall({{36.0, 0.0}, {37.0, 7.0}}, 0.0, 500.0),
+                                     wall({{36.0, 8.65}, {37.0, 66.0}}, 0.0, 500.0)};
+  EXPECT_NEAR(earliest_delivery_s(scenario, gap, transport, kCoarse), 130.0 + way_s, 1e-9);
+  EXPECT_NEAR(earliest_delivery_s(scenario, {}, transport, {.radius_m = 1.3, .step_m = 0.1}), 130.0 + way_s,
+              1e-9);
+}
+
+TEST_F(ReachTest, WhenNothingFitsThrough_ThenItComesThroughWhenThatEndsAndNotBefore) {
+  const std::vector<Standing> shut = {wall({{36.0, 0.0}, {37.0, 7.0}}, 0.0, 500.0),
+                                      wall({{36.0, 8.4}, {37.0, 66.0}}, 0.0, 800.0)};
+  // From the wall on; it could have come so far.
+  const double rest_s = (scenario.stations[1].x_m - 36.0) / 1.5;
+  const double at_s = earliest_delivery_s(scenario, shut, transport, kCoarse);
+  EXPECT_GT(at_s, 500.0 + 10.0 + rest_s);
+  EXPECT_LT(at_s, 500.0 + 10.0 + rest_s + 2.0);
+  // Who was in front of it before it closed is past it, and so is who only has to be delivered.
+  const std::vector<Standing> later = {wall({{36.0, 0.0}, {37.0, 66.0}}, 121.0, 800.0)};
+  EXPECT_NEAR(earliest_delivery_s(scenario, later, transport, kCoarse), 130.0 + way_s, 1e-9);
+  // Nobody comes at all to a place on which somebody stands for good.
+  const std::vector<Standing> on_it = {{geometry::footprint_at(scenario.stations[1], kOutline), 0.0, 1e300}};
+  EXPECT_TRUE(earliest_delivery_s(scenario, on_it, transport, kCoarse) > 1e200);
+}
+
+// What the bound says nobody can do the planner does not find either; where it finds a way the bound is less.
+TEST_F(ReachTest, WhenAWayIsDriven_ThenItTakesLongerThanTheBound) {
+  Fleet fleet(scenario, 1);
+  for (const std::uint32_t to : {3U, 14U, 20U}) {
+    transport.to = to;
+    const std::vector<fleet::Waypoint> stops = {{scenario.stations[to], {}}};
+    const auto way = fleet.planner().plan(0, scenario.stations[0], stops);
+    ASSERT_TRUE(way.has_value());
+    const double driven_s = 120.0 + way->pace.time_s(way->end_m()) + 10.0;
+    EXPECT_LT(earliest_delivery_s(scenario, {}, transport, kCoarse), driven_s);
+  }
 }
 
 class JudgeTest : public testing::Test {

@@ -2,6 +2,7 @@
 """The fleet's cells with all their real processes, as fast as the machine allows. The judge is the plant: exact outlines
 along the motion, and who ran into what."""
 
+import json
 import os
 import pathlib
 import shutil
@@ -44,6 +45,7 @@ class FleetJob(unittest.TestCase):
         self.assertEqual({g["state"] for g in document["goals"]}, {"delivered"})
         self.assertGreater(len(document["precedences"]), 0)
         self.assertGreater(len(document["sections"]), 0)
+        self.assertLess(len(json.dumps(document, separators=(",", ":"))), 300_000)
         # Who is driven as planned is where the schedule says, within the noise of driving.
         self.assertLess(abs(report["makespan_s"] - report["planned_makespan_s"]), 0.1 * report["planned_makespan_s"])
 
@@ -90,11 +92,29 @@ class FleetJob(unittest.TestCase):
         self.assertEqual([g["state"] for g in report["fleet"]["goals"]], ["delivered"] * 3)
         self.check_clean(report)
 
-    def test_the_emergency_stop_ends_the_run_safely(self):
-        report, code = self.run_demo("--fault", "press_estop=1@5")
+    def test_an_emergency_stop_that_nobody_resumes_ends_the_run_safely(self):
+        report, code = self.run_demo("--fault", "press_estop=1@5", "--set", "fleet.hold_s=20")
         self.assertEqual(code, 5, report["stdout"])
         self.assertFalse(report["goal_reached"])
         self.assertIn("emergency stop", report["message"])
+        self.check_clean(report)
+
+    def test_after_an_emergency_stop_the_fleet_goes_on(self):
+        report, code = self.run_demo("--fault", "press_estop=1@30", "--fault", "press_estop=0@40",
+                                     "--set", 'fleet.requests=[{at_s=50, request="resume"}]', cell="fleet")
+        self.assertEqual(code, 0, report["stdout"])
+        self.assertTrue(report["goal_reached"])
+        self.assertEqual(report["replans"], 1)
+        self.assertEqual([v["state"] for v in report["fleet"]["vehicles"]], ["resting"] * 6)
+        self.check_clean(report)
+
+    def test_a_vehicle_that_died_returns(self):
+        report, code = self.run_demo("--fault", "dead_v2=1@12", "--fault", "dead_v2=0@20",
+                                     "--set", 'fleet.requests=[{at_s=25, request="return", vehicle="truck 2"}]')
+        self.assertEqual(code, 0, report["stdout"])
+        self.assertTrue(report["goal_reached"])
+        self.assertEqual(report["replans"], 2)
+        self.assertEqual([v["state"] for v in report["fleet"]["vehicles"]], ["resting"] * 3)
         self.check_clean(report)
 
     def test_a_supervisor_that_is_killed_goes_on_with_the_missions(self):
@@ -172,6 +192,13 @@ class WrongInput(unittest.TestCase):
     def test_an_order_names_no_location(self):
         self.refused("X0003: there is no location 'attic'",
                      sets=['fleet.orders=[{at_s=1, name="box", from="attic", to="dock A"}]'])
+
+    def test_a_request_names_no_vehicle_or_is_none(self):
+        self.refused("X0003: there is no vehicle 'truck 9'",
+                     sets=['fleet.requests=[{at_s=1, request="return", vehicle="truck 9"}]'])
+        self.refused("nobody can ask for 'dance'", sets=['fleet.requests=[{at_s=1, request="dance"}]'])
+        self.refused("a vehicle can return, and only the fleet can hold or resume",
+                     sets=['fleet.requests=[{at_s=1, request="return"}]'])
 
     def test_two_missions_are_one_too_many(self):
         self.refused("C0545: the cell has .planning. and .fleet.", sets=['planning.domain="map.yaml"'])

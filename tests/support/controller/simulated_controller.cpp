@@ -205,7 +205,7 @@ std::optional<host::StepEvent> SimulatedController::wait_event(std::chrono::mill
     if (!running() || acknowledged_ < sequence_) return std::nullopt;
     if (i > kMaxQuietScans) throw std::runtime_error("no step event for a very long time");
     scan_once();
-    if (killed_) return std::nullopt;
+    if (killed_ || std::exchange(interrupted_, false)) return std::nullopt;
   }
   host::StepEvent event = std::move(events_.front());
   events_.pop_front();

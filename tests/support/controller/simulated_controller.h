@@ -53,6 +53,8 @@ class SimulatedController final : public executive::Controller {
   std::function<void(std::span<const std::byte> outputs)> on_change;  // as they are after the swap
   std::function<void(std::span<const std::byte> image)> on_scan;      // after every scan
   int stops() const { return stops_; }
+  // The call of wait_event that scans, or the next one, ends without an event: for a plant that rests.
+  void interrupt() { interrupted_ = true; }
 
   bool wait_for_runtime(std::chrono::milliseconds) override;
   bool alive() const override { return !killed_; }
@@ -87,6 +89,7 @@ class SimulatedController final : public executive::Controller {
   bool killed_ = false;
   std::optional<double> kill_at_s_;
   bool refuse_changes_ = false;
+  bool interrupted_ = false;
   int changes_ = 0;
   int stops_ = 0;
 };

@@ -15,13 +15,13 @@ namespace {
 
 using std::chrono::milliseconds;
 
-struct Point {
+struct Spot {
   double x_m = 0.0;
   double y_m = 0.0;
 };
 
 // Aisles run along x, with cross aisles at both ends: to another aisle by way of the nearer end.
-milliseconds way(const Point& a, const Point& b) {
+milliseconds way(const Spot& a, const Spot& b) {
   constexpr double kLength_m = 80.0, kSpeed_mps = 1.5, kTurns_s = 6.0;
   double distance_m = std::abs(a.x_m - b.x_m);
   double seconds = 0.0;
@@ -52,7 +52,7 @@ fleet::AllocationProblem draw_transports(TransportKind kind, std::uint32_t trans
                                          std::uint64_t seed) {
   SplitMix64 random(seed);
   fleet::AllocationProblem problem;
-  std::vector<Point> points;
+  std::vector<Spot> points;
   const auto location = [&] {
     points.push_back({random.between(0.0, 80.0), 5.0 * static_cast<double>(random.below(12))});
     problem.locations.push_back("l" + std::to_string(points.size()));

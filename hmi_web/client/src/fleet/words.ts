@@ -31,6 +31,7 @@ const ERRORS: Record<number, string> = {
   27: 'its navigation leaps, or it does not answer',
   28: 'it is outside of its polygons',
   29: 'there is no load on its forks',
+  30: 'its navigation walks away from its wheels',
 };
 
 export function stateText(state: string): string {

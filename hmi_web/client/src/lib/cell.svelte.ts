@@ -4,12 +4,14 @@
 import { Connection, liveUrl, type LinkState } from './connection';
 import {
   PROTOCOL_VERSION,
+  type AlarmsMessage,
   type DeltaMessage,
   type HelloMessage,
   type LiveFields,
   type PlanDocument,
   type ProgramMessage,
   type ServerMessage,
+  type StandingForce,
   type StateMessage,
   type Value,
 } from './protocol';
@@ -49,8 +51,13 @@ export class Cell {
   hello = $state.raw<HelloMessage | null>(null);
   program = $state.raw<ProgramMessage | null>(null);
   plan = $state.raw<PlanDocument | null>(null);
+  // Those that are not normal; null: the server keeps none.
+  alarms = $state.raw<AlarmsMessage | null>(null);
   // Paths and polygons of a fleet, as they came.
   routes = $state.raw<unknown>(null);
+  // What has been forced from this server.
+  forces = $state.raw<StandingForce[]>([]);
+  scanOpen = $state(false); // the scan in detail is asked for
   live = $state<LiveFields>({ ...NOTHING });
   points = $state<Value[]>([]);
   // Programs have thousands of tags that change with every scan and are hardly ever looked at: one signal for them all.
@@ -64,10 +71,15 @@ export class Cell {
   // By name in lower case: IEC 61131-3 does not tell them apart.
   private tagIndex = $state.raw(new Map<string, number>());
 
-  connect(): void {
-    new Connection(liveUrl(window.location), {
+  // `protocols`: for the WebSocket, asked before each attempt; `onLost` is called when one has failed.
+  connect(protocols: () => string[], onLost: () => void): Connection {
+    return new Connection(liveUrl(window.location), {
       onMessage: (message) => this.take(message),
-      onState: (state) => (this.link = state),
+      onState: (state) => {
+        this.link = state;
+        if (state === 'lost') onLost();
+      },
+      protocols,
     });
   }
 
@@ -101,6 +113,9 @@ export class Cell {
         this.program = message.digest === '' ? null : message;
         this.tagIndex = new Map(message.tags.map((tag, index) => [tag.name.toLowerCase(), index]));
         return;
+      case 'forces':
+        this.forces = message.forces;
+        return;
       case 'state':
         return this.takeState(message);
       case 'delta':
@@ -110,6 +125,9 @@ export class Cell {
         return;
       case 'routes':
         this.routes = message.routes;
+        return;
+      case 'alarms':
+        this.alarms = message;
         return;
       case 'trend':
         this.trend.add(message);
@@ -127,6 +145,8 @@ export class Cell {
     this.program = null;
     this.plan = null;
     this.routes = null;
+    this.alarms = null;
+    this.forces = [];
     this.hello = message;
   }
 

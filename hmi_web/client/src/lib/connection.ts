@@ -7,6 +7,8 @@ export type LinkState = 'connecting' | 'live' | 'lost';
 export interface ConnectionEvents {
   onMessage(message: ServerMessage): void;
   onState(state: LinkState): void;
+  // What the WebSocket offers: the token of the session, if there is one.
+  protocols(): string[];
 }
 
 // The server says something at least every second.
@@ -19,6 +21,7 @@ export class Connection {
   private retryMs = FIRST_RETRY_MS;
   private retryTimer = 0;
   private silenceTimer = 0;
+  private wanted = true;
 
   constructor(
     private readonly url: string,
@@ -33,7 +36,7 @@ export class Connection {
   }
 
   private open(): void {
-    const socket = new WebSocket(this.url);
+    const socket = new WebSocket(this.url, this.events.protocols());
     this.socket = socket;
     this.watchSilence();
     socket.onmessage = (event: MessageEvent<string>) => {
@@ -45,6 +48,23 @@ export class Connection {
     socket.onclose = () => {
       if (this.socket === socket) this.lose();
     };
+  }
+
+  // Somebody else looks from now on, or nobody: what was open was for the one before.
+  restart(open: boolean): void {
+    window.clearTimeout(this.retryTimer);
+    window.clearTimeout(this.silenceTimer);
+    const socket = this.socket;
+    this.socket = null;
+    if (socket) {
+      socket.onclose = null;
+      socket.onmessage = null;
+      socket.close();
+    }
+    this.wanted = open;
+    this.retryMs = FIRST_RETRY_MS;
+    this.events.onState('connecting');
+    if (open) this.open();
   }
 
   // A connection whose other end vanished without a word looks open for minutes.
@@ -70,7 +90,7 @@ export class Connection {
   }
 
   private retryNow(): void {
-    if (this.socket) return;
+    if (this.socket || !this.wanted) return;
     window.clearTimeout(this.retryTimer);
     this.retryMs = FIRST_RETRY_MS;
     this.open();

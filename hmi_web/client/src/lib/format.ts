@@ -35,6 +35,7 @@ export function clock(seconds: Value | undefined): string {
 
 export function micros(value: Value | undefined): string {
   if (value === null || value === undefined) return UNKNOWN;
+  if (value >= 1_000_000) return `${(value / 1_000_000).toFixed(2)} s`;
   return value >= 1_000 ? `${(value / 1_000).toFixed(2)} ms` : `${short(value)} µs`;
 }
 

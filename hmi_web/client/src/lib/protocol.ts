@@ -1,5 +1,7 @@
 // The messages of the server as they arrive: hmi_web/doc/protocol.md.
 
+import type { AlarmList } from '../records/records';
+
 export interface Point {
   id: string;
   label: string;
@@ -162,6 +164,7 @@ export interface HelloMessage {
   protocol: number;
   cell: string;
   version: string;
+  recipes: boolean; // the API has some
   synoptic: SynopticDescription;
 }
 
@@ -328,13 +331,33 @@ export interface RoutesMessage {
   routes: unknown;
 }
 
+export interface AlarmsMessage extends AlarmList {
+  type: 'alarms';
+}
+
+export interface StandingForce {
+  name: string;
+  value: string;
+  user: string;
+  reason: string;
+  since_s: number;
+  until_s: number;
+}
+
+export interface ForcesMessage {
+  type: 'forces';
+  forces: StandingForce[];
+}
+
 export type ServerMessage =
+  | ForcesMessage
   | HelloMessage
   | ProgramMessage
   | StateMessage
   | DeltaMessage
   | TrendMessage
   | PlanMessage
-  | RoutesMessage;
+  | RoutesMessage
+  | AlarmsMessage;
 
 export const PROTOCOL_VERSION = 2;

@@ -78,7 +78,7 @@ bool version(const std::string& text) {
 }
 
 void apply_text(const Rule& rule, const std::string& text, const Place& place, Findings& findings) {
-  if (rule.form == Form::Timestamp && !timestamp_of(text)) {
+  if (rule.form == Form::Time && !timestamp_of(text)) {
     findings.add("F0903", place, "'" + text + "' is no time in UTC", "write 2026-11-23T03:50:00.125Z");
   }
   if (rule.form == Form::Version && !version(text)) {

@@ -23,8 +23,8 @@ enum class Kind : std::uint8_t { Object, List, Text, Whole, Number, Boolean, Not
 
 enum class Form : std::uint8_t {
   Any,
-  Timestamp,  // timestamp_of
-  Version,    // 2.1.0
+  Time,     // timestamp_of
+  Version,  // 2.1.0
 };
 
 struct Member;
@@ -90,7 +90,7 @@ inline constexpr Rule kFraction{.kind = Kind::Number, .least = 0.0, .most = 1.0}
 inline constexpr Rule kAngle{.kind = Kind::Number, .least = -kPi, .most = kPi};
 inline constexpr Rule kBoolean{.kind = Kind::Boolean};
 inline constexpr Rule kCount{.kind = Kind::Whole, .least = 0.0, .most = kMostWhole};
-inline constexpr Rule kTimestamp{.kind = Kind::Text, .form = Form::Timestamp};
+inline constexpr Rule kTimestamp{.kind = Kind::Text, .form = Form::Time};
 inline constexpr Rule kVersion{.kind = Kind::Text, .form = Form::Version};
 inline constexpr Rule kTexts{.kind = Kind::List, .items = &kText};
 

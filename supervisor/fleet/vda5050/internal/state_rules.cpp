@@ -17,40 +17,40 @@ constexpr Rule kMaps{.kind = Kind::List, .items = &kMap};
 constexpr std::array kNodePositionMembers = {Member{"x", true, &kNumber}, Member{"y", true, &kNumber},
                                              Member{"theta", false, &kNumber}, Member{"mapId", true, &kText}};
 constexpr Rule kNodePosition{.kind = Kind::Object, .members = kNodePositionMembers};
-constexpr std::array kNodeMembers = {Member{"nodeId", true, &kText}, Member{"sequenceId", true, &kCount},
-                                     Member{"nodeDescription", false, &kText},
-                                     Member{"released", true, &kBoolean},
-                                     Member{"nodePosition", false, &kNodePosition}};
-constexpr Rule kNode{.kind = Kind::Object, .members = kNodeMembers};
-constexpr Rule kNodes{.kind = Kind::List, .items = &kNode};
-constexpr std::array kEdgeMembers = {Member{"edgeId", true, &kText}, Member{"sequenceId", true, &kCount},
-                                     Member{"edgeDescription", false, &kText},
-                                     Member{"released", true, &kBoolean},
-                                     Member{"trajectory", false, &kTrajectory}};
-constexpr Rule kEdge{.kind = Kind::Object, .members = kEdgeMembers};
-constexpr Rule kEdges{.kind = Kind::List, .items = &kEdge};
+constexpr std::array kStateNodeMembers = {Member{"nodeId", true, &kText}, Member{"sequenceId", true, &kCount},
+                                          Member{"nodeDescription", false, &kText},
+                                          Member{"released", true, &kBoolean},
+                                          Member{"nodePosition", false, &kNodePosition}};
+constexpr Rule kStateNode{.kind = Kind::Object, .members = kStateNodeMembers};
+constexpr Rule kStateNodes{.kind = Kind::List, .items = &kStateNode};
+constexpr std::array kStateEdgeMembers = {Member{"edgeId", true, &kText}, Member{"sequenceId", true, &kCount},
+                                          Member{"edgeDescription", false, &kText},
+                                          Member{"released", true, &kBoolean},
+                                          Member{"trajectory", false, &kTrajectory}};
+constexpr Rule kStateEdge{.kind = Kind::Object, .members = kStateEdgeMembers};
+constexpr Rule kStateEdges{.kind = Kind::List, .items = &kStateEdge};
 
-constexpr std::array kPositionMembers = {Member{"x", true, &kNumber},
-                                         Member{"y", true, &kNumber},
-                                         Member{"theta", true, &kNumber},
-                                         Member{"mapId", true, &kText},
-                                         Member{"mapDescription", false, &kText},
-                                         Member{"positionInitialized", true, &kBoolean},
-                                         Member{"localizationScore", false, &kFraction},
-                                         Member{"deviationRange", false, &kNumber}};
-constexpr Rule kPosition{.kind = Kind::Object, .members = kPositionMembers};
+constexpr std::array kStatePositionMembers = {Member{"x", true, &kNumber},
+                                              Member{"y", true, &kNumber},
+                                              Member{"theta", true, &kNumber},
+                                              Member{"mapId", true, &kText},
+                                              Member{"mapDescription", false, &kText},
+                                              Member{"positionInitialized", true, &kBoolean},
+                                              Member{"localizationScore", false, &kFraction},
+                                              Member{"deviationRange", false, &kNumber}};
+constexpr Rule kStatePosition{.kind = Kind::Object, .members = kStatePositionMembers};
 constexpr std::array kVelocityMembers = {Member{"vx", false, &kNumber}, Member{"vy", false, &kNumber},
                                          Member{"omega", false, &kNumber}};
 constexpr Rule kVelocity{.kind = Kind::Object, .members = kVelocityMembers};
 
-constexpr std::array kLoadMembers = {Member{"loadId", false, &kText},
-                                     Member{"loadType", false, &kText},
-                                     Member{"loadPosition", false, &kText},
-                                     Member{"boundingBoxReference", false, &kBoxReference},
-                                     Member{"loadDimensions", false, &kLoadDimensions},
-                                     Member{"weight", false, &kNotNegative}};
-constexpr Rule kLoad{.kind = Kind::Object, .members = kLoadMembers};
-constexpr Rule kLoads{.kind = Kind::List, .items = &kLoad};
+constexpr std::array kStateLoadMembers = {Member{"loadId", false, &kText},
+                                          Member{"loadType", false, &kText},
+                                          Member{"loadPosition", false, &kText},
+                                          Member{"boundingBoxReference", false, &kBoxReference},
+                                          Member{"loadDimensions", false, &kLoadDimensions},
+                                          Member{"weight", false, &kNotNegative}};
+constexpr Rule kStateLoad{.kind = Kind::Object, .members = kStateLoadMembers};
+constexpr Rule kStateLoads{.kind = Kind::List, .items = &kStateLoad};
 
 constexpr std::array<std::string_view, 6> kStatusWords = {"WAITING", "INITIALIZING", "RUNNING",
                                                           "PAUSED",  "FINISHED",     "FAILED"};
@@ -115,11 +115,11 @@ constexpr std::array kStateMembers = {kHeaderId,
                                       Member{"newBaseRequest", false, &kBoolean},
                                       Member{"distanceSinceLastNode", false, &kNumber},
                                       Member{"operatingMode", true, &kMode},
-                                      Member{"nodeStates", true, &kNodes},
-                                      Member{"edgeStates", true, &kEdges},
-                                      Member{"agvPosition", false, &kPosition},
+                                      Member{"nodeStates", true, &kStateNodes},
+                                      Member{"edgeStates", true, &kStateEdges},
+                                      Member{"agvPosition", false, &kStatePosition},
                                       Member{"velocity", false, &kVelocity},
-                                      Member{"loads", false, &kLoads},
+                                      Member{"loads", false, &kStateLoads},
                                       Member{"actionStates", true, &kActionStates},
                                       Member{"batteryState", true, &kBattery},
                                       Member{"errors", true, &kErrors},
@@ -131,7 +131,7 @@ constexpr std::array kVisualizationMembers = {kHeaderId,
                                               kVersionMember,
                                               kManufacturer,
                                               kSerialNumber,
-                                              Member{"agvPosition", false, &kPosition},
+                                              Member{"agvPosition", false, &kStatePosition},
                                               Member{"velocity", false, &kVelocity}};
 
 constexpr std::array<std::string_view, 3> kConnectionWords = {"ONLINE", "OFFLINE", "CONNECTIONBROKEN"};

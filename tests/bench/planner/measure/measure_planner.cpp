@@ -2,6 +2,7 @@
 #include <cmath>
 #include <ctime>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "supervisor/pddl/grounding/grounder.h"
 #include "supervisor/pddl/solve.h"
@@ -30,10 +31,13 @@ struct Stopwatch {
   static double cpu_ms() { return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 };
 
+// The plan is one text with a line for each action: it can have millions.
 json plan_line(const Stopwatch& watch, const std::vector<model::GroundAction>& actions) {
-  json list = json::array();
-  for (const model::GroundAction& action : actions) list.push_back(model::to_string(action));
-  return {{"wall_ms", watch.wall_ms()}, {"cpu_ms", Stopwatch::cpu_ms()}, {"plan", std::move(list)}};
+  json line = {{"wall_ms", watch.wall_ms()}, {"cpu_ms", Stopwatch::cpu_ms()}};
+  std::string text;
+  for (const model::GroundAction& action : actions) (text += model::to_string(action)) += '\n';
+  line["plan"] = std::move(text);
+  return line;
 }
 
 pddl::Task read(const Instance& instance) {
@@ -94,7 +98,8 @@ void run_baseline(const Instance& instance, const Limits& limits, const Send& se
 // Takes over a plan that is valid, and better than the last one.
 void take_plan(const json& line, const pddl::Task& task, Measurement& to) {
   std::vector<model::GroundAction> actions;
-  for (const auto& text : line["plan"]) actions.push_back(action_of(text.get<std::string>()));
+  std::istringstream plan(line["plan"].get_ref<const std::string&>());
+  for (std::string text; std::getline(plan, text);) actions.push_back(action_of(text));
   const Judgement judged = judge(task, actions);
   if (!judged.wrong.empty()) {
     to.wrong = judged.wrong;

@@ -61,6 +61,18 @@ TEST_F(FeedTest, WhenAViewerComes_ThenItIsToldEverythingInOrder) {
   EXPECT_TRUE(drain(cursor).empty());
 }
 
+TEST_F(FeedTest, WhenAlarmsChange_ThenEveryViewerGetsTheNewestListOnce) {
+  update();
+  Feed::Cursor cursor;
+  feed_.set_alarms(R"({"type":"alarms","count":1})");
+  feed_.set_alarms(R"({"type":"alarms","count":2})");
+
+  const auto messages = drain(cursor);
+  EXPECT_EQ(types(messages), (Types{"hello", "state", "alarms", "trend"}));
+  EXPECT_EQ(messages[2]["count"], 2);
+  EXPECT_TRUE(drain(cursor).empty());
+}
+
 TEST_F(FeedTest, WhenNothingWasSeenYet_ThenAViewerIsGreetedOnly) {
   Feed::Cursor cursor;
 

@@ -3,10 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
+#include "hmi_web/server/api_lanes.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/hmi_web/server/raw_connection.h"
 
 namespace stepwright::server {
@@ -31,6 +39,7 @@ class HttpServerTest : public testing::Test {
     network_ = std::thread([this] { server_->run(); });
   }
   void end() {
+    if (!network_.joinable()) return;
     server_->stop();
     network_.join();
   }
@@ -89,6 +98,78 @@ TEST_F(HttpServerTest, WhenMetricsAreAskedFor_ThenTheyAreMadeForThatRequest) {
   EXPECT_NE(second.find("\r\n\r\nasked 2\n"), std::string::npos);
   EXPECT_NE(second.find("Content-Type: text/plain; version=0.0.4"), std::string::npos) << second;
   EXPECT_NE(second.find("X-Content-Type-Options: nosniff"), std::string::npos);
+}
+
+// Two routes, and a lane for each.
+class TwoRoutes {
+ public:
+  explicit TwoRoutes(std::shared_future<void> held) {
+    access::AccessOptions options;
+    options.cost = {1, 8'192};
+    control_ = *access::AccessControl::open(folder_ / "access", options, std::chrono::steady_clock::now);
+    audit_ = *access::AuditLog::open(folder_ / "access/audit.jsonl");
+    api::Route slow, quick;
+    slow.method = quick.method = "GET";
+    slow.least = quick.least = access::Role::None;
+    slow.path = "/api/slow";
+    slow.lane = api::Lane::Records;
+    slow.handler = [held](const api::Call&) {
+      held.wait();
+      return api::Answer{200, "slow", "text/csv", "a.csv"};
+    };
+    quick.path = "/api/quick";
+    quick.handler = [](const api::Call&) { return api::Answer{200, "quick"}; };
+    table_.emplace(std::vector{slow, quick});
+    door_.emplace(*table_, *control_, *audit_, api::DoorOptions{});
+  }
+  const api::Door& door() const { return *door_; }
+
+ private:
+  support::TemporaryFolder folder_;
+  std::unique_ptr<access::AccessControl> control_;
+  std::unique_ptr<access::AuditLog> audit_;
+  std::optional<api::RouteTable> table_;
+  std::optional<api::Door> door_;
+};
+
+TEST_F(HttpServerTest, WhenRecordsAreReadForLong_ThenOtherRequestsDoNotWait) {
+  end();
+  auto server = HttpServer::listen({"127.0.0.1", 0}, kAssets, feed_);
+  ASSERT_TRUE(server) << result::to_string(server.error());
+  server_ = std::move(*server);
+  std::promise<void> ends;
+  const TwoRoutes routes(ends.get_future().share());
+  server_->serve_api(routes.door());
+  network_ = std::thread([this] { server_->run(); });
+  RawConnection slow(server_->port());
+  slow.send("GET /api/slow HTTP/1.1\r\nHost: localhost:" + std::to_string(server_->port()) +
+            "\r\nConnection: close\r\n\r\n");
+  EXPECT_NE(get("/api/quick").find("\r\n\r\nquick"), std::string::npos);
+  ends.set_value();
+  const std::string answer = slow.read_all();
+  EXPECT_NE(answer.find("\r\n\r\nslow"), std::string::npos);
+  EXPECT_NE(answer.find("Content-Disposition: attachment; filename=\"a.csv\""), std::string::npos);
+  EXPECT_NE(answer.find("X-Content-Type-Options: nosniff"), std::string::npos);
+  end();  // before the door that it refers to
+}
+
+TEST(ApiLanes, WhenTooManyWait_ThenTheNextIsRefusedUntilThereIsRoom) {
+  std::promise<void> begun, ends;
+  std::atomic<int> done = 0;
+  ApiLanes lanes;
+  ASSERT_TRUE(lanes.post(api::Lane::Records, [&, held = ends.get_future().share()] {
+    begun.set_value();
+    held.wait();
+  }));
+  begun.get_future().wait();
+  for (std::size_t i = 0; i < ApiLanes::kMostWaiting; ++i)
+    ASSERT_TRUE(lanes.post(api::Lane::Records, [&] { ++done; }));
+  EXPECT_FALSE(lanes.post(api::Lane::Records, [&] { ++done; }));
+  ends.set_value();
+  std::promise<void> last;
+  while (!lanes.post(api::Lane::Records, [&] { last.set_value(); })) std::this_thread::yield();
+  last.get_future().wait();
+  EXPECT_EQ(done, static_cast<int>(ApiLanes::kMostWaiting));
 }
 
 TEST_F(HttpServerTest, WhenItServesMetricsOnly_ThenThereIsNoPageAndNoViewer) {

@@ -40,6 +40,19 @@ TEST_F(RequestPolicyTest, WhenAnotherAddressIsConfigured_ThenItsNameIsServedToo)
   EXPECT_EQ(policy.decide({"GET", "/", "10.0.0.6", ""}).status, 403u);
 }
 
+TEST_F(RequestPolicyTest, WhenItListensAtAllAddresses_ThenOnlyItsNamesAreServed) {
+  ListenAddress address{"0.0.0.0", 443};
+  address.certificate = "page.pem";
+  address.names = {"Line.Plant", "10.0.0.5", "fe80::1"};
+  const RequestPolicy policy(address, kAssets);
+  for (const char* host : {"line.plant", "line.plant:443", "10.0.0.5", "[fe80::1]", "localhost:443"})
+    EXPECT_EQ(policy.decide({"GET", "/", host, ""}).status, 200u) << host;
+  for (const char* host : {"0.0.0.0", "0.0.0.0:443", "10.0.0.6", "fe80::1", "evil.example", "line.plant:80"})
+    EXPECT_EQ(policy.decide({"GET", "/", host, ""}).status, 403u) << host;
+  EXPECT_TRUE(policy.is_own_origin("https://line.plant"));
+  EXPECT_FALSE(policy.is_own_origin("http://line.plant"));
+}
+
 TEST_F(RequestPolicyTest, WhenTheMethodChangesSomething_ThenItIsNotAllowed) {
   for (const char* method : {"POST", "PUT", "DELETE", "OPTIONS", "CONNECT", ""}) {
     EXPECT_EQ(policy_.decide({method, "/", "localhost:8080", ""}).status, 405u) << method;

@@ -11,6 +11,15 @@ TEST(OperatorRequest, WhenItAborts_ThenItIsAnAbort) {
   EXPECT_TRUE(std::holds_alternative<AbortRequest>(*request));
 }
 
+TEST(OperatorRequest, WhenItHoldsOrResumes_ThenItIsThat) {
+  const auto hold = parse_operator_request(R"_({"request": "hold"})_");
+  ASSERT_TRUE(hold.has_value());
+  EXPECT_TRUE(std::holds_alternative<HoldRequest>(*hold));
+  const auto resume = parse_operator_request(R"_({"request": "resume"})_");
+  ASSERT_TRUE(resume.has_value());
+  EXPECT_TRUE(std::holds_alternative<ResumeRequest>(*resume));
+}
+
 TEST(OperatorRequest, WhenItChangesADemand_ThenFluentAndValueAreRead) {
   const auto request =
       parse_operator_request(R"_({"request": "change", "fluent": "(demand c1)", "value": 8.5})_");

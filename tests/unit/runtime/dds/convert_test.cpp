@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace stepwright::dds::internal {
 namespace {
 
@@ -144,6 +146,60 @@ TEST(Convert, WhenARequestIsForTheSocketOnly_ThenItDoesNotTravel) {
   EXPECT_FALSE(travels(service::EndRecording{}));
   EXPECT_FALSE(travels(service::Step{1}));
   EXPECT_FALSE(travels(service::Continue{}));
+}
+
+RuntimeHealth some_health() {
+  RuntimeHealth health;
+  health.readers = 3;
+  health.tasks = {{"fast", 5'000, 2, 1, 4, {3, {1, 0, 2}}, {0, {5}}, {}}};
+  health.io = IoKind::Modbus;
+  health.devices_known = true;
+  health.devices = {{"valves", "10.0.0.2:502", 7, true, false, "timeout", 1, 2, 3, 4, 5, 1.5, 2.5, 3.5, 40}};
+  return health;
+}
+
+TEST(Convert, WhenHealthTravels_ThenNothingIsLost) {
+  const auto back = from_health(to_health("bench", some_health()));
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(*back, some_health());
+}
+
+TEST(Convert, WhenThereIsMoreHealthThanTravels_ThenTheFirstGoes) {
+  RuntimeHealth health = some_health();
+  health.devices.resize(idl::DEVICE_BOUND + 5);
+  health.tasks.resize(idl::TASK_BOUND + 5);
+  health.devices[0].error = kLong;
+  health.tasks[0].latency.first = idl::COUNT_BOUND;
+  const auto back = from_health(to_health("bench", health));
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->devices.size(), idl::DEVICE_BOUND);
+  EXPECT_EQ(back->tasks.size(), idl::TASK_BOUND);
+  EXPECT_EQ(back->devices[0].error.size(), idl::REASON_BOUND);
+  EXPECT_EQ(back->tasks[0].latency, DurationCounts{}) << "what no reader would take";
+}
+
+TEST(Convert, WhenHealthBreaksABound_ThenItIsDropped) {
+  const idl::Health good = to_health("bench", some_health());
+  const auto refused = [&](auto&& change) {
+    idl::Health bad = good;
+    change(bad);
+    return !from_health(bad).has_value();
+  };
+  EXPECT_TRUE(refused([](idl::Health& h) { h.tasks().resize(idl::TASK_BOUND + 1); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.devices().resize(idl::DEVICE_BOUND + 1); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.io(3); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.devices_problem(kLong); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.tasks()[0].name(kLong); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.tasks()[0].jitter().counts().resize(idl::COUNT_BOUND + 1); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.tasks()[0].latency().first(idl::COUNT_BOUND - 2); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.tasks()[0].execution().first(0xFFFF'FFFFu); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.devices()[0].name(kLong); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.devices()[0].endpoint(kLong); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.devices()[0].error(kLong); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.devices()[0].answer_age_ms(-2); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.devices()[0].answer_max_us(-1.0); }));
+  EXPECT_TRUE(refused(
+      [](idl::Health& h) { h.devices()[0].answer_p50_us(std::numeric_limits<double>::quiet_NaN()); }));
 }
 
 }  // namespace

@@ -282,5 +282,40 @@ TEST(ParticipantConfig, WhenItIsOutOfBounds_ThenConnectFailsWithItsReason) {
   EXPECT_EQ(RuntimeClient::connect({1, "test", ""}, ClientRole::Viewer).error().front().code, "D0004");
 }
 
+TEST(RuntimeClient, WhenALinkPublishesHealth_ThenItArrivesAndWhatComesIsCounted) {
+  FakeLink link(61, accept);
+  auto client = client_of(61, ClientRole::Viewer);
+  EXPECT_FALSE(client->health().has_value());
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  RuntimeHealth health;
+  health.tasks = {{"fast", 5'000, 1, 0, 0, {}, {4, {9, 1}}, {}}};
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (!client->health() && std::chrono::steady_clock::now() < deadline) {
+    link.endpoint().publish_health(health);
+    std::this_thread::sleep_for(5ms);
+  }
+  ASSERT_TRUE(client->health().has_value());
+  EXPECT_EQ(client->health()->tasks, health.tasks);
+  EXPECT_GE(client->health()->readers, 1u) << "this client reads the status";
+  const auto traffic = client->traffic();
+  const auto status = std::find_if(traffic.begin(), traffic.end(), [](const TopicTraffic& each) {
+    return each.topic.find("/status/") != std::string::npos;
+  });
+  ASSERT_NE(status, traffic.end());
+  EXPECT_EQ(status->writers, 1u);
+  EXPECT_GT(status->received, 0u);
+  EXPECT_EQ(status->refused, 0u);
+  EXPECT_GE(status->age_s, 0.0);
+}
+
+TEST(RuntimeClient, WhenNobodyIsThere_ThenNothingHasCome) {
+  auto client = client_of(62, ClientRole::Viewer);
+  for (const TopicTraffic& each : client->traffic()) {
+    EXPECT_EQ(each.writers, 0u) << each.topic;
+    EXPECT_EQ(each.received, 0u) << each.topic;
+    EXPECT_LT(each.age_s, 0.0) << each.topic;
+  }
+}
+
 }  // namespace
 }  // namespace stepwright::dds

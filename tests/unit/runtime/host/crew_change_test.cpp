@@ -137,6 +137,12 @@ TEST(CrewWatchdog, WhenATaskOfAThreadNeverEnds_ThenItsWatchdogEndsIt) {
     EXPECT_EQ(event.kind, EventKind::Trap);
     EXPECT_NE(event.detail.find("R0041"), std::string::npos) << event.detail;
     EXPECT_EQ(crew.harness.driver.output.load(), 0);
+    EXPECT_TRUE(crew.harness.wait([&] {
+      for (const TaskDetail& task : crew.harness.runtime->status().task_details)
+        if (task.watchdog_expiries == 1)
+          return task.watchdog_us == 20'000 && task.execution.counts.back() == 1;
+      return false;
+    })) << "the status tells of it";
     EXPECT_GE(crew.value("fast_count", event.image), 50.0) << "the fast task went on meanwhile";
   }
 }

@@ -125,6 +125,11 @@ TEST(Watchdog, WhenAProgramLoopsForEver_ThenItIsEndedWithinItsTimeInBothEngines)
     EXPECT_EQ(machine.driver.output.load(), 0);
     EXPECT_NE(machine.trap.find("R0041"), std::string::npos) << machine.trap;
     EXPECT_NE(machine.trap.find("of a task with 5000 us x 2"), std::string::npos) << machine.trap;
+    EXPECT_TRUE(machine.wait([&] {
+      const auto details = machine.runtime->status().task_details;
+      return details.size() == 1 && details[0].watchdog_us == 5'000 && details[0].watchdog_sensitivity == 2 &&
+             details[0].too_long == 1 && details[0].watchdog_expiries == 1;
+    })) << "the status tells of it";
     // The budget alone would have let it run for longer; a busy machine makes the bound generous.
     const auto took = std::stoll(machine.trap.substr(machine.trap.find("expired: ") + 9));
     EXPECT_GE(took, 10'000);

@@ -66,6 +66,7 @@ std::vector<Message> every_kind() {
   status.scan_max_us = 1e9;
   status.waiting_for_supervisor = true;
   status.plant = {{"x", 1.0}};
+  status.task_details = {{"fast", 5'000, 2, 1, 4, {3, {1, 0, 2}}, {0, {5}}, {}}};
   messages.emplace_back(status);
   return messages;
 }

@@ -37,7 +37,8 @@ RunRecord sample() {
   record.cell = "bench";
   record.phase = Phase::Executing;
   record.episodes = {episode};
-  record.replans = {{3.0, "a level is wrong", "(load v1 f1 level8)"}};
+  record.replans = {{3.0, "a level is wrong", "(load v1 f1 level8)"},
+                    {5.0, "held by the operator", "", true}};
   Incident incident;
   incident.time_s = 3.0;
   incident.kind = IncidentKind::FailedActuator;

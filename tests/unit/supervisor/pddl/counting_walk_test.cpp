@@ -55,6 +55,36 @@ TEST(CountingWalk, WhenNumbersDependOnEachOtherInAChain_ThenOneProgramGivesThePl
   EXPECT_EQ(result.programs, 1u);
 }
 
+// Some 13,000 steps, each to a state of 128 numbers: the states alone would take 13 MB.
+TEST(CountingWalk, WhenThePlanIsLong_ThenItTakesLittleMemory) {
+  constexpr int kCounters = 128, kLimit = 512;
+  std::string objects, init = "(= (limit) " + std::to_string(kLimit) + ")", goal;
+  for (int i = 0; i < kCounters; ++i) {
+    const std::string name = "c" + std::to_string(i);
+    objects += name + " ";
+    init += "(= (value " + name + ") " + std::to_string(i * 197 % (kLimit + 1)) + ")";
+    if (i > 0) goal += "(<= (+ (value c" + std::to_string(i - 1) + ") 1) (value " + name + "))";
+  }
+  const Task task = testing::make_task(
+      R"((define (domain counters) (:requirements :typing :numeric-fluents) (:types counter)
+    (:functions (value ?c - counter) (limit))
+    (:action up :parameters (?c - counter) :precondition (<= (+ (value ?c) 1) (limit))
+             :effect (increase (value ?c) 1))
+    (:action down :parameters (?c - counter) :precondition (>= (value ?c) 1) :effect (decrease (value ?c) 1))))",
+      "(define (problem p) (:domain counters) (:objects " + objects + "- counter) (:init " + init +
+          ") (:goal (and " + goal + ")))");
+  const GroundTask ground = ground_task(task.definition(), [] { return false; });
+  const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
+  SearchControl control(std::chrono::milliseconds(0), 0, nullptr);
+  CountingWalk walk(relaxed, control);
+  StopReason reason = StopReason::None;
+  ASSERT_EQ(walk.run(20, reason), SearchStatus::Found);
+  const std::vector<int> plan = control.best().operators;
+  EXPECT_GT(plan.size(), 8'000u);
+  EXPECT_LT(control.grown(), plan.size() * space.words() * sizeof(Word) / 2);
+}
+
 TEST(CountingWalk, WhenTasksAreRandom_ThenWhatItFindsArePlans) {
   int found = 0;
   for (std::uint32_t seed = 800; seed < 860; ++seed) {

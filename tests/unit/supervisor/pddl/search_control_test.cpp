@@ -41,5 +41,13 @@ TEST(SearchControl, WhenThereIsNoBudget_ThenEverythingFits) {
   EXPECT_TRUE(control.has_room_for(SIZE_MAX));
 }
 
+TEST(SearchControl, WhenAPlanIsTooLongForTheBudget_ThenItIsNotTakenAndTheSearchEnds) {
+  SearchControl control(std::chrono::milliseconds(0), 64, nullptr);
+  EXPECT_TRUE(control.offer(std::vector<int>(100'000), 2.0));
+  EXPECT_FALSE(control.offer(std::vector<int>(1'000'000), 1.0));
+  EXPECT_EQ(control.best().quality.cost, 2.0);
+  EXPECT_EQ(control.check(), StopReason::Memory);
+}
+
 }  // namespace
 }  // namespace stepwright::pddl

@@ -48,6 +48,15 @@ class Ride {
     ASSERT_TRUE(forklift_->advance_to(time_s));
     most_deviation_m = std::max(most_deviation_m, follower_.deviation_m());
   }
+  // At rest, as somebody else may have left it.
+  void turn_steering(double lock_rad) {
+    for (int k = 0; k < 30; ++k) {
+      forklift_->command({true, 0.0, lock_rad});
+      time_s += kControlStep_s;
+      ASSERT_TRUE(forklift_->advance_to(time_s));
+    }
+  }
+  double lock_rad() const { return forklift_->state()[assemblies::kForkliftLock]; }
   void run(double until_s, const Clearance& clearance = {}) {
     while (time_s < until_s && !follower_.arrived() && !follower_.lost()) step(clearance);
   }
@@ -97,6 +106,37 @@ TEST(PathFollower, WhenNavigationIsNoisy_ThenItStillArrives) {
   ride.run(150.0);
   ASSERT_TRUE(ride.follower().arrived());
   EXPECT_LT(geometry::distance(ride.pose().position(), path.back().pose.position()), 0.12);
+}
+
+// It used to drive off at once, and so beside its path. In a hall one was seen to stand there for ever, with
+// the wrong lock: the controller had found that each way led away from the path.
+TEST(PathFollower, WhenItStandsWithItsSteeringTurnedTheOtherWay_ThenItTurnsItBeforeItDrives) {
+  constexpr double kMayDiffer_rad = 0.25;
+  for (const double curvature : {0.19, -0.19, 0.25}) {
+    for (const Travel travel : {Travel::Forward, Travel::Reverse}) {
+      const auto path = MadePath({0, 0, 0}).drive(3.0, curvature, travel).path();
+      const DriveLimits limits = limits_of_the_plant();
+      const double wanted_rad = std::atan(limits.wheelbase_m * curvature);
+      Ride ride(path, {}, 0.005);
+      ride.turn_steering(curvature > 0.0 ? -limits.full_lock_rad : limits.full_lock_rad);
+      while (ride.time_s < 20.0 && std::abs(ride.lock_rad() - wanted_rad) > kMayDiffer_rad) ride.step();
+      EXPECT_LT(ride.time_s, 6.0) << curvature;
+      EXPECT_LT(std::hypot(ride.pose().x_m, ride.pose().y_m), 0.03) << curvature;
+      ride.run(25.0);
+      EXPECT_TRUE(ride.follower().arrived()) << curvature;
+      EXPECT_LT(ride.most_deviation_m, 0.06) << curvature;
+    }
+  }
+}
+
+// Who stands measures speeds that are not all small.
+TEST(PathFollower, WhenItDoesNotMoveAndMeasuredSpeedsSayOtherwise_ThenItIsLost) {
+  auto follower = PathFollower::create(MadePath({0, 0, 0}).drive(8.0).path(), {}, {}, kOutline, {}).value();
+  int steps = 0;
+  for (; steps < 300 && !follower.lost(); ++steps)
+    follower.step({.speed_m_s = steps % 3 == 0 ? 0.03 : -0.01}, kControlStep_s * steps, {});
+  EXPECT_TRUE(follower.lost());
+  EXPECT_NEAR(kControlStep_s * steps, FollowerSettings().stalled_s, 0.5);
 }
 
 TEST(PathFollower, WhenItMayGoNoFurther_ThenItStandsBeforeAndGoesOnWhenItMay) {

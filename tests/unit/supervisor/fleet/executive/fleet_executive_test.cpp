@@ -5,16 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <memory>
-#include <stdexcept>
 #include <string>
 
-#include "plant_models/assemblies/fleet_floor.h"
-#include "programs/fleet/fleet_executive_options.h"
-#include "programs/runtime/fleet_plant.h"
-#include "tests/support/controller/simulated_controller.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/unit/supervisor/fleet/executive/small_hall.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -23,59 +16,6 @@ using executive::IncidentKind;
 using executive::Phase;
 using executive::Response;
 using executive::RunRecord;
-using support::PlantFault;
-using support::SimulatedController;
-
-constexpr const char* kCell = STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/small_hall.toml";
-
-template <typename Value>
-Value or_throw(result::Result<Value> made) {
-  if (!made) throw std::runtime_error(result::to_string(made.error()));
-  return std::move(*made);
-}
-
-class SmallHall {
- public:
-  explicit SmallHall(std::vector<PlantFault> faults = {})
-      : config_(or_throw(config::load_cell_config(kCell))),
-        controller_(
-            or_throw(assemblies::FleetFloor::create(or_throw(cell_runtime::fleet_parameters(config_.plant)))),
-            bridge::default_fleet_wires(3), {64, 64}, std::move(faults)) {}
-
-  FleetExecutiveOptions options() const { return config::fleet_executive_options(config_); }
-  RunRecord run(FleetExecutiveOptions options, FleetExecutive::Observer observer = {}) {
-    options.journal = folder_.path() / "executive.json";
-    return FleetExecutive(desk(), controller_, std::move(options), std::move(observer)).run();
-  }
-  // Made once: what it plans does not depend on what it has planned.
-  FleetDesk& desk() {
-    static FleetDesk desk = or_throw(config::open_fleet_desk(config_));
-    return desk;
-  }
-  SimulatedController& controller() { return controller_; }
-  void expect_clean() const {
-    for (const char* name : {"overlaps", "obstacle_overlaps", "contacts"})
-      EXPECT_EQ(controller_.plant_value(name), 0.0) << name;
-  }
-
- private:
-  support::TemporaryFolder folder_;
-  config::CellConfig config_;
-  SimulatedController controller_;
-};
-
-std::string story(const RunRecord& record) {
-  std::string text = std::string(to_string(record.phase)) + ": " + record.message;
-  for (const auto& incident : record.incidents) {
-    text += "\n  " + std::to_string(incident.time_s) + " s:";
-    for (const std::string& sentence : incident.evidence) text += " " + sentence + ";";
-  }
-  return text;
-}
-
-bool all_met(const RunRecord& record) {
-  return std::ranges::all_of(record.goal, [](const executive::GoalRecord& goal) { return goal.met; });
-}
 
 TEST(FleetExecutiveRun, WhenSomethingIsOrderedMeanwhile_ThenAllIsDeliveredAndNobodyMeets) {
   SmallHall hall;

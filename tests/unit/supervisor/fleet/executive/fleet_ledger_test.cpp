@@ -109,6 +109,43 @@ TEST(FleetLedger, WhenGoalsAreDelivered_ThenTheirConstraintsCountFromThen) {
   EXPECT_EQ(rest.problem.constraints[0].distance.most, 150s);
 }
 
+TEST(FleetLedger, WhenAStopHasBegun_ThenConstraintsCountFromItsEnd) {
+  FleetLedger ledger(two_trucks());
+  Stop down = stop(StopKind::SetDown, "flour", 3);
+  down.service = 5s;
+  ledger.made(0, stop(StopKind::PickUp, "flour", 3), 10s);
+  ledger.made(0, down, 40s);
+  EXPECT_EQ(ledger.goals()[0].ends, std::vector<std::chrono::milliseconds>({45s}));
+  ledger.ended(down, 40s, 46s);
+  EXPECT_EQ(ledger.goals()[0].ends, std::vector<std::chrono::milliseconds>({46s}));
+}
+
+TEST(FleetLedger, WhenATaskIsBehindItsVehicle_ThenConstraintsCountFromIt) {
+  MissionProblem problem = two_trucks();
+  problem.locations[2].service = 5s;
+  problem.tasks.push_back({.name = "task 3", .vehicle = 0, .location = 3, .key = "tasks[2]"});
+  problem.constraints = {{.name = "after the first drive",
+                          .from = {Moment::TaskEnd, 0},
+                          .to = {Moment::GoalEnd, 1},
+                          .distance = {30s, 100'000s},
+                          .key = "constraints[0]"}};
+  FleetLedger ledger(problem);
+  ledger.made(0, stop(StopKind::Park, "", 0), 10s);
+  const RestProblem rest = ledger.rest({.elapsed = 20s, .starts = starts()});
+  ASSERT_EQ(rest.problem.constraints.size(), 1u);
+  EXPECT_EQ(rest.problem.constraints[0].from.moment, Moment::TimeZero);
+  EXPECT_EQ(rest.problem.constraints[0].distance.least, 25s);  // 10 s + 5 s + 30 s - 20 s
+}
+
+TEST(FleetLedger, WhenWhatAConstraintCountsFromIsAboardOfALostVehicle_ThenItIsNamed) {
+  FleetLedger ledger(two_trucks());
+  ledger.made(0, stop(StopKind::PickUp, "flour", 3), 10s);
+  EXPECT_TRUE(ledger.rest({.elapsed = 20s, .starts = starts()}).unbound.empty());
+  ledger.lose(0, "does not move");
+  const RestProblem rest = ledger.rest({.elapsed = 20s, .starts = starts()});
+  EXPECT_EQ(rest.unbound, std::vector<std::string>({"flour first"}));
+}
+
 TEST(FleetLedger, WhenLimitsAreDropped_ThenOnlyOrdersRemainAndTheGoalIsLate) {
   FleetLedger ledger(two_trucks());
   EXPECT_EQ(ledger.drop_limits(), std::vector<std::string>({"deadline of sugar"}));

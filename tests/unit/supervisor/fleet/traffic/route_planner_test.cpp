@@ -51,6 +51,39 @@ TEST(RoutePlanner, WhenCostsOfWaysAreKnown_ThenWaysAreAsGoodAndBlockedPlacesAreS
   }
 }
 
+geometry::ConvexPolygon rectangle(geometry::Point low, geometry::Point high) {
+  return *geometry::ConvexPolygon::hull(
+      std::vector<geometry::Point>{low, {high.x_m, low.y_m}, high, {low.x_m, high.y_m}});
+}
+
+// Each question used to look at all of the floor, half a second of it in a hall of 100 m.
+TEST(RoutePlanner, WhenBlockedPlacesEncloseAGoal_ThenOnlyTheFirstSearchIsInVainAndOthersFindTheirWays) {
+  constexpr std::uint32_t kVehicles = 4;
+  for (const bool prepared : {false, true}) {
+    SmallFloor floor(kVehicles);
+    RoutePlanner& planner = floor.planner();
+    if (prepared) planner.prepare(goals_of(floor, kVehicles), 2);
+    // The aisle below, on both sides of its stations, but for a gap that is a little too narrow.
+    const std::uint32_t left = planner.block(rectangle({9.5, 6.2}, {10.5, 12.3}));
+    planner.block(rectangle({33.5, 6.2}, {34.5, 12.3}));
+    for (int again = 0; again < 5; ++again) {
+      for (const std::uint32_t v : {1U, 3U}) {
+        const auto way = round_trip(planner, v, 0);
+        ASSERT_FALSE(way.has_value());
+        EXPECT_EQ(way.error().front().code, "F0305");
+      }
+    }
+    EXPECT_EQ(planner.searches_in_vain(), 1U);
+    // Who is enclosed with it, and who wants to go elsewhere.
+    EXPECT_TRUE(planner.plan(2, planner.home(2), std::vector{SmallFloor::stop(SmallFloor::station(1), "g")}));
+    EXPECT_TRUE(
+        planner.plan(2, SmallFloor::station(0), std::vector{SmallFloor::stop(SmallFloor::station(1), "g")}));
+    EXPECT_TRUE(round_trip(planner, 1, 2).has_value());
+    planner.unblock(left);
+    EXPECT_TRUE(round_trip(planner, 1, 0).has_value());
+  }
+}
+
 TEST(RoutePlanner, WhenSeveralThreadsPlan_ThenEachGetsTheWayThatOneAloneGets) {
   constexpr std::uint32_t kVehicles = 4;
   SmallFloor alone(kVehicles), shared(kVehicles);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "tests/support/fleet_traffic/traffic_invariants.h"
+
 namespace stepwright::fleet {
 
 namespace {
@@ -144,7 +146,7 @@ std::string SmallFloor::broken() {
     permitted_m_[v] = permitted_m;
     if (traffic_->held(v)) permitted_m_[v] = 0.0;
   }
-  return {};
+  return support::broken_invariant(*traffic_);
 }
 
 }  // namespace stepwright::fleet

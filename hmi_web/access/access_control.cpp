@@ -1,0 +1,159 @@
+#include "hmi_web/access/access_control.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "hmi_web/access/durable_file.h"
+
+namespace stepwright::access {
+namespace {
+
+// Many people may share an address, but not many of them forget their password at once.
+LoginLimits for_addresses(LoginLimits limits) {
+  limits.free_failures *= 4;
+  return limits;
+}
+
+Refusal refusal(result::Diagnostics problems) {
+  return {std::move(problems), std::chrono::seconds(0)};
+}
+
+tl::unexpected<Refusal> refuse(std::string code, std::string message, std::string hint = {}) {
+  return tl::unexpected(
+      refusal(result::fail(std::move(code), {}, std::move(message), std::move(hint)).value()));
+}
+
+}  // namespace
+
+AccessControl::AccessControl(std::unique_ptr<UserStore> users, const AccessOptions& options,
+                             const Clock& clock)
+    : options_(options),
+      users_(std::move(users)),
+      sessions_(options.sessions, clock),
+      names_(options.logins, clock),
+      addresses_(for_addresses(options.logins), clock) {
+  if (!users_->has_administrator()) setup_token_ = random_setup_token();
+}
+
+result::Result<std::unique_ptr<AccessControl>> AccessControl::open(const std::filesystem::path& folder,
+                                                                   const AccessOptions& options,
+                                                                   Clock clock) {
+  if (auto made = make_private_folder(folder); !made) return result::forward(made);
+  auto users = UserStore::open(folder / "users.json");
+  if (!users) return result::forward(users);
+  return std::unique_ptr<AccessControl>(new AccessControl(std::move(*users), options, clock));
+}
+
+std::optional<std::string> AccessControl::setup_token() const {
+  const std::lock_guard lock(setup_mutex_);
+  return setup_token_.empty() ? std::nullopt : std::optional(setup_token_);
+}
+
+tl::expected<OpenedSession, Refusal> AccessControl::claim(std::string_view token, const std::string& name,
+                                                          const std::string& password,
+                                                          const std::string& address) {
+  if (auto wait = locked("", address)) return tl::unexpected(*std::move(wait));
+  const std::lock_guard lock(setup_mutex_);
+  if (setup_token_.empty()) return refuse("H0028", "there is an administrator already", "log in");
+  if (!same_secret(token, setup_token_)) {
+    addresses_.failed(address);
+    return refuse("H0028", "this is not the set-up token",
+                  "it stands in the journal, or on the terminal where the server was started");
+  }
+  const auto hash = hash_of(name, password);
+  if (!hash) return tl::unexpected(refusal(hash.error()));
+  if (auto added = users_->add(name, Role::Administrator, *hash); !added)
+    return tl::unexpected(refusal(added.error()));
+  setup_token_.clear();
+  return sessions_.open(name, Role::Administrator, address);
+}
+
+tl::expected<OpenedSession, Refusal> AccessControl::log_in(const std::string& name,
+                                                           const std::string& password,
+                                                           const std::string& address) {
+  if (auto wait = locked(name, address)) return tl::unexpected(*std::move(wait));
+  const auto user = users_->find(name);
+  // Nobody's password is hashed as well: how long it takes does not tell who is there.
+  const bool right = matches(user ? user->password_hash : std::string(), password) && user;
+  if (!right) {
+    names_.failed(name);
+    addresses_.failed(address);
+    return refuse("H0026", "name or password are wrong");
+  }
+  // The rights may have changed while the password was hashed.
+  const auto present = users_->find(name);
+  if (!present || present->password_hash != user->password_hash)
+    return refuse("H0026", "name or password are wrong");
+  names_.succeeded(name);
+  return sessions_.open(name, present->role, address);
+}
+
+result::Result<void> AccessControl::add_user(const std::string& name, Role role,
+                                             const std::string& password) {
+  const auto hash = hash_of(name, password);
+  if (!hash) return tl::unexpected(hash.error());
+  return users_->add(name, role, *hash);
+}
+
+result::Result<void> AccessControl::set_role(const std::string& name, Role role) {
+  if (auto set = users_->set_role(name, role); !set) return set;
+  sessions_.close_user(name);
+  return {};
+}
+
+result::Result<void> AccessControl::remove_user(const std::string& name) {
+  if (auto removed = users_->remove(name); !removed) return removed;
+  sessions_.close_user(name);
+  return {};
+}
+
+result::Result<void> AccessControl::reset_password(const std::string& name, const std::string& password) {
+  const auto hash = hash_of(name, password);
+  if (!hash) return tl::unexpected(hash.error());
+  if (auto set = users_->set_password(name, *hash); !set) return set;
+  sessions_.close_user(name);
+  return {};
+}
+
+tl::expected<void, Refusal> AccessControl::change_password(const std::string& name,
+                                                           const std::string& present,
+                                                           const std::string& fresh, std::string_view token) {
+  if (auto wait = locked(name, "")) return tl::unexpected(*std::move(wait));
+  const auto user = users_->find(name);
+  if (!user || !matches(user->password_hash, present)) {
+    names_.failed(name);
+    return refuse("H0026", "the present password is wrong");
+  }
+  const auto hash = hash_of(name, fresh);
+  if (!hash) return tl::unexpected(refusal(hash.error()));
+  if (auto set = users_->set_password(name, *hash); !set) return tl::unexpected(refusal(set.error()));
+  sessions_.close_user(name, token);
+  return {};
+}
+
+std::optional<Refusal> AccessControl::locked(const std::string& name, const std::string& address) const {
+  const auto wait = std::max(name.empty() ? std::chrono::seconds(0) : names_.locked_for(name),
+                             address.empty() ? std::chrono::seconds(0) : addresses_.locked_for(address));
+  if (wait.count() == 0) return std::nullopt;
+  return Refusal{result::fail("H0027", {}, "too many failed attempts",
+                              "wait " + std::to_string(wait.count()) + " s and try again")
+                     .value(),
+                 wait};
+}
+
+bool AccessControl::matches(const std::string& hash, const std::string& password) {
+  if (password.size() > kMaxPasswordLength) return false;
+  const std::lock_guard lock(hashing_);
+  if (!hash.empty()) return password_matches(hash, password);
+  if (decoy_hash_.empty()) decoy_hash_ = hash_password(random_token(), options_.cost).value_or("");
+  return password_matches(decoy_hash_, password);
+}
+
+result::Result<std::string> AccessControl::hash_of(const std::string& name, const std::string& password) {
+  if (auto fits = check_name(name); !fits) return result::forward(fits);
+  if (auto fits = check_password(password, name); !fits) return result::forward(fits);
+  const std::lock_guard lock(hashing_);
+  return hash_password(password, options_.cost);
+}
+
+}  // namespace stepwright::access

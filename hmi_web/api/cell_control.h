@@ -1,0 +1,37 @@
+#pragma once
+
+// What the routes ask of the cell. The program implements it over Fast DDS, tests with a cell of their own.
+//
+// Threads: every function from any; each blocks for some seconds at most. Fails with D0001 where nobody
+// answers, with other codes where it is refused.
+
+#include <string>
+
+#include "runtime/result/result.h"
+
+namespace stepwright::api {
+
+class CellControl {
+ public:
+  virtual ~CellControl() = default;
+
+  // Asks the supervisor (supervisor/doc/plan_document.md) and waits for its answer: accepted, or why not.
+  // D0007: none came.
+  [[nodiscard]] virtual result::Result<void> ask_supervisor(const std::string& request) = 0;
+  // Outputs to their safe state.
+  [[nodiscard]] virtual result::Result<void> stop_runtime(const std::string& reason) = 0;
+
+  // Variables of the running program by their paths or addresses; values are literals of IEC 61131-3. What is
+  // returned is the value as the program spells it.
+  [[nodiscard]] virtual result::Result<std::string> read(const std::string& name) = 0;
+  // The value as `write` would return it; nothing is written.
+  [[nodiscard]] virtual result::Result<std::string> spell(const std::string& name,
+                                                          const std::string& value) = 0;
+  [[nodiscard]] virtual result::Result<std::string> write(const std::string& name,
+                                                          const std::string& value) = 0;
+  [[nodiscard]] virtual result::Result<std::string> force(const std::string& name,
+                                                          const std::string& value) = 0;
+  [[nodiscard]] virtual result::Result<void> unforce(const std::string& name) = 0;
+};
+
+}  // namespace stepwright::api

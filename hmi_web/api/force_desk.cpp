@@ -1,0 +1,193 @@
+#include "hmi_web/api/force_desk.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "hmi_web/access/durable_file.h"
+
+namespace stepwright::api {
+namespace {
+
+using nlohmann::json;
+using std::chrono::system_clock;
+
+std::int64_t seconds_of(system_clock::time_point time) {
+  return std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count();
+}
+
+system_clock::time_point time_of(std::int64_t seconds) {
+  return system_clock::time_point(std::chrono::seconds(seconds));
+}
+
+std::string to_json(const std::vector<StandingForce>& standing) {
+  json list = json::array();
+  for (const StandingForce& each : standing) {
+    list.push_back({{"name", each.name},
+                    {"value", each.value},
+                    {"user", each.user},
+                    {"reason", each.reason},
+                    {"since_s", seconds_of(each.since)},
+                    {"until_s", seconds_of(each.until)}});
+  }
+  return json{{"forces", std::move(list)}}.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::optional<std::vector<StandingForce>> from_json(const std::string& text) {
+  const json document = json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!document.is_object() || !document.contains("forces") || !document["forces"].is_array())
+    return std::nullopt;
+  std::vector<StandingForce> standing;
+  for (const json& entry : document["forces"]) {
+    const bool right = entry.is_object() && entry.value("name", json()).is_string() &&
+                       entry.value("value", json()).is_string() && entry.value("user", json()).is_string() &&
+                       entry.value("reason", json()).is_string() &&
+                       entry.value("since_s", json()).is_number_integer() &&
+                       entry.value("until_s", json()).is_number_integer();
+    if (!right) return std::nullopt;
+    standing.push_back({entry["name"], entry["value"], entry["user"], entry["reason"],
+                        time_of(entry["since_s"]), time_of(entry["until_s"])});
+  }
+  return standing;
+}
+
+void leave_out(std::vector<StandingForce>& standing, const std::string& name) {
+  std::erase_if(standing, [&](const StandingForce& each) { return each.name == name; });
+}
+
+}  // namespace
+
+result::Result<std::unique_ptr<ForceDesk>> ForceDesk::open(std::filesystem::path file, CellControl& control,
+                                                           access::AuditLog& audit, access::WallClock clock,
+                                                           OnChange on_change) {
+  std::vector<StandingForce> standing;
+  if (std::filesystem::exists(file)) {
+    const auto text = access::read_whole(file);
+    if (!text) return tl::unexpected(text.error());
+    auto read = from_json(*text);
+    if (!read) {
+      return result::fail("H0022", {file.string(), 0, 0}, "the list of what is forced is damaged",
+                          "release everything with `stepwright unforce --all`, then remove the file");
+    }
+    standing = std::move(*read);
+  }
+  return std::unique_ptr<ForceDesk>(new ForceDesk(std::move(file), control, audit, std::move(clock),
+                                                  std::move(on_change), std::move(standing)));
+}
+
+ForceDesk::ForceDesk(std::filesystem::path file, CellControl& control, access::AuditLog& audit,
+                     access::WallClock clock, OnChange on_change, std::vector<StandingForce> standing)
+    : file_(std::move(file)),
+      control_(control),
+      audit_(audit),
+      clock_(std::move(clock)),
+      on_change_(std::move(on_change)),
+      standing_(std::move(standing)) {
+  on_change_(json());
+  thread_ = std::thread([this] { run(); });
+}
+
+ForceDesk::~ForceDesk() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  stop_signal_.notify_all();
+  thread_.join();
+}
+
+result::Result<StandingForce> ForceDesk::force(const ForceOrder& order) {
+  const std::lock_guard turn(turn_);
+  std::vector<StandingForce> before;
+  {
+    const std::lock_guard lock(mutex_);
+    before = standing_;
+  }
+  StandingForce fresh{order.name, order.value, order.user, order.reason, clock_(), clock_() + order.duration};
+  auto after = before;
+  leave_out(after, order.name);
+  if (after.size() >= kMostForces)
+    return result::fail("D0002", {}, "too much is forced already", "release something first");
+  after.push_back(fresh);
+  // Listed before it is done: what a crash leaves forced will end.
+  if (auto kept = keep(after); !kept) return result::forward(kept);
+  auto forced = control_.force(order.name, order.value);
+  if (!forced) {
+    (void)keep(before);  // at worst something is released that was not forced
+    return result::forward(forced);
+  }
+  after.back().value = fresh.value = *forced;
+  if (auto kept = keep(after); !kept) return result::forward(kept);
+  return fresh;
+}
+
+result::Result<void> ForceDesk::unforce(const std::string& name) {
+  const std::lock_guard turn(turn_);
+  if (auto done = control_.unforce(name); !done) return done;
+  std::vector<StandingForce> after;
+  {
+    const std::lock_guard lock(mutex_);
+    after = standing_;
+  }
+  leave_out(after, name);
+  return keep(std::move(after));
+}
+
+void ForceDesk::end_what_is_due() {
+  const std::lock_guard turn(turn_);
+  std::vector<StandingForce> standing;
+  {
+    const std::lock_guard lock(mutex_);
+    standing = standing_;
+  }
+  const auto now = clock_();
+  for (const StandingForce& each : std::vector<StandingForce>(standing)) {
+    if (each.until > now) continue;
+    // Nobody answers: tried again in a second. A refusal means that there is nothing to release any more:
+    // another program runs.
+    const auto released = control_.unforce(each.name);
+    if (!released && released.error().front().code == "D0001") return;
+    leave_out(standing, each.name);
+    (void)keep(standing);  // where the disk is full it is released again and again, which harms nobody
+    (void)audit_.append({.user = "timer",
+                         .action = "tag.unforce",
+                         .target = each.name,
+                         .before = each.value,
+                         .reason = "the time is over that " + each.user + " had set",
+                         .result = released ? "done" : "refused: " + released.error().front().message});
+  }
+}
+
+result::Result<void> ForceDesk::keep(std::vector<StandingForce> standing) {
+  if (auto written = access::replace_private_file(file_, to_json(standing)); !written) return written;
+  {
+    const std::lock_guard lock(mutex_);
+    standing_ = std::move(standing);
+  }
+  on_change_(json());
+  return {};
+}
+
+std::string ForceDesk::json() const {
+  const std::lock_guard lock(mutex_);
+  return to_json(standing_);
+}
+
+std::vector<std::string> ForceDesk::names() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> names;
+  for (const StandingForce& each : standing_) names.push_back(each.name);
+  return names;
+}
+
+void ForceDesk::run() {
+  std::unique_lock lock(mutex_);
+  while (!stop_signal_.wait_for(lock, std::chrono::seconds(1), [this] { return stopping_; })) {
+    lock.unlock();
+    end_what_is_due();
+    lock.lock();
+  }
+}
+
+}  // namespace stepwright::api

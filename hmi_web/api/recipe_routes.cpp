@@ -1,0 +1,218 @@
+#include <nlohmann/json.hpp>
+
+#include "hmi_web/api/recipe_desk.h"
+#include "hmi_web/api/routes.h"
+#include "hmi_web/recipes/recipe_check.h"
+
+namespace stepwright::api {
+namespace {
+
+using nlohmann::json;
+using recipes::Recipe;
+
+const Field kValues{.name = "values",
+                    .kind = Kind::Texts,
+                    .least = 1,
+                    .most = static_cast<double>(recipes::kMostTags),
+                    .description = "a literal of IEC 61131-3 for every tag that recipes set"};
+const Field kComment{.name = "comment",
+                     .required = false,
+                     .most = static_cast<double>(recipes::kLongestComment),
+                     .description = "what the recipe is for"};
+const Field kReason{.name = "reason", .least = 3, .most = 200, .description = "why, for the audit trail"};
+
+constexpr const char* kTagList = R"({"type": "object", "required": ["tags"], "properties": {"tags":
+  {"type": "array", "items": {"type": "object", "required": ["name", "type", "unit", "comment"], "properties": {
+    "name": {"type": "string"}, "type": {"type": "string"}, "unit": {"type": "string"},
+    "comment": {"type": "string"}, "min": {"type": "number"}, "max": {"type": "number"},
+    "value": {"type": "string"}, "problem": {"type": "string"}}}}}})";
+constexpr const char* kRecipeList = R"({"type": "object", "required": ["recipes"], "properties": {"recipes":
+  {"type": "array", "items": {"type": "object", "required": ["name", "problems"]}}}})";
+constexpr const char* kRecipe = R"({"type": "object", "required": ["name", "comment", "values", "problems"],
+  "properties": {"name": {"type": "string"}, "comment": {"type": "string"}, "saved_by": {"type": "string"},
+    "saved_ms": {"type": "integer"}, "problems": {"type": "array", "items": {"type": "string"}},
+    "values": {"type": "object", "additionalProperties": {"type": "string"}}}})";
+constexpr const char* kRows = R"({"type": "object", "required": ["rows", "differing"], "properties": {
+  "differing": {"type": "integer"}, "rows": {"type": "array", "items": {"type": "object",
+    "required": ["tag", "left", "right", "state"], "properties": {"tag": {"type": "string"},
+      "left": {"type": ["string", "null"]}, "right": {"type": ["string", "null"]},
+      "state": {"enum": ["same", "differs", "missing"]}, "problem": {"type": "string"}}}}}})";
+constexpr const char* kChange = R"({"type": "object", "required": ["name", "values"], "properties": {
+  "name": {"type": "string"}, "values": {"type": "object", "additionalProperties": {"type": "string"}}}})";
+
+Answer no_recipes() {
+  return refused(404, "H0070", "this server has no recipes",
+                 "[hmi] recipes = \"recipes.toml\" in the cell's configuration");
+}
+
+Answer answer_of(const json& document) {
+  return Answer{.text = document.dump(-1, ' ', false, json::error_handler_t::replace)};
+}
+
+json sentences(const result::Diagnostics& problems) {
+  json list = json::array();
+  for (const auto& problem : problems)
+    list.push_back(problem.hint.empty() ? problem.message : problem.message + ": " + problem.hint);
+  return list;
+}
+
+json described(const Recipe& recipe, const result::Diagnostics& problems) {
+  const auto saved =
+      std::chrono::duration_cast<std::chrono::milliseconds>(recipe.saved.time_since_epoch()).count();
+  return {{"name", recipe.name},
+          {"comment", recipe.comment},
+          {"saved_by", recipe.saved_by},
+          {"saved_ms", saved},
+          {"problems", sentences(problems)}};
+}
+
+Answer tags_of(const RecipeDesk& desk) {
+  json list = json::array();
+  for (const PresentTag& each : desk.present()) {
+    const recipes::RecipeTag& tag = *each.tag;
+    json entry = {{"name", tag.name},
+                  {"type", bytecode::name_of(tag.type)},
+                  {"unit", tag.unit},
+                  {"comment", tag.comment}};
+    if (tag.type != bytecode::ElementaryType::Bool) {
+      entry["min"] = tag.least;
+      entry["max"] = tag.most;
+    }
+    if (each.value)
+      entry["value"] = *each.value;
+    else
+      entry["problem"] = each.value.error().front().message;
+    list.push_back(std::move(entry));
+  }
+  return answer_of({{"tags", std::move(list)}});
+}
+
+Answer list_of(const RecipeDesk& desk) {
+  json list = json::array();
+  for (const recipes::RecipeEntry& entry : desk.list()) {
+    list.push_back(entry.recipe ? described(*entry.recipe, desk.problems_of(*entry.recipe))
+                                : json{{"name", entry.name}, {"problems", sentences(entry.recipe.error())}});
+  }
+  return answer_of({{"recipes", std::move(list)}});
+}
+
+Answer one_of(const RecipeDesk& desk, const Call& call) {
+  const auto recipe = desk.read(call.parameter("name"));
+  if (!recipe) return refused(recipe.error());
+  json document = described(*recipe, desk.problems_of(*recipe));
+  document["values"] = recipe->values;
+  return answer_of(document);
+}
+
+json side(const std::optional<std::string>& value) {
+  return value ? json(*value) : json();
+}
+
+Answer comparison_of(const RecipeDesk& desk, const Call& call) {
+  const std::string& with = call.parameter("with");
+  const auto rows = with.empty() ? desk.compare_with_present(call.parameter("name"))
+                                 : desk.compare(call.parameter("name"), with);
+  if (!rows) return refused(rows.error());
+  json list = json::array();
+  std::size_t differing = 0;
+  for (const RecipeRow& row : *rows) {
+    const bool missing = !row.left || !row.right;
+    const bool same = !missing && *row.left == *row.right;
+    differing += same ? 0 : 1;
+    json entry = {{"tag", row.tag},
+                  {"left", side(row.left)},
+                  {"right", side(row.right)},
+                  {"state", missing ? "missing"
+                            : same  ? "same"
+                                    : "differs"}};
+    if (!row.problem.empty()) entry["problem"] = row.problem;
+    list.push_back(std::move(entry));
+  }
+  return answer_of({{"rows", std::move(list)}, {"differing", differing}});
+}
+
+// The answer to what was done, with both sides for the audit trail.
+Answer changed(const result::Result<RecipeChange>& done, const std::string& name,
+               const recipes::Values& asked = {}) {
+  Answer answer = done ? answer_of({{"name", name}, {"values", done->after}}) : refused(done.error());
+  answer.target = name;
+  answer.before = done ? recipes::text_of(done->before) : "";
+  answer.after = recipes::text_of(done ? done->after : asked);
+  return answer;
+}
+
+using Deed = std::function<Answer(RecipeDesk&, const Call&)>;
+
+Route row(RecipeDesk* desk, const char* method, const char* path, const char* name, const char* summary,
+          const char* answer, Deed deed) {
+  Route route;
+  route.method = method;
+  route.path = path;
+  route.name = name;
+  route.summary = summary;
+  route.answer = answer;
+  route.handler = [desk, deed = std::move(deed)](const Call& call) {
+    return desk == nullptr ? no_recipes() : deed(*desk, call);
+  };
+  return route;
+}
+
+// Looking; a page that looks by itself holds up neither log-ins nor the runtime.
+Route looking(Route route) {
+  route.least = Role::Viewer;
+  route.csrf = false;
+  route.lane = Lane::Records;
+  return route;
+}
+
+Route acting(Route route, Role least, Lane lane, Shape body = {}) {
+  route.least = least;
+  route.audit = Audit::Around;
+  route.lane = lane;
+  route.body = std::move(body);
+  return route;
+}
+
+}  // namespace
+
+std::vector<Route> recipe_routes(const Services& services) {
+  RecipeDesk* desk = services.recipes;
+  Route compare =
+      looking(row(desk, "GET", "/api/recipes/{name}/compare", "recipe.compare",
+                  "A recipe beside another one, or beside the values of the running program", kRows,
+                  [](RecipeDesk& at, const Call& call) { return comparison_of(at, call); }));
+  compare.query = {{"with", "the other recipe; without it: the running program"}};
+  return {
+      looking(row(desk, "GET", "/api/recipe-tags", "recipe.tags",
+                  "The tags that recipes set, their ranges and their values now", kTagList,
+                  [](RecipeDesk& at, const Call&) { return tags_of(at); })),
+      looking(row(desk, "GET", "/api/recipes", "recipe.list", "All recipes, and what is wrong with each",
+                  kRecipeList, [](RecipeDesk& at, const Call&) { return list_of(at); })),
+      looking(row(desk, "GET", "/api/recipes/{name}", "recipe.read", "One recipe with its values", kRecipe,
+                  [](RecipeDesk& at, const Call& call) { return one_of(at, call); })),
+      std::move(compare),
+      acting(row(desk, "PUT", "/api/recipes/{name}", "recipe.save", "Saves a recipe, or replaces it", kChange,
+                 [](RecipeDesk& at, const Call& call) {
+                   const std::string& name = call.parameter("name");
+                   const auto& values = call.body.texts("values");
+                   return changed(at.save(name, call.body.text("comment"), values, call.who.user), name,
+                                  values);
+                 }),
+             Role::Engineer, Lane::Quick, {"SaveRecipe", {kValues, kComment}}),
+      acting(row(desk, "DELETE", "/api/recipes/{name}", "recipe.remove", "Removes a recipe", kChange,
+                 [](RecipeDesk& at, const Call& call) {
+                   const std::string& name = call.parameter("name");
+                   return changed(at.remove(name), name);
+                 }),
+             Role::Engineer, Lane::Quick),
+      acting(row(desk, "POST", "/api/recipes/{name}/load", "recipe.load",
+                 "Writes all values of a recipe into the running program, or none", kChange,
+                 [](RecipeDesk& at, const Call& call) {
+                   const std::string& name = call.parameter("name");
+                   return changed(at.load(name), name);
+                 }),
+             Role::Operator, Lane::Runtime, {"LoadRecipe", {kReason}}),
+  };
+}
+
+}  // namespace stepwright::api

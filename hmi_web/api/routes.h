@@ -1,0 +1,58 @@
+#pragma once
+
+// All rows of the route table. What a row refers to outlives the table.
+//
+//   const RouteTable table(all_routes({&control, &audit, &forces, &cell}));
+//   print(openapi(table, "0.1.0"));
+//
+// Pure but for what the handlers do. With services that are null the rows are there, for their description,
+// and their handlers must not be called.
+
+#include <vector>
+
+#include "hmi_web/access/access_control.h"
+#include "hmi_web/access/audit_log.h"
+#include "hmi_web/api/cell_control.h"
+#include "hmi_web/api/cell_figures.h"
+#include "hmi_web/api/cell_records.h"
+#include "hmi_web/api/force_desk.h"
+#include "hmi_web/api/recipe_desk.h"
+#include "hmi_web/api/route.h"
+
+namespace stepwright::api {
+
+struct Services {
+  access::AccessControl* control = nullptr;
+  access::AuditLog* audit = nullptr;
+  ForceDesk* forces = nullptr;
+  CellControl* cell = nullptr;
+  CellRecords* records = nullptr;  // null also where a server keeps none: its rows answer 404 then
+  RecipeDesk* recipes = nullptr;   // likewise
+  CellFigures* figures = nullptr;  // null also where no runtime is followed: 404
+};
+
+// What the server itself answers: files of the page, the WebSocket, metrics.
+std::vector<Route> server_routes();
+// Logging in and out, the own password, claiming the administrator.
+std::vector<Route> session_routes(const Services& services);
+// For administrators.
+std::vector<Route> user_routes(const Services& services);
+std::vector<Route> audit_routes(const Services& services);
+// What operators ask of the supervisor.
+std::vector<Route> plan_routes(const Services& services);
+// Writing and forcing, for engineers.
+std::vector<Route> tag_routes(const Services& services);
+// History, alarms and their journal, for viewers.
+std::vector<Route> record_routes(const Services& services);
+// What operators and engineers do to alarms.
+std::vector<Route> alarm_routes(const Services& services);
+// Recipes: looking for viewers, loading for operators, saving and removing for engineers.
+std::vector<Route> recipe_routes(const Services& services);
+// How the runtimes are, for viewers.
+std::vector<Route> figure_routes(const Services& services);
+// H0062: of a server that keeps nothing.
+Answer no_records();
+
+std::vector<Route> all_routes(const Services& services);
+
+}  // namespace stepwright::api

@@ -1,0 +1,43 @@
+// The server's API (`stepwright hmi --openapi`) as functions that never throw: an answer, or sentences that say why not.
+
+export interface Problem {
+  code: string;
+  message: string;
+  hint?: string;
+}
+
+export type Reply<T> = { ok: true; data: T } | { ok: false; status: number; problems: Problem[] };
+
+export type Method = 'GET' | 'POST' | 'PUT' | 'DELETE';
+
+const NO_SERVER: Problem = { code: '', message: 'the server does not answer' };
+
+function problemsOf(value: unknown, status: number): Problem[] {
+  const list = (value as { problems?: Problem[] } | null)?.problems;
+  return Array.isArray(list) && list.length > 0 ? list : [{ code: '', message: `the server refused this (${status})` }];
+}
+
+export async function ask<T>(method: Method, path: string, csrf: string, body?: unknown, signal?: AbortSignal): Promise<Reply<T>> {
+  const headers: Record<string, string> = {};
+  if (csrf !== '') headers['X-CSRF-Token'] = csrf;
+  if (body !== undefined) headers['Content-Type'] = 'application/json';
+  try {
+    const response = await fetch(path, {
+      method,
+      headers,
+      credentials: 'same-origin',
+      cache: 'no-store',
+      ...(body === undefined ? {} : { body: JSON.stringify(body) }),
+      ...(signal ? { signal } : {}),
+    });
+    const value: unknown = await response.json().catch(() => null);
+    if (!response.ok) return { ok: false, status: response.status, problems: problemsOf(value, response.status) };
+    return { ok: true, data: value as T };
+  } catch {
+    return { ok: false, status: 0, problems: [NO_SERVER] };
+  }
+}
+
+export function sentences(problems: Problem[]): string {
+  return problems.map(({ message, hint }) => (hint ? `${message}: ${hint}` : message)).join('; ');
+}

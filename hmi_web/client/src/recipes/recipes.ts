@@ -1,0 +1,52 @@
+// Recipes as the server's API tells of them (hmi_web/doc/recipes.md).
+
+import type { Problem } from '../access/api';
+
+export interface RecipeTag {
+  name: string;
+  type: string;
+  unit: string;
+  comment: string;
+  min?: number; // a BOOL has no range; that of a TIME is in seconds
+  max?: number;
+  value?: string; // of the running program, at this moment
+  problem?: string; // why there is none
+}
+
+// What a damaged file leaves has a name and problems only.
+export interface RecipeEntry {
+  name: string;
+  comment?: string;
+  saved_by?: string;
+  saved_ms?: number;
+  problems: string[];
+}
+
+export interface Recipe extends RecipeEntry {
+  values: Record<string, string>;
+}
+
+export interface Comparison {
+  differing: number;
+  rows: { tag: string; left: string | null; right: string | null; state: 'same' | 'differs' | 'missing'; problem?: string }[];
+}
+
+export const pathOf = (name: string) => `/api/recipes/${encodeURIComponent(name)}`;
+
+export function rangeOf(tag: RecipeTag): string {
+  if (tag.type === 'BOOL') return 'TRUE or FALSE';
+  const range = `${tag.min} to ${tag.max}${tag.unit ? ` ${tag.unit}` : ''}`;
+  return tag.type === 'TIME' ? `${range}, such as T#1m30s` : range;
+}
+
+// What the server says of single values, and what it says of none of them.
+export function sortProblems(problems: Problem[], tags: RecipeTag[]): { fields: Record<string, string>; rest: Problem[] } {
+  const fields: Record<string, string> = {};
+  const rest: Problem[] = [];
+  for (const problem of problems) {
+    const tag = tags.find(({ name }) => problem.message.startsWith(`${name}: `));
+    if (tag) fields[tag.name] = problem.message.slice(tag.name.length + 2) + (problem.hint ? `: ${problem.hint}` : '');
+    else rest.push(problem);
+  }
+  return { fields, rest };
+}

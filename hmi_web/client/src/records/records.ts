@@ -1,0 +1,141 @@
+// What the server answers about alarms and history: hmi_web/doc/records.md. All times are ms since 1970.
+
+import { ask as request, sentences } from '../access/api';
+import type { Value } from '../lib/protocol';
+
+export type Priority = 'critical' | 'high' | 'medium' | 'low';
+
+export interface Alarm {
+  name: string;
+  text: string;
+  source: string;
+  priority: Priority;
+  state: string;
+  active: boolean;
+  value: Value;
+  group: string;
+  first_out: boolean;
+  since_ms: Value;
+  raised_ms: Value;
+  shelved_until_ms: Value;
+  longest_shelving_min: number; // 0: must not be shelved
+  suppress_by_hand: boolean;
+  // Facts that hold beside each other; the state is the strongest.
+  shelved: boolean;
+  suppressed: boolean;
+  out_of_service: boolean;
+  consequence: string;
+  response: string;
+}
+
+export interface AlarmFigures {
+  annunciated: number;
+  in_ten_minutes: number;
+  most_in_ten_minutes: number;
+  flood: boolean;
+  floods: number;
+  flood_share: number;
+  standing: Record<Priority, number>;
+  unacknowledged: number;
+  shelved: number;
+  suppressed: number;
+  out_of_service: number;
+  stale: string[];
+  chattering: string[];
+  most_frequent: { name: string; count: number }[];
+}
+
+export interface AlarmList {
+  count: number;
+  alarms: Alarm[];
+  figures: AlarmFigures;
+  journal: { failing: boolean; dropped: number; problem: string };
+}
+
+export interface JournalEntry {
+  number: number;
+  time_ms: number;
+  alarm: string;
+  source: string;
+  priority: Priority;
+  event: string;
+  from: string;
+  to: string;
+  value: Value;
+  first_out: boolean;
+  user: string;
+  comment: string;
+}
+
+export interface Series {
+  tag: string;
+  least: Value[];
+  greatest: Value[];
+  last: Value[];
+  damaged: number;
+}
+
+export interface History {
+  now_ms: number;
+  from_ms: number;
+  to_ms: number;
+  column_ms: number;
+  series: Series[];
+}
+
+export interface TagList {
+  now_ms: number;
+  tags: string[];
+  status: { failing: boolean; lost: number; file_bytes: number; problem: string };
+}
+
+export const PRIORITIES: Priority[] = ['critical', 'high', 'medium', 'low'];
+const UNACKNOWLEDGED = 'unacknowledged';
+
+export function isUnacknowledged(alarm: Alarm): boolean {
+  return alarm.state === UNACKNOWLEDGED || alarm.state.endsWith(`, ${UNACKNOWLEDGED}`);
+}
+
+// Hidden ones are told apart: somebody has decided that they do not matter now.
+export function isHidden(alarm: Alarm): boolean {
+  return ['shelved', 'suppressed by design', 'out of service'].includes(alarm.state);
+}
+
+// What people should look at first: unacknowledged before acknowledged, by priority, the newest first.
+export function byUrgency(a: Alarm, b: Alarm): number {
+  const rank = (alarm: Alarm) => (isHidden(alarm) ? 2 : isUnacknowledged(alarm) ? 0 : 1);
+  return (
+    rank(a) - rank(b) ||
+    PRIORITIES.indexOf(a.priority) - PRIORITIES.indexOf(b.priority) ||
+    (b.since_ms ?? 0) - (a.since_ms ?? 0) ||
+    a.name.localeCompare(b.name)
+  );
+}
+
+export function query(parameters: Record<string, string | number>): string {
+  return Object.entries(parameters)
+    .filter(([, value]) => value !== '')
+    .map(([name, value]) => `${name}=${encodeURIComponent(value)}`)
+    .join('&');
+}
+
+// The answer, or an Error with the sentences that the server gives.
+export async function ask<T>(path: string, signal?: AbortSignal): Promise<T> {
+  const reply = await request<T>('GET', path, '', undefined, signal);
+  if (!reply.ok) throw new Error(sentences(reply.problems));
+  return reply.data;
+}
+
+// "23.11. 09:41:07.25" in the order of the reader's language.
+export function moment(time: Value | undefined): string {
+  if (time === null || time === undefined) return '–';
+  return new Date(time).toLocaleString([], {
+    month: '2-digit',
+    day: '2-digit',
+    hour: '2-digit',
+    minute: '2-digit',
+    second: '2-digit',
+    fractionalSecondDigits: 2,
+    hourCycle: 'h23',
+  } as Intl.DateTimeFormatOptions);
+}

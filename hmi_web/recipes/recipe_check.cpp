@@ -1,0 +1,127 @@
+#include "hmi_web/recipes/recipe_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <variant>
+
+#include "runtime/bytecode/reader/parse_value.h"
+#include "runtime/bytecode/reader/read_value.h"
+#include "runtime/result/closest.h"
+
+namespace stepwright::recipes {
+namespace {
+
+using bytecode::ElementaryType;
+
+constexpr std::size_t kMostEdits = 3;
+constexpr double kNanosecondsPerSecond = 1e9;
+
+bool is_letter_or_digit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+double number_of(const RecipeTag& tag, const reader::Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* number = std::get_if<std::uint64_t>(&value)) return static_cast<double>(*number);
+  if (const auto* number = std::get_if<std::int64_t>(&value))
+    return static_cast<double>(*number) / (tag.type == ElementaryType::Time ? kNanosecondsPerSecond : 1.0);
+  return 0;
+}
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+std::string range_of(const RecipeTag& tag) {
+  const std::string unit = tag.unit.empty() ? "" : " " + tag.unit;
+  return short_number(tag.least) + " to " + short_number(tag.most) + unit;
+}
+
+// What a recipe has and the cell does not define.
+result::Diagnostic unknown(const std::vector<RecipeTag>& tags, const std::string& name) {
+  std::vector<std::string> names;
+  for (const RecipeTag& tag : tags) names.push_back(tag.name);
+  const std::string shown = name.substr(0, kLongestTag);
+  const std::string* meant = result::closest(shown, names, kMostEdits);
+  return {"H0075",
+          result::Severity::Error,
+          {},
+          "'" + shown + "' is no tag that recipes set",
+          meant != nullptr ? "did you mean '" + *meant + "'?" : "the cell's file of recipes defines them"};
+}
+
+void append(result::Diagnostics& problems, result::Diagnostics more) {
+  problems.insert(problems.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+}  // namespace
+
+result::Result<void> check_name(std::string_view name) {
+  const bool fits = !name.empty() && name.size() <= kLongestName && is_letter_or_digit(name.front()) &&
+                    is_letter_or_digit(name.back()) && std::all_of(name.begin(), name.end(), [](char c) {
+                      return is_letter_or_digit(c) || c == ' ' || c == '.' || c == '_' || c == '-';
+                    });
+  if (fits) return {};
+  return result::fail("H0071", {}, "this cannot be the name of a recipe",
+                      "up to 64 letters, digits, blanks or . _ -, the first and the last a letter or digit");
+}
+
+result::Result<std::string> check_value(const RecipeTag& tag, std::string_view literal) {
+  if (literal.size() > kLongestLiteral)
+    return result::fail("H0076", {}, tag.name + ": the value is too long", "at most 64 bytes");
+  reader::Variable variable;
+  variable.type = tag.type;
+  const auto bits = reader::parse_value(variable, literal);
+  if (!bits) {
+    const auto& problem = bits.error().front();
+    return result::fail("H0076", {}, tag.name + ": " + problem.message, problem.hint);
+  }
+  std::array<std::byte, sizeof *bits> image{};
+  std::memcpy(image.data(), &*bits, sizeof *bits);
+  const double number = number_of(tag, reader::read_value(variable, image));
+  std::string spelt = reader::read_text(variable, image);
+  // Written so that what is no number is out of every range.
+  if (tag.type != ElementaryType::Bool && !(number >= tag.least && number <= tag.most))
+    return result::fail("H0077", {}, tag.name + ": " + spelt + " is out of range", range_of(tag));
+  return spelt;
+}
+
+result::Result<Values> check(const std::vector<RecipeTag>& tags, const Values& values) {
+  Values spelt;
+  result::Diagnostics problems;
+  for (const RecipeTag& tag : tags) {
+    const auto found = values.find(tag.name);
+    if (found == values.end()) {
+      problems.push_back({"H0074",
+                          result::Severity::Error,
+                          {},
+                          tag.name + ": the recipe has no value for it",
+                          "save the recipe with a value for every tag"});
+      continue;
+    }
+    if (auto value = check_value(tag, found->second))
+      spelt.emplace(tag.name, std::move(*value));
+    else
+      append(problems, std::move(value.error()));
+  }
+  for (const auto& [name, literal] : values) {
+    if (std::none_of(tags.begin(), tags.end(), [&](const RecipeTag& tag) { return tag.name == name; }))
+      problems.push_back(unknown(tags, name));
+  }
+  if (!problems.empty()) return tl::unexpected<result::Diagnostics>(std::move(problems));
+  return spelt;
+}
+
+std::string text_of(const Values& values) {
+  std::string text;
+  for (const auto& [name, literal] : values) text += (text.empty() ? "" : ", ") + name + " = " + literal;
+  return text;
+}
+
+}  // namespace stepwright::recipes

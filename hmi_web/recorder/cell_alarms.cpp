@@ -1,0 +1,312 @@
+#include "hmi_web/recorder/cell_alarms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hmi_web/recorder/json_writer.h"
+#include "hmi_web/server/image_value.h"
+
+namespace stepwright::recorder {
+namespace {
+
+using alarms::AlarmDefinition;
+using alarms::AlarmId;
+using alarms::AlarmState;
+using alarms::ConditionKind;
+using alarms::Priority;
+
+constexpr std::int64_t kStatisticsNs = 600'000'000'000;
+constexpr std::size_t kMostForStatistics = 100'000;
+constexpr double kLevelDeadband = 1.0;  // per cent
+constexpr std::string_view kMonitor = "MON_SCAN[";
+
+AlarmDefinition made(std::string name, std::string text, std::string source, ConditionKind kind,
+                     Priority priority) {
+  AlarmDefinition one;
+  one.name = std::move(name);
+  one.text = std::move(text);
+  one.source = std::move(source);
+  one.condition.kind = kind;
+  one.priority = priority;
+  return one;
+}
+
+AlarmDefinition limit(const protocol::Tank& tank, ConditionKind kind, double percent) {
+  const bool high = kind == ConditionKind::High;
+  AlarmDefinition one = made(tank.id + (high ? ".high" : ".low"),
+                             "The level of " + tank.label + (high ? " is high" : " is low"), tank.level_point,
+                             kind, Priority::Medium);
+  one.condition.limit = percent;
+  one.condition.deadband = kLevelDeadband;
+  one.condition.on_delay = std::chrono::seconds(1);
+  one.response = high ? "stop what fills it" : "see whether it leaks, and fill it";
+  one.suppress_by_hand = true;  // a tank that is cleaned is empty
+  return one;
+}
+
+AlarmDefinition monitor_alarm(std::uint32_t number) {
+  const std::string index = std::to_string(number);
+  AlarmDefinition one =
+      made("plan.monitor." + index, "What the plan relies on is lost (monitor " + index + ")",
+           std::string(kMonitor) + index + "]", ConditionKind::On, Priority::Medium);
+  one.group = "plan";
+  one.consequence = "the plan does not reach its goal as it is";
+  one.response = "see what the supervisor decides: it replans, or stops in the safe state";
+  return one;
+}
+
+void write_times(JsonWriter& out, const alarms::AlarmView& view) {
+  const auto time = [&](const char* key, std::int64_t ns) {
+    out.key(key);
+    ns == 0 ? out.null() : out.milliseconds(ns);
+  };
+  time("since_ms", view.since_ns);
+  time("raised_ms", view.raised_ns);
+  time("shelved_until_ms", view.shelved_until_ns);
+}
+
+void write_names(JsonWriter& out, const char* key, const std::vector<AlarmId>& ids,
+                 const std::vector<AlarmDefinition>& definitions) {
+  out.key(key).open('[');
+  for (const AlarmId id : ids) out.text(definitions[id.value].name);
+  out.close(']');
+}
+
+void write_figures(JsonWriter& out, const alarms::AlarmFigures& figures,
+                   const std::vector<AlarmDefinition>& definitions) {
+  out.key("figures").open('{');
+  out.key("annunciated").integer(static_cast<std::int64_t>(figures.annunciated));
+  out.key("in_ten_minutes").integer(figures.in_ten_minutes);
+  out.key("most_in_ten_minutes").integer(figures.most_in_ten_minutes);
+  out.key("flood").boolean(figures.flood).key("floods").integer(figures.floods);
+  out.key("flood_share").number(std::round(figures.flood_share * 1e4) / 1e4);
+  out.key("standing").open('{');
+  for (std::uint8_t i = 0; i < alarms::kPriorities; ++i)
+    out.key(to_string(static_cast<Priority>(i))).integer(figures.standing[i]);
+  out.close('}');
+  out.key("unacknowledged").integer(figures.unacknowledged).key("shelved").integer(figures.shelved);
+  out.key("suppressed").integer(figures.suppressed).key("out_of_service").integer(figures.out_of_service);
+  write_names(out, "stale", figures.stale, definitions);
+  write_names(out, "chattering", figures.chattering, definitions);
+  out.key("most_frequent").open('[');
+  for (const alarms::AlarmCount& one : figures.most_frequent) {
+    out.open('{').key("name").text(definitions[one.alarm.value].name);
+    out.key("count").integer(static_cast<std::int64_t>(one.count)).close('}');
+  }
+  out.close(']').close('}');
+}
+
+}  // namespace
+
+std::vector<AlarmDefinition> built_in_alarms(const protocol::Synoptic& synoptic,
+                                             const BuiltInAlarms& wanted) {
+  std::vector<AlarmDefinition> all;
+  all.push_back(made("runtime.lost", "The runtime does not answer", std::string(kRuntimeAlive),
+                     ConditionKind::Off, Priority::Critical));
+  // A page's server that starts with its cell is there before the others.
+  all.back().condition.on_delay = std::chrono::seconds(2);
+  all.back().consequence = "nobody sees what the plant does";
+  all.back().response = "see whether the runtime and its link are running";
+  all.push_back(made("runtime.fault", "The program has been stopped by a fault", std::string(kRuntimeFault),
+                     ConditionKind::On, Priority::Critical));
+  all.back().consequence = "outputs are in their safe state";
+  all.back().response = "see what the runtime says of it, mend the program and start it";
+  if (wanted.supervisor) {
+    all.push_back(made("supervisor.lost", "The supervisor does not answer", std::string(kSupervisorAlive),
+                       ConditionKind::Off, Priority::High));
+    all.back().condition.on_delay = std::chrono::seconds(5);
+    all.back().consequence = "nothing is replanned";
+    all.back().response = "see whether the supervisor is running";
+  }
+  for (const protocol::Tank& tank : synoptic.tanks) {
+    if (tank.level_point.empty()) continue;
+    if (tank.high_percent > 0) all.push_back(limit(tank, ConditionKind::High, tank.high_percent));
+    if (tank.low_percent > 0) all.push_back(limit(tank, ConditionKind::Low, tank.low_percent));
+  }
+  for (std::uint32_t i = 1; i <= wanted.monitors; ++i) all.push_back(monitor_alarm(i));
+  return all;
+}
+
+result::Result<std::unique_ptr<CellAlarms>> CellAlarms::open(const std::filesystem::path& file,
+                                                             std::vector<AlarmDefinition> definitions,
+                                                             const std::vector<protocol::Point>& points,
+                                                             alarms::JournalOptions options) {
+  auto engine = alarms::AlarmEngine::create(definitions);
+  if (!engine) return result::forward(engine);
+  auto journal = alarms::AlarmJournal::open(file, std::move(definitions), std::move(options));
+  if (!journal) return result::forward(journal);
+  std::unique_ptr<CellAlarms> all(new CellAlarms(std::move(*engine), std::move(*journal), points));
+  if (auto done = all->go_on(); !done) return result::forward(done);
+  return all;
+}
+
+CellAlarms::CellAlarms(alarms::AlarmEngine engine, std::unique_ptr<alarms::AlarmJournal> journal,
+                       const std::vector<protocol::Point>& points)
+    : journal_(std::move(journal)), engine_(std::move(engine)), statistics_(engine_.definitions()) {
+  for (const protocol::Point& point : points) point_ids_.push_back(point.id);
+  for (const std::string& name : engine_.sources())
+    sources_.push_back({name, nullptr, name.starts_with(kMonitor), false, std::nullopt});
+}
+
+// States of the journal, and the figures of its last ten minutes.
+result::Result<void> CellAlarms::go_on() {
+  if (auto done = restore(engine_, *journal_); !done) return done;
+  auto newest = journal_->find({}, 1);
+  if (!newest) return result::forward(newest);
+  if (newest->empty()) return {};
+  now_ns_ = newest->front().transition.time_ns;
+  auto entries = journal_->find({.from_ns = now_ns_ - kStatisticsNs}, kMostForStatistics);
+  if (!entries) return result::forward(entries);
+  for (auto entry = entries->rbegin(); entry != entries->rend(); ++entry) {
+    if (const auto alarm = engine_.find(entry->alarm)) {
+      entry->transition.alarm = *alarm;
+      statistics_.note(entry->transition);
+    }
+  }
+  for (std::uint32_t i = 0; i < engine_.definitions().size(); ++i)
+    statistics_.restore(AlarmId(i), engine_.view(AlarmId(i)));
+  return {};
+}
+
+CellAlarms::Read CellAlarms::reader_of(const std::string& name, const server::ProgramLayout* layout) const {
+  const auto flag = [](bool value) { return std::optional<double>(value ? 1.0 : 0.0); };
+  if (name == kRuntimeAlive)
+    return [flag](const RecordedScan& scan) { return flag(scan.observation->runtime_alive); };
+  if (name == kRuntimeFault) {
+    return [flag](const RecordedScan& scan) {
+      return flag(scan.observation->report && scan.observation->report->state == "fault");
+    };
+  }
+  if (name == kSupervisorAlive)
+    return [flag](const RecordedScan& scan) { return flag(scan.observation->supervisor_alive); };
+  const auto point = std::ranges::find(point_ids_, name);
+  if (point != point_ids_.end()) {
+    const auto index = static_cast<std::size_t>(point - point_ids_.begin());
+    return [index](const RecordedScan& scan) -> std::optional<double> {
+      if (!scan.observation->runtime_alive) return std::nullopt;
+      return scan.view->state.points.at(index);
+    };
+  }
+  const auto tag = layout != nullptr ? find_tag(*layout, name) : std::nullopt;
+  if (!tag) return nullptr;
+  return [tag = *tag](const RecordedScan& scan) -> std::optional<double> {
+    if (!scan.observation->runtime_alive || !scan.observation->snapshot) return std::nullopt;
+    return server::read(tag, scan.observation->snapshot->image);
+  };
+}
+
+void CellAlarms::resolve(const std::shared_ptr<const server::ProgramLayout>& layout) {
+  if (resolved_ && layout == layout_) return;
+  resolved_ = true;
+  layout_ = layout;
+  for (Source& source : sources_) source.read = reader_of(source.name, layout.get());
+  monitor_now_ = reader_of("MON_NOW", layout.get());
+  before_count_ = interval_ns_ = 0;
+}
+
+void CellAlarms::measure_interval(const RecordedScan& scan) {
+  const auto count = monitor_now_ ? monitor_now_(scan) : std::nullopt;
+  const std::int64_t now = count ? std::llround(*count) : 0;
+  if (before_count_ > 0 && now > before_count_)
+    interval_ns_ = (scan.time_ns - before_ns_) / (now - before_count_);
+  before_count_ = now;
+  before_ns_ = scan.time_ns;
+}
+
+// A monitor keeps the number of the scan that raised it, counted as MON_NOW: that scan has its own time.
+std::int64_t CellAlarms::time_of(const Source& source, double value, const RecordedScan& scan) const {
+  if (!source.is_monitor || value < 1.0 || value > static_cast<double>(before_count_)) return scan.time_ns;
+  return scan.time_ns - (before_count_ - std::llround(value)) * interval_ns_;
+}
+
+void CellAlarms::take(const RecordedScan& scan) {
+  resolve(scan.view->layout);
+  measure_interval(scan);
+  const std::lock_guard lock(mutex_);
+  now_ns_ = std::max(now_ns_, scan.time_ns);
+  for (std::uint32_t i = 0; i < sources_.size(); ++i) {
+    Source& source = sources_[i];
+    std::optional<double> value = source.read ? source.read(scan) : std::nullopt;
+    // The next program has other monitors, or none: what this one raised is over.
+    if (source.is_monitor && !source.read && scan.view->layout) value = 0.0;
+    if (source.offered && value == source.last) continue;
+    source.offered = true;
+    source.last = value;
+    engine_.offer(alarms::SourceId(i), time_of(source, value.value_or(0.0), scan), value.value_or(0.0),
+                  value.has_value());
+  }
+  engine_.advance(now_ns_);
+  hand_on();
+}
+
+void CellAlarms::hand_on() {
+  const auto transitions = engine_.take();
+  if (transitions.empty()) return;
+  for (const alarms::Transition& transition : transitions) statistics_.note(transition);
+  journal_->append(transitions);
+  ++revision_;
+}
+
+result::Result<AlarmChange> CellAlarms::command(std::string_view alarm, alarms::Command by) {
+  AlarmChange change;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto id = engine_.find(alarm);
+    if (!id)
+      return result::fail("C0607", {}, "there is no alarm '" + std::string(alarm) + "'",
+                          "the list of alarms has every name");
+    by.alarm = *id;
+    by.time_ns = now_ns_;
+    engine_.advance(now_ns_);  // a delay or a shelf may have ended: that is no part of the change
+    change.before = engine_.view(*id).status.state();
+    auto done = engine_.command(by);
+    change.after = engine_.view(*id).status.state();
+    hand_on();
+    if (!done) return result::forward(done);
+  }
+  if (auto written = journal_->flush(); !written) return result::forward(written);
+  return change;
+}
+
+std::uint64_t CellAlarms::revision() const {
+  const std::lock_guard lock(mutex_);
+  return revision_;
+}
+
+std::string CellAlarms::json(bool all) const {
+  JsonWriter out;
+  out.open('{');
+  {
+    const std::lock_guard lock(mutex_);
+    const auto& definitions = engine_.definitions();
+    const alarms::AlarmFigures figures = statistics_.figures(now_ns_);
+    out.key("count").integer(static_cast<std::int64_t>(definitions.size())).key("alarms").open('[');
+    for (std::uint32_t i = 0; i < definitions.size(); ++i) {
+      const AlarmDefinition& one = definitions[i];
+      const alarms::AlarmView& view = engine_.view(AlarmId(i));
+      const AlarmState state = view.status.state();
+      if (!all && state == AlarmState::Normal) continue;
+      out.open('{').key("name").text(one.name).key("text").text(one.text).key("source").text(one.source);
+      out.key("priority").text(to_string(one.priority)).key("state").text(to_string(state));
+      out.key("active").boolean(view.status.active).key("value").number(view.value);
+      out.key("group").text(one.group).key("first_out").boolean(view.first_out);
+      out.key("longest_shelving_min")
+          .integer(std::chrono::duration_cast<std::chrono::minutes>(one.longest_shelving).count());
+      out.key("suppress_by_hand").boolean(one.suppress_by_hand);
+      out.key("shelved").boolean(view.status.shelved).key("suppressed").boolean(view.status.suppressed);
+      out.key("out_of_service").boolean(view.status.out_of_service);
+      write_times(out, view);
+      out.key("consequence").text(one.consequence).key("response").text(one.response).close('}');
+    }
+    out.close(']');
+    write_figures(out, figures, definitions);
+  }
+  const alarms::JournalStatus status = journal_->status();
+  out.key("journal").open('{').key("failing").boolean(status.failing);
+  out.key("dropped").integer(static_cast<std::int64_t>(status.dropped));
+  out.key("problem").text(status.problems.empty() ? "" : result::to_string(status.problems)).close('}');
+  return out.close('}').take();
+}
+
+}  // namespace stepwright::recorder

@@ -1,0 +1,117 @@
+#pragma once
+
+// The alarms of a cell while it runs: every image's values into the engine, what happens into figures and
+// journal, commands of people, and all of it as JSON for pages.
+//
+//   auto alarms = CellAlarms::open(folder / "alarms.db", definitions, options);
+//   (*alarms)->take({time_ns, &observation, &view});        // every image
+//   (*alarms)->command("runtime.lost", {.event = AlarmEvent::Acknowledge, .user = "anna"});
+//
+// A source of a definition is one of the cell's own (kRuntimeAlive ...), the id of a point of the picture
+// ("a1.level"), or a variable of the program.
+//
+// Thread rule: everything from any thread; take from one. command() waits for the disk.
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hmi_web/alarms/engine.h"
+#include "hmi_web/alarms/journal.h"
+#include "hmi_web/alarms/statistics.h"
+#include "hmi_web/protocol/synoptic.h"
+#include "hmi_web/server/cell_source.h"
+#include "hmi_web/server/cell_viewer.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::recorder {
+
+inline constexpr std::string_view kRuntimeAlive = "cell.runtime_alive";
+inline constexpr std::string_view kRuntimeFault = "cell.runtime_fault";
+inline constexpr std::string_view kSupervisorAlive = "cell.supervisor_alive";
+
+struct BuiltInAlarms {
+  bool supervisor = false;     // the cell has one
+  std::uint32_t monitors = 0;  // of a plan's program: MON_SCAN[1] ... (supervisor/doc/plan_to_sfc.md)
+};
+
+// What every cell is watched for: its processes, the limits of the picture's tanks, the plan's monitors.
+std::vector<alarms::AlarmDefinition> built_in_alarms(const protocol::Synoptic& synoptic,
+                                                     const BuiltInAlarms& wanted);
+
+// One image, or that there is none.
+struct RecordedScan {
+  std::int64_t time_ns = 0;
+  const server::Observation* observation = nullptr;
+  const server::CellView* view = nullptr;
+};
+
+// What a command has made of its alarm.
+struct AlarmChange {
+  alarms::AlarmState before = alarms::AlarmState::Normal;
+  alarms::AlarmState after = alarms::AlarmState::Normal;
+};
+
+class CellAlarms {
+ public:
+  // Goes on where the journal's last process has ended. `points` as in every view. Fails with S0001 to S0008
+  // and what AlarmEngine::create says.
+  [[nodiscard]] static result::Result<std::unique_ptr<CellAlarms>> open(
+      const std::filesystem::path& file, std::vector<alarms::AlarmDefinition> definitions,
+      const std::vector<protocol::Point>& points, alarms::JournalOptions options);
+
+  void take(const RecordedScan& scan);
+  // `by.alarm` is found by the name, `by.time_ns` is now. Returns when it is in the journal. Fails with C0606
+  // (refused), C0607 (there is no such alarm), S0001 to S0007 (it has happened, but is not in the file yet).
+  [[nodiscard]] result::Result<AlarmChange> command(std::string_view alarm, alarms::Command by);
+
+  // {"alarms": [...], "figures": {...}, "journal": {...}}; without `all` those that are normal are left out.
+  std::string json(bool all) const;
+  // Counts up whenever an alarm has changed.
+  std::uint64_t revision() const;
+  [[nodiscard]] result::Result<void> flush() { return journal_->flush(); }
+  const alarms::AlarmJournal& journal() const { return *journal_; }
+  const std::vector<alarms::AlarmDefinition>& definitions() const { return engine_.definitions(); }
+
+ private:
+  using Read = std::function<std::optional<double>(const RecordedScan&)>;
+  struct Source {
+    std::string name;
+    Read read;
+    bool is_monitor = false;
+    bool offered = false;
+    std::optional<double> last;
+  };
+
+  CellAlarms(alarms::AlarmEngine engine, std::unique_ptr<alarms::AlarmJournal> journal,
+             const std::vector<protocol::Point>& points);
+  result::Result<void> go_on();
+  Read reader_of(const std::string& source, const server::ProgramLayout* layout) const;
+  void resolve(const std::shared_ptr<const server::ProgramLayout>& layout);
+  std::int64_t time_of(const Source& source, double value, const RecordedScan& scan) const;
+  void measure_interval(const RecordedScan& scan);
+  void hand_on();
+
+  std::unique_ptr<alarms::AlarmJournal> journal_;
+  std::vector<std::string> point_ids_;
+  std::shared_ptr<const server::ProgramLayout> layout_;  // that `sources_` were resolved for
+  bool resolved_ = false;
+  std::vector<Source> sources_;  // by alarms::SourceId
+  Read monitor_now_;             // the program's count of its scans
+  // Of the image before: its time and that count, from which the scan's interval follows.
+  std::int64_t before_ns_ = 0, before_count_ = 0, interval_ns_ = 0;
+
+  mutable std::mutex mutex_;  // guards everything below
+  alarms::AlarmEngine engine_;
+  mutable alarms::AlarmStatistics statistics_;
+  std::int64_t now_ns_ = 0;
+  std::uint64_t revision_ = 1;
+};
+
+}  // namespace stepwright::recorder

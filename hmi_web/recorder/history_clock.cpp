@@ -1,0 +1,53 @@
+#include "hmi_web/recorder/history_clock.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace stepwright::recorder {
+namespace {
+
+constexpr std::int64_t kMicrosecond = 1'000;
+// Behind what was recorded of another run: the last second of that may not have reached the file.
+constexpr std::int64_t kBetweenRunsNs = 2'000'000'000;
+// Real time is set now and then, and a snapshot is a little old.
+constexpr std::int64_t kSameRunNs = 5'000'000'000;
+
+std::int64_t whole(std::int64_t time_ns) {
+  return time_ns - time_ns % kMicrosecond;
+}
+
+}  // namespace
+
+HistoryClock::HistoryClock(bool real_time, std::optional<KnownEpoch> known) : real_time_(real_time) {
+  if (!known) return;
+  begun_ = is_restored_ = true;
+  epoch_ns_ = known->epoch_ns;
+  newest_ns_ = known->newest_ns;
+}
+
+bool HistoryClock::is_another_run(std::int64_t scan_ns, std::int64_t wall_ns) const {
+  if (!begun_ || epoch_ns_ + scan_ns < newest_ns_) return true;
+  return is_restored_ && real_time_ && std::abs(wall_ns - scan_ns - epoch_ns_) > kSameRunNs;
+}
+
+std::int64_t HistoryClock::at(std::int64_t scan_ns, std::int64_t wall_ns) {
+  scan_ns = whole(scan_ns);
+  if (is_another_run(scan_ns, wall_ns)) {
+    const std::int64_t least = newest_ns_ == 0 ? wall_ns : std::max(wall_ns, newest_ns_ + kBetweenRunsNs);
+    epoch_ns_ = whole(least) - scan_ns;
+  }
+  begun_ = true;
+  is_restored_ = false;
+  seen_wall_ns_ = wall_ns;
+  newest_ns_ = epoch_ns_ + scan_ns;
+  return newest_ns_;
+}
+
+std::int64_t HistoryClock::without_scan(std::int64_t wall_ns) {
+  const std::int64_t passed = seen_wall_ns_ == 0 ? 0 : std::max<std::int64_t>(0, wall_ns - seen_wall_ns_);
+  newest_ns_ = seen_wall_ns_ == 0 ? std::max(newest_ns_, whole(wall_ns)) : newest_ns_ + whole(passed);
+  seen_wall_ns_ = wall_ns;
+  return newest_ns_;
+}
+
+}  // namespace stepwright::recorder

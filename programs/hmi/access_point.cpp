@@ -1,0 +1,97 @@
+#include "programs/hmi/access_point.h"
+
+#include <cstdio>
+
+#include "hmi_web/access/audit_chain.h"
+#include "hmi_web/api/openapi.h"
+#include "hmi_web/api/routes.h"
+#include "hmi_web/recipes/definition_file.h"
+#include "programs/process/command_line.h"
+#include "programs/process/files.h"
+#include "runtime/result/exit_code.h"
+
+namespace stepwright::hmi {
+namespace {
+
+void tell_setup_token(const access::AccessControl& control, log::Logger& log) {
+  const auto token = control.setup_token();
+  if (!token) return;
+  log.warning("setup", "nobody has claimed the administrator yet: the set-up token is on standard error");
+  std::fprintf(stderr, "stepwright hmi: set-up token %s (claims the administrator on the page, once)\n",
+               token->c_str());
+  std::fflush(stderr);
+}
+
+}  // namespace
+
+result::Result<std::unique_ptr<AccessPoint>> AccessPoint::open(const config::HmiConfig& config,
+                                                               const ActsOn& what, log::Logger& log,
+                                                               api::ForceDesk::OnChange on_forces) {
+  std::unique_ptr<AccessPoint> point(new AccessPoint);
+  access::AccessOptions options;
+  options.sessions.idle = config.idle;
+  options.sessions.absolute = config.session;
+  auto control = access::AccessControl::open(config.access_dir, options, std::chrono::steady_clock::now);
+  if (!control) return result::forward(control);
+  point->control_ = std::move(*control);
+  auto audit = access::AuditLog::open(config.access_dir / "audit.jsonl");
+  if (!audit) return result::forward(audit);
+  point->audit_ = std::move(*audit);
+  if (const std::string& found = point->audit_->found_at_start(); !found.empty())
+    log.error("audit", "the audit trail " + point->audit_->file().string() + ": " + found);
+  auto forces = api::ForceDesk::open(config.access_dir / "forces.json", what.cell, *point->audit_,
+                                     std::chrono::system_clock::now, std::move(on_forces));
+  if (!forces) return result::forward(forces);
+  point->forces_ = std::move(*forces);
+  if (auto opened = point->open_recipes(config, what.cell); !opened) return result::forward(opened);
+  point->table_ = std::make_unique<api::RouteTable>(
+      api::all_routes({point->control_.get(), point->audit_.get(), point->forces_.get(), &what.cell,
+                       what.records, point->recipes_.get(), what.figures}));
+  point->door_ = std::make_unique<api::Door>(
+      *point->table_, *point->control_, *point->audit_,
+      api::DoorOptions{config.anonymous_viewer ? access::Role::Viewer : access::Role::None});
+  tell_setup_token(*point->control_, log);
+  return point;
+}
+
+result::Result<void> AccessPoint::open_recipes(const config::HmiConfig& config, api::CellControl& cell) {
+  if (config.recipes.empty()) return {};
+  auto tags = recipes::load_definitions(config.recipes);
+  if (!tags) return result::forward(tags);
+  auto store = recipes::RecipeStore::open(config.recipes_dir);
+  if (!store) return result::forward(store);
+  store_ = std::move(*store);
+  recipes_ = std::make_unique<api::RecipeDesk>(std::move(*tags), *store_, cell, *forces_,
+                                               std::chrono::system_clock::now);
+  return {};
+}
+
+result::Result<Listening> listening_of(const config::HmiConfig& config) {
+  if (config::is_loopback(config.host)) return Listening{config.host, false};
+  auto users = access::UserStore::open(config.access_dir / "users.json");
+  if (!users) return result::forward(users);
+  if ((*users)->has_administrator()) return Listening{config.host, false};
+  return Listening{"127.0.0.1", true};
+}
+
+int verify_audit(const std::string& file) {
+  const auto text = process::read_file(file);
+  if (!text) return process::fail(text.error(), result::ExitCode::BadInput);
+  const access::ChainCheck check = access::check_chain(*text);
+  if (check.broken_line > 0) {
+    const auto line = static_cast<std::uint32_t>(check.broken_line);
+    const auto broken = result::fail("H0050", {file, line, 1}, "this line is wrong: " + check.why,
+                                     std::to_string(check.entries) + " entries before it are right");
+    return process::fail(broken.value(), result::ExitCode::BadInput);
+  }
+  std::printf("%llu entries, head %s\n", static_cast<unsigned long long>(check.entries), check.head.c_str());
+  return to_int(result::ExitCode::Done);
+}
+
+int print_openapi() {
+  const api::RouteTable table(api::all_routes({}));
+  std::fputs(api::openapi(table, STEPWRIGHT_VERSION).c_str(), stdout);
+  return to_int(result::ExitCode::Done);
+}
+
+}  // namespace stepwright::hmi

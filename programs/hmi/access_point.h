@@ -1,0 +1,73 @@
+#pragma once
+
+// Everything between the page's server and the cell that decides who may do what: users, audit trail, forces,
+// recipes, route table, door; made from a cell's configuration.
+//
+//   auto access = AccessPoint::open(config, {control, &records}, log, [&](auto json) { feed.set_forces(json);
+//   });
+//   (*http)->serve_api((*access)->door());
+//
+// Threads: as its parts. What it is given outlives it.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "hmi_web/access/access_control.h"
+#include "hmi_web/access/audit_log.h"
+#include "hmi_web/api/cell_control.h"
+#include "hmi_web/api/cell_figures.h"
+#include "hmi_web/api/cell_records.h"
+#include "hmi_web/api/door.h"
+#include "hmi_web/api/force_desk.h"
+#include "hmi_web/api/recipe_desk.h"
+#include "programs/config/hmi_config.h"
+#include "programs/log/logger.h"
+#include "runtime/result/result.h"
+
+namespace stepwright::hmi {
+
+// What the routes act on and read.
+struct ActsOn {
+  api::CellControl& cell;
+  api::CellRecords* records = nullptr;  // null: the server keeps none
+  api::CellFigures* figures = nullptr;  // null: it follows no runtime
+};
+
+class AccessPoint {
+ public:
+  // Writes the set-up token to standard error, which is the journal of a service and never a log file, while
+  // nobody has claimed the administrator. Fails with H0021 and H0022, and with what is wrong in the file of
+  // recipes (C0001 to C0006, C0620 to C0622).
+  [[nodiscard]] static result::Result<std::unique_ptr<AccessPoint>> open(const config::HmiConfig& config,
+                                                                         const ActsOn& what, log::Logger& log,
+                                                                         api::ForceDesk::OnChange on_forces);
+
+  const api::Door& door() const { return *door_; }
+
+ private:
+  AccessPoint() = default;
+  [[nodiscard]] result::Result<void> open_recipes(const config::HmiConfig& config, api::CellControl& cell);
+
+  std::unique_ptr<access::AccessControl> control_;
+  std::unique_ptr<access::AuditLog> audit_;
+  std::unique_ptr<api::ForceDesk> forces_;
+  std::unique_ptr<recipes::RecipeStore> store_;  // null, as what follows: the cell has no recipes
+  std::unique_ptr<api::RecipeDesk> recipes_;
+  std::unique_ptr<api::RouteTable> table_;
+  std::unique_ptr<api::Door> door_;
+};
+
+// Where the page is served: beyond this machine only once there is an administrator.
+struct Listening {
+  std::string host;
+  bool held_back = false;  // the configuration names another host
+};
+[[nodiscard]] result::Result<Listening> listening_of(const config::HmiConfig& config);
+
+// `stepwright hmi --verify-audit FILE`; the exit code: 0, or 1 with the first line that is wrong.
+int verify_audit(const std::string& file);
+// `stepwright hmi --openapi`.
+int print_openapi();
+
+}  // namespace stepwright::hmi

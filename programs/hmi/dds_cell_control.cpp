@@ -1,0 +1,99 @@
+#include "programs/hmi/dds_cell_control.h"
+
+#include <cstring>
+
+#include "runtime/bytecode/reader/parse_value.h"
+#include "runtime/bytecode/reader/read_value.h"
+#include "runtime/bytecode/reader/resolve_name.h"
+
+namespace stepwright::hmi {
+namespace {
+
+using result::Result;
+
+host::ImageBits bits_of(const reader::Variable& variable, std::uint64_t value) {
+  if (variable.bit != bytecode::kNoBit)
+    return {variable.address, std::uint64_t{1} << variable.bit, value << variable.bit};
+  const std::uint32_t size = bytecode::size_of(bytecode::mem_type(variable.type));
+  const std::uint64_t mask = size == 8 ? ~std::uint64_t{0} : (std::uint64_t{1} << 8 * size) - 1;
+  return {variable.address, mask, value};
+}
+
+// A place of the program that runs at this moment.
+Result<reader::NamedVariable> place_of(DdsCellSource& source, const std::string& name) {
+  const auto program = source.running().get();
+  const auto status = source.client().status();
+  if (!program || !status)
+    return result::fail("D0001", {}, "no runtime answers with a program",
+                        "is the runtime of the cell running?");
+  // Addresses of a program that is gone would hit anything.
+  if (status->program_digest != program->digest)
+    return result::fail("D0002", {}, "the program has just changed", "try again in a moment");
+  return reader::resolve_name(program->info, name);
+}
+
+// The place with the value's bits, and the value as the program spells it.
+struct Change {
+  host::ImageBits bits;
+  std::string text;
+};
+
+Result<Change> change_of(DdsCellSource& source, const std::string& name, const std::string& value) {
+  auto place = place_of(source, name);
+  if (!place) return result::forward(place);
+  auto parsed = reader::parse_value(place->variable, value, "R0058");
+  if (!parsed) return result::forward(parsed);
+  const host::ImageBits bits = bits_of(place->variable, *parsed);
+  std::vector<std::byte> image(place->variable.address + sizeof(std::uint64_t));
+  std::memcpy(image.data() + place->variable.address, &bits.value, sizeof bits.value);
+  return Change{bits, reader::read_text(place->variable, image)};
+}
+
+}  // namespace
+
+Result<void> DdsCellControl::ask_supervisor(const std::string& request) {
+  return source_.plans().request(request);
+}
+
+Result<void> DdsCellControl::stop_runtime(const std::string& reason) {
+  return source_.client().stop(reason);
+}
+
+Result<std::string> DdsCellControl::read(const std::string& name) {
+  auto place = place_of(source_, name);
+  if (!place) return result::forward(place);
+  const auto snapshot = source_.client().snapshot();
+  const auto program = source_.running().get();
+  if (!snapshot || snapshot->program_digest != program->digest)
+    return result::fail("D0001", {}, "no values of this program have arrived");
+  return reader::read_text(place->variable, snapshot->image);
+}
+
+Result<std::string> DdsCellControl::spell(const std::string& name, const std::string& value) {
+  auto change = change_of(source_, name, value);
+  if (!change) return result::forward(change);
+  return std::move(change->text);
+}
+
+Result<std::string> DdsCellControl::write(const std::string& name, const std::string& value) {
+  auto change = change_of(source_, name, value);
+  if (!change) return result::forward(change);
+  if (auto done = source_.client().write(change->bits); !done) return result::forward(done);
+  return std::move(change->text);
+}
+
+Result<std::string> DdsCellControl::force(const std::string& name, const std::string& value) {
+  auto change = change_of(source_, name, value);
+  if (!change) return result::forward(change);
+  if (auto done = source_.client().force(change->bits); !done) return result::forward(done);
+  return std::move(change->text);
+}
+
+Result<void> DdsCellControl::unforce(const std::string& name) {
+  auto place = place_of(source_, name);
+  if (!place) return result::forward(place);
+  if (bytecode::is_string(place->variable.type)) return result::fail("R0058", {}, "a string is never forced");
+  return source_.client().unforce(bits_of(place->variable, 0));
+}
+
+}  // namespace stepwright::hmi

@@ -1,0 +1,30 @@
+#pragma once
+
+// The cell behind Fast DDS, for whoever acts on it from the page: requests to the supervisor, writes and
+// forces in the runtime by the names of the program that runs.
+//
+// Threads: every function from any; each blocks for dds::kRequestTimeout at most. The source outlives it.
+// Fails as api::CellControl says; R0057 and R0058 are of names and values.
+
+#include "hmi_web/api/cell_control.h"
+#include "programs/hmi/dds_cell_source.h"
+
+namespace stepwright::hmi {
+
+class DdsCellControl : public api::CellControl {
+ public:
+  explicit DdsCellControl(DdsCellSource& source) : source_(source) {}
+
+  result::Result<void> ask_supervisor(const std::string& request) override;
+  result::Result<void> stop_runtime(const std::string& reason) override;
+  result::Result<std::string> read(const std::string& name) override;
+  result::Result<std::string> spell(const std::string& name, const std::string& value) override;
+  result::Result<std::string> write(const std::string& name, const std::string& value) override;
+  result::Result<std::string> force(const std::string& name, const std::string& value) override;
+  result::Result<void> unforce(const std::string& name) override;
+
+ private:
+  DdsCellSource& source_;
+};
+
+}  // namespace stepwright::hmi

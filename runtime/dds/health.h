@@ -1,0 +1,66 @@
+#pragma once
+
+// What is known of a runtime beyond its status: distributions and watchdogs of its tasks, the devices of its
+// I/O, and how its news arrive here. Plain data; any thread.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/host/messages.h"
+
+namespace stepwright::dds {
+
+using host::DurationCounts;
+using host::TaskDetail;
+
+// What stands behind the image's inputs and outputs.
+enum class IoKind : std::uint8_t {
+  SimulatedPlant = 0,  // in the runtime's own process
+  SharedMemory = 1,    // another process on the same machine
+  Modbus = 2,          // devices, through `stepwright modbus-client`
+};
+
+// A device of remote I/O; times count from the start of its client.
+struct DeviceHealth {
+  std::string name;
+  std::string endpoint;
+  std::uint8_t unit = 0;
+  bool online = false;  // the newest request was answered
+  bool lost = false;    // for longer than its configuration allows, or one of its tags
+  std::string error;    // the newest; empty if there was none
+  std::uint64_t requests = 0;
+  std::uint64_t timeouts = 0;
+  std::uint64_t exceptions = 0;
+  std::uint64_t bad_answers = 0;
+  std::uint64_t connection_losses = 0;
+  double answer_p50_us = 0.0;
+  double answer_p99_us = 0.0;
+  double answer_max_us = 0.0;
+  std::int64_t answer_age_ms = -1;  // of the newest value that was read or written; -1: never
+
+  friend bool operator==(const DeviceHealth&, const DeviceHealth&) = default;
+};
+
+struct RuntimeHealth {
+  std::uint32_t readers = 0;  // who follows the runtime; filled in by the link's endpoint
+  std::vector<TaskDetail> tasks;
+  IoKind io = IoKind::SimulatedPlant;
+  bool devices_known = false;   // the I/O's own process has answered
+  std::string devices_problem;  // why not
+  std::vector<DeviceHealth> devices;
+
+  friend bool operator==(const RuntimeHealth&, const RuntimeHealth&) = default;
+};
+
+// One topic as this process receives it.
+struct TopicTraffic {
+  std::string topic;
+  std::uint32_t writers = 0;   // that are matched now
+  std::uint64_t received = 0;  // samples
+  std::uint64_t refused = 0;   // of these, the ones that broke a bound
+  std::uint64_t lost = 0;      // that were sent and never came
+  double age_s = -1.0;         // of the newest; -1: none has come
+};
+
+}  // namespace stepwright::dds

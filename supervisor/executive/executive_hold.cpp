@@ -1,0 +1,63 @@
+// At rest for as long as an operator wants it. The program that reads the sensors keeps the outputs of the
+// plan off; the clock goes on.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "supervisor/executive/executive.h"
+
+namespace stepwright::executive {
+
+using std::chrono::milliseconds;
+
+Cause Executive::held_by_operator() {
+  return {IncidentKind::Operator, {"held by the operator"}, {}};
+}
+
+result::Result<void> Executive::request_hold() {
+  if (!hold_.exchange(true)) return {};
+  return result::fail("X0008", {}, "the run is held already", "resume or abort it");
+}
+
+result::Result<void> Executive::request_resume() {
+  if (hold_.exchange(false)) return {};
+  return result::fail("X0008", {}, "nothing is held that could be resumed");
+}
+
+// False if the run is over. A runtime that is gone, or stopped, changes nothing here: whoever resumes has the
+// plant looked at anew.
+bool Executive::stay_held() {
+  const double since_s = time_s_;
+  double now_s = time_s_;  // by the newest picture: a plant at rest causes no events
+  set_phase(Phase::Held, "held by the operator: the plant rests until the run is resumed or aborted");
+  (void)controller_.acknowledge(observed_event_);
+  while (hold_) {
+    if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
+    if (const auto change = due_change(now_s)) {
+      std::vector<std::string>& evidence = record_.incidents.back().evidence;
+      evidence.insert(evidence.end(), change->evidence.begin(), change->evidence.end());
+      publish();
+    }
+    if (const auto event = controller_.wait_event(milliseconds(200))) {
+      note_while_held(*event);
+      (void)controller_.acknowledge(event->sequence);
+    }
+    const auto snapshot = controller_.snapshot();
+    if (snapshot && snapshot->program_digest == digest_)
+      now_s = std::max(now_s, 1e-9 * static_cast<double>(snapshot->time_ns) + time_offset_s_);
+  }
+  record_.incidents.back().evidence.push_back(fmt::format("resumed after {:.1f} s", now_s - since_s));
+  set_phase(Phase::Replanning, "resumed by the operator");
+  return true;
+}
+
+void Executive::note_while_held(const host::StepEvent& event) {
+  const bool ended = event.kind == host::EventKind::Trap || event.kind == host::EventKind::Stopped ||
+                     event.kind == host::EventKind::RolledBack;
+  if (!ended || event.program_digest != digest_) return;
+  record_.incidents.back().evidence.push_back("the runtime stopped meanwhile: " + event.detail);
+  publish();
+}
+
+}  // namespace stepwright::executive

@@ -1,0 +1,243 @@
+// To rest: between two plans, and while an emergency stop holds the fleet.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "supervisor/fleet/executive/fleet_executive.h"
+#include "supervisor/fleet/executive/halt_plan.h"
+#include "supervisor/fleet/executive/stop_cause.h"
+
+namespace stepwright::fleet {
+
+using executive::IncidentKind;
+using executive::Phase;
+using executive::Response;
+using std::chrono::milliseconds;
+
+namespace {
+
+constexpr double kRestWithin_s = 60.0;  // of the scan clock
+// Behind a reset a vehicle's estimate of where it is begins anew: what was read before is of the old one.
+constexpr double kSeenAnew_s = 0.3;
+constexpr std::uint32_t kEmergencyStop = 24;
+
+bool ends_the_run(host::EventKind kind) {
+  return kind == host::EventKind::Trap || kind == host::EventKind::Stopped ||
+         kind == host::EventKind::RolledBack;
+}
+
+}  // namespace
+
+std::optional<FleetExecutive::Cause> FleetExecutive::hold_stopped() {
+  return hold({IncidentKind::Operator, {"the emergency stop is pressed: all vehicles stand"}, {}},
+              Phase::Waiting, "the emergency stop holds the fleet: release it, then let the fleet go on");
+}
+
+std::optional<FleetExecutive::Cause> FleetExecutive::hold_asked() {
+  return hold({IncidentKind::Operator, {"held by the operator: all vehicles rest"}, {}}, Phase::Held,
+              "held by the operator: all vehicles rest until the run is resumed or aborted");
+}
+
+// All vehicles stand, and the program goes on scanning. Why the next plan is made; nothing if the run has
+// ended.
+std::optional<FleetExecutive::Cause> FleetExecutive::hold(const Cause& cause, Phase phase,
+                                                          const std::string& message) {
+  open_incident(cause);
+  const std::size_t incident = record_.incidents.size() - 1;
+  held_ = true;
+  to_hold_ = false;  // whoever resumes the fleet means both
+  set_phase(phase, message);
+  const double until_s = time_s_ + static_cast<double>(options_.hold.count());
+  double now_s = time_s_;
+  while (true) {
+    if (abort_) {
+      give_up("aborted by the operator", IncidentKind::Operator);
+      return std::nullopt;
+    }
+    const auto event = controller_.wait_event(milliseconds(200));
+    if (event ? !take_held(*event) : runtime_lost()) {
+      give_up("the fleet was stopped while it was held", IncidentKind::LostRuntime);
+      return std::nullopt;
+    }
+    // Who rests causes no event that would tell what there is, and the time.
+    const auto snapshot = controller_.snapshot();
+    if (!event && snapshot && snapshot->program_digest == running_->digest) {
+      reading_ = running_->reader.read(snapshot->image);
+      now_s = std::max(now_s, 1e-9 * static_cast<double>(snapshot->time_ns) + time_offset_s_);
+    }
+    now_s = std::max(now_s, time_s_);
+    (void)due_requests(now_s);  // what they ask for is in the next plan
+    publish(false);             // nobody who stands causes news
+    if (!held_) {
+      record_.incidents[incident].response = Response::Replan;
+      return resumed();
+    }
+    if (now_s > until_s) {
+      give_up(phase == Phase::Held ? "nobody has let the fleet go on that an operator held"
+                                   : "nobody has let the fleet go on after the emergency stop",
+              IncidentKind::Operator);
+      return std::nullopt;
+    }
+    if (event) (void)controller_.acknowledge(event->sequence);
+  }
+}
+
+// False if the program does not run any more.
+bool FleetExecutive::take_held(const host::StepEvent& event) {
+  if (event.kind == host::EventKind::RolledBack) return false;
+  if (event.program_digest != running_->digest) return true;
+  if (ends_the_run(event.kind)) return false;
+  take_time(event.time_ns);
+  if (event.kind == host::EventKind::StepChange) reading_ = running_->reader.read(event.image);
+  publish(false);
+  return true;
+}
+
+// Whoever stands for the emergency stop alone goes on; another cause is one that nobody has seen to.
+FleetExecutive::Cause FleetExecutive::resumed() {
+  Cause cause{IncidentKind::Operator, {"the fleet goes on"}, {}};
+  for (std::uint32_t v = 0; v < reading_.vehicles.size(); ++v) {
+    if (reading_.vehicles[v].error == kEmergencyStop && !ledger_.vehicles()[v].lost) resets_[v] = true;
+  }
+  return cause;
+}
+
+bool FleetExecutive::bring_to_rest() {
+  FleetPlan plan = follow_->plan();
+  FleetProgram program = follow_->program();
+  std::vector<double> begun_m(plan.missions.size(), 0.0);
+  while (true) {
+    HaltPlan halt =
+        halt_plan(plan, program, reading_, desk_.options().program.drive, desk_.problem().map.frame());
+    for (std::size_t v = 0; v < begun_m.size(); ++v) begun_m[v] += halt.begun_m[v];
+    auto prepared = desk_.program_of(halt.plan, revision_, take_resets());
+    if (!prepared) {
+      return give_up("the fleet cannot be brought to rest: " + result::to_string(prepared.error()),
+                     IncidentKind::ProgramFault);
+    }
+    if (!install_to_stay(*prepared)) return false;
+    const Rest rest = await_rest(*prepared, begun_m);
+    const bool asked = rest == Rest::Reached && to_hold_;
+    if (rest != Rest::EmergencyStop && !asked) return rest == Rest::Reached;
+    decide(Response::Replan);
+    const auto cause = asked ? hold_asked() : hold_stopped();
+    if (!cause) return false;
+    open_incident(*cause);
+    set_phase(Phase::Replanning, cause->evidence.front());
+    plan = std::move(halt.plan);
+    program = *std::move(prepared->program);
+  }
+}
+
+bool FleetExecutive::install_to_stay(const PreparedFleet& prepared) {
+  while (!install(prepared)) {
+    if (record_.phase == Phase::Safe || !await_runtime()) return false;
+  }
+  return true;
+}
+
+ErrorReset FleetExecutive::take_resets() {
+  reset_running_ = std::exchange(resets_, std::vector<bool>(resets_.size(), false));
+  return {reset_running_, ++reset_number_};
+}
+
+// Who stops by himself meanwhile is lost as well. The clock stands still at the event with which all rest.
+FleetExecutive::Rest FleetExecutive::await_rest(const PreparedFleet& halt,
+                                                const std::vector<double>& begun_m) {
+  const double begun_s = time_s_;
+  const bool reset = std::ranges::find(reset_running_, true) != reset_running_.end();
+  const double until_s = begun_s + kRestWithin_s;
+  const auto end = [&](const std::string& reason, IncidentKind kind) {
+    give_up(reason, kind);
+    return Rest::Ended;
+  };
+  while (true) {
+    if (abort_) return end("aborted by the operator", IncidentKind::Operator);
+    const auto event = controller_.wait_event(milliseconds(200));
+    if (!event) {
+      if (!runtime_lost()) continue;
+      return end("the runtime was lost while the fleet was brought to rest", IncidentKind::LostRuntime);
+    }
+    if (ends_the_run(event->kind))
+      return end("the fleet was stopped while it was brought to rest: " + event->detail,
+                 IncidentKind::ProgramFault);
+    if (event->program_digest == running_->digest && event->kind == host::EventKind::StepChange) {
+      take_time(event->time_ns);
+      reading_ = running_->reader.read(event->image);
+      if (reading_.emergency_stop) {
+        (void)controller_.acknowledge(event->sequence);  // the clock goes on while the fleet is held
+        return Rest::EmergencyStop;
+      }
+      const bool seen_anew = !reset || time_s_ >= begun_s + kSeenAnew_s;
+      receive_returned(seen_anew);
+      watch_errors(begun_m);
+      if (seen_anew && all_rest(halt)) {
+        track(begun_m);
+        if (to_hold_) (void)controller_.acknowledge(event->sequence);  // as above
+        return Rest::Reached;
+      }
+      if (time_s_ > until_s) return end("the fleet does not come to rest", IncidentKind::Timeout);
+    }
+    (void)controller_.acknowledge(event->sequence);
+  }
+}
+
+void FleetExecutive::watch_errors(const std::vector<double>& begun_m) {
+  std::vector<std::uint32_t> errors;
+  for (std::uint32_t v = 0; v < reading_.vehicles.size(); ++v) {
+    if (reading_.vehicles[v].error != 0 && !ledger_.vehicles()[v].lost) errors.push_back(v);
+  }
+  for (const std::string& sentence : lose(errors, reading_, begun_m).evidence) add_evidence(sentence);
+}
+
+// Whoever is to come back has to be without error, and to stand where it was lost: one that still answers
+// nothing shows itself at the origin.
+void FleetExecutive::receive_returned(bool seen_anew) {
+  for (std::uint32_t v = 0; v < returning_.size(); ++v) {
+    const VehicleReading& now = reading_.vehicles[v];
+    if (!returning_[v] || (!seen_anew && now.error == 0)) continue;
+    const std::optional<Standing> stood = std::exchange(returning_[v], std::nullopt);
+    const std::string& name = desk_.problem().vehicles[v].name;
+    std::string why;
+    if (now.error != 0) {
+      why = fmt::format("{} at ({:.1f} m, {:.1f} m), error {}", stop_cause(now.error).sentence,
+                        stood->pose.x_m, stood->pose.y_m, now.error);
+    } else {
+      Track at = tracks_[v];
+      at.arc_m = arc_near(at.path, at.arc_m, now.pose);
+      if (distance_from_way(at, now.pose) <= kBesideWay_m) continue;
+      why = fmt::format("it shows itself at ({:.1f} m, {:.1f} m), which is not on its way", now.pose.x_m,
+                        now.pose.y_m);
+    }
+    ledger_.lose(v, why);
+    standing_[v] = stood;
+    add_evidence(name + " cannot come back: " + why);
+  }
+}
+
+bool FleetExecutive::all_rest(const PreparedFleet& halt) const {
+  for (std::uint32_t v = 0; v < reading_.vehicles.size(); ++v) {
+    const VehicleReading& now = reading_.vehicles[v];
+    const MissionStepKind step = halt.program->missions[v].steps[now.step].kind;
+    const bool rests = now.standing && now.forks_at_end && step == MissionStepKind::Done;
+    if (!rests && !ledger_.vehicles()[v].lost) return false;
+  }
+  return true;
+}
+
+// Where vehicles stand on their last ways.
+void FleetExecutive::track(const std::vector<double>& begun_m) {
+  for (std::uint32_t v = 0; v < reading_.vehicles.size(); ++v) {
+    if (ledger_.vehicles()[v].lost) continue;
+    const VehicleReading& now = reading_.vehicles[v];
+    const geometry::Path& path = plan_->answer.plan.missions[v].path;
+    // Of a vehicle that was lost the plan knows a place, and no way.
+    if (path.size() > 1 || tracks_[v].path.empty()) tracks_[v] = {path, begun_m[v] + now.arc_m};
+    tracks_[v].arc_m = arc_near(tracks_[v].path, tracks_[v].arc_m, now.pose);
+  }
+}
+
+}  // namespace stepwright::fleet

@@ -1,0 +1,40 @@
+#pragma once
+
+// A deadline that nobody could keep: where a blocked place or a dead vehicle leaves no passage from where the
+// load is to where it is to be. Knows the drawn floor and what stood on it when, nothing of planner, lattice
+// or fleet.
+//
+// A lower bound for every fleet of vehicles that are at least so wide, wherever they are and whatever they
+// know beforehand (supervisor/doc/fleet_traffic.md has the proof):
+//  - somebody may stand where the load is at its release already, and takes it up at once;
+//  - from place to place it takes no time at all, as long as a disc of the vehicle's half width, around its
+//    reference point, fits through somewhere;
+//  - through a passage that opens it takes the straight line at top speed, from the nearest place behind it.
+//
+//   const double at_s = earliest_delivery_s(scenario, run.stood, transport, {.radius_m = 0.8});
+
+#include <span>
+
+#include "supervisor/geometry/convex_polygon.h"
+#include "tests/bench/shift/scenario.h"
+
+namespace stepwright::bench::shift {
+
+// What stood on the floor and could not be driven through.
+struct Standing {
+  geometry::ConvexPolygon area;
+  double begin_s = 0.0;
+  double end_s = 0.0;
+};
+
+struct ReachOptions {
+  double radius_m = 0.8;  // no vehicle needs less on each side of its reference point
+  double top_speed_m_s = 1.5;
+  double step_m = 0.05;  // of the cells looked at; a disc somewhere in a cell counts as fitting there
+};
+
+// Infinite if nobody delivers it before the last change of the floor and none after it.
+double earliest_delivery_s(const Scenario& scenario, std::span<const Standing> stood,
+                           const Transport& transport, const ReachOptions& options);
+
+}  // namespace stepwright::bench::shift

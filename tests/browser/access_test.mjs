@@ -1,0 +1,204 @@
+// Who may do what, as people meet it: a real demo whose server nobody has claimed yet, its first administrator, an
+// operator and an engineer, what they do to the plant, and what the audit trail says of it.
+
+import { execFileSync } from 'node:child_process';
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+import { startDemo } from './demo_process.mjs';
+import { asksApi, axeFile, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken, userLine } from './people.mjs';
+import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+
+const WHOLE_TEST_MS = 200_000;
+
+const given = options();
+
+const shot = (page, name) => page.screenshot({ path: join(given.out, `access-${name}.png`), animations: 'disabled' });
+
+async function looksWithoutLoggingIn(page) {
+  await waitFor(page, 'whoever looks sees the plan', () => document.querySelectorAll('[data-action]').length > 5);
+  check((await page.getByRole('button', { name: 'Abort' }).count()) === 0, 'but has no buttons that act');
+  const status = await page.evaluate(async () => (await fetch('/api/plan/abort', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: '{}' })).status);
+  check(status === 401, `and the server would refuse them (${status})`);
+}
+
+async function claims(page, token) {
+  await page.getByTestId('log-in').click();
+  await fill(page, { 'Set-up token': 'AAAA-AAAA-AAAA-AAAA-AAAA', 'Your name': 'root', Password: PASSWORD });
+  await dialog(page).getByRole('button', { name: 'Claim' }).click();
+  await waitFor(page, 'a wrong token is refused in words', () =>
+    document.querySelector('[data-testid=problem]').innerText.includes('not the set-up token'));
+  await shot(page, 'claim');
+  await isAccessible(page, 'the claim');
+  await fill(page, { 'Set-up token': token });
+  await page.keyboard.press('Enter');
+  await dialogIsGone(page, 'the right one makes the administrator');
+  check((await userLine(page)) === 'root administrator', 'who is logged in at once');
+}
+
+async function holdsTheCookieTight(context) {
+  const [cookie] = await context.cookies();
+  check(cookie.name === '__Host-stepwright', 'the browser keeps the __Host- cookie of a loopback address');
+  check(cookie.secure && cookie.httpOnly && cookie.sameSite === 'Strict', 'which is Secure, HttpOnly and SameSite=Strict');
+}
+
+async function addsUsers(page) {
+  await page.getByRole('button', { name: 'Users' }).click();
+  for (const [name, role] of [['olga', 'operator'], ['emil', 'engineer']]) {
+    await fill(page, { Name: name, 'First password': PASSWORD });
+    await dialog(page).getByLabel('Role', { exact: true }).selectOption(role);
+    await dialog(page).getByRole('button', { name: 'Add' }).click();
+    await waitFor(page, `${name} is a user`, (user) => document.querySelector(`[data-user=${user}]`) !== null, name);
+  }
+  await dialog(page).getByLabel('role of root').selectOption('viewer');
+  await waitFor(page, 'the last administrator stays one', () =>
+    document.querySelector('[data-testid=users-problem]').innerText.includes('only administrator'));
+  check((await dialog(page).getByLabel('role of root').inputValue()) === 'administrator', 'and the page does not say otherwise');
+  await isAccessible(page, 'the list of users');
+  await shot(page, 'users');
+  await page.setViewportSize({ width: 360, height: 780 });
+  const wide = await page.evaluate(() => document.querySelector('dialog').scrollWidth - document.querySelector('dialog').clientWidth);
+  check(wide <= 0, `the users fit in 360 px (${wide})`);
+  await shot(page, 'users-360');
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.keyboard.press('Escape');
+  await dialogIsGone(page, 'Escape closes it');
+}
+
+async function logsIn(page, name) {
+  if ((await page.getByTestId('log-out').count()) > 0) await page.getByTestId('log-out').click();
+  await page.getByTestId('log-in').click();
+  await fill(page, { Name: name, Password: PASSWORD });
+  await page.keyboard.press('Enter');
+  await dialogIsGone(page, `${name} logs in with the keyboard`);
+  await waitFor(page, 'and still sees the cell', () => document.querySelector('[data-testid=link]').innerText === 'live');
+}
+
+async function forces(page) {
+  await logsIn(page, 'emil');
+  await page.getByLabel('Search tags by name or address').fill('%QX');
+  const set = page.locator('[data-panel=tags] tbody tr').filter({ hasText: 'BOOL' }).first().getByRole('button');
+  const tag = (await set.getAttribute('aria-label')).replace('Set ', '');
+  await set.click();
+  await fill(page, { Value: 'MAYBE', Minutes: '5', Reason: 'test of the valve' });
+  await dialog(page).getByRole('button', { name: 'Force' }).click();
+  await waitFor(page, 'a value that is none is refused', () => document.querySelector('[data-testid=problem]').innerText !== '');
+  await isAccessible(page, 'forcing');
+  await shot(page, 'force');
+  await fill(page, { Value: 'FALSE' });
+  await page.keyboard.press('Enter');
+  await dialogIsGone(page, `${tag} is forced`);
+  await waitFor(page, 'a banner says so to everybody', (name) =>
+    document.querySelector('[data-testid=forces]')?.innerText.includes(`${name} = FALSE`), tag);
+  const told = execFileSync(given.server, ['forces', '--config', given.cell, '--set', `cell.state_dir="${given.state}"`], { encoding: 'utf8' });
+  check(told.includes('1 of 64 places are forced'), `the runtime itself says so: ${told.trim().replaceAll('\n', '; ')}`);
+  await shot(page, 'banner');
+  await isAccessible(page, 'the page with its banner');
+  await page.getByRole('button', { name: `release ${tag}` }).click();
+  await waitFor(page, 'until it is released', () => document.querySelector('[data-testid=forces]') === null);
+  return tag;
+}
+
+async function holds(page) {
+  await logsIn(page, 'olga');
+  await page.getByRole('button', { name: 'Hold' }).click();
+  await fill(page, { 'Reason (may be empty)': 'somebody is at the pump' });
+  await isAccessible(page, 'holding');
+  await shot(page, 'hold');
+  await dialog(page).getByRole('button', { name: 'Hold the run' }).click();
+  await dialogIsGone(page, 'the supervisor has accepted the hold');
+  await waitFor(page, 'and brings the plant to rest', () => document.querySelector('[data-testid=phase]').innerText === 'held');
+  await shot(page, 'held');
+  check((await asksApi(page, '/api/plan/hold', {})) === '409 X0008', 'what is held already cannot be held: the supervisor says why');
+  check((await asksApi(page, '/api/plan/goal', { goal: '(= (no-such a1) 4)' })).startsWith('400 P'), 'a goal of something that is not there is refused with its place');
+  await page.getByRole('button', { name: 'Resume' }).click();
+  await dialog(page).getByRole('button', { name: 'Resume the run' }).click();
+  await dialogIsGone(page, 'the supervisor has accepted to go on');
+  await waitFor(page, 'and follows a plan again', () => document.querySelector('[data-testid=phase]').innerText === 'executing');
+}
+
+async function aborts(page) {
+  check((await page.getByRole('button', { name: 'Audit' }).count()) === 0, 'an operator does not see the audit trail');
+  await page.getByRole('button', { name: 'Abort' }).click();
+  await fill(page, { 'Reason (may be empty)': 'smoke in the hall' });
+  await shot(page, 'abort');
+  await isAccessible(page, 'aborting');
+  await dialog(page).getByRole('button', { name: 'Abort the run' }).click();
+  await dialogIsGone(page, 'the supervisor has the request');
+  await waitFor(page, 'and leaves the plant in its safe state', () =>
+    document.querySelector('[data-testid=phase]').innerText === 'safe');
+}
+
+async function readsTheTrail(page, tag) {
+  await logsIn(page, 'root');
+  await page.getByRole('button', { name: 'Audit' }).click();
+  await waitFor(page, 'the chain holds', () => document.querySelector('[data-testid=audit-state]')?.innerText.includes('the chain holds'));
+  const rows = await page.locator('[data-action]').filter({ has: page.locator('td') }).allInnerTexts();
+  const has = (...words) => rows.some((row) => words.every((word) => row.includes(word)));
+  check(has('olga', 'plan.abort', 'smoke in the hall', 'done'), 'who aborted, and why');
+  check(has('olga', 'plan.hold', 'somebody is at the pump', 'done'), 'who held the run, and why');
+  check(has('olga', 'plan.hold', 'refused: X0008'), 'what the supervisor refused, with its reason');
+  check(has('olga', 'plan.resume', 'done'), 'who let it go on');
+  check(has('emil', 'tag.force', tag, 'FALSE', 'test of the valve', 'done'), 'who forced what to which value, and why');
+  check(has('emil', 'tag.force', 'MAYBE', 'refused'), 'what was refused');
+  check(has('root', 'user.add', 'olga', 'operator'), 'who made whom an operator');
+  await isAccessible(page, 'the audit trail');
+  await shot(page, 'audit');
+  await page.setViewportSize({ width: 360, height: 780 });
+  await shot(page, 'audit-360');
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.keyboard.press('Escape');
+}
+
+function trailIsWhole() {
+  const file = join(given.state, 'access', 'audit.jsonl');
+  const told = execFileSync(given.server, ['hmi', '--verify-audit', file], { encoding: 'utf8' });
+  check(/^\d+ entries, head [0-9a-f]{64}$/.test(told.trim()), `the command says the same: ${told.trim()}`);
+  check(!readFileSync(file, 'utf8').includes(PASSWORD), 'no password stands in it');
+}
+
+// The page goes back to looking when its session ends somewhere else.
+async function losesItsSession(page, other) {
+  await logsIn(other, 'olga');
+  await page.getByRole('button', { name: 'Users' }).click();
+  await page.getByRole('button', { name: 'end the session of olga' }).first().click();
+  await waitFor(other, 'a revoked session is over at once', () => document.querySelector('[data-testid=log-in]') !== null);
+  await waitFor(other, 'and its page only looks from then on', () =>
+    document.querySelector('[data-testid=link]').innerText === 'live' && document.querySelector('[aria-label="act on the plan"]') === null);
+}
+
+endInTime(WHOLE_TEST_MS);
+
+const browser = await launchBrowser(given);
+let demo;
+try {
+  await browser.context.addInitScript({ path: axeFile(given.modules) });
+  demo = await startDemo(given.server, 1);
+  given.state = demo.stateDir;
+  const token = await setupToken(demo);
+  const { page, problems } = await openPage(browser.context, demo.url);
+  await looksWithoutLoggingIn(page);
+  await claims(page, token);
+  await holdsTheCookieTight(browser.context);
+  await addsUsers(page);
+  const tag = await forces(page);
+  await holds(page);
+  await aborts(page);
+  await readsTheTrail(page, tag);
+  trailIsWhole();
+  const second = await launchBrowser(given);
+  const other = await openPage(second.context, demo.url);
+  await losesItsSession(page, other.page);
+  await second.close();
+  check(existsSync(join(given.state, 'access', 'users.json')), 'users are kept with the cell');
+  // What the server refuses on purpose the browser reports by itself.
+  const unexpected = problems.filter((problem) => !/status of (400|401|403|409)/.test(problem));
+  check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
+} catch (error) {
+  if (demo) console.error(`${demo.output()}\n${demo.logs()}`);
+  throw error;
+} finally {
+  if (demo) await demo.end();
+  await browser.close();
+  demo?.forget();
+}

@@ -1,0 +1,125 @@
+// A fleet and an operator at its page: holds it, blocks and frees a place, orders, takes back a vehicle that died, lets
+// it go on. The fleet is held before anything else, so that it waits for the test.
+
+import { join } from 'node:path';
+
+import { startDemo } from './demo_process.mjs';
+import { axeFile, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
+import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+
+const WHOLE_TEST_MS = 200_000;
+// Slower than real time: where vehicles come to rest is not to depend on how fast the browser is.
+const SPEED = 0.3;
+const LOST = 'truck 2';
+
+const given = options();
+
+const shot = (page, name) => page.screenshot({ path: join(given.out, `fleet-access-${name}.png`), animations: 'disabled' });
+const phaseIs = (page, what, phase) =>
+  waitFor(page, what, (wanted) => document.querySelector('[data-testid=phase]')?.innerText === wanted, phase);
+
+async function submit(page, action, what) {
+  await dialog(page).getByRole('button', { name: action }).click();
+  await dialogIsGone(page, what);
+}
+
+async function claims(page, token) {
+  await waitFor(page, 'whoever looks sees the vehicles', () => document.querySelectorAll('[data-vehicle]').length === 3);
+  check((await page.getByRole('button', { name: 'Block a place' }).count()) === 0, 'but has no buttons that act');
+  await page.getByTestId('log-in').click();
+  await fill(page, { 'Set-up token': token, 'Your name': 'root', Password: PASSWORD });
+  await page.keyboard.press('Enter');
+  await dialogIsGone(page, 'the administrator is claimed');
+}
+
+async function holds(page) {
+  await page.getByRole('button', { name: 'Hold' }).click();
+  await submit(page, 'Hold the run', 'the supervisor has accepted the hold');
+  await phaseIs(page, 'and all come to rest', 'held');
+}
+
+async function blocksAndFrees(page) {
+  await page.getByRole('button', { name: 'Block a place' }).click();
+  await fill(page, { 'Name of the place': 'spill', 'Lowest x (m)': '24', 'Highest x (m)': '25.5', 'Lowest y (m)': '15', 'Highest y (m)': '16.5' });
+  await isAccessible(page, 'blocking a place');
+  await shot(page, 'block');
+  await submit(page, 'Block the place', 'the supervisor has accepted the place');
+  await waitFor(page, 'it is told to everybody', () => document.querySelector('[data-testid=blocked]').innerText.includes('spill is blocked'));
+  await shot(page, 'blocked');
+  await isAccessible(page, 'the page of a fleet with a blocked place');
+  await page.getByRole('button', { name: 'Free spill' }).click();
+  check((await dialog(page).getByTestId('subject').innerText()) === 'spill', 'the dialog names the place');
+  await submit(page, 'Free the place', 'the supervisor has accepted that it is free');
+  await waitFor(page, 'and it is', () => document.querySelector('[data-testid=blocked]').innerText.trim() === '');
+}
+
+async function orders(page) {
+  await page.getByRole('button', { name: 'New order' }).click();
+  await fill(page, { 'Name of the order': 'box', From: 'the moon', To: 'shelf 2' });
+  await dialog(page).getByRole('button', { name: 'Hand over' }).click();
+  await waitFor(page, 'an order from nowhere is refused by the supervisor, in words', () =>
+    document.querySelector('[data-testid=problem]').innerText.includes('the moon'));
+  await shot(page, 'refused');
+  await fill(page, { From: 'dock B' });
+  await submit(page, 'Hand over', 'another one is accepted');
+  await waitFor(page, 'and stands among the goals', () =>
+    [...document.querySelectorAll('[data-panel=goals] tbody tr')].some((row) => row.innerText.includes('box')));
+}
+
+async function takesBack(page) {
+  await waitFor(page, `${LOST} is told to be lost`, (name) => document.querySelector(`[data-row="${name}"]`)?.dataset.state === 'lost', LOST);
+  await shot(page, 'lost');
+  await page.getByRole('button', { name: `Take back ${LOST}` }).click();
+  check((await dialog(page).getByTestId('subject').innerText()) === LOST, 'the dialog names the vehicle');
+  await isAccessible(page, 'taking a vehicle back');
+  await shot(page, 'return');
+  await submit(page, 'Take it back', 'the supervisor has accepted it');
+}
+
+async function resumes(page) {
+  await page.getByRole('button', { name: 'Resume' }).click();
+  await submit(page, 'Resume the run', 'the supervisor has accepted to go on');
+  await phaseIs(page, 'a plan for all of it is driven', 'executing');
+  await waitFor(page, `${LOST} takes part again`, (name) =>
+    !['lost', 'stopped', ''].includes(document.querySelector(`[data-row="${name}"]`)?.dataset.state ?? ''), LOST);
+  await shot(page, 'resumed');
+}
+
+async function readsTheTrail(page) {
+  await page.getByRole('button', { name: 'Audit' }).click();
+  await waitFor(page, 'the chain holds', () => document.querySelector('[data-testid=audit-state]')?.innerText.includes('the chain holds'));
+  const rows = await page.locator('[data-action]').filter({ has: page.locator('td') }).allInnerTexts();
+  const has = (...words) => rows.some((row) => words.every((word) => row.includes(word)));
+  for (const [action, word] of [['plan.hold', ''], ['fleet.block', 'spill'], ['fleet.unblock', 'spill'], ['fleet.order', 'box'], ['fleet.return', LOST], ['plan.resume', '']])
+    check(has('root', action, word, 'done'), `the trail has ${action}`);
+  check(has('root', 'fleet.order', 'refused: '), 'and what was refused, with the reason of the supervisor');
+  await page.keyboard.press('Escape');
+}
+
+endInTime(WHOLE_TEST_MS);
+
+const browser = await launchBrowser(given);
+let demo;
+try {
+  await browser.context.addInitScript({ path: axeFile(given.modules) });
+  demo = await startDemo(given.server, SPEED, given.cell, ['--fault', 'dead_v2=1@3', '--fault', 'dead_v2=0@6']);
+  const token = await setupToken(demo);
+  const { page, problems } = await openPage(browser.context, demo.url);
+  await claims(page, token);
+  await holds(page);
+  await blocksAndFrees(page);
+  await orders(page);
+  await takesBack(page);
+  await resumes(page);
+  await readsTheTrail(page);
+  // What is refused on purpose the browser reports by itself.
+  const unexpected = problems.filter((problem) => !/status of (400|401|409)/.test(problem));
+  check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
+} catch (error) {
+  if (demo) console.error(`${demo.output()}\n${demo.logs()}`);
+  throw error;
+} finally {
+  if (demo) await demo.end();
+  await browser.close();
+  demo?.forget();
+}

@@ -1,0 +1,138 @@
+// A mixer without a plant: runtime, link and the page's server as real processes, in a folder of its own.
+
+import { execFileSync, spawn } from 'node:child_process';
+import { existsSync, mkdtempSync, openSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+import { freePort } from './demo_process.mjs';
+import { until } from './support.mjs';
+
+const PROGRAM = `
+PROGRAM Mixer
+  VAR
+    level : REAL := 12.5;
+    batches : INT := 3;
+    stir : BOOL := FALSE;
+    soak : TIME := T#30s;
+    soaking : TON;
+    total : REAL;
+  END_VAR
+  soaking(IN := stir, PT := soak);
+  total := level * INT_TO_REAL(batches);
+END_PROGRAM
+CONFIGURATION Plant
+  RESOURCE Cpu ON Any
+    TASK Cycle(INTERVAL := T#10ms, PRIORITY := 1);
+    PROGRAM Main WITH Cycle : Mixer;
+  END_RESOURCE
+END_CONFIGURATION
+`;
+
+const RECIPES = `
+[[tag]]
+name = "Main.level"
+type = "REAL"
+min = 0
+max = 100
+unit = "%"
+comment = "how full the mixer is to be"
+
+[[tag]]
+name = "Main.batches"
+type = "INT"
+min = 1
+max = 20
+comment = "batches in a row"
+
+[[tag]]
+name = "Main.stir"
+type = "BOOL"
+comment = "stirs while it soaks"
+
+[[tag]]
+name = "Main.soak"
+type = "TIME"
+min = 0
+max = 600
+comment = "before it is drained"
+`;
+
+const configuration = (port) => `
+[cell]
+name = "recipes-${process.pid}"
+state_dir = "state"
+[clock]
+mode = "real"
+[plant]
+kind = "none"
+[dds]
+domain_id = 67
+[hmi]
+port = ${port}
+anonymous = "viewer"
+recipes = "recipes.toml"
+`;
+
+export async function startMixer(program) {
+  const folder = mkdtempSync(join(tmpdir(), 'hmi-recipes-'));
+  const config = join(folder, 'cell.toml');
+  const port = await freePort();
+  writeFileSync(config, configuration(port));
+  writeFileSync(join(folder, 'recipes.toml'), RECIPES);
+  writeFileSync(join(folder, 'main.st'), PROGRAM);
+  const children = new Set();
+  process.on('exit', () => children.forEach((child) => child.kill('SIGKILL')));
+
+  const log = (name) => join(folder, `${name}.log`);
+  const read = (name) => (existsSync(log(name)) ? readFileSync(log(name), 'utf8') : '');
+  const start = (name) => {
+    const file = openSync(log(name), 'a');
+    const child = spawn(program, [name, '--config', config], { stdio: ['ignore', file, file] });
+    const ended = new Promise((resolve) => child.once('exit', resolve));
+    children.add(child);
+    return {
+      stop: async (signal = 'SIGTERM') => {
+        if (children.has(child)) child.kill(signal);
+        await ended;
+        children.delete(child);
+      },
+    };
+  };
+  const run = (...arguments_) => execFileSync(program, arguments_, { encoding: 'utf8' });
+  const self = {
+    url: `http://127.0.0.1:${port}/`,
+    folder,
+    recipes: join(folder, 'state', 'recipes'),
+    trail: join(folder, 'state', 'access', 'audit.jsonl'),
+    processes: {},
+    run,
+    serve: async () => {
+      self.processes.hmi = start('hmi');
+      await until('the page is served', () => fetch(self.url).then((response) => response.ok, () => false));
+    },
+    setupToken: async () => {
+      await until('the set-up token is on standard error', () => /set-up token [A-Z2-9-]{24}/.test(read('hmi')));
+      return /set-up token ([A-Z2-9-]{24})/.exec(read('hmi'))[1];
+    },
+    logs: () => ['runtime', 'link', 'hmi'].map((name) => `--- ${name}\n${read(name)}`).join(''),
+    end: async () => {
+      for (const one of Object.values(self.processes).reverse()) await one.stop();
+      rmSync(folder, { recursive: true, force: true });
+    },
+  };
+  try {
+    self.processes.runtime = start('runtime');
+    await until('the runtime listens', () => read('runtime').includes('listens on'));
+    run('compile', join(folder, 'main.st'), '-o', join(folder, 'main.swb'));
+    run('download', '--config', config, join(folder, 'main.swb'), '--replace');
+    run('start', '--config', config, '--cold');
+    self.processes.link = start('link');
+    await self.serve();
+    return self;
+  } catch (error) {
+    console.error(self.logs());
+    await self.end();
+    throw error;
+  }
+}

@@ -1,0 +1,228 @@
+// Recipes as people use them, against a real runtime, link and server: save, compare, load, what is refused and why, what
+// the audit trail has, and what a restart of the server leaves.
+
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+import { axeFile, dialog, dialogIsGone, fill, isAccessible, PASSWORD } from './people.mjs';
+import { startMixer } from './recipe_cell.mjs';
+import { check, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
+
+const given = options();
+const shot = (page, name) => page.screenshot({ path: join(given.out, `recipes-${name}.png`), fullPage: true });
+
+// Asks the API as whoever has logged in on this page; its status and JSON.
+function asks(page, method, path, body) {
+  return page.evaluate(async ([how, where, what]) => {
+    const { csrf } = await (await fetch('/api/session')).json();
+    const headers = { 'Content-Type': 'application/json', 'X-CSRF-Token': csrf };
+    const answer = await fetch(where, { method: how, headers, ...(what === undefined ? {} : { body: JSON.stringify(what) }) });
+    return { status: answer.status, json: await answer.json() };
+  }, [method, path, body]);
+}
+
+async function valuesNow(page) {
+  const { json } = await asks(page, 'GET', '/api/recipe-tags');
+  return Object.fromEntries(json.tags.map(({ name, value }) => [name.replace('Main.', ''), value]));
+}
+
+async function logsIn(page, name) {
+  if ((await page.getByTestId('log-out').count()) > 0) await page.getByTestId('log-out').click();
+  await page.getByTestId('log-in').click();
+  await fill(page, { Name: name, Password: PASSWORD });
+  await page.keyboard.press('Enter');
+  await dialogIsGone(page, `${name} logs in`);
+  await waitFor(page, 'and sees the cell', () => document.querySelector('[data-testid=link]').innerText === 'live');
+}
+
+async function claims(page, cell) {
+  const token = await cell.setupToken();
+  await page.getByTestId('log-in').click();
+  await fill(page, { 'Set-up token': token, 'Your name': 'root', Password: PASSWORD });
+  await page.keyboard.press('Enter');
+  await dialogIsGone(page, 'there is an administrator');
+  for (const [name, role] of [['olga', 'operator'], ['emil', 'engineer']])
+    check((await asks(page, 'POST', '/api/users', { name, role, password: PASSWORD })).status === 200, `${name} is a user`);
+}
+
+async function opensThePanel(page) {
+  check((await page.locator('[data-panel=recipes]').count()) === 0, 'the panel is closed at first');
+  await page.getByRole('button', { name: 'Recipes' }).click();
+  await waitFor(page, 'it says that there is no recipe yet', () => document.querySelector('[data-panel=recipes]')?.innerText.includes('There is no recipe yet'));
+}
+
+const field = (page, tag) => page.locator(`[data-recipe-field="Main.${tag}"]`);
+
+async function saves(page) {
+  await page.getByRole('button', { name: 'New recipe …' }).click();
+  await until('a new recipe begins with the values of now', async () => (await field(page, 'level').locator('input').inputValue().catch(() => '')) === '12.5');
+  await fill(page, { Name: 'Blue 20 l', Comment: 'for the small drum' });
+  await field(page, 'level').locator('input').fill('120');
+  await field(page, 'batches').locator('input').fill('many');
+  await page.keyboard.press('Enter');
+  await waitFor(page, 'what is out of range or no number is told at its field, all at once', () =>
+    document.querySelector('[data-recipe-field="Main.level"]').innerText.includes('0 to 100 %') &&
+    document.querySelector('[data-recipe-field="Main.level"]').innerText.includes('out of range') &&
+    document.querySelector('[data-recipe-field="Main.batches"]').innerText.includes('no value of the type INT') &&
+    document.querySelector('[data-testid=problem]').innerText.includes('Nothing was saved: 2 values'));
+  await isAccessible(page, 'a recipe that is wrong');
+  await shot(page, 'wrong');
+  check((await asks(page, 'GET', '/api/recipes')).json.recipes.length === 0, 'nothing was saved');
+  await field(page, 'level').locator('input').fill('20');
+  await field(page, 'batches').locator('input').fill('4');
+  await field(page, 'stir').locator('select').selectOption('TRUE');
+  await field(page, 'soak').locator('input').fill('t#1.5m');
+  await page.keyboard.press('Enter');
+  await dialogIsGone(page, 'what is right is saved, with the keyboard');
+  await waitFor(page, 'and compared with the running program', () => document.querySelector('[data-testid=recipe-summary]')?.innerText === '4 of 4 differ');
+  check((await asks(page, 'GET', '/api/recipes/Blue%2020%20l')).json.values['Main.soak'] === 'T#1m30s', 'a value is spelt as the program does');
+}
+
+async function comparesTwo(page) {
+  const red = { comment: '', values: { 'Main.level': '20.0', 'Main.batches': '5', 'Main.stir': '1', 'Main.soak': 'T#90s' } };
+  check((await asks(page, 'PUT', '/api/recipes/Red', red)).status === 200, 'the API saves as well');
+  await page.getByRole('button', { name: 'Look again' }).click();
+  await waitFor(page, 'the list has both', () => document.querySelectorAll('[data-recipe]').length === 2);
+  await page.getByLabel('Compare with').selectOption('Red');
+  await waitFor(page, 'values that mean the same are the same', () =>
+    document.querySelector('[data-testid=recipe-summary]').innerText === '1 of 4 differ' &&
+    document.querySelector('[data-tag="Main.batches"]').dataset.state === 'differs');
+  await isAccessible(page, 'two recipes side by side');
+  await shot(page, 'compare');
+  await page.getByLabel('Compare with').selectOption('');
+}
+
+async function loads(page) {
+  await logsIn(page, 'olga');
+  check((await page.getByRole('button', { name: /New recipe|Change …|Remove …/ }).count()) === 0, 'an operator saves and removes nothing');
+  check((await asks(page, 'PUT', '/api/recipes/Red', { values: {} })).status === 403, 'and would be refused');
+  check((await asks(page, 'DELETE', '/api/recipes/Red')).status === 403, 'likewise');
+  await page.locator('[data-recipe="Blue 20 l"]').click();
+  await page.getByRole('button', { name: 'Load …' }).click();
+  await isAccessible(page, 'loading');
+  await shot(page, 'load');
+  await fill(page, { Reason: 'next batch' });
+  await page.keyboard.press('Enter');
+  await dialogIsGone(page, 'the recipe is loaded');
+  await until('the running program has all values', async () =>
+    JSON.stringify(await valuesNow(page)) === JSON.stringify({ level: '20.0', batches: '4', stir: 'TRUE', soak: 'T#1m30s' }));
+  await waitFor(page, 'and the page says so by itself', () => document.querySelector('[data-testid=recipe-summary]').innerText === 'all values are the same');
+  await page.getByRole('button', { name: 'All', exact: true }).click();
+  await waitFor(page, 'the program computes with them', () =>
+    [...document.querySelectorAll('[data-panel=tags] tbody tr')].some((row) => row.innerText.includes('total') && /\b80\b/.test(row.innerText)));
+}
+
+// A file that somebody has changed by hand: nothing of it reaches the program.
+async function refusesWhatDoesNotFit(page, cell) {
+  const spoilt = { format: 1, name: 'Spoilt', comment: '', saved_by: 'nobody', saved_s: 0, values: { 'Main.level': '50', 'Main.batches': '21', 'Main.stir': 'TRUE' } };
+  writeFileSync(join(cell.recipes, 'Spoilt.json'), JSON.stringify(spoilt));
+  writeFileSync(join(cell.recipes, 'Torn.json'), '{"format": 1, "name": "To');
+  await page.getByRole('button', { name: 'Look again' }).click();
+  await waitFor(page, 'it is marked in the list, and so is a damaged file', () =>
+    ['Spoilt', 'Torn'].every((name) => document.querySelector(`[data-recipe="${name}"]`)?.innerText.includes('does not fit')));
+  await page.locator('[data-recipe=Spoilt]').click();
+  await waitFor(page, 'everything that is wrong with it is told', () => {
+    const told = document.querySelector('[data-testid=recipe-problems]')?.innerText ?? '';
+    return told.includes('Main.batches: 21 is out of range') && told.includes('Main.soak: the recipe has no value');
+  });
+  check(await page.getByRole('button', { name: 'Load …' }).isDisabled(), 'it cannot be loaded on the page');
+  const refused = await asks(page, 'POST', '/api/recipes/Spoilt/load', { reason: 'all the same' });
+  check(refused.status === 400 && refused.json.problems.map(({ code }) => code).sort().join() === 'H0074,H0077', `nor by the API (${JSON.stringify(refused.json)})`);
+  check((await valuesNow(page)).level === '20.0', 'not even its values that would fit were written');
+  await isAccessible(page, 'a recipe that does not fit');
+  await shot(page, 'spoilt');
+}
+
+async function refusesWhatIsForced(page) {
+  await logsIn(page, 'emil');
+  check((await asks(page, 'POST', '/api/tags/force', { name: 'Main.batches', value: '2', reason: 'test of recipes', minutes: 5 })).status === 200, 'a tag is forced');
+  await page.locator('[data-recipe=Red]').click();
+  await page.getByRole('button', { name: 'Load …' }).click();
+  await fill(page, { Reason: 'while it is forced' });
+  await page.keyboard.press('Enter');
+  await waitFor(page, 'a recipe with it is refused in words', () => document.querySelector('[data-testid=problem]').innerText.includes('Main.batches: it is forced'));
+  await page.keyboard.press('Escape');
+  await asks(page, 'POST', '/api/tags/unforce', { name: 'Main.batches', reason: 'test of recipes' });
+}
+
+async function removes(page) {
+  await page.locator('[data-recipe=Torn]').click();
+  await page.getByRole('button', { name: 'Remove …' }).click();
+  await dialog(page).getByRole('button', { name: 'Remove' }).click();
+  await dialogIsGone(page, 'an engineer removes what is damaged');
+  await waitFor(page, 'and it is gone', () => document.querySelectorAll('[data-recipe]').length === 3);
+}
+
+async function trailTells(page, cell) {
+  const { entries } = (await asks(page, 'GET', '/api/audit')).json;
+  const entry = (action, target, result) => entries.find((one) => one.action === action && one.target === target && one.result.startsWith(result));
+  const load = entry('recipe.load', 'Blue 20 l', 'done');
+  check(load.user === 'olga' && load.reason === 'next batch', 'the trail has who loaded what, and why');
+  check(load.before.includes('Main.level = 12.5') && load.after.includes('Main.level = 20.0'), 'with the values before and after');
+  check(entry('recipe.save', 'Blue 20 l', 'refused: H0077'), 'what was refused');
+  check(entry('recipe.load', 'Red', 'refused: H0079'), 'for what reason');
+  check(entry('recipe.remove', 'Torn', 'done'), 'and what was removed');
+  check(/^\d+ entries/.test(cell.run('hmi', '--verify-audit', cell.trail)), 'its chain holds');
+}
+
+async function fitsEveryWidth(page) {
+  await page.locator('[data-recipe="Blue 20 l"]').click();
+  for (const scheme of ['light', 'dark']) {
+    await page.emulateMedia({ colorScheme: scheme });
+    for (const width of [1440, 360]) {
+      await page.setViewportSize({ width, height: 900 });
+      await waitFor(page, `nothing sticks out at ${width} px, ${scheme}`, (most) => document.documentElement.scrollWidth <= most, width);
+      await shot(page, `${scheme}-${width}`);
+    }
+    await isAccessible(page, `the panel, ${scheme}`);
+  }
+  await page.getByRole('button', { name: 'Change …' }).click();
+  await until('the dialog has its fields', async () => (await page.locator('[data-recipe-field]').count()) === 4);
+  const wide = await page.evaluate(() => document.querySelector('dialog').scrollWidth - document.querySelector('dialog').clientWidth);
+  check(wide <= 0, `the dialog fits in 360 px (${wide})`);
+  await page.screenshot({ path: join(given.out, 'recipes-edit-360.png') });
+  await page.keyboard.press('Escape');
+  await dialogIsGone(page, 'Escape closes it');
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.emulateMedia({ colorScheme: 'light' });
+}
+
+async function staysAfterARestart(page, cell) {
+  await cell.processes.hmi.stop('SIGKILL');
+  await cell.serve();
+  await waitFor(page, 'the page is live again', () => document.querySelector('[data-testid=link]').innerText === 'live');
+  const { json } = await asks(page, 'GET', '/api/recipes');
+  check(json.recipes.map(({ name }) => name).join() === 'Blue 20 l,Red,Spoilt', 'all recipes are there after a kill');
+}
+
+const browser = await launchBrowser(given);
+let cell;
+let opened;
+try {
+  await browser.context.addInitScript({ path: axeFile(given.modules) });
+  cell = await startMixer(given.server);
+  opened = await openPage(browser.context, cell.url);
+  const { page, problems } = opened;
+  await claims(page, cell);
+  await logsIn(page, 'emil');
+  await opensThePanel(page);
+  await saves(page);
+  await comparesTwo(page);
+  await loads(page);
+  await refusesWhatDoesNotFit(page, cell);
+  await refusesWhatIsForced(page);
+  await removes(page);
+  await trailTells(page, cell);
+  await fitsEveryWidth(page);
+  await staysAfterARestart(page, cell);
+  // What the server refuses on purpose the browser reports by itself.
+  const unexpected = problems.filter((problem) => !/status of (400|401|403|409)/.test(problem));
+  check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
+} catch (error) {
+  if (opened) await shot(opened.page, 'failure').catch(() => {});
+  if (cell) console.error(cell.logs());
+  throw error;
+} finally {
+  await browser.close();
+  await cell?.end();
+}

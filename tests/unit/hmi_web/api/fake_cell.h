@@ -1,0 +1,100 @@
+#pragma once
+
+// A cell that remembers what it was asked, and answers as it is told to.
+//
+// Threads: any.
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "hmi_web/api/cell_control.h"
+
+namespace stepwright::api {
+
+class FakeCell : public CellControl {
+ public:
+  result::Result<void> ask_supervisor(const std::string& request) override { return note(request); }
+  result::Result<void> stop_runtime(const std::string& reason) override { return note("stop " + reason); }
+  result::Result<std::string> read(const std::string& name) override {
+    const std::lock_guard lock(mutex_);
+    const auto found = values_.find(name);
+    if (found == values_.end()) return result::fail("R0057", {}, "there is no variable `" + name + "`");
+    return found->second;
+  }
+  // A variable that is there takes anything but what `refuse` names.
+  result::Result<std::string> spell(const std::string& name, const std::string& value) override {
+    if (auto there = read(name); !there) return there;
+    const std::lock_guard lock(mutex_);
+    if (failure_ == "D0001") return result::fail(failure_, {}, "as the test wants it");
+    if (value == refused_) return result::fail("R0058", {}, "`" + value + "` is no value");
+    return value;
+  }
+  result::Result<std::string> write(const std::string& name, const std::string& value) override {
+    if (const std::lock_guard lock(mutex_); writes_left_ == 0) {
+      ++failed_writes_;
+      if (failed_writes_ >= failing_writes_) writes_left_ = -1;
+      return result::fail("D0002", {}, "as the test wants it");
+    } else if (writes_left_ > 0) {
+      --writes_left_;
+    }
+    if (auto noted = note("write " + name + " " + value); !noted) return result::forward(noted);
+    const std::lock_guard lock(mutex_);
+    return values_[name] = value;
+  }
+  result::Result<std::string> force(const std::string& name, const std::string& value) override {
+    if (auto noted = note("force " + name + " " + value); !noted) return result::forward(noted);
+    return value;
+  }
+  result::Result<void> unforce(const std::string& name) override { return note("unforce " + name); }
+
+  // The code with which everything fails from now on; empty: nothing does.
+  void fail_with(std::string code) {
+    const std::lock_guard lock(mutex_);
+    failure_ = std::move(code);
+  }
+  void set(const std::string& name, const std::string& value) {
+    const std::lock_guard lock(mutex_);
+    values_[name] = value;
+  }
+  std::string value(const std::string& name) const {
+    const std::lock_guard lock(mutex_);
+    return values_.at(name);
+  }
+  // No variable takes this value.
+  void refuse(std::string value) {
+    const std::lock_guard lock(mutex_);
+    refused_ = std::move(value);
+  }
+  // After so many writes that many fail.
+  void fail_writes(int after, int how_many) {
+    const std::lock_guard lock(mutex_);
+    writes_left_ = after;
+    failing_writes_ = how_many;
+    failed_writes_ = 0;
+  }
+  std::vector<std::string> asked() const {
+    const std::lock_guard lock(mutex_);
+    return asked_;
+  }
+
+ private:
+  result::Result<void> note(const std::string& what) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_.empty()) return result::fail(failure_, {}, "as the test wants it");
+    asked_.push_back(what);
+    return {};
+  }
+
+  mutable std::mutex mutex_;
+  std::vector<std::string> asked_;
+  std::map<std::string, std::string> values_ = {{"MAIN.valve", "FALSE"}};
+  std::string failure_;
+  std::string refused_ = "none";
+  int writes_left_ = -1;  // below 0: as many as anybody wants
+  int failing_writes_ = 0;
+  int failed_writes_ = 0;
+};
+
+}  // namespace stepwright::api

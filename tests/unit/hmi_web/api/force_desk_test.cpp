@@ -1,0 +1,109 @@
+#include "hmi_web/api/force_desk.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/hmi_web/api/fake_cell.h"
+
+namespace stepwright::api {
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+
+class ForceDeskTest : public testing::Test {
+ protected:
+  ForceDeskTest() : audit_(*access::AuditLog::open(folder_ / "audit.jsonl")) { open(); }
+  void open() {
+    desk_.reset();
+    auto desk = ForceDesk::open(
+        folder_ / "forces.json", cell_, *audit_,
+        [this] { return std::chrono::system_clock::time_point(now_.load()); },
+        [this](const std::string& list) { told_ = list; });
+    ASSERT_TRUE(desk) << result::to_string(desk.error());
+    desk_ = std::move(*desk);
+  }
+  std::size_t listed() const { return json::parse(desk_->json())["forces"].size(); }
+
+  support::TemporaryFolder folder_;
+  std::atomic<std::chrono::seconds> now_{1'000s};
+  FakeCell cell_;
+  std::unique_ptr<access::AuditLog> audit_;
+  std::string told_;
+  std::unique_ptr<ForceDesk> desk_;
+};
+
+TEST_F(ForceDeskTest, WhenTheTimeIsOver_ThenItIsReleasedAndTheTrailTellsOfIt) {
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 2min, "ada", "test"}));
+  EXPECT_EQ(listed(), 1u);
+  now_ = 1'119s;
+  desk_->end_what_is_due();
+  EXPECT_EQ(listed(), 1u);
+  now_ = 1'120s;
+  desk_->end_what_is_due();
+  EXPECT_EQ(listed(), 0u);
+  EXPECT_EQ(cell_.asked().back(), "unforce A");
+  EXPECT_EQ(audit_->entries(), 1u);
+  EXPECT_EQ(json::parse(told_)["forces"].size(), 0u);
+}
+
+TEST_F(ForceDeskTest, WhenItIsForcedAgain_ThenItIsListedOnceWithTheNewTime) {
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 2min, "ada", "test"}));
+  ASSERT_TRUE(desk_->force({"A", "FALSE", 10min, "ada", "longer"}));
+  EXPECT_EQ(listed(), 1u);
+  now_ = 1'200s;
+  desk_->end_what_is_due();
+  EXPECT_EQ(listed(), 1u);
+}
+
+TEST_F(ForceDeskTest, WhenTheServerRestarts_ThenWhatIsDueIsReleased) {
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 2min, "ada", "test"}));
+  ASSERT_TRUE(desk_->force({"B", "TRUE", 20min, "ada", "test"}));
+  open();
+  EXPECT_EQ(listed(), 2u);
+  now_ = 1'300s;
+  desk_->end_what_is_due();
+  EXPECT_EQ(listed(), 1u);
+}
+
+TEST_F(ForceDeskTest, WhenNoRuntimeAnswers_ThenItIsTriedAgainUntilOneDoes) {
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 1min, "ada", "test"}));
+  now_ = 2'000s;
+  cell_.fail_with("D0001");
+  desk_->end_what_is_due();
+  EXPECT_EQ(listed(), 1u);
+  cell_.fail_with("");
+  desk_->end_what_is_due();
+  EXPECT_EQ(listed(), 0u);
+}
+
+TEST_F(ForceDeskTest, WhenTheProgramHasNoSuchVariableAnyMore_ThenTheEntryGoes) {
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 1min, "ada", "test"}));
+  now_ = 2'000s;
+  cell_.fail_with("R0057");
+  desk_->end_what_is_due();
+  EXPECT_EQ(listed(), 0u);
+}
+
+TEST_F(ForceDeskTest, WhenForcingFails_ThenNothingIsListed) {
+  cell_.fail_with("D0002");
+  EXPECT_FALSE(desk_->force({"A", "TRUE", 1min, "ada", "test"}));
+  EXPECT_EQ(listed(), 0u);
+}
+
+TEST_F(ForceDeskTest, WhenTheListIsDamaged_ThenItIsNotTakenForAnEmptyOne) {
+  desk_.reset();
+  for (const char* text : {"", "{", "{\"forces\": [1]}", "{\"forces\": [{\"name\": \"A\"}]}"}) {
+    std::ofstream(folder_ / "forces.json") << text;
+    const auto desk = ForceDesk::open(folder_ / "forces.json", cell_, *audit_, std::chrono::system_clock::now,
+                                      [](const std::string&) {});
+    ASSERT_FALSE(desk) << text;
+    EXPECT_EQ(desk.error().front().code, "H0022");
+  }
+}
+
+}  // namespace
+}  // namespace stepwright::api

@@ -1,0 +1,240 @@
+// What befalls a fleet in the middle of its work, from the fault to the last goal: vehicles that die and come
+// back, a navigation that walks away, the emergency stop.
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tests/unit/supervisor/fleet/executive/small_hall.h"
+
+namespace stepwright::fleet {
+namespace {
+
+using executive::IncidentKind;
+using executive::Phase;
+using executive::Response;
+using executive::RunRecord;
+
+std::string state_of(const RunRecord& record, std::size_t vehicle) {
+  return nlohmann::json::parse(record.fleet)["vehicles"][vehicle]["state"];
+}
+
+bool told(const RunRecord& record, const std::string& words) {
+  return story(record).find(words) != std::string::npos;
+}
+
+TEST(FleetReturn, WhenADeadVehicleComesBack_ThenItTakesPartAgainAndAllIsDelivered) {
+  SmallHall hall({{12.0, "dead_v2", 1.0}, {20.0, "dead_v2", 0.0, true}});
+  FleetExecutiveOptions options = hall.options();
+  options.requests = {{25.0, ReturnChange{"truck 2"}}};
+  const RunRecord record = hall.run(options);
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  ASSERT_EQ(record.replans.size(), 2u);
+  EXPECT_EQ(state_of(record, 1), "resting");
+  // It has driven back to where it parks.
+  EXPECT_NEAR(hall.truth("true_x_v2"), 32.0, 0.3);
+  EXPECT_NEAR(hall.truth("true_y_v2"), 4.0, 0.3);
+  hall.expect_clean();
+}
+
+TEST(FleetReturn, WhenItHasALoadAboard_ThenItDeliversThatItself) {
+  SmallHall hall({{30.0, "dead_v2", 1.0}, {40.0, "dead_v2", 0.0, true}});
+  FleetExecutiveOptions options = hall.options();
+  options.requests = {{45.0, ReturnChange{"truck 2"}}};
+  const RunRecord record = hall.run(options);
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  EXPECT_TRUE(told(record, "truck 2: set_down 1 crate"));
+  EXPECT_GT(finished_s(record, "truck 2: set_down 1 crate"), 45.0);
+  hall.expect_clean();
+}
+
+TEST(FleetReturn, WhenItIsStillDead_ThenItIsLostAgainAndOthersKeepClearOfWhereItTrulyStands) {
+  SmallHall hall({{5.0, "dead_v2", 1.0}});
+  FleetExecutiveOptions options = hall.options();
+  options.requests = {{25.0, ReturnChange{"truck 2"}}};
+  const RunRecord record = hall.run(options);
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  EXPECT_TRUE(told(record, "truck 2 cannot come back"));
+  EXPECT_EQ(state_of(record, 1), "lost");
+  hall.expect_clean();
+}
+
+TEST(FleetNavigation, WhenItWalksAwaySlowly_ThenTheVehicleStopsAndOthersDoItsWork) {
+  SmallHall hall({{20.0, "drift_v3", 20.0}});
+  const RunRecord record = hall.run(hall.options());
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  ASSERT_FALSE(record.incidents.empty());
+  const auto& incident = record.incidents.front();
+  EXPECT_EQ(incident.kind, IncidentKind::FailedSensor);
+  EXPECT_EQ(incident.action, "truck 3");
+  EXPECT_TRUE(told(record, "error 30"));
+  EXPECT_LT(incident.time_s, 24.0);
+  hall.expect_clean();
+}
+
+TEST(FleetEmergencyStop, WhenItIsReleasedAndTheFleetResumed_ThenAllGoOnFromWhereTheyStand) {
+  SmallHall hall({{12.0, "press_estop", 1.0}, {20.0, "press_estop", 0.0, true}});
+  FleetExecutiveOptions options = hall.options();
+  options.requests = {{16.0, ResumeChange{}}, {25.0, ResumeChange{}}};
+  std::vector<std::string> phases;
+  const RunRecord record = hall.run(options, [&](const RunRecord& now) {
+    if (phases.empty() || phases.back() != to_string(now.phase)) phases.emplace_back(to_string(now.phase));
+  });
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  EXPECT_EQ(phases, (std::vector<std::string>{"planning", "executing", "waiting", "replanning", "executing",
+                                              "done"}));
+  EXPECT_TRUE(told(record, "the emergency stop is still pressed"));
+  EXPECT_EQ(record.incidents.front().response, Response::Replan);
+  ASSERT_EQ(record.replans.size(), 1u);
+  EXPECT_GE(record.replans[0].time_s, 25.0);
+  for (std::size_t v = 0; v < 3; ++v) EXPECT_EQ(state_of(record, v), "resting");
+  hall.expect_clean();
+}
+
+TEST(FleetEmergencyStop, WhenItIsPressedWhileTheFleetComesToRest_ThenItIsHeldAndGoesOnAllTheSame) {
+  SmallHall hall({{20.3, "press_estop", 1.0}, {22.0, "press_estop", 0.0, true}});
+  FleetExecutiveOptions options = hall.options();
+  options.requests = {{20.0, OrderChange{"box", "dock B", "shelf 2", 1}}, {24.0, ResumeChange{}}};
+  const RunRecord record = hall.run(options);
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(record.goal.size(), 3u);
+  EXPECT_TRUE(all_met(record));
+  EXPECT_EQ(record.episodes.size(), 2u);
+  hall.expect_clean();
+}
+
+TEST(FleetEmergencyStop, WhenNobodyLetsTheFleetGoOn_ThenTheRunEndsSafely) {
+  SmallHall hall({{12.0, "press_estop", 1.0}, {14.0, "press_estop", 0.0, true}});
+  FleetExecutiveOptions options = hall.options();
+  options.hold = std::chrono::seconds(10);
+  const RunRecord record = hall.run(options);
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Safe);
+  EXPECT_TRUE(told(record, "nobody has let the fleet go on"));
+  EXPECT_FALSE(hall.controller().any_output());
+  hall.expect_clean();
+}
+
+TEST(FleetHold, WhenAnOperatorHoldsTheFleet_ThenAllRestUntilItIsResumedAndAllIsDelivered) {
+  SmallHall hall;
+  FleetExecutiveOptions options = hall.options();
+  options.max_replans = 0;  // a hold is no fault of the plan
+  options.requests = {{12.0, HoldChange{}}, {40.0, HoldChange{}}, {45.0, ResumeChange{}}};
+  std::vector<std::string> phases;
+  bool held = false;
+  std::vector<double> stood_at;
+  hall.controller().on_scan = [&, scans = 0](std::span<const std::byte>) mutable {
+    if (!held) return;
+    const double x = hall.truth("true_x_v1") + hall.truth("true_x_v2") + hall.truth("true_x_v3");
+    stood_at.push_back(x);
+    if (++scans % 50 == 0) hall.controller().interrupt();  // nobody who rests causes an event
+  };
+  const RunRecord record = hall.run(options, [&](const RunRecord& now) {
+    if (phases.empty() || phases.back() != to_string(now.phase)) phases.emplace_back(to_string(now.phase));
+    held = now.phase == Phase::Held;
+  });
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  EXPECT_EQ(phases, (std::vector<std::string>{"planning", "executing", "holding", "held", "replanning",
+                                              "executing", "done"}));
+  ASSERT_GT(stood_at.size(), 500u);
+  EXPECT_NEAR(stood_at.front(), stood_at.back(), 0.05);
+  EXPECT_TRUE(told(record, "the fleet is held already"));
+  ASSERT_EQ(record.replans.size(), 1u);
+  EXPECT_TRUE(record.replans[0].held);
+  EXPECT_GE(record.episodes.back().started_s, 45.0);
+  hall.expect_clean();
+}
+
+TEST(FleetHold, WhenTheEmergencyStopIsPressedOnTheWayToRest_ThenOneResumeLetsTheFleetGoOn) {
+  SmallHall hall({{12.3, "press_estop", 1.0}, {14.0, "press_estop", 0.0, true}});
+  FleetExecutiveOptions options = hall.options();
+  options.requests = {{12.0, HoldChange{}}, {20.0, ResumeChange{}}};
+  const RunRecord record = hall.run(options);
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  EXPECT_TRUE(told(record, "the emergency stop is pressed"));
+  hall.expect_clean();
+}
+
+// The drum arrives at least a minute behind the crate.
+constexpr const char* kCrateFirst = R"([{"name": "crate first", "from": {"goal": "crate", "at": "end"},
+  "to": {"goal": "drum", "at": "end"}, "distance_ms": [60000, null]}])";
+
+TEST(FleetConstraints, WhenTheFirstOnesVehicleDies_ThenTheOrderHoldsInTheNextPlan) {
+  SmallHall hall({{5.0, "dead_v2", 1.0}}, kCrateFirst);
+  const RunRecord record = hall.run(hall.options());
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  EXPECT_EQ(record.replans.size(), 1u);
+  const double crate_s = finished_s(record, "set_down 1 crate");
+  EXPECT_GT(crate_s, 5.0);
+  EXPECT_GE(finished_s(record, "set_down 1 drum"), crate_s + 60.0);
+  hall.expect_clean();
+}
+
+TEST(FleetConstraints, WhenTheFirstOneIsAboardOfALostVehicle_ThenItIsToldThatTheOrderDoesNotBind) {
+  SmallHall hall({{30.0, "dead_v2", 1.0}}, kCrateFirst);
+  const RunRecord record = hall.run(hall.options());
+  SCOPED_TRACE(story(record));
+  EXPECT_TRUE(told(record, "'crate first' does not bind: what it counts from will not happen"));
+  EXPECT_GT(finished_s(record, "set_down 1 drum"), 30.0);
+  hall.expect_clean();
+}
+
+TEST(FleetConstraints, WhenAPlaceIsBlockedBetweenTheTwo_ThenTheSecondStillWaitsForWhatWasDoneBefore) {
+  SmallHall hall({}, kCrateFirst);
+  FleetExecutiveOptions options = hall.options();
+  // Once the crate stands where it belongs, in the way of the drum.
+  const RunRecord calm = hall.run(options);
+  const double crate_s = finished_s(calm, "set_down 1 crate");
+  SmallHall again({}, kCrateFirst);
+  const auto spill =
+      geometry::footprint_at({4.0, 16.5, 0.0}, {.front_m = 0.3, .rear_m = 0.3, .half_width_m = 0.3});
+  options.requests = {{crate_s + 2.0, BlockChange{{"spill", spill}}}};
+  const RunRecord record = again.run(options);
+  SCOPED_TRACE(story(calm) + "\n" + story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  EXPECT_EQ(record.replans.size(), 1u);
+  EXPECT_DOUBLE_EQ(finished_s(record, "set_down 1 crate"), crate_s);
+  EXPECT_GE(finished_s(record, "set_down 1 drum"), crate_s + 60.0);
+  again.expect_clean();
+}
+
+TEST(FleetConstraints, WhenAnUpperBoundCannotBeKeptInTheNextPlan_ThenItIsToldAndAllIsDelivered) {
+  SmallHall hall({{25.0, "dead_v3", 1.0}},
+                 R"([{"name": "fresh", "to": {"goal": "drum", "at": "end"}, "distance_ms": [0, 85000]}])");
+  const RunRecord record = hall.run(hall.options());
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  ASSERT_EQ(record.replans.size(), 1u);
+  const std::string& evidence = record.incidents.front().evidence.back();
+  EXPECT_TRUE(evidence.starts_with("not to be kept any more:")) << evidence;
+  EXPECT_NE(evidence.find("fresh"), std::string::npos);
+  EXPECT_TRUE(nlohmann::json::parse(record.fleet)["goals"][1]["late"]);
+  EXPECT_GT(finished_s(record, "set_down 1 drum"), 85.0);
+  hall.expect_clean();
+}
+
+}  // namespace
+}  // namespace stepwright::fleet

@@ -1,0 +1,94 @@
+#include "tests/unit/supervisor/fleet/executive/small_hall.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "plant_models/assemblies/fleet_floor.h"
+#include "programs/fleet/fleet_executive_options.h"
+#include "programs/runtime/fleet_plant.h"
+
+namespace stepwright::fleet {
+namespace {
+
+constexpr const char* kFolder = STEPWRIGHT_SOURCE_DIR "/tests/cells/fleet/";
+
+template <typename Value>
+Value or_throw(result::Result<Value> made) {
+  if (!made) throw std::runtime_error(result::to_string(made.error()));
+  return std::move(*made);
+}
+
+}  // namespace
+
+SmallHall::SmallHall(std::vector<support::PlantFault> faults, const std::string& constraints)
+    : config_(or_throw(config::load_cell_config(std::string(kFolder) + "small_hall.toml"))),
+      constraints_(constraints),
+      controller_(
+          or_throw(assemblies::FleetFloor::create(or_throw(cell_runtime::fleet_parameters(config_.plant)))),
+          bridge::default_fleet_wires(3), {64, 64}, std::move(faults)) {
+  if (constraints.empty()) return;
+  auto problem = nlohmann::json::parse(std::ifstream(config_.fleet.problem));
+  problem["map"] = std::string(kFolder) + "map.yaml";
+  problem["constraints"] = nlohmann::json::parse(constraints);
+  config_.fleet.problem = folder_.path() / "problem.json";
+  std::ofstream(config_.fleet.problem) << problem;
+}
+
+FleetExecutiveOptions SmallHall::options() const {
+  return config::fleet_executive_options(config_);
+}
+
+executive::RunRecord SmallHall::run(FleetExecutiveOptions options, FleetExecutive::Observer observer) {
+  options.journal = folder_.path() / "executive.json";
+  return FleetExecutive(desk(), controller_, std::move(options), std::move(observer)).run();
+}
+
+FleetDesk& SmallHall::desk() {
+  static std::map<std::string, FleetDesk> desks;
+  const auto found = desks.find(constraints_);
+  if (found != desks.end()) return found->second;
+  return desks.emplace(constraints_, or_throw(config::open_fleet_desk(config_))).first->second;
+}
+
+void SmallHall::expect_clean() const {
+  for (const char* name : {"overlaps", "obstacle_overlaps", "contacts"})
+    EXPECT_EQ(controller_.plant_value(name), 0.0) << name;
+}
+
+std::string story(const executive::RunRecord& record) {
+  std::string text = std::string(to_string(record.phase)) + ": " + record.message;
+  for (const auto& incident : record.incidents) {
+    text += "\n  " + std::to_string(incident.time_s) + " s (" + to_string(incident.response) + "):";
+    for (const std::string& sentence : incident.evidence) text += " " + sentence + ";";
+  }
+  for (const auto& episode : record.episodes) {
+    for (const auto& action : episode.actions) {
+      if (action.started_s)
+        text += "\n  " + action.text + ": " + std::to_string(*action.started_s) + " to " +
+                std::to_string(action.finished_s.value_or(-1.0));
+    }
+  }
+  return text;
+}
+
+bool all_met(const executive::RunRecord& record) {
+  return std::ranges::all_of(record.goal, [](const executive::GoalRecord& goal) { return goal.met; });
+}
+
+double finished_s(const executive::RunRecord& record, const std::string& what) {
+  double finished = -1.0;
+  for (const auto& episode : record.episodes) {
+    for (const auto& action : episode.actions) {
+      if (action.text.find(what) != std::string::npos && action.finished_s) finished = *action.finished_s;
+    }
+  }
+  return finished;
+}
+
+}  // namespace stepwright::fleet
