@@ -3,16 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
+#include <utility>
 
 #include "supervisor/pddl/validate.h"
 
 namespace stepwright::bench {
 
-Judgement judge(const pddl::Task& task, const std::vector<model::GroundAction>& actions) {
+Judgement judge(const pddl::Task& task, std::vector<model::GroundAction> actions) {
   pddl::PlanText plan;
-  plan.actions = actions;
-  for (std::uint32_t line = 1; line <= actions.size(); ++line) plan.lines.push_back(line);
+  plan.actions = std::move(actions);
+  plan.lines.resize(plan.actions.size());
+  std::iota(plan.lines.begin(), plan.lines.end(), 1U);
   const pddl::Validation validation = pddl::validate(task, plan, pddl::KeepStates::Last);
   if (validation.valid) return {"", validation.cost()};
   if (validation.failed_step > 0) {

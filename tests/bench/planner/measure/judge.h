@@ -17,7 +17,7 @@ struct Judgement {
   double cost = 0.0;
 };
 
-Judgement judge(const pddl::Task& task, const std::vector<model::GroundAction>& actions);
+Judgement judge(const pddl::Task& task, std::vector<model::GroundAction> actions);
 
 // "(load v1 f1 level8)" or the same without parentheses.
 model::GroundAction action_of(const std::string& text);

@@ -100,7 +100,8 @@ void take_plan(const json& line, const pddl::Task& task, Measurement& to) {
   std::vector<model::GroundAction> actions;
   std::istringstream plan(line["plan"].get_ref<const std::string&>());
   for (std::string text; std::getline(plan, text);) actions.push_back(action_of(text));
-  const Judgement judged = judge(task, actions);
+  const std::size_t steps = actions.size();
+  const Judgement judged = judge(task, std::move(actions));
   if (!judged.wrong.empty()) {
     to.wrong = judged.wrong;
     return;
@@ -113,9 +114,9 @@ void take_plan(const json& line, const pddl::Task& task, Measurement& to) {
   }
   const double slack = kSame * std::max(1.0, std::abs(judged.cost));
   const bool cheaper = !to.solved() || judged.cost < to.last().cost - slack;
-  const bool shorter = !cheaper && judged.cost <= to.last().cost + slack && actions.size() < to.last().steps;
+  const bool shorter = !cheaper && judged.cost <= to.last().cost + slack && steps < to.last().steps;
   if (!cheaper && !shorter) return;
-  to.profile.push_back({line["wall_ms"], line["cpu_ms"], judged.cost, actions.size()});
+  to.profile.push_back({line["wall_ms"], line["cpu_ms"], judged.cost, steps});
 }
 
 }  // namespace
