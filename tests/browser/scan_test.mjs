@@ -145,6 +145,7 @@ try {
   check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
 } catch (error) {
   if (opened) await shot(opened.page, 'failure').catch(() => {});
+  if (opened) console.error(opened.problems.join('\n'));
   if (field) console.error(field.logs());
   throw error;
 } finally {

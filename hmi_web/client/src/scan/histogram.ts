@@ -35,7 +35,7 @@ export interface Picture {
   ticks: Tick[];
 }
 
-const SHORTEST_US = 0.016; // the first bucket begins at 0, which has no logarithm
+const SHORTEST_US = 0.008; // the first bucket begins at 0, which has no logarithm, and ends at 0.016
 const MARK_STEP = 12;
 
 const log = (us: number) => Math.log10(Math.max(us, SHORTEST_US));

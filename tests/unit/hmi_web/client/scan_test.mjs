@@ -37,6 +37,12 @@ test('Histogram_WhenAllLieInOneBucket_ThenItIsNoWallAndHasATick', () => {
   assert.deepEqual(picture.ticks.map((tick) => tick.label), ['10 µs']);
 });
 
+test('Histogram_WhenDurationsAreTooShortToMeasure_ThenTheirBarIsBesideTheNext', () => {
+  const { bars } = scan.drawHistogram(spread([[0, 0.016, 3], [0.016, 0.023, 4], [0.023, 0.032, 1]]));
+  assert.equal(new Set(bars.map((bar) => bar.x)).size, 3);
+  assert.ok(bars.every((bar, i) => i === 0 || bar.x >= bars[i - 1].x + bars[i - 1].width));
+});
+
 test('Histogram_WhenMarksLieOnEachOther_ThenTheirLabelsDoNot', () => {
   const picture = scan.drawHistogram(spread([[0, 0.016, 3], [0.016, 0.032, 4]], { p50_us: 0.02, p99_us: 0.02, p999_us: 0.02, max_us: 5_000 }));
   const rows = picture.marks.map((mark) => mark.y);
