@@ -31,7 +31,7 @@ std::optional<Settings> settings_from(int argc, char** argv, int& exit_code) {
       "The planner over instances of many domains, beside a textbook planner and planners found outside");
   app.add_option("--time", time_s, "seconds for each planner and instance (2; --scale 10; --full 300)")
       ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
-  app.add_option("--memory", memory_mb, "MB for each (4096; --full 22528)")
+  app.add_option("--memory", memory_mb, "MB for each (4096; --full 20480)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 24));
   app.add_option("--domains", settings.domains, "only these, separated by commas")->delimiter(',');
   app.add_option("--sizes", settings.sizes, "only the first so many sizes of each domain")
@@ -50,7 +50,7 @@ std::optional<Settings> settings_from(int argc, char** argv, int& exit_code) {
       ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
   app.add_flag("--scale", settings.scale, "growing sizes until a limit ends them, instead of the table");
   app.add_option("--svg", settings.svg_folder, "pictures of the curves");
-  app.add_flag("--full", full, "limits of 300 s and 22 GiB");
+  app.add_flag("--full", full, "limits of 300 s and 20 GiB, of 24: the bench itself holds instances and judges plans");
   app.add_option("--repeats", settings.repeats, "of the measurements on the tank bench (9)")
       ->check(CLI::PositiveNumber);
   try {
@@ -73,7 +73,7 @@ std::optional<Settings> settings_from(int argc, char** argv, int& exit_code) {
   if (!fast_downward.empty())
     settings.outside.push_back({"lama_first", "'" + fast_downward + "'" + kLama, true});
   if (time_s <= 0.0) time_s = full ? 300.0 : settings.scale ? 10.0 : 2.0;
-  if (memory_mb == 0) memory_mb = full ? 22528 : 4096;
+  if (memory_mb == 0) memory_mb = full ? 20480 : 4096;
   settings.limits.time = std::chrono::milliseconds(static_cast<std::int64_t>(time_s * 1000.0));
   settings.outside_time = std::chrono::milliseconds(static_cast<std::int64_t>(outside_s * 1000.0));
   settings.limits.memory_mb = memory_mb;
