@@ -1,13 +1,13 @@
 // Two cells of our own as processes, for the panel that shows how runtimes are: one with Modbus devices, in real time, one
-// with a simulated plant. And a device, as small as one can be.
+// with a simulated plant.
 
-import { execFileSync, spawn } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:net';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { freePort } from './demo_process.mjs';
+import { keepProcesses } from './processes.mjs';
 import { until } from './support.mjs';
 
 const DOMAIN = 77;
@@ -27,45 +27,13 @@ CONFIGURATION Plant
 END_CONFIGURATION
 `;
 
-// Answers every read of input registers with zeros.
-export async function startDevice() {
-  const open = new Set();
-  const server = createServer((socket) => {
-    open.add(socket);
-    socket.on('close', () => open.delete(socket));
-    socket.on('error', () => {});
-    let waiting = Buffer.alloc(0);
-    socket.on('data', (data) => {
-      waiting = Buffer.concat([waiting, data]);
-      while (waiting.length >= 12) {
-        const frame = waiting.subarray(0, 12);
-        waiting = waiting.subarray(12);
-        const bytes = 2 * frame.readUInt16BE(10);
-        const answer = Buffer.alloc(9 + bytes);
-        frame.copy(answer, 0, 0, 8);
-        answer.writeUInt16BE(3 + bytes, 4);
-        answer.writeUInt8(bytes, 8);
-        socket.write(answer);
-      }
-    });
-  });
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-  return {
-    port: server.address().port,
-    stop: () => {
-      server.close();
-      for (const socket of open) socket.destroy();
-    },
-  };
-}
-
 // Starts both cells with their links, and the page of the first, which also follows the second and one that is nowhere.
 export async function startField(program, device) {
   const folder = mkdtempSync(join(tmpdir(), 'stepwright-field-'));
   const names = { line: `line-${process.pid}`, press: `press-${process.pid}` };
   const port = await freePort();
   const dead = await freePort();
-  const running = new Map();
+  const processes = keepProcesses(program, folder);
   const base = (name) => `[cell]\nname = "${name}"\nstate_dir = "${join(folder, name)}"\n[dds]\ndomain_id = ${DOMAIN}\nruntime_id = "${name}"\n[guard]\nenabled = false\n`;
   const tags = (place) => `[[modbus.device.group]]\nperiod_ms = 50\ntags = [{ name = "level${place}", address = "%IW${place}", input = 0 }]\n`;
   const texts = {
@@ -77,30 +45,12 @@ export async function startField(program, device) {
     [names.press]: base(names.press),
   };
   const config = (name) => join(folder, `${name}.toml`);
-  const log = (name, what) => join(folder, `${name}-${what}.log`);
   for (const [name, text] of Object.entries(texts)) {
     mkdirSync(join(folder, name));
     writeFileSync(config(name), text);
   }
-  const start = (name, what) => {
-    let told = '';
-    const child = spawn(program, [what, '--config', config(name)], { stdio: ['ignore', 'pipe', 'pipe'] });
-    for (const stream of [child.stdout, child.stderr]) {
-      stream.on('data', (data) => {
-        told += data;
-        writeFileSync(log(name, what), told);
-      });
-    }
-    const ended = new Promise((resolve) => child.once('exit', resolve));
-    running.set(`${name} ${what}`, { child, ended });
-  };
-  const end = async (name, what, signal) => {
-    const { child, ended } = running.get(`${name} ${what}`);
-    child.kill(signal);
-    await ended;
-    running.delete(`${name} ${what}`);
-  };
-  process.on('exit', () => running.forEach(({ child }) => child.kill('SIGKILL')));
+  const key = (name, what) => `${name}-${what}`;
+  const start = (name, what) => processes.start(key(name, what), [what, '--config', config(name)]);
   const image = join(folder, 'program.swb');
   writeFileSync(join(folder, 'program.st'), PROGRAM);
   execFileSync(program, ['compile', join(folder, 'program.st'), '-o', image]);
@@ -113,21 +63,11 @@ export async function startField(program, device) {
   const self = {
     url: `http://127.0.0.1:${port}/`,
     names,
-    kill: (name, what) => end(name, what, 'SIGKILL'),
+    kill: (name, what) => processes.end(key(name, what), 'SIGKILL'),
     start,
-    logs: () =>
-      Object.values(names)
-        .flatMap((name) => ['runtime', 'link', 'modbus-client', 'hmi'].map((what) => log(name, what)))
-        .map((file) => {
-          try {
-            return `--- ${file}\n${readFileSync(file, 'utf8')}`;
-          } catch {
-            return '';
-          }
-        })
-        .join(''),
+    logs: processes.logs,
     stop: async () => {
-      for (const key of [...running.keys()]) await end(...key.split(' '), 'SIGTERM');
+      await processes.endAll();
       rmSync(folder, { recursive: true, force: true });
       rmSync(`/dev/shm/stepwright-io-${names.line}`, { force: true });
     },

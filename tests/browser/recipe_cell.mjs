@@ -1,11 +1,12 @@
 // A mixer without a plant: runtime, link and the page's server as real processes, in a folder of its own.
 
-import { execFileSync, spawn } from 'node:child_process';
-import { existsSync, mkdtempSync, openSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { freePort } from './demo_process.mjs';
+import { keepProcesses } from './processes.mjs';
 import { until } from './support.mjs';
 
 const PROGRAM = `
@@ -81,53 +82,37 @@ export async function startMixer(program) {
   writeFileSync(config, configuration(port));
   writeFileSync(join(folder, 'recipes.toml'), RECIPES);
   writeFileSync(join(folder, 'main.st'), PROGRAM);
-  const children = new Set();
-  process.on('exit', () => children.forEach((child) => child.kill('SIGKILL')));
-
-  const log = (name) => join(folder, `${name}.log`);
-  const read = (name) => (existsSync(log(name)) ? readFileSync(log(name), 'utf8') : '');
-  const start = (name) => {
-    const file = openSync(log(name), 'a');
-    const child = spawn(program, [name, '--config', config], { stdio: ['ignore', file, file] });
-    const ended = new Promise((resolve) => child.once('exit', resolve));
-    children.add(child);
-    return {
-      stop: async (signal = 'SIGTERM') => {
-        if (children.has(child)) child.kill(signal);
-        await ended;
-        children.delete(child);
-      },
-    };
-  };
+  const processes = keepProcesses(program, folder);
+  const start = (name) => processes.start(name, [name, '--config', config]);
   const run = (...arguments_) => execFileSync(program, arguments_, { encoding: 'utf8' });
   const self = {
     url: `http://127.0.0.1:${port}/`,
     folder,
     recipes: join(folder, 'state', 'recipes'),
     trail: join(folder, 'state', 'access', 'audit.jsonl'),
-    processes: {},
+    stop: processes.end,
     run,
     serve: async () => {
-      self.processes.hmi = start('hmi');
+      start('hmi');
       await until('the page is served', () => fetch(self.url).then((response) => response.ok, () => false));
     },
     setupToken: async () => {
-      await until('the set-up token is on standard error', () => /set-up token [A-Z2-9-]{24}/.test(read('hmi')));
-      return /set-up token ([A-Z2-9-]{24})/.exec(read('hmi'))[1];
+      await until('the set-up token is on standard error', () => /set-up token [A-Z2-9-]{24}/.test(processes.read('hmi')));
+      return /set-up token ([A-Z2-9-]{24})/.exec(processes.read('hmi'))[1];
     },
-    logs: () => ['runtime', 'link', 'hmi'].map((name) => `--- ${name}\n${read(name)}`).join(''),
+    logs: processes.logs,
     end: async () => {
-      for (const one of Object.values(self.processes).reverse()) await one.stop();
+      await processes.endAll();
       rmSync(folder, { recursive: true, force: true });
     },
   };
   try {
-    self.processes.runtime = start('runtime');
-    await until('the runtime listens', () => read('runtime').includes('listens on'));
+    start('runtime');
+    await until('the runtime listens', () => processes.read('runtime').includes('listens on'));
     run('compile', join(folder, 'main.st'), '-o', join(folder, 'main.swb'));
     run('download', '--config', config, join(folder, 'main.swb'), '--replace');
     run('start', '--config', config, '--cold');
-    self.processes.link = start('link');
+    start('link');
     await self.serve();
     return self;
   } catch (error) {

@@ -188,7 +188,7 @@ async function fitsEveryWidth(page) {
 }
 
 async function staysAfterARestart(page, cell) {
-  await cell.processes.hmi.stop('SIGKILL');
+  await cell.stop('hmi', 'SIGKILL');
   await cell.serve();
   await waitFor(page, 'the page is live again', () => document.querySelector('[data-testid=link]').innerText === 'live');
   const { json } = await asks(page, 'GET', '/api/recipes');

@@ -3,7 +3,8 @@
 
 import { join } from 'node:path';
 
-import { startDevice, startField } from './field.mjs';
+import { startField } from './field.mjs';
+import { startDevice } from './modbus_device.mjs';
 import { axeFile, isAccessible } from './people.mjs';
 import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
 

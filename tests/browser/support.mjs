@@ -100,12 +100,17 @@ export function check(condition, what) {
 }
 
 // Asks again and again until the answer is yes; fails with the name of what did not happen.
-export async function until(what, condition) {
+export async function eventually(what, condition) {
   const deadline = Date.now() + PATIENCE_MS;
   while (!(await condition())) {
     if (Date.now() > deadline) throw new Error(`did not happen within ${PATIENCE_MS / 1_000} s: ${what}`);
     await new Promise((resolve) => setTimeout(resolve, 40));
   }
+}
+
+// The same as a check that is told.
+export async function until(what, condition) {
+  await eventually(what, condition);
   console.log(`ok: ${what}`);
 }
 
