@@ -5,12 +5,11 @@
 namespace stepwright::server {
 
 CellPoller::CellPoller(CellSource& source, CellViewer viewer, Feed& feed, std::function<void()> on_news,
-                       std::chrono::milliseconds period, OnLook on_look)
+                       OnLook on_look)
     : source_(source),
       viewer_(std::move(viewer)),
       feed_(feed),
       on_news_(std::move(on_news)),
-      period_(period),
       on_look_(std::move(on_look)),
       thread_([this] { run(); }) {}
 
@@ -24,19 +23,16 @@ CellPoller::~CellPoller() {
 }
 
 void CellPoller::run() {
-  auto next = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
   while (!stopping_) {
     lock.unlock();
-    const auto now = std::chrono::steady_clock::now();
+    source_.wait_for_image(kLongestPause - kShortestPause);
     const Observation seen = source_.observe();
     const CellView view = viewer_.view(seen);
     if (on_look_) on_look_(seen, view);
-    if (feed_.update(view, now)) on_news_();
-    // After a long observation the pace goes on from here instead of catching up.
-    next = std::max(next + period_, now);
+    if (feed_.update(view, std::chrono::steady_clock::now())) on_news_();
     lock.lock();
-    stop_signal_.wait_until(lock, next, [this] { return stopping_; });
+    stop_signal_.wait_for(lock, kShortestPause, [this] { return stopping_; });
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// A thread that looks at the cell at a steady pace and keeps the feed up to date. Polling, not waiting: what
-// a viewer sees is at most `period` older than what the source knows, and a fast cell cannot flood it.
+// A thread that looks at the cell whenever it has a new image and keeps the feed up to date. What else is new is
+// seen `kLongestPause` later at most; a fast cell cannot flood it, as there is a pause behind every look.
 //
 //   CellPoller poller(source, CellViewer(points), feed, [&] { server.notify(); });
 //
@@ -22,11 +22,13 @@ namespace stepwright::server {
 
 class CellPoller {
  public:
+  static constexpr std::chrono::milliseconds kShortestPause{20};
+  static constexpr std::chrono::milliseconds kLongestPause{100};
   // `on_look` (may be empty) is given every look at the cell before viewers are told.
   using OnLook = std::function<void(const Observation&, const CellView&)>;
   CellPoller(CellSource& source, CellViewer viewer, Feed& feed, std::function<void()> on_news,
-             std::chrono::milliseconds period = std::chrono::milliseconds(50), OnLook on_look = {});
-  // Ends after the observation that is under way.
+             OnLook on_look = {});
+  // Ends after the observation that is under way, or the wait for the next, kLongestPause at most.
   ~CellPoller();
 
   CellPoller(const CellPoller&) = delete;
@@ -39,7 +41,6 @@ class CellPoller {
   CellViewer viewer_;
   Feed& feed_;
   std::function<void()> on_news_;
-  std::chrono::milliseconds period_;
   OnLook on_look_;
   std::mutex mutex_;
   std::condition_variable stop_signal_;

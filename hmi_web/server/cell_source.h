@@ -6,12 +6,14 @@
 // Thread rule: one thread calls, always the same one. `observe` may block for a moment (a request for a new
 // program), never for ever.
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -55,6 +57,9 @@ class CellSource {
   virtual ~CellSource() = default;
   // The newest of everything, at once.
   virtual Observation observe() = 0;
+  // Returns when an image has come since it was called last, after `timeout` at the latest. A source that
+  // cannot tell waits for so long.
+  virtual void wait_for_image(std::chrono::milliseconds timeout) { std::this_thread::sleep_for(timeout); }
 };
 
 }  // namespace stepwright::server

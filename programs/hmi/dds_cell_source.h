@@ -26,6 +26,9 @@ class DdsCellSource : public server::CellSource {
       const config::CellConfig& config, log::Logger& log);
 
   server::Observation observe() override;
+  void wait_for_image(std::chrono::milliseconds timeout) override {
+    static_cast<void>(runtime_->wait_snapshot(timeout));  // looks in any case
+  }
   // Its figures may be asked for by any thread.
   const dds::RuntimeClient& runtime() const { return *runtime_; }
 

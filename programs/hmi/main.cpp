@@ -89,7 +89,7 @@ int run(const config::CellConfig& config) {
   {
     const server::CellPoller poller(
         **source, server::CellViewer(picture->sources), feed, [&] { (*http)->notify(); },
-        std::chrono::milliseconds(50), record);
+        record);
     const std::string scheme = config.hmi.certificate.empty() ? "http://" : "https://";
     const std::string address = scheme + where->host + ":" + std::to_string((*http)->port()) + "/";
     (*log)->info("listens", "cell " + config.name + " at " + address,

@@ -2,6 +2,7 @@
 
 #include <poll.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -12,7 +13,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kTurn = 20ms;            // of the loop, when nothing happens
 constexpr auto kAlivePeriod = 50ms;     // of the signs of life in both directions
-constexpr auto kSnapshotPeriod = 50ms;  // of the image on Fast DDS: often enough for an eye
+constexpr auto kSnapshotPeriod = 30ms;  // of the image on Fast DDS: often enough for an eye
 constexpr auto kHealthPeriod = 1s;
 constexpr auto kConnectPeriod = 50ms;
 // The service sends its status every 100 ms: a runtime that is silent for so long hangs.
@@ -25,12 +26,19 @@ void Bridge::turn(int stop_descriptor) {
   std::array<pollfd, 3> entries{
       {{stop_descriptor, POLLIN, 0}, {endpoint_->descriptor(), POLLIN, 0}, {-1, POLLIN, 0}}};
   if (connection_) entries[2].fd = connection_->descriptor();
-  poll(entries.data(), entries.size(), static_cast<int>(std::chrono::milliseconds(kTurn).count()));
+  poll(entries.data(), entries.size(), static_cast<int>(pause().count()));
   pass_requests();
   pass_messages();
   keep_alive();
   publish_snapshot();
   publish_health();
+}
+
+// Until the next image is due, if anybody wants one.
+std::chrono::milliseconds Bridge::pause() const {
+  if (!connection_ || !endpoint_->snapshot_wanted()) return kTurn;
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(snapshot_at_ + kSnapshotPeriod - Clock::now());
+  return std::clamp<std::chrono::milliseconds>(left, 0ms, kTurn);
 }
 
 void Bridge::connect() {

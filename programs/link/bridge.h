@@ -38,6 +38,7 @@ class Bridge {
   void keep_alive();
   void publish_status();
   void publish_snapshot();
+  std::chrono::milliseconds pause() const;
   void publish_health();
   bool runtime_answers() const;
 

@@ -134,6 +134,10 @@ std::optional<Snapshot> RuntimeClient::snapshot() const {
   return state_->session.snapshot();
 }
 
+bool RuntimeClient::wait_snapshot(std::chrono::milliseconds timeout) {
+  return state_->session.wait_snapshot(timeout);
+}
+
 std::optional<RuntimeHealth> RuntimeClient::health() const {
   return state_->session.health();
 }

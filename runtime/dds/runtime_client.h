@@ -8,7 +8,7 @@
 //   (*client)->start({.barrier = true});
 //   while (auto event = (*client)->wait_event(1s)) (*client)->acknowledge(event->sequence);
 //
-// Threads: every function may be called from any thread; wait_event from one at a time. Requests block until
+// Threads: every function may be called from any thread; wait_event and wait_snapshot from one at a time each. Requests block until
 // the runtime answered or `kRequestTimeout` passed, downloads up to `kDownloadTimeout`; they are resent
 // meanwhile and carry ids, so that a link or a runtime that dies in between never performs one twice.
 // Diagnostics: D0001 no runtime answers, D0002 refused by the runtime in its present state, D0003 the
@@ -82,6 +82,9 @@ class RuntimeClient {
   // The newest of each, or none before the first arrived.
   std::optional<RuntimeStatus> status() const;
   std::optional<Snapshot> snapshot() const;
+  // True as soon as a snapshot has come since this function returned last, false after `timeout`; from one
+  // thread at a time.
+  [[nodiscard]] bool wait_snapshot(std::chrono::milliseconds timeout);
   // About once a second; none from a link that does not publish it.
   std::optional<RuntimeHealth> health() const;
   // What has come here so far, topic by topic.

@@ -105,7 +105,7 @@ int main(int argc, char** argv) {
   {
     const server::CellPoller poller(
         cell, server::CellViewer(browser::ScriptedCell::point_sources()), feed, [&] { (*http)->notify(); },
-        std::chrono::milliseconds(50), record);
+        record);
     std::printf("http://127.0.0.1:%d/\n", (*http)->port());
     std::fflush(stdout);
     // Until the input ends: with the test that started it.

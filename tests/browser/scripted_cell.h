@@ -8,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include "hmi_web/server/cell_source.h"
@@ -21,6 +22,9 @@ class ScriptedCell : public server::CellSource {
   ScriptedCell(double speed, double start_s);
 
   server::Observation observe() override;
+  void wait_for_image(std::chrono::milliseconds) override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));  // as often as a link sends one
+  }
   void set_runtime_alive(bool alive) { alive_ = alive; }
 
   // The sources of the points of bench_synoptic().

@@ -174,8 +174,12 @@ void ClientSession::on_event(const idl::Event& sample) {
 void ClientSession::on_snapshot(const idl::Snapshot& sample) {
   auto snapshot = from_snapshot(sample);
   if (!snapshot) return snapshot_reader_.refuse();
-  const std::scoped_lock lock(mutex_);
-  snapshot_ = std::move(snapshot);
+  {
+    const std::scoped_lock lock(mutex_);
+    snapshot_ = std::move(snapshot);
+    snapshot_is_new_ = true;
+  }
+  snapshot_news_.notify_all();
 }
 
 void ClientSession::on_health(const idl::Health& sample) {
@@ -203,6 +207,12 @@ std::optional<RuntimeStatus> ClientSession::status() const {
 std::optional<Snapshot> ClientSession::snapshot() const {
   const std::scoped_lock lock(mutex_);
   return snapshot_;
+}
+
+bool ClientSession::wait_snapshot(std::chrono::milliseconds timeout) {
+  std::unique_lock lock(mutex_);
+  snapshot_news_.wait_for(lock, timeout, [this] { return snapshot_is_new_; });
+  return std::exchange(snapshot_is_new_, false);
 }
 
 }  // namespace stepwright::dds::internal

@@ -38,6 +38,7 @@ class ClientSession {
   std::optional<StepEvent> wait_event(std::chrono::milliseconds timeout);
   std::optional<RuntimeStatus> status() const;
   std::optional<Snapshot> snapshot() const;
+  bool wait_snapshot(std::chrono::milliseconds timeout);
   std::optional<RuntimeHealth> health() const;
   std::vector<TopicTraffic> traffic() const;
 
@@ -62,6 +63,8 @@ class ClientSession {
   bool runtime_connected_ = false;
   std::optional<RuntimeStatus> status_;
   std::optional<Snapshot> snapshot_;
+  bool snapshot_is_new_ = false;  // nobody has waited for it
+  std::condition_variable snapshot_news_;
   std::optional<RuntimeHealth> health_;
   EventOrder events_;
   std::uint64_t fetch_id_ = 0;  // the open ResendEvents request, 0 = none

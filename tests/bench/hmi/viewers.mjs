@@ -1,8 +1,37 @@
-// Pages that only listen: WebSockets that read whatever the server sends and count its bytes. They cost the machine little,
-// so that what is measured is the server and not fifty browsers.
+// Pages that only listen: WebSockets that read whatever the server sends, count its bytes and answer its pings. They cost the
+// machine little, so that what is measured is the server and not fifty browsers.
 
 import { randomBytes } from 'node:crypto';
 import { connect } from 'node:net';
+
+const PING = 0x9;
+const PONG = Buffer.from([0x8a, 0x80, 0, 0, 0, 0]); // empty, masked with zeros
+
+// Walks over frames (RFC 6455, 5.2) in whatever pieces they come; calls `onPing` for each ping.
+function frameWalker(onPing) {
+  let header = Buffer.alloc(0);
+  let left = 0; // of the payload
+  return (data) => {
+    let at = 0;
+    while (at < data.length) {
+      if (left > 0) {
+        const step = Math.min(left, data.length - at);
+        left -= step;
+        at += step;
+        continue;
+      }
+      header = Buffer.concat([header, data.subarray(at, at + 1)]);
+      ++at;
+      if (header.length < 2) continue;
+      const short = header[1] & 0x7f;
+      const size = short === 126 ? 4 : short === 127 ? 10 : 2;
+      if (header.length < size) continue;
+      left = size === 2 ? short : size === 4 ? header.readUInt16BE(2) : Number(header.readBigUInt64BE(2));
+      if ((header[0] & 0xf) === PING) onPing();
+      header = Buffer.alloc(0);
+    }
+  };
+}
 
 function openViewer(port) {
   return new Promise((resolve, reject) => {
@@ -18,14 +47,21 @@ function openViewer(port) {
       `Sec-WebSocket-Key: ${randomBytes(16).toString('base64')}`,
       '\r\n',
     ].join('\r\n');
-    let welcome = '';
-    const read = (data) => (viewer.bytes += data.length);
+    const walk = frameWalker(() => socket.write(PONG));
+    const read = (data) => {
+      viewer.bytes += data.length;
+      walk(data);
+    };
+    let welcome = Buffer.alloc(0);
     const greet = (data) => {
-      welcome += data.toString('latin1');
-      if (!welcome.includes('\r\n\r\n')) return;
+      welcome = Buffer.concat([welcome, data]);
+      const end = welcome.indexOf('\r\n\r\n');
+      if (end < 0) return;
       socket.off('data', greet);
-      if (!welcome.startsWith('HTTP/1.1 101')) return reject(new Error(`a viewer is refused: ${welcome.split('\r\n')[0]}`));
+      const [status] = welcome.toString('latin1').split('\r\n');
+      if (!status.startsWith('HTTP/1.1 101')) return reject(new Error(`a viewer is refused: ${status}`));
       socket.on('data', read);
+      read(welcome.subarray(end + 4));
       resolve(viewer);
     };
     socket.on('data', greet);

@@ -276,6 +276,26 @@ TEST(LinkEndpoint, WhenASnapshotIsPublished_ThenTheClientHasIt) {
   EXPECT_EQ(*client->snapshot(), sent);
 }
 
+TEST(RuntimeClient, WhenASnapshotIsWaitedFor_ThenEachIsToldOnce) {
+  FakeLink link(42, accept);
+  auto client = client_of(42, ClientRole::Viewer);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  EXPECT_FALSE(client->wait_snapshot(1ms));
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  bool told = false;
+  while (!told && std::chrono::steady_clock::now() < deadline) {
+    link.endpoint().publish_snapshot({3, 4, "cd", {}, {}});
+    told = client->wait_snapshot(20ms);
+  }
+  EXPECT_TRUE(told);
+  while (client->wait_snapshot(50ms)) {  // what was published more than once
+  }
+  EXPECT_FALSE(client->wait_snapshot(1ms));
+  link.endpoint().publish_snapshot({5, 6, "cd", {}, {}});
+  EXPECT_TRUE(client->wait_snapshot(kPatience));
+  EXPECT_EQ(client->snapshot()->scan, 5U);
+}
+
 TEST(ParticipantConfig, WhenItIsOutOfBounds_ThenConnectFailsWithItsReason) {
   EXPECT_EQ(RuntimeClient::connect({233, "test", "bench"}, ClientRole::Viewer).error().front().code, "D0004");
   EXPECT_EQ(RuntimeClient::connect({1, "test", "b*"}, ClientRole::Viewer).error().front().code, "D0004");
