@@ -1,7 +1,7 @@
 #pragma once
 
-// A thread that looks at the cell whenever it has a new image and keeps the feed up to date. What else is new is
-// seen `kLongestPause` later at most; a fast cell cannot flood it, as there is a pause behind every look.
+// A thread that looks at the cell whenever it has a new image and keeps the feed up to date. What else is new
+// is seen `kLongestPause` later at most; a fast cell cannot flood it, as there is a pause behind every look.
 //
 //   CellPoller poller(source, CellViewer(points), feed, [&] { server.notify(); });
 //

@@ -37,7 +37,8 @@ void Bridge::turn(int stop_descriptor) {
 // Until the next image is due, if anybody wants one.
 std::chrono::milliseconds Bridge::pause() const {
   if (!connection_ || !endpoint_->snapshot_wanted()) return kTurn;
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(snapshot_at_ + kSnapshotPeriod - Clock::now());
+  const auto left =
+      std::chrono::ceil<std::chrono::milliseconds>(snapshot_at_ + kSnapshotPeriod - Clock::now());
   return std::clamp<std::chrono::milliseconds>(left, 0ms, kTurn);
 }
 

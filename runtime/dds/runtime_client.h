@@ -8,12 +8,12 @@
 //   (*client)->start({.barrier = true});
 //   while (auto event = (*client)->wait_event(1s)) (*client)->acknowledge(event->sequence);
 //
-// Threads: every function may be called from any thread; wait_event and wait_snapshot from one at a time each. Requests block until
-// the runtime answered or `kRequestTimeout` passed, downloads up to `kDownloadTimeout`; they are resent
-// meanwhile and carry ids, so that a link or a runtime that dies in between never performs one twice.
-// Diagnostics: D0001 no runtime answers, D0002 refused by the runtime in its present state, D0003 the
-// container was refused (the verifier's own diagnostics follow), D0004 request out of bounds, D0005 Fast DDS
-// could not start, D0006 an address that is none of this machine.
+// Threads: every function may be called from any thread; wait_event and wait_snapshot from one at a time
+// each. Requests block until the runtime answered or `kRequestTimeout` passed, downloads up to
+// `kDownloadTimeout`; they are resent meanwhile and carry ids, so that a link or a runtime that dies in
+// between never performs one twice. Diagnostics: D0001 no runtime answers, D0002 refused by the runtime in
+// its present state, D0003 the container was refused (the verifier's own diagnostics follow), D0004 request
+// out of bounds, D0005 Fast DDS could not start, D0006 an address that is none of this machine.
 
 #include <chrono>
 #include <cstddef>

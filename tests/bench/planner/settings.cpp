@@ -50,7 +50,8 @@ std::optional<Settings> settings_from(int argc, char** argv, int& exit_code) {
       ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
   app.add_flag("--scale", settings.scale, "growing sizes until a limit ends them, instead of the table");
   app.add_option("--svg", settings.svg_folder, "pictures of the curves");
-  app.add_flag("--full", full, "limits of 300 s and 20 GiB, of 24: the bench itself holds instances and judges plans");
+  app.add_flag("--full", full,
+               "limits of 300 s and 20 GiB, of 24: the bench itself holds instances and judges plans");
   app.add_option("--repeats", settings.repeats, "of the measurements on the tank bench (9)")
       ->check(CLI::PositiveNumber);
   try {

@@ -96,7 +96,8 @@ ChildResult run_child(const ChildLimits& limits, const std::function<void(const 
   std::array<int, 2> ends{};
   ChildResult result;
   std::fflush(nullptr);
-  // The child begins with a copy of what this process holds: judging a plan of millions of steps took gigabytes.
+  // The child begins with a copy of what this process holds: judging a plan of millions of steps took
+  // gigabytes.
   malloc_trim(0);
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return result;
   const Clock::time_point start = Clock::now();
