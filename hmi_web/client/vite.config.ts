@@ -1,7 +1,7 @@
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig, type Rollup } from 'vite';
 
-const TRANSLATION = /\/texts\.(de|fr|es)\.ts$/;
+const TRANSLATION = /texts\.(de|fr|es)\.ts$/;
 
 // Whether the page cannot begin without the module.
 function isInFirstLoad(id: string, infoOf: Rollup.GetModuleInfo, seen = new Set<string>()): boolean {
@@ -24,7 +24,7 @@ export default defineConfig({
         // Of each other language the texts of the first load in one piece; those of a panel that comes later come with it.
         manualChunks: (id, { getModuleInfo }) => {
           const [, code] = TRANSLATION.exec(id) ?? [];
-          return code && isInFirstLoad(id.replace(TRANSLATION, '/texts.ts'), getModuleInfo) ? `texts-${code}` : undefined;
+          return code && isInFirstLoad(id.replace(TRANSLATION, 'texts.ts'), getModuleInfo) ? `texts-${code}` : undefined;
         },
       },
     },
