@@ -27,6 +27,11 @@ export function whole(count: number): string {
   return numberText(count);
 }
 
+// The number at a mark of an axis; uPlot has none for marks that it leaves out.
+export function tickNumber(value: number | null): string {
+  return value === null ? '' : numberText(value);
+}
+
 // "1:02.5" of seconds.
 export function clock(seconds: Value | undefined): string {
   return clockText(seconds, true);

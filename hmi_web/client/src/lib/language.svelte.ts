@@ -46,7 +46,7 @@ class PageLanguage {
   // The language as the browser asks for it ("de-CH"), so that numbers and dates are those of its region.
   locale = $state('en');
   private readonly loaders = new Set<(code: Language) => Promise<void>>();
-  private pending: Promise<unknown>[] = [];
+  private readonly pending = new Set<Promise<void>>();
 
   // What was chosen here before, else the first of the browser's languages that there is.
   async start(): Promise<void> {
@@ -65,13 +65,15 @@ class PageLanguage {
   enrol(load: (code: Language) => Promise<void>): void {
     this.loaders.add(load);
     // Without them the panel is in English.
-    if (this.code !== 'en') this.pending.push(load(this.code).catch(() => undefined));
+    if (this.code === 'en') return;
+    const loading = load(this.code)
+      .catch(() => undefined)
+      .then(() => void this.pending.delete(loading));
+    this.pending.add(loading);
   }
 
   async settled(): Promise<void> {
-    const pending = this.pending;
-    this.pending = [];
-    await Promise.all(pending);
+    await Promise.all(this.pending);
   }
 
   private async show(code: Language): Promise<void> {
@@ -132,14 +134,14 @@ function kept<T>(make: (locale: string, detail: string) => T): (locale: string, 
 }
 
 const rules = kept((locale) => new Intl.PluralRules(locale));
-const grouped = kept((locale) => new Intl.NumberFormat(locale));
+const grouped = kept((locale) => new Intl.NumberFormat(locale, { maximumFractionDigits: 6 }));
 const plain = kept((locale, digits) => {
   const count = Number(digits);
   return new Intl.NumberFormat(locale, { minimumFractionDigits: count, maximumFractionDigits: count, useGrouping: false });
 });
 const dates = kept((locale, options) => new Intl.DateTimeFormat(locale, JSON.parse(options) as Intl.DateTimeFormatOptions));
 
-// "1,234" in the language; at most three digits behind the point.
+// "1,234" and "0.05" in the language; with as many digits behind the point as there are, up to six.
 export function numberText(value: number): string {
   return grouped(language.locale).format(value);
 }

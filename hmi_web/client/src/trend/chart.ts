@@ -2,7 +2,7 @@
 
 import uPlot from 'uplot';
 
-import { fixed, tickText } from '../lib/format';
+import { fixed, tickNumber, tickText } from '../lib/format';
 import type { Point } from '../lib/protocol';
 import type { TrendData } from '../lib/trend_data';
 
@@ -48,7 +48,7 @@ export function makeChart(host: HTMLElement, lines: Line[], height: number): uPl
       scales: { x: { time: false }, y: { range: (_, _low, high) => [0, top(high)] } },
       axes: [
         { ...axis, values: (_, ticks) => ticks.map((tick) => tickText(tick)) },
-        { ...axis, size: 38 },
+        { ...axis, size: 38, values: (_, ticks) => ticks.map(tickNumber) },
       ],
       cursor: { points: { size: 6 }, drag: { x: true, y: false } },
       legend: { show: false },
