@@ -23,11 +23,11 @@ const WORDS = {
 const titleIs = (page, what, area, title) =>
   waitFor(page, what, ([panel, words]) => document.querySelector(`[data-panel=${panel}] h2`)?.innerText === words, [area, title]);
 
-// Only keys: Tab to the button in the header, Enter, Tab to what is chosen.
+// Only keys: Tab, backwards, to the button in the header, Enter, Tab to what is chosen.
 async function opensTheMenu(page) {
-  for (let turn = 0; turn < 20; ++turn) {
+  for (let turn = 0; turn < 60; ++turn) {
     if (await page.evaluate(() => document.activeElement?.dataset?.testid === 'preferences')) break;
-    await page.keyboard.press('Tab');
+    await page.keyboard.press('Shift+Tab');
   }
   check(await page.evaluate(() => document.activeElement?.dataset?.testid === 'preferences'), 'Tab reaches the menu');
   await page.keyboard.press('Enter');
