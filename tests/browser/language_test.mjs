@@ -62,6 +62,11 @@ async function fitsAPhone(page, code) {
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   await shot(page, `${code}-360`);
   check(wide <= 360, `in ${code} nothing sticks out at 360 px (${wide})`);
+  await opensTheMenu(page);
+  const { left, right } = await page.evaluate(() => document.querySelector('[data-testid=preferences] + .menu').getBoundingClientRect().toJSON());
+  check(left >= 0 && right <= 360, `nor does the menu (${left} to ${right})`);
+  await page.screenshot({ path: join(given.out, `language-${code}-menu.png`) });
+  await closesTheMenu(page);
   await page.setViewportSize({ width: 1440, height: 900 });
 }
 
