@@ -81,7 +81,12 @@ async function showsTheOthers(page, names) {
 }
 
 async function fitsEveryWidth(page) {
-  await page.getByText('What do these figures mean?').press('Enter');
+  await page.locator('[data-help=scan-details]').press('Enter');
+  await waitFor(page, 'the figures are explained', () => document.querySelector('[data-testid=dialog]')?.innerText.includes('p99.9'));
+  await shot(page, 'help');
+  await page.keyboard.press('Escape');
+  await waitFor(page, 'Escape closes the help and leaves the panel', () =>
+    document.querySelector('[data-testid=dialog]') === null && document.querySelector('#scan-details') !== null);
   for (const scheme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme: scheme });
     for (const width of [1440, 768, 360]) {

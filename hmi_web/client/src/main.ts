@@ -2,6 +2,10 @@ import { mount } from 'svelte';
 
 import './app.css';
 import App from './App.svelte';
+import { appearance } from './lib/appearance.svelte';
+import { language } from './lib/language.svelte';
 
 const target = document.getElementById('app');
-if (target) mount(App, { target });
+appearance.start();
+// In its language from the beginning.
+if (target) void language.start().then(() => mount(App, { target }));

@@ -1,5 +1,7 @@
 // The server's API (`stepwright hmi --openapi`) as functions that never throw: an answer, or sentences that say why not.
 
+import { t } from './texts';
+
 export interface Problem {
   code: string;
   message: string;
@@ -10,11 +12,9 @@ export type Reply<T> = { ok: true; data: T } | { ok: false; status: number; prob
 
 export type Method = 'GET' | 'POST' | 'PUT' | 'DELETE';
 
-const NO_SERVER: Problem = { code: '', message: 'the server does not answer' };
-
 function problemsOf(value: unknown, status: number): Problem[] {
   const list = (value as { problems?: Problem[] } | null)?.problems;
-  return Array.isArray(list) && list.length > 0 ? list : [{ code: '', message: `the server refused this (${status})` }];
+  return Array.isArray(list) && list.length > 0 ? list : [{ code: '', message: own(t('refused', { status: String(status) })) }];
 }
 
 export async function ask<T>(method: Method, path: string, csrf: string, body?: unknown, signal?: AbortSignal): Promise<Reply<T>> {
@@ -34,8 +34,21 @@ export async function ask<T>(method: Method, path: string, csrf: string, body?: 
     if (!response.ok) return { ok: false, status: response.status, problems: problemsOf(value, response.status) };
     return { ok: true, data: value as T };
   } catch {
-    return { ok: false, status: 0, problems: [NO_SERVER] };
+    return { ok: false, status: 0, problems: [{ code: '', message: own(t('noServer')) }] };
   }
+}
+
+// The server speaks English. What the page says itself is in its language; there are few such sentences.
+const ownSentences = new Set<string>();
+
+export function own(sentence: string): string {
+  ownSentences.add(sentence);
+  return sentence;
+}
+
+// For the attribute `lang` of an element with sentences of either.
+export function languageOf(sentence: string): 'en' | undefined {
+  return ownSentences.has(sentence) ? undefined : 'en';
 }
 
 export function sentences(problems: Problem[]): string {

@@ -2,6 +2,7 @@
 
 import { getContext, setContext } from 'svelte';
 
+import type { Topic } from '../help/topics';
 import { ask, sentences, type Method, type Reply } from './api';
 
 export type Role = 'none' | 'viewer' | 'operator' | 'engineer' | 'administrator';
@@ -15,6 +16,7 @@ export type Dialog =
   | { kind: 'unblock' | 'return'; name: string }
   | { kind: 'force'; tag: string; value: string }
   | { kind: 'alarm'; deed: 'shelve' | 'suppress' | 'remove'; alarm: string; text: string; most: number }
+  | { kind: 'help'; topic: Topic; title: string }
   // `done` is told the recipe to be shown then.
   | { kind: 'recipe'; deed: 'edit' | 'load' | 'remove'; name: string; done: (name: string) => void };
 

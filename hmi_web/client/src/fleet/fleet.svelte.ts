@@ -10,6 +10,7 @@ import { areaData, placeAt, wayData } from './geometry';
 import { Poses, type Pose } from './poses';
 import { progressOf, type Progress } from './progress';
 import { joined, type FleetVehicle } from './vehicles';
+import { t } from './texts';
 import { errorText, isAbnormal } from './words';
 
 const NO_PROGRESS: Progress = { left: 0, heldTo: -1, arcM: null, permittedM: null, step: '' };
@@ -78,7 +79,7 @@ export class Fleet {
       path.stops.forEach((stop, index) => {
         const at = placeAt(path, stop.arcM);
         if (!at) return;
-        const name = stop.location || `stop ${index + 1} of ${path.vehicle}`;
+        const name = stop.location || t('stopOf', { number: index + 1, vehicle: path.vehicle });
         const place = places.get(name) ?? { name, x: at.x, y: at.y, visits: [] };
         place.visits.push({ vehicle: path.vehicle, stop: index, kind: stop.kind, goal: stop.goal });
         places.set(name, place);
@@ -115,6 +116,11 @@ export class Fleet {
   // Why a vehicle is lost or has stopped.
   reasonOf(vehicle: FleetVehicle): string {
     return vehicle.news?.reason || errorText(this.errorOf(vehicle));
+  }
+
+  // The supervisor speaks English.
+  reasonLanguage(vehicle: FleetVehicle): 'en' | undefined {
+    return vehicle.news?.reason ? 'en' : undefined;
   }
 
   isWaiting(vehicle: FleetVehicle): boolean {

@@ -7,14 +7,13 @@ import type { FleetVehicle } from './vehicles';
 export interface Span {
   from: number; // s, clock of the cell
   to: number;
-  text: string;
 }
 
 export interface MissionRow {
   name: string;
   mission: Span | null;
-  services: Span[];
-  waits: Span[];
+  services: (Span & { place: string })[];
+  waits: (Span & { other: string })[];
   arrives: number | null;
 }
 
@@ -27,13 +26,13 @@ export function rowsOf(vehicles: FleetVehicle[], news: FleetNews | null): Missio
     const arrives = vehicle.news?.arrivesMs ?? null;
     return {
       name: vehicle.name,
-      mission: entries.length > 0 && exits.length > 0 ? { from: s(least(entries)), to: s(most(exits)), text: 'mission' } : null,
+      mission: entries.length > 0 && exits.length > 0 ? { from: s(least(entries)), to: s(most(exits)) } : null,
       services: (vehicle.path?.stops ?? []).flatMap((stop) =>
-        stop.endMs === null ? [] : [{ from: s(stop.endMs - stop.serviceMs), to: s(stop.endMs), text: stop.location }],
+        stop.endMs === null ? [] : [{ from: s(stop.endMs - stop.serviceMs), to: s(stop.endMs), place: stop.location }],
       ),
       waits: (news?.waits ?? [])
         .filter((wait) => wait.vehicle === vehicle.name)
-        .map((wait) => ({ from: s(wait.fromMs), to: s(wait.untilMs), text: `waits for ${wait.for}` })),
+        .map((wait) => ({ from: s(wait.fromMs), to: s(wait.untilMs), other: wait.for })),
       arrives: arrives === null ? null : s(arrives),
     };
   });

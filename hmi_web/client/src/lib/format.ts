@@ -1,51 +1,80 @@
-// How numbers become text. A value that is not known is a dash, never a zero.
+// How numbers become text, in the language of the page. A value that is not known is a dash, never a zero.
 
+import { fixedText, numberText } from './language.svelte';
 import type { Value } from './protocol';
 
 export const UNKNOWN = '–';
 
 export function fixed(value: Value | undefined, digits: number): string {
-  return value === null || value === undefined ? UNKNOWN : value.toFixed(digits);
+  return value === null || value === undefined ? UNKNOWN : fixedText(value, digits);
 }
 
 // Of a difference: "+0.03", "−0.20", "0".
 export function signed(value: number, digits: number): string {
-  const size = Math.abs(value).toFixed(digits);
-  return Number(size) === 0 ? '0' : `${value > 0 ? '+' : '−'}${size}`;
+  return Number(Math.abs(value).toFixed(digits)) === 0 ? '0' : `${value > 0 ? '+' : '−'}${fixedText(Math.abs(value), digits)}`;
 }
 
 // As many digits as carry meaning: 0.42, 7.3, 128.
 export function short(value: Value | undefined): string {
   if (value === null || value === undefined) return UNKNOWN;
   const size = Math.abs(value);
-  if (Number.isInteger(value)) return String(value);
-  return value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : 2);
+  if (Number.isInteger(value)) return fixedText(value, 0);
+  return fixedText(value, size >= 100 ? 0 : size >= 10 ? 1 : 2);
+}
+
+// A count, its thousands set apart: "12,345".
+export function whole(count: number): string {
+  return numberText(count);
+}
+
+// The number at a mark of an axis; uPlot has none for marks that it leaves out.
+export function tickNumber(value: number | null): string {
+  return value === null ? '' : numberText(value);
 }
 
 // "1:02.5" of seconds.
 export function clock(seconds: Value | undefined): string {
+  return clockText(seconds, true);
+}
+
+// The same for the mark of an axis: "1:02", and "1:02.5" only where it lies between two seconds.
+export function tickText(seconds: number): string {
+  return clockText(seconds, Math.round(seconds * 10) % 10 !== 0);
+}
+
+// "1:02": the tenths are left out.
+export function wholeClock(seconds: Value | undefined): string {
+  return clockText(seconds, false);
+}
+
+function clockText(seconds: Value | undefined, withTenths: boolean): string {
   if (seconds === null || seconds === undefined) return UNKNOWN;
   const tenths = Math.round(seconds * 10);
   const minutes = Math.floor(tenths / 600);
   const rest = (tenths % 600) / 10;
   const hours = Math.floor(minutes / 60);
-  const tail = rest.toFixed(1).padStart(4, '0');
+  const tail = withTenths ? fixedText(rest, 1).padStart(4, '0') : String(Math.floor(rest)).padStart(2, '0');
   return hours > 0 ? `${hours}:${String(minutes % 60).padStart(2, '0')}:${tail}` : `${minutes}:${tail}`;
 }
 
 export function micros(value: Value | undefined): string {
   if (value === null || value === undefined) return UNKNOWN;
-  if (value >= 1_000_000) return `${(value / 1_000_000).toFixed(2)} s`;
-  return value >= 1_000 ? `${(value / 1_000).toFixed(2)} ms` : `${short(value)} µs`;
+  if (value >= 1_000_000) return `${fixedText(value / 1_000_000, 2)} s`;
+  return value >= 1_000 ? `${fixedText(value / 1_000, 2)} ms` : `${short(value)} µs`;
 }
 
-// A tag's value by its IEC type.
+// A tag's value by its IEC type, as a literal of IEC 61131-3: the same in every language.
 export function tagValue(value: Value | undefined, type: string): string {
   if (value === null || value === undefined) return UNKNOWN;
   if (type === 'BOOL') return value > 0 ? 'TRUE' : 'FALSE';
-  if (type === 'TIME' || type === 'LTIME') return `${short(value / 1e9)} s`;
+  if (type === 'TIME' || type === 'LTIME') return `${seconds(value / 1e9)} s`;
   if (type === 'REAL' || type === 'LREAL') return value.toFixed(3);
   return String(value);
+}
+
+function seconds(value: number): string {
+  const size = Math.abs(value);
+  return Number.isInteger(value) ? String(value) : value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : 2);
 }
 
 // "(unload v1 a1 level8)" -> "unload v1 a1 level8"

@@ -1,6 +1,7 @@
 // Recipes as the server's API tells of them (hmi_web/doc/recipes.md).
 
 import type { Problem } from '../access/api';
+import { t } from './texts';
 
 export interface RecipeTag {
   name: string;
@@ -34,9 +35,9 @@ export interface Comparison {
 export const pathOf = (name: string) => `/api/recipes/${encodeURIComponent(name)}`;
 
 export function rangeOf(tag: RecipeTag): string {
-  if (tag.type === 'BOOL') return 'TRUE or FALSE';
-  const range = `${tag.min} to ${tag.max}${tag.unit ? ` ${tag.unit}` : ''}`;
-  return tag.type === 'TIME' ? `${range}, such as T#1m30s` : range;
+  if (tag.type === 'BOOL') return t('trueOrFalse');
+  const range = t('range', { min: String(tag.min), max: String(tag.max), unit: tag.unit }).trim();
+  return tag.type === 'TIME' ? t('timeRange', { range }) : range;
 }
 
 // What the server says of single values, and what it says of none of them.

@@ -3,6 +3,7 @@
 
 import uPlot from 'uplot';
 
+import { tickNumber } from '../lib/format';
 import type { History } from './records';
 
 const HEIGHT = 300;
@@ -75,7 +76,7 @@ export function makeChart(host: HTMLElement, traces: Trace[], events: ChartEvent
             [0.001, ':{ss}.{fff}', '\n{YYYY}-{MM}-{DD} {HH}:{mm}', null, '\n{HH}:{mm}', null, null, null, 1],
           ] as uPlot.Axis.Values,
         },
-        ...units.map((unit, index): uPlot.Axis => ({ ...axis, scale: unit, size: 48, side: index === 0 ? 3 : 1, show: index < 2, grid: { ...axis.grid, show: index === 0 }, ...(unit ? { label: unit, labelSize: 14, labelFont: '11px system-ui, sans-serif' } : {}) })),
+        ...units.map((unit, index): uPlot.Axis => ({ ...axis, values: (_, ticks) => ticks.map(tickNumber), scale: unit, size: 48, side: index === 0 ? 3 : 1, show: index < 2, grid: { ...axis.grid, show: index === 0 }, ...(unit ? { label: unit, labelSize: 14, labelFont: '11px system-ui, sans-serif' } : {}) })),
       ],
       scales: Object.fromEntries([['x', { time: true, auto: false }], ...units.map((unit) => [unit, { auto: true }])]) as uPlot.Scales,
       cursor: { points: { show: false }, drag: { x: true, y: false, setScale: false } },

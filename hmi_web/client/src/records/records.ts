@@ -1,6 +1,7 @@
 // What the server answers about alarms and history: hmi_web/doc/records.md. All times are ms since 1970.
 
 import { ask as request, sentences } from '../access/api';
+import { dateText } from '../lib/language.svelte';
 import type { Value } from '../lib/protocol';
 
 export type Priority = 'critical' | 'high' | 'medium' | 'low';
@@ -129,7 +130,7 @@ export async function ask<T>(path: string, signal?: AbortSignal): Promise<T> {
 // "23.11. 09:41:07.25" in the order of the reader's language.
 export function moment(time: Value | undefined): string {
   if (time === null || time === undefined) return '–';
-  return new Date(time).toLocaleString([], {
+  return dateText(time, {
     month: '2-digit',
     day: '2-digit',
     hour: '2-digit',

@@ -1,7 +1,8 @@
 // What GET /api/scan answers (hmi_web/doc/protocol.md, "Scan"), and its parts as words.
 
 import { ask, sentences } from '../access/api';
-import { micros, UNKNOWN } from '../lib/format';
+import { fixed, micros, UNKNOWN } from '../lib/format';
+import { t } from './detail_texts';
 
 // From, to (µs), how many.
 export type Bucket = [number, number, number];
@@ -96,22 +97,22 @@ export async function readRuntimes(signal: AbortSignal): Promise<Runtime[]> {
 }
 
 export function stateOf(runtime: Runtime): { word: string; tone: Tone } {
-  if (!runtime.alive) return { word: runtime.state === '' ? 'never heard of' : 'does not answer', tone: 'alarm' };
-  return { word: runtime.state, tone: runtime.state === 'fault' ? 'alarm' : 'plain' };
+  if (!runtime.alive) return { word: runtime.state === '' ? t('neverHeard') : t('silent'), tone: 'alarm' };
+  return { word: t.word('runtime', runtime.state), tone: runtime.state === 'fault' ? 'alarm' : 'plain' };
 }
 
 export function watchdogOf(watchdog: Watchdog | null): { word: string; tone: Tone } {
   if (watchdog === null) return { word: UNKNOWN, tone: 'plain' };
-  if (watchdog.limit_us === 0) return { word: 'none', tone: 'plain' };
+  if (watchdog.limit_us === 0) return { word: t('none'), tone: 'plain' };
   const limit = `${micros(watchdog.limit_us)} × ${Math.max(1, watchdog.sensitivity)}`;
-  if (watchdog.expiries > 0) return { word: `${limit}, expired ${times(watchdog.expiries)}`, tone: 'alarm' };
-  if (watchdog.too_long > 0) return { word: `${limit}, ${watchdog.too_long} too long in a row`, tone: 'warn' };
-  return { word: `${limit}, quiet`, tone: 'plain' };
+  if (watchdog.expiries > 0) return { word: t('expired', { limit, count: watchdog.expiries }), tone: 'alarm' };
+  if (watchdog.too_long > 0) return { word: t('tooLong', { limit, count: watchdog.too_long }), tone: 'warn' };
+  return { word: t('quiet', { limit }), tone: 'plain' };
 }
 
 export function deviceState(device: Device): { word: string; tone: Tone } {
-  if (device.lost) return { word: device.online ? 'online, a value is lost' : 'lost', tone: 'alarm' };
-  return device.online ? { word: 'online', tone: 'plain' } : { word: 'offline', tone: 'warn' };
+  if (device.lost) return { word: device.online ? t('valueLost') : t('lost'), tone: 'alarm' };
+  return device.online ? { word: t('online'), tone: 'plain' } : { word: t('offline'), tone: 'warn' };
 }
 
 // What is sent all the time must come all the time; events and answers come when there are any.
@@ -121,19 +122,11 @@ export function topicTone(topic: Topic): Tone {
   return always && (topic.age_s === null || topic.age_s > SILENT_S) ? 'warn' : 'plain';
 }
 
-export function times(count: number): string {
-  return count === 1 ? 'once' : `${count} times`;
-}
-
-export function whole(count: number): string {
-  return count.toLocaleString('en');
-}
-
 // "350 ms", "4.2 s", "3 min", "2 h 5 min", "4 d 3 h"
 export function span(seconds: number | null): string {
   if (seconds === null) return UNKNOWN;
   if (seconds < 0.9995) return `${Math.round(seconds * 1000)} ms`;
-  if (seconds < 60) return `${seconds.toFixed(1)} s`;
+  if (seconds < 60) return `${fixed(seconds, 1)} s`;
   const minutes = Math.floor(seconds / 60);
   if (minutes < 60) return `${minutes} min`;
   const hours = Math.floor(minutes / 60);
@@ -141,5 +134,5 @@ export function span(seconds: number | null): string {
 }
 
 export function bytes(count: number): string {
-  return count < 1 << 20 ? `${(count / 1024).toFixed(0)} KiB` : `${(count / (1 << 20)).toFixed(1)} MiB`;
+  return count < 1 << 20 ? `${fixed(count / 1024, 0)} KiB` : `${fixed(count / (1 << 20), 1)} MiB`;
 }

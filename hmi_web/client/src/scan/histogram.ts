@@ -1,6 +1,7 @@
 // A histogram with two logarithmic axes: durations to the right, how many upwards. Pure.
 
 import { micros } from '../lib/format';
+import { t } from './detail_texts';
 import type { Bucket, Spread } from './figures';
 
 export const WIDTH = 320;
@@ -69,14 +70,14 @@ export function drawHistogram(spread: Spread): Picture | null {
         width: Math.max(1, at(to) - at(from) - 0.8),
         y: BOTTOM - height,
         height,
-        title: `${micros(from)} to ${micros(to)}: ${count.toLocaleString('en')}`,
+        title: t('bar', { from: micros(from), to: micros(to), count }),
       };
     });
   const named: [string, number][] = [
     ['p50', spread.p50_us],
     ['p99', spread.p99_us],
-    ['p99.9', spread.p999_us],
-    ['max', spread.max_us],
+    [t('p999'), spread.p999_us],
+    [t('max'), spread.max_us],
   ];
   const marks = named.map(([name, us], row) => {
     const x = at(us);
@@ -93,5 +94,12 @@ export function drawHistogram(spread: Spread): Picture | null {
 // The same for those who do not see it.
 export function tellHistogram(what: string, spread: Spread): string {
   const count = (spread.buckets ?? []).reduce((sum, [, , one]) => sum + one, 0);
-  return `${what}: ${count.toLocaleString('en')} measured, p50 ${micros(spread.p50_us)}, p99 ${micros(spread.p99_us)}, p99.9 ${micros(spread.p999_us)}, longest ${micros(spread.max_us)}`;
+  return t('histogram', {
+    what,
+    count,
+    p50: micros(spread.p50_us),
+    p99: micros(spread.p99_us),
+    p999: micros(spread.p999_us),
+    max: micros(spread.max_us),
+  });
 }

@@ -11,7 +11,7 @@ export interface Part {
   transitions: number;
 }
 
-const ALL = 'all charts';
+export const ALL = 'all charts'; // a name that no chart has: it is no identifier
 const MOST_TOGETHER = 3;
 
 // All together as the first, if they are few; every program has at least one part.

@@ -2,7 +2,7 @@
 
 import uPlot from 'uplot';
 
-import { clock, fixed } from '../lib/format';
+import { fixed, tickNumber, tickText } from '../lib/format';
 import type { Point } from '../lib/protocol';
 import type { TrendData } from '../lib/trend_data';
 
@@ -47,8 +47,8 @@ export function makeChart(host: HTMLElement, lines: Line[], height: number): uPl
       height,
       scales: { x: { time: false }, y: { range: (_, _low, high) => [0, top(high)] } },
       axes: [
-        { ...axis, values: (_, ticks) => ticks.map((tick) => clock(tick).replace('.0', '')) },
-        { ...axis, size: 38 },
+        { ...axis, values: (_, ticks) => ticks.map((tick) => tickText(tick)) },
+        { ...axis, size: 38, values: (_, ticks) => ticks.map(tickNumber) },
       ],
       cursor: { points: { size: 6 }, drag: { x: true, y: false } },
       legend: { show: false },

@@ -152,9 +152,9 @@ test('Gantt_WhenMissionsHaveTimes_ThenTheyAreOnTheClockOfTheCell', () => {
   });
   const said = fleet.readFleet({ epoch_s: 100, vehicles: [{ vehicle: 'a', arrives_ms: 30_000 }, { vehicle: 'b' }], waits: [{ vehicle: 'a', for: 'b', from_ms: 1_000, until_ms: 2_000 }] });
   const rows = fleet.rowsOf(fleet.joined([], said, read), said);
-  assert.deepEqual(rows[0].mission, { from: 100, to: 120, text: 'mission' });
-  assert.deepEqual(rows[0].services, [{ from: 107, to: 109, text: 'dock' }]);
-  assert.deepEqual(rows[0].waits, [{ from: 101, to: 102, text: 'waits for b' }]);
+  assert.deepEqual(rows[0].mission, { from: 100, to: 120 });
+  assert.deepEqual(rows[0].services, [{ from: 107, to: 109, place: 'dock' }]);
+  assert.deepEqual(rows[0].waits, [{ from: 101, to: 102, other: 'b' }]);
   assert.equal(rows[1].mission, null);
   assert.deepEqual([fleet.timeOf(rows, 90).from, fleet.timeOf(rows, 1e6).to], [100, 133]);
   assert.equal(fleet.timeOf(fleet.rowsOf([], null), 5), null);

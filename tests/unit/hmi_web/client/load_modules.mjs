@@ -1,20 +1,41 @@
 // The client's own modules for tests of its logic: bundled from the sources as the build does, without a browser.
 
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
+// State that components share ($state in a module) is plain variables here: nothing is drawn.
+function runes(esbuild, { compileModule }) {
+  return {
+    name: 'runes',
+    setup: (build) =>
+      build.onLoad({ filter: /\.svelte\.ts$/ }, async ({ path }) => {
+        const { code } = await esbuild.transform(readFileSync(path, 'utf8'), { loader: 'ts', target: 'es2022' });
+        return { contents: compileModule(code, { filename: path, generate: 'server' }).js.code, loader: 'js' };
+      }),
+  };
+}
+
 // `client`: the folder in which the client is built. `names`: modules below its src, without their ending.
 export async function load(client, names) {
-  const { buildSync } = createRequire(join(client, 'package.json'))('esbuild');
+  const from = createRequire(join(client, 'package.json'));
+  const esbuild = from('esbuild');
   const folder = mkdtempSync(join(tmpdir(), 'hmi-modules-'));
   try {
-    const entry = join(folder, 'entry.ts');
-    writeFileSync(entry, names.map((name) => `export * from ${JSON.stringify(join(client, 'src', name))};`).join('\n'));
+    const contents = names.map((name) => `export * from ${JSON.stringify(join(client, 'src', name))};`).join('\n');
     const outfile = join(folder, 'modules.mjs');
-    buildSync({ entryPoints: [entry], outfile, bundle: true, format: 'esm', logLevel: 'warning' });
+    await esbuild.build({
+      stdin: { contents, resolveDir: client, loader: 'ts' },
+      outfile,
+      bundle: true,
+      format: 'esm',
+      platform: 'node',
+      resolveExtensions: ['.ts', '.js'],
+      plugins: [runes(esbuild, from('svelte/compiler'))],
+      logLevel: 'warning',
+    });
     return await import(pathToFileURL(outfile).href);
   } finally {
     rmSync(folder, { recursive: true, force: true });

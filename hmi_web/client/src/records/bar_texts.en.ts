@@ -1,0 +1,15 @@
+export default {
+  region: 'alarms, history and recipes',
+  alarmCount: { one: '{count} alarm', other: '{count} alarms' },
+  unacknowledged: '{alarms}, {waiting} unacknowledged',
+  noAlarms: 'No alarms',
+  flood: 'alarm flood: {count} in ten minutes',
+  alarms: 'Alarms',
+  history: 'History',
+  recipes: 'Recipes',
+  priority_critical: 'critical priority',
+  priority_high: 'high priority',
+  priority_medium: 'medium priority',
+  priority_low: 'low priority',
+  priorityUnacknowledged: '{priority}, unacknowledged',
+} as const;

@@ -1,0 +1,19 @@
+import type { Translation } from '../lib/language.svelte';
+import type english from './texts.en';
+
+export default {
+  plant: 'Anlage',
+  picture: 'Fließbild der Anlage mit aktuellen Werten',
+  line: 'Bild der Sortierlinie mit aktuellen Werten',
+  nothing: 'Für die Anlage dieser Zelle gibt es keine Beschreibung, nach der sie sich zeichnen ließe.',
+  switchOpen: 'Mikroschalter {name} an {place}: offen',
+  switchClosed: 'Mikroschalter {name} an {place}: geschlossen',
+  pumpRuns: 'Pumpe {id}, {label}: läuft',
+  pumpStands: 'Pumpe {id}, {label}: steht',
+  tank: '{label}: {level} Prozent',
+  tankSimulated: '{label}: {level} Prozent (Simulation)',
+  trueLevel: 'wahrer Füllstand {level} %',
+  drivesLeft: 'Fahrzeug {name}, fährt nach links',
+  drivesRight: 'Fahrzeug {name}, fährt nach rechts',
+  stands: 'Fahrzeug {name}, steht',
+} satisfies Translation<typeof english>;

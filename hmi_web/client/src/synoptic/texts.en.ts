@@ -1,0 +1,16 @@
+export default {
+  plant: 'Plant',
+  picture: 'live picture of the plant',
+  line: 'live picture of the sorting line',
+  nothing: 'This cell’s plant has no description to draw.',
+  switchOpen: 'microswitch {name} at {place}: open',
+  switchClosed: 'microswitch {name} at {place}: closed',
+  pumpRuns: 'pump {id}, {label}: running',
+  pumpStands: 'pump {id}, {label}: stopped',
+  tank: '{label}: {level} percent',
+  tankSimulated: '{label}: {level} percent (simulation)',
+  trueLevel: 'true level {level} %',
+  drivesLeft: 'vehicle {name}, driving left',
+  drivesRight: 'vehicle {name}, driving right',
+  stands: 'vehicle {name}, standing',
+} as const;

@@ -1,0 +1,19 @@
+import type { Translation } from '../lib/language.svelte';
+import type english from './texts.en';
+
+export default {
+  plant: 'Planta',
+  picture: 'sinóptico de la planta en vivo',
+  line: 'sinóptico de la línea de clasificación en vivo',
+  nothing: 'La planta de esta celda no tiene descripción que dibujar.',
+  switchOpen: 'microinterruptor {name} en {place}: abierto',
+  switchClosed: 'microinterruptor {name} en {place}: cerrado',
+  pumpRuns: 'bomba {id}, {label}: en marcha',
+  pumpStands: 'bomba {id}, {label}: parada',
+  tank: '{label}: {level} por ciento',
+  tankSimulated: '{label}: {level} por ciento (simulación)',
+  trueLevel: 'nivel real {level} %',
+  drivesLeft: 'vehículo {name}, hacia la izquierda',
+  drivesRight: 'vehículo {name}, hacia la derecha',
+  stands: 'vehículo {name}, parado',
+} satisfies Translation<typeof english>;

@@ -1,0 +1,19 @@
+import type { Translation } from '../lib/language.svelte';
+import type english from './texts.en';
+
+export default {
+  plant: 'Installation',
+  picture: 'synoptique de l’installation en direct',
+  line: 'synoptique de la ligne de tri en direct',
+  nothing: 'L’installation de cette cellule n’a pas de description à dessiner.',
+  switchOpen: 'microrupteur {name} à {place} : ouvert',
+  switchClosed: 'microrupteur {name} à {place} : fermé',
+  pumpRuns: 'pompe {id}, {label} : en marche',
+  pumpStands: 'pompe {id}, {label} : arrêtée',
+  tank: '{label} : {level} pour cent',
+  tankSimulated: '{label} : {level} pour cent (simulation)',
+  trueLevel: 'niveau réel {level} %',
+  drivesLeft: 'véhicule {name}, vers la gauche',
+  drivesRight: 'véhicule {name}, vers la droite',
+  stands: 'véhicule {name}, à l’arrêt',
+} satisfies Translation<typeof english>;

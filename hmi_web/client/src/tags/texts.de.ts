@@ -1,0 +1,17 @@
+import type { Translation } from '../lib/language.svelte';
+import type english from './texts.en';
+
+export default {
+  tags: 'Variablen',
+  count: '{shown} von {total}',
+  all: 'Alle',
+  search: 'Variablen nach Name oder Adresse suchen',
+  searchHint: 'Name oder Adresse',
+  values: 'Werte der Variablen',
+  tag: 'Variable',
+  address: 'Adresse',
+  type: 'Typ',
+  value: 'Wert',
+  set: 'Setzen',
+  setOne: '{name} setzen',
+} satisfies Translation<typeof english>;

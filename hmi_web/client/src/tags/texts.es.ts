@@ -1,0 +1,17 @@
+import type { Translation } from '../lib/language.svelte';
+import type english from './texts.en';
+
+export default {
+  tags: 'Variables',
+  count: '{shown} de {total}',
+  all: 'Todas',
+  search: 'Buscar variables por nombre o dirección',
+  searchHint: 'nombre o dirección',
+  values: 'valores de las variables',
+  tag: 'Variable',
+  address: 'Dirección',
+  type: 'Tipo',
+  value: 'Valor',
+  set: 'Fijar',
+  setOne: 'Fijar {name}',
+} satisfies Translation<typeof english>;

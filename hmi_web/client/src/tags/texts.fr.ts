@@ -1,0 +1,17 @@
+import type { Translation } from '../lib/language.svelte';
+import type english from './texts.en';
+
+export default {
+  tags: 'Variables',
+  count: '{shown} sur {total}',
+  all: 'Toutes',
+  search: 'Chercher des variables par nom ou adresse',
+  searchHint: 'nom ou adresse',
+  values: 'valeurs des variables',
+  tag: 'Variable',
+  address: 'Adresse',
+  type: 'Type',
+  value: 'Valeur',
+  set: 'Régler',
+  setOne: 'Régler {name}',
+} satisfies Translation<typeof english>;
