@@ -4,5 +4,5 @@ import type english from './texts.en';
 export default {
   drawing: 'Zeichnung der Anlage',
   cannot: 'Die Zeichnung konnte nicht geladen werden.',
-  unbound: 'In dieser Zelle an nichts gebunden: {names} ({more} weitere)',
+  unbound: 'In dieser Zelle an nichts gebunden: {names}',
 } satisfies Translation<typeof english>;

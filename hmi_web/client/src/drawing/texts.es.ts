@@ -4,5 +4,5 @@ import type english from './texts.en';
 export default {
   drawing: 'dibujo de la planta',
   cannot: 'No se pudo cargar el dibujo.',
-  unbound: 'Sin enlace en esta celda: {names} ({more} más)',
+  unbound: 'Sin enlace en esta celda: {names}',
 } satisfies Translation<typeof english>;

@@ -4,5 +4,5 @@ import type english from './texts.en';
 export default {
   drawing: 'dessin de l’installation',
   cannot: 'Le dessin n’a pas pu être chargé.',
-  unbound: 'Lié à rien dans cette cellule : {names} ({more} de plus)',
+  unbound: 'Lié à rien dans cette cellule : {names}',
 } satisfies Translation<typeof english>;
