@@ -146,9 +146,9 @@ export function numberText(value: number): string {
   return grouped(language.locale).format(value);
 }
 
-// With exactly so many digits behind the point, and thousands not set apart.
+// With exactly so many digits behind the point, and thousands not set apart; nothing has no sign.
 export function fixedText(value: number, digits: number): string {
-  return plain(language.locale, String(digits)).format(value);
+  return plain(language.locale, String(digits)).format(Number(value.toFixed(digits)) === 0 ? 0 : value);
 }
 
 // Of ms since 1970; `options` as of Intl.DateTimeFormat.

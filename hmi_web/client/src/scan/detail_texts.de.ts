@@ -58,7 +58,7 @@ export default {
   runtime_running: 'läuft',
   runtime_stopped: 'gestoppt',
   runtime_fault: 'Störung',
-  runtime_no_program_is_loaded: 'kein Programm geladen',
+  runtime_empty: 'leer',
   io_simulated_plant: 'Eine simulierte Anlage im Laufzeitsystem: Sie kann nicht ausfallen.',
   io_shared_memory: 'Ein anderer Prozess auf demselben Rechner, über gemeinsamen Speicher; schweigt er zu lange, geht das Laufzeitsystem in den sicheren Zustand.',
   io_modbus: 'Geräte über Modbus, durch den Modbus-Client.',

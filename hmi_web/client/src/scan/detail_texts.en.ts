@@ -55,7 +55,7 @@ export default {
   runtime_running: 'running',
   runtime_stopped: 'stopped',
   runtime_fault: 'fault',
-  runtime_no_program_is_loaded: 'no program is loaded',
+  runtime_empty: 'empty',
   io_simulated_plant: 'A simulated plant inside the runtime: it cannot be lost.',
   io_shared_memory: 'Another process on the runtime’s machine, through shared memory; when it is silent for too long the runtime goes to its safe state.',
   io_modbus: 'Devices over Modbus, through the Modbus client.',

@@ -58,7 +58,7 @@ export default {
   runtime_running: 'en marcha',
   runtime_stopped: 'parado',
   runtime_fault: 'fallo',
-  runtime_no_program_is_loaded: 'sin programa cargado',
+  runtime_empty: 'vacío',
   io_simulated_plant: 'Una planta simulada dentro del autómata: no se puede perder.',
   io_shared_memory: 'Otro proceso de la misma máquina, por memoria compartida; si calla demasiado tiempo, el autómata pasa a su estado seguro.',
   io_modbus: 'Dispositivos por Modbus, a través del cliente Modbus.',

@@ -58,7 +58,7 @@ export default {
   runtime_running: 'en marche',
   runtime_stopped: 'arrêté',
   runtime_fault: 'défaut',
-  runtime_no_program_is_loaded: 'aucun programme chargé',
+  runtime_empty: 'vide',
   io_simulated_plant: 'Une installation simulée dans l’automate : elle ne peut pas être perdue.',
   io_shared_memory: 'Un autre processus de la même machine, par mémoire partagée ; s’il reste muet trop longtemps, l’automate passe en position de sécurité.',
   io_modbus: 'Appareils en Modbus, par le client Modbus.',

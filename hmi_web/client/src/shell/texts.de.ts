@@ -14,7 +14,7 @@ export default {
   link_live: 'live',
   link_lost: 'getrennt',
   link_connecting: 'verbindet',
-  runtime_no_program_is_loaded: 'kein Programm',
+  runtime_empty: 'leer',
   runtime_running: 'läuft',
   runtime_stopped: 'gestoppt',
   runtime_fault: 'Störung',

@@ -11,7 +11,7 @@ export default {
   link_live: 'live',
   link_lost: 'offline',
   link_connecting: 'connecting',
-  runtime_no_program_is_loaded: 'no program is loaded',
+  runtime_empty: 'empty',
   runtime_running: 'running',
   runtime_stopped: 'stopped',
   runtime_fault: 'fault',

@@ -14,7 +14,7 @@ export default {
   link_live: 'en vivo',
   link_lost: 'sin conexión',
   link_connecting: 'conectando',
-  runtime_no_program_is_loaded: 'sin programa',
+  runtime_empty: 'vacío',
   runtime_running: 'en marcha',
   runtime_stopped: 'parado',
   runtime_fault: 'fallo',

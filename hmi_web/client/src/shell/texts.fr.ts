@@ -14,7 +14,7 @@ export default {
   link_live: 'en direct',
   link_lost: 'hors ligne',
   link_connecting: 'connexion',
-  runtime_no_program_is_loaded: 'aucun programme',
+  runtime_empty: 'vide',
   runtime_running: 'en marche',
   runtime_stopped: 'arrêté',
   runtime_fault: 'défaut',

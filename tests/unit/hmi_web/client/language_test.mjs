@@ -56,6 +56,7 @@ test('Numbers_WhenTheLanguageChanges_ThenTheyAreWrittenInIt', async () => {
   assert.deepEqual([fixed(2.345, 1), short(7.346), signed(-0.2, 2), clock(62.5), numberText(1234.5)], ['2.3', '7.35', '−0.20', '1:02.5', '1,234.5']);
   await speak('de');
   assert.deepEqual([fixed(2.345, 1), short(7.346), signed(-0.2, 2), clock(62.5), numberText(1234.5)], ['2,3', '7,35', '−0,20', '1:02,5', '1.234,5']);
+  assert.equal(fixed(-0.001, 2), '0,00', 'nothing has no sign');
   assert.equal(fixedText(12345.6, 1), '12345,6', 'no marks between thousands where columns are compared');
   assert.equal(dateText(Date.UTC(2026, 10, 23, 12), { dateStyle: 'long', timeZone: 'UTC' }), '23. November 2026');
 });
