@@ -134,7 +134,7 @@ async function takeShare(clients) {
 async function leaveOpen(minutes) {
   const cell = await startCell(given.program, given.tags);
   try {
-    Object.assign(report, await soak(browser.context, cell, minutes, progress));
+    Object.assign(report, await soak(browser.context, cell, INPUT_TAG, minutes, progress));
   } finally {
     await cell.end();
   }

@@ -13,7 +13,7 @@ const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.
 
 // The heap of the first and of the last tenth of the time, without the first two minutes or fifth, whichever is less: by
 // then the trend's buffer, which is bounded, has grown. The plant changes meanwhile.
-export async function soak(context, cell, minutes, progress) {
+export async function soak(context, cell, selector, minutes, progress) {
   const page = await context.newPage();
   await page.goto(cell.url);
   const session = await context.newCDPSession(page);
@@ -23,6 +23,9 @@ export async function soak(context, cell, minutes, progress) {
   for (let i = 0; i < steps; ++i) {
     cell.set(i % 1_000);
     await new Promise((resolve) => setTimeout(resolve, STEP_MS));
+    // A page that has lost its cell would have a flat heap, too.
+    const shown = await page.locator(selector).innerText();
+    if (shown !== String(i % 1_000)) throw new Error(`the page shows ${shown} instead of ${i % 1_000}`);
     heaps.push(await liveHeap(session));
     if (i % 20 === 0) progress(`soak: ${((i * STEP_MS) / 60_000).toFixed(0)} of ${minutes} min, heap ${heaps.at(-1).toFixed(1)} MB`);
   }
