@@ -15,7 +15,7 @@ const KINDS: Record<string, string> = {
   leak: 'Leak',
   lost_runtime: 'Runtime lost',
   program_fault: 'Program fault',
-  operator: 'Stopped by the operator',
+  operator: 'By the operator',
 };
 
 const DECISIONS: Record<string, string> = {
