@@ -30,8 +30,9 @@ namespace stepwright::hmi {
 // What the routes act on and read.
 struct ActsOn {
   api::CellControl& cell;
-  api::CellRecords* records = nullptr;  // null: the server keeps none
-  api::CellFigures* figures = nullptr;  // null: it follows no runtime
+  api::CellRecords* records = nullptr;   // null: the server keeps none
+  api::CellFigures* figures = nullptr;   // null: it follows no runtime
+  const std::string* drawing = nullptr;  // null: there is none
 };
 
 class AccessPoint {
