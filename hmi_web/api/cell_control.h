@@ -18,6 +18,10 @@ class CellControl {
   // Asks the supervisor (supervisor/doc/plan_document.md) and waits for its answer: accepted, or why not.
   // D0007: none came.
   [[nodiscard]] virtual result::Result<void> ask_supervisor(const std::string& request) = 0;
+  // The newest of what the supervisor says goals can be made of, and of where a plan would begin
+  // (supervisor/doc/goals.md), as it came; empty before the first arrived.
+  virtual std::string goal_form() = 0;
+  virtual std::string outlook() = 0;
   // Outputs to their safe state.
   [[nodiscard]] virtual result::Result<void> stop_runtime(const std::string& reason) = 0;
 

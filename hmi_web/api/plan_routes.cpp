@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "hmi_web/api/internal/supervisor_row.h"
 #include "hmi_web/api/routes.h"
 
 namespace stepwright::api {
@@ -7,49 +8,9 @@ namespace {
 
 using nlohmann::json;
 
-const Field kReason{
-    .name = "reason", .required = false, .most = 200, .description = "why, for the audit trail"};
-
-Field text_field(const char* name, double most, const char* description) {
-  return {.name = name, .least = 1, .most = most, .description = description};
-}
-
-Answer accepted(const result::Result<void>& done, std::string target, std::string after) {
-  Answer answer;
-  if (!done) answer = refused(done.error());
-  if (done) answer = {.status = 200, .text = R"({"accepted": true})"};
-  answer.target = std::move(target);
-  answer.after = std::move(after);
-  return answer;
-}
-
-// A row whose request to the supervisor is made of its body.
-Route row(CellControl* cell, const char* path, const char* name, const char* summary, Shape shape,
-          const std::function<json(const Body&)>& request) {
-  Route route;
-  route.method = "POST";
-  route.path = path;
-  route.name = name;
-  route.least = Role::Operator;
-  route.audit = Audit::Around;
-  route.lane = Lane::Runtime;
-  route.summary = summary;
-  route.body = std::move(shape);
-  route.body.fields.push_back(kReason);
-  route.answer =
-      R"({"type": "object", "required": ["accepted"], "properties": {"accepted": {"type": "boolean",
-    "description": "whoever was asked has agreed; a supervisor obeys at its next decision"}}})";
-  route.handler = [cell, request](const Call& call) {
-    const std::string text = request(call.body).dump(-1, ' ', false, json::error_handler_t::replace);
-    const std::string& named = call.body.text("name");
-    return accepted(cell->ask_supervisor(text), named.empty() ? call.body.text("vehicle") : named, text);
-  };
-  return route;
-}
-
 Route stop_row(CellControl* cell) {
-  Route route = row(cell, "/api/runtime/stop", "runtime.stop",
-                    "Stops the program; outputs go to their safe state", {"Stop", {}}, {});
+  Route route = supervisor_row(cell, "/api/runtime/stop", "runtime.stop",
+                               "Stops the program; outputs go to their safe state", {"Stop", {}}, {});
   route.body.fields.front().required = true;
   route.body.fields.front().least = 1;
   route.body.fields.front().most = 160;  // the name of the user goes before it
@@ -76,7 +37,8 @@ std::vector<Route> fleet_rows(CellControl* cell) {
   const Field corners{
       .name = "corners_m", .kind = Kind::Points, .least = 3, .most = 64, .description = "of the area, m"};
   return {
-      row(cell, "/api/fleet/order", "fleet.order",
+      supervisor_row(
+          cell, "/api/fleet/order", "fleet.order",
           "A new load for the fleet, or another amount of a known one",
           {"FleetOrder",
            {text_field("name", 128, "of the order"), text_field("from", 128, "a location of the problem"),
@@ -88,21 +50,23 @@ std::vector<Route> fleet_rows(CellControl* cell) {
                         {"to", body.text("to")},
                         {"amount", static_cast<std::uint32_t>(body.number("amount", 1))}};
           }),
-      row(cell, "/api/fleet/block", "fleet.block", "Nobody is to drive there until it is free again",
+      supervisor_row(
+          cell, "/api/fleet/block", "fleet.block", "Nobody is to drive there until it is free again",
           {"FleetBlock", {text_field("name", 128, "of the place"), corners}},
           [](const Body& body) {
             return json{{"request", "block"}, {"name", body.text("name")}, {"corners_m", points_of(body)}};
           }),
-      row(cell, "/api/fleet/unblock", "fleet.unblock", "The place is free again",
-          {"FleetUnblock", {text_field("name", 128, "of the place")}},
-          [](const Body& body) {
-            return json{{"request", "unblock"}, {"name", body.text("name")}};
-          }),
-      row(cell, "/api/fleet/return", "fleet.return", "A vehicle that stopped by itself takes part again",
-          {"FleetReturn", {text_field("vehicle", 128, "its name")}},
-          [](const Body& body) {
-            return json{{"request", "return"}, {"vehicle", body.text("vehicle")}};
-          }),
+      supervisor_row(cell, "/api/fleet/unblock", "fleet.unblock", "The place is free again",
+                     {"FleetUnblock", {text_field("name", 128, "of the place")}},
+                     [](const Body& body) {
+                       return json{{"request", "unblock"}, {"name", body.text("name")}};
+                     }),
+      supervisor_row(cell, "/api/fleet/return", "fleet.return",
+                     "A vehicle that stopped by itself takes part again",
+                     {"FleetReturn", {text_field("vehicle", 128, "its name")}},
+                     [](const Body& body) {
+                       return json{{"request", "return"}, {"vehicle", body.text("vehicle")}};
+                     }),
   };
 }
 
@@ -117,33 +81,34 @@ std::vector<Route> plan_routes(const Services& services) {
                     .description = "what it is from now on"};
   std::vector<Route> rows = {
       stop_row(cell),
-      row(cell, "/api/plan/abort", "plan.abort",
-          "Stops the plant safely at the next decision and ends the run", {"Abort", {}},
-          [](const Body&) {
-            return json{{"request", "abort"}};
-          }),
-      row(cell, "/api/plan/hold", "plan.hold",
-          "Brings the plant to rest at the next decision, until it is resumed", {"Hold", {}},
-          [](const Body&) {
-            return json{{"request", "hold"}};
-          }),
-      row(cell, "/api/plan/resume", "plan.resume",
-          "Goes on with the plan, or with another one from where the plant is", {"Resume", {}},
-          [](const Body&) {
-            return json{{"request", "resume"}};
-          }),
-      row(cell, "/api/plan/goal", "plan.goal", "Puts another goal in place of the one so far",
-          {"NewGoal", {text_field("goal", 8'192, "PDDL, for example (= (level a1) 4)")}},
-          [](const Body& body) {
-            return json{{"request", "goal"}, {"goal", body.text("goal")}};
-          }),
-      row(cell, "/api/plan/change", "plan.change",
-          "Says that something that the plant does not decide has changed",
-          {"Change", {text_field("fluent", 512, "for example (demand c1)"), value}},
-          [](const Body& body) {
-            return json{
-                {"request", "change"}, {"fluent", body.text("fluent")}, {"value", body.number("value")}};
-          }),
+      supervisor_row(cell, "/api/plan/abort", "plan.abort",
+                     "Stops the plant safely at the next decision and ends the run", {"Abort", {}},
+                     [](const Body&) {
+                       return json{{"request", "abort"}};
+                     }),
+      supervisor_row(cell, "/api/plan/hold", "plan.hold",
+                     "Brings the plant to rest at the next decision, until it is resumed", {"Hold", {}},
+                     [](const Body&) {
+                       return json{{"request", "hold"}};
+                     }),
+      supervisor_row(cell, "/api/plan/resume", "plan.resume",
+                     "Goes on with the plan, or with another one from where the plant is", {"Resume", {}},
+                     [](const Body&) {
+                       return json{{"request", "resume"}};
+                     }),
+      supervisor_row(cell, "/api/plan/goal", "plan.goal", "Puts another goal in place of the one so far",
+                     {"NewGoal", {text_field("goal", 8'192, "PDDL, for example (= (level a1) 4)")}},
+                     [](const Body& body) {
+                       return json{{"request", "goal"}, {"goal", body.text("goal")}};
+                     }),
+      supervisor_row(cell, "/api/plan/change", "plan.change",
+                     "Says that something that the plant does not decide has changed",
+                     {"Change", {text_field("fluent", 512, "for example (demand c1)"), value}},
+                     [](const Body& body) {
+                       return json{{"request", "change"},
+                                   {"fluent", body.text("fluent")},
+                                   {"value", body.number("value")}};
+                     }),
   };
   for (Route& each : fleet_rows(cell)) rows.push_back(std::move(each));
   return rows;

@@ -42,6 +42,8 @@ std::vector<Route> user_routes(const Services& services);
 std::vector<Route> audit_routes(const Services& services);
 // What operators ask of the supervisor.
 std::vector<Route> plan_routes(const Services& services);
+// What a goal can be made of, plans that are only looked at, and the start of a run.
+std::vector<Route> goal_routes(const Services& services);
 // Writing and forcing, for engineers.
 std::vector<Route> tag_routes(const Services& services);
 // History, alarms and their journal, for viewers.

@@ -221,6 +221,15 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.executive.max_replans = static_cast<int>(executive.integer("max_replans", 8, {0, 1'000}));
   config.executive.report_fluent = executive.text("report_fluent", {});
   config.executive.settle = std::chrono::milliseconds(executive.integer("settle_ms", 3'000, {0, 600'000}));
+  config.executive.start = executive.choice("start", "auto", {"auto", "operator"}) == "operator"
+                               ? RunStart::Operator
+                               : RunStart::Auto;
+  if (config.executive.start == RunStart::Operator && root.has("fleet"))
+    executive.report("start", "a fleet starts by itself", "leave it out, or hold the fleet", "0546");
+  config.executive.what_if =
+      std::chrono::milliseconds(executive.integer("what_if_ms", 10'000, {1, 86'400'000}));
+  config.executive.what_if_mb =
+      static_cast<std::size_t>(executive.integer("what_if_mb", 512, {16, 1'048'576}));
   const TomlTable dds = root.table("dds");
   config.dds.domain_id = static_cast<std::uint32_t>(dds.integer("domain_id", 0, {0, 232}));
   config.dds.runtime_id = dds.text("runtime_id", config.name);

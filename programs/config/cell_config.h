@@ -34,6 +34,7 @@ namespace stepwright::config {
 
 enum class ClockMode : std::uint8_t { Simulated, Real };
 enum class LostSupervisorPolicy : std::uint8_t { Continue, Safe };
+enum class RunStart : std::uint8_t { Auto, Operator };
 enum class EngineKind : std::uint8_t { Auto, Native, Vm };
 
 struct ClockConfig {
@@ -96,6 +97,11 @@ struct ExecutiveConfig {
   int max_replans = 8;                      // then the plant is left in its safe state
   std::string report_fluent;                // what the report follows per action; empty: the metric
   std::chrono::milliseconds settle{3'000};  // plant time over which sensors are averaged before a decision
+  // "operator": a plan is shown and waits until somebody starts it, also after a restart of the supervisor
+  // when the run before had ended; not of a fleet
+  RunStart start = RunStart::Auto;
+  std::chrono::milliseconds what_if{10'000};  // budget of a plan that is only looked at
+  std::size_t what_if_mb = 512;               // likewise: by which the supervisor may grow for it
 };
 
 struct DdsConfig {

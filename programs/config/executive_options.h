@@ -5,6 +5,7 @@
 #include "programs/config/cell_config.h"
 #include "supervisor/executive/executive.h"
 #include "supervisor/executive/planning_desk.h"
+#include "supervisor/executive/what_if.h"
 
 namespace stepwright::config {
 
@@ -21,11 +22,16 @@ inline executive::DeskOptions desk_options(const CellConfig& config) {
           .report_fluent = config.executive.report_fluent};
 }
 
+inline executive::WhatIfOptions what_if_options(const CellConfig& config) {
+  return {.time = config.executive.what_if, .memory_mb = config.executive.what_if_mb};
+}
+
 inline executive::ExecutiveOptions executive_options(const CellConfig& config) {
   executive::ExecutiveOptions options;
   options.cell = config.name;
   options.max_replans = config.executive.max_replans;
   options.settle = config.executive.settle;
+  options.operator_starts = config.executive.start == RunStart::Operator;
   options.barrier = config.clock.mode == ClockMode::Simulated;
   options.journal = config.journal_path();
   for (const ScheduledFault& fault : config.faults) {

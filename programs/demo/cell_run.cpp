@@ -62,7 +62,9 @@ result::Result<CellRun::Member> CellRun::start(const std::string& name) const {
     arguments.insert(arguments.begin() + 4, {"--set", "hmi.anonymous=viewer"});
     arguments.insert(arguments.end(), {"--history", (options_.state_dir / "history").string()});
   }
-  if (name == "supervisor" && !options_.page) arguments.push_back("--once");
+  // Without a page there is nobody who could start it.
+  if (name == "supervisor" && !options_.page)
+    arguments.insert(arguments.end(), {"--set", "executive.start=auto", "--once"});
   auto process = ChildProcess::start(arguments, log_of(name));
   if (!process) return result::forward(process);
   return Member{name, std::move(*process)};

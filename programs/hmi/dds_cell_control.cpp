@@ -55,6 +55,14 @@ Result<void> DdsCellControl::ask_supervisor(const std::string& request) {
   return source_.plans().request(request);
 }
 
+std::string DdsCellControl::goal_form() {
+  return source_.plans().goal_form().value_or("");
+}
+
+std::string DdsCellControl::outlook() {
+  return source_.plans().outlook().value_or("");
+}
+
 Result<void> DdsCellControl::stop_runtime(const std::string& reason) {
   return source_.client().stop(reason);
 }

@@ -16,6 +16,8 @@ class DdsCellControl : public api::CellControl {
   explicit DdsCellControl(DdsCellSource& source) : source_(source) {}
 
   result::Result<void> ask_supervisor(const std::string& request) override;
+  std::string goal_form() override;
+  std::string outlook() override;
   result::Result<void> stop_runtime(const std::string& reason) override;
   result::Result<std::string> read(const std::string& name) override;
   result::Result<std::string> spell(const std::string& name, const std::string& value) override;

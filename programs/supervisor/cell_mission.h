@@ -3,14 +3,18 @@
 // What a cell's supervisor has its runtime do, whichever kind it is: a PDDL problem ([planning]) or a fleet's
 // ([fleet]).
 //
-// Threads: `run` belongs to one; `obey` may be called from another one meanwhile.
+// Threads: `run` belongs to one; every other function but `begin` may be called from another one meanwhile.
 //
 //   auto mission = CellMission::open(config);
 //   (*mission)->begin(controller, publish);
-//   const executive::RunRecord record = (*mission)->run();
+//   executive::RunRecord record = (*mission)->run();
+//   while ((*mission)->wait_start(1s)) record = (*mission)->run();
 
+#include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "programs/config/cell_config.h"
 #include "programs/supervisor/operator_request.h"
@@ -31,8 +35,16 @@ class CellMission {
   // Once, before the others; the controller must outlive this.
   virtual void begin(executive::Controller& controller, Observer observer) = 0;
   virtual executive::RunRecord run() = 0;
+  // Waits until somebody wants another run after one that has ended; false after `timeout`.
+  virtual bool wait_start(std::chrono::milliseconds timeout) = 0;
   // X0003 and others where the request cannot be meant, X0008 where not now.
   [[nodiscard]] virtual result::Result<void> obey(const OperatorRequest& request) = 0;
+
+  // What a page makes a goal of (supervisor/doc/goals.md), JSON: the same for as long as this lives.
+  virtual std::string goal_form() const = 0;
+  // Where a plan would begin and what a what-if has come to, JSON; nothing if that is as it was at the last
+  // call. One thread at a time.
+  virtual std::optional<std::string> new_outlook() = 0;
 };
 
 }  // namespace stepwright::supervisor_program

@@ -4,7 +4,6 @@
 // own; what becomes of one does not concern the others.
 
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -35,6 +34,9 @@ using process::fail;
 using result::ExitCode;
 using std::chrono::milliseconds;
 
+// Between two looks at what viewers should know of where a plan would begin.
+constexpr milliseconds kLook{200};
+
 // What the cells of one supervisor share.
 struct Shared {
   log::Logger& log;
@@ -47,10 +49,9 @@ struct Shared {
   std::string of(const config::CellConfig& config) const { return cells > 1 ? config.name + ": " : ""; }
 };
 
-result::Result<void> obey(supervisor_program::CellMission& mission, const std::string& text, bool over) {
+result::Result<void> obey(supervisor_program::CellMission& mission, const std::string& text) {
   auto request = supervisor_program::parse_operator_request(text);
   if (!request) return result::forward(request);
-  if (over) return result::fail("X0008", {}, "the run is over", "start the supervisor again for another one");
   return mission.obey(*request);
 }
 
@@ -117,22 +118,25 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
     narrate(record, last_line, config, shared);
     (void)(*publisher)->publish(to_json(record));  // viewers keep the last one
   });
-  std::atomic<bool> over{false};
+  (void)(*publisher)->publish_goal_form((*mission)->goal_form());
   std::jthread requests([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-      if (const auto request = (*publisher)->wait_request(milliseconds(200)))
-        answer(**publisher, *request, obey(**mission, request->text, over), shared.of(config), shared.log);
+      if (const auto request = (*publisher)->wait_request(kLook))
+        answer(**publisher, *request, obey(**mission, request->text), shared.of(config), shared.log);
+      if (const auto outlook = (*mission)->new_outlook()) (void)(*publisher)->publish_outlook(*outlook);
     }
   });
-  const executive::RunRecord record = (*mission)->run();
-  over = true;
-  const executive::Report report{record, final_status(**controller)};
-  write_file(config.report_path(), executive::to_json(report));
-  std::printf("%s%s", shared.of(config).c_str(), executive::report_table(record).c_str());
-  std::fflush(stdout);
-  shared.init.status(shared.of(config) + to_string(record.phase));
-  while (!once) std::this_thread::sleep_for(std::chrono::hours(1));  // viewers still want the document
-  return to_int(record.exit);
+  while (true) {
+    const executive::RunRecord record = (*mission)->run();
+    const executive::Report report{record, final_status(**controller)};
+    write_file(config.report_path(), executive::to_json(report));
+    std::printf("%s%s", shared.of(config).c_str(), executive::report_table(record).c_str());
+    std::fflush(stdout);
+    shared.init.status(shared.of(config) + to_string(record.phase));
+    if (once) return to_int(record.exit);
+    while (!(*mission)->wait_start(std::chrono::seconds(1))) {  // viewers still want the document
+    }
+  }
 }
 
 // Every cell that cannot be attended, before any is.

@@ -46,6 +46,24 @@ std::optional<fleet::BlockChange> block(const json& request) {
   return fleet::BlockChange{{*name, *std::move(area)}};
 }
 
+// A text that may be left out; nothing if it is there and none.
+std::optional<std::string> text_or_empty(const json& request, const char* name) {
+  return request.contains(name) ? text(request, name) : std::optional<std::string>(std::string());
+}
+
+std::optional<OperatorRequest> goal_request(const std::string& kind, const json& request) {
+  if (kind == "goal") {
+    if (auto goal = text(request, "goal")) return OperatorRequest(GoalRequest{*std::move(goal)});
+  }
+  auto goal = text_or_empty(request, "goal");
+  auto id = text_or_empty(request, "id");
+  if (kind == "start" && goal) return OperatorRequest(StartRequest{*std::move(goal)});
+  if (kind == "what_if" && goal && id)
+    return OperatorRequest(WhatIfRequest{*std::move(id), *std::move(goal)});
+  if (kind == "cancel_what_if" && id) return OperatorRequest(CancelWhatIfRequest{*std::move(id)});
+  return std::nullopt;
+}
+
 std::optional<OperatorRequest> fleet_request(const std::string& kind, const json& request) {
   if (kind == "order") {
     if (auto asked = order(request)) return OperatorRequest(fleet::FleetChange(*std::move(asked)));
@@ -77,8 +95,7 @@ result::Result<OperatorRequest> parse_operator_request(const std::string& reques
   if (*kind == "abort") return AbortRequest{};
   if (*kind == "hold") return HoldRequest{};
   if (*kind == "resume") return ResumeRequest{};
-  const auto goal = text(request, "goal");
-  if (*kind == "goal" && goal) return GoalRequest{*goal};
+  if (auto asked = goal_request(*kind, request)) return *std::move(asked);
   if (auto asked = fleet_request(*kind, request)) return *std::move(asked);
   const auto fluent = text(request, "fluent");
   const auto value = request.find("value");

@@ -8,6 +8,9 @@
 //   {"request": "resume"}
 //   {"request": "change", "fluent": "(demand c1)", "value": 8}
 //   {"request": "goal", "goal": "(= (level a1) 4)"}
+//   {"request": "start"}                                       or with a "goal"
+//   {"request": "what_if", "id": "7f", "goal": "(= (level a1) 4)"}
+//   {"request": "cancel_what_if", "id": "7f"}
 //
 // And of a fleet:
 //
@@ -34,8 +37,18 @@ struct ChangeRequest {
 struct GoalRequest {
   std::string goal;  // PDDL
 };
-using OperatorRequest =
-    std::variant<AbortRequest, HoldRequest, ResumeRequest, ChangeRequest, GoalRequest, fleet::FleetChange>;
+struct StartRequest {
+  std::string goal;  // PDDL; empty: the goal that there is
+};
+struct WhatIfRequest {
+  std::string id;    // of whoever asks
+  std::string goal;  // PDDL; empty: the goal that there is
+};
+struct CancelWhatIfRequest {
+  std::string id;  // empty: whichever is planned for
+};
+using OperatorRequest = std::variant<AbortRequest, HoldRequest, ResumeRequest, ChangeRequest, GoalRequest,
+                                     StartRequest, WhatIfRequest, CancelWhatIfRequest, fleet::FleetChange>;
 
 // Fails with X0005 for a text that is none of the above.
 [[nodiscard]] result::Result<OperatorRequest> parse_operator_request(const std::string& text);

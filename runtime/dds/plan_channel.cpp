@@ -23,10 +23,9 @@ constexpr std::size_t kMaxQueuedPlanRequests = 256;
 constexpr std::size_t kMaxProblems = 16;
 constexpr std::size_t kMaxProblemBytes = 4'096;
 
-result::Result<void> check_size(const std::string& text, std::size_t bound, const char* what) {
+result::Result<void> check_size(const std::string& text, std::size_t bound, const std::string& what) {
   if (text.size() <= bound) return {};
-  return result::fail("D0004", {},
-                      std::string(what) + " of " + std::to_string(text.size()) + " bytes is too long",
+  return result::fail("D0004", {}, what + " of " + std::to_string(text.size()) + " bytes is too long",
                       "up to " + std::to_string(bound) + " bytes are possible");
 }
 
@@ -65,6 +64,8 @@ struct PlanPublisher::State {
   explicit State(std::unique_ptr<Participant> p)
       : participant(std::move(p)),
         documents(*participant, kDocumentTopic, Profile::Document),
+        goal_forms(*participant, kGoalFormTopic, Profile::Document),
+        outlooks(*participant, kOutlookTopic, Profile::Document),
         answers(*participant, kAnswerTopic, Profile::Queue),
         requests(*participant, kOperatorTopic, Profile::Queue,
                  [this](idl::OperatorRequest& sample) { on_request(sample); }) {}
@@ -84,7 +85,24 @@ struct PlanPublisher::State {
   std::condition_variable arrived;
   std::deque<OperatorRequest> queue;
   std::uint64_t revision = 0;
+  // A document in place of the one before on its topic.
+  result::Result<void> publish(Writer<idl::PlanDocumentPubSubType>& writer, const std::string& json,
+                               std::size_t bound, const std::string& what) {
+    if (auto fits = check_size(json, bound, what); !fits) return fits;
+    idl::PlanDocument sample;
+    sample.runtime_id(participant->runtime_id());
+    {
+      const std::scoped_lock lock(mutex);
+      sample.revision(++revision);
+    }
+    sample.text(json);
+    if (!writer.write(sample)) return result::fail("D0001", {}, "viewers do not take " + what);
+    return {};
+  }
+
   Writer<idl::PlanDocumentPubSubType> documents;
+  Writer<idl::PlanDocumentPubSubType> goal_forms;
+  Writer<idl::PlanDocumentPubSubType> outlooks;
   Writer<idl::OperatorAnswerPubSubType> answers;
   Reader<idl::OperatorRequestPubSubType> requests;
 };
@@ -96,24 +114,23 @@ result::Result<std::unique_ptr<PlanPublisher>> PlanPublisher::create(const Parti
   auto participant = Participant::create(config);
   if (!participant) return result::forward(participant);
   auto state = std::make_unique<State>(std::move(*participant));
-  if (!state->documents.ok() || !state->requests.ok() || !state->answers.ok()) {
+  const bool documents = state->documents.ok() && state->goal_forms.ok() && state->outlooks.ok();
+  if (!documents || !state->requests.ok() || !state->answers.ok()) {
     return result::fail("D0005", {}, "Fast DDS cannot create the endpoints of the plan channel");
   }
   return std::unique_ptr<PlanPublisher>(new PlanPublisher(std::move(state)));
 }
 
 result::Result<void> PlanPublisher::publish(const std::string& json) {
-  if (auto fits = check_size(json, kMaxPlanDocumentBytes, "a plan document"); !fits) return fits;
-  idl::PlanDocument sample;
-  sample.runtime_id(state_->participant->runtime_id());
-  {
-    const std::scoped_lock lock(state_->mutex);
-    sample.revision(++state_->revision);
-  }
-  sample.text(json);
-  if (!state_->documents.write(sample))
-    return result::fail("D0001", {}, "viewers do not take the plan document");
-  return {};
+  return state_->publish(state_->documents, json, kMaxPlanDocumentBytes, "a plan document");
+}
+
+result::Result<void> PlanPublisher::publish_goal_form(const std::string& json) {
+  return state_->publish(state_->goal_forms, json, kMaxGoalDocumentBytes, "a goal form");
+}
+
+result::Result<void> PlanPublisher::publish_outlook(const std::string& json) {
+  return state_->publish(state_->outlooks, json, kMaxGoalDocumentBytes, "an outlook");
 }
 
 std::optional<OperatorRequest> PlanPublisher::wait_request(std::chrono::milliseconds timeout) {
@@ -148,8 +165,18 @@ struct PlanSubscriber::State {
         requests(*participant, kOperatorTopic, Profile::Queue),
         answers(*participant, kAnswerTopic, Profile::Queue,
                 [this](idl::OperatorAnswer& sample) { on_answer(sample); }),
+        goal_forms(*participant, kGoalFormTopic, Profile::Document,
+                   [this](idl::PlanDocument& sample) { keep(sample, goal_form); }),
+        outlooks(*participant, kOutlookTopic, Profile::Document,
+                 [this](idl::PlanDocument& sample) { keep(sample, outlook); }),
         documents(*participant, kDocumentTopic, Profile::Document,
                   [this](idl::PlanDocument& sample) { on_document(sample); }) {}
+
+  void keep(idl::PlanDocument& sample, std::optional<std::string>& place) {
+    if (sample.text().size() > kMaxGoalDocumentBytes) return;
+    const std::scoped_lock lock(mutex);
+    place = std::move(sample.text());
+  }
 
   void on_document(idl::PlanDocument& sample) {
     if (sample.text().size() > kMaxPlanDocumentBytes) return;
@@ -179,6 +206,8 @@ struct PlanSubscriber::State {
   std::mutex mutex;
   std::condition_variable arrived;
   std::optional<std::string> newest;
+  std::optional<std::string> goal_form;
+  std::optional<std::string> outlook;
   std::uint64_t arrivals = 0;
   std::uint64_t waited_for = 0;  // arrivals when wait_newer returned last
   std::uint64_t last_request = 0;
@@ -186,6 +215,8 @@ struct PlanSubscriber::State {
   std::map<std::uint64_t, std::optional<result::Diagnostics>> open;
   Writer<idl::OperatorRequestPubSubType> requests;
   Reader<idl::OperatorAnswerPubSubType> answers;
+  Reader<idl::PlanDocumentPubSubType> goal_forms;
+  Reader<idl::PlanDocumentPubSubType> outlooks;
   Reader<idl::PlanDocumentPubSubType> documents;
 };
 
@@ -196,7 +227,8 @@ result::Result<std::unique_ptr<PlanSubscriber>> PlanSubscriber::create(const Par
   auto participant = Participant::create(config);
   if (!participant) return result::forward(participant);
   auto state = std::make_unique<State>(std::move(*participant));
-  if (!state->documents.ok() || !state->requests.ok() || !state->answers.ok()) {
+  const bool documents = state->documents.ok() && state->goal_forms.ok() && state->outlooks.ok();
+  if (!documents || !state->requests.ok() || !state->answers.ok()) {
     return result::fail("D0005", {}, "Fast DDS cannot create the endpoints of the plan channel");
   }
   return std::unique_ptr<PlanSubscriber>(new PlanSubscriber(std::move(state)));
@@ -205,6 +237,16 @@ result::Result<std::unique_ptr<PlanSubscriber>> PlanSubscriber::create(const Par
 std::optional<std::string> PlanSubscriber::latest() const {
   const std::scoped_lock lock(state_->mutex);
   return state_->newest;
+}
+
+std::optional<std::string> PlanSubscriber::goal_form() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->goal_form;
+}
+
+std::optional<std::string> PlanSubscriber::outlook() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->outlook;
 }
 
 std::optional<std::string> PlanSubscriber::wait_newer(std::chrono::milliseconds timeout) {

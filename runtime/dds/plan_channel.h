@@ -1,8 +1,8 @@
 #pragma once
 
-// The supervisor's plan document (JSON text) to every viewer, and operator requests (JSON text) from viewers
-// to the supervisor, which answers each. A viewer that joins late gets the newest document at once. The
-// channel does not look into the text.
+// The supervisor's documents (JSON texts: plan, goal form, outlook) to every viewer, and operator requests
+// (JSON text) from viewers to the supervisor, which answers each. A viewer that joins late gets the newest of
+// each document at once. The channel does not look into the text.
 //
 //   auto publisher = PlanPublisher::create({61, "supervisor", "bench"});
 //   (*publisher)->publish(document);
@@ -25,6 +25,7 @@ namespace stepwright::dds {
 
 // Bounds of the DDS types; longer texts are refused with D0004.
 inline constexpr std::size_t kMaxPlanDocumentBytes = 4u << 20;
+inline constexpr std::size_t kMaxGoalDocumentBytes = 1u << 20;  // of the goal form, of the outlook
 inline constexpr std::size_t kMaxOperatorRequestBytes = 64u << 10;
 
 // A supervisor that lives answers in milliseconds.
@@ -44,6 +45,9 @@ class PlanPublisher {
 
   // Replaces the document that viewers see.
   [[nodiscard]] result::Result<void> publish(const std::string& json);
+  // The same for what a goal can be made of, and for where a plan would begin (supervisor/doc/goals.md).
+  [[nodiscard]] result::Result<void> publish_goal_form(const std::string& json);
+  [[nodiscard]] result::Result<void> publish_outlook(const std::string& json);
   // The next request of any viewer, in order of arrival; none after `timeout`.
   std::optional<OperatorRequest> wait_request(std::chrono::milliseconds timeout);
   // Says to whoever asked that the request is accepted, or why not. Fails with D0001 if nobody takes it.
@@ -64,6 +68,8 @@ class PlanSubscriber {
 
   // The newest document; none before the first arrived. It stays when the supervisor is gone.
   std::optional<std::string> latest() const;
+  std::optional<std::string> goal_form() const;
+  std::optional<std::string> outlook() const;
   // Waits until a document newer than the one last returned by this function is there; none after `timeout`.
   std::optional<std::string> wait_newer(std::chrono::milliseconds timeout);
   // True while a supervisor holds the other end, and up to a second longer if it was killed.

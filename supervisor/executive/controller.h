@@ -3,7 +3,8 @@
 // The controller as the executive sees it: a runtime that takes programs and sends step events. Over Fast DDS
 // in the supervisor process (DdsController), in the same process in tests.
 //
-// Threads: one thread uses a controller. Every call blocks until the runtime has answered.
+// Threads: one thread uses a controller; `alive` may be asked from any. Every call blocks until the runtime
+// has answered.
 
 #include <chrono>
 #include <cstddef>

@@ -26,8 +26,7 @@ Executive::Executive(const PlanningDesk& desk, Controller& controller, Executive
 }
 
 RunRecord Executive::run() {
-  set_phase(Phase::Planning, "looking for a plan");
-  bool going = resume() || (record_.phase == Phase::Planning && start_afresh());
+  bool going = std::exchange(begun_, true) ? begin_again() : begin();
   while (going) {
     const Decision decision = follow();
     switch (decision.verdict) {
@@ -47,15 +46,20 @@ RunRecord Executive::run() {
         break;
     }
   }
+  enter(Stage::Over);
   return record_;
 }
 
-bool Executive::start_afresh() {
-  const model::NamedState initial = pddl::to_named(desk_.task().initial());
-  const Planned planned = plan_watched({.planning = initial}, {});
-  if (planned == Planned::None) return give_up_planless();
-  if (planned != Planned::Ready) return false;
-  record_.goal = desk_.goal_status(initial, goal_);
+bool Executive::begin() {
+  set_phase(Phase::Planning, "looking for a plan");
+  return resume() || (record_.phase == Phase::Planning && start_afresh(/*wanted=*/false));
+}
+
+// `wanted`: an operator has started it already.
+bool Executive::start_afresh(bool wanted) {
+  if (!plan_first()) return false;
+  if (options_.operator_starts && !wanted && !stay_ready()) return false;
+  const model::NamedState initial = first_state();
   if (!await_runtime() || !observe(false)) return false;
   auto moving = translate::movements(desk_.binding(), means_);
   if (!moving) return give_up("the sensors cannot be read", moving.error());
@@ -66,6 +70,7 @@ bool Executive::start_afresh() {
   if (!tare)
     return give_up("the sensors do not fit the initial state", tare.error(), IncidentKind::FailedSensor);
   tare_ = std::move(*tare);
+  known_ = true;
   record_.tare = tare_;  // viewers calibrate with it, too
   auto estimate = translate::estimate(desk_.binding(), means_, tare_, initial);
   if (!estimate) return give_up("the initial state cannot be read", estimate.error());
@@ -93,8 +98,14 @@ bool Executive::resume() {
   if (!journal) return give_up("the journal cannot be read", journal.error());
   if (!*journal) return false;
   const Phase phase = (*journal)->record.phase;
-  if (phase == Phase::Holding || phase == Phase::Held) hold_ = true;
-  if (phase == Phase::Done || phase == Phase::Safe || (*journal)->record.episodes.empty()) return false;
+  if (phase == Phase::Done || phase == Phase::Safe) return stay_over(*std::move(*journal));
+  if ((*journal)->held || phase == Phase::Holding || phase == Phase::Held) hold_ = true;
+  if (phase == Phase::Ready || (*journal)->record.episodes.empty()) {
+    // Nothing had begun.
+    changed_ = std::move((*journal)->changed);
+    goal_ = std::move((*journal)->start.goal);
+    return false;
+  }
   record_ = std::move((*journal)->record);
   changed_ = std::move((*journal)->changed);
   next_change_ = (*journal)->next_change;
@@ -102,6 +113,7 @@ bool Executive::resume() {
   time_offset_s_ = (*journal)->time_offset_s;
   for (const Incident& incident : record_.incidents) devices_.restore(incident.devices);
   tare_ = (*journal)->start.tare;
+  known_ = true;
   goal_ = (*journal)->start.goal;
   auto rebuilt = desk_.rebuild((*journal)->start, (*journal)->plan);
   if (!rebuilt) return give_up("the running plan cannot be rebuilt", rebuilt.error());
@@ -111,11 +123,29 @@ bool Executive::resume() {
   for (const ActionRecord& action : record_.episodes.back().actions) {
     progress_.actions.push_back(action.state);
   }
+  follows_ = true;
   digest_ = record_.episodes.back().digest;
   drift_.follow(current_.run);  // its sums begin anew
   note_told_alarms();
   set_phase(Phase::Waiting, "the supervisor was restarted and looks for its runtime");
   return await_runtime() && recover_runtime();
+}
+
+// A run had ended before the supervisor did. Where an operator starts runs it stays so, and another one
+// begins from where the plant is; else it begins anew by itself.
+bool Executive::stay_over(Journal&& journal) {
+  if (!options_.operator_starts) return false;
+  record_ = std::move(journal.record);
+  changed_ = std::move(journal.changed);
+  next_change_ = journal.next_change;
+  time_s_ = journal.time_s;
+  time_offset_s_ = journal.time_offset_s;
+  goal_ = std::move(journal.start.goal);
+  tare_ = record_.tare;
+  known_ = journal.known;
+  seen_.planning = std::move(journal.seen);
+  publish();
+  return false;
 }
 
 // The runtime is there (again): goes on with the plan if the runtime still has it, else replans.
@@ -208,6 +238,7 @@ bool Executive::launch() {
   drift_.follow(current_.run);
   progress_ = {};
   progress_.actions.assign(current_.plan.actions.size(), ActionState::Pending);
+  follows_ = true;
   if (record_.episodes.size() == 1) record_.started_s = time_s_;
   record_.episodes.back().started_s = time_s_;
   while (!install(current_, Kind::Plan)) {
@@ -334,11 +365,16 @@ void Executive::set_phase(Phase phase, std::string message) {
 }
 
 void Executive::publish() {
-  if (!options_.journal.empty() && !record_.episodes.empty()) {
+  // Of a run of which nothing has begun only a hold is worth keeping.
+  if (!options_.journal.empty() && (!record_.episodes.empty() || hold_ || journalled_hold_)) {
+    journalled_hold_ = hold_;
+    Journal journal{record_, current_.start, current_.plan,    changed_, next_change_,
+                    time_s_, time_offset_s_, journalled_hold_, known_,   seen_.planning};
+    journal.start.goal = goal_;
     // A journal that cannot be written costs a restart its memory, not this run.
-    (void)write_journal(options_.journal, {record_, current_.start, current_.plan, changed_, next_change_,
-                                           time_s_, time_offset_s_});
+    (void)write_journal(options_.journal, journal);
   }
+  renew_outlook();
   if (observer_) observer_(record_);
 }
 

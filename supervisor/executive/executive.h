@@ -8,13 +8,15 @@
 //
 //   Executive executive(desk, controller, {.max_replans = 8}, publish);
 //   RunRecord record = executive.run();
+//   while (executive.wait_start(1s)) record = executive.run();   // another one, from where the plant is
 //
-// Threads: `run` belongs to one thread; every `request_...` may be called from any. Plans are made in a
+// Threads: `run` belongs to one thread; every other function may be called from any. Plans are made in a
 // thread of their own, while that of `run` watches plant and runtime: news that overtakes a planning cancels
 // it, and it begins again from there.
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -31,6 +33,7 @@
 #include "supervisor/executive/device_ledger.h"
 #include "supervisor/executive/drift_watch.h"
 #include "supervisor/executive/image_reader.h"
+#include "supervisor/executive/outlook.h"
 #include "supervisor/executive/planning_desk.h"
 #include "supervisor/executive/planning_job.h"
 #include "supervisor/executive/recurrence.h"
@@ -40,6 +43,8 @@
 #include "supervisor/translate/progress.h"
 
 namespace stepwright::executive {
+
+struct Journal;
 
 // What somebody outside wants from a scan-clock time on: a client that changes its demand, or another goal.
 struct GoalChange {
@@ -54,6 +59,7 @@ struct ExecutiveOptions {
   int max_replans = 8;
   std::chrono::milliseconds settle{3'000};  // plant time over which sensors are averaged before a decision
   bool barrier = true;                      // simulated time waits for every decision
+  bool operator_starts = false;             // the first plan waits for request_start; nothing moves before it
   std::filesystem::path journal;            // for a restarted supervisor; empty: none is kept
   std::vector<GoalChange> goal_changes;     // in order of time
 };
@@ -72,10 +78,22 @@ class Executive {
   // it stands.
   RunRecord run();
 
+  // Waits until somebody wants another run; false after `timeout`. The next call of `run` is that one: it
+  // begins with a look at the plant, from wherever that is, with the goal that the start or the run before
+  // had.
+  bool wait_start(std::chrono::milliseconds timeout);
+  // Whether `run` has ended and nobody has started another one.
+  bool over() const;
+
+  // Begins what waits for an operator, or another run after one that has ended; `goal` (PDDL) takes the place
+  // of the goal so far unless it is empty. Refused while a run is under way or no runtime answers (X0008),
+  // and as request_goal.
+  [[nodiscard]] result::Result<void> request_start(const std::string& goal);
   // Stops the plant safely at the next decision and ends the run.
   void request_abort() { abort_ = true; }
   // Brings the plant to rest at the next decision and keeps it there until the run is resumed or aborted,
-  // over a restart of this supervisor too. Refused (X0008) while it is held, or is not.
+  // over a restart of this supervisor too. Refused (X0008) while it is held, or is not, or waits for its
+  // start.
   [[nodiscard]] result::Result<void> request_hold();
   [[nodiscard]] result::Result<void> request_resume();
   // Sets a fluent at the next decision and replans. An unknown fluent or one that the plant decides is
@@ -85,7 +103,12 @@ class Executive {
   // file would (P0xxx).
   [[nodiscard]] result::Result<void> request_goal(const std::string& goal);
 
+  // Where a plan for another goal would begin now, and which of its revisions that is.
+  Outlook outlook() const;
+  std::uint64_t outlook_revision() const;
+
  private:
+  enum class Stage : std::uint8_t { Running, Ready, Over };
   enum class Verdict : std::uint8_t { GoOn, Replan, Finished, GiveUp, RuntimeLost };
   struct Decision {
     Verdict verdict = Verdict::GoOn;
@@ -96,8 +119,10 @@ class Executive {
   }
 
   // executive.cpp: from start to end. Each returns false when the run is over.
-  bool start_afresh();
+  bool begin();
+  bool start_afresh(bool wanted);
   bool resume();
+  bool stay_over(Journal&& journal);
   bool observe(bool locate);
   bool observe_once(const PreparedPlan& observer, bool& lost);
   bool launch();
@@ -115,6 +140,16 @@ class Executive {
                IncidentKind kind = IncidentKind::ProgramFault);
   void set_phase(Phase phase, std::string message);
   void publish();
+
+  // executive_start.cpp: from one run to the next.
+  void enter(Stage stage);
+  void start_taken();
+  model::NamedState first_state() const;
+  bool plan_first();
+  bool stay_ready();
+  bool begin_again();
+  void forget_run();
+  void renew_outlook();
 
   // executive_plan.cpp: incidents, and the plans that answer them.
   enum class Planned : std::uint8_t {
@@ -219,10 +254,22 @@ class Executive {
 
   std::uint64_t observed_event_ = 0;  // the event with which the last observation ended
 
+  bool begun_ = false;    // a run has
+  bool known_ = false;    // the sensors have their tare: the plant can be looked at in any state
+  bool follows_ = false;  // progress_ and seen_ are of current_
+  bool journalled_hold_ = false;
+
   std::atomic<bool> abort_{false};
   std::atomic<bool> hold_{false};
-  std::mutex requests_mutex_;
-  std::vector<GoalChange> requests_;  // from other threads, not yet taken
+  mutable std::mutex requests_mutex_;
+  std::condition_variable start_signal_;
+  std::vector<GoalChange>
+      requests_;  // from other threads, not yet taken; as the next two guarded by the mutex
+  Stage stage_ = Stage::Running;
+  bool start_ = false;  // asked for and not yet begun
+
+  mutable std::mutex outlook_mutex_;
+  Outlook outlook_;
 };
 
 }  // namespace stepwright::executive

@@ -16,6 +16,11 @@ Cause Executive::held_by_operator() {
 }
 
 result::Result<void> Executive::request_hold() {
+  {
+    const std::lock_guard lock(requests_mutex_);
+    if (stage_ == Stage::Ready)
+      return result::fail("X0008", {}, "nothing runs yet that could be held", "it waits for its start");
+  }
   if (!hold_.exchange(true)) return {};
   return result::fail("X0008", {}, "the run is held already", "resume or abort it");
 }

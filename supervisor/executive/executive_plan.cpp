@@ -139,10 +139,14 @@ bool Executive::replan(const Cause& cause) {
 bool Executive::mend(const std::string& signature, const model::NamedState& tracked,
                      const std::vector<model::GroundAction>& interrupted,
                      const std::vector<model::GroundAction>& remaining) {
+  follows_ = false;
   while (true) {
     if (std::exchange(working_, false)) record_.incidents.back().decision_ms += ms_since(working_since_);
     if (!observe(true)) return false;
     if (hold_) {
+      // For whoever wants to know meanwhile; what is wrong with it shows when the run goes on.
+      if (auto now = translate::estimate(desk_.binding(), means_, tare_, with_changes(tracked), interrupted))
+        seen_ = std::move(*now);
       if (!stay_held()) return false;
       continue;  // the plant may be elsewhere by now
     }
@@ -278,7 +282,10 @@ std::optional<Executive::Planned> Executive::overtaken(PlanningJob& job, StartSt
     again = true;
     return std::nullopt;
   }
-  if (!reader_) return std::nullopt;  // before the first program there is nothing to watch
+  if (!reader_) {  // before the first program there is nothing to watch
+    if (hold_ != journalled_hold_) publish();
+    return std::nullopt;
+  }
   if (hold_) {
     job.cancel();
     overtake("held by the operator");

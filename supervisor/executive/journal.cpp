@@ -56,6 +56,8 @@ StartState start_from(const json& value) {
 // A journal of one plan and a record of another would send everything that follows astray.
 bool consistent(const Journal& journal) {
   const std::vector<Episode>& episodes = journal.record.episodes;
+  // Of a run that is over nothing follows. Its last plan may have been empty, which makes no episode.
+  if (journal.record.phase == Phase::Done || journal.record.phase == Phase::Safe) return true;
   return episodes.empty() || episodes.back().actions.size() == journal.plan.actions.size();
 }
 
@@ -72,6 +74,12 @@ result::Result<std::optional<Journal>> journal_from(const json& document, const 
   journal.next_change = document.at("next_change");
   journal.time_s = document.at("time_s");
   journal.time_offset_s = document.at("time_offset_s");
+  if (document.contains("held")) {  // a journal that an earlier version has left has none of these
+    journal.held = document.at("held");
+    journal.known = document.at("known");
+    document.at("seen").at("facts").get_to(journal.seen.facts);
+    document.at("seen").at("fluents").get_to(journal.seen.fluents);
+  }
   if (!consistent(journal)) return refuse("a journal whose record does not fit its plan");
   return std::optional<Journal>(std::move(journal));
 }
@@ -86,7 +94,10 @@ result::Result<void> write_journal(const std::filesystem::path& file, const Jour
                          {"changed", journal.changed},
                          {"next_change", journal.next_change},
                          {"time_s", journal.time_s},
-                         {"time_offset_s", journal.time_offset_s}};
+                         {"time_offset_s", journal.time_offset_s},
+                         {"held", journal.held},
+                         {"known", journal.known},
+                         {"seen", {{"facts", journal.seen.facts}, {"fluents", journal.seen.fluents}}}};
   return replace_journal_file(file, internal::text_of(document));
 }
 

@@ -25,6 +25,9 @@ struct Journal {
   std::size_t next_change = 0;
   double time_s = 0.0;         // of the record, when the journal was written
   double time_offset_s = 0.0;  // record time - scan clock of the runtime
+  bool held = false;           // an operator wants it to be
+  bool known = false;          // the sensors have their tare
+  model::NamedState seen;      // of the plant, as the planner counts
 };
 
 // Fails with X0004 if the file cannot be written.

@@ -7,6 +7,7 @@
 #include "ladder/driver/compile.h"
 #include "supervisor/executive/action_cost.h"
 #include "supervisor/pddl/describe_run.h"
+#include "supervisor/pddl/goal_vocabulary.h"
 #include "supervisor/pddl/partial_order.h"
 #include "supervisor/pddl/repair.h"
 #include "supervisor/pddl/simulate.h"
@@ -100,9 +101,49 @@ result::Result<pddl::Task> PlanningDesk::task_for(const StartState& start) const
 result::Result<PrepareOutcome> PlanningDesk::prepare(const PlanRequest& request) const {
   auto task = task_for(request.start);
   if (!task) return result::forward(task);
+  auto outcome = plan_for(request, *task);
+  if (!outcome || outcome->status != PrepareStatus::Ready) return outcome;
+  if (auto built = build(outcome->prepared, *task); !built) return tl::unexpected(std::move(built.error()));
+  return outcome;
+}
+
+result::Result<PrepareOutcome> PlanningDesk::sketch(const PlanRequest& request) const {
+  auto task = task_for(request.start);
+  if (!task) return result::forward(task);
+  auto outcome = plan_for(request, *task);
+  if (!outcome || outcome->status != PrepareStatus::Ready) return outcome;
+  PreparedPlan& prepared = outcome->prepared;
+  if (auto told = describe(prepared, *task); !told) return tl::unexpected(std::move(told.error()));
+  if (auto scheduled = fill_schedule(prepared, binding_, options_.sequential); !scheduled)
+    return tl::unexpected(std::move(scheduled.error()));
+  return outcome;
+}
+
+result::Result<PlanWorth> PlanningDesk::worth_of(const StartState& start,
+                                                 const std::vector<model::GroundAction>& actions) const {
+  auto task = task_for(start);
+  if (!task) return result::forward(task);
+  PreparedPlan prepared;
+  prepared.plan.actions = actions;
+  if (auto told = describe(prepared, *task); !told) return tl::unexpected(std::move(told.error()));
+  const auto before = pddl::evaluate_metric(*task, task->initial(), 0);
+  if (!before) return tl::unexpected(before.error());
+  const auto after = pddl::state_after(*task, prepared.plan);
+  if (!after) return tl::unexpected(after.error());
+  const auto cost = pddl::evaluate_metric(*task, *after, actions.size());
+  if (!cost) return tl::unexpected(cost.error());
+  const auto schedule = translate::schedule(prepared.run, binding_, options_.sequential);
+  if (!schedule) return tl::unexpected(schedule.error());
+  return PlanWorth{*cost, *before, schedule->makespan_s};
+}
+
+// The plan and its figures; neither its actions' records nor its program.
+result::Result<PrepareOutcome> PlanningDesk::plan_for(const PlanRequest& request,
+                                                      const pddl::Task& task) const {
   pddl::RepairOptions options;
   options.search.optimal = options_.optimal;
-  options.search.budget.time = options_.time;
+  options.search.budget = request.budget;
+  if (options.search.budget.time.count() == 0) options.search.budget.time = options_.time;
   options.search.cancel = request.cancel;
   if (!request.without.empty()) {
     options.search.excluded = [&](const model::GroundAction& action) {
@@ -111,20 +152,19 @@ result::Result<PrepareOutcome> PlanningDesk::prepare(const PlanRequest& request)
                          [&](const std::string& device) { return request.without.contains(device); });
     };
   }
-  const pddl::RepairOutcome mended = pddl::repair(*task, request.remaining, options);
+  const pddl::RepairOutcome mended = pddl::repair(task, request.remaining, options);
   const model::Outcome& solved = mended.outcome;
   PrepareOutcome outcome;
   outcome.reason = solved.reason;
   outcome.status = status_of(solved);
   if (outcome.status == PrepareStatus::Infeasible && !request.without.empty())
-    outcome.reason += out_of_reach(*task, options.search);
+    outcome.reason += out_of_reach(task, options.search);
   if (outcome.status != PrepareStatus::Ready) return outcome;
   PreparedPlan& prepared = outcome.prepared;
   prepared.start = request.start;
   prepared.plan = *solved.plan;
-  if (auto ordered = order_for_makespan(prepared.plan, *task); !ordered)
+  if (auto ordered = order_for_makespan(prepared.plan, task); !ordered)
     return tl::unexpected(std::move(ordered.error()));
-  if (auto built = build(prepared, *task); !built) return tl::unexpected(std::move(built.error()));
   Episode& episode = prepared.episode;
   episode.cost = solved.plan->cost;
   if (std::isfinite(solved.plan->bound)) episode.bound = solved.plan->bound;
@@ -167,7 +207,8 @@ result::Result<PreparedPlan> PlanningDesk::rebuild(const StartState& start, cons
   return prepared;
 }
 
-result::Result<void> PlanningDesk::build(PreparedPlan& prepared, const pddl::Task& task) const {
+// The run, and a record of each action.
+result::Result<void> PlanningDesk::describe(PreparedPlan& prepared, const pddl::Task& task) const {
   if (!prepared.plan.orderings) {
     auto orderings = pddl::lift_partial_order(task, prepared.plan);
     if (!orderings) return tl::unexpected(std::move(orderings.error()));
@@ -176,14 +217,6 @@ result::Result<void> PlanningDesk::build(PreparedPlan& prepared, const pddl::Tas
   auto run = pddl::describe_run(task, prepared.plan);
   if (!run) return tl::unexpected(std::move(run.error()));
   prepared.run = std::move(*run);
-  auto translation = translate::translate(prepared.run, binding_,
-                                          {.sequential = options_.sequential,
-                                           .interval_us = options_.interval_us,
-                                           .tare = prepared.start.tare,
-                                           .measured = prepared.start.measured,
-                                           .monitors = options_.monitors});
-  if (!translation) return tl::unexpected(std::move(translation.error()));
-  prepared.translation = std::move(*translation);
   for (const model::PlannedAction& planned : prepared.run.actions) {
     ActionRecord record;
     record.text = model::to_string(planned.action);
@@ -194,6 +227,19 @@ result::Result<void> PlanningDesk::build(PreparedPlan& prepared, const pddl::Tas
     }
     prepared.episode.actions.push_back(std::move(record));
   }
+  return {};
+}
+
+result::Result<void> PlanningDesk::build(PreparedPlan& prepared, const pddl::Task& task) const {
+  if (auto told = describe(prepared, task); !told) return told;
+  auto translation = translate::translate(prepared.run, binding_,
+                                          {.sequential = options_.sequential,
+                                           .interval_us = options_.interval_us,
+                                           .tare = prepared.start.tare,
+                                           .measured = prepared.start.measured,
+                                           .monitors = options_.monitors});
+  if (!translation) return tl::unexpected(std::move(translation.error()));
+  prepared.translation = std::move(*translation);
   for (const translate::StepInfo& step : prepared.translation.steps) {
     if (step.kind == translate::StepKind::Action) prepared.episode.actions[*step.action].step = step.name;
   }
@@ -227,6 +273,11 @@ std::vector<GoalRecord> PlanningDesk::goal_status(const model::NamedState& state
     for (pddl::GoalStatus& each : *status) records.push_back({std::move(each.text), each.met});
   }
   return records;
+}
+
+std::string PlanningDesk::goal_text(const std::string& goal) const {
+  const auto task = goal.empty() ? result::Result<pddl::Task>(task_) : task_.with_goal(goal);
+  return task ? pddl::goal_text(task->goals()) : goal;
 }
 
 result::Result<void> PlanningDesk::check_goal(const std::string& goal) const {

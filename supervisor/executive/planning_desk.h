@@ -67,7 +67,16 @@ struct PlanRequest {
   // What is left of the plan that was interrupted: kept or repaired where that is as good as a new plan.
   std::vector<model::GroundAction> remaining{};
   std::set<std::string> without{};            // devices of the binding that no action of the plan may need
+  model::Budget budget{};                     // instead of the desk's; a zero leaves that one
   const std::atomic<bool>* cancel = nullptr;  // not owned; may be null
+};
+
+// The value of the metric at the end of a plan (the number of actions without a metric) and at its beginning,
+// and how long it takes.
+struct PlanWorth {
+  double cost = 0.0;
+  double cost_before = 0.0;
+  double makespan_s = 0.0;
 };
 
 enum class PrepareStatus : std::uint8_t { Ready, Infeasible, Exhausted, Cancelled };
@@ -90,6 +99,12 @@ class PlanningDesk {
   // Plans from the request's start and makes the program. Diagnostics are faults of the binding or of the
   // tools, not of the plan.
   [[nodiscard]] result::Result<PrepareOutcome> prepare(const PlanRequest& request) const;
+  // The same plan with its figures, actions and schedule, but neither a chart nor a program: for looking at.
+  [[nodiscard]] result::Result<PrepareOutcome> sketch(const PlanRequest& request) const;
+  // What another plan is worth from a state: that of these actions there, without a search. Fails if they
+  // cannot be executed there.
+  [[nodiscard]] result::Result<PlanWorth> worth_of(const StartState& start,
+                                                   const std::vector<model::GroundAction>& actions) const;
   // The same program again from a plan that is known (a restarted supervisor); episode figures are left
   // empty.
   [[nodiscard]] result::Result<PreparedPlan> rebuild(const StartState& start, const model::Plan& plan) const;
@@ -100,13 +115,18 @@ class PlanningDesk {
   double cost_of(const model::GroundAction& action, const model::NamedState& before) const;
   // The conjuncts of a goal in a state; an empty goal is the problem's.
   std::vector<GoalRecord> goal_status(const model::NamedState& state, const std::string& goal = {}) const;
+  // A goal as PDDL, a conjunct a line; an empty one is the problem's. Requires that check_goal passes.
+  std::string goal_text(const std::string& goal) const;
   // Fails as a goal in a problem file would (P0xxx).
   [[nodiscard]] result::Result<void> check_goal(const std::string& goal) const;
 
  private:
   PlanningDesk(DeskOptions options, pddl::Task task, translate::Binding binding, HandWritten programs);
   [[nodiscard]] result::Result<pddl::Task> task_for(const StartState& start) const;
+  [[nodiscard]] result::Result<PrepareOutcome> plan_for(const PlanRequest& request,
+                                                        const pddl::Task& task) const;
   [[nodiscard]] result::Result<void> order_for_makespan(model::Plan& plan, const pddl::Task& task) const;
+  [[nodiscard]] result::Result<void> describe(PreparedPlan& prepared, const pddl::Task& task) const;
   [[nodiscard]] result::Result<void> build(PreparedPlan& prepared, const pddl::Task& task) const;
 
   DeskOptions options_;

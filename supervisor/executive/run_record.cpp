@@ -11,8 +11,8 @@ namespace {
 using internal::json;
 
 constexpr std::array kActionStates = {"pending", "active", "done", "failed"};
-constexpr std::array kPhases = {"planning", "observing", "executing", "replanning", "waiting",
-                                "holding",  "held",      "done",      "safe"};
+constexpr std::array kPhases = {"planning", "observing", "executing", "replanning", "ready",
+                                "waiting",  "holding",   "held",      "done",       "safe"};
 
 template <typename Enum, std::size_t N>
 Enum enum_from(const json& value, const std::array<const char*, N>& names) {

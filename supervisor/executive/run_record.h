@@ -84,6 +84,7 @@ enum class Phase : std::uint8_t {
   Observing,
   Executing,
   Replanning,
+  Ready,    // there is a plan; nothing moves until an operator starts it
   Waiting,  // for a runtime that is not there
   Holding,  // on the way to rest, because an operator wants it
   Held,     // at rest until an operator resumes or aborts the run

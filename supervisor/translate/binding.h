@@ -21,6 +21,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "runtime/result/result.h"
@@ -54,7 +55,9 @@ struct Sensor {
   milliseconds filter{500};        // time constant of the filter in the program
   double max_bias_counts = 300.0;  // a larger tare means a broken sensor
   double max_drift = 0.3;          // that may add up unseen over a run (executive/drift_watch.h)
-  std::string omron;               // memory word of the filtered counts (the paper's Table 3), "D100"
+  std::string unit;                // for people: "l"; may be empty
+  std::optional<std::pair<double, double>> range;  // lowest and highest value that a goal may ask for
+  std::string omron;  // memory word of the filtered counts (the paper's Table 3), "D100"
 };
 
 // Where a fact can be read.

@@ -4,7 +4,7 @@
 import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
-import { axeFile, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
+import { asksApi, axeFile, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
 import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
 
 const WHOLE_TEST_MS = 200_000;
@@ -36,6 +36,8 @@ async function holds(page) {
   await page.getByRole('button', { name: 'Hold' }).click();
   await submit(page, 'Hold the run', 'the supervisor has accepted the hold');
   await phaseIs(page, 'and all come to rest', 'held');
+  check((await asksApi(page, '/api/plan/start', {})) === '400 X0003', 'a fleet begins where its problem has it begin');
+  check((await asksApi(page, '/api/plan/what-if', { goal: '(a)', id: '1' })) === '400 X0003', 'and has no what-if');
 }
 
 async function blocksAndFrees(page) {

@@ -41,6 +41,8 @@ std::unique_ptr<recorder::CellRecorder> open_recorder(const char* folder) {
 class NoControl : public api::CellControl {
  public:
   result::Result<void> ask_supervisor(const std::string&) override { return nobody(); }
+  std::string goal_form() override { return {}; }
+  std::string outlook() override { return {}; }
   result::Result<void> stop_runtime(const std::string&) override { return nobody(); }
   result::Result<std::string> read(const std::string&) override { return nobody(); }
   result::Result<std::string> spell(const std::string&, const std::string&) override { return nobody(); }

@@ -23,7 +23,7 @@ enum class Profile {
   Queue,  // Command, ProgramChunk, Reply, Event, OperatorRequest, OperatorAnswer: reliable, a bounded queue
   Heartbeat,  // Status, Presence: best effort, newest only; each sample says that its writer lives
   Picture,    // Snapshot: best effort, newest only, large
-  Document,   // PlanDocument: reliable, the newest one also for those who join late
+  Document,   // PlanDocument, on three topics: reliable, the newest one also for those who join late
 };
 
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(const ParticipantConfig& config);

@@ -14,6 +14,8 @@ inline constexpr char kHealthTopic[] = "stepwright/health/1";
 inline constexpr char kSnapshotTopic[] = "stepwright/snapshot/1";
 inline constexpr char kPresenceTopic[] = "stepwright/presence/1";
 inline constexpr char kDocumentTopic[] = "stepwright/plan_document/1";
+inline constexpr char kGoalFormTopic[] = "stepwright/goal_form/1";
+inline constexpr char kOutlookTopic[] = "stepwright/outlook/1";
 inline constexpr char kOperatorTopic[] = "stepwright/operator_request/1";
 inline constexpr char kAnswerTopic[] = "stepwright/operator_answer/1";
 

@@ -136,6 +136,13 @@ void BindingReader::read_sensors(const TomlTable& sensors) {
     sensor.filter = to_ms(table.number("filter_s", 0.5, kPositiveDuration));
     sensor.max_bias_counts = table.number("max_bias_counts", sensor.max_bias_counts, {0.0, 65'535.0});
     sensor.max_drift = table.number("max_drift", kDrift * sensor.tolerance, {sensor.tolerance, 1e9});
+    sensor.unit = table.text("unit", "");
+    if (const std::vector<double> range = table.numbers("range"); range.size() == 2 && range[0] < range[1]) {
+      sensor.range = {range[0], range[1]};
+    } else if (!range.empty()) {
+      table.report("range", "the range of '" + name + "' is not a lowest and a highest value",
+                   "for example range = [0, 10]");
+    }
     sensor.omron = table.text("omron", "");
     binding_.sensors.push_back(std::move(sensor));
   }

@@ -6,6 +6,8 @@ export interface Problem {
   code: string;
   message: string;
   hint?: string;
+  line?: number; // of the text that it is about
+  column?: number;
 }
 
 export type Reply<T> = { ok: true; data: T } | { ok: false; status: number; problems: Problem[] };

@@ -12,7 +12,8 @@ const RANK: Record<Role, number> = { none: 0, viewer: 1, operator: 2, engineer: 
 // What is open over the page.
 export type Dialog =
   | { kind: 'login' | 'password' | 'users' | 'audit' }
-  | { kind: 'abort' | 'stop' | 'hold' | 'resume' | 'goal' | 'order' | 'block' }
+  | { kind: 'goal' }
+  | { kind: 'abort' | 'stop' | 'hold' | 'resume' | 'start' | 'order' | 'block' }
   | { kind: 'unblock' | 'return'; name: string }
   | { kind: 'force'; tag: string; value: string }
   | { kind: 'alarm'; deed: 'shelve' | 'suppress' | 'remove'; alarm: string; text: string; most: number }

@@ -35,7 +35,7 @@ export default {
   kind_leak: 'Leckage',
   kind_lost_runtime: 'Laufzeitsystem nicht erreichbar',
   kind_program_fault: 'Programmfehler',
-  kind_operator: 'Vom Bediener angehalten',
+  kind_operator: 'Vom Bediener',
   decision_open: 'Entscheidung steht aus',
   decision_go_on: 'Plan läuft weiter',
   decision_repair: 'Plan angepasst',

@@ -32,7 +32,7 @@ export default {
   kind_leak: 'Leak',
   kind_lost_runtime: 'Runtime lost',
   kind_program_fault: 'Program fault',
-  kind_operator: 'Stopped by the operator',
+  kind_operator: 'By the operator',
   decision_open: 'being decided',
   decision_go_on: 'plan goes on',
   decision_repair: 'plan repaired',

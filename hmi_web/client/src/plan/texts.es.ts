@@ -35,7 +35,7 @@ export default {
   kind_leak: 'Fuga',
   kind_lost_runtime: 'Autómata no disponible',
   kind_program_fault: 'Fallo del programa',
-  kind_operator: 'Detenido por el operador',
+  kind_operator: 'Por el operador',
   decision_open: 'por decidir',
   decision_go_on: 'el plan continúa',
   decision_repair: 'plan reparado',

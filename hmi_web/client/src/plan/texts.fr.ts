@@ -35,7 +35,7 @@ export default {
   kind_leak: 'Fuite',
   kind_lost_runtime: 'Automate injoignable',
   kind_program_fault: 'Défaut du programme',
-  kind_operator: 'Arrêté par l’opérateur',
+  kind_operator: 'Par l’opérateur',
   decision_open: 'décision en cours',
   decision_go_on: 'le plan continue',
   decision_repair: 'plan réparé',

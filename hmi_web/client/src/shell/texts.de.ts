@@ -18,6 +18,7 @@ export default {
   runtime_running: 'läuft',
   runtime_stopped: 'gestoppt',
   runtime_fault: 'Störung',
+  phase_ready: 'bereit',
   phase_planning: 'plant',
   phase_observing: 'beobachtet',
   phase_executing: 'führt aus',

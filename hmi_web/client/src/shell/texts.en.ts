@@ -15,6 +15,7 @@ export default {
   runtime_running: 'running',
   runtime_stopped: 'stopped',
   runtime_fault: 'fault',
+  phase_ready: 'ready',
   phase_planning: 'planning',
   phase_observing: 'observing',
   phase_executing: 'executing',

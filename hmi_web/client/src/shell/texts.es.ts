@@ -18,6 +18,7 @@ export default {
   runtime_running: 'en marcha',
   runtime_stopped: 'parado',
   runtime_fault: 'fallo',
+  phase_ready: 'listo',
   phase_planning: 'planificando',
   phase_observing: 'observando',
   phase_executing: 'ejecutando',

@@ -18,6 +18,7 @@ export default {
   runtime_running: 'en marche',
   runtime_stopped: 'arrêté',
   runtime_fault: 'défaut',
+  phase_ready: 'prêt',
   phase_planning: 'planification',
   phase_observing: 'observation',
   phase_executing: 'exécution',

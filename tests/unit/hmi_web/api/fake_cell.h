@@ -16,6 +16,8 @@ namespace stepwright::api {
 class FakeCell : public CellControl {
  public:
   result::Result<void> ask_supervisor(const std::string& request) override { return note(request); }
+  std::string goal_form() override { return text_of(goal_form_); }
+  std::string outlook() override { return text_of(outlook_); }
   result::Result<void> stop_runtime(const std::string& reason) override { return note("stop " + reason); }
   result::Result<std::string> read(const std::string& name) override {
     const std::lock_guard lock(mutex_);
@@ -49,6 +51,12 @@ class FakeCell : public CellControl {
   }
   result::Result<void> unforce(const std::string& name) override { return note("unforce " + name); }
 
+  // What a supervisor says from now on.
+  void say(const std::string& goal_form, const std::string& outlook) {
+    const std::lock_guard lock(mutex_);
+    goal_form_ = goal_form;
+    outlook_ = outlook;
+  }
   // The code with which everything fails from now on; empty: nothing does.
   void fail_with(std::string code) {
     const std::lock_guard lock(mutex_);
@@ -80,6 +88,10 @@ class FakeCell : public CellControl {
   }
 
  private:
+  std::string text_of(const std::string& document) const {
+    const std::lock_guard lock(mutex_);
+    return document;
+  }
   result::Result<void> note(const std::string& what) {
     const std::lock_guard lock(mutex_);
     if (!failure_.empty()) return result::fail(failure_, {}, "as the test wants it");
@@ -90,6 +102,8 @@ class FakeCell : public CellControl {
   mutable std::mutex mutex_;
   std::vector<std::string> asked_;
   std::map<std::string, std::string> values_ = {{"MAIN.valve", "FALSE"}};
+  std::string goal_form_;
+  std::string outlook_;
   std::string failure_;
   std::string refused_ = "none";
   int writes_left_ = -1;  // below 0: as many as anybody wants

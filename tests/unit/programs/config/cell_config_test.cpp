@@ -49,6 +49,20 @@ TEST(CellConfigBench, WhenThereIsNoFile_ThenTheErrorNamesIt) {
   EXPECT_EQ(config.error()[0].where.file, "/nonexistent/cell.toml");
 }
 
+TEST_F(CellConfigTest, WhenAnOperatorStartsRuns_ThenACellOfAFleetIsRefused) {
+  const auto planned = load_cell_config(write("[executive]\nstart = \"operator\"\nwhat_if_ms = 2_000\n"));
+  ASSERT_TRUE(planned.has_value()) << result::to_string(planned.error());
+  EXPECT_EQ(planned->executive.start, RunStart::Operator);
+  EXPECT_EQ(planned->executive.what_if, std::chrono::milliseconds(2'000));
+  std::ofstream(folder_ / "hall.json") << "{}";
+  const auto fleet =
+      load_cell_config(write("[fleet]\nproblem = \"hall.json\"\n[executive]\nstart = \"operator\"\n"));
+  ASSERT_FALSE(fleet.has_value());
+  EXPECT_EQ(fleet.error()[0].code, "C0546");
+  EXPECT_EQ(fleet.error()[0].where.line, 4u);
+  EXPECT_FALSE(load_cell_config(write("[executive]\nstart = \"later\"\n")).has_value());
+}
+
 TEST_F(CellConfigTest, WhenAPlanningFileIsMissing_ThenTheErrorStandsAtItsKey) {
   const auto config = load_cell_config(write("[planning]\ndomain = \"gone.pddl\"\n"));
   ASSERT_FALSE(config.has_value());

@@ -35,6 +35,23 @@ TEST(OperatorRequest, WhenItWantsAnotherGoal_ThenTheGoalIsRead) {
   EXPECT_EQ(std::get<GoalRequest>(*request).goal, "(= (level a1) 4)");
 }
 
+TEST(OperatorRequest, WhenItStarts_ThenTheGoalMayBeLeftOut) {
+  EXPECT_EQ(std::get<StartRequest>(parse_operator_request(R"_({"request": "start"})_").value()).goal, "");
+  EXPECT_EQ(std::get<StartRequest>(
+                parse_operator_request(R"_({"request": "start", "goal": "(is-at v1 f1)"})_").value())
+                .goal,
+            "(is-at v1 f1)");
+}
+
+TEST(OperatorRequest, WhenItAsksWhatIf_ThenGoalAndIdAreRead) {
+  const auto asked =
+      parse_operator_request(R"_({"request": "what_if", "id": "7f", "goal": "(is-at v1 f1)"})_");
+  EXPECT_EQ(std::get<WhatIfRequest>(asked.value()).id, "7f");
+  EXPECT_EQ(std::get<WhatIfRequest>(asked.value()).goal, "(is-at v1 f1)");
+  const auto cancelled = parse_operator_request(R"_({"request": "cancel_what_if", "id": "7f"})_");
+  EXPECT_EQ(std::get<CancelWhatIfRequest>(cancelled.value()).id, "7f");
+}
+
 TEST(OperatorRequest, WhenAFleetIsAsked_ThenEachKindIsRead) {
   const auto read = [](const char* text) {
     return std::get<fleet::FleetChange>(parse_operator_request(text).value());
@@ -68,6 +85,10 @@ TEST(OperatorRequest, WhenTheTextIsAnythingElse_ThenItIsRefused) {
         R"_({"request": "halt"})_",
         R"_({"request": "goal"})_",
         R"_({"request": "goal", "goal": 4})_",
+        R"_({"request": "start", "goal": 4})_",
+        R"_({"request": "what_if", "goal": ["(is-at v1 f1)"]})_",
+        R"_({"request": "what_if", "goal": "(is-at v1 f1)", "id": 7})_",
+        R"_({"request": "cancel_what_if", "id": {}})_",
         R"_({"request": "change"})_",
         R"_({"request": "change", "fluent": "(demand c1)"})_",
         R"_({"request": "change", "fluent": 3, "value": 8})_",

@@ -39,6 +39,22 @@ TEST(PlanChannel, WhenADocumentIsReplaced_ThenViewersSeeTheNewOne) {
   EXPECT_EQ(subscriber->wait_newer(kPatience), "second");
 }
 
+TEST(PlanChannel, WhenThereAreSeveralDocuments_ThenEachHasItsOwnPlace) {
+  auto publisher = *PlanPublisher::create({59, "supervisor", test_runtime_id()});
+  ASSERT_TRUE(publisher->publish_goal_form("form"));
+  ASSERT_TRUE(publisher->publish_outlook("outlook"));
+  ASSERT_TRUE(publisher->publish("plan"));
+  auto subscriber = *PlanSubscriber::create({59, "hmi", test_runtime_id()});
+  EXPECT_EQ(subscriber->wait_newer(kPatience), "plan");
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  const auto complete = [&] { return subscriber->goal_form() && subscriber->outlook(); };
+  while (!complete() && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(5ms);
+  EXPECT_EQ(subscriber->goal_form(), "form");
+  EXPECT_EQ(subscriber->outlook(), "outlook");
+  EXPECT_EQ(publisher->publish_outlook(std::string(kMaxGoalDocumentBytes + 1, ' ')).error().front().code,
+            "D0004");
+}
+
 // A supervisor that answers as the text of a request wants it.
 class Answering {
  public:

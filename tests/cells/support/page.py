@@ -21,16 +21,17 @@ def make_certificate(folder):
 
 
 class Page:
-    """`stepwright hmi` of a cell without a plant; keeps cookie and CSRF token like a browser."""
+    """`stepwright hmi` of a cell, without a plant unless `more` of its configuration has one; keeps cookie and CSRF token
+    like a browser."""
 
-    def __init__(self, hmi="", tls=False):
-        self.cell = Cell(NO_PLANT, domain=93)
+    def __init__(self, hmi="", tls=False, more=NO_PLANT, domain=93):
+        self.cell = Cell(more, domain=domain)
         self.tls = tls
         lines = f"[hmi]\nport = 0\n{hmi}"
         if tls:
             self.certificate, _ = make_certificate(self.cell.folder)
             lines += 'tls_certificate = "page.pem"\ntls_key = "page.key"\n'
-        self.cell.write(NO_PLANT + lines)
+        self.cell.write(more + lines)
         self.cookie = self.csrf = ""
         self.process = None
 

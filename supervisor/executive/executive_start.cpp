@@ -1,0 +1,207 @@
+// From one run to the next: waiting for an operator before a plan begins, and beginning again where the plant
+// is after a run that has ended.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "supervisor/executive/executive.h"
+#include "supervisor/executive/journal.h"
+#include "supervisor/pddl/describe_run.h"
+
+namespace stepwright::executive {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kLookAtRequests{50};
+
+// As a planner counts it: a level is expected where a pump stops, not at a multiple.
+double counted(const translate::Binding& binding, const std::string& fluent, double value) {
+  const translate::Sensor* sensor = binding.sensor_of(fluent);
+  if (sensor == nullptr || sensor->resolution <= 0.0) return value;
+  return std::round(value / sensor->resolution) * sensor->resolution;
+}
+
+}  // namespace
+
+bool Executive::wait_start(std::chrono::milliseconds timeout) {
+  std::unique_lock lock(requests_mutex_);
+  return start_signal_.wait_for(lock, timeout, [this] { return start_; });
+}
+
+bool Executive::over() const {
+  const std::lock_guard lock(requests_mutex_);
+  return stage_ == Stage::Over;
+}
+
+result::Result<void> Executive::request_start(const std::string& goal) {
+  if (!goal.empty()) {
+    if (auto checked = desk_.check_goal(goal); !checked) return checked;
+  }
+  if (!controller_.alive()) {
+    return result::fail("X0008", {}, "no runtime answers: the plant would begin to move whenever one comes",
+                        "start the runtime first");
+  }
+  const std::lock_guard lock(requests_mutex_);
+  if (stage_ == Stage::Running || start_) {
+    return result::fail("X0008", {}, "the run is under way",
+                        "abort it first, or hand over another goal without a start");
+  }
+  if (stage_ == Stage::Ready && abort_)
+    return result::fail("X0008", {}, "the run is being aborted", "start again in a moment");
+  if (stage_ == Stage::Over) {
+    // They were for the run that has ended.
+    abort_ = false;
+    hold_ = false;
+    requests_.clear();
+  }
+  if (!goal.empty()) requests_.push_back({0.0, {}, 0.0, goal});
+  stage_ = Stage::Running;
+  start_ = true;
+  start_signal_.notify_all();
+  return {};
+}
+
+void Executive::enter(Stage stage) {
+  const std::lock_guard lock(requests_mutex_);
+  stage_ = stage;
+  if (stage != Stage::Running) start_ = false;
+}
+
+// The problem's, with what has been changed from outside.
+model::NamedState Executive::first_state() const {
+  return with_changes(pddl::to_named(desk_.task().initial()));
+}
+
+bool Executive::plan_first() {
+  const Planned planned = plan_watched({.planning = first_state(), .goal = goal_}, {});
+  if (planned == Planned::None) return give_up_planless();
+  if (planned != Planned::Ready) return false;
+  record_.goal = desk_.goal_status(first_state(), goal_);
+  return true;
+}
+
+// The plan is shown, and the runtime is not touched until an operator wants it. False if the run is over.
+bool Executive::stay_ready() {
+  enter(Stage::Ready);
+  const auto show = [this] {
+    record_.episodes = {current_.episode};
+    set_phase(Phase::Ready,
+              fmt::format("a plan of {} actions is ready: nothing moves until an operator starts it",
+                          current_.plan.actions.size()));
+  };
+  for (show();;) {
+    if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
+    const bool started = wait_start(kLookAtRequests);
+    if (due_change(time_s_)) {
+      record_.episodes.clear();
+      set_phase(Phase::Planning, "looking for a plan for what is wanted now");
+      if (!plan_first()) return false;
+      if (!started) show();
+    }
+    if (started) break;
+  }
+  start_taken();
+  record_.episodes.clear();
+  set_phase(Phase::Planning, "started by the operator");
+  return true;
+}
+
+void Executive::start_taken() {
+  const std::lock_guard lock(requests_mutex_);
+  start_ = false;
+}
+
+// Another run from where the plant is, however the one before has ended: as after a hold, with nothing kept
+// of the plan before. What no sensor sees stands as the run before has left it.
+bool Executive::begin_again() {
+  start_taken();
+  const std::vector<model::GroundAction> interrupted =
+      follows_ ? begun_actions(false) : std::vector<model::GroundAction>();
+  model::NamedState tracked = first_state();
+  if (follows_) {
+    tracked = translate::expected_state(current_.translation, progress_.completed());
+  } else if (!seen_.planning.facts.empty() || !seen_.planning.fluents.empty()) {
+    tracked = seen_.planning;
+  }
+  forget_run();
+  (void)due_change(time_s_);  // the goal that the run was started with
+  set_phase(Phase::Planning, "started by the operator");
+  if (!known_) return start_afresh(/*wanted=*/true);
+  open_incident({IncidentKind::Operator, {"started by the operator"}, {}});
+  return mend({}, tracked, interrupted, {});
+}
+
+// Cell, clock, tare and drift of the sensors belong to the plant; everything else to the run.
+void Executive::forget_run() {
+  RunRecord fresh;
+  fresh.cell = std::move(record_.cell);
+  fresh.expected = std::move(record_.expected);
+  fresh.observed = std::move(record_.observed);
+  fresh.tare = std::move(record_.tare);
+  fresh.started_s = time_s_;
+  fresh.finished_s = time_s_;
+  record_ = std::move(fresh);
+  devices_ = {};
+  recurrence_.forget();
+  drift_.forget();
+  earlier_.clear();
+  differences_.clear();
+  alarms_.clear();
+  alarms_told_.clear();
+  left_.clear();
+  just_changed_.clear();
+  limited_.clear();
+  stuck_at_ = {};
+  unplannable_ = {};
+  reader_.reset();
+  alarm_reader_.reset();
+  working_ = false;
+  unwatched_ = false;
+}
+
+Outlook Executive::outlook() const {
+  const std::lock_guard lock(outlook_mutex_);
+  return outlook_;
+}
+
+std::uint64_t Executive::outlook_revision() const {
+  const std::lock_guard lock(outlook_mutex_);
+  return outlook_.revision;
+}
+
+// Where a plan would begin: while one is followed, where the actions that run now will have led.
+void Executive::renew_outlook() {
+  Outlook now;
+  now.goal = goal_;
+  now.without = devices_.failed();
+  const bool seen = !seen_.planning.facts.empty() || !seen_.planning.fluents.empty();
+  now.state = with_changes(seen ? seen_.planning : pddl::to_named(desk_.task().initial()));
+  if (record_.phase == Phase::Ready) now.remaining = current_.plan.actions;
+  const std::size_t actions = progress_.actions.size();
+  if (follows_ && actions == current_.run.actions.size()) {
+    std::vector<bool> ended = progress_.completed();
+    for (std::size_t i = 0; i < actions; ++i) {
+      const bool runs = progress_.actions[i] == ActionState::Active;
+      now.ahead = now.ahead || (runs && !ended[i]);
+      ended[i] = ended[i] || runs;
+      if (progress_.actions[i] == ActionState::Pending) now.remaining.push_back(current_.plan.actions[i]);
+    }
+    const model::NamedState after = with_changes(translate::expected_state(current_.translation, ended));
+    if (!seen) now.state = after;
+    for (const std::string& atom : moving_atoms(progress_)) {
+      now.state.facts.erase(atom);
+      if (after.facts.contains(atom)) now.state.facts.insert(atom);
+      if (const auto value = after.fluents.find(atom); value != after.fluents.end())
+        now.state.fluents[atom] = counted(desk_.binding(), atom, value->second);
+    }
+    if (record_.phase == Phase::Done || record_.phase == Phase::Safe) now.remaining.clear();
+  }
+  const std::lock_guard lock(outlook_mutex_);
+  now.revision = outlook_.revision + 1;
+  outlook_ = std::move(now);
+}
+
+}  // namespace stepwright::executive

@@ -1,0 +1,99 @@
+#include "supervisor/executive/goal_form.h"
+
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "supervisor/executive/internal/record_json.h"
+#include "supervisor/pddl/goal_vocabulary.h"
+
+namespace stepwright::executive {
+namespace {
+
+using internal::json;
+
+json symbols_json(const std::vector<pddl::GoalSymbol>& symbols) {
+  json list = json::array();
+  for (const pddl::GoalSymbol& symbol : symbols) {
+    json parameters = json::array();
+    for (const pddl::GoalParameter& parameter : symbol.parameters)
+      parameters.push_back({{"name", parameter.name}, {"type", parameter.type}});
+    list.push_back(
+        {{"name", symbol.name}, {"parameters", std::move(parameters)}, {"changes", symbol.changes}});
+  }
+  return list;
+}
+
+json sensors_json(const translate::Binding& binding) {
+  json list = json::array();
+  for (const translate::Sensor& sensor : binding.sensors) {
+    json entry = {{"fluent", sensor.fluent},
+                  {"label", sensor.label},
+                  {"unit", sensor.unit},
+                  {"step", sensor.resolution},
+                  {"tolerance", sensor.tolerance}};
+    if (sensor.range) entry["range"] = {sensor.range->first, sensor.range->second};
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+json labels_json(const translate::Binding& binding) {
+  json labels = json::object();
+  for (const translate::ObservedFact& fact : binding.facts) labels[fact.fact] = fact.label;
+  return labels;
+}
+
+// "(is-at v1 f1)" -> "is-at"
+std::string_view symbol_of(std::string_view atom) {
+  atom.remove_prefix(1);
+  return atom.substr(0, atom.find_first_of(" )"));
+}
+
+std::string bounded(const json& document, const json& otherwise) {
+  std::string text = internal::text_of(document);
+  return text.size() <= kMaxGoalFormBytes ? text : internal::text_of(otherwise);
+}
+
+}  // namespace
+
+std::string no_goal_form_json(const std::string& reason) {
+  return internal::text_of({{"available", false}, {"reason", reason}});
+}
+
+std::string goal_form_json(const PlanningDesk& desk) {
+  const pddl::GoalVocabulary words = pddl::goal_vocabulary(desk.task());
+  const json form = {{"available", true},
+                     {"domain", desk.task().domain_name()},
+                     {"metric", desk.task().metric()},
+                     {"objects", words.objects},
+                     {"predicates", symbols_json(words.predicates)},
+                     {"functions", symbols_json(words.functions)},
+                     {"sensors", sensors_json(desk.binding())},
+                     {"labels", labels_json(desk.binding())}};
+  return bounded(form,
+                 {{"available", false}, {"reason", "the problem has more objects than a form can offer"}});
+}
+
+OutlookWriter::OutlookWriter(const PlanningDesk& desk) : desk_(desk) {
+  for (const pddl::GoalSymbol& symbol : pddl::goal_vocabulary(desk.task()).predicates)
+    predicates_.insert(symbol.name);
+}
+
+std::string OutlookWriter::json(const Outlook& outlook, const std::string& what_if) {
+  if (goal_ != outlook.goal) {
+    goal_ = outlook.goal;
+    goal_text_ = desk_.goal_text(outlook.goal);
+  }
+  internal::json facts = internal::json::array();
+  for (const std::string& fact : outlook.state.facts) {
+    if (predicates_.contains(symbol_of(fact))) facts.push_back(fact);
+  }
+  internal::json state = {{"facts", std::move(facts)}, {"fluents", outlook.state.fluents}};
+  if (internal::text_of(state).size() > kMaxStateBytes) state = internal::json::object();
+  state["goal"] = goal_text_;
+  state["what_if"] = internal::json::parse(what_if, nullptr, false);
+  return internal::text_of(state);
+}
+
+}  // namespace stepwright::executive

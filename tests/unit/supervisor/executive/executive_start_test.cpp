@@ -1,0 +1,264 @@
+// Who starts a run, and what the next one begins with.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/unit/supervisor/executive/bench_fixture.h"
+
+namespace stepwright::executive {
+namespace {
+
+using support::SimulatedController;
+
+constexpr const char* kFewer = "(and (is-at v1 f1) (= (level a1) 3))";
+
+// The code of a refusal; empty: accepted.
+std::string code(const result::Result<void>& asked) {
+  return asked ? std::string() : asked.error().front().code;
+}
+
+// A bench with an operator who acts on what the document says.
+struct StartedBench {
+  explicit StartedBench(ExecutiveOptions options_in = {}) : controller({}), options(std::move(options_in)) {
+    options.cell = "bench";
+    again();
+  }
+  // Another supervisor.
+  void again() {
+    phases.clear();
+    executive.emplace(bench_desk(), controller, options, [this](const RunRecord& now) {
+      if (phases.empty() || phases.back() != to_string(now.phase)) phases.emplace_back(to_string(now.phase));
+      if (on_news) on_news(now);
+    });
+  }
+  RunRecord run() {
+    const RunRecord record = executive->run();
+    EXPECT_TRUE(executive->over());
+    return record;
+  }
+
+  SimulatedController controller;
+  ExecutiveOptions options;
+  std::optional<Executive> executive;
+  std::function<void(const RunRecord&)> on_news;
+  std::vector<std::string> phases;
+};
+
+ExecutiveOptions by_operator() {
+  ExecutiveOptions options;
+  options.operator_starts = true;
+  return options;
+}
+
+ExecutiveOptions with_journal(const char* name, ExecutiveOptions options = {}) {
+  options.journal = testing::TempDir() + name;
+  std::filesystem::remove(options.journal);
+  return options;
+}
+
+TEST(ExecutiveStart, WhenAnOperatorStartsRuns_ThenThePlanIsShownAndNothingIsDownloadedBefore) {
+  StartedBench bench(by_operator());
+  bool asked = false;
+  bench.on_news = [&](const RunRecord& now) {
+    if (now.phase != Phase::Ready) return;
+    asked = true;
+    ASSERT_EQ(now.episodes.size(), 1u);
+    EXPECT_EQ(now.episodes[0].actions.size(), 17u);
+    EXPECT_GT(now.episodes[0].planned_makespan_s, 0.0);
+    EXPECT_FALSE(bench.controller.status()->scan > 0) << "nothing has run";
+    EXPECT_EQ(code(bench.executive->request_hold()), "X0008");
+    EXPECT_EQ(code(bench.executive->request_start("(= (level a9) 3)")).substr(0, 1), "P");
+    EXPECT_EQ(code(bench.executive->request_start("")), "");
+    EXPECT_EQ(code(bench.executive->request_start("")), "X0008") << "it is under way";
+  };
+  const RunRecord record = bench.run();
+  EXPECT_TRUE(asked);
+  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  EXPECT_EQ(record.episodes.size(), 1u);
+  EXPECT_EQ(bench.phases,
+            (std::vector<std::string>{"planning", "ready", "planning", "observing", "executing", "done"}));
+}
+
+TEST(ExecutiveStart, WhenItIsStartedWithAnotherGoal_ThenThatOneIsPlannedForFirst) {
+  StartedBench bench(by_operator());
+  bench.on_news = [&](const RunRecord& now) {
+    if (now.phase == Phase::Ready) {
+      EXPECT_TRUE(bench.executive->request_start(kFewer));
+    }
+  };
+  const RunRecord record = bench.run();
+  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  ASSERT_EQ(record.episodes.size(), 1u);
+  EXPECT_LT(record.episodes[0].actions.size(), 6u);
+  EXPECT_NEAR(bench.controller.plant_value("level_a1_percent"), 30.0, 2.0);
+}
+
+TEST(ExecutiveStart, WhenTheGoalChangesWhileItWaits_ThenAnotherPlanIsShownAndStillNothingMoves) {
+  StartedBench bench(by_operator());
+  int shown = 0;
+  bench.on_news = [&](const RunRecord& now) {
+    if (now.phase != Phase::Ready) return;
+    if (++shown == 1) {
+      EXPECT_TRUE(bench.executive->request_goal(kFewer));
+      return;
+    }
+    EXPECT_LT(now.episodes.at(0).actions.size(), 6u);
+    bench.executive->request_abort();
+  };
+  const RunRecord record = bench.run();
+  EXPECT_EQ(shown, 2);
+  EXPECT_EQ(record.phase, Phase::Safe);
+  EXPECT_EQ(record.message, "aborted by the operator");
+  EXPECT_EQ(bench.controller.stops(), 0);
+}
+
+TEST(ExecutiveStart, WhenARunHasReachedItsGoal_ThenAnotherOneBeginsWhereThePlantIs) {
+  StartedBench bench;
+  EXPECT_EQ(code(bench.executive->request_start("")), "X0008") << "the first one is about to run";
+  const RunRecord first = bench.run();
+  ASSERT_EQ(first.phase, Phase::Done) << story(first);
+  EXPECT_FALSE(bench.executive->wait_start(std::chrono::milliseconds(0)));
+  ASSERT_EQ(code(bench.executive->request_start("(and (is-at v1 a2) (= (level a1) 6))")), "");
+  EXPECT_FALSE(bench.executive->over());
+  EXPECT_TRUE(bench.executive->wait_start(std::chrono::milliseconds(0)));
+  bench.phases.clear();
+  const RunRecord second = bench.run();
+  SCOPED_TRACE(story(second));
+  EXPECT_EQ(second.phase, Phase::Done);
+  EXPECT_EQ(bench.phases, (std::vector<std::string>{"planning", "observing", "executing", "done"}));
+  EXPECT_EQ(second.episodes.size(), 1u) << "it knows nothing of the run before";
+  EXPECT_TRUE(second.replans.empty());
+  ASSERT_EQ(second.incidents.size(), 1u);
+  EXPECT_EQ(second.incidents[0].evidence.front(), "started by the operator");
+  EXPECT_EQ(second.tare, first.tare);
+  EXPECT_GE(second.started_s, first.finished_s);
+  EXPECT_NEAR(bench.controller.plant_value("level_a1_percent"), 60.0, 2.0);
+  EXPECT_FALSE(bench.controller.any_output());
+}
+
+TEST(ExecutiveStart, WhenTheGoalIsMetAlready_ThenTheNextRunEndsAtOnce) {
+  StartedBench bench;
+  ASSERT_EQ(bench.run().phase, Phase::Done);
+  ASSERT_TRUE(bench.executive->request_start(""));
+  const RunRecord again = bench.run();
+  EXPECT_EQ(again.phase, Phase::Done) << story(again);
+  EXPECT_TRUE(again.episodes.empty());
+}
+
+TEST(ExecutiveStart, WhenARunWasAbortedHalfWay_ThenAnotherOneReachesTheGoal) {
+  StartedBench bench;
+  bench.on_news = [&](const RunRecord& now) {
+    const bool moves = now.phase == Phase::Executing && !now.episodes.empty() &&
+                       std::ranges::any_of(now.episodes[0].actions, [](const ActionRecord& action) {
+                         return action.text.starts_with("(move") && action.state == ActionState::Active;
+                       });
+    if (moves) bench.executive->request_abort();
+  };
+  const RunRecord first = bench.run();
+  ASSERT_EQ(first.phase, Phase::Safe);
+  bench.on_news = {};
+  ASSERT_TRUE(bench.executive->request_start(""));
+  const RunRecord second = bench.run();
+  EXPECT_EQ(second.phase, Phase::Done) << story(second);
+  EXPECT_NEAR(bench.controller.plant_value("level_a1_percent"), 50.0, 2.0);
+  EXPECT_NEAR(bench.controller.plant_value("level_a2_percent"), 50.0, 2.0);
+}
+
+TEST(ExecutiveStart, WhenNoRuntimeAnswers_ThenNothingIsStarted) {
+  StartedBench bench;
+  ASSERT_EQ(bench.run().phase, Phase::Done);
+  bench.controller.kill_runtime();
+  EXPECT_EQ(code(bench.executive->request_start("")), "X0008");
+  EXPECT_TRUE(bench.executive->over());
+}
+
+TEST(ExecutiveStart, WhenTheSupervisorIsRestartedAfterARun_ThenTheNextOneWaitsForAnOperator) {
+  StartedBench bench(with_journal("over_executive.json", by_operator()));
+  bench.on_news = [&](const RunRecord& now) {
+    if (now.phase == Phase::Ready) {
+      EXPECT_TRUE(bench.executive->request_start(""));
+    }
+  };
+  ASSERT_EQ(bench.run().phase, Phase::Done);
+  bench.on_news = {};
+  bench.again();
+  const RunRecord known = bench.run();
+  EXPECT_EQ(known.phase, Phase::Done);
+  EXPECT_EQ(known.episodes.size(), 1u) << "viewers still see what has been";
+  ASSERT_TRUE(bench.executive->request_start("(and (is-at v1 f1) (= (level a2) 6))"));
+  const RunRecord next = bench.run();
+  EXPECT_EQ(next.phase, Phase::Done) << story(next);
+  EXPECT_NEAR(bench.controller.plant_value("level_a2_percent"), 60.0, 2.0);
+}
+
+// The plan of such a run is empty, which makes no episode.
+TEST(ExecutiveStart, WhenTheSupervisorIsRestartedAfterAGoalThatWasMetAlready_ThenItsJournalCanBeRead) {
+  StartedBench bench(with_journal("met_executive.json"));
+  bool asked = false;
+  bench.on_news = [&](const RunRecord& now) {
+    if (now.phase != Phase::Executing || asked) return;
+    asked = true;
+    EXPECT_TRUE(bench.executive->request_goal("(is-at v1 f1)"));
+  };
+  ASSERT_EQ(bench.run().phase, Phase::Done);
+  bench.on_news = {};
+  bench.options.operator_starts = true;
+  bench.again();
+  const RunRecord known = bench.run();
+  EXPECT_EQ(known.phase, Phase::Done) << story(known);
+}
+
+TEST(ExecutiveStart, WhenHeldBeforeTheFirstPlanAndTheSupervisorIsRestarted_ThenItIsStillHeld) {
+  struct Killed {};
+  StartedBench bench(with_journal("early_hold_executive.json"));
+  bench.on_news = [&](const RunRecord& now) {
+    if (now.phase == Phase::Planning && bench.phases.size() == 1) (void)bench.executive->request_hold();
+    if (now.phase == Phase::Observing) throw Killed{};
+  };
+  EXPECT_THROW((void)bench.executive->run(), Killed);
+  bench.on_news = [&](const RunRecord& now) {
+    if (now.phase == Phase::Held) bench.executive->request_abort();
+  };
+  bench.again();
+  const RunRecord record = bench.run();
+  EXPECT_EQ(record.message, "aborted by the operator") << story(record);
+  EXPECT_NE(std::ranges::find(bench.phases, "held"), bench.phases.end());
+  EXPECT_EQ(std::ranges::find(bench.phases, "executing"), bench.phases.end());
+}
+
+TEST(ExecutiveStart, WhenAPlanIsFollowed_ThenTheOutlookIsWhereItsActionsWillHaveLed) {
+  StartedBench bench;
+  bool looked = false;
+  bench.on_news = [&](const RunRecord& now) {
+    const Outlook outlook = bench.executive->outlook();
+    EXPECT_EQ(outlook.revision, bench.executive->outlook_revision());
+    if (now.phase != Phase::Executing || now.episodes.empty()) return;
+    const std::vector<ActionRecord>& actions = now.episodes[0].actions;
+    const auto active = std::ranges::find(actions, ActionState::Active, &ActionRecord::state);
+    if (active == actions.end() || !active->text.starts_with("(move")) return;
+    looked = true;
+    EXPECT_TRUE(outlook.ahead);
+    // Between two places; the plan will have brought it to one.
+    const auto places = std::ranges::count_if(
+        outlook.state.facts, [](const std::string& fact) { return fact.starts_with("(is-at v1"); });
+    EXPECT_EQ(places, 1) << active->text;
+    const auto pending = std::ranges::count(actions, ActionState::Pending, &ActionRecord::state);
+    EXPECT_EQ(outlook.remaining.size(), static_cast<std::size_t>(pending));
+    for (const char* level : {"(lev v1)", "(level a1)", "(level a2)"})
+      EXPECT_DOUBLE_EQ(outlook.state.fluents.at(level), std::round(outlook.state.fluents.at(level)));
+    EXPECT_TRUE(bench_desk().worth_of({.planning = outlook.state}, outlook.remaining)) << active->text;
+  };
+  ASSERT_EQ(bench.run().phase, Phase::Done);
+  EXPECT_TRUE(looked);
+  EXPECT_TRUE(bench.executive->outlook().remaining.empty());
+}
+
+}  // namespace
+}  // namespace stepwright::executive
