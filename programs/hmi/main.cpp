@@ -18,6 +18,7 @@
 #include "programs/hmi/dds_cell_control.h"
 #include "programs/hmi/dds_cell_source.h"
 #include "programs/hmi/plant_picture.h"
+#include "programs/hmi/program_desk.h"
 #include "programs/hmi/recording.h"
 #include "programs/hmi/runtime_watch.h"
 #include "programs/log/logger.h"
@@ -63,8 +64,9 @@ int run(const config::CellConfig& config) {
   auto watch = hmi::RuntimeWatch::connect(config, (*source)->runtime());
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
   hmi::DdsCellControl control(**source);
-  auto access = hmi::AccessPoint::open(config.hmi, {control, records ? &*records : nullptr, watch->get()},
-                                       **log, [&](const std::string& list) {
+  hmi::ProgramDesk program((*source)->running());
+  auto access = hmi::AccessPoint::open(config.hmi,
+                                       {control, records ? &*records : nullptr, watch->get(), &program}, **log, [&](const std::string& list) {
                                          feed.set_forces(list);
                                          (*http)->notify();
                                        });
