@@ -6,6 +6,7 @@
 
 #include "ladder/graphic/sfc_layout.h"
 #include "ladder/print/body_uses.h"
+#include "ladder/print/diagram_json.h"
 
 namespace stepwright::print {
 
@@ -166,11 +167,13 @@ struct Blocks {
 }  // namespace
 
 const char* language_of(const graphic::Sheet& sheet) {
+  if (sheet.drawn) return "FBD";
   if (std::holds_alternative<graphic::LadderProgram>(sheet.body)) return "LD";
   return std::holds_alternative<graphic::SfcChart>(sheet.body) ? "SFC" : "ST";
 }
 
 ordered_json blocks_json(const graphic::Sheet& sheet) {
+  if (sheet.drawn) return ordered_json::array({diagram_json(*sheet.drawn)});
   return std::visit(Blocks{}, sheet.body);
 }
 

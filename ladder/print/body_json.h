@@ -8,7 +8,7 @@
 
 namespace stepwright::print {
 
-// "ST", "LD", "SFC".
+// "ST", "LD", "FBD", "SFC".
 const char* language_of(const graphic::Sheet& sheet);
 
 // The blocks that BodyUse::block counts.

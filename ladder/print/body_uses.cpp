@@ -47,7 +47,32 @@ class Walker {
     }
   }
 
+  void add(const graphic::Diagram& diagram) {
+    std::uint32_t line = 0;
+    for (const graphic::Element& element : diagram.elements) {
+      const std::size_t first = uses_.size();
+      ++line;
+      add(element);
+      for (std::size_t i = first; i < uses_.size(); ++i) uses_[i].use.line = line;
+    }
+  }
+
  private:
+  void add(const graphic::Element& element) {
+    using graphic::ElementKind;
+    const std::string& name = element.name.text;
+    if (element.kind == ElementKind::Block && !element.instance.empty()) {
+      call(element.instance);
+    }
+    if (element.kind == ElementKind::InVariable || element.kind == ElementKind::InOutVariable) expression(name);
+    if (element.kind == ElementKind::Contact) symbol(name, false);
+    if (element.kind == ElementKind::OutVariable || element.kind == ElementKind::InOutVariable ||
+        element.kind == ElementKind::Coil)
+      symbol(name, true);
+    for (const graphic::Pin& pin : element.inputs) expression(pin.expression.text);
+    for (const graphic::Pin& pin : element.outputs) expression(pin.expression.text);
+  }
+
   void statements(const std::string& text) {
     for (TextUse& use : texts_.of(text)) uses_.push_back({std::move(use), block_, false});
   }
@@ -74,6 +99,12 @@ class Walker {
     uses_[first].drawn = true;
   }
 
+  void call(const std::string& instance) {
+    const std::size_t first = uses_.size();
+    symbol(instance, true);
+    if (uses_.size() > first) uses_[first].use.call = true;
+  }
+
   void add(const Condition& condition) {
     if (condition.kind == ConditionKind::Contact) symbol(condition.name, false);
     if (condition.kind == ConditionKind::Comparison || condition.kind == ConditionKind::Expression) {
@@ -85,8 +116,7 @@ class Walker {
 
   void add(const graphic::Block& block) {
     if (!block.instance.empty()) {
-      symbol(block.instance, true);
-      uses_.back().use.call = true;
+      call(block.instance);
     }
     for (const auto& [pin, value] : block.inputs) expression(value);
     for (const auto& [pin, value] : block.outputs)
@@ -104,6 +134,12 @@ class Walker {
 std::vector<BodyUse> body_uses(const graphic::Sheet& sheet) {
   Walker walker;
   std::visit([&walker](const auto& body) { walker.add(body); }, sheet.body);
+  return walker.take();
+}
+
+std::vector<BodyUse> diagram_uses(const graphic::Diagram& diagram) {
+  Walker walker;
+  walker.add(diagram);
   return walker.take();
 }
 

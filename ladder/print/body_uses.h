@@ -21,6 +21,8 @@ struct BodyUse {
 
 // In the order of the body.
 std::vector<BodyUse> body_uses(const graphic::Sheet& sheet);
+// Of a diagram as it was drawn: one block, in which a line is an element, from 1.
+std::vector<BodyUse> diagram_uses(const graphic::Diagram& diagram);
 
 // The number of each rung as people count: those that go on with a network have its number.
 std::vector<std::uint32_t> network_numbers(const graphic::LadderProgram& program);

@@ -71,7 +71,7 @@ ordered_json uses_json(const graphic::Sheet& sheet, const std::set<std::string>&
   ordered_json list = ordered_json::array();
   if (!has_variables(sheet)) return list;
   const std::set<std::string> own = names_of(sheet);
-  for (const BodyUse& each : body_uses(sheet)) {
+  for (const BodyUse& each : sheet.drawn ? diagram_uses(*sheet.drawn) : body_uses(sheet)) {
     const std::string name = graphic::upper(each.use.name);
     const bool known = each.drawn || name.starts_with('%') || own.contains(name) || globals.contains(name);
     if (!known) continue;
