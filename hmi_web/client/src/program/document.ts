@@ -68,7 +68,35 @@ export interface Transition {
   lines: string[];
 }
 
-export type Block = Text | Rung | Step | Transition | { kind: 'unknown' };
+export interface Pin {
+  name: string;
+  negated: boolean;
+  edge: boolean;
+  text: string; // an expression instead of connections
+  at: [x: number, y: number] | null; // relative to its element
+  connections: { from: number; output: string; path: [x: number, y: number][] }[]; // `from`: an element, path from here to there
+}
+
+// Of networks as they were drawn, in the units of the file.
+export interface DrawnElement {
+  kind: string;
+  at: [x: number, y: number];
+  size: [width: number, height: number] | null;
+  name: string;
+  instance: string;
+  negated: boolean;
+  edge: boolean;
+  storage: string;
+  inputs: Pin[];
+  outputs: Pin[];
+}
+
+export interface Diagram {
+  kind: 'diagram';
+  elements: DrawnElement[];
+}
+
+export type Block = Text | Rung | Step | Transition | Diagram | { kind: 'unknown' };
 
 export interface Variable {
   name: string;
@@ -168,8 +196,49 @@ function rungOf(value: Record_): Rung {
   };
 }
 
+// No drawing is larger.
+const FARTHEST = 1e6;
+
+function pointOf(value: unknown): [number, number] | null {
+  if (!Array.isArray(value)) return null;
+  const [x, y] = value as unknown[];
+  return typeof x === 'number' && typeof y === 'number' && Math.abs(x) <= FARTHEST && Math.abs(y) <= FARTHEST ? [x, y] : null;
+}
+
+function pinOf(value: Record_): Pin {
+  return {
+    name: text(value.name),
+    negated: value.negated === true,
+    edge: text(value.edge) !== '',
+    text: text(value.text),
+    at: pointOf(value.at),
+    connections: records(value.connections).map((one) => ({
+      from: count(one.from),
+      output: text(one.output),
+      path: (Array.isArray(one.path) ? one.path : []).map(pointOf).filter((point) => point !== null),
+    })),
+  };
+}
+
+function elementOf(value: Record_): DrawnElement {
+  return {
+    kind: text(value.kind),
+    at: pointOf(value.at) ?? [0, 0],
+    size: pointOf(value.size),
+    name: text(value.name),
+    instance: text(value.instance),
+    negated: value.negated === true,
+    edge: text(value.edge) !== '',
+    storage: text(value.storage),
+    inputs: [...records(value.inputs), ...records(value.in_outs)].map(pinOf),
+    outputs: records(value.outputs).map(pinOf),
+  };
+}
+
 function blockOf(value: Record_): Block {
   switch (value.kind) {
+    case 'diagram':
+      return { kind: 'diagram', elements: (Array.isArray(value.elements) ? value.elements : []).map((one) => elementOf(isRecord(one) ? one : {})) };
     case 'text':
     case 'action':
       return { kind: value.kind, name: text(value.name), first: Math.max(1, count(value.first)), lines: texts(value.lines) };

@@ -45,7 +45,7 @@ interface Size {
   down: number;
 }
 
-const textWidth = (text: string) => text.length * LETTER;
+const textWidth = (text: string) => 2 * Math.ceil((text.length * LETTER) / 2);
 
 function sizeOf(condition: Condition): Size {
   switch (condition.kind) {

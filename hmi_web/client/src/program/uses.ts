@@ -1,7 +1,7 @@
 // Where variables are used, and what a search finds. A variable is known by its whole path ("Main.timer.Q", "Alarm"), as tags
 // are; a sheet that runs in several instances is looked at in each of them.
 
-import type { Access, Block, Sheet, Sources, Use } from './document';
+import type { Access, Block, Diagram, Sheet, Sources, Use } from './document';
 import { homeOf, instancesOf, Scope, TagTable } from './scope';
 
 export interface Place {
@@ -25,6 +25,11 @@ export function touches(a: string, b: string): boolean {
   return long.startsWith(short) && (long.length === short.length || long[short.length] === '.' || long[short.length] === '[');
 }
 
+function elementName(block: Diagram, line: number): string {
+  const element = block.elements[line - 1];
+  return element?.kind === 'block' ? `block ${element.instance || element.name}` : 'connection';
+}
+
 export function placeName(block: Block | undefined, line: number): string {
   switch (block?.kind) {
     case 'text':
@@ -37,6 +42,8 @@ export function placeName(block: Block | undefined, line: number): string {
       return `transition ${block.name}`;
     case 'action':
       return `action ${block.name}, line ${Math.max(1, line)}`;
+    case 'diagram':
+      return `drawn ${elementName(block, line)}`;
     default:
       return '';
   }
@@ -52,6 +59,7 @@ export function placeText(block: Block | undefined, line: number): string {
   if (block?.kind === 'text' || block?.kind === 'action' || block?.kind === 'transition') {
     return (block.lines[Math.max(1, line) - 1] ?? '').trim();
   }
+  if (block?.kind === 'diagram') return block.elements[line - 1]?.name ?? '';
   return block?.kind === 'step' ? block.comment : conditionText(block);
 }
 
