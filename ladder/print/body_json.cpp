@@ -47,7 +47,8 @@ ordered_json condition_json(const Condition& condition) {
       return json;
     }
     case ConditionKind::Comparison:
-      return {{"kind", "test"}, {"text", to_st(condition)}};
+      return {{"kind", "test"},
+              {"text", condition.name + " " + to_st(condition.op) + " " + condition.operand}};
     case ConditionKind::Expression: {
       ordered_json json = {{"kind", "test"}, {"text", condition.name}};
       if (condition.negated) json["negated"] = true;
@@ -155,7 +156,7 @@ struct Blocks {
                            {"name", graphic::drawn_label(chart, i)},
                            {"from", ids_json(each.sources)},
                            {"to", ids_json(each.targets)},
-                           {"lines", lines_json(to_st(each.condition))}};
+                           {"lines", lines_json(condition_text(each.condition))}};
       list.push_back(std::move(json));
     }
     for (const graphic::Action& each : chart.actions)

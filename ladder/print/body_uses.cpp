@@ -38,7 +38,7 @@ class Walker {
       ++block_;
     }
     for (const graphic::Transition& transition : chart.transitions) {
-      statements(to_st(transition.condition));
+      statements(condition_text(transition.condition));
       ++block_;
     }
     for (const graphic::Action& action : chart.actions) {
@@ -130,6 +130,11 @@ class Walker {
 };
 
 }  // namespace
+
+std::string condition_text(const Condition& condition) {
+  const bool as_written = condition.kind == ConditionKind::Expression && !condition.negated;
+  return as_written ? condition.name : to_st(condition);
+}
 
 std::vector<BodyUse> body_uses(const graphic::Sheet& sheet) {
   Walker walker;

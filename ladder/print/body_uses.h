@@ -4,6 +4,7 @@
 // pure functions.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "ladder/graphic/sheet.h"
@@ -18,6 +19,9 @@ struct BodyUse {
   std::uint32_t block = 0;
   bool drawn = false;       // stands on a contact, coil or pin: a variable, declared or not
 };
+
+// The condition of a transition as its uses count in it.
+std::string condition_text(const graphic::Condition& condition);
 
 // In the order of the body.
 std::vector<BodyUse> body_uses(const graphic::Sheet& sheet);

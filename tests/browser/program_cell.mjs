@@ -59,7 +59,7 @@ export async function startProgramCell(program) {
       run('download', '--config', config, join(folder, 'main.swb'), '--replace');
       run('start', '--config', config, '--cold');
     },
-    force: (name, value) => run('force', '--config', config, `${name}=${value}`),
+    force: (name, value) => run('force', '--config', config, name, value),
     logs: () => ['runtime', 'link', 'hmi'].map((name) => `--- ${name}\n${read(name)}`).join(''),
     end: async () => {
       for (const name of ['hmi', 'link', 'runtime']) await stop(name);

@@ -28,7 +28,7 @@ TEST(TextUses, WhenPathsAreFixed_ThenTheyAreWholeAndTheirPlacesAreKnown) {
            std::to_string(use.length);
   };
   EXPECT_EQ(place("a.b := 1;"), "a.b 1:1+3");
-  EXPECT_EQ(place("\n  a [ -1 , 2 ] . c := 1;"), "a[-1][2].c 2:3+15");
+  EXPECT_EQ(place("\n  a [ -1 , 2 ] . c := 1;"), "a[-1][2].c 2:3+16");
   EXPECT_EQ(place("a[i].b := 1;"), "a 1:1+1");
   EXPECT_EQ(place("a.b[i] := 1;"), "a.b 1:1+3");
   EXPECT_EQ(place("(* \u00e4 *) p^.x := 1;"), "p 1:9+1");
