@@ -1,7 +1,9 @@
 #include "ladder/driver/compile.h"
 
+#include <map>
 #include <utility>
 
+#include "ladder/driver/container_names.h"
 #include "ladder/driver/front_end.h"
 #include "ladder/driver/sheets.h"
 #include "ladder/print/program_document.h"
@@ -11,10 +13,21 @@ namespace stepwright::driver {
 
 namespace {
 
+// Files as the container names them: equal sources give equal documents wherever they are compiled.
+void name_files(std::vector<graphic::Sheet>& sheets, const std::string& folder) {
+  source::SourceSet files;
+  std::map<std::string, std::size_t> index;
+  for (const graphic::Sheet& each : sheets)
+    if (index.try_emplace(each.file, index.size()).second) files.add(each.file, "");
+  const std::vector<std::string> names = container_names(files, folder);
+  for (graphic::Sheet& each : sheets) each.file = names[index[each.file]];
+}
+
 // What cannot be drawn has no document; it runs all the same.
 std::vector<std::byte> with_sources(std::vector<std::byte> container, const CompileInput& input) {
-  const auto sheets = sheets_of(input);
+  auto sheets = sheets_of(input);
   if (!sheets) return container;
+  name_files(*sheets, input.folder);
   return writer::with_document(container, print::program_document(*sheets));
 }
 

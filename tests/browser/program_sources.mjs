@@ -56,7 +56,7 @@ PROGRAM Sequence
   END_STEP
   TRANSITION begins FROM Waiting TO Pumping := Running;
   END_TRANSITION
-  TRANSITION ends FROM Pumping TO Waiting := NOT Running OR Level >= 1000;
+  TRANSITION ends FROM Pumping TO Waiting := NOT Running OR Level >= 30000;
   END_TRANSITION
   ACTION Fill:
     Level := Level + 1;
@@ -75,11 +75,11 @@ CONFIGURATION Plant
   END_VAR
   RESOURCE Cpu ON Any
     TASK Cycle(INTERVAL := T#10ms, PRIORITY := 1);
+    PROGRAM Chart WITH Cycle : Sequence;
     PROGRAM Rungs WITH Cycle : Ladder;
     PROGRAM Nets WITH Cycle : Blend;
     PROGRAM Main WITH Cycle : Mixer;
     PROGRAM Second WITH Cycle : Mixer;
-    PROGRAM Chart WITH Cycle : Sequence;
   END_RESOURCE
 END_CONFIGURATION
 `;

@@ -104,5 +104,16 @@ TEST(ProgramDocument, WhenTheCompilerIsAskedForIt_ThenTheContainerHasItAndIsOthe
   EXPECT_TRUE(reader::LoadedProgram::load(full->container, "full"));
 }
 
+TEST(ProgramDocument, WhenSourcesLieElsewhere_ThenTheContainerIsTheSame) {
+  const auto compiled_in = [](const std::string& folder) {
+    driver::CompileInput input;
+    input.texts.push_back({folder + "/a/t.st", "PROGRAM main VAR x : INT; END_VAR x := x + 1; END_PROGRAM"});
+    input.folder = folder;
+    input.document = true;
+    return driver::compile(input)->container;
+  };
+  EXPECT_EQ(compiled_in("/home/one"), compiled_in("/srv/two"));
+}
+
 }  // namespace
 }  // namespace stepwright::print
