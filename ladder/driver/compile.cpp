@@ -1,6 +1,6 @@
 #include "ladder/driver/compile.h"
 
-#include <map>
+#include <algorithm>
 #include <utility>
 
 #include "ladder/driver/container_names.h"
@@ -15,12 +15,12 @@ namespace {
 
 // Files as the container names them: equal sources give equal documents wherever they are compiled.
 void name_files(std::vector<graphic::Sheet>& sheets, const std::string& folder) {
-  source::SourceSet files;
-  std::map<std::string, std::size_t> index;
+  std::vector<std::string> files;
   for (const graphic::Sheet& each : sheets)
-    if (index.try_emplace(each.file, index.size()).second) files.add(each.file, "");
+    if (std::find(files.begin(), files.end(), each.file) == files.end()) files.push_back(each.file);
   const std::vector<std::string> names = container_names(files, folder);
-  for (graphic::Sheet& each : sheets) each.file = names[index[each.file]];
+  for (graphic::Sheet& each : sheets)
+    each.file = names[static_cast<std::size_t>(std::find(files.begin(), files.end(), each.file) - files.begin())];
 }
 
 // What cannot be drawn has no document; it runs all the same.
