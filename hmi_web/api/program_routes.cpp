@@ -4,7 +4,8 @@
 namespace stepwright::api {
 namespace {
 
-constexpr const char* kProgram = R"({"type": "object", "required": ["digest", "state", "instances", "document"],
+constexpr const char* kProgram =
+    R"({"type": "object", "required": ["digest", "state", "instances", "document"],
   "properties": {"digest": {"type": "string"}, "state": {"enum": ["complete", "absent", "damaged"]},
     "instances": {"type": "array", "items": {"type": "object", "required": ["path", "pou"],
       "properties": {"path": {"type": "string"}, "pou": {"type": "string"}}}},

@@ -20,7 +20,8 @@ void name_files(std::vector<graphic::Sheet>& sheets, const std::string& folder) 
     if (std::find(files.begin(), files.end(), each.file) == files.end()) files.push_back(each.file);
   const std::vector<std::string> names = container_names(files, folder);
   for (graphic::Sheet& each : sheets)
-    each.file = names[static_cast<std::size_t>(std::find(files.begin(), files.end(), each.file) - files.begin())];
+    each.file =
+        names[static_cast<std::size_t>(std::find(files.begin(), files.end(), each.file) - files.begin())];
 }
 
 // What cannot be drawn has no document; it runs all the same.

@@ -64,7 +64,8 @@ class Walker {
     if (element.kind == ElementKind::Block && !element.instance.empty()) {
       call(element.instance);
     }
-    if (element.kind == ElementKind::InVariable || element.kind == ElementKind::InOutVariable) expression(name);
+    if (element.kind == ElementKind::InVariable || element.kind == ElementKind::InOutVariable)
+      expression(name);
     if (element.kind == ElementKind::Contact) symbol(name, false);
     if (element.kind == ElementKind::OutVariable || element.kind == ElementKind::InOutVariable ||
         element.kind == ElementKind::Coil)

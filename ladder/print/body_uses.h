@@ -15,9 +15,9 @@ namespace stepwright::print {
 // A body is a list of blocks: a listing is one, each rung is one; of a chart first its steps, then its
 // transitions, then its actions.
 struct BodyUse {
-  TextUse use;              // line and column count in the block's text: 0 on a symbol that is drawn
+  TextUse use;  // line and column count in the block's text: 0 on a symbol that is drawn
   std::uint32_t block = 0;
-  bool drawn = false;       // stands on a contact, coil or pin: a variable, declared or not
+  bool drawn = false;  // stands on a contact, coil or pin: a variable, declared or not
 };
 
 // The condition of a transition as its uses count in it.

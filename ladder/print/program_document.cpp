@@ -34,7 +34,8 @@ const char* word_of(graphic::VariableSection section) {
 }
 
 ordered_json variable_json(const graphic::Variable& variable) {
-  ordered_json json = {{"name", variable.name}, {"type", variable.type}, {"section", word_of(variable.section)}};
+  ordered_json json = {
+      {"name", variable.name}, {"type", variable.type}, {"section", word_of(variable.section)}};
   if (!variable.address.empty()) json["address"] = variable.address;
   if (!variable.initial.empty()) json["initial"] = variable.initial;
   if (!variable.comment.empty()) json["comment"] = variable.comment;

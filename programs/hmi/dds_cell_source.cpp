@@ -76,8 +76,8 @@ void DdsCellSource::fetch_program(const std::string& digest) {
     return;
   }
   if (auto info = reader::ProgramInfo::read(*container))
-    running_.set(std::make_shared<const KnownProgram>(KnownProgram{
-        digest, std::move(*info), std::string(reader::document_text(*container))}));
+    running_.set(std::make_shared<const KnownProgram>(
+        KnownProgram{digest, std::move(*info), std::string(reader::document_text(*container))}));
   layout_ = std::make_shared<const server::ProgramLayout>(std::move(*layout));
 }
 

@@ -65,11 +65,12 @@ int run(const config::CellConfig& config) {
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
   hmi::DdsCellControl control(**source);
   hmi::ProgramDesk program((*source)->running());
-  auto access = hmi::AccessPoint::open(config.hmi,
-                                       {control, records ? &*records : nullptr, watch->get(), &program}, **log, [&](const std::string& list) {
-                                         feed.set_forces(list);
-                                         (*http)->notify();
-                                       });
+  auto access =
+      hmi::AccessPoint::open(config.hmi, {control, records ? &*records : nullptr, watch->get(), &program},
+                             **log, [&](const std::string& list) {
+                               feed.set_forces(list);
+                               (*http)->notify();
+                             });
   if (!access) return fail(access.error(), ExitCode::BadInput);
   (*http)->serve_api((*access)->door());
   if (where->held_back) {
@@ -90,8 +91,7 @@ int run(const config::CellConfig& config) {
   std::thread network([&] { (*http)->run(); });
   {
     const server::CellPoller poller(
-        **source, server::CellViewer(picture->sources), feed, [&] { (*http)->notify(); },
-        record);
+        **source, server::CellViewer(picture->sources), feed, [&] { (*http)->notify(); }, record);
     const std::string scheme = config.hmi.certificate.empty() ? "http://" : "https://";
     const std::string address = scheme + where->host + ":" + std::to_string((*http)->port()) + "/";
     (*log)->info("listens", "cell " + config.name + " at " + address,

@@ -5,9 +5,10 @@
 // Specified in runtime/doc/bytecode_format.md.
 //
 // Invariants of a valid file (the verifier checks them): every section exactly once, in the order of its id
-// (the last one, Document, may be missing), each starting at the next multiple of 8 behind the one before, padding zero, the file ends with the last.
-// Ranges into another section (members of types, code of functions, transitions and steps of charts, links of
-// transitions) follow each other in the order of their owners without gaps.
+// (the last one, Document, may be missing), each starting at the next multiple of 8 behind the one before,
+// padding zero, the file ends with the last. Ranges into another section (members of types, code of
+// functions, transitions and steps of charts, links of transitions) follow each other in the order of their
+// owners without gaps.
 
 #include <cstdint>
 #include <type_traits>

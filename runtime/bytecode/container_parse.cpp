@@ -91,7 +91,8 @@ VerifyResult parse_container(std::span<const std::byte> bytes, ContainerView& vi
   }
   if (end != bytes.size()) return file_error(VerifyStatus::BadSectionTable, end);
   // A file without a document has no section for it, so that a program means the same bytes.
-  if (count == kMostSections && (table[kSectionCount].size == 0 || table[kSectionCount].size > kMaxDocumentBytes))
+  if (count == kMostSections &&
+      (table[kSectionCount].size == 0 || table[kSectionCount].size > kMaxDocumentBytes))
     return {VerifyStatus::BadSectionTable, Section::Document, 0, table[kSectionCount].offset};
   view = ContainerView(bytes, std::span(table).first(count));
   return {};

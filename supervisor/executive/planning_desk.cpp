@@ -208,8 +208,7 @@ result::Result<PreparedPlan> PlanningDesk::observer(bool locate, std::chrono::mi
   options.locate = locate;
   options.interval_us = options_.interval_us;
   prepared.translation = translate::observe_program(binding_, options);
-  if (auto compiled =
-          compile_project(prepared.translation.project, programs_, options_.document, prepared);
+  if (auto compiled = compile_project(prepared.translation.project, programs_, options_.document, prepared);
       !compiled) {
     return tl::unexpected(std::move(compiled.error()));
   }

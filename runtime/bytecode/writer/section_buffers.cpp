@@ -41,8 +41,12 @@ std::vector<std::byte> assemble(std::span<const std::span<const std::byte>> sect
     end = start + sections[i].size();
   }
   std::vector<std::byte> file(end);
-  bytecode::FileHeader header{bytecode::kMagic, bytecode::kVersion, static_cast<std::uint16_t>(table.size()),
-                              static_cast<std::uint32_t>(end), 0, 0};
+  bytecode::FileHeader header{bytecode::kMagic,
+                              bytecode::kVersion,
+                              static_cast<std::uint16_t>(table.size()),
+                              static_cast<std::uint32_t>(end),
+                              0,
+                              0};
   std::memcpy(file.data(), &header, sizeof(header));
   std::memcpy(file.data() + sizeof(header), table.data(), table_bytes);
   for (std::size_t i = 0; i < sections.size(); ++i) {

@@ -28,8 +28,9 @@ TEST(ProgramDocument, WhenItIsWhole_ThenItIsHandedOnWithTheInstances) {
 
 TEST(ProgramDocument, WhenThereIsNoneOrAnotherVersion_ThenTheAnswerSaysSo) {
   EXPECT_EQ(sources("")["state"], "absent");
-  for (const char* wrong : {"x", "[]", "{}", "null", R"({"version":2,"sheets":[]})", R"({"version":1})",
-                            R"({"version":1,"sheets":{}})", "{\"version\":1,\"sheets\":[\"\xff\"]}", R"({"version":1,)"}) {
+  for (const char* wrong :
+       {"x", "[]", "{}", "null", R"({"version":2,"sheets":[]})", R"({"version":1})",
+        R"({"version":1,"sheets":{}})", "{\"version\":1,\"sheets\":[\"\xff\"]}", R"({"version":1,)"}) {
     EXPECT_EQ(sources(wrong)["state"], "damaged") << wrong;
     EXPECT_TRUE(sources(wrong)["document"].is_null());
   }
@@ -52,8 +53,10 @@ TEST(ProgramDocument, WhenBytesAreChanged_ThenTheAnswerIsStillJson) {
     std::string broken = kDocument;
     for (unsigned change = 0; change < 1 + random() % 4; ++change) {
       const std::size_t at = random() % broken.size();
-      if (random() % 3 == 0) broken.erase(at, random() % 9);
-      else broken[at] = static_cast<char>(random() % 256);
+      if (random() % 3 == 0)
+        broken.erase(at, random() % 9);
+      else
+        broken[at] = static_cast<char>(random() % 256);
       if (broken.empty()) broken = "{";
     }
     ASSERT_TRUE(json::accept(program_sources({"abc", {}, broken}))) << broken;

@@ -50,8 +50,10 @@ TEST(ProgramDocument, WhenABodyIsText_ThenItsLinesAndTheUsesInThemAreThere) {
 
 TEST(ProgramDocument, WhenABodyIsAChart_ThenStepsTransitionsAndActionsAreBlocks) {
   const json sheet = document_of(
-      "PROGRAM main\nVAR go, lamp : BOOL; END_VAR\nINITIAL_STEP a: END_STEP\nSTEP b: lamp(N); count(P1); END_STEP\n"
-      "TRANSITION FROM a TO b := go AND NOT b.X; END_TRANSITION\nTRANSITION FROM b TO a := TRUE; END_TRANSITION\n"
+      "PROGRAM main\nVAR go, lamp : BOOL; END_VAR\nINITIAL_STEP a: END_STEP\nSTEP b: lamp(N); count(P1); "
+      "END_STEP\n"
+      "TRANSITION FROM a TO b := go AND NOT b.X; END_TRANSITION\nTRANSITION FROM b TO a := TRUE; "
+      "END_TRANSITION\n"
       "ACTION count: go := FALSE; END_ACTION\nEND_PROGRAM\n")["sheets"][0];
   std::string kinds;
   for (const json& block : sheet["blocks"]) kinds += block["kind"].get<std::string>() + " ";
@@ -66,7 +68,8 @@ TEST(ProgramDocument, WhenABodyIsRungs_ThenContactsBoxesAndCoilsAreThere) {
   using namespace graphic;
   Rung rung;
   rung.comment = "latch";
-  rung.condition = all({any({contact("start"), contact("run")}), contact("stop", true), compare("n", CompareOp::Less, "3")});
+  rung.condition = all(
+      {any({contact("start"), contact("run")}), contact("stop", true), compare("n", CompareOp::Less, "3")});
   rung.coils = {{CoilKind::Set, "run"}};
   Block timer;
   timer.type = "TON";
@@ -85,11 +88,14 @@ TEST(ProgramDocument, WhenABodyIsRungs_ThenContactsBoxesAndCoilsAreThere) {
   EXPECT_EQ(block["condition"]["of"][2]["text"], "n < 3");
   EXPECT_EQ(block["boxes"][0]["power"], "IN");
   EXPECT_EQ(block["coils"][0], json({{"kind", "set"}, {"name", "run"}}));
-  EXPECT_EQ(uses_of(read), "start read 0/0:0; run read 0/0:0; stop read 0/0:0; t call 0/0:0; late write 0/0:0; run write 0/0:0; ");
+  EXPECT_EQ(
+      uses_of(read),
+      "start read 0/0:0; run read 0/0:0; stop read 0/0:0; t call 0/0:0; late write 0/0:0; run write 0/0:0; ");
 }
 
 TEST(ProgramDocument, WhenABytesOfASourceAreNoUtf8_ThenTheyAreReplaced) {
-  EXPECT_NO_THROW(document_of("PROGRAM main (* \xff\xfe *) VAR x : INT; END_VAR x := 1; (* \xc3 *) END_PROGRAM"));
+  EXPECT_NO_THROW(
+      document_of("PROGRAM main (* \xff\xfe *) VAR x : INT; END_VAR x := 1; (* \xc3 *) END_PROGRAM"));
 }
 
 TEST(ProgramDocument, WhenTheCompilerIsAskedForIt_ThenTheContainerHasItAndIsOtherwiseTheSame) {

@@ -30,7 +30,8 @@ TEST(DocumentSection, WhenADocumentIsAdded_ThenTheVerifierTakesItAndTheTextIsThe
 
 TEST(DocumentSection, WhenItIsTakenAway_ThenTheBytesAreThoseOfTheProgramAlone) {
   EXPECT_EQ(writer::without_document(writer::with_document(bare(), "x")), bare());
-  EXPECT_EQ(writer::with_document(writer::with_document(bare(), "x"), "yz"), writer::with_document(bare(), "yz"));
+  EXPECT_EQ(writer::with_document(writer::with_document(bare(), "x"), "yz"),
+            writer::with_document(bare(), "yz"));
   EXPECT_EQ(reader::document_text(bare()), "");
 }
 
