@@ -1,5 +1,8 @@
 #include "hmi_web/protocol/program_document.h"
 
+#include <algorithm>
+#include <span>
+
 #include "hmi_web/protocol/json_text.h"
 
 namespace stepwright::protocol {
@@ -23,7 +26,8 @@ std::string program_sources(const ProgramSources& sources) {
   json document = sources.document.empty() ? json(nullptr) : parsed(sources.document);
   const char* state = sources.document.empty() ? "absent" : document.is_null() ? "damaged" : "complete";
   json instances = json::array();
-  for (const ProgramInstance& each : sources.instances)
+  for (const ProgramInstance& each :
+       std::span(sources.instances).first(std::min(sources.instances.size(), kMostInstances)))
     instances.push_back({{"path", each.path}, {"pou", each.pou}});
   return text({{"digest", sources.digest},
                {"state", state},

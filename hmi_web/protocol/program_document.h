@@ -7,7 +7,7 @@
 //
 // Pure; any thread. Whatever the text is: the result is JSON, and no deeper than kMostLevels.
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +26,7 @@ struct ProgramSources {
 };
 
 inline constexpr int kMostLevels = 64;  // of nested JSON: what is deeper is left out
+inline constexpr std::size_t kMostInstances = 20'000;
 
 std::string program_sources(const ProgramSources& sources);
 

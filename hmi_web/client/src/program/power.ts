@@ -22,6 +22,8 @@ export interface RungFlow {
   boxes: BoxFlow[];
 }
 
+// What needs no reader of expressions.
+const SIMPLE = /^[A-Za-z_][\w.]*$/;
 const TRUE: Known = { kind: 'bool', value: 1 };
 const FALSE: Known = { kind: 'bool', value: 0 };
 
@@ -33,7 +35,7 @@ function edge(value: Result, rising: boolean): Result {
 function closed(condition: Condition, lookup: Lookup): Result {
   switch (condition.kind) {
     case 'contact': {
-      const value = evaluate(condition.name, lookup);
+      const value = SIMPLE.test(condition.name) ? lookup(condition.name) : evaluate(condition.name, lookup);
       const sensed = condition.edge === '' ? value : edge(value, condition.edge === 'rising');
       return condition.negated ? not(sensed) : sensed?.kind === 'bool' ? sensed : null;
     }
@@ -83,7 +85,7 @@ export function flowOf(rungs: readonly Rung[], live: Lookup, declares: (name: st
     if (name !== '' && !declares(name)) wires.set(name.toLowerCase(), value);
   };
   let skipped = ''; // label that is looked for; '*': the end
-  return rungs.map((rung) => {
+  return rungs.map((rung, index) => {
     if (skipped !== '' && skipped === rung.label.toLowerCase()) skipped = '';
     const conditions = new Map<Condition, Flow>();
     if (skipped !== '') return { ran: false, power: null, conditions, boxes: rung.boxes.map(() => ({ power: null, inputs: [], outputs: [] })) };
@@ -95,9 +97,9 @@ export function flowOf(rungs: readonly Rung[], live: Lookup, declares: (name: st
     });
     for (const coil of rung.coils) keep(coil.name, driven(coil, power));
     // A jump back is gone again: what ran last counts.
-    const ahead = rungs.slice(rungs.indexOf(rung) + 1).some((next) => next.label.toLowerCase() === rung.jump.toLowerCase());
+    const ahead = rung.jump !== '' && rungs.slice(index + 1).some((next) => next.label.toLowerCase() === rung.jump.toLowerCase());
     if (power?.value === 1 && rung.returns) skipped = '*';
-    else if (power?.value === 1 && rung.jump !== '' && ahead) skipped = rung.jump.toLowerCase();
+    else if (power?.value === 1 && ahead) skipped = rung.jump.toLowerCase();
     return { ran: true, power, conditions, boxes };
   });
 }

@@ -51,6 +51,7 @@ export const NOT_KNOWN: Live = { value: null, type: '' };
 
 export class Scope {
   private readonly own: Map<string, string>; // variable -> section
+  private readonly known = new Map<string, { tag: number; step: number; type: string }>(); // by path
 
   constructor(
     readonly sheet: Sheet,
@@ -83,14 +84,17 @@ export class Scope {
   }
 
   live(path: string, values: readonly Value[], activeSteps: ReadonlySet<number>): Live {
+    let known = this.known.get(path);
+    if (!known) this.known.set(path, (known = this.find(path)));
+    if (known.tag >= 0) return { value: values[known.tag] ?? null, type: known.type };
+    return known.step < 0 ? NOT_KNOWN : { value: activeSteps.has(known.step) ? 1 : 0, type: 'BOOL' };
+  }
+
+  private find(path: string): { tag: number; step: number; type: string } {
     const whole = this.resolve(path);
-    if (whole === '') return NOT_KNOWN;
-    const index = this.tags.index(whole);
-    const tag = this.tags.tag(index);
-    if (tag) return { value: values[index] ?? null, type: tag.type };
+    const tag = whole === '' ? -1 : this.tags.index(whole);
     const step = /^([^.]+)\.X$/i.exec(path);
-    const at = step ? this.tags.step(this.instance, step[1] ?? '') : -1;
-    return at < 0 ? NOT_KNOWN : { value: activeSteps.has(at) ? 1 : 0, type: 'BOOL' };
+    return { tag, step: step && tag < 0 ? this.tags.step(this.instance, step[1] ?? '') : -1, type: this.tags.tag(tag)?.type ?? '' };
   }
 
   // -1: no such step, or its chart is not followed.
