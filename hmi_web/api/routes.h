@@ -14,6 +14,7 @@
 #include "hmi_web/access/audit_log.h"
 #include "hmi_web/api/cell_control.h"
 #include "hmi_web/api/cell_figures.h"
+#include "hmi_web/api/cell_program.h"
 #include "hmi_web/api/cell_records.h"
 #include "hmi_web/api/force_desk.h"
 #include "hmi_web/api/recipe_desk.h"
@@ -29,6 +30,7 @@ struct Services {
   CellRecords* records = nullptr;  // null also where a server keeps none: its rows answer 404 then
   RecipeDesk* recipes = nullptr;   // likewise
   CellFigures* figures = nullptr;  // null also where no runtime is followed: 404
+  CellProgram* program = nullptr;  // null also where no sources are served: 404
 };
 
 // What the server itself answers: files of the page, the WebSocket, metrics.
@@ -50,6 +52,8 @@ std::vector<Route> alarm_routes(const Services& services);
 std::vector<Route> recipe_routes(const Services& services);
 // How the runtimes are, for viewers.
 std::vector<Route> figure_routes(const Services& services);
+// The sources of the running program, for viewers.
+std::vector<Route> program_routes(const Services& services);
 // H0062: of a server that keeps nothing.
 Answer no_records();
 

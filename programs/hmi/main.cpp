@@ -18,6 +18,7 @@
 #include "programs/hmi/dds_cell_control.h"
 #include "programs/hmi/dds_cell_source.h"
 #include "programs/hmi/plant_picture.h"
+#include "programs/hmi/program_desk.h"
 #include "programs/hmi/recording.h"
 #include "programs/hmi/runtime_watch.h"
 #include "programs/log/logger.h"
@@ -63,11 +64,13 @@ int run(const config::CellConfig& config) {
   auto watch = hmi::RuntimeWatch::connect(config, (*source)->runtime());
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
   hmi::DdsCellControl control(**source);
-  auto access = hmi::AccessPoint::open(config.hmi, {control, records ? &*records : nullptr, watch->get()},
-                                       **log, [&](const std::string& list) {
-                                         feed.set_forces(list);
-                                         (*http)->notify();
-                                       });
+  hmi::ProgramDesk program((*source)->running());
+  auto access =
+      hmi::AccessPoint::open(config.hmi, {control, records ? &*records : nullptr, watch->get(), &program},
+                             **log, [&](const std::string& list) {
+                               feed.set_forces(list);
+                               (*http)->notify();
+                             });
   if (!access) return fail(access.error(), ExitCode::BadInput);
   (*http)->serve_api((*access)->door());
   if (where->held_back) {
@@ -88,8 +91,7 @@ int run(const config::CellConfig& config) {
   std::thread network([&] { (*http)->run(); });
   {
     const server::CellPoller poller(
-        **source, server::CellViewer(picture->sources), feed, [&] { (*http)->notify(); },
-        record);
+        **source, server::CellViewer(picture->sources), feed, [&] { (*http)->notify(); }, record);
     const std::string scheme = config.hmi.certificate.empty() ? "http://" : "https://";
     const std::string address = scheme + where->host + ":" + std::to_string((*http)->port()) + "/";
     (*log)->info("listens", "cell " + config.name + " at " + address,
