@@ -70,8 +70,8 @@ async function showsText(page) {
   await waitFor(page, 'another instance has its own', () => document.querySelector('[data-value="picked"]')?.textContent.includes('20'));
   await openSheet(page, 'Sequence');
   await waitFor(page, 'the active step is marked, and the action that it drives', () =>
-    document.querySelector('[data-step=Pumping]')?.dataset.active === 'true' && document.querySelector('h4[data-active=true]') !== null);
-  await waitFor(page, 'the transition behind it waits', () => document.querySelector('[data-transition=ends]')?.dataset.enabled === 'true');
+    document.querySelector('[data-testid=sheet] [data-step=Pumping]')?.dataset.active === 'true' && document.querySelector('h4[data-active=true]') !== null);
+  await waitFor(page, 'the transition behind it waits', () => document.querySelector('[data-testid=sheet] [data-transition=ends]')?.dataset.enabled === 'true');
   await shot(page, 'chart');
 }
 

@@ -8,7 +8,7 @@ import { test } from 'node:test';
 import { load } from './load_modules.mjs';
 
 const program = await load(process.env.CLIENT, [
-  'program/document', 'program/expression', 'program/lines', 'program/power', 'program/rung_layout', 'program/scope', 'program/uses',
+  'program/diagram_layout', 'program/diagram_values', 'program/document', 'program/expression', 'program/lines', 'program/power', 'program/rung_layout', 'program/scope', 'program/uses',
 ]);
 const { evaluate } = program;
 
@@ -197,4 +197,43 @@ test('Drawing_WhenRungsAreOfAnySize_ThenNothingSticksOut', () => {
         assert.ok(x >= layout.left && x <= layout.right && y >= 0 && y <= layout.height, wire.points);
       }
   }
+});
+
+const drawn = (elements) => program.readSources({ state: 'complete', document: { sheets: [{ blocks: [{ kind: 'diagram', elements }] }] } }).sheets[0].blocks[0];
+const variableAt = (kind, name, y, inputs = []) => ({ kind, name, at: [10, y], size: [40, 20], inputs });
+const pin = (name, from, output = '', more = {}) => ({ name, connections: from === undefined ? [] : [{ from, output, path: [] }], ...more });
+
+test('Diagram_WhenBlocksAreConnected_ThenTheirWiresHaveValues', () => {
+  const diagram = drawn([
+    variableAt('inVariable', 'n', 0),
+    { kind: 'block', name: 'GT', at: [100, 0], size: [60, 60], inputs: [pin('IN1', 0), pin('IN2', undefined, '', { text: '5' })], outputs: [{ name: 'OUT' }] },
+    { kind: 'block', name: 'AND', at: [200, 0], inputs: [pin('IN1', 1, 'OUT', { negated: true }), pin('IN2', 3, 'Q')], outputs: [{ name: 'OUT', negated: true }] },
+    { kind: 'block', name: 'TON', instance: 't', at: [300, 0], inputs: [pin('IN', 2, 'OUT')], outputs: [{ name: 'Q' }, { name: 'ET' }] },
+    variableAt('outVariable', 'o', 80, [pin('', 2, 'OUT')]),
+    { kind: 'block', name: 'ADD', at: [100, 200], inputs: [pin('IN1', 5, 'OUT'), pin('IN2', 0)], outputs: [{ name: 'OUT' }] },
+    variableAt('connector', 'wire', 300, [pin('', 1, 'OUT')]),
+    variableAt('continuation', 'WIRE', 340),
+  ]);
+  const names = { n: ['int', 7], 't.Q': ['bool', 1], 't.ET': ['time', 2e9] };
+  const values = new program.DiagramValues(diagram, (path) => (names[path] ? { kind: names[path][0], value: names[path][1] } : null));
+  const of = (element, output) => values.of(element, output)?.value ?? null;
+  assert.deepEqual([of(0, ''), of(1, 'OUT'), of(3, 'Q'), of(3, 'ET')], [7, 1, 1, 2e9]);
+  assert.equal(of(2, 'OUT'), 1, 'NOT (NOT TRUE AND Q)');
+  assert.equal(of(4, ''), 1);
+  assert.equal(of(5, 'OUT'), null, 'what leads back to itself is open');
+  assert.equal(of(7, ''), 1, 'a continuation has what its connector has');
+  assert.equal(of(99, ''), null);
+});
+
+test('Diagram_WhenTheFileSaysAnythingAboutPlaces_ThenAllIsOnThePicture', () => {
+  const elements = [
+    variableAt('inVariable', 'a_name_that_is_much_longer_than_its_box', -50),
+    { kind: 'block', name: 'LIMIT', at: [-200, 1e9], size: [0, -5], inputs: [pin('MN', 0, '', { at: [0, 9e5] }), pin('IN', 7), pin('MX', 1)], outputs: [{ name: 'OUT', at: ['x', 1] }] },
+    { kind: 'outVariable', name: 'o', at: 'nowhere', inputs: [pin('', 1, 'OUT')] },
+    5,
+  ];
+  const layout = program.layOutDiagram(drawn(elements));
+  assert.equal(layout.elements.length, 4);
+  for (const { x, y, width, height } of layout.elements) assert.ok(x >= 0 && y >= 0 && x + width <= layout.width && y + height <= layout.height);
+  for (const wire of layout.wires) for (const number of wire.points.split(/[ ,]/)) assert.ok(Number.isFinite(Number(number)), wire.points);
 });
