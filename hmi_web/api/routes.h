@@ -8,6 +8,7 @@
 // Pure but for what the handlers do. With services that are null the rows are there, for their description,
 // and their handlers must not be called.
 
+#include <string>
 #include <vector>
 
 #include "hmi_web/access/access_control.h"
@@ -27,10 +28,11 @@ struct Services {
   access::AuditLog* audit = nullptr;
   ForceDesk* forces = nullptr;
   CellControl* cell = nullptr;
-  CellRecords* records = nullptr;  // null also where a server keeps none: its rows answer 404 then
-  RecipeDesk* recipes = nullptr;   // likewise
-  CellFigures* figures = nullptr;  // null also where no runtime is followed: 404
-  CellProgram* program = nullptr;  // null also where no sources are served: 404
+  CellRecords* records = nullptr;        // null also where a server keeps none: its rows answer 404 then
+  RecipeDesk* recipes = nullptr;         // likewise
+  CellFigures* figures = nullptr;        // null also where no runtime is followed: 404
+  const std::string* drawing = nullptr;  // an SVG that may be shown; null: the plant is drawn by the page
+  CellProgram* program = nullptr;        // null also where no sources are served: 404
 };
 
 // What the server itself answers: files of the page, the WebSocket, metrics.
@@ -50,6 +52,8 @@ std::vector<Route> record_routes(const Services& services);
 std::vector<Route> alarm_routes(const Services& services);
 // Recipes: looking for viewers, loading for operators, saving and removing for engineers.
 std::vector<Route> recipe_routes(const Services& services);
+// The plant as somebody has drawn it, for viewers.
+std::vector<Route> drawing_routes(const Services& services);
 // How the runtimes are, for viewers.
 std::vector<Route> figure_routes(const Services& services);
 // The sources of the running program, for viewers.

@@ -111,6 +111,7 @@ std::string hello_message(const Greeting& greeting, const Synoptic& synoptic) {
                {"cell", greeting.cell},
                {"version", greeting.server_version},
                {"recipes", greeting.recipes},
+               {"drawing", greeting.drawing},
                {"synoptic",
                 {{"points", list(synoptic.points)},
                  {"places", list(synoptic.places)},

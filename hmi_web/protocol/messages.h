@@ -26,6 +26,7 @@ struct Greeting {
   std::string cell;
   std::string server_version;
   bool recipes = false;  // the API has some
+  bool drawing = false;  // the API has one of the plant
 };
 
 std::string hello_message(const Greeting& greeting, const Synoptic& synoptic);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hmi_web/alarms/definition_file.h"
+#include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/recipes/definition_file.h"
 #include "programs/check/check_fleet.h"
 #include "programs/check/check_processes.h"
@@ -103,6 +104,10 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   if (!cell.config.hmi.recipes.empty()) {
     if (const auto tags = recipes::load_definitions(cell.config.hmi.recipes); !tags)
       add(report.problems, tags.error());
+  }
+  if (!cell.config.hmi.drawing.empty()) {
+    if (const auto drawn = drawing::load_drawing(cell.config.hmi.drawing); !drawn)
+      add(report.problems, drawn.error());
   }
   check_image(cell.config, image, report);
   // Planning costs seconds: not for a file that has to be changed anyway.

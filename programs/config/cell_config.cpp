@@ -193,6 +193,7 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.engine = read_engine(root.table("runtime"));
   config.cpu = read_cpu(root.table("runtime"));
   config.tasks = read_tasks(root);
+  config.plant.described = root.has_table("plant");
   read_plant(root.table("plant"), folder, config.plant);
   const TomlTable image = root.table("image");
   config.image.input_bytes = static_cast<std::uint32_t>(image.integer("input_bytes", 64, {1, 65'536}));

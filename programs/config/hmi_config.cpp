@@ -55,6 +55,7 @@ HmiConfig read_hmi(const settings::TomlTable& hmi, const std::filesystem::path& 
   if (config.access_dir.empty()) config.access_dir = state_dir / "access";
   config.recipes = path("recipes");
   config.recipes_dir = path("recipes_dir");
+  config.drawing = path("drawing");
   if (config.recipes_dir.empty()) config.recipes_dir = state_dir / "recipes";
   config.idle = std::chrono::minutes(hmi.integer("idle_minutes", 30, {1, 24 * 60}));
   config.session = std::chrono::hours(hmi.integer("session_hours", 12, {1, 24 * 7}));

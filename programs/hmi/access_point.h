@@ -31,9 +31,10 @@ namespace stepwright::hmi {
 // What the routes act on and read.
 struct ActsOn {
   api::CellControl& cell;
-  api::CellRecords* records = nullptr;  // null: the server keeps none
-  api::CellFigures* figures = nullptr;  // null: it follows no runtime
-  api::CellProgram* program = nullptr;  // null: it serves no sources
+  api::CellRecords* records = nullptr;   // null: the server keeps none
+  api::CellFigures* figures = nullptr;   // null: it follows no runtime
+  const std::string* drawing = nullptr;  // null: there is none
+  api::CellProgram* program = nullptr;   // null: it serves no sources
 };
 
 class AccessPoint {

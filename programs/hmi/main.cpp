@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "hmi_web/client/client_assets.h"
+#include "hmi_web/drawing/drawing_file.h"
 #include "hmi_web/recorder/record_queries.h"
 #include "hmi_web/server/cell_poller.h"
 #include "hmi_web/server/http_server.h"
@@ -44,9 +45,17 @@ int run(const config::CellConfig& config) {
   auto log = log::Logger::open("hmi", config.log);
   if (!log) return fail(log.error(), ExitCode::BadInput);
   config::CellConfig running = config;
-  const auto picture = hmi::picture_of(config.plant);
+  const auto picture = hmi::picture_of(hmi::shown_plant(config));
   if (!picture) return fail(picture.error(), ExitCode::BadInput);
-  server::Feed feed({config.name, STEPWRIGHT_VERSION, !config.hmi.recipes.empty()}, picture->synoptic);
+  drawing::Drawing drawn;
+  if (const auto& file = config.hmi.drawing; !file.empty()) {
+    auto read = drawing::load_drawing(file);
+    if (!read) return fail(read.error(), ExitCode::BadInput);
+    drawn = std::move(*read);
+  }
+  server::Feed feed(
+      {config.name, STEPWRIGHT_VERSION, !config.hmi.recipes.empty(), !config.hmi.drawing.empty()},
+      picture->synoptic);
   const auto where = hmi::listening_of(config.hmi);
   if (!where) return fail(where.error(), ExitCode::BadInput);
   // The port first: it fails at once, and before anything else has begun.
@@ -65,12 +74,13 @@ int run(const config::CellConfig& config) {
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
   hmi::DdsCellControl control(**source);
   hmi::ProgramDesk program((*source)->running());
-  auto access =
-      hmi::AccessPoint::open(config.hmi, {control, records ? &*records : nullptr, watch->get(), &program},
-                             **log, [&](const std::string& list) {
-                               feed.set_forces(list);
-                               (*http)->notify();
-                             });
+  auto access = hmi::AccessPoint::open(config.hmi,
+                                       {control, records ? &*records : nullptr, watch->get(),
+                                        drawn.svg.empty() ? nullptr : &drawn.svg, &program},
+                                       **log, [&](const std::string& list) {
+                                         feed.set_forces(list);
+                                         (*http)->notify();
+                                       });
   if (!access) return fail(access.error(), ExitCode::BadInput);
   (*http)->serve_api((*access)->door());
   if (where->held_back) {

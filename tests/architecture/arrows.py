@@ -89,6 +89,7 @@ ARROWS = {
     "hmi_web/server": ["hmi_web/protocol", "runtime/dds", "runtime/bytecode/reader", "supervisor/model"],
     "hmi_web/access": ["runtime/result"],
     "hmi_web/recipes": ["hmi_web/access", "runtime/bytecode/reader", "runtime/settings"],
+    "hmi_web/drawing": ["runtime/result"],
     "hmi_web/api": ["hmi_web/access", "hmi_web/recipes"],
     "hmi_web/protocol": ["runtime/result"],
     "hmi_web/client": ["hmi_web/protocol"],

@@ -59,7 +59,7 @@ max = 600
 comment = "before it is drained"
 `;
 
-const configuration = (port) => `
+const configuration = (port, more) => `
 [cell]
 name = "recipes-${process.pid}"
 state_dir = "state"
@@ -73,13 +73,15 @@ domain_id = 67
 port = ${port}
 anonymous = "viewer"
 recipes = "recipes.toml"
-`;
+${more}`;
 
-export async function startMixer(program) {
+// `files`: more of them beside the configuration, by name; `more`: lines of its [hmi].
+export async function startMixer(program, files = {}, more = '') {
   const folder = mkdtempSync(join(tmpdir(), 'hmi-recipes-'));
   const config = join(folder, 'cell.toml');
   const port = await freePort();
-  writeFileSync(config, configuration(port));
+  writeFileSync(config, configuration(port, more));
+  for (const [name, text] of Object.entries(files)) writeFileSync(join(folder, name), text);
   writeFileSync(join(folder, 'recipes.toml'), RECIPES);
   writeFileSync(join(folder, 'main.st'), PROGRAM);
   const processes = keepProcesses(program, folder);

@@ -165,6 +165,7 @@ export interface HelloMessage {
   cell: string;
   version: string;
   recipes: boolean; // the API has some
+  drawing: boolean; // the API has one of the plant
   synoptic: SynopticDescription;
 }
 

@@ -3,6 +3,7 @@ import type english from './texts.en';
 
 export default {
   plant: 'Anlage',
+  asDrawn: 'Wie gezeichnet',
   picture: 'Fließbild der Anlage mit aktuellen Werten',
   line: 'Bild der Sortierlinie mit aktuellen Werten',
   nothing: 'Für die Anlage dieser Zelle gibt es keine Beschreibung, nach der sie sich zeichnen ließe.',

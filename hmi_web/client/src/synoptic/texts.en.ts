@@ -1,5 +1,6 @@
 export default {
   plant: 'Plant',
+  asDrawn: 'As drawn',
   picture: 'live picture of the plant',
   line: 'live picture of the sorting line',
   nothing: 'This cell’s plant has no description to draw.',

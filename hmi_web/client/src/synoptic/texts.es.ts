@@ -3,6 +3,7 @@ import type english from './texts.en';
 
 export default {
   plant: 'Planta',
+  asDrawn: 'Según el dibujo',
   picture: 'sinóptico de la planta en vivo',
   line: 'sinóptico de la línea de clasificación en vivo',
   nothing: 'La planta de esta celda no tiene descripción que dibujar.',

@@ -3,6 +3,7 @@ import type english from './texts.en';
 
 export default {
   plant: 'Installation',
+  asDrawn: 'Comme dessiné',
   picture: 'synoptique de l’installation en direct',
   line: 'synoptique de la ligne de tri en direct',
   nothing: 'L’installation de cette cellule n’a pas de description à dessiner.',

@@ -51,6 +51,7 @@ const std::map<std::string, Role>& expected_roles() {
       {"GET /api/history/tags", Role::Viewer},
       {"GET /api/history/trend", Role::Viewer},
       {"GET /api/history/export.csv", Role::Viewer},
+      {"GET /api/drawing", Role::Viewer},
       {"GET /api/scan", Role::Viewer},
       {"GET /api/program", Role::Viewer},
       {"GET /api/alarms", Role::Viewer},

@@ -1,0 +1,79 @@
+// The attributes by which an element of a drawing lives (hmi_web/doc/drawings.md), and what values make of it. Pure.
+
+import type { Value } from '../lib/protocol';
+
+export type Switch = 'on' | 'warn' | 'alarm' | 'show';
+export type Range = 'fill' | 'move' | 'turn';
+
+interface Named {
+  name: string;
+}
+export interface TextBinding extends Named {
+  kind: 'text';
+  digits: number | null; // null: as many as carry meaning
+  unit: string;
+}
+export interface SwitchBinding extends Named {
+  kind: Switch;
+  negated: boolean;
+}
+export interface RangeBinding extends Named {
+  kind: Range;
+  from: number;
+  to: number;
+  x: number; // of a move
+  y: number;
+  degrees: number; // of a turn
+}
+export type Binding = TextBinding | SwitchBinding | RangeBinding;
+
+// In the element's own coordinates.
+export interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+const SWITCHES: Switch[] = ['on', 'warn', 'alarm', 'show'];
+const RANGES: Range[] = ['fill', 'move', 'turn'];
+
+// `read`: an attribute by its name without `data-`. The server has checked what is there.
+export function bindingsOf(read: (attribute: string) => string | null): Binding[] {
+  const found: Binding[] = [];
+  const number = (attribute: string, usual: number) => {
+    const value = Number(read(attribute) ?? usual);
+    return Number.isFinite(value) ? value : usual;
+  };
+  const text = read('text');
+  if (text) found.push({ kind: 'text', name: text, digits: read('digits') === null ? null : number('digits', 0), unit: read('unit') ?? '' });
+  for (const kind of SWITCHES) {
+    const name = read(kind);
+    if (name) found.push({ kind, name: name.replace(/^!/, ''), negated: name.startsWith('!') });
+  }
+  for (const kind of RANGES) {
+    const name = read(kind);
+    if (name) found.push({ kind, name, from: number('from', 0), to: number('to', 100), x: number('x', 0), y: number('y', 0), degrees: number('degrees', 0) });
+  }
+  return found;
+}
+
+// What is not known is neither true nor false.
+export function isTrue(binding: SwitchBinding, value: Value): boolean {
+  return value !== null && value > 0.5 !== binding.negated;
+}
+
+// 0 to 1.
+export function shareOf(binding: RangeBinding, value: number): number {
+  return Math.min(1, Math.max(0, (value - binding.from) / (binding.to - binding.from)));
+}
+
+// What follows the element's own transform. A value that is not known leaves it as it was drawn.
+export function transformOf(binding: RangeBinding, value: Value, box: Box): string {
+  if (value === null) return '';
+  const share = shareOf(binding, value);
+  if (binding.kind === 'move') return `translate(${binding.x * share} ${binding.y * share})`;
+  if (binding.kind === 'turn') return `rotate(${binding.degrees * share} ${box.x + box.width / 2} ${box.y + box.height / 2})`;
+  // From the lower edge upwards.
+  return `translate(0 ${(box.y + box.height) * (1 - share)}) scale(1 ${share})`;
+}

@@ -1,0 +1,79 @@
+// The elements of a drawing in the page, and what is written into them. Touches only what has changed.
+
+import { fixed, tagValue, UNKNOWN } from '../lib/format';
+import type { Value } from '../lib/protocol';
+import { bindingsOf, isTrue, transformOf, type Binding, type Box, type RangeBinding } from './bindings';
+
+// A value of the cell by its name; null if there is no such thing.
+export type Look = (name: string) => { value: Value; type: string; unit: string } | null;
+
+interface Bound {
+  element: SVGGraphicsElement;
+  binding: Binding;
+  ownTransform: string;
+  box: Box;
+  title: string;
+  shown: string; // what was written last
+}
+
+const NOTHING: Box = { x: 0, y: 0, width: 0, height: 0 };
+
+export class DrawnPicture {
+  private readonly bound: Bound[] = [];
+
+  // `root`: as the server sent it, not yet in the page. Throws an Error if it is none.
+  static parse(text: string): SVGSVGElement {
+    const document = new DOMParser().parseFromString(text, 'image/svg+xml');
+    const root = document.documentElement;
+    if (!(root instanceof SVGSVGElement) || document.querySelector('parsererror')) throw new Error('not a drawing');
+    return root;
+  }
+
+  // `root` is in the page: boxes are measured.
+  constructor(root: SVGSVGElement) {
+    for (const element of root.querySelectorAll<SVGGraphicsElement>('*')) {
+      const bindings = bindingsOf((attribute) => element.getAttribute(`data-${attribute}`));
+      const title = element.querySelector(':scope > title')?.textContent.trim() ?? '';
+      if (bindings.length > 0 && title !== '') {
+        element.setAttribute('tabindex', '0');
+        element.setAttribute('role', 'img');
+      }
+      for (const binding of bindings) {
+        const box = binding.kind === 'fill' || binding.kind === 'turn' ? element.getBBox() : NOTHING;
+        this.bound.push({ element, binding, ownTransform: element.getAttribute('transform') ?? '', box, title, shown: '?' });
+      }
+    }
+  }
+
+  // Names that nothing in the cell has.
+  unknown(look: Look): string[] {
+    return [...new Set(this.bound.map(({ binding }) => binding.name))].filter((name) => look(name) === null);
+  }
+
+  show(look: Look): void {
+    for (const one of this.bound) {
+      const found = look(one.binding.name);
+      const value = found?.value ?? null;
+      const words = this.words(one.binding, value, found?.type ?? '', found?.unit ?? '');
+      if (words === one.shown) continue;
+      one.shown = words;
+      this.write(one, value, words);
+    }
+  }
+
+  private words(binding: Binding, value: Value, type: string, unit: string): string {
+    if (binding.kind !== 'text') return String(value);
+    if (value === null) return UNKNOWN;
+    const number = binding.digits === null ? tagValue(value, type) : fixed(value, binding.digits);
+    return [number, binding.unit || unit].filter((part) => part !== '').join(' ');
+  }
+
+  private write({ element, binding, ownTransform, box, title }: Bound, value: Value, words: string): void {
+    element.classList.toggle('unknown', value === null);
+    if (title !== '') element.setAttribute('aria-label', `${title}: ${binding.kind === 'text' ? words : value === null ? UNKNOWN : value}`);
+    if (binding.kind === 'text') element.textContent = words;
+    else if (binding.kind === 'show') element.classList.toggle('hidden', !isTrue(binding, value));
+    else if (binding.kind === 'on' || binding.kind === 'warn' || binding.kind === 'alarm') element.classList.toggle(binding.kind, isTrue(binding, value));
+    else element.setAttribute('transform', `${ownTransform} ${transformOf(binding as RangeBinding, value, box)}`.trim());
+  }
+}

@@ -1,0 +1,5 @@
+export default {
+  drawing: 'drawing of the plant',
+  cannot: 'The drawing could not be fetched.',
+  unbound: 'Bound to nothing in this cell: {names}',
+} as const;

@@ -1,0 +1,8 @@
+import type { Translation } from '../lib/language.svelte';
+import type english from './texts.en';
+
+export default {
+  drawing: 'dessin de l’installation',
+  cannot: 'Le dessin n’a pas pu être chargé.',
+  unbound: 'Lié à rien dans cette cellule : {names}',
+} satisfies Translation<typeof english>;

@@ -1,0 +1,127 @@
+#include "hmi_web/drawing/bindings.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace stepwright::drawing {
+namespace {
+
+constexpr std::size_t kLongestName = 200;
+constexpr double kMostDigits = 6;
+
+// What is bound to a value, and what goes with it.
+struct Kind {
+  std::string_view name;
+  bool is_switch;  // true or false, may begin with "!"
+  bool has_range;  // data-from, data-to
+  std::array<std::string_view, 2> numbers;
+};
+constexpr std::array kKinds = {
+    Kind{"data-text", false, false, {}},
+    Kind{"data-on", true, false, {}},
+    Kind{"data-warn", true, false, {}},
+    Kind{"data-alarm", true, false, {}},
+    Kind{"data-show", true, false, {}},
+    Kind{"data-fill", false, true, {}},
+    Kind{"data-move", false, true, {"data-x", "data-y"}},
+    Kind{"data-turn", false, true, {"data-degrees", ""}},
+};
+constexpr std::array<std::string_view, 7> kMore = {"data-from",    "data-to",     "data-x",   "data-y",
+                                                   "data-degrees", "data-digits", "data-unit"};
+
+const Kind* kind_of(std::string_view name) {
+  const auto found =
+      std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& kind) { return kind.name == name; });
+  return found == kKinds.end() ? nullptr : &*found;
+}
+
+std::optional<double> number_of(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+class Check {
+ public:
+  Check(pugi::xml_node element, std::vector<BindingMistake>& mistakes)
+      : element_(element), mistakes_(mistakes) {}
+
+  std::size_t run() {
+    for (const pugi::xml_attribute attribute : element_.attributes()) {
+      const std::string_view name = attribute.name();
+      if (!name.starts_with("data-")) continue;
+      if (const Kind* kind = kind_of(name))
+        take(*kind, attribute.value());
+      else if (std::find(kMore.begin(), kMore.end(), name) == kMore.end())
+        tell("there is no binding " + std::string(name),
+             "data-text, data-on, data-warn, data-alarm, data-show, data-fill, data-move, data-turn");
+      else
+        check_more(name, attribute.value());
+    }
+    if (ranges_ > 1)
+      tell("an element has one of data-fill, data-move and data-turn: they share data-from and data-to",
+           "put a group <g> around it for the other one");
+    return bindings_;
+  }
+
+ private:
+  void tell(std::string message, std::string hint) {
+    mistakes_.push_back({std::move(message), std::move(hint)});
+  }
+
+  void take(const Kind& kind, std::string_view value) {
+    ++bindings_;
+    ranges_ += kind.has_range ? 1 : 0;
+    if (kind.is_switch && value.starts_with('!')) value.remove_prefix(1);
+    const bool readable =
+        std::none_of(value.begin(), value.end(), [](char c) { return static_cast<unsigned char>(c) <= ' '; });
+    if (value.empty() || value.size() > kLongestName || !readable)
+      tell(std::string(kind.name) + " is not the name of a value",
+           "the whole name of a variable (Main.level) or a point of the plant (a1.level)");
+    if (kind.has_range) check_range(kind);
+    for (const std::string_view more : kind.numbers)
+      if (!more.empty() && !element_.attribute(more.data()))
+        tell(std::string(kind.name) + " needs " + std::string(more),
+             more == "data-degrees" ? "how far it turns until data-to"
+                                    : "how far it moves until data-to, in the units of the drawing");
+  }
+
+  void check_range(const Kind& kind) {
+    const auto from = number_of(element_.attribute("data-from").as_string("0"));
+    const auto to = number_of(element_.attribute("data-to").as_string("100"));
+    if (from && to && *from == *to)
+      tell(std::string(kind.name) + ": data-from and data-to are the same",
+           "a range of the value, such as 0 to 100");
+  }
+
+  void check_more(std::string_view name, std::string_view value) {
+    if (name == "data-unit") {
+      if (value.size() > kLongestName) tell("data-unit is longer than a unit", "such as \"%\" or \"m/s\"");
+      return;
+    }
+    const auto number = number_of(value);
+    if (!number)
+      return tell(std::string(name) + "=\"" + std::string(value.substr(0, 40)) + "\" is no number",
+                  "such as 12.5");
+    if (name == "data-digits" && (*number < 0 || *number > kMostDigits || *number != std::floor(*number)))
+      tell("data-digits is a whole number from 0 to 6", "how many stand behind the point");
+  }
+
+  pugi::xml_node element_;
+  std::vector<BindingMistake>& mistakes_;
+  std::size_t bindings_ = 0;
+  int ranges_ = 0;
+};
+
+}  // namespace
+
+std::size_t check_bindings(pugi::xml_node element, std::vector<BindingMistake>& mistakes) {
+  return Check(element, mistakes).run();
+}
+
+}  // namespace stepwright::drawing

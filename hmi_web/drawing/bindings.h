@@ -1,0 +1,23 @@
+#pragma once
+
+// The attributes by which an element of a drawing lives: `data-fill="a1.level" data-from="0" data-to="100"`.
+//
+// Pure.
+
+#include <string>
+#include <vector>
+
+#include <pugixml.hpp>
+
+namespace stepwright::drawing {
+
+struct BindingMistake {
+  std::string message;
+  std::string hint;
+};
+
+// Number of values that the element is bound to; says what is wrong with its attributes that begin with
+// `data-`.
+std::size_t check_bindings(pugi::xml_node element, std::vector<BindingMistake>& mistakes);
+
+}  // namespace stepwright::drawing

@@ -1,0 +1,260 @@
+#include "hmi_web/drawing/drawing_file.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <pugixml.hpp>
+#include <sstream>
+#include <vector>
+
+#include "hmi_web/drawing/bindings.h"
+#include "hmi_web/drawing/vocabulary.h"
+
+namespace stepwright::drawing {
+namespace {
+
+constexpr unsigned kParse = pugi::parse_cdata | pugi::parse_escapes | pugi::parse_eol |
+                            pugi::parse_wconv_attribute | pugi::parse_ws_pcdata;
+// Ids are the drawing's own, and none of the page.
+constexpr const char* kPrefix = "drawing-";
+constexpr std::size_t kMostMistakes = 50;
+constexpr std::string_view kSvgPrefix = "svg:";
+
+std::string_view plain_name(std::string_view name) {
+  return name.starts_with(kSvgPrefix) ? name.substr(kSvgPrefix.size()) : name;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && static_cast<unsigned char>(text.front()) <= ' ') text.remove_prefix(1);
+  while (!text.empty() && static_cast<unsigned char>(text.back()) <= ' ') text.remove_suffix(1);
+  return text;
+}
+
+// "url(#a)" and "url('#a')" as the drawing's own.
+std::string with_own_ids(std::string value) {
+  for (std::size_t at = value.find("url("); at != std::string::npos; at = value.find("url(", at + 1)) {
+    const std::size_t hash = value.find('#', at);
+    if (hash != std::string::npos) value.insert(hash + 1, kPrefix);
+  }
+  return value;
+}
+
+class Reader {
+ public:
+  Reader(const std::string& name, std::string_view text) : name_(name), text_(text) {}
+
+  result::Result<Drawing> read() {
+    const pugi::xml_parse_result parsed =
+        in_.load_buffer(text_.data(), text_.size(), kParse, pugi::encoding_utf8);
+    if (!parsed) {
+      tell("C0640", parsed.offset, std::string("this is no well-formed XML: ") + parsed.description(),
+           "is the file complete, and every element closed?");
+      return tl::unexpected(mistakes_);
+    }
+    const pugi::xml_node root = in_.document_element();
+    if (plain_name(root.name()) != "svg") {
+      tell("C0640", root.offset_debug(),
+           "the file holds <" + std::string(root.name()).substr(0, 40) + "> and not <svg>",
+           "a drawing is an SVG file");
+      return tl::unexpected(mistakes_);
+    }
+    pugi::xml_node drawn = out_.append_child("svg");
+    drawn.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
+    copy(root, drawn, 1);
+    give_view_box(root, drawn);
+    check_uses(root);
+    if (!mistakes_.empty()) return tl::unexpected(mistakes_);
+    std::ostringstream text;
+    out_.print(text, "", pugi::format_raw | pugi::format_no_declaration, pugi::encoding_utf8);
+    return Drawing{std::move(text).str(), bindings_};
+  }
+
+ private:
+  void tell(const char* code, std::ptrdiff_t offset, std::string message, std::string hint) {
+    if (mistakes_.size() >= kMostMistakes) return;
+    const auto end = std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text_.size()));
+    const std::string_view before = text_.substr(0, static_cast<std::size_t>(end));
+    const auto line = static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+    const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
+    mistakes_.push_back({code,
+                         result::Severity::Error,
+                         {name_, line, static_cast<std::uint32_t>(before.size() - start) + 1},
+                         std::move(message),
+                         std::move(hint)});
+  }
+
+  void copy(pugi::xml_node from, pugi::xml_node to, int depth) {
+    if (++elements_ == kMostElements + 1)
+      tell("C0644", from.offset_debug(),
+           "the drawing has more than " + std::to_string(kMostElements) + " elements",
+           "join paths, or leave out what is too small to be seen");
+    if (depth == kDeepest + 1)
+      tell("C0644", from.offset_debug(),
+           "elements are nested more than " + std::to_string(kDeepest) + " deep", "ungroup some of them");
+    if (elements_ > kMostElements || depth > kDeepest) return;
+    copy_attributes(from, to);
+    std::vector<BindingMistake> wrong;
+    bindings_ += check_bindings(from, wrong);
+    for (auto& [message, hint] : wrong)
+      tell("C0643", from.offset_debug(), std::move(message), std::move(hint));
+    if (bindings_ > kMostBindings && bindings_ - kMostBindings <= 2)
+      tell("C0644", from.offset_debug(),
+           "the drawing has more than " + std::to_string(kMostBindings) + " bindings",
+           "divide it between several cells");
+    for (const pugi::xml_node child : from.children()) {
+      if (child.type() == pugi::node_element)
+        copy_element(child, to, depth);
+      else if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
+        to.append_child(pugi::node_pcdata).set_value(child.value());
+    }
+  }
+
+  void copy_element(pugi::xml_node child, pugi::xml_node to, int depth) {
+    const std::string name(plain_name(child.name()));
+    switch (standing_of_element(name)) {
+      case Standing::Drawn:
+        return copy(child, to.append_child(name.c_str()), depth + 1);
+      case Standing::LeftOut:
+        return;
+      case Standing::Refused:
+        break;
+    }
+    const char* hint = "only shapes, text and gradients are drawn";
+    if (name == "style")
+      hint =
+          "give shapes their style as attributes; drawing programs do so when they save a plain or optimized "
+          "SVG";
+    if (name == "image" || name == "foreignObject")
+      hint = "pictures and HTML are not shown; draw with shapes and text";
+    tell("C0641", child.offset_debug(), "the element <" + name.substr(0, 40) + "> is refused", hint);
+  }
+
+  void copy_attributes(pugi::xml_node from, pugi::xml_node to) {
+    for (const pugi::xml_attribute attribute : from.attributes()) {
+      const std::string_view name = attribute.name();
+      const std::string value = attribute.value();
+      if (name == "id") {
+        set(to, "id", kPrefix + value);
+      } else if (name == "href" || name == "xlink:href") {
+        if (!value.starts_with('#'))
+          refuse(from, name, value, "only parts of the drawing itself can be referred to: \"#id\"");
+        set(to, "href", std::string("#") + kPrefix + value.substr(std::min<std::size_t>(1, value.size())));
+      } else if (name.starts_with("data-")) {
+        set(to, name, value);
+      } else if (standing_of_attribute(name) == Standing::Drawn) {
+        copy_value(from, name, value, to);
+      } else if (standing_of_attribute(name) == Standing::Refused) {
+        refuse(from, name, value, "a drawing runs nothing; bind it with data-on, data-text and so on");
+      }
+    }
+    copy_style(from, from.attribute("style").value(), to);
+  }
+
+  // What stands in a style wins over an attribute of the same name, as everywhere.
+  void copy_style(pugi::xml_node from, std::string_view style, pugi::xml_node to) {
+    while (!style.empty()) {
+      const std::size_t end = std::min(style.find(';'), style.size());
+      const std::string_view declaration = style.substr(0, end);
+      style.remove_prefix(std::min(end + 1, style.size()));
+      const std::size_t colon = declaration.find(':');
+      if (colon == std::string_view::npos) continue;
+      const std::string_view property = trimmed(declaration.substr(0, colon));
+      if (is_presentation(property))
+        copy_value(from, property, std::string(trimmed(declaration.substr(colon + 1))), to);
+    }
+  }
+
+  void copy_value(pugi::xml_node from, std::string_view name, const std::string& value, pugi::xml_node to) {
+    if (!is_harmless(value))
+      return refuse(from, name, value, "only plain values, and url(#id) of the drawing itself");
+    set(to, name, with_own_ids(value));
+  }
+
+  void refuse(pugi::xml_node from, std::string_view name, const std::string& value, const char* hint) {
+    tell("C0642", from.offset_debug(),
+         "the attribute " + std::string(name) + "=\"" + value.substr(0, 60) + "\" of <" + from.name() +
+             "> is refused",
+         hint);
+  }
+
+  static void set(pugi::xml_node node, std::string_view name, const std::string& value) {
+    const std::string key(name);
+    pugi::xml_attribute attribute = node.attribute(key.c_str());
+    if (!attribute) attribute = node.append_attribute(key.c_str());
+    attribute = value.c_str();
+  }
+
+  // Without one the drawing could not be fitted to the page.
+  void give_view_box(pugi::xml_node root, pugi::xml_node drawn) {
+    const std::string width = root.attribute("width").as_string();
+    const std::string height = root.attribute("height").as_string();
+    drawn.remove_attribute("width");
+    drawn.remove_attribute("height");
+    if (drawn.attribute("viewBox")) return;
+    const double w = std::strtod(width.c_str(), nullptr);
+    const double h = std::strtod(height.c_str(), nullptr);
+    if (!(w > 0 && h > 0))
+      return tell("C0640", root.offset_debug(), "the drawing has no size",
+                  "viewBox=\"0 0 800 400\", or width and height");
+    std::ostringstream box;
+    box << "0 0 " << w << ' ' << h;
+    set(drawn, "viewBox", box.str());
+  }
+
+  // A <use> of uses would multiply with each of them: a file of a few lines could keep a browser busy for
+  // ever.
+  void check_uses(pugi::xml_node root) {
+    std::map<std::string, pugi::xml_node> by_id;
+    std::vector<pugi::xml_node> uses;
+    for (const auto& each : root.select_nodes("//*[@id]"))
+      by_id.emplace(each.node().attribute("id").value(), each.node());
+    for (const auto& each : root.select_nodes("//*[local-name()='use']")) uses.push_back(each.node());
+    std::size_t drawn = 0;
+    for (const pugi::xml_node use : uses) {
+      const std::string target =
+          use.attribute("href") ? use.attribute("href").value() : use.attribute("xlink:href").value();
+      const auto found = by_id.find(target.substr(std::min<std::size_t>(1, target.size())));
+      if (found == by_id.end()) continue;
+      drawn += found->second.select_nodes("descendant-or-self::*").size();
+      if (found->second.select_node("descendant-or-self::*[local-name()='use']"))
+        return tell("C0644", use.offset_debug(), "this <use> refers to something that holds a <use> itself",
+                    "refer to the shapes");
+      if (drawn > kMostElements)
+        return tell("C0644", use.offset_debug(),
+                    "all <use> together draw more than " + std::to_string(kMostElements) + " elements",
+                    "refer to fewer or simpler shapes");
+    }
+  }
+
+  const std::string& name_;
+  std::string_view text_;
+  pugi::xml_document in_;
+  pugi::xml_document out_;
+  result::Diagnostics mistakes_;
+  std::size_t elements_ = 0;
+  std::size_t bindings_ = 0;
+};
+
+}  // namespace
+
+result::Result<Drawing> read_drawing(const std::string& name, std::string_view text) {
+  if (text.size() > kLargestFile)
+    return result::fail("C0640", {name, 0, 0}, "the file is larger than 2 MiB",
+                        "leave out pictures and what is too small to be seen");
+  return Reader(name, text).read();
+}
+
+result::Result<Drawing> load_drawing(const std::filesystem::path& file) {
+  std::error_code error;
+  std::ifstream in(file, std::ios::binary);
+  if (!in || !std::filesystem::is_regular_file(file, error))
+    return result::fail("C0640", {file.string(), 0, 0}, "the drawing cannot be read",
+                        "[hmi] drawing is a file beside the cell's configuration");
+  std::string text(kLargestFile + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return read_drawing(file.string(), text);
+}
+
+}  // namespace stepwright::drawing

@@ -1,0 +1,42 @@
+#pragma once
+
+// A drawing of the plant that somebody has made, as SVG, in place of the generated one; its elements are
+// bound to values by attributes (hmi_web/doc/drawings.md).
+//
+//   auto drawing = load_drawing("hall.svg");
+//   if (!drawing) tell(drawing.error());            // every mistake at once, with its line
+//   send(drawing->svg);
+//
+// What comes out holds nothing but shapes, text, gradients and bindings from lists of known names: no script,
+// no style sheet, no address of anything outside, ids of their own. What drawing programs keep for themselves
+// (other namespaces, metadata, classes) is left out; what would be missed, or could do harm, is told.
+//
+// Codes: C0640 the file cannot be read as a drawing, C0641 an element that is not drawn, C0642 an attribute
+// that is refused, C0643 a binding that is wrong, C0644 too much of something.
+//
+// Pure but for the file; any thread.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "runtime/result/result.h"
+
+namespace stepwright::drawing {
+
+inline constexpr std::size_t kLargestFile = std::size_t{2} << 20;
+inline constexpr std::size_t kMostElements = 20'000;
+inline constexpr std::size_t kMostBindings = 2'000;
+inline constexpr int kDeepest = 64;
+
+struct Drawing {
+  std::string svg;  // one element `svg` with a viewBox
+  std::size_t bindings = 0;
+};
+
+[[nodiscard]] result::Result<Drawing> load_drawing(const std::filesystem::path& file);
+// `name` stands in the diagnostics.
+[[nodiscard]] result::Result<Drawing> read_drawing(const std::string& name, std::string_view text);
+
+}  // namespace stepwright::drawing

@@ -1,0 +1,141 @@
+#include "hmi_web/drawing/vocabulary.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace stepwright::drawing {
+namespace {
+
+constexpr std::array<std::string_view, 22> kElements = {
+    "svg",   "g",     "defs",           "symbol",         "use",  "title",    "desc",
+    "path",  "rect",  "circle",         "ellipse",        "line", "polyline", "polygon",
+    "text",  "tspan", "linearGradient", "radialGradient", "stop", "clipPath", "pattern",
+    "marker"};
+constexpr std::array<std::string_view, 2> kSilent = {"metadata", "view"};
+
+constexpr std::array<std::string_view, 41> kGeometry = {"viewBox",
+                                                        "preserveAspectRatio",
+                                                        "x",
+                                                        "y",
+                                                        "x1",
+                                                        "y1",
+                                                        "x2",
+                                                        "y2",
+                                                        "cx",
+                                                        "cy",
+                                                        "r",
+                                                        "rx",
+                                                        "ry",
+                                                        "fx",
+                                                        "fy",
+                                                        "dx",
+                                                        "dy",
+                                                        "d",
+                                                        "points",
+                                                        "width",
+                                                        "height",
+                                                        "transform",
+                                                        "offset",
+                                                        "gradientUnits",
+                                                        "gradientTransform",
+                                                        "spreadMethod",
+                                                        "clipPathUnits",
+                                                        "patternUnits",
+                                                        "patternContentUnits",
+                                                        "patternTransform",
+                                                        "markerWidth",
+                                                        "markerHeight",
+                                                        "markerUnits",
+                                                        "refX",
+                                                        "refY",
+                                                        "orient",
+                                                        "textLength",
+                                                        "lengthAdjust",
+                                                        "rotate",
+                                                        "pathLength",
+                                                        "role"};
+constexpr std::array<std::string_view, 38> kPresentation = {"fill",
+                                                            "fill-opacity",
+                                                            "fill-rule",
+                                                            "stroke",
+                                                            "stroke-width",
+                                                            "stroke-opacity",
+                                                            "stroke-linecap",
+                                                            "stroke-linejoin",
+                                                            "stroke-miterlimit",
+                                                            "stroke-dasharray",
+                                                            "stroke-dashoffset",
+                                                            "opacity",
+                                                            "color",
+                                                            "display",
+                                                            "visibility",
+                                                            "stop-color",
+                                                            "stop-opacity",
+                                                            "font-family",
+                                                            "font-size",
+                                                            "font-style",
+                                                            "font-weight",
+                                                            "font-variant",
+                                                            "font-stretch",
+                                                            "text-anchor",
+                                                            "text-decoration",
+                                                            "letter-spacing",
+                                                            "word-spacing",
+                                                            "dominant-baseline",
+                                                            "baseline-shift",
+                                                            "clip-path",
+                                                            "clip-rule",
+                                                            "marker-start",
+                                                            "marker-mid",
+                                                            "marker-end",
+                                                            "vector-effect",
+                                                            "paint-order",
+                                                            "shape-rendering",
+                                                            "text-rendering"};
+
+template <std::size_t N>
+bool is_among(const std::array<std::string_view, N>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string lower_without_space(std::string_view text) {
+  std::string result;
+  for (const char c : text)
+    if (static_cast<unsigned char>(c) > ' ')
+      result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+}  // namespace
+
+Standing standing_of_element(std::string_view name) {
+  if (is_among(kElements, name)) return Standing::Drawn;
+  return is_among(kSilent, name) || name.find(':') != std::string_view::npos ? Standing::LeftOut
+                                                                             : Standing::Refused;
+}
+
+Standing standing_of_attribute(std::string_view name) {
+  if (is_among(kGeometry, name) || is_presentation(name)) return Standing::Drawn;
+  return name.starts_with("on") ? Standing::Refused : Standing::LeftOut;
+}
+
+bool is_presentation(std::string_view property) {
+  return is_among(kPresentation, property);
+}
+
+bool is_harmless(std::string_view value) {
+  const std::string plain = lower_without_space(value);
+  if (plain.find('\\') != std::string::npos || plain.find("javascript:") != std::string::npos ||
+      plain.find("expression(") != std::string::npos || plain.find("/*") != std::string::npos ||
+      plain.find("image(") != std::string::npos || plain.find("image-set(") != std::string::npos)
+    return false;
+  for (std::size_t at = plain.find("url("); at != std::string::npos; at = plain.find("url(", at + 1)) {
+    const std::string_view rest = std::string_view(plain).substr(at + 4);
+    const std::size_t quote = rest.starts_with('\'') || rest.starts_with('"') ? 1 : 0;
+    if (!rest.substr(quote).starts_with('#')) return false;
+  }
+  return true;
+}
+
+}  // namespace stepwright::drawing

@@ -1,0 +1,28 @@
+#pragma once
+
+// What may stand in a drawing: names of SVG 1.1 that draw, and nothing that runs, loads or styles from
+// elsewhere.
+//
+// Pure.
+
+#include <string>
+#include <string_view>
+
+namespace stepwright::drawing {
+
+enum class Standing : unsigned char {
+  Drawn,
+  LeftOut,  // nobody sees a difference
+  Refused,
+};
+
+// `name` without a prefix of the SVG namespace.
+Standing standing_of_element(std::string_view name);
+// Attributes that begin with `data-`, `style`, `id` and references have rules of their own.
+Standing standing_of_attribute(std::string_view name);
+// One that may stand in `style="..."` and as an attribute.
+bool is_presentation(std::string_view property);
+// No address of anything outside of the drawing and nothing that is more than a value.
+bool is_harmless(std::string_view value);
+
+}  // namespace stepwright::drawing

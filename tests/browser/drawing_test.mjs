@@ -1,0 +1,77 @@
+// A plant that somebody has drawn, as it lives on the page of a running cell.
+
+import { join } from 'node:path';
+
+import { axeFile, isAccessible } from './people.mjs';
+import { startMixer } from './recipe_cell.mjs';
+import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+
+const DRAWING = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 200">
+  <title>Mixer hall</title>
+  <rect id="mixer" x="50" y="20" width="100" height="150" fill="#8fa0ad" data-fill="main.LEVEL" data-from="0" data-to="100"><title>Mixer</title></rect>
+  <text x="100" y="100" data-text="Main.level" data-digits="1" data-unit="%">-</text>
+  <circle id="stirrer" cx="250" cy="80" r="20" fill="#d3d8db" data-on="Main.stir"><title>Stirrer</title></circle>
+  <rect id="still" x="300" y="60" width="40" height="40" fill="#d3d8db" data-alarm="!Main.stir"/>
+  <text x="250" y="150" data-text="Main.nothing">-</text>
+</svg>`;
+
+endInTime(150_000);
+const given = options();
+const shot = (page, name) => page.screenshot({ path: join(given.out, `drawing-${name}.png`), animations: 'disabled' });
+const part = (id) => `#drawing-${id}`;
+
+async function livesByValues(page) {
+  await waitFor(page, 'the drawing is there', () => document.querySelector('[data-testid=drawing][data-bound=true] svg') !== null);
+  await waitFor(page, 'the tank is full by an eighth', (tank) => document.querySelector(tank).getAttribute('transform')?.includes('scale(1 0.125)'), part('mixer'));
+  await waitFor(page, 'the number is written with its unit', () => [...document.querySelectorAll('[data-testid=drawing] text')].some((one) => one.textContent === '12.5 %'));
+  check((await page.locator(part('mixer')).getAttribute('aria-label')) === 'Mixer: 12.5', 'who cannot see it is told its value');
+  check((await page.locator('[data-testid=drawing] svg').getAttribute('aria-label')) === 'Mixer hall', 'and what is drawn');
+  await page.locator(part('mixer')).focus();
+  check((await page.evaluate(() => document.activeElement?.id)) === 'drawing-mixer', 'parts with a title are reached by keyboard');
+  await waitFor(page, 'what is bound to nothing is named', () => document.querySelector('[data-testid=unbound]')?.textContent.includes('Main.nothing'));
+}
+
+async function followsSwitches(page, mixer) {
+  check(!(await page.locator(part('stirrer')).getAttribute('class'))?.includes('on'), 'the stirrer stands');
+  await waitFor(page, 'which is an alarm where it is drawn so', (still) => document.querySelector(still).classList.contains('alarm'), part('still'));
+  const painted = () => page.locator(part('stirrer')).evaluate((one) => getComputedStyle(one).fill);
+  const before = await painted();
+  mixer.run('force', '--config', join(mixer.folder, 'cell.toml'), 'Main.stir', 'TRUE');
+  await waitFor(page, 'forced, it runs', (stirrer) => document.querySelector(stirrer).classList.contains('on'), part('stirrer'));
+  check((await painted()) !== before, 'in another colour');
+  await waitFor(page, 'and the alarm is over', (still) => !document.querySelector(still).classList.contains('alarm'), part('still'));
+}
+
+async function fits(page) {
+  for (const [scheme, width] of [['light', 1440], ['dark', 1440], ['light', 360]]) {
+    await page.emulateMedia({ colorScheme: scheme });
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForTimeout(250);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
+    await shot(page, `${scheme}-${width}`);
+  }
+  await isAccessible(page, 'the page with a drawing');
+}
+
+const browser = await launchBrowser(given);
+let mixer;
+let opened;
+try {
+  await browser.context.addInitScript({ path: axeFile(given.modules) });
+  mixer = await startMixer(given.server, { 'hall.svg': DRAWING }, 'drawing = "hall.svg"\n');
+  opened = await openPage(browser.context, mixer.url);
+  const { page, problems } = opened;
+  await livesByValues(page);
+  await followsSwitches(page, mixer);
+  await fits(page);
+  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
+} catch (error) {
+  if (opened) await shot(opened.page, 'failure').catch(() => {});
+  if (opened) console.error(opened.problems.join('\n'));
+  if (mixer) console.error(mixer.logs());
+  throw error;
+} finally {
+  await browser.close();
+  await mixer?.end();
+}

@@ -1,0 +1,45 @@
+// What values make of the elements of a drawing.
+//
+//   node --test drawing_test.mjs, with CLIENT: the folder in which the client is built
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { load } from './load_modules.mjs';
+
+const drawing = await load(process.env.CLIENT, ['drawing/bindings']);
+
+const bindings = (attributes) => drawing.bindingsOf((name) => attributes[name] ?? null);
+const box = { x: 10, y: 20, width: 30, height: 40 };
+
+test('Bindings_WhenAnElementHasSeveral_ThenEachIsRead', () => {
+  assert.deepEqual(bindings({}), []);
+  assert.deepEqual(bindings({ text: 'Main.level', digits: '1', unit: 'l', alarm: '!Main.ok' }), [
+    { kind: 'text', name: 'Main.level', digits: 1, unit: 'l' },
+    { kind: 'alarm', name: 'Main.ok', negated: true },
+  ]);
+  const [fill] = bindings({ fill: 'a' });
+  assert.deepEqual([fill.from, fill.to], [0, 100]);
+});
+
+test('Switch_WhenItsValueIsNotKnown_ThenItIsNeitherTrueNorFalse', () => {
+  const [plain] = bindings({ on: 'a' });
+  const [negated] = bindings({ on: '!a' });
+  assert.deepEqual([1, 0, null].map((value) => drawing.isTrue(plain, value)), [true, false, false]);
+  assert.deepEqual([1, 0, null].map((value) => drawing.isTrue(negated, value)), [false, true, false]);
+});
+
+test('Fill_WhenItsValueIsHalfWay_ThenTheLowerEdgeStays', () => {
+  const [fill] = bindings({ fill: 'a', from: '10', to: '20' });
+  assert.equal(drawing.transformOf(fill, 15, box), 'translate(0 30) scale(1 0.5)'); // 60 * 0.5 + 30 = 60
+  assert.equal(drawing.transformOf(fill, 5, box), 'translate(0 60) scale(1 0)');
+  assert.equal(drawing.transformOf(fill, 99, box), 'translate(0 0) scale(1 1)');
+});
+
+test('Range_WhenItRunsDownwardsOrIsNotKnown_ThenTheElementMovesOrStaysAsDrawn', () => {
+  const [move] = bindings({ move: 'a', from: '1', to: '-1', x: '200', y: '-50' });
+  assert.equal(drawing.transformOf(move, 0, box), 'translate(100 -25)');
+  assert.equal(drawing.transformOf(move, null, box), '');
+  const [turn] = bindings({ turn: 'a', to: '10', degrees: '270' });
+  assert.equal(drawing.transformOf(turn, 5, box), 'rotate(135 25 40)');
+});

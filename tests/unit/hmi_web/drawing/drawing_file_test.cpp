@@ -1,0 +1,117 @@
+#include "hmi_web/drawing/drawing_file.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+namespace stepwright::drawing {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+result::Result<Drawing> of(const std::string& inside) {
+  return read_drawing("plant.svg", "<svg viewBox=\"0 0 9 9\">\n" + inside + "\n</svg>");
+}
+
+std::string drawn(const std::string& inside) {
+  const auto drawing = of(inside);
+  return drawing ? drawing->svg : result::to_string(drawing.error());
+}
+
+// The code, line and message of the first mistake.
+std::string mistake(const result::Result<Drawing>& drawing) {
+  if (drawing) return "none: " + drawing->svg;
+  const result::Diagnostic& first = drawing.error().front();
+  return first.code + " " + std::to_string(first.where.line) + " " + first.message;
+}
+
+TEST(Drawing, WhenItIsOfADrawingProgram_ThenShapesStayAndItsOwnNotesAreLeftOut) {
+  const auto drawing = read_drawing("plant.svg", R"(<?xml version="1.0" encoding="UTF-8"?>
+<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd">
+<svg:svg xmlns:svg="http://www.w3.org/2000/svg" xmlns:inkscape="x" width="210mm" height="100mm" inkscape:version="1.2">
+  <sodipodi:namedview id="base"/>
+  <svg:metadata><rdf:RDF/></svg:metadata>
+  <svg:g inkscape:label="Layer 1" class="layer">
+    <svg:path style="fill:#ff0000;stroke:none; -inkscape-font-specification:Sans" fill="blue" d="M0 0H5"/>
+    <svg:text x="1">Tank &amp; pump</svg:text>
+  </svg:g>
+</svg:svg>)");
+  ASSERT_TRUE(drawing) << result::to_string(drawing.error());
+  EXPECT_THAT(drawing->svg, HasSubstr(R"(viewBox="0 0 210 100")"));
+  EXPECT_THAT(drawing->svg, HasSubstr(R"(fill="#ff0000")"));
+  EXPECT_THAT(drawing->svg, HasSubstr(R"(<text x="1">Tank &amp; pump</text>)"));
+  for (const char* gone :
+       {"inkscape", "sodipodi", "metadata", "class", "style", "svg:", "blue", "DOCTYPE", "width"})
+    EXPECT_THAT(drawing->svg, Not(HasSubstr(gone)));
+}
+
+TEST(Drawing, WhenPartsAreReferredTo_ThenTheirIdsAreTheDrawingsOwn) {
+  const std::string svg = drawn(
+      "<defs><linearGradient id='g'><stop offset='0'/></linearGradient><path id='valve' d='M0 0'/></defs>"
+      "<use xlink:href='#valve' fill=\"url('#g')\"/>");
+  EXPECT_THAT(svg, HasSubstr(R"(id="drawing-valve")"));
+  EXPECT_THAT(svg, HasSubstr(R"(href="#drawing-valve")"));
+  EXPECT_THAT(svg, HasSubstr("url('#drawing-g')"));
+}
+
+struct Hostile {
+  const char* inside;
+  const char* mistake;
+};
+
+class HostileDrawing : public testing::TestWithParam<Hostile> {};
+
+TEST_P(HostileDrawing, WhenItIsRead_ThenItIsRefusedWithItsLine) {
+  EXPECT_THAT(mistake(of(GetParam().inside)), HasSubstr(GetParam().mistake));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, HostileDrawing,
+    testing::Values(
+        Hostile{"<script>alert(1)</script>", "C0641 2 the element <script>"},
+        Hostile{"\n<foreignObject><body/></foreignObject>", "C0641 3 the element <foreignObject>"},
+        Hostile{"<image href='data:image/png;base64,AA'/>", "C0641 2 the element <image>"},
+        Hostile{"<style>rect{fill:red}</style>", "C0641 2 the element <style>"},
+        Hostile{"<a href='#x'/>", "C0641 2 the element <a>"},
+        Hostile{"<rect><animate attributeName='x'/></rect>", "C0641 2 the element <animate>"},
+        Hostile{"<rect onclick='alert(1)'/>", "C0642 2 the attribute onclick"},
+        Hostile{"<use href='http://elsewhere/x.svg#a'/>", "C0642 2 the attribute href"},
+        Hostile{"<rect fill='url(http://elsewhere/x)'/>", "C0642 2 the attribute fill"},
+        Hostile{"<rect style='fill: u\\72l(//elsewhere)'/>", "C0642 2 the attribute fill"},
+        Hostile{"<rect style='fill:url( \"//elsewhere\" )'/>", "C0642 2 the attribute fill"},
+        Hostile{"<g><rect></g>", "C0640 2 this is no well-formed XML"},
+        Hostile{"<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>", "C0644 2 this <use>"}));
+
+TEST(Drawing, WhenNotAnSvgOrWithoutSize_ThenItSaysSo) {
+  EXPECT_THAT(mistake(read_drawing("x", "<html/>")), HasSubstr("C0640 1 the file holds <html>"));
+  EXPECT_THAT(mistake(read_drawing("x", "<svg/>")), HasSubstr("C0640 1 the drawing has no size"));
+  EXPECT_THAT(mistake(read_drawing("x", "")), HasSubstr("C0640 1"));
+  EXPECT_THAT(mistake(read_drawing("x", std::string(kLargestFile + 1, ' '))), HasSubstr("larger than 2 MiB"));
+  EXPECT_THAT(mistake(load_drawing("/nowhere.svg")), HasSubstr("cannot be read"));
+}
+
+TEST(Drawing, WhenTooMuchIsInIt_ThenItIsRefusedAndNotShownInPart) {
+  std::string many, deep;
+  for (std::size_t i = 0; i <= kMostElements; ++i) many += "<g/>";
+  EXPECT_THAT(mistake(of(many)), HasSubstr("more than 20000 elements"));
+  for (int i = 0; i < kDeepest; ++i) deep = "<g>" + deep + "</g>";
+  EXPECT_THAT(mistake(of(deep)), HasSubstr("nested more than 64 deep"));
+  std::string bound;
+  for (std::size_t i = 0; i <= kMostBindings; ++i) bound += "<rect data-on='Main.x'/>";
+  EXPECT_THAT(mistake(of(bound)), HasSubstr("more than 2000 bindings"));
+  std::string uses = "<g id='a'>";
+  for (int i = 0; i < 300; ++i) uses += "<rect/>";
+  uses += "</g>";
+  for (int i = 0; i < 100; ++i) uses += "<use href='#a'/>";
+  EXPECT_THAT(mistake(of(uses)), HasSubstr("all <use> together"));
+}
+
+TEST(Drawing, WhenSeveralMistakesAreInIt_ThenAllAreTold) {
+  const auto drawing = of("<script/>\n<rect data-on=''/>\n<image/>");
+  ASSERT_FALSE(drawing);
+  EXPECT_EQ(drawing.error().size(), 3U);
+}
+
+}  // namespace
+}  // namespace stepwright::drawing
