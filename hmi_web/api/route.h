@@ -64,6 +64,7 @@ struct Answer {
   std::string file_name = {};   // to be kept as; empty: shown
   std::string set_cookie = {};  // the session's token; "-" takes the cookie away
   std::chrono::seconds retry_after{0};
+  std::string etag = {};  // quoted; a caller who has this answer already is told so (304). Empty: none
   // For the audit trail.
   std::string refusal = {};  // code and sentence
   std::string target = {};

@@ -15,6 +15,7 @@
 #include "hmi_web/access/audit_log.h"
 #include "hmi_web/api/cell_control.h"
 #include "hmi_web/api/cell_figures.h"
+#include "hmi_web/api/cell_program.h"
 #include "hmi_web/api/cell_records.h"
 #include "hmi_web/api/force_desk.h"
 #include "hmi_web/api/recipe_desk.h"
@@ -31,6 +32,7 @@ struct Services {
   RecipeDesk* recipes = nullptr;         // likewise
   CellFigures* figures = nullptr;        // null also where no runtime is followed: 404
   const std::string* drawing = nullptr;  // an SVG that may be shown; null: the plant is drawn by the page
+  CellProgram* program = nullptr;        // null also where no sources are served: 404
 };
 
 // What the server itself answers: files of the page, the WebSocket, metrics.
@@ -56,6 +58,8 @@ std::vector<Route> recipe_routes(const Services& services);
 std::vector<Route> drawing_routes(const Services& services);
 // How the runtimes are, for viewers.
 std::vector<Route> figure_routes(const Services& services);
+// The sources of the running program, for viewers.
+std::vector<Route> program_routes(const Services& services);
 // H0062: of a server that keeps nothing.
 Answer no_records();
 

@@ -97,7 +97,8 @@ void fill_with_error(Response& response, const Decision& decision, bool head_onl
 
 void fill_with_answer(Response& response, const api::Answer& answer, const std::string& allowed) {
   response.set(http::field::content_type, answer.content_type);
-  response.set(http::field::cache_control, "no-store");
+  response.set(http::field::cache_control, answer.etag.empty() ? "no-store" : "private, no-cache");
+  if (!answer.etag.empty()) response.set(http::field::etag, answer.etag);
   if (!allowed.empty()) response.set(http::field::allow, allowed);
   if (answer.retry_after.count() > 0)
     response.set(http::field::retry_after, std::to_string(answer.retry_after.count()));
@@ -210,10 +211,12 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void send(const api::Answer& answer, const std::string& allowed) {
     const HttpRequest& request = parser_->get();
-    response_ = Response(static_cast<http::status>(answer.status), request.version());
+    const bool known = !answer.etag.empty() && header(http::field::if_none_match) == answer.etag;
+    response_ = Response(known ? http::status::not_modified : static_cast<http::status>(answer.status),
+                         request.version());
     add_common_fields(response_);
     fill_with_answer(response_, answer, allowed);
-    if (request.method() == http::verb::head) response_.body().clear();
+    if (known || request.method() == http::verb::head) response_.body().clear();
     response_.keep_alive(request.keep_alive());
     write();
   }

@@ -1,10 +1,38 @@
 #include "ladder/driver/compile.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "ladder/driver/container_names.h"
 #include "ladder/driver/front_end.h"
+#include "ladder/driver/sheets.h"
+#include "ladder/print/program_document.h"
+#include "runtime/bytecode/writer/document_section.h"
 
 namespace stepwright::driver {
+
+namespace {
+
+// Files as the container names them: equal sources give equal documents wherever they are compiled.
+void name_files(std::vector<graphic::Sheet>& sheets, const std::string& folder) {
+  std::vector<std::string> files;
+  for (const graphic::Sheet& each : sheets)
+    if (std::find(files.begin(), files.end(), each.file) == files.end()) files.push_back(each.file);
+  const std::vector<std::string> names = container_names(files, folder);
+  for (graphic::Sheet& each : sheets)
+    each.file =
+        names[static_cast<std::size_t>(std::find(files.begin(), files.end(), each.file) - files.begin())];
+}
+
+// What cannot be drawn has no document; it runs all the same.
+std::vector<std::byte> with_sources(std::vector<std::byte> container, const CompileInput& input) {
+  auto sheets = sheets_of(input);
+  if (!sheets) return container;
+  name_files(*sheets, input.folder);
+  return writer::with_document(container, print::program_document(*sheets));
+}
+
+}  // namespace
 
 result::Result<CompileOutput> compile(const CompileInput& input) {
   FrontEnd front(input);
@@ -16,7 +44,7 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
   auto container = front.container(*model);
   if (!container) return result::forward(container);
   CompileOutput output;
-  output.container = std::move(*container);
+  output.container = input.document ? with_sources(std::move(*container), input) : std::move(*container);
   lint::check(*model, front.unit(), front.user_pous(), input.lint, sink);
   output.warnings = lint::without_suppressed(sink.take(), front.sources());
   return output;

@@ -33,6 +33,9 @@ struct CompileInput {
   std::string folder{};
   // Further warnings (ladder/lint) than those of the compiler itself.
   lint::Level lint = lint::Level::None;
+  // The container brings the sources with it for viewers (print/program_document.h), if they are not longer
+  // than bytecode::kMaxDocumentBytes. Engines never look at them.
+  bool document = false;
 };
 
 struct CompileOutput {

@@ -108,6 +108,8 @@ class ProjectSheets {
       sheet.body = lowering::diagram_to_chart(drawn, scope).chart;
     } else {
       sheet.body = lowering::diagram_to_ladder(drawn.body.diagram, scope);
+      if (drawn.body.diagram.language == graphic::DiagramLanguage::FunctionBlocks)
+        sheet.drawn = drawn.body.diagram;
     }
   }
 

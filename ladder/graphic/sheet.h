@@ -4,6 +4,7 @@
 // files. Texts are those of the author. Values; use from any thread.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -26,6 +27,8 @@ struct Sheet {
   std::string comment{};
   std::vector<Variable> variables{};
   std::variant<Listing, LadderProgram, SfcChart> body{};
+  // Of function blocks that were drawn: the networks as they stand in the file. `body` has the same as rungs.
+  std::optional<Diagram> drawn{};
 };
 
 }  // namespace stepwright::graphic

@@ -13,9 +13,14 @@
 namespace stepwright::print {
 
 struct TextUse {
-  std::string name;        // "lamp" of lamp, lamp.x and lamp[3]; "%IX0.0"
-  std::uint32_t line = 1;  // of the text
+  std::string name;  // "lamp" of lamp, lamp.x and lamp[3]; "%IX0.0"
+  // As far as the text fixes it, without blanks: "a.x[3][1].y" of a.x[3, 1].y, "a" of a[i].y.
+  std::string path;
+  std::uint32_t line = 1;    // of the text
+  std::uint32_t column = 1;  // characters, from 1
+  std::uint32_t length = 0;  // bytes of `path` as it is written
   bool write = false;
+  bool call = false;  // of an instance: it is written, too
 };
 
 class TextUses {

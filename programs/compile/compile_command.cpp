@@ -50,6 +50,7 @@ std::vector<std::byte> compile(const CompileArguments& arguments, sources::Sourc
   const WarningOptions options = warning_options(arguments.warnings);
   driver::CompileInput input = files.input();
   input.lint = options.level;
+  input.document = !arguments.bare;
   auto output = driver::compile(input);
   diagnostics = output ? std::move(output->warnings) : std::move(output.error());
   apply(options, diagnostics);

@@ -13,6 +13,7 @@ struct CompileArguments {
   std::vector<std::string> sources;
   std::string image;
   std::string json_file;
+  bool bare = false;                  // without the sources for viewers
   std::vector<std::string> warnings;  // "none", "default", "all"; "error": warnings are errors
 };
 

@@ -14,6 +14,8 @@ void describe_compile(CLI::App& app, compile_program::CompileArguments& argument
   app.add_option("sources", arguments.sources, "ST files (.st) and PLCopen projects (.xml)")->required();
   app.add_option("-o,--output", arguments.image, "image file to write (.swb)")->required();
   app.add_option("--json", arguments.json_file, "file for the report");
+  app.add_flag("--bare", arguments.bare,
+               "leave out the sources, which the page in the browser shows: smaller");
   app.add_option("-W", arguments.warnings,
                  "warnings: none, default, all; error (-Werror) makes them errors. May be repeated")
       ->check(CLI::IsMember({"none", "default", "all", "error"}))

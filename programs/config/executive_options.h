@@ -18,6 +18,7 @@ inline executive::DeskOptions desk_options(const CellConfig& config) {
           .sequential = config.planning.sequential,
           .time = config.planning.time,
           .interval_us = config.clock.interval_us,
+          .document = !config.controller.remote(),
           .monitors = config.planning.monitors,
           .report_fluent = config.executive.report_fluent};
 }

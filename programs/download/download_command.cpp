@@ -9,11 +9,13 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "programs/config/cell_options.h"
 #include "programs/process/command_line.h"
 #include "programs/process/diagnostics_json.h"
 #include "programs/process/files.h"
+#include "runtime/bytecode/writer/document_section.h"
 #include "runtime/result/exit_code.h"
 #include "runtime/service/connection.h"
 
@@ -126,7 +128,11 @@ int download(const config::CellConfig& config, const Arguments& arguments) {
   }
   const auto mode = mode_of(arguments, *status);
   if (!mode) return refuse(arguments, mode.error(), ExitCode::BadInput);
-  const auto reply = (*connection)->download(std::as_bytes(std::span(*image)), *mode, kPatience);
+  // A controller behind a gateway keeps programs in a small flash, and shows nobody their sources.
+  const auto bytes = std::as_bytes(std::span(*image));
+  const std::vector<std::byte> sent =
+      config.controller.remote() ? writer::without_document(bytes) : std::vector(bytes.begin(), bytes.end());
+  const auto reply = (*connection)->download(sent, *mode, kPatience);
   if (!reply) {
     return refuse(arguments, reply.error(),
                   (*connection)->closed() ? ExitCode::RuntimeFault : ExitCode::BadInput);

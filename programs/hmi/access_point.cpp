@@ -46,7 +46,7 @@ result::Result<std::unique_ptr<AccessPoint>> AccessPoint::open(const config::Hmi
   if (auto opened = point->open_recipes(config, what.cell); !opened) return result::forward(opened);
   point->table_ = std::make_unique<api::RouteTable>(
       api::all_routes({point->control_.get(), point->audit_.get(), point->forces_.get(), &what.cell,
-                       what.records, point->recipes_.get(), what.figures, what.drawing}));
+                       what.records, point->recipes_.get(), what.figures, what.drawing, what.program}));
   point->door_ = std::make_unique<api::Door>(
       *point->table_, *point->control_, *point->audit_,
       api::DoorOptions{config.anonymous_viewer ? access::Role::Viewer : access::Role::None});

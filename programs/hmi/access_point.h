@@ -17,6 +17,7 @@
 #include "hmi_web/access/audit_log.h"
 #include "hmi_web/api/cell_control.h"
 #include "hmi_web/api/cell_figures.h"
+#include "hmi_web/api/cell_program.h"
 #include "hmi_web/api/cell_records.h"
 #include "hmi_web/api/door.h"
 #include "hmi_web/api/force_desk.h"
@@ -33,6 +34,7 @@ struct ActsOn {
   api::CellRecords* records = nullptr;   // null: the server keeps none
   api::CellFigures* figures = nullptr;   // null: it follows no runtime
   const std::string* drawing = nullptr;  // null: there is none
+  api::CellProgram* program = nullptr;   // null: it serves no sources
 };
 
 class AccessPoint {

@@ -5,6 +5,7 @@
 #include "programs/config/dds_options.h"
 #include "programs/hmi/runtime_word.h"
 #include "programs/hmi/sensor_tare.h"
+#include "runtime/bytecode/reader/document_text.h"
 #include "runtime/service/digest.h"
 
 namespace stepwright::hmi {
@@ -75,7 +76,8 @@ void DdsCellSource::fetch_program(const std::string& digest) {
     return;
   }
   if (auto info = reader::ProgramInfo::read(*container))
-    running_.set(std::make_shared<const KnownProgram>(KnownProgram{digest, std::move(*info)}));
+    running_.set(std::make_shared<const KnownProgram>(
+        KnownProgram{digest, std::move(*info), std::string(reader::document_text(*container))}));
   layout_ = std::make_shared<const server::ProgramLayout>(std::move(*layout));
 }
 

@@ -19,6 +19,7 @@
 #include "programs/hmi/dds_cell_control.h"
 #include "programs/hmi/dds_cell_source.h"
 #include "programs/hmi/plant_picture.h"
+#include "programs/hmi/program_desk.h"
 #include "programs/hmi/recording.h"
 #include "programs/hmi/runtime_watch.h"
 #include "programs/log/logger.h"
@@ -72,13 +73,14 @@ int run(const config::CellConfig& config) {
   auto watch = hmi::RuntimeWatch::connect(config, (*source)->runtime());
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
   hmi::DdsCellControl control(**source);
-  auto access = hmi::AccessPoint::open(
-      config.hmi,
-      {control, records ? &*records : nullptr, watch->get(), drawn.svg.empty() ? nullptr : &drawn.svg}, **log,
-      [&](const std::string& list) {
-        feed.set_forces(list);
-        (*http)->notify();
-      });
+  hmi::ProgramDesk program((*source)->running());
+  auto access = hmi::AccessPoint::open(config.hmi,
+                                       {control, records ? &*records : nullptr, watch->get(),
+                                        drawn.svg.empty() ? nullptr : &drawn.svg, &program},
+                                       **log, [&](const std::string& list) {
+                                         feed.set_forces(list);
+                                         (*http)->notify();
+                                       });
   if (!access) return fail(access.error(), ExitCode::BadInput);
   (*http)->serve_api((*access)->door());
   if (where->held_back) {

@@ -17,6 +17,7 @@ namespace stepwright::hmi {
 struct KnownProgram {
   std::string digest;
   reader::ProgramInfo info;
+  std::string document;  // of its container, as it came; empty: it has none
 };
 
 class RunningProgram {

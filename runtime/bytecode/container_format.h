@@ -4,10 +4,11 @@
 // Everything is little-endian; these structs are the bytes of the file and are read with memcpy.
 // Specified in runtime/doc/bytecode_format.md.
 //
-// Invariants of a valid file (the verifier checks them): every section exactly once, in the order of its id,
-// each starting at the next multiple of 8 behind the one before, padding zero, the file ends with the last.
-// Ranges into another section (members of types, code of functions, transitions and steps of charts, links of
-// transitions) follow each other in the order of their owners without gaps.
+// Invariants of a valid file (the verifier checks them): every section exactly once, in the order of its id
+// (the last one, Document, may be missing), each starting at the next multiple of 8 behind the one before,
+// padding zero, the file ends with the last. Ranges into another section (members of types, code of
+// functions, transitions and steps of charts, links of transitions) follow each other in the order of their
+// owners without gaps.
 
 #include <cstdint>
 #include <type_traits>
@@ -58,8 +59,13 @@ enum class Section : std::uint32_t {
   SfcLinks,
   SourceFiles,
   SourceMap,
+  // For viewers: bytes that say nothing to an engine, and may be missing altogether.
+  Document,
 };
+// Those that every file has.
 inline constexpr std::uint16_t kSectionCount = 20;
+inline constexpr std::uint16_t kMostSections = 21;
+inline constexpr std::uint32_t kMaxDocumentBytes = 4u << 20;
 
 struct SectionEntry {
   std::uint32_t id;
@@ -247,7 +253,7 @@ static_assert(sizeof(SfcTransitionRecord) == 40 && sizeof(SourceMapRecord) == 20
 // The record that a section is made of.
 template <Section>
 struct RecordOf {
-  using Type = std::uint8_t;  // Strings, Locals, Code, InitialData: plain bytes
+  using Type = std::uint8_t;  // Strings, Locals, Code, InitialData, Document: plain bytes
 };
 #define STEPWRIGHT_RECORD(section, record) \
   template <>                              \

@@ -1,6 +1,7 @@
 #include "runtime/bytecode/container_parse.h"
 
 #include <array>
+#include <cstddef>
 #include <cstring>
 
 #include "runtime/base/hash64.h"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kChecksummedHeader = 16;  // the header's bytes before the checksum
 
-constexpr std::uint32_t kRecordSizes[kSectionCount] = {
+constexpr std::uint32_t kRecordSizes[kMostSections] = {
     sizeof(Record<Section::Sizes>),          sizeof(Record<Section::Strings>),
     sizeof(Record<Section::Types>),          sizeof(Record<Section::Members>),
     sizeof(Record<Section::Symbols>),        sizeof(Record<Section::Tasks>),
@@ -21,7 +22,8 @@ constexpr std::uint32_t kRecordSizes[kSectionCount] = {
     sizeof(Record<Section::IoMap>),          sizeof(Record<Section::RetainMap>),
     sizeof(Record<Section::SfcCharts>),      sizeof(Record<Section::SfcSteps>),
     sizeof(Record<Section::SfcTransitions>), sizeof(Record<Section::SfcLinks>),
-    sizeof(Record<Section::SourceFiles>),    sizeof(Record<Section::SourceMap>)};
+    sizeof(Record<Section::SourceFiles>),    sizeof(Record<Section::SourceMap>),
+    sizeof(Record<Section::Document>)};
 
 VerifyResult file_error(VerifyStatus status, std::uint64_t offset) {
   return {.status = status, .offset = static_cast<std::uint32_t>(offset)};
@@ -41,9 +43,8 @@ VerifyResult check_header(std::span<const std::byte> bytes) {
   if (bytes.size() < header.total_bytes) return file_error(VerifyStatus::Truncated, bytes.size());
   if (bytes.size() > header.total_bytes) return file_error(VerifyStatus::TrailingBytes, header.total_bytes);
   if (header.checksum != container_checksum(bytes)) return file_error(VerifyStatus::BadChecksum, 16);
-  if (header.section_count != kSectionCount || header.reserved != 0) {
-    return file_error(VerifyStatus::BadSectionTable, 6);
-  }
+  const bool known = header.section_count == kSectionCount || header.section_count == kMostSections;
+  if (!known || header.reserved != 0) return file_error(VerifyStatus::BadSectionTable, 6);
   return {};
 }
 
@@ -68,14 +69,17 @@ std::uint64_t container_checksum(std::span<const std::byte> bytes) {
 
 VerifyResult parse_container(std::span<const std::byte> bytes, ContainerView& view) {
   if (const VerifyResult header = check_header(bytes); !header.ok()) return header;
-  std::array<SectionEntry, kSectionCount> table;
-  if (bytes.size() < sizeof(FileHeader) + sizeof(table)) {
+  std::uint16_t count = 0;
+  std::memcpy(&count, bytes.data() + offsetof(FileHeader, section_count), sizeof(count));
+  std::array<SectionEntry, kMostSections> table;
+  const std::size_t table_bytes = count * sizeof(SectionEntry);
+  if (bytes.size() < sizeof(FileHeader) + table_bytes) {
     return file_error(VerifyStatus::BadSectionTable, sizeof(FileHeader));
   }
-  std::memcpy(table.data(), bytes.data() + sizeof(FileHeader), sizeof(table));
+  std::memcpy(table.data(), bytes.data() + sizeof(FileHeader), table_bytes);
 
-  std::uint64_t end = sizeof(FileHeader) + sizeof(table);
-  for (std::uint32_t i = 0; i < kSectionCount; ++i) {
+  std::uint64_t end = sizeof(FileHeader) + table_bytes;
+  for (std::uint32_t i = 0; i < count; ++i) {
     const SectionEntry& entry = table[i];
     const VerifyResult bad = {VerifyStatus::BadSectionTable, static_cast<Section>(i), 0, entry.offset};
     const std::uint64_t start = aligned(end);
@@ -86,7 +90,11 @@ VerifyResult parse_container(std::span<const std::byte> bytes, ContainerView& vi
     end = start + entry.size;
   }
   if (end != bytes.size()) return file_error(VerifyStatus::BadSectionTable, end);
-  view = ContainerView(bytes, table);
+  // A file without a document has no section for it, so that a program means the same bytes.
+  if (count == kMostSections &&
+      (table[kSectionCount].size == 0 || table[kSectionCount].size > kMaxDocumentBytes))
+    return {VerifyStatus::BadSectionTable, Section::Document, 0, table[kSectionCount].offset};
+  view = ContainerView(bytes, std::span(table).first(count));
   return {};
 }
 

@@ -28,9 +28,10 @@ class ContainerView {
  public:
   ContainerView() = default;
 
-  // Requires a section table whose entries lie within `bytes`.
-  ContainerView(std::span<const std::byte> bytes, std::span<const SectionEntry, kSectionCount> table) {
-    for (std::uint32_t i = 0; i < kSectionCount; ++i) {
+  // Requires a section table whose entries lie within `bytes`: kSectionCount or kMostSections of them.
+  ContainerView(std::span<const std::byte> bytes, std::span<const SectionEntry> table) {
+    assert(table.size() <= kMostSections);
+    for (std::size_t i = 0; i < table.size(); ++i) {
       sections_[i] = bytes.subspan(table[i].offset, table[i].size);
     }
   }
@@ -69,7 +70,7 @@ class ContainerView {
   }
 
  private:
-  std::array<std::span<const std::byte>, kSectionCount> sections_{};
+  std::array<std::span<const std::byte>, kMostSections> sections_{};
 };
 
 // Bytes of all four areas of the image; no overflow for a verified container.

@@ -19,10 +19,10 @@ namespace stepwright::executive {
 namespace {
 
 result::Result<void> compile_project(const graphic::Project& project, const HandWritten& programs,
-                                     PreparedPlan& prepared) {
+                                     bool document, PreparedPlan& prepared) {
   auto joined = programs.joined(project);
   if (!joined) return tl::unexpected(std::move(joined.error()));
-  auto output = driver::compile({.texts = {}, .projects = joined->projects()});
+  auto output = driver::compile({.texts = {}, .projects = joined->projects(), .document = document});
   if (!output) return tl::unexpected(std::move(output.error()));
   prepared.container = std::move(output->container);
   return {};
@@ -244,7 +244,7 @@ result::Result<void> PlanningDesk::build(PreparedPlan& prepared, const pddl::Tas
     if (step.kind == translate::StepKind::Action) prepared.episode.actions[*step.action].step = step.name;
   }
   if (auto scheduled = fill_schedule(prepared, binding_, options_.sequential); !scheduled) return scheduled;
-  return compile_project(prepared.translation.project, programs_, prepared);
+  return compile_project(prepared.translation.project, programs_, options_.document, prepared);
 }
 
 result::Result<PreparedPlan> PlanningDesk::observer(bool locate, std::chrono::milliseconds settle) const {
@@ -254,7 +254,8 @@ result::Result<PreparedPlan> PlanningDesk::observer(bool locate, std::chrono::mi
   options.locate = locate;
   options.interval_us = options_.interval_us;
   prepared.translation = translate::observe_program(binding_, options);
-  if (auto compiled = compile_project(prepared.translation.project, programs_, prepared); !compiled) {
+  if (auto compiled = compile_project(prepared.translation.project, programs_, options_.document, prepared);
+      !compiled) {
     return tl::unexpected(std::move(compiled.error()));
   }
   return prepared;

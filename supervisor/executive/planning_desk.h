@@ -39,6 +39,7 @@ struct DeskOptions {
   bool sequential = false;
   std::chrono::milliseconds time{10'000};  // budget of one planning
   std::int64_t interval_us = 10'000;
+  bool document = true;       // programs bring their sources with them, for the page
   bool monitors = true;       // rungs that watch the plan in the scan (translate/monitors.h)
   std::string report_fluent;  // what the report follows per action, "(transport-cost)"; empty: the metric
 };

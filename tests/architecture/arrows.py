@@ -52,7 +52,7 @@ ARROWS = {
     "ladder/lowering": ["ladder/syntax", "ladder/graphic"],
     "ladder/codegen": ["ladder/semantics", "runtime/bytecode/writer"],
     "ladder/exchange": ["ladder/graphic", "ladder/lowering"],
-    "ladder/driver": ["ladder/lowering", "ladder/codegen", "ladder/lint"],
+    "ladder/driver": ["ladder/lowering", "ladder/codegen", "ladder/lint", "ladder/print"],
     "supervisor/model": ["runtime/base", "runtime/result"],
     "supervisor/pddl": ["supervisor/model"],
     "supervisor/geometry": [],

@@ -77,7 +77,7 @@ async function logsIn(page, name) {
 async function forces(page) {
   await logsIn(page, 'emil');
   await page.getByLabel('Search tags by name or address').fill('%QX');
-  const set = page.locator('[data-panel=tags] tbody tr').filter({ hasText: 'BOOL' }).first().getByRole('button');
+  const set = page.locator('[data-panel=tags] tbody tr').filter({ hasText: 'BOOL' }).first().getByRole('button', { name: /^Set / });
   const tag = (await set.getAttribute('aria-label')).replace('Set ', '');
   await set.click();
   await fill(page, { Value: 'MAYBE', Minutes: '5', Reason: 'test of the valve' });

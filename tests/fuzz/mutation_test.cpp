@@ -16,6 +16,7 @@
 
 #include "ladder/driver/compile.h"
 #include "runtime/bytecode/writer/container_writer.h"
+#include "runtime/bytecode/writer/document_section.h"
 #include "tests/fuzz/corpus.h"
 #include "tests/fuzz/fault_case.h"
 #include "tests/fuzz/guarded.h"
@@ -55,6 +56,7 @@ void append_programs(const std::string& folder, std::vector<Seed>& out) {
 // Language tests, and a model with every kind of record.
 std::vector<Seed> seeds() {
   std::vector<Seed> out{{"sample", writer::write_container(support::sample_model()).value()}};
+  out.push_back({"document", writer::with_document(out.front().bytes, R"({"version":1,"sheets":[]})")});
   for (const char* const folder : {"tour", "functions", "library"}) append_programs(folder, out);
   return out;
 }

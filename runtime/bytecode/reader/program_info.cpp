@@ -16,7 +16,8 @@ using bytecode::Section;
 // types without end; a variable of a huge array does not need a name for each element.
 class Flattener {
  public:
-  Flattener(const ContainerView& view, std::vector<Tag>& tags) : view_(view), tags_(tags) {}
+  Flattener(const ContainerView& view, std::vector<Tag>& tags, std::vector<InstanceInfo>& instances)
+      : view_(view), tags_(tags), instances_(instances) {}
 
   void add(const std::string& name, std::uint32_t type_index, Variable place, std::uint16_t flags,
            std::uint32_t depth = 0) {
@@ -43,8 +44,10 @@ class Flattener {
         }
         return;
       }
-      case bytecode::TypeKind::Struct:
       case bytecode::TypeKind::Instance:
+        instances_.push_back({name, text_of(view_, type.name)});
+        [[fallthrough]];
+      case bytecode::TypeKind::Struct:
         for (std::uint32_t i = 0; i < type.count && visited_ < kMaxVisits; ++i) {
           const auto member = view_.record<Section::Members>(type.first + i);
           if ((member.flags & bytecode::kMemberHidden) != 0) continue;
@@ -79,6 +82,7 @@ class Flattener {
 
   const ContainerView& view_;
   std::vector<Tag>& tags_;
+  std::vector<InstanceInfo>& instances_;
   std::map<std::uint32_t, std::shared_ptr<const Enumerators>> enumerators_;  // by type
   std::uint32_t visited_ = 0;
 };
@@ -122,7 +126,7 @@ result::Result<ProgramInfo> ProgramInfo::read(std::span<const std::byte> contain
   const ContainerView& view = program.container();
   ProgramInfo info;
   info.sizes_ = program.sizes();
-  Flattener flattener(view, info.tags_);
+  Flattener flattener(view, info.tags_, info.instances_);
   for (std::uint32_t i = 0; i < view.count<Section::Symbols>(); ++i) {
     const auto symbol = view.record<Section::Symbols>(i);
     flattener.add(text_of(view, symbol.name), symbol.type,

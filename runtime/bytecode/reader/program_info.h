@@ -71,6 +71,12 @@ struct TaskInfo {
   std::string trigger;  // path of the BOOL whose rising edge runs it; empty: none
 };
 
+// A program or function block that keeps its values in the image.
+struct InstanceInfo {
+  std::string path;  // "plan", "plan.filter"
+  std::string pou;   // whose instance it is
+};
+
 class ProgramInfo {
  public:
   // Fails with the `refusal` (loaded_program.h) if the verifier refuses the bytes.
@@ -85,6 +91,7 @@ class ProgramInfo {
   const std::vector<Tag>& tags() const { return tags_; }  // in the order of the container
   const std::vector<ChartInfo>& charts() const { return charts_; }
   const std::vector<TaskInfo>& tasks() const { return tasks_; }
+  const std::vector<InstanceInfo>& instances() const { return instances_; }  // those of the library, too
   const bytecode::SizesRecord& sizes() const { return sizes_; }
 
  private:
@@ -92,6 +99,7 @@ class ProgramInfo {
   std::map<std::string, std::size_t, std::less<>> by_name_;  // upper case -> index into tags_
   std::vector<ChartInfo> charts_;
   std::vector<TaskInfo> tasks_;
+  std::vector<InstanceInfo> instances_;
   bytecode::SizesRecord sizes_{};
 };
 

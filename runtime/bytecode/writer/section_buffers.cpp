@@ -25,21 +25,33 @@ bytecode::StringRef SectionBuffers::string(const std::string& text) {
 }
 
 std::vector<std::byte> SectionBuffers::assemble() const {
-  std::array<bytecode::SectionEntry, bytecode::kSectionCount> table{};
-  std::size_t end = sizeof(bytecode::FileHeader) + sizeof(table);
-  for (std::uint32_t i = 0; i < bytecode::kSectionCount; ++i) {
+  std::array<std::span<const std::byte>, bytecode::kSectionCount> sections;
+  for (std::size_t i = 0; i < sections.size(); ++i) sections[i] = sections_[i];
+  return writer::assemble(sections);
+}
+
+std::vector<std::byte> assemble(std::span<const std::span<const std::byte>> sections) {
+  std::vector<bytecode::SectionEntry> table(sections.size());
+  const std::size_t table_bytes = table.size() * sizeof(bytecode::SectionEntry);
+  std::size_t end = sizeof(bytecode::FileHeader) + table_bytes;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
     const std::size_t start = aligned(end);
-    table[i] = {i, static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(sections_[i].size()), 0};
-    end = start + sections_[i].size();
+    table[i] = {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(start),
+                static_cast<std::uint32_t>(sections[i].size()), 0};
+    end = start + sections[i].size();
   }
   std::vector<std::byte> file(end);
-  bytecode::FileHeader header{
-      bytecode::kMagic, bytecode::kVersion, bytecode::kSectionCount, static_cast<std::uint32_t>(end), 0, 0};
+  bytecode::FileHeader header{bytecode::kMagic,
+                              bytecode::kVersion,
+                              static_cast<std::uint16_t>(table.size()),
+                              static_cast<std::uint32_t>(end),
+                              0,
+                              0};
   std::memcpy(file.data(), &header, sizeof(header));
-  std::memcpy(file.data() + sizeof(header), table.data(), sizeof(table));
-  for (std::uint32_t i = 0; i < bytecode::kSectionCount; ++i) {
-    if (!sections_[i].empty())
-      std::memcpy(file.data() + table[i].offset, sections_[i].data(), sections_[i].size());
+  std::memcpy(file.data() + sizeof(header), table.data(), table_bytes);
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    if (!sections[i].empty())
+      std::memcpy(file.data() + table[i].offset, sections[i].data(), sections[i].size());
   }
   header.checksum = bytecode::container_checksum(file);
   std::memcpy(file.data(), &header, sizeof(header));

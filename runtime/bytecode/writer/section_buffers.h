@@ -7,12 +7,16 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "runtime/bytecode/container_view.h"
 
 namespace stepwright::writer {
+
+// Header, section table and sections with padding and checksum: kSectionCount or kMostSections of them.
+std::vector<std::byte> assemble(std::span<const std::span<const std::byte>> sections);
 
 class SectionBuffers {
  public:
@@ -55,7 +59,7 @@ class SectionBuffers {
   // The text's place in the section Strings; equal texts share it.
   bytecode::StringRef string(const std::string& text);
 
-  // Header, section table and sections with padding and checksum.
+  // All of them as a file, without a document.
   std::vector<std::byte> assemble() const;
 
  private:

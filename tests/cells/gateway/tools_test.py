@@ -1,5 +1,6 @@
 """The tools of a runtime on a controller behind Modbus that runs by its own clock, its I/O in shared memory."""
 
+import hashlib
 import os
 import pathlib
 import re
@@ -122,6 +123,13 @@ class Tools(unittest.TestCase):
         self.assertTrue(eventually(lambda: self.area.output() == 3))
         self.run_tool("stop")
         self.assertEqual(self.area.output(), 0)
+
+    def test_a_controller_is_given_the_program_without_its_sources(self):
+        bare = self.folder / "bare.swb"
+        self.assertEqual(stepwright("compile", self.folder / "main.st", "--bare", "-o", bare).returncode, 0)
+        self.assertLess(bare.stat().st_size, self.image.stat().st_size)
+        digest = hashlib.sha256(bare.read_bytes()).hexdigest()
+        self.assertIn(digest[:12], self.run_tool("download", self.image, "--replace"))
 
     def test_what_it_cannot_do_is_refused_with_a_hint(self):
         self.run_tool("download", self.image, "--replace")

@@ -16,7 +16,7 @@ export type Method = 'GET' | 'POST' | 'PUT' | 'DELETE';
 
 function problemsOf(value: unknown, status: number): Problem[] {
   const list = (value as { problems?: Problem[] } | null)?.problems;
-  return Array.isArray(list) && list.length > 0 ? list : [{ code: '', message: own(t('refused', { status: String(status) })) }];
+  return Array.isArray(list) && list.length > 0 ? list : [{ code: '', message: refusal(status) }];
 }
 
 export async function ask<T>(method: Method, path: string, csrf: string, body?: unknown, signal?: AbortSignal): Promise<Reply<T>> {
@@ -46,6 +46,11 @@ const ownSentences = new Set<string>();
 export function own(sentence: string): string {
   ownSentences.add(sentence);
   return sentence;
+}
+
+// Of an answer that does not say why.
+export function refusal(status: number): string {
+  return own(t('refused', { status: String(status) }));
 }
 
 // For the attribute `lang` of an element with sentences of either.

@@ -58,6 +58,8 @@ export class Cell {
   // What has been forced from this server.
   forces = $state.raw<StandingForce[]>([]);
   scanOpen = $state(false); // the scan in detail is asked for
+  programOpen = $state(false); // so are the sources of the program
+  programTag = $state(''); // a tag whose uses are asked for there; empty: none
   live = $state<LiveFields>({ ...NOTHING });
   points = $state<Value[]>([]);
   // Programs have thousands of tags that change with every scan and are hardly ever looked at: one signal for them all.

@@ -8,6 +8,7 @@ export default {
   allCharts: 'alle Schrittketten',
   exits: 'Ausgänge',
   follow: 'Folgen',
+  sources: 'Quellen',
   active: 'Aktiv: {steps}',
   view: 'Schrittkette des Programms',
   picture: 'Ablaufsprache: Schrittkette des laufenden Programms',

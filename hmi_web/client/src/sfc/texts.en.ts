@@ -5,6 +5,7 @@ export default {
   allCharts: 'all charts',
   exits: 'Exits',
   follow: 'Follow',
+  sources: 'Sources',
   active: 'Active: {steps}',
   view: 'program chart',
   picture: 'sequential function chart of the running program',

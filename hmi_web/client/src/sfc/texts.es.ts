@@ -8,6 +8,7 @@ export default {
   allCharts: 'todos los gráficos',
   exits: 'Salidas',
   follow: 'Seguir',
+  sources: 'Fuentes',
   active: 'Activas: {steps}',
   view: 'gráfico del programa',
   picture: 'diagrama de funciones secuenciales del programa en marcha',

@@ -8,6 +8,7 @@ export default {
   allCharts: 'tous les graphes',
   exits: 'Sorties',
   follow: 'Suivre',
+  sources: 'Sources',
   active: 'Actives : {steps}',
   view: 'graphe du programme',
   picture: 'diagramme fonctionnel en séquence du programme en cours',

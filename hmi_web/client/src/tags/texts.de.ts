@@ -12,6 +12,8 @@ export default {
   address: 'Adresse',
   type: 'Typ',
   value: 'Wert',
+  uses: 'Verwendungen',
+  usesOf: 'Verwendungen von {name}',
   set: 'Setzen',
   setOne: '{name} setzen',
 } satisfies Translation<typeof english>;

@@ -9,6 +9,8 @@ export default {
   address: 'Address',
   type: 'Type',
   value: 'Value',
+  uses: 'Uses',
+  usesOf: 'Uses of {name}',
   set: 'Set',
   setOne: 'Set {name}',
 } as const;

@@ -12,6 +12,8 @@ export default {
   address: 'Dirección',
   type: 'Tipo',
   value: 'Valor',
+  uses: 'Usos',
+  usesOf: 'Usos de {name}',
   set: 'Fijar',
   setOne: 'Fijar {name}',
 } satisfies Translation<typeof english>;

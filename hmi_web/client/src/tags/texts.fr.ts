@@ -12,6 +12,8 @@ export default {
   address: 'Adresse',
   type: 'Type',
   value: 'Valeur',
+  uses: 'Utilisations',
+  usesOf: 'Utilisations de {name}',
   set: 'Régler',
   setOne: 'Régler {name}',
 } satisfies Translation<typeof english>;

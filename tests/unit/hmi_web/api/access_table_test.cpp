@@ -58,6 +58,7 @@ const std::map<std::string, Role>& expected_roles() {
       {"GET /api/history/export.csv", Role::Viewer},
       {"GET /api/drawing", Role::Viewer},
       {"GET /api/scan", Role::Viewer},
+      {"GET /api/program", Role::Viewer},
       {"GET /api/alarms", Role::Viewer},
       {"GET /api/alarms/journal", Role::Viewer},
       {"GET /api/alarms/journal.csv", Role::Viewer},

@@ -115,6 +115,7 @@ const NOT_SHOWN = new Map([
   ['released from the banner', 'for the audit trail, which is in English'],
   ['(prefers-color-scheme: dark)', 'a media query'],
   ['(prefers-reduced-motion: reduce)', 'a media query'],
+  ['input, textarea, select, dialog', 'a selector of elements'],
   ['all charts', 'a mark; the panel has a text for it'],
 ]);
 

@@ -21,6 +21,21 @@ TEST(TextUses, WhenStatementsAssign_ThenTargetsAreWrittenAndTheRestIsRead) {
   EXPECT_EQ(uses_of("%QX0.0 := %IX0.1;"), "%QX0.0= %IX0.1 ");
 }
 
+TEST(TextUses, WhenPathsAreFixed_ThenTheyAreWholeAndTheirPlacesAreKnown) {
+  const auto place = [](const std::string& st) {
+    const TextUse use = TextUses().of(st).front();
+    return use.path + " " + std::to_string(use.line) + ":" + std::to_string(use.column) + "+" +
+           std::to_string(use.length);
+  };
+  EXPECT_EQ(place("a.b := 1;"), "a.b 1:1+3");
+  EXPECT_EQ(place("\n  a [ -1 , 2 ] . c := 1;"), "a[-1][2].c 2:3+16");
+  EXPECT_EQ(place("a[i].b := 1;"), "a 1:1+1");
+  EXPECT_EQ(place("a.b[i] := 1;"), "a.b 1:1+3");
+  EXPECT_EQ(place("(* \u00e4 *) p^.x := 1;"), "p 1:9+1");
+  EXPECT_EQ(place("w.3 := TRUE;"), "w 1:1+1");
+  for (const char* text : {"a[1", "a[", "a[-", "a.", "a[1,", "a[1]."}) EXPECT_NO_FATAL_FAILURE(place(text));
+}
+
 TEST(TextUses, WhenBlocksAreCalled_ThenFormalNamesAreNoVariables) {
   EXPECT_EQ(uses_of("t(IN := start, PT := T#5s, Q => lamp);"), "t= start lamp= ");
   EXPECT_EQ(uses_of("x := (a := b);"), "x= b ");

@@ -1,0 +1,239 @@
+// The logic of the program's panel: documents of any shape, names and their tags, expressions, uses, search.
+//
+//   node --test program_test.mjs, with CLIENT: the folder in which the client is built
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { load } from './load_modules.mjs';
+
+const program = await load(process.env.CLIENT, [
+  'program/diagram_layout', 'program/diagram_values', 'program/document', 'program/expression', 'program/lines', 'program/power', 'program/rung_layout', 'program/scope', 'program/uses',
+]);
+const { evaluate } = program;
+
+const TAGS = [
+  ['Main.level', 'INT', ''], ['Main.f.y', 'REAL', ''], ['Main.f.x', 'REAL', ''], ['Main.a[1]', 'INT', ''], ['Main.a[2]', 'INT', ''],
+  ['Second.level', 'INT', ''], ['Alarm', 'BOOL', '%QX0.1'], ['Main.t.Q', 'BOOL', ''], ['Main.i', 'INT', ''],
+].map(([name, type, address]) => ({ name, type, address }));
+const MESSAGE = {
+  type: 'program', digest: 'd', tags: TAGS, transitions: [], charts: [{ name: 'Main', steps: 2, transitions: 0 }],
+  steps: ['S1', 'S2'].map((name) => ({ name, comment: '', initial: false })),
+};
+const LINES = ['f(x := level);', 'IF f.y > 10.0 THEN', '  Alarm := a[i] = 2; (* or', '  later *) t();', 'END_IF;'];
+const SHEETS = [
+  {
+    name: 'Mixer', kind: 'PROGRAM', language: 'ST',
+    variables: [
+      { name: 'level', type: 'INT', section: 'VAR' }, { name: 'f', type: 'Filter', section: 'VAR' }, { name: 'a', type: 'ARRAY', section: 'VAR' },
+      { name: 'i', type: 'INT', section: 'VAR' }, { name: 't', type: 'TON', section: 'VAR' }, { name: 'temp', type: 'INT', section: 'VAR_TEMP' },
+      { name: 'Alarm', type: 'BOOL', section: 'VAR_EXTERNAL' },
+    ],
+    blocks: [{ kind: 'text', first: 20, lines: LINES }],
+    uses: [
+      ['f', 'call', 0, 1, 1, 1], ['level', 'read', 0, 1, 8, 5], ['f.y', 'read', 0, 2, 4, 3], ['Alarm', 'write', 0, 3, 3, 5],
+      ['a', 'read', 0, 3, 12, 1], ['i', 'read', 0, 3, 14, 1], ['t', 'call', 0, 4, 12, 1],
+    ],
+  },
+  {
+    name: 'Filter', kind: 'FUNCTION_BLOCK', language: 'ST',
+    variables: [{ name: 'x', section: 'VAR_INPUT', type: 'REAL' }, { name: 'y', section: 'VAR_OUTPUT', type: 'REAL' }],
+    blocks: [{ kind: 'text', first: 5, lines: ['y := y + 0.1 * (x - y);'] }],
+    uses: [['y', 'write', 0, 1, 1, 1], ['y', 'read', 0, 1, 6, 1], ['x', 'read', 0, 1, 17, 1]],
+  },
+  { name: '', kind: 'VAR_GLOBAL', language: 'ST', variables: [{ name: 'Alarm', type: 'BOOL', section: 'VAR_GLOBAL' }], blocks: [], uses: [] },
+];
+const ANSWER = {
+  digest: 'd', state: 'complete', document: { version: 1, sheets: SHEETS },
+  instances: [{ path: 'Main', pou: 'Mixer' }, { path: 'Main.f', pou: 'FILTER' }, { path: 'Second', pou: 'Mixer' }, { path: 'Main.t', pou: 'TON' }],
+};
+const sources = program.readSources(ANSWER);
+const tags = new program.TagTable(MESSAGE);
+const VALUES = [7, 12.5, 3, 1, 2, 9, 1, 0, 2];
+const scopeOf = (sheet, instance) => new program.Scope(sources.sheets[sheet], instance, tags);
+const liveOf = (scope) => (path) => scope.live(path, VALUES, new Set([1]));
+
+test('Document_WhenItHasAnyShape_ThenWhatIsWrongIsLeftOut', () => {
+  for (const wrong of [null, 5, 'x', [], {}, { document: [] }, { document: { sheets: {} } }, { document: { sheets: [null, 3, { blocks: 'x', uses: [[]], variables: [1] }] } }]) {
+    const read = program.readSources(wrong);
+    assert.equal(read.state, 'damaged');
+    for (const sheet of read.sheets) assert.deepEqual([sheet.blocks, sheet.uses, sheet.variables], [[], [], []]);
+  }
+  const odd = program.readSources({ state: 'complete', document: { sheets: [{ blocks: [{ kind: 'rung', condition: { kind: 'all', of: [1, { kind: '?' }] }, coils: [{ kind: 'huge' }] }, 7], uses: [['x', 'read', 9, 1, 1, 1], ['y', '?', 0]] }] } });
+  const [{ blocks, uses }] = odd.sheets;
+  assert.deepEqual(blocks.map(({ kind }) => kind), ['rung', 'unknown']);
+  assert.equal(blocks[0].coils[0].kind, 'normal');
+  assert.equal(blocks[0].condition.of.length, 2);
+  assert.deepEqual(uses.map(({ path, access }) => [path, access]), [['y', 'read']]);
+});
+
+test('Scope_WhenNamesAreResolved_ThenTheyAreTagsOfTheInstance', () => {
+  const main = scopeOf(0, 'Main');
+  assert.equal(main.resolve('level'), 'Main.level');
+  assert.equal(main.resolve('LEVEL'), 'Main.LEVEL');
+  assert.equal(main.resolve('Alarm'), 'Alarm');
+  assert.equal(main.resolve('temp'), '');
+  assert.equal(main.resolve('%QX0.1'), 'Alarm');
+  const live = liveOf(main);
+  assert.deepEqual(live('LEVEL'), { value: 7, type: 'INT' });
+  assert.deepEqual(live('temp'), { value: null, type: '' });
+  assert.deepEqual([live('S1.X').value, live('s2.x').value, live('S3.X').type], [0, 1, '']);
+  assert.equal(liveOf(scopeOf(0, 'Second'))('level').value, 9);
+  assert.equal(liveOf(scopeOf(1, 'Main.f'))('y').value, 12.5);
+  assert.deepEqual(program.instancesOf(sources.sheets[0], sources.instances), ['Main', 'Second']);
+  assert.deepEqual(program.homeOf('main.F.y', sources), { sheet: 1, instance: 'Main.f' });
+});
+
+test('Expression_WhenValuesAreKnown_ThenItIsWhatTheEngineSays', () => {
+  const names = { a: ['bool', 1], b: ['bool', 0], n: ['int', 7], r: ['real', 2.5], t: ['time', 5e9], 'x[7].y': ['int', 3] };
+  const lookup = (path) => (names[path] ? { kind: names[path][0], value: names[path][1] } : null);
+  const value = (text) => evaluate(text, lookup)?.value ?? null;
+  const cases = {
+    'a AND NOT b': 1, 'a XOR b AND FALSE': 1, 'b OR (n > 5)': 1, 'n + 2 * 3': 13, '(n + 2) * 3': 27, 'n / 2': 3, '-n / 2': -3, 'n MOD 4': 3, '2 ** 3': 8,
+    'n = 7': 1, 'n <> 7': 0, 'r >= 2.0': 1, 'r > 2.5': null, 't < T#5s1ms': 1, 't = TIME#5000ms': 1, 'x[n].y': 3, 'x[8].y': null, '16#1F': 31, '2#1_01': 5,
+    'INT#5': 5, 'MAX(n, 9)': 9, 'LIMIT(0, n, 5)': 5, 'SEL(b, 4, 5)': 4, 'unknown(n)': null, 'a & b': 0, 'NOT unknown': null, 'unknown AND b': 0,
+    'unknown OR a': 1, 'unknown OR b': null, 'n (* seven *) = 7 // so': 1, '1.5E2 = 150': null, 'n / 0': null, 'p^.x': null, 'TRUE': 1,
+    '': null, 'n +': null, '(n': null, 'n )': null, 'a := b': null, "'text' = x": null,
+  };
+  for (const [text, expected] of Object.entries(cases)) assert.equal(value(text), expected, text);
+  assert.equal(value('('.repeat(5_000) + 'a' + ')'.repeat(5_000)), null);
+  assert.equal(value('NOT '.repeat(3_000) + 'a'), null);
+});
+
+test('Lines_WhenTheyNameVariables_ThenTheirValuesStandBesideThem', () => {
+  const live = liveOf(scopeOf(0, 'Main'));
+  const usesOf = (line) => sources.sheets[0].uses.filter((use) => use.line === line);
+  const values = (line) =>
+    program.lineValues(LINES[line - 1], usesOf(line), live, (path) => (path === 'f' ? ['y'] : ['Q'])).map(({ name, live: { value } }) => [name, value]);
+  assert.deepEqual(values(1), [['f.y', 12.5], ['level', 7]]);
+  assert.deepEqual(values(3), [['Alarm', 1], ['a[2]', 2], ['i', 2]]);
+  assert.deepEqual(values(4), [['t.Q', 0]]);
+  assert.equal(program.truth(program.conditionOf(LINES[1]), live), 'TRUE');
+  assert.equal(program.conditionOf('IF a THEN x := 1; END_IF;'), 'a');
+  assert.equal(program.conditionOf('IFFY := 1;'), '');
+  const comments = program.commentRanges(LINES);
+  const kinds = (line) => program.pieces(LINES[line - 1], usesOf(line), comments[line - 1]).map(({ text, kind }) => `${kind}:${text}`);
+  assert.deepEqual(kinds(2), ['keyword:IF', 'plain: ', 'variable:f.y', 'plain: > ', 'literal:10.0', 'plain: ', 'keyword:THEN']);
+  assert.deepEqual(kinds(3).at(-1), 'comment:(* or');
+  assert.deepEqual(kinds(4).slice(0, 2), ['comment:  later *)', 'plain: ']);
+  for (const line of LINES) {
+    const text = program.pieces(line, usesOf(LINES.indexOf(line) + 1), []).map((piece) => piece.text).join('');
+    assert.equal(text, line);
+  }
+});
+
+test('Uses_WhenATagIsLookedFor_ThenEveryInstanceAndTheWholeOfItAreFound', () => {
+  const found = (target) => program.crossReference(target, sources, tags).map(({ where, access }) => `${access} ${where}`);
+  assert.deepEqual(found('Main.f.y'), [
+    'call Mixer (Main), line 20', 'write Filter (Main.f), line 5', 'read Mixer (Main), line 21', 'read Filter (Main.f), line 5',
+  ]);
+  assert.deepEqual(found('second.LEVEL'), ['read Mixer (Second), line 20']);
+  assert.deepEqual(found('Alarm'), ['write Mixer (Main), line 22', 'write Mixer (Second), line 22']);
+  assert.deepEqual(found('nothing'), []);
+  assert.ok(program.touches('Main.t', 'main.T.q') && !program.touches('Main.t', 'Main.total'));
+  assert.deepEqual(program.declarationOf('Alarm', sources), { sheet: 2, instance: '', block: -1, line: 0 });
+});
+
+test('Search_WhenNamesAndTextsFit_ThenTheBestComeFirst', () => {
+  const titles = (query) => program.search(query, sources, tags).map(({ kind, title }) => `${kind} ${title}`);
+  assert.equal(titles('filter')[0], 'sheet Filter');
+  assert.deepEqual(titles('%qx0.1'), ['variable Alarm']);
+  assert.deepEqual(titles('later'), ['text later *) t();']);
+  assert.deepEqual(titles('  '), []);
+  assert.deepEqual(titles('nowhere'), []);
+});
+
+const contact = (name, more = {}) => ({ kind: 'contact', name, ...more });
+const rungOf = (condition, more = {}) => ({ kind: 'rung', number: 1, condition, boxes: [], coils: [], ...more });
+const flowsOf = (rungs, values) => {
+  const read = program.readSources({ state: 'complete', document: { sheets: [{ blocks: rungs }] } }).sheets[0].blocks;
+  const lookup = (path) => (path in values ? (values[path] === null ? null : { kind: 'bool', value: values[path] }) : null);
+  return { read, flows: program.flowOf(read, lookup, (name) => !name.startsWith('__')) };
+};
+
+test('Power_WhenContactsAreOpenClosedOrUnknown_ThenItGoesAsFarAsItIsKnown', () => {
+  const latch = rungOf({ kind: 'all', of: [{ kind: 'any', of: [contact('start'), contact('run')] }, contact('stop', { negated: true })] }, { coils: [{ kind: 'normal', name: 'run' }] });
+  const powers = (values) => {
+    const { read, flows } = flowsOf([latch], values);
+    return [read[0].condition.of[0], read[0].condition.of[1], read[0].condition].map((node) => flows[0].conditions.get(node).out?.value ?? null);
+  };
+  assert.deepEqual(powers({ start: 0, run: 1, stop: 0 }), [1, 1, 1]);
+  assert.deepEqual(powers({ start: 1, run: 0, stop: 1 }), [1, 0, 0]);
+  assert.deepEqual(powers({ run: 1, stop: 0 }), [1, 1, 1]);
+  assert.deepEqual(powers({ run: 0, stop: 0 }), [null, null, null]);
+  assert.deepEqual(powers({ run: 0, stop: 1 }), [null, 0, 0]);
+});
+
+test('Power_WhenEdgesWiresAndJumpsCome_ThenTheyAreFollowed', () => {
+  const edge = (kind, value) => flowsOf([rungOf(contact('x', { edge: kind }))], { x: value }).flows[0].power?.value ?? null;
+  assert.deepEqual([edge('rising', 0), edge('rising', 1), edge('falling', 1), edge('falling', 0)], [0, null, 0, null]);
+  const wire = flowsOf([rungOf(contact('x'), { coils: [{ kind: 'normal', name: '__W1' }] }), rungOf(contact('__W1', { negated: true }))], { x: 1 });
+  assert.equal(wire.flows[1].power.value, 0);
+  const jump = flowsOf([rungOf(contact('x'), { jump: 'END' }), rungOf({ kind: 'true' }), rungOf({ kind: 'true' }, { label: 'End' })], { x: 1 });
+  assert.deepEqual(jump.flows.map(({ ran }) => ran), [true, false, true]);
+  const stay = flowsOf([rungOf(contact('x'), { jump: 'END' }), rungOf({ kind: 'true' })], { x: 0 });
+  assert.deepEqual(stay.flows.map(({ ran }) => ran), [true, true]);
+  const back = flowsOf([rungOf({ kind: 'true' }, { label: 'again' }), rungOf(contact('x'), { jump: 'again' }), rungOf({ kind: 'true' })], { x: 1 });
+  assert.deepEqual(back.flows.map(({ ran }) => ran), [true, true, true]);
+  const leave = flowsOf([rungOf(contact('x'), { return: true }), rungOf({ kind: 'true' })], { x: 1 });
+  assert.equal(leave.flows[1].ran, false);
+});
+
+test('Drawing_WhenRungsAreOfAnySize_ThenNothingSticksOut', () => {
+  const wide = { kind: 'all', of: Array.from({ length: 40 }, (_, i) => contact(`a_rather_long_name_${i}`)) };
+  const deep = { kind: 'any', of: [wide, { kind: 'all', of: [] }, { kind: 'test', text: 'x > 1' }, { kind: 'any', of: [contact('y'), contact('z', { negated: true })] }] };
+  const box = { type: 'TON', instance: 'patience', power: 'IN', inputs: [['PT', 'T#5s']], outputs: [['Q', 'late'], ['ET', '']] };
+  for (const rung of [rungOf(wide), rungOf(deep, { boxes: [box, { ...box, text: 'x := 1;' }], coils: [{ name: 'c' }, { kind: 'set', name: 'd' }], jump: 'END', return: true }), rungOf({ kind: 'true' })]) {
+    const { read } = flowsOf([rung], {});
+    const layout = program.layOutRung(read[0], () => ['Q', 'ET'], 500);
+    assert.ok(layout.width >= 500);
+    for (const symbol of layout.symbols) {
+      assert.ok(symbol.x >= layout.left && symbol.x + symbol.width <= layout.right + 1, JSON.stringify(symbol));
+      assert.ok(symbol.y >= 0 && symbol.y <= layout.height);
+    }
+    for (const wire of layout.wires)
+      for (const point of wire.points.split(' ')) {
+        const [x, y] = point.split(',').map(Number);
+        assert.ok(x >= layout.left && x <= layout.right && y >= 0 && y <= layout.height, wire.points);
+      }
+  }
+});
+
+const drawn = (elements) => program.readSources({ state: 'complete', document: { sheets: [{ blocks: [{ kind: 'diagram', elements }] }] } }).sheets[0].blocks[0];
+const variableAt = (kind, name, y, inputs = []) => ({ kind, name, at: [10, y], size: [40, 20], inputs });
+const pin = (name, from, output = '', more = {}) => ({ name, connections: from === undefined ? [] : [{ from, output, path: [] }], ...more });
+
+test('Diagram_WhenBlocksAreConnected_ThenTheirWiresHaveValues', () => {
+  const diagram = drawn([
+    variableAt('inVariable', 'n', 0),
+    { kind: 'block', name: 'GT', at: [100, 0], size: [60, 60], inputs: [pin('IN1', 0), pin('IN2', undefined, '', { text: '5' })], outputs: [{ name: 'OUT' }] },
+    { kind: 'block', name: 'AND', at: [200, 0], inputs: [pin('IN1', 1, 'OUT', { negated: true }), pin('IN2', 3, 'Q')], outputs: [{ name: 'OUT', negated: true }] },
+    { kind: 'block', name: 'TON', instance: 't', at: [300, 0], inputs: [pin('IN', 2, 'OUT')], outputs: [{ name: 'Q' }, { name: 'ET' }] },
+    variableAt('outVariable', 'o', 80, [pin('', 2, 'OUT')]),
+    { kind: 'block', name: 'ADD', at: [100, 200], inputs: [pin('IN1', 5, 'OUT'), pin('IN2', 0)], outputs: [{ name: 'OUT' }] },
+    variableAt('connector', 'wire', 300, [pin('', 1, 'OUT')]),
+    variableAt('continuation', 'WIRE', 340),
+  ]);
+  const names = { n: ['int', 7], 't.Q': ['bool', 1], 't.ET': ['time', 2e9] };
+  const values = new program.DiagramValues(diagram, (path) => (names[path] ? { kind: names[path][0], value: names[path][1] } : null));
+  const of = (element, output) => values.of(element, output)?.value ?? null;
+  assert.deepEqual([of(0, ''), of(1, 'OUT'), of(3, 'Q'), of(3, 'ET')], [7, 1, 1, 2e9]);
+  assert.equal(of(2, 'OUT'), 1, 'NOT (NOT TRUE AND Q)');
+  assert.equal(of(4, ''), 1);
+  assert.equal(of(5, 'OUT'), null, 'what leads back to itself is open');
+  assert.equal(of(7, ''), 1, 'a continuation has what its connector has');
+  assert.equal(of(99, ''), null);
+});
+
+test('Diagram_WhenTheFileSaysAnythingAboutPlaces_ThenAllIsOnThePicture', () => {
+  const elements = [
+    variableAt('inVariable', 'a_name_that_is_much_longer_than_its_box', -50),
+    { kind: 'block', name: 'LIMIT', at: [-200, 1e9], size: [0, -5], inputs: [pin('MN', 0, '', { at: [0, 9e5] }), pin('IN', 7), pin('MX', 1)], outputs: [{ name: 'OUT', at: ['x', 1] }] },
+    { kind: 'outVariable', name: 'o', at: 'nowhere', inputs: [pin('', 1, 'OUT')] },
+    5,
+  ];
+  const layout = program.layOutDiagram(drawn(elements));
+  assert.equal(layout.elements.length, 4);
+  for (const { x, y, width, height } of layout.elements) assert.ok(x >= 0 && y >= 0 && x + width <= layout.width && y + height <= layout.height);
+  for (const wire of layout.wires) for (const number of wire.points.split(/[ ,]/)) assert.ok(Number.isFinite(Number(number)), wire.points);
+});
