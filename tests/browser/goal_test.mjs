@@ -85,9 +85,9 @@ async function putsItTogether(page) {
 async function asksWhatIf(page) {
   await button(page, 'What if?').click();
   await waitFor(page, 'the plan is told', () => document.querySelector('[data-testid=what-if]')?.dataset.state === 'planned');
-  const figures = await dialog(page).locator('[data-figure=Actions] td').allInnerTexts();
+  const figures = await dialog(page).locator('[data-figure=actions] td').allInnerTexts();
   check(Number(figures[0]) === 4 && figures[1] === '17' && figures[2].startsWith('−13'), `fewer actions than the plan that is ready: ${figures.join(' ')}`);
-  const makespan = await dialog(page).locator('[data-figure=Makespan] td').allInnerTexts();
+  const makespan = await dialog(page).locator('[data-figure=makespan] td').allInnerTexts();
   check(makespan[2].startsWith('−'), `and sooner done: ${makespan.join(' ')}`);
   check((await dialog(page).getByLabel('actions of the what-if').locator('li').count()) === 4, 'with its actions and bars');
   await isAccessible(page, 'the what-if');
@@ -122,7 +122,7 @@ async function changesItsMindMeanwhile(page) {
   await button(page, 'What if?').click();
   await waitFor(page, 'and looked at beside the plan that runs', () =>
     ['planned'].includes(document.querySelector('[data-testid=what-if]')?.dataset.state));
-  check((await dialog(page).locator('[data-figure=Actions] td').count()) === 3, 'with what is left of it');
+  check((await dialog(page).locator('[data-figure=actions] td').count()) === 3, 'with what is left of it');
   await shot(page, 'meanwhile');
   await button(page, 'Run this goal').click();
   await dialogIsGone(page, 'and run instead of it');
