@@ -1,5 +1,5 @@
 // A fleet and an operator at its page: holds it, blocks and frees a place, orders, takes back a vehicle that died, lets
-// it go on. The fleet is held before anything else, so that it waits for the test.
+// it go on. The fleet is held as soon as that vehicle is lost, which it can be only while it drives; then it waits for the test.
 
 import { join } from 'node:path';
 
@@ -11,6 +11,8 @@ const WHOLE_TEST_MS = 200_000;
 // Slower than real time: where vehicles come to rest is not to depend on how fast the browser is.
 const SPEED = 0.3;
 const LOST = 'truck 2';
+const DIES_S = 2; // of the cell's time
+const LIVES_AGAIN_S = 4.5;
 
 const given = options();
 
@@ -68,8 +70,15 @@ async function orders(page) {
     [...document.querySelectorAll('[data-panel=goals] tbody tr')].some((row) => row.innerText.includes('box')));
 }
 
-async function takesBack(page) {
+async function losesOne(page) {
   await waitFor(page, `${LOST} is told to be lost`, (name) => document.querySelector(`[data-row="${name}"]`)?.dataset.state === 'lost', LOST);
+}
+
+async function takesBack(page) {
+  await waitFor(page, 'it would answer again', async (since) => {
+    const reply = await fetch('/api/scan');
+    return (await reply.json()).runtimes[0].scan.time_s > since;
+  }, LIVES_AGAIN_S + 0.5);
   await shot(page, 'lost');
   await page.getByRole('button', { name: `Take back ${LOST}` }).click();
   check((await dialog(page).getByTestId('subject').innerText()) === LOST, 'the dialog names the vehicle');
@@ -104,10 +113,11 @@ const browser = await launchBrowser(given);
 let demo;
 try {
   await browser.context.addInitScript({ path: axeFile(given.modules) });
-  demo = await startDemo(given.server, SPEED, given.cell, ['--fault', 'dead_v2=1@3', '--fault', 'dead_v2=0@6']);
+  demo = await startDemo(given.server, SPEED, given.cell, ['--fault', `dead_v2=1@${DIES_S}`, '--fault', `dead_v2=0@${LIVES_AGAIN_S}`]);
   const token = await setupToken(demo);
   const { page, problems } = await openPage(browser.context, demo.url);
   await claims(page, token);
+  await losesOne(page);
   await holds(page);
   await blocksAndFrees(page);
   await orders(page);

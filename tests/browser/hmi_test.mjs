@@ -152,7 +152,7 @@ async function outlivesTheServer(page, server) {
   return again;
 }
 
-let server = await startServer(given.server, 0, 4, 24);
+let server = await startServer(given.server, 0, 2, 24); // its script lasts for 25 s from there on
 const browser = await launchBrowser(given);
 try {
   const { page, problems } = await openPage(browser.context, server.url);

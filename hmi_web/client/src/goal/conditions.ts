@@ -88,17 +88,17 @@ export function conditionOfLine(line: number, count: number): number {
 
 // What is wrong with what was typed; '' = nothing.
 export function problemOf(condition: Condition, sensor: GoalSensor | undefined): string {
-  if (condition.objects.includes('')) return t('chooseSubject');
+  if (condition.objects.includes('')) return t('chooseObject');
   if (condition.kind === 'fact' || condition.other !== '') return '';
   const text = decimal(condition.number);
   if (text === '') return t('numberMissing');
   if (!/^-?\d+(\.\d+)?$/.test(text)) return t('noNumber', { text: condition.number.trim() });
   const value = Number(text);
   if (sensor?.range && (value < sensor.range[0] || value > sensor.range[1])) {
-    return t('outOfRange', { name: sensor.label || sensor.fluent, low: sensor.range[0], high: sensor.range[1] });
+    return t('outOfRange', { label: sensor.label || sensor.fluent, low: sensor.range[0], high: sensor.range[1] });
   }
   const steps = sensor && sensor.step > 0 ? value / sensor.step : 0;
-  if (sensor && condition.relation === '=' && Math.abs(steps - Math.round(steps)) > 1e-9) return t('stepsOnly', { step: sensor.step });
+  if (sensor && condition.relation === '=' && Math.abs(steps - Math.round(steps)) > 1e-9) return t('onlySteps', { step: sensor.step });
   return '';
 }
 

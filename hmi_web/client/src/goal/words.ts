@@ -1,7 +1,6 @@
 // What goals of this cell can be made of (GET /api/plan/goal-form) and what holds now (GET /api/plan/outlook), read with
 // doubt: both come from another process. supervisor/doc/goals.md says what they mean.
 
-import { own } from '../access/api';
 import { t } from './texts';
 import { readWhatIf, type WhatIf } from './what_if';
 
@@ -76,7 +75,7 @@ function sensorsOf(value: unknown): Map<string, GoalSensor> {
 // The words, or why there is no form.
 export function readWords(value: unknown): GoalWords | string {
   const form = fieldsOf(value);
-  if (!form || form.available !== true) return textOf(form?.reason) || own(t('noWords'));
+  if (!form || form.available !== true) return textOf(form?.reason) || t('noWords');
   return {
     objects: new Map(Object.entries(fieldsOf(form.objects) ?? {}).map(([type, names]) => [type, textsOf(names)])),
     predicates: symbolsOf(form.predicates),
