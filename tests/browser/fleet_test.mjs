@@ -117,7 +117,8 @@ async function seesThemDrive(page) {
     document.querySelector('[data-row][data-state=resting]') && document.querySelector('[data-goal][data-state=delivered]'));
   const { left, drawn } = await page.evaluate(() => globalThis.seen);
   for (const name of Object.keys(left)) {
-    check(left[name].every((count, at) => at === 0 || count > left[name][at - 1]), `polygons that ${name} has left stay gone`);
+    // A busy machine may lose the connection, and the page begins anew with none.
+    check(left[name].every((count, at) => at === 0 || count === 0 || count > left[name][at - 1]), `polygons that ${name} has left stay gone: ${left[name]}`);
     check(drawn[name].at(-1) < Math.max(...drawn[name]), `fewer polygons of ${name} are drawn than at the start`);
   }
 }
