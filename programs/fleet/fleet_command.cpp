@@ -68,6 +68,7 @@ FleetOptions options_of(const FleetArguments& arguments, ProgressLine& line) {
   if (arguments.path_time_s) options.path_time = whole_ms(*arguments.path_time_s);
   options.path_factor = arguments.path_factor;
   options.alternatives = arguments.alternatives;
+  options.give_way = arguments.give_way;
   options.on_progress = [&line](const FleetProgress& progress) { line.show(progress); };
   return options;
 }

@@ -19,6 +19,7 @@ struct FleetArguments {
   std::optional<double> path_time_s;  // nothing: A*
   double path_factor = 1.0;
   unsigned alternatives = 48;
+  unsigned give_way = 0;
   unsigned threads = 2;
   std::optional<std::string> cache_folder;
   bool progress = false;     // also where stderr is no terminal

@@ -32,6 +32,7 @@ class Text {
     print_head(problem);
     print_vehicles();
     print_changes();
+    print_ways_given();
     print_waits();
     print_figures();
     return std::move(text_);
@@ -82,6 +83,7 @@ class Text {
     std::string does = "stops";
     if (stop.kind == StopKind::PickUp) does = fmt::format("picks up {} of {}", stop.amount, stop.goal);
     if (stop.kind == StopKind::SetDown) does = fmt::format("sets down {} of {}", stop.amount, stop.goal);
+    if (stop.kind == StopKind::GiveWay) does = "gives way";
     print("  {:>8}  {} at {}{}\n", clock_time(end), does, stop.location,
           stop.aboard > 0 ? fmt::format(", {} aboard", stop.aboard) : std::string());
   }
@@ -95,6 +97,15 @@ class Text {
         around += (around.empty() ? "" : ", ") + plan_.missions[v].vehicle;
       print("  {} drives around {}, {:.1f} m {}\n", plan_.missions[change.vehicle].vehicle, around,
             std::abs(change.longer_m), change.longer_m < 0.0 ? "less" : "more");
+    }
+  }
+
+  void print_ways_given() {
+    if (answer_.gave_way.empty()) return;
+    print("\nNo paths from where they stand leave a schedule:\n");
+    for (const GaveWay& move : answer_.gave_way) {
+      print("  {} gives way to others first, at ({:.1f} m, {:.1f} m)\n", plan_.missions[move.vehicle].vehicle,
+            move.place.x_m, move.place.y_m);
     }
   }
 

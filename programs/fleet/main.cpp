@@ -33,6 +33,10 @@ void describe(CLI::App& app, fleet::FleetArguments& arguments) {
   app.add_option("--alternatives", arguments.alternatives,
                  "other paths to try where there is no schedule (default 48; 0: none)")
       ->check(CLI::Range(0u, 100000u));
+  app.add_option("--give-way", arguments.give_way,
+                 "so many vehicles at most drive out of the way of others first where no path helps "
+                 "(default 0)")
+      ->check(CLI::Range(0u, 100u));
   app.add_option("--threads", arguments.threads, "for paths and envelopes (default 2)")
       ->check(CLI::Range(1u, 64u));
   app.add_option("--cache", arguments.cache_folder,

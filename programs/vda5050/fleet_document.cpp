@@ -126,6 +126,7 @@ std::vector<fleet::Stop> stops_of(const json& entry, const geometry::Path& path,
     const std::string kind = text(all[k], "kind", at);
     stop.kind = kind == "pick_up"    ? fleet::StopKind::PickUp
                 : kind == "set_down" ? fleet::StopKind::SetDown
+                : kind == "give_way" ? fleet::StopKind::GiveWay
                                      : fleet::StopKind::Park;
     stop.location = text(all[k], "location", at);
     stop.goal = optional_text(all[k], "goal");

@@ -73,7 +73,7 @@ std::size_t unfinished_stops(const Shown& shown) {
     const fleet::Stop& stop = shown.mission.stops[s];
     const bool reached = stop.arc_m <= shown.image.arc_m + kReach_m;
     const bool done = s < told || shown.image.done || stop.arc_m <= shown.image.arc_m - kBehindStop_m;
-    if (stop.kind != fleet::StopKind::Park && reached && !done) ++unfinished;
+    if (fleet::moves_load(stop.kind) && reached && !done) ++unfinished;
   }
   return unfinished;
 }

@@ -14,6 +14,8 @@ namespace {
 
 // Of each search for orders; far more than the problems of a hall take.
 constexpr std::uint64_t kConflicts = 20'000;
+// So many vehicles at most drive out of the way of others first. Places where they can are counted too.
+constexpr std::uint32_t kGiveWay = 3;
 
 // "goals[3]" of the key with which a diagnostic begins.
 std::optional<std::size_t> named(const std::string& message, const std::vector<std::string>& keys) {
@@ -99,6 +101,7 @@ result::Result<FleetOutcome> FleetDesk::plan(const FleetLedger& ledger, const Fl
   prepare.planning.time = options_.time;
   prepare.planning.path_factor = options_.path_factor;
   prepare.planning.conflicts = kConflicts;
+  prepare.planning.give_way = kGiveWay;
   prepare.planning.cancel = request.cancel;
   auto answer = plan_fleet(with_reserve(problem, options_.reserve), floor_, planning_options(prepare));
   if (!answer) {
@@ -116,6 +119,11 @@ result::Result<FleetOutcome> FleetDesk::plan(const FleetLedger& ledger, const Fl
     outcome.prepared.answer = *std::move(answer);
     return outcome;
   }
+  for (PathChange& change : answer->changes) {
+    change.vehicle = outcome.rest.vehicles[change.vehicle];
+    for (std::uint32_t& other : change.around) other = outcome.rest.vehicles[other];
+  }
+  for (GaveWay& move : answer->gave_way) move.vehicle = outcome.rest.vehicles[move.vehicle];
   FleetPlan plan = std::move(answer->plan);
   for (std::size_t k = 0; k < plan.missions.size(); ++k) {
     plan.missions[k].model = model(outcome.rest.vehicles[k]);

@@ -85,6 +85,11 @@ bool FleetExecutive::plan_rest() {
     if (outcome->prepared.program) {
       for (const std::string& name : outcome->rest.unbound)
         add_evidence("'" + name + "' does not bind: what it counts from will not happen");
+      for (const GaveWay& move : outcome->prepared.answer.gave_way) {
+        add_evidence(fmt::format("{} gives way to others first, at ({:.1f} m, {:.1f} m)",
+                                 desk_.problem().vehicles[move.vehicle].name, move.place.x_m,
+                                 move.place.y_m));
+      }
       record_.incidents.back().replan_ms =
           std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
       ++revision_;
@@ -160,6 +165,7 @@ void FleetExecutive::launch_record(const FleetOutcome& outcome) {
       const double end_s = seconds(made.earliest[v][mission.grown.stands[k]].exit);
       const char* does = stop.kind == StopKind::PickUp    ? "pick_up"
                          : stop.kind == StopKind::SetDown ? "set_down"
+                         : stop.kind == StopKind::GiveWay ? "give_way"
                                                           : "park";
       executive::ActionRecord action;
       action.text = stop.goal.empty() ? fmt::format("{}: {} at {}", mission.vehicle, does, stop.location)

@@ -26,6 +26,7 @@ FleetLedger::FleetLedger(MissionProblem problem)
 
 void FleetLedger::made(std::uint32_t vehicle, const Stop& stop, std::chrono::milliseconds when) {
   VehicleEntry& entry = vehicles_[vehicle];
+  if (stop.kind == StopKind::GiveWay) return;
   if (stop.kind == StopKind::Park) {
     ++entry.tasks_done;
     entry.task_times.push_back(when);

@@ -266,6 +266,15 @@ std::optional<Approaches> PathPlanner::approaches(const geometry::Pose& goal, st
   return Approaches::find(*map_, clearance_, *primitives_, cells_, to->vertex, to->heading, most);
 }
 
+std::size_t PathPlanner::visit_reachable(const geometry::Pose& start, std::size_t most,
+                                         const TakePose& take) const {
+  Question question(*map_, *primitives_, cells_, clearance_);
+  const auto from = question.place(start, "start");
+  if (!from) return 0;
+  return fleet::visit_reachable(*map_, clearance_, *primitives_, cells_, from->vertex, from->heading, most,
+                                take);
+}
+
 PathAnswer PathPlanner::plan(const geometry::Pose& start, const geometry::Pose& goal,
                              const PathOptions& options, const CostToGo* to_go) const {
   Question question(*map_, *primitives_, cells_, clearance_);

@@ -24,6 +24,7 @@
 #include "supervisor/fleet/lattice/heuristic_table.h"
 #include "supervisor/fleet/lattice/lattice_path.h"
 #include "supervisor/fleet/lattice/obstacle_distances.h"
+#include "supervisor/fleet/lattice/reachable.h"
 #include "supervisor/fleet/lattice/swept_cells.h"
 
 namespace stepwright::fleet {
@@ -57,6 +58,10 @@ class PathPlanner {
   // From where the goal can be reached, if that are no more than so many poses of the lattice; nothing as
   // well for a goal off the map or in collision.
   std::optional<Approaches> approaches(const geometry::Pose& goal, std::size_t most) const;
+
+  // Where the vehicle can drive from there, cheapest first; see reachable.h. Nowhere from a pose off the map
+  // or in collision.
+  std::size_t visit_reachable(const geometry::Pose& start, std::size_t most, const TakePose& take) const;
 
   // `to_go`: of this goal, if there is one.
   // Diagnostics: F0302 a pose off the map, F0303 a pose in collision (and with which cell), F0304 no passage

@@ -146,7 +146,11 @@ class Addition {
       if (avoided_.empty()) refuse(grown.error().front().message);
       return std::nullopt;
     }
-    return joined(added, std::move(stops), *std::move(grown));
+    VehicleMission next = own();
+    next.path = added;
+    next.stops = std::move(stops);
+    next.grown = *std::move(grown);
+    return internal::joined(own(), std::move(next));
   }
 
   std::vector<Stop> stops_of(const std::vector<const LatticePath*>& paths) const {
@@ -163,39 +167,6 @@ class Addition {
       stops.push_back({stop.kind, stop.location, stop.goal, stop.amount, aboard, pose, arc_m, stop.service});
     }
     return stops;
-  }
-
-  // The new part counts poses, polygons and metres from its own begin.
-  VehicleMission joined(const geometry::Path& path, std::vector<Stop> stops, GrownEnvelope grown) const {
-    VehicleMission mission = own();
-    const std::size_t poses = mission.path.size() - 1;
-    const std::size_t polygons = mission.grown.visits.size();
-    const double begun_m = mission.path.back().arc_m;
-    if (mission.path.size() == 1) mission.path.front().travel = path.front().travel;
-    for (std::size_t k = 1; k < path.size(); ++k) {
-      mission.path.push_back(path[k]);
-      mission.path.back().arc_m += begun_m;
-    }
-    for (Stop& stop : stops) {
-      stop.pose += poses;
-      stop.arc_m += begun_m;
-      mission.stops.push_back(std::move(stop));
-    }
-    for (std::size_t k = 0; k < grown.visits.size(); ++k) {
-      Visit visit = grown.visits[k];
-      visit.first_pose += poses;
-      visit.last_pose += poses;
-      visit.entry_m += begun_m;
-      visit.exit_m += begun_m;
-      mission.grown.visits.push_back(visit);
-      mission.grown.envelope.polygons.push_back(std::move(grown.envelope.polygons[k]));
-    }
-    for (const std::size_t stand : grown.stands) mission.grown.stands.push_back(stand + polygons);
-    // Where its plan has ended it stands for as long as it likes.
-    EnvelopePolygon& end = mission.grown.envelope.polygons[polygons - 1];
-    end.stay.most = kNever;
-    end.overlap = {milliseconds(0), kNever};
-    return mission;
   }
 
   // What has happened, what cannot be earlier, and who goes first where that is settled.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "supervisor/fleet/mission/explain_schedule.h"
+#include "supervisor/fleet/mission/internal/give_way.h"
 #include "supervisor/fleet/mission/internal/mission_builder.h"
 #include "supervisor/fleet/mission/internal/moments.h"
 #include "supervisor/fleet/mission/internal/parallel.h"
@@ -223,7 +224,13 @@ class Chain {
       if (is_planned(problem_.vehicles[v])) legs[v] = &legs_[planned++];
     }
     internal::each_index(routes_.size(), floor_.threads(),
-                         [&](std::size_t v) { missions[v] = mission_of(v, legs[v]); });
+                         [&](std::size_t v) { missions[v] = mission_of(v, legs[v], options_.envelope); });
+    // Who stands near somebody else takes no more of the floor than his outline, or neither could be there.
+    EnvelopeOptions tight = options_.envelope;
+    tight.stand_growth_m = 0.0;
+    for (const std::size_t v : standing_together(missions)) {
+      if (is_planned(problem_.vehicles[v])) missions[v] = mission_of(v, legs[v], tight);
+    }
     result::Diagnostics wrong;
     for (std::size_t v = 0; v < missions.size(); ++v) {
       if (missions[v]) {
@@ -240,14 +247,30 @@ class Chain {
     return wrong;
   }
 
-  result::Result<VehicleMission> mission_of(std::size_t v, const std::vector<LegRequest>* legs) const {
+  static std::vector<std::size_t> standing_together(
+      const std::vector<result::Result<VehicleMission>>& missions) {
+    const auto begins = [&](std::size_t v) -> const geometry::ConvexPolygon& {
+      return missions[v]->grown.envelope.polygons.front().area;
+    };
+    std::vector<std::size_t> near;
+    for (std::size_t v = 0; v < missions.size(); ++v) {
+      for (std::size_t u = 0; missions[v] && u < missions.size(); ++u) {
+        if (u == v || !missions[u] || !overlaps(begins(v), begins(u))) continue;
+        near.push_back(v);
+        break;
+      }
+    }
+    return near;
+  }
+
+  result::Result<VehicleMission> mission_of(std::size_t v, const std::vector<LegRequest>* legs,
+                                            const EnvelopeOptions& envelope) const {
     const MissionVehicle& vehicle = problem_.vehicles[v];
     if (vehicle.envelope) return internal::given_mission(problem_, v);
-    if (vehicle.path)
-      return internal::build_mission(problem_, v, *vehicle.path, {}, floor_.map(), options_.envelope);
+    if (vehicle.path) return internal::build_mission(problem_, v, *vehicle.path, {}, floor_.map(), envelope);
     std::vector<const LatticePath*> paths;
     for (const LegRequest& leg : *legs) paths.push_back(&*floor_.leg(leg).path);
-    auto mission = internal::route_mission(problem_, v, routes_[v], paths, floor_.map(), options_.envelope);
+    auto mission = internal::route_mission(problem_, v, routes_[v], paths, floor_.map(), envelope);
     if (mission && options_.pace) options_.pace(*mission);
     return mission;
   }
@@ -301,15 +324,23 @@ class Chain {
     return due;
   }
 
+  internal::Attempt attempt(std::string_view stage) const {
+    return {.problem = problem_,
+            .floor = floor_,
+            .options = options_,
+            .routes = routes_,
+            .until = until_,
+            .limited = limited(),
+            .on_tried = [this, stage](std::size_t tried) { say(stage, tried); }};
+  }
+
   bool mend(const Core& core, Schedule& made) {
-    if (options_.alternatives == 0) return false;
-    const internal::RepairInput input{.problem = problem_,
-                                      .floor = floor_,
-                                      .options = options_,
-                                      .routes = routes_,
-                                      .until = until_,
-                                      .limited = limited(),
-                                      .on_tried = [this](std::size_t tried) { say("other paths", tried); }};
+    return (options_.alternatives > 0 && drive_around(core, made)) ||
+           (options_.give_way > 0 && give_way(core, made));
+  }
+
+  bool drive_around(const Core& core, Schedule& made) {
+    const internal::Attempt input = attempt("other paths");
     auto mended = internal::repair(input, answer_.plan.missions, core);
     answer_.figures.alternatives = mended.tried;
     all_tried_ = mended.all_tried;
@@ -318,6 +349,19 @@ class Chain {
     answer_.plan.constraints = map_constraints(problem_, routes_, answer_.plan.missions).constraints;
     answer_.changes = std::move(mended.found->changes);
     made = std::move(mended.found->schedule);
+    return true;
+  }
+
+  bool give_way(const Core& core, Schedule& made) {
+    const internal::Attempt input = attempt("giving way");
+    auto answer = internal::give_way(input, answer_.plan.missions, core);
+    nobody_gives_way_ = std::move(answer.reason);
+    if (!answer.found) return false;
+    answer_.plan.missions = std::move(answer.found->missions);
+    routes_ = std::move(answer.found->routes);
+    answer_.plan.constraints = map_constraints(problem_, routes_, answer_.plan.missions).constraints;
+    answer_.gave_way = std::move(answer.found->vehicles);
+    made = std::move(answer.found->schedule);
     return true;
   }
 
@@ -340,7 +384,7 @@ class Chain {
                           answer_.figures.alternatives == 1 ? "" : "s",
                           all_tried_ ? "" : "; there may be more than were tried");
     }
-    return text;
+    return text + nobody_gives_way_;
   }
 
   const MissionProblem& problem_;
@@ -353,6 +397,7 @@ class Chain {
   bool refused_ = false;                       // there is no allocation
   bool out_of_time_ = false;                   // there are not all paths
   bool all_tried_ = false;
+  std::string nobody_gives_way_;  // and why
   FleetAnswer answer_;
 };
 

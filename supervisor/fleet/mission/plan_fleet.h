@@ -6,8 +6,9 @@
 // routes, drawn paths, given envelopes.
 //
 // Where paths leave no schedule, paths of the vehicles to blame are planned anew around what they meet,
-// cheapest first, a bounded number of times. Where nothing helps the answer is the proof for the first paths,
-// or for all paths, if there is one (FleetAnswer::proof).
+// cheapest first, a bounded number of times. Where that does not help and FleetOptions::give_way allows it,
+// vehicles drive out of the way of others first, as few as possible. Where nothing helps the answer is the
+// proof for the first paths, or for all paths, if there is one (FleetAnswer::proof).
 //
 // The same problem and options give the same plan unless time ends or somebody cancels. One thread at a time
 // for one floor.
@@ -35,7 +36,7 @@ namespace stepwright::fleet {
 
 struct FleetProgress {
   std::string_view stage;  // "paths"
-  std::size_t done = 0;    // paths planned anew, of most `alternatives`; otherwise 0
+  std::size_t done = 0;    // sets of paths tried, of most `alternatives`; otherwise 0
   double wall_ms = 0.0;
 };
 
@@ -45,8 +46,10 @@ struct FleetOptions {
   std::chrono::milliseconds time{10'000};     // of everything; improving ends with it. Zero: no limit
   // Of the search for each set of paths, with ARA* from weight 3 on. Zero: A*, without a limit.
   std::chrono::milliseconds path_time{0};
-  double path_factor = 1.0;         // paths that are proved to cost at most so many times the least will do
-  std::uint32_t alternatives = 48;  // paths planned anew, at most, where there is no schedule
+  double path_factor = 1.0;  // paths that are proved to cost at most so many times the least will do
+  std::uint32_t alternatives =
+      48;                      // paths planned anew, at most, where there is no schedule; places to give way
+  std::uint32_t give_way = 0;  // so many vehicles at most drive out of the way of others first
   std::uint64_t conflicts =
       0;  // of each search for orders; a budget that is the same on every machine. 0: none
   EnvelopeOptions envelope{};  // but for the speeds, which each vehicle has its own
@@ -77,6 +80,12 @@ struct PathChange {
   double longer_m = 0.0;
 };
 
+// A vehicle that first drives out of the way of others, and where it stands then.
+struct GaveWay {
+  std::uint32_t vehicle = 0;
+  geometry::Pose place;
+};
+
 // Of what Infeasible is proved.
 enum class Proof : std::uint8_t {
   None,            // the verdict is another one
@@ -92,6 +101,7 @@ struct FleetAnswer {
   FleetPlan plan;
   std::optional<AllocationAnswer> allocation;  // if there are goals
   std::vector<PathChange> changes;
+  std::vector<GaveWay> gave_way;
   std::string reason;  // without a schedule: why, a sentence a line
   FleetFigures figures;
 };

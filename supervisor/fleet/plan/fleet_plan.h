@@ -25,14 +25,20 @@ namespace stepwright::fleet {
 enum class StopKind : std::uint8_t {
   PickUp,
   SetDown,
-  Park,  // nothing is moved; the mission may end here
+  Park,     // nothing is moved; the mission may end here
+  GiveWay,  // as Park, where it is in nobody's way: nobody has asked for it but the planner
 };
+
+// Whether the forks have something to do.
+inline bool moves_load(StopKind kind) {
+  return kind == StopKind::PickUp || kind == StopKind::SetDown;
+}
 
 // A place on the path where the vehicle comes to rest.
 struct Stop {
   StopKind kind = StopKind::Park;
   std::string location;                  // as the problem names it
-  std::string goal;                      // the transport that it serves; empty for Park
+  std::string goal;                      // the transport that it serves; empty where no load is moved
   std::uint32_t amount = 0;              // units of load taken or left
   std::uint32_t aboard = 0;              // units on the vehicle when it drives on
   std::size_t pose = 0;                  // index into the path

@@ -27,6 +27,8 @@ const char* word(StopKind kind) {
       return "PICK_UP";
     case StopKind::SetDown:
       return "SET_DOWN";
+    case StopKind::GiveWay:
+      return "GIVE_WAY";
     case StopKind::Park:
       break;
   }
@@ -194,7 +196,7 @@ class Writer {
     const std::string name = fmt::format("S{:02}_{}", stop_ + 1, word(stop.kind));
     const StepId at = step({name, MissionStepKind::Stop, polygon_, stop_, stop.arc_m},
                            fmt::format("{} at {}", stop.goal.empty() ? "stop" : stop.goal, stop.location));
-    const bool forks = stop.kind != StopKind::Park;
+    const bool forks = moves_load(stop.kind);
     if (forks) {
       block("move_forks_" + name_);
       block("raise_" + name_, stop.kind == StopKind::PickUp ? Qualifier::S : Qualifier::R);

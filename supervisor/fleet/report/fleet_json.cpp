@@ -27,6 +27,8 @@ const char* name_of_stop(StopKind kind) {
       return "set_down";
     case StopKind::Park:
       return "park";
+    case StopKind::GiveWay:
+      return "give_way";
   }
   return "park";
 }
@@ -225,6 +227,12 @@ std::string fleet_json(const FleetAnswer& answer, const MissionProblem* problem,
     report["changed_paths"].push_back({{"vehicle", answer.plan.missions[change.vehicle].vehicle},
                                        {"around", std::move(around)},
                                        {"longer_m", rounded(change.longer_m)}});
+  }
+  report["ways_given"] = json::array();
+  for (const GaveWay& move : answer.gave_way) {
+    report["ways_given"].push_back({{"vehicle", answer.plan.missions[move.vehicle].vehicle},
+                                    {"x_m", rounded(move.place.x_m)},
+                                    {"y_m", rounded(move.place.y_m)}});
   }
   add_figures(answer, report);
   report["retime_ms"] = retime_ms ? json(*retime_ms) : json(nullptr);

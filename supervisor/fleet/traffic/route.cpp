@@ -182,7 +182,7 @@ result::Result<Route> splice(const Route& old, std::uint32_t first, std::size_t 
   if (made.path.size() > 1 && offset == 0) made.path.front().travel = made.path[1].travel;
   made.grown.envelope.vehicle = before.vehicle;
   for (const Stop& stop : before.stops) {
-    if (stop.pose < from || stop.pose > branch || stop.kind == StopKind::Park) continue;
+    if (stop.pose < from || stop.pose > branch || !moves_load(stop.kind)) continue;
     made.stops.push_back(stop);
     made.stops.back().pose -= from;
   }

@@ -216,7 +216,8 @@ class Shift {
     // Its true outline, where it truly stands.
     stands_dead_[vehicle] = run_.stood.size();
     run_.stood.push_back({geometry::footprint_at(plant_.pose(vehicle), fleet_.settings().vehicle.footprint()),
-                          now_s_, std::numeric_limits<double>::infinity()});
+                          now_s_, std::numeric_limits<double>::infinity(), vehicle,
+                          plant_.pose(vehicle).position()});
     tell(fmt::format("v{} is dead at {:.1f}, {:.1f} m, {:.0f} degrees", vehicle + 1, at.x_m, at.y_m,
                      at.heading_rad * 180.0 / std::numbers::pi),
          detours);

@@ -111,12 +111,25 @@ class Cells {
 
 }  // namespace
 
+Ready ready_at(const Scenario& scenario, std::span<const Standing> stood, const Transport& transport,
+               const Delivery& delivery) {
+  Ready ready{scenario.stations[transport.from].position(), transport.release_s + transport.pick_up_s};
+  for (const Standing& each : stood) {
+    const bool aboard = each.vehicle && each.vehicle == delivery.vehicle && delivery.picked_s &&
+                        each.begin_s >= *delivery.picked_s &&
+                        (!delivery.delivered_s || each.begin_s < *delivery.delivered_s);
+    if (aboard) ready = {each.place, each.end_s, each.vehicle};
+  }
+  return ready;
+}
+
 double earliest_delivery_s(const Scenario& scenario, std::span<const Standing> stood,
-                           const Transport& transport, const ReachOptions& options) {
+                           const Transport& transport, const Ready& ready, const ReachOptions& options) {
+  if (std::isinf(ready.at_s)) return ready.at_s;
   const Cells cells(scenario, options);
-  const Point from = scenario.stations[transport.from].position();
+  const Point from = ready.at;
   const Point to = scenario.stations[transport.to].position();
-  const double loaded_s = transport.release_s + transport.pick_up_s;
+  const double loaded_s = ready.at_s;
   std::set<double> changes = {loaded_s};
   for (const Standing& each : stood) {
     if (each.begin_s > loaded_s) changes.insert(each.begin_s);

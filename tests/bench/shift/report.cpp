@@ -54,6 +54,25 @@ std::string missed_text(const Scenario& scenario, const Delivery& d, std::size_t
                     : std::string("not delivered"));
 }
 
+double earliest_delivery_s(const Scenario& scenario, const PlantRun& run, std::size_t k) {
+  const Transport& t = scenario.transports[k];
+  const Ready ready = ready_at(scenario, run.stood, t, run.figures.deliveries[k]);
+  return shift::earliest_delivery_s(scenario, run.stood, t, ready, {});
+}
+
+std::string reach_text(const Scenario& scenario, const PlantRun& run, std::size_t k) {
+  const double least_s = earliest_delivery_s(scenario, run, k);
+  if (least_s <= scenario.transports[k].due_s)
+    return fmt::format("    no passage was closed for so long: {:.0f} s is not excluded\n", least_s);
+  const auto dead = ready_at(scenario, run.stood, scenario.transports[k], run.figures.deliveries[k]).aboard;
+  return dead ? fmt::format("    nobody could: v{} died with it, so that none delivers before {:.0f} s\n",
+                            *dead + 1, least_s)
+              : fmt::format(
+                    "    nobody could: what was blocked and who was dead there let none pass before {:.0f} "
+                    "s\n",
+                    least_s);
+}
+
 nlohmann::json json_of(const Times& times) {
   return {{"count", times.ms.size()},
           {"p50_ms", times.quantile(0.5)},
@@ -148,13 +167,7 @@ std::string text_of(const Scenario& scenario, const PlantRun& run, const std::ve
                       std::ranges::count(kept_by_oracle, true), s.released, not_kept.size());
   for (const std::size_t k : not_kept) {
     text += missed_text(scenario, f.deliveries[k], k);
-    const double least_s = earliest_delivery_s(scenario, run.stood, scenario.transports[k], {});
-    text +=
-        least_s > scenario.transports[k].due_s
-            ? fmt::format(
-                  "    nobody could: what was blocked and who was dead there let none pass before {:.0f} s\n",
-                  least_s)
-            : fmt::format("    no passage was closed for so long: {:.0f} s is not excluded\n", least_s);
+    text += reach_text(scenario, run, k);
   }
   text += fmt::format("CPU {:.1f} s: plant {:.1f}, control {:.1f}, judge {:.1f}\n", f.cpu_s, f.plant_cpu_s,
                       f.control_cpu_s, f.judge_cpu_s);
@@ -170,8 +183,7 @@ std::vector<std::size_t> out_of_reach(const Scenario& scenario, const PlantRun& 
                                       const std::vector<std::size_t>& missed) {
   std::vector<std::size_t> found;
   std::ranges::copy_if(missed, std::back_inserter(found), [&](std::size_t k) {
-    const Transport& t = scenario.transports[k];
-    return earliest_delivery_s(scenario, run.stood, t, {}) > t.due_s;
+    return earliest_delivery_s(scenario, run, k) > scenario.transports[k].due_s;
   });
   return found;
 }

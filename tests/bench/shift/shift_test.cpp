@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "tests/bench/shift/desk.h"
 #include "tests/bench/shift/driver.h"
@@ -132,16 +133,20 @@ class ReachTest : public testing::Test {
   Transport transport{
       .release_s = 100.0, .due_s = 1000.0, .from = 0, .to = 1, .pick_up_s = 20.0, .set_down_s = 10.0};
   double way_s = geometry::distance(scenario.stations[0].position(), scenario.stations[1].position()) / 1.5;
+  double earliest_s(std::span<const Standing> stood, const ReachOptions& options = kCoarse,
+                    const Delivery& delivery = {}) const {
+    return earliest_delivery_s(scenario, stood, transport, ready_at(scenario, stood, transport, delivery),
+                               options);
+  }
 };
 
 TEST_F(ReachTest, WhenAPassageIsOpen_ThenOnlyTheStraightWayCounts) {
-  EXPECT_NEAR(earliest_delivery_s(scenario, {}, transport, kCoarse), 130.0 + way_s, 1e-9);
+  EXPECT_NEAR(earliest_s({}), 130.0 + way_s, 1e-9);
   // All of the hall but a gap of the vehicle's width and a little more.
   const std::vector<Standing> gap = {wall({{36.0, 0.0}, {37.0, 7.0}}, 0.0, 500.0),
                                      wall({{36.0, 8.65}, {37.0, 66.0}}, 0.0, 500.0)};
-  EXPECT_NEAR(earliest_delivery_s(scenario, gap, transport, kCoarse), 130.0 + way_s, 1e-9);
-  EXPECT_NEAR(earliest_delivery_s(scenario, {}, transport, {.radius_m = 1.3, .step_m = 0.1}), 130.0 + way_s,
-              1e-9);
+  EXPECT_NEAR(earliest_s(gap), 130.0 + way_s, 1e-9);
+  EXPECT_NEAR(earliest_s({}, {.radius_m = 1.3, .step_m = 0.1}), 130.0 + way_s, 1e-9);
 }
 
 TEST_F(ReachTest, WhenNothingFitsThrough_ThenItComesThroughWhenThatEndsAndNotBefore) {
@@ -149,15 +154,39 @@ TEST_F(ReachTest, WhenNothingFitsThrough_ThenItComesThroughWhenThatEndsAndNotBef
                                       wall({{36.0, 8.4}, {37.0, 66.0}}, 0.0, 800.0)};
   // From the wall on; it could have come so far.
   const double rest_s = (scenario.stations[1].x_m - 36.0) / 1.5;
-  const double at_s = earliest_delivery_s(scenario, shut, transport, kCoarse);
+  const double at_s = earliest_s(shut);
   EXPECT_GT(at_s, 500.0 + 10.0 + rest_s);
   EXPECT_LT(at_s, 500.0 + 10.0 + rest_s + 2.0);
   // Who was in front of it before it closed is past it, and so is who only has to be delivered.
   const std::vector<Standing> later = {wall({{36.0, 0.0}, {37.0, 66.0}}, 121.0, 800.0)};
-  EXPECT_NEAR(earliest_delivery_s(scenario, later, transport, kCoarse), 130.0 + way_s, 1e-9);
+  EXPECT_NEAR(earliest_s(later), 130.0 + way_s, 1e-9);
   // Nobody comes at all to a place on which somebody stands for good.
   const std::vector<Standing> on_it = {{geometry::footprint_at(scenario.stations[1], kOutline), 0.0, 1e300}};
-  EXPECT_TRUE(earliest_delivery_s(scenario, on_it, transport, kCoarse) > 1e200);
+  EXPECT_TRUE(earliest_s(on_it) > 1e200);
+}
+
+// Nobody takes it from the forks of a vehicle that is dead. Before it was picked up, or of another one, its
+// death keeps nobody.
+TEST_F(ReachTest, WhenAVehicleDiesWithTheLoad_ThenItComesNoFartherUntilThatOneIsBack) {
+  const geometry::Pose half_way{36.0, 7.0, 0.0};
+  std::vector<Standing> stood = {
+      {geometry::footprint_at(half_way, kOutline), 200.0, 600.0, 4U, half_way.position()}};
+  const double rest_s =
+      geometry::distance(half_way.position(), scenario.stations[transport.to].position()) / 1.5;
+  Delivery delivery;
+  delivery.vehicle = 4;
+  delivery.picked_s = 180.0;
+  EXPECT_NEAR(earliest_s(stood, kCoarse, delivery), 600.0 + rest_s + 10.0, 0.2);
+  delivery.delivered_s = 700.0;
+  EXPECT_NEAR(earliest_s(stood, kCoarse, delivery), 600.0 + rest_s + 10.0, 0.2);
+  delivery.picked_s = 620.0;
+  EXPECT_NEAR(earliest_s(stood, kCoarse, delivery), 130.0 + way_s, 1e-9);
+  delivery.picked_s = 150.0;
+  delivery.vehicle = 3;
+  EXPECT_NEAR(earliest_s(stood, kCoarse, delivery), 130.0 + way_s, 1e-9);
+  delivery.vehicle = 4;
+  stood[0].end_s = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(std::isinf(earliest_s(stood, kCoarse, delivery)));
 }
 
 // What the bound says nobody can do the planner does not find either; where it finds a way the bound is less.
@@ -169,7 +198,7 @@ TEST_F(ReachTest, WhenAWayIsDriven_ThenItTakesLongerThanTheBound) {
     const auto way = fleet.planner().plan(0, scenario.stations[0], stops);
     ASSERT_TRUE(way.has_value());
     const double driven_s = 120.0 + way->pace.time_s(way->end_m()) + 10.0;
-    EXPECT_LT(earliest_delivery_s(scenario, {}, transport, kCoarse), driven_s);
+    EXPECT_LT(earliest_s({}), driven_s);
   }
 }
 

@@ -53,6 +53,7 @@ export default {
   stop_pick_up: 'aufnehmen',
   stop_set_down: 'absetzen',
   stop_park: 'parken',
+  stop_give_way: 'weicht aus',
   stopAt: '{kind}: {place}',
   error_21: 'es hat seinen Weg verlassen',
   error_22: 'es soll fahren und tut es nicht',

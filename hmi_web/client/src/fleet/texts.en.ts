@@ -50,6 +50,7 @@ export default {
   stop_pick_up: 'pick up',
   stop_set_down: 'set down',
   stop_park: 'park',
+  stop_give_way: 'give way',
   stopAt: '{kind} at {place}',
   error_21: 'it has left its path',
   error_22: 'it is told to move and does not',

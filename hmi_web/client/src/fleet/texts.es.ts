@@ -53,6 +53,7 @@ export default {
   stop_pick_up: 'recoger',
   stop_set_down: 'dejar',
   stop_park: 'aparcar',
+  stop_give_way: 'cede el paso',
   stopAt: '{kind}: {place}',
   error_21: 'ha salido de su trayectoria',
   error_22: 'debe moverse y no lo hace',

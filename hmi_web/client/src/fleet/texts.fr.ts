@@ -53,6 +53,7 @@ export default {
   stop_pick_up: 'prise',
   stop_set_down: 'dépose',
   stop_park: 'stationnement',
+  stop_give_way: 's’écarte',
   stopAt: '{kind} : {place}',
   error_21: 'il a quitté sa trajectoire',
   error_22: 'il doit avancer et ne bouge pas',

@@ -3,6 +3,8 @@
 #include <cassert>
 #include <utility>
 
+#include "supervisor/fleet/network/constraint.h"
+
 namespace stepwright::fleet::internal {
 
 geometry::Path join_legs(std::span<const LatticePath* const> legs) {
@@ -20,9 +22,6 @@ geometry::Path join_legs(std::span<const LatticePath* const> legs) {
   return path;
 }
 
-namespace {
-
-// The way behind its lead-in, which ends where the way begins; stops go with it.
 geometry::Path behind(const geometry::Path& lead_in, geometry::Path way, std::vector<Stop>& stops) {
   if (lead_in.size() < 2) return way;
   geometry::Path path = lead_in;
@@ -38,8 +37,6 @@ geometry::Path behind(const geometry::Path& lead_in, geometry::Path way, std::ve
   }
   return path;
 }
-
-}  // namespace
 
 result::Result<VehicleMission> route_mission(const MissionProblem& problem, std::size_t vehicle,
                                              const Route& route, std::span<const LatticePath* const> legs,
@@ -95,6 +92,37 @@ result::Result<VehicleMission> build_mission(const MissionProblem& problem, std:
   if (!grown) return result::forward(grown);
   mission.grown = *std::move(grown);
   return mission;
+}
+
+VehicleMission joined(VehicleMission first, VehicleMission second) {
+  constexpr std::chrono::milliseconds kNever{kHorizon_ms};
+  const std::size_t poses = first.path.size() - 1;
+  const std::size_t polygons = first.grown.visits.size();
+  const double begun_m = first.path.back().arc_m;
+  if (first.path.size() == 1) first.path.front().travel = second.path.front().travel;
+  for (std::size_t k = 1; k < second.path.size(); ++k) {
+    first.path.push_back(second.path[k]);
+    first.path.back().arc_m += begun_m;
+  }
+  for (Stop& stop : second.stops) {
+    stop.pose += poses;
+    stop.arc_m += begun_m;
+    first.stops.push_back(std::move(stop));
+  }
+  for (std::size_t k = 0; k < second.grown.visits.size(); ++k) {
+    Visit visit = second.grown.visits[k];
+    visit.first_pose += poses;
+    visit.last_pose += poses;
+    visit.entry_m += begun_m;
+    visit.exit_m += begun_m;
+    first.grown.visits.push_back(visit);
+    first.grown.envelope.polygons.push_back(std::move(second.grown.envelope.polygons[k]));
+  }
+  for (const std::size_t stand : second.grown.stands) first.grown.stands.push_back(stand + polygons);
+  EnvelopePolygon& end = first.grown.envelope.polygons[polygons - 1];
+  end.stay.most = kNever;
+  end.overlap = {std::chrono::milliseconds(0), kNever};
+  return first;
 }
 
 VehicleMission given_mission(const MissionProblem& problem, std::size_t vehicle) {

@@ -16,6 +16,9 @@ geometry::Path join_legs(std::span<const LatticePath* const> legs);
 std::vector<Stop> stops_on(const MissionProblem& problem, const Route& route,
                            std::span<const LatticePath* const> legs);
 
+// The way behind its lead-in, which ends where the way begins; stops go with it.
+geometry::Path behind(const geometry::Path& lead_in, geometry::Path way, std::vector<Stop>& stops);
+
 // The mission of a vehicle along its route: its lead-in, then these legs.
 [[nodiscard]] result::Result<VehicleMission> route_mission(const MissionProblem& problem, std::size_t vehicle,
                                                            const Route& route,
@@ -28,6 +31,10 @@ std::vector<Stop> stops_on(const MissionProblem& problem, const Route& route,
                                                            geometry::Path path, std::vector<Stop> stops,
                                                            const OccupancyGrid& map,
                                                            const EnvelopeOptions& options);
+
+// A mission and another one of the same vehicle behind it, which begins where it ends and counts poses,
+// polygons and metres from its own begin. Where they meet the vehicle stands for as long as it likes.
+VehicleMission joined(VehicleMission first, VehicleMission second);
 
 // A vehicle of which the problem gives the envelope.
 VehicleMission given_mission(const MissionProblem& problem, std::size_t vehicle);

@@ -47,13 +47,9 @@ struct Step {
   }
 };
 
-double length_of(const VehicleMission& mission) {
-  return mission.path.empty() ? 0.0 : mission.path.back().arc_m;
-}
-
 class Repair {
  public:
-  Repair(const RepairInput& input, const std::vector<VehicleMission>& missions, const Core& core)
+  Repair(const Attempt& input, const std::vector<VehicleMission>& missions, const Core& core)
       : input_(input), first_(missions) {
     nodes_.push_back({missions, std::vector<std::vector<Avoided>>(missions.size()), core});
     add_steps(0);
@@ -61,7 +57,7 @@ class Repair {
 
   RepairAnswer run() {
     RepairAnswer answer;
-    while (!open_.empty() && answer.tried < input_.options.alternatives && !over()) {
+    while (!open_.empty() && answer.tried < input_.options.alternatives && !input_.over()) {
       const Step step = open_.top();
       open_.pop();
       ++answer.tried;
@@ -76,11 +72,6 @@ class Repair {
   }
 
  private:
-  bool over() const {
-    return (input_.options.cancel != nullptr && input_.options.cancel->load()) ||
-           (input_.limited && std::chrono::steady_clock::now() >= input_.until);
-  }
-
   // Steps for both vehicles of each section, around where the other stands first.
   void add_steps(std::size_t node) {
     const Node& of = nodes_[node];
@@ -148,7 +139,7 @@ class Repair {
   double longer(const Node& node) const {
     double sum_m = 0.0;
     for (std::size_t v = 0; v < node.missions.size(); ++v) {
-      sum_m += length_of(node.missions[v]) - length_of(first_[v]);
+      sum_m += length_m(node.missions[v]) - length_m(first_[v]);
     }
     return sum_m;
   }
@@ -163,7 +154,7 @@ class Repair {
     next.missions[step.vehicle] = *std::move(mission);
     next.avoided[step.vehicle] = std::move(avoided);
     if (!seen_.insert(lengths(next)).second) return std::nullopt;
-    Schedule made = schedule_of(next.missions);
+    Schedule made = input_.schedule_of(input_.routes, next.missions);
     const bool scheduled = made.verdict == Verdict::Scheduled;
     if (made.verdict == Verdict::Infeasible) next.core = made.core;
     nodes_.push_back(std::move(next));
@@ -174,12 +165,12 @@ class Repair {
 
   // The paths were found in haste: around the same places again, as short as can be.
   Repaired shortened(Node node, Schedule schedule) const {
-    for (std::uint32_t v = 0; v < node.avoided.size() && !over(); ++v) {
+    for (std::uint32_t v = 0; v < node.avoided.size() && !input_.over(); ++v) {
       if (node.avoided[v].empty()) continue;
       auto mission = plan_around(v, node.avoided[v], kThorough);
-      if (!mission || length_of(*mission) >= length_of(node.missions[v])) continue;
+      if (!mission || length_m(*mission) >= length_m(node.missions[v])) continue;
       std::swap(node.missions[v], *mission);
-      Schedule made = schedule_of(node.missions);
+      Schedule made = input_.schedule_of(input_.routes, node.missions);
       if (made.verdict == Verdict::Scheduled) {
         schedule = std::move(made);
       } else {
@@ -188,24 +179,6 @@ class Repair {
     }
     auto changed = changes(node);
     return {std::move(node.missions), std::move(schedule), std::move(changed)};
-  }
-
-  Schedule schedule_of(const std::vector<VehicleMission>& missions) const {
-    const auto mapped = map_constraints(input_.problem, input_.routes, missions);
-    std::vector<TrajectoryEnvelope> envelopes;
-    for (const VehicleMission& mission : missions) envelopes.push_back(mission.grown.envelope);
-    return schedule(envelopes, mapped.constraints, options());
-  }
-
-  ScheduleOptions options() const {
-    ScheduleOptions options{
-        .mode = input_.options.mode, .conflicts = input_.options.conflicts, .cancel = input_.options.cancel};
-    if (input_.limited) {
-      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-          input_.until - std::chrono::steady_clock::now());
-      options.time = std::max(left, std::chrono::milliseconds(1));
-    }
-    return options;
   }
 
   // The route with these places closed, for its polygons as well.
@@ -235,7 +208,7 @@ class Repair {
   static std::vector<std::int64_t> lengths(const Node& node) {
     std::vector<std::int64_t> all;
     for (const VehicleMission& mission : node.missions) {
-      all.push_back(std::llround(kMillimetres * length_of(mission)));
+      all.push_back(std::llround(kMillimetres * length_m(mission)));
       all.push_back(static_cast<std::int64_t>(mission.grown.envelope.polygons.size()));
       double sum_m = 0.0;
       for (const auto& pose : mission.path) sum_m += pose.pose.x_m - 2.0 * pose.pose.y_m;
@@ -250,12 +223,12 @@ class Repair {
       if (node.avoided[v].empty()) continue;
       std::set<std::uint32_t> around;
       for (const Avoided& place : node.avoided[v]) around.insert(place.vehicle);
-      all.push_back({v, {around.begin(), around.end()}, length_of(node.missions[v]) - length_of(first_[v])});
+      all.push_back({v, {around.begin(), around.end()}, length_m(node.missions[v]) - length_m(first_[v])});
     }
     return all;
   }
 
-  const RepairInput& input_;
+  const Attempt& input_;
   const std::vector<VehicleMission>& first_;
   std::vector<Node> nodes_;
   std::priority_queue<Step, std::vector<Step>, std::greater<>> open_;
@@ -265,7 +238,7 @@ class Repair {
 
 }  // namespace
 
-RepairAnswer repair(const RepairInput& input, const std::vector<VehicleMission>& missions, const Core& core) {
+RepairAnswer repair(const Attempt& input, const std::vector<VehicleMission>& missions, const Core& core) {
   return Repair(input, missions, core).run();
 }
 

@@ -7,25 +7,12 @@
 // one stands, or around all of the section. Sets of paths that are longer by less are tried first. Every set
 // that is tried costs a path, an envelope and a schedule, so that their number is bounded.
 
-#include <atomic>
-#include <chrono>
-#include <functional>
 #include <optional>
+#include <vector>
 
-#include "supervisor/fleet/mission/internal/moments.h"
-#include "supervisor/fleet/mission/plan_fleet.h"
+#include "supervisor/fleet/mission/internal/attempt.h"
 
 namespace stepwright::fleet::internal {
-
-struct RepairInput {
-  const MissionProblem& problem;
-  const FleetFloor& floor;
-  const FleetOptions& options;
-  const std::vector<Route>& routes;
-  std::chrono::steady_clock::time_point until;  // the latest, if there is a limit
-  bool limited = false;
-  std::function<void(std::size_t tried)> on_tried;
-};
 
 struct Repaired {
   std::vector<VehicleMission> missions;
@@ -40,6 +27,6 @@ struct RepairAnswer {
 };
 
 // `missions` have no schedule, and `core` is why.
-RepairAnswer repair(const RepairInput& input, const std::vector<VehicleMission>& missions, const Core& core);
+RepairAnswer repair(const Attempt& input, const std::vector<VehicleMission>& missions, const Core& core);
 
 }  // namespace stepwright::fleet::internal

@@ -34,6 +34,8 @@ const char* action_type(StopKind kind) {
       return "drop";
     case StopKind::Park:
       return "startCharging";
+    case StopKind::GiveWay:
+      break;
   }
   return "";
 }
@@ -64,11 +66,11 @@ std::vector<Action> VehicleOrder::actions_for(const VehicleMission& mission, con
   for (const std::size_t s : at.stops) {
     const Stop& stop = mission.stops[s];
     const bool last = s + 1 == mission.stops.size() && stop.pose + 1 == mission.path.size();
-    if (stop.kind == StopKind::Park && !(last && options_->charging_locations.contains(stop.location))) {
-      continue;
-    }
+    const bool charges =
+        stop.kind == StopKind::Park && last && options_->charging_locations.contains(stop.location);
+    if (!moves_load(stop.kind) && !charges) continue;
     add(action_type(stop.kind));
-    if (stop.kind == StopKind::Park) continue;
+    if (charges) continue;
     auto& parameters = actions.back().parameters;
     parameters.emplace_back("stationName", stop.location);
     if (!stop.goal.empty()) parameters.emplace_back("loadId", stop.goal);

@@ -112,6 +112,38 @@ TEST_F(PathPlannerTest, Plan_WhenHeldAgainstPlainDijkstra_ThenCostsAreTheLeastAn
 
 // Exact on its own floor, never too much on one with more obstacles, and A* with it finds the least cost
 // there.
+TEST_F(PathPlannerTest, VisitReachable_WhenHeldAgainstPlainDijkstra_ThenAllThatIsReachedComesCheapestFirst) {
+  for (int floor = 0; floor < 6; ++floor) {
+    const OccupancyGrid grid = random_floor(40);
+    const SweptCells cells(kCart, primitives_, 1);
+    const auto planner = PathPlanner::create(grid, kCart, primitives_, table_);
+    ASSERT_TRUE(planner);
+    PlainPose start = random_pose();
+    while (!stands(grid, cells, start)) start = random_pose();
+    const PlainCosts expected = plain_costs({&grid, primitives_, &cells}, start, 5'000);
+    std::uint32_t last = 0;
+    std::size_t met = 0;
+    planner->visit_reachable(pose_of(grid, start), 1'000'000, [&](const Pose& at, std::uint32_t cost_mm) {
+      EXPECT_GE(cost_mm, last);
+      last = cost_mm;
+      if (cost_mm > 5'000) return false;
+      const PlainPose pose{static_cast<std::int32_t>(std::lround((at.x_m - grid.frame().origin.x_m) / 0.2)),
+                           static_cast<std::int32_t>(std::lround((at.y_m - grid.frame().origin.y_m) / 0.2)),
+                           nearest_heading(at.heading_rad)};
+      const auto known = expected.find(pose);
+      EXPECT_TRUE(known != expected.end() && known->second == cost_mm);
+      ++met;
+      return true;
+    });
+    const auto within =
+        std::ranges::count_if(expected, [](const auto& entry) { return entry.second <= 5'000; });
+    EXPECT_EQ(met, static_cast<std::size_t>(within));
+    EXPECT_LE(
+        planner->visit_reachable(pose_of(grid, start), 7, [](const Pose&, std::uint32_t) { return true; }),
+        7U);
+  }
+}
+
 TEST_F(PathPlannerTest, CostToGo_WhenHeldAgainstPlainDijkstra_ThenItIsExactAndALowerBoundWhereMoreStands) {
   constexpr std::uint32_t kUnit_mm = 8;
   int exact = 0, detours = 0, none = 0;

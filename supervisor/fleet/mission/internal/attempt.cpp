@@ -1,0 +1,32 @@
+#include "supervisor/fleet/mission/internal/attempt.h"
+
+#include <algorithm>
+
+#include "supervisor/fleet/mission/internal/moments.h"
+
+namespace stepwright::fleet::internal {
+
+bool Attempt::over() const {
+  return (options.cancel != nullptr && options.cancel->load()) ||
+         (limited && std::chrono::steady_clock::now() >= until);
+}
+
+Schedule Attempt::schedule_of(const std::vector<Route>& stops,
+                              const std::vector<VehicleMission>& missions) const {
+  const auto mapped = map_constraints(problem, stops, missions);
+  std::vector<TrajectoryEnvelope> envelopes;
+  for (const VehicleMission& mission : missions) envelopes.push_back(mission.grown.envelope);
+  ScheduleOptions asked{.mode = options.mode, .conflicts = options.conflicts, .cancel = options.cancel};
+  if (limited) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(until - std::chrono::steady_clock::now());
+    asked.time = std::max(left, std::chrono::milliseconds(1));
+  }
+  return schedule(envelopes, mapped.constraints, asked);
+}
+
+double length_m(const VehicleMission& mission) {
+  return mission.path.empty() ? 0.0 : mission.path.back().arc_m;
+}
+
+}  // namespace stepwright::fleet::internal
