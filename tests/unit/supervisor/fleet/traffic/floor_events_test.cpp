@@ -165,13 +165,25 @@ TEST_F(DeadAcrossTheAisle, WhenSomebodyHasToWaitBehindItsRoom_ThenHeWaitsBeforeI
   while (floor.traffic().arc_m(kOther) < 12.0) floor.tick();
   ASSERT_FALSE(stands_in(kOther, room));
   // Neither back home nor on; up to the place it would stand in the room.
-  floor.events().block(box(7.0, 6.0, 5.0, 3.0), floor.now());
+  const Blockage behind = floor.events().block(box(7.0, 6.0, 5.0, 3.0), floor.now());
   const Blockage beyond = floor.events().block(box(24.4, 6.0, 1.0, 8.0), floor.now());
   ASSERT_EQ(beyond.detours.size(), 1U);
   ASSERT_EQ(beyond.detours[0].kind, DetourKind::Waits);
   for (int k = 0; k < 60; ++k) floor.tick();
   EXPECT_FALSE(stands_in(kOther, room));
   EXPECT_TRUE(floor.traffic().held(kOther));
+  // However long that takes: then both go on.
+  floor.events().unblock(behind.number);
+  floor.events().unblock(beyond.number);
+  floor.changed(kOther);
+  bool back = false;
+  for (int k = 0; k < 400 && !back; ++k) {
+    floor.tick();
+    EXPECT_EQ(floor.broken(), "");
+    back = come_back().has_value();
+  }
+  EXPECT_TRUE(back);
+  EXPECT_TRUE(floor.settle(1000)) << floor.broken();
 }
 
 // The one that dies stands beside the way of the other one, whose outline passes through its room alone.
