@@ -1,7 +1,6 @@
 #include "supervisor/fleet/traffic/floor_events.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace stepwright::fleet {
@@ -11,13 +10,9 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr double kBefore_m = 0.05;  // of the place where the outline with its margin meets the obstacle
-// What is kept free beside a dead vehicle's outline with its margin, and before and behind it, where other
-// ways lead past, so that it has room to begin to drive.
+// A dead vehicle's surroundings that nobody drives into, so that it has room to begin to drive again.
 constexpr double kAround_m = 0.15;
 constexpr double kAlong_m = 0.75;
-// From its last answer until its brake holds it, and what that brake does at least.
-constexpr double kUnseen_s = 0.2;
-constexpr double kFails_safe_m_s2 = 3.0;
 // Beyond the branch: more than where a follower halts before the place that it may not pass.
 constexpr double kBranch_m = 0.35;
 constexpr double kDriveOn_m = 1.2;  // how far it comes before its new way begins
@@ -32,27 +27,12 @@ std::vector<Waypoint> FloorEvents::stops_behind(std::uint32_t vehicle, double ar
   return stops;
 }
 
-std::optional<double> FloorEvents::first_m(std::uint32_t vehicle, double from_m, Meets meets) const {
-  const geometry::Path& path = traffic_.route(vehicle).mission.path;
-  const auto from = std::ranges::lower_bound(path, from_m, {}, &geometry::PathPose::arc_m);
-  const auto hit = std::find_if(from, path.end(),
-                                [&](const geometry::PathPose& at) { return (planner_.*meets)(at.pose); });
-  return hit == path.end() ? std::nullopt : std::optional(hit->arc_m);
-}
-
 std::optional<double> FloorEvents::first_blocked_m(std::uint32_t vehicle) const {
-  return first_m(vehicle, traffic_.arc_m(vehicle), &RoutePlanner::meets_blocked);
-}
-
-// Before the blocked place, and before the room of a dead vehicle on the way there: that one could not come
-// back as long as the other one waits in it. Who can no more stop before it goes on to the blocked place.
-double FloorEvents::halt_m(std::uint32_t vehicle, double blocked_m) {
-  traffic_.release(vehicle);  // or it could stop only where it has to by now
-  const auto branch = traffic_.branch(vehicle);
-  const auto room_m =
-      branch ? first_m(vehicle, branch->arc_m, &RoutePlanner::meets_room) : std::optional<double>();
-  const bool before = room_m && *room_m < blocked_m && !planner_.meets_room(branch->place);
-  return (before ? *room_m : blocked_m) - kBefore_m;
+  const geometry::Path& path = traffic_.route(vehicle).mission.path;
+  const auto from = std::ranges::lower_bound(path, traffic_.arc_m(vehicle), {}, &geometry::PathPose::arc_m);
+  const auto hit = std::find_if(
+      from, path.end(), [&](const geometry::PathPose& at) { return planner_.meets_blocked(at.pose); });
+  return hit == path.end() ? std::nullopt : std::optional(hit->arc_m);
 }
 
 // First nobody goes farther than he may, then one after the other is planned for.
@@ -62,26 +42,12 @@ std::vector<Detour> FloorEvents::detour_all(milliseconds now) {
     if (traffic_.removed(v) || traffic_.rests(v)) continue;
     const auto blocked_m = first_blocked_m(v);
     if (!blocked_m) continue;
-    traffic_.hold(v, halt_m(v, *blocked_m));
+    traffic_.hold(v, *blocked_m - kBefore_m);
     concerned.push_back(v);
   }
   std::vector<Detour> detours;
   for (const std::uint32_t v : concerned) detours.push_back(detour(v, now));
   return detours;
-}
-
-// Whose way leads through the room of a dead vehicle takes another one if there is any.
-void FloorEvents::leave_rooms(milliseconds now, std::vector<Detour>& detours) {
-  for (std::uint32_t v = 0; v < traffic_.vehicles(); ++v) {
-    if (traffic_.removed(v) || traffic_.rests(v) || traffic_.held(v)) continue;
-    const auto branch = traffic_.branch(v);
-    if (!branch || !first_m(v, branch->arc_m, &RoutePlanner::meets_room)) continue;
-    const auto route = planner_.plan(v, branch->place, stops_behind(v, branch->arc_m));
-    const auto in_room = [&](const geometry::PathPose& at) { return planner_.meets_room(at.pose); };
-    if (!route || std::ranges::any_of(route->mission.path, in_room)) continue;
-    if (traffic_.reroute(v, *branch, *route, now))
-      detours.push_back({.vehicle = v, .kind = DetourKind::Rerouted, .given_up = {}, .why = {}});
-  }
 }
 
 Detour FloorEvents::detour(std::uint32_t vehicle, milliseconds now) {
@@ -111,7 +77,7 @@ Detour FloorEvents::detour(std::uint32_t vehicle, milliseconds now) {
     for (const Waypoint& stop : std::span(stops).first(stops.size() - 1)) made.given_up.push_back(stop.stop);
   } else if (const auto blocked_m = first_blocked_m(vehicle)) {
     // It does not drive on to where it could not branch off any more.
-    traffic_.hold(vehicle, std::min(halt_m(vehicle, *blocked_m), branch->arc_m + kBranch_m));
+    traffic_.hold(vehicle, std::min(*blocked_m - kBefore_m, branch->arc_m + kBranch_m));
   }
   return made;
 }
@@ -121,7 +87,7 @@ std::vector<Detour> FloorEvents::release_free() {
   for (std::uint32_t v = 0; v < traffic_.vehicles(); ++v) {
     if (!traffic_.held(v) || traffic_.removed(v)) continue;
     if (const auto blocked_m = first_blocked_m(v)) {
-      traffic_.hold(v, halt_m(v, *blocked_m));
+      traffic_.hold(v, *blocked_m - kBefore_m);
     } else {
       traffic_.release(v);
       released.push_back({.vehicle = v, .kind = DetourKind::DrivesOn, .given_up = {}, .why = {}});
@@ -164,28 +130,13 @@ std::vector<Detour> FloorEvents::retry(milliseconds now) {
 }
 
 std::vector<Detour> FloorEvents::died(std::uint32_t vehicle, const geometry::Pose& at, milliseconds now) {
-  const VehicleMission& mission = traffic_.route(vehicle).mission;
-  const auto here =
-      std::ranges::lower_bound(mission.path, traffic_.arc_m(vehicle), {}, &geometry::PathPose::arc_m);
-  const bool backwards = here != mission.path.end() && here->travel == geometry::Travel::Reverse;
-  const double speed_m_s = std::abs(traffic_.speed_m_s(vehicle));
-  const double unseen_m = speed_m_s * (kUnseen_s + speed_m_s / (2.0 * kFails_safe_m_s2));
-  const auto outline = [&](double ahead_m, double behind_m, double beside_m) {
-    geometry::Footprint longer = mission.model.footprint();
-    longer.front_m += std::min(ahead_m, kAlong_m);
-    longer.rear_m += std::min(behind_m, kAlong_m);
-    longer.half_width_m += beside_m;
-    return footprint_at(at, longer);
-  };
-  Dead dead{.number = 0,
-            .outline = outline(backwards ? 0.0 : unseen_m, backwards ? unseen_m : 0.0, 0.0),
-            .room = outline(kAlong_m, kAlong_m, kAround_m)};
+  geometry::Footprint outline = traffic_.route(vehicle).mission.model.footprint();
+  outline.front_m += kAlong_m;
+  outline.rear_m += kAlong_m;
+  outline.half_width_m += kAround_m;
   traffic_.remove(vehicle);
-  dead.number = planner_.block(dead.outline, dead.room);
-  dead_.insert_or_assign(vehicle, std::move(dead));
-  std::vector<Detour> detours = detour_all(now);
-  leave_rooms(now, detours);
-  return detours;
+  dead_[vehicle] = planner_.block(footprint_at(at, outline));
+  return detour_all(now);
 }
 
 result::Result<std::vector<Detour>> FloorEvents::came_back(std::uint32_t vehicle, double here_m, bool home,
@@ -198,8 +149,9 @@ result::Result<std::vector<Detour>> FloorEvents::came_back(std::uint32_t vehicle
   const auto from = std::ranges::lower_bound(path, here_m, {}, &geometry::PathPose::arc_m);
   auto to = std::ranges::lower_bound(path, wanted_m - 1e-6, {}, &geometry::PathPose::arc_m);
   while (to + 1 < path.end() && !on_lattice(to->pose, planner_.resolution_m())) ++to;
-  Dead& dead = dead_.at(vehicle);
-  planner_.unblock(dead.number);
+  const std::uint32_t number = dead_.at(vehicle);
+  const geometry::ConvexPolygon area = planner_.blocked_area(number);
+  planner_.unblock(number);
   const auto attempt = [&] {
     auto route = from == path.end() || from >= to ? planner_.plan(vehicle, path.back().pose, stops)
                                                   : planner_.plan_from(vehicle, {from, to + 1}, stops);
@@ -214,7 +166,7 @@ result::Result<std::vector<Detour>> FloorEvents::came_back(std::uint32_t vehicle
     for (const std::uint32_t place : places) planner_.unblock(place);
   }
   if (!change) {
-    dead.number = planner_.block(dead.outline, dead.room);
+    dead_[vehicle] = planner_.block(area);
     return result::forward(change);
   }
   dead_.erase(vehicle);

@@ -5,9 +5,7 @@
 //
 // One thread at a time; both must outlive it. A vehicle whose way leads through a blocked place may at once
 // go no farther than to there; then it is planned anew from where it can stop. Who finds no way goes home;
-// who finds none there either, or for whom there is no schedule, waits. The room that a dead vehicle needs to
-// begin to drive again is kept free where other ways lead around it; where none does others drive through,
-// but nobody waits there for a place to be free, and it comes back when nobody is there.
+// who finds none there either, or for whom there is no schedule, waits.
 //
 //   FloorEvents events(traffic, planner);
 //   const auto blocked = events.block(area, now);
@@ -18,7 +16,6 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include "supervisor/fleet/traffic/route_planner.h"
@@ -52,11 +49,11 @@ class FloorEvents {
   Blockage block(const geometry::ConvexPolygon& area, std::chrono::milliseconds now);
   std::vector<Detour> unblock(std::uint32_t number);
 
-  // It stands there and will not move; its outline is an obstacle until it comes back, longer by what it may
-  // have come since it last told its speed. Requires a vehicle that has not died.
+  // It stands there and will not move; its outline is an obstacle until it comes back. Requires a vehicle
+  // that has not died.
   std::vector<Detour> died(std::uint32_t vehicle, const geometry::Pose& at, std::chrono::milliseconds now);
   // It drives on along its way from this length, through its stops or straight home. F1003: somebody has to
-  // pass first, through its room perhaps; ask again later.
+  // pass first; ask again later.
   [[nodiscard]] result::Result<std::vector<Detour>> came_back(std::uint32_t vehicle, double here_m, bool home,
                                                               std::chrono::milliseconds now);
 
@@ -67,25 +64,15 @@ class FloorEvents {
   std::vector<Waypoint> stops_behind(std::uint32_t vehicle, double arc_m) const;
 
  private:
-  struct Dead {
-    std::uint32_t number = 0;  // among the blocked places
-    geometry::ConvexPolygon outline;
-    geometry::ConvexPolygon room;  // around it
-  };
-  using Meets = bool (RoutePlanner::*)(const geometry::Pose&) const;
-
-  std::optional<double> first_m(std::uint32_t vehicle, double from_m, Meets meets) const;
   std::optional<double> first_blocked_m(std::uint32_t vehicle) const;
-  double halt_m(std::uint32_t vehicle, double blocked_m);
   std::vector<Detour> detour_all(std::chrono::milliseconds now);
   Detour detour(std::uint32_t vehicle, std::chrono::milliseconds now);
-  void leave_rooms(std::chrono::milliseconds now, std::vector<Detour>& detours);
   std::vector<Detour> release_free();
   std::vector<std::uint32_t> block_held();
 
   Traffic& traffic_;
   RoutePlanner& planner_;
-  std::map<std::uint32_t, Dead> dead_;
+  std::map<std::uint32_t, std::uint32_t> dead_;  // vehicle to its place among the blocked ones
 };
 
 }  // namespace stepwright::fleet

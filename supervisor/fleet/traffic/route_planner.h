@@ -11,7 +11,6 @@
 //   planner->prepare(stations, 2);
 //   const auto route = planner->plan(3, from, std::array{at_shelf, at_dock, at_home});
 
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -78,13 +77,13 @@ class RoutePlanner {
   // millisecond instead of some tens. Places off the floor are left out.
   void prepare(std::span<const geometry::Pose> goals, unsigned threads);
 
-  // Nobody is to drive there until it is unblocked; nor through the room around it, if it has any, where
-  // another way leads to the stop. `block` returns a number to name it by.
-  std::uint32_t block(const geometry::ConvexPolygon& area, std::optional<geometry::ConvexPolygon> room = {});
+  // Nobody is to drive there until it is unblocked. `block` returns a number to name it by.
+  std::uint32_t block(const geometry::ConvexPolygon& area);
   void unblock(std::uint32_t number);
-  // Whether the planned outline meets a blocked place there; or the room around one.
+  // Requires a number that `block` has returned and that is not unblocked.
+  const geometry::ConvexPolygon& blocked_area(std::uint32_t number) const { return blocked_.at(number).area; }
+  // Whether the planned outline meets a blocked place there.
   bool meets_blocked(const geometry::Pose& pose) const;
-  bool meets_room(const geometry::Pose& pose) const;
 
   double resolution_m() const { return primitives_->options().resolution_m; }
   const RouteSettings& settings() const { return settings_; }
@@ -100,40 +99,27 @@ class RoutePlanner {
     std::unique_ptr<OccupancyGrid> grid;
     std::unique_ptr<PathPlanner> planner;
   };
-  struct LayerKey {
-    std::uint32_t vehicle = 0;   // or nobody
-    bool through_rooms = false;  // of blocked places: they are open
-    auto operator<=>(const LayerKey&) const = default;
-  };
-  using Place = std::tuple<int, int, int>;            // of the lattice
-  using LegKey = std::tuple<LayerKey, Place, Place>;  // start, goal
+  using Place = std::tuple<int, int, int>;                 // of the lattice
+  using LegKey = std::tuple<std::uint32_t, Place, Place>;  // layer, start, goal
   struct Leg {
     Route route;
     std::uint64_t planned = 0;  // changes of the floor before
   };
   struct Blocked {
     geometry::ConvexPolygon area;
-    std::optional<geometry::ConvexPolygon> room;
     std::uint64_t since = 0;
-
-    const geometry::ConvexPolygon& closed(const LayerKey& layer) const {
-      return room && !layer.through_rooms ? *room : area;
-    }
   };
 
   RoutePlanner(OccupancyGrid floor, const PrimitiveSet& primitives, std::vector<HomePlace> homes,
                const RouteSettings& settings);
-  // Whose layer a leg is planned on.
   std::uint32_t layer_of(std::uint32_t vehicle, const geometry::Pose& from, const geometry::Pose& to) const;
   Place place_of(const geometry::Pose& pose) const;
-  const Layer& layer(const LayerKey& key);
+  const Layer& layer(std::uint32_t number);
   PathAnswer path(const PathPlanner& planner, const geometry::Pose& from, const geometry::Pose& to) const;
   // Whether blocked places are known to keep the vehicle from getting there.
-  bool enclosed(const LayerKey& on, const geometry::Pose& from, const geometry::Pose& to);
+  bool enclosed(std::uint32_t layer, const geometry::Pose& from, const geometry::Pose& to);
   [[nodiscard]] result::Result<const Leg*> leg(std::uint32_t vehicle, const geometry::Pose& from,
                                                const geometry::Pose& to);
-  [[nodiscard]] result::Result<const Leg*> leg_on(const LayerKey& on, std::uint32_t vehicle,
-                                                  const geometry::Pose& from, const geometry::Pose& to);
   [[nodiscard]] result::Result<Route> leg_along(const OccupancyGrid& grid, geometry::Path path) const;
   [[nodiscard]] result::Result<Route> tight_leg(const OccupancyGrid& grid, const geometry::Path& path) const;
   [[nodiscard]] result::Result<Route> plan_behind(std::uint32_t vehicle, std::optional<Route> whole,
@@ -149,13 +135,13 @@ class RoutePlanner {
   std::unique_ptr<FreeMotions> motions_;  // on the floor without homes; where it is the costs point to
   std::map<Place, CostToGo> costs_to_go_;
   std::unique_ptr<std::mutex> kept_ = std::make_unique<std::mutex>();  // guards the next six
-  std::map<LayerKey, Layer> layers_;
+  std::map<std::uint32_t, Layer> layers_;
   std::map<LegKey, Leg> legs_;
   std::uint64_t paths_planned_ = 0;
   // Goals to which some way was searched for in vain, and from where each is reached; until a place is free
   // again.
   std::set<Place> in_doubt_;
-  std::map<std::pair<LayerKey, Place>, std::optional<Approaches>> approaches_;
+  std::map<std::pair<std::uint32_t, Place>, std::optional<Approaches>> approaches_;  // by layer
   std::uint64_t in_vain_ = 0;
   std::map<std::uint32_t, Blocked> blocked_;
   std::uint64_t changes_ = 0;

@@ -106,7 +106,6 @@ class Traffic {
   std::uint32_t vehicles() const { return static_cast<std::uint32_t>(lanes_.size()); }
   const Route& route(std::uint32_t vehicle) const { return lanes_[vehicle].route; }
   double arc_m(std::uint32_t vehicle) const { return lanes_[vehicle].arc_m; }
-  double speed_m_s(std::uint32_t vehicle) const { return lanes_[vehicle].speed_m_s; }  // as last told
   std::chrono::milliseconds standing_until(std::uint32_t vehicle) const {
     return lanes_[vehicle].standing_until;
   }
