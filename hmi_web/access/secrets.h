@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,8 @@ bool is_password_hash(const std::string& text);
 
 // Equal, in a time that depends on the lengths only.
 bool same_secret(std::string_view a, std::string_view b);
+// The standard alphabet with padding, and nothing else in between; nullopt if it is none.
+std::optional<std::string> from_base64(std::string_view text);
 // 64 lower-case hexadecimal digits.
 std::string sha256_hex(std::string_view bytes);
 

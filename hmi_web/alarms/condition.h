@@ -20,6 +20,9 @@ struct ConditionChange {
   std::int64_t time_ns = 0;
   bool active = false;
   double value = 0.0;  // that made it so
+  // Nobody saw it happen: it was between then, when the condition was seen last, and its time. 0: it was
+  // seen.
+  std::int64_t unseen_since_ns = 0;
 };
 
 class Condition {
@@ -27,8 +30,9 @@ class Condition {
   explicit Condition(const ConditionSettings& settings) : settings_(settings) {}
 
   // A value of a scan. A value that is not usable (bad, missing, NaN) says nothing about limits. Call
-  // expire(time_ns) first.
-  std::optional<ConditionChange> offer(std::int64_t time_ns, double value, bool usable);
+  // expire(time_ns) first. `time_known`: it is the time at which the value became so, whoever saw it when.
+  std::optional<ConditionChange> offer(std::int64_t time_ns, double value, bool usable,
+                                       bool time_known = false);
   // A delay that is over at `time_ns`.
   std::optional<ConditionChange> expire(std::int64_t time_ns);
   // When the delay that runs is over.
@@ -37,6 +41,8 @@ class Condition {
   bool active() const { return active_; }
   // What was known when the process before this one ended.
   void restore(bool active) { active_ = seen_ = active; }
+  // Nothing has been seen since then, until the next value that is usable.
+  void blind_since(std::int64_t time_ns) { blind_since_ns_ = time_ns; }
 
  private:
   bool holds(double value, bool usable) const;
@@ -48,6 +54,8 @@ class Condition {
   std::int64_t since_ns_ = 0;
   double value_ = 0.0;  // that changed `seen_`
   std::int64_t newest_ns_ = INT64_MIN;
+  std::int64_t blind_since_ns_ = 0;   // 0: the newest value was usable, or none has ever come
+  std::int64_t unseen_since_ns_ = 0;  // of what changed `seen_`
 };
 
 }  // namespace stepwright::alarms

@@ -2,12 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <ctime>
 #include <limits>
 #include <map>
 #include <utility>
 
 namespace stepwright::alarms {
 namespace {
+
+std::string unseen_comment(std::int64_t since_ns) {
+  const std::time_t seconds = static_cast<std::time_t>(since_ns / 1'000'000'000);
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  char text[96];
+  std::snprintf(text, sizeof text, "%s%04d-%02d-%02dT%02d:%02d:%02d.%03dZ", kUnseenSince, utc.tm_year + 1900,
+                utc.tm_mon + 1, utc.tm_mday, utc.tm_hour, utc.tm_min, utc.tm_sec,
+                static_cast<int>(since_ns / 1'000'000 % 1'000));
+  return text;
+}
 
 bool is_standing(const AlarmStatus& status) {
   return !status.is_hidden() && status.annunciated != AlarmState::Normal;
@@ -65,14 +78,21 @@ std::int64_t Condition::delay_ns() const {
   return seen_ ? settings_.on_delay.count() : settings_.off_delay.count();
 }
 
-std::optional<ConditionChange> Condition::offer(std::int64_t time_ns, double value, bool usable) {
+std::optional<ConditionChange> Condition::offer(std::int64_t time_ns, double value, bool usable,
+                                                bool time_known) {
   newest_ns_ = std::max(newest_ns_, time_ns);
   const bool now = holds(value, usable);
   if (now != seen_) {
     seen_ = now;
     since_ns_ = newest_ns_;
     value_ = value;
+    unseen_since_ns_ = time_known ? 0 : blind_since_ns_;
   }
+  // That a value is missing is seen by a condition of that kind.
+  if (usable || settings_.kind == ConditionKind::Bad)
+    blind_since_ns_ = 0;
+  else if (blind_since_ns_ == 0)
+    blind_since_ns_ = newest_ns_;
   return expire(newest_ns_);
 }
 
@@ -80,7 +100,7 @@ std::optional<ConditionChange> Condition::expire(std::int64_t time_ns) {
   const auto due = deadline();
   if (!due || *due > time_ns) return std::nullopt;
   active_ = seen_;
-  return ConditionChange{*due, active_, value_};
+  return ConditionChange{*due, active_, value_, unseen_since_ns_};
 }
 
 std::optional<std::int64_t> Condition::deadline() const {
@@ -163,14 +183,18 @@ void AlarmEngine::restore_group(Group& group) {
   }
 }
 
-void AlarmEngine::offer(SourceId source, std::int64_t time_ns, double value, bool usable) {
+void AlarmEngine::blind_since(std::int64_t time_ns) {
+  for (Alarm& alarm : alarms_) alarm.condition.blind_since(time_ns);
+}
+
+void AlarmEngine::offer(SourceId source, std::int64_t time_ns, double value, bool usable, bool time_known) {
   for (const Use& use : uses_[source.value]) {
     if (use.suppresses) {
       if (usable) suppress(use.alarm, time_ns, value != 0.0);
       continue;
     }
     expire(use.alarm, time_ns);
-    if (const auto changed = alarms_[use.alarm.value].condition.offer(time_ns, value, usable)) {
+    if (const auto changed = alarms_[use.alarm.value].condition.offer(time_ns, value, usable, time_known)) {
       change(use.alarm, *changed);
     } else {
       wait_for(use.alarm);
@@ -184,8 +208,10 @@ void AlarmEngine::suppress(AlarmId alarm, std::int64_t time_ns, bool suppressed)
 }
 
 void AlarmEngine::change(AlarmId alarm, const ConditionChange& change) {
-  happen(alarm, change.active ? AlarmEvent::Raise : AlarmEvent::Return, change.time_ns, change.value,
-         nullptr);
+  const Refusal refusal = happen(alarm, change.active ? AlarmEvent::Raise : AlarmEvent::Return,
+                                 change.time_ns, change.value, nullptr);
+  if (refusal == Refusal::None && change.unseen_since_ns != 0)
+    transitions_.back().comment = unseen_comment(change.unseen_since_ns);
 }
 
 void AlarmEngine::wait_for(AlarmId id) {

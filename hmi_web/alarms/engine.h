@@ -32,6 +32,10 @@ namespace stepwright::alarms {
 struct SourceIdTag;
 using SourceId = base::StrongId<SourceIdTag>;  // index into AlarmEngine::sources()
 
+// The comment of a Raise or a Return that nobody saw happen: this, and until when the value was seen before
+// (UTC, ISO 8601). It was at some time between then and the time of the transition.
+inline constexpr const char* kUnseenSince = "not seen since ";
+
 // One change of an alarm's status.
 struct Transition {
   std::uint64_t sequence = 0;  // of the engine, from 1, without gaps
@@ -45,7 +49,7 @@ struct Transition {
   bool first_out = false;
   std::int64_t shelved_until_ns = 0;  // while it is shelved
   std::string user;                   // of commands
-  std::string comment;
+  std::string comment;                // of commands; or kUnseenSince with a time
 };
 
 struct Command {
@@ -80,8 +84,11 @@ class AlarmEngine {
   // What was known of an alarm when an engine before this one ended. Before anything is offered.
   void restore(AlarmId alarm, const AlarmView& view);
 
-  // Requires a source of sources().
-  void offer(SourceId source, std::int64_t time_ns, double value, bool usable);
+  // Nobody has looked since then. Before anything is offered, and after restore.
+  void blind_since(std::int64_t time_ns);
+
+  // Requires a source of sources(). `time_known`: that is when the value became so, whoever saw it when.
+  void offer(SourceId source, std::int64_t time_ns, double value, bool usable, bool time_known = false);
   // Ends delays and shelves that are over at this time, in the order of their ends.
   void advance(std::int64_t time_ns);
   // Fails with C0606: unknown alarm, what the alarm's state or definition does not allow, a shelving too

@@ -98,16 +98,11 @@ Answer done(const result::Result<AlarmChange>& change, const AlarmAction& action
 }
 
 Route alarm_row(CellRecords* records, const Deed& deed) {
-  Route route;
-  route.method = "POST";
-  route.path = deed.path;
-  route.name = deed.name;
+  Route route = acting_row("POST", deed.path, deed.name, deed.summary,
+                           R"({"type": "object", "required": ["name", "state"],
+  "properties": {"name": {"type": "string"}, "state": {"type": "string"}}})");
   route.least = deed.least;
-  route.audit = Audit::Around;
-  route.summary = deed.summary;
   route.body = deed.body;
-  route.answer = R"({"type": "object", "required": ["name", "state"],
-  "properties": {"name": {"type": "string"}, "state": {"type": "string"}}})";
   route.handler = [records, event = std::string(deed.event)](const Call& call) {
     if (records == nullptr) return no_records();
     AlarmAction action;

@@ -11,14 +11,9 @@ namespace {
 constexpr std::size_t kMostOnAPage = 200;
 
 Route row(const char* path, const char* name, const char* summary, const char* answer, const char* type) {
-  Route route;
-  route.method = "GET";
-  route.path = path;
-  route.name = name;
+  Route route = reading_row(path, name, summary, answer);
   route.least = Role::Engineer;
-  route.csrf = false;
-  route.summary = summary;
-  route.answer = answer;
+  route.lane = Lane::Quick;
   route.answer_type = type;
   return route;
 }

@@ -207,9 +207,9 @@ class Events : public nlohmann::json_sax<json> {
     return true;
   }
   bool take_text(std::string value) {
-    if (value.size() > kLongestText)
+    if (value.size() > field_->longest)
       return fault("H0033", "'" + key_ + "' is out of range",
-                   "0 to " + std::to_string(kLongestText) + " bytes");
+                   "0 to " + std::to_string(field_->longest) + " bytes");
     texts_.emplace(key_, std::move(value));
     return true;
   }

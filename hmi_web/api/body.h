@@ -22,6 +22,10 @@
 
 namespace stepwright::api {
 
+// Of an object of texts: bytes of a name, and of a text unless its field says otherwise.
+inline constexpr std::size_t kLongestKey = 512;
+inline constexpr std::size_t kLongestText = 64;
+
 enum class Kind { Text, Number, Boolean, Points, Texts };
 
 struct Field {
@@ -31,6 +35,7 @@ struct Field {
   double least = 0;                       // of a number; of a text: bytes; of points and texts: how many
   double most = 256;                      // likewise
   std::vector<std::string> choices = {};  // of a text; empty: any
+  std::size_t longest = kLongestText;     // of a text in an object of texts: bytes
   std::string description = {};
 };
 
@@ -38,10 +43,6 @@ struct Shape {
   std::string name;  // in the OpenAPI document; empty: there is no body
   std::vector<Field> fields;
 };
-
-// Of an object of texts: bytes of a name and of a text.
-inline constexpr std::size_t kLongestKey = 512;
-inline constexpr std::size_t kLongestText = 64;
 
 struct Point {
   double x = 0;

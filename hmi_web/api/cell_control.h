@@ -5,11 +5,21 @@
 // Threads: every function from any; each blocks for some seconds at most. Fails with D0001 where nobody
 // answers, with other codes where it is refused.
 
+#include <map>
 #include <string>
+#include <vector>
 
 #include "runtime/result/result.h"
 
 namespace stepwright::api {
+
+// A place of the running program's memory that is forced, and to what; both as the program spells them.
+struct ForcedPlace {
+  std::string name;
+  std::string value;
+
+  friend bool operator==(const ForcedPlace&, const ForcedPlace&) = default;
+};
 
 class CellControl {
  public:
@@ -36,6 +46,16 @@ class CellControl {
   [[nodiscard]] virtual result::Result<std::string> force(const std::string& name,
                                                           const std::string& value) = 0;
   [[nodiscard]] virtual result::Result<void> unforce(const std::string& name) = 0;
+  // Values by names of variables, all of them between the same two scans or none. D0004 if they are more than
+  // the runtime takes at once; what is refused is refused before anything is written.
+  [[nodiscard]] virtual result::Result<void> write_together(
+      const std::map<std::string, std::string, std::less<>>& values) = 0;
+
+  // Everything that is forced in the runtime, whoever has forced it. D0008: its link cannot tell.
+  [[nodiscard]] virtual result::Result<std::vector<ForcedPlace>> forced() = 0;
+  // What `forced` would list if that variable were forced to that value.
+  [[nodiscard]] virtual result::Result<ForcedPlace> as_forced(const std::string& name,
+                                                              const std::string& value) = 0;
 };
 
 }  // namespace stepwright::api

@@ -3,14 +3,10 @@
 namespace stepwright::api {
 
 std::vector<Route> drawing_routes(const Services& services) {
-  Route route;
-  route.method = "GET";
-  route.path = "/api/drawing";
-  route.name = "drawing.read";
-  route.least = Role::Viewer;
-  route.csrf = false;
-  route.summary = "The plant as somebody has drawn it, with the bindings of its elements";
-  route.answer = R"({"type": "string"})";
+  Route route = reading_row("/api/drawing", "drawing.read",
+                            "The plant as somebody has drawn it, with the bindings of its elements",
+                            R"({"type": "string"})");
+  route.lane = Lane::Quick;
   route.answer_type = "image/svg+xml";
   route.handler = [drawing = services.drawing](const Call&) {
     if (drawing != nullptr) return Answer{.text = *drawing, .content_type = "image/svg+xml"};

@@ -14,16 +14,9 @@ constexpr const char* kScan = R"({"type": "object", "required": ["runtimes"],
 }  // namespace
 
 std::vector<Route> figure_routes(const Services& services) {
-  Route route;
-  route.method = "GET";
-  route.path = "/api/scan";
-  route.name = "scan.read";
-  route.least = Role::Viewer;
-  route.csrf = false;
-  // An open panel asks every second by itself: the session grows idle all the same.
-  route.lane = Lane::Records;
-  route.summary = "Tasks with their histograms, I/O, DDS and process of every runtime that is followed";
-  route.answer = kScan;
+  Route route = reading_row(
+      "/api/scan", "scan.read",
+      "Tasks with their histograms, I/O, DDS and process of every runtime that is followed", kScan);
   route.handler = [figures = services.figures](const Call&) {
     if (figures != nullptr) return figures->scan();
     return refused(404, "H0063", "this server follows no runtime");

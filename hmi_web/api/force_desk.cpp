@@ -21,9 +21,23 @@ system_clock::time_point time_of(std::int64_t seconds) {
   return system_clock::time_point(std::chrono::seconds(seconds));
 }
 
-std::string to_json(const std::vector<StandingForce>& standing) {
+// A link that cannot tell what is forced is asked again after so many rounds: it may be another one by then.
+constexpr int kRoundsOfPause = 30;
+
+std::string to_json(const std::vector<StandingForce>& standing, const std::vector<ForcedPlace>& others) {
   json list = json::array();
+  for (const ForcedPlace& each : others) {
+    list.push_back({{"name", each.name},
+                    {"value", each.value},
+                    {"user", ""},
+                    {"reason", ""},
+                    {"since_s", nullptr},
+                    {"until_s", nullptr}});
+  }
   for (const StandingForce& each : standing) {
+    // Somebody else has forced it since: it is listed above, and once.
+    const auto same_name = [&](const ForcedPlace& other) { return other.name == each.name; };
+    if (std::any_of(others.begin(), others.end(), same_name)) continue;
     list.push_back({{"name", each.name},
                     {"value", each.value},
                     {"user", each.user},
@@ -50,6 +64,11 @@ std::optional<std::vector<StandingForce>> from_json(const std::string& text) {
                         time_of(entry["since_s"]), time_of(entry["until_s"])});
   }
   return standing;
+}
+
+// Nobody answers, or another program has just come: to be asked again.
+bool tried_again(const result::Diagnostics& problems) {
+  return problems.front().code == "D0001" || problems.front().code == "D0002";
 }
 
 void leave_out(std::vector<StandingForce>& standing, const std::string& name) {
@@ -84,7 +103,7 @@ ForceDesk::ForceDesk(std::filesystem::path file, CellControl& control, access::A
       clock_(std::move(clock)),
       on_change_(std::move(on_change)),
       standing_(std::move(standing)) {
-  on_change_(json());
+  tell();
   thread_ = std::thread([this] { run(); });
 }
 
@@ -99,11 +118,7 @@ ForceDesk::~ForceDesk() {
 
 result::Result<StandingForce> ForceDesk::force(const ForceOrder& order) {
   const std::lock_guard turn(turn_);
-  std::vector<StandingForce> before;
-  {
-    const std::lock_guard lock(mutex_);
-    before = standing_;
-  }
+  const std::vector<StandingForce> before = standing();
   StandingForce fresh{order.name, order.value, order.user, order.reason, clock_(), clock_() + order.duration};
   auto after = before;
   leave_out(after, order.name);
@@ -118,38 +133,89 @@ result::Result<StandingForce> ForceDesk::force(const ForceOrder& order) {
     return result::forward(forced);
   }
   after.back().value = fresh.value = *forced;
+  missing_.erase(order.name);
   if (auto kept = keep(after); !kept) return result::forward(kept);
+  ask_runtime();
+  tell();
   return fresh;
 }
 
 result::Result<void> ForceDesk::unforce(const std::string& name) {
   const std::lock_guard turn(turn_);
   if (auto done = control_.unforce(name); !done) return done;
-  std::vector<StandingForce> after;
-  {
-    const std::lock_guard lock(mutex_);
-    after = standing_;
-  }
+  auto after = standing();
   leave_out(after, name);
-  return keep(std::move(after));
+  if (auto kept = keep(std::move(after)); !kept) return kept;
+  ask_runtime();
+  tell();
+  return {};
+}
+
+void ForceDesk::look() {
+  const std::lock_guard turn(turn_);
+  ask_runtime();
+  end_what_is_due();
+  tell();
+}
+
+void ForceDesk::ask_runtime() {
+  if (pause_ > 0) {
+    --pause_;
+    return;
+  }
+  const auto forced = control_.forced();
+  if (forced) return compare(*forced);
+  if (forced.error().front().code == "D0008") pause_ = kRoundsOfPause;
+}
+
+// What the runtime has beside ours is of somebody else. What it has not, or with another value, has ended.
+void ForceDesk::compare(const std::vector<ForcedPlace>& forced) {
+  std::vector<ForcedPlace> others = forced;
+  std::set<std::string> missing;
+  for (const StandingForce& each : standing()) {
+    const auto place = control_.as_forced(each.name, each.value);
+    // Nobody answers, or another program has just come: nothing is known. Any other refusal: the program has
+    // no such variable any more.
+    if (!place && tried_again(place.error())) return;
+    if (place && std::erase(others, *place) > 0) continue;
+    if (!missing_.contains(each.name)) {
+      missing.insert(each.name);
+      continue;
+    }
+    const bool taken = place && std::any_of(others.begin(), others.end(), [&](const ForcedPlace& other) {
+                         return other.name == place->name;
+                       });
+    drop(each, taken ? "somebody else has forced it since" : "the runtime does not force it any more");
+  }
+  missing_ = std::move(missing);
+  const std::lock_guard lock(mutex_);
+  others_ = std::move(others);
+}
+
+void ForceDesk::drop(const StandingForce& gone, const std::string& why) {
+  auto left = standing();
+  leave_out(left, gone.name);
+  (void)keep(std::move(left));
+  (void)audit_.append({.user = "runtime",
+                       .action = "tag.unforce",
+                       .target = gone.name,
+                       .before = gone.value,
+                       .reason = why,
+                       .result = "seen"});
 }
 
 void ForceDesk::end_what_is_due() {
-  const std::lock_guard turn(turn_);
-  std::vector<StandingForce> standing;
-  {
-    const std::lock_guard lock(mutex_);
-    standing = standing_;
-  }
   const auto now = clock_();
-  for (const StandingForce& each : std::vector<StandingForce>(standing)) {
-    if (each.until > now) continue;
-    // Nobody answers: tried again in a second. A refusal means that there is nothing to release any more:
-    // another program runs.
+  for (const StandingForce& each : standing()) {
+    // What has perhaps ended already is not released before that is sure: it may be somebody else's.
+    if (each.until > now || missing_.contains(each.name)) continue;
+    // Tried again in a second. A refusal means that there is nothing to release any more: another program
+    // runs.
     const auto released = control_.unforce(each.name);
-    if (!released && released.error().front().code == "D0001") return;
-    leave_out(standing, each.name);
-    (void)keep(standing);  // where the disk is full it is released again and again, which harms nobody
+    if (!released && tried_again(released.error())) return;
+    auto left = standing();
+    leave_out(left, each.name);
+    (void)keep(std::move(left));  // where the disk is full it is released again and again, which harms nobody
     (void)audit_.append({.user = "timer",
                          .action = "tag.unforce",
                          .target = each.name,
@@ -160,24 +226,37 @@ void ForceDesk::end_what_is_due() {
 }
 
 result::Result<void> ForceDesk::keep(std::vector<StandingForce> standing) {
-  if (auto written = access::replace_private_file(file_, to_json(standing)); !written) return written;
+  if (auto written = access::replace_private_file(file_, to_json(standing, {})); !written) return written;
   {
     const std::lock_guard lock(mutex_);
     standing_ = std::move(standing);
   }
-  on_change_(json());
+  tell();
   return {};
+}
+
+void ForceDesk::tell() {
+  std::string now = json();
+  if (now == told_) return;
+  told_ = std::move(now);
+  on_change_(told_);
+}
+
+std::vector<StandingForce> ForceDesk::standing() const {
+  const std::lock_guard lock(mutex_);
+  return standing_;
 }
 
 std::string ForceDesk::json() const {
   const std::lock_guard lock(mutex_);
-  return to_json(standing_);
+  return to_json(standing_, others_);
 }
 
 std::vector<std::string> ForceDesk::names() const {
   const std::lock_guard lock(mutex_);
   std::vector<std::string> names;
   for (const StandingForce& each : standing_) names.push_back(each.name);
+  for (const ForcedPlace& each : others_) names.push_back(each.name);
   return names;
 }
 
@@ -185,7 +264,7 @@ void ForceDesk::run() {
   std::unique_lock lock(mutex_);
   while (!stop_signal_.wait_for(lock, std::chrono::seconds(1), [this] { return stopping_; })) {
     lock.unlock();
-    end_what_is_due();
+    look();
     lock.lock();
   }
 }

@@ -1,13 +1,18 @@
 #pragma once
 
-// What has been forced from the page: until when, by whom and why. Every force ends by itself; the list is
-// kept on the disk, so that forces end in time after a restart of the server, too.
+// What is forced: of the page's own forces until when, by whom and why. Each of those ends by itself; they
+// are kept on the disk, so that they end in time after a restart of the server, too. Beside them what
+// somebody else has forced (`stepwright force`, another server), as the runtime tells of it.
 //
 //   auto desk = ForceDesk::open(file, control, audit, std::chrono::system_clock::now, [&](auto json) { ...
 //   }); desk->force({"MAIN.valve", "TRUE", 15min, "ada", "commissioning"});
 //
-// Threads: every function from any; a thread of its own ends what is due, once a second. It does not see what
-// others force (`stepwright force`): the contract of Fast DDS has no reading of forces.
+// Threads: every function from any; a thread of its own asks the runtime and ends what is due, once a second.
+// Invariants: a force of ours that the runtime does not have any more (a stop of the process, a download, an
+// unforce at its socket), or has with another value, because somebody else has forced it since, is ours no
+// longer and is never released by its timer; nothing is taken for gone before the runtime has said so twice
+// in a row. Somebody who forces the very value that we force cannot be told from us. While the runtime does
+// not answer, or its link cannot tell, the list stays as it was.
 
 #include <chrono>
 #include <condition_variable>
@@ -15,6 +20,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -46,7 +52,8 @@ struct StandingForce {
 
 class ForceDesk {
  public:
-  // `on_change` gets the list as JSON after every change and once at the start, from any thread.
+  // `on_change` gets the list as JSON after every change and once at the start, from any thread. A force of
+  // somebody else has neither user nor reason, and null as its times.
   using OnChange = std::function<void(const std::string& json)>;
 
   // A list that cannot be read is refused (H0022): what is forced would not end.
@@ -62,16 +69,22 @@ class ForceDesk {
   [[nodiscard]] result::Result<StandingForce> force(const ForceOrder& order);
   [[nodiscard]] result::Result<void> unforce(const std::string& name);
   std::string json() const;
-  // Of everything that stands forced.
+  // Of everything that stands forced, whoever has forced it.
   std::vector<std::string> names() const;
 
-  // Ends what is due now; the thread's work, for tests.
-  void end_what_is_due();
+  // Asks the runtime what is forced, and ends what is due now; the thread's work, for tests.
+  void look();
 
  private:
   ForceDesk(std::filesystem::path file, CellControl& control, access::AuditLog& audit,
             access::WallClock clock, OnChange on_change, std::vector<StandingForce> standing);
   [[nodiscard]] result::Result<void> keep(std::vector<StandingForce> standing);
+  void ask_runtime();
+  void end_what_is_due();
+  void compare(const std::vector<ForcedPlace>& forced);
+  void drop(const StandingForce& gone, const std::string& why);
+  std::vector<StandingForce> standing() const;
+  void tell();
   void run();
 
   const std::filesystem::path file_;
@@ -80,8 +93,13 @@ class ForceDesk {
   const access::WallClock clock_;
   const OnChange on_change_;
   std::mutex turn_;  // one change at a time, also while the runtime is asked
+  // Ours that the runtime did not have when it was asked last; guarded by turn_.
+  std::set<std::string> missing_;
+  int pause_ = 0;     // rounds in which a link that cannot tell is not asked; guarded by turn_
+  std::string told_;  // what on_change has got last; guarded by turn_
   mutable std::mutex mutex_;
-  std::vector<StandingForce> standing_;  // guarded by mutex_
+  std::vector<StandingForce> standing_;  // ours; guarded by mutex_
+  std::vector<ForcedPlace> others_;      // of somebody else; guarded by mutex_
   std::condition_variable stop_signal_;
   bool stopping_ = false;  // guarded by mutex_
   std::thread thread_;     // last: it uses all of the above

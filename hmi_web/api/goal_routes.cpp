@@ -24,16 +24,8 @@ std::string checked(const std::string& document) {
 
 Route document_row(CellControl* cell, const char* path, const char* name, const char* summary,
                    std::string (CellControl::*document)()) {
-  Route route;
-  route.method = "GET";
-  route.path = path;
-  route.name = name;
-  route.least = Role::Viewer;
-  route.csrf = false;
-  // An open dialog asks by itself: the session grows idle all the same.
-  route.lane = Lane::Records;
-  route.summary = summary;
-  route.answer = R"({"type": "object", "description": "supervisor/doc/goals.md"})";
+  Route route =
+      reading_row(path, name, summary, R"({"type": "object", "description": "supervisor/doc/goals.md"})");
   route.handler = [cell, document](const Call&) {
     std::string text = checked((cell->*document)());
     if (!text.empty()) return Answer{.status = 200, .text = std::move(text)};

@@ -39,7 +39,7 @@ ordered_json schema_of(const Field& field) {
       schema = {{"type", "object"},
                 {"minProperties", number(field.least)},
                 {"maxProperties", number(field.most)},
-                {"additionalProperties", {{"type", "string"}, {"maxLength", kLongestText}}}};
+                {"additionalProperties", {{"type", "string"}, {"maxLength", field.longest}}}};
       break;
   }
   schema["description"] = field.description;
@@ -99,6 +99,11 @@ ordered_json responses_of(const Route& row) {
       problem("409", "the file is damaged, there are too many, or a tag is forced");
     problem("400", "the name, a value or its range is wrong, or a tag is missing");
   }
+  if (row.name.starts_with("change.")) {
+    problem("404", "programs cannot be changed here, or there is no such program");
+    problem("409", "another program runs meanwhile, the supervisor acts, or the runtime refuses the change");
+  }
+  if (row.most_body > 0) problem("413", "the body is too long");
   if (row.name.starts_with("alarm.") && row.method != "GET")
     problem("409", "the alarm's state or definition does not allow it");
   if (row.least > Role::None) problem("401", "nobody has logged in");
@@ -156,6 +161,7 @@ std::string openapi(const RouteTable& table, const std::string& version) {
       ordered_json::parse(R"({"type": "object", "required": ["problems"], "properties": {"problems":
     {"type": "array", "items": {"type": "object", "required": ["code", "message"], "properties": {
       "code": {"type": "string"}, "message": {"type": "string"}, "hint": {"type": "string"},
+      "file": {"type": "string"}, "severity": {"enum": ["error", "warning", "note"]},
       "line": {"type": "integer"}, "column": {"type": "integer"}}}}}})");
   document["components"]["schemas"] = std::move(schemas);
   document["components"]["securitySchemes"] = {

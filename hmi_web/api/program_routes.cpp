@@ -14,15 +14,9 @@ constexpr const char* kProgram =
 }  // namespace
 
 std::vector<Route> program_routes(const Services& services) {
-  Route route;
-  route.method = "GET";
-  route.path = "/api/program";
-  route.name = "program.read";
-  route.least = Role::Viewer;
-  route.csrf = false;
-  route.lane = Lane::Records;  // a page asks by itself
-  route.summary = "Sources of the running program, as far as its container has them; with an ETag";
-  route.answer = kProgram;
+  Route route =
+      reading_row("/api/program", "program.read",
+                  "Sources of the running program, as far as its container has them; with an ETag", kProgram);
   route.handler = [program = services.program](const Call&) {
     if (program != nullptr) return program->sources();
     return refused(404, "H0066", "no program is known to this server");

@@ -1,7 +1,6 @@
 #include "hmi_web/api/recipe_desk.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "hmi_web/recipes/recipe_check.h"
@@ -25,14 +24,6 @@ std::optional<std::string> value_in(const Recipe& recipe, const RecipeTag& tag) 
 
 bool nobody_answers(const result::Diagnostics& problems) {
   return problems.front().code == "D0001";
-}
-
-// "the values before it have been put back", or which could not be.
-std::string fate_of(const std::vector<std::string>& lost) {
-  if (lost.empty()) return "what had been written before it has been put back";
-  std::string names;
-  for (const std::string& each : lost) names += (names.empty() ? "" : ", ") + each;
-  return "these could not be put back: " + names;
 }
 
 }  // namespace
@@ -121,10 +112,16 @@ Result<RecipeChange> RecipeDesk::load(const std::string& name) {
 Result<Values> RecipeDesk::checked_by_program(Values values) const {
   result::Diagnostics problems;
   const std::vector<std::string> forced = forces_.names();
+  // By its own name, or by the one under which the program has its place.
+  const auto is_forced = [&](const std::string& tag, const std::string& value) {
+    const auto place = cell_.as_forced(tag, value);
+    return std::any_of(forced.begin(), forced.end(), [&](const std::string& each) {
+      return naming::same_name(each, tag) || (place && naming::same_name(each, place->name));
+    });
+  };
   for (auto& [name, value] : values) {
     const std::string& tag = name;
-    if (std::any_of(forced.begin(), forced.end(),
-                    [&](const std::string& each) { return naming::same_name(each, tag); }))
+    if (is_forced(tag, value))
       problems.push_back({"H0079", result::Severity::Error, {}, tag + ": it is forced", "release it first"});
     auto spelt = cell_.spell(tag, value);
     if (spelt) {
@@ -151,31 +148,15 @@ Result<Values> RecipeDesk::read_all(const Values& values) const {
   return now;
 }
 
-// Writes the former values of all tags before `end`, the last one too: whoever has not answered may have
-// written it all the same. The names of those that could not be put back.
-std::vector<std::string> RecipeDesk::put_back(const RecipeChange& change, Values::const_iterator end) {
-  std::vector<std::string> lost;
-  bool silent = false;
-  for (auto at = std::make_reverse_iterator(end); at != change.after.rend(); ++at) {
-    // Nobody waits for the silence of each.
-    if (!silent) {
-      const auto written = cell_.write(at->first, change.before.at(at->first));
-      if (written) continue;
-      silent = nobody_answers(written.error());
-    }
-    lost.push_back(at->first);
-  }
-  return lost;
-}
-
+// Who does not answer may have written them all the same: all of them then.
 Result<void> RecipeDesk::write_all(const RecipeChange& change) {
-  for (auto at = change.after.begin(); at != change.after.end(); ++at) {
-    const auto written = cell_.write(at->first, at->second);
-    if (written) continue;
-    const auto lost = put_back(change, std::next(at));
-    return result::fail("H0080", {}, at->first + ": " + written.error().front().message, fate_of(lost));
-  }
-  return {};
+  const auto written = cell_.write_together(change.after);
+  if (written) return {};
+  const bool unknown = nobody_answers(written.error());
+  return result::fail("H0080", {}, written.error().front().message,
+                      unknown
+                          ? "either all values have been written or none: compare with the running program"
+                          : "no value has been written");
 }
 
 }  // namespace stepwright::api

@@ -9,12 +9,11 @@
 //
 // Threads: every function from any; load and what compares with the program block as CellControl does.
 // Invariant: load writes nothing before every value has been found to be one of its tag, in its range, and
-// its variable to be in the running program and not forced. A write that fails after others is answered by
-// putting those back. The runtime takes the values one after another, so that several scans may lie between
-// the first and the last.
+// its variable to be in the running program and not forced, by whomever. The runtime takes all values between
+// the same two scans, or none.
 //
-// Diagnostics: those of recipe_store.h, recipe_check.h and CellControl; H0079 a tag is forced, H0080 a write
-// has failed: the hint says what became of the others.
+// Diagnostics: those of recipe_store.h, recipe_check.h and CellControl; H0079 a tag is forced, H0080 the
+// write has failed: the hint says whether nothing was written or that is not known.
 
 #include <optional>
 #include <string>
@@ -73,7 +72,6 @@ class RecipeDesk {
  private:
   result::Result<recipes::Values> checked_by_program(recipes::Values values) const;
   result::Result<recipes::Values> read_all(const recipes::Values& values) const;
-  std::vector<std::string> put_back(const RecipeChange& change, recipes::Values::const_iterator end);
   result::Result<void> write_all(const RecipeChange& change);
 
   const std::vector<recipes::RecipeTag> tags_;

@@ -143,31 +143,15 @@ Answer changed(const result::Result<RecipeChange>& done, const std::string& name
 
 using Deed = std::function<Answer(RecipeDesk&, const Call&)>;
 
-Route row(RecipeDesk* desk, const char* method, const char* path, const char* name, const char* summary,
-          const char* answer, Deed deed) {
-  Route route;
-  route.method = method;
-  route.path = path;
-  route.name = name;
-  route.summary = summary;
-  route.answer = answer;
+Route with(RecipeDesk* desk, Route route, Deed deed) {
   route.handler = [desk, deed = std::move(deed)](const Call& call) {
     return desk == nullptr ? no_recipes() : deed(*desk, call);
   };
   return route;
 }
 
-// Looking; a page that looks by itself holds up neither log-ins nor the runtime.
-Route looking(Route route) {
-  route.least = Role::Viewer;
-  route.csrf = false;
-  route.lane = Lane::Records;
-  return route;
-}
-
 Route acting(Route route, Role least, Lane lane, Shape body = {}) {
   route.least = least;
-  route.audit = Audit::Around;
   route.lane = lane;
   route.body = std::move(body);
   return route;
@@ -178,40 +162,46 @@ Route acting(Route route, Role least, Lane lane, Shape body = {}) {
 std::vector<Route> recipe_routes(const Services& services) {
   RecipeDesk* desk = services.recipes;
   Route compare =
-      looking(row(desk, "GET", "/api/recipes/{name}/compare", "recipe.compare",
-                  "A recipe beside another one, or beside the values of the running program", kRows,
-                  [](RecipeDesk& at, const Call& call) { return comparison_of(at, call); }));
+      reading_row("/api/recipes/{name}/compare", "recipe.compare",
+                  "A recipe beside another one, or beside the values of the running program", kRows);
   compare.query = {{"with", "the other recipe; without it: the running program"}};
   return {
-      looking(row(desk, "GET", "/api/recipe-tags", "recipe.tags",
-                  "The tags that recipes set, their ranges and their values now", kTagList,
-                  [](RecipeDesk& at, const Call&) { return tags_of(at); })),
-      looking(row(desk, "GET", "/api/recipes", "recipe.list", "All recipes, and what is wrong with each",
-                  kRecipeList, [](RecipeDesk& at, const Call&) { return list_of(at); })),
-      looking(row(desk, "GET", "/api/recipes/{name}", "recipe.read", "One recipe with its values", kRecipe,
-                  [](RecipeDesk& at, const Call& call) { return one_of(at, call); })),
-      std::move(compare),
-      acting(row(desk, "PUT", "/api/recipes/{name}", "recipe.save", "Saves a recipe, or replaces it", kChange,
-                 [](RecipeDesk& at, const Call& call) {
-                   const std::string& name = call.parameter("name");
-                   const auto& values = call.body.texts("values");
-                   return changed(at.save(name, call.body.text("comment"), values, call.who.user), name,
-                                  values);
-                 }),
-             Role::Engineer, Lane::Quick, {"SaveRecipe", {kValues, kComment}}),
-      acting(row(desk, "DELETE", "/api/recipes/{name}", "recipe.remove", "Removes a recipe", kChange,
-                 [](RecipeDesk& at, const Call& call) {
-                   const std::string& name = call.parameter("name");
-                   return changed(at.remove(name), name);
-                 }),
-             Role::Engineer, Lane::Quick),
-      acting(row(desk, "POST", "/api/recipes/{name}/load", "recipe.load",
-                 "Writes all values of a recipe into the running program, or none", kChange,
-                 [](RecipeDesk& at, const Call& call) {
-                   const std::string& name = call.parameter("name");
-                   return changed(at.load(name), name);
-                 }),
-             Role::Operator, Lane::Runtime, {"LoadRecipe", {kReason}}),
+      with(desk,
+           reading_row("/api/recipe-tags", "recipe.tags",
+                       "The tags that recipes set, their ranges and their values now", kTagList),
+           [](RecipeDesk& at, const Call&) { return tags_of(at); }),
+      with(
+          desk,
+          reading_row("/api/recipes", "recipe.list", "All recipes, and what is wrong with each", kRecipeList),
+          [](RecipeDesk& at, const Call&) { return list_of(at); }),
+      with(desk, reading_row("/api/recipes/{name}", "recipe.read", "One recipe with its values", kRecipe),
+           [](RecipeDesk& at, const Call& call) { return one_of(at, call); }),
+      with(desk, std::move(compare),
+           [](RecipeDesk& at, const Call& call) { return comparison_of(at, call); }),
+      with(desk,
+           acting(acting_row("PUT", "/api/recipes/{name}", "recipe.save", "Saves a recipe, or replaces it",
+                             kChange),
+                  Role::Engineer, Lane::Quick, {"SaveRecipe", {kValues, kComment}}),
+           [](RecipeDesk& at, const Call& call) {
+             const std::string& name = call.parameter("name");
+             const auto& values = call.body.texts("values");
+             return changed(at.save(name, call.body.text("comment"), values, call.who.user), name, values);
+           }),
+      with(desk,
+           acting(acting_row("DELETE", "/api/recipes/{name}", "recipe.remove", "Removes a recipe", kChange),
+                  Role::Engineer, Lane::Quick),
+           [](RecipeDesk& at, const Call& call) {
+             const std::string& name = call.parameter("name");
+             return changed(at.remove(name), name);
+           }),
+      with(desk,
+           acting(acting_row("POST", "/api/recipes/{name}/load", "recipe.load",
+                             "Writes all values of a recipe into the running program, or none", kChange),
+                  Role::Operator, Lane::Runtime, {"LoadRecipe", {kReason}}),
+           [](RecipeDesk& at, const Call& call) {
+             const std::string& name = call.parameter("name");
+             return changed(at.load(name), name);
+           }),
   };
 }
 

@@ -45,15 +45,7 @@ constexpr const char* kText = R"({"type": "string"})";
 // For whoever may look.
 Route record_row(const CellRecords* records, const char* path, const char* name, const char* summary,
                  const char* answer, Ask ask) {
-  Route route;
-  route.method = "GET";
-  route.path = path;
-  route.name = name;
-  route.least = Role::Viewer;
-  route.csrf = false;
-  route.lane = Lane::Records;
-  route.summary = summary;
-  route.answer = answer;
+  Route route = reading_row(path, name, summary, answer);
   route.answer_type = answer == kText ? "text/csv" : "application/json";
   route.handler = [records, ask](const Call& call) {
     return records == nullptr ? no_records() : (records->*ask)(call.parameters);

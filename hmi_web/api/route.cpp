@@ -9,6 +9,10 @@ using nlohmann::json;
 
 unsigned status_of(const std::string& code) {
   if (code == "H0024" || code == "C0607" || code == "H0072") return 404;  // no such user, alarm, recipe
+  if (code == "H0091") return 404;                                        // no such program
+  if (code.starts_with("R003") || code == "H0092" || code == "H0093" || code == "H0095" || code == "H0097" ||
+      code == "H0098")
+    return 409;  // programs that cannot take over now
   if (code == "H0073" || code == "H0078" || code == "H0079" || code == "H0080") return 409;  // recipes
   if (code == "H0025" || code == "D0002" || code == "D0003" || code == "X0008" || code == "C0606")
     return 409;                                                           // not in this state
@@ -24,6 +28,27 @@ const std::string& Call::parameter(std::string_view name) const {
   static const std::string kNone;
   const auto found = parameters.find(name);
   return found == parameters.end() ? kNone : found->second;
+}
+
+Route reading_row(const char* path, const char* name, const char* summary, const char* answer) {
+  return {.method = "GET",
+          .path = path,
+          .name = name,
+          .least = Role::Viewer,
+          .csrf = false,
+          .lane = Lane::Records,
+          .summary = summary,
+          .answer = answer};
+}
+
+Route acting_row(const char* method, const char* path, const char* name, const char* summary,
+                 const char* answer) {
+  return {.method = method,
+          .path = path,
+          .name = name,
+          .audit = Audit::Around,
+          .summary = summary,
+          .answer = answer};
 }
 
 Answer refused(unsigned status, const result::Diagnostics& problems) {

@@ -90,13 +90,22 @@ struct Route {
   Lane lane = Lane::Quick;
   std::string summary;
   Shape body = {};
+  std::size_t most_body = 0;  // bytes; 0: as the server has it for all others. Read from those admitted only
   std::vector<Parameter> query = {};
   std::string answer = "{}";  // a JSON Schema of a 200's body
   std::string answer_type = "application/json";
   Handler handler = {};
 };
 
-// {"problems": [{code, message, hint, line, column}]}
+// A row for viewers that look, without a handler. Pages ask by themselves, so that a session grows idle all
+// the same (Lane::Records).
+Route reading_row(const char* path, const char* name, const char* summary, const char* answer);
+// A row that changes something, without a handler: in the audit trail before it happens and after.
+Route acting_row(const char* method, const char* path, const char* name, const char* summary,
+                 const char* answer);
+
+// {"problems": [{code, message, hint, line, column}]}; of sources that are compiled also `file` and
+// `severity`.
 Answer refused(unsigned status, const result::Diagnostics& problems);
 Answer refused(unsigned status, const std::string& code, const std::string& message,
                const std::string& hint = {});

@@ -17,6 +17,7 @@
 #include "hmi_web/api/cell_figures.h"
 #include "hmi_web/api/cell_program.h"
 #include "hmi_web/api/cell_records.h"
+#include "hmi_web/api/change_desk.h"
 #include "hmi_web/api/force_desk.h"
 #include "hmi_web/api/recipe_desk.h"
 #include "hmi_web/api/route.h"
@@ -33,6 +34,7 @@ struct Services {
   CellFigures* figures = nullptr;        // null also where no runtime is followed: 404
   const std::string* drawing = nullptr;  // an SVG that may be shown; null: the plant is drawn by the page
   CellProgram* program = nullptr;        // null also where no sources are served: 404
+  ChangeDesk* changes = nullptr;         // null also where no program is changed: 404
 };
 
 // What the server itself answers: files of the page, the WebSocket, metrics.
@@ -60,6 +62,8 @@ std::vector<Route> drawing_routes(const Services& services);
 std::vector<Route> figure_routes(const Services& services);
 // The sources of the running program, for viewers.
 std::vector<Route> program_routes(const Services& services);
+// Programs that take over from the one that runs, and earlier ones that come back; for engineers.
+std::vector<Route> change_routes(const Services& services);
 // H0062: of a server that keeps nothing.
 Answer no_records();
 

@@ -32,10 +32,11 @@ std::vector<Route> server_routes() {
 
 std::vector<Route> all_routes(const Services& services) {
   std::vector<Route> rows = server_routes();
-  for (auto part : {session_routes(services), user_routes(services), audit_routes(services),
-                    plan_routes(services), goal_routes(services), tag_routes(services),
-                    record_routes(services), alarm_routes(services), recipe_routes(services),
-                    figure_routes(services), drawing_routes(services), program_routes(services)}) {
+  for (auto part :
+       {session_routes(services), user_routes(services), audit_routes(services), plan_routes(services),
+        goal_routes(services), tag_routes(services), record_routes(services), alarm_routes(services),
+        recipe_routes(services), figure_routes(services), drawing_routes(services), program_routes(services),
+        change_routes(services)}) {
     for (Route& row : part) rows.push_back(std::move(row));
   }
   return rows;

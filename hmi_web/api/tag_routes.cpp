@@ -20,17 +20,11 @@ const Field kMinutes{.name = "minutes",
                      .description = "after which it is released by itself (15)"};
 
 Route row(const char* path, const char* name, const char* summary, Shape shape) {
-  Route route;
-  route.method = "POST";
-  route.path = path;
-  route.name = name;
+  Route route = acting_row("POST", path, name, summary, R"({"type": "object", "required": ["name", "value"],
+    "properties": {"name": {"type": "string"}, "value": {"type": "string"}}})");
   route.least = Role::Engineer;
-  route.audit = Audit::Around;
   route.lane = Lane::Runtime;
-  route.summary = summary;
   route.body = std::move(shape);
-  route.answer = R"({"type": "object", "required": ["name", "value"],
-    "properties": {"name": {"type": "string"}, "value": {"type": "string"}}})";
   return route;
 }
 
@@ -58,14 +52,11 @@ Answer failed(const result::Diagnostics& problems, const std::string& name, cons
 std::vector<Route> tag_routes(const Services& services) {
   CellControl* cell = services.cell;
   ForceDesk* forces = services.forces;
-  Route list = row("/api/forces", "tag.forces", "What is forced from this server, and until when", {});
-  list.method = "GET";
-  list.least = Role::Viewer;
-  list.csrf = false;
-  list.audit = Audit::None;
+  Route list = reading_row("/api/forces", "tag.forces",
+                           "What is forced in the runtime, and of this server's forces until when",
+                           R"({"type": "object", "required": ["forces"],
+    "properties": {"forces": {"type": "array", "items": {"type": "object"}}}})");
   list.lane = Lane::Quick;
-  list.answer = R"({"type": "object", "required": ["forces"],
-    "properties": {"forces": {"type": "array", "items": {"type": "object"}}}})";
   list.handler = [forces](const Call&) { return Answer{.text = forces->json()}; };
 
   Route write = row("/api/tags/write", "tag.write", "Writes a value once; the program may change it again",

@@ -51,17 +51,9 @@ std::string role_text(const access::AccessControl& control, const std::string& n
 }
 
 Route row(const char* method, const char* path, const char* name, const char* summary) {
-  Route route;
-  route.method = method;
-  route.path = path;
-  route.name = name;
-  route.least = Role::Administrator;
-  route.audit = Audit::Around;
-  route.summary = summary;
-  route.answer = R"({"type": "object", "required": ["users", "sessions"],
+  return acting_row(method, path, name, summary, R"({"type": "object", "required": ["users", "sessions"],
     "properties": {"users": {"type": "array", "items": {"type": "object"}},
-                   "sessions": {"type": "array", "items": {"type": "object"}}}})";
-  return route;
+                   "sessions": {"type": "array", "items": {"type": "object"}}}})");
 }
 
 Route list_row(access::AccessControl* control) {

@@ -29,9 +29,21 @@ constexpr std::array kKinds = {
     Kind{"data-fill", false, true, {}},
     Kind{"data-move", false, true, {"data-x", "data-y"}},
     Kind{"data-turn", false, true, {"data-degrees", ""}},
+    Kind{"data-pose-x", false, false, {"data-pose-y", ""}},
+    Kind{"data-pose-y", false, false, {"data-pose-x", ""}},
+    Kind{"data-pose-heading", false, false, {"data-pose-x", "data-pose-y"}},
 };
-constexpr std::array<std::string_view, 7> kMore = {"data-from",    "data-to",     "data-x",   "data-y",
-                                                   "data-degrees", "data-digits", "data-unit"};
+constexpr std::array<std::string_view, 10> kMore = {
+    "data-from",   "data-to",   "data-x",       "data-y",       "data-degrees",
+    "data-digits", "data-unit", "data-floor-x", "data-floor-y", "data-floor-scale"};
+
+// A point of a pallet or a box is named with a blank: "pallet p1.x".
+bool is_readable(std::string_view name) {
+  for (const std::string_view thing : {"pallet ", "box "})
+    if (name.starts_with(thing)) name.remove_prefix(thing.size());
+  return !name.empty() &&
+         std::none_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) <= ' '; });
+}
 
 const Kind* kind_of(std::string_view name) {
   const auto found =
@@ -59,13 +71,15 @@ class Check {
         take(*kind, attribute.value());
       else if (std::find(kMore.begin(), kMore.end(), name) == kMore.end())
         tell("there is no binding " + std::string(name),
-             "data-text, data-on, data-warn, data-alarm, data-show, data-fill, data-move, data-turn");
+             "data-text, data-on, data-warn, data-alarm, data-show, data-fill, data-move, data-turn, "
+             "data-pose-x");
       else
         check_more(name, attribute.value());
     }
     if (ranges_ > 1)
-      tell("an element has one of data-fill, data-move and data-turn: they share data-from and data-to",
+      tell("an element has one of data-fill, data-move, data-turn and a pose: each places it",
            "put a group <g> around it for the other one");
+    if (element_.attribute("data-pose-x")) check_floor();
     return bindings_;
   }
 
@@ -76,19 +90,31 @@ class Check {
 
   void take(const Kind& kind, std::string_view value) {
     ++bindings_;
-    ranges_ += kind.has_range ? 1 : 0;
+    ranges_ += kind.has_range || kind.name == "data-pose-x" ? 1 : 0;
     if (kind.is_switch && value.starts_with('!')) value.remove_prefix(1);
-    const bool readable =
-        std::none_of(value.begin(), value.end(), [](char c) { return static_cast<unsigned char>(c) <= ' '; });
-    if (value.empty() || value.size() > kLongestName || !readable)
+    if (value.size() > kLongestName || !is_readable(value))
       tell(std::string(kind.name) + " is not the name of a value",
            "the whole name of a variable (Main.level) or a point of the plant (a1.level)");
     if (kind.has_range) check_range(kind);
     for (const std::string_view more : kind.numbers)
       if (!more.empty() && !element_.attribute(more.data()))
-        tell(std::string(kind.name) + " needs " + std::string(more),
-             more == "data-degrees" ? "how far it turns until data-to"
-                                    : "how far it moves until data-to, in the units of the drawing");
+        tell(std::string(kind.name) + " needs " + std::string(more), hint_of(more));
+  }
+
+  static const char* hint_of(std::string_view missing) {
+    if (missing.starts_with("data-pose"))
+      return "a pose is x and y in m, and a heading in rad where it has one";
+    return missing == "data-degrees" ? "how far it turns until data-to"
+                                     : "how far it moves until data-to, in the units of the drawing";
+  }
+
+  // Where metres are in the drawing: said by the element or by what it stands in.
+  void check_floor() {
+    for (pugi::xml_node at = element_; at; at = at.parent())
+      if (at.attribute("data-floor-scale")) return;
+    tell("a pose needs data-floor-scale at the element or at a group around it",
+         "data-floor-scale: units of the drawing for a metre; data-floor-x, data-floor-y: where the floor's "
+         "origin is");
   }
 
   void check_range(const Kind& kind) {
@@ -108,6 +134,9 @@ class Check {
     if (!number)
       return tell(std::string(name) + "=\"" + std::string(value.substr(0, 40)) + "\" is no number",
                   "such as 12.5");
+    if (name == "data-floor-scale" && *number <= 0)
+      tell("data-floor-scale is more than 0",
+           "units of the drawing for a metre; y of the floor goes upwards");
     if (name == "data-digits" && (*number < 0 || *number > kMostDigits || *number != std::floor(*number)))
       tell("data-digits is a whole number from 0 to 6", "how many stand behind the point");
   }

@@ -2,7 +2,7 @@
 
 // The attributes by which an element of a drawing lives: `data-fill="a1.level" data-from="0" data-to="100"`.
 //
-// Pure.
+// Pure. Internal to this folder.
 
 #include <string>
 #include <vector>

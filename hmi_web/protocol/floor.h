@@ -80,7 +80,7 @@ struct Floor {
   std::vector<Forklift> forklifts;
   std::vector<Pallet> pallets;
   std::vector<Blockage> blockages;
-  std::string estop_ok_point;  // off while the emergency stop is pressed
+  std::string estop_ok_point;  // off while the emergency stop is pressed; of plants without a floor, too
 };
 
 }  // namespace stepwright::protocol

@@ -105,9 +105,10 @@ json list(const std::vector<T>& items) {
 
 }  // namespace
 
-std::string hello_message(const Greeting& greeting, const Synoptic& synoptic) {
+std::string hello_message(const Greeting& greeting, const Synoptic& synoptic, const std::string& epoch) {
   return text({{"type", "hello"},
                {"protocol", kProtocolVersion},
+               {"epoch", epoch},
                {"cell", greeting.cell},
                {"version", greeting.server_version},
                {"recipes", greeting.recipes},

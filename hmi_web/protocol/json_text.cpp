@@ -1,5 +1,7 @@
 #include "hmi_web/protocol/json_text.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 
 namespace stepwright::protocol {
@@ -23,6 +25,17 @@ nlohmann::json numbers(const std::vector<std::optional<double>>& values) {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& value : values) list.push_back(number(value));
   return list;
+}
+
+std::string number_text(const std::optional<double>& value) {
+  const nlohmann::json rounded = number(value);
+  if (rounded.is_null()) return "null";
+  std::array<char, 32> room{};
+  char* const end = room.data() + room.size();
+  const auto written = rounded.is_number_integer()
+                           ? std::to_chars(room.data(), end, rounded.get<std::int64_t>())
+                           : std::to_chars(room.data(), end, rounded.get<double>());
+  return {room.data(), written.ptr};
 }
 
 std::string text(const nlohmann::json& value) {

@@ -15,6 +15,9 @@ nlohmann::json number(double value);
 nlohmann::json number(const std::optional<double>& value);
 nlohmann::json numbers(const std::vector<std::optional<double>>& values);
 
+// The same as JSON text, for those who write thousands of them.
+std::string number_text(const std::optional<double>& value);
+
 // Serialises; bytes that are not UTF-8 are replaced instead of throwing.
 std::string text(const nlohmann::json& value);
 

@@ -3,45 +3,8 @@
 #include "hmi_web/protocol/json_text.h"
 
 namespace stepwright::protocol {
-namespace {
 
 using nlohmann::json;
-
-json to_json(const ScanFigures& figures) {
-  return {{"overruns", figures.overruns},
-          {"p50_us", number(figures.p50_us)},
-          {"p99_us", number(figures.p99_us)},
-          {"max_us", number(figures.max_us)},
-          {"realtime_factor", number(figures.realtime_factor)}};
-}
-
-// The fields that are sent whole whenever they change, in both kinds of message.
-json scalar_fields(const CellState& state) {
-  return {{"runtime_alive", state.runtime_alive},
-          {"supervisor_alive", state.supervisor_alive},
-          {"runtime_state", state.runtime_state},
-          {"runtime_detail", state.runtime_detail},
-          {"waiting", state.waiting},
-          {"program", state.program_digest},
-          {"scan", state.scan},
-          {"time_s", number(state.time_s)},
-          {"trace_hash", state.trace_hash},
-          {"figures", to_json(state.figures)},
-          {"steps", state.active_steps},
-          {"transitions", state.true_transitions}};
-}
-
-json changed_values(const std::vector<std::optional<double>>& before,
-                    const std::vector<std::optional<double>>& now) {
-  json changes = json::object();
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    json value = number(now[i]);
-    if (i >= before.size() || number(before[i]) != value) changes[std::to_string(i)] = std::move(value);
-  }
-  return changes;
-}
-
-}  // namespace
 
 std::string program_message(const Program& program) {
   json steps = json::array();
@@ -71,38 +34,23 @@ std::string program_message(const Program& program) {
                {"tags", std::move(tags)}});
 }
 
-std::string state_message(const CellState& state, std::uint64_t sequence) {
-  json message = scalar_fields(state);
-  message["type"] = "state";
-  message["seq"] = sequence;
-  message["points"] = numbers(state.points);
-  message["tags"] = numbers(state.tags);
-  return text(message);
-}
-
-std::string delta_message(const CellState& before, const CellState& now, std::uint64_t sequence) {
-  json message = scalar_fields(now);
-  const json old = scalar_fields(before);
-  for (const auto& [key, value] : old.items()) {
-    if (message[key] == value) message.erase(key);
-  }
-  json points = changed_values(before.points, now.points);
-  if (!points.empty()) message["points"] = std::move(points);
-  json tags = changed_values(before.tags, now.tags);
-  if (!tags.empty()) message["tags"] = std::move(tags);
-  message["type"] = "delta";
-  message["seq"] = sequence;
-  return text(message);
-}
-
-std::string trend_message(std::span<const TrendRow> rows, std::uint64_t first, bool restart) {
+std::string trend_message(std::span<const TrendRow> rows, const TrendPiece& piece) {
   json list = json::array();
   for (const auto& row : rows) {
     json values = numbers(row.values);
     values.insert(values.begin(), number(row.time_s));
     list.push_back(std::move(values));
   }
-  return text({{"type", "trend"}, {"first", first}, {"restart", restart}, {"rows", std::move(list)}});
+  return text({{"type", "trend"},
+               {"run", piece.run},
+               {"first", piece.first},
+               {"restart", piece.restart},
+               {"rows", std::move(list)}});
+}
+
+std::string with_revision(std::string_view object, std::uint64_t revision) {
+  const std::string_view members = object.substr(1);
+  return "{\"revision\":" + std::to_string(revision) + (members == "}" ? "" : ",") + std::string(members);
 }
 
 }  // namespace stepwright::protocol

@@ -7,12 +7,12 @@
 // become null: no input makes them fail.
 //
 //   socket.send(hello_message({"bench", "0.1.0"}, synoptic));
-//   socket.send(state_message(state, 1));
-//   socket.send(delta_message(state, next_state, 2));
+//   socket.send(program_message(program));
 
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "hmi_web/protocol/cell_state.h"
 #include "hmi_web/protocol/program.h"
@@ -20,7 +20,7 @@
 
 namespace stepwright::protocol {
 
-inline constexpr int kProtocolVersion = 2;
+inline constexpr int kProtocolVersion = 3;
 
 struct Greeting {
   std::string cell;
@@ -29,15 +29,23 @@ struct Greeting {
   bool drawing = false;  // the API has one of the plant
 };
 
-std::string hello_message(const Greeting& greeting, const Synoptic& synoptic);
+// `epoch` names this run of the server: numbers of another one mean nothing.
+std::string hello_message(const Greeting& greeting, const Synoptic& synoptic, const std::string& epoch);
 std::string program_message(const Program& program);
-std::string state_message(const CellState& state, std::uint64_t sequence);
 
-// Only what differs; points and tags as {"index": value}. `before` and `now` belong to the same program.
-std::string delta_message(const CellState& before, const CellState& now, std::uint64_t sequence);
+// Rows of a run of the trend; a viewer that gets `restart` throws away the rows that it has.
+struct TrendPiece {
+  std::uint64_t run = 0;
+  std::uint64_t first = 0;  // number of the first row
+  bool restart = false;
+};
+std::string trend_message(std::span<const TrendRow> rows, const TrendPiece& piece);
 
-// `first` is the number of the first row; a viewer that gets `restart` throws away the rows that it has.
-std::string trend_message(std::span<const TrendRow> rows, std::uint64_t first, bool restart);
+// An object as JSON text with its revision in front of its members, so that a viewer can say later which one
+// it has.
+std::string with_revision(std::string_view object, std::uint64_t revision);
+
+// The state and what changes in it: live_state.h.
 
 // The supervisor's plan document: plan_parts.h.
 

@@ -112,6 +112,11 @@ std::vector<AlarmDefinition> built_in_alarms(const protocol::Synoptic& synoptic,
                      ConditionKind::On, Priority::Critical));
   all.back().consequence = "outputs are in their safe state";
   all.back().response = "see what the runtime says of it, mend the program and start it";
+  all.push_back(made("server.away", "The server of this page was away", std::string(kServerAway),
+                     ConditionKind::On, Priority::Low));
+  all.back().traits.acknowledge_on_return = true;
+  all.back().consequence = "what came and went meanwhile is not in this journal";
+  all.back().response = "see the audit trail and the plan for what has happened";
   if (wanted.supervisor) {
     all.push_back(made("supervisor.lost", "The supervisor does not answer", std::string(kSupervisorAlive),
                        ConditionKind::Off, Priority::High));
@@ -131,13 +136,15 @@ std::vector<AlarmDefinition> built_in_alarms(const protocol::Synoptic& synoptic,
 result::Result<std::unique_ptr<CellAlarms>> CellAlarms::open(const std::filesystem::path& file,
                                                              std::vector<AlarmDefinition> definitions,
                                                              const std::vector<protocol::Point>& points,
-                                                             alarms::JournalOptions options) {
+                                                             alarms::JournalOptions options,
+                                                             std::int64_t seen_until_ns) {
   auto engine = alarms::AlarmEngine::create(definitions);
   if (!engine) return result::forward(engine);
   auto journal = alarms::AlarmJournal::open(file, std::move(definitions), std::move(options));
   if (!journal) return result::forward(journal);
   std::unique_ptr<CellAlarms> all(new CellAlarms(std::move(*engine), std::move(*journal), points));
   if (auto done = all->go_on(); !done) return result::forward(done);
+  if (seen_until_ns > 0) all->note_absence(seen_until_ns);
   return all;
 }
 
@@ -169,6 +176,15 @@ result::Result<void> CellAlarms::go_on() {
   return {};
 }
 
+// Nobody saw what happened since then. That is an alarm of its own, which returns with the first look.
+void CellAlarms::note_absence(std::int64_t seen_until_ns) {
+  now_ns_ = std::max(now_ns_, seen_until_ns);
+  engine_.blind_since(now_ns_);
+  for (std::uint32_t i = 0; i < sources_.size(); ++i)
+    if (sources_[i].name == kServerAway) engine_.offer(alarms::SourceId(i), now_ns_, 1.0, true, true);
+  hand_on();
+}
+
 CellAlarms::Read CellAlarms::reader_of(const std::string& name, const server::ProgramLayout* layout) const {
   const auto flag = [](bool value) { return std::optional<double>(value ? 1.0 : 0.0); };
   if (name == kRuntimeAlive)
@@ -180,6 +196,7 @@ CellAlarms::Read CellAlarms::reader_of(const std::string& name, const server::Pr
   }
   if (name == kSupervisorAlive)
     return [flag](const RecordedScan& scan) { return flag(scan.observation->supervisor_alive); };
+  if (name == kServerAway) return [flag](const RecordedScan&) { return flag(false); };
   const auto point = std::ranges::find(point_ids_, name);
   if (point != point_ids_.end()) {
     const auto index = static_cast<std::size_t>(point - point_ids_.begin());
@@ -230,11 +247,14 @@ void CellAlarms::take(const RecordedScan& scan) {
     std::optional<double> value = source.read ? source.read(scan) : std::nullopt;
     // The next program has other monitors, or none: what this one raised is over.
     if (source.is_monitor && !source.read && scan.view->layout) value = 0.0;
+    // Its scan is known, and its time with the next image.
+    const bool counts = source.is_monitor && source.read && value.value_or(0.0) >= 1.0;
+    if (counts && monitor_now_ && interval_ns_ == 0) continue;
     if (source.offered && value == source.last) continue;
     source.offered = true;
     source.last = value;
     engine_.offer(alarms::SourceId(i), time_of(source, value.value_or(0.0), scan), value.value_or(0.0),
-                  value.has_value());
+                  value.has_value(), counts && interval_ns_ > 0);
   }
   engine_.advance(now_ns_);
   hand_on();

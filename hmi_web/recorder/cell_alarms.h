@@ -35,6 +35,7 @@ namespace stepwright::recorder {
 inline constexpr std::string_view kRuntimeAlive = "cell.runtime_alive";
 inline constexpr std::string_view kRuntimeFault = "cell.runtime_fault";
 inline constexpr std::string_view kSupervisorAlive = "cell.supervisor_alive";
+inline constexpr std::string_view kServerAway = "cell.server_away";
 
 struct BuiltInAlarms {
   bool supervisor = false;     // the cell has one
@@ -60,11 +61,13 @@ struct AlarmChange {
 
 class CellAlarms {
  public:
-  // Goes on where the journal's last process has ended. `points` as in every view. Fails with S0001 to S0008
-  // and what AlarmEngine::create says.
+  // Goes on where the journal's last process has ended. `points` as in every view. `seen_until_ns`: when the
+  // process before this one looked last; 0: there was none. Fails with S0001 to S0008 and what
+  // AlarmEngine::create says.
   [[nodiscard]] static result::Result<std::unique_ptr<CellAlarms>> open(
       const std::filesystem::path& file, std::vector<alarms::AlarmDefinition> definitions,
-      const std::vector<protocol::Point>& points, alarms::JournalOptions options);
+      const std::vector<protocol::Point>& points, alarms::JournalOptions options,
+      std::int64_t seen_until_ns = 0);
 
   void take(const RecordedScan& scan);
   // `by.alarm` is found by the name, `by.time_ns` is now. Returns when it is in the journal. Fails with C0606
@@ -92,6 +95,7 @@ class CellAlarms {
   CellAlarms(alarms::AlarmEngine engine, std::unique_ptr<alarms::AlarmJournal> journal,
              const std::vector<protocol::Point>& points);
   result::Result<void> go_on();
+  void note_absence(std::int64_t seen_until_ns);
   Read reader_of(const std::string& source, const server::ProgramLayout* layout) const;
   void resolve(const std::shared_ptr<const server::ProgramLayout>& layout);
   std::int64_t time_of(const Source& source, double value, const RecordedScan& scan) const;

@@ -20,6 +20,11 @@ constexpr std::int64_t kEpochPeriodNs = 1'000'000'000;
 // A value that stays is handed over now and then all the same, so that the historian keeps its sign of life.
 constexpr std::int64_t kUnchangedNs = 300'000'000'000;
 constexpr std::chrono::seconds kFiguresPeriod{5};
+// A link sends an image every 30 ms, and pages look every 100 ms if none comes.
+constexpr std::int64_t kUnseenNs = 100'000'000;
+constexpr std::int64_t kSilentNs = 1'000'000'000;
+// Behind the newest image: from here on nothing is known.
+constexpr std::int64_t kBehindNs = 1'000;
 
 }  // namespace
 
@@ -52,13 +57,14 @@ result::Result<void> CellRecorder::start() {
   auto historian = historian::Historian::open(options_.folder / "history.db", history);
   if (!historian) return result::forward(historian);
   historian_ = std::move(*historian);
+  const auto known = known_epoch();
   alarms::JournalOptions journal;
   journal.most_age = options_.most_age;
   journal.now_ns = now;
-  auto all = CellAlarms::open(options_.folder / "alarms.db", options_.alarms, options_.points, journal);
+  auto all = CellAlarms::open(options_.folder / "alarms.db", options_.alarms, options_.points, journal,
+                              known ? known->newest_ns : 0);
   if (!all) return result::forward(all);
   alarms_ = std::move(*all);
-  const auto known = known_epoch();
   clock_.emplace(options_.real_time, known);
   *now_ns_ = known ? known->newest_ns : 0;
   auto epoch = historian_->tag(kEpochTag, {historian::SuppressionKind::None});
@@ -145,14 +151,43 @@ void CellRecorder::record_missing(std::int64_t time_ns) {
   batch_.clear();
 }
 
+// Whether what has come since the newest image was not all that there was to come. Images that waited
+// together come together: what lies between them shows in the scan's time, at the pace at which it goes.
+bool CellRecorder::has_gap(const server::Observation& seen, std::int64_t wall_ns,
+                           std::optional<std::int64_t> time_ns) const {
+  if (missing_ || seen.images == 0 || came_wall_ns_ == 0) return false;
+  std::int64_t apart_ns = wall_ns - came_wall_ns_;
+  if (time_ns) {
+    const double pace = !options_.real_time && seen.report ? seen.report->figures.realtime_factor : 1.0;
+    const double scan_ns = static_cast<double>(*time_ns - seen_until_ns_) / std::max(1.0, pace);
+    apart_ns = std::max(apart_ns, static_cast<std::int64_t>(scan_ns));
+  }
+  return apart_ns > kSilentNs || (seen.images_lost > images_lost_ && apart_ns > kUnseenNs);
+}
+
+void CellRecorder::note_arrival(const server::Observation& seen, bool fresh, std::int64_t wall_ns) {
+  if (!fresh && seen.images == images_) return;
+  came_wall_ns_ = wall_ns;
+  images_ = seen.images;
+  images_lost_ = seen.images_lost;
+}
+
 std::optional<std::string> CellRecorder::take(const server::Observation& seen, const server::CellView& view) {
   const bool has_image = seen.runtime_alive && seen.snapshot;
+  const std::int64_t wall_ns = wall_clock_();
   if (has_image) {
     const auto scan_ns = static_cast<std::int64_t>(std::llround(seen.snapshot->time_s * 1e9));
-    const std::int64_t time_ns = clock_->at(scan_ns, wall_clock_());
+    const std::int64_t time_ns = clock_->at(scan_ns, wall_ns);
     *now_ns_ = time_ns;
     // While the clock stands still (a barrier, a hold) the same image comes again and again.
-    if (seen.snapshot->scan != scan_ || seen.snapshot->time_s != scan_time_s_ || view.layout != layout_) {
+    const bool fresh =
+        seen.snapshot->scan != scan_ || seen.snapshot->time_s != scan_time_s_ || view.layout != layout_;
+    const auto next = fresh ? std::optional(time_ns) : std::nullopt;
+    if (has_gap(seen, wall_ns, next) && (!fresh || time_ns > seen_until_ns_ + kBehindNs))
+      record_missing(seen_until_ns_ + kBehindNs);
+    note_arrival(seen, fresh, wall_ns);
+    if (fresh) {
+      seen_until_ns_ = time_ns;
       scan_ = seen.snapshot->scan;
       scan_time_s_ = seen.snapshot->time_s;
       record_image(time_ns, view);
@@ -160,8 +195,9 @@ std::optional<std::string> CellRecorder::take(const server::Observation& seen, c
       batch_.clear();
     }
   } else {
-    *now_ns_ = clock_->without_scan(wall_clock_());
-    record_missing(*now_ns_);
+    *now_ns_ = clock_->without_scan(wall_ns);
+    // Who was kept from looking for long does not know when the runtime has gone.
+    record_missing(has_gap(seen, wall_ns, {}) ? seen_until_ns_ + kBehindNs : now_ns_->load());
   }
   alarms_->take({*now_ns_, &seen, &view});
   return message();

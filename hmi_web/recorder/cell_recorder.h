@@ -10,7 +10,8 @@
 //
 // Tags have the names of the program's variables; points of the picture are `points/ID`. What is not known
 // (no runtime, no program, no such variable any more) is kept as missing, so that nobody takes a value for
-// lasting that nobody saw.
+// lasting that nobody saw. So is the time between two images of which others were lost on their way, if it is
+// longer than a page looks apart, and any time in which images ought to come and none does for a second.
 //
 // Thread rule: take from one thread; everything else from any. Nothing waits for the disk. The folder has one
 // writer (S0004).
@@ -83,6 +84,9 @@ class CellRecorder {
   void record(Series& series, std::int64_t time_ns, std::optional<double> value);
   void record_image(std::int64_t time_ns, const server::CellView& view);
   void record_missing(std::int64_t time_ns);
+  bool has_gap(const server::Observation& seen, std::int64_t wall_ns,
+               std::optional<std::int64_t> time_ns) const;
+  void note_arrival(const server::Observation& seen, bool fresh, std::int64_t wall_ns);
   void record_epoch(std::int64_t time_ns);
   std::optional<std::string> message();
 
@@ -99,6 +103,9 @@ class CellRecorder {
   std::uint64_t scan_ = 0;
   double scan_time_s_ = -1.0;
   bool missing_ = true;  // that nothing is known is recorded already
+  // Of the newest image: its time; when it came, also once more, in real time; the source's counts by then.
+  std::int64_t seen_until_ns_ = 0, came_wall_ns_ = 0;
+  std::uint64_t images_ = 0, images_lost_ = 0;
   std::vector<historian::TagSample> batch_;
   std::uint64_t told_revision_ = 0;
   std::chrono::steady_clock::time_point told_{};

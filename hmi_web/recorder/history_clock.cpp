@@ -22,24 +22,29 @@ HistoryClock::HistoryClock(bool real_time, std::optional<KnownEpoch> known) : re
   if (!known) return;
   begun_ = is_restored_ = true;
   epoch_ns_ = known->epoch_ns;
-  newest_ns_ = known->newest_ns;
+  newest_ns_ = scanned_ns_ = known->newest_ns;
 }
 
 bool HistoryClock::is_another_run(std::int64_t scan_ns, std::int64_t wall_ns) const {
-  if (!begun_ || epoch_ns_ + scan_ns < newest_ns_) return true;
-  return is_restored_ && real_time_ && std::abs(wall_ns - scan_ns - epoch_ns_) > kSameRunNs;
+  if (!begun_ || epoch_ns_ + scan_ns < scanned_ns_) return true;
+  // Real time has gone on while no scan came, and a snapshot is a little old: the same run.
+  if (epoch_ns_ + scan_ns < newest_ns_ && !real_time_) return true;
+  return (is_restored_ || epoch_ns_ + scan_ns < newest_ns_) && real_time_ &&
+         std::abs(wall_ns - scan_ns - epoch_ns_) > kSameRunNs;
 }
 
 std::int64_t HistoryClock::at(std::int64_t scan_ns, std::int64_t wall_ns) {
   scan_ns = whole(scan_ns);
   if (is_another_run(scan_ns, wall_ns)) {
-    const std::int64_t least = newest_ns_ == 0 ? wall_ns : std::max(wall_ns, newest_ns_ + kBetweenRunsNs);
-    epoch_ns_ = whole(least) - scan_ns;
+    // Before the first scan of all there is nothing to keep away from.
+    const std::int64_t least = scanned_ns_ == 0 ? newest_ns_ : newest_ns_ + kBetweenRunsNs;
+    epoch_ns_ = whole(std::max(wall_ns, least)) - scan_ns;
   }
   begun_ = true;
   is_restored_ = false;
   seen_wall_ns_ = wall_ns;
-  newest_ns_ = epoch_ns_ + scan_ns;
+  scanned_ns_ = epoch_ns_ + scan_ns;
+  newest_ns_ = std::max(newest_ns_, scanned_ns_);
   return newest_ns_;
 }
 

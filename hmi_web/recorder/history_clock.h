@@ -2,8 +2,8 @@
 
 // The clock of everything that is recorded: the scan's own, placed in real time, so that the samples of all
 // runs stand one behind the other. Scan time 0 of a run has an epoch; distances within a run are those of the
-// scan, exactly. A run that is faster than real time pushes what follows it into the future; time never runs
-// backwards.
+// scan, exactly, but that after a time without scans the first ones may be held back to what was told then. A
+// run that is faster than real time pushes what follows it into the future; time never runs backwards.
 //
 //   HistoryClock clock(config.clock.mode == ClockMode::Real, known);
 //   const std::int64_t t = clock.at(snapshot.time_ns, wall_ns);
@@ -42,6 +42,7 @@ class HistoryClock {
   bool is_restored_ = false;  // it is that of a process before, and no scan has come yet
   std::int64_t epoch_ns_ = 0;
   std::int64_t newest_ns_ = 0;
+  std::int64_t scanned_ns_ = 0;    // of the newest scan; 0: there was none
   std::int64_t seen_wall_ns_ = 0;  // real time when `newest_ns_` was given; 0: not by this process
 };
 

@@ -314,12 +314,24 @@ result::Result<api::AlarmChange> RecordQueries::act(const api::AlarmAction& acti
   return api::AlarmChange{to_string(change->before), to_string(change->after)};
 }
 
+namespace {
+
+// A page asks as soon as it is told that an alarm has changed: that entry may still be on its way to the
+// file. A file that takes none is told with the alarms.
+result::Result<std::vector<JournalEntry>> entries_of(CellAlarms& alarms, const JournalQuery& query,
+                                                     std::size_t most) {
+  static_cast<void>(alarms.flush());
+  return alarms.journal().find(query, most);
+}
+
+}  // namespace
+
 Answer RecordQueries::journal(const Parameters& given) const {
   const auto query = journal_query(given);
   if (!query) return refused(query.error());
   const auto most = whole_number(given, "most", kEntries, 1, kMostEntries);
   if (!most) return refused(most.error());
-  const auto entries = recorder_.alarms().journal().find(*query, static_cast<std::size_t>(*most));
+  const auto entries = entries_of(recorder_.alarms(), *query, static_cast<std::size_t>(*most));
   if (!entries) return refused(entries.error());
   JsonWriter out;
   out.open('{').key("entries").open('[');
@@ -330,7 +342,7 @@ Answer RecordQueries::journal(const Parameters& given) const {
 Answer RecordQueries::journal_csv(const Parameters& given) const {
   const auto query = journal_query(given);
   if (!query) return refused(query.error());
-  const auto entries = recorder_.alarms().journal().find(*query, kMostCsvEntries + 1);
+  const auto entries = entries_of(recorder_.alarms(), *query, kMostCsvEntries + 1);
   if (!entries) return refused(entries.error());
   if (entries->size() > kMostCsvEntries)
     return refused(400, "H0061", "the table would have more than 100,000 entries", "ask for a shorter time");

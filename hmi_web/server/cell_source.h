@@ -47,6 +47,9 @@ struct Observation {
   std::optional<RuntimeReport> report;
   // Both of one program, the one that `layout` describes; without a layout the image cannot be read.
   std::optional<ImageSnapshot> snapshot;
+  // How many images have come here so far, and how many were sent and never came; 0: the source cannot tell.
+  std::uint64_t images = 0;
+  std::uint64_t images_lost = 0;
   std::shared_ptr<const ProgramLayout> layout;  // shared: it stays the same for thousands of observations
   std::optional<std::string> plan;              // the supervisor's newest plan document, JSON text
   Tare tare;                                    // empty while no supervisor has identified it

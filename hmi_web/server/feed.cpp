@@ -1,6 +1,9 @@
 #include "hmi_web/server/feed.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <random>
 #include <utility>
 
 #include "hmi_web/protocol/plan_parts.h"
@@ -20,11 +23,25 @@ std::vector<std::size_t> trend_points(const protocol::Synoptic& synoptic) {
   return indices;
 }
 
+// Nobody guesses it, and no two runs have the same.
+std::string random_epoch() {
+  std::random_device source;
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%08x%08x", source(), source());
+  return digits.data();
+}
+
+// A page that was shown something else is told of the newest; one with a number that was never given, too.
+std::uint64_t known(std::uint64_t claimed, std::uint64_t newest) {
+  return claimed <= newest ? claimed : 0;
+}
+
 }  // namespace
 
 Feed::Feed(const protocol::Greeting& greeting, const protocol::Synoptic& synoptic, const FeedOptions& options)
     : options_(options),
-      hello_(shared(protocol::hello_message(greeting, synoptic))),
+      epoch_(options.epoch.empty() ? random_epoch() : options.epoch),
+      hello_(shared(protocol::hello_message(greeting, synoptic, epoch_))),
       trend_points_(trend_points(synoptic)),
       trend_(options.trend_rows) {}
 
@@ -40,8 +57,8 @@ bool Feed::update(const CellView& view, Time now) {
 bool Feed::take_program(const CellView& view) {
   if (view.layout == layout_) return false;
   layout_ = view.layout;
-  program_ = shared(protocol::program_message(layout_ ? layout_->program : protocol::Program{}));
-  ++program_revision_;
+  const auto message = protocol::program_message(layout_ ? layout_->program : protocol::Program{});
+  program_ = shared(protocol::with_revision(message, ++program_revision_));
   return true;
 }
 
@@ -49,9 +66,10 @@ bool Feed::take_state(const CellView& view, bool whole, Time now) {
   const bool beat = now - last_sent_ >= options_.beat;
   if (sequence_ != 0 && !whole && !beat && view.state == state_) return false;
   ++sequence_;
-  delta_ = whole || sequence_ == 1 ? nullptr : shared(protocol::delta_message(state_, view.state, sequence_));
+  if (whole) state_begin_ = sequence_;
+  live_.take(view.state, sequence_, whole);
+  made_.clear();
   state_ = view.state;
-  whole_ = nullptr;
   last_sent_ = now;
   return true;
 }
@@ -62,15 +80,14 @@ bool Feed::take_plan(const CellView& view) {
   auto parts = protocol::plan_parts(plan_source_);
   if (!parts) return false;
   take_routes(std::move(parts->routes));
-  plan_ = shared(std::move(parts->plan));
-  ++plan_revision_;
+  plan_ = shared(protocol::with_revision(parts->plan, ++plan_revision_));
   return true;
 }
 
 void Feed::take_routes(std::string routes) {
-  if (routes.empty() || (routes_ && *routes_ == routes)) return;
-  routes_ = shared(std::move(routes));
-  ++routes_revision_;
+  if (routes.empty() || routes == routes_source_) return;
+  routes_source_ = std::move(routes);
+  routes_ = shared(protocol::with_revision(routes_source_, ++routes_revision_));
 }
 
 bool Feed::take_trend(const protocol::CellState& state, Time now) {
@@ -88,10 +105,52 @@ bool Feed::take_trend(const protocol::CellState& state, Time now) {
   return true;
 }
 
-void Feed::set_alarms(std::string message) {
+void Feed::set_alarms(const std::string& message) {
   const std::lock_guard lock(mutex_);
-  alarms_ = shared(std::move(message));
-  ++alarms_revision_;
+  alarms_ = shared(protocol::with_revision(message, ++alarms_revision_));
+}
+
+std::optional<std::string> Feed::hear(Cursor& cursor, std::string_view text) const {
+  auto message = protocol::read_viewer_message(text);
+  if (!message) return message.error();
+  if (message->begins == cursor.begun) return "a page begins once, and before all else";
+  if (message->begins && message->protocol != protocol::kProtocolVersion)
+    return "protocol " + std::to_string(protocol::kProtocolVersion) + " is spoken here";
+  const std::lock_guard lock(mutex_);
+  if (auto why = refusal(message->show.tags)) return why;
+  cursor.shown = false;
+  cursor.show = std::move(message->show);
+  if (message->begins && message->epoch == epoch_) go_on(cursor, message->has);
+  cursor.begun = true;
+  return std::nullopt;
+}
+
+// What the viewer has of this run it does not get again.
+void Feed::go_on(Cursor& cursor, const protocol::Possessions& has) const {
+  cursor.state = known(has.sequence, sequence_);
+  cursor.shown = has.tags && cursor.state != 0;
+  cursor.program = known(has.program, program_revision_);
+  cursor.plan = known(has.plan, plan_revision_);
+  cursor.routes = known(has.routes, routes_revision_);
+  cursor.alarms = known(has.alarms, alarms_revision_);
+  cursor.forces = known(has.forces, forces_revision_);
+  const bool kept = has.trend_run == trend_.run() && has.trend_next >= trend_.begin() &&
+                    has.trend_next <= trend_.end() && has.trend_next != 0;
+  cursor.trend_begun = kept;
+  cursor.trend_run = kept ? has.trend_run : 0;
+  cursor.trend_row = kept ? has.trend_next : 0;
+}
+
+bool Feed::is_current(const protocol::TagChoice& tags) const {
+  return layout_ != nullptr && tags.digest == layout_->program.digest;
+}
+
+// Of a program that has gone or is to come nothing is known, and nothing is sent.
+std::optional<std::string> Feed::refusal(const protocol::TagChoice& tags) const {
+  if (tags.ranges.empty() || !is_current(tags)) return std::nullopt;
+  const protocol::TagRange& last = tags.ranges.back();
+  if (std::size_t{last.first} + last.count <= layout_->program.tags.size()) return std::nullopt;
+  return "the program has no such tag";
 }
 
 MessageText Feed::next(Cursor& cursor) const {
@@ -99,17 +158,18 @@ MessageText Feed::next(Cursor& cursor) const {
     cursor.greeted = true;
     return hello_;
   }
+  if (!cursor.begun) return nullptr;
   const std::lock_guard lock(mutex_);
   if (cursor.program != program_revision_) {
     cursor.program = program_revision_;
     return program_;
   }
-  if (cursor.state != sequence_) return next_state(cursor);
-  if (cursor.routes != routes_revision_) {
+  if (sequence_ != 0 && (cursor.state != sequence_ || !cursor.shown)) return next_state(cursor);
+  if (cursor.show.routes && cursor.routes != routes_revision_) {
     cursor.routes = routes_revision_;
     return routes_;
   }
-  if (cursor.plan != plan_revision_) {
+  if (cursor.show.plan && cursor.plan != plan_revision_) {
     cursor.plan = plan_revision_;
     return plan_;
   }
@@ -121,34 +181,45 @@ MessageText Feed::next(Cursor& cursor) const {
     cursor.forces = forces_revision_;
     return forces_;
   }
-  return next_trend(cursor);
+  return cursor.show.trend ? next_trend(cursor) : nullptr;
 }
 
 void Feed::set_forces(const std::string& list) {
   // The list is an object of our own: its type goes in front of its members.
   const std::lock_guard lock(mutex_);
-  forces_ = shared("{\"type\":\"forces\"," + list.substr(1));
-  ++forces_revision_;
+  forces_ = shared(protocol::with_revision("{\"type\":\"forces\"," + list.substr(1), ++forces_revision_));
 }
 
 MessageText Feed::next_state(Cursor& cursor) const {
-  const bool has_previous = cursor.state + 1 == sequence_;
+  protocol::StateRequest request;
+  if (cursor.state >= state_begin_) request.since = cursor.state;
+  if (cursor.show.tags.all || is_current(cursor.show.tags)) request.tags = cursor.show.tags;
+  request.tags.digest.clear();
+  if (!cursor.shown) request.show = cursor.show.number;
   cursor.state = sequence_;
-  if (has_previous && delta_) return delta_;
-  if (!whole_) whole_ = shared(protocol::state_message(state_, sequence_));
-  return whole_;
+  cursor.shown = true;
+  // Viewers that keep up and want the same share one text.
+  const auto found =
+      std::find_if(made_.begin(), made_.end(), [&](const auto& made) { return made.first == request; });
+  if (found != made_.end()) return found->second;
+  auto text = shared(live_.message(request));
+  constexpr std::size_t kMostKept = 64;
+  if (made_.size() < kMostKept) made_.emplace_back(std::move(request), text);
+  return text;
 }
 
 MessageText Feed::next_trend(Cursor& cursor) const {
-  const bool restart = !cursor.trend_begun || cursor.trend_run != trend_.run();
+  // Rows between that are no longer kept would be a hole.
+  const bool restart =
+      !cursor.trend_begun || cursor.trend_run != trend_.run() || cursor.trend_row < trend_.begin();
   if (restart) cursor.trend_row = 0;
   if (cursor.trend_row >= trend_.end()) return nullptr;
   const auto rows = trend_.rows(cursor.trend_row, options_.trend_rows_per_message);
-  const std::uint64_t first = cursor.trend_row;
+  const protocol::TrendPiece piece{trend_.run(), cursor.trend_row, restart};
   cursor.trend_row += rows.size();
   cursor.trend_run = trend_.run();
   cursor.trend_begun = true;
-  return shared(protocol::trend_message(rows, first, restart));
+  return shared(protocol::trend_message(rows, piece));
 }
 
 }  // namespace stepwright::server

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "hmi_web/server/api_lanes.h"
+#include "hmi_web/server/internal/response.h"
 #include "hmi_web/server/internal/viewer_session.h"
 #include "hmi_web/server/internal/wire.h"
 
@@ -47,72 +48,19 @@ struct HttpServer::State {
   std::string metrics_type;
   internal::TlsContextPointer tls;
   const api::Door* door = nullptr;  // null: there is no API
+  std::size_t most_body = 0;        // of any of its routes
   std::unique_ptr<ApiLanes> lanes;  // last: its jobs use all of the above
 };
 
 namespace {
 
-using Response = http::response<http::string_body>;
-
-std::string_view view(beast::string_view text) {
-  return {text.data(), text.size()};
-}
-
-void add_common_fields(Response& response) {
-  for (const auto& [name, value] : kSecurityHeaders) {
-    response.set(beast::string_view(name.data(), name.size()),
-                 beast::string_view(value.data(), value.size()));
-  }
-}
-
-void fill_with_asset(Response& response, const Decision& decision, bool accepts_gzip, bool head_only) {
-  const protocol::Asset& asset = *decision.asset;
-  response.set(http::field::content_type, std::string(asset.content_type));
-  response.set(http::field::etag, std::string(asset.etag));
-  response.set(http::field::vary, "Accept-Encoding");
-  response.set(http::field::cache_control,
-               asset.immutable ? "public, max-age=31536000, immutable" : "no-cache");
-  if (decision.status == 304) return;
-  if (accepts_gzip) response.set(http::field::content_encoding, "gzip");
-  const std::string_view body = accepts_gzip ? asset.gzip : asset.body;
-  response.content_length(body.size());
-  if (!head_only) response.body() = std::string(body);
-}
-
-void fill_with_metrics(Response& response, std::string text, const std::string& type, bool head_only) {
-  response.set(http::field::content_type, type);
-  response.set(http::field::cache_control, "no-store");
-  response.content_length(text.size());
-  if (!head_only) response.body() = std::move(text);
-}
-
-void fill_with_error(Response& response, const Decision& decision, bool head_only) {
-  const std::string body = std::to_string(decision.status) + " " + std::string(decision.reason) + "\n";
-  response.set(http::field::content_type, "text/plain; charset=utf-8");
-  if (decision.status == 405) response.set(http::field::allow, "GET, HEAD");
-  if (decision.status == 426) response.set(http::field::upgrade, "websocket");
-  response.content_length(body.size());
-  if (!head_only) response.body() = body;
-}
-
-void fill_with_answer(Response& response, const api::Answer& answer, const std::string& allowed) {
-  response.set(http::field::content_type, answer.content_type);
-  response.set(http::field::cache_control, answer.etag.empty() ? "no-store" : "private, no-cache");
-  if (!answer.etag.empty()) response.set(http::field::etag, answer.etag);
-  if (!allowed.empty()) response.set(http::field::allow, allowed);
-  if (answer.retry_after.count() > 0)
-    response.set(http::field::retry_after, std::to_string(answer.retry_after.count()));
-  if (!answer.file_name.empty())
-    response.set(http::field::content_disposition, "attachment; filename=\"" + answer.file_name + "\"");
-  if (!answer.set_cookie.empty()) {
-    const bool ends = answer.set_cookie == "-";
-    response.set(http::field::set_cookie, std::string(api::kSessionCookie) + "=" +
-                                              (ends ? "; Max-Age=0" : answer.set_cookie) +
-                                              "; Path=/; Secure; HttpOnly; SameSite=Strict");
-  }
-  response.content_length(answer.text.size());
-  response.body() = answer.text;
-}
+using internal::add_common_fields;
+using internal::fill_with_answer;
+using internal::fill_with_asset;
+using internal::fill_with_error;
+using internal::fill_with_metrics;
+using internal::Response;
+using internal::view;
 
 // The part behind "csrf." of the subprotocol that a page offers for its WebSocket.
 std::string_view offered_csrf(std::string_view protocols) {
@@ -148,26 +96,58 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void read() {
     parser_.emplace();
+    large_.reset();
     parser_->header_limit(static_cast<std::uint32_t>(server_.limits.header_bytes));
-    parser_->body_limit(server_.door != nullptr ? server_.limits.body_bytes : 0);
+    // What the head announces is judged behind it: some routes take more, from those that they admit.
+    parser_->body_limit(server_.door != nullptr ? server_.most_body : 0);
     transport().expires_after(server_.limits.request_timeout);
+    http::async_read_header(*wire_, input_, *parser_,
+                            [self = shared_from_this()](beast::error_code error, std::size_t) {
+                              if (error) return self->unreadable(error);
+                              self->read_body();
+                            });
+  }
+
+  void read_body() {
+    if (server_.door != nullptr) {
+      const std::size_t most = most_body();
+      if (parser_->content_length().value_or(0) > most) return refuse(413, "the body is too long");
+      parser_->body_limit(most);
+    }
     http::async_read(*wire_, input_, *parser_,
                      [self = shared_from_this()](beast::error_code error, std::size_t) {
-                       if (!error) return self->answer();
-                       if (error == http::error::body_limit && self->server_.door != nullptr)
-                         return self->refuse(413, "the body is too long");
-                       if (error.category() == http::make_error_code(http::error::bad_method).category() &&
-                           error != http::error::end_of_stream) {
-                         self->refuse(400, "this request cannot be read");
-                       }
+                       if (error) return self->unreadable(error);
+                       self->answer();
                      });
+  }
+
+  // A large body is read from whoever the route admits, and from nobody else.
+  std::size_t most_body() {
+    const std::size_t usual = server_.limits.body_bytes;
+    const bool announced = parser_->chunked() || parser_->content_length().value_or(0) > usual;
+    if (!announced || !server_.policy->is_own_authority(header(http::field::host))) return usual;
+    api::Admission admission = admit();
+    if (admission.route == nullptr || admission.route->most_body <= usual) return usual;
+    const std::size_t most = admission.route->most_body;
+    large_ = std::move(admission);
+    transport().expires_after(server_.limits.large_request_timeout);
+    return most;
+  }
+
+  void unreadable(beast::error_code error) {
+    if (error == http::error::body_limit && server_.door != nullptr)
+      return refuse(413, "the body is too long");
+    if (error.category() == http::make_error_code(http::error::bad_method).category() &&
+        error != http::error::end_of_stream) {
+      refuse(400, "this request cannot be read");
+    }
   }
 
   void answer() {
     if (server_.door == nullptr) return serve({});
     if (!server_.policy->is_own_authority(header(http::field::host)))
       return refuse(403, "this name is not served here");
-    api::Admission admission = admit();
+    api::Admission admission = large_ ? *std::exchange(large_, std::nullopt) : admit();
     if (admission.route == nullptr) return send(admission.refusal, admission.allowed);
     if (admission.route->lane == api::Lane::Server) {
       if (parser_->get().body().empty()) return serve(admission.call.who);
@@ -287,6 +267,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   std::optional<http::request_parser<http::string_body>> parser_;
   Response response_;
   std::optional<http::response_serializer<http::string_body>> serializer_;
+  std::optional<api::Admission> large_;  // of a request whose head was admitted for its large body
   bool upgraded_ = false;
 };
 
@@ -320,7 +301,7 @@ void HttpServer::State::add_viewer(internal::Wire wire, HttpRequest request, con
       [this] { end_connection(); });
   viewers.push_back(viewer);
   const std::string protocol = who.csrf.empty() ? "" : std::string(api::kCsrfProtocol) + who.csrf;
-  viewer->start(std::move(request), limits.silent_viewer, protocol);
+  viewer->start(std::move(request), {limits.silent_viewer, limits.viewer_begins}, protocol);
 }
 
 void HttpServer::State::pump_viewers() {
@@ -404,6 +385,9 @@ void HttpServer::serve_metrics(std::function<std::string()> text, std::string co
 
 void HttpServer::serve_api(const api::Door& door) {
   state_->door = &door;
+  state_->most_body = state_->limits.body_bytes;
+  for (const api::Route& row : door.table().rows())
+    state_->most_body = std::max(state_->most_body, row.most_body);
   state_->lanes = std::make_unique<ApiLanes>();
 }
 

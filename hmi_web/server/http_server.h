@@ -8,9 +8,9 @@
 //
 // Thread rule: run() in one thread; stop() and notify() from any. The feed outlives the server.
 // Invariants: memory per viewer is bounded (one message under way, none queued); no request and no sequence
-// of bytes ends the process. Without an API the only input that it takes is requests without a body; a viewer
-// that sends a WebSocket message is disconnected in any case. With an API nothing happens that is no row of
-// its route table.
+// of bytes ends the process. Without an API the only input that it takes is requests without a body and what
+// viewers say of what they show (Feed::hear); who says anything else is disconnected. With an API nothing
+// happens beside that is no row of its route table.
 
 #include <chrono>
 #include <cstddef>
@@ -28,11 +28,13 @@
 namespace stepwright::server {
 
 struct ServerLimits {
-  std::size_t connections = 128;             // more are closed at once
-  std::size_t header_bytes = 8'192;          // of a request
-  std::size_t body_bytes = 16'384;           // of a request to the API
-  std::chrono::seconds request_timeout{10};  // from the first byte expected to the last
-  std::chrono::seconds silent_viewer{15};    // without any answer to pings: disconnected
+  std::size_t connections = 128;                   // more are closed at once
+  std::size_t header_bytes = 8'192;                // of a request
+  std::size_t body_bytes = 16'384;                 // of a request to the API, unless its route takes more
+  std::chrono::seconds request_timeout{10};        // from the first byte expected to the last
+  std::chrono::seconds large_request_timeout{60};  // of routes that take a larger body
+  std::chrono::seconds silent_viewer{15};          // without any answer to pings: disconnected
+  std::chrono::seconds viewer_begins{10};          // within this: a page says at once what it shows
 };
 
 class HttpServer {

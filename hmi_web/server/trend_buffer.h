@@ -23,6 +23,8 @@ class TrendBuffer {
 
   // Counts the times that the buffer started anew; rows of different runs do not belong together.
   std::uint64_t run() const { return run_; }
+  // Number of the oldest row that is kept.
+  std::uint64_t begin() const { return first_; }
   // Number of the row behind the newest; rows of a run are numbered from 0.
   std::uint64_t end() const { return first_ + rows_.size(); }
   // Up to `most` rows from number `from` on, or from the oldest kept if that one is gone; the number of the

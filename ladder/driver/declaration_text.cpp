@@ -2,32 +2,8 @@
 
 namespace stepwright::driver {
 
-namespace {
-
-const char* section_word(graphic::VariableSection section) {
-  switch (section) {
-    case graphic::VariableSection::Local:
-      return "VAR";
-    case graphic::VariableSection::Temp:
-      return "VAR_TEMP";
-    case graphic::VariableSection::Input:
-      return "VAR_INPUT";
-    case graphic::VariableSection::Output:
-      return "VAR_OUTPUT";
-    case graphic::VariableSection::InOut:
-      return "VAR_IN_OUT";
-    case graphic::VariableSection::External:
-      return "VAR_EXTERNAL";
-    case graphic::VariableSection::Global:
-      break;
-  }
-  return "VAR_GLOBAL";
-}
-
-}  // namespace
-
 std::string DeclarationText::variable(const graphic::Variable& variable) const {
-  std::string text = section_word(variable.section);
+  std::string text = graphic::keyword_of(variable.section);
   if (variable.constant) text += " CONSTANT";
   if (variable.retain) text += " RETAIN";
   text += " " + variable.name;

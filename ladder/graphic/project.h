@@ -16,6 +16,8 @@
 namespace stepwright::graphic {
 
 enum class VariableSection : std::uint8_t { Local, Temp, Input, Output, InOut, External, Global };
+// The keyword of IEC 61131-3: "VAR_INPUT".
+const char* keyword_of(VariableSection section);
 
 struct Variable {
   std::string name;

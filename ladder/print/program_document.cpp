@@ -13,29 +13,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* word_of(graphic::VariableSection section) {
-  switch (section) {
-    case graphic::VariableSection::Local:
-      return "VAR";
-    case graphic::VariableSection::Temp:
-      return "VAR_TEMP";
-    case graphic::VariableSection::Input:
-      return "VAR_INPUT";
-    case graphic::VariableSection::Output:
-      return "VAR_OUTPUT";
-    case graphic::VariableSection::InOut:
-      return "VAR_IN_OUT";
-    case graphic::VariableSection::External:
-      return "VAR_EXTERNAL";
-    case graphic::VariableSection::Global:
-      break;
-  }
-  return "VAR_GLOBAL";
-}
-
 ordered_json variable_json(const graphic::Variable& variable) {
   ordered_json json = {
-      {"name", variable.name}, {"type", variable.type}, {"section", word_of(variable.section)}};
+      {"name", variable.name}, {"type", variable.type}, {"section", graphic::keyword_of(variable.section)}};
   if (!variable.address.empty()) json["address"] = variable.address;
   if (!variable.initial.empty()) json["initial"] = variable.initial;
   if (!variable.comment.empty()) json["comment"] = variable.comment;

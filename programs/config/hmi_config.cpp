@@ -55,6 +55,8 @@ HmiConfig read_hmi(const settings::TomlTable& hmi, const std::filesystem::path& 
   if (config.access_dir.empty()) config.access_dir = state_dir / "access";
   config.recipes = path("recipes");
   config.recipes_dir = path("recipes_dir");
+  config.programs_dir = path("programs_dir");
+  if (config.programs_dir.empty()) config.programs_dir = state_dir / "programs";
   config.drawing = path("drawing");
   if (config.recipes_dir.empty()) config.recipes_dir = state_dir / "recipes";
   config.idle = std::chrono::minutes(hmi.integer("idle_minutes", 30, {1, 24 * 60}));

@@ -14,6 +14,7 @@
 //   session_hours = 12            # logged out in any case
 //   recipes = "recipes.toml"      # beside this file: the tags that recipes set (hmi_web/doc/recipes.md)
 //   recipes_dir = "recipes"       # the recipes themselves; default: in the state folder
+//   programs_dir = "programs"     # programs that can be brought back (hmi_web/doc/change.md); likewise
 //   drawing = "plant.svg"         # the plant's picture, drawn by hand (hmi_web/doc/drawings.md)
 //
 // Pure.
@@ -40,6 +41,7 @@ struct HmiConfig {
   std::filesystem::path access_dir;
   std::filesystem::path recipes;  // the file of definitions; empty: there are no recipes
   std::filesystem::path recipes_dir;
+  std::filesystem::path programs_dir;
   std::filesystem::path drawing;  // empty: the picture is made from the plant's description
   std::chrono::minutes idle{30};
   std::chrono::hours session{12};

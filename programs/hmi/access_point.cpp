@@ -44,9 +44,10 @@ result::Result<std::unique_ptr<AccessPoint>> AccessPoint::open(const config::Hmi
   if (!forces) return result::forward(forces);
   point->forces_ = std::move(*forces);
   if (auto opened = point->open_recipes(config, what.cell); !opened) return result::forward(opened);
-  point->table_ = std::make_unique<api::RouteTable>(
-      api::all_routes({point->control_.get(), point->audit_.get(), point->forces_.get(), &what.cell,
-                       what.records, point->recipes_.get(), what.figures, what.drawing, what.program}));
+  if (auto opened = point->open_versions(config, what.change, log); !opened) return result::forward(opened);
+  point->table_ = std::make_unique<api::RouteTable>(api::all_routes(
+      {point->control_.get(), point->audit_.get(), point->forces_.get(), &what.cell, what.records,
+       point->recipes_.get(), what.figures, what.drawing, what.program, point->changes_.get()}));
   point->door_ = std::make_unique<api::Door>(
       *point->table_, *point->control_, *point->audit_,
       api::DoorOptions{config.anonymous_viewer ? access::Role::Viewer : access::Role::None});
@@ -64,6 +65,22 @@ result::Result<void> AccessPoint::open_recipes(const config::HmiConfig& config, 
   recipes_ = std::make_unique<api::RecipeDesk>(std::move(*tags), *store_, cell, *forces_,
                                                std::chrono::system_clock::now);
   return {};
+}
+
+result::Result<void> AccessPoint::open_versions(const config::HmiConfig& config, api::CellChange* cell,
+                                                log::Logger& log) {
+  if (cell == nullptr) return {};
+  auto versions = change::VersionStore::open(config.programs_dir);
+  if (!versions) return result::forward(versions);
+  versions_ = std::move(*versions);
+  for (const result::Diagnostic& each : versions_->damaged())
+    log.warning("programs", each.code + ": " + each.message, {{"file", each.where.file}});
+  changes_ = std::make_unique<api::ChangeDesk>(*cell, *versions_, *audit_, std::chrono::system_clock::now);
+  return {};
+}
+
+void AccessPoint::turn() {
+  if (changes_) changes_->turn();
 }
 
 result::Result<Listening> listening_of(const config::HmiConfig& config) {

@@ -19,6 +19,7 @@
 #include "hmi_web/api/cell_figures.h"
 #include "hmi_web/api/cell_program.h"
 #include "hmi_web/api/cell_records.h"
+#include "hmi_web/api/change_desk.h"
 #include "hmi_web/api/door.h"
 #include "hmi_web/api/force_desk.h"
 #include "hmi_web/api/recipe_desk.h"
@@ -35,6 +36,7 @@ struct ActsOn {
   api::CellFigures* figures = nullptr;   // null: it follows no runtime
   const std::string* drawing = nullptr;  // null: there is none
   api::CellProgram* program = nullptr;   // null: it serves no sources
+  api::CellChange* change = nullptr;     // null: no program is changed from it
 };
 
 class AccessPoint {
@@ -47,16 +49,22 @@ class AccessPoint {
                                                                          api::ForceDesk::OnChange on_forces);
 
   const api::Door& door() const { return *door_; }
+  // Now and then: what became of a program that was changed.
+  void turn();
 
  private:
   AccessPoint() = default;
   [[nodiscard]] result::Result<void> open_recipes(const config::HmiConfig& config, api::CellControl& cell);
+  [[nodiscard]] result::Result<void> open_versions(const config::HmiConfig& config, api::CellChange* cell,
+                                                   log::Logger& log);
 
   std::unique_ptr<access::AccessControl> control_;
   std::unique_ptr<access::AuditLog> audit_;
   std::unique_ptr<api::ForceDesk> forces_;
   std::unique_ptr<recipes::RecipeStore> store_;  // null, as what follows: the cell has no recipes
   std::unique_ptr<api::RecipeDesk> recipes_;
+  std::unique_ptr<change::VersionStore> versions_;  // null, as what follows: no program is changed
+  std::unique_ptr<api::ChangeDesk> changes_;
   std::unique_ptr<api::RouteTable> table_;
   std::unique_ptr<api::Door> door_;
 };

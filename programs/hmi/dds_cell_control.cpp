@@ -5,6 +5,8 @@
 #include "runtime/bytecode/reader/parse_value.h"
 #include "runtime/bytecode/reader/read_value.h"
 #include "runtime/bytecode/reader/resolve_name.h"
+#include "runtime/host/limits.h"
+#include "runtime/image/image_bits.h"
 
 namespace stepwright::hmi {
 namespace {
@@ -47,6 +49,16 @@ Result<Change> change_of(DdsCellSource& source, const std::string& name, const s
   std::vector<std::byte> image(place->variable.address + sizeof(std::uint64_t));
   std::memcpy(image.data() + place->variable.address, &bits.value, sizeof bits.value);
   return Change{bits, reader::read_text(place->variable, image)};
+}
+
+// A value that is forced, told as `forced` and `as_forced` both do.
+api::ForcedPlace forced_place(const reader::ProgramInfo& info, const image::Force& force) {
+  std::vector<std::byte> image(force.address + sizeof force.value);
+  const std::uint64_t value = force.bit == image::kWholeBytes ? force.value : (force.value & 1) << force.bit;
+  std::memcpy(image.data() + force.address, &value, force.size);
+  const reader::Variable variable = reader::variable_of_place(info, force.address, force.bit, force.size);
+  return {reader::name_of_place(info, force.address, force.bit, force.size),
+          reader::read_text(variable, image)};
 }
 
 }  // namespace
@@ -102,6 +114,45 @@ Result<void> DdsCellControl::unforce(const std::string& name) {
   if (!place) return result::forward(place);
   if (bytecode::is_string(place->variable.type)) return result::fail("R0058", {}, "a string is never forced");
   return source_.client().unforce(bits_of(place->variable, 0));
+}
+
+Result<void> DdsCellControl::write_together(const std::map<std::string, std::string, std::less<>>& values) {
+  const auto program = source_.running().get();
+  host::BlockWrite block;
+  for (const auto& [name, value] : values) {
+    auto change = change_of(source_, name, value);
+    if (!change) return result::forward(change);
+    block.parts.push_back(change->bits);
+  }
+  // Another program than the one that the names were looked up in is not written to.
+  const auto still = source_.running().get();
+  if (!program || still != program)
+    return result::fail("D0002", {}, "the program has just changed", "try again in a moment");
+  block.program_digest = program->digest;
+  return source_.client().write(block);
+}
+
+Result<std::vector<api::ForcedPlace>> DdsCellControl::forced() {
+  // Asked often, from where nobody waits for a runtime to come.
+  if (!source_.client().runtime_alive()) return result::fail("D0001", {}, "no runtime answers");
+  auto forces = source_.client().forces();
+  if (!forces) return result::forward(forces);
+  std::vector<api::ForcedPlace> places;
+  if (forces->places.empty()) return places;
+  const auto program = source_.running().get();
+  if (!program || program->digest != forces->program_digest)
+    return result::fail("D0002", {}, "the program has just changed", "try again in a moment");
+  for (const image::Force& force : forces->places) places.push_back(forced_place(program->info, force));
+  return places;
+}
+
+Result<api::ForcedPlace> DdsCellControl::as_forced(const std::string& name, const std::string& value) {
+  auto change = change_of(source_, name, value);
+  if (!change) return result::forward(change);
+  image::Force force;
+  if (image::to_force(change->bits, host::kMaxImageBytes, force) != image::BitsStatus::Done)
+    return result::fail("R0058", {}, "`" + name + "` cannot be forced");
+  return forced_place(source_.running().get()->info, force);
 }
 
 }  // namespace stepwright::hmi

@@ -24,6 +24,9 @@ class DdsCellControl : public api::CellControl {
   result::Result<std::string> write(const std::string& name, const std::string& value) override;
   result::Result<std::string> force(const std::string& name, const std::string& value) override;
   result::Result<void> unforce(const std::string& name) override;
+  result::Result<void> write_together(const std::map<std::string, std::string, std::less<>>& values) override;
+  result::Result<std::vector<api::ForcedPlace>> forced() override;
+  result::Result<api::ForcedPlace> as_forced(const std::string& name, const std::string& value) override;
 
  private:
   DdsCellSource& source_;

@@ -53,32 +53,47 @@ server::Observation DdsCellSource::observe() {
   seen.tare = tare_;
   if (const auto status = runtime_->status()) seen.report = report_of(*status);
   auto snapshot = runtime_->snapshot();
-  const std::string digest = snapshot ? snapshot->program_digest : std::string();
-  if (seen.runtime_alive && !digest.empty()) fetch_program(digest);
+  // Behind the image: what was lost before it came is counted by then.
+  const dds::TopicTraffic images = runtime_->snapshot_traffic();
+  seen.images = images.received;
+  seen.images_lost = images.lost;
+  // A runtime that has come back is not what an image of before shows; one that is gone has left it.
+  if (!seen.runtime_alive) images_of_before_ = images.received;
+  if (seen.runtime_alive && images.received == images_of_before_) snapshot.reset();
+  std::string digest = snapshot ? snapshot->program_digest : std::string();
+  if (seen.runtime_alive && !digest.empty() && fetch_program(digest)) {
+    // The image has grown old meanwhile, and whoever looks takes it for one of now.
+    snapshot = runtime_->snapshot();
+    digest = snapshot->program_digest;
+  }
   if (layout_ && layout_->program.digest == digest) seen.layout = layout_;
   if (snapshot) seen.snapshot = snapshot_of(std::move(*snapshot));
   return seen;
 }
 
-void DdsCellSource::fetch_program(const std::string& digest) {
+bool DdsCellSource::fetch_program(const std::string& digest) {
   const auto now = std::chrono::steady_clock::now();
-  if ((layout_ && layout_->program.digest == digest) || now < next_fetch_) return;
+  if ((layout_ && layout_->program.digest == digest) || now < next_fetch_) return false;
   next_fetch_ = now + kFetchPause;
-  const auto container = runtime_->program();
-  if (!container) return;  // asked again; the page says meanwhile that it knows no program
+  auto container = runtime_->program();
+  if (!container) return true;  // asked again; the page says meanwhile that it knows no program
   next_fetch_ = now;
   // Another program may have come since the image was taken; its own images follow.
-  if (service::to_hex(service::sha256(*container)) != digest) return;
+  if (service::to_hex(service::sha256(*container)) != digest) return true;
   auto layout = server::read_layout(*container, digest);
   if (!layout) {
     next_fetch_ = now + kFetchPause;
     log_.warning("program", result::to_string(layout.error()), {{"digest", digest}});
-    return;
+    return true;
   }
-  if (auto info = reader::ProgramInfo::read(*container))
+  if (auto info = reader::ProgramInfo::read(*container)) {
+    std::string document(reader::document_text(*container));
     running_.set(std::make_shared<const KnownProgram>(
-        KnownProgram{digest, std::move(*info), std::string(reader::document_text(*container))}));
+        KnownProgram{digest, std::move(*info), std::move(document),
+                     std::make_shared<const std::vector<std::byte>>(std::move(*container))}));
+  }
   layout_ = std::make_shared<const server::ProgramLayout>(std::move(*layout));
+  return true;
 }
 
 }  // namespace stepwright::hmi

@@ -42,7 +42,8 @@ class DdsCellSource : public server::CellSource {
                 log::Logger& log)
       : runtime_(std::move(runtime)), plans_(std::move(plans)), log_(log) {}
 
-  void fetch_program(const std::string& digest);
+  // True if it had to ask, which takes its time.
+  bool fetch_program(const std::string& digest);
 
   std::unique_ptr<dds::RuntimeClient> runtime_;
   std::unique_ptr<dds::PlanSubscriber> plans_;
@@ -50,6 +51,7 @@ class DdsCellSource : public server::CellSource {
   RunningProgram running_;
   std::shared_ptr<const server::ProgramLayout> layout_;  // of the program with its digest; shared with views
   std::chrono::steady_clock::time_point next_fetch_{};   // a fetch that failed is not repeated at once
+  std::uint64_t images_of_before_ = 0;                   // that had come when the runtime was last not there
   std::string tare_source_;                              // the plan document that `tare_` was read from
   server::Tare tare_;
 };

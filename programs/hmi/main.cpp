@@ -16,6 +16,7 @@
 #include "hmi_web/server/http_server.h"
 #include "programs/config/cell_options.h"
 #include "programs/hmi/access_point.h"
+#include "programs/hmi/dds_cell_change.h"
 #include "programs/hmi/dds_cell_control.h"
 #include "programs/hmi/dds_cell_source.h"
 #include "programs/hmi/plant_picture.h"
@@ -74,9 +75,10 @@ int run(const config::CellConfig& config) {
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
   hmi::DdsCellControl control(**source);
   hmi::ProgramDesk program((*source)->running());
+  hmi::DdsCellChange change(**source, config);
   auto access = hmi::AccessPoint::open(config.hmi,
                                        {control, records ? &*records : nullptr, watch->get(),
-                                        drawn.svg.empty() ? nullptr : &drawn.svg, &program},
+                                        drawn.svg.empty() ? nullptr : &drawn.svg, &program, &change},
                                        **log, [&](const std::string& list) {
                                          feed.set_forces(list);
                                          (*http)->notify();
@@ -111,6 +113,7 @@ int run(const config::CellConfig& config) {
     while (!stop.wait_for(kTurn)) {
       if (reload.take()) log::reload_log(running, **log, init);
       heartbeat.turn();
+      (*access)->turn();
       (*log)->tick();
     }
   }

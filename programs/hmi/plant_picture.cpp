@@ -42,6 +42,7 @@ class PictureBuilder {
     for (const auto& beam : plant_.beams) add_beam(beam);
     for (const auto& pusher : plant_.pushers) add_pusher(pusher);
     for (const auto& box : plant_.boxes) add_box(box);
+    synoptic_.floor.estop_ok_point = points_.terminal("estop_ok", "estop_ok");
     synoptic_.points = std::move(points_.points);
     return {std::move(synoptic_), std::move(points_.sources)};
   }

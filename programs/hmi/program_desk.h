@@ -7,11 +7,16 @@
 
 #include <memory>
 #include <mutex>
+#include <string>
+#include <string_view>
 
 #include "hmi_web/api/cell_program.h"
 #include "programs/hmi/running_program.h"
 
 namespace stepwright::hmi {
+
+// The answer about a program's sources, running or not.
+api::Answer sources_of(const std::string& digest, const reader::ProgramInfo& info, std::string_view document);
 
 class ProgramDesk final : public api::CellProgram {
  public:

@@ -5,10 +5,12 @@
 //
 // Threads: every function from any.
 
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "runtime/bytecode/reader/program_info.h"
 
@@ -18,6 +20,7 @@ struct KnownProgram {
   std::string digest;
   reader::ProgramInfo info;
   std::string document;  // of its container, as it came; empty: it has none
+  std::shared_ptr<const std::vector<std::byte>> container;  // shared with whoever compares it with another
 };
 
 class RunningProgram {

@@ -100,6 +100,7 @@ result::Result<void> BootProgram::load_and_start() {
   // Both at once: between two commands a stopped program waits for its next inputs.
   host::Command start;
   start.kind = host::CommandKind::Start;
+  start.regardless = true;  // devices that are not there are a fault, as if they were lost later
   if (!runtime_.submit(start)) return result::fail("R0006", {}, "the runtime is busy");
   return complete(2);
 }

@@ -36,7 +36,9 @@ struct LinkEndpoint::State {
         commands(*participant, kCommandTopic, Profile::Queue,
                  [this](idl::Command& sample) { push(from_command(sample)); }),
         chunks(*participant, kChunkTopic, Profile::Queue,
-               [this](idl::ProgramChunk& sample) { push(from_chunk(sample)); }) {}
+               [this](idl::ProgramChunk& sample) { push(from_chunk(sample)); }),
+        extras(*participant, kExtraTopic, Profile::Queue,
+               [this](idl::ExtraCommand& sample) { push(from_extra(sample)); }) {}
 
   ~State() {
     if (wake >= 0) close(wake);
@@ -44,7 +46,7 @@ struct LinkEndpoint::State {
 
   bool ok() const {
     return wake >= 0 && replies.ok() && events.ok() && statuses.ok() && snapshots.ok() && health.ok() &&
-           presence.ok() && commands.ok() && chunks.ok();
+           presence.ok() && commands.ok() && chunks.ok() && extras.ok();
   }
 
   void notify() const {
@@ -76,6 +78,7 @@ struct LinkEndpoint::State {
   Reader<idl::PresencePubSubType> presence;
   Reader<idl::CommandPubSubType> commands;
   Reader<idl::ProgramChunkPubSubType> chunks;
+  Reader<idl::ExtraCommandPubSubType> extras;
 };
 
 LinkEndpoint::LinkEndpoint(std::unique_ptr<State> state) : state_(std::move(state)) {}

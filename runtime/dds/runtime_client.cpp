@@ -7,6 +7,7 @@
 #include "runtime/dds/internal/random_client.h"
 #include "runtime/host/limits.h"
 #include "runtime/service/digest.h"
+#include "runtime/service/monitor_answers.h"
 
 namespace stepwright::dds {
 namespace {
@@ -94,6 +95,22 @@ result::Result<void> RuntimeClient::write(const WriteRequest& request) {
   return done(state_->session.ask(service::Write{request}));
 }
 
+result::Result<void> RuntimeClient::write(const BlockWrite& block) {
+  if (block.parts.empty() || block.parts.size() > host::kMaxBlockWrites) {
+    return result::fail("D0004", {}, "a write of " + std::to_string(block.parts.size()) + " parts is refused",
+                        "1 to " + std::to_string(host::kMaxBlockWrites) + " are possible");
+  }
+  return done(state_->session.ask(service::WriteBlock{block}));
+}
+
+result::Result<Forces> RuntimeClient::forces() {
+  auto reply = state_->session.ask(service::ReadForces{});
+  if (!reply) return result::forward(reply);
+  auto places = service::decode_forces(reply->data);
+  if (!places) return result::forward(places);
+  return Forces{std::move(reply->digest), std::move(*places)};
+}
+
 result::Result<void> RuntimeClient::inject_fault(const std::string& name, double value) {
   if (name.size() > host::kMaxNameBytes)
     return result::fail("D0004", {}, "the name of the fault is too long");
@@ -144,6 +161,10 @@ std::optional<RuntimeHealth> RuntimeClient::health() const {
 
 std::vector<TopicTraffic> RuntimeClient::traffic() const {
   return state_->session.traffic();
+}
+
+TopicTraffic RuntimeClient::snapshot_traffic() const {
+  return state_->session.snapshot_traffic();
 }
 
 }  // namespace stepwright::dds

@@ -13,7 +13,8 @@
 // `kDownloadTimeout`; they are resent meanwhile and carry ids, so that a link or a runtime that dies in
 // between never performs one twice. Diagnostics: D0001 no runtime answers, D0002 refused by the runtime in
 // its present state, D0003 the container was refused (the verifier's own diagnostics follow), D0004 request
-// out of bounds, D0005 Fast DDS could not start, D0006 an address that is none of this machine.
+// out of bounds, D0005 Fast DDS could not start, D0006 an address that is none of this machine, D0008 the
+// link is of an earlier version and does not carry this.
 
 #include <chrono>
 #include <cstddef>
@@ -26,6 +27,7 @@
 
 #include "runtime/dds/health.h"
 #include "runtime/dds/types.h"
+#include "runtime/image/force_table.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::dds {
@@ -41,6 +43,12 @@ struct Download {
   std::string digest;
   ChangeReport change;        // of an online change
   result::Diagnostics notes;  // what an online change carried, in words
+};
+
+// What is forced, and in which program; the digest is empty where none is loaded.
+struct Forces {
+  std::string program_digest;
+  std::vector<image::Force> places;
 };
 
 class RuntimeClient {
@@ -70,6 +78,12 @@ class RuntimeClient {
   [[nodiscard]] result::Result<void> force(const ForceRequest& request);
   [[nodiscard]] result::Result<void> unforce(const UnforceRequest& request);
   [[nodiscard]] result::Result<void> write(const WriteRequest& request);
+  // All parts between the same two scans, or none of them; `program_digest` names the program that they are
+  // of. D0004 with no part or more than host::kMaxBlockWrites, D0008 if the link is of an earlier version:
+  // nothing was sent then.
+  [[nodiscard]] result::Result<void> write(const BlockWrite& block);
+  // What is forced in the runtime now, whoever has forced it. D0008 as above.
+  [[nodiscard]] result::Result<Forces> forces();
   // A fault of the simulated plant, by the name that its plant model gives it.
   [[nodiscard]] result::Result<void> inject_fault(const std::string& name, double value);
   // The container that is loaded now: for a viewer or a restarted supervisor.
@@ -89,6 +103,7 @@ class RuntimeClient {
   std::optional<RuntimeHealth> health() const;
   // What has come here so far, topic by topic.
   std::vector<TopicTraffic> traffic() const;
+  TopicTraffic snapshot_traffic() const;
 
  private:
   struct State;

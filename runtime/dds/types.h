@@ -11,6 +11,7 @@
 
 namespace stepwright::dds {
 
+using host::BlockWrite;
 using host::ChangeReport;
 using host::DownloadMode;
 using host::EventKind;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/bytecode/reader/loaded_program.h"
+#include "runtime/host/change_problems.h"
 #include "runtime/host/chart_memory.h"
 #include "runtime/naming/ascii_names.h"
 
@@ -78,7 +79,7 @@ result::Result<void> ChangePlan::plan() {
   if (!from) return result::forward(from);
   auto to = record::StateLayout::of(to_.loaded().program());
   if (!to) return result::forward(to);
-  if (auto good = check_outputs(*from, *to); !good) return good;
+  if (auto moved = moved_outputs(*from, *to); !moved.empty()) return tl::unexpected(std::move(moved));
   transfer_ = record::VariableTransfer::between(*from, *to);
   forward_ = AddressMap(*from, *to);
   backward_ = AddressMap(*to, *from);
@@ -87,33 +88,6 @@ result::Result<void> ChangePlan::plan() {
     situations_ = ChartSituations(from_.loaded().program(), to_.loaded().program());
   pair_tasks();
   clear_outputs();
-  return {};
-}
-
-// An output that keeps its name but not its terminal would switch two actuators at once, in the middle of
-// whatever they do.
-result::Result<void> ChangePlan::check_outputs(const record::StateLayout& from,
-                                               const record::StateLayout& to) const {
-  result::Diagnostics problems;
-  const auto is_output = [](const record::StateLayout& layout, const record::StateVariable& variable) {
-    const record::StateAreas& areas = layout.areas();
-    return (variable.flags & record::kStateLocated) != 0 && variable.address >= areas.inputs &&
-           variable.address < areas.inputs + areas.outputs;
-  };
-  for (const record::StateVariable& old : from.variables()) {
-    const record::StateVariable* now = to.find(old.path);
-    if (now == nullptr || !is_output(from, old) || !is_output(to, *now)) continue;
-    const bool stays = old.address - from.areas().inputs == now->address - to.areas().inputs &&
-                       old.bit == now->bit && from.type_of(old).size == to.type_of(*now).size;
-    if (stays) continue;
-    problems.push_back(
-        {"R0034",
-         result::Severity::Error,
-         {kWhere, 0, 0},
-         "the output " + old.path + " would move to another address or size while it is driven",
-         "give it another name, or replace the program (its outputs are safe then)"});
-  }
-  if (!problems.empty()) return tl::unexpected(std::move(problems));
   return {};
 }
 
@@ -168,20 +142,11 @@ std::uint32_t ChangePlan::move_forces_back(const image::ForceTable& from, image:
 }
 
 result::Diagnostic ChangePlan::lost_step_problem(std::uint32_t step) const {
-  return {"R0033",
-          result::Severity::Error,
-          {kWhere, 0, 0},
-          "the step " + charts_.lost_step_name(step) + " is active, and the new program has no such step",
-          "wait until the chart has left it, or restart the charts (variables keep their values)"};
+  return host::lost_step_problem(charts_.lost_step_name(step));
 }
 
 result::Diagnostic ChangePlan::impossible_chart_problem(std::uint32_t chart) const {
-  return {"R0036",
-          result::Severity::Error,
-          {kWhere, 0, 0},
-          "the steps of " + situations_.chart_name(chart) +
-              " that are active now can never be active together in the new chart",
-          "wait until the chart is elsewhere, or restart the charts (variables keep their values)"};
+  return host::impossible_chart_problem(situations_.chart_name(chart));
 }
 
 result::Diagnostics ChangePlan::notes() const {

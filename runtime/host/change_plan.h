@@ -76,8 +76,6 @@ class ChangePlan {
  private:
   ChangePlan(PreparedProgram& from, PreparedProgram& to, DownloadMode mode);
   [[nodiscard]] result::Result<void> plan();
-  [[nodiscard]] result::Result<void> check_outputs(const record::StateLayout& from,
-                                                   const record::StateLayout& to) const;
   void pair_tasks();
   void clear_outputs();
 

@@ -48,7 +48,8 @@ struct Command {
   ImageBits bits;
   FixedText<kMaxReasonBytes> text;
   PreparedProgram* program = nullptr;
-  bool cold = false;  // retained variables have their initial values too
+  bool cold = false;        // retained variables have their initial values too
+  bool regardless = false;  // of a start: also while the I/O is lost, which the first scan finds out
   std::uint64_t count = 0;
   record::Session* recording = nullptr;
   const ChangePlan* change = nullptr;
@@ -59,6 +60,7 @@ enum class Outcome : std::uint8_t {
   Done,
   NoProgram,       // nothing is loaded
   AlreadyRunning,  // start while running
+  IoLost,          // start in real time while the I/O does not answer
   OutOfBounds,     // bits beyond the image, or a mask that names no value
   ForcesFull,      // no room for another force
   NotForced,       // unforce of what is not forced

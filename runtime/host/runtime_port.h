@@ -39,7 +39,8 @@ class RuntimePort {
   [[nodiscard]] virtual result::Result<void> write(std::uint64_t ticket, BlockWrite block) {
     static_cast<void>(ticket);
     static_cast<void>(block);
-    return result::fail("R0002", {}, "this runtime takes no blocks");
+    return result::fail("R0002", {},
+                        "this controller takes values one by one, and not many between the same two scans");
   }
   virtual std::optional<Completion> take_completion() = 0;
   // Events in the order of their sequence.

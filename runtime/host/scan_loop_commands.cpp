@@ -144,7 +144,13 @@ result::Diagnostics ScanLoop::refused_start(const Command& command) const {
 Outcome ScanLoop::start(const Command& command) {
   if (program_ == nullptr) return Outcome::NoProgram;
   if (now_.state == RuntimeState::Running) return Outcome::AlreadyRunning;
-  if (real()) next_start_ns_ = clock_.now_ns() - origin_ns_;
+  if (real()) {
+    next_start_ns_ = clock_.now_ns() - origin_ns_;
+    // A start that the first scan would take back is none: whoever asks is told now.
+    if (!command.regardless &&
+        io_.read_inputs(next_start_ns_, program_->image().inputs()) == image::IoStatus::Lost)
+      return Outcome::IoLost;
+  }
   // Initial values, then what is retained; what somebody forced stays forced.
   const image::ForceTable forces = program_->cycle().forces();
   program_->cycle().start({next_start_ns_, now_.scan, now_.trace_hash});

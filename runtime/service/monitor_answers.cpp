@@ -1,6 +1,9 @@
 #include "runtime/service/monitor_answers.h"
 
+#include <bit>
+
 #include "runtime/base/byte_reader.h"
+#include "runtime/host/limits.h"
 #include "runtime/record/recording_format.h"
 
 namespace stepwright::service {
@@ -35,7 +38,8 @@ std::vector<std::byte> encode_forces(std::span<const image::Force> forces) {
 }
 
 result::Result<std::vector<image::Force>> decode_forces(std::span<const std::byte> data) {
-  if (data.size() % kForceBytes != 0) return malformed();
+  if (data.size() % kForceBytes != 0 || data.size() > image::ForceTable::kCapacity * kForceBytes)
+    return malformed();
   base::ByteReader in(data);
   std::vector<image::Force> forces;
   while (!in.at_end()) {
@@ -44,7 +48,10 @@ result::Result<std::vector<image::Force>> decode_forces(std::span<const std::byt
     force.bit = in.read<std::uint8_t>();
     force.size = in.read<std::uint8_t>();
     force.value = in.read<std::uint64_t>();
-    if (force.size == 0 || force.size > sizeof force.value) return malformed();
+    const bool right = std::has_single_bit(force.size) && force.size <= sizeof force.value &&
+                       (force.bit < 8 || force.bit == image::kWholeBytes) &&
+                       force.address < host::kMaxImageBytes;
+    if (!right) return malformed();
   }
   return forces;
 }

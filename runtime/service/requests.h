@@ -8,6 +8,7 @@
 //
 // Diagnostics of the runtime: R0001 the socket, R0002 refused in the present state, R0003 a download that is
 // broken, R0004 out of bounds, R0005 a malformed message, R0006 too busy, R0007 an unknown name,
+// R0008 a start while the I/O does not answer,
 // R0031 to R0038 online change (runtime/host/change_plan.h); a refused
 // container brings the diagnostics of the verifier.
 
@@ -44,8 +45,7 @@ struct Unforce {
 struct Write {
   host::ImageBits bits;
 };
-// Many values between the same two scans, all of them or none; answered when snapshots show them. Only on the
-// service socket.
+// Many values between the same two scans, all of them or none; answered when snapshots show them.
 struct WriteBlock {
   host::BlockWrite block;
 };
@@ -78,7 +78,7 @@ struct ResendEvents {
   std::uint64_t first = 1;
 };
 
-// What is forced: Reply::data, see monitor_answers.h. Observers may ask.
+// What is forced: Reply::data, see monitor_answers.h, in the program of Reply::digest. Observers may ask.
 struct ReadForces {};
 // Simulated clock only: that many scans, then it stands still until the next Step or Continue; Reply::offset
 // is the last of them. 0: stands still at once.

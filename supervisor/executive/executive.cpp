@@ -128,7 +128,7 @@ bool Executive::resume() {
   drift_.follow(current_.run);  // its sums begin anew
   note_told_alarms();
   set_phase(Phase::Waiting, "the supervisor was restarted and looks for its runtime");
-  return await_runtime() && recover_runtime();
+  return await_runtime() && recover_runtime(hold_);
 }
 
 // A run had ended before the supervisor did. Where an operator starts runs it stays so, and another one
@@ -149,7 +149,7 @@ bool Executive::stay_over(Journal&& journal) {
 }
 
 // The runtime is there (again): goes on with the plan if the runtime still has it, else replans.
-bool Executive::recover_runtime() {
+bool Executive::recover_runtime(bool was_held) {
   if (!controller_.alive()) {
     set_phase(Phase::Waiting, "the runtime does not answer; waiting for it");
     if (!await_runtime()) return false;
@@ -158,6 +158,12 @@ bool Executive::recover_runtime() {
   const auto status = controller_.status();
   const bool runs = program && *program == current_.container && status &&
                     status->state == host::RuntimeState::Running && status->program_digest == digest_;
+  // While it is held nobody expects the plan to run: the plant rests under the program that reads the
+  // sensors.
+  if (!runs && was_held) {
+    return replan(
+        {IncidentKind::Operator, {"held by the operator; the supervisor was restarted meanwhile"}, {}});
+  }
   if (!runs) {
     return replan(
         {IncidentKind::LostRuntime, {"the runtime was restarted or stopped while nobody watched it"}, {}});

@@ -128,7 +128,8 @@ class Executive {
   bool launch();
   bool await_runtime();
   bool runtime_lost();
-  bool recover_runtime();
+  // `was_held`: this supervisor has just begun, and the journal says that the run is held.
+  bool recover_runtime(bool was_held = false);
   bool finish();
   void reach_goal();
   std::vector<std::string> missed() const;
@@ -237,7 +238,6 @@ class Executive {
   bool working_ = false;               // on a decision; observing the plant does not count
   std::optional<ImageReader> reader_;  // of the program that runs (the plan's or the observer's)
   std::string digest_;                 // of that program
-  Kind kind_ = Kind::Plan;             // of that program
   bool confirmed_ = false;             // a status has said that the runtime has that program
   bool unwatched_ = false;             // steps may have come and gone since the last event
   int silent_rounds_ = 0;              // without news and without that status
@@ -254,9 +254,10 @@ class Executive {
 
   std::uint64_t observed_event_ = 0;  // the event with which the last observation ended
 
-  bool begun_ = false;    // a run has
-  bool known_ = false;    // the sensors have their tare: the plant can be looked at in any state
-  bool follows_ = false;  // progress_ and seen_ are of current_
+  bool begun_ = false;        // a run has
+  bool another_run_ = false;  // so has one after it
+  bool known_ = false;        // the sensors have their tare: the plant can be looked at in any state
+  bool follows_ = false;      // progress_ and seen_ are of current_
   bool journalled_hold_ = false;
 
   std::atomic<bool> abort_{false};

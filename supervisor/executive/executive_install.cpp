@@ -50,13 +50,11 @@ bool Executive::read_program(const PreparedPlan& prepared, Kind kind) {
 bool Executive::install(const PreparedPlan& prepared, Kind kind) {
   alarms_seen_ = 0;
   alarms_told_.clear();
-  // The first plan starts the trace of a run from nothing. One observer does not relieve another: the means
-  // of the first would go into those of the second.
-  const bool relieves = !record_.replans.empty() && !(kind == Kind::Observer && kind_ == Kind::Observer);
-  const bool runs = (relieves && can_take_over() && take_over(prepared, kind)) ||
-                    (record_.phase != Phase::Safe && download_and_start(prepared, kind));
-  if (runs) kind_ = kind;
-  return runs;
+  // The first plan starts the trace of the first run from nothing. Every other program takes over from the
+  // one before: what the programs of people have latched (an emergency stop, until somebody resets it) stays.
+  const bool relieves = !record_.replans.empty() || another_run_;
+  return (relieves && can_take_over() && take_over(prepared, kind)) ||
+         (record_.phase != Phase::Safe && download_and_start(prepared, kind));
 }
 
 // As far as the newest status tells; the runtime knows for sure.

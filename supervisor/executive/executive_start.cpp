@@ -118,6 +118,7 @@ void Executive::start_taken() {
 // of the plan before. What no sensor sees stands as the run before has left it.
 bool Executive::begin_again() {
   start_taken();
+  another_run_ = true;
   const std::vector<model::GroundAction> interrupted =
       follows_ ? begun_actions(false) : std::vector<model::GroundAction>();
   model::NamedState tracked = first_state();

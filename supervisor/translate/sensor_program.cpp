@@ -86,7 +86,10 @@ std::string mean_text(const Binding& binding, const SensorProgramOptions& option
   for (const Sensor& sensor : binding.sensors) {
     text += "    " + half_variable(sensor) + " := " + filtered_variable(sensor) + ";\n";
   }
-  return text + "  END_IF;\nEND_IF;\n";
+  // Sums begin anew with every window, also where one such program takes over from another.
+  text += "  END_IF;\nELSE\n  samples := 0;\n";
+  for (const Sensor& sensor : binding.sensors) text += "  " + sum_variable(sensor) + " := 0;\n";
+  return text + "END_IF;\n";
 }
 
 bool is_name_character(char c) {

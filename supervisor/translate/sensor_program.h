@@ -5,7 +5,8 @@
 // Filter: first-order low-pass, y := y + (1 - exp(-interval / filter time)) * (x - y), started at the first
 // sample. It contracts, so rounding does not add up: the error stays below half a count at 16-bit counts.
 // Mean: while `averaging` is true, an exact DINT sum of counts divided by their number; it keeps the last
-// mean afterwards, and what it was after `half_samples` in `half_variable(sensor)`. Both write
+// mean afterwards, and what it was after `half_samples` in `half_variable(sensor)`; sums begin anew when
+// `averaging` does. Both write
 // `filtered_variable(sensor)` in the type of the sensor's tag.
 
 #include <cstdint>

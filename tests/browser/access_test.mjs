@@ -99,6 +99,34 @@ async function forces(page) {
   return tag;
 }
 
+// Two masters would fight over the plant: the supervisor's plan comes first.
+async function changesNoProgramUnderAPlan(page) {
+  check((await asksApi(page, '/api/change/apply', { program: '0'.repeat(64), base: '0'.repeat(64), charts: 'keep', reason: 'while a plan runs' })) === '409 H0093',
+    'while the supervisor acts nobody changes its program');
+  await page.locator('#change-more').click();
+  await waitFor(page, 'and the page says why', () => document.querySelector('[data-testid=engaged]')?.innerText.includes('Hold or abort the run first'));
+  await shot(page, 'engaged');
+  await page.keyboard.press('Escape');
+}
+
+// A run that is held leaves the runtime to whoever changes its program; resumed, it brings its own again.
+async function changesTheProgramOfAHeldRun(page) {
+  await logsIn(page, 'emil');
+  const name = 'idle.st';
+  const text = 'PROGRAM Idle VAR turns : DINT; END_VAR turns := turns + 1; END_PROGRAM';
+  await page.locator('#change-more').click();
+  await page.getByTestId('program-file').setInputFiles([{ name, mimeType: 'text/plain', buffer: Buffer.from(text) }]);
+  await waitFor(page, 'a program is compared with the one that the run rests with', () => (document.querySelector('[data-testid=comparison]')?.dataset.program ?? '') !== '');
+  await page.getByRole('radio', { name: /Restart the charts/ }).check();
+  await page.locator('[data-testid=change-form]').getByLabel('Reason').fill('maintenance');
+  await page.keyboard.press('Enter');
+  await waitFor(page, 'it takes over', () => document.querySelector('[data-testid=outcome]')?.dataset.outcome === 'kept');
+  await waitFor(page, 'and the run stays held', () => document.querySelector('[data-testid=phase]').innerText === 'held');
+  await page.locator('#change-details').focus();
+  await page.keyboard.press('Escape');
+  await logsIn(page, 'olga');
+}
+
 async function holds(page) {
   await logsIn(page, 'olga');
   await page.getByRole('button', { name: 'Hold' }).click();
@@ -111,6 +139,7 @@ async function holds(page) {
   await shot(page, 'held');
   check((await asksApi(page, '/api/plan/hold', {})) === '409 X0008', 'what is held already cannot be held: the supervisor says why');
   check((await asksApi(page, '/api/plan/goal', { goal: '(= (no-such a1) 4)' })).startsWith('400 P'), 'a goal of something that is not there is refused with its place');
+  await changesTheProgramOfAHeldRun(page);
   await page.getByRole('button', { name: 'Resume' }).click();
   await dialog(page).getByRole('button', { name: 'Resume the run' }).click();
   await dialogIsGone(page, 'the supervisor has accepted to go on');
@@ -182,6 +211,7 @@ try {
   await holdsTheCookieTight(browser.context);
   await addsUsers(page);
   const tag = await forces(page);
+  await changesNoProgramUnderAPlan(page);
   await holds(page);
   await aborts(page);
   await readsTheTrail(page, tag);

@@ -1,4 +1,4 @@
-// The sorting line as a person sees it: its own processes at 20 times real time, drawn from above on the same page
+// The sorting line as a person sees it: its own processes at 5 times real time, drawn from above on the same page
 // as the bench.
 
 import { join } from 'node:path';
@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { startDemo } from './demo_process.mjs';
 import { check, endInTime, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
 
-const SPEED = 20;
+const SPEED = 5;
 const WHOLE_TEST_MS = 180_000;
 
 const given = options();

@@ -49,6 +49,13 @@ class NoControl : public api::CellControl {
   result::Result<std::string> write(const std::string&, const std::string&) override { return nobody(); }
   result::Result<std::string> force(const std::string&, const std::string&) override { return nobody(); }
   result::Result<void> unforce(const std::string&) override { return nobody(); }
+  result::Result<void> write_together(const std::map<std::string, std::string, std::less<>>&) override {
+    return nobody();
+  }
+  result::Result<std::vector<api::ForcedPlace>> forced() override { return nobody(); }
+  result::Result<api::ForcedPlace> as_forced(const std::string&, const std::string&) override {
+    return nobody();
+  }
 
  private:
   static tl::unexpected<result::Diagnostics> nobody() {

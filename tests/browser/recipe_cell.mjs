@@ -9,7 +9,7 @@ import { freePort } from './demo_process.mjs';
 import { keepProcesses } from './processes.mjs';
 import { until } from './support.mjs';
 
-const PROGRAM = `
+export const PROGRAM = `
 PROGRAM Mixer
   VAR
     level : REAL := 12.5;
@@ -18,7 +18,16 @@ PROGRAM Mixer
     soak : TIME := T#30s;
     soaking : TON;
     total : REAL;
+    before : REAL := 12.5;
+    batches_before : INT := 3;
+    torn : DINT;
   END_VAR
+  // Level and batches come and go together: a scan that sees only one of them new has seen half of a recipe.
+  IF (level <> before) <> (batches <> batches_before) THEN
+    torn := torn + 1;
+  END_IF;
+  before := level;
+  batches_before := batches;
   soaking(IN := stir, PT := soak);
   total := level * INT_TO_REAL(batches);
 END_PROGRAM
@@ -75,24 +84,34 @@ anonymous = "viewer"
 recipes = "recipes.toml"
 ${more}`;
 
-// `files`: more of them beside the configuration, by name; `more`: lines of its [hmi].
+// `files`: more of them beside the configuration, by name, or others in place of those above; `more`: lines of its [hmi].
 export async function startMixer(program, files = {}, more = '') {
   const folder = mkdtempSync(join(tmpdir(), 'hmi-recipes-'));
   const config = join(folder, 'cell.toml');
   const port = await freePort();
   writeFileSync(config, configuration(port, more));
-  for (const [name, text] of Object.entries(files)) writeFileSync(join(folder, name), text);
-  writeFileSync(join(folder, 'recipes.toml'), RECIPES);
-  writeFileSync(join(folder, 'main.st'), PROGRAM);
+  const all = { 'recipes.toml': RECIPES, 'main.st': PROGRAM, ...files };
+  for (const [name, text] of Object.entries(all)) writeFileSync(join(folder, name), text);
   const processes = keepProcesses(program, folder);
   const start = (name) => processes.start(name, [name, '--config', config]);
   const run = (...arguments_) => execFileSync(program, arguments_, { encoding: 'utf8' });
   const self = {
     url: `http://127.0.0.1:${port}/`,
     folder,
+    config,
+    // A runtime that was killed begins empty.
+    startAgain: () => {
+      start('runtime');
+      self.begin();
+    },
+    begin: () => {
+      run('download', '--config', config, join(folder, 'main.swb'), '--replace');
+      run('start', '--config', config, '--cold');
+    },
     recipes: join(folder, 'state', 'recipes'),
     trail: join(folder, 'state', 'access', 'audit.jsonl'),
     stop: processes.end,
+    pid: processes.pid,
     run,
     serve: async () => {
       start('hmi');
@@ -112,8 +131,7 @@ export async function startMixer(program, files = {}, more = '') {
     start('runtime');
     await until('the runtime listens', () => processes.read('runtime').includes('listens on'));
     run('compile', join(folder, 'main.st'), '-o', join(folder, 'main.swb'));
-    run('download', '--config', config, join(folder, 'main.swb'), '--replace');
-    run('start', '--config', config, '--cold');
+    self.begin();
     start('link');
     await self.serve();
     return self;

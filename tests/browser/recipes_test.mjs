@@ -107,9 +107,26 @@ async function loads(page) {
   await until('the running program has all values', async () =>
     JSON.stringify(await valuesNow(page)) === JSON.stringify({ level: '20.0', batches: '4', stir: 'TRUE', soak: 'T#1m30s' }));
   await waitFor(page, 'and the page says so by itself', () => document.querySelector('[data-testid=recipe-summary]').innerText === 'all values are the same');
-  await page.getByRole('button', { name: 'All', exact: true }).click();
   await waitFor(page, 'the program computes with them', () =>
     [...document.querySelectorAll('[data-panel=tags] tbody tr')].some((row) => row.innerText.includes('total') && /\b80\b/.test(row.innerText)));
+}
+
+const torn = (cell) => Number(/torn\D*(\d+)/.exec(cell.run('snapshot', '--config', cell.config, 'Main.torn'))[1]);
+
+// The program counts the scans in which it has seen a part of a recipe.
+async function loadsWithinOneScan(page, cell) {
+  const green = { comment: '', values: { 'Main.level': '30.0', 'Main.batches': '6', 'Main.stir': 'FALSE', 'Main.soak': 'T#10s' } };
+  check((await asks(page, 'PUT', '/api/recipes/Green', green)).status === 200, 'there is a recipe that differs in all values');
+  const load = async (name) => (await asks(page, 'POST', `/api/recipes/${name}/load`, { reason: 'over and over' })).status;
+  const before = torn(cell);
+  let loaded = 0;
+  for (let i = 0; i < 40; ++i) loaded += (await load(i % 2 === 0 ? 'Green' : 'Blue%2020%20l')) === 200 ? 1 : 0;
+  check(loaded === 40, `recipes were loaded ${loaded} times in turn`);
+  check(torn(cell) === before, `and no scan has seen half of one (${torn(cell) - before})`);
+  check((await asks(page, 'POST', '/api/tags/write', { name: 'Main.level', value: '21', reason: 'alone' })).status === 200, 'a value that is written alone');
+  await until('is what such a scan looks like', () => torn(cell) === before + 1);
+  check((await load('Blue%2020%20l')) === 200, 'the recipe is as before');
+  check((await asks(page, 'DELETE', '/api/recipes/Green')).status === 200, 'and the other one is gone');
 }
 
 // A file that somebody has changed by hand: nothing of it reaches the program.
@@ -133,7 +150,7 @@ async function refusesWhatDoesNotFit(page, cell) {
   await shot(page, 'spoilt');
 }
 
-async function refusesWhatIsForced(page) {
+async function refusesWhatIsForced(page, cell) {
   await logsIn(page, 'emil');
   check((await asks(page, 'POST', '/api/tags/force', { name: 'Main.batches', value: '2', reason: 'test of recipes', minutes: 5 })).status === 200, 'a tag is forced');
   await page.locator('[data-recipe=Red]').click();
@@ -143,6 +160,12 @@ async function refusesWhatIsForced(page) {
   await waitFor(page, 'a recipe with it is refused in words', () => document.querySelector('[data-testid=problem]').innerText.includes('Main.batches: it is forced'));
   await page.keyboard.press('Escape');
   await asks(page, 'POST', '/api/tags/unforce', { name: 'Main.batches', reason: 'test of recipes' });
+  cell.run('force', '--config', cell.config, 'MAIN.STIR', 'FALSE');
+  await waitFor(page, 'what somebody else forces is known, too', () => document.querySelector('[data-testid=forces]')?.innerText.includes('Main.stir'));
+  const refused = await asks(page, 'POST', '/api/recipes/Red/load', { reason: 'while it is forced' });
+  check(refused.status === 409 && refused.json.problems[0].code === 'H0079', `and keeps a recipe from being loaded (${JSON.stringify(refused.json)})`);
+  cell.run('unforce', '--config', cell.config, '--all');
+  await waitFor(page, 'until it is released', () => document.querySelector('[data-testid=forces]') === null);
 }
 
 async function removes(page) {
@@ -210,9 +233,10 @@ try {
   await comparesTwo(page);
   await loads(page);
   await refusesWhatDoesNotFit(page, cell);
-  await refusesWhatIsForced(page);
+  await refusesWhatIsForced(page, cell);
   await removes(page);
   await trailTells(page, cell);
+  await loadsWithinOneScan(page, cell);
   await fitsEveryWidth(page);
   await staysAfterARestart(page, cell);
   // What the server refuses on purpose the browser reports by itself.

@@ -117,10 +117,10 @@ async function tellsWhatIsLost(page, field, device) {
   await waitFor(page, 'until it is started again', (press) => document.querySelector(press).dataset.alive === 'true', row(field.names.press));
   await field.kill(field.names.line, 'hmi');
   await waitFor(page, 'without a server the panel says that it is old', () =>
-    document.querySelector('[data-testid=scan-trouble]')?.innerText.includes('what is shown is old'));
+    document.querySelector('[data-testid=scan-details-trouble]')?.innerText.includes('what is shown is old'));
   field.start(field.names.line, 'hmi');
   await waitFor(page, 'and goes on with the next one', () =>
-    document.querySelector('#scan-details') !== null && document.querySelector('[data-testid=scan-trouble]') === null);
+    document.querySelector('#scan-details') !== null && document.querySelector('[data-testid=scan-details-trouble]') === null);
 }
 
 async function closes(page) {

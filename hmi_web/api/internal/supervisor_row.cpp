@@ -28,19 +28,14 @@ Answer accepted(const result::Result<void>& done, std::string target, std::strin
 
 Route supervisor_row(CellControl* cell, const char* path, const char* name, const char* summary, Shape shape,
                      const std::function<json(const Body&)>& request) {
-  Route route;
-  route.method = "POST";
-  route.path = path;
-  route.name = name;
+  Route route = acting_row(
+      "POST", path, name, summary,
+      R"({"type": "object", "required": ["accepted"], "properties": {"accepted": {"type": "boolean",
+    "description": "whoever was asked has agreed; a supervisor obeys at its next decision"}}})");
   route.least = Role::Operator;
-  route.audit = Audit::Around;
   route.lane = Lane::Runtime;
-  route.summary = summary;
   route.body = std::move(shape);
   route.body.fields.push_back(kReason);
-  route.answer =
-      R"({"type": "object", "required": ["accepted"], "properties": {"accepted": {"type": "boolean",
-    "description": "whoever was asked has agreed; a supervisor obeys at its next decision"}}})";
   route.handler = [cell, request](const Call& call) {
     const std::string text = request(call.body).dump(-1, ' ', false, json::error_handler_t::replace);
     const std::string& named = call.body.text("name");

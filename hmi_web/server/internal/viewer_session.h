@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "hmi_web/server/feed.h"
 #include "hmi_web/server/internal/wire.h"
@@ -25,16 +26,24 @@ class ViewerSession : public std::enable_shared_from_this<ViewerSession> {
   ViewerSession(Wire wire, const Feed& feed, std::function<bool()> may_listen, std::function<void()> on_end);
   ~ViewerSession();
 
+  struct Patience {
+    std::chrono::seconds silent{15};  // without any answer to pings
+    std::chrono::seconds begins{10};  // until it has said what it shows
+  };
   // `protocol`: the subprotocol that is agreed to; may be empty.
-  void start(HttpRequest request, std::chrono::seconds silent_viewer, const std::string& protocol);
+  void start(HttpRequest request, Patience patience, const std::string& protocol);
   // Sends what the viewer misses, unless a message is still under way.
   void pump();
   // Cuts the connection: the server ends.
   void cut();
 
  private:
+  using Time = std::chrono::steady_clock::time_point;
+
   void read();
-  void close(boost::beast::websocket::close_code code);
+  bool hear();
+  bool is_within_rate();
+  void close(boost::beast::websocket::close_code code, std::string_view reason = {});
 
   boost::beast::websocket::stream<Wire> socket_;
   boost::beast::flat_buffer input_;
@@ -42,6 +51,9 @@ class ViewerSession : public std::enable_shared_from_this<ViewerSession> {
   Feed::Cursor cursor_;
   MessageText under_way_;  // null = nothing is being sent
   bool open_ = false;      // handshake done, not closing
+  Time begins_by_{};
+  double may_say_ = 0;  // messages that it may send at once
+  Time said_{};         // when that was counted
   std::function<bool()> may_listen_;
   std::function<void()> on_end_;
 };

@@ -14,6 +14,9 @@ using namespace std::chrono_literals;
 constexpr std::chrono::milliseconds kResendPeriod{200};
 // An event that the status already names is usually on its way: give it this long before asking for it.
 constexpr std::chrono::milliseconds kEventGrace{30};
+// Within which the endpoints of a link that has just come are all found.
+constexpr std::chrono::milliseconds kExtraGrace{1'000};
+constexpr std::chrono::milliseconds kExtraLook{5};
 
 }  // namespace
 
@@ -23,6 +26,7 @@ ClientSession::ClientSession(std::unique_ptr<Participant> participant, ClientRol
       requests_(client),
       commands_(*participant_, kCommandTopic, Profile::Queue),
       chunks_(*participant_, kChunkTopic, Profile::Queue),
+      extras_(*participant_, kExtraTopic, Profile::Queue),
       reply_reader_(*participant_, kReplyTopic, Profile::Queue,
                     [this](idl::Reply& sample) {
                       auto reply = from_reply(sample);
@@ -59,7 +63,7 @@ void ClientSession::beat(const std::stop_token& stop, const std::string& process
 }
 
 bool ClientSession::ok() const {
-  return commands_.ok() && chunks_.ok() && reply_reader_.ok() && event_reader_.ok() &&
+  return commands_.ok() && chunks_.ok() && extras_.ok() && reply_reader_.ok() && event_reader_.ok() &&
          snapshot_reader_.ok() && health_reader_.ok() && status_reader_.ok() &&
          (presence_ == nullptr || presence_->ok());
 }
@@ -84,6 +88,11 @@ result::Result<service::Reply> ClientSession::ask(service::RequestBody body) {
     return result::fail("D0001", {}, "no runtime '" + participant_->runtime_id() + "' answers on Fast DDS",
                         "are the processes 'runtime' and 'link' of the cell running?");
   }
+  if (link_is_older(body)) {
+    return result::fail("D0008", {},
+                        "the link of '" + participant_->runtime_id() + "' does not carry this request",
+                        "it is of an earlier version: start it again with this one");
+  }
   const auto longest =
       std::holds_alternative<service::DownloadCommit>(body) ? Clock::now() + kDownloadTimeout : deadline;
   const service::Request request = requests_.open(std::move(body));
@@ -101,7 +110,20 @@ result::Result<service::Reply> ClientSession::ask(service::RequestBody body) {
   return std::move(*reply);
 }
 
+// Endpoints of one process are found one after another: that the extra one is missing means something only
+// some time after the others were found.
+bool ClientSession::link_is_older(const service::RequestBody& body) const {
+  if (!is_extra(body)) return false;
+  const auto deadline = Clock::now() + kExtraGrace;
+  while (!extras_.matched() && Clock::now() < deadline) std::this_thread::sleep_for(kExtraLook);
+  return !extras_.matched();
+}
+
 bool ClientSession::send(const service::Request& request) {
+  if (is_extra(request.body)) {
+    auto sample = to_extra(participant_->runtime_id(), request);
+    return extras_.write(sample);
+  }
   if (std::holds_alternative<service::DownloadChunk>(request.body)) {
     auto sample = to_chunk(participant_->runtime_id(), request);
     return chunks_.write(sample);

@@ -41,6 +41,7 @@ class ClientSession {
   bool wait_snapshot(std::chrono::milliseconds timeout);
   std::optional<RuntimeHealth> health() const;
   std::vector<TopicTraffic> traffic() const;
+  TopicTraffic snapshot_traffic() const { return snapshot_reader_.traffic(); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -50,6 +51,7 @@ class ClientSession {
   void on_snapshot(const idl::Snapshot& sample);
   void on_health(const idl::Health& sample);
   bool send(const service::Request& request);
+  bool link_is_older(const service::RequestBody& body) const;
   // Says until it is stopped that this supervisor lives.
   void beat(const std::stop_token& stop, const std::string& process);
   // Asks for missing events, at most every `kResendPeriod`, and learns what the runtime has forgotten.
@@ -72,6 +74,7 @@ class ClientSession {
 
   Writer<idl::CommandPubSubType> commands_;
   Writer<idl::ProgramChunkPubSubType> chunks_;
+  Writer<idl::ExtraCommandPubSubType> extras_;
   std::unique_ptr<Writer<idl::PresencePubSubType>> presence_;  // a supervisor only
   std::jthread heart_;                                         // writes it
   // Last, so that they are silent before what their handlers use is gone.

@@ -15,11 +15,15 @@ namespace stepwright::dds::internal {
 
 // False for what is for people at the machine of the runtime: asked on its socket, never over the network.
 bool travels(const service::RequestBody& body);
-// A request that travels, other than a DownloadChunk.
+// True for what travels as an ExtraCommand: a link of an earlier version does not understand it.
+bool is_extra(const service::RequestBody& body);
+// A request that travels and is neither an extra one nor a DownloadChunk.
 idl::Command to_command(const std::string& runtime_id, const service::Request& request);
 idl::ProgramChunk to_chunk(const std::string& runtime_id, const service::Request& request);
+idl::ExtraCommand to_extra(const std::string& runtime_id, const service::Request& request);
 std::optional<service::Request> from_command(const idl::Command& sample);
 std::optional<service::Request> from_chunk(const idl::ProgramChunk& sample);
+std::optional<service::Request> from_extra(const idl::ExtraCommand& sample);
 
 idl::Reply to_reply(const std::string& runtime_id, const service::Reply& reply);
 std::optional<service::Reply> from_reply(const idl::Reply& sample);

@@ -9,6 +9,11 @@ namespace {
 
 using namespace service;
 
+// Kinds of an ExtraCommand.
+constexpr std::uint8_t kWriteBlock = 0;
+constexpr std::uint8_t kReadForces = 1;
+constexpr std::size_t kDigestLetters = 64;  // of a SHA-256 in hexadecimal
+
 idl::Digest to_digest(const Sha256& digest) {
   idl::Digest bytes;
   std::memcpy(bytes.data(), digest.data(), digest.size());
@@ -72,14 +77,14 @@ struct BodyWriter {
     out.read(command);
   }
   void operator()(const DownloadChunk&) const {}  // travels as a ProgramChunk
+  void operator()(const ReadForces&) const {}     // these two as an ExtraCommand
+  void operator()(const WriteBlock&) const {}
   // These do not travel.
-  void operator()(const ReadForces&) const {}
   void operator()(const Step&) const {}
   void operator()(const Continue&) const {}
   void operator()(const BeginRecording&) const {}
   void operator()(const EndRecording&) const {}
   void operator()(const ReadRecording&) const {}
-  void operator()(const WriteBlock&) const {}
   void operator()(const Reload&) const {}  // for those at the machine: no RuntimeClient sends it
 
  private:
@@ -140,10 +145,13 @@ std::optional<RequestBody> from_body(const idl::CommandBody& body) {
 }  // namespace
 
 bool travels(const RequestBody& body) {
-  return !std::holds_alternative<ReadForces>(body) && !std::holds_alternative<Step>(body) &&
-         !std::holds_alternative<Continue>(body) && !std::holds_alternative<BeginRecording>(body) &&
-         !std::holds_alternative<EndRecording>(body) && !std::holds_alternative<ReadRecording>(body) &&
-         !std::holds_alternative<WriteBlock>(body);
+  return !std::holds_alternative<Step>(body) && !std::holds_alternative<Continue>(body) &&
+         !std::holds_alternative<BeginRecording>(body) && !std::holds_alternative<EndRecording>(body) &&
+         !std::holds_alternative<ReadRecording>(body);
+}
+
+bool is_extra(const RequestBody& body) {
+  return std::holds_alternative<WriteBlock>(body) || std::holds_alternative<ReadForces>(body);
 }
 
 idl::Command to_command(const std::string& runtime_id, const Request& request) {
@@ -167,10 +175,34 @@ idl::ProgramChunk to_chunk(const std::string& runtime_id, const Request& request
   return sample;
 }
 
+idl::ExtraCommand to_extra(const std::string& runtime_id, const Request& request) {
+  idl::ExtraCommand sample;
+  sample.runtime_id(runtime_id);
+  sample.client(request.client);
+  sample.request(request.id);
+  const auto* write = std::get_if<WriteBlock>(&request.body);
+  sample.kind(write != nullptr ? kWriteBlock : kReadForces);
+  if (write == nullptr) return sample;
+  sample.program_digest(write->block.program_digest);
+  for (const host::ImageBits& part : write->block.parts) sample.parts().push_back(to_bits(part));
+  return sample;
+}
+
 std::optional<Request> from_command(const idl::Command& sample) {
   auto body = from_body(sample.body());
   if (!body) return std::nullopt;
   return Request{sample.client(), sample.request(), std::move(*body)};
+}
+
+std::optional<Request> from_extra(const idl::ExtraCommand& sample) {
+  if (sample.kind() == kReadForces) return Request{sample.client(), sample.request(), ReadForces{}};
+  if (sample.kind() != kWriteBlock || sample.parts().empty() ||
+      sample.parts().size() > host::kMaxBlockWrites || sample.program_digest().size() > kDigestLetters)
+    return std::nullopt;
+  WriteBlock write;
+  write.block.program_digest = sample.program_digest();
+  for (const idl::BitsCommand& part : sample.parts()) write.block.parts.push_back(from_bits(part));
+  return Request{sample.client(), sample.request(), std::move(write)};
 }
 
 std::optional<Request> from_chunk(const idl::ProgramChunk& sample) {

@@ -30,6 +30,9 @@ result::Diagnostics explain(const host::Completion& completion) {
       return one("R0002", "no program is loaded", "download one first");
     case Outcome::AlreadyRunning:
       return one("R0002", "the program is running already", "stop it first");
+    case Outcome::IoLost:
+      return one("R0008", "the I/O does not answer: the program would stop in its first scan",
+                 "see the devices and the process that speaks to them, then start again");
     case Outcome::OutOfBounds:
       return one("R0004",
                  "the bits are not within the process image, or are neither one bit nor 1, 2, 4 or 8 bytes",
@@ -174,6 +177,8 @@ result::Result<bool> RequestHandler::perform(const Request& request, std::uint64
     return true;
   }
   if (std::holds_alternative<ReadForces>(request.body)) {
+    // Both as of now: a completion that changes the one has the scan thread publish the other.
+    reply.digest = port_.status().program_digest;
     reply.data = encode_forces(port_.forces());
     return true;
   }

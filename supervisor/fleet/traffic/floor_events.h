@@ -5,7 +5,10 @@
 //
 // One thread at a time; both must outlive it. A vehicle whose way leads through a blocked place may at once
 // go no farther than to there; then it is planned anew from where it can stop. Who finds no way goes home;
-// who finds none there either, or for whom there is no schedule, waits.
+// who finds none there either, or for whom there is no schedule, waits, and others drive around it where they
+// can. The room that a dead vehicle needs to begin to drive again is kept free where other ways lead around
+// it; where none does others drive through in one go, and it comes back when nobody is there. Once it has
+// asked in vain nobody gets another way through it. Missions do not end there.
 //
 //   FloorEvents events(traffic, planner);
 //   const auto blocked = events.block(area, now);
@@ -16,6 +19,9 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "supervisor/fleet/traffic/route_planner.h"
@@ -49,11 +55,12 @@ class FloorEvents {
   Blockage block(const geometry::ConvexPolygon& area, std::chrono::milliseconds now);
   std::vector<Detour> unblock(std::uint32_t number);
 
-  // It stands there and will not move; its outline is an obstacle until it comes back. Requires a vehicle
-  // that has not died.
+  // It stands there and will not move; its outline is an obstacle until it comes back, longer by what it may
+  // have come since it last told its speed. Requires a vehicle that has not died.
   std::vector<Detour> died(std::uint32_t vehicle, const geometry::Pose& at, std::chrono::milliseconds now);
   // It drives on along its way from this length, through its stops or straight home. F1003: somebody has to
-  // pass first; ask again later.
+  // pass first, through its room perhaps; ask again later. Those are only who have a way through it when it
+  // asks for the first time.
   [[nodiscard]] result::Result<std::vector<Detour>> came_back(std::uint32_t vehicle, double here_m, bool home,
                                                               std::chrono::milliseconds now);
 
@@ -64,15 +71,36 @@ class FloorEvents {
   std::vector<Waypoint> stops_behind(std::uint32_t vehicle, double arc_m) const;
 
  private:
+  struct Dead {
+    std::uint32_t number = 0;  // among the blocked places
+    geometry::ConvexPolygon outline;
+    Room room;  // around it
+  };
+  // Who may not go on, and where it may be.
+  struct Held {
+    std::pair<std::uint32_t, std::uint32_t> permitted;  // polygons: the first one, and one behind the last
+    std::vector<std::uint32_t> places;                  // to avoid
+  };
+  using Meets = bool (RoutePlanner::*)(const geometry::Pose&) const;
+
+  std::optional<double> first_m(std::uint32_t vehicle, double from_m, Meets meets) const;
   std::optional<double> first_blocked_m(std::uint32_t vehicle) const;
-  std::vector<Detour> detour_all(std::chrono::milliseconds now);
+  geometry::ConvexPolygon begin_of_way(std::uint32_t vehicle, const geometry::ConvexPolygon& room) const;
+  std::span<const geometry::PathPose> first_piece(std::uint32_t vehicle, double here_m,
+                                                  std::span<const Waypoint> stops) const;
+  // First nobody goes farther than he may, then one after the other is planned for.
+  std::vector<std::uint32_t> hold_blocked();
+  std::vector<Detour> detour_all(std::span<const std::uint32_t> vehicles, std::chrono::milliseconds now);
   Detour detour(std::uint32_t vehicle, std::chrono::milliseconds now);
+  void mark_held(std::uint32_t vehicle);
+  void leave_rooms(std::chrono::milliseconds now, std::vector<Detour>& detours);
   std::vector<Detour> release_free();
-  std::vector<std::uint32_t> block_held();
+  std::vector<std::uint32_t> block_waiting(std::uint32_t dead);
 
   Traffic& traffic_;
   RoutePlanner& planner_;
-  std::map<std::uint32_t, std::uint32_t> dead_;  // vehicle to its place among the blocked ones
+  std::map<std::uint32_t, Dead> dead_;
+  std::map<std::uint32_t, Held> held_;
 };
 
 }  // namespace stepwright::fleet

@@ -118,6 +118,23 @@ result::Result<Route> make_route(VehicleMission mission, std::vector<double> dri
   return route;
 }
 
+bool meets_any(const geometry::ConvexPolygon& polygon, std::span<const geometry::ConvexPolygon> places) {
+  return std::ranges::any_of(places, [&](const auto& place) { return overlaps(polygon, place); });
+}
+
+// The next one takes those with it that are needed together with it anyway.
+void pass_in_one_go(Route& route, std::uint32_t from, std::span<const geometry::ConvexPolygon> places) {
+  const auto& polygons = route.mission.grown.envelope.polygons;
+  for (std::uint32_t k = from; k + 1 < route.polygons(); ++k) {
+    const double apart_m = route.needed_m[k + 1];
+    if (apart_m == route.needed_m[k] || !meets_any(polygons[k].area, places)) continue;
+    for (std::uint32_t i = k + 1; i < route.polygons() && route.needed_m[i] == apart_m; ++i) {
+      route.needed_m[i] = route.needed_m[k];
+      route.needed_s[i] = route.needed_s[k];
+    }
+  }
+}
+
 bool on_lattice(const geometry::Pose& pose, double resolution_m) {
   const auto at_vertex = [&](double value) {
     const double steps = value / resolution_m;

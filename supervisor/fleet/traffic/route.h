@@ -75,6 +75,13 @@ std::vector<double> driving_times_s(const geometry::Path& path, const DriveLimit
 [[nodiscard]] result::Result<Route> splice(const Route& old, std::uint32_t first, std::size_t branch,
                                            const Route& continuation);
 
+// Polygons from `from` on that overlap one of the places are needed together with the next one: nobody has to
+// wait there, who waits does so before the place and is past it without asking again.
+void pass_in_one_go(Route& route, std::uint32_t from, std::span<const geometry::ConvexPolygon> places);
+
+// Whether one of the places overlaps the polygon.
+bool meets_any(const geometry::ConvexPolygon& polygon, std::span<const geometry::ConvexPolygon> places);
+
 // Whether a path can be planned from the pose exactly.
 bool on_lattice(const geometry::Pose& pose, double resolution_m);
 

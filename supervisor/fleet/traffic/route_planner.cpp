@@ -66,7 +66,9 @@ std::uint32_t RoutePlanner::layer_of(std::uint32_t vehicle, const Pose& from, co
   const geometry::Point home = homes_[vehicle].pose.position();
   const bool near =
       geometry::distance(home, from.position()) < kNear_m || same_place(homes_[vehicle].pose, to);
-  return near ? vehicle : kNobody;
+  const bool its_own =
+      std::ranges::any_of(blocked_, [&](const auto& entry) { return entry.second.open_to == vehicle; });
+  return near || its_own ? vehicle : kNobody;
 }
 
 RoutePlanner::Place RoutePlanner::place_of(const Pose& pose) const {
@@ -100,9 +102,9 @@ void RoutePlanner::prepare(std::span<const Pose> goals, unsigned threads) {
 }
 
 // Maps keep where their values are, so that what is found stays there while other threads add theirs.
-const RoutePlanner::Layer& RoutePlanner::layer(std::uint32_t number) {
+const RoutePlanner::Layer& RoutePlanner::layer(const LayerKey& key) {
   const std::lock_guard lock(*kept_);
-  const auto found = layers_.find(number);
+  const auto found = layers_.find(key);
   if (found != layers_.end()) return found->second;
   Layer made{std::make_unique<OccupancyGrid>(*floor_), nullptr};
   // With room for the polygon in which a vehicle rests for ever: nobody would get past it.
@@ -110,10 +112,12 @@ const RoutePlanner::Layer& RoutePlanner::layer(std::uint32_t number) {
   closed.front_m += settings_.tail_m + 4.0 * settings_.tail_growth_m;
   closed.rear_m += settings_.tail_m + 4.0 * settings_.tail_growth_m;
   for (std::uint32_t v = 0; v < homes_.size(); ++v)
-    if (v != number) fleet::block(*made.grid, footprint_at(homes_[v].pose, closed));
-  for (const auto& [name, blocked] : blocked_) fleet::block(*made.grid, blocked.area);
+    if (v != key.vehicle) fleet::block(*made.grid, footprint_at(homes_[v].pose, closed));
+  for (const auto& [number, blocked] : blocked_) {
+    if (const ConvexPolygon* area = blocked.closed_on(key)) fleet::block(*made.grid, *area);
+  }
   made.planner = std::make_unique<PathPlanner>(base_->on(*made.grid));
-  return layers_.emplace(number, std::move(made)).first->second;
+  return layers_.emplace(key, std::move(made)).first->second;
 }
 
 // The last polygon holds the tail of the path alone.
@@ -138,20 +142,30 @@ result::Result<Route> RoutePlanner::leg_along(const OccupancyGrid& grid, Path pa
 }
 
 result::Result<const RoutePlanner::Leg*> RoutePlanner::leg(std::uint32_t vehicle, const Pose& from,
-                                                           const Pose& to) {
-  const std::uint32_t number = layer_of(vehicle, from, to);
-  const LegKey key{number, place_of(from), place_of(to)};
+                                                           const Pose& to, bool last) {
+  const std::uint32_t whose = layer_of(vehicle, from, to);
+  auto clear = leg_on({whose, Rooms::None}, vehicle, from, to);
+  const bool rooms =
+      std::ranges::any_of(blocked_, [](const auto& entry) { return entry.second.room.has_value(); });
+  if (clear || !rooms || (last && rests_in_room(to))) return clear;
+  auto through = leg_on({whose, meets_room(from) ? Rooms::All : Rooms::NotClosed}, vehicle, from, to);
+  return through ? through : clear;
+}
+
+result::Result<const RoutePlanner::Leg*> RoutePlanner::leg_on(const LayerKey& on, std::uint32_t vehicle,
+                                                              const Pose& from, const Pose& to) {
+  const LegKey key{on, place_of(from), place_of(to)};
   {
     const std::lock_guard lock(*kept_);
     if (const auto found = legs_.find(key); found != legs_.end()) return &found->second;
   }
-  const Layer& on = layer(number);
-  if (enclosed(number, from, to)) {
+  const Layer& floor = layer(on);
+  if (enclosed(on, from, to)) {
     return result::fail("F0305", {},
                         fmt::format("what is blocked keeps {} from ({:.2f} m, {:.2f} m)",
                                     homes_[vehicle].vehicle, to.x_m, to.y_m));
   }
-  PathAnswer answer = path(*on.planner, from, to);
+  PathAnswer answer = path(*floor.planner, from, to);
   if (!answer.path) {
     // Where not even a disc gets through that was found out in no time, and will be again.
     const std::lock_guard lock(*kept_);
@@ -159,7 +173,7 @@ result::Result<const RoutePlanner::Leg*> RoutePlanner::leg(std::uint32_t vehicle
     in_vain_ += answer.expanded > 0 ? 1 : 0;
     return tl::unexpected(std::move(answer.diagnostics));
   }
-  auto route = leg_along(*on.grid, std::move(answer.path->poses));
+  auto route = leg_along(*floor.grid, std::move(answer.path->poses));
   if (!route) return result::forward(route);
   // Who came second has found the same.
   const std::lock_guard lock(*kept_);
@@ -170,10 +184,10 @@ result::Result<const RoutePlanner::Leg*> RoutePlanner::leg(std::uint32_t vehicle
 
 // A search in vain looks at all of the floor, and who waits for a way asks again and again. After the first
 // one, what is enclosed with the goal is looked at instead, once for each layer.
-bool RoutePlanner::enclosed(std::uint32_t number, const Pose& from, const Pose& to) {
+bool RoutePlanner::enclosed(const LayerKey& on, const Pose& from, const Pose& to) {
   constexpr std::size_t kFew = 40'000;
-  const std::pair key(number, place_of(to));
-  const PathPlanner& planner = *layer(number).planner;
+  const std::pair key(on, place_of(to));
+  const PathPlanner& planner = *layer(on).planner;
   {
     const std::lock_guard lock(*kept_);
     if (!in_doubt_.contains(key.second)) return false;
@@ -195,7 +209,7 @@ PathAnswer RoutePlanner::path(const PathPlanner& planner, const Pose& from, cons
 
 result::Result<Route> RoutePlanner::stand(std::uint32_t vehicle, const Pose& at) {
   Path path{{at, 0.0, geometry::Travel::Forward}};
-  auto route = leg_along(*layer(vehicle).grid, std::move(path));
+  auto route = leg_along(*layer({vehicle, Rooms::All}).grid, std::move(path));
   if (route) route->mission.vehicle = homes_[vehicle].vehicle;
   return route;
 }
@@ -207,7 +221,7 @@ result::Result<Route> RoutePlanner::plan(std::uint32_t vehicle, const Pose& from
 
 result::Result<Route> RoutePlanner::plan_from(std::uint32_t vehicle, const Path& begin,
                                               std::span<const Waypoint> stops) {
-  auto first = tight_leg(*layer(vehicle).grid, begin);
+  auto first = tight_leg(*layer({vehicle, Rooms::All}).grid, begin);
   if (!first) return first;
   return plan_behind(vehicle, *std::move(first), begin.back().pose, stops);
 }
@@ -217,7 +231,7 @@ result::Result<Route> RoutePlanner::plan_behind(std::uint32_t vehicle, std::opti
   std::vector<Stop> stands;
   for (const Waypoint& stop : stops) {
     if (!same_place(at, stop.pose)) {
-      auto next = leg(vehicle, at, stop.pose);
+      auto next = leg(vehicle, at, stop.pose, &stop == &stops.back());
       if (!next) return result::forward(next);
       auto joined = whole ? splice(*whole, 0, whole->mission.path.size() - 1, (*next)->route)
                           : result::Result<Route>((*next)->route);
@@ -262,15 +276,27 @@ result::Result<Route> RoutePlanner::tight_leg(const OccupancyGrid& grid, const P
   return make_route(std::move(mission), driving_times_s(path, settings_.limits));
 }
 
-std::uint32_t RoutePlanner::block(const ConvexPolygon& area) {
+std::uint32_t RoutePlanner::block(const ConvexPolygon& area, std::optional<Room> room) {
+  return add({.area = area, .room = std::move(room), .open_to = {}, .since = 0});
+}
+
+std::uint32_t RoutePlanner::avoid(std::uint32_t vehicle, const ConvexPolygon& area) {
+  return add({.area = {}, .room = Room{.area = area}, .open_to = vehicle, .since = 0});
+}
+
+std::uint32_t RoutePlanner::add(Blocked blocked) {
+  blocked.since = ++changes_;
   const std::uint32_t number = next_block_++;
-  blocked_.emplace(number, Blocked{area, ++changes_});
+  const Blocked& made = blocked_.emplace(number, std::move(blocked)).first->second;
   layers_.clear();
   // What was enclosed still is; what was not may be now.
   std::erase_if(approaches_, [](const auto& entry) { return !entry.second.has_value(); });
   std::erase_if(legs_, [&](const auto& entry) {
-    return std::ranges::any_of(entry.second.route.mission.grown.envelope.polygons,
-                               [&](const EnvelopePolygon& polygon) { return overlaps(polygon.area, area); });
+    const ConvexPolygon* closed = made.closed_on(std::get<LayerKey>(entry.first));
+    return closed != nullptr && std::ranges::any_of(entry.second.route.mission.grown.envelope.polygons,
+                                                    [&](const EnvelopePolygon& polygon) {
+                                                      return overlaps(polygon.area, *closed);
+                                                    });
   });
   return number;
 }
@@ -287,11 +313,28 @@ void RoutePlanner::unblock(std::uint32_t number) {
   approaches_.clear();
 }
 
-bool RoutePlanner::meets_blocked(const Pose& pose) const {
+template <typename Part>
+bool RoutePlanner::meets(const Pose& pose, Part&& part) const {
   if (blocked_.empty()) return false;
   const ConvexPolygon outline = footprint_at(pose, planned_.footprint());
-  return std::ranges::any_of(blocked_,
-                             [&](const auto& entry) { return overlaps(outline, entry.second.area); });
+  return std::ranges::any_of(blocked_, [&](const auto& entry) {
+    const ConvexPolygon* area = part(entry.second);
+    return area != nullptr && overlaps(outline, *area);
+  });
+}
+
+bool RoutePlanner::meets_blocked(const Pose& pose) const {
+  return meets(pose, [](const Blocked& blocked) { return blocked.area ? &*blocked.area : nullptr; });
+}
+
+bool RoutePlanner::meets_room(const Pose& pose) const {
+  return meets(pose, [](const Blocked& blocked) { return blocked.room ? &blocked.room->area : nullptr; });
+}
+
+bool RoutePlanner::rests_in_room(const Pose& pose) const {
+  return meets(pose, [](const Blocked& blocked) {
+    return blocked.area && blocked.room ? &blocked.room->area : nullptr;
+  });
 }
 
 }  // namespace stepwright::fleet

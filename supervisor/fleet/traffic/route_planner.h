@@ -11,6 +11,7 @@
 //   planner->prepare(stations, 2);
 //   const auto route = planner->plan(3, from, std::array{at_shelf, at_dock, at_home});
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -51,6 +52,12 @@ struct HomePlace {
   geometry::Pose pose;
 };
 
+// Around a blocked place.
+struct Room {
+  geometry::ConvexPolygon area;
+  bool closed = false;  // also where no other way leads past
+};
+
 class RoutePlanner {
  public:
   // `primitives` and `table` are those of the vehicle with its margin (`with_margin`), and must outlive the
@@ -77,13 +84,15 @@ class RoutePlanner {
   // millisecond instead of some tens. Places off the floor are left out.
   void prepare(std::span<const geometry::Pose> goals, unsigned threads);
 
-  // Nobody is to drive there until it is unblocked. `block` returns a number to name it by.
-  std::uint32_t block(const geometry::ConvexPolygon& area);
+  // Nobody is to drive there until it is unblocked; nor through the room around it, if it has any, where
+  // another way leads to the stop, nor is a way to end in it. `block` returns a number to name it by.
+  std::uint32_t block(const geometry::ConvexPolygon& area, std::optional<Room> room = {});
+  // Others than this vehicle keep out of there, where another way leads to the stop.
+  std::uint32_t avoid(std::uint32_t vehicle, const geometry::ConvexPolygon& area);
   void unblock(std::uint32_t number);
-  // Requires a number that `block` has returned and that is not unblocked.
-  const geometry::ConvexPolygon& blocked_area(std::uint32_t number) const { return blocked_.at(number).area; }
-  // Whether the planned outline meets a blocked place there.
+  // Whether the planned outline meets a blocked place there; or the room around one, or a place to avoid.
   bool meets_blocked(const geometry::Pose& pose) const;
+  bool meets_room(const geometry::Pose& pose) const;
 
   double resolution_m() const { return primitives_->options().resolution_m; }
   const RouteSettings& settings() const { return settings_; }
@@ -99,27 +108,54 @@ class RoutePlanner {
     std::unique_ptr<OccupancyGrid> grid;
     std::unique_ptr<PathPlanner> planner;
   };
-  using Place = std::tuple<int, int, int>;                 // of the lattice
-  using LegKey = std::tuple<std::uint32_t, Place, Place>;  // layer, start, goal
+  // Which rooms around blocked places one may drive through. All: who stands in one leaves it.
+  enum class Rooms : std::uint8_t { None, NotClosed, All };
+  struct LayerKey {
+    std::uint32_t vehicle = 0;  // or nobody
+    Rooms through = Rooms::None;
+    auto operator<=>(const LayerKey&) const = default;
+  };
+  using Place = std::tuple<int, int, int>;            // of the lattice
+  using LegKey = std::tuple<LayerKey, Place, Place>;  // start, goal
   struct Leg {
     Route route;
     std::uint64_t planned = 0;  // changes of the floor before
   };
   struct Blocked {
-    geometry::ConvexPolygon area;
+    std::optional<geometry::ConvexPolygon> area;
+    std::optional<Room> room;
+    std::optional<std::uint32_t> open_to;  // a vehicle
     std::uint64_t since = 0;
+
+    // Nothing where it is open.
+    const geometry::ConvexPolygon* closed_on(const LayerKey& layer) const {
+      if (open_to == layer.vehicle) return nullptr;
+      const Rooms least = room && room->closed ? Rooms::All : Rooms::NotClosed;
+      if (room && layer.through < least) return &room->area;
+      return area ? &*area : nullptr;
+    }
   };
 
   RoutePlanner(OccupancyGrid floor, const PrimitiveSet& primitives, std::vector<HomePlace> homes,
                const RouteSettings& settings);
+  std::uint32_t add(Blocked blocked);
+  // Whether the planned outline meets a place of which `part` says what counts of it.
+  template <typename Part>
+  bool meets(const geometry::Pose& pose, Part&& part) const;
+  // Whether a vehicle that rests there is in the room around a blocked place.
+  bool rests_in_room(const geometry::Pose& pose) const;
+  // Whose layer a leg is planned on.
   std::uint32_t layer_of(std::uint32_t vehicle, const geometry::Pose& from, const geometry::Pose& to) const;
   Place place_of(const geometry::Pose& pose) const;
-  const Layer& layer(std::uint32_t number);
+  const Layer& layer(const LayerKey& key);
   PathAnswer path(const PathPlanner& planner, const geometry::Pose& from, const geometry::Pose& to) const;
   // Whether blocked places are known to keep the vehicle from getting there.
-  bool enclosed(std::uint32_t layer, const geometry::Pose& from, const geometry::Pose& to);
+  bool enclosed(const LayerKey& on, const geometry::Pose& from, const geometry::Pose& to);
+  // The last one does not end in a room.
   [[nodiscard]] result::Result<const Leg*> leg(std::uint32_t vehicle, const geometry::Pose& from,
-                                               const geometry::Pose& to);
+                                               const geometry::Pose& to, bool last);
+  [[nodiscard]] result::Result<const Leg*> leg_on(const LayerKey& on, std::uint32_t vehicle,
+                                                  const geometry::Pose& from, const geometry::Pose& to);
   [[nodiscard]] result::Result<Route> leg_along(const OccupancyGrid& grid, geometry::Path path) const;
   [[nodiscard]] result::Result<Route> tight_leg(const OccupancyGrid& grid, const geometry::Path& path) const;
   [[nodiscard]] result::Result<Route> plan_behind(std::uint32_t vehicle, std::optional<Route> whole,
@@ -135,13 +171,13 @@ class RoutePlanner {
   std::unique_ptr<FreeMotions> motions_;  // on the floor without homes; where it is the costs point to
   std::map<Place, CostToGo> costs_to_go_;
   std::unique_ptr<std::mutex> kept_ = std::make_unique<std::mutex>();  // guards the next six
-  std::map<std::uint32_t, Layer> layers_;
+  std::map<LayerKey, Layer> layers_;
   std::map<LegKey, Leg> legs_;
   std::uint64_t paths_planned_ = 0;
   // Goals to which some way was searched for in vain, and from where each is reached; until a place is free
   // again.
   std::set<Place> in_doubt_;
-  std::map<std::pair<std::uint32_t, Place>, std::optional<Approaches>> approaches_;  // by layer
+  std::map<std::pair<LayerKey, Place>, std::optional<Approaches>> approaches_;
   std::uint64_t in_vain_ = 0;
   std::map<std::uint32_t, Blocked> blocked_;
   std::uint64_t changes_ = 0;

@@ -80,11 +80,19 @@ bool Traffic::open(std::uint32_t vehicle, std::uint32_t polygon) const {
 bool Traffic::room_of_removed(const geometry::ConvexPolygon& area) const {
   return std::ranges::any_of(lanes_, [&](const Lane& other) {
     if (!other.removed) return false;
+    if (other.room && overlaps(*other.room, area)) return true;
     const auto& polygons = other.route.mission.grown.envelope.polygons;
     for (std::uint32_t k = other.first; k < other.granted; ++k)
       if (overlaps(polygons[k].area, area)) return true;
     return false;
   });
+}
+
+std::vector<geometry::ConvexPolygon> Traffic::rooms_of_others(std::uint32_t vehicle) const {
+  std::vector<geometry::ConvexPolygon> rooms;
+  for (std::uint32_t v = 0; v < lanes_.size(); ++v)
+    if (v != vehicle && lanes_[v].removed && lanes_[v].room) rooms.push_back(*lanes_[v].room);
+  return rooms;
 }
 
 std::uint32_t Traffic::behind_group(std::uint32_t vehicle, std::uint32_t polygon) const {
@@ -180,6 +188,17 @@ Permission Traffic::permission(std::uint32_t vehicle, milliseconds now) const {
   return permission;
 }
 
+bool Traffic::is_before_room(std::uint32_t vehicle, std::uint32_t removed) const {
+  const Lane& lane = lanes_[vehicle];
+  const auto& room = lanes_[removed].room;
+  if (!room || lane.granted >= lane.route.polygons()) return false;
+  const auto& polygons = lane.route.mission.grown.envelope.polygons;
+  const std::uint32_t behind = behind_group(vehicle, lane.granted);
+  for (std::uint32_t k = lane.granted; k < behind; ++k)
+    if (overlaps(polygons[k].area, *room)) return true;
+  return false;
+}
+
 std::optional<std::uint32_t> Traffic::waits_for(std::uint32_t vehicle) const {
   const Lane& lane = lanes_[vehicle];
   if (lane.granted >= lane.route.polygons()) return std::nullopt;
@@ -208,16 +227,21 @@ std::optional<Branch> Traffic::branch(std::uint32_t vehicle) const {
       speed < kStands_m_s ? 0.0 : settings_.reaction_m + speed * speed / (2.0 * settings_.brake_m_s2);
   const auto from =
       std::ranges::lower_bound(path, lane.arc_m + stop_m - 1e-6, {}, &geometry::PathPose::arc_m);
+  const std::vector<geometry::ConvexPolygon> rooms = rooms_of_others(vehicle);
+  std::optional<Branch> in_room;
   for (auto at = from; at != path.end(); ++at) {
-    if (lane.limit_m && at->arc_m >= *lane.limit_m) return std::nullopt;
+    if (lane.limit_m && at->arc_m >= *lane.limit_m) return in_room;
     if (!on_lattice(at->pose, settings_.resolution_m)) continue;
     // It has to be able to stand in the polygon of the branch alone.
     const std::uint32_t in = polygon_at(lane.route, lane.first, at->arc_m);
     if (in > lane.first && at->arc_m - lane.route.mission.grown.visits[in - 1].exit_m < kLeft_m + kHalt_m)
       continue;
-    return Branch{static_cast<std::size_t>(at - path.begin()), at->arc_m, at->pose};
+    const Branch branch{static_cast<std::size_t>(at - path.begin()), at->arc_m, at->pose};
+    if (!meets_any(lane.route.mission.grown.envelope.polygons[in].area, rooms)) return branch;
+    // There it would have to wait for the new way to be free; behind the room if there is such a place.
+    if (!in_room) in_room = branch;
   }
-  return std::nullopt;
+  return in_room;
 }
 
 result::Result<Change> Traffic::reroute(std::uint32_t vehicle, const Branch& branch,
@@ -231,6 +255,7 @@ result::Result<Change> Traffic::reroute(std::uint32_t vehicle, const Branch& bra
   candidate.first = 0;
   candidate.limit_m.reset();
   candidate.route = *std::move(route);
+  pass_in_one_go(candidate.route, candidate.granted, rooms_of_others(vehicle));
   return adopt(vehicle, std::move(candidate), now);
 }
 
@@ -242,14 +267,25 @@ void Traffic::release(std::uint32_t vehicle) {
   lanes_[vehicle].limit_m.reset();
 }
 
-void Traffic::remove(std::uint32_t vehicle) {
+void Traffic::remove(std::uint32_t vehicle, std::optional<geometry::ConvexPolygon> room) {
   lanes_[vehicle].removed = true;
+  lanes_[vehicle].room = std::move(room);
+}
+
+void Traffic::clear_rooms(milliseconds now) {
+  for (std::uint32_t v = 0; v < lanes_.size(); ++v) {
+    if (lanes_[v].removed) continue;
+    Lane candidate = lanes_[v];
+    pass_in_one_go(candidate.route, candidate.granted, rooms_of_others(v));
+    if (candidate.route.needed_m != lanes_[v].route.needed_m) (void)adopt(v, std::move(candidate), now);
+  }
 }
 
 result::Result<Change> Traffic::restore(std::uint32_t vehicle, Route route, milliseconds now) {
   Lane candidate;
   candidate.arc_m = route.mission.path.front().arc_m;
   candidate.route = std::move(route);
+  pass_in_one_go(candidate.route, candidate.granted, rooms_of_others(vehicle));
   return adopt(vehicle, std::move(candidate), now);
 }
 

@@ -85,6 +85,8 @@ class Traffic {
 
   // --- what vehicles may do ---
   Permission permission(std::uint32_t vehicle, std::chrono::milliseconds now) const;
+  // Whether the next polygons that it needs overlap the room of this one, which is removed.
+  bool is_before_room(std::uint32_t vehicle, std::uint32_t removed) const;
   // Whose polygon keeps it from being permitted the next one; nothing if nobody's does.
   std::optional<std::uint32_t> waits_for(std::uint32_t vehicle) const;
 
@@ -97,8 +99,13 @@ class Traffic {
   // It may not go farther than this until it is released or gets another way. Orders stay.
   void hold(std::uint32_t vehicle, double arc_m);
   void release(std::uint32_t vehicle);
-  // It is not driven on and takes no part any more. That others do not drive into it is for their ways.
-  void remove(std::uint32_t vehicle);
+  // It is not driven on and takes no part any more. That others do not drive into it is for their ways. In
+  // its room, if it has any, nobody waits until it is restored: new ways are permitted the polygons that
+  // overlap it together with the first one behind it.
+  void remove(std::uint32_t vehicle, std::optional<geometry::ConvexPolygon> room = {});
+  // So are ways that were there before, but for what is permitted already and for ways that would leave no
+  // schedule.
+  void clear_rooms(std::chrono::milliseconds now);
   [[nodiscard]] result::Result<Change> restore(std::uint32_t vehicle, Route route,
                                                std::chrono::milliseconds now);
 
@@ -106,6 +113,7 @@ class Traffic {
   std::uint32_t vehicles() const { return static_cast<std::uint32_t>(lanes_.size()); }
   const Route& route(std::uint32_t vehicle) const { return lanes_[vehicle].route; }
   double arc_m(std::uint32_t vehicle) const { return lanes_[vehicle].arc_m; }
+  double speed_m_s(std::uint32_t vehicle) const { return lanes_[vehicle].speed_m_s; }  // as last told
   std::chrono::milliseconds standing_until(std::uint32_t vehicle) const {
     return lanes_[vehicle].standing_until;
   }
@@ -146,8 +154,10 @@ class Traffic {
                                              std::chrono::milliseconds now) const;
   void install(Planned planned, std::chrono::milliseconds now);
   bool open(std::uint32_t vehicle, std::uint32_t polygon) const;
-  // Whether a vehicle that takes no part is permitted a polygon that overlaps this one.
+  // Whether a vehicle that takes no part is permitted a polygon that overlaps this one, or it is in its room.
   bool room_of_removed(const geometry::ConvexPolygon& area) const;
+  // Of vehicles that take no part, but for this one.
+  std::vector<geometry::ConvexPolygon> rooms_of_others(std::uint32_t vehicle) const;
   // The first polygon behind this one that is not needed together with it.
   std::uint32_t behind_group(std::uint32_t vehicle, std::uint32_t polygon) const;
   void leave(std::uint32_t vehicle);

@@ -33,7 +33,19 @@ function frameWalker(onPing) {
   };
 }
 
-function openViewer(port) {
+// A text frame as a page sends it, masked with zeros. Shorter than 126 bytes.
+function textFrame(text) {
+  return Buffer.concat([Buffer.from([0x81, 0x80 | text.length, 0, 0, 0, 0]), Buffer.from(text)]);
+}
+
+// What a page says that shows all tags, or none of them.
+const BEGIN = {
+  all: '{"type":"begin","protocol":3,"show":{"number":1,"tags":"all","also":["plan","routes","trend"]}}',
+  none: '{"type":"begin","protocol":3,"show":{"number":1,"also":["plan","routes","trend"]}}',
+};
+
+// `tags`: all, none, or "silent" of a server that wants to hear nothing (protocol 2).
+function openViewer(port, tags) {
   return new Promise((resolve, reject) => {
     const socket = connect(port, '127.0.0.1');
     const viewer = { bytes: 0, closed: false, close: () => socket.destroy() };
@@ -61,6 +73,7 @@ function openViewer(port) {
       const [status] = welcome.toString('latin1').split('\r\n');
       if (!status.startsWith('HTTP/1.1 101')) return reject(new Error(`a viewer is refused: ${status}`));
       socket.on('data', read);
+      if (tags !== 'silent') socket.write(textFrame(BEGIN[tags]));
       read(welcome.subarray(end + 4));
       resolve(viewer);
     };
@@ -71,9 +84,9 @@ function openViewer(port) {
   });
 }
 
-export async function openViewers(port, count) {
+export async function openViewers(port, count, tags = 'all') {
   const viewers = [];
-  for (let i = 0; i < count; ++i) viewers.push(await openViewer(port));
+  for (let i = 0; i < count; ++i) viewers.push(await openViewer(port, tags));
   const bytes = () => viewers.reduce((sum, viewer) => sum + viewer.bytes, 0);
   return {
     bytes,

@@ -36,7 +36,7 @@ enum class Ways : std::uint8_t { Searched, Known };
 
 struct Arguments {
   ScenarioSettings settings;
-  Ways ways = Ways::Searched;
+  Ways ways = Ways::Known;
   bool sweep = false;
   bool validate = false;
   bool log = false;

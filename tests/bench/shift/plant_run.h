@@ -6,42 +6,16 @@
 //   const PlantRun run = run_on_plant(scenario, fleet, false);
 //   run.judge.collisions().empty();
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "supervisor/fleet/traffic/route_planner.h"
 #include "tests/bench/shift/figures.h"
+#include "tests/bench/shift/fleet.h"
 #include "tests/bench/shift/judge.h"
 #include "tests/bench/shift/reach.h"
 #include "tests/bench/shift/scenario.h"
 
 namespace stepwright::bench::shift {
-
-// What routes are planned with: the drawn hall, the first bays as homes.
-class Fleet {
- public:
-  // `path_weight`: ways that are searched one by one cost at most so many times the least.
-  Fleet(const Scenario& scenario, std::uint32_t vehicles,
-        double path_weight = fleet::RouteSettings().path_weight);
-  fleet::RoutePlanner& planner() { return *planner_; }
-  const fleet::RouteSettings& settings() const { return settings_; }
-  // Works out what ways to all stations and homes cost, so that all later ones are nearly the best there are.
-  void prepare();
-  // What that took.
-  double prepare_cpu_s() const { return prepare_cpu_s_; }
-
- private:
-  fleet::RouteSettings settings_;
-  std::unique_ptr<fleet::PrimitiveSet> primitives_;
-  std::unique_ptr<fleet::HeuristicTable> table_;
-  std::unique_ptr<fleet::RoutePlanner> planner_;
-  std::vector<geometry::Pose> goals_;
-  double prepare_cpu_s_ = 0.0;
-};
-
-fleet::DriveLimits limits_of_the_plant();
-std::vector<fleet::Route> resting(fleet::RoutePlanner& planner, std::uint32_t vehicles);
 
 struct PlantRun {
   ShiftFigures figures;

@@ -90,6 +90,16 @@ class FleetCommand(unittest.TestCase):
         paper = self.fleet("mine.json", "--path-factor", "2", "--paper", "--objective", "none", "--alternatives", "0", *PATIENT)
         self.assertIn(paper.returncode, (0, 4), paper.stderr)
 
+    def test_who_stands_face_to_face_gives_way_if_he_may(self) -> None:
+        shutil.copy(CELL / "face_to_face.pgm", self.folder)
+        done = self.fleet("face_to_face.json", *PATIENT)
+        self.assertEqual(done.returncode, 4, done.stdout)
+        report = self.report("face_to_face.json", "--give-way", "1")
+        self.assertEqual(report["verdict"], "scheduled")
+        self.assertEqual(len(report["ways_given"]), 1)
+        # Out of the aisle.
+        self.assertFalse(8 < report["ways_given"][0]["x_m"] < 28, report["ways_given"])
+
     def test_the_warehouse_carries_everything(self) -> None:
         report = self.report("warehouse.json", "--path-factor", "2")
         carried: dict = {}

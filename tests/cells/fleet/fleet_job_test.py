@@ -14,6 +14,7 @@ from cell_process import Demo, stepwright
 
 CELL = pathlib.Path(__file__).parent
 SMALL = CELL / "small_hall.toml"
+FACE_TO_FACE = CELL / "face_to_face.toml"
 # The other cells' report without what only their plants have, and the fleet's own.
 KEYS = """goal_reached plan_steps plan_cost plan_proved_optimal first_plan_ms optimal_plan_ms replans makespan_s scans
 overruns scan_p50_us scan_p99_us realtime_factor trace_hash processes plant fleet""".split()
@@ -83,6 +84,18 @@ class FleetJob(unittest.TestCase):
         self.assertEqual(code, 0, report["stdout"])
         self.assertEqual(report["replans"], 2)
         self.check_clean(report)
+
+    def test_two_who_stand_face_to_face_in_an_aisle_give_way_and_get_where_they_want(self):
+        report, code = self.run_demo(cell=FACE_TO_FACE)
+        self.assertEqual(code, 0, report["stdout"])
+        self.assertTrue(report["goal_reached"])
+        actions = [action["text"] for action in report["record"]["episodes"][0]["actions"]]
+        self.assertEqual(len([text for text in actions if "give_way at (" in text]), 1, actions)
+        self.assertEqual(report["replans"], 0)
+        self.assertEqual(report["fleet"]["delivered"], 1)
+        self.assertEqual([v["state"] for v in report["fleet"]["vehicles"]], ["resting"] * 2)
+        self.check_clean(report)
+        self.assertGreater(report["fleet"]["smallest_gap_m"], 0)
 
     def test_what_is_ordered_meanwhile_is_delivered(self):
         order = '{at_s=20, name="box", from="dock B", to="shelf 2"}'

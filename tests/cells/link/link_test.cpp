@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "runtime/host/limits.h"
 #include "tests/cells/link/test_cell.h"
 #include "tests/support/step_program.h"
 
@@ -17,6 +18,7 @@ using dds::EventKind;
 using dds::RuntimeState;
 using dds::StepEvent;
 using support::step_program;
+using Layout = support::StepProgramLayout;
 using namespace std::chrono_literals;
 
 constexpr std::uint32_t kSteps = 40;
@@ -300,6 +302,69 @@ TEST(Link, WhenAFaultIsUnknown_ThenThePlantsHintComesBack) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().front().code, "C0311");
   EXPECT_NE(refused.error().front().hint.find("leak_a1"), std::string::npos);
+}
+
+TEST(Link, WhenManyValuesAreWritten_ThenAllOrNoneOfThemAre) {
+  TestCell cell(78, std::string(kNoPlant) + "[clock]\nmode = \"real\"\n");
+  const TestProcess runtime = cell.start_runtime();
+  const TestProcess link = cell.start("link");
+  const auto client = cell.connect();
+  const auto digest = client->download(step_program({.steps = 300}));
+  ASSERT_TRUE(ok(digest));
+  const auto free_bytes = [&] {
+    std::vector<std::byte> bytes;
+    const auto seen = [&] {
+      const auto snapshot = client->snapshot();
+      if (!snapshot || snapshot->program_digest != *digest) return false;
+      bytes.assign(snapshot->image.begin() + Layout::kFree, snapshot->image.begin() + Layout::kFree + 8);
+      return true;
+    };
+    EXPECT_TRUE(eventually(seen));
+    return bytes;
+  };
+  const auto holds = [&](std::byte value) {
+    return eventually([&] { return free_bytes() == std::vector<std::byte>(8, value); });
+  };
+  ASSERT_TRUE(ok(client->write(dds::BlockWrite{*digest, {{Layout::kFree, ~0ull, 0x1111111111111111}}})));
+  ASSERT_TRUE(holds(std::byte{0x11}));
+  dds::BlockWrite block{*digest, {}};
+  for (std::uint32_t i = 0; i < host::kMaxBlockWrites; ++i)
+    block.parts.push_back({Layout::kFree + i % 8, 0xFF, 0x22});
+  dds::BlockWrite wrong = block;
+  wrong.parts[1'000].byte_offset = host::kMaxImageBytes - 1;
+  EXPECT_EQ(client->write(wrong).error().front().code, "R0004") << "one in the middle is refused";
+  dds::BlockWrite other = block;
+  other.program_digest = std::string(64, 'a');
+  EXPECT_EQ(client->write(other).error().front().code, "R0002") << "of another program";
+  EXPECT_EQ(free_bytes(), std::vector<std::byte>(8, std::byte{0x11}));
+  ASSERT_TRUE(ok(client->write(block)));
+  EXPECT_TRUE(holds(std::byte{0x22}));
+}
+
+TEST(Link, WhenSomebodyForcesAtTheSocket_ThenClientsOnFastDdsAreToldAndOfTheEndToo) {
+  TestCell cell(79, kNoPlant);
+  const TestProcess runtime = cell.start_runtime();
+  const TestProcess link = cell.start("link");
+  const auto client = cell.connect();
+  const auto empty = client->forces();
+  ASSERT_TRUE(ok(empty));
+  EXPECT_TRUE(empty->places.empty());
+  EXPECT_EQ(empty->program_digest, "") << "no program is loaded";
+  const auto digest = client->download(step_program({.steps = 3}));
+  ASSERT_TRUE(ok(digest));
+  const auto socket = cell.attach(service::Role::Controller);
+  ASSERT_TRUE(socket->call(service::Force{{Layout::kFree, 0xFFFF, 0x1234}}, kPatience));
+  const auto told = client->forces();
+  ASSERT_TRUE(ok(told));
+  ASSERT_EQ(told->places.size(), 1u);
+  EXPECT_EQ(told->places[0].address, Layout::kFree);
+  EXPECT_EQ(told->places[0].value, 0x1234u);
+  EXPECT_EQ(told->program_digest, *digest);
+  ASSERT_TRUE(ok(client->download(step_program({.steps = 4}))));
+  const auto gone = client->forces();
+  ASSERT_TRUE(ok(gone));
+  EXPECT_TRUE(gone->places.empty()) << "a download ends it";
+  EXPECT_NE(gone->program_digest, *digest);
 }
 
 }  // namespace

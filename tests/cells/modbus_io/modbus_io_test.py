@@ -4,6 +4,7 @@ import json
 import pathlib
 import re
 import signal
+import socket
 import subprocess
 import unittest
 
@@ -69,6 +70,11 @@ tags = [
 """
 
 
+def listens(port):
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) == 0
+
+
 class Plant:
     """A cell with its PLC."""
 
@@ -88,10 +94,36 @@ class Plant:
         self.plc = Process(["/usr/bin/python3", HERE / "pymodbus_plc.py", *self.peer], self.cell.folder / "plc.log")
         self.cell.processes.append(self.plc)
         self.plc.wait_for("PLC at")
+        if self.peer[0] == "tcp":  # it says so before it listens
+            assert eventually(lambda: listens(PORT) or not self.plc.running()), self.plc.output()
+            assert self.plc.running(), self.plc.output()
 
     def command(self, *words):
         name, *rest = words
         return stepwright(name, "--config", self.cell.config, *rest)
+
+    def losses(self):
+        """How often the runtime has stopped its program because the devices were lost."""
+        return self.runtime.output().count("the I/O driver does not answer")
+
+    def start_again(self):
+        """As soon as the runtime itself says that its I/O answers."""
+        def accepted():
+            told = self.command("start")
+            assert told.returncode == 0 or "R0008" in told.stderr, told.stderr
+            return told.returncode == 0
+
+        self.known_losses = self.losses()
+        assert eventually(accepted, pause_s=0.1), self.log()
+
+    def lost_again(self):
+        """A client that a busy machine keeps from running for 250 ms is lost, rightly: an operator starts again."""
+        if self.losses() > self.known_losses:
+            self.start_again()
+        return False
+
+    def log(self):
+        return f"{self.runtime.output()}\n{self.client.output()}"
 
     def value(self, name):
         told = self.command("snapshot", name, "--json", "-")
@@ -123,8 +155,7 @@ class Plant:
     def run(self, image):
         done = self.command("download", image, "--replace")
         assert done.returncode == 0, done.stderr
-        done = self.command("start")
-        assert done.returncode == 0, done.stderr
+        self.start_again()
 
     def tag(self, name):
         return next(each for each in self.status()["tags"] if each["name"] == name)
@@ -198,8 +229,24 @@ class ModbusIo(unittest.TestCase):
         self.assertTrue(eventually(lambda: plant.field() == 7), plant.client.output())
         self.assertTrue(eventually(lambda: not plant.status()["lost"]))
         self.assertEqual(plant.field(), 7)  # the program is not started by a device that answers again
-        self.assertEqual(plant.command("start").returncode, 0)
+        plant.start_again()
+        self.assertTrue(eventually(lambda: plant.field() == 1000 or plant.lost_again()), plant.log())
+
+    def test_a_start_is_refused_for_as_long_as_the_devices_are_lost(self):
+        plant = Plant(self)
+        plant.start_all()
         self.assertTrue(eventually(lambda: plant.field() == 1000), plant.client.output())
+        plant.plc.end(signal.SIGKILL)
+        self.assertTrue(eventually(lambda: "does not answer" in plant.runtime.output()), plant.runtime.output())
+        losses = plant.losses()
+        for _ in range(3):
+            told = plant.command("start")
+            self.assertEqual(told.returncode, 1)
+            self.assertIn("R0008", told.stderr)
+        self.assertEqual(plant.losses(), losses)  # what was refused has not begun
+        plant.start_plc()
+        plant.start_again()
+        self.assertTrue(eventually(lambda: plant.field() == 1000 or plant.lost_again()), plant.log())
 
     def test_a_killed_runtime_leaves_the_devices_to_its_guard(self):
         plant = Plant(self)

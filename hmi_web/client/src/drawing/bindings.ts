@@ -25,7 +25,21 @@ export interface RangeBinding extends Named {
   y: number;
   degrees: number; // of a turn
 }
-export type Binding = TextBinding | SwitchBinding | RangeBinding;
+// Of something on a floor, in m and rad. `name` is that of its x.
+export interface PoseBinding extends Named {
+  kind: 'pose';
+  y: string;
+  heading: string; // empty: it has none
+  floor: FloorScale;
+}
+export type Binding = TextBinding | SwitchBinding | RangeBinding | PoseBinding;
+
+// Where the floor's origin is in the drawing, and how long a metre is there. Its y goes upwards.
+export interface FloorScale {
+  x: number;
+  y: number;
+  scale: number;
+}
 
 // In the element's own coordinates.
 export interface Box {
@@ -38,8 +52,13 @@ export interface Box {
 const SWITCHES: Switch[] = ['on', 'warn', 'alarm', 'show'];
 const RANGES: Range[] = ['fill', 'move', 'turn'];
 
-// `read`: an attribute by its name without `data-`. The server has checked what is there.
-export function bindingsOf(read: (attribute: string) => string | null): Binding[] {
+// All values that a binding is made of.
+export const namesOf = (binding: Binding): string[] =>
+  binding.kind === 'pose' ? [binding.name, binding.y, binding.heading].filter((name) => name !== '') : [binding.name];
+
+// `read`: an attribute by its name without `data-`; `around`: the same of the element or the nearest around it that has a
+// floor. The server has checked what is there.
+export function bindingsOf(read: (attribute: string) => string | null, around: (attribute: string) => string | null = read): Binding[] {
   const found: Binding[] = [];
   const number = (attribute: string, usual: number) => {
     const value = Number(read(attribute) ?? usual);
@@ -55,7 +74,22 @@ export function bindingsOf(read: (attribute: string) => string | null): Binding[
     const name = read(kind);
     if (name) found.push({ kind, name, from: number('from', 0), to: number('to', 100), x: number('x', 0), y: number('y', 0), degrees: number('degrees', 0) });
   }
+  const [x, y] = [read('pose-x'), read('pose-y')];
+  if (x && y) {
+    const place = (attribute: string) => Number(around(attribute) ?? 0) || 0;
+    found.push({ kind: 'pose', name: x, y, heading: read('pose-heading') ?? '', floor: { x: place('floor-x'), y: place('floor-y'), scale: place('floor-scale') } });
+  }
   return found;
+}
+
+// The place that an element drawn around (0, 0) and facing right has then; null where it is not known.
+export function poseTransform({ floor, heading }: PoseBinding, values: readonly Value[]): string | null {
+  const [x, y, angle] = values;
+  if (x === null || x === undefined || y === null || y === undefined) return null;
+  if (heading !== '' && (angle === null || angle === undefined)) return null;
+  const digits = (value: number) => Number(value.toFixed(3));
+  const turned = heading === '' ? '' : ` rotate(${digits((-(angle ?? 0) * 180) / Math.PI)})`;
+  return `translate(${digits(floor.x + x * floor.scale)} ${digits(floor.y - y * floor.scale)})${turned}`;
 }
 
 // What is not known is neither true nor false.

@@ -2,7 +2,7 @@
 
 import { fixed, tagValue, UNKNOWN } from '../lib/format';
 import type { Value } from '../lib/protocol';
-import { bindingsOf, isTrue, transformOf, type Binding, type Box, type RangeBinding } from './bindings';
+import { bindingsOf, isTrue, namesOf, poseTransform, transformOf, type Binding, type Box, type PoseBinding, type RangeBinding } from './bindings';
 
 // A value of the cell by its name; null if there is no such thing.
 export type Look = (name: string) => { value: Value; type: string; unit: string } | null;
@@ -32,7 +32,11 @@ export class DrawnPicture {
   // `root` is in the page: boxes are measured.
   constructor(root: SVGSVGElement) {
     for (const element of root.querySelectorAll<SVGGraphicsElement>('*')) {
-      const bindings = bindingsOf((attribute) => element.getAttribute(`data-${attribute}`));
+      const floor = element.closest('[data-floor-scale]');
+      const bindings = bindingsOf(
+        (attribute) => element.getAttribute(`data-${attribute}`),
+        (attribute) => floor?.getAttribute(`data-${attribute}`) ?? null,
+      );
       const title = element.querySelector(':scope > title')?.textContent.trim() ?? '';
       if (bindings.length > 0 && title !== '') {
         element.setAttribute('tabindex', '0');
@@ -45,13 +49,22 @@ export class DrawnPicture {
     }
   }
 
+  // All that it is bound to.
+  names(): string[] {
+    return [...new Set(this.bound.flatMap(({ binding }) => namesOf(binding)))];
+  }
+
   // Names that nothing in the cell has.
   unknown(look: Look): string[] {
-    return [...new Set(this.bound.map(({ binding }) => binding.name))].filter((name) => look(name) === null);
+    return this.names().filter((name) => look(name) === null);
   }
 
   show(look: Look): void {
     for (const one of this.bound) {
+      if (one.binding.kind === 'pose') {
+        this.place(one, one.binding, namesOf(one.binding).map((name) => look(name)?.value ?? null));
+        continue;
+      }
       const found = look(one.binding.name);
       const value = found?.value ?? null;
       const words = this.words(one.binding, value, found?.type ?? '', found?.unit ?? '');
@@ -59,6 +72,18 @@ export class DrawnPicture {
       one.shown = words;
       this.write(one, value, words);
     }
+  }
+
+  // Where it is not known any more it stays where it was, pale.
+  private place(one: Bound, binding: PoseBinding, values: readonly Value[]): void {
+    const words = values.map((value) => fixed(value, 2)).join(', ');
+    if (words === one.shown) return;
+    one.shown = words;
+    const { element, title, ownTransform } = one;
+    const transform = poseTransform(binding, values);
+    element.classList.toggle('unknown', transform === null);
+    if (title !== '') element.setAttribute('aria-label', `${title}: ${words}`);
+    if (transform !== null) element.setAttribute('transform', `${transform} ${ownTransform}`.trim());
   }
 
   private words(binding: Binding, value: Value, type: string, unit: string): string {

@@ -1,6 +1,8 @@
 // The fleet's part of the plan document, read with doubt: what is missing, of the wrong kind or nowhere near a floor
 // is left out, and the rest is shown. hmi_web/doc/protocol.md, messages `plan` and `routes`.
 
+import { fieldsOf, listOf, numberOf, textOf, type Fields } from '../lib/doubt';
+
 export type Pair = [number, number]; // x, y in m
 
 export interface VehicleNews {
@@ -82,58 +84,42 @@ export interface Routes {
   sections: Section[];
 }
 
-type Members = Record<string, unknown>;
-
 // No floor reaches so far; coordinates beyond are mistakes, and would shrink everything else to a dot.
 const FARTHEST_M = 10_000;
 
-function members(value: unknown): Members {
-  return typeof value === 'object' && value !== null && !Array.isArray(value) ? (value as Members) : {};
-}
-
-function list(value: unknown): unknown[] {
-  return Array.isArray(value) ? value : [];
-}
-
-function text(value: unknown): string {
-  return typeof value === 'string' ? value : '';
-}
-
-function number(value: unknown): number | null {
-  return typeof value === 'number' && Number.isFinite(value) ? value : null;
-}
+const members = (value: unknown): Fields => fieldsOf(value) ?? {};
 
 function count(value: unknown): number {
-  return Math.max(0, Math.round(number(value) ?? 0));
+  return Math.max(0, Math.round(numberOf(value) ?? 0));
 }
 
 function place(value: unknown): Pair | null {
-  const [x, y] = list(value).map(number);
+  const [x, y] = listOf(value).map(numberOf);
   if (typeof x !== 'number' || typeof y !== 'number') return null;
   return Math.abs(x) <= FARTHEST_M && Math.abs(y) <= FARTHEST_M ? [x, y] : null;
 }
 
 // All of its corners, or none: an outline without one of them would be another one.
 function outline(value: unknown): Pair[] {
-  const corners = list(value).map(place);
+  const corners = listOf(value).map(place);
   return corners.length >= 3 && corners.every((corner) => corner !== null) ? (corners as Pair[]) : [];
 }
 
 function vehicleNews(value: unknown): VehicleNews[] {
   const from = members(value);
-  const vehicle = text(from.vehicle);
+  const vehicle = textOf(from.vehicle);
   if (vehicle === '') return [];
   return [
     {
       vehicle,
-      variable: text(from.variable) || vehicle,
-      state: text(from.state),
-      waitsFor: text(from.waits_for),
-      delayMs: number(from.delay_ms),
-      arrivesMs: number(from.arrives_ms),
+      variable: textOf(from.variable) || vehicle,
+      state: textOf(from.state),
+      waitsFor: textOf(from.waits_for),
+      delayMs: numberOf(from.delay_ms),
+      arrivesMs: numberOf(from.arrives_ms),
       stopsDone: count(from.stops_done),
       error: count(from.error),
-      reason: text(from.reason),
+      reason: textOf(from.reason),
       outline: outline(from.outline_m),
     },
   ];
@@ -141,50 +127,50 @@ function vehicleNews(value: unknown): VehicleNews[] {
 
 function goalNews(value: unknown): GoalNews[] {
   const from = members(value);
-  const name = text(from.name);
+  const name = textOf(from.name);
   if (name === '') return [];
   return [
     {
       name,
-      from: text(from.from),
-      to: text(from.to),
+      from: textOf(from.from),
+      to: textOf(from.to),
       amount: count(from.amount),
       delivered: count(from.delivered),
-      state: text(from.state),
-      dueMs: number(from.due_ms),
+      state: textOf(from.state),
+      dueMs: numberOf(from.due_ms),
       late: from.late === true,
-      reason: text(from.reason),
-      vehicle: text(from.vehicle),
+      reason: textOf(from.reason),
+      vehicle: textOf(from.vehicle),
     },
   ];
 }
 
 function wait(value: unknown): Wait[] {
   const from = members(value);
-  const begin = number(from.from_ms);
-  const end = number(from.until_ms);
+  const begin = numberOf(from.from_ms);
+  const end = numberOf(from.until_ms);
   if (begin === null || end === null || end < begin) return [];
-  return [{ vehicle: text(from.vehicle), for: text(from.for), fromMs: begin, untilMs: end }];
+  return [{ vehicle: textOf(from.vehicle), for: textOf(from.for), fromMs: begin, untilMs: end }];
 }
 
 function blockedPlace(value: unknown): { name: string; area: Pair[] }[] {
   const from = members(value);
   const area = outline(from.corners_m);
-  return area.length > 0 ? [{ name: text(from.name), area }] : [];
+  return area.length > 0 ? [{ name: textOf(from.name), area }] : [];
 }
 
 // Null if the document is not about a fleet.
 export function readFleet(value: unknown): FleetNews | null {
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) return null;
-  const from = members(value);
+  const from = fieldsOf(value);
+  if (!from) return null;
   return {
-    epochS: number(from.epoch_s) ?? 0,
-    firstEpochS: number(from.first_epoch_s) ?? number(from.epoch_s) ?? 0,
-    vehicles: unique(list(from.vehicles).flatMap(vehicleNews), (news) => news.vehicle),
-    goals: unique(list(from.goals).flatMap(goalNews), (goal) => goal.name),
-    waits: list(from.waits).flatMap(wait),
-    blocked: list(from.blocked).flatMap(blockedPlace),
-    makespanMs: number(from.makespan_ms),
+    epochS: numberOf(from.epoch_s) ?? 0,
+    firstEpochS: numberOf(from.first_epoch_s) ?? numberOf(from.epoch_s) ?? 0,
+    vehicles: unique(listOf(from.vehicles).flatMap(vehicleNews), (news) => news.vehicle),
+    goals: unique(listOf(from.goals).flatMap(goalNews), (goal) => goal.name),
+    waits: listOf(from.waits).flatMap(wait),
+    blocked: listOf(from.blocked).flatMap(blockedPlace),
+    makespanMs: numberOf(from.makespan_ms),
   };
 }
 
@@ -194,56 +180,56 @@ function unique<T>(items: T[], nameOf: (item: T) => string): T[] {
 
 function stop(value: unknown): Stop[] {
   const from = members(value);
-  const arcM = number(from.arc_m);
+  const arcM = numberOf(from.arc_m);
   if (arcM === null) return [];
   return [
     {
-      kind: text(from.kind),
-      location: text(from.location),
-      goal: text(from.goal),
+      kind: textOf(from.kind),
+      location: textOf(from.location),
+      goal: textOf(from.goal),
       amount: count(from.amount),
       arcM,
-      serviceMs: number(from.service_ms) ?? 0,
+      serviceMs: numberOf(from.service_ms) ?? 0,
       polygon: count(from.polygon),
-      endMs: number(from.end_ms),
+      endMs: numberOf(from.end_ms),
     },
   ];
 }
 
 function pose(value: unknown): [number, number, number][] {
   const at = place(value);
-  return at ? [[at[0], at[1], number(list(value)[2]) ?? 0]] : [];
+  return at ? [[at[0], at[1], numberOf(listOf(value)[2]) ?? 0]] : [];
 }
 
 function path(value: unknown): RoutePath {
   const from = members(value);
   return {
-    vehicle: text(from.vehicle),
-    lengthM: Math.max(0, number(from.length_m) ?? 0),
-    stops: list(from.stops).flatMap(stop),
-    poses: list(from.poses_m_m_deg).flatMap(pose),
+    vehicle: textOf(from.vehicle),
+    lengthM: Math.max(0, numberOf(from.length_m) ?? 0),
+    stops: listOf(from.stops).flatMap(stop),
+    poses: listOf(from.poses_m_m_deg).flatMap(pose),
   };
 }
 
 // A polygon keeps its number, even where there is nothing to draw.
 function polygon(value: unknown): RoutePolygon {
   const from = members(value);
-  const [entry, exit] = list(from.earliest_ms).map(number);
+  const [entry, exit] = listOf(from.earliest_ms).map(numberOf);
   return { corners: outline(from.corners_m), entryMs: entry ?? null, exitMs: exit ?? null };
 }
 
 // One outline, or a list of them.
 function areas(value: unknown): Pair[][] {
   const whole = outline(value);
-  return whole.length > 0 ? [whole] : list(value).map(outline).filter((area) => area.length > 0);
+  return whole.length > 0 ? [whole] : listOf(value).map(outline).filter((area) => area.length > 0);
 }
 
 function section(value: unknown): Section[] {
   const from = members(value);
-  const [first, second] = list(from.order).map(text);
+  const [first, second] = listOf(from.order).map(textOf);
   if (!first || !second) return [];
-  const polygons = list(from.polygons).map((one) => ({
-    vehicle: text(members(one).vehicle),
+  const polygons = listOf(from.polygons).map((one) => ({
+    vehicle: textOf(members(one).vehicle),
     polygon: count(members(one).polygon),
   }));
   return [{ polygons, areas: areas(from.corners_m), order: [first, second] }];
@@ -252,11 +238,11 @@ function section(value: unknown): Section[] {
 export function readRoutes(value: unknown): Routes {
   const from = members(value);
   return {
-    paths: list(from.paths).map(path),
-    polygons: list(from.polygons).map((one) => ({
-      vehicle: text(members(one).vehicle),
-      polygons: list(members(one).polygons).map(polygon),
+    paths: listOf(from.paths).map(path),
+    polygons: listOf(from.polygons).map((one) => ({
+      vehicle: textOf(members(one).vehicle),
+      polygons: listOf(members(one).polygons).map(polygon),
     })),
-    sections: list(from.sections).flatMap(section),
+    sections: listOf(from.sections).flatMap(section),
   };
 }

@@ -8,7 +8,7 @@ import { chartRanges } from '../sfc/parts';
 import { readFleet, readRoutes, type Section } from './document';
 import { areaData, placeAt, wayData } from './geometry';
 import { Poses, type Pose } from './poses';
-import { progressOf, type Progress } from './progress';
+import { progressOf, tagsOfProgress, type Progress } from './progress';
 import { joined, type FleetVehicle } from './vehicles';
 import { t } from './texts';
 import { errorText, isAbnormal } from './words';
@@ -19,6 +19,8 @@ const STANDS_M_S = 0.03;
 const BEAT_MS = 250;
 const SLOW_BEAT_MS = 500; // of many vehicles
 const MANY = 8;
+
+const errorTag = (one: FleetVehicle) => `vehicle_${one.variable}.errorid`.toLowerCase();
 
 export class Fleet {
   // Name of a vehicle; empty: none.
@@ -58,7 +60,7 @@ export class Fleet {
   private readonly errors = $derived.by(() => {
     void this.beat;
     const { vehicles, ours } = this;
-    const tag = (one: FleetVehicle) => (ours ? this.cell.tag(`vehicle_${one.variable}.errorid`) : null);
+    const tag = (one: FleetVehicle) => (ours ? this.cell.tag(errorTag(one)) : null);
     return untrack(() => new Map(vehicles.map((one) => [one.name, tag(one) || (one.news?.error ?? 0)])));
   });
   private readonly speeds = $derived.by(() => {
@@ -87,6 +89,11 @@ export class Fleet {
     }
     return [...places.values()];
   });
+
+  // The tags that all this is made of.
+  readonly shownTags = $derived.by(() =>
+    this.vehicles.flatMap((one) => [...tagsOfProgress(one), errorTag(one)]).map((name) => this.cell.tagNumber(name)).filter((tag) => tag >= 0),
+  );
 
   private poseOf(vehicle: FleetVehicle): Pose | null {
     return vehicle.forklift ? this.poses.of(vehicle.forklift, (id) => this.cell.point(id)) : null;

@@ -26,6 +26,16 @@ export function polygonOfStep(step: string, vehicle: FleetVehicle): number | nul
   return step === 'START' ? 0 : null;
 }
 
+const tagNames = ({ variable }: FleetVehicle) => ({
+  areas: `areas_${variable}`.toLowerCase(),
+  inside: `vehicle_${variable}.area`.toLowerCase(),
+  arc: `arc_${variable}`.toLowerCase(),
+  permitted: `permitted_${variable}`.toLowerCase(),
+});
+
+// The variables that progressOf asks for.
+export const tagsOfProgress = (vehicle: FleetVehicle): string[] => Object.values(tagNames(vehicle));
+
 // `tag` gives the value of a variable of the program by its name.
 export function progressOf(
   vehicle: FleetVehicle,
@@ -35,13 +45,15 @@ export function progressOf(
   tag: (name: string) => Value,
 ): Progress {
   const { variable } = vehicle;
-  const left = Math.max(0, tag(`areas_${variable}`) ?? 0);
+  const names = tagNames(vehicle);
+  const areas = tag(names.areas);
+  const left = Math.max(0, areas ?? 0);
   const chart = partNamed(charts, CHART + variable);
   const active = chart
     ? activeSteps.find((step) => step >= chart.firstStep && step < chart.firstStep + chart.steps)
     : undefined;
   const step = active === undefined ? '' : (program?.steps[active]?.name ?? '');
-  const inside = tag(`vehicle_${variable}.area`);
+  const inside = tag(names.inside);
   const heldTo = polygonOfStep(step, vehicle) ?? Math.max(left, inside ?? left);
-  return { left, heldTo: tag(`areas_${variable}`) === null ? -1 : heldTo, arcM: tag(`arc_${variable}`), permittedM: tag(`permitted_${variable}`), step };
+  return { left, heldTo: areas === null ? -1 : heldTo, arcM: tag(names.arc), permittedM: tag(names.permitted), step };
 }

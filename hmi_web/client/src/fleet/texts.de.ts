@@ -8,6 +8,7 @@ export default {
   zoomOut: 'kleiner',
   zoomIn: 'größer',
   all: 'Alles',
+  asDrawn: 'Wie gezeichnet',
   emergencyStop: 'Not-Halt',
   isPressed: 'ist betätigt: Alle Bremsen halten.',
   takeBack: 'Zurücknehmen',

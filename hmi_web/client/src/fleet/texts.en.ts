@@ -5,6 +5,7 @@ export default {
   zoomOut: 'zoom out',
   zoomIn: 'zoom in',
   all: 'All',
+  asDrawn: 'As drawn',
   emergencyStop: 'Emergency stop',
   isPressed: 'is pressed: all brakes hold.',
   takeBack: 'Take back',

@@ -8,6 +8,7 @@ export default {
   zoomOut: 'alejar',
   zoomIn: 'acercar',
   all: 'Todo',
+  asDrawn: 'Según el dibujo',
   emergencyStop: 'Parada de emergencia',
   isPressed: 'pulsada: todos los frenos retienen.',
   takeBack: 'Reincorporar',

@@ -8,6 +8,7 @@ export default {
   zoomOut: 'zoom arrière',
   zoomIn: 'zoom avant',
   all: 'Tout',
+  asDrawn: 'Comme dessiné',
   emergencyStop: 'Arrêt d’urgence',
   isPressed: 'actionné : tous les freins sont serrés.',
   takeBack: 'Réintégrer',

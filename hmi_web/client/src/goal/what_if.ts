@@ -1,7 +1,7 @@
 // What has come of a plan that is only looked at: supervisor/doc/goals.md, read with doubt.
 
 import type { PlanAction } from '../lib/protocol';
-import { fieldsOf, listOf, numberOf, textOf } from './words';
+import { fieldsOf, listOf, numberOf, textOf } from '../lib/doubt';
 
 export type WhatIfState = 'planning' | 'planned' | 'no_plan' | 'exhausted' | 'cancelled' | 'failed';
 

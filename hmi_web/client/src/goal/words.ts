@@ -1,6 +1,7 @@
 // What goals of this cell can be made of (GET /api/plan/goal-form) and what holds now (GET /api/plan/outlook), read with
 // doubt: both come from another process. supervisor/doc/goals.md says what they mean.
 
+import { fieldsOf, listOf, numberOf, textOf } from '../lib/doubt';
 import { t } from './texts';
 import { readWhatIf, type WhatIf } from './what_if';
 
@@ -38,13 +39,6 @@ export interface Outlook {
   whatIf: WhatIf | null;
 }
 
-type Fields = Record<string, unknown>;
-
-export const fieldsOf = (value: unknown): Fields | null =>
-  typeof value === 'object' && value !== null && !Array.isArray(value) ? (value as Fields) : null;
-export const listOf = (value: unknown): unknown[] => (Array.isArray(value) ? value : []);
-export const textOf = (value: unknown): string => (typeof value === 'string' ? value : '');
-export const numberOf = (value: unknown): number | null => (typeof value === 'number' && Number.isFinite(value) ? value : null);
 const textsOf = (value: unknown): string[] => listOf(value).filter((each): each is string => typeof each === 'string');
 
 function symbolsOf(value: unknown): GoalSymbol[] {

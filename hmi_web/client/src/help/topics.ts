@@ -3,7 +3,7 @@
 
 export const TOPICS = [
   'synoptic', 'sfc', 'plan', 'incidents', 'trend', 'state', 'replans', 'scan', 'tags', 'result',
-  'alarms', 'history', 'recipes', 'scan-details', 'program-details',
+  'alarms', 'history', 'recipes', 'scan-details', 'program-details', 'change-details',
   'floor', 'vehicles', 'mission', 'gantt', 'goals',
 ] as const;
 

@@ -8,6 +8,7 @@ import {
   type DeltaMessage,
   type HelloMessage,
   type LiveFields,
+  type Possessions,
   type PlanDocument,
   type ProgramMessage,
   type ServerMessage,
@@ -16,6 +17,7 @@ import {
   type Value,
 } from './protocol';
 import { TrendData } from './trend_data';
+import { Wanted } from './wanted';
 
 // Planned times count from the start of their plan; everything else is the cell's clock.
 function onCellTime(document: PlanDocument): PlanDocument {
@@ -44,6 +46,11 @@ const NOTHING: LiveFields = {
   transitions: [],
 };
 
+// Of the newest message of each kind, as the server numbers them.
+const NO_REVISIONS = { seq: 0, program: 0, plan: 0, routes: 0, alarms: 0, forces: 0 };
+// While somebody scrolls, no more is said than this.
+const SHOW_EVERY_MS = 100;
+
 export class Cell {
   link = $state<LinkState>('connecting');
   // Wall clock of the newest message, for "values of 12:03:44".
@@ -55,10 +62,11 @@ export class Cell {
   alarms = $state.raw<AlarmsMessage | null>(null);
   // Paths and polygons of a fleet, as they came.
   routes = $state.raw<unknown>(null);
-  // What has been forced from this server.
+  // What is forced in the runtime, whoever has forced it.
   forces = $state.raw<StandingForce[]>([]);
   scanOpen = $state(false); // the scan in detail is asked for
   programOpen = $state(false); // so are the sources of the program
+  changeOpen = $state(false); // so is what changes it
   programTag = $state(''); // a tag whose uses are asked for there; empty: none
   live = $state<LiveFields>({ ...NOTHING });
   points = $state<Value[]>([]);
@@ -69,20 +77,65 @@ export class Cell {
   trend = new TrendData(0);
   trendVersion = $state(0);
 
+  private connection: Connection | null = null;
+  private epoch = ''; // of the run of the server that the rest here is from; empty: nothing is
+  private revisions = { ...NO_REVISIONS };
+  private readonly wanted = new Wanted();
+  private showTimer = 0;
+  private shownAt = -Infinity;
+
   private pointIndex = new Map<string, number>();
   // By name in lower case: IEC 61131-3 does not tell them apart.
   private tagIndex = $state.raw(new Map<string, number>());
 
   // `protocols`: for the WebSocket, asked before each attempt; `onLost` is called when one has failed.
   connect(protocols: () => string[], onLost: () => void): Connection {
-    return new Connection(liveUrl(window.location), {
+    this.connection = new Connection(liveUrl(window.location), {
       onMessage: (message) => this.take(message),
       onState: (state) => {
         this.link = state;
         if (state === 'lost') onLost();
       },
       protocols,
+      greeting: () => this.greeting(),
+      onOther: () => (this.epoch = ''),
     });
+    return this.connection;
+  }
+
+  // The tags that a panel shows from now on, by their index in the program; what no panel shows is not sent.
+  showTags(panel: object, tags: readonly number[]): void {
+    this.wanted.show(panel, tags);
+    this.tell();
+  }
+
+  showTrend(more: 1 | -1): void {
+    this.wanted.showTrend(more);
+    this.tell();
+  }
+
+  // -1: the program has no variable of that name, in lower case.
+  tagNumber(name: string): number {
+    return this.tagIndex.get(name) ?? -1;
+  }
+
+  private greeting(): string {
+    const known = this.epoch !== '';
+    const isAnswered = this.wanted.isAnswered;
+    const has: Possessions = { ...this.revisions, tags: isAnswered, trend_run: this.trend.run, trend_next: this.trend.next };
+    return JSON.stringify({ type: 'begin', protocol: PROTOCOL_VERSION, epoch: this.epoch, ...(known ? { has } : {}), show: this.wanted.first() });
+  }
+
+  // Says what is wanted if that has changed: soon, as panels change together.
+  private tell(): void {
+    if (this.showTimer !== 0) return;
+    this.showTimer = window.setTimeout(() => {
+      this.showTimer = 0;
+      if (!this.connection?.isOpen) return;
+      const message = this.wanted.next();
+      if (message) this.connection.send(JSON.stringify({ type: 'show', ...message }));
+      this.shownAt = performance.now();
+    }, Math.max(10, this.shownAt + SHOW_EVERY_MS - performance.now()));
   }
 
   // The value of a point by its id; null if there is no such point or it is not known now.
@@ -108,11 +161,14 @@ export class Cell {
 
   private take(message: ServerMessage): void {
     this.heardAt = new Date();
+    if ('revision' in message) this.revisions[message.type] = message.revision;
+    if ('seq' in message) this.revisions.seq = message.seq;
     switch (message.type) {
       case 'hello':
         return this.takeHello(message);
       case 'program':
         this.program = message.digest === '' ? null : message;
+        this.wanted.setProgram(message.digest, message.tags.length);
         this.tagIndex = new Map(message.tags.map((tag, index) => [tag.name.toLowerCase(), index]));
         return;
       case 'forces':
@@ -140,7 +196,12 @@ export class Cell {
 
   private takeHello(message: HelloMessage): void {
     // The server was replaced by one that speaks another language: its own page fits it.
-    if (message.protocol !== PROTOCOL_VERSION) window.location.reload();
+    if (message.protocol !== PROTOCOL_VERSION) return window.location.reload();
+    // The same run of the server: it goes on where the page has stopped.
+    if (message.epoch === this.epoch) return;
+    this.epoch = message.epoch;
+    this.revisions = { ...NO_REVISIONS };
+    this.wanted.forget();
     this.pointIndex = new Map(message.synoptic.points.map((point, index) => [point.id, index]));
     this.trend = new TrendData(message.synoptic.points.filter((point) => point.trend).length);
     this.trendVersion += 1;
@@ -153,18 +214,27 @@ export class Cell {
   }
 
   private takeState(message: StateMessage): void {
-    const { type: _type, seq: _seq, points, tags, ...live } = message;
+    const { type: _type, seq: _seq, show, points, tags, ...live } = message;
     this.live = live;
     this.points = points;
-    this.tagValues = tags;
-    this.tagVersion += 1;
+    if (show !== undefined) this.wanted.answer(show);
+    this.tagValues = [];
+    this.takeTags(tags);
   }
 
   private takeDelta(message: DeltaMessage): void {
-    const { type: _type, seq: _seq, points, tags, ...changed } = message;
+    const { type: _type, seq: _seq, show, points, tags, ...changed } = message;
     Object.assign(this.live, changed);
     for (const [index, value] of Object.entries(points ?? {})) this.points[Number(index)] = value;
-    if (!tags) return;
+    // Of what was wanted before nothing more is told.
+    if (show !== undefined) {
+      this.wanted.answer(show);
+      this.tagValues = [];
+    }
+    if (tags) this.takeTags(tags);
+  }
+
+  private takeTags(tags: Record<string, Value>): void {
     for (const index in tags) this.tagValues[Number(index)] = tags[index] ?? null;
     this.tagVersion += 1;
   }

@@ -7,6 +7,10 @@ export type LinkState = 'connecting' | 'live' | 'lost';
 export interface ConnectionEvents {
   onMessage(message: ServerMessage): void;
   onState(state: LinkState): void;
+  // The first that is said on a connection.
+  greeting(): string;
+  // Somebody else looks from now on.
+  onOther(): void;
   // What the WebSocket offers: the token of the session, if there is one.
   protocols(): string[];
 }
@@ -39,6 +43,7 @@ export class Connection {
     const socket = new WebSocket(this.url, this.events.protocols());
     this.socket = socket;
     this.watchSilence();
+    socket.onopen = () => socket.send(this.events.greeting());
     socket.onmessage = (event: MessageEvent<string>) => {
       this.watchSilence();
       this.retryMs = FIRST_RETRY_MS;
@@ -50,6 +55,15 @@ export class Connection {
     };
   }
 
+  // While it is not, there is nobody to tell; the next one begins with all there is to say.
+  get isOpen(): boolean {
+    return this.socket?.readyState === WebSocket.OPEN;
+  }
+
+  send(text: string): void {
+    if (this.isOpen) this.socket?.send(text);
+  }
+
   // Somebody else looks from now on, or nobody: what was open was for the one before.
   restart(open: boolean): void {
     window.clearTimeout(this.retryTimer);
@@ -57,12 +71,14 @@ export class Connection {
     const socket = this.socket;
     this.socket = null;
     if (socket) {
+      socket.onopen = null;
       socket.onclose = null;
       socket.onmessage = null;
       socket.close();
     }
     this.wanted = open;
     this.retryMs = FIRST_RETRY_MS;
+    this.events.onOther();
     this.events.onState('connecting');
     if (open) this.open();
   }
@@ -78,6 +94,7 @@ export class Connection {
     const socket = this.socket;
     this.socket = null;
     if (socket) {
+      socket.onopen = null;
       socket.onclose = null;
       socket.onmessage = null;
       socket.close();

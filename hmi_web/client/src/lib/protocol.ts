@@ -162,6 +162,7 @@ export interface SynopticDescription {
 export interface HelloMessage {
   type: 'hello';
   protocol: number;
+  epoch: string; // of this run of the server
   cell: string;
   version: string;
   recipes: boolean; // the API has some
@@ -197,6 +198,7 @@ export interface Chart {
 
 export interface ProgramMessage {
   type: 'program';
+  revision: number;
   digest: string;
   charts: Chart[];
   steps: Step[];
@@ -233,19 +235,22 @@ export interface LiveFields {
 export interface StateMessage extends LiveFields {
   type: 'state';
   seq: number;
+  show?: number;
   points: Value[];
-  tags: Value[];
+  tags: Record<string, Value>; // of those that are wanted all
 }
 
 export interface DeltaMessage extends Partial<LiveFields> {
   type: 'delta';
   seq: number;
+  show?: number; // the choice with this number is answered: `tags` has all that it wants
   points?: Record<string, Value>;
   tags?: Record<string, Value>;
 }
 
 export interface TrendMessage {
   type: 'trend';
+  run: number;
   first: number;
   restart: boolean;
   rows: Value[][];
@@ -324,29 +329,33 @@ export interface PlanDocument {
 
 export interface PlanMessage {
   type: 'plan';
+  revision: number;
   document: PlanDocument;
 }
 
 export interface RoutesMessage {
   type: 'routes';
+  revision: number;
   routes: unknown;
 }
 
 export interface AlarmsMessage extends AlarmList {
   type: 'alarms';
+  revision: number;
 }
 
 export interface StandingForce {
   name: string;
   value: string;
-  user: string;
+  user: string; // empty: not forced by this server, which knows neither why nor until when
   reason: string;
-  since_s: number;
-  until_s: number;
+  since_s: number | null;
+  until_s: number | null;
 }
 
 export interface ForcesMessage {
   type: 'forces';
+  revision: number;
   forces: StandingForce[];
 }
 
@@ -361,4 +370,25 @@ export type ServerMessage =
   | RoutesMessage
   | AlarmsMessage;
 
-export const PROTOCOL_VERSION = 2;
+// What the page says: which tags it shows, and what else.
+export interface ShowMessage {
+  number: number;
+  digest: string;
+  tags: [first: number, count: number][];
+  also: string[];
+}
+
+// What it has of a run of the server.
+export interface Possessions {
+  seq: number;
+  tags: boolean;
+  program: number;
+  plan: number;
+  routes: number;
+  alarms: number;
+  forces: number;
+  trend_run: number;
+  trend_next: number;
+}
+
+export const PROTOCOL_VERSION = 3;

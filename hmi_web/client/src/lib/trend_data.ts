@@ -7,6 +7,9 @@ const MOST_ROWS = 6_000;
 export class TrendData {
   times: number[] = [];
   columns: Value[][];
+  // What the server calls it, and the number of the row behind the newest; 0: there is none.
+  run = 0;
+  next = 0;
 
   constructor(seriesCount: number) {
     this.columns = Array.from({ length: seriesCount }, () => []);
@@ -14,6 +17,8 @@ export class TrendData {
 
   add(message: TrendMessage): void {
     if (message.restart) this.clear();
+    this.run = message.run;
+    this.next = message.first + message.rows.length;
     for (const row of message.rows) {
       const time = row[0];
       if (typeof time !== 'number') continue;

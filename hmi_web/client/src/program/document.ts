@@ -2,6 +2,7 @@
 // has another shape than it should is left out.
 
 import { refusal } from '../access/api';
+import { fieldsOf, listOf, recordsOf, textOf, type Fields } from '../lib/doubt';
 
 export type Access = 'read' | 'write' | 'call';
 
@@ -143,57 +144,51 @@ export interface Sources {
   sheets: Sheet[];
 }
 
-type Record_ = Record<string, unknown>;
-
-const isRecord = (value: unknown): value is Record_ => typeof value === 'object' && value !== null && !Array.isArray(value);
-const text = (value: unknown): string => (typeof value === 'string' ? value : '');
-const count = (value: unknown): number => (typeof value === 'number' && Number.isInteger(value) && value >= 0 ? value : 0);
-const records = (value: unknown): Record_[] => (Array.isArray(value) ? value.filter(isRecord) : []);
-const texts = (value: unknown): string[] => (Array.isArray(value) ? value.map(text) : []);
-const counts = (value: unknown): number[] => (Array.isArray(value) ? value.map(count) : []);
-const pairs = (value: unknown): [string, string][] =>
-  (Array.isArray(value) ? value : []).filter(Array.isArray).map((pair) => [text(pair[0]), text(pair[1])]);
+const countOf = (value: unknown): number => (typeof value === 'number' && Number.isInteger(value) && value >= 0 ? value : 0);
+const pairsOf = (value: unknown): [string, string][] =>
+  listOf(value).filter(Array.isArray).map((pair) => [textOf(pair[0]), textOf(pair[1])]);
 
 function oneOf<T extends string>(value: unknown, known: readonly T[], otherwise: T): T {
   return known.find((word) => word === value) ?? otherwise;
 }
 
 function conditionOf(value: unknown): Condition {
-  if (!isRecord(value)) return { kind: 'test', text: '?', negated: false };
-  const negated = value.negated === true;
-  switch (value.kind) {
+  const condition = fieldsOf(value);
+  if (!condition) return { kind: 'test', text: '?', negated: false };
+  const negated = condition.negated === true;
+  switch (condition.kind) {
     case 'true':
       return { kind: 'true' };
     case 'contact':
-      return { kind: 'contact', name: text(value.name), negated, edge: oneOf(value.edge, ['', 'rising', 'falling'] as const, '') };
+      return { kind: 'contact', name: textOf(condition.name), negated, edge: oneOf(condition.edge, ['', 'rising', 'falling'] as const, '') };
     case 'all':
     case 'any':
-      return { kind: value.kind, of: (Array.isArray(value.of) ? value.of : []).map(conditionOf) };
+      return { kind: condition.kind, of: listOf(condition.of).map(conditionOf) };
     default:
-      return { kind: 'test', text: text(value.text), negated };
+      return { kind: 'test', text: textOf(condition.text), negated };
   }
 }
 
 const COILS = ['normal', 'negated', 'set', 'reset', 'rising', 'falling'] as const;
 
-function rungOf(value: Record_): Rung {
+function rungOf(value: Fields): Rung {
   return {
     kind: 'rung',
-    number: count(value.number),
-    label: text(value.label),
-    comment: text(value.comment),
+    number: countOf(value.number),
+    label: textOf(value.label),
+    comment: textOf(value.comment),
     goesOn: value.goes_on === true,
     condition: conditionOf(value.condition),
-    boxes: records(value.boxes).map((box) => ({
-      type: text(box.type),
-      instance: text(box.instance),
-      power: text(box.power),
-      text: text(box.text),
-      inputs: pairs(box.inputs),
-      outputs: pairs(box.outputs),
+    boxes: recordsOf(value.boxes).map((box) => ({
+      type: textOf(box.type),
+      instance: textOf(box.instance),
+      power: textOf(box.power),
+      text: textOf(box.text),
+      inputs: pairsOf(box.inputs),
+      outputs: pairsOf(box.outputs),
     })),
-    coils: records(value.coils).map((coil) => ({ kind: oneOf(coil.kind, COILS, 'normal'), name: text(coil.name) })),
-    jump: text(value.jump),
+    coils: recordsOf(value.coils).map((coil) => ({ kind: oneOf(coil.kind, COILS, 'normal'), name: textOf(coil.name) })),
+    jump: textOf(value.jump),
     returns: value.return === true,
   };
 }
@@ -207,60 +202,60 @@ function pointOf(value: unknown): [number, number] | null {
   return typeof x === 'number' && typeof y === 'number' && Math.abs(x) <= FARTHEST && Math.abs(y) <= FARTHEST ? [x, y] : null;
 }
 
-function pinOf(value: Record_): Pin {
+function pinOf(value: Fields): Pin {
   return {
-    name: text(value.name),
+    name: textOf(value.name),
     negated: value.negated === true,
-    edge: text(value.edge) !== '',
-    text: text(value.text),
+    edge: textOf(value.edge) !== '',
+    text: textOf(value.text),
     at: pointOf(value.at),
-    connections: records(value.connections).map((one) => ({
-      from: count(one.from),
-      output: text(one.output),
-      path: (Array.isArray(one.path) ? one.path : []).map(pointOf).filter((point) => point !== null),
+    connections: recordsOf(value.connections).map((one) => ({
+      from: countOf(one.from),
+      output: textOf(one.output),
+      path: listOf(one.path).map(pointOf).filter((point) => point !== null),
     })),
   };
 }
 
-function elementOf(value: Record_): DrawnElement {
+function elementOf(value: Fields): DrawnElement {
   return {
-    kind: text(value.kind),
+    kind: textOf(value.kind),
     at: pointOf(value.at) ?? [0, 0],
     size: pointOf(value.size),
-    name: text(value.name),
-    instance: text(value.instance),
+    name: textOf(value.name),
+    instance: textOf(value.instance),
     negated: value.negated === true,
-    edge: text(value.edge) !== '',
-    storage: text(value.storage),
-    inputs: [...records(value.inputs), ...records(value.in_outs)].map(pinOf),
-    outputs: records(value.outputs).map(pinOf),
+    edge: textOf(value.edge) !== '',
+    storage: textOf(value.storage),
+    inputs: [...recordsOf(value.inputs), ...recordsOf(value.in_outs)].map(pinOf),
+    outputs: recordsOf(value.outputs).map(pinOf),
   };
 }
 
-function blockOf(value: Record_): Block {
+function blockOf(value: Fields): Block {
   switch (value.kind) {
     case 'diagram':
-      return { kind: 'diagram', elements: (Array.isArray(value.elements) ? value.elements : []).map((one) => elementOf(isRecord(one) ? one : {})) };
+      return { kind: 'diagram', elements: listOf(value.elements).map((one) => elementOf(fieldsOf(one) ?? {})) };
     case 'text':
     case 'action':
-      return { kind: value.kind, name: text(value.name), first: Math.max(1, count(value.first)), lines: texts(value.lines) };
+      return { kind: value.kind, name: textOf(value.name), first: Math.max(1, countOf(value.first)), lines: listOf(value.lines).map(textOf) };
     case 'rung':
       return rungOf(value);
     case 'step':
       return {
         kind: 'step',
-        name: text(value.name),
-        comment: text(value.comment),
+        name: textOf(value.name),
+        comment: textOf(value.comment),
         initial: value.initial === true,
-        actions: records(value.actions).map((action) => ({
-          qualifier: text(action.qualifier),
-          target: text(action.target),
-          duration: text(action.duration),
-          indicator: text(action.indicator),
+        actions: recordsOf(value.actions).map((action) => ({
+          qualifier: textOf(action.qualifier),
+          target: textOf(action.target),
+          duration: textOf(action.duration),
+          indicator: textOf(action.indicator),
         })),
       };
     case 'transition':
-      return { kind: 'transition', name: text(value.name), from: counts(value.from), to: counts(value.to), lines: texts(value.lines) };
+      return { kind: 'transition', name: textOf(value.name), from: listOf(value.from).map(countOf), to: listOf(value.to).map(countOf), lines: listOf(value.lines).map(textOf) };
     default:
       return { kind: 'unknown' };
   }
@@ -269,34 +264,34 @@ function blockOf(value: Record_): Block {
 function useOf(value: unknown[]): Use {
   const [path, access, block, line, column, length] = value;
   return {
-    path: text(path),
+    path: textOf(path),
     access: oneOf(access, ['read', 'write', 'call'] as const, 'read'),
-    block: count(block),
-    line: count(line),
-    column: count(column),
-    length: count(length),
+    block: countOf(block),
+    line: countOf(line),
+    column: countOf(column),
+    length: countOf(length),
   };
 }
 
-function sheetOf(value: Record_): Sheet {
-  const blocks = (Array.isArray(value.blocks) ? value.blocks : []).map((block) => (isRecord(block) ? blockOf(block) : { kind: 'unknown' as const }));
+function sheetOf(value: Fields): Sheet {
+  const blocks = listOf(value.blocks).map((block) => blockOf(fieldsOf(block) ?? {}));
   return {
-    name: text(value.name),
-    kind: text(value.kind),
-    language: text(value.language),
-    result: text(value.result),
-    file: text(value.file),
-    comment: text(value.comment),
-    variables: records(value.variables).map((variable) => ({
-      name: text(variable.name),
-      type: text(variable.type),
-      section: text(variable.section),
-      address: text(variable.address),
-      initial: text(variable.initial),
-      comment: text(variable.comment),
+    name: textOf(value.name),
+    kind: textOf(value.kind),
+    language: textOf(value.language),
+    result: textOf(value.result),
+    file: textOf(value.file),
+    comment: textOf(value.comment),
+    variables: recordsOf(value.variables).map((variable) => ({
+      name: textOf(variable.name),
+      type: textOf(variable.type),
+      section: textOf(variable.section),
+      address: textOf(variable.address),
+      initial: textOf(variable.initial),
+      comment: textOf(variable.comment),
     })),
     blocks,
-    uses: (Array.isArray(value.uses) ? value.uses : [])
+    uses: listOf(value.uses)
       .filter(Array.isArray)
       .map(useOf)
       .filter((use) => use.path !== '' && use.block < blocks.length),
@@ -304,13 +299,13 @@ function sheetOf(value: Record_): Sheet {
 }
 
 export function readSources(value: unknown): Sources {
-  const given = isRecord(value) ? value : {};
-  const document = isRecord(given.document) ? given.document : {};
+  const given = fieldsOf(value) ?? {};
+  const document = fieldsOf(given.document) ?? {};
   return {
-    digest: text(given.digest),
+    digest: textOf(given.digest),
     state: oneOf(given.state, ['complete', 'absent', 'damaged'] as const, 'damaged'),
-    instances: records(given.instances).map((one) => ({ path: text(one.path), pou: text(one.pou) })),
-    sheets: records(document.sheets).map(sheetOf),
+    instances: recordsOf(given.instances).map((one) => ({ path: textOf(one.path), pou: textOf(one.pou) })),
+    sheets: recordsOf(document.sheets).map(sheetOf),
   };
 }
 
@@ -319,6 +314,6 @@ export async function fetchSources(signal: AbortSignal): Promise<Sources> {
   const response = await fetch('/api/program', { credentials: 'same-origin', cache: 'no-cache', signal });
   const value: unknown = await response.json().catch(() => null);
   if (response.ok) return readSources(value);
-  const problem = isRecord(value) ? records(value.problems)[0] : undefined;
-  throw new Error(problem ? text(problem.message) : refusal(response.status));
+  const problem = recordsOf(fieldsOf(value)?.problems)[0];
+  throw new Error(problem ? textOf(problem.message) : refusal(response.status));
 }

@@ -57,6 +57,7 @@ export class Scope {
     readonly sheet: Sheet,
     readonly instance: string, // path; empty: the sheet has none (a function)
     private readonly tags: TagTable,
+    private readonly asked: (tag: number) => void = () => {}, // the value of a tag is shown from now on
   ) {
     this.own = new Map(sheet.variables.map((variable) => [fold(variable.name), variable.section]));
   }
@@ -93,6 +94,7 @@ export class Scope {
   private find(path: string): { tag: number; step: number; type: string } {
     const whole = this.resolve(path);
     const tag = whole === '' ? -1 : this.tags.index(whole);
+    if (tag >= 0) this.asked(tag);
     const step = /^([^.]+)\.X$/i.exec(path);
     return { tag, step: step && tag < 0 ? this.tags.step(this.instance, step[1] ?? '') : -1, type: this.tags.tag(tag)?.type ?? '' };
   }

@@ -4,9 +4,8 @@ import type english from './texts.en';
 export default {
   title: 'Programm im Detail',
   region: 'Programm im Detail',
-  ofScan: 'Werte von Zyklus {scan}',
   close: 'Schließen',
-  old: 'angezeigt wird ein alter Stand',
+  ofScan: 'Werte von Zyklus {scan}',
   damaged: 'Die Quellen, die mit diesem Programm kamen, sind nicht lesbar. Schrittkette und Variablen werden trotzdem gezeigt.',
   withoutSources: 'Dieses Programm kam ohne seine Quellen: Es wurde mit --bare oder für eine kleine Steuerung übersetzt. Schrittkette und Variablen werden trotzdem gezeigt.',
   back: 'Zurück',

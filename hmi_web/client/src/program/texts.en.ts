@@ -1,9 +1,8 @@
 export default {
   title: 'Program in detail',
   region: 'program in detail',
-  ofScan: 'values of scan {scan}',
   close: 'Close',
-  old: 'what is shown is old',
+  ofScan: 'values of scan {scan}',
   damaged: 'The sources that came with this program cannot be read. Its chart and its tags are shown all the same.',
   withoutSources: 'This program came without its sources: it was compiled with --bare, or for a small controller. Its chart and its tags are shown all the same.',
   back: 'Back',

@@ -4,9 +4,8 @@ import type english from './texts.en';
 export default {
   title: 'Programa en detalle',
   region: 'programa en detalle',
-  ofScan: 'valores del ciclo {scan}',
   close: 'Cerrar',
-  old: 'lo que se muestra es antiguo',
+  ofScan: 'valores del ciclo {scan}',
   damaged: 'Las fuentes que acompañan a este programa no se pueden leer. Su gráfico y sus variables se muestran de todos modos.',
   withoutSources: 'Este programa llegó sin sus fuentes: se compiló con --bare o para un controlador pequeño. Su gráfico y sus variables se muestran de todos modos.',
   back: 'Atrás',

@@ -4,9 +4,8 @@ import type english from './texts.en';
 export default {
   title: 'Programme en détail',
   region: 'programme en détail',
-  ofScan: 'valeurs du cycle {scan}',
   close: 'Fermer',
-  old: 'les valeurs affichées sont anciennes',
+  ofScan: 'valeurs du cycle {scan}',
   damaged: 'Les sources livrées avec ce programme sont illisibles. Son graphe et ses variables sont tout de même affichés.',
   withoutSources: 'Ce programme est arrivé sans ses sources : il a été compilé avec --bare ou pour un petit automate. Son graphe et ses variables sont tout de même affichés.',
   back: 'Retour',

@@ -22,9 +22,15 @@ export class ProgramView {
   jumps = $state(0); // grows with every jump, so that the same place is shown again
   private before = $state.raw<Place[]>([]);
 
+  private readonly asked = new Set<number>(); // tags of the sheet that have been looked up
+  private asking = false;
+
   readonly tags: TagTable = $derived.by(() => new TagTable(this.cell.program));
   readonly sheet: Sheet | undefined = $derived.by(() => this.sources.sheets[this.place.sheet]);
-  readonly scope: Scope | null = $derived.by(() => (this.sheet ? new Scope(this.sheet, this.place.instance, this.tags) : null));
+  readonly scope: Scope | null = $derived.by(() => {
+    this.asked.clear();
+    return this.sheet ? new Scope(this.sheet, this.place.instance, this.tags, (tag) => this.ask(tag)) : null;
+  });
   readonly instances: string[] = $derived.by(() => (this.sheet ? instancesOf(this.sheet, this.sources.instances) : []));
   // By block.
   readonly uses: Map<number, Use[]> = $derived.by(() => {
@@ -47,6 +53,26 @@ export class ProgramView {
   });
 
   constructor(private readonly cell: Cell) {}
+
+  // What is shown is told of by the server from now on.
+  private ask(tag: number): void {
+    this.asked.add(tag);
+    if (this.asking) return;
+    this.asking = true;
+    queueMicrotask(() => {
+      this.asking = false;
+      this.showTags();
+    });
+  }
+
+  showTags(): void {
+    this.cell.showTags(this, [...this.asked, this.tags.index(this.target)]);
+  }
+
+  end(): void {
+    this.asked.clear();
+    this.cell.showTags(this, []);
+  }
 
   // All of one scan, taken at one moment.
   look(): void {

@@ -89,6 +89,7 @@ export default {
   event_unsuppress: 'Unterdrückung beendet',
   event_remove_from_service: 'außer Betrieb genommen',
   event_return_to_service: 'wieder in Betrieb',
+  notSeenSince: 'nicht gesehen, wann; zuletzt gesehen {time}',
   noEntries: 'Keine Einträge.',
   older: 'Ältere',
   history: 'Historie',

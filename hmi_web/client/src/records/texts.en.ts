@@ -86,6 +86,7 @@ export default {
   event_unsuppress: 'unsuppress',
   event_remove_from_service: 'remove from service',
   event_return_to_service: 'return to service',
+  notSeenSince: 'not seen to happen; seen last at {time}',
   noEntries: 'No entries.',
   older: 'Older',
   history: 'History',

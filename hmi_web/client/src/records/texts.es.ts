@@ -89,6 +89,7 @@ export default {
   event_unsuppress: 'fin de supresión',
   event_remove_from_service: 'puesta fuera de servicio',
   event_return_to_service: 'vuelta al servicio',
+  notSeenSince: 'no se vio cuándo; visto por última vez a las {time}',
   noEntries: 'Sin entradas.',
   older: 'Anteriores',
   history: 'Historial',

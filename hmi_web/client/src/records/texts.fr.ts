@@ -89,6 +89,7 @@ export default {
   event_unsuppress: 'fin de suppression',
   event_remove_from_service: 'mise hors service',
   event_return_to_service: 'remise en service',
+  notSeenSince: 'moment non observé ; vu pour la dernière fois à {time}',
   noEntries: 'Aucune entrée.',
   older: 'Plus anciennes',
   history: 'Historique',

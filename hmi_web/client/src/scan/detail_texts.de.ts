@@ -5,8 +5,6 @@ export default {
   title: 'Zyklus im Detail',
   region: 'Zyklus im Detail',
   ofRuntime: 'Laufzeitsystem {name}',
-  close: 'Schließen',
-  old: 'angezeigt wird ein alter Stand',
   tasks: 'Tasks',
   noTasks: 'Es ist kein Programm mit Tasks geladen.',
   process: 'Prozess',

@@ -2,8 +2,6 @@ export default {
   title: 'Scan in detail',
   region: 'scan in detail',
   ofRuntime: 'runtime {name}',
-  close: 'Close',
-  old: 'what is shown is old',
   tasks: 'Tasks',
   noTasks: 'No program with tasks is loaded.',
   process: 'Process',

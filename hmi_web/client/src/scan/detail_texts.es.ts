@@ -5,8 +5,6 @@ export default {
   title: 'Ciclo en detalle',
   region: 'ciclo en detalle',
   ofRuntime: 'autómata {name}',
-  close: 'Cerrar',
-  old: 'lo que se muestra es antiguo',
   tasks: 'Tareas',
   noTasks: 'No hay ningún programa con tareas cargado.',
   process: 'Proceso',

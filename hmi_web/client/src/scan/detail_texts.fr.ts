@@ -5,8 +5,6 @@ export default {
   title: 'Cycle en détail',
   region: 'cycle en détail',
   ofRuntime: 'automate {name}',
-  close: 'Fermer',
-  old: 'les valeurs affichées sont anciennes',
   tasks: 'Tâches',
   noTasks: 'Aucun programme avec des tâches n’est chargé.',
   process: 'Processus',

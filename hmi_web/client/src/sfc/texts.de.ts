@@ -9,6 +9,7 @@ export default {
   exits: 'Ausgänge',
   follow: 'Folgen',
   sources: 'Quellen',
+  change: 'Programm ändern …',
   active: 'Aktiv: {steps}',
   view: 'Schrittkette des Programms',
   picture: 'Ablaufsprache: Schrittkette des laufenden Programms',

@@ -6,6 +6,7 @@ export default {
   exits: 'Exits',
   follow: 'Follow',
   sources: 'Sources',
+  change: 'Change program …',
   active: 'Active: {steps}',
   view: 'program chart',
   picture: 'sequential function chart of the running program',

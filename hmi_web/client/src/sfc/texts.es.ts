@@ -9,6 +9,7 @@ export default {
   exits: 'Salidas',
   follow: 'Seguir',
   sources: 'Fuentes',
+  change: 'Cambiar programa …',
   active: 'Activas: {steps}',
   view: 'gráfico del programa',
   picture: 'diagrama de funciones secuenciales del programa en marcha',

@@ -9,6 +9,7 @@ export default {
   exits: 'Sorties',
   follow: 'Suivre',
   sources: 'Sources',
+  change: 'Modifier le programme …',
   active: 'Actives : {steps}',
   view: 'graphe du programme',
   picture: 'diagramme fonctionnel en séquence du programme en cours',

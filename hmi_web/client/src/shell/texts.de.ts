@@ -31,7 +31,10 @@ export default {
   staleServer: 'Keine Verbindung zum HMI-Server. Angezeigt wird der Stand von {time}. Die Verbindung wird neu aufgebaut …',
   noServer: 'Der HMI-Server antwortet nicht. Neuer Versuch läuft …',
   staleRuntime: 'Das Laufzeitsystem antwortet nicht. Angezeigt wird seine letzte Meldung (Zyklus {scan}).',
+  staleSupervisor: 'Der Supervisor antwortet nicht. Bis er wieder da ist, wird nicht neu geplant; der Plan ist der seiner letzten Meldung.',
   runtimeToCome: 'Noch ist kein Laufzeitsystem da. Sobald eines startet, füllt sich diese Seite.',
+  stopPressed: 'Der Not-Halt ist gedrückt.',
+  stopMeans: 'Bis er an der Anlage entriegelt und quittiert ist, darf sich nichts bewegen.',
   fault: 'Störung im Laufzeitsystem:',
   preferences: 'Sprache und Darstellung',
   language: 'Sprache',
@@ -44,4 +47,6 @@ export default {
   colours_distinct: 'bei Farbsehschwäche',
   languageFailed: 'Die Texte lassen sich gerade nicht laden. Versuchen Sie es erneut, sobald der Server antwortet.',
   help: 'Hilfe',
+  close: 'Schließen',
+  old: 'angezeigt wird ein alter Stand',
 } satisfies Translation<typeof english>;

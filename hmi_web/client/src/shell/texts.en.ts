@@ -28,7 +28,10 @@ export default {
   staleServer: 'No connection to the HMI server. What you see is of {time}. Reconnecting …',
   noServer: 'The HMI server does not answer. Trying again …',
   staleRuntime: 'The runtime does not answer. What you see is its last report (scan {scan}).',
+  staleSupervisor: 'The supervisor does not answer. Nothing is replanned until it is back; its plan is of its last report.',
   runtimeToCome: 'No runtime is there yet. This page fills itself as soon as one starts.',
+  stopPressed: 'The emergency stop is pressed.',
+  stopMeans: 'Nothing is to move until it has been released and reset at the plant.',
   fault: 'Fault in the runtime:',
   preferences: 'Language and theme',
   language: 'Language',
@@ -41,4 +44,6 @@ export default {
   colours_distinct: 'for colour-blind eyes',
   languageFailed: 'The texts cannot be fetched now. Try again when the server answers.',
   help: 'Help',
+  close: 'Close',
+  old: 'what is shown is old',
 } as const;

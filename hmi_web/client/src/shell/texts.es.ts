@@ -31,7 +31,10 @@ export default {
   staleServer: 'Sin conexión con el servidor HMI. Lo que se muestra es de las {time}. Reconectando…',
   noServer: 'El servidor HMI no responde. Reintentando…',
   staleRuntime: 'El autómata no responde. Se muestra su último informe (ciclo {scan}).',
+  staleSupervisor: 'El supervisor no responde. Nada se vuelve a planificar hasta que regrese; el plan es el de su último informe.',
   runtimeToCome: 'Todavía no hay ningún autómata. Esta página se llenará en cuanto arranque uno.',
+  stopPressed: 'La parada de emergencia está pulsada.',
+  stopMeans: 'Nada debe moverse hasta que se desbloquee y se rearme en la planta.',
   fault: 'Fallo del autómata:',
   preferences: 'Idioma y aspecto',
   language: 'Idioma',
@@ -44,4 +47,6 @@ export default {
   colours_distinct: 'para daltonismo',
   languageFailed: 'Ahora no se pueden cargar los textos. Vuelva a intentarlo cuando el servidor responda.',
   help: 'Ayuda',
+  close: 'Cerrar',
+  old: 'lo que se muestra es antiguo',
 } satisfies Translation<typeof english>;

@@ -31,7 +31,10 @@ export default {
   staleServer: 'Pas de connexion au serveur IHM. Les valeurs affichées datent de {time}. Reconnexion en cours…',
   noServer: 'Le serveur IHM ne répond pas. Nouvelle tentative…',
   staleRuntime: 'L’automate ne répond pas. Affichage de son dernier rapport (cycle {scan}).',
+  staleSupervisor: 'Le superviseur ne répond pas. Rien n’est replanifié avant son retour ; le plan est celui de son dernier rapport.',
   runtimeToCome: 'Aucun automate pour l’instant. Cette page se remplira dès qu’il y en aura un.',
+  stopPressed: 'L’arrêt d’urgence est enfoncé.',
+  stopMeans: 'Rien ne doit bouger avant son déverrouillage et son réarmement sur l’installation.',
   fault: 'Défaut de l’automate :',
   preferences: 'Langue et affichage',
   language: 'Langue',
@@ -44,4 +47,6 @@ export default {
   colours_distinct: 'pour daltoniens',
   languageFailed: 'Impossible de charger les textes pour le moment. Réessayez dès que le serveur répond.',
   help: 'Aide',
+  close: 'Fermer',
+  old: 'les valeurs affichées sont anciennes',
 } satisfies Translation<typeof english>;

@@ -46,6 +46,11 @@ const VEHICLE_HEIGHT = 84;
 const SPOUT_ROOM = 52;
 const RETURN_ROOM = 64;
 
+// False: there is nothing to draw.
+export function isDescribed(description: SynopticDescription | undefined): boolean {
+  return description !== undefined && (description.places.length > 0 || description.belts.length > 0);
+}
+
 export function layOut(description: SynopticDescription, width: number): SynopticDrawing {
   const tankWidth = Math.min(124, Math.max(70, width / 6.5));
   const hasUpper = description.tanks.some((tank) => tank.side === 'above');

@@ -6,7 +6,6 @@ export default {
   asDrawn: 'Wie gezeichnet',
   picture: 'Fließbild der Anlage mit aktuellen Werten',
   line: 'Bild der Sortierlinie mit aktuellen Werten',
-  nothing: 'Für die Anlage dieser Zelle gibt es keine Beschreibung, nach der sie sich zeichnen ließe.',
   switchOpen: 'Mikroschalter {name} an {place}: offen',
   switchClosed: 'Mikroschalter {name} an {place}: geschlossen',
   pumpRuns: 'Pumpe {id}, {label}: läuft',

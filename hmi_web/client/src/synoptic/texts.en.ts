@@ -3,7 +3,6 @@ export default {
   asDrawn: 'As drawn',
   picture: 'live picture of the plant',
   line: 'live picture of the sorting line',
-  nothing: 'This cell’s plant has no description to draw.',
   switchOpen: 'microswitch {name} at {place}: open',
   switchClosed: 'microswitch {name} at {place}: closed',
   pumpRuns: 'pump {id}, {label}: running',

@@ -6,7 +6,6 @@ export default {
   asDrawn: 'Según el dibujo',
   picture: 'sinóptico de la planta en vivo',
   line: 'sinóptico de la línea de clasificación en vivo',
-  nothing: 'La planta de esta celda no tiene descripción que dibujar.',
   switchOpen: 'microinterruptor {name} en {place}: abierto',
   switchClosed: 'microinterruptor {name} en {place}: cerrado',
   pumpRuns: 'bomba {id}, {label}: en marcha',

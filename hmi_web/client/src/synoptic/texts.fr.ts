@@ -6,7 +6,6 @@ export default {
   asDrawn: 'Comme dessiné',
   picture: 'synoptique de l’installation en direct',
   line: 'synoptique de la ligne de tri en direct',
-  nothing: 'L’installation de cette cellule n’a pas de description à dessiner.',
   switchOpen: 'microrupteur {name} à {place} : ouvert',
   switchClosed: 'microrupteur {name} à {place} : fermé',
   pumpRuns: 'pompe {id}, {label} : en marche',

@@ -25,8 +25,32 @@ Schedule Attempt::schedule_of(const std::vector<Route>& stops,
   return schedule(envelopes, mapped.constraints, asked);
 }
 
+std::optional<std::vector<LatticePath>> Attempt::paths_through(const MissionProblem& places,
+                                                               const geometry::Pose& from, const Route& stops,
+                                                               const PathPlanner& planner,
+                                                               PathOptions asked) const {
+  if (limited) asked.deadline = until;
+  asked.cancel = options.cancel;
+  std::vector<LatticePath> paths;
+  geometry::Pose at = from;
+  for (const RouteStop& stop : stops) {
+    const geometry::Pose& next = places.locations[stop.location].pose;
+    PathAnswer answer = planner.plan(at, next, asked);
+    if (!answer.path) return std::nullopt;
+    paths.push_back(*std::move(answer.path));
+    at = next;
+  }
+  return paths;
+}
+
 double length_m(const VehicleMission& mission) {
   return mission.path.empty() ? 0.0 : mission.path.back().arc_m;
+}
+
+std::vector<const LatticePath*> borrowed(const std::vector<LatticePath>& paths) {
+  std::vector<const LatticePath*> all;
+  for (const LatticePath& path : paths) all.push_back(&path);
+  return all;
 }
 
 }  // namespace stepwright::fleet::internal

@@ -1,10 +1,11 @@
 #pragma once
 
-// What a search for other paths is given, and how it asks whether a set of missions has a schedule. A value;
-// its parts outlive it.
+// What a search for other paths is given, how it asks for paths and whether a set of missions has a schedule.
+// A value; its parts outlive it.
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "supervisor/fleet/mission/internal/route.h"
@@ -25,8 +26,15 @@ struct Attempt {
   bool over() const;
   // The first schedule of these missions, without an objective; stops are those of the routes.
   Schedule schedule_of(const std::vector<Route>& stops, const std::vector<VehicleMission>& missions) const;
+  // Paths from there through the stops, whose locations are those of `places`, one after the other. Nothing
+  // if there is none to one of them, or it is over before it is found.
+  std::optional<std::vector<LatticePath>> paths_through(const MissionProblem& places,
+                                                        const geometry::Pose& from, const Route& stops,
+                                                        const PathPlanner& planner, PathOptions asked) const;
 };
 
 double length_m(const VehicleMission& mission);
+// As the parts of a mission want them; the paths must outlive them.
+std::vector<const LatticePath*> borrowed(const std::vector<LatticePath>& paths);
 
 }  // namespace stepwright::fleet::internal

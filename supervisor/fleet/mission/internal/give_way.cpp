@@ -303,35 +303,12 @@ class GiveWay {
     return mission;
   }
 
-  std::optional<std::vector<LatticePath>> paths_through(const Pose& from, const Route& stops,
-                                                        const PathPlanner& planner) const {
-    PathOptions options = kWays;
-    if (input_.limited) options.deadline = input_.until;
-    options.cancel = input_.options.cancel;
-    std::vector<LatticePath> paths;
-    Pose at = from;
-    for (const RouteStop& stop : stops) {
-      const Pose& next = problem_.locations[stop.location].pose;
-      PathAnswer answer = planner.plan(at, next, options);
-      if (!answer.path) return std::nullopt;
-      paths.push_back(*std::move(answer.path));
-      at = next;
-    }
-    return paths;
-  }
-
-  static std::vector<const LatticePath*> borrowed(const std::vector<LatticePath>& paths) {
-    std::vector<const LatticePath*> all;
-    for (const LatticePath& path : paths) all.push_back(&path);
-    return all;
-  }
-
   // From where it stands past all who stay. Its polygons are tight: others stand near.
   std::optional<VehicleMission> way_out(std::size_t node, std::uint32_t v, const Route& stops) const {
     const MissionVehicle& vehicle = problem_.vehicles[v];
     const OccupancyGrid past = floor_past_others(nodes_[node], v);
-    const auto paths =
-        paths_through(vehicle.start, stops, input_.floor.planner(vehicle.vehicle_class).on(past));
+    const auto paths = input_.paths_through(problem_, vehicle.start, stops,
+                                            input_.floor.planner(vehicle.vehicle_class).on(past), kWays);
     if (!paths) return std::nullopt;
     VehicleMission mission = nodes_[node].missions[v];
     mission.stops = stops_on(problem_, stops, borrowed(*paths));
@@ -362,7 +339,7 @@ class GiveWay {
   // From the place through all other stops.
   std::optional<VehicleMission> way_on(const GaveWay& move, const Route& stops,
                                        const PathPlanner& planner) const {
-    const auto paths = paths_through(move.place, stops, planner);
+    const auto paths = input_.paths_through(problem_, move.place, stops, planner, kWays);
     if (!paths) return std::nullopt;
     auto mission = build_mission(problem_, move.vehicle, join_legs(borrowed(*paths)),
                                  stops_on(problem_, stops, borrowed(*paths)), input_.floor.map(),

@@ -183,23 +183,16 @@ class Repair {
 
   // The route with these places closed, for its polygons as well.
   std::optional<VehicleMission> plan_around(std::uint32_t vehicle, const std::vector<Avoided>& avoided,
-                                            PathOptions options) const {
+                                            const PathOptions& options) const {
     OccupancyGrid map = input_.floor.map();
     for (const Avoided& place : avoided) block(map, place.area);
-    const auto legs = legs_of(input_.problem, vehicle, input_.routes[vehicle]);
-    const PathPlanner planner = input_.floor.planner(legs.front().model).on(map);
-    if (input_.limited) options.deadline = input_.until;
-    options.cancel = input_.options.cancel;
-    std::vector<LatticePath> paths;
-    for (const LegRequest& leg : legs) {
-      PathAnswer answer = planner.plan(leg.from, leg.to, options);
-      if (!answer.path) return std::nullopt;
-      paths.push_back(*std::move(answer.path));
-    }
-    std::vector<const LatticePath*> borrowed;
-    for (const LatticePath& path : paths) borrowed.push_back(&path);
-    auto mission = route_mission(input_.problem, vehicle, input_.routes[vehicle], borrowed, map,
-                                 input_.options.envelope);
+    const MissionVehicle& asked = input_.problem.vehicles[vehicle];
+    const Route& stops = input_.routes[vehicle];
+    const PathPlanner planner = input_.floor.planner(asked.vehicle_class).on(map);
+    const auto paths = input_.paths_through(input_.problem, asked.start, stops, planner, options);
+    if (!paths) return std::nullopt;
+    auto mission =
+        route_mission(input_.problem, vehicle, stops, borrowed(*paths), map, input_.options.envelope);
     if (!mission) return std::nullopt;
     if (input_.options.pace) input_.options.pace(*mission);
     return *std::move(mission);

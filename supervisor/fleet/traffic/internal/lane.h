@@ -30,6 +30,7 @@ struct Lane {
   std::chrono::milliseconds standing_until{0};
   std::optional<double> limit_m;  // held: it may not go farther
   bool removed = false;
+  std::optional<geometry::ConvexPolygon> room;  // removed: where nobody is to wait
   // Of the last schedule:
   std::vector<Wait> waits;                  // by polygon
   std::uint32_t row = 0;                    // of its envelope

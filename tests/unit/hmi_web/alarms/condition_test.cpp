@@ -69,5 +69,21 @@ TEST(Condition, WhenTimeRunsBackwards_ThenItCountsAsTheNewest) {
   EXPECT_EQ(condition.offer(50, 0.0, true)->time_ns, 100);
 }
 
+TEST(Condition, WhenItChangedWhileNobodySawIt_ThenTheChangeSaysSinceWhen) {
+  Condition condition({.kind = ConditionKind::High, .limit = 10.0});
+  EXPECT_EQ(condition.offer(1, 11.0, true)->unseen_since_ns, 0) << "it was seen";
+  EXPECT_FALSE(condition.offer(5, 0.0, false));
+  EXPECT_FALSE(condition.offer(7, 0.0, false)) << "what is not known changes nothing";
+  const auto returned = condition.offer(9, 3.0, true);
+  ASSERT_TRUE(returned);
+  EXPECT_EQ(returned->unseen_since_ns, 5) << "from then on nothing was known";
+  EXPECT_EQ(condition.offer(10, 11.0, true)->unseen_since_ns, 0);
+  condition.blind_since(12);
+  EXPECT_FALSE(condition.offer(20, 12.0, true)) << "it is as it was";
+  EXPECT_EQ(condition.offer(21, 3.0, true)->unseen_since_ns, 0);
+  condition.blind_since(22);
+  EXPECT_EQ(condition.offer(30, 11.0, true, /*time_known=*/true)->unseen_since_ns, 0);
+}
+
 }  // namespace
 }  // namespace stepwright::alarms

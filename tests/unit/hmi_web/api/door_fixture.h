@@ -13,6 +13,7 @@
 #include "hmi_web/api/routes.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/hmi_web/api/fake_cell.h"
+#include "tests/unit/hmi_web/api/fake_change.h"
 #include "tests/unit/hmi_web/api/fake_records.h"
 
 namespace stepwright::api {
@@ -36,8 +37,11 @@ class DoorFixture {
                               [](const std::string&) {});
     store = *recipes::RecipeStore::open(folder / "recipes");
     desk = std::make_unique<RecipeDesk>(recipe_tags(), *store, cell, *forces, std::chrono::system_clock::now);
-    table = std::make_unique<RouteTable>(
-        all_routes({control.get(), audit.get(), forces.get(), &cell, &records, desk.get()}));
+    versions = *change::VersionStore::open(folder / "programs");
+    changes = std::make_unique<ChangeDesk>(programs, *versions, *audit, std::chrono::system_clock::now);
+    table =
+        std::make_unique<RouteTable>(all_routes({control.get(), audit.get(), forces.get(), &cell, &records,
+                                                 desk.get(), nullptr, nullptr, nullptr, changes.get()}));
     door = std::make_unique<Door>(*table, *control, *audit, DoorOptions{anonymous});
   }
 
@@ -81,6 +85,9 @@ class DoorFixture {
   std::unique_ptr<ForceDesk> forces;
   std::unique_ptr<recipes::RecipeStore> store;
   std::unique_ptr<RecipeDesk> desk;
+  FakeChange programs;
+  std::unique_ptr<change::VersionStore> versions;
+  std::unique_ptr<ChangeDesk> changes;
   std::unique_ptr<RouteTable> table;
   std::unique_ptr<Door> door;
 };

@@ -34,22 +34,64 @@ class FakeCell : public CellControl {
     return value;
   }
   result::Result<std::string> write(const std::string& name, const std::string& value) override {
-    if (const std::lock_guard lock(mutex_); writes_left_ == 0) {
-      ++failed_writes_;
-      if (failed_writes_ >= failing_writes_) writes_left_ = -1;
-      return result::fail("D0002", {}, "as the test wants it");
-    } else if (writes_left_ > 0) {
-      --writes_left_;
-    }
     if (auto noted = note("write " + name + " " + value); !noted) return result::forward(noted);
     const std::lock_guard lock(mutex_);
     return values_[name] = value;
   }
   result::Result<std::string> force(const std::string& name, const std::string& value) override {
     if (auto noted = note("force " + name + " " + value); !noted) return result::forward(noted);
+    force_unseen(name, value);
     return value;
   }
-  result::Result<void> unforce(const std::string& name) override { return note("unforce " + name); }
+  result::Result<void> unforce(const std::string& name) override {
+    if (auto noted = note("unforce " + name); !noted) return noted;
+    unforce_unseen(name);
+    return {};
+  }
+  result::Result<void> write_together(
+      const std::map<std::string, std::string, std::less<>>& values) override {
+    std::string all = "write";
+    for (const auto& [name, value] : values) all += " " + name + " " + value;
+    if (const std::lock_guard lock(mutex_); !write_failure_.empty())
+      return result::fail(write_failure_, {}, "as the test wants it");
+    if (auto noted = note(all); !noted) return noted;
+    const std::lock_guard lock(mutex_);
+    for (const auto& [name, value] : values) values_[name] = value;
+    return {};
+  }
+  result::Result<std::vector<ForcedPlace>> forced() override {
+    const std::lock_guard lock(mutex_);
+    const std::string& code = failure_.empty() ? telling_fails_ : failure_;
+    if (!code.empty()) return result::fail(code, {}, "as the test wants it");
+    std::vector<ForcedPlace> places;
+    for (const auto& [name, value] : forced_) places.push_back({name, value});
+    return places;
+  }
+  result::Result<ForcedPlace> as_forced(const std::string& name, const std::string& value) override {
+    const std::lock_guard lock(mutex_);
+    if (!failure_.empty()) return result::fail(failure_, {}, "as the test wants it");
+    return ForcedPlace{name, value};
+  }
+
+  // At the runtime's own socket, or by another program.
+  void force_unseen(const std::string& name, const std::string& value) {
+    const std::lock_guard lock(mutex_);
+    forced_[name] = value;
+  }
+  void unforce_unseen(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    forced_.erase(name);
+  }
+  // The code with which it refuses to tell what is forced; empty: it tells.
+  void forces_fail_with(std::string code) {
+    const std::lock_guard lock(mutex_);
+    telling_fails_ = std::move(code);
+  }
+  // The code with which writes of several values fail; empty: they do not.
+  void writes_fail_with(std::string code) {
+    const std::lock_guard lock(mutex_);
+    write_failure_ = std::move(code);
+  }
 
   // What a supervisor says from now on.
   void say(const std::string& goal_form, const std::string& outlook) {
@@ -75,13 +117,6 @@ class FakeCell : public CellControl {
     const std::lock_guard lock(mutex_);
     refused_ = std::move(value);
   }
-  // After so many writes that many fail.
-  void fail_writes(int after, int how_many) {
-    const std::lock_guard lock(mutex_);
-    writes_left_ = after;
-    failing_writes_ = how_many;
-    failed_writes_ = 0;
-  }
   std::vector<std::string> asked() const {
     const std::lock_guard lock(mutex_);
     return asked_;
@@ -106,9 +141,9 @@ class FakeCell : public CellControl {
   std::string outlook_;
   std::string failure_;
   std::string refused_ = "none";
-  int writes_left_ = -1;  // below 0: as many as anybody wants
-  int failing_writes_ = 0;
-  int failed_writes_ = 0;
+  std::string write_failure_;
+  std::string telling_fails_;
+  std::map<std::string, std::string> forced_;
 };
 
 }  // namespace stepwright::api

@@ -40,10 +40,10 @@ TEST_F(ForceDeskTest, WhenTheTimeIsOver_ThenItIsReleasedAndTheTrailTellsOfIt) {
   ASSERT_TRUE(desk_->force({"A", "TRUE", 2min, "ada", "test"}));
   EXPECT_EQ(listed(), 1u);
   now_ = 1'119s;
-  desk_->end_what_is_due();
+  desk_->look();
   EXPECT_EQ(listed(), 1u);
   now_ = 1'120s;
-  desk_->end_what_is_due();
+  desk_->look();
   EXPECT_EQ(listed(), 0u);
   EXPECT_EQ(cell_.asked().back(), "unforce A");
   EXPECT_EQ(audit_->entries(), 1u);
@@ -55,7 +55,7 @@ TEST_F(ForceDeskTest, WhenItIsForcedAgain_ThenItIsListedOnceWithTheNewTime) {
   ASSERT_TRUE(desk_->force({"A", "FALSE", 10min, "ada", "longer"}));
   EXPECT_EQ(listed(), 1u);
   now_ = 1'200s;
-  desk_->end_what_is_due();
+  desk_->look();
   EXPECT_EQ(listed(), 1u);
 }
 
@@ -65,7 +65,7 @@ TEST_F(ForceDeskTest, WhenTheServerRestarts_ThenWhatIsDueIsReleased) {
   open();
   EXPECT_EQ(listed(), 2u);
   now_ = 1'300s;
-  desk_->end_what_is_due();
+  desk_->look();
   EXPECT_EQ(listed(), 1u);
 }
 
@@ -73,10 +73,10 @@ TEST_F(ForceDeskTest, WhenNoRuntimeAnswers_ThenItIsTriedAgainUntilOneDoes) {
   ASSERT_TRUE(desk_->force({"A", "TRUE", 1min, "ada", "test"}));
   now_ = 2'000s;
   cell_.fail_with("D0001");
-  desk_->end_what_is_due();
+  desk_->look();
   EXPECT_EQ(listed(), 1u);
   cell_.fail_with("");
-  desk_->end_what_is_due();
+  desk_->look();
   EXPECT_EQ(listed(), 0u);
 }
 
@@ -84,7 +84,7 @@ TEST_F(ForceDeskTest, WhenTheProgramHasNoSuchVariableAnyMore_ThenTheEntryGoes) {
   ASSERT_TRUE(desk_->force({"A", "TRUE", 1min, "ada", "test"}));
   now_ = 2'000s;
   cell_.fail_with("R0057");
-  desk_->end_what_is_due();
+  desk_->look();
   EXPECT_EQ(listed(), 0u);
 }
 
@@ -92,6 +92,69 @@ TEST_F(ForceDeskTest, WhenForcingFails_ThenNothingIsListed) {
   cell_.fail_with("D0002");
   EXPECT_FALSE(desk_->force({"A", "TRUE", 1min, "ada", "test"}));
   EXPECT_EQ(listed(), 0u);
+}
+
+// The runtime has to say so twice.
+TEST_F(ForceDeskTest, WhenTheRuntimeForcesItNoMore_ThenTheEntryGoesAndTheTrailTellsOfIt) {
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 20min, "ada", "test"}));
+  cell_.unforce_unseen("A");
+  desk_->look();
+  desk_->look();
+  EXPECT_EQ(listed(), 0u);
+  EXPECT_EQ(json::parse(told_)["forces"].size(), 0u) << "the pages are told";
+  EXPECT_EQ(audit_->entries(), 1u);
+  open();
+  EXPECT_EQ(listed(), 0u) << "nor does the next server take it for forced";
+}
+
+TEST_F(ForceDeskTest, WhenSomebodyElseForces_ThenItIsListedWithoutUserAndTimeAndIsNeverReleasedHere) {
+  cell_.force_unseen("B", "7");
+  desk_->look();
+  const json forces = json::parse(told_)["forces"];
+  ASSERT_EQ(forces.size(), 1u);
+  EXPECT_EQ(forces[0]["name"], "B");
+  EXPECT_EQ(forces[0]["value"], "7");
+  EXPECT_EQ(forces[0]["user"], "");
+  EXPECT_TRUE(forces[0]["until_s"].is_null());
+  EXPECT_EQ(desk_->names(), std::vector<std::string>{"B"});
+  now_ = 100'000s;
+  desk_->look();
+  EXPECT_EQ(listed(), 1u);
+  ASSERT_TRUE(desk_->unforce("B")) << "unless somebody wants it";
+  EXPECT_EQ(listed(), 0u);
+}
+
+TEST_F(ForceDeskTest, WhenSomebodyElseForcesOursToAnotherValue_ThenOurTimerLeavesIt) {
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 2min, "ada", "test"}));
+  cell_.force_unseen("A", "FALSE");
+  now_ = 2'000s;
+  for (int i = 0; i < 3; ++i) desk_->look();
+  for (const std::string& asked : cell_.asked()) EXPECT_NE(asked, "unforce A");
+  const json forces = json::parse(told_)["forces"];
+  ASSERT_EQ(forces.size(), 1u);
+  EXPECT_EQ(forces[0]["value"], "FALSE");
+  EXPECT_EQ(forces[0]["user"], "");
+}
+
+TEST_F(ForceDeskTest, WhenTheLinkCannotTell_ThenOursStayAndEndInTime) {
+  cell_.forces_fail_with("D0008");
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 2min, "ada", "test"}));
+  for (int i = 0; i < 3; ++i) desk_->look();
+  EXPECT_EQ(listed(), 1u);
+  now_ = 1'120s;
+  desk_->look();
+  EXPECT_EQ(listed(), 0u);
+  EXPECT_EQ(cell_.asked().back(), "unforce A");
+}
+
+TEST_F(ForceDeskTest, WhenNobodyAnswersOrTheProgramHasJustChanged_ThenTheListStaysAsItWas) {
+  cell_.force_unseen("B", "7");
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 20min, "ada", "test"}));
+  for (const char* code : {"D0001", "D0002"}) {
+    cell_.fail_with(code);
+    for (int i = 0; i < 3; ++i) desk_->look();
+    EXPECT_EQ(listed(), 2u) << code;
+  }
 }
 
 TEST_F(ForceDeskTest, WhenTheListIsDamaged_ThenItIsNotTakenForAnEmptyOne) {

@@ -68,21 +68,37 @@ TEST_F(RecipeDeskTest, WhenNobodyAnswers_ThenThatIsTheReason) {
   EXPECT_EQ(load(), "D0001");
 }
 
-TEST_F(RecipeDeskTest, WhenAWriteFails_ThenWhatWasWrittenBeforeItIsPutBack) {
-  cell().fail_writes(1, 1);
-  EXPECT_EQ(load(), "H0080");
-  EXPECT_EQ(now(), "12.5 FALSE");
+TEST_F(RecipeDeskTest, WhenARecipeIsLoaded_ThenItIsOneWrite) {
+  ASSERT_TRUE(desk().load("Blue"));
   const auto asked = cell().asked();
-  EXPECT_EQ(std::count(asked.begin(), asked.end(), "write mixer.level 20.0"), 1) << "the first was written";
-  EXPECT_EQ(std::count(asked.begin(), asked.end(), "write mixer.level 12.5"), 1) << "and put back";
+  EXPECT_EQ(
+      std::count_if(asked.begin(), asked.end(), [](const auto& each) { return each.starts_with("write"); }),
+      1);
+  EXPECT_EQ(asked.back(), "write mixer.level 20.0 mixer.stir TRUE");
 }
 
-TEST_F(RecipeDeskTest, WhenPuttingBackFailsToo_ThenTheTagsAreNamed) {
-  cell().fail_writes(1, 99);
+TEST_F(RecipeDeskTest, WhenTheWriteIsRefused_ThenNothingIsWrittenAndTheAnswerSaysSo) {
+  cell().writes_fail_with("D0004");
   const auto loaded = desk().load("Blue");
   ASSERT_FALSE(loaded);
   EXPECT_EQ(loaded.error()[0].code, "H0080");
-  EXPECT_EQ(loaded.error()[0].hint, "these could not be put back: mixer.stir, mixer.level");
+  EXPECT_EQ(loaded.error()[0].hint, "no value has been written");
+  EXPECT_EQ(now(), "12.5 FALSE");
+}
+
+TEST_F(RecipeDeskTest, WhenNobodyAnswersTheWrite_ThenItIsNotSaidThatNothingWasWritten) {
+  cell().writes_fail_with("D0001");
+  const auto loaded = desk().load("Blue");
+  ASSERT_FALSE(loaded);
+  EXPECT_EQ(loaded.error()[0].code, "H0080");
+  EXPECT_TRUE(loaded.error()[0].hint.starts_with("either all values have been written or none"));
+}
+
+TEST_F(RecipeDeskTest, WhenSomebodyElseForcesATag_ThenNothingIsWritten) {
+  cell().force_unseen("mixer.stir", "TRUE");
+  fixture_.forces->look();
+  EXPECT_EQ(load(), "H0079");
+  EXPECT_EQ(now(), "12.5 FALSE");
 }
 
 TEST_F(RecipeDeskTest, WhenValuesAreWrong_ThenTheyAreNotSaved) {

@@ -85,7 +85,7 @@ TEST_F(RecipeRoutesTest, WhenSomethingIsWrong_ThenTheStatusSaysWhat) {
   EXPECT_EQ(ask("GET", "/api/recipes/Green").status, 404u);
   EXPECT_EQ(ask("DELETE", "/api/recipes/Green").status, 404u);
   EXPECT_EQ(last_of_trail()["result"], "refused: H0072: there is no recipe 'Green'");
-  fixture_.cell.fail_writes(0, 1);
+  fixture_.cell.writes_fail_with("D0002");
   EXPECT_EQ(ask("POST", "/api/recipes/Blue/load", R"({"reason": "next batch"})").status, 409u);
   EXPECT_EQ(ask("DELETE", "/api/recipes/Blue").status, 200u);
   EXPECT_EQ(last_of_trail()["before"], "mixer.level = 20.0, mixer.stir = TRUE");

@@ -43,3 +43,20 @@ test('Range_WhenItRunsDownwardsOrIsNotKnown_ThenTheElementMovesOrStaysAsDrawn', 
   const [turn] = bindings({ turn: 'a', to: '10', degrees: '270' });
   assert.equal(drawing.transformOf(turn, 5, box), 'rotate(135 25 40)');
 });
+
+test('Pose_WhenItIsKnown_ThenTheElementIsPlacedOnItsFloor', () => {
+  const around = { 'floor-scale': '20', 'floor-x': '10', 'floor-y': '500' };
+  const [pose] = drawing.bindingsOf((name) => ({ 'pose-x': 'v1.x', 'pose-y': 'v1.y', 'pose-heading': 'v1.heading' })[name] ?? null, (name) => around[name] ?? null);
+  assert.deepEqual(pose, { kind: 'pose', name: 'v1.x', y: 'v1.y', heading: 'v1.heading', floor: { x: 10, y: 500, scale: 20 } });
+  assert.deepEqual(drawing.namesOf(pose), ['v1.x', 'v1.y', 'v1.heading']);
+  assert.equal(drawing.poseTransform(pose, [2, 3, Math.PI / 2]), 'translate(50 440) rotate(-90)');
+  assert.equal(drawing.poseTransform(pose, [2, null, 0]), null);
+  assert.equal(drawing.poseTransform(pose, [2, 3, null]), null);
+  const [pallet] = drawing.bindingsOf((name) => ({ 'pose-x': 'pallet p1.x', 'pose-y': 'pallet p1.y', ...around })[name] ?? null);
+  assert.deepEqual(drawing.namesOf(pallet), ['pallet p1.x', 'pallet p1.y']);
+  assert.equal(drawing.poseTransform(pallet, [0, 0]), 'translate(10 500)');
+});
+
+test('Pose_WhenHalfOfItIsMissing_ThenThereIsNone', () => {
+  assert.deepEqual(bindings({ 'pose-x': 'a' }), []);
+});

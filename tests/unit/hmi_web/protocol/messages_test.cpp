@@ -2,28 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace stepwright::protocol {
 namespace {
 
 using nlohmann::json;
-
-CellState running_state() {
-  CellState state;
-  state.runtime_alive = true;
-  state.runtime_state = "running";
-  state.program_digest = "ab12";
-  state.scan = 7;
-  state.time_s = 0.06;
-  state.figures.p50_us = 3.5;
-  state.active_steps = {0};
-  state.points = {1.0, std::nullopt, 20.25};
-  state.tags = {0.0, 1.0};
-  return state;
-}
 
 TEST(HelloMessage, WhenThePlantIsDescribed_ThenEveryElementIsInIt) {
   Synoptic synoptic;
@@ -37,10 +21,11 @@ TEST(HelloMessage, WhenThePlantIsDescribed_ThenEveryElementIsInIt) {
   synoptic.pushers = {{"1", "1", "push_1", "1.travel", 1.3, 0.3, 0.5, 0.04, 0, -1, 0.7}};
   synoptic.boxes = {{"box 1", "1", 0.3, 0.25, "s", "x", "y", "a"}};
 
-  const json message = json::parse(hello_message({"bench", "1.2.3"}, synoptic));
+  const json message = json::parse(hello_message({"bench", "1.2.3"}, synoptic, "e1"));
 
   EXPECT_EQ(message["type"], "hello");
   EXPECT_EQ(message["protocol"], kProtocolVersion);
+  EXPECT_EQ(message["epoch"], "e1");
   EXPECT_EQ(message["cell"], "bench");
   EXPECT_EQ(message["synoptic"]["places"][0]["position"], -1);
   EXPECT_EQ(message["synoptic"]["tanks"][0]["side"], "below");
@@ -71,7 +56,7 @@ TEST(HelloMessage, WhenThePlantIsAFloor_ThenItsMapAndVehiclesAreInIt) {
   synoptic.floor.blockages = {{"block_1", "block_1", 20, 12, 0.5, 2, 1, "there"}};
   synoptic.floor.estop_ok_point = "estop_ok";
 
-  const json floor = json::parse(hello_message({"fleet", "1.2.3"}, synoptic))["synoptic"]["floor"];
+  const json floor = json::parse(hello_message({"fleet", "1.2.3"}, synoptic, "e1"))["synoptic"]["floor"];
 
   EXPECT_EQ(
       floor["maps"][0],
@@ -105,73 +90,20 @@ TEST(ProgramMessage, WhenAChartBranches_ThenTransitionsNameAllTheirSteps) {
   EXPECT_EQ(message["charts"], json::parse(R"([{"name": "PLAN", "steps": 3, "transitions": 1}])"));
 }
 
-TEST(StateMessage, WhenAValueIsUnknown_ThenItIsNull) {
-  const json message = json::parse(state_message(running_state(), 3));
-
-  EXPECT_EQ(message["type"], "state");
-  EXPECT_EQ(message["seq"], 3);
-  EXPECT_EQ(message["points"], json({1, nullptr, 20.25}));
-  EXPECT_EQ(message["figures"]["p50_us"], 3.5);
-}
-
-TEST(StateMessage, WhenNumbersAreNotFinite_ThenTheyAreNull) {
-  CellState state = running_state();
-  state.points = {std::nan(""), std::numeric_limits<double>::infinity(), 1e300};
-
-  const json message = json::parse(state_message(state, 1));
-
-  EXPECT_TRUE(message["points"][0].is_null());
-  EXPECT_TRUE(message["points"][1].is_null());
-  EXPECT_EQ(message["points"][2], 1e300);
-}
-
-TEST(StateMessage, WhenTextIsNotUtf8_ThenItIsRepaired) {
-  CellState state = running_state();
-  state.runtime_detail = "broken \xff\xfe text";
-
-  const json message = json::parse(state_message(state, 1));
-
-  EXPECT_NE(message["runtime_detail"].get<std::string>().find("broken"), std::string::npos);
-}
-
-TEST(DeltaMessage, WhenOneValueChanges_ThenOnlyThatOneIsInIt) {
-  const CellState before = running_state();
-  CellState now = before;
-  now.scan = 8;
-  now.points[1] = 4.5;
-
-  const json message = json::parse(delta_message(before, now, 4));
-
-  EXPECT_EQ(message, json({{"type", "delta"}, {"seq", 4}, {"scan", 8}, {"points", {{"1", 4.5}}}}));
-}
-
-TEST(DeltaMessage, WhenAValueBecomesUnknown_ThenItIsNull) {
-  const CellState before = running_state();
-  CellState now = before;
-  now.tags[1] = std::nullopt;
-
-  const json message = json::parse(delta_message(before, now, 4));
-
-  ASSERT_TRUE(message["tags"].contains("1"));
-  EXPECT_TRUE(message["tags"]["1"].is_null());
-}
-
-TEST(DeltaMessage, WhenAValueTremblesBehindTheThirdDecimal_ThenItIsNoChange) {
-  const CellState before = running_state();
-  CellState now = before;
-  now.points[2] = 20.25 + 1e-5;
-
-  EXPECT_EQ(json::parse(delta_message(before, now, 4)), json({{"type", "delta"}, {"seq", 4}}));
-}
-
 TEST(TrendMessage, WhenRowsAreGiven_ThenTimeComesFirst) {
   const std::vector<TrendRow> rows = {{1.5, {20.0, std::nullopt}}, {1.6, {20.5, 3.0}}};
 
-  const json message = json::parse(trend_message(rows, 12, true));
+  const json message = json::parse(trend_message(rows, {3, 12, true}));
 
+  EXPECT_EQ(message["run"], 3);
   EXPECT_EQ(message["first"], 12);
   EXPECT_EQ(message["restart"], true);
   EXPECT_EQ(message["rows"], json({{1.5, 20, nullptr}, {1.6, 20.5, 3}}));
+}
+
+TEST(Revision, WhenAnObjectGetsOne_ThenItIsAMemberOfIt) {
+  EXPECT_EQ(json::parse(with_revision(R"({"a":1})", 7)), json({{"a", 1}, {"revision", 7}}));
+  EXPECT_EQ(json::parse(with_revision("{}", 7)), json({{"revision", 7}}));
 }
 
 }  // namespace

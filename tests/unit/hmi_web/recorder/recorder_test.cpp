@@ -53,6 +53,28 @@ TEST(HistoryClock, WhenNoScanComes_ThenTimeGoesOnAndNeverBack) {
   EXPECT_GE(clock.at(kSecond, kWall + 4 * kSecond), kWall + 3 * kSecond);
 }
 
+// A server always looks before the first image has come.
+TEST(HistoryClock, WhenItWasLookedAtBeforeTheFirstScan_ThenItKeepsToRealTime) {
+  HistoryClock clock(true);
+  clock.without_scan(kWall);
+  EXPECT_EQ(clock.at(70 * kSecond, kWall + kSecond / 10), kWall + kSecond / 10);
+}
+
+TEST(HistoryClock, WhenScansStayAwayForAWhile_ThenTheRunGoesOnAsItWas) {
+  HistoryClock clock(true);
+  clock.at(0, kWall);
+  clock.without_scan(kWall + 3 * kSecond);
+  const std::int64_t old = 3 * kSecond - kSecond / 50;  // a snapshot is a little old
+  EXPECT_EQ(clock.at(old, kWall + 3 * kSecond), kWall + 3 * kSecond) << "never back";
+  EXPECT_EQ(clock.at(4 * kSecond, kWall + 4 * kSecond), kWall + 4 * kSecond);
+  EXPECT_GE(clock.at(kSecond, kWall + 5 * kSecond), kWall + 5 * kSecond) << "another run";
+  const KnownEpoch known{kWall, kWall + 50 * kSecond};
+  HistoryClock restarted(true, known);
+  restarted.without_scan(kWall + 60 * kSecond);
+  EXPECT_EQ(restarted.at(60 * kSecond - kSecond / 50, kWall + 60 * kSecond), kWall + 60 * kSecond);
+  EXPECT_EQ(restarted.at(61 * kSecond, kWall + 61 * kSecond), kWall + 61 * kSecond);
+}
+
 // A level of a picture, an INT of the program, and the monitors of a plan.
 class RecorderTest : public testing::Test {
  protected:
@@ -77,8 +99,9 @@ class RecorderTest : public testing::Test {
   }
   // An image at a time of the scan; real time is an hour later than that.
   std::optional<std::string> look(double time_s, std::vector<std::int32_t> values, double level,
-                                  bool alive = true) {
-    wall_ns_ = kWall + static_cast<std::int64_t>(time_s * 1e9);
+                                  bool alive = true, std::optional<double> wall_s = {}) {
+    wall_ns_ = kWall + static_cast<std::int64_t>(wall_s.value_or(time_s) * 1e9);
+    newest_s_ = time_s;
     server::Observation seen;
     seen.runtime_alive = alive;
     seen.layout = layout_;
@@ -86,11 +109,27 @@ class RecorderTest : public testing::Test {
     std::vector<std::byte> image(20);
     std::memcpy(image.data(), values.data(), image.size());
     if (alive) seen.snapshot = server::ImageSnapshot{++scan_, time_s, image, {}};
+    seen.images = images_;
+    seen.images_lost = images_lost_;
     server::CellView view;
     view.layout = layout_;
     view.state.points = {level};
     for (const std::int32_t value : values) view.state.tags.push_back(value);
     return recorder_->take(seen, view);
+  }
+  // The newest image once more, or nothing new: as `images_` says.
+  void again(double wall_s) {
+    wall_ns_ = kWall + static_cast<std::int64_t>(wall_s * 1e9);
+    server::Observation seen;
+    seen.runtime_alive = true;
+    seen.layout = layout_;
+    seen.snapshot = server::ImageSnapshot{scan_, newest_s_, std::vector<std::byte>(20), {}};
+    seen.images = images_;
+    server::CellView view;
+    view.layout = layout_;
+    view.state.points = {50.0};
+    view.state.tags.resize(5);
+    recorder_->take(seen, view);
   }
   // As the API's routes answer it.
   api::Answer ask(const std::string& target) {
@@ -118,6 +157,8 @@ class RecorderTest : public testing::Test {
   std::unique_ptr<CellRecorder> recorder_;
   std::int64_t wall_ns_ = kWall;
   std::uint64_t scan_ = 0;
+  double newest_s_ = 0.0;
+  std::uint64_t images_ = 0, images_lost_ = 0;  // 0: the source cannot tell
 };
 
 TEST_F(RecorderTest, WhenImagesAreSeen_ThenPointsAndTagsAreReadBackAtTheTimesOfTheirScans) {
@@ -155,6 +196,77 @@ TEST_F(RecorderTest, WhenTheRuntimeIsLost_ThenNothingHoldsAndAnAlarmHasItsTime) 
   EXPECT_EQ(levels[30], 50.0);
 }
 
+TEST_F(RecorderTest, WhenImagesAreLostOnTheirWay_ThenTheHistoryHasAGapAndNoValueThatLasts) {
+  open();
+  const auto image = [&](double time_s, double level, std::uint64_t lost) {
+    ++images_;
+    images_lost_ += lost;
+    look(time_s, {5}, level);
+  };
+  image(0.00, 50.0, 0);
+  image(0.03, 50.0, 0);
+  image(0.09, 51.0, 1);  // nobody looks that often
+  image(0.12, 51.0, 0);
+  image(0.52, 51.0, 12);  // the same value, and yet nobody knows what it was meanwhile
+  image(0.80, 52.0, 0);   // a busy machine: late, but nothing is lost
+  const json levels = trend("points/a1.level", 0.0, 1.0, 100)["series"][0]["last"];
+  EXPECT_EQ(levels[6], 50.0);
+  EXPECT_EQ(levels[11], 51.0);
+  for (int i = 13; i < 51; ++i) EXPECT_TRUE(levels[i].is_null()) << i;
+  for (int i = 53; i < 79; ++i) EXPECT_EQ(levels[i], 51.0) << i;
+  const std::string csv =
+      ask("/api/history/export.csv?tags=points/a1.level&to_ms=" + std::to_string(kWall / 1'000'000 + 1'000))
+          .text;
+  EXPECT_NE(csv.find(",missing\r\n"), std::string::npos) << csv;
+}
+
+TEST_F(RecorderTest, WhenNoImageComesThoughTheRuntimeAnswers_ThenTheGapBeginsWithTheNewestOne) {
+  open();
+  images_ = 1;
+  look(0.0, {5}, 50.0);
+  ++images_;
+  look(0.35, {5}, 50.0);
+  again(0.8);
+  again(1.5);
+  ++images_;
+  look(3.0, {5}, 50.0);
+  ++images_;
+  look(3.3, {5}, 50.0);
+  const json levels = trend("points/a1.level", 0.0, 4.0, 40)["series"][0]["last"];
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(levels[i], 50.0) << i;
+  for (int i = 4; i < 29; ++i) EXPECT_TRUE(levels[i].is_null()) << i;
+  EXPECT_EQ(levels[31], 50.0);
+}
+
+// A server that stood still for seconds finds what came first while it did, and what comes now.
+TEST_F(RecorderTest, WhenImagesThatWaitedComeTogether_ThenTheTimeBetweenThemIsAGap) {
+  open();
+  images_ = 1;
+  look(0.0, {5}, 50.0);
+  for (const double time_s : {0.3, 2.8, 3.1}) {
+    ++images_;
+    look(time_s, {5}, 50.0, true, /*wall_s=*/std::max(2.8, time_s));
+  }
+  const json levels = trend("points/a1.level", 0.0, 3.2, 32)["series"][0]["last"];
+  for (int i = 4; i < 27; ++i) EXPECT_TRUE(levels[i].is_null()) << i;
+  EXPECT_EQ(levels[29], 50.0);
+}
+
+// At a barrier, or while a simulated clock is held.
+TEST_F(RecorderTest, WhenTheSameImageComesAgainAndAgain_ThenNothingIsMissing) {
+  open();
+  images_ = 1;
+  look(0.0, {5}, 50.0);
+  for (int i = 1; i < 50; ++i) {
+    ++images_;
+    again(0.1 * i);
+  }
+  ++images_;
+  look(0.1, {5}, 50.0);
+  const json levels = trend("points/a1.level", 0.0, 0.1, 10)["series"][0]["last"];
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(levels[i], 50.0) << i;
+}
+
 TEST_F(RecorderTest, WhenTheServerStartsAgain_ThenValuesAndAlarmsGoOnWhereTheyWere) {
   open();
   look(0.0, {5}, 50.0);
@@ -166,15 +278,64 @@ TEST_F(RecorderTest, WhenTheServerStartsAgain_ThenValuesAndAlarmsGoOnWhereTheyWe
                   .has_value());
   open();
   const json alarms = answer("/api/alarms");
-  ASSERT_EQ(alarms["alarms"].size(), 1u);
-  EXPECT_EQ(alarms["alarms"][0]["name"], "a1.high");
-  EXPECT_EQ(alarms["alarms"][0]["state"], "acknowledged");
-  EXPECT_EQ(alarms["figures"]["in_ten_minutes"], 1);
+  ASSERT_EQ(alarms["alarms"].size(), 2u);
+  EXPECT_EQ(alarms["alarms"][0]["name"], "server.away");
+  EXPECT_EQ(alarms["alarms"][1]["name"], "a1.high");
+  EXPECT_EQ(alarms["alarms"][1]["state"], "acknowledged");
+  EXPECT_EQ(alarms["figures"]["in_ten_minutes"], 2);
   look(8.0, {6}, 40.0);
   EXPECT_TRUE(answer("/api/alarms")["alarms"].empty());
-  EXPECT_EQ(answer("/api/alarms/journal")["entries"][0]["time_ms"], kWall / 1'000'000 + 8'000)
-      << "the clock is that of the same run";
-  EXPECT_EQ(answer("/api/alarms/journal")["entries"][1]["user"], "anna");
+  const json entries = answer("/api/alarms/journal?alarm=a1.high")["entries"];
+  EXPECT_EQ(entries[0]["time_ms"], kWall / 1'000'000 + 8'000) << "the clock is that of the same run";
+  EXPECT_EQ(entries[1]["user"], "anna");
+}
+
+TEST_F(RecorderTest, WhenTheServerWasAway_ThenTheJournalTellsOfItAndOfWhatNobodySawHappen) {
+  open();
+  EXPECT_TRUE(answer("/api/alarms/journal")["entries"].empty()) << "before the first server there was none";
+  look(0.0, {5}, 50.0);
+  look(3.0, {5}, 50.0);
+  open();
+  look(10.0, {5}, 95.0);
+  look(12.0, {5}, 95.0);
+  look(13.0, {5}, 50.0);
+  const json away = answer("/api/alarms/journal?alarm=server.away")["entries"];
+  ASSERT_EQ(away.size(), 2u);
+  EXPECT_EQ(away[1]["event"], "raise");
+  EXPECT_EQ(away[1]["time_ms"], kWall / 1'000'000 + 3'000) << "when it looked last";
+  EXPECT_EQ(away[0]["event"], "return");
+  EXPECT_EQ(away[0]["to"], "normal") << "nobody has to acknowledge it";
+  EXPECT_EQ(away[0]["time_ms"], kWall / 1'000'000 + 10'000);
+  const json level = answer("/api/alarms/journal?alarm=a1.high")["entries"];
+  ASSERT_EQ(level.size(), 2u);
+  EXPECT_EQ(level[1]["event"], "raise");
+  EXPECT_EQ(level[1]["comment"], "not seen since 2023-11-14T22:13:23.000Z");
+  EXPECT_EQ(level[0]["comment"], "") << "the return was seen";
+}
+
+TEST_F(RecorderTest, WhenTheRuntimeWasAway_ThenWhatHasChangedMeanwhileWasNotSeenEither) {
+  open();
+  look(0.0, {5}, 50.0);
+  look(4.0, {}, 0.0, false);
+  look(9.0, {5}, 95.0);
+  look(11.0, {5}, 95.0);
+  const json level = answer("/api/alarms/journal?alarm=a1.high")["entries"];
+  ASSERT_EQ(level.size(), 1u);
+  EXPECT_EQ(level[0]["comment"], "not seen since 2023-11-14T22:13:24.000Z");
+}
+
+// The program keeps the scan.
+TEST_F(RecorderTest, WhenAMonitorWasRaisedWhileTheServerWasAway_ThenItHasTheTimeOfItsScan) {
+  open();
+  look(1.0, {5, 100}, 50.0);
+  look(2.0, {5, 200}, 50.0);
+  open();
+  look(6.0, {5, 600, 350}, 50.0);
+  look(7.0, {5, 700, 350}, 50.0);
+  const json raised = answer("/api/alarms/journal?alarm=plan.monitor.1")["entries"];
+  ASSERT_EQ(raised.size(), 1u);
+  EXPECT_EQ(raised[0]["time_ms"], kWall / 1'000'000 + 3'500);
+  EXPECT_EQ(raised[0]["comment"], "");
 }
 
 TEST_F(RecorderTest, WhenMonitorsAreRaised_ThenTheirAlarmsHaveTheTimesOfTheirScansAndTheFirstIsFirst) {

@@ -58,6 +58,9 @@ class HttpServerTest : public testing::Test {
            fields + "\r\n";
   }
 
+  static constexpr std::string_view kBegin =
+      R"({"type":"begin","protocol":3,"show":{"number":1,"tags":"all","also":["plan","trend"]}})";
+
   // The close frame, past what was sent before it.
   static std::string read_close(RawConnection& viewer) {
     while (const auto frame = viewer.read_frame()) {
@@ -247,6 +250,7 @@ TEST_F(HttpServerTest, WhenAViewerConnects_ThenItIsGreetedAndFollowsTheFeed) {
   EXPECT_NE(viewer.read_until("\r\n\r\n").find("101"), std::string::npos);
 
   EXPECT_EQ(json::parse(*viewer.read_frame())["type"], "hello");
+  viewer.send_text(kBegin);
   EXPECT_EQ(json::parse(*viewer.read_frame())["scan"], 1);
   publish(2);
   const json delta = json::parse(*viewer.read_frame());
@@ -261,13 +265,63 @@ TEST_F(HttpServerTest, WhenAForeignPageConnects_ThenItIsRefused) {
   EXPECT_NE(viewer.read_all().find("HTTP/1.1 403"), std::string::npos);
 }
 
-TEST_F(HttpServerTest, WhenAViewerSpeaks_ThenItIsDisconnected) {
+TEST_F(HttpServerTest, WhenAViewerSaysWhatNobodyUnderstands_ThenItIsDisconnected) {
+  for (const std::string_view text : {"hi", "{}", R"({"type":"show","number":1})"}) {
+    RawConnection viewer(server_->port());
+    viewer.send(upgrade_request());
+    viewer.read_until("\r\n\r\n");
+    viewer.send_text(text);
+
+    EXPECT_EQ(read_close(viewer), "close 1008") << text;
+  }
+}
+
+TEST_F(HttpServerTest, WhenAViewerNeverBegins_ThenItIsGreetedAndDisconnected) {
+  end();
+  start({.viewer_begins = std::chrono::seconds(0)});
   RawConnection viewer(server_->port());
   viewer.send(upgrade_request());
   viewer.read_until("\r\n\r\n");
-  viewer.send(std::string("\x81\x82\0\0\0\0hi", 8));  // a masked text frame
+  EXPECT_EQ(json::parse(*viewer.read_frame())["type"], "hello");
+  publish(1);
 
   EXPECT_EQ(read_close(viewer), "close 1008");
+}
+
+TEST_F(HttpServerTest, WhenAViewerSendsBytesInsteadOfText_ThenItIsDisconnected) {
+  RawConnection viewer(server_->port());
+  viewer.send(upgrade_request());
+  viewer.read_until("\r\n\r\n");
+  viewer.send(std::string("\x82\x82\0\0\0\0{}", 8));
+
+  EXPECT_EQ(read_close(viewer), "close 1008");
+}
+
+TEST_F(HttpServerTest, WhenAViewerSaysTooMuchAtOnce_ThenItIsDisconnected) {
+  RawConnection viewer(server_->port());
+  viewer.send(upgrade_request());
+  viewer.read_until("\r\n\r\n");
+  viewer.send_text(kBegin);
+  // Many times what is allowed at once and in the time that this takes.
+  for (int i = 1; i < 400; ++i) viewer.send_text(R"({"type":"show","number":)" + std::to_string(i) + "}");
+
+  EXPECT_EQ(read_close(viewer), "close 1008");
+}
+
+TEST_F(HttpServerTest, WhenAViewerChangesItsChoice_ThenTheAnswerComesAtOnce) {
+  publish(1, 5);
+  RawConnection viewer(server_->port());
+  viewer.send(upgrade_request());
+  viewer.read_until("\r\n\r\n");
+  viewer.send_text(R"({"type":"begin","protocol":3,"show":{"number":1}})");
+  json message = json::object();
+  while (message.value("type", "") != "state") message = json::parse(*viewer.read_frame());
+  EXPECT_EQ(message["tags"], json::object());
+  viewer.send_text(R"({"type":"show","number":2,"tags":"all"})");
+
+  const json answer = json::parse(*viewer.read_frame());
+  EXPECT_EQ(answer["show"], 2);
+  EXPECT_EQ(answer["tags"].size(), 5u);
 }
 
 TEST_F(HttpServerTest, WhenAViewerSendsTooMuch_ThenItIsDisconnected) {
@@ -284,6 +338,7 @@ TEST_F(HttpServerTest, WhenAViewerIsSlow_ThenItSkipsStatesAndEndsUpWithTheNewest
   RawConnection viewer(server_->port(), 4'096);
   viewer.send(upgrade_request());
   viewer.read_until("\r\n\r\n");
+  viewer.send_text(kBegin);
   // 250 messages of 50 kB are far more than the sockets between them hold.
   for (std::uint64_t scan = 1; scan <= kUpdates; ++scan) publish(scan, 5'000);
 

@@ -39,6 +39,18 @@ class RawConnection {
   bool send(std::string_view bytes) {
     return ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
   }
+  // A text frame as a browser sends it, masked with zeros.
+  bool send_text(std::string_view text) {
+    std::string frame = "\x81";
+    if (text.size() < 126) {
+      frame += static_cast<char>(0x80 | text.size());
+    } else {
+      frame += '\xfe';
+      frame += static_cast<char>(text.size() >> 8 & 0xff);
+      frame += static_cast<char>(text.size() & 0xff);
+    }
+    return send(frame + std::string(4, '\0') + std::string(text));
+  }
   void end_of_input() { ::shutdown(socket_, SHUT_WR); }
 
   // All that comes until the other side closes.

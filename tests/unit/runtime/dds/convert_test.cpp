@@ -28,6 +28,26 @@ TEST(Convert, WhenAnEventTravels_ThenNothingIsLost) {
   EXPECT_EQ(*back, some_event());
 }
 
+TEST(Convert, WhenAnExtraCommandBreaksABound_ThenItIsDropped) {
+  service::WriteBlock write;
+  write.block = {std::string(64, 'a'), {{8, 0xFF, 7}}};
+  const idl::ExtraCommand good = to_extra("bench", {1, 2, write});
+  ASSERT_TRUE(from_extra(good).has_value());
+  EXPECT_EQ(std::get<service::WriteBlock>(from_extra(good)->body).block, write.block);
+  idl::ExtraCommand bad = good;
+  bad.parts().resize(idl::BLOCK_BOUND + 1);
+  EXPECT_FALSE(from_extra(bad).has_value());
+  bad = good;
+  bad.parts().clear();
+  EXPECT_FALSE(from_extra(bad).has_value());
+  bad = good;
+  bad.program_digest(kLong);
+  EXPECT_FALSE(from_extra(bad).has_value());
+  bad = good;
+  bad.kind(2);
+  EXPECT_FALSE(from_extra(bad).has_value());
+}
+
 TEST(Convert, WhenTextsAreTooLongOutwards_ThenTheyAreCut) {
   StepEvent event = some_event();
   event.detail = kLong;

@@ -7,6 +7,7 @@
 
 #include "runtime/host/limits.h"
 #include "runtime/service/digest.h"
+#include "runtime/service/monitor_answers.h"
 #include "tests/unit/runtime/dds/fake_link.h"
 #include "tests/unit/runtime/dds/test_runtime_id.h"
 
@@ -326,6 +327,68 @@ TEST(RuntimeClient, WhenALinkPublishesHealth_ThenItArrivesAndWhatComesIsCounted)
   EXPECT_GT(status->received, 0u);
   EXPECT_EQ(status->refused, 0u);
   EXPECT_GE(status->age_s, 0.0);
+}
+
+TEST(RuntimeClient, WhenManyValuesAreWritten_ThenTheyTravelAsOneRequestWithTheirProgram) {
+  std::mutex mutex;
+  std::vector<Request> seen;
+  FakeLink link(45, [&](const Request& request) {
+    const std::scoped_lock lock(mutex);
+    seen.push_back(request);
+    return Reply{};
+  });
+  auto client = client_of(45, ClientRole::Viewer);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  BlockWrite block;
+  block.program_digest = std::string(64, 'a');
+  for (std::uint32_t i = 0; i < host::kMaxBlockWrites; ++i) block.parts.push_back({8 * i, 0xFFFF, i});
+  const auto written = client->write(block);
+  ASSERT_TRUE(written) << result::to_string(written.error());
+  {
+    const std::scoped_lock lock(mutex);
+    ASSERT_EQ(seen.size(), 1u);
+    EXPECT_EQ(std::get<service::WriteBlock>(seen[0].body).block, block);
+  }
+  block.parts.push_back({0, 1, 1});
+  EXPECT_EQ(client->write(block).error().front().code, "D0004");
+  EXPECT_EQ(client->write(BlockWrite{}).error().front().code, "D0004");
+  const std::scoped_lock lock(mutex);
+  EXPECT_EQ(seen.size(), 1u) << "what is refused here is not sent";
+}
+
+TEST(RuntimeClient, WhenItIsAskedWhatIsForced_ThenTheAnswerIsCheckedBeforeItIsBelieved) {
+  std::mutex mutex;
+  Reply answer;
+  const auto answer_with = [&](Reply reply) {
+    const std::scoped_lock lock(mutex);
+    answer = std::move(reply);
+  };
+  FakeLink link(46, [&](const Request& request) -> std::optional<Reply> {
+    if (!std::holds_alternative<service::ReadForces>(request.body)) return std::nullopt;
+    const std::scoped_lock lock(mutex);
+    return answer;
+  });
+  auto client = client_of(46, ClientRole::Viewer);
+  ASSERT_TRUE(client->wait_for_runtime(kPatience));
+  const std::vector<image::Force> forces = {{8, 3, 1, 1}, {16, image::kWholeBytes, 4, 0x12345678}};
+  Reply good;
+  good.digest = std::string(64, 'b');
+  good.data = service::encode_forces(forces);
+  answer_with(good);
+  const auto told = client->forces();
+  ASSERT_TRUE(told) << result::to_string(told.error());
+  EXPECT_EQ(told->program_digest, good.digest);
+  ASSERT_EQ(told->places.size(), 2u);
+  EXPECT_EQ(told->places[1].address, 16u);
+  EXPECT_EQ(told->places[1].value, 0x12345678u);
+  for (const auto& wrong : {std::vector<image::Force>{{8, 9, 1, 1}}, std::vector<image::Force>{{8, 3, 3, 1}},
+                            std::vector<image::Force>{{0xFFFFFFF0, 3, 1, 1}},
+                            std::vector<image::Force>(image::ForceTable::kCapacity + 1, forces[0])}) {
+    Reply bad = good;
+    bad.data = service::encode_forces(wrong);
+    answer_with(bad);
+    EXPECT_EQ(client->forces().error().front().code, "R0005");
+  }
 }
 
 TEST(RuntimeClient, WhenNobodyIsThere_ThenNothingHasCome) {

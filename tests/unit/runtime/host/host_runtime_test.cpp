@@ -362,6 +362,28 @@ TEST(HostRuntime, WhenTheClockIsReal_ThenScansFollowItAndInputsStayFreshWhenStop
   EXPECT_EQ(harness.driver.output, 0x00);
 }
 
+// Accepted, it would be taken back by the first scan.
+TEST(HostRuntime, WhenTheInputOutputIsStillLost_ThenAStartInRealTimeIsRefusedUntilItIsBack) {
+  HostConfig config;
+  config.clock = ClockMode::Real;
+  config.idle_interval_ns = 1'000'000;
+  Harness harness(config);
+  harness.load(step_program({.interval_us = 1'000}));
+  ASSERT_EQ(harness.start(), Outcome::Done);
+  EXPECT_EQ(harness.event().kind, EventKind::Started);
+  harness.driver.lost = true;
+  StepEvent event = harness.event();
+  while (event.kind == EventKind::StepChange) event = harness.event();
+  EXPECT_EQ(event.detail, "the I/O driver does not answer");
+  const std::uint64_t last = event.sequence;
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(harness.start(), Outcome::IoLost);
+  EXPECT_EQ(harness.runtime->status().state, RuntimeState::Fault);
+  EXPECT_EQ(harness.runtime->status().last_event, last) << "what was refused is no event";
+  harness.driver.lost = false;
+  EXPECT_EQ(harness.start(), Outcome::Done);
+  EXPECT_EQ(harness.runtime->status().state, RuntimeState::Running);
+}
+
 TEST(HostRuntime, WhenARealScanIsLate_ThenOverrunsAreCountedAndTheRestIsOnTime) {
   HostConfig config;
   config.clock = ClockMode::Real;

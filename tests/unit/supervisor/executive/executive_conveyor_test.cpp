@@ -112,6 +112,71 @@ INSTANTIATE_TEST_SUITE_P(
                    "(feed b1 n1 n2 in) did not end within 15 s"}),
     [](const auto& each) { return std::string(each.param.name); });
 
+// Started while the emergency stop is pressed. When it is released decides at which program of the executive
+// that happens; none of them may forget that nobody has reset the line.
+class ExecutiveConveyorStop : public testing::TestWithParam<double> {};
+
+TEST_P(ExecutiveConveyorStop, WhenItIsReleasedWithoutAReset_ThenNothingMoves) {
+  SimulatedController controller =
+      conveyor_controller(2, {{0.0, "press_estop", 1}, {GetParam(), "press_estop", 0}});
+  const RunRecord record = run_conveyor(controller);
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Safe);
+  ASSERT_FALSE(record.incidents.empty());
+  EXPECT_NE(record.incidents[0].evidence.at(0).find("'contactor closed' is not observed"), std::string::npos);
+  EXPECT_NE(record.message.find("(await_reset) did not end within 60 s"), std::string::npos);
+  for (const Episode& episode : record.episodes) {
+    for (const ActionRecord& action : episode.actions)
+      EXPECT_NE(action.state, ActionState::Done) << action.text;
+  }
+  EXPECT_FALSE(controller.any_output());
+}
+
+TEST_P(ExecutiveConveyorStop, WhenItIsReleasedAndReset_ThenTheRunGoesOn) {
+  const double released_s = GetParam();
+  SimulatedController controller = conveyor_controller(2, {{0.0, "press_estop", 1},
+                                                           {released_s, "press_estop", 0},
+                                                           {released_s + 6.0, "press_reset", 1},
+                                                           {released_s + 6.5, "press_reset", 0}});
+  const RunRecord record = run_conveyor(controller);
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_EQ(sorted_boxes(controller), ordered_boxes());
+}
+
+INSTANTIATE_TEST_SUITE_P(Released, ExecutiveConveyorStop, testing::Values(0.5, 1.0, 2.5, 4.0, 6.0, 20.0));
+
+// The same for a run after one that has ended: released while the sensors are read, before its plan begins.
+constexpr double kReleased_s = 68.5;  // of the plant's time
+
+TEST(ExecutiveConveyorStopped, WhenAnotherRunIsStartedWhileItIsPressed_ThenItsReleaseMovesNothing) {
+  SimulatedController controller =
+      conveyor_controller(2, {{0.0, "press_estop", 1}, {kReleased_s, "press_estop", 0}});
+  ExecutiveOptions options;
+  options.settle = conveyor_cell().executive.settle;
+  Executive executive(conveyor_desk(), controller, options, {});
+  const RunRecord first = executive.run();
+  SCOPED_TRACE(story(first));
+  ASSERT_EQ(first.phase, Phase::Safe);
+  int scans = 0, pressed = 0;
+  controller.on_scan = [&](std::span<const std::byte> image) {
+    constexpr auto kEstopOk = std::byte{0x80};  // %IX0.7
+    ++scans;
+    if ((image[0] & kEstopOk) == std::byte{0}) ++pressed;
+  };
+  ASSERT_TRUE(executive.request_start(""));
+  const RunRecord second = executive.run();
+  SCOPED_TRACE(story(second));
+  ASSERT_GT(pressed, 10) << "of the " << scans << " scans of the second run";
+  ASSERT_LT(pressed, 190) << "the sensors are read for two seconds";
+  EXPECT_EQ(second.phase, Phase::Safe);
+  EXPECT_NE(second.message.find("(await_reset) did not end within 60 s"), std::string::npos);
+  for (const Episode& episode : second.episodes) {
+    for (const ActionRecord& action : episode.actions)
+      EXPECT_NE(action.state, ActionState::Done) << action.text;
+  }
+}
+
 // Faults that stay: whatever happens, the run ends at the goal or safely, and says why.
 struct LastingCase {
   const char* name;

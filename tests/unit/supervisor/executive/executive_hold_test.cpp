@@ -172,6 +172,7 @@ TEST(ExecutiveHold, WhenTheRuntimeIsLostMeanwhile_ThenItGoesOnFromWhereThePlantI
 TEST(ExecutiveHold, WhenTheSupervisorIsRestarted_ThenTheRunIsStillHeld) {
   struct Killed {};
   ExecutiveOptions options;
+  options.max_replans = 0;  // nor is the restart one
   options.journal = testing::TempDir() + "held_executive.json";
   std::filesystem::remove(options.journal);
   HeldBench bench(options);
@@ -190,6 +191,10 @@ TEST(ExecutiveHold, WhenTheSupervisorIsRestarted_ThenTheRunIsStillHeld) {
   EXPECT_FALSE(bench.driven);
   ASSERT_GE(bench.phases.size(), 4u);
   EXPECT_LT(std::ranges::find(bench.phases, "held"), std::ranges::find(bench.phases, "executing"));
+  ASSERT_EQ(record.replans.size(), 2u) << "what the first supervisor has noted is kept";
+  EXPECT_EQ(record.replans[0].cause, "held by the operator");
+  EXPECT_EQ(record.replans[1].cause, "held by the operator; the supervisor was restarted meanwhile");
+  for (const Replan& each : record.replans) EXPECT_TRUE(each.held) << each.cause;
 }
 
 }  // namespace

@@ -84,6 +84,37 @@ TEST(RoutePlanner, WhenBlockedPlacesEncloseAGoal_ThenOnlyTheFirstSearchIsInVainA
   }
 }
 
+bool meets(const Route& route, const geometry::ConvexPolygon& area) {
+  return std::ranges::any_of(route.mission.grown.envelope.polygons,
+                             [&](const EnvelopePolygon& polygon) { return overlaps(polygon.area, area); });
+}
+
+// In the middle of the aisle; with the rest of it shut there is no way but through.
+TEST(RoutePlanner, WhenAPlaceIsToBeAvoided_ThenOthersGoAroundItWhereTheyCanAndItsVehicleThrough) {
+  SmallFloor floor(4);
+  RoutePlanner& planner = floor.planner();
+  const std::vector past = {SmallFloor::stop({30.0, 10.0, 0.0}, "past")};
+  const geometry::Pose from{14.0, 10.0, 0.0};
+  const auto place = rectangle({21.0, 9.0}, {22.0, 11.0});
+  const auto straight = planner.plan(1, from, past);
+  ASSERT_TRUE(straight && meets(*straight, place));
+  const std::uint32_t avoided = planner.avoid(2, place);
+  const auto around = planner.plan(1, from, past);
+  ASSERT_TRUE(around);
+  EXPECT_FALSE(meets(*around, place));
+  const auto its_own = planner.plan(2, from, past);
+  ASSERT_TRUE(its_own);
+  EXPECT_NEAR(its_own->end_m(), straight->end_m(), 1e-9);
+  planner.block(rectangle({20.0, 6.0}, {23.0, 9.0}));
+  planner.block(rectangle({20.0, 11.0}, {23.0, 14.0}));
+  planner.block(rectangle({20.0, 22.0}, {23.0, 30.0}));
+  const auto through = planner.plan(1, from, past);
+  ASSERT_TRUE(through) << result::to_string(through.error());
+  EXPECT_TRUE(meets(*through, place));
+  planner.unblock(avoided);
+  EXPECT_FALSE(planner.meets_room(SmallFloor::station(1)));
+}
+
 TEST(RoutePlanner, WhenSeveralThreadsPlan_ThenEachGetsTheWayThatOneAloneGets) {
   constexpr std::uint32_t kVehicles = 4;
   SmallFloor alone(kVehicles), shared(kVehicles);

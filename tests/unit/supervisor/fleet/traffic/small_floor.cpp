@@ -72,10 +72,13 @@ Waypoint SmallFloor::stop(const geometry::Pose& pose, const std::string& goal, i
 }
 
 result::Result<Change> SmallFloor::send(std::uint32_t vehicle, std::uint32_t number) {
+  return send(vehicle, station(number));
+}
+
+result::Result<Change> SmallFloor::send(std::uint32_t vehicle, const geometry::Pose& by) {
   const auto branch = traffic_->branch(vehicle);
   if (!branch) return result::fail("F1002", {}, "no place to branch off");
-  const std::vector<Waypoint> stops = {stop(station(number), std::to_string(goals_++)),
-                                       {planner_->home(vehicle), {}}};
+  const std::vector<Waypoint> stops = {stop(by, std::to_string(goals_++)), {planner_->home(vehicle), {}}};
   const auto route = planner_->plan(vehicle, branch->place, stops);
   if (!route) return tl::unexpected(route.error());
   auto made = traffic_->reroute(vehicle, *branch, *route, now_);

@@ -27,8 +27,9 @@ class SmallFloor {
   // In the middle of the aisles, heading right; 0 to 3: below left, below right, above left, above right.
   static geometry::Pose station(std::uint32_t number);
   static Waypoint stop(const geometry::Pose& pose, const std::string& goal, int service_ms = 2000);
-  // By way of the station, then home.
+  // By way of the station or pose, then home.
   [[nodiscard]] result::Result<Change> send(std::uint32_t vehicle, std::uint32_t station);
+  [[nodiscard]] result::Result<Change> send(std::uint32_t vehicle, const geometry::Pose& by);
 
   // Half a second: everybody drives on as far as it may, at 1 m/s, but those in `stand`.
   void tick(const std::set<std::uint32_t>& stand = {});

@@ -185,16 +185,16 @@ class Story {
           accepted += floor.send(v, static_cast<std::uint32_t>(random_.below(4))) ? 1 : 0;
         return;
       case 3:
-        if (blocked_)
-          unblock();
-        else
+        if (blocked_.size() < 2)
           block();
+        else
+          unblock();
         return;
       case 4:
-        if (dead_)
-          revive();
-        else
+        if (dead_.size() < 2 && !floor.traffic().removed(v))
           die(v);
+        else if (!dead_.empty())
+          revive(dead_[random_.below(dead_.size())]);
         return;
       case 5:
         take(floor.events().retry(floor.now()));
@@ -220,36 +220,36 @@ class Story {
     }
     auto made = floor.events().block(*geometry::ConvexPolygon::hull(corners), floor.now());
     take(made.detours);
-    blocked_ = made.number;
+    blocked_.push_back(made.number);
   }
   void unblock() {
-    take(floor.events().unblock(*blocked_));
-    blocked_.reset();
+    take(floor.events().unblock(blocked_.front()));
+    blocked_.erase(blocked_.begin());
   }
   void die(std::uint32_t v) {
     const geometry::Path& path = floor.traffic().route(v).mission.path;
     const auto at =
         std::ranges::lower_bound(path, floor.traffic().arc_m(v) - 1e-9, {}, &geometry::PathPose::arc_m);
-    dead_ = v;
+    dead_.push_back(v);
     take(floor.events().died(v, at == path.end() ? path.back().pose : at->pose, floor.now()));
   }
-  void revive() {
-    auto back =
-        floor.events().came_back(*dead_, floor.traffic().arc_m(*dead_), random_.below(2) == 0, floor.now());
+  void revive(std::uint32_t v) {
+    auto back = floor.events().came_back(v, floor.traffic().arc_m(v), random_.below(2) == 0, floor.now());
     if (!back) return;
-    floor.changed(*dead_);
+    floor.changed(v);
     take(*back);
-    dead_.reset();
+    std::erase(dead_, v);
   }
   // Everything is put right, and everybody comes home.
   std::string end() {
-    if (blocked_) unblock();
-    for (int k = 0; k < 3000 && dead_; ++k) {
-      if (k % 10 == 0) revive();
+    while (!blocked_.empty()) unblock();
+    for (int k = 0; k < 3000 && !dead_.empty(); ++k) {
+      if (k % 10 == 0) revive(dead_[random_.below(dead_.size())]);
       if (k % 20 == 0) take(floor.events().retry(floor.now()));
       floor.tick();
+      if (std::string wrong = floor.broken(); !wrong.empty()) return wrong;
     }
-    if (dead_) return "who died never came back";
+    if (!dead_.empty()) return "who died never came back";
     if (floor.settle(4000)) return {};
     return floor.broken().empty() ? "somebody never arrived" : floor.broken();
   }
@@ -259,7 +259,7 @@ class Story {
 
  private:
   support::SplitMix64 random_;
-  std::optional<std::uint32_t> blocked_, dead_;
+  std::vector<std::uint32_t> blocked_, dead_;
   std::uint32_t late_ = 0;
   int late_until_ = 0;
 };

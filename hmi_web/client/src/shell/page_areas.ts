@@ -1,0 +1,45 @@
+// Where the panels of the page stand (grid-template-areas), by what the cell has: a panel that would stay empty for ever
+// takes no room. `narrow` from 760 px on, `wide` from 1180 px on: columns of 1.9, 1.1 and 1.9 parts.
+
+export interface Presence {
+  plant: boolean; // something to draw
+  plan: boolean; // a supervisor plans for the cell
+  levels: boolean; // values drawn over time
+}
+
+export interface PageAreas {
+  single: string;
+  narrow: string;
+  wide: string;
+}
+
+const quoted = (rows: string[][]): string => rows.map((row) => `'${row.join(' ')}'`).join(' ');
+
+export function pageAreas({ plant, plan, levels }: Presence): PageAreas {
+  const single = ['synoptic', 'plan', 'incidents', 'sfc', 'trend', 'state', 'replans', 'scan', 'tags'].filter(
+    (area) =>
+      (area !== 'synoptic' || plant) &&
+      (!['plan', 'incidents', 'state', 'replans'].includes(area) || plan) &&
+      (area !== 'trend' || levels),
+  );
+  const above = plant ? [['synoptic', 'synoptic']] : [];
+  const beside = above.map((row) => [...row, 'sfc']);
+  if (plan) {
+    return {
+      single: quoted(single.map((area) => [area])),
+      narrow: quoted([
+        ...above, ['plan', 'plan'], ['incidents', 'incidents'],
+        ...(levels ? [['sfc', 'trend']] : []), ['sfc', 'state'], ['sfc', 'scan'], ['replans', 'tags'],
+      ]),
+      wide: quoted([
+        ...beside, ['plan', 'plan', 'sfc'], ['incidents', 'incidents', 'sfc'],
+        levels ? ['trend', 'state', 'tags'] : ['state', 'state', 'tags'], ['replans', 'scan', 'tags'],
+      ]),
+    };
+  }
+  return {
+    single: quoted(single.map((area) => [area])),
+    narrow: quoted([...above, ['sfc', 'scan'], ['sfc', 'tags'], ...(levels ? [['trend', 'trend']] : [])]),
+    wide: quoted([...beside, plant ? ['scan', 'scan', 'tags'] : ['sfc', 'scan', 'tags'], ...(levels ? [['trend', 'trend', 'tags']] : [])]),
+  };
+}

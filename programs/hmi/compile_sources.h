@@ -1,0 +1,16 @@
+#pragma once
+
+// Compiles sources that a page brought, as `stepwright compile` does, in this process: the compiler reads no
+// file and keeps nothing (ladder/driver/compile.h).
+//
+//   auto compiled = compile_sources({{"mixer.st", text}});
+//
+// Pure; any thread. Fails with what the compiler says (E...), each at its place.
+
+#include "hmi_web/api/cell_change.h"
+
+namespace stepwright::hmi {
+
+[[nodiscard]] result::Result<api::Compiled> compile_sources(const api::SourceTexts& sources);
+
+}  // namespace stepwright::hmi

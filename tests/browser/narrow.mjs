@@ -1,0 +1,44 @@
+// What makes a page hard to use on a phone or by keyboard, found inside the page.
+
+// What cannot be read: text beyond the page, and text that its own box cuts off. What scrolls in a region of its own can be read.
+export function unreadable() {
+  const wide = document.documentElement.clientWidth;
+  const scrolls = (node) => {
+    for (let at = node.parentElement; at; at = at.parentElement) {
+      const { overflowX } = getComputedStyle(at);
+      if ((overflowX === 'auto' || overflowX === 'scroll') && at.scrollWidth > at.clientWidth) return true;
+    }
+    return false;
+  };
+  const found = [];
+  for (const node of document.querySelectorAll('body *')) {
+    const text = [...node.childNodes].some((one) => one.nodeType === Node.TEXT_NODE && one.textContent.trim() !== '');
+    if (!text || node.closest('.visually-hidden, svg, option')) continue;
+    const box = node.getBoundingClientRect();
+    if (box.width === 0 || box.height === 0) continue;
+    const name = `${node.tagName.toLowerCase()} "${node.textContent.trim().slice(0, 50)}"`;
+    if ((box.right > wide + 1 || box.left < -1) && !scrolls(node)) found.push(`beyond the page: ${name}`);
+    const style = getComputedStyle(node);
+    const cuts = style.overflowX === 'hidden' || style.overflowX === 'clip';
+    if (cuts && node.scrollWidth > node.clientWidth + 1) found.push(`cut off: ${name}`);
+  }
+  return found;
+}
+
+// What has the focus, if nobody can see that it has it or where it is.
+export function hiddenFocus() {
+  const node = document.activeElement;
+  if (!node || node === document.body) return '';
+  const style = getComputedStyle(node);
+  const around = getComputedStyle(node.closest('label, tr, li, g') ?? node);
+  const drawn = (one) => (one.outlineStyle !== 'none' && parseFloat(one.outlineWidth) > 0) || one.boxShadow !== 'none';
+  // A vehicle of a picture has a ring instead.
+  const ring = node.querySelector(':scope .ring');
+  if (ring && getComputedStyle(ring).stroke !== 'none') return '';
+  const label = node.id || node.ariaLabel || node.dataset.testid || node.textContent.trim().slice(0, 30);
+  const name = `${node.tagName.toLowerCase()} ${label}`;
+  if (!drawn(style) && !drawn(around)) return `${name}: nothing shows it`;
+  const box = node.getBoundingClientRect();
+  const inSight = box.right > 0 && box.left < innerWidth && box.bottom > 0 && box.top < innerHeight;
+  return inSight ? '' : `${name}: out of sight`;
+}

@@ -1,0 +1,91 @@
+// What the page knows of its cell: values of the variables that it asked for, and what it says to a server that it has lost.
+//
+//   node --test cell_test.mjs, with CLIENT: the folder in which the client is built
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { load } from './load_modules.mjs';
+
+let reloads = 0;
+globalThis.window = { setTimeout, clearTimeout, location: { reload: () => (reloads += 1) } };
+const { Cell } = await load(process.env.CLIENT, ['lib/cell.svelte']);
+
+const synoptic = { points: [{ id: 'a', label: 'a', unit: '', trend: true }], floor: { forklifts: [], estop_ok: '' } };
+const hello = (epoch, protocol = 3) => ({ type: 'hello', protocol, epoch, cell: 'bench', version: '1', recipes: false, drawing: false, synoptic });
+const tags = ['Main.Level', 'x', 'y', 'z'].map((name) => ({ name, type: 'INT', address: '' }));
+const program = (digest = 'ab', revision = 1) => ({ type: 'program', revision, digest, charts: [], steps: [], transitions: [], tags });
+const state = (more) => ({ type: 'state', seq: 5, runtime_alive: true, program: 'ab', scan: 7, points: [1], tags: {}, ...more });
+
+function cellAt(...messages) {
+  const cell = new Cell();
+  for (const message of messages) cell.take(message);
+  return cell;
+}
+const said = (cell) => JSON.parse(cell.greeting());
+
+test('Cell_WhenItKnowsNothing_ThenItBeginsWithNothing', () => {
+  const message = said(new Cell());
+  assert.deepEqual(message, { type: 'begin', protocol: 3, epoch: '', show: { number: 1, digest: '', tags: [], also: ['plan', 'routes'] } });
+});
+
+test('Cell_WhenVariablesAreTold_ThenTheOthersAreNotKnown', () => {
+  const cell = cellAt(hello('e1'), program(), state({ show: 1, tags: { 0: 10, 2: 30 } }));
+  assert.deepEqual([0, 1, 2].map((index) => cell.tags[index] ?? null), [10, null, 30]);
+  assert.equal(cell.tag('main.level'), 10);
+  assert.equal(cell.tagNumber('y'), 2);
+  cell.take({ type: 'delta', seq: 6, tags: { 2: 31 } });
+  assert.deepEqual([0, 2].map((index) => cell.tags[index]), [10, 31]);
+  cell.take({ type: 'delta', seq: 7, show: 2, tags: { 1: 20 } });
+  assert.deepEqual([0, 1, 2].map((index) => cell.tags[index] ?? null), [null, 20, null], 'of what was wanted before nothing more is told');
+});
+
+test('Cell_WhenItsServerIsLost_ThenItSaysWhatItHas', () => {
+  const cell = cellAt(hello('e1'), program());
+  cell.showTags({}, [0, 1]);
+  assert.equal(said(cell).show.number, 1);
+  cell.take(state({ show: 1, tags: { 0: 1, 1: 2 } }));
+  cell.take({ type: 'plan', revision: 4, document: {} });
+  cell.take({ type: 'alarms', revision: 9, alarms: [], figures: {}, journal: {} });
+  cell.take({ type: 'trend', run: 2, first: 40, restart: true, rows: [[1, 10], [2, 20]] });
+  cell.take({ type: 'delta', seq: 6, scan: 8 });
+  const { epoch, has, show } = said(cell);
+  assert.equal(epoch, 'e1');
+  assert.deepEqual(has, { seq: 6, program: 1, plan: 4, routes: 0, alarms: 9, forces: 0, tags: true, trend_run: 2, trend_next: 42 });
+  assert.deepEqual(show.tags, [[0, 2]]);
+  cell.showTags({}, [3]);
+  assert.equal(said(cell).has.tags, false, 'of what it wants now it has not all');
+});
+
+test('Cell_WhenTheSameServerAnswers_ThenEverythingStays', () => {
+  const cell = cellAt(hello('e1'), program(), state({ tags: { 0: 1 } }), { type: 'trend', run: 0, first: 0, restart: true, rows: [[1, 10]] });
+  cell.take(hello('e1'));
+  assert.equal(cell.program.digest, 'ab');
+  assert.equal(cell.tag('main.level'), 1);
+  assert.deepEqual(cell.trend.times, [1]);
+});
+
+test('Cell_WhenTheServerIsAnother_ThenNothingOfTheOldOneStays', () => {
+  const cell = cellAt(hello('e1'), program(), state({ show: 1 }), { type: 'plan', revision: 4, document: {} }, { type: 'trend', run: 0, first: 0, restart: true, rows: [[1, 10]] });
+  cell.take(hello('e2'));
+  assert.equal(cell.program, null);
+  assert.equal(cell.plan, null);
+  assert.deepEqual(cell.trend.times, []);
+  const { epoch, has } = said(cell);
+  assert.equal(epoch, 'e2');
+  assert.deepEqual(has, { seq: 0, program: 0, plan: 0, routes: 0, alarms: 0, forces: 0, tags: false, trend_run: 0, trend_next: 0 });
+});
+
+test('Cell_WhenTheServerSpeaksAnotherProtocol_ThenThePageIsLoadedAnew', () => {
+  const cell = cellAt(hello('e1', 4));
+  assert.equal(reloads, 1);
+  assert.equal(cell.hello, null);
+});
+
+test('Cell_WhenTheProgramChanges_ThenIndicesOfTheOldOneAreAskedForNoMore', () => {
+  const cell = cellAt(hello('e1'), program());
+  cell.showTags({}, [0, 1]);
+  assert.deepEqual(said(cell).show, { number: 1, digest: 'ab', tags: [[0, 2]], also: ['plan', 'routes'] });
+  cell.take(program('cd', 2));
+  assert.deepEqual(said(cell).show, { number: 2, digest: 'cd', tags: [], also: ['plan', 'routes'] });
+});

@@ -1,0 +1,46 @@
+// Where the panels of the page stand, for every kind of cell.
+//
+//   node --test page_areas_test.mjs, with CLIENT: the folder in which the client is built
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { load } from './load_modules.mjs';
+
+const page = await load(process.env.CLIENT, ['shell/page_areas']);
+
+const COLUMNS = { single: 1, narrow: 2, wide: 3 };
+
+const cells = [false, true].flatMap((plant) =>
+  [false, true].flatMap((plan) => [false, true].map((levels) => ({ plant, plan, levels }))));
+
+const panelsOf = ({ plant, plan, levels }) =>
+  [
+    ...(plant ? ['synoptic'] : []),
+    ...(plan ? ['plan', 'incidents', 'state', 'replans'] : []),
+    ...(levels ? ['trend'] : []),
+    'sfc', 'scan', 'tags',
+  ].sort();
+
+const gridOf = (text) => [...text.matchAll(/'([^']*)'/g)].map(([, row]) => row.split(' '));
+
+// A browser drops the whole template if one area is no rectangle.
+function isRectangle(grid, area) {
+  const cellsOf = grid.flatMap((row, y) => row.flatMap((name, x) => (name === area ? [[x, y]] : [])));
+  const [xs, ys] = [cellsOf.map(([x]) => x), cellsOf.map(([, y]) => y)];
+  const [width, height] = [xs, ys].map((all) => Math.max(...all) - Math.min(...all) + 1);
+  return cellsOf.length === width * height;
+}
+
+test('Page_WhenTheCellIsOfAnyKind_ThenEachOfItsPanelsHasARectangleAndNoOtherOneHas', () => {
+  for (const cell of cells) {
+    const areas = page.pageAreas(cell);
+    for (const [form, columns] of Object.entries(COLUMNS)) {
+      const grid = gridOf(areas[form]);
+      const what = `${form} ${JSON.stringify(cell)}: ${areas[form]}`;
+      assert.ok(grid.every((row) => row.length === columns), what);
+      assert.deepEqual([...new Set(grid.flat())].sort(), panelsOf(cell), what);
+      for (const area of panelsOf(cell)) assert.ok(isRectangle(grid, area), `${area} in ${what}`);
+    }
+  }
+});
