@@ -6,7 +6,8 @@ import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
-import { asksApi, axeFile, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken, userLine } from './people.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { asksApi, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken, userLine } from './people.mjs';
 import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
 
 const WHOLE_TEST_MS = 200_000;
@@ -198,37 +199,26 @@ async function losesItsSession(page, other) {
 
 endInTime(WHOLE_TEST_MS);
 
-const browser = await launchBrowser(given);
-let demo;
-try {
-  await browser.context.addInitScript({ path: axeFile(given.modules) });
-  demo = await startDemo(given.server, 1);
-  given.state = demo.stateDir;
-  const token = await setupToken(demo);
-  const { page, problems } = await openPage(browser.context, demo.url);
-  await looksWithoutLoggingIn(page);
-  await claims(page, token);
-  await holdsTheCookieTight(browser.context);
-  await addsUsers(page);
-  const tag = await forces(page);
-  await changesNoProgramUnderAPlan(page);
-  await holds(page);
-  await aborts(page);
-  await readsTheTrail(page, tag);
-  trailIsWhole();
-  const second = await launchBrowser(given);
-  const other = await openPage(second.context, demo.url);
-  await losesItsSession(page, other.page);
-  await second.close();
-  check(existsSync(join(given.state, 'access', 'users.json')), 'users are kept with the cell');
-  // What the server refuses on purpose the browser reports by itself.
-  const unexpected = problems.filter((problem) => !/status of (400|401|403|409)/.test(problem));
-  check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
-} catch (error) {
-  if (demo) console.error(`${demo.output()}\n${demo.logs()}`);
-  throw error;
-} finally {
-  if (demo) await demo.end();
-  await browser.close();
-  demo?.forget();
-}
+await leadOverPage(given, {
+  name: 'access',
+  expected: [400, 401, 403, 409],
+  start: () => startDemo(given.server, 1),
+  steps: async (page, demo) => {
+    given.state = demo.stateDir;
+    await looksWithoutLoggingIn(page);
+    await claims(page, await setupToken(demo));
+    await holdsTheCookieTight(page.context());
+    await addsUsers(page);
+    const tag = await forces(page);
+    await changesNoProgramUnderAPlan(page);
+    await holds(page);
+    await aborts(page);
+    await readsTheTrail(page, tag);
+    trailIsWhole();
+    const second = await launchBrowser(given);
+    const other = await openPage(second.context, demo.url);
+    await losesItsSession(page, other.page);
+    await second.close();
+    check(existsSync(join(given.state, 'access', 'users.json')), 'users are kept with the cell');
+  },
+});

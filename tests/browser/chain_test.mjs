@@ -4,7 +4,8 @@
 import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
-import { check, endInTime, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { check, endInTime, options, until, waitFor } from './support.mjs';
 
 const SPEED = 30;
 const KILL_AFTER_ACTIONS = 3;
@@ -102,29 +103,21 @@ async function sawEverythingMove(page) {
 
 endInTime(WHOLE_TEST_MS);
 
-const browser = await launchBrowser(given);
-let demo;
-try {
-  await browser.context.addInitScript(keepHistory);
-  demo = await startDemo(given.server, SPEED);
-  const { page, problems } = await openPage(browser.context, demo.url);
-  await showsTheRun(page);
-  await outlivesTheServer(page, demo);
-  await takePictures(page, 'during');
-  await reachesTheGoal(page);
-  await showsTheResult(page);
-  await sawEverythingMove(page);
-  await takePictures(page, 'after');
-  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
-  check(demo.processes().length === 5, 'demo, runtime, link, supervisor and HMI are there');
-  const code = await demo.end();
-  check(code === 0, `the demo ends with 0 when it is told to end (${code})`);
-  await until('no process of the demo is left', () => demo.processes().length === 0);
-} catch (error) {
-  if (demo) console.error(`${demo.output()}\n${demo.logs()}`);
-  throw error;
-} finally {
-  if (demo) await demo.end();
-  await browser.close();
-  demo?.forget();
-}
+await leadOverPage(given, {
+  name: 'chain',
+  watch: keepHistory,
+  start: () => startDemo(given.server, SPEED),
+  steps: async (page, demo) => {
+    await showsTheRun(page);
+    await outlivesTheServer(page, demo);
+    await takePictures(page, 'during');
+    await reachesTheGoal(page);
+    await showsTheResult(page);
+    await sawEverythingMove(page);
+    await takePictures(page, 'after');
+    check(demo.processes().length === 5, 'demo, runtime, link, supervisor and HMI are there');
+    const code = await demo.end();
+    check(code === 0, `the demo ends with 0 when it is told to end (${code})`);
+    await until('no process of the demo is left', () => demo.processes().length === 0);
+  },
+});

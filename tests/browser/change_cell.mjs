@@ -1,14 +1,7 @@
 // A bottle line without a plant whose program is changed: runtime, link and the page's server as real processes, in a folder of
 // its own, and the programs that come after the first.
 
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-
-import { freePort } from './demo_process.mjs';
-import { keepProcesses } from './processes.mjs';
-import { until } from './support.mjs';
+import { cellWithFiles } from './cell_folder.mjs';
 
 const FIRST = `
 PROGRAM Bottles
@@ -84,68 +77,18 @@ export const PROGRAMS = {
   wrong: FIRST.replace('ready := speed > 0;', 'ready := speeed > 0;').replace('go : BOOL;', 'go : BOOOL;'),
 };
 
-const configuration = (port) => `
-[cell]
-name = "bottles-${process.pid}"
-state_dir = "state"
-[clock]
-mode = "real"
-[plant]
-kind = "none"
-[dds]
-domain_id = 84
-[hmi]
-port = ${port}
-anonymous = "viewer"
-`;
-
 export async function startBottles(program) {
-  const folder = mkdtempSync(join(tmpdir(), 'hmi-change-'));
-  const config = join(folder, 'cell.toml');
-  const port = await freePort();
-  writeFileSync(config, configuration(port));
-  const file = (name) => join(folder, name);
-  const processes = keepProcesses(program, folder);
-  const start = (name) => processes.start(name, [name, '--config', config]);
-  const run = (...words) => execFileSync(program, words, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
-  const self = {
-    url: `http://127.0.0.1:${port}/`,
-    versions: join(folder, 'state', 'programs'),
-    trail: join(folder, 'state', 'access', 'audit.jsonl'),
-    file,
-    stop: processes.end,
+  const files = Object.fromEntries(Object.entries(PROGRAMS).map(([name, text]) => [`${name}.st`, text]));
+  const cell = await cellWithFiles(program, 'change', { domain: 84, files });
+  Object.assign(cell, {
+    versions: cell.file('state/programs'),
     // Compiled as `name`.swb, with further options of the compiler.
-    compile: (name, ...options) => run('compile', file(`${name}.st`), '-o', file(`${name}.swb`), ...options),
+    compile: (name, ...options) => cell.run('compile', cell.file(`${name}.st`), '-o', cell.file(`${name}.swb`), ...options),
     // Brought with the tool, past the server.
-    change: (name) => run('download', '--config', config, file(`${name}.swb`), '--change'),
-    force: (name, value) => run('force', '--config', config, name, value),
-    serve: async () => {
-      start('hmi');
-      await until('the page is served', () => fetch(self.url).then((response) => response.ok, () => false));
-    },
-    setupToken: async () => {
-      await until('the set-up token is on standard error', () => /set-up token [A-Z2-9-]{24}/.test(processes.read('hmi')));
-      return /set-up token ([A-Z2-9-]{24})/.exec(processes.read('hmi'))[1];
-    },
-    logs: processes.logs,
-    end: async () => {
-      await processes.endAll();
-      rmSync(folder, { recursive: true, force: true });
-    },
-  };
-  try {
-    for (const [name, text] of Object.entries(PROGRAMS)) writeFileSync(file(`${name}.st`), text);
-    start('runtime');
-    await until('the runtime listens', () => processes.read('runtime').includes('listens on'));
-    self.compile('first');
-    run('download', '--config', config, file('first.swb'), '--replace');
-    run('start', '--config', config, '--cold');
-    start('link');
-    await self.serve();
-    return self;
-  } catch (error) {
-    console.error(self.logs());
-    await self.end();
-    throw error;
-  }
+    change: (name) => cell.run('download', '--config', cell.config, cell.file(`${name}.swb`), '--change'),
+  });
+  return cell.runs(() => {
+    cell.compile('first');
+    cell.download('first.swb');
+  });
 }

@@ -67,7 +67,7 @@ export async function startDemo(program, speed, cell = 'bench', more = []) {
       readdirSync(stateDir)
         .filter((file) => file.endsWith('.log'))
         .map((file) => `--- ${file}\n${readFileSync(join(stateDir, file), 'utf8')}`)
-        .join(''),
+        .reduce((all, one) => `${all}${one}`, `${output}\n`),
     forget: () => rmSync(stateDir, { recursive: true, force: true }),
   };
   await until('the demo serves its page', async () => {

@@ -2,9 +2,10 @@
 
 import { join } from 'node:path';
 
-import { axeFile, isAccessible } from './people.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { isAccessible } from './people.mjs';
 import { startMixer } from './recipe_cell.mjs';
-import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { check, endInTime, fitsEachLook, options, waitFor } from './support.mjs';
 
 const DRAWING = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 200">
   <title>Mixer hall</title>
@@ -36,42 +37,23 @@ async function followsSwitches(page, mixer) {
   await waitFor(page, 'which is an alarm where it is drawn so', (still) => document.querySelector(still).classList.contains('alarm'), part('still'));
   const painted = () => page.locator(part('stirrer')).evaluate((one) => getComputedStyle(one).fill);
   const before = await painted();
-  mixer.run('force', '--config', join(mixer.folder, 'cell.toml'), 'Main.stir', 'TRUE');
+  mixer.force('Main.stir', 'TRUE');
   await waitFor(page, 'forced, it runs', (stirrer) => document.querySelector(stirrer).classList.contains('on'), part('stirrer'));
   check((await painted()) !== before, 'in another colour');
   await waitFor(page, 'and the alarm is over', (still) => !document.querySelector(still).classList.contains('alarm'), part('still'));
 }
 
 async function fits(page) {
-  for (const [scheme, width] of [['light', 1440], ['dark', 1440], ['light', 360]]) {
-    await page.emulateMedia({ colorScheme: scheme });
-    await page.setViewportSize({ width, height: 900 });
-    await page.waitForTimeout(250);
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
-    await shot(page, `${scheme}-${width}`);
-  }
+  await fitsEachLook(page, [['light', 1440], ['dark', 1440], ['light', 360]], (look) => shot(page, look));
   await isAccessible(page, 'the page with a drawing');
 }
 
-const browser = await launchBrowser(given);
-let mixer;
-let opened;
-try {
-  await browser.context.addInitScript({ path: axeFile(given.modules) });
-  mixer = await startMixer(given.server, { 'hall.svg': DRAWING }, 'drawing = "hall.svg"\n');
-  opened = await openPage(browser.context, mixer.url);
-  const { page, problems } = opened;
-  await livesByValues(page);
-  await followsSwitches(page, mixer);
-  await fits(page);
-  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
-} catch (error) {
-  if (opened) await shot(opened.page, 'failure').catch(() => {});
-  if (opened) console.error(opened.problems.join('\n'));
-  if (mixer) console.error(mixer.logs());
-  throw error;
-} finally {
-  await browser.close();
-  await mixer?.end();
-}
+await leadOverPage(given, {
+  name: 'drawing',
+  start: () => startMixer(given.server, { 'hall.svg': DRAWING }, 'drawing = "hall.svg"\n'),
+  steps: async (page, cell) => {
+    await livesByValues(page);
+    await followsSwitches(page, cell);
+    await fits(page);
+  },
+});

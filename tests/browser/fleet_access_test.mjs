@@ -4,8 +4,9 @@
 import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
-import { asksApi, axeFile, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
-import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { asksApi, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
+import { check, endInTime, options, waitFor } from './support.mjs';
 
 const WHOLE_TEST_MS = 200_000;
 // Slower than real time: where vehicles come to rest is not to depend on how fast the browser is.
@@ -109,29 +110,18 @@ async function readsTheTrail(page) {
 
 endInTime(WHOLE_TEST_MS);
 
-const browser = await launchBrowser(given);
-let demo;
-try {
-  await browser.context.addInitScript({ path: axeFile(given.modules) });
-  demo = await startDemo(given.server, SPEED, given.cell, ['--fault', `dead_v2=1@${DIES_S}`, '--fault', `dead_v2=0@${LIVES_AGAIN_S}`]);
-  const token = await setupToken(demo);
-  const { page, problems } = await openPage(browser.context, demo.url);
-  await claims(page, token);
-  await losesOne(page);
-  await holds(page);
-  await blocksAndFrees(page);
-  await orders(page);
-  await takesBack(page);
-  await resumes(page);
-  await readsTheTrail(page);
-  // What is refused on purpose the browser reports by itself.
-  const unexpected = problems.filter((problem) => !/status of (400|401|409)/.test(problem));
-  check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
-} catch (error) {
-  if (demo) console.error(`${demo.output()}\n${demo.logs()}`);
-  throw error;
-} finally {
-  if (demo) await demo.end();
-  await browser.close();
-  demo?.forget();
-}
+await leadOverPage(given, {
+  name: 'fleet-access',
+  expected: [400, 401, 409],
+  start: () => startDemo(given.server, SPEED, given.cell, ['--fault', `dead_v2=1@${DIES_S}`, '--fault', `dead_v2=0@${LIVES_AGAIN_S}`]),
+  steps: async (page, demo) => {
+    await claims(page, await setupToken(demo));
+    await losesOne(page);
+    await holds(page);
+    await blocksAndFrees(page);
+    await orders(page);
+    await takesBack(page);
+    await resumes(page);
+    await readsTheTrail(page);
+  },
+});

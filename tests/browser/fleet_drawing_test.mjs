@@ -6,8 +6,9 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
-import { axeFile, isAccessible } from './people.mjs';
-import { check, endInTime, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { isAccessible } from './people.mjs';
+import { check, endInTime, fitsEachLook, options, until, waitFor } from './support.mjs';
 
 const SCALE = 20; // of the drawing
 const HEIGHT = 840;
@@ -94,46 +95,26 @@ async function isReadOnAPhone(page, what) {
   }
 }
 
-const browser = await launchBrowser(given);
-let demo;
-let opened;
-try {
-  await browser.context.addInitScript({ path: axeFile(given.modules) });
-  const drawing = join(given.out, 'fleet-drawing.svg'); // that of the cell, and a pallet
-  writeFileSync(drawing, readFileSync(join(given.cell, '..', 'drawing.svg'), 'utf8').replace('</svg>', `${DRAWN_PALLET}</svg>`));
-  demo = await startDemo(given.server, 4, given.cell, [
-    '--set', `hmi.drawing="${drawing}"`,
-    '--set', `plant.pallets=[{x_m=${PALLET.x}.0, y_m=${PALLET.y}.0, heading_deg=0.0}]`,
-  ]);
-  opened = await openPage(browser.context, demo.url);
-  const { page, problems } = opened;
-  await drawsVehiclesWhereTheyAre(page);
-  await drawsPallets(page);
-  await shot(page, 'begin');
-  await drawsThemMoving(page);
-  for (const [scheme, width] of [['light', 1440], ['dark', 1440], ['light', 360]]) {
-    await page.emulateMedia({ colorScheme: scheme });
-    await page.setViewportSize({ width, height: 900 });
-    await page.waitForTimeout(250);
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
-    await shot(page, `${scheme}-${width}`);
-  }
-  await isAccessible(page, 'the page of a floor that is drawn');
-  await isReadOnAPhone(page, 'with the drawing');
-  await agreesWithTheFloorPlan(page);
-  await page.getByRole('button', { name: 'As drawn' }).press('Enter');
-  await isReadOnAPhone(page, 'with the floor plan');
-  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
-} catch (error) {
-  if (opened) await shot(opened.page, 'failure').catch(() => {});
-  if (opened) console.error(opened.problems.join('\n'));
-  if (demo) console.error(demo.logs());
-  throw error;
-} finally {
-  await browser.close();
-  if (demo) {
-    await demo.end();
-    demo.forget();
-  }
-}
+await leadOverPage(given, {
+  name: 'fleet-drawing',
+  start: () => {
+    const drawing = join(given.out, 'fleet-drawing.svg'); // that of the cell, and a pallet
+    writeFileSync(drawing, readFileSync(join(given.cell, '..', 'drawing.svg'), 'utf8').replace('</svg>', `${DRAWN_PALLET}</svg>`));
+    return startDemo(given.server, 4, given.cell, [
+      '--set', `hmi.drawing="${drawing}"`,
+      '--set', `plant.pallets=[{x_m=${PALLET.x}.0, y_m=${PALLET.y}.0, heading_deg=0.0}]`,
+    ]);
+  },
+  steps: async (page) => {
+    await drawsVehiclesWhereTheyAre(page);
+    await drawsPallets(page);
+    await shot(page, 'begin');
+    await drawsThemMoving(page);
+    await fitsEachLook(page, [['light', 1440], ['dark', 1440], ['light', 360]], (look) => shot(page, look));
+    await isAccessible(page, 'the page of a floor that is drawn');
+    await isReadOnAPhone(page, 'with the drawing');
+    await agreesWithTheFloorPlan(page);
+    await page.getByRole('button', { name: 'As drawn' }).press('Enter');
+    await isReadOnAPhone(page, 'with the floor plan');
+  },
+});

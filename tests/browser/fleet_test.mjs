@@ -4,7 +4,8 @@
 import { join } from 'node:path';
 
 import { startFleet } from './fleet_chain.mjs';
-import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { check, endInTime, options, waitFor } from './support.mjs';
 
 const VEHICLES = 7;
 const SPEED = 20;
@@ -125,26 +126,18 @@ async function seesThemDrive(page) {
 
 endInTime(WHOLE_TEST_MS);
 
-const browser = await launchBrowser(given);
-let fleet;
-try {
-  await browser.context.addInitScript(keepHistory);
-  fleet = await startFleet(given, VEHICLES, SPEED);
-  const { page, problems } = await openPage(browser.context, fleet.url);
-  await drawsThePlan(page);
-  fleet.tell('drive'); // not before: a slow browser would miss most of it
-  await obeysTheKeyboard(page);
-  await obeysTheMouse(page);
-  await takePictures(page, 'during', ['dark', 'light']);
-  await seesThemDrive(page);
-  await tellsWhoIsLost(page, fleet);
-  await takePictures(page, 'after', ['light', 'dark']);
-  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
-} catch (error) {
-  if (fleet) console.error(fleet.logs());
-  throw error;
-} finally {
-  if (fleet) await fleet.end();
-  await browser.close();
-  fleet?.forget();
-}
+await leadOverPage(given, {
+  name: 'fleet',
+  watch: keepHistory,
+  start: () => startFleet(given, VEHICLES, SPEED),
+  steps: async (page, fleet) => {
+    await drawsThePlan(page);
+    fleet.tell('drive'); // not before: a slow browser would miss most of it
+    await obeysTheKeyboard(page);
+    await obeysTheMouse(page);
+    await takePictures(page, 'during', ['dark', 'light']);
+    await seesThemDrive(page);
+    await tellsWhoIsLost(page, fleet);
+    await takePictures(page, 'after', ['light', 'dark']);
+  },
+});

@@ -4,8 +4,9 @@
 import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
-import { asksApi, axeFile, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
-import { check, endInTime, fitsEveryWidth, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { asksApi, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
+import { check, endInTime, fitsEveryWidth, options, waitFor } from './support.mjs';
 
 const SPEED = 5; // so that a run lasts while somebody puts another goal together
 const WHOLE_TEST_MS = 200_000;
@@ -144,30 +145,20 @@ async function startsAgain(page) {
 
 endInTime(WHOLE_TEST_MS);
 
-const browser = await launchBrowser(given);
-let demo;
-try {
-  await browser.context.addInitScript({ path: axeFile(given.modules) });
-  demo = await startDemo(given.server, SPEED, 'bench', ['--set', 'executive.start=operator']);
-  const { page, problems } = await openPage(browser.context, demo.url);
-  await claims(page, await setupToken(demo));
-  await waitsForItsStart(page);
-  await shot(page, 'ready');
-  await opensTheForm(page);
-  await mistakesAreTold(page);
-  await putsItTogether(page);
-  await asksWhatIf(page);
-  await startsWithIt(page);
-  await changesItsMindMeanwhile(page);
-  await startsAgain(page);
-  // What the server refuses on purpose the browser reports by itself.
-  const unexpected = problems.filter((problem) => !/status of (400|409)/.test(problem));
-  check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
-} catch (error) {
-  if (demo) console.error(`${demo.output()}\n${demo.logs()}`);
-  throw error;
-} finally {
-  if (demo) await demo.end();
-  await browser.close();
-  demo?.forget();
-}
+await leadOverPage(given, {
+  name: 'goal',
+  expected: [400, 409],
+  start: () => startDemo(given.server, SPEED, 'bench', ['--set', 'executive.start=operator']),
+  steps: async (page, demo) => {
+    await claims(page, await setupToken(demo));
+    await waitsForItsStart(page);
+    await shot(page, 'ready');
+    await opensTheForm(page);
+    await mistakesAreTold(page);
+    await putsItTogether(page);
+    await asksWhatIf(page);
+    await startsWithIt(page);
+    await changesItsMindMeanwhile(page);
+    await startsAgain(page);
+  },
+});

@@ -208,7 +208,7 @@ async function theSupervisorIsKilled(page, bench) {
   await phaseIs(page, 'held', 'and it rests');
   await until('the cause stands on the page', async () => (await replans(page)).join() === 'held by the operator');
   const before = await journalOf(page);
-  await bench.kill('supervisor');
+  await bench.stop('supervisor', 'SIGKILL');
   await tells(page, 'the page says that the supervisor is lost', 'The supervisor does not answer');
   await happened(page, 'so does the journal', 'supervisor.lost', 'raise');
   await isAccessible(page, 'a page without a supervisor');
@@ -224,7 +224,7 @@ async function theSupervisorIsKilled(page, bench) {
   await shot(page, 'held');
   check((await asksApi(page, '/api/plan/resume', { reason: 'he has gone' })) === '200', 'the operator lets it go on');
   await phaseIs(page, 'executing', 'and it follows a plan again');
-  await bench.kill('supervisor');
+  await bench.stop('supervisor', 'SIGKILL');
   await tells(page, 'killed while it follows a plan, it is missed again', 'The supervisor does not answer');
   bench.start('supervisor');
   await phaseIs(page, 'executing', 'the next one goes on with that plan');

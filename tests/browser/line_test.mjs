@@ -4,7 +4,8 @@
 import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
-import { check, endInTime, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { check, endInTime, options, until, waitFor } from './support.mjs';
 
 const SPEED = 5;
 const WHOLE_TEST_MS = 180_000;
@@ -54,31 +55,23 @@ async function sawTheLineWork(page) {
 
 endInTime(WHOLE_TEST_MS);
 
-const browser = await launchBrowser(given);
-let demo;
-try {
-  await browser.context.addInitScript(keepHistory);
-  demo = await startDemo(given.server, SPEED, 'conveyor');
-  const { page, problems } = await openPage(browser.context, demo.url);
-  await waitFor(page, 'belts, chutes and pushers are drawn', () =>
-    document.querySelectorAll('[data-belt]').length === 9 && document.querySelectorAll('[data-pusher]').length === 4);
-  await waitFor(page, 'the plan has 36 actions', () => document.querySelectorAll('[data-action]').length === 36);
-  await waitFor(page, 'three boxes are on the line at once', () => globalThis.seen.most >= 3);
-  await takePictures(page);
-  await waitFor(page, 'the page says that the goal is reached', () =>
-    document.querySelector('[data-testid=phase]')?.textContent.trim() === 'done' &&
-    document.querySelector('[data-testid=message]').textContent.includes('the goal is reached'));
-  await waitFor(page, 'no box is on the line', () => document.querySelectorAll('[data-box]').length === 0);
-  await sawTheLineWork(page);
-  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
-  const code = await demo.end();
-  check(code === 0, `the demo ends with 0 when it is told to end (${code})`);
-  await until('no process of the demo is left', () => demo.processes().length === 0);
-} catch (error) {
-  if (demo) console.error(`${demo.output()}\n${demo.logs()}`);
-  throw error;
-} finally {
-  if (demo) await demo.end();
-  await browser.close();
-  demo?.forget();
-}
+await leadOverPage(given, {
+  name: 'line',
+  watch: keepHistory,
+  start: () => startDemo(given.server, SPEED, 'conveyor'),
+  steps: async (page, demo) => {
+    await waitFor(page, 'belts, chutes and pushers are drawn', () =>
+      document.querySelectorAll('[data-belt]').length === 9 && document.querySelectorAll('[data-pusher]').length === 4);
+    await waitFor(page, 'the plan has 36 actions', () => document.querySelectorAll('[data-action]').length === 36);
+    await waitFor(page, 'three boxes are on the line at once', () => globalThis.seen.most >= 3);
+    await takePictures(page);
+    await waitFor(page, 'the page says that the goal is reached', () =>
+      document.querySelector('[data-testid=phase]')?.textContent.trim() === 'done' &&
+      document.querySelector('[data-testid=message]').textContent.includes('the goal is reached'));
+    await waitFor(page, 'no box is on the line', () => document.querySelectorAll('[data-box]').length === 0);
+    await sawTheLineWork(page);
+    const code = await demo.end();
+    check(code === 0, `the demo ends with 0 when it is told to end (${code})`);
+    await until('no process of the demo is left', () => demo.processes().length === 0);
+  },
+});

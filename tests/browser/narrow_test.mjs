@@ -6,8 +6,9 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
-import { axeFile, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
-import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
+import { check, endInTime, options, waitFor } from './support.mjs';
 
 const WIDTH = 360;
 const MOST_TABS = 500;
@@ -139,45 +140,33 @@ async function visitsForce(page) {
   await visits(page, { what: 'forcing a variable', name: 'force', opener: '[data-button=set]', inside: DIALOG });
 }
 
-const browser = await launchBrowser(given);
-let opened;
-let demo;
-try {
-  await browser.context.addInitScript({ path: axeFile(given.modules) });
-  const recipes = join(given.out, 'narrow-recipes.toml');
-  writeFileSync(recipes, RECIPES);
-  demo = await startDemo(given.server, 1, 'bench', ['--set', 'executive.start="operator"', '--set', `hmi.recipes="${recipes}"`]);
-  opened = await openPage(browser.context, demo.url);
-  const { page, problems } = opened;
-  await page.setViewportSize({ width: WIDTH, height: 740 });
-  await waitFor(page, 'the plan is ready', () => document.querySelector('[data-testid=phase]')?.innerText === 'ready');
-  await claims(page, await setupToken(demo));
-  await canBeRead(page, 'the page', 'page');
-  await shot(page, 'page-whole', true);
-  await visitsDialogs(page);
-  await visitsGoal(page);
-  await visitsRegions(page);
-  await tabTo(page, 'Start', await named(page, 'Start'));
-  await page.keyboard.press('Enter');
-  await dialog(page).getByRole('button', { name: 'Start the run' }).press('Enter');
-  await dialogIsGone(page, 'the run is started');
-  await waitFor(page, 'the program runs', () => document.querySelectorAll('[data-panel=tags] tbody tr').length > 3 && document.querySelector('.step.active') !== null);
-  await canBeRead(page, 'the page of a run', 'run');
-  await shot(page, 'run-whole', true);
-  await visits(page, { what: 'the program that runs', name: 'program', opener: '#program-more', inside: '[data-panel=program-details]' });
-  await visitsForce(page);
-  await visits(page, { what: 'holding the run', name: 'hold', opener: await named(page, 'Hold'), inside: DIALOG });
-  await visitsHelp(page);
-  check(faults.length === 0, `everything can be reached, read and left ${faults.join('\n')}`);
-  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
-} catch (error) {
-  if (opened) await shot(opened.page, 'failure').catch(() => {});
-  if (opened) console.error(opened.problems.join('\n'));
-  throw error;
-} finally {
-  await browser.close();
-  if (demo) {
-    await demo.end();
-    demo.forget();
-  }
-}
+await leadOverPage(given, {
+  name: 'narrow',
+  start: () => {
+    const recipes = join(given.out, 'narrow-recipes.toml');
+    writeFileSync(recipes, RECIPES);
+    return startDemo(given.server, 1, 'bench', ['--set', 'executive.start="operator"', '--set', `hmi.recipes="${recipes}"`]);
+  },
+  steps: async (page, demo) => {
+    await page.setViewportSize({ width: WIDTH, height: 740 });
+    await waitFor(page, 'the plan is ready', () => document.querySelector('[data-testid=phase]')?.innerText === 'ready');
+    await claims(page, await setupToken(demo));
+    await canBeRead(page, 'the page', 'page');
+    await shot(page, 'page-whole', true);
+    await visitsDialogs(page);
+    await visitsGoal(page);
+    await visitsRegions(page);
+    await tabTo(page, 'Start', await named(page, 'Start'));
+    await page.keyboard.press('Enter');
+    await dialog(page).getByRole('button', { name: 'Start the run' }).press('Enter');
+    await dialogIsGone(page, 'the run is started');
+    await waitFor(page, 'the program runs', () => document.querySelectorAll('[data-panel=tags] tbody tr').length > 3 && document.querySelector('.step.active') !== null);
+    await canBeRead(page, 'the page of a run', 'run');
+    await shot(page, 'run-whole', true);
+    await visits(page, { what: 'the program that runs', name: 'program', opener: '#program-more', inside: '[data-panel=program-details]' });
+    await visitsForce(page);
+    await visits(page, { what: 'holding the run', name: 'hold', opener: await named(page, 'Hold'), inside: DIALOG });
+    await visitsHelp(page);
+    check(faults.length === 0, `everything can be reached, read and left ${faults.join('\n')}`);
+  },
+});

@@ -3,9 +3,10 @@
 
 import { join } from 'node:path';
 
-import { axeFile, isAccessible } from './people.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { isAccessible } from './people.mjs';
 import { startProgramCell } from './program_cell.mjs';
-import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { check, endInTime, options, waitFor } from './support.mjs';
 
 const WHOLE_TEST_MS = 170_000;
 
@@ -144,28 +145,17 @@ async function knowsItsSources(page, cell) {
 
 endInTime(WHOLE_TEST_MS);
 
-const browser = await launchBrowser(given);
-let cell;
-let opened;
-try {
-  await browser.context.addInitScript({ path: axeFile(given.modules) });
-  cell = await startProgramCell(given.server);
-  opened = await openPage(browser.context, cell.url);
-  const { page, problems } = opened;
-  await opensByKeyboard(page);
-  await showsPowerFlow(page, cell);
-  await showsWires(page);
-  await showsText(page);
-  await jumpsFromATag(page);
-  await searches(page);
-  await fitsEveryWidth(page);
-  await knowsItsSources(page, cell);
-  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
-} catch (error) {
-  if (opened) await shot(opened.page, 'failure').catch(() => {});
-  if (cell) console.error(cell.logs());
-  throw error;
-} finally {
-  await browser.close();
-  await cell?.end();
-}
+await leadOverPage(given, {
+  name: 'program',
+  start: () => startProgramCell(given.server),
+  steps: async (page, cell) => {
+    await opensByKeyboard(page);
+    await showsPowerFlow(page, cell);
+    await showsWires(page);
+    await showsText(page);
+    await jumpsFromATag(page);
+    await searches(page);
+    await fitsEveryWidth(page);
+    await knowsItsSources(page, cell);
+  },
+});

@@ -4,9 +4,10 @@
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { axeFile, dialog, dialogIsGone, fill, isAccessible, PASSWORD } from './people.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { dialog, dialogIsGone, fill, isAccessible, PASSWORD } from './people.mjs';
 import { startMixer } from './recipe_cell.mjs';
-import { check, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
+import { check, options, until, waitFor } from './support.mjs';
 
 const given = options();
 const shot = (page, name) => page.screenshot({ path: join(given.out, `recipes-${name}.png`), fullPage: true });
@@ -218,35 +219,23 @@ async function staysAfterARestart(page, cell) {
   check(json.recipes.map(({ name }) => name).join() === 'Blue 20 l,Red,Spoilt', 'all recipes are there after a kill');
 }
 
-const browser = await launchBrowser(given);
-let cell;
-let opened;
-try {
-  await browser.context.addInitScript({ path: axeFile(given.modules) });
-  cell = await startMixer(given.server);
-  opened = await openPage(browser.context, cell.url);
-  const { page, problems } = opened;
-  await claims(page, cell);
-  await logsIn(page, 'emil');
-  await opensThePanel(page);
-  await saves(page);
-  await comparesTwo(page);
-  await loads(page);
-  await refusesWhatDoesNotFit(page, cell);
-  await refusesWhatIsForced(page, cell);
-  await removes(page);
-  await trailTells(page, cell);
-  await loadsWithinOneScan(page, cell);
-  await fitsEveryWidth(page);
-  await staysAfterARestart(page, cell);
-  // What the server refuses on purpose the browser reports by itself.
-  const unexpected = problems.filter((problem) => !/status of (400|401|403|409)/.test(problem));
-  check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
-} catch (error) {
-  if (opened) await shot(opened.page, 'failure').catch(() => {});
-  if (cell) console.error(cell.logs());
-  throw error;
-} finally {
-  await browser.close();
-  await cell?.end();
-}
+await leadOverPage(given, {
+  name: 'recipes',
+  expected: [400, 401, 403, 409],
+  start: () => startMixer(given.server),
+  steps: async (page, cell) => {
+    await claims(page, cell);
+    await logsIn(page, 'emil');
+    await opensThePanel(page);
+    await saves(page);
+    await comparesTwo(page);
+    await loads(page);
+    await refusesWhatDoesNotFit(page, cell);
+    await refusesWhatIsForced(page, cell);
+    await removes(page);
+    await trailTells(page, cell);
+    await loadsWithinOneScan(page, cell);
+    await fitsEveryWidth(page);
+    await staysAfterARestart(page, cell);
+  },
+});

@@ -4,8 +4,9 @@
 import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
-import { axeFile, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
-import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { leadOverPage } from './page_run.mjs';
+import { dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
+import { check, endInTime, options, waitFor } from './support.mjs';
 
 const SPEED = 4;
 const RELEASED_S = 22; // of the cell's time
@@ -33,57 +34,43 @@ function keepHistory() {
 }
 const moved = (page) => page.evaluate(() => [...globalThis.seen.belts, ...globalThis.seen.paddles].join(' '));
 
-const browser = await launchBrowser(given);
-let demo;
-let opened;
-try {
-  await browser.context.addInitScript({ path: axeFile(given.modules) });
-  await browser.context.addInitScript(keepHistory);
-  demo = await startDemo(given.server, SPEED, 'conveyor', [
-    '--set', 'executive.start="operator"',
-    '--fault', 'press_estop=1@0', '--fault', `press_estop=0@${RELEASED_S}`,
-    '--fault', `press_reset=1@${RESET_S}`, '--fault', `press_reset=0@${RESET_S + 1}`,
-  ]);
-  opened = await openPage(browser.context, demo.url);
-  const { page, problems } = opened;
-  await waitFor(page, 'the plan is ready', () => document.querySelector('[data-testid=phase]')?.innerText === 'ready');
-  const token = await setupToken(demo);
-  await page.getByTestId('log-in').click();
-  await fill(page, { 'Set-up token': token, 'Your name': 'root', Password: PASSWORD });
-  await page.keyboard.press('Enter');
-  await dialogIsGone(page, 'somebody may act');
-  await page.getByRole('button', { name: 'Start', exact: true }).click();
-  await dialog(page).getByRole('button', { name: 'Start the run' }).click();
-  await dialogIsGone(page, 'the run is started');
-  await waitFor(page, 'the page says that the emergency stop is pressed', () =>
-    document.querySelector('[data-testid=emergency-stop]')?.innerText.startsWith('The emergency stop is pressed.'));
-  await waitFor(page, 'the plan begins with waiting for a reset', () => document.querySelector('[data-state=active]')?.innerText.includes('await_reset'));
-  await waitFor(page, 'and the page says why', () => document.querySelector('[data-panel=incidents]')?.innerText.includes('contactor closed'));
-  await shot(page, 'pressed');
-  await page.setViewportSize({ width: 360, height: 740 });
-  await page.evaluate(() => scrollTo(0, 0));
-  await shot(page, 'pressed-360');
-  await page.setViewportSize({ width: 1440, height: 900 });
-  await isAccessible(page, 'the page of a line that is stopped');
-  await clockIs(page, 'it is released', RELEASED_S + 1);
-  await waitFor(page, 'the page sees that, too', () => document.querySelector('[data-testid=emergency-stop]') === null);
-  await clockIs(page, 'some time goes by', RESET_S - 4);
-  const early = await moved(page);
-  check(early === '', `nothing has moved ${early}`);
-  await shot(page, 'released');
-  await clockIs(page, 'somebody resets the line', RESET_S + 1);
-  await waitFor(page, 'and it goes on', () => globalThis.seen.belts.size > 0);
-  await waitFor(page, 'to its goal', () => document.querySelector('[data-testid=phase]')?.innerText === 'done');
-  check(problems.length === 0, `no errors, no foreign requests, no policy violations ${problems.join('; ')}`);
-} catch (error) {
-  if (opened) await shot(opened.page, 'failure').catch(() => {});
-  if (opened) console.error(opened.problems.join('\n'));
-  if (demo) console.error(demo.logs());
-  throw error;
-} finally {
-  await browser.close();
-  if (demo) {
-    await demo.end();
-    demo.forget();
-  }
-}
+await leadOverPage(given, {
+  name: 'stop',
+  watch: keepHistory,
+  start: () =>
+    startDemo(given.server, SPEED, 'conveyor', [
+      '--set', 'executive.start="operator"',
+      '--fault', 'press_estop=1@0', '--fault', `press_estop=0@${RELEASED_S}`,
+      '--fault', `press_reset=1@${RESET_S}`, '--fault', `press_reset=0@${RESET_S + 1}`,
+    ]),
+  steps: async (page, demo) => {
+    await waitFor(page, 'the plan is ready', () => document.querySelector('[data-testid=phase]')?.innerText === 'ready');
+    const token = await setupToken(demo);
+    await page.getByTestId('log-in').click();
+    await fill(page, { 'Set-up token': token, 'Your name': 'root', Password: PASSWORD });
+    await page.keyboard.press('Enter');
+    await dialogIsGone(page, 'somebody may act');
+    await page.getByRole('button', { name: 'Start', exact: true }).click();
+    await dialog(page).getByRole('button', { name: 'Start the run' }).click();
+    await dialogIsGone(page, 'the run is started');
+    await waitFor(page, 'the page says that the emergency stop is pressed', () =>
+      document.querySelector('[data-testid=emergency-stop]')?.innerText.startsWith('The emergency stop is pressed.'));
+    await waitFor(page, 'the plan begins with waiting for a reset', () => document.querySelector('[data-state=active]')?.innerText.includes('await_reset'));
+    await waitFor(page, 'and the page says why', () => document.querySelector('[data-panel=incidents]')?.innerText.includes('contactor closed'));
+    await shot(page, 'pressed');
+    await page.setViewportSize({ width: 360, height: 740 });
+    await page.evaluate(() => scrollTo(0, 0));
+    await shot(page, 'pressed-360');
+    await page.setViewportSize({ width: 1440, height: 900 });
+    await isAccessible(page, 'the page of a line that is stopped');
+    await clockIs(page, 'it is released', RELEASED_S + 1);
+    await waitFor(page, 'the page sees that, too', () => document.querySelector('[data-testid=emergency-stop]') === null);
+    await clockIs(page, 'some time goes by', RESET_S - 4);
+    const early = await moved(page);
+    check(early === '', `nothing has moved ${early}`);
+    await shot(page, 'released');
+    await clockIs(page, 'somebody resets the line', RESET_S + 1);
+    await waitFor(page, 'and it goes on', () => globalThis.seen.belts.size > 0);
+    await waitFor(page, 'to its goal', () => document.querySelector('[data-testid=phase]')?.innerText === 'done');
+  },
+});

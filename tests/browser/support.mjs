@@ -144,3 +144,15 @@ export async function fitsEveryWidth(page, widths, shot) {
   await shot(page, `dark-${widths[0]}`);
   await page.emulateMedia({ colorScheme: 'light' });
 }
+
+// In each of `looks` (colour scheme and width) nothing sticks out; `deed` is done with it there, and named after it.
+export async function fitsEachLook(page, looks, deed) {
+  for (const [scheme, width] of looks) {
+    await page.emulateMedia({ colorScheme: scheme });
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForTimeout(250);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
+    await deed(`${scheme}-${width}`);
+  }
+}

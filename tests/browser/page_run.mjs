@@ -1,0 +1,33 @@
+// The frame of a test that leads over the page of one cell.
+
+import { join } from 'node:path';
+
+import { axeFile } from './people.mjs';
+import { check, launchBrowser, openPage } from './support.mjs';
+
+// `start` brings up a cell with url, logs and end; `steps` are taken on its page, in which `watch` has run before anything else.
+// The page may tell of answers with the statuses `expected`, which the server gives on purpose, and of nothing else.
+export async function leadOverPage(given, { name, start, steps, watch, expected = [] }) {
+  const browser = await launchBrowser(given);
+  let cell;
+  let opened;
+  try {
+    await browser.context.addInitScript({ path: axeFile(given.modules) });
+    if (watch) await browser.context.addInitScript(watch);
+    cell = await start();
+    opened = await openPage(browser.context, cell.url);
+    const { page, problems } = opened;
+    await steps(page, cell);
+    const unexpected = problems.filter((problem) => !expected.some((status) => problem.includes(`status of ${status}`)));
+    check(unexpected.length === 0, `no errors, no foreign requests, no policy violations ${unexpected.join('; ')}`);
+  } catch (error) {
+    await opened?.page.screenshot({ path: join(given.out, `${name}-failure.png`) }).catch(() => {});
+    if (opened) console.error(opened.problems.join('\n'));
+    if (cell) console.error(cell.logs());
+    throw error;
+  } finally {
+    await browser.close();
+    await cell?.end();
+    cell?.forget?.();
+  }
+}
