@@ -4,7 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -88,6 +90,17 @@ result::Result<void> append_durably(const Descriptor& file, const std::filesyste
   // Half a line would make what follows it unreadable. Where this fails too, opening the file mends it.
   if (end >= 0 && ::ftruncate(file.number(), end) != 0) return problem;
   return problem;
+}
+
+std::optional<std::string> read_bounded(const std::filesystem::path& file, std::size_t most) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  std::ifstream in(file, std::ios::binary);
+  if (!in || error) return std::nullopt;
+  std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(size, most)) + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
 }
 
 result::Result<std::string> read_whole(const std::filesystem::path& file) {

@@ -2,6 +2,7 @@
 
 #include "hmi_web/access/secrets.h"
 #include "hmi_web/api/change_desk.h"
+#include "hmi_web/api/internal/desk_row.h"
 #include "hmi_web/api/routes.h"
 
 namespace stepwright::api {
@@ -258,14 +259,10 @@ Answer changed(ChangeDesk& desk, const Call& call) {
   return answer;
 }
 
-using Deed = std::function<Answer(ChangeDesk&, const Call&)>;
-
+template <typename Deed>
 Route with(ChangeDesk* desk, Route route, Deed deed) {
   route.least = Role::Engineer;
-  route.handler = [desk, deed = std::move(deed)](const Call& call) {
-    return desk == nullptr ? no_change() : deed(*desk, call);
-  };
-  return route;
+  return with_desk(desk, std::move(route), no_change, std::move(deed));
 }
 
 }  // namespace

@@ -185,23 +185,26 @@ void ForceDesk::compare(const std::vector<ForcedPlace>& forced) {
     const bool taken = place && std::any_of(others.begin(), others.end(), [&](const ForcedPlace& other) {
                          return other.name == place->name;
                        });
-    drop(each, taken ? "somebody else has forced it since" : "the runtime does not force it any more");
+    take_off(each, "runtime",
+             taken ? "somebody else has forced it since" : "the runtime does not force it any more", "seen");
   }
   missing_ = std::move(missing);
   const std::lock_guard lock(mutex_);
   others_ = std::move(others);
 }
 
-void ForceDesk::drop(const StandingForce& gone, const std::string& why) {
+// Where the disk is full it stays listed and is taken off again and again, which harms nobody.
+void ForceDesk::take_off(const StandingForce& gone, const char* by, const std::string& why,
+                         const std::string& result) {
   auto left = standing();
   leave_out(left, gone.name);
   (void)keep(std::move(left));
-  (void)audit_.append({.user = "runtime",
+  (void)audit_.append({.user = by,
                        .action = "tag.unforce",
                        .target = gone.name,
                        .before = gone.value,
                        .reason = why,
-                       .result = "seen"});
+                       .result = result});
 }
 
 void ForceDesk::end_what_is_due() {
@@ -213,15 +216,8 @@ void ForceDesk::end_what_is_due() {
     // runs.
     const auto released = control_.unforce(each.name);
     if (!released && tried_again(released.error())) return;
-    auto left = standing();
-    leave_out(left, each.name);
-    (void)keep(std::move(left));  // where the disk is full it is released again and again, which harms nobody
-    (void)audit_.append({.user = "timer",
-                         .action = "tag.unforce",
-                         .target = each.name,
-                         .before = each.value,
-                         .reason = "the time is over that " + each.user + " had set",
-                         .result = released ? "done" : "refused: " + released.error().front().message});
+    take_off(each, "timer", "the time is over that " + each.user + " had set",
+             released ? "done" : "refused: " + released.error().front().message);
   }
 }
 

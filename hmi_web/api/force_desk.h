@@ -82,7 +82,8 @@ class ForceDesk {
   void ask_runtime();
   void end_what_is_due();
   void compare(const std::vector<ForcedPlace>& forced);
-  void drop(const StandingForce& gone, const std::string& why);
+  // Of the list, with an entry in the audit trail.
+  void take_off(const StandingForce& gone, const char* by, const std::string& why, const std::string& result);
   std::vector<StandingForce> standing() const;
   void tell();
   void run();

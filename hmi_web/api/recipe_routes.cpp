@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "hmi_web/api/internal/desk_row.h"
 #include "hmi_web/api/recipe_desk.h"
 #include "hmi_web/api/routes.h"
 #include "hmi_web/recipes/recipe_check.h"
@@ -141,13 +142,9 @@ Answer changed(const result::Result<RecipeChange>& done, const std::string& name
   return answer;
 }
 
-using Deed = std::function<Answer(RecipeDesk&, const Call&)>;
-
+template <typename Deed>
 Route with(RecipeDesk* desk, Route route, Deed deed) {
-  route.handler = [desk, deed = std::move(deed)](const Call& call) {
-    return desk == nullptr ? no_recipes() : deed(*desk, call);
-  };
-  return route;
+  return with_desk(desk, std::move(route), no_recipes, std::move(deed));
 }
 
 Route acting(Route route, Role least, Lane lane, Shape body = {}) {

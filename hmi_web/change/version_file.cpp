@@ -19,11 +19,6 @@ constexpr std::array kOutcomes = {Outcome::Found, Outcome::Trial, Outcome::Kept,
                                   Outcome::Unknown};
 constexpr std::size_t kLongestText = 1'024;  // of a member
 
-auto damaged(const std::string& name, const std::string& what) {
-  return result::fail("H0095", {name, 0, 0}, "the file of a program version is damaged: " + what,
-                      "restore it from a copy, or remove it");
-}
-
 std::string cut(const std::string& text) {
   return text.substr(0, kLongestText);
 }
@@ -92,6 +87,11 @@ bool is_digest(std::string_view text) {
          });
 }
 
+tl::unexpected<result::Diagnostics> damaged_version(const std::string& name, const std::string& what) {
+  return result::fail("H0095", {name, 0, 0}, "the file of a program version is damaged: " + what,
+                      "restore it from a copy, or remove it");
+}
+
 std::string to_file(const Version& version, std::span<const std::byte> container) {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(version.when.time_since_epoch());
   const json head = {{"format", 1},
@@ -109,15 +109,15 @@ std::string to_file(const Version& version, std::span<const std::byte> container
 }
 
 result::Result<VersionFile> from_file(std::string_view bytes, const std::string& name) {
-  if (bytes.size() > kLargestVersionFile) return damaged(name, "it is too long");
+  if (bytes.size() > kLargestVersionFile) return damaged_version(name, "it is too long");
   const std::size_t end = bytes.substr(0, kLongestHead).find('\n');
-  if (end == std::string_view::npos) return damaged(name, "its first line has no end");
+  if (end == std::string_view::npos) return damaged_version(name, "its first line has no end");
   const json head = json::parse(bytes.substr(0, end), nullptr, /*allow_exceptions=*/false);
   auto version = version_of(head);
-  if (!version) return damaged(name, "its first line does not describe a version");
+  if (!version) return damaged_version(name, "its first line does not describe a version");
   const std::string_view container = bytes.substr(end + 1);
   if (access::sha256_hex(container) != version->digest)
-    return damaged(name, "its program is not the one with the digest " + version->digest.substr(0, 12));
+    return damaged_version(name, "its program is not the one with the digest " + version->digest.substr(0, 12));
   return VersionFile{*std::move(version), std::as_bytes(std::span(container))};
 }
 

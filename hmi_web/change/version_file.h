@@ -30,6 +30,9 @@ std::string to_file(const Version& version, std::span<const std::byte> container
 // another digest too.
 [[nodiscard]] result::Result<VersionFile> from_file(std::string_view bytes, const std::string& name);
 
+// H0095 of the file `name`.
+tl::unexpected<result::Diagnostics> damaged_version(const std::string& name, const std::string& what);
+
 // 64 lower-case hexadecimal digits: can be the digest of a program.
 bool is_digest(std::string_view text);
 

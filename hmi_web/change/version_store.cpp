@@ -1,7 +1,6 @@
 #include "hmi_web/change/version_store.h"
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -23,22 +22,15 @@ auto unknown(const std::string& digest) {
 }
 
 auto spoilt(const fs::path& file, const std::string& what) {
-  return result::fail("H0095", {file.string(), 0, 0}, "the file of a program version is damaged: " + what,
-                      "restore it from a copy, or remove it");
+  return damaged_version(file.string(), what);
 }
 
-// At most one byte more than a version may have: a file that grows meanwhile does not fill the memory.
-result::Result<std::string> read_bounded(const fs::path& file) {
+result::Result<std::string> read_version(const fs::path& file) {
   std::error_code error;
   // A link would lead out of the folder, a pipe would never end.
   if (!fs::is_regular_file(fs::symlink_status(file, error))) return spoilt(file, "it is no plain file");
-  const auto size = fs::file_size(file, error);
-  std::ifstream in(file, std::ios::binary);
-  if (!in || error) return spoilt(file, "it cannot be read");
-  std::string text(std::min<std::uintmax_t>(size, kLargestVersionFile) + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
+  auto bytes = access::read_bounded(file, kLargestVersionFile);
+  return bytes ? result::Result<std::string>(*std::move(bytes)) : spoilt(file, "it cannot be read");
 }
 
 void sort_newest_first(auto& kept) {
@@ -72,7 +64,7 @@ void VersionStore::read_folder() {
     const std::string file = at->path().filename().string();
     if (!file.ends_with(kEnding)) continue;
     if (++looked > kMostFiles) break;
-    auto bytes = read_bounded(at->path());
+    auto bytes = read_version(at->path());
     auto read = bytes ? from_file(*bytes, at->path().string())
                       : result::Result<VersionFile>(tl::unexpected(bytes.error()));
     if (read && read->version.digest + std::string(kEnding) != file)
@@ -114,7 +106,7 @@ result::Result<std::vector<std::byte>> VersionStore::container(const std::string
   if (!find(digest)) return unknown(digest);  // nothing but a known digest becomes a path
   const std::lock_guard lock(mutex_);
   const fs::path file = file_of(digest);
-  auto bytes = read_bounded(file);
+  auto bytes = read_version(file);
   if (!bytes) return result::forward(bytes);
   auto read = from_file(*bytes, file.string());
   if (!read) return result::forward(read);

@@ -1,7 +1,6 @@
 #include "hmi_web/recipes/recipe_store.h"
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -24,16 +23,6 @@ auto damaged(const fs::path& file, const std::string& what) {
 auto unknown(const std::string& name) {
   return result::fail("H0072", {}, "there is no recipe '" + name + "'",
                       "somebody may have removed it meanwhile");
-}
-
-// At most one byte more than a recipe may have: a file that grows meanwhile does not fill the memory.
-std::optional<std::string> read_bounded(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;
-  std::string text(kLargestFile + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
 }
 
 }  // namespace
@@ -63,7 +52,7 @@ result::Result<Recipe> RecipeStore::read_file(const std::string& name) const {
   if (!fs::exists(status)) return unknown(name);
   // A link would lead out of the folder, a pipe would never end.
   if (!fs::is_regular_file(status)) return damaged(file, "it is no plain file");
-  const auto text = read_bounded(file);
+  const auto text = access::read_bounded(file, kLargestFile);
   if (!text) return damaged(file, "it cannot be read");
   if (text->size() > kLargestFile)
     return damaged(file, "it is longer than " + std::to_string(kLargestFile) + " bytes");

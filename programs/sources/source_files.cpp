@@ -45,27 +45,28 @@ driver::CompileInput SourceFiles::input() const {
   return input;
 }
 
+void SourceFiles::add(const std::string& name, std::string text, result::Diagnostics& diagnostics) {
+  files.push_back({name, text});
+  if (!process::is_xml(name)) {
+    texts.push_back({name, std::move(text)});
+    return;
+  }
+  auto project = exchange::read_plcopen(name, std::move(text));
+  if (project) {
+    projects.push_back(std::move(*project));
+  } else {
+    diagnostics.insert(diagnostics.end(), project.error().begin(), project.error().end());
+  }
+}
+
 SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& diagnostics) {
   SourceFiles sources;
-  const auto fail = [&](const result::Diagnostics& errors) {
-    diagnostics.insert(diagnostics.end(), errors.begin(), errors.end());
-  };
   for (const std::string& path : paths) {
     auto text = process::read_file(path);
-    if (!text) {
-      fail(text.error());
-      continue;
-    }
-    sources.files.push_back({path, *text});
-    if (!process::is_xml(path)) {
-      sources.texts.push_back({path, std::move(*text)});
-      continue;
-    }
-    auto project = exchange::read_plcopen(path, std::move(*text));
-    if (project) {
-      sources.projects.push_back(std::move(*project));
+    if (text) {
+      sources.add(path, std::move(*text), diagnostics);
     } else {
-      fail(project.error());
+      diagnostics.insert(diagnostics.end(), text.error().begin(), text.error().end());
     }
   }
   return sources;

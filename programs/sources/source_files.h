@@ -23,6 +23,8 @@ struct SourceFiles {
   std::vector<source::NamedText> texts;   // the ST files among them
   std::deque<graphic::Project> projects;  // the PLCopen files
 
+  // One more: ST, or PLCopen if its name ends in .xml, of which E08xx is appended.
+  void add(const std::string& name, std::string text, result::Diagnostics& diagnostics);
   // What the compiler is given; valid as long as this object.
   driver::CompileInput input() const;
 };
