@@ -40,7 +40,8 @@ class Descriptor {
 // All bytes, then fdatasync. What was written of a text that failed is cut off again.
 [[nodiscard]] result::Result<void> append_durably(const Descriptor& file, const std::filesystem::path& path,
                                                   std::string_view bytes);
-// At most one byte more than `most`: a file that grows meanwhile does not fill the memory. Nothing: it cannot be read.
+// At most one byte more than `most`: a file that grows meanwhile does not fill the memory. Nothing: it cannot
+// be read.
 std::optional<std::string> read_bounded(const std::filesystem::path& file, std::size_t most);
 [[nodiscard]] result::Result<std::string> read_whole(const std::filesystem::path& file);
 

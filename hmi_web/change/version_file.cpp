@@ -117,7 +117,8 @@ result::Result<VersionFile> from_file(std::string_view bytes, const std::string&
   if (!version) return damaged_version(name, "its first line does not describe a version");
   const std::string_view container = bytes.substr(end + 1);
   if (access::sha256_hex(container) != version->digest)
-    return damaged_version(name, "its program is not the one with the digest " + version->digest.substr(0, 12));
+    return damaged_version(name,
+                           "its program is not the one with the digest " + version->digest.substr(0, 12));
   return VersionFile{*std::move(version), std::as_bytes(std::span(container))};
 }
 

@@ -10,8 +10,6 @@ import { leadOverPage } from './page_run.mjs';
 import { asksApi, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken, userLine } from './people.mjs';
 import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
 
-const WHOLE_TEST_MS = 200_000;
-
 const given = options();
 
 const shot = (page, name) => page.screenshot({ path: join(given.out, `access-${name}.png`), animations: 'disabled' });
@@ -197,7 +195,7 @@ async function losesItsSession(page, other) {
     document.querySelector('[data-testid=link]').innerText === 'live' && document.querySelector('[aria-label="act on the plan"]') === null);
 }
 
-endInTime(WHOLE_TEST_MS);
+endInTime();
 
 await leadOverPage(given, {
   name: 'access',

@@ -5,11 +5,11 @@ import { join } from 'node:path';
 
 import { cellInFolder } from './cell_folder.mjs';
 
-const SPEED = 5; // times real time: a run lasts while somebody kills what belongs to it
+const SPEED = 5; // times real time, once it is started: a run lasts while somebody kills what belongs to it
 
 export async function startBench(program, config) {
   const cell = await cellInFolder(program, 'bench', (folder, port) => {
-    const settings = [`cell.name="bench-${process.pid}"`, `cell.state_dir="${folder}"`, `clock.speed=${SPEED}`,
+    const settings = [`cell.name="bench-${process.pid}"`, `cell.state_dir="${folder}"`, `clock.speed=${SPEED}`, 'executive.start="operator"',
       `hmi.port=${port}`, 'hmi.anonymous="viewer"', `history.folder="${join(folder, 'history')}"`];
     return ['--config', config, ...settings.flatMap((one) => ['--set', one])];
   });

@@ -9,8 +9,6 @@ import { leadOverPage } from './page_run.mjs';
 import { dialogIsGone, fill, isAccessible, PASSWORD } from './people.mjs';
 import { check, endInTime, fitsEachLook, options, until, waitFor } from './support.mjs';
 
-const WHOLE_TEST_MS = 280_000;
-
 const given = options();
 const shot = (page, name) => page.screenshot({ path: join(given.out, `change-${name}.png`), animations: 'disabled', fullPage: true });
 
@@ -275,7 +273,7 @@ async function closes(page) {
     document.querySelector('#change-details') === null && document.activeElement?.id === 'change-more');
 }
 
-endInTime(WHOLE_TEST_MS);
+endInTime();
 
 await leadOverPage(given, {
   name: 'change',

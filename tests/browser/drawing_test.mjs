@@ -16,7 +16,7 @@ const DRAWING = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 200">
   <text x="250" y="150" data-text="Main.nothing">-</text>
 </svg>`;
 
-endInTime(150_000);
+endInTime();
 const given = options();
 const shot = (page, name) => page.screenshot({ path: join(given.out, `drawing-${name}.png`), animations: 'disabled' });
 const part = (id) => `#drawing-${id}`;

@@ -8,7 +8,6 @@ import { leadOverPage } from './page_run.mjs';
 import { asksApi, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
 import { check, endInTime, options, waitFor } from './support.mjs';
 
-const WHOLE_TEST_MS = 200_000;
 // Slower than real time: where vehicles come to rest is not to depend on how fast the browser is.
 const SPEED = 0.3;
 const LOST = 'truck 2';
@@ -108,7 +107,7 @@ async function readsTheTrail(page) {
   await page.keyboard.press('Escape');
 }
 
-endInTime(WHOLE_TEST_MS);
+endInTime();
 
 await leadOverPage(given, {
   name: 'fleet-access',

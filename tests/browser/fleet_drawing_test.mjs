@@ -16,7 +16,7 @@ const PALLET = { x: 7, y: 35 }; // where nobody drives
 const DRAWN_PALLET = `<rect id="pallet1" x="-12" y="-8" width="24" height="16" fill="var(--liquid)" stroke="var(--line-strong)" data-show="pallet p1.state"
   data-pose-x="pallet p1.x" data-pose-y="pallet p1.y" data-pose-heading="pallet p1.angle"><title>pallet 1</title></rect>`;
 
-endInTime(220_000);
+endInTime();
 const given = options();
 const shot = (page, name) => page.screenshot({ path: join(given.out, `fleet-drawing-${name}.png`), animations: 'disabled' });
 const part = (id) => `#drawing-${id}`;

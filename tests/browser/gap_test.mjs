@@ -9,7 +9,7 @@ import { check, endInTime, launchBrowser, openPage, options, startServer, until,
 const SPEED = 2;
 const CUT_MS = 6_000; // the page gives up after 3 s without a word
 
-endInTime(150_000);
+endInTime();
 const given = options();
 
 // Everything that page and server say to each other, one list for each connection.

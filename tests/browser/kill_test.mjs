@@ -11,7 +11,6 @@ import { asksApi, axeFile, dialogIsGone, fill, isAccessible, PASSWORD } from './
 import { PROGRAM, startMixer } from './recipe_cell.mjs';
 import { check, endInTime, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
 
-const WHOLE_TEST_MS = 270_000;
 const CLOCK_MS = 400; // a snapshot and an answer may be so old on a busy machine
 const STILL_MS = 2_500; // less than after which a page takes its connection for lost
 const OVERRUN_MS = 800; // less than after which the link takes a receiver for gone
@@ -142,8 +141,8 @@ async function theServerIsKilled(page, cell) {
 const imagesLost = async (page) =>
   (await get(page, '/api/scan')).runtimes[0].dds.find(({ topic }) => topic.includes('/snapshot/')).lost;
 
-// What was sent meanwhile never comes: the history must not draw what nobody saw. For `ms`; after a second the link takes a
-// receiver for gone and sends it nothing, before that its socket runs over.
+// What was sent meanwhile never comes: the history must not draw what nobody saw. For `ms`; the part of it, in ms, of which
+// the history knows nothing.
 async function theServerStandsStill(page, cell, ms) {
   const fromMs = Date.now();
   process.kill(cell.pid('hmi'), 'SIGSTOP');
@@ -162,16 +161,24 @@ async function theServerStandsStill(page, cell, ms) {
   check(known.filter(({ at }) => at + width < fromMs - SHIFT_MS).every(({ value }) => value !== null), 'it has what was before');
   // What has waited in its socket is seen late, with the time of its scan.
   const still = known.filter(({ at }) => at > fromMs && at + width < toMs);
-  const unknown = still.filter(({ value }) => value === null).length * width;
-  check(unknown > ms / 3, `and nothing of ${Math.round(unknown)} ms in which nobody looked`);
-  check(/,missing\r?\n/.test(table), 'the table of its values says so, too');
+  const unknown = Math.round(still.filter(({ value }) => value === null).length * width);
+  if (unknown > 0) check(/,missing\r?\n/.test(table), `the table of its values says that ${unknown} ms are missing`);
+  return unknown;
 }
 
-// Its socket runs over, which Fast DDS counts.
+// After a second the link takes a receiver for gone and sends it nothing.
+async function imagesAreNotSent(page, cell) {
+  const unknown = await theServerStandsStill(page, cell, STILL_MS);
+  check(unknown > STILL_MS / 3, 'and there is nothing of what nobody saw');
+}
+
+// Before that its socket runs over, which Fast DDS counts; on a busy machine not each time.
 async function imagesAreLost(page, cell) {
   const before = await imagesLost(page);
-  await theServerStandsStill(page, cell, OVERRUN_MS);
-  await until('images are lost on their way, as Fast DDS counts', async () => (await imagesLost(page)) > before);
+  await until('images are lost on their way, as Fast DDS counts, and there is nothing of what they had shown', async () => {
+    const unknown = await theServerStandsStill(page, cell, OVERRUN_MS);
+    return (await imagesLost(page)) > before && unknown > 0;
+  });
   console.log(`ok: ${(await imagesLost(page)) - before} of them`);
 }
 
@@ -200,12 +207,15 @@ async function theRuntimeIsKilled(page, cell) {
 }
 
 const replans = (page) => page.locator('[data-panel=replans] li p[lang=en], [aria-label="replans"] li p[lang=en]').allInnerTexts();
-const phaseIs = (page, phase, what) => waitFor(page, what, (word) => document.querySelector('[data-testid=phase]')?.innerText === word, phase);
+const phaseIs = (page, what, ...phases) => waitFor(page, what, (words) => words.includes(document.querySelector('[data-testid=phase]')?.innerText), phases);
 
 async function theSupervisorIsKilled(page, bench) {
-  await phaseIs(page, 'executing', 'the bench follows its plan');
+  // Not before: a slow browser would miss most of the run.
+  await phaseIs(page, 'the bench waits for its start', 'ready');
+  check((await asksApi(page, '/api/plan/start', {})) === '200', 'it is started');
+  await phaseIs(page, 'the bench follows its plan', 'executing');
   check((await asksApi(page, '/api/plan/hold', { reason: 'somebody is at the pump' })) === '200', 'an operator holds it');
-  await phaseIs(page, 'held', 'and it rests');
+  await phaseIs(page, 'and it rests', 'held');
   await until('the cause stands on the page', async () => (await replans(page)).join() === 'held by the operator');
   const before = await journalOf(page);
   await bench.stop('supervisor', 'SIGKILL');
@@ -216,24 +226,25 @@ async function theSupervisorIsKilled(page, bench) {
   bench.start('supervisor');
   await tellsNothing(page, 'the page comes back by itself');
   await wasNotLoadedAgain(page);
-  await phaseIs(page, 'held', 'a hold outlives the supervisor');
+  await phaseIs(page, 'a hold outlives the supervisor', 'held');
   await happened(page, 'the journal has its return', 'supervisor.lost', 'return');
   await keepsTheJournal(page, before);
   await until('the record has every cause, that of before the restart, too', async () =>
     (await replans(page)).join() === 'held by the operator; the supervisor was restarted meanwhile,held by the operator');
   await shot(page, 'held');
   check((await asksApi(page, '/api/plan/resume', { reason: 'he has gone' })) === '200', 'the operator lets it go on');
-  await phaseIs(page, 'executing', 'and it follows a plan again');
+  await phaseIs(page, 'and it follows a plan again', 'executing');
   await bench.stop('supervisor', 'SIGKILL');
   await tells(page, 'killed while it follows a plan, it is missed again', 'The supervisor does not answer');
   bench.start('supervisor');
-  await phaseIs(page, 'executing', 'the next one goes on with that plan');
-  check((await replans(page)).length === 2, 'which is the same one');
-  await phaseIs(page, 'done', 'and reaches the goal');
+  await tellsNothing(page, 'the next one answers');
+  await phaseIs(page, 'and goes on with that plan', 'executing', 'done');
+  await phaseIs(page, 'to the goal', 'done');
+  check((await replans(page)).length === 2, 'it is the same one to its end');
   check(/^\d+ entries/.test(execFileSync(given.server, ['hmi', '--verify-audit', bench.trail], { encoding: 'utf8' })), 'the chain of the audit trail holds');
 }
 
-endInTime(WHOLE_TEST_MS);
+endInTime();
 
 const browser = await launchBrowser(given);
 let cell;
@@ -259,7 +270,7 @@ try {
   let page = await opens(cell.url, cell.setupToken);
   await actsBefore(page, cell);
   await theServerIsKilled(page, cell);
-  await theServerStandsStill(page, cell, STILL_MS);
+  await imagesAreNotSent(page, cell);
   await imagesAreLost(page, cell);
   await theRuntimeIsKilled(page, cell);
   await endsWell();

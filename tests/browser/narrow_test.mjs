@@ -14,7 +14,7 @@ const WIDTH = 360;
 const MOST_TABS = 500;
 const RECIPES = '[[tag]]\nname = "B1"\ntype = "BOOL"\ncomment = "supplier pump"\n';
 
-endInTime(280_000);
+endInTime();
 const given = options();
 const shot = (page, name, fullPage = false) => page.screenshot({ path: join(given.out, `narrow-${name}.png`), fullPage, animations: 'disabled' });
 

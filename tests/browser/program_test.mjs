@@ -8,8 +8,6 @@ import { isAccessible } from './people.mjs';
 import { startProgramCell } from './program_cell.mjs';
 import { check, endInTime, options, waitFor } from './support.mjs';
 
-const WHOLE_TEST_MS = 170_000;
-
 const given = options();
 
 const shot = (page, name) => page.screenshot({ path: join(given.out, `program-${name}.png`), animations: 'disabled', fullPage: true });
@@ -143,7 +141,7 @@ async function knowsItsSources(page, cell) {
     document.querySelector('#program-details') === null && document.activeElement?.id === 'program-more');
 }
 
-endInTime(WHOLE_TEST_MS);
+endInTime();
 
 await leadOverPage(given, {
   name: 'program',
