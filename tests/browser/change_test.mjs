@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { startBottles } from './change_cell.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { dialogIsGone, fill, isAccessible, PASSWORD } from './people.mjs';
+import { DRAWN, TEXT } from './program_sources.mjs';
 import { check, endInTime, fitsEachLook, options, until, waitFor } from './support.mjs';
 
 const given = options();
@@ -91,6 +92,21 @@ async function wrongFilesSayWhere(page, cell) {
   await waitFor(page, 'garbage, too', () => document.querySelector('[data-testid=places] [data-code=B0001]') !== null);
   const large = await asks(page, 'POST', '/api/change/apply', { program: 'x'.repeat(20_000), base: '', charts: 'keep', reason: 'large' });
   check(large.status === 413, 'no other route takes a large body');
+}
+
+// Ladder and function blocks as PLCopen files, beside the text that belongs to them.
+async function takesDrawnPrograms(page, cell) {
+  writeFileSync(cell.file('text.st'), TEXT);
+  writeFileSync(cell.file('drawn.xml'), DRAWN);
+  writeFileSync(cell.file('torn.xml'), DRAWN.slice(0, DRAWN.length / 2));
+  await chooses(page, cell.file('text.st'), cell.file('torn.xml'));
+  await waitFor(page, 'a drawn program that is torn says where', () => /torn\.xml:\d+/.test(document.querySelector('[data-testid=places]')?.innerText ?? ''));
+  await chooses(page, cell.file('text.st'), cell.file('drawn.xml'));
+  await isCompared(page, 'text and a drawn program are compiled together');
+  check((await listed(page, 'added')).some((row) => row.includes('smooth_level')), 'and compared with what runs');
+  check((await page.locator('[data-sheet-diff=Ladder]').count()) === 1, 'ladders, too');
+  await isAccessible(page, 'a comparison with drawn programs');
+  await shot(page, 'drawn');
 }
 
 async function showsWhatIsDifferent(page, cell) {
@@ -285,6 +301,7 @@ await leadOverPage(given, {
     await opensByKeyboard(page);
     await page.getByRole('button', { name: 'All', exact: true }).click();
     await wrongFilesSayWhere(page, cell);
+    await takesDrawnPrograms(page, cell);
     await showsWhatIsDifferent(page, cell);
     const first = await changesAndKeeps(page, cell);
     await followsTheTrial(page, cell);
