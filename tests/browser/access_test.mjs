@@ -10,6 +10,8 @@ import { leadOverPage } from './page_run.mjs';
 import { asksApi, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken, userLine } from './people.mjs';
 import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
 
+const SPEED = 0.4; // so that the run lasts until somebody holds it
+
 const given = options();
 
 const shot = (page, name) => page.screenshot({ path: join(given.out, `access-${name}.png`), animations: 'disabled' });
@@ -200,7 +202,7 @@ endInTime();
 await leadOverPage(given, {
   name: 'access',
   expected: [400, 401, 403, 409],
-  start: () => startDemo(given.server, 1),
+  start: () => startDemo(given.server, SPEED),
   steps: async (page, demo) => {
     given.state = demo.stateDir;
     await looksWithoutLoggingIn(page);
