@@ -7,8 +7,8 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { asksApi, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken, userLine } from './people.mjs';
-import { check, endInTime, launchBrowser, openPage, options, waitFor } from './support.mjs';
+import { asksApi, dialog, dialogIsGone, fill, isAccessible, logsIn, PASSWORD, setupToken, userLine } from './people.mjs';
+import { check, launchBrowser, openPage, options, waitFor } from './support.mjs';
 
 const SPEED = 0.4; // so that the run lasts until somebody holds it
 
@@ -64,15 +64,6 @@ async function addsUsers(page) {
   await page.setViewportSize({ width: 1440, height: 900 });
   await page.keyboard.press('Escape');
   await dialogIsGone(page, 'Escape closes it');
-}
-
-async function logsIn(page, name) {
-  if ((await page.getByTestId('log-out').count()) > 0) await page.getByTestId('log-out').click();
-  await page.getByTestId('log-in').click();
-  await fill(page, { Name: name, Password: PASSWORD });
-  await page.keyboard.press('Enter');
-  await dialogIsGone(page, `${name} logs in with the keyboard`);
-  await waitFor(page, 'and still sees the cell', () => document.querySelector('[data-testid=link]').innerText === 'live');
 }
 
 async function forces(page) {
@@ -196,8 +187,6 @@ async function losesItsSession(page, other) {
   await waitFor(other, 'and its page only looks from then on', () =>
     document.querySelector('[data-testid=link]').innerText === 'live' && document.querySelector('[aria-label="act on the plan"]') === null);
 }
-
-endInTime();
 
 await leadOverPage(given, {
   name: 'access',

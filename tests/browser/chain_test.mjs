@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { check, endInTime, options, until, waitFor } from './support.mjs';
+import { check, options, until, waitFor } from './support.mjs';
 
 const SPEED = 30;
 const KILL_AFTER_ACTIONS = 3;
@@ -99,8 +99,6 @@ async function sawEverythingMove(page) {
   check(seen.steps.length > 5, `the active steps changed (${seen.steps.length} times)`);
   check(seen.progress.length > 3, `the progress went ${seen.progress.join(' ')}`);
 }
-
-endInTime();
 
 await leadOverPage(given, {
   name: 'chain',

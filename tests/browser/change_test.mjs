@@ -6,42 +6,12 @@ import { join } from 'node:path';
 
 import { startBottles } from './change_cell.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { dialogIsGone, fill, isAccessible, PASSWORD } from './people.mjs';
+import { addsUsers, asks, claims, codeOf, isAccessible, logsIn } from './people.mjs';
 import { DRAWN, TEXT } from './program_sources.mjs';
-import { check, endInTime, fitsEachLook, options, until, waitFor } from './support.mjs';
+import { check, fitsEachLook, options, until, waitFor } from './support.mjs';
 
 const given = options();
 const shot = (page, name) => page.screenshot({ path: join(given.out, `change-${name}.png`), animations: 'disabled', fullPage: true });
-
-// Asks the API as whoever has logged in on this page; its status and JSON.
-function asks(page, method, path, body) {
-  return page.evaluate(async ([how, where, what]) => {
-    const { csrf } = await (await fetch('/api/session')).json();
-    const headers = { 'Content-Type': 'application/json', 'X-CSRF-Token': csrf };
-    const answer = await fetch(where, { method: how, headers, ...(what === undefined ? {} : { body: JSON.stringify(what) }) });
-    return { status: answer.status, json: await answer.json().catch(() => null) };
-  }, [method, path, body]);
-}
-const codeOf = ({ status, json }) => `${status} ${json?.problems?.[0]?.code ?? ''}`.trim();
-
-async function claims(page, cell) {
-  const token = await cell.setupToken();
-  await page.getByTestId('log-in').click();
-  await fill(page, { 'Set-up token': token, 'Your name': 'root', Password: PASSWORD });
-  await page.keyboard.press('Enter');
-  await dialogIsGone(page, 'there is an administrator');
-  for (const [name, role] of [['olga', 'operator'], ['emil', 'engineer']])
-    check((await asks(page, 'POST', '/api/users', { name, role, password: PASSWORD })).status === 200, `${name} is a user`);
-}
-
-async function logsIn(page, name) {
-  if ((await page.getByTestId('log-out').count()) > 0) await page.getByTestId('log-out').click();
-  await page.getByTestId('log-in').click();
-  await fill(page, { Name: name, Password: PASSWORD });
-  await page.keyboard.press('Enter');
-  await dialogIsGone(page, `${name} logs in`);
-  await waitFor(page, 'and sees the cell', () => document.querySelector('[data-testid=link]').innerText === 'live');
-}
 
 async function operatorMayNot(page) {
   await logsIn(page, 'olga');
@@ -289,14 +259,13 @@ async function closes(page) {
     document.querySelector('#change-details') === null && document.activeElement?.id === 'change-more');
 }
 
-endInTime();
-
 await leadOverPage(given, {
   name: 'change',
   expected: [400, 403, 409, 413],
   start: () => startBottles(given.server),
   steps: async (page, cell) => {
-    await claims(page, cell);
+    await claims(page, await cell.setupToken());
+    await addsUsers(page);
     await operatorMayNot(page);
     await opensByKeyboard(page);
     await page.getByRole('button', { name: 'All', exact: true }).click();

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { leadOverPage } from './page_run.mjs';
 import { isAccessible } from './people.mjs';
 import { startMixer } from './recipe_cell.mjs';
-import { check, endInTime, fitsEachLook, options, waitFor } from './support.mjs';
+import { check, fitsEachLook, options, waitFor } from './support.mjs';
 
 const DRAWING = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 200">
   <title>Mixer hall</title>
@@ -16,7 +16,6 @@ const DRAWING = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 200">
   <text x="250" y="150" data-text="Main.nothing">-</text>
 </svg>`;
 
-endInTime();
 const given = options();
 const shot = (page, name) => page.screenshot({ path: join(given.out, `drawing-${name}.png`), animations: 'disabled' });
 const part = (id) => `#drawing-${id}`;

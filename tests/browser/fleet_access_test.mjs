@@ -5,8 +5,8 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { asksApi, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
-import { check, endInTime, options, waitFor } from './support.mjs';
+import { asksApi, claims, dialog, dialogIsGone, fill, isAccessible, setupToken } from './people.mjs';
+import { check, options, waitFor } from './support.mjs';
 
 // Slower than real time: where vehicles come to rest is not to depend on how fast the browser is.
 const SPEED = 0.3;
@@ -25,13 +25,10 @@ async function submit(page, action, what) {
   await dialogIsGone(page, what);
 }
 
-async function claims(page, token) {
+async function looksThenClaims(page, token) {
   await waitFor(page, 'whoever looks sees the vehicles', () => document.querySelectorAll('[data-vehicle]').length === 3);
   check((await page.getByRole('button', { name: 'Block a place' }).count()) === 0, 'but has no buttons that act');
-  await page.getByTestId('log-in').click();
-  await fill(page, { 'Set-up token': token, 'Your name': 'root', Password: PASSWORD });
-  await page.keyboard.press('Enter');
-  await dialogIsGone(page, 'the administrator is claimed');
+  await claims(page, token);
 }
 
 async function holds(page) {
@@ -107,14 +104,12 @@ async function readsTheTrail(page) {
   await page.keyboard.press('Escape');
 }
 
-endInTime();
-
 await leadOverPage(given, {
   name: 'fleet-access',
   expected: [400, 401, 409],
   start: () => startDemo(given.server, SPEED, given.cell, ['--fault', `dead_v2=1@${DIES_S}`, '--fault', `dead_v2=0@${LIVES_AGAIN_S}`]),
   steps: async (page, demo) => {
-    await claims(page, await setupToken(demo));
+    await looksThenClaims(page, await setupToken(demo));
     await losesOne(page);
     await holds(page);
     await blocksAndFrees(page);

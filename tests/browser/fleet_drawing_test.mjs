@@ -8,7 +8,7 @@ import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { isAccessible } from './people.mjs';
-import { check, endInTime, fitsEachLook, options, until, waitFor } from './support.mjs';
+import { check, fitsEachLook, options, until, waitFor } from './support.mjs';
 
 const SCALE = 20; // of the drawing
 const HEIGHT = 840;
@@ -16,7 +16,6 @@ const PALLET = { x: 7, y: 35 }; // where nobody drives
 const DRAWN_PALLET = `<rect id="pallet1" x="-12" y="-8" width="24" height="16" fill="var(--liquid)" stroke="var(--line-strong)" data-show="pallet p1.state"
   data-pose-x="pallet p1.x" data-pose-y="pallet p1.y" data-pose-heading="pallet p1.angle"><title>pallet 1</title></rect>`;
 
-endInTime();
 const given = options();
 const shot = (page, name) => page.screenshot({ path: join(given.out, `fleet-drawing-${name}.png`), animations: 'disabled' });
 const part = (id) => `#drawing-${id}`;

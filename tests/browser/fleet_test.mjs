@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 import { startFleet } from './fleet_chain.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { check, endInTime, options, waitFor } from './support.mjs';
+import { check, options, waitFor } from './support.mjs';
 
 const VEHICLES = 7;
 const SPEED = 20;
@@ -122,8 +122,6 @@ async function seesThemDrive(page) {
     check(drawn[name].at(-1) < Math.max(...drawn[name]), `fewer polygons of ${name} are drawn than at the start`);
   }
 }
-
-endInTime();
 
 await leadOverPage(given, {
   name: 'fleet',

@@ -5,8 +5,8 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { asksApi, dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
-import { check, endInTime, fitsEveryWidth, options, waitFor } from './support.mjs';
+import { asksApi, claims, dialog, dialogIsGone, fill, isAccessible, setupToken } from './people.mjs';
+import { check, fitsEveryWidth, options, waitFor } from './support.mjs';
 
 const SPEED = 5; // so that a run lasts while somebody puts another goal together
 
@@ -20,13 +20,6 @@ const preview = (page) => page.getByTestId('goal-preview').innerText();
 
 async function phaseIs(page, phase, what) {
   await waitFor(page, what, (word) => document.querySelector('[data-testid=phase]')?.innerText === word, phase);
-}
-
-async function claims(page, token) {
-  await page.getByTestId('log-in').click();
-  await fill(page, { 'Set-up token': token, 'Your name': 'root', Password: PASSWORD });
-  await page.keyboard.press('Enter');
-  await dialogIsGone(page, 'somebody may act');
 }
 
 async function waitsForItsStart(page) {
@@ -141,8 +134,6 @@ async function startsAgain(page) {
   check((await asksApi(page, '/api/plan/hold', {})) === '409 X0008', 'a run that is over is not held');
   check((await asksApi(page, '/api/plan/what-if', { goal: '(= (level a1)', id: '1' })).startsWith('400 P'), 'a goal that is none is refused');
 }
-
-endInTime();
 
 await leadOverPage(given, {
   name: 'goal',

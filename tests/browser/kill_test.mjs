@@ -7,8 +7,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { startBench } from './bench_processes.mjs';
-import { asksApi, axeFile, dialogIsGone, fill, isAccessible, PASSWORD } from './people.mjs';
-import { PROGRAM, startMixer } from './recipe_cell.mjs';
+import { asksApi, axeFile, claims, isAccessible, logsIn } from './people.mjs';
+import { KEEPS_RECORDS, LEVEL_ALARM, PROGRAM, startMixer } from './recipe_cell.mjs';
 import { check, endInTime, launchBrowser, openPage, options, until, waitFor } from './support.mjs';
 
 const CLOCK_MS = 400; // a snapshot and an answer may be so old on a busy machine
@@ -16,15 +16,7 @@ const STILL_MS = 2_500; // less than after which a page takes its connection for
 const OVERRUN_MS = 800; // less than after which the link takes a receiver for gone
 const SHIFT_MS = 150; // of the history's clock to that of the test, at most
 
-const ALARMS = `
-[[alarm]]
-name = "level.high"
-source = "Main.level"
-when = "high"
-limit = 50
-priority = "high"
-text = "The mixer is too full"
-
+const ALARMS = `${LEVEL_ALARM}
 [[alarm]]
 name = "stirs"
 source = "Main.stir"
@@ -61,14 +53,6 @@ async function keepsTheJournal(page, before) {
   const kept = now.slice(now.length - before.length);
   check(JSON.stringify(kept) === JSON.stringify(before), `all ${before.length} entries of before are in the journal as they were`);
   return now.slice(0, now.length - before.length);
-}
-
-async function logsIn(page, more) {
-  if (await page.getByTestId('log-out').count()) return;
-  await page.getByTestId('log-in').click();
-  await fill(page, more ?? { Name: 'root', Password: PASSWORD });
-  await page.keyboard.press('Enter');
-  await dialogIsGone(page, 'root has logged in');
 }
 
 const auditLines = (cell) => readFileSync(cell.trail, 'utf8').split('\n').filter((line) => line !== '');
@@ -125,7 +109,7 @@ async function theServerIsKilled(page, cell) {
   check(away.map(({ event }) => event).join() === 'raise,return', 'the journal has the absence of the server itself');
   check(away[0].time_ms <= killedMs + CLOCK_MS && away[1].time_ms > away[0].time_ms, `from its last look to its first one (${Math.round(away[1].time_ms - away[0].time_ms)} ms)`);
   await waitFor(page, 'people read it in their words', () => document.querySelector('[data-testid=journal]')?.innerText.includes('not seen to happen; seen last at'));
-  await logsIn(page);
+  if ((await page.getByTestId('log-out').count()) === 0) await logsIn(page, 'root');
   check(trail.every((line, i) => auditLines(cell)[i] === line), `all ${trail.length} entries of the audit trail are there`);
   check(/^\d+ entries/.test(cell.run('hmi', '--verify-audit', cell.trail)), 'and its chain holds');
   await waitFor(page, 'the force that somebody has ended is no longer shown, those of others are', () => {
@@ -253,7 +237,7 @@ let opened;
 async function opens(url, token) {
   opened = await openPage(browser.context, url);
   await opened.page.evaluate(() => (globalThis.sameLoad = true));
-  await logsIn(opened.page, { 'Set-up token': await token(), 'Your name': 'root', Password: PASSWORD });
+  await claims(opened.page, await token());
   return opened.page;
 }
 
@@ -266,7 +250,7 @@ async function endsWell() {
 
 try {
   await browser.context.addInitScript({ path: axeFile(given.modules) });
-  cell = await startMixer(given.server, { 'alarms.toml': ALARMS, 'main.st': HEAVY }, '[history]\nfolder = "history"\nalarms = "alarms.toml"\n');
+  cell = await startMixer(given.server, { 'alarms.toml': ALARMS, 'main.st': HEAVY }, KEEPS_RECORDS);
   let page = await opens(cell.url, cell.setupToken);
   await actsBefore(page, cell);
   await theServerIsKilled(page, cell);

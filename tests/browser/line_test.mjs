@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { check, endInTime, options, until, waitFor } from './support.mjs';
+import { check, options, until, waitFor } from './support.mjs';
 
 const SPEED = 5;
 
@@ -51,8 +51,6 @@ async function sawTheLineWork(page) {
   for (const belt of ['in', 'r', 'd1', 'd2', 'e', 't']) check(seen.belts.includes(belt), `belt ${belt} was seen running`);
   check(seen.eyes.length >= 5, `eyes were covered: ${seen.eyes.join(' ')}`);
 }
-
-endInTime();
 
 await leadOverPage(given, {
   name: 'line',

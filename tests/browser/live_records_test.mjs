@@ -3,30 +3,12 @@
 import { join } from 'node:path';
 
 import { leadOverPage } from './page_run.mjs';
-import { dialogIsGone, fill, PASSWORD } from './people.mjs';
-import { startMixer } from './recipe_cell.mjs';
-import { endInTime, options, until, waitFor } from './support.mjs';
+import { claims, dialogIsGone, fill } from './people.mjs';
+import { KEEPS_RECORDS, LEVEL_ALARM, startMixer } from './recipe_cell.mjs';
+import { options, until, waitFor } from './support.mjs';
 
-const ALARMS = `
-[[alarm]]
-name = "level.high"
-source = "Main.level"
-when = "high"
-limit = 50
-priority = "high"
-text = "The mixer is too full"
-`;
-
-endInTime();
 const given = options();
 const shot = (page, name) => page.screenshot({ path: join(given.out, `live-records-${name}.png`), fullPage: true, animations: 'disabled' });
-
-async function logsIn(page, cell) {
-  await page.getByTestId('log-in').click();
-  await fill(page, { 'Set-up token': await cell.setupToken(), 'Your name': 'root', Password: PASSWORD });
-  await page.keyboard.press('Enter');
-  await dialogIsGone(page, 'somebody may act');
-}
 
 const span = (page) => page.getByTestId('history').evaluate((one) => [Number(one.dataset.from), Number(one.dataset.to)]);
 
@@ -77,9 +59,9 @@ async function shelvesAnAlarm(page, cell) {
 
 await leadOverPage(given, {
   name: 'live-records',
-  start: () => startMixer(given.server, { 'alarms.toml': ALARMS }, '[history]\nfolder = "history"\nalarms = "alarms.toml"\n'),
+  start: () => startMixer(given.server, { 'alarms.toml': LEVEL_ALARM }, KEEPS_RECORDS),
   steps: async (page, cell) => {
-    await logsIn(page, cell);
+    await claims(page, await cell.setupToken());
     await drawsZoomsAndExports(page, cell);
     await shelvesAnAlarm(page, cell);
   },

@@ -8,13 +8,12 @@ import { startDemo } from './demo_process.mjs';
 import { hiddenFocus, unreadable } from './narrow.mjs';
 import { leadOverPage } from './page_run.mjs';
 import { dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
-import { check, endInTime, options, waitFor } from './support.mjs';
+import { check, options, waitFor } from './support.mjs';
 
 const WIDTH = 360;
 const MOST_TABS = 500;
 const RECIPES = '[[tag]]\nname = "B1"\ntype = "BOOL"\ncomment = "supplier pump"\n';
 
-endInTime();
 const given = options();
 const shot = (page, name, fullPage = false) => page.screenshot({ path: join(given.out, `narrow-${name}.png`), fullPage, animations: 'disabled' });
 

@@ -3,11 +3,12 @@
 import { join } from 'node:path';
 
 import { axeFile } from './people.mjs';
-import { check, launchBrowser, openPage } from './support.mjs';
+import { check, endInTime, launchBrowser, openPage } from './support.mjs';
 
 // `start` brings up a cell with url, logs and end; `steps` are taken on its page, in which `watch` has run before anything else.
 // The page may tell of answers with the statuses `expected`, which the server gives on purpose, and of nothing else.
 export async function leadOverPage(given, { name, start, steps, watch, expected = [] }) {
+  endInTime();
   const browser = await launchBrowser(given);
   let cell;
   let opened;

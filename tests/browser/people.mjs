@@ -40,13 +40,44 @@ export async function setupToken(demo) {
   return token;
 }
 
-// Asks the API as the person who has logged in on this page; the status and the first problem's code.
-export function asksApi(page, path, body) {
-  return page.evaluate(async ([where, what]) => {
+// The administrator of a server that nobody has claimed yet.
+export async function claims(page, token) {
+  await page.getByTestId('log-in').click();
+  await fill(page, { 'Set-up token': token, 'Your name': 'root', Password: PASSWORD });
+  await page.keyboard.press('Enter');
+  await dialogIsGone(page, 'there is an administrator');
+}
+
+// Somebody else, maybe in place of whoever has logged in.
+export async function logsIn(page, name) {
+  if ((await page.getByTestId('log-out').count()) > 0) await page.getByTestId('log-out').click();
+  await page.getByTestId('log-in').click();
+  await fill(page, { Name: name, Password: PASSWORD });
+  await page.keyboard.press('Enter');
+  await dialogIsGone(page, `${name} logs in`);
+  await waitFor(page, 'and sees the cell', () => document.querySelector('[data-testid=link]').innerText === 'live');
+}
+
+// By the administrator.
+export async function addsUsers(page) {
+  for (const [name, role] of [['olga', 'operator'], ['emil', 'engineer']])
+    check((await asks(page, 'POST', '/api/users', { name, role, password: PASSWORD })).status === 200, `${name} is a user`);
+}
+
+// Asks the API as the person who has logged in on this page; its status and JSON, null if it is none.
+export function asks(page, method, path, body) {
+  return page.evaluate(async ([how, where, what]) => {
     const { csrf } = await (await fetch('/api/session')).json();
     const headers = { 'Content-Type': 'application/json', 'X-CSRF-Token': csrf };
-    const answer = await fetch(where, { method: 'POST', headers, body: JSON.stringify(what) });
-    const { problems } = await answer.json();
-    return `${answer.status} ${problems?.[0]?.code ?? ''}`.trim();
-  }, [path, body]);
+    const answer = await fetch(where, { method: how, headers, ...(what === undefined ? {} : { body: JSON.stringify(what) }) });
+    return { status: answer.status, json: await answer.json().catch(() => null) };
+  }, [method, path, body]);
+}
+
+// Status of an answer and the code of its first problem.
+export const codeOf = ({ status, json }) => `${status} ${json?.problems?.[0]?.code ?? ''}`.trim();
+
+// Acts by the API; its status and the first problem's code.
+export async function asksApi(page, path, body) {
+  return codeOf(await asks(page, 'POST', path, body));
 }

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { leadOverPage } from './page_run.mjs';
 import { isAccessible } from './people.mjs';
 import { startProgramCell } from './program_cell.mjs';
-import { check, endInTime, options, waitFor } from './support.mjs';
+import { check, options, waitFor } from './support.mjs';
 
 const given = options();
 
@@ -140,8 +140,6 @@ async function knowsItsSources(page, cell) {
   await waitFor(page, 'Escape closes the panel and gives the focus back', () =>
     document.querySelector('#program-details') === null && document.activeElement?.id === 'program-more');
 }
-
-endInTime();
 
 await leadOverPage(given, {
   name: 'program',

@@ -61,6 +61,19 @@ max = 600
 comment = "before it is drained"
 `;
 
+export const LEVEL_ALARM = `
+[[alarm]]
+name = "level.high"
+source = "Main.level"
+when = "high"
+limit = 50
+priority = "high"
+text = "The mixer is too full"
+`;
+
+// Lines of a mixer that has the file alarms.toml.
+export const KEEPS_RECORDS = '[history]\nfolder = "history"\nalarms = "alarms.toml"\n';
+
 // `files`: more of them beside the configuration, by name, or others in place of those above; `more`: lines of its [hmi].
 export async function startMixer(program, files = {}, more = '') {
   const cell = await cellWithFiles(program, 'recipes', {

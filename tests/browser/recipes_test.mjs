@@ -5,45 +5,16 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { leadOverPage } from './page_run.mjs';
-import { dialog, dialogIsGone, fill, isAccessible, PASSWORD } from './people.mjs';
+import { addsUsers, asks, claims, dialog, dialogIsGone, fill, isAccessible, logsIn } from './people.mjs';
 import { startMixer } from './recipe_cell.mjs';
 import { check, options, until, waitFor } from './support.mjs';
 
 const given = options();
 const shot = (page, name) => page.screenshot({ path: join(given.out, `recipes-${name}.png`), fullPage: true });
 
-// Asks the API as whoever has logged in on this page; its status and JSON.
-function asks(page, method, path, body) {
-  return page.evaluate(async ([how, where, what]) => {
-    const { csrf } = await (await fetch('/api/session')).json();
-    const headers = { 'Content-Type': 'application/json', 'X-CSRF-Token': csrf };
-    const answer = await fetch(where, { method: how, headers, ...(what === undefined ? {} : { body: JSON.stringify(what) }) });
-    return { status: answer.status, json: await answer.json() };
-  }, [method, path, body]);
-}
-
 async function valuesNow(page) {
   const { json } = await asks(page, 'GET', '/api/recipe-tags');
   return Object.fromEntries(json.tags.map(({ name, value }) => [name.replace('Main.', ''), value]));
-}
-
-async function logsIn(page, name) {
-  if ((await page.getByTestId('log-out').count()) > 0) await page.getByTestId('log-out').click();
-  await page.getByTestId('log-in').click();
-  await fill(page, { Name: name, Password: PASSWORD });
-  await page.keyboard.press('Enter');
-  await dialogIsGone(page, `${name} logs in`);
-  await waitFor(page, 'and sees the cell', () => document.querySelector('[data-testid=link]').innerText === 'live');
-}
-
-async function claims(page, cell) {
-  const token = await cell.setupToken();
-  await page.getByTestId('log-in').click();
-  await fill(page, { 'Set-up token': token, 'Your name': 'root', Password: PASSWORD });
-  await page.keyboard.press('Enter');
-  await dialogIsGone(page, 'there is an administrator');
-  for (const [name, role] of [['olga', 'operator'], ['emil', 'engineer']])
-    check((await asks(page, 'POST', '/api/users', { name, role, password: PASSWORD })).status === 200, `${name} is a user`);
 }
 
 async function opensThePanel(page) {
@@ -224,7 +195,8 @@ await leadOverPage(given, {
   expected: [400, 401, 403, 409],
   start: () => startMixer(given.server),
   steps: async (page, cell) => {
-    await claims(page, cell);
+    await claims(page, await cell.setupToken());
+    await addsUsers(page);
     await logsIn(page, 'emil');
     await opensThePanel(page);
     await saves(page);

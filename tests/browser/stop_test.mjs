@@ -5,14 +5,13 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { dialog, dialogIsGone, fill, isAccessible, PASSWORD, setupToken } from './people.mjs';
-import { check, endInTime, options, waitFor } from './support.mjs';
+import { claims, dialog, dialogIsGone, isAccessible, setupToken } from './people.mjs';
+import { check, options, waitFor } from './support.mjs';
 
 const SPEED = 2;
 const RELEASED_S = 22; // of the cell's time
 const RESET_S = 42;
 
-endInTime();
 const given = options();
 const shot = (page, name) => page.screenshot({ path: join(given.out, `stop-${name}.png`), animations: 'disabled' });
 const clockIs = (page, what, seconds) =>
@@ -52,11 +51,7 @@ await leadOverPage(given, {
     ]),
   steps: async (page, demo) => {
     await waitFor(page, 'the plan is ready', () => document.querySelector('[data-testid=phase]')?.innerText === 'ready');
-    const token = await setupToken(demo);
-    await page.getByTestId('log-in').click();
-    await fill(page, { 'Set-up token': token, 'Your name': 'root', Password: PASSWORD });
-    await page.keyboard.press('Enter');
-    await dialogIsGone(page, 'somebody may act');
+    await claims(page, await setupToken(demo));
     await page.getByRole('button', { name: 'Start', exact: true }).click();
     await dialog(page).getByRole('button', { name: 'Start the run' }).click();
     await dialogIsGone(page, 'the run is started');

@@ -129,13 +129,17 @@ export function endInTime() {
   }, WHOLE_TEST_MS).unref();
 }
 
+async function fitsWidth(page, width) {
+  await page.setViewportSize({ width, height: 900 });
+  await page.waitForTimeout(250);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
+}
+
 // At each width nothing sticks out; `shot` takes a picture by name: "light-1440" and so on, and both ends in the dark.
 export async function fitsEveryWidth(page, widths, shot) {
   for (const width of widths) {
-    await page.setViewportSize({ width, height: 900 });
-    await page.waitForTimeout(250);
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
+    await fitsWidth(page, width);
     await shot(page, `light-${width}`);
   }
   await page.emulateMedia({ colorScheme: 'dark' });
@@ -150,10 +154,7 @@ export async function fitsEveryWidth(page, widths, shot) {
 export async function fitsEachLook(page, looks, deed) {
   for (const [scheme, width] of looks) {
     await page.emulateMedia({ colorScheme: scheme });
-    await page.setViewportSize({ width, height: 900 });
-    await page.waitForTimeout(250);
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    check(wide <= width, `nothing sticks out at ${width} px (${wide})`);
+    await fitsWidth(page, width);
     await deed(`${scheme}-${width}`);
   }
 }
