@@ -1,4 +1,5 @@
-// History and alarms of a cell of real processes: its values are drawn, zoomed into and exported, its alarm is shelved for a time.
+// History and alarms of a cell of real processes: its values are drawn, zoomed into, panned and exported, its alarm is
+// shelved for a time, suppressed and taken out of service.
 
 import { join } from 'node:path';
 
@@ -28,6 +29,9 @@ async function drawsZoomsAndExports(page, cell) {
     const [a, b] = await span(page);
     return Math.abs(b - a - (to - from) / 2) < 1;
   });
+  const [before] = await span(page);
+  await page.keyboard.press('ArrowLeft');
+  await until('an arrow pans', async () => (await span(page))[0] < before);
   await shot(page, 'zoomed');
   await page.keyboard.press('0');
   await until('both levels are in the table to keep', async () => {
@@ -37,16 +41,19 @@ async function drawsZoomsAndExports(page, cell) {
   });
 }
 
-async function shelvesAnAlarm(page, cell) {
+async function hidesAnAlarm(page, cell) {
   const stateIs = (state, what) => waitFor(page, what, (wanted) => document.querySelector('[data-alarm="level.high"]')?.dataset.state === wanted, state);
   await page.getByRole('button', { name: 'Alarms' }).click();
   await stateIs('unacknowledged', 'a level that is too high is an alarm');
   await page.locator('[data-alarm="level.high"] button').click();
   const actions = page.getByRole('group', { name: 'act on level.high' });
+  const gives = async (reason, more = {}) => {
+    await fill(page, { ...more, Reason: reason });
+    await page.keyboard.press('Enter');
+    await dialogIsGone(page, `"${reason}" is taken`);
+  };
   await actions.getByRole('button', { name: 'Shelve …' }).click();
-  await fill(page, { Minutes: '60', Reason: 'it is known' });
-  await page.keyboard.press('Enter');
-  await dialogIsGone(page, 'its shelf is taken');
+  await gives('it is known', { Minutes: '60' });
   await page.getByRole('button', { name: 'All', exact: true }).first().click();
   await stateIs('shelved', 'it is shelved for a time');
   await shot(page, 'shelved');
@@ -55,14 +62,26 @@ async function shelvesAnAlarm(page, cell) {
   if ((await row.getAttribute('aria-expanded')) === 'false') await row.click();
   await actions.getByRole('button', { name: 'Unshelve' }).click();
   await stateIs('normal', 'whose condition has gone meanwhile');
+  await actions.getByRole('button', { name: 'Suppress …' }).click();
+  await gives('the mixer is cleaned');
+  await stateIs('suppressed by design', 'it is suppressed by hand, as its design allows');
+  await actions.getByRole('button', { name: 'End suppression' }).click();
+  await stateIs('normal', 'until somebody ends that');
+  await actions.getByRole('button', { name: 'Out of service …' }).click();
+  await gives('the sensor is changed');
+  await stateIs('out of service', 'it is taken out of service');
+  await shot(page, 'out-of-service');
+  cell.force('Main.level', '70.0');
+  await actions.getByRole('button', { name: 'Return to service' }).click();
+  await stateIs('unacknowledged', 'and returned tells what is so by now');
 }
 
 await leadOverPage(given, {
   name: 'live-records',
-  start: () => startMixer(given.server, { 'alarms.toml': LEVEL_ALARM }, KEEPS_RECORDS),
+  start: () => startMixer(given.server, { 'alarms.toml': `${LEVEL_ALARM}suppress_by_hand = true\n` }, KEEPS_RECORDS),
   steps: async (page, cell) => {
     await claims(page, await cell.setupToken());
     await drawsZoomsAndExports(page, cell);
-    await shelvesAnAlarm(page, cell);
+    await hidesAnAlarm(page, cell);
   },
 });
