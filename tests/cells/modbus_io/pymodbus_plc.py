@@ -39,7 +39,9 @@ def main():
     context = ModbusServerContext(slaves={int(unit): plc() for unit in units or ["1"]}, single=False)
     print(f"PLC at {where}", flush=True)
     if kind == "tcp":
-        StartTcpServer(context=context, address=("127.0.0.1", int(where)), ignore_missing_slaves=True)
+        # A PLC that was killed leaves connections that the kernel still closes; its port is taken again all the same. pymodbus
+        # does not ask for that by itself, and keeps to itself that it could not listen.
+        StartTcpServer(context=context, address=("127.0.0.1", int(where)), allow_reuse_address=True, ignore_missing_slaves=True)
     else:
         # A pseudo terminal has no parity. pyserial asks for its settings twice, and is refused the second time if parity
         # is among them and nothing else has changed; pymodbus keeps that to itself and then never answers.
