@@ -83,7 +83,8 @@ function(_stepwright_link target scope)
 endfunction()
 
 # A library of one folder. PORTABLE: no exceptions, no RTTI (it also builds for the firmware).
-# DEPENDS names folders; PRIVATE names third-party targets, which never show in our headers.
+# DEPENDS names folders; PRIVATE names third-party targets, which never show in our headers. All but portable libraries and
+# what is measured in tests/bench are compiled several files together (together.cmake); those after APART are not.
 function(stepwright_library folder)
   cmake_parse_arguments(ARG "PORTABLE" "" "SOURCES;APART;DEPENDS;PRIVATE" ${ARGN})
   string(REPLACE "/" "_" name ${folder})
@@ -91,7 +92,7 @@ function(stepwright_library folder)
   string(REPLACE "/" "_" alias ${alias})
   set(target stepwright_${name})
   if(ARG_SOURCES)
-    if(folder MATCHES "${STEPWRIGHT_LIGHT_FOLDERS}|^ladder/semantics$" AND NOT ARG_PORTABLE)
+    if(NOT ARG_PORTABLE AND NOT folder MATCHES "^tests/bench/")
       _stepwright_together(${target} ARG_SOURCES SOURCES ${ARG_SOURCES} APART ${ARG_APART})
       set(ARG_APART "")
     endif()

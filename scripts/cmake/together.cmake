@@ -1,9 +1,9 @@
 # Several source files read by one run of the compiler, which then sees the headers and makes the templates that they share
 # once: less than half of the time of compiling a test. Each stays a file of its own, complete with its headers: the presets
 # with sanitizers, and -DSTEPWRIGHT_TOGETHER=OFF, compile one by one. A file that gives a name of its own to something else
-# than a file beside it ("redefinition", "ambiguous") is named after APART.
+# than a file beside it ("redefinition", "ambiguous"), or that is compiled with a setting of its own, is named after APART.
 
-option(STEPWRIGHT_TOGETHER "Compile several files of what is not optimized by one run of the compiler" ON)
+option(STEPWRIGHT_TOGETHER "Compile several files by one run of the compiler" ON)
 set(STEPWRIGHT_TOGETHER_MOST 8)
 
 # Sets RESULT to what is to be compiled for SOURCES: files of this folder in groups, all else as it is.
