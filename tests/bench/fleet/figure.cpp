@@ -9,7 +9,7 @@ namespace stepwright::bench::fleet {
 
 namespace {
 
-constexpr double kWidth = 640.0, kHeight = 400.0, kLeft = 70.0, kTop = 20.0, kRight = 150.0, kBottom = 50.0;
+constexpr double kWidth = 640.0, kHeight = 400.0, kLeft = 90.0, kTop = 20.0, kRight = 150.0, kBottom = 50.0;
 
 std::string text(const char* format, auto... values) {
   char buffer[400];
