@@ -14,7 +14,8 @@ from processes import Cell, Process, eventually, figures_of, stepwright
 HERE = pathlib.Path(__file__).parent
 PORT = 1502
 
-# The process of the PLC halves what it is given, so the loop ends at 1000.
+# The process of the PLC halves what it is given, so the loop ends at 1000, wherever it begins: the first level may be that of
+# the safe state's setpoint.
 PROGRAM = """\
 PROGRAM Main
   VAR
@@ -27,7 +28,7 @@ PROGRAM Main
   END_VAR
   pump := TRUE;
   IF started AND quality = 192 AND level < 500 THEN
-    setpoint := level * 2 + 20;
+    setpoint := level / 10 * 20 + 20;
   END_IF;
   scans := scans + 1;
 END_PROGRAM
