@@ -83,8 +83,9 @@ function(_stepwright_link target scope)
 endfunction()
 
 # A library of one folder. PORTABLE: no exceptions, no RTTI (it also builds for the firmware).
-# DEPENDS names folders; PRIVATE names third-party targets, which never show in our headers. All but portable libraries and
-# what is measured in tests/bench are compiled several files together (together.cmake); those after APART are not.
+# DEPENDS names folders; PRIVATE names third-party targets, which never show in our headers. Several files are
+# compiled together (together.cmake) but for those after APART, portable libraries, and those of tests/bench, which are full
+# of alternatives with the same names.
 function(stepwright_library folder)
   cmake_parse_arguments(ARG "PORTABLE" "" "SOURCES;APART;DEPENDS;PRIVATE" ${ARGN})
   string(REPLACE "/" "_" name ${folder})
