@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <map>
 #include <pugixml.hpp>
 #include <sstream>
 #include <vector>
 
 #include "hmi_web/drawing/bindings.h"
+#include "hmi_web/drawing/references.h"
 #include "hmi_web/drawing/vocabulary.h"
 
 namespace stepwright::drawing {
@@ -19,11 +19,6 @@ constexpr unsigned kParse = pugi::parse_cdata | pugi::parse_escapes | pugi::pars
 // Ids are the drawing's own, and none of the page.
 constexpr const char* kPrefix = "drawing-";
 constexpr std::size_t kMostMistakes = 50;
-constexpr std::string_view kSvgPrefix = "svg:";
-
-std::string_view plain_name(std::string_view name) {
-  return name.starts_with(kSvgPrefix) ? name.substr(kSvgPrefix.size()) : name;
-}
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && static_cast<unsigned char>(text.front()) <= ' ') text.remove_prefix(1);
@@ -63,7 +58,8 @@ class Reader {
     drawn.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
     copy(root, drawn, 1);
     give_view_box(root, drawn);
-    check_uses(root);
+    if (auto excess = excess_of_references(root))
+      tell("C0644", excess->offset, std::move(excess->message), std::move(excess->hint));
     if (!mistakes_.empty()) return tl::unexpected(mistakes_);
     std::ostringstream text;
     out_.print(text, "", pugi::format_raw | pugi::format_no_declaration, pugi::encoding_utf8);
@@ -139,7 +135,10 @@ class Reader {
       } else if (name == "href" || name == "xlink:href") {
         if (!value.starts_with('#'))
           refuse(from, name, value, "only parts of the drawing itself can be referred to: \"#id\"");
-        set(to, "href", std::string("#") + kPrefix + value.substr(std::min<std::size_t>(1, value.size())));
+        const std::string_view target =
+            reference_of(from);  // of an element that has both: the one that counts
+        set(to, "href",
+            std::string("#") + kPrefix + std::string(target.substr(std::min<std::size_t>(1, target.size()))));
       } else if (name.starts_with("data-")) {
         set(to, name, value);
       } else if (standing_of_attribute(name) == Standing::Drawn) {
@@ -200,31 +199,6 @@ class Reader {
     std::ostringstream box;
     box << "0 0 " << w << ' ' << h;
     set(drawn, "viewBox", box.str());
-  }
-
-  // A <use> of uses would multiply with each of them: a file of a few lines could keep a browser busy for
-  // ever.
-  void check_uses(pugi::xml_node root) {
-    std::map<std::string, pugi::xml_node> by_id;
-    std::vector<pugi::xml_node> uses;
-    for (const auto& each : root.select_nodes("//*[@id]"))
-      by_id.emplace(each.node().attribute("id").value(), each.node());
-    for (const auto& each : root.select_nodes("//*[local-name()='use']")) uses.push_back(each.node());
-    std::size_t drawn = 0;
-    for (const pugi::xml_node use : uses) {
-      const std::string target =
-          use.attribute("href") ? use.attribute("href").value() : use.attribute("xlink:href").value();
-      const auto found = by_id.find(target.substr(std::min<std::size_t>(1, target.size())));
-      if (found == by_id.end()) continue;
-      drawn += found->second.select_nodes("descendant-or-self::*").size();
-      if (found->second.select_node("descendant-or-self::*[local-name()='use']"))
-        return tell("C0644", use.offset_debug(), "this <use> refers to something that holds a <use> itself",
-                    "refer to the shapes");
-      if (drawn > kMostElements)
-        return tell("C0644", use.offset_debug(),
-                    "all <use> together draw more than " + std::to_string(kMostElements) + " elements",
-                    "refer to fewer or simpler shapes");
-    }
   }
 
   const std::string& name_;

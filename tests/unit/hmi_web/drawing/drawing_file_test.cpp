@@ -104,7 +104,54 @@ TEST(Drawing, WhenTooMuchIsInIt_ThenItIsRefusedAndNotShownInPart) {
   for (int i = 0; i < 300; ++i) uses += "<rect/>";
   uses += "</g>";
   for (int i = 0; i < 100; ++i) uses += "<use href='#a'/>";
-  EXPECT_THAT(mistake(of(uses)), HasSubstr("all <use> together"));
+  EXPECT_THAT(mistake(of(uses)), HasSubstr("all <use>, patterns, clips and markers together"));
+}
+
+// Eight levels of ten references each: a hundred million shapes, by whatever refers to the level below.
+std::string levels(const std::string& element, const std::string& reference) {
+  std::string all = "<" + element + " id='a0'><rect/></" + element + ">";
+  for (int level = 1; level < 9; ++level) {
+    const std::string below = "a" + std::to_string(level - 1);
+    all += "<" + element + " id='a" + std::to_string(level) + "'>";
+    for (int i = 0; i < 10; ++i)
+      all += reference.substr(0, reference.find('*')) + below + reference.substr(reference.find('*') + 1);
+    all += "</" + element + ">";
+  }
+  return all + reference.substr(0, reference.find('*')) + "a8" + reference.substr(reference.find('*') + 1);
+}
+
+TEST(Drawing, WhenReferencesMultiply_ThenTheyAreRefusedHoweverTheyAreSpelt) {
+  for (const auto& [element, reference] : {std::pair("g", "<use href='#nothing' xlink:href='#*'/>"),
+                                           std::pair("g", "<use xlink:href='#*' href='#nothing'/>")}) {
+    const auto drawing = of(levels(element, reference));
+    ASSERT_TRUE(drawing) << "what counts is href, which refers to nothing";
+    EXPECT_THAT(drawing->svg, Not(HasSubstr("#drawing-a")));
+  }
+  for (const auto& [element, reference] : {std::pair("g", "<use xlink:href='#nothing' href='#*'/>"),
+                                           std::pair("pattern", "<rect fill='url(#*)'/>"),
+                                           std::pair("pattern", "<rect style='stroke:url(\"#*\")'/>"),
+                                           std::pair("clipPath", "<rect clip-path='url(#*)'/>"),
+                                           std::pair("marker", "<path d='M0 0L1 1' marker-end='url(#*)'/>"),
+                                           std::pair("pattern", "<pattern href='#*'/>")})
+    EXPECT_THAT(mistake(of(levels(element, reference))), HasSubstr("C0644 2")) << reference;
+  EXPECT_THAT(mistake(of("<pattern id='p'><rect fill='url(#p)'/></pattern><rect fill='url(#p)'/>")),
+              HasSubstr("leads back to it"));
+  std::string path(60'000, ' ');
+  for (std::size_t i = 0; i + 4 < path.size(); i += 4) path.replace(i, 3, "L11");
+  EXPECT_THAT(mistake(of("<marker id='m'><rect/></marker><path marker-mid='url(#m)' d='" + path + "'/>")),
+              HasSubstr("C0644 2 all <use>"));
+}
+
+TEST(Drawing, WhenReferencesAreOrdinary_ThenTheyAreDrawn) {
+  const auto drawing =
+      of("<defs><clipPath id='c'><rect/></clipPath><linearGradient id='g'/><pattern id='h'><path "
+         "fill='url(#g)'/></pattern>"
+         "<marker id='m'><path/></marker><symbol id='s'><g clip-path='url(#c)'><rect "
+         "fill='url(#h)'/></g></symbol></defs>"
+         "<use href='#s'/><use href='#s'/><path marker-end='url(#m)' d='M0 0L1 1'/><path "
+         "style='stroke:red;fill:url(#h)' d='" +
+         std::string(60'000, ' ') + "'/>");
+  EXPECT_TRUE(drawing) << result::to_string(drawing.error());
 }
 
 TEST(Drawing, WhenSeveralMistakesAreInIt_ThenAllAreTold) {
