@@ -62,6 +62,7 @@ tl::expected<OpenedSession, Refusal> AccessControl::claim(std::string_view token
   }
   const auto hash = hash_of(name, password);
   if (!hash) return tl::unexpected(refusal(hash.error()));
+  const std::lock_guard rights(rights_);
   if (auto added = users_->add(name, Role::Administrator, *hash); !added)
     return tl::unexpected(refusal(added.error()));
   setup_token_.clear();
@@ -80,7 +81,8 @@ tl::expected<OpenedSession, Refusal> AccessControl::log_in(const std::string& na
     addresses_.failed(address);
     return refuse("H0026", "name or password are wrong");
   }
-  // The rights may have changed while the password was hashed.
+  // The rights may have changed while the password was hashed; from here on they wait.
+  const std::lock_guard rights(rights_);
   const auto present = users_->find(name);
   if (!present || present->password_hash != user->password_hash)
     return refuse("H0026", "name or password are wrong");
@@ -96,12 +98,14 @@ result::Result<void> AccessControl::add_user(const std::string& name, Role role,
 }
 
 result::Result<void> AccessControl::set_role(const std::string& name, Role role) {
+  const std::lock_guard rights(rights_);
   if (auto set = users_->set_role(name, role); !set) return set;
   sessions_.close_user(name);
   return {};
 }
 
 result::Result<void> AccessControl::remove_user(const std::string& name) {
+  const std::lock_guard rights(rights_);
   if (auto removed = users_->remove(name); !removed) return removed;
   sessions_.close_user(name);
   return {};
@@ -110,6 +114,7 @@ result::Result<void> AccessControl::remove_user(const std::string& name) {
 result::Result<void> AccessControl::reset_password(const std::string& name, const std::string& password) {
   const auto hash = hash_of(name, password);
   if (!hash) return tl::unexpected(hash.error());
+  const std::lock_guard rights(rights_);
   if (auto set = users_->set_password(name, *hash); !set) return set;
   sessions_.close_user(name);
   return {};
@@ -126,6 +131,7 @@ tl::expected<void, Refusal> AccessControl::change_password(const std::string& na
   }
   const auto hash = hash_of(name, fresh);
   if (!hash) return tl::unexpected(refusal(hash.error()));
+  const std::lock_guard rights(rights_);
   if (auto set = users_->set_password(name, *hash); !set) return tl::unexpected(refusal(set.error()));
   sessions_.close_user(name, token);
   return {};

@@ -83,6 +83,8 @@ class AccessControl {
   SessionTable sessions_;
   LoginGuard names_;
   LoginGuard addresses_;
+  // Held while rights change and sessions end, and while a session is opened with the rights that were found.
+  std::mutex rights_;
   std::mutex hashing_;
   std::string decoy_hash_;  // what the password of nobody is compared with; guarded by hashing_
   mutable std::mutex setup_mutex_;

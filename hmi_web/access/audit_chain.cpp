@@ -1,5 +1,6 @@
 #include "hmi_web/access/audit_chain.h"
 
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "hmi_web/access/secrets.h"
@@ -53,9 +54,26 @@ std::string first_hash() {
   return std::string(kHashLength, '0');
 }
 
-ChainCheck check_chain(std::string_view text) {
+std::uint64_t sequence_of(std::string_view line) {
+  constexpr std::string_view kBegin = "{\"seq\":";
+  std::uint64_t number = 0;
+  if (line.starts_with(kBegin))
+    std::from_chars(line.data() + kBegin.size(), line.data() + line.size(), number);
+  return number;
+}
+
+std::optional<ChainStart> start_of(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  const std::uint64_t number = sequence_of(line);
+  std::string previous = number_of(line, "\"prev\":\"");
+  if (number == 0 || previous.size() != kHashLength) return std::nullopt;
+  return ChainStart{number - 1, std::move(previous)};
+}
+
+ChainCheck check_chain(std::string_view text, const ChainStart& start) {
   ChainCheck check;
-  check.head = first_hash();
+  check.entries = start.sequence;
+  check.head = start.head;
   while (check.right_bytes < text.size()) {
     const std::size_t end = text.find('\n', check.right_bytes);
     const bool whole = end != std::string_view::npos;

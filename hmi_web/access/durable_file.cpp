@@ -30,13 +30,13 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
+}  // namespace
+
 result::Result<void> sync_folder_of(const std::filesystem::path& file) {
   const Descriptor folder(::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!folder.open() || ::fsync(folder.number()) != 0) return failed(file, "the folder cannot be synced");
   return {};
 }
-
-}  // namespace
 
 Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
   std::swap(number_, other.number_);

@@ -35,6 +35,8 @@ class Descriptor {
                                                         std::string_view bytes);
 // Gone for good when it returns; false: there was none.
 [[nodiscard]] result::Result<bool> remove_durably(const std::filesystem::path& file);
+// That a file has come, gone or another name is on the disk.
+[[nodiscard]] result::Result<void> sync_folder_of(const std::filesystem::path& file);
 // Opened for appending, made with mode 0600 if it is not there.
 [[nodiscard]] result::Result<Descriptor> open_for_append(const std::filesystem::path& file);
 // All bytes, then fdatasync. What was written of a text that failed is cut off again.

@@ -7,6 +7,7 @@
 
 #include "hmi_web/alarms/internal/journal_file.h"
 #include "hmi_web/storage/batch_queue.h"
+#include "runtime/result/last_barrier.h"
 
 namespace stepwright::alarms {
 
@@ -61,10 +62,17 @@ class AlarmJournal::Core {
     while (queue.take(batch)) {
       waiting_.insert(waiting_.end(), std::make_move_iterator(batch.begin()),
                       std::make_move_iterator(batch.end()));
-      write();
+      step();
       queue.done();
     }
-    write();  // what a file did not take that may take it now
+    step();  // what a file did not take that may take it now
+  }
+
+  // Whatever it throws is told as a failure.
+  void step() {
+    const auto thrown = result::thrown_by([this] { write(); });
+    if (thrown)
+      fail(result::fail("S0006", {path.string()}, "the journal cannot be written: " + *thrown).value());
   }
 
   void write() {

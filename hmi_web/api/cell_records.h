@@ -48,6 +48,9 @@ class CellRecords {
 
   // Returns when it is in the journal.
   [[nodiscard]] virtual result::Result<AlarmChange> act(const AlarmAction& action) = 0;
+
+  // The machine's calendar, which has jumped far ahead, is right. False: it is believed already.
+  virtual bool accept_calendar() = 0;
 };
 
 }  // namespace stepwright::api

@@ -34,6 +34,24 @@ std::string result_of(const Answer& answer) {
   return answer.status < 400 ? "done" : "refused: " + answer.refusal;
 }
 
+access::AuditEntry entry_of(const Route& route, const Call& call, const Answer& answer,
+                            const std::string& result) {
+  std::string target = answer.target.empty() ? call.body.text("name") : answer.target;
+  for (const auto& [name, value] : call.parameters) {
+    if (target.empty()) target = value;
+  }
+  const bool logs_in = call.who.user.empty() && !answer.user.empty();
+  return {.user = logs_in ? answer.user : call.who.user,
+          .role = access::to_string(call.who.role),
+          .address = call.who.address,
+          .action = route.name,
+          .target = std::move(target),
+          .before = answer.before,
+          .after = answer.after,
+          .reason = call.body.text("reason"),
+          .result = result};
+}
+
 }  // namespace
 
 Door::Door(const RouteTable& table, access::AccessControl& control, access::AuditLog& audit,
@@ -41,13 +59,18 @@ Door::Door(const RouteTable& table, access::AccessControl& control, access::Audi
     : table_(table),
       control_(control),
       audit_(audit),
-      options_({std::min(options.anonymous, Role::Viewer)}) {}
+      options_({std::min(options.anonymous, Role::Viewer), options.cookie, options.refusals, options.clock}),
+      refusals_(options.refusals, options.clock) {}
+
+std::string cookie_at(std::uint16_t port) {
+  return std::string(kSessionCookie) + "-" + std::to_string(port);
+}
 
 Caller Door::caller_of(const Request& request, const Route& route) const {
   Caller who;
   who.address = request.peer;
   if (request.peer_is_local) who.role = options_.anonymous;
-  const std::string_view token = cookie_named(request.cookie, kSessionCookie);
+  const std::string_view token = cookie_named(request.cookie, options_.cookie);
   if (token.empty()) return who;
   // Open pages ask for records by themselves every few seconds: nobody is there because of that.
   const bool looks = route.lane == Lane::Records;
@@ -97,6 +120,12 @@ Admission Door::admit(const Request& request) const {
   admission.call.who = caller_of(request, *match.route);
   if (auto refusal = refusal_of(*match.route, admission.call.who, request)) {
     admission.refusal = *std::move(refusal);
+    // Who was not let in although there is somebody, or by another page; never by waiting for the disk.
+    if (admission.refusal.status == 403) {
+      admission.call.parameters = std::move(match.parameters);
+      if (auto entry = refusal_entry(*match.route, admission.call, admission.refusal))
+        audit_.append_later(*std::move(entry));
+    }
     return admission;
   }
   if (!match.readable) {
@@ -118,38 +147,43 @@ Answer Door::perform(Admission admission, std::string_view body) const {
   } else if (!body.empty()) {
     return refused(400, "H0030", "this takes no body");
   }
-  const auto unwritten = [] {
+  if (route.audit == Audit::None) return route.handler(admission.call);
+  return route.audit == Audit::Later ? told_later(route, admission.call) : told(route, admission.call);
+}
+
+Answer Door::told(const Route& route, const Call& call) const {
+  if (route.audit == Audit::Around && !audit_.append(entry_of(route, call, {}, "begun")))
     return refused(503, "H0046", "the audit trail cannot be written", "is the disk full? Nothing was done");
-  };
-  if (route.audit == Audit::Around && !write_audit(route, admission.call, {}, "begun")) return unwritten();
-  Answer answer = route.handler(admission.call);
+  Answer answer = route.handler(call);
   // What is locked is not told again and again: whoever guesses must not fill the disk.
-  if (route.audit == Audit::None || answer.status == 429) return answer;
-  if (!write_audit(route, admission.call, answer, result_of(answer)) && answer.status < 400) {
+  if (answer.status == 429) return answer;
+  if (answer.status >= 400) {
+    // What has begun has an end in the trail, too.
+    const auto entry = route.audit == Audit::Around ? entry_of(route, call, answer, result_of(answer))
+                                                    : refusal_entry(route, call, answer);
+    if (entry) static_cast<void>(audit_.append(*entry));
+  } else if (!audit_.append(entry_of(route, call, answer, result_of(answer)))) {
     answer =
         refused(503, "H0046", "it was done, but the audit trail could not be written", "is the disk full?");
   }
   return answer;
 }
 
-bool Door::write_audit(const Route& route, const Call& call, const Answer& answer,
-                       const std::string& result) const {
-  std::string target = answer.target.empty() ? call.body.text("name") : answer.target;
-  for (const auto& [name, value] : call.parameters) {
-    if (target.empty()) target = value;
-  }
-  const bool logs_in = call.who.user.empty() && !answer.user.empty();
-  return audit_
-      .append({.user = logs_in ? answer.user : call.who.user,
-               .role = access::to_string(call.who.role),
-               .address = call.who.address,
-               .action = route.name,
-               .target = std::move(target),
-               .before = answer.before,
-               .after = answer.after,
-               .reason = call.body.text("reason"),
-               .result = result})
-      .has_value();
+Answer Door::told_later(const Route& route, const Call& call) const {
+  audit_.append_later(entry_of(route, call, {}, "begun"));
+  Answer answer = route.handler(call);
+  audit_.append_later(entry_of(route, call, answer, result_of(answer)));
+  return answer;
+}
+
+std::optional<access::AuditEntry> Door::refusal_entry(const Route& route, const Call& call,
+                                                      const Answer& answer) const {
+  const auto told = refusals_.take(call.who.user);
+  if (!told) return std::nullopt;
+  std::string result = result_of(answer);
+  if (told->left_out > 0)
+    result += " (" + std::to_string(told->left_out) + " refusals before it are not listed)";
+  return entry_of(route, call, answer, result);
 }
 
 bool Door::may_listen(const Caller& who) const {

@@ -2,7 +2,8 @@
 
 // Decides about every request, by the route table only: is there such a route, may this caller use it, is the
 // request one of our own page, is its body what the route takes; then has the handler do it and the audit
-// trail tell of it.
+// trail tell of it. What brings the plant to rest is done whatever the disk of the trail does. Refusals are
+// told up to a limit for each user.
 //
 //   Door door(table, control, audit, {.anonymous = Role::Viewer});
 //   const Admission admission = door.admit(request);
@@ -21,6 +22,7 @@
 
 #include "hmi_web/access/access_control.h"
 #include "hmi_web/access/audit_log.h"
+#include "hmi_web/access/refusal_budget.h"
 #include "hmi_web/api/route.h"
 #include "hmi_web/api/route_table.h"
 
@@ -34,7 +36,14 @@ inline constexpr std::string_view kCsrfProtocol = "csrf.";
 
 struct DoorOptions {
   Role anonymous = Role::None;  // of whoever has not logged in, at this machine; never more than Viewer
+  // Browsers send cookies to every port of a host: servers beside each other have names of their own.
+  std::string cookie = std::string(kSessionCookie);
+  access::RefusalLimits refusals = {};  // that the audit trail tells
+  access::Clock clock = std::chrono::steady_clock::now;
 };
+
+// The name of the cookie of a server at that port.
+std::string cookie_at(std::uint16_t port);
 
 // What the server has found out about a request; all but `peer` comes from anybody.
 struct Request {
@@ -67,17 +76,23 @@ class Door {
   // Whether whoever was admitted with this token (empty: anonymously) may still listen.
   bool may_listen(const Caller& who) const;
   const RouteTable& table() const { return table_; }
+  const std::string& cookie() const { return options_.cookie; }
 
  private:
   Caller caller_of(const Request& request, const Route& route) const;
   std::optional<Answer> refusal_of(const Route& route, const Caller& who, const Request& request) const;
-  bool write_audit(const Route& route, const Call& call, const Answer& answer,
-                   const std::string& result) const;
+  // The handler's answer, with what the audit trail is to have of it.
+  Answer told(const Route& route, const Call& call) const;
+  Answer told_later(const Route& route, const Call& call) const;
+  // Nothing: refusals of this user are not told any more.
+  std::optional<access::AuditEntry> refusal_entry(const Route& route, const Call& call,
+                                                  const Answer& answer) const;
 
   const RouteTable& table_;
   access::AccessControl& control_;
   access::AuditLog& audit_;
   const DoorOptions options_;
+  mutable access::RefusalBudget refusals_;
 };
 
 }  // namespace stepwright::api

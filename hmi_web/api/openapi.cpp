@@ -111,7 +111,7 @@ ordered_json responses_of(const Route& row) {
     problem("403", "the role does not suffice, or the request is not from this page");
   if (row.lane == Lane::Password) problem("429", "too many failed attempts; Retry-After says when");
   if (row.audit != Audit::None) problem("503", "somebody is not there, or the audit trail cannot be written");
-  if (row.lane == Lane::Runtime) {
+  if (row.lane == Lane::Runtime || row.lane == Lane::Stop) {
     problem("409", "not in the state that the cell is in");
     problem("504", "whoever was asked has not answered, and may do it all the same");
   }
@@ -165,7 +165,7 @@ std::string openapi(const RouteTable& table, const std::string& version) {
       "line": {"type": "integer"}, "column": {"type": "integer"}}}}}})");
   document["components"]["schemas"] = std::move(schemas);
   document["components"]["securitySchemes"] = {
-      {"session", {{"type", "apiKey"}, {"in", "cookie"}, {"name", std::string(kSessionCookie)}}},
+      {"session", {{"type", "apiKey"}, {"in", "cookie"}, {"name", std::string(kSessionCookie) + "-PORT"}}},
       {"csrf", {{"type", "apiKey"}, {"in", "header"}, {"name", std::string(kCsrfHeader)}}}};
   return document.dump(2) + "\n";
 }

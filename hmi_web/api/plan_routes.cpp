@@ -18,7 +18,7 @@ Route stop_row(CellControl* cell) {
     const std::string why = call.who.user + ": " + call.body.text("reason");
     return accepted(cell->stop_runtime(why), "", "stopped");
   };
-  return route;
+  return stopping(std::move(route));
 }
 
 json points_of(const Body& body) {
@@ -81,16 +81,17 @@ std::vector<Route> plan_routes(const Services& services) {
                     .description = "what it is from now on"};
   std::vector<Route> rows = {
       stop_row(cell),
-      supervisor_row(cell, "/api/plan/abort", "plan.abort",
-                     "Stops the plant safely at the next decision and ends the run", {"Abort", {}},
-                     [](const Body&) {
-                       return json{{"request", "abort"}};
-                     }),
-      supervisor_row(cell, "/api/plan/hold", "plan.hold",
-                     "Brings the plant to rest at the next decision, until it is resumed", {"Hold", {}},
-                     [](const Body&) {
-                       return json{{"request", "hold"}};
-                     }),
+      stopping(supervisor_row(cell, "/api/plan/abort", "plan.abort",
+                              "Stops the plant safely at the next decision and ends the run", {"Abort", {}},
+                              [](const Body&) {
+                                return json{{"request", "abort"}};
+                              })),
+      stopping(supervisor_row(cell, "/api/plan/hold", "plan.hold",
+                              "Brings the plant to rest at the next decision, until it is resumed",
+                              {"Hold", {}},
+                              [](const Body&) {
+                                return json{{"request", "hold"}};
+                              })),
       supervisor_row(cell, "/api/plan/resume", "plan.resume",
                      "Goes on with the plan, or with another one from where the plant is", {"Resume", {}},
                      [](const Body&) {

@@ -59,6 +59,24 @@ Route with(Route route, std::vector<Parameter> query, std::vector<Parameter> mor
   return route;
 }
 
+Route calendar_row(CellRecords* records) {
+  Route route = acting_row(
+      "POST", "/api/history/calendar", "history.accept_calendar",
+      "The machine's calendar, which has jumped far ahead, is right: the history goes on at its time",
+      R"({"type": "object", "required": ["accepted"], "properties": {"accepted": {"type": "boolean"}}})");
+  route.least = Role::Engineer;
+  route.body = {
+      "AcceptCalendar",
+      {{.name = "reason", .required = false, .most = 200, .description = "why, for the audit trail"}}};
+  route.handler = [records](const Call&) {
+    if (records == nullptr) return no_records();
+    if (!records->accept_calendar())
+      return refused(409, "H0069", "the calendar is believed already", "there is nothing to accept");
+    return Answer{.text = R"({"accepted": true})"};
+  };
+  return route;
+}
+
 }  // namespace
 
 Answer no_records() {
@@ -69,6 +87,7 @@ Answer no_records() {
 std::vector<Route> record_routes(const Services& services) {
   const CellRecords* records = services.records;
   return {
+      calendar_row(services.records),
       record_row(records, "/api/history/tags", "history.tags", "Everything that there is a history of", kTags,
                  &CellRecords::tags),
       with(record_row(records, "/api/history/trend", "history.trend",

@@ -51,6 +51,12 @@ Route acting_row(const char* method, const char* path, const char* name, const c
           .answer = answer};
 }
 
+Route stopping(Route route) {
+  route.lane = Lane::Stop;
+  route.audit = Audit::Later;
+  return route;
+}
+
 Answer refused(unsigned status, const result::Diagnostics& problems) {
   json list = json::array();
   for (const auto& problem : problems) {

@@ -31,6 +31,7 @@ enum class Lane : std::uint8_t {
              // the same
   Password,  // a tenth of a second of hashing
   Runtime,   // up to five seconds, until a runtime answers
+  Stop,      // the same for what brings the plant to rest: it waits behind nothing else
 };
 
 // What the audit trail has of a call; reading leaves nothing there.
@@ -38,6 +39,7 @@ enum class Audit : std::uint8_t {
   None,
   After,   // one entry with the result
   Around,  // one before it happens and one with the result: a crash in between leaves a trace
+  Later,   // the same two, but written while and after it happens: stopping never waits for a disk
 };
 
 // Whoever asks.
@@ -109,6 +111,9 @@ Route acting_row(const char* method, const char* path, const char* name, const c
 Answer refused(unsigned status, const result::Diagnostics& problems);
 Answer refused(unsigned status, const std::string& code, const std::string& message,
                const std::string& hint = {});
+// A row that brings the plant to rest: ahead of all others, and whatever the disk does.
+Route stopping(Route route);
+
 // The status that fits the code of a problem: 400, 404, 409, 503, 504.
 Answer refused(const result::Diagnostics& problems);
 

@@ -81,8 +81,10 @@ Route log_in_row(access::AccessControl* control) {
   route.body = {"LogIn", {kName, kPassword}};
   route.handler = [control](const Call& call) {
     const std::string name = call.body.text("name");
-    if (!call.who.token.empty()) control->sessions().close(call.who.token);
-    return opened(*control, control->log_in(name, call.body.text("password"), call.who.address), name);
+    const auto session = control->log_in(name, call.body.text("password"), call.who.address);
+    // Whoever mistypes a password stays who he was.
+    if (session && !call.who.token.empty()) control->sessions().close(call.who.token);
+    return opened(*control, session, name);
   };
   return route;
 }

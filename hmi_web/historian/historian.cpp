@@ -7,6 +7,7 @@
 
 #include "hmi_web/historian/internal/core.h"
 #include "hmi_web/historian/visitors.h"
+#include "runtime/result/last_barrier.h"
 
 namespace stepwright::historian {
 namespace {
@@ -169,11 +170,20 @@ result::Result<void> Historian::Core::load(HistoryFile file) {
 void Historian::Core::run() {
   std::vector<TagSample> batch;
   while (queue.take(batch)) {
-    write(batch, false);
-    retain();
+    step([&] {
+      write(batch, false);
+      retain();
+    });
     queue.done();
   }
-  write({}, true);
+  step([&] { write({}, true); });
+}
+
+void Historian::Core::step(const std::function<void()>& work) {
+  const auto thrown = result::thrown_by(work);
+  if (thrown)
+    note_failure(
+        result::fail("S0006", {path_.string()}, "the history cannot be written: " + *thrown).value());
 }
 
 void Historian::Core::write(std::span<const TagSample> batch, bool last) {

@@ -294,6 +294,14 @@ std::uint64_t CellAlarms::revision() const {
   return revision_;
 }
 
+std::string no_alarms_json(const std::string& problem) {
+  JsonWriter out;
+  out.open('{').key("count").integer(0).key("alarms").open('[').close(']');
+  write_figures(out, {}, {});
+  out.key("journal").open('{').key("failing").boolean(true).key("dropped").integer(0);
+  return out.key("problem").text(problem).close('}').close('}').take();
+}
+
 std::string CellAlarms::json(bool all) const {
   JsonWriter out;
   out.open('{');

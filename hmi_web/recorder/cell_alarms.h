@@ -46,6 +46,9 @@ struct BuiltInAlarms {
 std::vector<alarms::AlarmDefinition> built_in_alarms(const protocol::Synoptic& synoptic,
                                                      const BuiltInAlarms& wanted);
 
+// What CellAlarms::json says where nothing can be kept.
+std::string no_alarms_json(const std::string& problem);
+
 // One image, or that there is none.
 struct RecordedScan {
   std::int64_t time_ns = 0;

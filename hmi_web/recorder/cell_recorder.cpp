@@ -26,6 +26,12 @@ constexpr std::int64_t kSilentNs = 1'000'000'000;
 // Behind the newest image: from here on nothing is known.
 constexpr std::int64_t kBehindNs = 1'000;
 
+std::int64_t steady_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
 }  // namespace
 
 result::Result<std::unique_ptr<CellRecorder>> CellRecorder::open(RecorderOptions options, Clock wall_clock) {
@@ -37,7 +43,9 @@ result::Result<std::unique_ptr<CellRecorder>> CellRecorder::open(RecorderOptions
 CellRecorder::CellRecorder(RecorderOptions options, Clock wall_clock)
     : options_(std::move(options)),
       wall_clock_(std::move(wall_clock)),
-      now_ns_(std::make_shared<std::atomic<std::int64_t>>(0)) {}
+      now_ns_(std::make_shared<std::atomic<std::int64_t>>(0)) {
+  if (!options_.steady_clock) options_.steady_clock = steady_ns;
+}
 
 CellRecorder::~CellRecorder() {
   if (historian_ && clock_ && scan_time_s_ >= 0) record_missing(*now_ns_ + 1'000);
@@ -66,6 +74,7 @@ result::Result<void> CellRecorder::start() {
   if (!all) return result::forward(all);
   alarms_ = std::move(*all);
   clock_.emplace(options_.real_time, known);
+  calendar_.emplace(known ? known->newest_ns : 0);
   *now_ns_ = known ? known->newest_ns : 0;
   auto epoch = historian_->tag(kEpochTag, {historian::SuppressionKind::None});
   if (!epoch) return result::forward(epoch);
@@ -174,7 +183,7 @@ void CellRecorder::note_arrival(const server::Observation& seen, bool fresh, std
 
 std::optional<std::string> CellRecorder::take(const server::Observation& seen, const server::CellView& view) {
   const bool has_image = seen.runtime_alive && seen.snapshot;
-  const std::int64_t wall_ns = wall_clock_();
+  const std::int64_t wall_ns = calendar_->at(wall_clock_(), options_.steady_clock());
   if (has_image) {
     const auto scan_ns = static_cast<std::int64_t>(std::llround(seen.snapshot->time_s * 1e9));
     const std::int64_t time_ns = clock_->at(scan_ns, wall_ns);
@@ -201,6 +210,10 @@ std::optional<std::string> CellRecorder::take(const server::Observation& seen, c
   }
   alarms_->take({*now_ns_, &seen, &view});
   return message();
+}
+
+std::chrono::seconds CellRecorder::calendar_ahead() const {
+  return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::nanoseconds(calendar_->ahead_ns()));
 }
 
 result::Result<void> CellRecorder::flush() {

@@ -13,6 +13,9 @@
 // lasting that nobody saw. So is the time between two images of which others were lost on their way, if it is
 // longer than a page looks apart, and any time in which images ought to come and none does for a second.
 //
+// A calendar that has jumped far ahead is not believed until somebody accepts it (calendar.h): nothing is
+// deleted for its age by that, and nothing is recorded in a time to come.
+//
 // Thread rule: take from one thread; everything else from any. Nothing waits for the disk. The folder has one
 // writer (S0004).
 
@@ -29,6 +32,7 @@
 
 #include "hmi_web/historian/historian.h"
 #include "hmi_web/protocol/synoptic.h"
+#include "hmi_web/recorder/calendar.h"
 #include "hmi_web/recorder/cell_alarms.h"
 #include "hmi_web/recorder/history_clock.h"
 
@@ -43,6 +47,7 @@ struct RecorderOptions {
   std::uint64_t most_bytes = 4ULL << 30;  // of samples; 0: any
   std::vector<protocol::Point> points;    // of the picture, as in every view
   std::vector<alarms::AlarmDefinition> alarms;
+  std::function<std::int64_t()> steady_clock = {};  // ns; without it: that of the machine
 };
 
 class CellRecorder {
@@ -67,6 +72,10 @@ class CellRecorder {
   CellAlarms& alarms() { return *alarms_; }
   // The newest time of the history's clock.
   std::int64_t now_ns() const { return *now_ns_; }
+  // How far the machine's calendar stands ahead of the history's; 0: it is believed.
+  std::chrono::seconds calendar_ahead() const;
+  // The calendar is right: the history goes on at its time. False: it is believed already.
+  bool accept_calendar() { return calendar_->accept(); }
 
  private:
   struct Series {
@@ -96,6 +105,7 @@ class CellRecorder {
   std::unique_ptr<historian::Historian> historian_;
   std::unique_ptr<CellAlarms> alarms_;
   std::optional<HistoryClock> clock_;
+  std::optional<Calendar> calendar_;
   std::optional<historian::TagId> epoch_tag_;
   std::int64_t epoch_written_ns_ = 0;
   std::shared_ptr<const server::ProgramLayout> layout_;

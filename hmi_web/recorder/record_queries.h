@@ -24,6 +24,7 @@ class RecordQueries : public api::CellRecords {
   api::Answer journal(const Parameters& given) const override;
   api::Answer journal_csv(const Parameters& given) const override;
   [[nodiscard]] result::Result<api::AlarmChange> act(const api::AlarmAction& action) override;
+  bool accept_calendar() override { return recorder_.accept_calendar(); }
 
  private:
   CellRecorder& recorder_;

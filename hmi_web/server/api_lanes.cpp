@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "runtime/result/last_barrier.h"
+
 namespace stepwright::server {
 namespace {
 
@@ -13,6 +15,8 @@ std::size_t index_of(api::Lane lane) {
       return 2;
     case api::Lane::Records:
       return 3;
+    case api::Lane::Stop:
+      return 4;
     default:
       return 0;
   }
@@ -54,7 +58,8 @@ void ApiLanes::run(Worker& worker) {
     const std::function<void()> job = std::move(worker.jobs.front());
     worker.jobs.pop_front();
     lock.unlock();
-    job();
+    // Whoever posted it answers for what it throws; what is left would end the server.
+    static_cast<void>(result::thrown_by(job));
     lock.lock();
   }
 }

@@ -42,7 +42,7 @@ class ApiLanes {
   };
   static void run(Worker& worker);
 
-  std::array<Worker, 4> workers_;
+  std::array<Worker, 5> workers_;
 };
 
 }  // namespace stepwright::server

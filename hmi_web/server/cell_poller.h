@@ -12,6 +12,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <thread>
 
 #include "hmi_web/server/cell_source.h"
@@ -24,10 +25,12 @@ class CellPoller {
  public:
   static constexpr std::chrono::milliseconds kShortestPause{20};
   static constexpr std::chrono::milliseconds kLongestPause{100};
-  // `on_look` (may be empty) is given every look at the cell before viewers are told.
+  // `on_look` (may be empty) is given every look at the cell before viewers are told; `on_trouble` (likewise)
+  // what a look has thrown, which is left out then.
   using OnLook = std::function<void(const Observation&, const CellView&)>;
+  using OnTrouble = std::function<void(const std::string&)>;
   CellPoller(CellSource& source, CellViewer viewer, Feed& feed, std::function<void()> on_news,
-             OnLook on_look = {});
+             OnLook on_look = {}, OnTrouble on_trouble = {});
   // Ends after the observation that is under way, or the wait for the next, kLongestPause at most.
   ~CellPoller();
 
@@ -36,12 +39,14 @@ class CellPoller {
 
  private:
   void run();
+  void look();
 
   CellSource& source_;
   CellViewer viewer_;
   Feed& feed_;
   std::function<void()> on_news_;
   OnLook on_look_;
+  OnTrouble on_trouble_;
   std::mutex mutex_;
   std::condition_variable stop_signal_;
   bool stopping_ = false;  // guarded by mutex_

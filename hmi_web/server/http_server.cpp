@@ -17,6 +17,7 @@
 #include "hmi_web/server/internal/response.h"
 #include "hmi_web/server/internal/viewer_session.h"
 #include "hmi_web/server/internal/wire.h"
+#include "runtime/result/last_barrier.h"
 
 namespace stepwright::server {
 
@@ -46,6 +47,7 @@ struct HttpServer::State {
   std::vector<std::weak_ptr<ViewerSession>> viewers;
   std::function<std::string()> metrics;
   std::string metrics_type;
+  std::function<void(const std::string&)> on_trouble;
   internal::TlsContextPointer tls;
   const api::Door* door = nullptr;  // null: there is no API
   std::size_t most_body = 0;        // of any of its routes
@@ -179,8 +181,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     const api::Lane lane = admission.route->lane;
     const bool taken =
         server_.lanes->post(lane, [self = shared_from_this(), admission = std::move(admission)]() mutable {
-          auto answer = std::make_shared<api::Answer>(
-              self->server_.door->perform(std::move(admission), self->parser_->get().body()));
+          const auto answer = std::make_shared<api::Answer>(self->answer_of(std::move(admission)));
           asio::post(self->server_.io, [self, answer] { self->send(*answer, ""); });
         });
     if (taken) return;
@@ -189,13 +190,24 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     send(busy, "");
   }
 
+  // Whatever a handler does: whoever asked gets an answer, and the server goes on.
+  api::Answer answer_of(api::Admission admission) const {
+    try {
+      return server_.door->perform(std::move(admission), parser_->get().body());
+    } catch (const std::exception& problem) {
+      return api::refused(500, "H0048",
+                          "this request failed within the server: " + std::string(problem.what()),
+                          "what it was to do may be done in part; see the audit trail");
+    }
+  }
+
   void send(const api::Answer& answer, const std::string& allowed) {
     const HttpRequest& request = parser_->get();
     const bool known = !answer.etag.empty() && header(http::field::if_none_match) == answer.etag;
     response_ = Response(known ? http::status::not_modified : static_cast<http::status>(answer.status),
                          request.version());
     add_common_fields(response_);
-    fill_with_answer(response_, answer, allowed);
+    fill_with_answer(response_, answer, allowed, server_.door->cookie());
     if (known || request.method() == http::verb::head) response_.body().clear();
     response_.keep_alive(request.keep_alive());
     write();
@@ -383,6 +395,10 @@ void HttpServer::serve_metrics(std::function<std::string()> text, std::string co
   state_->metrics_type = std::move(content_type);
 }
 
+void HttpServer::tell_trouble(std::function<void(const std::string&)> on_trouble) {
+  state_->on_trouble = std::move(on_trouble);
+}
+
 void HttpServer::serve_api(const api::Door& door) {
   state_->door = &door;
   state_->most_body = state_->limits.body_bytes;
@@ -397,7 +413,10 @@ std::uint16_t HttpServer::port() const {
 
 void HttpServer::run() {
   state_->accept();
-  state_->io.run();
+  // A connection that fails in a way that nobody foresaw ends; the others go on.
+  while (const auto thrown = result::thrown_by([this] { state_->io.run(); })) {
+    if (state_->on_trouble) state_->on_trouble(*thrown);
+  }
   state_->lanes.reset();  // what is under way ends with the server, and not after what it refers to
 }
 

@@ -55,6 +55,9 @@ class HttpServer {
   // there. Before run().
   void serve_metrics(std::function<std::string()> text, std::string content_type);
 
+  // What a step of the network has thrown; it costs that step. Before run().
+  void tell_trouble(std::function<void(const std::string&)> on_trouble);
+
   // Everything goes through this door from now on. Before run(); the door outlives the server.
   void serve_api(const api::Door& door);
 

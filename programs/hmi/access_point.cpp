@@ -1,8 +1,10 @@
 #include "programs/hmi/access_point.h"
 
 #include <cstdio>
+#include <set>
 
-#include "hmi_web/access/audit_chain.h"
+#include "hmi_web/access/audit_files.h"
+#include "hmi_web/access/durable_file.h"
 #include "hmi_web/api/openapi.h"
 #include "hmi_web/api/routes.h"
 #include "hmi_web/recipes/definition_file.h"
@@ -25,9 +27,11 @@ void tell_setup_token(const access::AccessControl& control, log::Logger& log) {
 }  // namespace
 
 result::Result<std::unique_ptr<AccessPoint>> AccessPoint::open(const config::HmiConfig& config,
-                                                               const ActsOn& what, log::Logger& log,
+                                                               std::uint16_t port, const ActsOn& what,
+                                                               log::Logger& log,
                                                                api::ForceDesk::OnChange on_forces) {
   std::unique_ptr<AccessPoint> point(new AccessPoint);
+  if (auto locked = point->lock_folders(config); !locked) return result::forward(locked);
   access::AccessOptions options;
   options.sessions.idle = config.idle;
   options.sessions.absolute = config.session;
@@ -50,9 +54,25 @@ result::Result<std::unique_ptr<AccessPoint>> AccessPoint::open(const config::Hmi
        point->recipes_.get(), what.figures, what.drawing, what.program, point->changes_.get()}));
   point->door_ = std::make_unique<api::Door>(
       *point->table_, *point->control_, *point->audit_,
-      api::DoorOptions{config.anonymous_viewer ? access::Role::Viewer : access::Role::None});
+      api::DoorOptions{.anonymous = config.anonymous_viewer ? access::Role::Viewer : access::Role::None,
+                       .cookie = api::cookie_at(port)});
   tell_setup_token(*point->control_, log);
   return point;
+}
+
+result::Result<void> AccessPoint::lock_folders(const config::HmiConfig& config) {
+  std::set<std::filesystem::path> folders{config.access_dir, config.programs_dir};
+  if (!config.recipes.empty()) folders.insert(config.recipes_dir);
+  for (const std::filesystem::path& folder : folders) {
+    if (auto made = access::make_private_folder(folder); !made) return result::forward(made);
+    auto lock = storage::FileLock::take(folder / "server");
+    if (!lock && lock.error().front().code == "S0004")
+      return result::fail("H0004", {folder.string(), 0, 0}, "another page server keeps this folder",
+                          "end the other `stepwright hmi` of this cell; a cell has one");
+    if (!lock) return result::forward(lock);
+    locks_.push_back(std::move(*lock));
+  }
+  return {};
 }
 
 result::Result<void> AccessPoint::open_recipes(const config::HmiConfig& config, api::CellControl& cell) {
@@ -92,16 +112,20 @@ result::Result<Listening> listening_of(const config::HmiConfig& config) {
 }
 
 int verify_audit(const std::string& file) {
-  const auto text = process::read_file(file);
-  if (!text) return process::fail(text.error(), result::ExitCode::BadInput);
-  const access::ChainCheck check = access::check_chain(*text);
+  const auto trail = access::check_trail(file);
+  if (!trail) return process::fail(trail.error(), result::ExitCode::BadInput);
+  const access::ChainCheck& check = trail->chain;
+  const std::uint64_t right = check.entries - (trail->first > 0 ? trail->first - 1 : 0);
   if (check.broken_line > 0) {
-    const auto line = static_cast<std::uint32_t>(check.broken_line);
-    const auto broken = result::fail("H0050", {file, line, 1}, "this line is wrong: " + check.why,
-                                     std::to_string(check.entries) + " entries before it are right");
+    const auto line = static_cast<std::uint32_t>(trail->line);
+    const auto broken =
+        result::fail("H0050", {trail->file.string(), line, 1}, "this line is wrong: " + check.why,
+                     std::to_string(right) + " entries before it are right");
     return process::fail(broken.value(), result::ExitCode::BadInput);
   }
-  std::printf("%llu entries, head %s\n", static_cast<unsigned long long>(check.entries), check.head.c_str());
+  const std::string begin = trail->first > 1 ? " from number " + std::to_string(trail->first) + " on" : "";
+  std::printf("%llu entries%s, head %s\n", static_cast<unsigned long long>(right), begin.c_str(),
+              check.head.c_str());
   return to_int(result::ExitCode::Done);
 }
 

@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "hmi_web/access/access_control.h"
 #include "hmi_web/access/audit_log.h"
@@ -23,6 +24,7 @@
 #include "hmi_web/api/door.h"
 #include "hmi_web/api/force_desk.h"
 #include "hmi_web/api/recipe_desk.h"
+#include "hmi_web/storage/file_lock.h"
 #include "programs/config/hmi_config.h"
 #include "programs/log/logger.h"
 #include "runtime/result/result.h"
@@ -42,9 +44,11 @@ struct ActsOn {
 class AccessPoint {
  public:
   // Writes the set-up token to standard error, which is the journal of a service and never a log file, while
-  // nobody has claimed the administrator. Fails with H0021 and H0022, and with what is wrong in the file of
-  // recipes (C0001 to C0006, C0620 to C0622).
+  // nobody has claimed the administrator. `port` is the page's. Fails with H0004 if another server keeps one
+  // of the folders, with H0021 and H0022, and with what is wrong in the file of recipes (C0001 to C0006,
+  // C0620 to C0622).
   [[nodiscard]] static result::Result<std::unique_ptr<AccessPoint>> open(const config::HmiConfig& config,
+                                                                         std::uint16_t port,
                                                                          const ActsOn& what, log::Logger& log,
                                                                          api::ForceDesk::OnChange on_forces);
 
@@ -58,6 +62,10 @@ class AccessPoint {
   [[nodiscard]] result::Result<void> open_versions(const config::HmiConfig& config, api::CellChange* cell,
                                                    log::Logger& log);
 
+  // Users, trail, recipes and programs have one server at a time.
+  [[nodiscard]] result::Result<void> lock_folders(const config::HmiConfig& config);
+
+  std::vector<storage::FileLock> locks_;
   std::unique_ptr<access::AccessControl> control_;
   std::unique_ptr<access::AuditLog> audit_;
   std::unique_ptr<api::ForceDesk> forces_;

@@ -8,6 +8,7 @@
 #include "programs/hmi/supervisor_word.h"
 #include "runtime/bytecode/reader/document_text.h"
 #include "runtime/bytecode/writer/document_section.h"
+#include "runtime/result/last_barrier.h"
 #include "runtime/service/digest.h"
 
 namespace stepwright::hmi {
@@ -51,7 +52,10 @@ DdsCellChange::DdsCellChange(DdsCellSource& source, const config::CellConfig& co
 
 void DdsCellChange::listen(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
-    if (const auto event = source_.client().wait_event(kEventTurn)) take(*event);
+    // An event that cannot be taken is missed; the status shows the same a little later.
+    static_cast<void>(result::thrown_by([this] {
+      if (const auto event = source_.client().wait_event(kEventTurn)) take(*event);
+    }));
   }
 }
 

@@ -11,7 +11,6 @@
 
 #include "hmi_web/client/client_assets.h"
 #include "hmi_web/drawing/drawing_file.h"
-#include "hmi_web/recorder/record_queries.h"
 #include "hmi_web/server/cell_poller.h"
 #include "hmi_web/server/http_server.h"
 #include "programs/config/cell_options.h"
@@ -67,22 +66,20 @@ int run(const config::CellConfig& config) {
   auto source = hmi::DdsCellSource::connect(config, **log);
   if (!source) return fail(source.error(), ExitCode::RuntimeFault);
 
-  auto recorder = hmi::open_recorder(config, picture->synoptic);
-  if (!recorder) return fail(recorder.error(), ExitCode::BadInput);
-  std::optional<recorder::RecordQueries> records;
-  if (*recorder) records.emplace(**recorder);
+  auto records = hmi::Recording::open(config, picture->synoptic, **log);
+  if (!records) return fail(records.error(), ExitCode::BadInput);
   auto watch = hmi::RuntimeWatch::connect(config, (*source)->runtime());
   if (!watch) return fail(watch.error(), ExitCode::RuntimeFault);
   hmi::DdsCellControl control(**source);
   hmi::ProgramDesk program((*source)->running());
   hmi::DdsCellChange change(**source, config);
-  auto access = hmi::AccessPoint::open(config.hmi,
-                                       {control, records ? &*records : nullptr, watch->get(),
-                                        drawn.svg.empty() ? nullptr : &drawn.svg, &program, &change},
-                                       **log, [&](const std::string& list) {
-                                         feed.set_forces(list);
-                                         (*http)->notify();
-                                       });
+  auto access = hmi::AccessPoint::open(
+      config.hmi, (*http)->port(),
+      {control, records->get(), watch->get(), drawn.svg.empty() ? nullptr : &drawn.svg, &program, &change},
+      **log, [&](const std::string& list) {
+        feed.set_forces(list);
+        (*http)->notify();
+      });
   if (!access) return fail(access.error(), ExitCode::BadInput);
   (*http)->serve_api((*access)->door());
   if (where->held_back) {
@@ -92,18 +89,20 @@ int run(const config::CellConfig& config) {
   }
 
   const auto record = [&](const server::Observation& seen, const server::CellView& view) {
-    if (!*recorder) return;
-    auto news = (*recorder)->take(seen, view);
+    if (!*records) return;
+    auto news = (*records)->take(seen, view);
     if (!news) return;
     feed.set_alarms(std::move(*news));
     (*http)->notify();
   };
   (*http)->serve_metrics([&] { return (*watch)->metrics(); }, std::string(metrics::kContentType));
 
+  const auto trouble = [&](const std::string& what) { (*log)->error("server", "a step failed: " + what); };
+  (*http)->tell_trouble(trouble);
   std::thread network([&] { (*http)->run(); });
   {
     const server::CellPoller poller(
-        **source, server::CellViewer(picture->sources), feed, [&] { (*http)->notify(); }, record);
+        **source, server::CellViewer(picture->sources), feed, [&] { (*http)->notify(); }, record, trouble);
     const std::string scheme = config.hmi.certificate.empty() ? "http://" : "https://";
     const std::string address = scheme + where->host + ":" + std::to_string((*http)->port()) + "/";
     (*log)->info("listens", "cell " + config.name + " at " + address,

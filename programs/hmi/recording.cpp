@@ -17,12 +17,9 @@ std::int64_t real_time_ns() {
       .count();
 }
 
-}  // namespace
-
-result::Result<std::unique_ptr<recorder::CellRecorder>> open_recorder(const config::CellConfig& config,
-                                                                      const protocol::Synoptic& synoptic) {
+result::Result<recorder::RecorderOptions> options_of(const config::CellConfig& config,
+                                                     const protocol::Synoptic& synoptic) {
   const config::HistoryConfig& history = config.history;
-  if (history.folder.empty()) return nullptr;
   const bool plans = !config.planning.domain.empty();
   recorder::BuiltInAlarms wanted;
   wanted.supervisor = plans || !config.fleet.problem.empty();
@@ -40,7 +37,104 @@ result::Result<std::unique_ptr<recorder::CellRecorder>> open_recorder(const conf
     options.alarms.insert(options.alarms.end(), std::make_move_iterator(more->begin()),
                           std::make_move_iterator(more->end()));
   }
-  return recorder::CellRecorder::open(std::move(options), real_time_ns);
+  return options;
+}
+
+// What the disk is to blame for, and may mend itself; not what the configuration says, nor another server.
+bool is_of_the_disk(const result::Diagnostics& problems) {
+  return !problems.empty() && problems.front().code.starts_with("S000") && problems.front().code != "S0004";
+}
+
+}  // namespace
+
+result::Result<std::unique_ptr<Recording>> Recording::open(const config::CellConfig& config,
+                                                           const protocol::Synoptic& synoptic,
+                                                           log::Logger& log) {
+  if (config.history.folder.empty()) return nullptr;
+  auto options = options_of(config, synoptic);
+  if (!options) return result::forward(options);
+  std::unique_ptr<Recording> recording(new Recording(std::move(*options), log));
+  if (auto problem = recording->try_to_open()) {
+    if (!is_of_the_disk(*problem)) return tl::unexpected(*std::move(problem));
+    log.error("history", "nothing is recorded: " + result::to_string(*problem) + "; tried again every " +
+                             std::to_string(kBetweenTries.count()) + " s");
+  }
+  return recording;
+}
+
+std::optional<result::Diagnostics> Recording::try_to_open() {
+  next_try_ = std::chrono::steady_clock::now() + kBetweenTries;
+  auto recorder = recorder::CellRecorder::open(options_, real_time_ns);
+  const std::lock_guard lock(mutex_);
+  if (!recorder) return problem_ = recorder.error();
+  recorder_ = std::move(*recorder);
+  queries_.emplace(*recorder_);
+  problem_.clear();
+  return std::nullopt;
+}
+
+std::optional<std::string> Recording::take(const server::Observation& seen, const server::CellView& view) {
+  // Only this thread ever writes them.
+  if (!recorder_) {
+    const bool told = !problem_.empty() && next_try_ > std::chrono::steady_clock::now();
+    if (!told && !try_to_open()) log_.info("history", "values and alarms are recorded from here on");
+    if (!recorder_)
+      return R"({"type":"alarms",)" + recorder::no_alarms_json(result::to_string(problem_)).substr(1);
+  }
+  note_calendar();
+  return recorder_->take(seen, view);
+}
+
+void Recording::note_calendar() {
+  const auto ahead = recorder_->calendar_ahead();
+  if (doubted_ == (ahead.count() > 0)) return;
+  doubted_ = !doubted_;
+  if (!doubted_) return log_.info("history", "the machine's calendar is believed again");
+  log_.error(
+      "history",
+      "the machine's calendar stands " + std::to_string(ahead.count() / 86'400) +
+          " days ahead of what was recorded last: the history goes on from there until the calendar is "
+          "right, or an engineer accepts it on the page");
+}
+
+api::Answer Recording::answer(Ask ask, const Parameters& given) const {
+  const std::shared_lock lock(mutex_);
+  return queries_ ? ((*queries_).*ask)(given) : api::refused(problem_);
+}
+
+api::Answer Recording::tags(const Parameters& given) const {
+  return answer(&recorder::RecordQueries::tags, given);
+}
+
+api::Answer Recording::trend(const Parameters& given) const {
+  return answer(&recorder::RecordQueries::trend, given);
+}
+
+api::Answer Recording::samples_csv(const Parameters& given) const {
+  return answer(&recorder::RecordQueries::samples_csv, given);
+}
+
+api::Answer Recording::alarms(const Parameters& given) const {
+  return answer(&recorder::RecordQueries::alarms, given);
+}
+
+api::Answer Recording::journal(const Parameters& given) const {
+  return answer(&recorder::RecordQueries::journal, given);
+}
+
+api::Answer Recording::journal_csv(const Parameters& given) const {
+  return answer(&recorder::RecordQueries::journal_csv, given);
+}
+
+result::Result<api::AlarmChange> Recording::act(const api::AlarmAction& action) {
+  const std::shared_lock lock(mutex_);
+  if (!queries_) return tl::unexpected(problem_);
+  return queries_->act(action);
+}
+
+bool Recording::accept_calendar() {
+  const std::shared_lock lock(mutex_);
+  return queries_ && queries_->accept_calendar();
 }
 
 }  // namespace stepwright::hmi

@@ -1,23 +1,69 @@
 #pragma once
 
-// What the page's server keeps of its cell: [history] of the configuration.
+// What the page's server keeps of its cell: [history] of the configuration. A disk that takes nothing keeps
+// nobody from looking at the plant: the server starts without records, says why, and tries again.
 //
-//   auto recorder = open_recorder(config, picture->synoptic);
+//   auto recording = Recording::open(config, picture->synoptic, log);     // null: the cell keeps nothing
+//   if (*recording) (*recording)->take(seen, view);
 //
-// Pure but for the files of the folder.
+// Threads: take from one; everything else from any.
 
+#include <chrono>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <shared_mutex>
+#include <string>
 
+#include "hmi_web/api/cell_records.h"
 #include "hmi_web/protocol/synoptic.h"
 #include "hmi_web/recorder/cell_recorder.h"
+#include "hmi_web/recorder/record_queries.h"
 #include "programs/config/cell_config.h"
+#include "programs/log/logger.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::hmi {
 
-// Null if the configuration names no folder. Fails with what is wrong in the alarms' file (C0601 to C0605) or
-// with the folder (S0001 to S0008).
-[[nodiscard]] result::Result<std::unique_ptr<recorder::CellRecorder>> open_recorder(
-    const config::CellConfig& config, const protocol::Synoptic& synoptic);
+class Recording : public api::CellRecords {
+ public:
+  static constexpr std::chrono::seconds kBetweenTries{10};
+
+  // Null if the configuration names no folder. Fails with what is wrong in the alarms' file (C0601 to C0605),
+  // and if another process writes the folder (S0004). What else the folder may have is told and tried again.
+  [[nodiscard]] static result::Result<std::unique_ptr<Recording>> open(const config::CellConfig& config,
+                                                                       const protocol::Synoptic& synoptic,
+                                                                       log::Logger& log);
+
+  // The next look at the cell; gives the message for pages, if it is news.
+  std::optional<std::string> take(const server::Observation& seen, const server::CellView& view);
+
+  api::Answer tags(const Parameters& given) const override;
+  api::Answer trend(const Parameters& given) const override;
+  api::Answer samples_csv(const Parameters& given) const override;
+  api::Answer alarms(const Parameters& given) const override;
+  api::Answer journal(const Parameters& given) const override;
+  api::Answer journal_csv(const Parameters& given) const override;
+  [[nodiscard]] result::Result<api::AlarmChange> act(const api::AlarmAction& action) override;
+  bool accept_calendar() override;
+
+ private:
+  using Ask = api::Answer (recorder::RecordQueries::*)(const Parameters&) const;
+
+  Recording(recorder::RecorderOptions options, log::Logger& log) : options_(std::move(options)), log_(log) {}
+  // Why not, or nothing.
+  std::optional<result::Diagnostics> try_to_open();
+  api::Answer answer(Ask ask, const Parameters& given) const;
+  void note_calendar();
+
+  const recorder::RecorderOptions options_;
+  log::Logger& log_;
+  std::chrono::steady_clock::time_point next_try_{};
+  bool doubted_ = false;  // the calendar, as the log was told last
+  mutable std::shared_mutex mutex_;
+  std::unique_ptr<recorder::CellRecorder> recorder_;  // this and below: guarded by mutex_; null: not open yet
+  std::optional<recorder::RecordQueries> queries_;
+  result::Diagnostics problem_;  // why not
+};
 
 }  // namespace stepwright::hmi

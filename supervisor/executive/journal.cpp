@@ -102,9 +102,10 @@ result::Result<void> write_journal(const std::filesystem::path& file, const Jour
 }
 
 result::Result<std::optional<Journal>> read_journal(const std::filesystem::path& file) {
-  const auto text = read_journal_file(file);
-  if (!text) return std::optional<Journal>();
-  return internal::read_text(*text, file.string(), "journal",
+  auto text = read_journal_file(file);
+  if (!text) return result::forward(text);
+  if (!*text) return std::optional<Journal>();
+  return internal::read_text(**text, file.string(), "journal",
                              [&](const json& document) { return journal_from(document, file); });
 }
 

@@ -30,7 +30,7 @@ struct Journal {
   model::NamedState seen;      // of the plant, as the planner counts
 };
 
-// Fails with X0004 if the file cannot be written.
+// Returns once it is on the disk; fails with X0004.
 [[nodiscard]] result::Result<void> write_journal(const std::filesystem::path& file, const Journal& journal);
 // Nothing if there is no file; fails with X0001 if there is one that is no journal or contradicts itself.
 [[nodiscard]] result::Result<std::optional<Journal>> read_journal(const std::filesystem::path& file);

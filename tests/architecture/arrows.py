@@ -74,6 +74,7 @@ ARROWS = {
     "supervisor/translate": ["supervisor/model", "ladder/graphic", "runtime/settings"],
     "supervisor/executive": [
         "supervisor/translate", "supervisor/pddl", "ladder/driver", "ladder/exchange", "runtime/dds", "runtime/bytecode/reader",
+        "runtime/record",
     ],
     "plant_models/core": ["runtime/result", "runtime/base"],
     "plant_models/ode": ["plant_models/core"],

@@ -6,6 +6,7 @@
 // thread; connections that read are borrowed by one reader at a time.
 
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -39,6 +40,8 @@ class Historian::Core {
   result::Result<void> open_file();
   result::Result<void> load(HistoryFile file);
   void run();
+  // Whatever it throws is told as a failure.
+  void step(const std::function<void()>& work);
   void write(std::span<const TagSample> batch, bool last);
   void note_failure(result::Diagnostics problems);
   void begin_new_file();

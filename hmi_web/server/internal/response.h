@@ -60,7 +60,8 @@ inline void fill_with_error(Response& response, const Decision& decision, bool h
   if (!head_only) response.body() = body;
 }
 
-inline void fill_with_answer(Response& response, const api::Answer& answer, const std::string& allowed) {
+inline void fill_with_answer(Response& response, const api::Answer& answer, const std::string& allowed,
+                             const std::string& cookie) {
   response.set(http::field::content_type, answer.content_type);
   response.set(http::field::cache_control, answer.etag.empty() ? "no-store" : "private, no-cache");
   if (!answer.etag.empty()) response.set(http::field::etag, answer.etag);
@@ -71,7 +72,7 @@ inline void fill_with_answer(Response& response, const api::Answer& answer, cons
     response.set(http::field::content_disposition, "attachment; filename=\"" + answer.file_name + "\"");
   if (!answer.set_cookie.empty()) {
     const bool ends = answer.set_cookie == "-";
-    response.set(http::field::set_cookie, std::string(api::kSessionCookie) + "=" +
+    response.set(http::field::set_cookie, cookie + "=" +
                                               (ends ? "; Max-Age=0" : answer.set_cookie) +
                                               "; Path=/; Secure; HttpOnly; SameSite=Strict");
   }

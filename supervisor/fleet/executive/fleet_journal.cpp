@@ -189,14 +189,15 @@ result::Result<void> write_fleet_journal(const std::filesystem::path& file, cons
 }
 
 result::Result<std::optional<FleetJournal>> read_fleet_journal(const std::filesystem::path& file) {
-  const auto text = executive::read_journal_file(file);
-  if (!text) return std::optional<FleetJournal>();
+  auto text = executive::read_journal_file(file);
+  if (!text) return result::forward(text);
+  if (!*text) return std::optional<FleetJournal>();
   const auto refuse = [&](const std::string& why) {
     return result::fail("X0001", {file.string(), 0, 0}, "not a fleet's journal: " + why,
                         "delete the file to start afresh");
   };
   try {
-    const json document = json::parse(*text);
+    const json document = json::parse(**text);
     if (document.at("version") != kVersion) return refuse("another version");
     FleetJournal journal;
     auto record = executive::record_from_json(document.at("record").dump(), file.string());

@@ -8,7 +8,7 @@ import threading
 import unittest
 
 from page import PASSWORD, Page
-from processes import eventually, stepwright
+from processes import NO_PLANT, eventually, stepwright
 
 
 class Claim(unittest.TestCase):
@@ -20,7 +20,7 @@ class Claim(unittest.TestCase):
             self.assertEqual(page.ask("GET", "/api/forces").status, 401)
             answer = page.claim()
             self.assertRegex(answer.headers["Set-Cookie"],
-                             r"^__Host-stepwright=[\w-]{43}; Path=/; Secure; HttpOnly; SameSite=Strict$")
+                             rf"^__Host-stepwright-{page.port}=[\w-]{43}; Path=/; Secure; HttpOnly; SameSite=Strict$")
             self.assertEqual(page.ask("GET", "/api/forces").status, 200)
             self.assertEqual(page.upgrade(f"Cookie: {page.cookie}"), 403)
             csrf = f"Sec-WebSocket-Protocol: csrf.{page.csrf}"
@@ -75,6 +75,46 @@ class Claim(unittest.TestCase):
             self.assertEqual((refused.status, refused.json["problems"][0]["code"]), (400, "H0031"))
             nobody = page.ask("POST", "/api/plan/abort", {})
             self.assertEqual((nobody.status, nobody.json["problems"][0]["code"]), (503, "D0001"))
+
+
+class OneServer(unittest.TestCase):
+    def test_a_second_server_of_the_cell_is_refused_and_the_first_goes_on(self):
+        with Page() as page:
+            page.start()
+            page.claim()
+            second = stepwright("hmi", "--config", page.cell.config)
+            self.assertEqual(second.returncode, 1)
+            self.assertIn("H0004: another page server keeps this folder", second.stderr)
+            self.assertEqual(page.ask("POST", "/api/users", {"name": "bob", "role": "viewer", "password": "bobs password"}).status, 200)
+            page.process.end(signal.SIGKILL)
+            page.start()
+            self.assertEqual(page.ask("POST", "/api/session", {"name": "bob", "password": "bobs password"}).status, 200)
+
+    def test_servers_of_one_host_do_not_log_each_other_out(self):
+        with Page(domain=94) as one, Page(domain=95) as other:
+            one.start()
+            other.start()
+            one.claim()
+            other.claim()
+            jar = {"Cookie": f"{one.cookie}; {other.cookie}"}
+            for page in (one, other):
+                self.assertEqual(page.ask("GET", "/api/users", **jar).status, 200)
+
+
+class Records(unittest.TestCase):
+    def test_a_history_that_cannot_be_kept_keeps_nobody_from_looking(self):
+        with Page(more=NO_PLANT + '[history]\nfolder = "kept/history"\n') as page:
+            blocked = page.cell.folder / "kept"
+            blocked.write_text("not a folder", encoding="utf-8")
+            page.start()
+            self.assertIn("nothing is recorded: ", page.process.output())
+            page.claim()
+            answer = page.ask("GET", "/api/history/tags")
+            self.assertEqual((answer.status, answer.json["problems"][0]["code"]), (503, "S0001"))
+            self.assertEqual(page.ask("GET", "/").status, 200)
+            blocked.unlink()
+            eventually(lambda: page.ask("GET", "/api/history/tags").status == 200)
+            self.assertIn("values and alarms are recorded from here on", page.process.output())
 
 
 class Tls(unittest.TestCase):

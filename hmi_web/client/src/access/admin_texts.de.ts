@@ -4,7 +4,7 @@ import type english from './admin_texts.en';
 export default {
   auditTitle: 'Audit-Trail',
   tampered: 'Zeile {line} ist nicht, was geschrieben wurde: Der Audit-Trail wurde manipuliert.',
-  chainHolds: { one: '{count} Eintrag, die Kette ist unversehrt.', other: '{count} Einträge, die Kette ist unversehrt.' },
+  chainHolds: { one: '{count} Eintrag; in den gezeigten ist die Kette unversehrt.', other: '{count} Einträge; in den gezeigten ist die Kette unversehrt.' },
   asTable: 'Tabelle (CSV)',
   asTrail: 'Audit-Trail (JSON-Zeilen)',
   auditEntries: 'Einträge des Audit-Trails',

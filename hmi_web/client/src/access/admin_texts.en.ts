@@ -1,7 +1,7 @@
 export default {
   auditTitle: 'Audit trail',
   tampered: 'Line {line} is not what was written: the trail was tampered with.',
-  chainHolds: { one: '{count} entry, the chain holds.', other: '{count} entries, the chain holds.' },
+  chainHolds: { one: '{count} entry; in those shown the chain holds.', other: '{count} entries; in those shown the chain holds.' },
   asTable: 'Table (CSV)',
   asTrail: 'Trail (JSON lines)',
   auditEntries: 'entries of the audit trail',

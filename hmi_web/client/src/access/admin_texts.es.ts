@@ -4,7 +4,7 @@ import type english from './admin_texts.en';
 export default {
   auditTitle: 'Registro de auditoría',
   tampered: 'La línea {line} no es la que se escribió: el registro ha sido manipulado.',
-  chainHolds: { one: '{count} entrada, la cadena está intacta.', other: '{count} entradas, la cadena está intacta.' },
+  chainHolds: { one: '{count} entrada; en las mostradas la cadena está intacta.', other: '{count} entradas; en las mostradas la cadena está intacta.' },
   asTable: 'Tabla (CSV)',
   asTrail: 'Registro (líneas JSON)',
   auditEntries: 'entradas del registro de auditoría',

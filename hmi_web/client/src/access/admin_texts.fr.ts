@@ -4,7 +4,7 @@ import type english from './admin_texts.en';
 export default {
   auditTitle: 'Piste d’audit',
   tampered: 'La ligne {line} n’est pas celle qui a été écrite : la piste a été falsifiée.',
-  chainHolds: { one: '{count} entrée, la chaîne est intacte.', other: '{count} entrées, la chaîne est intacte.' },
+  chainHolds: { one: '{count} entrée; dans celles affichées, la chaîne est intacte.', other: '{count} entrées; dans celles affichées, la chaîne est intacte.' },
   asTable: 'Tableau (CSV)',
   asTrail: 'Piste (lignes JSON)',
   auditEntries: 'entrées de la piste d’audit',

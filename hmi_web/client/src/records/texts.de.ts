@@ -104,6 +104,8 @@ export default {
   tagToAdd: 'Variable hinzufügen',
   addATag: 'Variable hinzufügen',
   add: 'Hinzufügen',
+  calendarAhead: 'Der Kalender dieses Rechners steht {days} Tage vor der letzten Aufzeichnung. Die Historie geht in ihrer eigenen Zeit weiter, bis er stimmt oder bestätigt wird.',
+  acceptCalendar: 'Der Kalender stimmt',
   historyFails: 'Die Historie lässt sich nicht schreiben:',
   addFirst: 'Fügen Sie eine Variable hinzu.',
   chart: 'Werte über der Zeit; Pfeiltasten verschieben, Plus und Minus zoomen, 0 springt zum Neuesten',

@@ -101,6 +101,8 @@ export default {
   tagToAdd: 'Tag to add',
   addATag: 'add a tag',
   add: 'Add',
+  calendarAhead: 'The calendar of this machine is {days} days ahead of the last record. The history goes on in its own time until it is right or accepted.',
+  acceptCalendar: 'The calendar is right',
   historyFails: 'The history cannot be written:',
   addFirst: 'Add a tag.',
   chart: 'values over time; arrows pan, plus and minus zoom, 0 goes to the newest',

@@ -104,6 +104,8 @@ export default {
   tagToAdd: 'Variable que añadir',
   addATag: 'añadir una variable',
   add: 'Añadir',
+  calendarAhead: 'El calendario de esta máquina va {days} días por delante del último registro. El histórico sigue en su propio tiempo hasta que sea correcto o se acepte.',
+  acceptCalendar: 'El calendario es correcto',
   historyFails: 'No se puede escribir el historial:',
   addFirst: 'Añada una variable.',
   chart: 'valores en el tiempo; flechas para desplazar, más y menos para ampliar, 0 va a lo último',

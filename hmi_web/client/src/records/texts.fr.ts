@@ -104,6 +104,8 @@ export default {
   tagToAdd: 'Variable à ajouter',
   addATag: 'ajouter une variable',
   add: 'Ajouter',
+  calendarAhead: 'Le calendrier de cette machine a {days} jours d’avance sur le dernier enregistrement. L’historique continue à son propre temps jusqu’à ce qu’il soit juste ou accepté.',
+  acceptCalendar: 'Le calendrier est juste',
   historyFails: 'Impossible d’écrire l’historique :',
   addFirst: 'Ajoutez une variable.',
   chart: 'valeurs dans le temps ; flèches pour déplacer, plus et moins pour zoomer, 0 pour aller au plus récent',

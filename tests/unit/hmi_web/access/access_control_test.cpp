@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <functional>
+#include <future>
+
 #include "tests/support/temporary_folder.h"
 
 namespace stepwright::access {
@@ -48,6 +52,32 @@ TEST_F(AccessControlTest, WhenNobodyIsThere_ThenTheSetUpTokenMakesTheAdministrat
   EXPECT_EQ(control_->claim(*token, "second", "another one", "").error().problems[0].code, "H0028");
   open();
   EXPECT_FALSE(control_->setup_token()) << "also after a restart";
+}
+
+// The clock is asked while a session is being opened: that is when somebody takes the user away.
+TEST_F(AccessControlTest, WhenAUserGoesWhileASessionIsBeingOpened_ThenTheSessionGoesToo) {
+  std::function<void()> meanwhile = [] {};
+  AccessOptions options;
+  options.cost = {1, 8'192};
+  auto control = *AccessControl::open(folder_.path() / "race", options, [&] {
+    meanwhile();
+    return now_;
+  });
+  ASSERT_TRUE(control->add_user("ada", Role::Engineer, "ada's secret"));
+  ASSERT_TRUE(control->add_user("root", Role::Administrator, "root's secret"));
+  std::future<void> removed;
+  std::atomic<int> asked = 0;
+  meanwhile = [&] {
+    // Of a log-in: the locks of name and address, then the session.
+    if (++asked != 3) return;
+    removed = std::async(std::launch::async, [&] { EXPECT_TRUE(control->remove_user("ada")); });
+    removed.wait_for(
+        std::chrono::milliseconds(300));  // it is done by then, or waits for the session to be opened
+  };
+  const auto opened = control->log_in("ada", "ada's secret", "here");
+  ASSERT_EQ(asked.load() >= 3, true) << "the clock is asked otherwise now: count again";
+  removed.wait();
+  EXPECT_TRUE(control->sessions().all().empty()) << "a session of nobody";
 }
 
 TEST_F(AccessControlTest, WhenTheClaimedPasswordIsPoor_ThenTheTokenIsStillGood) {

@@ -5,12 +5,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "hmi_web/access/audit_chain.h"
+#include "hmi_web/access/audit_files.h"
 #include "hmi_web/access/audit_text.h"
 #include "tests/support/temporary_folder.h"
 
@@ -162,6 +164,112 @@ TEST_F(AuditLogTest, WhenTheProcessIsKilled_ThenEveryConfirmedEntryIsThere) {
 TEST_F(AuditLogTest, WhenItCannotBeWritten_ThenTheEntryFails) {
   auto log = AuditLog::open("/dev/full/audit.jsonl");
   EXPECT_FALSE(log);
+}
+
+// Entries of some 450 bytes in files of 2 kB, of which 8 kB are kept.
+constexpr AuditLimits kSmall{2'000, 8'000};
+
+class AuditSegments : public AuditLogTest {
+ protected:
+  std::unique_ptr<AuditLog> open_small() {
+    auto log = AuditLog::open(file_, std::chrono::system_clock::now, kSmall);
+    EXPECT_TRUE(log) << result::to_string(log.error());
+    return log ? std::move(*log) : nullptr;
+  }
+  void append(AuditLog& log, int count) {
+    for (int i = 0; i < count; ++i)
+      ASSERT_TRUE(log.append({.user = "ada",
+                              .action = "plan.goal",
+                              .target = std::to_string(log.entries() + 1),
+                              .result = "done"}));
+  }
+  TrailCheck check() const { return *check_trail(file_); }
+};
+
+TEST_F(AuditSegments, WhenTheFileHasGrown_ThenTheChainGoesOnInTheNextAndAfterARestart) {
+  for (int run = 0; run < 4; ++run) append(*open_small(), 3);
+  EXPECT_GT(segments_of(file_).size(), 2u);
+  for (const Segment& each : segments_of(file_)) EXPECT_LE(each.bytes, kSmall.segment_bytes);
+  EXPECT_EQ(check().first, 1u);
+  EXPECT_EQ(check().chain.entries, 12u);
+  EXPECT_EQ(check().chain.broken_line, 0u);
+  EXPECT_EQ(check().chain.head, open_small()->head());
+}
+
+TEST_F(AuditSegments, WhenAllIsTooMuch_ThenTheOldestGoAndTheTrailSaysSo) {
+  const auto log = open_small();
+  append(*log, 100);
+  std::uint64_t bytes = 0;
+  for (const Segment& each : segments_of(file_)) bytes += each.bytes;
+  EXPECT_LE(bytes, kSmall.most_bytes + kSmall.segment_bytes);
+  const TrailCheck all = check();
+  EXPECT_GT(all.first, 1u);
+  EXPECT_EQ(all.chain.entries, log->entries());
+  EXPECT_EQ(all.chain.broken_line, 0u) << all.chain.why;
+  const std::string lines = *lines_before(file_, 0, {1'000, 1 << 20});
+  EXPECT_NE(lines.find("audit.trimmed"), std::string::npos);
+  EXPECT_NE(lines.find("to " + std::to_string(all.first - 1) + "\""), std::string::npos) << lines;
+  append(*open_small(), 1);
+  EXPECT_EQ(check().chain.broken_line, 0u) << "a trail that begins later goes on, too";
+}
+
+TEST_F(AuditSegments, WhenItIsReadByPages_ThenEveryEntryIsThereOnce) {
+  const auto log = open_small();
+  append(*log, 17);
+  for (const std::size_t most : {1u, 2u, 5u, 100u}) {
+    std::uint64_t before = 0, expected = log->entries();
+    while (true) {
+      const std::string lines = *lines_before(file_, before, {most, 1 << 20});
+      if (lines.empty()) break;
+      const auto start = start_of(lines);
+      ASSERT_TRUE(start);
+      EXPECT_EQ(check_chain(lines, *start).entries, expected);
+      EXPECT_LE(std::count(lines.begin(), lines.end(), '\n'), static_cast<std::ptrdiff_t>(most));
+      before = start->sequence + 1;
+      expected = start->sequence;
+    }
+    EXPECT_EQ(expected, check().first - 1);
+  }
+  EXPECT_EQ(*lines_before(file_, 1, {10, 1 << 20}), "");
+  EXPECT_EQ(start_of(*lines_before(file_, 9'999, {1, 1 << 20}))->sequence + 1, log->entries());
+}
+
+TEST_F(AuditSegments, WhenAnEntryOfAClosedSegmentIsChanged_ThenTheCheckNamesFileAndEntry) {
+  append(*open_small(), 12);
+  const Segment second = segments_of(file_)[1];
+  std::ifstream in(second.file, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  text[text.find("ada")] = 'b';
+  std::ofstream(second.file, std::ios::binary) << text;
+  EXPECT_EQ(check().chain.broken_line, second.first);
+  EXPECT_EQ(check().file, second.file);
+  std::filesystem::remove(second.file);
+  EXPECT_EQ(check().file, segments_of(file_)[1].file) << "a segment that is missing in the middle shows";
+}
+
+TEST_F(AuditSegments, WhenTheProcessEndedBetweenTwoFiles_ThenTheChainGoesOn) {
+  append(*open_small(), 4);
+  std::filesystem::rename(file_, segment_name(file_, segments_of(file_).back().first));
+  append(*open_small(), 1);
+  EXPECT_EQ(check().chain.entries, 5u);
+  EXPECT_EQ(check().chain.broken_line, 0u) << check().chain.why;
+}
+
+TEST_F(AuditSegments, WhenAnEarlierVersionLeftALargeFile_ThenItsEndIsReadAndItBecomesASegment) {
+  { append(*open(), 40); }
+  append(*open_small(), 2);
+  EXPECT_EQ(segments_of(file_).size(), 2u);
+  EXPECT_EQ(check().chain.entries, 42u);
+  EXPECT_EQ(check().chain.broken_line, 0u);
+}
+
+TEST_F(AuditLogTest, WhenEntriesMayNotWait_ThenTheyAreWrittenBehind) {
+  const auto log = open();
+  for (int i = 0; i < 20; ++i)
+    log->append_later({.action = "plan.abort", .target = std::to_string(i), .result = "begun"});
+  for (int i = 0; i < 100 && check_chain(text()).entries < 20; ++i) log->settle();
+  EXPECT_EQ(check_chain(text()).entries, 20u);
+  EXPECT_NE(text().find("\"target\":\"19\""), std::string::npos);
 }
 
 TEST_F(AuditLogTest, WhenTextsAreNoUtf8_ThenTheyAreRepaired) {

@@ -7,8 +7,10 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "hmi_web/access/audit_chain.h"
+#include "hmi_web/access/audit_files.h"
 #include "tests/unit/hmi_web/api/door_fixture.h"
 
 namespace stepwright::api {
@@ -20,6 +22,7 @@ class DoorTest : public testing::Test, protected DoorFixture {
  protected:
   // The trail, an entry an element.
   json trail() const {
+    audit->settle();
     std::ifstream in(audit->file());
     json list = json::array();
     for (std::string line; std::getline(in, line);) list.push_back(json::parse(line));
@@ -49,6 +52,7 @@ TEST_F(DoorTest, WhenSomebodyLogsIn_ThenTheAnswerHasCookieAndTokenAndTheTrailTel
   EXPECT_EQ(trail()[0]["action"], "session.claim");
   EXPECT_EQ(trail()[1]["user"], "root");
   EXPECT_EQ(trail()[2]["action"], "session.logout");
+  audit->settle();
   std::ifstream in(audit->file());
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   EXPECT_EQ(text.find(kPassword), std::string::npos) << "no password is ever written down";
@@ -133,32 +137,129 @@ TEST_F(DoorTest, WhenTheSupervisorRefusesOrDoesNotAnswer_ThenPageAndTrailHaveIts
   EXPECT_TRUE(last().starts_with("refused: D0007: ")) << last();
 }
 
+// No file of this process grows while it lives.
+class FullDisk {
+ public:
+  FullDisk() : ignored_(::signal(SIGXFSZ, SIG_IGN)) {
+    EXPECT_EQ(::getrlimit(RLIMIT_FSIZE, &before_), 0);
+    const rlimit none{0, before_.rlim_max};
+    EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &none), 0);
+  }
+  ~FullDisk() {
+    EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &before_), 0);
+    ::signal(SIGXFSZ, ignored_);
+  }
+
+ private:
+  rlimit before_{};
+  sighandler_t ignored_;
+};
+
 TEST_F(DoorTest, WhenTheTrailCannotBeWritten_ThenNothingIsDone) {
   const auto opened = session(Role::Operator);
-  // A trail on a device that is always full, in place of the door's own.
-  audit.reset();
-  std::filesystem::remove(folder / "access/audit.jsonl");
-  audit = *access::AuditLog::open(folder / "access/audit.jsonl");
-  const Door narrow(*table, *control, *audit, {});
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto ignored = ::signal(SIGXFSZ, SIG_IGN);
-  const rlimit none{0, before.rlim_max};
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &none), 0);
-  const std::string cookie = std::string(kSessionCookie) + "=" + opened.token;
-  Request request;
-  request.method = "POST";
-  request.target = "/api/plan/abort";
-  request.cookie = cookie;
-  request.csrf = opened.csrf;
-  request.content_type = "application/json";
-  request.own_origin = true;
-  const Answer answer = narrow.perform(narrow.admit(request), "{}");
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
-  ::signal(SIGXFSZ, ignored);
-  EXPECT_EQ(answer.status, 503u);
-  EXPECT_EQ(code(answer), "H0046");
+  {
+    const FullDisk full;
+    for (const auto& [target, body] : {std::pair("/api/plan/goal", R"({"goal": "(= (level a1) 4)"})
+      "),
+          std::pair("/api/plan/resume", "{}")
+  }) {
+    const Answer answer = ask("POST", target, body, opened);
+    EXPECT_EQ(answer.status, 503u);
+    EXPECT_EQ(code(answer), "H0046");
+  }
+}
+EXPECT_TRUE(cell.asked().empty());
+}
+
+TEST_F(DoorTest, WhenTheTrailCannotBeWritten_ThenThePlantIsStoppedAllTheSameAndTheTrailTellsItLater) {
+  const auto opened = session(Role::Operator);
+  {
+    const FullDisk full;
+    EXPECT_EQ(ask("POST", "/api/plan/abort", R"({"reason": "smoke"})", opened).status, 200u);
+    EXPECT_EQ(ask("POST", "/api/plan/hold", "{}", opened).status, 200u);
+    EXPECT_EQ(ask("POST", "/api/runtime/stop", R"({"reason": "smoke"})", opened).status, 200u);
+    audit->settle();
+  }
+  EXPECT_EQ(cell.asked().size(), 3u);
+  while (trail().size() < 6) std::this_thread::yield();  // tried again every second
+  EXPECT_EQ(trail()[0]["action"], "plan.abort");
+  EXPECT_EQ(trail()[0]["result"], "begun");
+  EXPECT_EQ(trail()[1]["result"], "done");
+  EXPECT_EQ(trail()[5]["action"], "runtime.stop");
+  EXPECT_EQ(access::check_trail(audit->file())->chain.broken_line, 0u);
+}
+
+TEST_F(DoorTest, WhenSomebodyIsRefusedAgainAndAgain_ThenTheTrailTellsSomeAndCountsTheRest) {
+  now = {};
+  DoorOptions options;
+  options.refusals = {3, std::chrono::seconds(60)};
+  options.clock = [this] { return now; };
+  door = std::make_unique<Door>(*table, *control, *audit, options);
+  claim();
+  const std::size_t before = trail().size();
+  const std::string body = R"({"token": "x", "name": "eve", "password": "whatever it is"})";
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(ask("POST", "/api/setup", body).status, 403u);
+  EXPECT_EQ(trail().size(), before + 3) << "nobody fills the disk";
+  // A viewer's refusals are told apart from nobody's.
+  const auto viewer = session(Role::Viewer);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(ask("POST", "/api/plan/abort", "{}", viewer).status, 403u);
+  EXPECT_EQ(trail().size(), before + 6);
+  EXPECT_EQ(trail().back()["user"], "viewer");
+  EXPECT_EQ(trail().back()["action"], "plan.abort");
+  EXPECT_TRUE(trail().back()["result"].get<std::string>().starts_with("refused: H0042")) << trail().back();
+  now += std::chrono::seconds(61);
+  EXPECT_EQ(ask("POST", "/api/setup", body).status, 403u);
+  EXPECT_EQ(trail().size(), before + 7);
+  EXPECT_NE(trail().back()["result"].get<std::string>().find("(47 refusals before it are not listed)"),
+            std::string::npos);
+}
+
+TEST_F(DoorTest, WhenTheTokenIsMissingOrThePageIsAnother_ThenTheTrailTells) {
+  const auto opened = session(Role::Operator);
+  EXPECT_EQ(ask("POST", "/api/plan/abort", "{}", {opened.token, "wrong"}).status, 403u);
+  EXPECT_TRUE(trail().back()["result"].get<std::string>().starts_with("refused: H0044"));
+  EXPECT_EQ(trail().back()["user"], "operator");
+  const std::string cookie = door->cookie() + "=" + opened.token;
+  EXPECT_EQ(
+      ask({"POST", "/api/plan/abort", cookie, opened.csrf, "application/json", false, "10.0.0.7", false},
+          "{}")
+          .status,
+      403u);
+  EXPECT_TRUE(trail().back()["result"].get<std::string>().starts_with("refused: H0043"));
+  EXPECT_EQ(trail().back()["address"], "10.0.0.7");
   EXPECT_TRUE(cell.asked().empty());
+}
+
+TEST_F(DoorTest, WhenAPasswordIsMistyped_ThenTheSessionThatThereIsGoesOn) {
+  claim();
+  const auto opened = session(Role::Operator);
+  EXPECT_EQ(ask("POST", "/api/session", R"({"name": "operator", "password": "mistyped it"})", opened).status,
+            401u);
+  EXPECT_EQ(json::parse(ask("GET", "/api/session", "", opened).text)["user"], "operator");
+  EXPECT_EQ(
+      ask("POST", "/api/session", R"({"name": "operator", "password": "correct horse"})", opened).status,
+      200u);
+  EXPECT_EQ(json::parse(ask("GET", "/api/session", "", opened).text)["user"], "")
+      << "the other one took its place";
+}
+
+TEST_F(DoorTest, WhenServersShareAHost_ThenEachHasACookieOfItsOwn) {
+  EXPECT_NE(cookie_at(8080), cookie_at(8081));
+  DoorOptions options;
+  options.cookie = cookie_at(8080);
+  const Door other(*table, *control, *audit, options);
+  const auto opened = session(Role::Viewer);
+  const std::string both = cookie_at(8081) + "=somebody-elses; " + cookie_at(8080) + "=" + opened.token;
+  const Request request{"GET", "/api/session", both, "", "", false, "127.0.0.1", true};
+  EXPECT_EQ(other.admit(request).call.who.user, "viewer");
+}
+
+TEST_F(DoorTest, WhenTheCalendarHasJumped_ThenAnEngineerAcceptsItOnce) {
+  const auto engineer = session(Role::Engineer);
+  EXPECT_EQ(ask("POST", "/api/history/calendar", "{}", session(Role::Operator)).status, 403u);
+  EXPECT_EQ(ask("POST", "/api/history/calendar", R"({"reason": "new battery"})", engineer).status, 200u);
+  EXPECT_EQ(code(ask("POST", "/api/history/calendar", "{}", engineer)), "H0069");
+  EXPECT_EQ(trail().back()["action"], "history.accept_calendar");
 }
 
 TEST_F(DoorTest, WhenABodyIsWrong_ThenTheAnswerHasThePlace) {

@@ -5,6 +5,7 @@
 // Threads: one at a time.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hmi_web/api/cell_records.h"
@@ -25,7 +26,10 @@ class FakeRecords : public CellRecords {
     return AlarmChange{"unacknowledged", "acknowledged"};
   }
 
+  bool accept_calendar() override { return std::exchange(doubted, false); }
+
   std::vector<AlarmAction> actions;
+  bool doubted = true;                     // the calendar
   std::string failure;                     // the code with which every action fails; empty: none does
   mutable std::vector<std::string> asked;  // "trend columns=5 tags=a"
 

@@ -6,6 +6,7 @@
 
 #include "hmi_web/api/route_table.h"
 #include "hmi_web/api/routes.h"
+#include "hmi_web/recorder/calendar.h"
 #include "hmi_web/recorder/cell_recorder.h"
 #include "hmi_web/recorder/history_clock.h"
 #include "hmi_web/recorder/record_queries.h"
@@ -73,6 +74,36 @@ TEST(HistoryClock, WhenScansStayAwayForAWhile_ThenTheRunGoesOnAsItWas) {
   restarted.without_scan(kWall + 60 * kSecond);
   EXPECT_EQ(restarted.at(60 * kSecond - kSecond / 50, kWall + 60 * kSecond), kWall + 60 * kSecond);
   EXPECT_EQ(restarted.at(61 * kSecond, kWall + 61 * kSecond), kWall + 61 * kSecond);
+}
+
+constexpr std::int64_t kDay = 86'400 * kSecond;
+
+TEST(Calendar, WhenItIsFarAheadAtTheStart_ThenTimeGoesOnFromTheNewestRecord) {
+  Calendar calendar(kWall);
+  EXPECT_EQ(calendar.at(kWall + 400 * kDay, 7 * kSecond), kWall);
+  EXPECT_EQ(calendar.at(kWall + 400 * kDay + 5 * kSecond, 12 * kSecond), kWall + 5 * kSecond);
+  EXPECT_EQ(calendar.ahead_ns(), 400 * kDay);
+  EXPECT_EQ(calendar.at(kWall + 7 * kSecond, 14 * kSecond), kWall + 7 * kSecond)
+      << "somebody has set it right";
+  EXPECT_EQ(calendar.ahead_ns(), 0);
+  EXPECT_FALSE(calendar.accept());
+}
+
+TEST(Calendar, WhenItJumpsWhileTheServerRuns_ThenTimeGoesOnUntilSomebodyAcceptsIt) {
+  Calendar calendar(0);
+  EXPECT_EQ(calendar.at(kWall, kSecond), kWall) << "nothing was recorded: any calendar will do";
+  EXPECT_EQ(calendar.at(kWall + 60 * kDay, 2 * kSecond), kWall + kSecond);
+  EXPECT_TRUE(calendar.accept());
+  EXPECT_EQ(calendar.at(kWall + 60 * kDay, 3 * kSecond), kWall + 60 * kDay);
+  EXPECT_EQ(calendar.ahead_ns(), 0);
+}
+
+TEST(Calendar, WhenItIsSetBackOrTheMachineWasOff_ThenItIsBelieved) {
+  Calendar calendar(kWall);
+  EXPECT_EQ(calendar.at(kWall + 40 * kDay, kSecond), kWall + 40 * kDay) << "a long holiday";
+  EXPECT_EQ(calendar.at(kWall, 2 * kSecond), kWall)
+      << "the history's clock never goes back (history_clock.h)";
+  EXPECT_EQ(calendar.at(kWall + 40 * kDay + 2 * kSecond, 3 * kSecond), kWall + 40 * kDay + 2 * kSecond);
 }
 
 // A level of a picture, an INT of the program, and the monitors of a plan.
@@ -194,6 +225,34 @@ TEST_F(RecorderTest, WhenTheRuntimeIsLost_ThenNothingHoldsAndAnAlarmHasItsTime) 
   EXPECT_EQ(levels[9], 50.0);
   EXPECT_TRUE(levels[15].is_null());
   EXPECT_EQ(levels[30], 50.0);
+}
+
+TEST_F(RecorderTest, WhenTheCalendarIsWrongAtOneStart_ThenNothingIsDeletedAndNoTimeStaysThere) {
+  options_.most_age = std::chrono::hours(24 * 30);
+  options_.steady_clock = [this] { return wall_ns_ - kWall + kSecond; };
+  open();
+  look(0.0, {5}, 50.0);
+  look(1.0, {7}, 51.0);
+  ASSERT_TRUE(recorder_->flush().has_value());
+  recorder_.reset();
+  const double year_s = 400.0 * 86'400;
+  open();
+  look(0.0, {8}, 60.0, true, year_s);
+  EXPECT_EQ(answer("/api/history/tags")["status"]["calendar_ahead_s"], 400 * 86'400 - 1);
+  look(1.0, {9}, 61.0, true, year_s + 1);
+  ASSERT_TRUE(recorder_->flush().has_value());
+  recorder_.reset();
+  options_.steady_clock = [this] { return wall_ns_ - kWall + kSecond; };
+  open();
+  look(0.0, {3}, 70.0, true, 100.0);
+  const json tags = answer("/api/history/tags");
+  EXPECT_EQ(tags["status"]["calendar_ahead_s"], 0);
+  EXPECT_EQ(tags["now_ms"], kWall / 1'000'000 + 100'000) << "as if the wrong start had been a right one";
+  const std::string csv = ask("/api/history/export.csv?tags=points/a1.level&from_ms=0").text;
+  for (const char* value : {",50,", ",51,", ",60,", ",61,", ",70,"})
+    EXPECT_NE(csv.find(value), std::string::npos) << csv;
+  const json entries = answer("/api/alarms/journal")["entries"];
+  for (const json& entry : entries) EXPECT_LE(entry["time_ms"], kWall / 1'000'000 + 100'000);
 }
 
 TEST_F(RecorderTest, WhenImagesAreLostOnTheirWay_ThenTheHistoryHasAGapAndNoValueThatLasts) {
