@@ -59,7 +59,7 @@ result::Result<std::string> AuditLog::go_on() {
   if (grows) segments.pop_back();
   std::optional<ChainStart> start;
   if (!segments.empty()) {
-    const auto end = check_end(segments.back().file, kEndBytes);
+    auto end = check_end(segments.back().file, kEndBytes);
     if (!end) return result::forward(end);
     start = ChainStart{end->entries, end->head};
     sequence_ = end->entries;
@@ -67,7 +67,7 @@ result::Result<std::string> AuditLog::go_on() {
   }
   first_ = sequence_ + 1;
   if (!grows || growing.bytes == 0) return std::string();
-  const auto check = check_end(file_, kEndBytes, start ? &*start : nullptr);
+  auto check = check_end(file_, kEndBytes, start ? &*start : nullptr);
   if (!check) return result::forward(check);
   std::error_code error;
   if (check->broken_line > 0 && !check->torn) {
