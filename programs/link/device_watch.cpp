@@ -5,6 +5,7 @@
 
 #include "programs/link/device_health.h"
 #include "programs/modbus_client/status_socket.h"
+#include "runtime/result/last_barrier.h"
 
 namespace stepwright::link {
 namespace {
@@ -38,7 +39,7 @@ void DeviceWatch::run(const std::stop_token& stop) {
   std::condition_variable_any never;
   std::unique_lock lock(mutex);
   while (!stop.stop_requested()) {
-    ask();
+    static_cast<void>(result::thrown_by([this] { ask(); }));  // asked again a moment later
     never.wait_for(lock, stop, kPeriod, [] { return false; });
   }
 }

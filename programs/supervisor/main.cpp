@@ -24,6 +24,7 @@
 #include "programs/supervisor/operator_request.h"
 #include "runtime/dds/plan_channel.h"
 #include "runtime/result/exit_code.h"
+#include "runtime/result/last_barrier.h"
 #include "supervisor/executive/dds_controller.h"
 #include "supervisor/executive/report.h"
 
@@ -121,9 +122,12 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
   (void)(*publisher)->publish_goal_form((*mission)->goal_form());
   std::jthread requests([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-      if (const auto request = (*publisher)->wait_request(kLook))
-        answer(**publisher, *request, obey(**mission, request->text), shared.of(config), shared.log);
-      if (const auto outlook = (*mission)->new_outlook()) (void)(*publisher)->publish_outlook(*outlook);
+      const auto thrown = result::thrown_by([&] {
+        if (const auto request = (*publisher)->wait_request(kLook))
+          answer(**publisher, *request, obey(**mission, request->text), shared.of(config), shared.log);
+        if (const auto outlook = (*mission)->new_outlook()) (void)(*publisher)->publish_outlook(*outlook);
+      });
+      if (thrown) shared.log.error("requests", shared.of(config) + "a request failed: " + *thrown);
     }
   });
   while (true) {

@@ -52,9 +52,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 add_custom_target(programs)
+add_custom_target(unit_tests)
 
 # The headers that most files name are read once for all that is compiled alike. A file still names every header that it
-# needs: the presets with sanitizers read them the plain way.
+# needs: the debug preset reads them the plain way.
 set(STEPWRIGHT_STANDARD_HEADERS <algorithm> <array> <chrono> <cmath> <cstdint> <cstring> <filesystem> <functional> <map> <memory>
     <optional> <set> <span> <string> <string_view> <unordered_map> <utility> <vector>)
 
@@ -167,4 +168,5 @@ function(stepwright_test folder)
                                                STEPWRIGHT_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+  add_dependencies(unit_tests ${target})
 endfunction()

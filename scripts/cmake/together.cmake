@@ -1,6 +1,6 @@
 # Several source files read by one run of the compiler, which then sees the headers and makes the templates that they share
-# once: less than half of the time of compiling a test. Each stays a file of its own, complete with its headers: the presets
-# with sanitizers, and -DSTEPWRIGHT_TOGETHER=OFF, compile one by one. A file that gives a name of its own to something else
+# once: less than half of the time of compiling a test. Each stays a file of its own, complete with its headers: the debug
+# preset, and -DSTEPWRIGHT_TOGETHER=OFF, compile one by one. A file that gives a name of its own to something else
 # than a file beside it ("redefinition", "ambiguous"), or that is compiled with a setting of its own, is named after APART.
 
 option(STEPWRIGHT_TOGETHER "Compile several files by one run of the compiler" ON)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/result/last_barrier.h"
 #include "supervisor/executive/internal/record_json.h"
 
 namespace stepwright::executive {
@@ -97,7 +98,12 @@ result::Result<void> WhatIf::ask(WhatIfQuestion question) {
   }
   thread_ = std::thread([this, question = std::move(question)] {
     ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);  // of this thread alone
-    plan(question);
+    // A question that is too much for this machine ends as a question, not as the run.
+    if (const auto thrown = result::thrown_by([&] { plan(question); })) {
+      json told = beginning_of(question, "failed");
+      told["reason"] = *thrown;
+      publish(internal::text_of(told));
+    }
     planning_ = false;
   });
   return {};
