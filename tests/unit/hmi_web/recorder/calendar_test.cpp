@@ -5,16 +5,16 @@
 namespace stepwright::recorder {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;
-constexpr std::int64_t kWall = 1'700'000'000 * kSecond;
-constexpr std::int64_t kDay = 86'400 * kSecond;
+constexpr std::int64_t kSecondNs = 1'000'000'000;
+constexpr std::int64_t kWallNs = 1'700'000'000 * kSecondNs;
+constexpr std::int64_t kDayNs = 86'400 * kSecondNs;
 
 TEST(Calendar, WhenItIsFarAheadAtTheStart_ThenTimeGoesOnFromTheNewestRecord) {
-  Calendar calendar(kWall);
-  EXPECT_EQ(calendar.at(kWall + 400 * kDay, 7 * kSecond), kWall);
-  EXPECT_EQ(calendar.at(kWall + 400 * kDay + 5 * kSecond, 12 * kSecond), kWall + 5 * kSecond);
-  EXPECT_EQ(calendar.ahead_ns(), 400 * kDay);
-  EXPECT_EQ(calendar.at(kWall + 7 * kSecond, 14 * kSecond), kWall + 7 * kSecond)
+  Calendar calendar(kWallNs);
+  EXPECT_EQ(calendar.at(kWallNs + 400 * kDayNs, 7 * kSecondNs), kWallNs);
+  EXPECT_EQ(calendar.at(kWallNs + 400 * kDayNs + 5 * kSecondNs, 12 * kSecondNs), kWallNs + 5 * kSecondNs);
+  EXPECT_EQ(calendar.ahead_ns(), 400 * kDayNs);
+  EXPECT_EQ(calendar.at(kWallNs + 7 * kSecondNs, 14 * kSecondNs), kWallNs + 7 * kSecondNs)
       << "somebody has set it right";
   EXPECT_EQ(calendar.ahead_ns(), 0);
   EXPECT_FALSE(calendar.accept());
@@ -22,19 +22,20 @@ TEST(Calendar, WhenItIsFarAheadAtTheStart_ThenTimeGoesOnFromTheNewestRecord) {
 
 TEST(Calendar, WhenItJumpsWhileTheServerRuns_ThenTimeGoesOnUntilSomebodyAcceptsIt) {
   Calendar calendar(0);
-  EXPECT_EQ(calendar.at(kWall, kSecond), kWall) << "nothing was recorded: any calendar will do";
-  EXPECT_EQ(calendar.at(kWall + 60 * kDay, 2 * kSecond), kWall + kSecond);
+  EXPECT_EQ(calendar.at(kWallNs, kSecondNs), kWallNs) << "nothing was recorded: any calendar will do";
+  EXPECT_EQ(calendar.at(kWallNs + 60 * kDayNs, 2 * kSecondNs), kWallNs + kSecondNs);
   EXPECT_TRUE(calendar.accept());
-  EXPECT_EQ(calendar.at(kWall + 60 * kDay, 3 * kSecond), kWall + 60 * kDay);
+  EXPECT_EQ(calendar.at(kWallNs + 60 * kDayNs, 3 * kSecondNs), kWallNs + 60 * kDayNs);
   EXPECT_EQ(calendar.ahead_ns(), 0);
 }
 
 TEST(Calendar, WhenItIsSetBackOrTheMachineWasOff_ThenItIsBelieved) {
-  Calendar calendar(kWall);
-  EXPECT_EQ(calendar.at(kWall + 40 * kDay, kSecond), kWall + 40 * kDay) << "a long holiday";
-  EXPECT_EQ(calendar.at(kWall, 2 * kSecond), kWall)
+  Calendar calendar(kWallNs);
+  EXPECT_EQ(calendar.at(kWallNs + 40 * kDayNs, kSecondNs), kWallNs + 40 * kDayNs) << "a long holiday";
+  EXPECT_EQ(calendar.at(kWallNs, 2 * kSecondNs), kWallNs)
       << "the history's clock never goes back (history_clock.h)";
-  EXPECT_EQ(calendar.at(kWall + 40 * kDay + 2 * kSecond, 3 * kSecond), kWall + 40 * kDay + 2 * kSecond);
+  EXPECT_EQ(calendar.at(kWallNs + 40 * kDayNs + 2 * kSecondNs, 3 * kSecondNs),
+            kWallNs + 40 * kDayNs + 2 * kSecondNs);
 }
 
 }  // namespace
