@@ -3,8 +3,10 @@
 // What the routes ask of the cell. The program implements it over Fast DDS, tests with a cell of their own.
 //
 // Threads: every function from any; each blocks for some seconds at most. Fails with D0001 where nobody
-// answers, with other codes where it is refused.
+// answers, with other codes where it is refused: D0002 and R0009 say that another program has just come, and
+// that nothing has been changed.
 
+#include <chrono>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,6 +19,7 @@ namespace stepwright::api {
 struct ForcedPlace {
   std::string name;
   std::string value;
+  bool ends = false;  // by itself, after the time that it was given
 
   friend bool operator==(const ForcedPlace&, const ForcedPlace&) = default;
 };
@@ -43,8 +46,9 @@ class CellControl {
                                                           const std::string& value) = 0;
   [[nodiscard]] virtual result::Result<std::string> write(const std::string& name,
                                                           const std::string& value) = 0;
-  [[nodiscard]] virtual result::Result<std::string> force(const std::string& name,
-                                                          const std::string& value) = 0;
+  // The runtime releases it after `duration`, whatever becomes of this process.
+  [[nodiscard]] virtual result::Result<std::string> force(const std::string& name, const std::string& value,
+                                                          std::chrono::milliseconds duration) = 0;
   [[nodiscard]] virtual result::Result<void> unforce(const std::string& name) = 0;
   // Values by names of variables, all of them between the same two scans or none. D0004 if they are more than
   // the runtime takes at once; what is refused is refused before anything is written.
@@ -53,7 +57,7 @@ class CellControl {
 
   // Everything that is forced in the runtime, whoever has forced it. D0008: its link cannot tell.
   [[nodiscard]] virtual result::Result<std::vector<ForcedPlace>> forced() = 0;
-  // What `forced` would list if that variable were forced to that value.
+  // What `forced` would list if that variable were forced to that value for a time.
   [[nodiscard]] virtual result::Result<ForcedPlace> as_forced(const std::string& name,
                                                               const std::string& value) = 0;
 };

@@ -68,7 +68,8 @@ std::optional<std::vector<StandingForce>> from_json(const std::string& text) {
 
 // Nobody answers, or another program has just come: to be asked again.
 bool tried_again(const result::Diagnostics& problems) {
-  return problems.front().code == "D0001" || problems.front().code == "D0002";
+  const std::string& code = problems.front().code;
+  return code == "D0001" || code == "D0002" || code == "R0009";
 }
 
 void leave_out(std::vector<StandingForce>& standing, const std::string& name) {
@@ -125,9 +126,9 @@ result::Result<StandingForce> ForceDesk::force(const ForceOrder& order) {
   if (after.size() >= kMostForces)
     return result::fail("D0002", {}, "too much is forced already", "release something first");
   after.push_back(fresh);
-  // Listed before it is done: what a crash leaves forced will end.
+  // Listed before it is done: who has forced what a crash leaves is known.
   if (auto kept = keep(after); !kept) return result::forward(kept);
-  auto forced = control_.force(order.name, order.value);
+  auto forced = control_.force(order.name, order.value, order.duration);
   if (!forced) {
     (void)keep(before);  // at worst something is released that was not forced
     return result::forward(forced);
@@ -182,6 +183,10 @@ void ForceDesk::compare(const std::vector<ForcedPlace>& forced) {
       missing.insert(each.name);
       continue;
     }
+    if (each.until <= clock_()) {
+      take_off(each, "timer", "the time is over that " + each.user + " had set", "done");
+      continue;
+    }
     const bool taken = place && std::any_of(others.begin(), others.end(), [&](const ForcedPlace& other) {
                          return other.name == place->name;
                        });
@@ -207,6 +212,7 @@ void ForceDesk::take_off(const StandingForce& gone, const char* by, const std::s
                        .result = result});
 }
 
+// The runtime does it by itself; here it is done for one that is late, or that cannot tell what it forces.
 void ForceDesk::end_what_is_due() {
   const auto now = clock_();
   for (const StandingForce& each : standing()) {

@@ -1,18 +1,20 @@
 #pragma once
 
-// What is forced: of the page's own forces until when, by whom and why. Each of those ends by itself; they
-// are kept on the disk, so that they end in time after a restart of the server, too. Beside them what
-// somebody else has forced (`stepwright force`, another server), as the runtime tells of it.
+// What is forced: of the page's own forces until when, by whom and why. Each of those ends by itself: the
+// runtime has its time and releases it, whatever becomes of this server. The list is kept on the disk, so
+// that it is known after a restart, too. Beside them what somebody else has forced (`stepwright force`,
+// another server), as the runtime tells of it.
 //
 //   auto desk = ForceDesk::open(file, control, audit, std::chrono::system_clock::now, [&](auto json) { ...
 //   }); desk->force({"MAIN.valve", "TRUE", 15min, "ada", "commissioning"});
 //
-// Threads: every function from any; a thread of its own asks the runtime and ends what is due, once a second.
+// Threads: every function from any; a thread of its own asks the runtime and takes off what is over, once a
+// second.
 // Invariants: a force of ours that the runtime does not have any more (a stop of the process, a download, an
-// unforce at its socket), or has with another value, because somebody else has forced it since, is ours no
-// longer and is never released by its timer; nothing is taken for gone before the runtime has said so twice
-// in a row. Somebody who forces the very value that we force cannot be told from us. While the runtime does
-// not answer, or its link cannot tell, the list stays as it was.
+// unforce at its socket), or has with another value or without an end, because somebody else has forced it
+// since, is ours no longer and is never released by its timer; nothing is taken for gone before the runtime
+// has said so twice in a row. Another server that forces the very value that we force cannot be told from us.
+// While the runtime does not answer, or its link cannot tell, the list stays as it was.
 
 #include <chrono>
 #include <condition_variable>
@@ -56,16 +58,17 @@ class ForceDesk {
   // somebody else has neither user nor reason, and null as its times.
   using OnChange = std::function<void(const std::string& json)>;
 
-  // A list that cannot be read is refused (H0022): what is forced would not end.
+  // A list that cannot be read is refused (H0022): what is forced would be nobody's.
   [[nodiscard]] static result::Result<std::unique_ptr<ForceDesk>> open(std::filesystem::path file,
                                                                        CellControl& control,
                                                                        access::AuditLog& audit,
                                                                        access::WallClock clock,
                                                                        OnChange on_change);
-  // Leaves standing what is forced; the next server ends it.
+  // Leaves standing what is forced: it ends in the runtime.
   ~ForceDesk();
 
-  // Forces it, or goes on forcing it with another value and time. On the disk before it is done.
+  // Forces it for that time, or goes on forcing it with another value and time. On the disk before it is
+  // done.
   [[nodiscard]] result::Result<StandingForce> force(const ForceOrder& order);
   [[nodiscard]] result::Result<void> unforce(const std::string& name);
   std::string json() const;

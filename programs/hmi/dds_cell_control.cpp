@@ -21,34 +21,51 @@ host::ImageBits bits_of(const reader::Variable& variable, std::uint64_t value) {
   return {variable.address, mask, value};
 }
 
-// A place of the program that runs at this moment.
-Result<reader::NamedVariable> place_of(DdsCellSource& source, const std::string& name) {
-  const auto program = source.running().get();
+// A place, and the program that it is of: what is asked of it names that program, so that no other is hit.
+struct Place {
+  std::shared_ptr<const KnownProgram> program;
+  reader::NamedVariable found;
+
+  host::ProgramBits bits(std::uint64_t value) const {
+    return {program->digest, bits_of(found.variable, value)};
+  }
+};
+
+tl::unexpected<result::Diagnostics> just_changed() {
+  return result::fail("D0002", {}, "the program has just changed", "try again in a moment");
+}
+
+// Of the program that runs at this moment, as far as is known here.
+Result<Place> place_of(DdsCellSource& source, const std::string& name) {
+  auto program = source.running().get();
   const auto status = source.client().status();
   if (!program || !status)
     return result::fail("D0001", {}, "no runtime answers with a program",
                         "is the runtime of the cell running?");
-  // Addresses of a program that is gone would hit anything.
-  if (status->program_digest != program->digest)
-    return result::fail("D0002", {}, "the program has just changed", "try again in a moment");
-  return reader::resolve_name(program->info, name);
+  if (status->program_digest != program->digest) return just_changed();
+  auto found = reader::resolve_name(program->info, name);
+  if (!found) return result::forward(found);
+  return Place{std::move(program), std::move(*found)};
 }
 
 // The place with the value's bits, and the value as the program spells it.
 struct Change {
-  host::ImageBits bits;
+  Place place;
+  host::ProgramBits bits;
   std::string text;
 };
 
 Result<Change> change_of(DdsCellSource& source, const std::string& name, const std::string& value) {
   auto place = place_of(source, name);
   if (!place) return result::forward(place);
-  auto parsed = reader::parse_value(place->variable, value, "R0058");
+  const reader::Variable& variable = place->found.variable;
+  auto parsed = reader::parse_value(variable, value, "R0058");
   if (!parsed) return result::forward(parsed);
-  const host::ImageBits bits = bits_of(place->variable, *parsed);
-  std::vector<std::byte> image(place->variable.address + sizeof(std::uint64_t));
-  std::memcpy(image.data() + place->variable.address, &bits.value, sizeof bits.value);
-  return Change{bits, reader::read_text(place->variable, image)};
+  host::ProgramBits bits = place->bits(*parsed);
+  std::vector<std::byte> image(variable.address + sizeof(std::uint64_t));
+  std::memcpy(image.data() + variable.address, &bits.bits.value, sizeof bits.bits.value);
+  std::string text = reader::read_text(variable, image);
+  return Change{std::move(*place), std::move(bits), std::move(text)};
 }
 
 // A value that is forced, told as `forced` and `as_forced` both do.
@@ -58,7 +75,7 @@ api::ForcedPlace forced_place(const reader::ProgramInfo& info, const image::Forc
   std::memcpy(image.data() + force.address, &value, force.size);
   const reader::Variable variable = reader::variable_of_place(info, force.address, force.bit, force.size);
   return {reader::name_of_place(info, force.address, force.bit, force.size),
-          reader::read_text(variable, image)};
+          reader::read_text(variable, image), force.end_ns != image::kNoEnd};
 }
 
 }  // namespace
@@ -83,10 +100,9 @@ Result<std::string> DdsCellControl::read(const std::string& name) {
   auto place = place_of(source_, name);
   if (!place) return result::forward(place);
   const auto snapshot = source_.client().snapshot();
-  const auto program = source_.running().get();
-  if (!snapshot || snapshot->program_digest != program->digest)
+  if (!snapshot || snapshot->program_digest != place->program->digest)
     return result::fail("D0001", {}, "no values of this program have arrived");
-  return reader::read_text(place->variable, snapshot->image);
+  return reader::read_text(place->found.variable, snapshot->image);
 }
 
 Result<std::string> DdsCellControl::spell(const std::string& name, const std::string& value) {
@@ -102,33 +118,33 @@ Result<std::string> DdsCellControl::write(const std::string& name, const std::st
   return std::move(change->text);
 }
 
-Result<std::string> DdsCellControl::force(const std::string& name, const std::string& value) {
+Result<std::string> DdsCellControl::force(const std::string& name, const std::string& value,
+                                          std::chrono::milliseconds duration) {
   auto change = change_of(source_, name, value);
   if (!change) return result::forward(change);
-  if (auto done = source_.client().force(change->bits); !done) return result::forward(done);
+  const dds::ForceRequest request{std::move(change->bits), static_cast<std::uint64_t>(duration.count())};
+  if (auto done = source_.client().force(request); !done) return result::forward(done);
   return std::move(change->text);
 }
 
 Result<void> DdsCellControl::unforce(const std::string& name) {
   auto place = place_of(source_, name);
   if (!place) return result::forward(place);
-  if (bytecode::is_string(place->variable.type)) return result::fail("R0058", {}, "a string is never forced");
-  return source_.client().unforce(bits_of(place->variable, 0));
+  if (bytecode::is_string(place->found.variable.type))
+    return result::fail("R0058", {}, "a string is never forced");
+  return source_.client().unforce(place->bits(0));
 }
 
 Result<void> DdsCellControl::write_together(const std::map<std::string, std::string, std::less<>>& values) {
-  const auto program = source_.running().get();
   host::BlockWrite block;
   for (const auto& [name, value] : values) {
     auto change = change_of(source_, name, value);
     if (!change) return result::forward(change);
-    block.parts.push_back(change->bits);
+    // All of one program, or none.
+    if (!block.parts.empty() && change->bits.program_digest != block.program_digest) return just_changed();
+    block.program_digest = std::move(change->bits.program_digest);
+    block.parts.push_back(change->bits.bits);
   }
-  // Another program than the one that the names were looked up in is not written to.
-  const auto still = source_.running().get();
-  if (!program || still != program)
-    return result::fail("D0002", {}, "the program has just changed", "try again in a moment");
-  block.program_digest = program->digest;
   return source_.client().write(block);
 }
 
@@ -140,8 +156,7 @@ Result<std::vector<api::ForcedPlace>> DdsCellControl::forced() {
   std::vector<api::ForcedPlace> places;
   if (forces->places.empty()) return places;
   const auto program = source_.running().get();
-  if (!program || program->digest != forces->program_digest)
-    return result::fail("D0002", {}, "the program has just changed", "try again in a moment");
+  if (!program || program->digest != forces->program_digest) return just_changed();
   for (const image::Force& force : forces->places) places.push_back(forced_place(program->info, force));
   return places;
 }
@@ -150,9 +165,10 @@ Result<api::ForcedPlace> DdsCellControl::as_forced(const std::string& name, cons
   auto change = change_of(source_, name, value);
   if (!change) return result::forward(change);
   image::Force force;
-  if (image::to_force(change->bits, host::kMaxImageBytes, force) != image::BitsStatus::Done)
+  if (image::to_force(change->bits.bits, host::kMaxImageBytes, force) != image::BitsStatus::Done)
     return result::fail("R0058", {}, "`" + name + "` cannot be forced");
-  return forced_place(source_.running().get()->info, force);
+  force.end_ns = 0;  // some
+  return forced_place(change->place.program->info, force);
 }
 
 }  // namespace stepwright::hmi

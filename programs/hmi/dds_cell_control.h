@@ -22,7 +22,8 @@ class DdsCellControl : public api::CellControl {
   result::Result<std::string> read(const std::string& name) override;
   result::Result<std::string> spell(const std::string& name, const std::string& value) override;
   result::Result<std::string> write(const std::string& name, const std::string& value) override;
-  result::Result<std::string> force(const std::string& name, const std::string& value) override;
+  result::Result<std::string> force(const std::string& name, const std::string& value,
+                                    std::chrono::milliseconds duration) override;
   result::Result<void> unforce(const std::string& name) override;
   result::Result<void> write_together(const std::map<std::string, std::string, std::less<>>& values) override;
   result::Result<std::vector<api::ForcedPlace>> forced() override;

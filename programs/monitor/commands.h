@@ -20,7 +20,8 @@ int stop(const config::CellConfig& config);
 struct ForceArguments {
   std::string name;
   std::string value;
-  bool all = false;  // unforce: everything
+  bool all = false;      // unforce: everything
+  double seconds = 0.0;  // force: how long; 0: without an end
   std::string json_file;
 };
 int force(const config::CellConfig& config, const ForceArguments& arguments);

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -19,6 +20,9 @@ namespace {
 
 using process::fail;
 using result::ExitCode;
+
+constexpr double kMsPerS = 1'000.0;
+constexpr double kNsPerS = 1e9;
 
 host::ImageBits bits_of(const reader::Variable& variable, std::uint64_t value) {
   if (variable.bit != bytecode::kNoBit) {
@@ -45,51 +49,86 @@ Forced forced(const reader::ProgramInfo& info, const image::Force& force) {
   return result;
 }
 
+// How often a request is looked up again in a program that has just come.
+constexpr int kTries = 5;
+
+// Does to the program that is loaded what `act` asks for. Where another one has come since it was read,
+// nothing has been done: it is read, and `act` looks its names up in that one. Whoever asked is told.
+result::Result<void> in_loaded_program(Attached& runtime, const std::function<result::Result<void>()>& act) {
+  if (auto read = runtime.read_program(); !read) return read;
+  auto done = act();
+  for (int i = 1; !done && done.error().front().code == service::kOtherProgram && i < kTries; ++i) {
+    if (auto read = runtime.read_program(); !read) return read;
+    std::printf("another program has been loaded meanwhile: looked up again in that one\n");
+    done = act();
+  }
+  return done;
+}
+
+// What is forced in the program that was read.
 result::Result<std::vector<image::Force>> read_forces(Attached& runtime) {
   auto reply = runtime.ask(service::ReadForces{});
   if (!reply) return result::forward(reply);
+  if (reply->digest != runtime.digest())
+    return result::fail(service::kOtherProgram, {}, "another program was loaded while this one was read",
+                        "try again");
   return service::decode_forces(reply->data);
 }
 
-result::Result<void> do_force(const config::CellConfig& config, const ForceArguments& arguments) {
-  auto runtime = Attached::open(config, service::Role::Controller);
-  if (!runtime) return result::forward(runtime);
-  if (auto read = (*runtime)->read_program(); !read) return read;
-  auto place = reader::resolve_name((*runtime)->program(), arguments.name);
+result::Result<void> force_once(Attached& runtime, const ForceArguments& arguments) {
+  auto place = reader::resolve_name(runtime.program(), arguments.name);
   if (!place) return result::forward(place);
   auto value = reader::parse_value(place->variable, arguments.value, "R0058", {place->name, 0, 0});
   if (!value) return result::forward(value);
   const host::ImageBits bits = bits_of(place->variable, *value);
-  if (auto reply = (*runtime)->ask(service::Force{bits}); !reply) return result::forward(reply);
+  const auto duration_ms = static_cast<std::uint64_t>(arguments.seconds * kMsPerS);
+  auto reply = runtime.ask(service::Force{{{runtime.digest(), bits}, duration_ms}});
+  if (!reply) return result::forward(reply);
   std::vector<std::byte> image(place->variable.address + sizeof(std::uint64_t));
   std::memcpy(image.data() + place->variable.address, &bits.value, sizeof bits.value);
   std::printf("%s is forced to %s\n", place->name.c_str(), reader::read_text(place->variable, image).c_str());
   return {};
 }
 
-result::Result<void> do_unforce(const config::CellConfig& config, const ForceArguments& arguments) {
-  auto runtime = Attached::open(config, service::Role::Controller);
-  if (!runtime) return result::forward(runtime);
-  if (auto read = (*runtime)->read_program(); !read) return read;
+result::Result<void> unforce_once(Attached& runtime, const ForceArguments& arguments) {
   if (!arguments.all) {
-    auto place = reader::resolve_name((*runtime)->program(), arguments.name);
+    auto place = reader::resolve_name(runtime.program(), arguments.name);
     if (!place) return result::forward(place);
     if (bytecode::is_string(place->variable.type)) {
       return result::fail("R0058", {place->name, 0, 0}, "a string is never forced");
     }
-    auto reply = (*runtime)->ask(service::Unforce{bits_of(place->variable, 0)});
+    auto reply = runtime.ask(service::Unforce{{runtime.digest(), bits_of(place->variable, 0)}});
     if (!reply) return result::forward(reply);
     std::printf("%s is no longer forced\n", place->name.c_str());
     return {};
   }
-  auto forces = read_forces(**runtime);
+  auto forces = read_forces(runtime);
   if (!forces) return result::forward(forces);
   for (const image::Force& force : *forces) {
-    auto reply = (*runtime)->ask(service::Unforce{image::bits_of(force)});
+    auto reply = runtime.ask(service::Unforce{{runtime.digest(), image::bits_of(force)}});
     if (!reply) return result::forward(reply);
   }
   std::printf("%zu variables are no longer forced\n", forces->size());
   return {};
+}
+
+void print_force(const Forced& one, const image::Force& force, nlohmann::json& list) {
+  const bool ends = force.end_ns != image::kNoEnd;
+  const double left_s = static_cast<double>(force.end_ns) / kNsPerS;
+  std::printf("%s = %s", one.name.c_str(), reader::read_text(one.variable, one.image).c_str());
+  if (ends) std::printf(", for another %.1f s", left_s);
+  std::printf("\n");
+  list.push_back({{"name", one.name},
+                  {"value", trace::to_json(reader::read_value(one.variable, one.image))},
+                  {"left_s", ends ? nlohmann::json(left_s) : nlohmann::json()}});
+}
+
+using Once = result::Result<void> (*)(Attached&, const ForceArguments&);
+
+result::Result<void> attend(const config::CellConfig& config, const ForceArguments& arguments, Once once) {
+  auto runtime = Attached::open(config, service::Role::Controller);
+  if (!runtime) return result::forward(runtime);
+  return in_loaded_program(**runtime, [&] { return once(**runtime, arguments); });
 }
 
 int exit_code(const result::Result<void>& done) {
@@ -99,27 +138,27 @@ int exit_code(const result::Result<void>& done) {
 }  // namespace
 
 int force(const config::CellConfig& config, const ForceArguments& arguments) {
-  return exit_code(do_force(config, arguments));
+  return exit_code(attend(config, arguments, force_once));
 }
 
 int unforce(const config::CellConfig& config, const ForceArguments& arguments) {
-  return exit_code(do_unforce(config, arguments));
+  return exit_code(attend(config, arguments, unforce_once));
 }
 
 int list_forces(const config::CellConfig& config, const ForceArguments& arguments) {
   auto runtime = Attached::open(config, service::Role::Observer);
   if (!runtime) return fail(runtime.error(), ExitCode::BadInput);
-  if (auto read = (*runtime)->read_program(); !read) return fail(read.error(), ExitCode::BadInput);
-  auto forces = read_forces(**runtime);
-  if (!forces) return fail(forces.error(), ExitCode::RuntimeFault);
+  std::vector<image::Force> forces;
+  const auto read = in_loaded_program(**runtime, [&]() -> result::Result<void> {
+    auto forced_now = read_forces(**runtime);
+    if (!forced_now) return result::forward(forced_now);
+    forces = std::move(*forced_now);
+    return {};
+  });
+  if (!read) return fail(read.error(), ExitCode::BadInput);
   nlohmann::json list = nlohmann::json::array();
-  for (const image::Force& force : *forces) {
-    const Forced one = forced((*runtime)->program(), force);
-    std::printf("%s = %s\n", one.name.c_str(), reader::read_text(one.variable, one.image).c_str());
-    list.push_back(
-        {{"name", one.name}, {"value", trace::to_json(reader::read_value(one.variable, one.image))}});
-  }
-  std::printf("%zu of %zu places are forced\n", forces->size(), image::ForceTable::kCapacity);
+  for (const image::Force& force : forces) print_force(forced((*runtime)->program(), force), force, list);
+  std::printf("%zu of %zu places are forced\n", forces.size(), image::ForceTable::kCapacity);
   return finish(arguments.json_file, {{"forces", std::move(list)}});
 }
 

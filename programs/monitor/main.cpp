@@ -70,6 +70,10 @@ void Commands::add_forces() {
   command->add_option("name", force_.name, "e.g. MAIN.levels[3], P.timer.PT, %QX0.2")->required();
   command->add_option("value", force_.value, "literal: TRUE, 16#FF, 3.5, T#1s500ms, an enumerator")
       ->required();
+  command
+      ->add_option("--seconds", force_.seconds, "then it is released by itself (default: not before unforce)")
+      ->check(CLI::Validator(process::refuse_seconds, "SECONDS"))
+      ->check(CLI::Range(0.001, 3e7));
   command = add("unforce", "release a variable, which keeps its value until something changes it",
                 [this](const auto& config) { return unforce(config, force_); });
   auto* name = command->add_option("name", force_.name, "the variable");

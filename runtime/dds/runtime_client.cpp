@@ -87,12 +87,12 @@ result::Result<void> RuntimeClient::force(const ForceRequest& request) {
   return done(state_->session.ask(service::Force{request}));
 }
 
-result::Result<void> RuntimeClient::unforce(const UnforceRequest& request) {
-  return done(state_->session.ask(service::Unforce{request}));
+result::Result<void> RuntimeClient::unforce(const ProgramBits& place) {
+  return done(state_->session.ask(service::Unforce{place}));
 }
 
-result::Result<void> RuntimeClient::write(const WriteRequest& request) {
-  return done(state_->session.ask(service::Write{request}));
+result::Result<void> RuntimeClient::write(const ProgramBits& place) {
+  return done(state_->session.ask(service::Write{place}));
 }
 
 result::Result<void> RuntimeClient::write(const BlockWrite& block) {

@@ -14,7 +14,7 @@
 // between never performs one twice. Diagnostics: D0001 no runtime answers, D0002 refused by the runtime in
 // its present state, D0003 the container was refused (the verifier's own diagnostics follow), D0004 request
 // out of bounds, D0005 Fast DDS could not start, D0006 an address that is none of this machine, D0008 the
-// link is of an earlier version and does not carry this.
+// link is of another version and does not carry this; R0009 of the runtime (runtime/service/requests.h).
 
 #include <chrono>
 #include <cstddef>
@@ -45,12 +45,6 @@ struct Download {
   result::Diagnostics notes;  // what an online change carried, in words
 };
 
-// What is forced, and in which program; the digest is empty where none is loaded.
-struct Forces {
-  std::string program_digest;
-  std::vector<image::Force> places;
-};
-
 class RuntimeClient {
  public:
   // Joins the domain; does not wait for anyone. Fails with D0005.
@@ -75,12 +69,13 @@ class RuntimeClient {
   [[nodiscard]] result::Result<void> stop(const std::string& reason);
   // Lets the simulated clock go on past the barrier of this and every earlier event.
   [[nodiscard]] result::Result<void> acknowledge(std::uint64_t event_sequence);
+  // What names memory of a program goes to no other one: R0009 if another is loaded when it is carried out.
+  // D0008 if the link is of another version: nothing was sent then.
   [[nodiscard]] result::Result<void> force(const ForceRequest& request);
-  [[nodiscard]] result::Result<void> unforce(const UnforceRequest& request);
-  [[nodiscard]] result::Result<void> write(const WriteRequest& request);
-  // All parts between the same two scans, or none of them; `program_digest` names the program that they are
-  // of. D0004 with no part or more than host::kMaxBlockWrites, D0008 if the link is of an earlier version:
-  // nothing was sent then.
+  [[nodiscard]] result::Result<void> unforce(const ProgramBits& place);
+  [[nodiscard]] result::Result<void> write(const ProgramBits& place);
+  // All parts between the same two scans, or none of them. D0004 with no part or more than
+  // host::kMaxBlockWrites, D0008 as above.
   [[nodiscard]] result::Result<void> write(const BlockWrite& block);
   // What is forced in the runtime now, whoever has forced it. D0008 as above.
   [[nodiscard]] result::Result<Forces> forces();

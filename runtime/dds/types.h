@@ -16,14 +16,14 @@ using host::ChangeReport;
 using host::DownloadMode;
 using host::EventKind;
 using host::ForceRequest;
+using host::Forces;
 using host::NamedValue;
+using host::ProgramBits;
 using host::RuntimeState;
 using host::RuntimeStatus;
 using host::Snapshot;
 using host::StartOptions;
 using host::StepEvent;
-using host::UnforceRequest;
-using host::WriteRequest;
 
 // Where a process meets the others of its cell.
 struct ParticipantConfig {

@@ -25,9 +25,9 @@ enum class CommandKind : std::uint8_t {
   Start,            // barrier, cold
   Stop,             // text: the reason
   Acknowledge,      // event
-  Force,            // bits
-  Unforce,          // bits
-  Write,            // bits
+  Force,            // bits, program_digest, duration_ns
+  Unforce,          // bits, program_digest
+  Write,            // bits, program_digest
   InjectFault,      // text: the name; value
   SupervisorAlive,  // barriers hold again
   SupervisorLost,   // the policy of the configuration applies
@@ -36,8 +36,14 @@ enum class CommandKind : std::uint8_t {
   RecordBegin,      // recording
   RecordEnd,
   Change,      // program, change
-  WriteBlock,  // block
+  WriteBlock,  // block, program_digest
 };
+
+// Its addresses are of one program, which it names, and mean nothing in another one.
+constexpr bool names_memory(CommandKind kind) {
+  return kind == CommandKind::Force || kind == CommandKind::Unforce || kind == CommandKind::Write ||
+         kind == CommandKind::WriteBlock;
+}
 
 struct Command {
   CommandKind kind = CommandKind::Stop;
@@ -46,6 +52,8 @@ struct Command {
   std::uint64_t event = 0;
   double value = 0.0;
   ImageBits bits;
+  FixedText<kDigestLetters> program_digest;  // that the bits or the block are of
+  std::int64_t duration_ns = 0;              // of a force; 0: no end
   FixedText<kMaxReasonBytes> text;
   PreparedProgram* program = nullptr;
   bool cold = false;        // retained variables have their initial values too
@@ -71,7 +79,7 @@ enum class Outcome : std::uint8_t {
   NotRunning,      // an online change of a program that does not run
   ChangeOutdated,  // the program that it was planned for is not the one that runs
   StepLost,        // an active step has no counterpart; `detail` is its number in the plan
-  ProgramDiffers,  // a write to a program that is not the one that is loaded
+  ProgramDiffers,  // addresses of a program that is not the one that is loaded, which `program_digest` is
   Refused,         // by a controller behind a line, or by the line; see the problems
   StepsUnfit,  // active steps are no situation of the new chart; `detail` is the chart's number in the plan
 };
@@ -83,6 +91,7 @@ struct Completion {
   std::uint64_t scan = 0;  // CommandKind::Step: the last of the scans asked for
   std::uint32_t detail = 0;
   ChangeReport change = {};  // of an online change
+  FixedText<kDigestLetters> program_digest = {};
 };
 
 }  // namespace stepwright::host

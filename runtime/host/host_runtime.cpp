@@ -132,9 +132,15 @@ result::Result<void> HostRuntime::record(std::uint64_t ticket, const record::Rec
   return result::fail("R0006", {}, "the runtime is busy", "try again");
 }
 
-std::vector<image::Force> HostRuntime::forces() const {
+Forces HostRuntime::forces() const {
   const ForceList list = loop_->forces();
-  return {list.forces.begin(), list.forces.begin() + static_cast<std::ptrdiff_t>(list.count)};
+  const std::int64_t now_ns = loop_->clock().now_ns();
+  Forces forces{list.program_digest.str(), {}};
+  for (image::Force force : std::span(list.forces).first(list.count)) {
+    if (force.end_ns != image::kNoEnd) force.end_ns = std::max<std::int64_t>(0, force.end_ns - now_ns);
+    forces.places.push_back(force);
+  }
+  return forces;
 }
 
 bool HostRuntime::submit(const Command& command) {
@@ -147,6 +153,7 @@ result::Result<void> HostRuntime::write(std::uint64_t ticket, BlockWrite block) 
   command.kind = CommandKind::WriteBlock;
   command.ticket = ticket;
   command.block = held.get();
+  command.program_digest = FixedText<kDigestLetters>(held->program_digest);
   if (!send(command)) return result::fail("R0006", {}, "the runtime is busy", "try again");
   blocks_.emplace(ticket, std::move(held));
   return {};

@@ -54,7 +54,7 @@ class HostRuntime final : public RuntimePort {
   int descriptor() const override;
   void clear() override;
   int snapshot_descriptor() const override;
-  std::vector<image::Force> forces() const override;
+  Forces forces() const override;
   [[nodiscard]] result::Result<void> record(std::uint64_t ticket,
                                             const record::RecordingOptions& options) override;
   record::RecordingStatus recording() const override { return recorder_.status(); }

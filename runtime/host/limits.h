@@ -5,6 +5,7 @@
 // copied.
 
 #include <cstddef>
+#include <cstdint>
 
 namespace stepwright::host {
 
@@ -16,5 +17,7 @@ inline constexpr std::size_t kMaxNameBytes = 64;              // plant values, f
 inline constexpr std::size_t kMaxPathBytes = 4'096;           // of a file that a runtime is to write
 inline constexpr std::size_t kMaxReasonBytes = 200;           // why a runtime is stopped
 inline constexpr std::size_t kMaxBlockWrites = 2'048;         // parts of one write
+inline constexpr std::size_t kDigestLetters = 64;             // of a program's SHA-256 in hexadecimal
+inline constexpr std::uint64_t kMaxForceMs = 366ull * 24 * 3'600 * 1'000;  // of a force that ends by itself
 
 }  // namespace stepwright::host

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runtime/host/runtime_state.h"
+#include "runtime/image/force_table.h"
 #include "runtime/image/image_bits.h"
 
 namespace stepwright::host {
@@ -161,15 +162,38 @@ struct StartOptions {
 };
 
 using image::ImageBits;
-using ForceRequest = ImageBits;    // holds until unforced, over stop and start, until the next download
-using UnforceRequest = ImageBits;  // releases the bits in `mask`; `value` is ignored
-using WriteRequest = ImageBits;    // written once, before the next scan
+
+// Whoever names memory names the program that he has looked it up in, by its hexadecimal digest: an address
+// of one program is another variable of the next. The scan thread compares it with the program that is loaded
+// at the moment of acting, and refuses any other, and a request that names none (R0009).
+
+// Bits to be forced, released (`value` is ignored then) or written once, before the next scan.
+struct ProgramBits {
+  std::string program_digest;
+  ImageBits bits;
+
+  friend bool operator==(const ProgramBits&, const ProgramBits&) = default;
+};
+
+// A force holds until it is released, over stop and start, until its time is over or another program is
+// downloaded; an online change takes it along, with the time that it has left. The time is that of the wall,
+// with a simulated clock too.
+struct ForceRequest {
+  ProgramBits place;
+  std::uint64_t duration_ms = 0;  // 0: without an end; at most kMaxForceMs
+
+  friend bool operator==(const ForceRequest&, const ForceRequest&) = default;
+};
+
+// What is forced, and in which program; the digest is empty where none is loaded.
+struct Forces {
+  std::string program_digest;
+  std::vector<image::Force> places;  // `end_ns`: the time that each has left; image::kNoEnd: no end
+};
 
 // Any number of bits (up to kMaxBlockWrites parts) that change between the same two scans, all of them or
 // none. Of a part that overlaps another the later one stays.
 struct BlockWrite {
-  // The program that the addresses are of, as its hexadecimal digest: another one is not written to. Empty:
-  // whichever is loaded.
   std::string program_digest;
   std::vector<ImageBits> parts;
 

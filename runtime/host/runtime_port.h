@@ -13,7 +13,6 @@
 
 #include "runtime/host/command.h"
 #include "runtime/host/messages.h"
-#include "runtime/image/force_table.h"
 #include "runtime/record/recorder.h"
 #include "runtime/result/result.h"
 
@@ -56,8 +55,8 @@ class RuntimePort {
   // Of the shared snapshot memory, read-only.
   virtual int snapshot_descriptor() const = 0;
 
-  // What is forced, as of the newest completion.
-  virtual std::vector<image::Force> forces() const { return {}; }
+  // What is forced, as of the newest completion, event or end of a force.
+  virtual Forces forces() const { return {}; }
   // Begins a recording; the completion carries `ticket`. CommandKind::RecordEnd ends it. Fails with R0051 or
   // R0052, or R0006 if too many commands are under way.
   [[nodiscard]] virtual result::Result<void> record(std::uint64_t ticket,

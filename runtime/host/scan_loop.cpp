@@ -109,7 +109,13 @@ void ScanLoop::turn_simulated() {
   scan_once();
 }
 
+// At most until the next force ends.
 void ScanLoop::wait(std::int64_t timeout_ns) {
+  const std::int64_t end_ns = program_ == nullptr ? image::kNoEnd : program_->cycle().forces().next_end_ns();
+  if (end_ns != image::kNoEnd) {
+    const std::int64_t left_ns = std::max<std::int64_t>(0, end_ns - clock_.now_ns());
+    timeout_ns = timeout_ns < 0 ? left_ns : std::min(timeout_ns, left_ns);
+  }
   lifeline_.rest();
   wake_.wait(timeout_ns);
   lifeline_.busy();

@@ -57,8 +57,9 @@ struct ScanFigures {
   std::int64_t last_change_pause_ns = 0;
 };
 
-// What is forced, as of the newest command.
+// What is forced, and in which program, whenever either changes.
 struct ForceList {
+  FixedText<kDigestLetters> program_digest;
   std::array<image::Force, image::ForceTable::kCapacity> forces;
   std::size_t count = 0;
 };
@@ -83,7 +84,7 @@ class ScanLoop {
   // The event ring of the program that runs was full and has room again.
   void events_taken() { wake_.ring(); }
 
-  // Measures scans and, in real time, sets them off. Any thread.
+  // Measures scans and, in real time, sets them off; forces end by it. Any thread.
   scan::Clock& clock() { return clock_; }
   // What the clock shows at scan time 0.
   std::int64_t clock_origin_ns() const { return origin_ns_; }
@@ -95,12 +96,14 @@ class ScanLoop {
   // Commands (scan_loop_commands.cpp).
   void take_commands();
   Completion held_apply(const Command& command);
+  bool meant_for_another(const Command& command) const;
+  Completion other_program(const Command& command) const;
   Completion apply(const Command& command);
   Outcome load(PreparedProgram* program);
   Outcome start(const Command& command);
   result::Diagnostics refused_start(const Command& command) const;
   Outcome stop(std::string_view reason, scan::SafeCause cause = scan::SafeCause::Stop);
-  Outcome force(const ImageBits& bits);
+  Outcome force(const ImageBits& bits, std::int64_t duration_ns);
   Outcome unforce(const ImageBits& bits);
   Outcome write(const ImageBits& bits);
   Outcome write_block(const BlockWrite& block);
@@ -109,6 +112,7 @@ class ScanLoop {
   Completion step(const Command& command);
   void record(record::Session* session);
   record::Running running();
+  void end_forces();
   void publish_forces();
   void adopt(PreparedProgram& program);
 

@@ -26,6 +26,7 @@ Outcome outcome_of(image::BitsStatus status) {
 }  // namespace
 
 void ScanLoop::take_commands() {
+  end_forces();
   bool any = false;
   bool stale = false;
   while (auto command = next_command()) {
@@ -57,10 +58,23 @@ Completion ScanLoop::held_apply(const Command& command) {
   Completion completion;
   {
     const auto hold = hold_tasks();
-    completion = apply(command);
+    completion = meant_for_another(command) ? other_program(command) : apply(command);
   }
   // The program that was held may go now, unless a trial needs it.
   if (!trial_.active()) now_.kept = nullptr;
+  return completion;
+}
+
+// Here and not where the request comes in: what came between, a load, a change or a rollback, has made
+// another variable of the address.
+bool ScanLoop::meant_for_another(const Command& command) const {
+  return names_memory(command.kind) && program_ != nullptr &&
+         command.program_digest.view() != program_->digest();
+}
+
+Completion ScanLoop::other_program(const Command& command) const {
+  Completion completion{command.ticket, Outcome::ProgramDiffers, {}};
+  completion.program_digest = FixedText<kDigestLetters>(program_->digest());
   return completion;
 }
 
@@ -79,7 +93,7 @@ Completion ScanLoop::apply(const Command& command) {
       if (command.event >= now_.last_event) release_barrier();
       return done(Outcome::Done);
     case CommandKind::Force:
-      return done(force(command.bits));
+      return done(force(command.bits, command.duration_ns));
     case CommandKind::Unforce:
       return done(unforce(command.bits));
     case CommandKind::Write:
@@ -133,6 +147,7 @@ void ScanLoop::adopt(PreparedProgram& program) {
   program_ = &program;
   program.steps().reset(program.image().bytes());
   now_.program = &program;
+  publish_forces();
 }
 
 // Why the start would lose what the user wants kept.
@@ -184,7 +199,7 @@ Outcome ScanLoop::stop(std::string_view reason, scan::SafeCause cause) {
   return Outcome::Done;
 }
 
-Outcome ScanLoop::force(const ImageBits& bits) {
+Outcome ScanLoop::force(const ImageBits& bits, std::int64_t duration_ns) {
   if (program_ == nullptr) return Outcome::NoProgram;
   const std::size_t image_bytes = program_->image().bytes().size();
   image::Force wanted;
@@ -196,6 +211,7 @@ Outcome ScanLoop::force(const ImageBits& bits) {
   } else if (wanted.bit != 0 && bools.holds(wanted.address)) {
     return Outcome::OutOfBounds;  // a BOOL in a byte of its own has no other bit
   }
+  if (duration_ns > 0) wanted.end_ns = clock_.now_ns() + duration_ns;
   status = image::set_force(program_->cycle().forces(), wanted, image_bytes);
   if (status == image::BitsStatus::Done) tap_.forced(wanted);
   return outcome_of(status);
@@ -223,8 +239,6 @@ Outcome ScanLoop::write(const ImageBits& bits) {
 
 Outcome ScanLoop::write_block(const BlockWrite& block) {
   if (program_ == nullptr) return Outcome::NoProgram;
-  if (!block.program_digest.empty() && block.program_digest != program_->digest())
-    return Outcome::ProgramDiffers;
   const std::size_t image_bytes = program_->image().bytes().size();
   for (const ImageBits& part : block.parts)
     if (!image::within(part, image_bytes)) return Outcome::OutOfBounds;

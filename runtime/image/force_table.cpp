@@ -33,6 +33,21 @@ bool ForceTable::clear(std::uint32_t address, std::uint8_t bit) {
   return false;
 }
 
+std::int64_t ForceTable::next_end_ns() const {
+  std::int64_t next_ns = kNoEnd;
+  for (const Force& force : forces()) next_ns = force.end_ns < next_ns ? force.end_ns : next_ns;
+  return next_ns;
+}
+
+bool ForceTable::take_ended(std::int64_t now_ns, Force& ended) {
+  for (const Force& force : forces()) {
+    if (force.end_ns == kNoEnd || force.end_ns > now_ns) continue;
+    ended = force;
+    return clear(ended.address, ended.bit);
+  }
+  return false;
+}
+
 void ForceTable::apply(std::span<std::byte> image) const {
   for (const Force& force : forces()) {
     if (force.bit == kWholeBytes) {

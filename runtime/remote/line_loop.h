@@ -61,6 +61,7 @@ class LineLoop {
   [[nodiscard]] Done begin_run();
   host::Completion stop(const host::Command& command, std::string_view reason);
   host::Completion bits(const host::Command& command);
+  void end_forces(std::int64_t now_ns);
   host::Completion step(const host::Command& command);
   host::Completion inject(const host::Command& command);
   host::Completion supervisor_lost(const host::Command& command);
@@ -112,8 +113,8 @@ class LineLoop {
   std::vector<std::byte> image_;  // as it was read last
   std::uint64_t image_scan_ = 0;  // after this scan
   host::RuntimeStatus now_;
-  image::ForceTable forces_;
-  std::string detail_;  // of the newest event that has one
+  image::ForceTable forces_;  // of program_; ends by the clock on the wall
+  std::string detail_;        // of the newest event that has one
   std::string line_problem_;
   bool contact_ = false;
   bool met_ = false;  // ever

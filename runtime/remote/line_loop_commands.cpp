@@ -51,6 +51,7 @@ result::Diagnostics one(const char* code, result::Location where, std::string me
 }  // namespace
 
 void LineLoop::take_commands() {
+  end_forces(wall_ns());
   while (auto command = box_.next_command()) {
     Completion completion = apply(*command);
     publish();  // who sees the completion must find a status that knows of it
@@ -215,6 +216,11 @@ Completion LineLoop::stop(const host::Command& command, std::string_view reason)
 // Write, force and unforce: what the runtime on the host would refuse is refused before it is sent.
 Completion LineLoop::bits(const host::Command& command) {
   if (program_ == nullptr) return {command.ticket, Outcome::NoProgram, {}};
+  if (command.program_digest.view() != program_->digest()) {
+    Completion completion{command.ticket, Outcome::ProgramDiffers, {}};
+    completion.program_digest = host::FixedText<host::kDigestLetters>(program_->digest());
+    return completion;
+  }
   image::ImageBits bits = command.bits;
   image::Force force;
   const bool write = command.kind == CommandKind::Write;
@@ -235,10 +241,27 @@ Completion LineLoop::bits(const host::Command& command) {
   if (!answer) return lost(command.ticket, answer.error());
   if (answer->done() && command.kind == CommandKind::Force) {
     if (!one_bit) force.value = bits.value & bits.mask;
+    if (command.duration_ns > 0) force.end_ns = wall_ns() + command.duration_ns;
     static_cast<void>(forces_.set(force, image_.size()));
   }
   if (answer->done() && command.kind == CommandKind::Unforce) forces_.clear(force.address, force.bit);
   return refused(command.ticket, *answer);
+}
+
+// The controller keeps forces without an end: this side releases them. What the line does not carry is tried
+// again when it does.
+void LineLoop::end_forces(std::int64_t now_ns) {
+  if (!contact_ || forces_.next_end_ns() == image::kNoEnd) return;
+  bool any = false;
+  image::Force ended;
+  while (contact_ && forces_.take_ended(now_ns, ended)) {
+    any = true;
+    auto answer = link_.command(control::Command::Unforce, bits_arguments(image::bits_of(ended)));
+    if (answer) continue;
+    static_cast<void>(forces_.set(ended, image_.size()));
+    lose(answer.error());
+  }
+  if (any) publish();
 }
 
 Completion LineLoop::step(const host::Command& command) {

@@ -75,6 +75,7 @@ LineLoop::Done LineLoop::meet() {
 LineLoop::Done LineLoop::know_program(const ControllerStatus& status) {
   if (status.digest == kNoProgram) {
     program_.reset();
+    forces_.clear_all();
     image_.clear();
     plant_.fit(0, 0);
     return {};
@@ -93,6 +94,7 @@ LineLoop::Done LineLoop::know_program(const ControllerStatus& status) {
   auto program = RemoteProgram::create(std::move(container), service::to_hex(digest));
   if (!program) return result::forward(program);
   program_ = std::move(*program);
+  forces_.clear_all();  // those that are known here were of another program
   image_.assign(program_->image_bytes(), std::byte{0});
   plant_.fit(program_->sizes().input_bytes, program_->sizes().output_bytes);
   return {};

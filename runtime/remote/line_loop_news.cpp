@@ -156,8 +156,10 @@ void LineLoop::publish() {
   const auto truths = plant_.truths();
   for (std::size_t i = 0; i < truths.size(); ++i)
     status.plant.push_back({plant_.plant()->value_names()[i], truths[i]});
-  const auto forced = forces_.forces();
-  figures.forces.assign(forced.begin(), forced.end());
+  for (image::Force force : forces_.forces()) {
+    if (force.end_ns != image::kNoEnd) force.end_ns = std::max<std::int64_t>(0, force.end_ns - published_ns_);
+    figures.forces.push_back(force);
+  }
   if (program_ != nullptr) snapshots_.publish(now_.scan, now_.time_ns, program_->digest(), image_, truths);
   box_.publish(std::move(figures));
 }

@@ -31,11 +31,11 @@ struct RemoteCommand {
 struct RemoteFigures {
   host::RuntimeStatus status;
   std::shared_ptr<const RemoteProgram> program;
-  std::vector<image::Force> forces;
-  bool contact = false;        // the line carries answers
-  std::string line_problem;    // why it does not
-  std::uint64_t repeated = 0;  // requests that had to be sent again
-  std::uint64_t losses = 0;    // how often the controller was lost
+  std::vector<image::Force> forces;  // of that program, with the time that each has left
+  bool contact = false;              // the line carries answers
+  std::string line_problem;          // why it does not
+  std::uint64_t repeated = 0;        // requests that had to be sent again
+  std::uint64_t losses = 0;          // how often the controller was lost
 };
 
 class Mailbox {

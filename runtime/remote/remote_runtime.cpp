@@ -88,6 +88,11 @@ host::RuntimeStatus RemoteRuntime::status() const {
   return status;
 }
 
+host::Forces RemoteRuntime::forces() const {
+  RemoteFigures figures = box_.figures();
+  return {std::move(figures.status.program_digest), std::move(figures.forces)};
+}
+
 std::span<const std::byte> RemoteRuntime::program() const {
   shown_ = box_.figures().program;
   return shown_ == nullptr ? std::span<const std::byte>{} : shown_->bytes();

@@ -50,7 +50,7 @@ class RemoteRuntime final : public host::RuntimePort {
   int descriptor() const override { return news().descriptor(); }
   void clear() override { news().clear(); }
   int snapshot_descriptor() const override { return snapshots_->descriptor(); }
-  std::vector<image::Force> forces() const override { return box_.figures().forces; }
+  host::Forces forces() const override;
   [[nodiscard]] result::Result<void> record(std::uint64_t ticket,
                                             const record::RecordingOptions& options) override;
 

@@ -63,10 +63,18 @@ template <typename A, Like<host::ImageBits> T>
 void fields(A& a, T& m) {
   a(m.byte_offset, m.mask, m.value);
 }
-template <typename A, typename T>
-requires Like<T, Force> || Like<T, Unforce> || Like<T, Write>
+template <typename A, Like<host::ProgramBits> T>
 void fields(A& a, T& m) {
-  a(m.bits);
+  a(m.program_digest, m.bits);
+}
+template <typename A, Like<Force> T>
+void fields(A& a, T& m) {
+  a(m.force.place, m.force.duration_ms);
+}
+template <typename A, typename T>
+requires Like<T, Unforce> || Like<T, Write>
+void fields(A& a, T& m) {
+  a(m.place);
 }
 template <typename A, Like<host::BlockWrite> T>
 void fields(A& a, T& m) {

@@ -98,8 +98,17 @@ result::Result<std::unique_ptr<Connection>> Connection::open(const std::filesyst
   hello.first_event = options.first_event;
   self->send(hello);
   const auto answer = self->receive(kGreetingTimeout);
-  if (!answer || !std::holds_alternative<Welcome>(*answer)) {
-    return failed(path, "the service does not answer the greeting");
+  const auto* welcome = answer ? std::get_if<Welcome>(&*answer) : nullptr;
+  if (welcome == nullptr) {
+    return failed(path, "the service does not answer the greeting of version " +
+                            std::to_string(kProtocolVersion) + " of its protocol");
+  }
+  if (welcome->version != kProtocolVersion) {
+    return result::fail("R0001", {path.string(), 0, 0},
+                        "the runtime speaks version " + std::to_string(welcome->version) +
+                            " of the service's protocol, and this program version " +
+                            std::to_string(kProtocolVersion),
+                        "both have to be of the same version of Stepwright");
   }
   auto snapshots = host::SnapshotReader::open(self->state_->passed.get());
   if (!snapshots) return result::forward(snapshots);

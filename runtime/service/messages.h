@@ -3,8 +3,9 @@
 // What travels on the service socket, in either direction, one message per frame.
 //
 // A client begins with Hello and is answered with Welcome (which brings the descriptor of the snapshot
-// memory). Then it sends requests, and SupervisorLife if it stands for a supervisor; the service sends
-// replies, every event from the sequence on that Hello named, and the status at least every kStatusPeriod.
+// memory). Whoever speaks another version is told that of the service by the Welcome, and nothing more. Then
+// it sends requests, and SupervisorLife if it stands for a supervisor; the service sends replies, every event
+// from the sequence on that Hello named, and the status at least every kStatusPeriod.
 
 #include <chrono>
 #include <cstddef>
@@ -18,7 +19,7 @@
 
 namespace stepwright::service {
 
-inline constexpr std::uint32_t kProtocolVersion = 5;
+inline constexpr std::uint32_t kProtocolVersion = 6;
 // Of one message without its frame: the largest event, or a reply full of diagnostics.
 inline constexpr std::size_t kMaxMessageBytes = host::kMaxImageBytes + (64u << 10);
 inline constexpr std::chrono::milliseconds kStatusPeriod{100};

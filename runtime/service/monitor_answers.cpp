@@ -9,7 +9,7 @@
 namespace stepwright::service {
 namespace {
 
-constexpr std::size_t kForceBytes = 14;
+constexpr std::size_t kForceBytes = 22;
 constexpr std::size_t kFixedBytes = 128;
 
 std::vector<std::byte> finish(const record::Encoder& out) {
@@ -33,7 +33,7 @@ std::vector<std::byte> encode_forces(std::span<const image::Force> forces) {
   std::vector<std::byte> buffer(forces.size() * kForceBytes);
   record::Encoder out(buffer);
   for (const image::Force& force : forces)
-    out.put(force.address).put(force.bit).put(force.size).put(force.value);
+    out.put(force.address).put(force.bit).put(force.size).put(force.value).put(force.end_ns);
   return finish(out);
 }
 
@@ -48,9 +48,10 @@ result::Result<std::vector<image::Force>> decode_forces(std::span<const std::byt
     force.bit = in.read<std::uint8_t>();
     force.size = in.read<std::uint8_t>();
     force.value = in.read<std::uint64_t>();
+    force.end_ns = in.read<std::int64_t>();
     const bool right = std::has_single_bit(force.size) && force.size <= sizeof force.value &&
                        (force.bit < 8 || force.bit == image::kWholeBytes) &&
-                       force.address < host::kMaxImageBytes;
+                       force.address < host::kMaxImageBytes && force.end_ns >= 0;
     if (!right) return malformed();
   }
   return forces;

@@ -17,6 +17,7 @@
 
 namespace stepwright::service {
 
+// A force's `end_ns` travels as it is: in an answer it is the time that is left (host::Forces).
 std::vector<std::byte> encode_forces(std::span<const image::Force> forces);
 [[nodiscard]] result::Result<std::vector<image::Force>> decode_forces(std::span<const std::byte> data);
 

@@ -8,7 +8,7 @@
 //
 // Diagnostics of the runtime: R0001 the socket, R0002 refused in the present state, R0003 a download that is
 // broken, R0004 out of bounds, R0005 a malformed message, R0006 too busy, R0007 an unknown name,
-// R0008 a start while the I/O does not answer,
+// R0008 a start while the I/O does not answer, R0009 memory of another program than the one that is loaded,
 // R0031 to R0038 online change (runtime/host/change_plan.h); a refused
 // container brings the diagnostics of the verifier.
 
@@ -26,6 +26,9 @@ namespace stepwright::service {
 
 using Sha256 = std::array<std::byte, 32>;
 
+// By which a client knows that it has to look its names up again.
+inline constexpr const char* kOtherProgram = "R0009";
+
 struct Start {
   bool barrier = false;
   bool cold = false;
@@ -36,14 +39,16 @@ struct Stop {
 struct Acknowledge {
   std::uint64_t event = 0;
 };
+// These four name memory, and the program that it is of (host::ProgramBits): R0009 if another one is loaded
+// when the scan thread comes to it. A repetition is answered from memory, or meets that check again.
 struct Force {
-  host::ImageBits bits;
+  host::ForceRequest force;
 };
 struct Unforce {
-  host::ImageBits bits;
+  host::ProgramBits place;
 };
 struct Write {
-  host::ImageBits bits;
+  host::ProgramBits place;
 };
 // Many values between the same two scans, all of them or none; answered when snapshots show them.
 struct WriteBlock {
@@ -112,7 +117,7 @@ struct Reply {
   std::uint64_t client = 0;
   std::uint64_t id = 0;
   result::Diagnostics problems;
-  std::string digest;             // of the container committed or read, hexadecimal
+  std::string digest;             // of the container committed or read, or of what is forced; hexadecimal
   std::uint64_t total_bytes = 0;  // of the container read
   std::uint64_t offset = 0;       // of `data` in it
   std::vector<std::byte> data;

@@ -193,7 +193,11 @@ void Server::State::receive(Session& session, const Message& message) {
 }
 
 void Server::State::greet(Session& session, const Hello& hello) {
-  if (hello.version != kProtocolVersion || hello.name.size() > host::kMaxNameBytes) return session.close();
+  if (hello.name.size() > host::kMaxNameBytes) return session.close();
+  if (hello.version != kProtocolVersion) {
+    session.welcome(port.snapshot_descriptor());  // it says which version is spoken here
+    return session.close();
+  }
   session.greeted = true;
   session.role = hello.role;
   session.next_event = hello.first_event == 0 ? events.last() + 1 : hello.first_event;

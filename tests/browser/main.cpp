@@ -47,7 +47,10 @@ class NoControl : public api::CellControl {
   result::Result<std::string> read(const std::string&) override { return nobody(); }
   result::Result<std::string> spell(const std::string&, const std::string&) override { return nobody(); }
   result::Result<std::string> write(const std::string&, const std::string&) override { return nobody(); }
-  result::Result<std::string> force(const std::string&, const std::string&) override { return nobody(); }
+  result::Result<std::string> force(const std::string&, const std::string&,
+                                    std::chrono::milliseconds) override {
+    return nobody();
+  }
   result::Result<void> unforce(const std::string&) override { return nobody(); }
   result::Result<void> write_together(const std::map<std::string, std::string, std::less<>>&) override {
     return nobody();

@@ -91,7 +91,7 @@ result::Result<service::Reply> ClientSession::ask(service::RequestBody body) {
   if (link_is_older(body)) {
     return result::fail("D0008", {},
                         "the link of '" + participant_->runtime_id() + "' does not carry this request",
-                        "it is of an earlier version: start it again with this one");
+                        "it is of another version: start both with the same one");
   }
   const auto longest =
       std::holds_alternative<service::DownloadCommit>(body) ? Clock::now() + kDownloadTimeout : deadline;

@@ -15,7 +15,7 @@ namespace stepwright::dds::internal {
 
 // False for what is for people at the machine of the runtime: asked on its socket, never over the network.
 bool travels(const service::RequestBody& body);
-// True for what travels as an ExtraCommand: a link of an earlier version does not understand it.
+// True for what travels as an ExtraCommand: a link of another version does not understand it.
 bool is_extra(const service::RequestBody& body);
 // A request that travels and is neither an extra one nor a DownloadChunk.
 idl::Command to_command(const std::string& runtime_id, const service::Request& request);

@@ -12,7 +12,9 @@ using namespace service;
 // Kinds of an ExtraCommand.
 constexpr std::uint8_t kWriteBlock = 0;
 constexpr std::uint8_t kReadForces = 1;
-constexpr std::size_t kDigestLetters = 64;  // of a SHA-256 in hexadecimal
+constexpr std::uint8_t kForce = 2;
+constexpr std::uint8_t kUnforce = 3;
+constexpr std::uint8_t kWrite = 4;
 
 idl::Digest to_digest(const Sha256& digest) {
   idl::Digest bytes;
@@ -56,9 +58,6 @@ struct BodyWriter {
   }
   void operator()(const Acknowledge& body) const { event(body.event, idl::CMD_ACKNOWLEDGE); }
   void operator()(const ResendEvents& body) const { event(body.first, idl::CMD_RESEND_EVENTS); }
-  void operator()(const Force& body) const { bits(body.bits, idl::CMD_FORCE); }
-  void operator()(const Unforce& body) const { bits(body.bits, idl::CMD_UNFORCE); }
-  void operator()(const Write& body) const { bits(body.bits, idl::CMD_WRITE); }
   void operator()(const InjectFault& body) const {
     idl::FaultCommand command;
     command.name(body.name);
@@ -77,7 +76,10 @@ struct BodyWriter {
     out.read(command);
   }
   void operator()(const DownloadChunk&) const {}  // travels as a ProgramChunk
-  void operator()(const ReadForces&) const {}     // these two as an ExtraCommand
+  void operator()(const ReadForces&) const {}     // these as an ExtraCommand
+  void operator()(const Force&) const {}
+  void operator()(const Unforce&) const {}
+  void operator()(const Write&) const {}
   void operator()(const WriteBlock&) const {}
   // These do not travel.
   void operator()(const Step&) const {}
@@ -92,10 +94,6 @@ struct BodyWriter {
     idl::EventCommand command;
     command.event(sequence);
     out.event(command);
-    out._d(kind);
-  }
-  void bits(const host::ImageBits& value, idl::CommandKind kind) const {
-    out.bits(to_bits(value));
     out._d(kind);
   }
   void download(std::uint64_t total, const Sha256& digest, host::DownloadMode mode,
@@ -120,12 +118,13 @@ std::optional<RequestBody> from_body(const idl::CommandBody& body) {
       return Acknowledge{body.event().event()};
     case idl::CMD_RESEND_EVENTS:
       return ResendEvents{body.event().event()};
+    // Of earlier versions, without a program: the runtime tells them so.
     case idl::CMD_FORCE:
-      return Force{from_bits(body.bits())};
+      return Force{{{{}, from_bits(body.bits())}}};
     case idl::CMD_UNFORCE:
-      return Unforce{from_bits(body.bits())};
+      return Unforce{{{}, from_bits(body.bits())}};
     case idl::CMD_WRITE:
-      return Write{from_bits(body.bits())};
+      return Write{{{}, from_bits(body.bits())}};
     case idl::CMD_INJECT_FAULT:
       if (body.fault().name().size() > host::kMaxNameBytes) return std::nullopt;
       return InjectFault{body.fault().name(), body.fault().value()};
@@ -151,7 +150,9 @@ bool travels(const RequestBody& body) {
 }
 
 bool is_extra(const RequestBody& body) {
-  return std::holds_alternative<WriteBlock>(body) || std::holds_alternative<ReadForces>(body);
+  return std::holds_alternative<WriteBlock>(body) || std::holds_alternative<ReadForces>(body) ||
+         std::holds_alternative<Force>(body) || std::holds_alternative<Unforce>(body) ||
+         std::holds_alternative<Write>(body);
 }
 
 idl::Command to_command(const std::string& runtime_id, const Request& request) {
@@ -180,11 +181,24 @@ idl::ExtraCommand to_extra(const std::string& runtime_id, const Request& request
   sample.runtime_id(runtime_id);
   sample.client(request.client);
   sample.request(request.id);
-  const auto* write = std::get_if<WriteBlock>(&request.body);
-  sample.kind(write != nullptr ? kWriteBlock : kReadForces);
-  if (write == nullptr) return sample;
-  sample.program_digest(write->block.program_digest);
-  for (const host::ImageBits& part : write->block.parts) sample.parts().push_back(to_bits(part));
+  const auto place = [&](std::uint8_t kind, const host::ProgramBits& bits) {
+    sample.kind(kind);
+    sample.program_digest(bits.program_digest);
+    sample.parts().push_back(to_bits(bits.bits));
+  };
+  sample.kind(kReadForces);
+  if (const auto* force = std::get_if<Force>(&request.body)) {
+    place(kForce, force->force.place);
+    sample.duration_ms(force->force.duration_ms);
+  } else if (const auto* unforce = std::get_if<Unforce>(&request.body)) {
+    place(kUnforce, unforce->place);
+  } else if (const auto* write = std::get_if<Write>(&request.body)) {
+    place(kWrite, write->place);
+  } else if (const auto* block = std::get_if<WriteBlock>(&request.body)) {
+    sample.kind(kWriteBlock);
+    sample.program_digest(block->block.program_digest);
+    for (const host::ImageBits& part : block->block.parts) sample.parts().push_back(to_bits(part));
+  }
   return sample;
 }
 
@@ -196,13 +210,31 @@ std::optional<Request> from_command(const idl::Command& sample) {
 
 std::optional<Request> from_extra(const idl::ExtraCommand& sample) {
   if (sample.kind() == kReadForces) return Request{sample.client(), sample.request(), ReadForces{}};
-  if (sample.kind() != kWriteBlock || sample.parts().empty() ||
-      sample.parts().size() > host::kMaxBlockWrites || sample.program_digest().size() > kDigestLetters)
+  const std::size_t most = sample.kind() == kWriteBlock ? host::kMaxBlockWrites : 1;
+  if (sample.parts().empty() || sample.parts().size() > most ||
+      sample.program_digest().size() > host::kDigestLetters)
     return std::nullopt;
-  WriteBlock write;
-  write.block.program_digest = sample.program_digest();
-  for (const idl::BitsCommand& part : sample.parts()) write.block.parts.push_back(from_bits(part));
-  return Request{sample.client(), sample.request(), std::move(write)};
+  Request request{sample.client(), sample.request(), {}};
+  const host::ProgramBits place{sample.program_digest(), from_bits(sample.parts().front())};
+  switch (sample.kind()) {
+    case kForce:
+      request.body = Force{{place, sample.duration_ms()}};
+      return request;
+    case kUnforce:
+      request.body = Unforce{place};
+      return request;
+    case kWrite:
+      request.body = Write{place};
+      return request;
+    case kWriteBlock: {
+      WriteBlock write{{sample.program_digest(), {}}};
+      for (const idl::BitsCommand& part : sample.parts()) write.block.parts.push_back(from_bits(part));
+      request.body = std::move(write);
+      return request;
+    }
+    default:
+      return std::nullopt;
+  }
 }
 
 std::optional<Request> from_chunk(const idl::ProgramChunk& sample) {

@@ -6,7 +6,7 @@
 namespace stepwright::dds::internal {
 
 inline constexpr char kCommandTopic[] = "stepwright/command/2";
-inline constexpr char kExtraTopic[] = "stepwright/extra_command/1";
+inline constexpr char kExtraTopic[] = "stepwright/extra_command/2";
 inline constexpr char kChunkTopic[] = "stepwright/program_chunk/1";
 inline constexpr char kReplyTopic[] = "stepwright/reply/2";
 inline constexpr char kEventTopic[] = "stepwright/event/1";

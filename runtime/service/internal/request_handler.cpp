@@ -18,7 +18,30 @@ struct Overloaded : Handlers... {
   using Handlers::operator()...;
 };
 
-result::Diagnostics explain(const host::Completion& completion) {
+constexpr std::size_t kShortDigest = 12;
+constexpr std::uint64_t kNsPerMs = 1'000'000;
+
+// The program whose memory a request names; null: it names none.
+const std::string* meant_by(const RequestBody& body) {
+  if (const auto* force = std::get_if<Force>(&body)) return &force->force.place.program_digest;
+  if (const auto* unforce = std::get_if<Unforce>(&body)) return &unforce->place.program_digest;
+  if (const auto* write = std::get_if<Write>(&body)) return &write->place.program_digest;
+  const auto* block = std::get_if<WriteBlock>(&body);
+  return block == nullptr ? nullptr : &block->block.program_digest;
+}
+
+result::Diagnostics other_program(std::string_view meant, std::string_view loaded) {
+  const auto brief = [](std::string_view digest) { return std::string(digest.substr(0, kShortDigest)); };
+  auto failed =
+      result::fail(kOtherProgram, {},
+                   (meant.empty() ? std::string("the request does not say of which program its addresses are")
+                                  : "the addresses are of the program " + brief(meant)) +
+                       ", and " + brief(loaded) + " is loaded: nothing was changed",
+                   "read the program that is loaded, and look the variable up in it");
+  return std::move(failed.value());
+}
+
+result::Diagnostics explain(const host::Completion& completion, std::string_view meant) {
   const auto one = [](const char* code, const char* message, const char* hint) {
     auto failed = result::fail(code, {}, message, hint);
     return std::move(failed.value());
@@ -52,8 +75,7 @@ result::Diagnostics explain(const host::Completion& completion) {
     case Outcome::Refused:
       return completion.problems;
     case Outcome::ProgramDiffers:
-      return one("R0002", "the program that the addresses are of is not the one that is loaded",
-                 "read the program and its symbols again");
+      return other_program(meant, completion.program_digest.view());
     case Outcome::NotSimulated:
       return one("R0002", "in real time nothing stands still",
                  "step mode needs [clock] mode = \"simulated\"");
@@ -64,9 +86,10 @@ result::Diagnostics explain(const host::Completion& completion) {
 // The command of a request that the scan thread performs; none for the others.
 std::optional<host::Command> to_command(const RequestBody& body) {
   host::Command command;
-  const auto bits = [&](CommandKind kind, const host::ImageBits& value) {
+  const auto bits = [&](CommandKind kind, const host::ProgramBits& place) {
     command.kind = kind;
-    command.bits = value;
+    command.bits = place.bits;
+    command.program_digest = host::FixedText<host::kDigestLetters>(place.program_digest);
     return true;
   };
   const bool any =
@@ -87,9 +110,12 @@ std::optional<host::Command> to_command(const RequestBody& body) {
                        command.event = acknowledge.event;
                        return true;
                      },
-                     [&](const Force& force) { return bits(CommandKind::Force, force.bits); },
-                     [&](const Unforce& unforce) { return bits(CommandKind::Unforce, unforce.bits); },
-                     [&](const Write& write) { return bits(CommandKind::Write, write.bits); },
+                     [&](const Force& force) {
+                       command.duration_ns = static_cast<std::int64_t>(force.force.duration_ms * kNsPerMs);
+                       return bits(CommandKind::Force, force.force.place);
+                     },
+                     [&](const Unforce& unforce) { return bits(CommandKind::Unforce, unforce.place); },
+                     [&](const Write& write) { return bits(CommandKind::Write, write.place); },
                      [&](const InjectFault& fault) {
                        command.kind = CommandKind::InjectFault;
                        command.text = host::FixedText<host::kMaxReasonBytes>(fault.name);
@@ -134,9 +160,10 @@ std::optional<Reply> RequestHandler::handle(std::uint64_t session, const Request
   reply.client = request.client;
   reply.id = request.id;
   const std::uint64_t ticket = ++last_ticket_;
+  const std::string* meant = meant_by(request.body);
   auto performed = perform(request, ticket, reply);
   if (performed && !*performed) {
-    pending_.emplace(ticket, Pending{session, std::move(reply)});
+    pending_.emplace(ticket, Pending{session, std::move(reply), meant == nullptr ? std::string() : *meant});
     return std::nullopt;
   }
   if (!performed) reply.problems = std::move(performed.error());
@@ -148,8 +175,9 @@ std::optional<Answer> RequestHandler::complete(const host::Completion& completio
   const auto found = pending_.find(completion.ticket);
   if (found == pending_.end()) return std::nullopt;
   Answer answer{found->second.session, std::move(found->second.reply)};
+  const std::string meant = std::move(found->second.meant);
   pending_.erase(found);
-  answer.reply.problems = explain(completion);
+  answer.reply.problems = explain(completion, meant);
   answer.reply.offset = completion.scan;
   answer.reply.change = completion.change;
   replies_.add(answer.reply);
@@ -161,6 +189,8 @@ result::Result<bool> RequestHandler::perform(const Request& request, std::uint64
     if (!done) return result::forward(done);
     return true;
   };
+  if (const auto* meant = meant_by(request.body); meant != nullptr && meant->size() > host::kDigestLetters)
+    return result::fail("R0004", {}, "no digest of a program is so long");
   if (const auto* begin = std::get_if<DownloadBegin>(&request.body)) {
     return at_once(downloads_.begin(request.client, *begin));
   }
@@ -177,9 +207,9 @@ result::Result<bool> RequestHandler::perform(const Request& request, std::uint64
     return true;
   }
   if (std::holds_alternative<ReadForces>(request.body)) {
-    // Both as of now: a completion that changes the one has the scan thread publish the other.
-    reply.digest = port_.status().program_digest;
-    reply.data = encode_forces(port_.forces());
+    host::Forces forces = port_.forces();
+    reply.digest = std::move(forces.program_digest);
+    reply.data = encode_forces(forces.places);
     return true;
   }
   if (std::holds_alternative<ReadRecording>(request.body)) {
@@ -221,6 +251,9 @@ result::Result<bool> RequestHandler::submit(const RequestBody& body, std::uint64
       (fault != nullptr && fault->name.size() > host::kMaxNameBytes)) {
     return result::fail("R0004", {}, "the text of the request is too long");
   }
+  const auto* force = std::get_if<Force>(&body);
+  if (force != nullptr && force->force.duration_ms > host::kMaxForceMs)
+    return result::fail("R0004", {}, "a force that ends lasts a year at most");
   auto command = to_command(body);
   command->ticket = ticket;
   if (!port_.submit(*command)) return result::fail("R0006", {}, "the runtime is busy", "try again");

@@ -39,7 +39,8 @@ class RequestHandler {
  private:
   struct Pending {
     std::uint64_t session = 0;
-    Reply reply;  // as it will be if the outcome is good
+    Reply reply;        // as it will be if the outcome is good
+    std::string meant;  // the program that its addresses are of
   };
 
   // An error, a reply that is known at once (true), or one that waits for a completion (false).

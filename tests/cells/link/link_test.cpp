@@ -335,10 +335,40 @@ TEST(Link, WhenManyValuesAreWritten_ThenAllOrNoneOfThemAre) {
   EXPECT_EQ(client->write(wrong).error().front().code, "R0004") << "one in the middle is refused";
   dds::BlockWrite other = block;
   other.program_digest = std::string(64, 'a');
-  EXPECT_EQ(client->write(other).error().front().code, "R0002") << "of another program";
+  EXPECT_EQ(client->write(other).error().front().code, "R0009") << "of another program";
   EXPECT_EQ(free_bytes(), std::vector<std::byte>(8, std::byte{0x11}));
   ASSERT_TRUE(ok(client->write(block)));
   EXPECT_TRUE(holds(std::byte{0x22}));
+}
+
+// What a client on Fast DDS asks of a program that another client replaces meanwhile.
+TEST(Link, WhenForcedBesideDownloads_ThenNothingOfTheNextProgramIsForced) {
+  TestCell cell(73, kNoPlant);
+  const TestProcess runtime = cell.start_runtime();
+  const TestProcess link = cell.start("link");
+  const auto client = cell.connect();
+  const auto loader = cell.attach(service::Role::Controller);
+  const auto first = step_program({.steps = 3});
+  const auto second = step_program({.steps = 4});
+  int refused = 0;
+  for (int round = 0; round < 10; ++round) {
+    const auto digest = loader->download(first, kPatience);
+    ASSERT_TRUE(ok(digest));
+    std::jthread beside([&] { EXPECT_TRUE(ok(loader->download(second, kPatience))); });
+    for (int i = 0; i < 4; ++i) {
+      const auto forced = client->force({{*digest, {Layout::kFree, 0xFF, 0x33}}, 60'000});
+      if (forced) continue;
+      EXPECT_EQ(forced.error().front().code, "R0009");
+      ++refused;
+    }
+    beside.join();
+    EXPECT_EQ(client->force({{*digest, {Layout::kFree, 0xFF, 0x33}}}).error().front().code, "R0009");
+    const auto forces = client->forces();
+    ASSERT_TRUE(ok(forces));
+    EXPECT_TRUE(forces->places.empty());
+    EXPECT_NE(forces->program_digest, *digest);
+  }
+  RecordProperty("refused", refused);
 }
 
 TEST(Link, WhenSomebodyForcesAtTheSocket_ThenClientsOnFastDdsAreToldAndOfTheEndToo) {
@@ -353,7 +383,7 @@ TEST(Link, WhenSomebodyForcesAtTheSocket_ThenClientsOnFastDdsAreToldAndOfTheEndT
   const auto digest = client->download(step_program({.steps = 3}));
   ASSERT_TRUE(ok(digest));
   const auto socket = cell.attach(service::Role::Controller);
-  ASSERT_TRUE(socket->call(service::Force{{Layout::kFree, 0xFFFF, 0x1234}}, kPatience));
+  ASSERT_TRUE(socket->call(service::Force{{{*digest, {Layout::kFree, 0xFFFF, 0x1234}}}}, kPatience));
   const auto told = client->forces();
   ASSERT_TRUE(ok(told));
   ASSERT_EQ(told->places.size(), 1u);

@@ -69,13 +69,23 @@ class Monitor : public ::testing::Test {
                                                 {.role = service::Role::Controller, .name = "test"});
     ASSERT_TRUE(connection) << result::to_string(connection.error());
     client_ = std::move(*connection);
+    ASSERT_TRUE(client_->download(compiled(program), kPatience));
+    if (!running) return;
+    ASSERT_TRUE(client_->call(service::Start{}, kPatience));
+  }
+
+  static std::vector<std::byte> compiled(const char* program) {
     driver::CompileInput input;
     input.texts.push_back({"main.st", program});
     auto output = driver::compile(input);
-    ASSERT_TRUE(output) << result::to_string(output.error());
-    ASSERT_TRUE(client_->download(output->container, kPatience));
-    if (!running) return;
-    ASSERT_TRUE(client_->call(service::Start{}, kPatience));
+    EXPECT_TRUE(output) << result::to_string(output.error());
+    return output ? std::move(output->container) : std::vector<std::byte>();
+  }
+  TestProcess beside(const std::string& command, const std::vector<std::string>& arguments) {
+    std::vector<std::string> line = {STEPWRIGHT_BIN_DIR "/stepwright", command, "--config",
+                                     path("cell.toml")};
+    line.insert(line.end(), arguments.begin(), arguments.end());
+    return TestProcess(line, path(command + ".log"));
   }
 
   // Runs a command on the cell; its exit code. `out` and `err` are what it said.
@@ -138,6 +148,47 @@ TEST_F(Monitor, WhenVariablesOfEveryTypeAreForced_ThenTheyHoldAndAreListed) {
   EXPECT_NE(out.find("9 variables"), std::string::npos) << out;
   ASSERT_EQ(run("forces", "--json " + path("report.json")), 0);
   EXPECT_TRUE(json()["forces"].empty());
+}
+
+TEST_F(Monitor, WhenAForceHasATime_ThenItIsToldAndEndsByItself) {
+  start(kStill);
+  ASSERT_EQ(run("force", "--seconds 3600 MAIN.mask 5"), 0) << err;
+  ASSERT_EQ(run("forces", "--json " + path("report.json")), 0) << err;
+  EXPECT_NE(out.find("MAIN.mask = 5, for another 3"), std::string::npos) << out;
+  EXPECT_GT(json()["forces"][0]["left_s"], 1'800.0);
+  ASSERT_EQ(run("force", "--seconds 0.1 MAIN.mask 5"), 0) << err;
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  do ASSERT_EQ(run("forces", "--json " + path("report.json")), 0) << err;
+  while (!json()["forces"].empty() && std::chrono::steady_clock::now() < deadline);
+  EXPECT_TRUE(json()["forces"].empty());
+  ASSERT_EQ(run("force", "MAIN.mask 5"), 0) << err;
+  ASSERT_EQ(run("forces", "--json " + path("report.json")), 0) << err;
+  EXPECT_TRUE(json()["forces"][0]["left_s"].is_null());
+}
+
+// Where the first program has `named` the second has `foreign`, which nobody names. Either the force came
+// first and ended with its program, or it was looked up again.
+TEST_F(Monitor, WhenForcedBesideDownloads_ThenNoForeignVariableIsForced) {
+  constexpr char kFirst[] = "PROGRAM MAIN VAR named, count : DINT; END_VAR count := count + 1; END_PROGRAM";
+  constexpr char kSecond[] =
+      "PROGRAM MAIN VAR foreign, count, named : DINT; END_VAR count := count + 1; END_PROGRAM";
+  start(kReal, kFirst, false);
+  const std::vector<std::byte> first = compiled(kFirst);
+  const std::vector<std::byte> second = compiled(kSecond);
+  std::ofstream(path("second.swb"), std::ios::binary)
+      .write(reinterpret_cast<const char*>(second.data()), static_cast<std::streamsize>(second.size()));
+  const std::vector<std::string> download = {path("second.swb"), "--replace"};
+  const std::vector<std::string> force = {"MAIN.named", "7", "--seconds", "3600"};
+  for (int round = 0; round < 12; ++round) {
+    ASSERT_TRUE(client_->download(first, kPatience));
+    TestProcess one = round % 2 == 0 ? beside("force", force) : beside("download", download);
+    TestProcess other = round % 2 == 0 ? beside("download", download) : beside("force", force);
+    ASSERT_EQ(one.wait(), 0) << one.output();
+    ASSERT_EQ(other.wait(), 0) << other.output();
+    EXPECT_EQ(values()["MAIN.foreign"], 0) << round;
+    ASSERT_EQ(run("forces", "--json " + path("report.json")), 0) << err;
+    for (const auto& place : json()["forces"]) EXPECT_EQ(place["name"], "MAIN.named") << round;
+  }
 }
 
 TEST_F(Monitor, WhenItIsStoppedAndStarted_ThenItRunsAgain) {

@@ -30,7 +30,7 @@ export default {
   newPassword: 'Neues Passwort',
   newPasswordNote: 'mindestens 10 Zeichen; Ihre anderen Sitzungen enden',
   forced: { one: '1 Variable ist geforct', other: '{count} Variablen sind geforct' },
-  forcedElsewhere: 'nicht von dieser Seite geforct: ohne Ende',
+  forcedElsewhere: 'nicht von dieser Seite geforct',
   forcedBy: 'bis {time}, {user}:',
   release: 'Freigeben',
   releaseOne: '{name} freigeben',

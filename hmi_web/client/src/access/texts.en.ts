@@ -27,7 +27,7 @@ export default {
   newPassword: 'New password',
   newPasswordNote: 'at least 10 characters; your other sessions end',
   forced: { one: '1 variable is forced', other: '{count} variables are forced' },
-  forcedElsewhere: 'not forced from this page: without an end',
+  forcedElsewhere: 'not forced from this page',
   forcedBy: 'until {time}, {user}:',
   release: 'Release',
   releaseOne: 'release {name}',

@@ -30,7 +30,7 @@ export default {
   newPassword: 'Contraseña nueva',
   newPasswordNote: '10 caracteres como mínimo; sus otras sesiones se cierran',
   forced: { one: '1 variable está forzada', other: '{count} variables están forzadas' },
-  forcedElsewhere: 'no forzada desde esta página: sin final previsto',
+  forcedElsewhere: 'no forzada desde esta página',
   forcedBy: 'hasta las {time}, {user}:',
   release: 'Liberar',
   releaseOne: 'liberar {name}',

@@ -30,7 +30,7 @@ export default {
   newPassword: 'Nouveau mot de passe',
   newPasswordNote: '10 caractères au moins ; vos autres sessions prennent fin',
   forced: { one: '1 variable est forcée', other: '{count} variables sont forcées' },
-  forcedElsewhere: 'forcée hors de cette page : sans fin prévue',
+  forcedElsewhere: 'forcée hors de cette page',
   forcedBy: 'jusqu’à {time}, {user} :',
   release: 'Libérer',
   releaseOne: 'libérer {name}',

@@ -38,9 +38,12 @@ class FakeCell : public CellControl {
     const std::lock_guard lock(mutex_);
     return values_[name] = value;
   }
-  result::Result<std::string> force(const std::string& name, const std::string& value) override {
+  result::Result<std::string> force(const std::string& name, const std::string& value,
+                                    std::chrono::milliseconds duration) override {
     if (auto noted = note("force " + name + " " + value); !noted) return result::forward(noted);
-    force_unseen(name, value);
+    const std::lock_guard lock(mutex_);
+    forced_[name] = {name, value, true};
+    duration_ = duration;
     return value;
   }
   result::Result<void> unforce(const std::string& name) override {
@@ -64,19 +67,24 @@ class FakeCell : public CellControl {
     const std::string& code = failure_.empty() ? telling_fails_ : failure_;
     if (!code.empty()) return result::fail(code, {}, "as the test wants it");
     std::vector<ForcedPlace> places;
-    for (const auto& [name, value] : forced_) places.push_back({name, value});
+    for (const auto& [name, place] : forced_) places.push_back(place);
     return places;
   }
   result::Result<ForcedPlace> as_forced(const std::string& name, const std::string& value) override {
     const std::lock_guard lock(mutex_);
     if (!failure_.empty()) return result::fail(failure_, {}, "as the test wants it");
-    return ForcedPlace{name, value};
+    return ForcedPlace{name, value, true};
   }
 
-  // At the runtime's own socket, or by another program.
+  // At the runtime's own socket, or by another program; without an end.
   void force_unseen(const std::string& name, const std::string& value) {
     const std::lock_guard lock(mutex_);
-    forced_[name] = value;
+    forced_[name] = {name, value, false};
+  }
+  // Of the newest force.
+  std::chrono::milliseconds duration() const {
+    const std::lock_guard lock(mutex_);
+    return duration_;
   }
   void unforce_unseen(const std::string& name) {
     const std::lock_guard lock(mutex_);
@@ -143,7 +151,8 @@ class FakeCell : public CellControl {
   std::string refused_ = "none";
   std::string write_failure_;
   std::string telling_fails_;
-  std::map<std::string, std::string> forced_;
+  std::map<std::string, ForcedPlace> forced_;
+  std::chrono::milliseconds duration_{0};
 };
 
 }  // namespace stepwright::api

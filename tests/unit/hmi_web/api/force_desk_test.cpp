@@ -50,6 +50,44 @@ TEST_F(ForceDeskTest, WhenTheTimeIsOver_ThenItIsReleasedAndTheTrailTellsOfIt) {
   EXPECT_EQ(json::parse(told_)["forces"].size(), 0u);
 }
 
+TEST_F(ForceDeskTest, WhenForced_ThenTheRuntimeGetsTheTime) {
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 2min, "ada", "test"}));
+  EXPECT_EQ(cell_.duration(), 2min);
+}
+
+TEST_F(ForceDeskTest, WhenTheRuntimeHasEndedItInTime_ThenTheTrailSaysThatTheTimeIsOver) {
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 2min, "ada", "test"}));
+  cell_.unforce_unseen("A");
+  now_ = 1'119s;
+  desk_->look();
+  now_ = 1'120s;
+  desk_->look();
+  EXPECT_EQ(listed(), 0u);
+  EXPECT_NE(cell_.asked().back(), "unforce A");
+  std::ifstream trail(folder_ / "audit.jsonl");
+  const std::string text{std::istreambuf_iterator<char>(trail), {}};
+  EXPECT_NE(text.find("the time is over that ada had set"), std::string::npos) << text;
+}
+
+TEST_F(ForceDeskTest, WhenSomebodyElseForcesTheSameValueWithoutAnEnd_ThenOurTimerLeavesIt) {
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 2min, "ada", "test"}));
+  cell_.force_unseen("A", "TRUE");
+  now_ = 2'000s;
+  for (int i = 0; i < 3; ++i) desk_->look();
+  for (const std::string& asked : cell_.asked()) EXPECT_NE(asked, "unforce A");
+  const json forces = json::parse(told_)["forces"];
+  ASSERT_EQ(forces.size(), 1u);
+  EXPECT_EQ(forces[0]["user"], "");
+}
+
+TEST_F(ForceDeskTest, WhenAnotherProgramHasJustCome_ThenItIsTriedAgain) {
+  ASSERT_TRUE(desk_->force({"A", "TRUE", 1min, "ada", "test"}));
+  now_ = 2'000s;
+  cell_.fail_with("R0009");
+  for (int i = 0; i < 3; ++i) desk_->look();
+  EXPECT_EQ(listed(), 1u);
+}
+
 TEST_F(ForceDeskTest, WhenItIsForcedAgain_ThenItIsListedOnceWithTheNewTime) {
   ASSERT_TRUE(desk_->force({"A", "TRUE", 2min, "ada", "test"}));
   ASSERT_TRUE(desk_->force({"A", "FALSE", 10min, "ada", "longer"}));

@@ -44,8 +44,47 @@ TEST(Convert, WhenAnExtraCommandBreaksABound_ThenItIsDropped) {
   bad.program_digest(kLong);
   EXPECT_FALSE(from_extra(bad).has_value());
   bad = good;
-  bad.kind(2);
-  EXPECT_FALSE(from_extra(bad).has_value());
+  bad.kind(5);
+  EXPECT_FALSE(from_extra(bad).has_value()) << "an unknown kind";
+  for (const std::uint8_t kind : {2, 3, 4}) {
+    bad = good;
+    bad.kind(kind);
+    EXPECT_TRUE(from_extra(bad).has_value());
+    bad.parts().resize(2);
+    EXPECT_FALSE(from_extra(bad).has_value()) << "one place at a time";
+  }
+}
+
+TEST(Convert, WhenARequestNamesMemory_ThenItsProgramTravelsWithIt) {
+  const host::ProgramBits place{std::string(64, 'a'), {8, 0xFF, 7}};
+  const auto back = [](service::RequestBody body) {
+    EXPECT_TRUE(is_extra(body));
+    return from_extra(to_extra("bench", {1, 2, std::move(body)}))->body;
+  };
+  EXPECT_EQ(std::get<service::Force>(back(service::Force{{place, 60'000}})).force,
+            (host::ForceRequest{place, 60'000}));
+  EXPECT_EQ(std::get<service::Unforce>(back(service::Unforce{place})).place, place);
+  EXPECT_EQ(std::get<service::Write>(back(service::Write{place})).place, place);
+}
+
+// Clients of earlier versions send bits without a program: the runtime refuses what names none.
+TEST(Convert, WhenACommandHasBits_ThenTheyAreOfNoProgram) {
+  idl::Command old;
+  idl::BitsCommand bits;
+  bits.byte_offset(8);
+  bits.mask(0xFF);
+  for (const idl::CommandKind kind : {idl::CMD_FORCE, idl::CMD_UNFORCE, idl::CMD_WRITE}) {
+    old.body().bits(bits);
+    old.body()._d(kind);
+    const auto request = from_command(old);
+    ASSERT_TRUE(request.has_value());
+    if (const auto* force = std::get_if<service::Force>(&request->body))
+      EXPECT_EQ(force->force.place.program_digest, "");
+    else if (const auto* unforce = std::get_if<service::Unforce>(&request->body))
+      EXPECT_EQ(unforce->place.program_digest, "");
+    else
+      EXPECT_EQ(std::get<service::Write>(request->body).place.program_digest, "");
+  }
 }
 
 TEST(Convert, WhenTextsAreTooLongOutwards_ThenTheyAreCut) {

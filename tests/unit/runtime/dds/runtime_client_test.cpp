@@ -62,9 +62,9 @@ TEST(RuntimeClient, WhenLinkIsThere_ThenRequestsReachItWithTheirValues) {
   ASSERT_TRUE(client->start({.barrier = true, .cold = true}));
   ASSERT_TRUE(client->stop("enough"));
   ASSERT_TRUE(client->acknowledge(42));
-  ASSERT_TRUE(client->force({8, 0xF0, 0x50}));
-  ASSERT_TRUE(client->unforce({9, 0x0F, 0}));
-  ASSERT_TRUE(client->write({10, 0xFFFF, 1234}));
+  ASSERT_TRUE(client->force({{"ab", {8, 0xF0, 0x50}}, 60'000}));
+  ASSERT_TRUE(client->unforce({"cd", {9, 0x0F, 0}}));
+  ASSERT_TRUE(client->write(ProgramBits{"ef", {10, 0xFFFF, 1234}}));
   ASSERT_TRUE(client->inject_fault("leak_a1", 0.25));
   const std::scoped_lock lock(mutex);
   ASSERT_EQ(seen.size(), 7u);
@@ -72,9 +72,9 @@ TEST(RuntimeClient, WhenLinkIsThere_ThenRequestsReachItWithTheirValues) {
   EXPECT_TRUE(std::get<service::Start>(seen[0].body).cold);
   EXPECT_EQ(std::get<service::Stop>(seen[1].body).reason, "enough");
   EXPECT_EQ(std::get<service::Acknowledge>(seen[2].body).event, 42u);
-  EXPECT_EQ(std::get<service::Force>(seen[3].body).bits, (ForceRequest{8, 0xF0, 0x50}));
-  EXPECT_EQ(std::get<service::Unforce>(seen[4].body).bits, (UnforceRequest{9, 0x0F, 0}));
-  EXPECT_EQ(std::get<service::Write>(seen[5].body).bits, (WriteRequest{10, 0xFFFF, 1234}));
+  EXPECT_EQ(std::get<service::Force>(seen[3].body).force, (ForceRequest{{"ab", {8, 0xF0, 0x50}}, 60'000}));
+  EXPECT_EQ(std::get<service::Unforce>(seen[4].body).place, (ProgramBits{"cd", {9, 0x0F, 0}}));
+  EXPECT_EQ(std::get<service::Write>(seen[5].body).place, (ProgramBits{"ef", {10, 0xFFFF, 1234}}));
   EXPECT_EQ(std::get<service::InjectFault>(seen[6].body).name, "leak_a1");
   EXPECT_EQ(std::get<service::InjectFault>(seen[6].body).value, 0.25);
 }

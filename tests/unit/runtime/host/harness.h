@@ -130,11 +130,16 @@ class Harness {
     command.event = event;
     return this->command(command).outcome;
   }
+  // Of the program that is loaded.
   Outcome bits(CommandKind kind, const ImageBits& bits) {
+    return command(request(kind, bits, runtime->status().program_digest)).outcome;
+  }
+  static Command request(CommandKind kind, const ImageBits& bits, const std::string& digest) {
     Command command;
     command.kind = kind;
     command.bits = bits;
-    return this->command(command).outcome;
+    command.program_digest = FixedText<kDigestLetters>(digest);
+    return command;
   }
 
   // The next event; a failure of the test if none comes.

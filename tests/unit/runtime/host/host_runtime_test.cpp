@@ -265,11 +265,12 @@ TEST(HostRuntime, WhenAPartOfABlockIsRefused_ThenNothingIsWritten) {
   harness.load(step_program());
   const auto before = harness.image();
   const auto size = static_cast<std::uint32_t>(Layout::kSteps + 3);
-  EXPECT_EQ(harness.block({"", {{Layout::kFree, 0xFF, 0x55}, {size, 1, 1}}}), Outcome::OutOfBounds);
-  EXPECT_EQ(harness.block({"", {{Layout::kFree, 0xFF, 0x55}, {0, 0, 1}}}), Outcome::OutOfBounds);
+  EXPECT_EQ(harness.block({"program", {{Layout::kFree, 0xFF, 0x55}, {size, 1, 1}}}), Outcome::OutOfBounds);
+  EXPECT_EQ(harness.block({"program", {{Layout::kFree, 0xFF, 0x55}, {0, 0, 1}}}), Outcome::OutOfBounds);
   EXPECT_EQ(harness.block({"other", {{Layout::kFree, 0xFF, 0x55}}}), Outcome::ProgramDiffers);
+  EXPECT_EQ(harness.block({"", {{Layout::kFree, 0xFF, 0x55}}}), Outcome::ProgramDiffers);
   EXPECT_EQ(harness.image(), before);
-  EXPECT_EQ(harness.block({"", {{Layout::kFree, 0xFF, 0x55}}}), Outcome::Done);
+  EXPECT_EQ(harness.block({"program", {{Layout::kFree, 0xFF, 0x55}}}), Outcome::Done);
   EXPECT_NE(harness.image(), before);
 }
 

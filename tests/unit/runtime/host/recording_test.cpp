@@ -156,7 +156,8 @@ TEST_F(RecordingHost, WhenProgramsAndCommandsAreRandom_ThenBothEnginesReplayThem
           harness->driver.lost = random() % 8 == 0;
           break;
         case 5:
-          harness->block({"", {random_bits(*info, random), random_bits(*info, random)}});
+          harness->block({harness->runtime->status().program_digest,
+                          {random_bits(*info, random), random_bits(*info, random)}});
           break;
         default:
           harness->bits(CommandKind::Write, random_bits(*info, random));
@@ -277,24 +278,24 @@ TEST(Stepping, WhenTheClockIsReal_ThenItIsRefused) {
 
 TEST(Forces, WhenTheyChange_ThenTheListIsAsOfTheNewestCompletion) {
   Harness harness;
-  EXPECT_TRUE(harness.runtime->forces().empty());
+  EXPECT_TRUE(harness.runtime->forces().places.empty());
   harness.load(support::step_program());
   const ImageBits count{support::StepProgramLayout::kCount, 0xFFFFFFFF, 7};
   const ImageBits output{support::StepProgramLayout::kOutput, 2, 2};
   ASSERT_EQ(harness.bits(CommandKind::Force, count), Outcome::Done);
   ASSERT_EQ(harness.bits(CommandKind::Force, output), Outcome::Done);
-  auto forces = harness.runtime->forces();
+  auto forces = harness.runtime->forces().places;
   ASSERT_EQ(forces.size(), 2u);
   EXPECT_EQ(forces[0].value, 7u);
   EXPECT_EQ(forces[0].size, 4);
   EXPECT_EQ(forces[1].bit, 1);
   harness.bits(CommandKind::Unforce, count);
-  EXPECT_EQ(harness.runtime->forces().size(), 1u);
+  EXPECT_EQ(harness.runtime->forces().places.size(), 1u);
   harness.start();
   harness.stop();
-  EXPECT_EQ(harness.runtime->forces().size(), 1u);
+  EXPECT_EQ(harness.runtime->forces().places.size(), 1u);
   harness.load(support::step_program());
-  EXPECT_TRUE(harness.runtime->forces().empty());
+  EXPECT_TRUE(harness.runtime->forces().places.empty());
 }
 
 }  // namespace

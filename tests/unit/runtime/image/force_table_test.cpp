@@ -53,5 +53,25 @@ TEST(ForceTable, Set_WhenFull_ThenIsRefusedUntilOneIsCleared) {
   EXPECT_TRUE(table.forces().empty());
 }
 
+TEST(ForceTable, TakeEnded_WhenTimesAreOver_ThenEachIsTakenOutOnceAndTheRestStays) {
+  ForceTable table;
+  Force ended;
+  EXPECT_EQ(table.next_end_ns(), kNoEnd);
+  ASSERT_TRUE(table.set({.address = 1, .end_ns = 300}, 100));
+  ASSERT_TRUE(table.set({.address = 2}, 100));
+  ASSERT_TRUE(table.set({.address = 3, .end_ns = 200}, 100));
+  EXPECT_EQ(table.next_end_ns(), 200);
+  EXPECT_FALSE(table.take_ended(199, ended));
+  ASSERT_TRUE(table.take_ended(200, ended));
+  EXPECT_EQ(ended.address, 3u);
+  EXPECT_FALSE(table.take_ended(200, ended));
+  ASSERT_TRUE(table.set({.address = 1, .end_ns = 900}, 100)) << "the newest end counts";
+  EXPECT_FALSE(table.take_ended(300, ended));
+  ASSERT_TRUE(table.take_ended(kNoEnd - 1, ended));
+  EXPECT_FALSE(table.take_ended(kNoEnd, ended)) << "what has no end has none ever";
+  ASSERT_EQ(table.forces().size(), 1u);
+  EXPECT_EQ(table.forces()[0].address, 2u);
+}
+
 }  // namespace
 }  // namespace stepwright::image

@@ -85,6 +85,7 @@ class Driver {
     host::Command command;
     command.kind = kind;
     command.bits = bits;
+    command.program_digest = host::FixedText<host::kDigestLetters>(port_.status().program_digest);
     return run(command);
   }
 

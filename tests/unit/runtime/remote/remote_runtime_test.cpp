@@ -96,8 +96,9 @@ TEST(RemoteRuntime_WhenBitsAreForcedAndWritten, ThenTheControllersImageHasThem) 
   bench.driver.load(step_program({.steps = 2, .scans_per_step = 20}));
   const host::ImageBits free{StepProgramLayout::kFree, 0xFFFF'FFFF'FFFF'FFFF, 0x0123'4567'89AB'CDEF};
   EXPECT_EQ(bench.driver.bits(CommandKind::Force, {0, 0x04, 0x04}).outcome, Outcome::Done);
-  ASSERT_EQ(bench.runtime->forces().size(), 1u);
-  EXPECT_EQ(bench.runtime->forces()[0].bit, 2);
+  ASSERT_EQ(bench.runtime->forces().places.size(), 1u);
+  EXPECT_EQ(bench.runtime->forces().places[0].bit, 2);
+  EXPECT_EQ(bench.runtime->forces().program_digest, bench.runtime->status().program_digest);
   bench.driver.start(true);
   bench.driver.event();
   const std::uint64_t barrier = bench.driver.event().sequence;  // here the clock stands
@@ -109,10 +110,46 @@ TEST(RemoteRuntime_WhenBitsAreForcedAndWritten, ThenTheControllersImageHasThem) 
   std::memcpy(&value, event.image.data() + StepProgramLayout::kFree, sizeof value);
   EXPECT_EQ(value, free.value);
   EXPECT_EQ(bench.driver.bits(CommandKind::Unforce, {0, 0x04, 0}).outcome, Outcome::Done);
-  EXPECT_TRUE(bench.runtime->forces().empty());
+  EXPECT_TRUE(bench.runtime->forces().places.empty());
   EXPECT_EQ(bench.driver.bits(CommandKind::Unforce, {0, 0x04, 0}).outcome, Outcome::NotForced);
   EXPECT_EQ(bench.driver.bits(CommandKind::Write, {4'000, 0xFF, 1}).outcome, Outcome::OutOfBounds);
   EXPECT_EQ(bench.driver.bits(CommandKind::Force, {0, 0x05, 1}).outcome, Outcome::OutOfBounds);
+}
+
+TEST(RemoteRuntime_WhenBitsAreOfAnotherProgram, ThenTheControllerIsNotAsked) {
+  Bench bench;
+  bench.driver.load(step_program({.steps = 2}));
+  host::Command command;
+  command.bits = {StepProgramLayout::kFree, 0xFFFF, 0x1234};
+  for (const CommandKind kind : {CommandKind::Force, CommandKind::Unforce, CommandKind::Write}) {
+    for (const std::string& digest : {std::string(64, 'a'), std::string()}) {
+      command.kind = kind;
+      command.program_digest = host::FixedText<host::kDigestLetters>(digest);
+      const std::uint64_t before = bench.world->requests;
+      const host::Completion refused = bench.driver.run(command);
+      EXPECT_EQ(refused.outcome, Outcome::ProgramDiffers);
+      EXPECT_EQ(refused.program_digest.view(), bench.runtime->status().program_digest);
+      EXPECT_LT(bench.world->requests - before, 20u);
+    }
+  }
+  EXPECT_TRUE(bench.runtime->forces().places.empty());
+}
+
+TEST(RemoteRuntime_WhenTheTimeOfAForceIsOver, ThenTheControllerIsFreedOfIt) {
+  Bench bench;
+  bench.driver.load(step_program({.steps = 2}));
+  host::Command command;
+  command.kind = CommandKind::Force;
+  command.bits = {StepProgramLayout::kFree, 0xFFFF, 0x1234};
+  command.program_digest = host::FixedText<host::kDigestLetters>(bench.runtime->status().program_digest);
+  command.duration_ns = 3'600'000'000'000;
+  ASSERT_EQ(bench.driver.run(command).outcome, Outcome::Done);
+  ASSERT_EQ(bench.runtime->forces().places.size(), 1u);
+  EXPECT_LE(bench.runtime->forces().places[0].end_ns, command.duration_ns);
+  command.duration_ns = 1'000'000;
+  ASSERT_EQ(bench.driver.run(command).outcome, Outcome::Done) << "the same place, with another end";
+  EXPECT_TRUE(bench.driver.await([&] { return bench.runtime->forces().places.empty(); }));
+  EXPECT_EQ(bench.driver.bits(CommandKind::Unforce, command.bits).outcome, Outcome::NotForced);
 }
 
 TEST(RemoteRuntime_WhenSomebodySteps, ThenThatManyScansRun) {
@@ -249,7 +286,7 @@ TEST(RemoteRuntime_WhenTheProgramIsThereAlready, ThenItIsNotSentAgain) {
   EXPECT_EQ(bench.driver.load(program).outcome, Outcome::Done);
   EXPECT_LT(bench.world->requests - before, 20u);
   EXPECT_EQ(bench.runtime->status().state, RuntimeState::Stopped);
-  EXPECT_TRUE(bench.runtime->forces().empty());
+  EXPECT_TRUE(bench.runtime->forces().places.empty());
   EXPECT_EQ(bench.driver.bits(CommandKind::Unforce, {0, 0x01, 0x01}).outcome, Outcome::NotForced);
   EXPECT_EQ(bench.driver.start(true).outcome, Outcome::Done);
 }

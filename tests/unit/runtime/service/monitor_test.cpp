@@ -16,9 +16,10 @@ using Layout = support::StepProgramLayout;
 TEST(Monitoring, WhenVariablesAreForced_ThenObserversReadTheList) {
   ServiceHarness harness;
   const auto client = harness.connect();
-  ASSERT_TRUE(client->download(support::step_program(), kPatience));
-  ASSERT_TRUE(client->call(Force{{Layout::kCount, 0xFFFFFFFF, 5}}, kPatience));
-  ASSERT_TRUE(client->call(Force{{Layout::kOutput, 4, 4}}, kPatience));
+  const auto digest = client->download(support::step_program(), kPatience);
+  ASSERT_TRUE(digest);
+  ASSERT_TRUE(client->call(Force{{{*digest, {Layout::kCount, 0xFFFFFFFF, 5}}}}, kPatience));
+  ASSERT_TRUE(client->call(Force{{{*digest, {Layout::kOutput, 4, 4}}, 60'000}}, kPatience));
   const auto observer = harness.connect(Role::Observer);
   const auto reply = observer->call(ReadForces{}, kPatience);
   ASSERT_TRUE(reply);
@@ -28,6 +29,67 @@ TEST(Monitoring, WhenVariablesAreForced_ThenObserversReadTheList) {
   EXPECT_EQ((*forces)[0].address, Layout::kCount);
   EXPECT_EQ((*forces)[0].value, 5u);
   EXPECT_EQ((*forces)[1].bit, 2);
+  EXPECT_EQ((*forces)[0].end_ns, image::kNoEnd);
+  EXPECT_LE((*forces)[1].end_ns, 60'000'000'000) << "the time that is left";
+  EXPECT_EQ(reply->digest, *digest);
+}
+
+TEST(Monitoring, WhenAForceHasATime_ThenItEndsAlthoughItsClientIsGone) {
+  ServiceHarness harness;
+  auto client = harness.connect();
+  const auto digest = client->download(support::step_program(), kPatience);
+  ASSERT_TRUE(digest);
+  const Force force{{{*digest, {Layout::kCount, 0xFFFFFFFF, 5}}, 50}};
+  ASSERT_TRUE(client->call(force, kPatience));
+  client.reset();
+  const auto observer = harness.connect(Role::Observer);
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  std::size_t left = 1;
+  while (left > 0 && std::chrono::steady_clock::now() < deadline)
+    left = decode_forces(observer->call(ReadForces{}, kPatience)->data)->size();
+  EXPECT_EQ(left, 0u);
+}
+
+TEST(Monitoring, WhenARequestIsOfAnotherProgram_ThenTheRefusalNamesBothAndNothingIsForced) {
+  ServiceHarness harness;
+  const auto client = harness.connect();
+  const auto meant = client->download(support::step_program({.steps = 3}), kPatience);
+  const auto loaded = client->download(support::step_program({.steps = 4}), kPatience);
+  ASSERT_TRUE(meant && loaded);
+  const host::ImageBits bits{Layout::kFree, 0xFF, 5};
+  for (const std::string& digest : {*meant, std::string()}) {
+    const RequestBody bodies[] = {Force{{{digest, bits}}}, Unforce{{digest, bits}}, Write{{digest, bits}},
+                                  WriteBlock{{digest, {bits}}}};
+    for (const RequestBody& body : bodies) {
+      const auto refused = client->call(body, kPatience);
+      ASSERT_FALSE(refused);
+      const result::Diagnostic& problem = refused.error().front();
+      EXPECT_EQ(problem.code, kOtherProgram);
+      EXPECT_NE(problem.message.find(loaded->substr(0, 12)), std::string::npos) << problem.message;
+      EXPECT_NE(problem.message.find(digest.empty() ? "does not say" : digest.substr(0, 12)),
+                std::string::npos)
+          << problem.message;
+    }
+  }
+  EXPECT_EQ(client->call(Write{{*loaded + "0", bits}}, kPatience).error().front().code, "R0004");
+  EXPECT_EQ(client->call(Force{{{*loaded, bits}, host::kMaxForceMs + 1}}, kPatience).error().front().code,
+            "R0004");
+  EXPECT_TRUE(decode_forces(client->call(ReadForces{}, kPatience)->data)->empty());
+}
+
+// The same request, sent again after a change: its answer is remembered, and it is not carried out again.
+TEST(Monitoring, WhenARequestIsRepeatedBehindADownload_ThenItDoesNotReachTheNextProgram) {
+  ServiceHarness harness;
+  const auto client = harness.connect();
+  const auto digest = client->download(support::step_program({.steps = 3}), kPatience);
+  ASSERT_TRUE(digest);
+  const Request request{77, 1, Force{{{*digest, {Layout::kFree, 0xFF, 5}}}}};
+  client->send(request);
+  ASSERT_TRUE(next<Reply>(*client)->accepted());
+  ASSERT_TRUE(client->download(support::step_program({.steps = 4}), kPatience));
+  client->send(request);
+  EXPECT_TRUE(next<Reply>(*client)->accepted());
+  EXPECT_TRUE(decode_forces(client->call(ReadForces{}, kPatience)->data)->empty());
 }
 
 TEST(Monitoring, WhenItIsStepped_ThenTheReplyNamesTheLastScan) {

@@ -123,10 +123,11 @@ TEST(Server, WhenAnObserverCommands_ThenItIsRefused) {
 TEST(Server, WhenAStopIsTooLongOrBitsAreOutside_ThenTheRequestIsRefused) {
   ServiceHarness harness;
   const auto client = harness.connect();
-  ASSERT_TRUE(client->download(step_program(), kPatience));
+  const auto digest = client->download(step_program(), kPatience);
+  ASSERT_TRUE(digest);
   EXPECT_EQ(client->call(Stop{std::string(201, 'x')}, kPatience).error().front().code, "R0004");
   EXPECT_EQ(client->call(InjectFault{std::string(65, 'x'), 0}, kPatience).error().front().code, "R0004");
-  EXPECT_EQ(client->call(Force{{1u << 30, 1, 1}}, kPatience).error().front().code, "R0004");
+  EXPECT_EQ(client->call(Force{{{*digest, {1u << 30, 1, 1}}}}, kPatience).error().front().code, "R0004");
   EXPECT_EQ(client->call(InjectFault{"leak", 0}, kPatience).error().front().code, "R0002");
 }
 
@@ -267,6 +268,32 @@ TEST(Server, WhenFramesAreMalformed_ThenTheConnectionEndsAndTheServiceGoesOn) {
   ASSERT_TRUE(encode_frame(Hello{}, twice));
   EXPECT_TRUE(hung_up_after(harness.socket(), twice));
   EXPECT_TRUE(witness->call(ResendEvents{1}, kPatience));
+}
+
+// A service of another version, as far as its clients see it.
+TEST(Connection, WhenTheServiceSpeaksAnotherVersion_ThenBothAreNamed) {
+  const support::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "runtime.sock";
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
+  const int listener = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  ASSERT_EQ(::bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  ASSERT_EQ(::listen(listener, 1), 0);
+  std::thread service([&] {
+    const int client = ::accept(listener, nullptr, nullptr);
+    std::vector<std::byte> welcome;
+    EXPECT_TRUE(encode_frame(Welcome{99}, welcome));
+    ::send(client, welcome.data(), welcome.size(), MSG_NOSIGNAL);
+    ::close(client);
+  });
+  const auto refused = Connection::open(path, {.name = "test"});
+  service.join();
+  ::close(listener);
+  ASSERT_FALSE(refused);
+  const std::string& message = refused.error().front().message;
+  EXPECT_NE(message.find("version 99"), std::string::npos) << message;
+  EXPECT_NE(message.find("version " + std::to_string(kProtocolVersion)), std::string::npos) << message;
 }
 
 TEST(Server, WhenFramesAreRandom_ThenTheServiceGoesOn) {

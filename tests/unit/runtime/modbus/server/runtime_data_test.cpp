@@ -3,6 +3,8 @@
 #include "runtime/modbus/server/runtime_data.h"
 
 #include "ladder/driver/compile.h"
+#include "runtime/bytecode/reader/program_info.h"
+#include "runtime/bytecode/reader/read_value.h"
 #include "runtime/modbus/pdu/answer.h"
 #include "tests/unit/runtime/modbus/server/server_harness.h"
 #include "tests/unit/runtime/service/service_harness.h"
@@ -24,6 +26,8 @@ std::vector<std::byte> program(const std::string& more = {}) {
       "PROGRAM Main VAR wish AT %MW0 : INT; copy AT %MW1 : INT; pair AT %MD1 : DINT; lamp AT %QX0.1 : BOOL;" +
       more + " END_VAR copy := wish; END_PROGRAM");
 }
+
+const Bytes kWish = bytes({6, 4, 0, 0x12, 0x34});  // %MW0
 
 class RuntimeDataTest : public testing::Test {
  protected:
@@ -106,6 +110,38 @@ TEST_F(RuntimeDataTest, WhenTheProgramChanges_ThenItsMapIsServed) {
     std::this_thread::sleep_for(5ms);
   EXPECT_EQ(read(bytes({3, 4, 40, 0, 1})), "00 09");
   EXPECT_EQ(write(bytes({6, 4, 40, 0, 1})), Exception::None);
+}
+
+// The meaning of a write is its address in the map that it was looked up in. Where the next program comes
+// first the client is told so, and no place of that program is written to by the map of another one.
+TEST_F(RuntimeDataTest, WhenWrittenBesideDownloads_ThenNoForeignPlaceIsWritten) {
+  // `wish` lies elsewhere in this one's image.
+  const auto other = compiled(
+      "PROGRAM Main VAR lamp AT %QX0.1 : BOOL; far AT %QW9 : INT; keep AT %MD5 : DINT; copy AT %MW1 : INT;"
+      " wish AT %MW0 : INT; END_VAR copy := wish; END_PROGRAM");
+  const auto info = *reader::ProgramInfo::read(other);
+  ASSERT_NE(info.find("main.wish")->address,
+            reader::ProgramInfo::read(program())->find("main.wish")->address);
+  int refused = 0;
+  for (int round = 0; round < 20; ++round) {
+    load(program());
+    for (int i = 0; i < 2'000 && read(bytes({1, 0, 1, 0, 1})) == "exception 4"; ++i)
+      std::this_thread::sleep_for(5ms);
+    const Exception early =
+        round % 2 == 0 ? data_->begin_write(++ticket_, pdu::parse(kWish).request) : Exception::Acknowledge;
+    load(other);
+    if (round % 2 != 0) {
+      refused += write(kWish) == Exception::None ? 0 : 1;
+    } else {
+      refused += early == Exception::None && written() == Exception::None ? 0 : 1;
+    }
+    const auto image = runtime_->connect()->snapshot()->image;
+    for (const char* name : {"main.far", "main.keep", "main.lamp"}) {
+      const auto variable = *info.find(name);
+      EXPECT_EQ(reader::read_number(variable, image), 0.0) << name << " in round " << round;
+    }
+  }
+  RecordProperty("refused", refused);
 }
 
 TEST_F(RuntimeDataTest, WhenTheRuntimeEnds_ThenException4AndTheNextOneIsFound) {
