@@ -26,6 +26,7 @@ class AreaDriver final : public image::IoDriver {
 
   void safe(std::uint8_t cause, bool settled) override { driver_.safe(cause, settled); }
   void beat() override { driver_.beat(); }
+  std::uint64_t held_reads() const override { return driver_.held_reads(); }
 
   // What was written last; before the first write what somebody else left, else zero.
   std::span<const std::byte> outputs();

@@ -1,13 +1,19 @@
 #include "runtime/host/bool_bytes.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "runtime/bytecode/reader/value_runs.h"
+
 namespace stepwright::host {
 
-BoolBytes::BoolBytes(const reader::ProgramInfo& info, std::uint32_t image_size) : is_bool_(image_size, 0) {
-  for (const reader::Tag& tag : info.tags()) {
-    const reader::Variable& variable = tag.variable;
-    const bool byte = variable.type == bytecode::ElementaryType::Bool && variable.bit == bytecode::kNoBit;
-    if (byte && variable.address < image_size) is_bool_[variable.address] = 1;
-  }
+result::Result<BoolBytes> BoolBytes::of(const bytecode::Program& program, const std::string& name) {
+  std::vector<std::uint8_t> is_bool(program.image_size(), 0);
+  auto visited = reader::visit_values(program, name, [&](const reader::ValueRun& run) {
+    if (run.is_bool_byte()) std::fill_n(is_bool.begin() + run.address, run.count, std::uint8_t{1});
+  });
+  if (!visited) return result::forward(visited);
+  return BoolBytes(std::move(is_bool));
 }
 
 std::uint64_t BoolBytes::settled(std::uint64_t address, std::uint32_t size, std::uint64_t value) const {

@@ -7,15 +7,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "runtime/bytecode/reader/program_info.h"
+#include "runtime/bytecode/program.h"
+#include "runtime/result/result.h"
 
 namespace stepwright::host {
 
 class BoolBytes {
  public:
-  BoolBytes(const reader::ProgramInfo& info, std::uint32_t image_size);
+  // All of them, or none: fails as reader::visit_values.
+  [[nodiscard]] static result::Result<BoolBytes> of(const bytecode::Program& program,
+                                                    const std::string& name);
 
   // True for a byte that is a BOOL; one that is not, and one behind the image, is none.
   bool holds(std::uint64_t address) const { return address < is_bool_.size() && is_bool_[address] != 0; }
@@ -27,6 +32,7 @@ class BoolBytes {
   void settle(std::uint64_t address, std::span<std::byte> bytes) const;
 
  private:
+  explicit BoolBytes(std::vector<std::uint8_t> is_bool) : is_bool_(std::move(is_bool)) {}
   std::vector<std::uint8_t> is_bool_;  // per byte of the image
 };
 

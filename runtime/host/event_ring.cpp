@@ -7,8 +7,21 @@ namespace stepwright::host {
 namespace {
 
 constexpr std::size_t kRingBytes = 8u << 20;
-constexpr std::size_t kMinSlots = 4;
+constexpr std::size_t kMinSlots = 6;
 constexpr std::size_t kMaxSlots = 256;
+
+// The slots that an event of this kind must leave to others.
+std::size_t left_free(EventKind kind) {
+  switch (kind) {
+    case EventKind::Trap:
+    case EventKind::RolledBack:
+      return 0;
+    case EventKind::StepChange:
+      return 2;
+    default:
+      return 1;
+  }
+}
 
 }  // namespace
 
@@ -27,12 +40,19 @@ void EventRing::warm() {
   std::fill(image.begin(), image.end(), std::byte{0});
 }
 
+std::size_t EventRing::room() const {
+  const std::size_t head = head_.load(std::memory_order_acquire);
+  const std::size_t tail = tail_.load(std::memory_order_acquire);
+  const std::size_t held = tail >= head ? tail - head : tail + slots_.size() - head;
+  return slots_.size() - 1 - held;
+}
+
 bool EventRing::full() const {
-  return after(tail_.load(std::memory_order_relaxed)) == head_.load(std::memory_order_acquire);
+  return room() <= left_free(EventKind::StepChange);
 }
 
 bool EventRing::push(const EventNote& note, std::span<const std::byte> image, std::span<const double> plant) {
-  if (full()) return false;
+  if (room() <= left_free(note.kind)) return false;
   const std::size_t tail = tail_.load(std::memory_order_relaxed);
   Slot& slot = slots_[tail];
   assert(image.size() == slot.image.size() && plant.size() == slot.plant.size());

@@ -3,7 +3,9 @@
 // The events of one program on their way from the scan thread to the service thread: a bounded ring of slots
 // that are large enough for the program's image, taken when the program is loaded.
 //
-// Threads: one producer (scan), one consumer (service), no locks.
+// Threads: one producer (scan), one consumer (service), no locks. Invariants: step changes, of which there
+// may be any number, leave the last slots free: one for what a command does, and one for a trap, whose reason
+// is told by nothing else.
 
 #include <atomic>
 #include <cstddef>
@@ -45,8 +47,9 @@ class EventRing {
   // Producer.
   // Brings the memory of the next event near the processor.
   void warm();
+  // No room for a step change.
   bool full() const;
-  // False if the ring is full. Requires the sizes of the constructor.
+  // False if the ring has no room for an event of this kind. Requires the sizes of the constructor.
   bool push(const EventNote& note, std::span<const std::byte> image, std::span<const double> plant);
 
   // Consumer: the oldest event, valid until `pop`; null if there is none.
@@ -54,6 +57,7 @@ class EventRing {
   void pop();
 
  private:
+  std::size_t room() const;
   std::size_t after(std::size_t index) const { return index + 1 == slots_.size() ? 0 : index + 1; }
 
   std::vector<Slot> slots_;  // one stays empty

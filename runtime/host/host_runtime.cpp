@@ -245,6 +245,9 @@ RuntimeStatus HostRuntime::status() const {
   }
   if (const std::int64_t silent_ns = monitor_.silent_ns(); silent_ns > 0)
     note("the scan has not come back for " + std::to_string(silent_ns / 1'000'000) + " ms");
+  if (const std::uint64_t held = io_.held_reads(); held > 0)
+    note("inputs were held in " + std::to_string(held) +
+         " reads: the plant writes faster than they are read");
   status.process.traps = traps_;
   status.process.lost_events = figures.lost_events;
   if (figures.lost_events > 0) note(std::to_string(figures.lost_events) + " events were lost");

@@ -15,9 +15,11 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::ve
   const AreaDriver& io = surroundings.io;
   auto fits = check_fit(program, {io.input_bytes(), io.output_bytes()}, "download");
   if (!fits) return result::forward(fits);
-  auto info = reader::ProgramInfo::read(loaded->bytes());
-  if (!info) return result::forward(info);
-  TaskPlan plan = plan_tasks(*info, surroundings.config);
+  auto bools = BoolBytes::of(program, "download");
+  if (!bools) return result::forward(bools);
+  auto merge_map = MergeMap::of(program, "download");
+  if (!merge_map) return result::forward(merge_map);
+  TaskPlan plan = plan_tasks(reader::task_infos(program.container()), surroundings.config);
   // An engine belongs to one thread.
   std::vector<std::unique_ptr<bytecode::Engine>> engines;
   for (std::size_t i = 0; i <= plan.others().size(); ++i) {
@@ -27,12 +29,9 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::ve
   }
   std::unique_ptr<bytecode::Engine> own = std::move(engines.back());
   engines.pop_back();
-  Machine machine{std::move(own),
-                  std::move(engines),
-                  BoolBytes(*info, program.image_size()),
-                  MergeMap(*info, scan::layout_of(program)),
-                  std::move(plan),
-                  std::vector<std::byte>(program.sizes().output_bytes)};
+  Machine machine{std::move(own),    std::move(engines),
+                  std::move(*bools), std::move(*merge_map),
+                  std::move(plan),   std::vector<std::byte>(program.sizes().output_bytes)};
   try {
     return std::unique_ptr<PreparedProgram>(
         new PreparedProgram(std::move(*loaded), std::move(machine), std::move(digest), surroundings));

@@ -44,7 +44,8 @@ class PreparedProgram {
   };
 
   // Verifies the container and takes its memory and threads. Fails with the diagnostics of the verifier, with
-  // R0004 where the program needs more than a cell or a message can carry, with R0010 (see make_engine), or
+  // R0004 where the program needs more than a cell or a message can carry, with R0021 where its values cannot
+  // all be told apart (reader::visit_values), with R0010 (see make_engine), or
   // with R0071 where the system gives no threads for its tasks. What is passed by reference must outlive the
   // program.
   [[nodiscard]] static result::Result<std::unique_ptr<PreparedProgram>> create(

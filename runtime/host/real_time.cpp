@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -37,13 +38,16 @@ std::string place_thread(const ThreadPlacement& placement) {
     if (!refused.empty()) refused += "; ";
     refused += text;
   };
+  cpu_set_t set;
+  CPU_ZERO(&set);
   if (placement.cpu >= 0) {
-    cpu_set_t set;
-    CPU_ZERO(&set);
     CPU_SET(static_cast<unsigned>(placement.cpu), &set);
     if (const int error = pthread_setaffinity_np(pthread_self(), sizeof set, &set); error != 0) {
       note("not on processor " + std::to_string(placement.cpu) + " (" + std::strerror(error) + ")");
     }
+  } else if (sched_getaffinity(getpid(), sizeof set, &set) == 0) {
+    // Those of the process' first thread, which nobody binds.
+    static_cast<void>(pthread_setaffinity_np(pthread_self(), sizeof set, &set));
   }
   sched_param parameters{};
   parameters.sched_priority = placement.background ? 0 : std::max(kPriority - placement.rank, 1);

@@ -24,11 +24,13 @@ void sleep_until(std::int64_t instant_ns);
 struct ThreadPlacement {
   int rank = 0;             // 0: the most urgent; each further rank gets a priority one lower
   bool background = false;  // no real-time priority at all: a freewheeling task must not starve the machine
-  int cpu = -1;             // the only processor it runs on; -1: any
+  int cpu = -1;             // the only processor it runs on; -1: any of the process
+
+  friend bool operator==(const ThreadPlacement&, const ThreadPlacement&) = default;
 };
 
-// Gives the calling thread its priority (SCHED_FIFO) and processor. Returns what was refused, as a sentence
-// for the status; empty if nothing was. No heap unless something was refused.
+// Gives the calling thread its priority (SCHED_FIFO) and processor, whatever it had before. Returns what was
+// refused, as a sentence for the status; empty if nothing was. No heap unless something was refused.
 std::string place_thread(const ThreadPlacement& placement);
 
 // Locks the memory of the process, present and future. Returns as place_thread does.

@@ -48,6 +48,7 @@ ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant,
   std::stable_sort(faults_.begin(), faults_.end(),
                    [](const ScheduledFault& a, const ScheduledFault& b) { return a.at_ns < b.at_ns; });
   origin_ns_ = clock_.now_ns();
+  placement_.cpu = config.cpu;  // HostRuntime gave it to the thread
   finished_.reserve(kQueue);
   publish();
 }

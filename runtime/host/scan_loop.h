@@ -115,6 +115,7 @@ class ScanLoop {
   void end_forces();
   void publish_forces();
   void adopt(PreparedProgram& program);
+  void take_place_of(const TaskPlan& tasks);
 
   // Online change (scan_loop_change.cpp).
   std::optional<Command> next_command();
@@ -165,6 +166,7 @@ class ScanLoop {
 
   // The rest belongs to the scan thread.
   PreparedProgram* program_ = nullptr;
+  ThreadPlacement placement_;  // of the scan thread
   ScanFigures now_;
   std::int64_t origin_ns_ = 0;      // real clock: monotonic time at scan time 0
   std::int64_t next_start_ns_ = 0;  // scan time at which a start takes over

@@ -148,6 +148,17 @@ void ScanLoop::adopt(PreparedProgram& program) {
   program.steps().reset(program.image().bytes());
   now_.program = &program;
   publish_forces();
+  if (real()) take_place_of(program.tasks());
+}
+
+// The scan thread is the thread of the task that leads: as urgent, on its processor, and at ordinary priority
+// if that task is freewheeling. Most programs ask for what is there already.
+void ScanLoop::take_place_of(const TaskPlan& tasks) {
+  const ThreadPlacement& wanted = tasks.tasks[tasks.leader].placement;
+  if (wanted == placement_) return;
+  placement_ = wanted;
+  // A priority that is refused was refused when the thread began, which the status says.
+  static_cast<void>(place_thread(wanted));
 }
 
 // Why the start would lose what the user wants kept.

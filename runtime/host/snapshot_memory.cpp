@@ -19,9 +19,8 @@ namespace stepwright::host {
 namespace {
 
 constexpr std::uint64_t kMagic =
-    0x31504E5357535453u;  // "STSWSNP1", which also names the version of the layout
+    0x32504E5357535453u;  // "STSWSNP2", which also names the version of the layout
 constexpr std::size_t kDigestBytes = 64;
-constexpr int kAttempts = 1'000;
 
 // All of it is copied in words of 8 bytes.
 struct Fixed {
@@ -33,15 +32,21 @@ struct Fixed {
 };
 static_assert(sizeof(Fixed) % 8 == 0);
 
+struct Slot {
+  Fixed fixed;
+  std::array<std::byte, kMaxImageBytes> image;
+};
+
+// Snapshots are numbered from 1; number n is in slot n % 2.
 struct Layout {
   std::uint64_t magic;
   std::uint64_t plant_count;
   std::array<std::array<char, kMaxNameBytes>, kMaxPlantValues> names;  // constant, padded with zeros
-  std::uint64_t sequence;                                              // odd while it is written
-  Fixed fixed;
-  std::array<std::byte, kMaxImageBytes> image;
+  std::uint64_t begun;     // number of the one that is being written, or was last
+  std::uint64_t complete;  // of the newest that is whole; 0: there is none
+  std::array<Slot, 2> slots;
 };
-static_assert(offsetof(Layout, sequence) % 8 == 0 && offsetof(Layout, image) % 8 == 0);
+static_assert(offsetof(Layout, begun) % 8 == 0 && offsetof(Layout, slots) % 8 == 0 && sizeof(Slot) % 8 == 0);
 
 using Word = std::uint64_t;
 
@@ -92,6 +97,10 @@ void load_bytes(std::span<std::byte> to, const std::byte* memory, std::size_t of
     }
     at += count;
   }
+}
+
+std::size_t slot_offset(std::uint64_t number) {
+  return offsetof(Layout, slots) + number % 2 * sizeof(Slot);
 }
 
 tl::unexpected<result::Diagnostics> refused(const std::string& what) {
@@ -151,13 +160,14 @@ void SnapshotWriter::publish(std::uint64_t scan, std::int64_t time_ns, std::stri
   std::copy(plant.begin(), plant.end(), fixed.plant.begin());
   const std::size_t fixed_bytes = offsetof(Fixed, plant) + plant.size() * sizeof(double);
 
-  auto* const word = reinterpret_cast<Word*>(memory_ + offsetof(Layout, sequence));
-  const std::atomic_ref sequence(*word);
-  const Word begin = sequence.load(std::memory_order_relaxed) + 1;
-  sequence.store(begin, std::memory_order_relaxed);
-  store_words(memory_ + offsetof(Layout, fixed), &fixed, fixed_bytes);
-  store_words(memory_ + offsetof(Layout, image), image.data(), image.size());
-  sequence.store(begin + 1, std::memory_order_release);
+  const std::atomic_ref begun(*reinterpret_cast<Word*>(memory_ + offsetof(Layout, begun)));
+  const std::atomic_ref complete(*reinterpret_cast<Word*>(memory_ + offsetof(Layout, complete)));
+  const Word number = complete.load(std::memory_order_relaxed) + 1;
+  std::byte* const slot = memory_ + slot_offset(number);
+  begun.store(number, std::memory_order_relaxed);
+  store_words(slot + offsetof(Slot, fixed), &fixed, fixed_bytes);
+  store_words(slot + offsetof(Slot, image), image.data(), image.size());
+  complete.store(number, std::memory_order_release);
 }
 
 result::Result<std::unique_ptr<SnapshotReader>> SnapshotReader::open(int descriptor) {
@@ -188,63 +198,64 @@ std::optional<Snapshot> SnapshotReader::read() const {
   Fixed fixed;
   Snapshot snapshot;
   const std::size_t fixed_bytes = offsetof(Fixed, plant) + names_.size() * sizeof(double);
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    const Word before = load_word(memory_ + offsetof(Layout, sequence), std::memory_order_acquire);
-    if (before == 0) return std::nullopt;
-    if (before % 2 != 0) continue;
-    load_words(&fixed, memory_ + offsetof(Layout, fixed), fixed_bytes);
-    // Half-written sizes are possible here; they are thrown away below but must not be followed.
-    if (fixed.image_bytes > kMaxImageBytes) continue;
+  const bool there = consistent([&](const SnapshotView& view) {
+    load_words(&fixed, view.slot_ + offsetof(Slot, fixed), fixed_bytes);
+    // Half-written sizes are possible here; they are thrown away but must not be followed.
+    if (fixed.image_bytes > kMaxImageBytes) return;
     snapshot.image.resize(fixed.image_bytes);
-    load_words(snapshot.image.data(), memory_ + offsetof(Layout, image), snapshot.image.size());
-    if (load_word(memory_ + offsetof(Layout, sequence), std::memory_order_relaxed) != before) continue;
-    snapshot.scan = fixed.scan;
-    snapshot.time_ns = fixed.time_ns;
-    snapshot.program_digest.assign(fixed.digest.begin(),
-                                   std::find(fixed.digest.begin(), fixed.digest.end(), '\0'));
-    for (std::size_t i = 0; i < names_.size(); ++i) snapshot.plant.push_back({names_[i], fixed.plant[i]});
-    return snapshot;
-  }
-  return std::nullopt;
+    load_words(snapshot.image.data(), view.slot_ + offsetof(Slot, image), snapshot.image.size());
+  });
+  if (!there) return std::nullopt;
+  snapshot.scan = fixed.scan;
+  snapshot.time_ns = fixed.time_ns;
+  snapshot.program_digest.assign(fixed.digest.begin(),
+                                 std::find(fixed.digest.begin(), fixed.digest.end(), '\0'));
+  for (std::size_t i = 0; i < names_.size(); ++i) snapshot.plant.push_back({names_[i], fixed.plant[i]});
+  return snapshot;
 }
 
 std::uint64_t SnapshotReader::sequence() const {
-  return load_word(memory_ + offsetof(Layout, sequence), std::memory_order_acquire);
+  return load_word(memory_ + offsetof(Layout, complete), std::memory_order_acquire);
 }
 
-// The writer may have been interrupted in the middle of a snapshot: it gets the processor.
-std::uint64_t SnapshotReader::begin(int attempt) const {
-  constexpr int kSpins = 200;
-  if (attempt > kSpins) sched_yield();
-  return sequence();
+const std::byte* SnapshotReader::slot_of(std::uint64_t number) const {
+  return memory_ + slot_offset(number);
 }
 
-bool SnapshotReader::unchanged(std::uint64_t before) const {
-  return load_word(memory_ + offsetof(Layout, sequence), std::memory_order_relaxed) == before;
+// The next snapshot goes into the other slot; only the one after it comes here.
+bool SnapshotReader::untouched(std::uint64_t number) const {
+  return load_word(memory_ + offsetof(Layout, begun), std::memory_order_relaxed) <= number + 1;
 }
 
-SnapshotView::SnapshotView(const std::byte* memory)
-    : memory_(memory),
-      image_bytes_(load_word(memory + offsetof(Layout, fixed.image_bytes), std::memory_order_acquire)) {
+// Who shares the processor with the writer, or with too many others, is overtaken in each of its turns unless
+// it begins a new one.
+void SnapshotReader::let_others_run(int attempt) {
+  constexpr int kAtOnce = 4;
+  if (attempt >= kAtOnce) sched_yield();
+}
+
+SnapshotView::SnapshotView(const std::byte* slot)
+    : slot_(slot),
+      image_bytes_(load_word(slot + offsetof(Slot, fixed.image_bytes), std::memory_order_acquire)) {
   // Half-written sizes are possible; they must not be followed.
   if (image_bytes_ > kMaxImageBytes) image_bytes_ = 0;
 }
 
 bool SnapshotView::is_of(std::string_view digest) const {
   std::array<std::byte, kDigestBytes> shown;
-  load_bytes(shown, memory_, offsetof(Layout, fixed.digest));
+  load_bytes(shown, slot_, offsetof(Slot, fixed.digest));
   const std::size_t size = std::min(digest.size(), kDigestBytes);
   return std::memcmp(shown.data(), digest.data(), size) == 0 &&
          (size == kDigestBytes || shown[size] == std::byte{0});
 }
 
 std::uint64_t SnapshotView::scan() const {
-  return load_word(memory_ + offsetof(Layout, fixed.scan), std::memory_order_acquire);
+  return load_word(slot_ + offsetof(Slot, fixed.scan), std::memory_order_acquire);
 }
 
 bool SnapshotView::load(std::size_t offset, std::span<std::byte> to) const {
   if (offset > image_bytes_ || to.size() > image_bytes_ - offset) return false;
-  load_bytes(to, memory_, offsetof(Layout, image) + offset);
+  load_bytes(to, slot_, offsetof(Slot, image) + offset);
   return true;
 }
 

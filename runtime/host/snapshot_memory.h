@@ -1,8 +1,9 @@
 #pragma once
 
 // The image that a runtime publishes, in memory shared with other processes: written between two scans, read
-// at any time by anyone who holds the descriptor. A seqlock of atomic words: the writer never waits, and a
-// reader that was overtaken copies again.
+// at any time by anyone who holds the descriptor. Two slots of atomic words that are written in turn: the
+// writer never waits, the newest complete snapshot stays where it is while the next one is written (for good,
+// if the writer dies), and a reader is overtaken only by the one after that; then it copies again.
 //
 // Threads: one SnapshotWriter in the runtime, used by the scan thread; any number of SnapshotReaders
 // elsewhere. Invariants: the memory is sealed: it can neither shrink nor, from the shared descriptor, be
@@ -62,8 +63,8 @@ class SnapshotView {
 
  private:
   friend class SnapshotReader;
-  explicit SnapshotView(const std::byte* memory);
-  const std::byte* memory_;
+  explicit SnapshotView(const std::byte* slot);
+  const std::byte* slot_;
   std::size_t image_bytes_ = 0;
 };
 
@@ -76,20 +77,20 @@ class SnapshotReader {
   SnapshotReader(const SnapshotReader&) = delete;
   SnapshotReader& operator=(const SnapshotReader&) = delete;
 
-  // The newest snapshot; none before the first, or if the writer died in the middle of one.
+  // The newest snapshot; none before the first, or if every attempt was overtaken (of a writer that publishes
+  // without a pause, faster than this thread copies).
   std::optional<Snapshot> read() const;
 
   // Some bytes of the newest snapshot, all of the same one, without heap: `copy(view)` takes them, once more
-  // each time the writer came between. False: there is none yet, or the writer has been in the middle of one
-  // for too long.
+  // each time that it was overtaken. False as read() gives none.
   template <typename Copy>
   [[nodiscard]] bool consistent(const Copy& copy) const {
-    for (int attempt = 0; attempt < kPatience; ++attempt) {
-      const std::uint64_t before = begin(attempt);
-      if (before == 0) return false;
-      if (before % 2 != 0) continue;
-      copy(SnapshotView(memory_));
-      if (unchanged(before)) return true;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      const std::uint64_t newest = sequence();
+      if (newest == 0) return false;
+      copy(SnapshotView(slot_of(newest)));
+      if (untouched(newest)) return true;
+      let_others_run(attempt);
     }
     return false;
   }
@@ -97,10 +98,12 @@ class SnapshotReader {
   std::uint64_t sequence() const;
 
  private:
-  static constexpr int kPatience = 20'000;
+  // Each is a whole copy.
+  static constexpr int kAttempts = 1'000;
   SnapshotReader() = default;
-  std::uint64_t begin(int attempt) const;
-  bool unchanged(std::uint64_t before) const;
+  const std::byte* slot_of(std::uint64_t number) const;
+  bool untouched(std::uint64_t number) const;
+  static void let_others_run(int attempt);
   const std::byte* memory_ = nullptr;
   std::vector<std::string> names_;
 };

@@ -10,7 +10,7 @@ namespace {
 
 // Events may be more urgent than what is cyclic, but only a cyclic task (or one that never rests) can lead:
 // commands and inputs must be looked at again and again.
-std::uint32_t leader_of(const std::vector<reader::TaskInfo>& tasks) {
+std::uint32_t leader_of(std::span<const reader::TaskInfo> tasks) {
   const auto rank = [&](std::uint32_t i) {
     const reader::TaskInfo& task = tasks[i];
     const int kind = task.interval_us > 0 && task.trigger.empty() ? 0 : task.interval_us > 0 ? 1 : 2;
@@ -33,11 +33,11 @@ std::vector<std::uint32_t> TaskPlan::others() const {
   return out;
 }
 
-TaskPlan plan_tasks(const reader::ProgramInfo& info, const HostConfig& config) {
+TaskPlan plan_tasks(std::span<const reader::TaskInfo> tasks, const HostConfig& config) {
   TaskPlan plan;
   std::set<std::uint32_t> priorities;
-  for (const reader::TaskInfo& task : info.tasks()) priorities.insert(task.priority);
-  for (const reader::TaskInfo& task : info.tasks()) {
+  for (const reader::TaskInfo& task : tasks) priorities.insert(task.priority);
+  for (const reader::TaskInfo& task : tasks) {
     TaskPlan::Entry entry{task.name, task.interval_us, task.priority, {}};
     entry.placement.rank =
         static_cast<int>(std::distance(priorities.begin(), priorities.find(task.priority)));
@@ -64,7 +64,7 @@ TaskPlan plan_tasks(const reader::ProgramInfo& info, const HostConfig& config) {
     if (known) continue;
     plan.unknown += (plan.unknown.empty() ? "no task is called " : ", ") + settings.name;
   }
-  plan.leader = leader_of(info.tasks());
+  plan.leader = leader_of(tasks);
   plan.own_tasks = config.clock == ClockMode::Real ? 1u << plan.leader : 0xFFFF'FFFFu;
   return plan;
 }

@@ -10,6 +10,7 @@
 // Threads: immutable; any.
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,6 @@ struct TaskPlan {
 };
 
 // A phase beyond the task's interval is taken modulo the interval.
-TaskPlan plan_tasks(const reader::ProgramInfo& info, const HostConfig& config);
+TaskPlan plan_tasks(std::span<const reader::TaskInfo> tasks, const HostConfig& config);
 
 }  // namespace stepwright::host

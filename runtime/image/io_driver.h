@@ -35,6 +35,10 @@ class IoDriver {
 
   // The scan is alive. Called now and then by a thread beside the scan's, with the same rules.
   virtual void beat() {}
+
+  // Reads so far that left the inputs of the one before, because no whole ones could be had in time. Any
+  // thread.
+  virtual std::uint64_t held_reads() const { return 0; }
 };
 
 }  // namespace stepwright::image

@@ -6,6 +6,8 @@ namespace stepwright::io_memory {
 namespace {
 
 constexpr std::int64_t kLeasePatienceNs = 1'000'000'000;
+// How long inputs may be held of a plant that has not said how long it may be silent.
+constexpr std::int64_t kHeldNs = 100'000'000;
 
 }  // namespace
 
@@ -20,16 +22,35 @@ MemoryDriver::~MemoryDriver() {
 }
 
 image::IoStatus MemoryDriver::read_inputs(std::int64_t, std::span<std::byte> inputs) {
+  const bool in_time = read_in_time(inputs);
+  return in_time && plant_alive() ? image::IoStatus::Good : image::IoStatus::Lost;
+}
+
+// False if the inputs are older than they may be.
+bool MemoryDriver::read_in_time(std::span<std::byte> inputs) {
+  const TwinBlock block = area_->inputs();
   SlotHeader slot{};
-  static_cast<void>(area_->inputs().read(slot, inputs));
-  return plant_alive() ? image::IoStatus::Good : image::IoStatus::Lost;
+  // A plant that has not written yet holds nothing back.
+  if (block.read(slot, inputs) || !block.written()) {
+    fresh_ns_ = monotonic_ns();
+    return true;
+  }
+  held_reads_.fetch_add(1, std::memory_order_relaxed);
+  const std::int64_t now_ns = monotonic_ns();
+  if (fresh_ns_ == 0) fresh_ns_ = now_ns;
+  const std::int64_t timeout_ns = plant_timeout_ns();
+  return now_ns - fresh_ns_ <= (timeout_ns == 0 ? kHeldNs : timeout_ns);
+}
+
+std::int64_t MemoryDriver::plant_timeout_ns() const {
+  return static_cast<std::int64_t>(area_->header().plant_timeout_ns.load(std::memory_order_acquire));
 }
 
 bool MemoryDriver::plant_alive() const {
-  const AreaHeader& header = area_->header();
-  const auto timeout_ns = static_cast<std::int64_t>(header.plant_timeout_ns.load(std::memory_order_acquire));
+  const std::int64_t timeout_ns = plant_timeout_ns();
   if (timeout_ns == 0) return need_ == PlantNeed::Announced;
-  const auto heard_ns = static_cast<std::int64_t>(header.plant_heartbeat_ns.load(std::memory_order_acquire));
+  const auto heard_ns =
+      static_cast<std::int64_t>(area_->header().plant_heartbeat_ns.load(std::memory_order_acquire));
   return monotonic_ns() - heard_ns <= timeout_ns;
 }
 

@@ -7,9 +7,10 @@
 // (a few milliseconds; after a second the I/O counts as lost). From then on it alone writes.
 //
 // Threads: the scan thread; beat by any one other. A scan takes no heap, lock or system call, but one system
-// call while the lease is being taken. Invariants: outputs are written under the lease only; inputs that
-// cannot be read stay as they were; Lost when the plant announced how long it may be silent and is silent for
-// longer.
+// call while the lease is being taken. Invariants: outputs are written under the lease only; inputs are those
+// of one write of the plant, whole, or stay as they were (held, and counted); Lost when the plant announced
+// how long it may be silent and is silent for longer, or when inputs had to be held for longer than that (100
+// ms if it announced nothing).
 
 #include <atomic>
 #include <cstdint>
@@ -44,15 +45,21 @@ class MemoryDriver final : public image::IoDriver {
   bool guarded() const;
   // The plant is heard of, as far as it must be. Any thread.
   bool plant_alive() const;
+  // The plant was faster than every attempt to read them.
+  std::uint64_t held_reads() const override { return held_reads_.load(std::memory_order_relaxed); }
 
  private:
   bool take_lease(std::int64_t now_ns);
+  bool read_in_time(std::span<std::byte> inputs);
+  std::int64_t plant_timeout_ns() const;
 
   std::unique_ptr<IoArea> area_;
   PlantNeed need_;
   std::atomic<bool> leased_{false};
   std::uint64_t generation_ = 0;
   std::int64_t wanted_since_ns_ = 0;
+  std::int64_t fresh_ns_ = 0;  // when inputs were read last; 0: never
+  std::atomic<std::uint64_t> held_reads_{0};
 };
 
 }  // namespace stepwright::io_memory

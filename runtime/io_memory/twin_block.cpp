@@ -1,6 +1,7 @@
 #include "runtime/io_memory/twin_block.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstring>
 
@@ -53,18 +54,28 @@ void TwinBlock::write(const SlotHeader& header, std::span<const std::byte> bytes
 }
 
 bool TwinBlock::read(SlotHeader& header, std::span<std::byte> bytes) const {
-  assert(bytes.size() <= bytes_);
+  assert(bytes.size() <= bytes_ && bytes_ <= kMaxAreaBytes);
   const std::atomic<std::uint64_t>& count = count_of(memory_);
+  // What is overtaken must not be seen: the caller's bytes are written once the copy is known to be whole.
+  SlotHeader head;
+  std::array<std::byte, kMaxAreaBytes> whole;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const std::uint64_t newest = count.load(std::memory_order_acquire);
     if (newest == 0) return false;
     std::byte* const slot = slot_of(memory_, newest, bytes_);
-    load_words(&header, slot, sizeof header);
-    load_words(bytes.data(), slot + sizeof header, bytes.size());
+    load_words(&head, slot, sizeof head);
+    load_words(whole.data(), slot + sizeof head, bytes.size());
     // The slot is written again only after another count.
-    if (count.load(std::memory_order_relaxed) == newest) return true;
+    if (count.load(std::memory_order_relaxed) != newest) continue;
+    header = head;
+    std::copy_n(whole.begin(), bytes.size(), bytes.begin());
+    return true;
   }
   return false;
+}
+
+bool TwinBlock::written() const {
+  return count_of(memory_).load(std::memory_order_acquire) != 0;
 }
 
 }  // namespace stepwright::io_memory

@@ -1,8 +1,8 @@
 #pragma once
 
 // Bytes in shared memory with one writer and any readers, without locks: two slots that are written in turn.
-// A writer that is killed in the middle leaves the newest complete write; a reader that is overtaken twice
-// copies again.
+// A writer that is killed in the middle leaves the newest complete write; a reader that is overtaken copies
+// again.
 //
 // Threads and processes: one writer at a time; readers anywhere. No heap or system call. Requires memory of
 // block_bytes() that is aligned to 64 bytes and zero at first.
@@ -22,9 +22,12 @@ class TwinBlock {
   // Requires as many bytes as the block has.
   void write(const SlotHeader& header, std::span<const std::byte> bytes);
 
-  // The newest write; `bytes` may be shorter than the block. False, and nothing changed for good, if there
-  // was none or a writer was faster than every attempt.
-  bool read(SlotHeader& header, std::span<std::byte> bytes) const;
+  // The newest write; `bytes` may be shorter than the block. False, and nothing changed, if there was none or
+  // a writer was faster than every attempt. Takes as much stack as the bytes are.
+  [[nodiscard]] bool read(SlotHeader& header, std::span<std::byte> bytes) const;
+
+  // There was a write: a read that fails was overtaken.
+  bool written() const;
 
  private:
   std::byte* memory_;

@@ -10,6 +10,7 @@
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/bytecode/reader/read_value.h"
 #include "runtime/bytecode/reader/resolve_name.h"
+#include "runtime/record/internal/recorded_session.h"
 #include "runtime/record/internal/replay_machine.h"
 #include "runtime/record/recording_format.h"
 #include "runtime/record/recording_reader.h"
@@ -52,10 +53,6 @@ class Player {
   [[nodiscard]] result::Result<ReplayReport> play();
 
  private:
-  struct SafeColumn {
-    std::vector<scan::SafeOutput> outputs;
-    std::vector<scan::SafeRamp> ramps;
-  };
   [[nodiscard]] result::Result<void> take(RecordKind kind, base::ByteReader in);
   [[nodiscard]] result::Result<void> take_session(base::ByteReader in);
   [[nodiscard]] result::Result<void> take_program(base::ByteReader in);
@@ -64,7 +61,8 @@ class Player {
   [[nodiscard]] result::Result<void> take_command(RecordKind kind, base::ByteReader in);
   [[nodiscard]] result::Result<void> take_keyframe(base::ByteReader in);
   [[nodiscard]] result::Result<void> make_machine(const std::string& digest, std::uint32_t own_tasks);
-  bool read_rules(base::ByteReader& in, SafeColumn& column);
+  bool read_forces(base::ByteReader& in);
+  bool read_time(base::ByteReader& in, unsigned flags);
   bool change_inputs(base::ByteReader& in);
   void differ(const scan::ScanReport& report, const char* what, std::string recorded, std::string replayed);
   void compare_variables(Bytes recorded);
@@ -76,8 +74,7 @@ class Player {
   const ReplayOptions& options_;
   ReplayReport report_;
   bool done_ = false;
-  std::uint64_t budget_ = 0;
-  std::array<SafeColumn, scan::kSafeCauses> safe_state_;
+  RecordedSession session_;  // before the machine, which refers to it
   std::map<std::string, std::vector<std::byte>> containers_;
   scan::NoClock clock_;
   RecordedIo io_;
@@ -98,7 +95,7 @@ result::Result<ReplayReport> Player::play() {
       const auto kind = static_cast<RecordKind>(in.read<std::uint8_t>());
       if (!any && kind != RecordKind::Session)
         return nonsense("the recording does not begin with its session");
-      taken = take(kind, in);
+      taken = any && kind == RecordKind::Session ? nonsense("a second session") : take(kind, in);
     } else {
       taken = result::forward(record);
     }
@@ -170,39 +167,8 @@ result::Result<void> Player::take(RecordKind kind, base::ByteReader in) {
 }
 
 result::Result<void> Player::take_session(base::ByteReader in) {
-  in.read<std::uint8_t>();
-  in.read<std::int64_t>();
-  budget_ = in.read<std::uint64_t>();
-  for (int i = 0; i < 3; ++i) in.read<std::uint32_t>();  // segment, hash_every, keyframe_every
-  for (SafeColumn& column : safe_state_) {
-    if (!read_rules(in, column)) return nonsense("a session that is cut short");
-  }
-  return {};
-}
-
-bool Player::read_rules(base::ByteReader& in, SafeColumn& column) {
-  std::uint64_t count = 0;
-  if (!read_varint(in, count) || count > in.remaining()) return false;
-  column = {};
-  for (std::uint64_t i = 0; i < count; ++i) {
-    scan::SafeOutput rule;
-    rule.byte = in.read<std::uint32_t>();
-    rule.mask = in.read<std::uint8_t>();
-    rule.mode = static_cast<scan::SafeMode>(in.read<std::uint8_t>());
-    rule.value = in.read<std::uint8_t>();
-    column.outputs.push_back(rule);
-  }
-  if (!read_varint(in, count) || count > in.remaining()) return false;
-  for (std::uint64_t i = 0; i < count; ++i) {
-    scan::SafeRamp ramp;
-    ramp.byte = in.read<std::uint32_t>();
-    ramp.type = static_cast<scan::RampType>(in.read<std::uint8_t>());
-    ramp.target = in.read<double>();
-    ramp.per_second = in.read<double>();
-    if (ramp.type > scan::RampType::F32) return false;
-    column.ramps.push_back(ramp);
-  }
-  return in.ok();
+  const char* wrong = session_.read(in);
+  return wrong == nullptr ? result::Result<void>() : nonsense(wrong);
 }
 
 result::Result<void> Player::take_program(base::ByteReader in) {
@@ -221,11 +187,9 @@ result::Result<void> Player::make_machine(const std::string& digest, std::uint32
   auto engine = options_.engine(loaded->program());
   if (!engine) return result::forward(engine);
   scan::ScanConfig config;
-  config.budget = budget_;
+  config.budget = session_.budget();
   config.own_tasks = own_tasks;
-  for (std::size_t i = 0; i < safe_state_.size(); ++i) {
-    config.safe_state[i] = {safe_state_[i].outputs, safe_state_[i].ramps};
-  }
+  config.safe_state = session_.matrix();
   const bool other = machine_ == nullptr || machine_->digest != digest;
   machine_ =
       std::make_unique<ReplayMachine>(digest, std::move(*loaded), std::move(*engine), io_, clock_, config);
@@ -239,39 +203,17 @@ result::Result<void> Player::take_state(base::ByteReader in) {
   Bytes digest;
   if (!read_block(in, digest)) return nonsense("a state without its program");
   scan::CyclePoint point;
-  point.state = static_cast<scan::ScanState>(in.read<std::uint8_t>());
-  point.scan = in.read<std::uint64_t>();
-  point.last_time_ns = in.read<std::int64_t>();
-  point.trace_hash = in.read<std::uint64_t>();
-  std::uint64_t tasks = 0;
-  if (!read_varint(in, tasks) || tasks > bytecode::kMaxTasks || point.state > scan::ScanState::Overrun)
-    return nonsense("a state that cannot be");
+  if (!read_point(in, point)) return nonsense("a state that cannot be");
   std::uint32_t own_tasks = 0;
-  for (; point.task_count < tasks; ++point.task_count) {
-    scan::CyclePoint::Task& task = point.tasks[point.task_count];
-    task.index = in.read<std::uint8_t>();
-    task.due_ns = in.read<std::int64_t>();
-    task.triggered = in.read<std::uint8_t>() != 0;
-    if (task.index < bytecode::kMaxTasks) own_tasks |= 1u << task.index;
-  }
+  for (std::uint32_t i = 0; i < point.task_count; ++i) own_tasks |= 1u << point.tasks[i].index;
   if (machine_ == nullptr || machine_->digest != text_of(digest) || own_tasks != own_tasks_) {
     if (auto made = make_machine(text_of(digest), own_tasks); !made) return made;
     own_tasks_ = own_tasks;
   }
-  if (machine_->cycle.point().task_count != tasks) return nonsense("a state of another program");
-  std::uint64_t forces = 0;
-  read_varint(in, forces);
+  if (!fits(point, machine_->cycle.point(), machine_->loaded.program()))
+    return nonsense("a state of another program");
+  if (!read_forces(in)) return nonsense("forces that are cut short, or one outside the image");
   image::ProcessImage& image = machine_->image;
-  machine_->cycle.forces().clear_all();
-  for (std::uint64_t i = 0; i < forces && in.ok(); ++i) {
-    image::Force force;
-    force.address = in.read<std::uint32_t>();
-    force.bit = in.read<std::uint8_t>();
-    force.size = in.read<std::uint8_t>();
-    force.value = in.read<std::uint64_t>();
-    if (!machine_->cycle.forces().set(force, image.bytes().size()))
-      return nonsense("a force outside the image");
-  }
   Bytes bytes;
   if (!read_block(in, bytes) || bytes.size() != image.bytes().size())
     return nonsense("an image of another size");
@@ -284,6 +226,33 @@ result::Result<void> Player::take_state(base::ByteReader in) {
   if (cause == StateCause::Start) ++report_.starts;
   if (point.scan >= options_.until) done_ = report_.ended = true;
   return {};
+}
+
+bool Player::read_forces(base::ByteReader& in) {
+  std::uint64_t count = 0;
+  if (!read_varint(in, count)) return false;
+  image::ForceTable& forces = machine_->cycle.forces();
+  forces.clear_all();
+  for (std::uint64_t i = 0; i < count; ++i) {
+    image::Force force;
+    force.address = in.read<std::uint32_t>();
+    force.bit = in.read<std::uint8_t>();
+    force.size = in.read<std::uint8_t>();
+    force.value = in.read<std::uint64_t>();
+    if (!in.ok() || !forces.set(force, machine_->image.bytes().size())) return false;
+  }
+  return true;
+}
+
+// The time of the next scan. The sum of an instant and a distance that is none of two instants may be no
+// number.
+bool Player::read_time(base::ByteReader& in, unsigned flags) {
+  std::uint64_t step = zigzag(step_ns_);
+  if ((flags & kScanStep) != 0 && !read_varint(in, step)) return false;
+  step_ns_ = unzigzag(step);
+  if (step_ns_ < -kLatestNs || step_ns_ > kLatestNs || !is_instant(time_ns_ + step_ns_)) return false;
+  time_ns_ += step_ns_;
+  return true;
 }
 
 bool Player::change_inputs(base::ByteReader& in) {
@@ -307,15 +276,12 @@ result::Result<void> Player::take_scan(base::ByteReader in) {
     if (report_.difference) return {};
     return nonsense("a scan while no program runs");
   }
-  std::uint64_t step = zigzag(step_ns_);
-  if ((flags & kScanStep) != 0) read_varint(in, step);
+  if (!read_time(in, flags)) return nonsense("a scan at a time that cannot be");
   const std::uint64_t hash = (flags & kScanHash) != 0 ? in.read<std::uint64_t>() : 0;
   if (!in.ok() || ((flags & kScanInputs) != 0 && !change_inputs(in)))
     return nonsense("a scan that is cut short");
   io_.read_good = (flags & kScanReadLost) == 0;
   io_.write_good = (flags & kScanWriteLost) == 0;
-  step_ns_ = unzigzag(step);
-  time_ns_ += step_ns_;
 
   scan::ScanCycle& cycle = machine_->cycle;
   const std::int64_t due_ns = cycle.next_time_ns();
@@ -323,7 +289,9 @@ result::Result<void> Player::take_scan(base::ByteReader in) {
   const scan::ScanReport report = cycle.run_scan();
   if (report_.scans++ == 0) report_.first_scan = report.scan;
   report_.last_scan = report.scan;
-  report_.simulated_ns += step_ns_;
+  // Between two states a time may go back, and a made-up sum be no number.
+  report_.simulated_ns = static_cast<std::int64_t>(static_cast<std::uint64_t>(report_.simulated_ns) +
+                                                   static_cast<std::uint64_t>(step_ns_));
   report_.trace_hash = cycle.trace_hash();
   if (report.trap) report_.trap = reader::describe(machine_->loaded.program(), report.trap);
   if (options_.on_scan) options_.on_scan(report, machine_->image);

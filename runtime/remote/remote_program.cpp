@@ -4,12 +4,13 @@
 #include <charconv>
 #include <utility>
 
+#include "runtime/bytecode/reader/program_info.h"
+
 namespace stepwright::remote {
 
-RemoteProgram::RemoteProgram(reader::LoadedProgram loaded, const reader::ProgramInfo& info,
-                             std::string digest)
-    : loaded_(std::move(loaded)), bools_(info, loaded_.program().image_size()), digest_(std::move(digest)) {
-  for (const reader::TaskInfo& task : info.tasks()) {
+RemoteProgram::RemoteProgram(reader::LoadedProgram loaded, host::BoolBytes bools, std::string digest)
+    : loaded_(std::move(loaded)), bools_(std::move(bools)), digest_(std::move(digest)) {
+  for (const reader::TaskInfo& task : reader::task_infos(program().container())) {
     const std::int64_t interval_ns = std::int64_t{task.interval_us} * 1'000;
     if (interval_ns > 0 && (interval_ns_ == 0 || interval_ns < interval_ns_)) interval_ns_ = interval_ns;
   }
@@ -17,8 +18,6 @@ RemoteProgram::RemoteProgram(reader::LoadedProgram loaded, const reader::Program
 
 result::Result<std::shared_ptr<const RemoteProgram>> RemoteProgram::create(std::vector<std::byte> container,
                                                                            std::string digest) {
-  auto info = reader::ProgramInfo::read(container);
-  if (!info) return result::forward(info);
   auto loaded = reader::LoadedProgram::load(std::move(container), "download");
   if (!loaded) return result::forward(loaded);
   const bytecode::SizesRecord& sizes = loaded->program().sizes();
@@ -31,8 +30,10 @@ result::Result<std::shared_ptr<const RemoteProgram>> RemoteProgram::create(std::
                             std::to_string(control::outputs::kMaxBytes),
                         "addresses that begin at %IB0 and %QB0 without gaps take the least room");
   }
+  auto bools = host::BoolBytes::of(loaded->program(), "download");
+  if (!bools) return result::forward(bools);
   return std::shared_ptr<const RemoteProgram>(
-      new RemoteProgram(std::move(*loaded), *info, std::move(digest)));
+      new RemoteProgram(std::move(*loaded), std::move(*bools), std::move(digest)));
 }
 
 result::Result<void> RemoteProgram::check_fit(std::size_t input_bytes, std::size_t output_bytes) const {

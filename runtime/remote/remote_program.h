@@ -19,8 +19,8 @@ namespace stepwright::remote {
 
 class RemoteProgram {
  public:
-  // Fails with the diagnostics of the verifier (B0001 to B0005), or with R0145 if a turn of the register
-  // protocol cannot carry its inputs and outputs.
+  // Fails with the diagnostics of the verifier (B0001 to B0005), with R0021 (host::BoolBytes), or with R0145
+  // if a turn of the register protocol cannot carry its inputs and outputs.
   [[nodiscard]] static result::Result<std::shared_ptr<const RemoteProgram>> create(
       std::vector<std::byte> container, std::string digest);
 
@@ -38,7 +38,7 @@ class RemoteProgram {
   std::int64_t interval_ns() const { return interval_ns_; }
 
  private:
-  RemoteProgram(reader::LoadedProgram loaded, const reader::ProgramInfo& info, std::string digest);
+  RemoteProgram(reader::LoadedProgram loaded, host::BoolBytes bools, std::string digest);
 
   reader::LoadedProgram loaded_;
   host::BoolBytes bools_;

@@ -144,7 +144,8 @@ void ScanCycle::resume(const CyclePoint& point) {
 
 void ScanCycle::skip_to(std::int64_t time_ns) {
   for (Task& task : table_.tasks()) {
-    if (task.due_ns >= time_ns) continue;  // also what waits for its trigger only
+    // What waits for its trigger only is never due.
+    if (task.interval_ns == 0 || task.due_ns >= time_ns) continue;
     const std::int64_t missed = (time_ns - task.due_ns + task.interval_ns - 1) / task.interval_ns;
     task.due_at(task.freewheeling ? time_ns : task.due_ns + missed * task.interval_ns);
   }

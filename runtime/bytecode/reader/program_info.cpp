@@ -1,5 +1,8 @@
 #include "runtime/bytecode/reader/program_info.h"
 
+#include <algorithm>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 #include "runtime/bytecode/program.h"
@@ -13,7 +16,7 @@ using bytecode::ContainerView;
 using bytecode::Section;
 
 // Lists the elementary variables inside symbols. Bounded in depth and size, as a hostile container may nest
-// types without end; a variable of a huge array does not need a name for each element.
+// types without end; the bounds are beyond any program of a runtime, whose images end at 1 MiB.
 class Flattener {
  public:
   Flattener(const ContainerView& view, std::vector<Tag>& tags, std::vector<InstanceInfo>& instances)
@@ -21,7 +24,12 @@ class Flattener {
 
   void add(const std::string& name, std::uint32_t type_index, Variable place, std::uint16_t flags,
            std::uint32_t depth = 0) {
-    if (++visited_ > kMaxVisits || depth > kMaxDepth) return;
+    text_bytes_ += name.size();
+    if (++visited_ > kMaxVisits || text_bytes_ > kMaxTextBytes) ended_ = true;
+    if (ended_ || depth > kMaxDepth) {
+      complete_ = false;
+      return;
+    }
     const auto type = view_.record<Section::Types>(type_index);
     switch (static_cast<bytecode::TypeKind>(type.kind)) {
       case bytecode::TypeKind::Enumeration:
@@ -31,13 +39,16 @@ class Flattener {
       case bytecode::TypeKind::String:
       case bytecode::TypeKind::Subrange:
         place.type = static_cast<bytecode::ElementaryType>(type.elementary);
-        tags_.push_back({name, place, flags});
+        ended_ = tags_.size() == kMaxTags;
+        complete_ = complete_ && !ended_;
+        if (!ended_) tags_.push_back({name, place, flags});
         return;
       case bytecode::TypeKind::Reference:
         return;
       case bytecode::TypeKind::Array: {
         const std::uint32_t stride = view_.record<Section::Types>(type.first).size;
-        for (std::uint32_t i = 0; i < type.count && visited_ < kMaxVisits; ++i) {
+        if (stride == 0) return;  // structs without members
+        for (std::uint32_t i = 0; i < type.count && !ended_; ++i) {
           const std::string element = name + "[" + std::to_string(std::int64_t{type.lower} + i) + "]";
           add(element, type.first, {place.type, place.address + i * stride, bytecode::kNoBit}, flags,
               depth + 1);
@@ -48,7 +59,7 @@ class Flattener {
         instances_.push_back({name, text_of(view_, type.name)});
         [[fallthrough]];
       case bytecode::TypeKind::Struct:
-        for (std::uint32_t i = 0; i < type.count && visited_ < kMaxVisits; ++i) {
+        for (std::uint32_t i = 0; i < type.count && !ended_; ++i) {
           const auto member = view_.record<Section::Members>(type.first + i);
           if ((member.flags & bytecode::kMemberHidden) != 0) continue;
           const Variable inside{place.type, place.address + member.offset, bytecode::kNoBit};
@@ -59,6 +70,9 @@ class Flattener {
         return;
     }
   }
+
+  // False if something of the program is not in the list.
+  bool complete() const { return complete_; }
 
  private:
   // Of one type, read once.
@@ -77,15 +91,33 @@ class Flattener {
     return known;
   }
 
-  static constexpr std::uint32_t kMaxVisits = 200'000;
-  static constexpr std::uint32_t kMaxDepth = 32;
+  static constexpr std::size_t kMaxTags = 1u << 20;
+  static constexpr std::uint32_t kMaxVisits = 4u << 20;
+  static constexpr std::uint32_t kMaxDepth = 256;
+  static constexpr std::size_t kMaxTextBytes = 256u << 20;  // of all paths
 
   const ContainerView& view_;
   std::vector<Tag>& tags_;
   std::vector<InstanceInfo>& instances_;
   std::map<std::uint32_t, std::shared_ptr<const Enumerators>> enumerators_;  // by type
   std::uint32_t visited_ = 0;
+  std::size_t text_bytes_ = 0;
+  bool ended_ = false;  // nothing more is listed
+  bool complete_ = true;
 };
+
+// As naming::upper(a) < naming::upper(b).
+bool before(std::string_view a, std::string_view b) {
+  return std::ranges::lexicographical_compare(a, b, {}, naming::to_upper, naming::to_upper);
+}
+
+// The tags by their names; of equal names the first one of the container comes first.
+std::vector<std::uint32_t> sorted_by_name(const std::vector<Tag>& tags) {
+  std::vector<std::uint32_t> order(tags.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, before, [&](std::uint32_t i) -> std::string_view { return tags[i].name; });
+  return order;
+}
 
 std::vector<std::uint32_t> links(const ContainerView& view, std::uint32_t first, std::uint32_t count) {
   std::vector<std::uint32_t> steps;
@@ -118,6 +150,17 @@ ChartInfo chart_info(const ContainerView& view, const bytecode::SfcChartRecord& 
 
 }  // namespace
 
+std::vector<TaskInfo> task_infos(const ContainerView& view) {
+  std::vector<TaskInfo> tasks;
+  for (std::uint32_t i = 0; i < view.count<Section::Tasks>(); ++i) {
+    const auto task = view.record<Section::Tasks>(i);
+    tasks.push_back({text_of(view, task.name), task.interval_us, task.priority, {}});
+    if (task.trigger == bytecode::kNoIndex) continue;
+    tasks.back().trigger = text_of(view, view.record<Section::Symbols>(task.trigger).name);
+  }
+  return tasks;
+}
+
 result::Result<ProgramInfo> ProgramInfo::read(std::span<const std::byte> container) {
   bytecode::Program program;
   std::vector<std::uint32_t> scratch(bytecode::verify_scratch_words(container));
@@ -132,17 +175,12 @@ result::Result<ProgramInfo> ProgramInfo::read(std::span<const std::byte> contain
     flattener.add(text_of(view, symbol.name), symbol.type,
                   {bytecode::ElementaryType::Bool, symbol.address, symbol.bit}, symbol.flags);
   }
-  for (std::size_t i = 0; i < info.tags_.size(); ++i)
-    info.by_name_.emplace(naming::upper(info.tags_[i].name), i);
+  info.complete_ = flattener.complete();
+  info.by_name_ = sorted_by_name(info.tags_);
   for (std::uint32_t i = 0; i < view.count<Section::SfcCharts>(); ++i) {
     info.charts_.push_back(chart_info(view, view.record<Section::SfcCharts>(i)));
   }
-  for (std::uint32_t i = 0; i < view.count<Section::Tasks>(); ++i) {
-    const auto task = view.record<Section::Tasks>(i);
-    info.tasks_.push_back({text_of(view, task.name), task.interval_us, task.priority, {}});
-    if (task.trigger == bytecode::kNoIndex) continue;
-    info.tasks_.back().trigger = text_of(view, view.record<Section::Symbols>(task.trigger).name);
-  }
+  info.tasks_ = task_infos(view);
   return info;
 }
 
@@ -152,8 +190,10 @@ const Variable* ProgramInfo::find(std::string_view name) const {
 }
 
 const Tag* ProgramInfo::find_tag(std::string_view name) const {
-  const auto found = by_name_.find(naming::upper(name));
-  return found == by_name_.end() ? nullptr : &tags_[found->second];
+  const auto name_of = [this](std::uint32_t i) -> std::string_view { return tags_[i].name; };
+  const auto found = std::ranges::lower_bound(by_name_, name, before, name_of);
+  if (found == by_name_.end() || !naming::same_name(name_of(*found), name)) return nullptr;
+  return &tags_[*found];
 }
 
 const ChartInfo* ProgramInfo::chart(std::string_view name) const {

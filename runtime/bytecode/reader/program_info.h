@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/bytecode/container_format.h"
+#include "runtime/bytecode/container_view.h"
 #include "runtime/bytecode/value_type.h"
 #include "runtime/result/result.h"
 
@@ -71,6 +71,9 @@ struct TaskInfo {
   std::string trigger;  // path of the BOOL whose rising edge runs it; empty: none
 };
 
+// Of a verified program, in the order of the container.
+std::vector<TaskInfo> task_infos(const bytecode::ContainerView& view);
+
 // A program or function block that keeps its values in the image.
 struct InstanceInfo {
   std::string path;  // "plan", "plan.filter"
@@ -89,6 +92,9 @@ class ProgramInfo {
   const ChartInfo* chart(std::string_view name) const;
 
   const std::vector<Tag>& tags() const { return tags_; }  // in the order of the container
+  // False if the program has values beyond the tags: more than 2^20, types deeper than 256 levels or paths of
+  // more than 256 MiB. No program of a runtime's size does; whoever reports a name as unknown says so.
+  bool complete() const { return complete_; }
   const std::vector<ChartInfo>& charts() const { return charts_; }
   const std::vector<TaskInfo>& tasks() const { return tasks_; }
   const std::vector<InstanceInfo>& instances() const { return instances_; }  // those of the library, too
@@ -96,7 +102,8 @@ class ProgramInfo {
 
  private:
   std::vector<Tag> tags_;
-  std::map<std::string, std::size_t, std::less<>> by_name_;  // upper case -> index into tags_
+  std::vector<std::uint32_t> by_name_;  // indexes into tags_, sorted by name without regard to case
+  bool complete_ = true;
   std::vector<ChartInfo> charts_;
   std::vector<TaskInfo> tasks_;
   std::vector<InstanceInfo> instances_;

@@ -63,6 +63,10 @@ const Tag* tag_at(const ProgramInfo& info, std::uint32_t address, std::uint8_t b
 
 // What to do about a name that is none.
 std::string hint_for(const ProgramInfo& info, const std::string& path) {
+  if (!info.complete()) {
+    return "the program has more values than can be named: " + std::to_string(info.tags().size()) +
+           " of them are";
+  }
   const std::string wanted = naming::upper(path);
   std::vector<std::string> names;
   names.reserve(info.tags().size());

@@ -3,11 +3,13 @@
 #include <array>
 #include <cstring>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 #include "runtime/bytecode/reader/loaded_program.h"
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/bytecode/reader/read_value.h"
+#include "runtime/bytecode/reader/resolve_name.h"
 #include "runtime/bytecode/writer/container_writer.h"
 #include "tests/support/sample_model.h"
 #include "tests/support/test_program.h"
@@ -118,7 +120,48 @@ TEST(ProgramInfo, Types_WhenTheyNestVeryDeep_ThenReadingEnds) {
                            .members = {}});
   }
   model.symbols.push_back({.name = "deep", .type = type, .address = 0, .direct_address = {}});
-  EXPECT_TRUE(ProgramInfo::read(writer::write_container(model).value()));
+  const auto info = ProgramInfo::read(writer::write_container(model).value());
+  ASSERT_TRUE(info);
+  EXPECT_FALSE(info->complete());
+  // Who asks for a name learns that it may be there all the same.
+  const auto unknown = resolve_name(*info, "deep");
+  ASSERT_FALSE(unknown);
+  EXPECT_NE(unknown.error()[0].hint.find("more values than can be named"), std::string::npos);
+}
+
+// Arrays of any size that a runtime takes: what lies behind them has its name, too.
+TEST(ProgramInfo, Variables_WhenBehindManyOthers_ThenAreFound) {
+  constexpr std::uint32_t kMany = 250'000;
+  writer::ContainerModel model = support::one_program(kMany + 1, [](auto&) {});
+  const std::uint32_t byte = model.add_type(writer::elementary(bytecode::ElementaryType::Byte));
+  const std::uint32_t many = model.add_type({.name = "many",
+                                             .kind = bytecode::TypeKind::Array,
+                                             .size = kMany,
+                                             .element = byte,
+                                             .count = kMany,
+                                             .members = {}});
+  model.symbols.push_back({.name = "many", .type = many, .address = 0, .direct_address = {}});
+  model.symbols.push_back({.name = "Last", .type = byte, .address = kMany, .direct_address = {}});
+  const ProgramInfo info = ProgramInfo::read(writer::write_container(model).value()).value();
+  EXPECT_TRUE(info.complete());
+  ASSERT_NE(info.find("LAST"), nullptr);
+  EXPECT_EQ(info.find("last")->address, kMany);
+  ASSERT_NE(info.find("many[249999]"), nullptr);
+  EXPECT_EQ(info.find("MANY[249999]")->address, kMany - 1);
+  EXPECT_EQ(info.find("many[250000]"), nullptr);
+}
+
+// Upper and lower case alike; of two variables of one name the first one counts.
+TEST(ProgramInfo, Variables_WhenTwoHaveOneName_ThenTheFirstIsFound) {
+  writer::ContainerModel model = support::one_program(8, [](auto&) {});
+  const std::uint32_t byte = model.add_type(writer::elementary(bytecode::ElementaryType::Byte));
+  for (const auto& [name, address] : {std::pair{"b", 3u}, {"Same", 1u}, {"SAME", 2u}, {"a", 4u}})
+    model.symbols.push_back({.name = name, .type = byte, .address = address, .direct_address = {}});
+  const ProgramInfo info = ProgramInfo::read(writer::write_container(model).value()).value();
+  EXPECT_EQ(info.find("same")->address, 1u);
+  EXPECT_EQ(info.find("B")->address, 3u);
+  EXPECT_EQ(info.find("A")->address, 4u);
+  EXPECT_EQ(info.find("c"), nullptr);
 }
 
 TEST(ReadValue, Variables_WhenOfAnyElementaryType_ThenAreReadExactly) {

@@ -2,13 +2,17 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/mman.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <thread>
 
+#include "runtime/host/event_ring.h"
 #include "runtime/host/limits.h"
 #include "runtime/host/seq_cell.h"
 #include "runtime/host/snapshot_memory.h"
@@ -167,6 +171,86 @@ TEST(SnapshotMemory, WhenPartsAreReadMeanwhile_ThenTheyAreOfOneSnapshot) {
   }
   stop = true;
   publisher.join();
+}
+
+// The largest image, by a writer that stops for a millisecond at most: each read comes to its end.
+TEST(SnapshotMemory, WhenLargeImagesArePublishedFast_ThenNoReadFails) {
+  const auto writer = writer_of({});
+  const auto reader = *SnapshotReader::open(writer->descriptor());
+  std::vector<std::byte> image(kMaxImageBytes);
+  const auto publish = [&](std::uint64_t scan) {
+    image.front() = image[kMaxImageBytes / 2] = image.back() = static_cast<std::byte>(scan);
+    writer->publish(scan, 0, "", image, {});
+  };
+  publish(1);
+  std::atomic<bool> stop{false};
+  std::thread publisher([&] {
+    for (std::uint64_t scan = 2; !stop; ++scan) {
+      publish(scan);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  });
+  for (int read = 0; read < 300; ++read) {
+    const auto snapshot = reader->read();
+    ASSERT_TRUE(snapshot) << "read " << read;
+    const auto scan = static_cast<std::byte>(snapshot->scan);
+    ASSERT_EQ(snapshot->image.front(), scan);
+    ASSERT_EQ(snapshot->image[kMaxImageBytes / 2], scan);
+    ASSERT_EQ(snapshot->image.back(), scan);
+  }
+  stop = true;
+  publisher.join();
+}
+
+// A writer that is killed in the middle of a snapshot leaves the one before.
+TEST(SnapshotMemory, WhenTheWriterIsKilled_ThenItsNewestSnapshotStays) {
+  for (int round = 0; round < 20; ++round) {
+    const auto writer = writer_of({});
+    const auto reader = *SnapshotReader::open(writer->descriptor());
+    std::vector<std::byte> image(kMaxImageBytes);
+    writer->publish(1, 0, "", image, {});
+    const pid_t child = fork();
+    if (child == 0) {
+      for (std::uint64_t scan = 2;; ++scan) {
+        image.front() = image.back() = static_cast<std::byte>(scan);
+        writer->publish(scan, 0, "", image, {});
+      }
+    }
+    while (reader->sequence() < 3) std::this_thread::yield();
+    usleep(static_cast<useconds_t>(137 * round));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    const auto snapshot = reader->read();
+    ASSERT_TRUE(snapshot);
+    EXPECT_EQ(snapshot->image.front(), static_cast<std::byte>(snapshot->scan));
+    EXPECT_EQ(snapshot->image.back(), static_cast<std::byte>(snapshot->scan));
+  }
+}
+
+TEST(EventRing, WhenItIsFullOfStepChanges_ThenATrapHasRoom) {
+  EventRing ring(1, 0);
+  const std::vector<std::byte> image(1);
+  const auto push = [&](EventKind kind) {
+    EventNote note;
+    note.kind = kind;
+    return ring.push(note, image, {});
+  };
+  std::size_t steps = 0;
+  while (push(EventKind::StepChange)) ++steps;
+  EXPECT_GT(steps, 10u);
+  EXPECT_TRUE(ring.full());
+  EXPECT_TRUE(push(EventKind::Changed));
+  EXPECT_FALSE(push(EventKind::Stopped));
+  EXPECT_TRUE(push(EventKind::Trap));
+  EXPECT_FALSE(push(EventKind::RolledBack));
+  for (std::size_t i = 0; i < steps; ++i) ring.pop();
+  ASSERT_NE(ring.front(), nullptr);
+  EXPECT_EQ(ring.front()->note.kind, EventKind::Changed);
+  ring.pop();
+  EXPECT_EQ(ring.front()->note.kind, EventKind::Trap);
+  ring.pop();
+  EXPECT_EQ(ring.front(), nullptr);
+  EXPECT_FALSE(ring.full());
 }
 
 TEST(SnapshotMemory, WhenAClientTriesToWriteOrShrinkIt_ThenTheSystemRefuses) {

@@ -326,6 +326,27 @@ TEST(HostRuntime, WhenManyEventsWait_ThenNoneIsLostInSimulatedTime) {
   EXPECT_EQ(harness.runtime->status().detail, "");
 }
 
+// In real time nobody waits for whoever takes the events; why the program stopped is told all the same.
+TEST(HostRuntime, WhenEventsAreLost_ThenTheTrapIsNot) {
+  HostConfig config;
+  config.clock = ClockMode::Real;
+  Harness harness(config);
+  harness.load(step_program({.steps = 600, .scans_per_step = 1, .trap_at_end = true, .interval_us = 100}));
+  ASSERT_EQ(harness.start(), Outcome::Done);
+  ASSERT_TRUE(harness.wait([&] { return harness.runtime->status().state == RuntimeState::Fault; }));
+  EXPECT_GT(harness.runtime->status().process.lost_events, 0u);
+  StepEvent event;
+  while (event.kind != EventKind::Trap) {
+    auto next = harness.runtime->take_event();
+    ASSERT_TRUE(next) << "the trap was lost";
+    event = std::move(*next);
+  }
+  EXPECT_EQ(event.sequence, harness.runtime->status().last_event);
+  EXPECT_FALSE(event.detail.empty());
+  EXPECT_EQ(harness.runtime->status().process.traps, 1u);
+  EXPECT_NE(harness.runtime->status().detail.find(event.detail), std::string::npos);
+}
+
 TEST(HostRuntime, WhenASpeedIsSet_ThenSimulatedTimeDoesNotRunAhead) {
   HostConfig config;
   config.speed = 10.0;

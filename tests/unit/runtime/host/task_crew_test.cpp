@@ -1,12 +1,15 @@
 // Programs with several tasks on the real clock: each task on a thread of its own.
 
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sched.h>
 
 #include <cmath>
 #include <memory>
 #include <thread>
 
 #include "runtime/bytecode/reader/program_info.h"
+#include "runtime/host/real_time.h"
 #include "tests/unit/runtime/host/harness.h"
 #include "tests/unit/runtime/host/st_program.h"
 
@@ -177,8 +180,7 @@ TEST(TaskCrew, WhenAProgramHasNoTask_ThenItRunsAgainAsSoonAsItHasEnded) {
   EXPECT_EQ(tasks.task(1).latency.max_us, 0.0) << "it is never due";
 }
 
-TEST(TaskCrew, WhenTheOnlyTaskIsFreewheeling_ThenTheScanThreadRunsIt) {
-  Tasks tasks(R"(
+constexpr const char* kOnlyFreewheeling = R"(
 CONFIGURATION c
   VAR_GLOBAL rounds : DINT; END_VAR
   PROGRAM pb : background;
@@ -187,10 +189,61 @@ PROGRAM background
 VAR_EXTERNAL rounds : DINT; END_VAR
 rounds := rounds + 1;
 END_PROGRAM
-)");
+)";
+
+TEST(TaskCrew, WhenTheOnlyTaskIsFreewheeling_ThenTheScanThreadRunsIt) {
+  Tasks tasks(kOnlyFreewheeling);
   tasks.harness.start();
   EXPECT_TRUE(tasks.wait_for("rounds", 100));
   EXPECT_EQ(tasks.harness.runtime->status().overruns, 0u);
+}
+
+// How the scan thread is scheduled, as its newest scan saw it.
+class ScanScheduling {
+ public:
+  explicit ScanScheduling(Tasks& tasks) : tasks_(tasks) {
+    // The driver keeps it for longer than this object lasts.
+    tasks.harness.driver.intervene([seen = seen_](std::int64_t) {
+      int policy = -1;
+      sched_param parameters{};
+      pthread_getschedparam(pthread_self(), &policy, &parameters);
+      seen->store(policy * 1'000 + parameters.sched_priority);
+    });
+  }
+  bool comes_to(int policy, int priority) {
+    return tasks_.harness.wait([&] { return seen_->load() == policy * 1'000 + priority; });
+  }
+
+ private:
+  Tasks& tasks_;
+  std::shared_ptr<std::atomic<int>> seen_ = std::make_shared<std::atomic<int>>(-1);
+};
+
+// Whether this process may have real-time priorities at all.
+bool may_be_urgent() {
+  bool may = false;
+  std::thread([&] { may = place_thread({}).empty(); }).join();
+  return may;
+}
+
+TEST(TaskCrew, WhenAFreewheelingTaskLeads_ThenItHasOrdinaryPriority) {
+  if (!may_be_urgent()) GTEST_SKIP() << "no real-time priorities here";
+  Tasks tasks(kOnlyFreewheeling);
+  ScanScheduling scheduling(tasks);
+  tasks.harness.start();
+  EXPECT_TRUE(scheduling.comes_to(SCHED_OTHER, 0));
+  // The next program's task is urgent again.
+  ASSERT_EQ(tasks.harness.load(compiled(kFreewheeling), "cyclic"), Outcome::Done);
+  tasks.harness.start();
+  EXPECT_TRUE(scheduling.comes_to(SCHED_FIFO, 80));
+}
+
+TEST(TaskCrew, WhenAnEventIsMoreUrgentThanTheTaskThatLeads_ThenSoAreTheirThreads) {
+  if (!may_be_urgent()) GTEST_SKIP() << "no real-time priorities here";
+  Tasks tasks(kEvents);
+  ScanScheduling scheduling(tasks);
+  tasks.harness.start();
+  EXPECT_TRUE(scheduling.comes_to(SCHED_FIFO, 79)) << "the event has 80";
 }
 
 constexpr const char* kTrapOfTheSlowTask = R"(

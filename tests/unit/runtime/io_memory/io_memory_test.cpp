@@ -184,6 +184,93 @@ TEST_F(IoMemory, WhenOneWritesAndOneReads_ThenNoReadIsTorn) {
   EXPECT_EQ(whole, 2'000);
 }
 
+// A writer without a pause, which overtakes the reader at any time.
+class BusyWriter {
+ public:
+  template <typename Write>
+  explicit BusyWriter(Write write)
+      : thread_([this, write]() mutable {
+          for (std::uint64_t n = 1; !stop_; ++n) write(n);
+        }) {}
+  ~BusyWriter() {
+    stop_ = true;
+    thread_.join();
+  }
+
+ private:
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+TEST_F(IoMemory, WhenAReadIsOvertaken_ThenNothingChanges) {
+  constexpr std::uint32_t kBytes = 65'536;
+  auto writer_area = area(16, kBytes);
+  auto reader_area = area(16, kBytes);
+  const BusyWriter writer([&, bytes = Bytes(kBytes)](std::uint64_t n) mutable {
+    std::memset(bytes.data(), static_cast<int>(n & 0xFF), 8);  // the rest stays: as fast as can be
+    std::memset(bytes.data() + kBytes - 8, static_cast<int>(n & 0xFF), 8);
+    writer_area->outputs().write({n, n}, bytes);
+  });
+  Bytes bytes(kBytes);
+  const std::int64_t give_up_ns = monotonic_ns() + 30'000 * kMs;
+  int overtaken = 0;
+  for (int reads = 0; (reads < 2'000 || overtaken == 0) && monotonic_ns() < give_up_ns; ++reads) {
+    const Bytes before = bytes;
+    SlotHeader header{7, 7};
+    if (reader_area->outputs().read(header, bytes)) {
+      ASSERT_EQ(bytes.front(), bytes.back());
+    } else {
+      overtaken += reader_area->outputs().written() ? 1 : 0;
+      ASSERT_EQ(bytes, before);
+      ASSERT_EQ(header.generation, 7u);
+    }
+  }
+}
+
+// A plant whose block counts on while it is read: no attempt ever finds it still.
+class RestlessInputs {
+ public:
+  explicit RestlessInputs(IoArea& area)
+      : count_(reinterpret_cast<BlockHeader*>(reinterpret_cast<std::byte*>(&area.header()) +
+                                              area.header().inputs_at)
+                   ->count),
+        writer_([this](std::uint64_t) { count_.fetch_add(1); }) {}
+
+ private:
+  std::atomic<std::uint64_t>& count_;
+  BusyWriter writer_;
+};
+
+TEST_F(IoMemory, WhenInputsCannotBeReadInTime_ThenTheyAreHeldAndCountedAndLostInTheEnd) {
+  constexpr std::uint32_t kBytes = 65'536;
+  auto plant = area(kBytes, 24);
+  MemoryDriver driver(area(kBytes, 24));
+  Bytes inputs = all(kBytes, 7);
+  plant->inputs().write({0, 1}, inputs);
+  inputs = all(kBytes, 0);
+  EXPECT_EQ(driver.read_inputs(0, inputs), IoStatus::Good);
+  EXPECT_EQ(driver.held_reads(), 0u);
+  IoStatus status = IoStatus::Good;
+  {
+    const RestlessInputs restless(*plant);
+    const std::int64_t give_up_ns = monotonic_ns() + 30'000 * kMs;
+    while (status == IoStatus::Good && monotonic_ns() < give_up_ns) {
+      const std::uint64_t held = driver.held_reads();
+      const Bytes before = inputs;
+      status = driver.read_inputs(0, inputs);
+      // Which slot the count names is this plant's own affair; what is held is what was there.
+      if (driver.held_reads() > held) {
+        ASSERT_EQ(inputs, before);
+      }
+    }
+  }
+  EXPECT_EQ(status, IoStatus::Lost);
+  EXPECT_GT(driver.held_reads(), 1u);
+  plant->inputs().write({0, 2}, all(kBytes, 9));
+  EXPECT_EQ(driver.read_inputs(0, inputs), IoStatus::Good) << "whole ones are there again";
+  EXPECT_EQ(inputs, all(kBytes, 9));
+}
+
 // A writer that is killed in the middle leaves its newest complete write, at every instant.
 TEST_F(IoMemory, WhenAWriterIsKilled_ThenItsNewestWriteIsWhole) {
   auto mine = area(16, 65'536);

@@ -78,8 +78,9 @@ class RandomIo final : public image::IoDriver {
 
 class RecordedRun {
  public:
-  explicit RecordedRun(std::uint32_t seed = 1)
-      : container_(writer::write_container(support::sample_model()).value()),
+  explicit RecordedRun(std::uint32_t seed = 1, std::vector<std::byte> container =
+                                                   writer::write_container(support::sample_model()).value())
+      : container_(std::move(container)),
         loaded_(reader::LoadedProgram::load(container_, "sample").value()),
         memory_(loaded_.program().memory_size()),
         image_(memory_, scan::layout_of(loaded_.program())),
