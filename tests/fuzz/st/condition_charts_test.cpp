@@ -83,7 +83,7 @@ TEST(StFuzz, Charts_WhenConditionsTrapAndHaveEffects_ThenOnlyThoseOfEnabledTrans
             << seen.steps << " other steps active at the end\n";
   EXPECT_GT(seen.traps, charts / 20);
   EXPECT_LT(seen.traps, charts * 3 / 4);
-  EXPECT_GT(seen.counts, charts / 10);
+  EXPECT_GT(seen.counts, charts / 20);
   EXPECT_GT(seen.steps, charts / 10);
 }
 
