@@ -218,7 +218,8 @@ void PouLowering::add_chart(const graphic::Pou& pou, source::FileId file) {
   graphic::SfcChart origin = lowering::diagram_to_chart(body, plain).chart;
   graphic::Pou chart = pou;
   chart.body = std::move(drawn.chart);
-  drawn.networks.wires.insert(drawn.networks.wires.end(), drawn.edges.begin(), drawn.edges.end());
+  std::vector<graphic::Wire>& wires = drawn.networks.every_scan.wires;
+  wires.insert(wires.end(), drawn.edges.begin(), drawn.edges.end());
   const source::Position where{file, pou.where};
   auto lowered = lowering::lower_sfc_beside(chart, std::move(drawn.networks));
   if (!lowered) return report(std::move(lowered.error()), where);

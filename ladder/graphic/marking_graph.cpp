@@ -1,13 +1,16 @@
 #include "ladder/graphic/marking_graph.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
 namespace stepwright::graphic {
 namespace {
 
 constexpr std::size_t kBits = 64;
+constexpr std::size_t kCombinations = 10'000;  // of circles that are tried in one situation
 
 void put(PlaceSet& set, std::size_t place) {
   set[place / kBits] |= std::uint64_t{1} << (place % kBits);
@@ -40,7 +43,7 @@ class Explorer {
   MarkingGraph run() {
     PlaceSet initial((net_.places + kBits - 1) / kBits, 0);
     for (const std::uint32_t place : net_.marked) put(initial, place);
-    find_or_add(std::move(initial), 0, 0);
+    find_or_add(std::move(initial), 0, {});
     overrun_.assign(net_.places, false);
     for (std::uint32_t i = 0; i < graph_.markings.size() && graph_.complete; ++i) expand(i);
     return std::move(graph_);
@@ -49,7 +52,7 @@ class Explorer {
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  std::uint32_t find_or_add(PlaceSet marking, std::uint32_t parent, std::uint32_t by) {
+  std::uint32_t find_or_add(PlaceSet marking, std::uint32_t parent, std::vector<std::uint32_t> by) {
     const auto known = index_.find(marking);
     if (known != index_.end()) return known->second;
     if (graph_.markings.size() >= limit_) {
@@ -61,23 +64,27 @@ class Explorer {
     graph_.markings.push_back(std::move(marking));
     graph_.edges.emplace_back();
     graph_.parent.push_back(parent);
-    graph_.by.push_back(by);
+    graph_.by.push_back(std::move(by));
     return number;
   }
 
   void expand(std::uint32_t from) {
+    std::vector<std::uint32_t> entering;  // enabled transitions that lead to a full place
     for (std::size_t word = 0; word < graph_.markings[from].size(); ++word) {
       for (std::uint64_t bits = graph_.markings[from][word]; bits != 0; bits &= bits - 1) {
         const std::size_t place = word * kBits + static_cast<std::size_t>(__builtin_ctzll(bits));
-        for (const std::uint32_t t : leaving_[place]) fire(from, t);
+        for (const std::uint32_t t : leaving_[place])
+          if (fire(from, t)) entering.push_back(t);
       }
     }
+    if (entering.size() > 1) circles(from, std::move(entering));
   }
 
-  void fire(std::uint32_t from, std::uint32_t t) {
+  // True if it leads to a full place.
+  bool fire(std::uint32_t from, std::uint32_t t) {
     const NetTransition& transition = net_.transitions[t];
     for (const std::uint32_t source : transition.sources) {
-      if (!contains(graph_.markings[from], source)) return;
+      if (!contains(graph_.markings[from], source)) return false;
     }
     PlaceSet next = graph_.markings[from];
     for (const std::uint32_t source : transition.sources) take(next, source);
@@ -90,8 +97,68 @@ class Explorer {
       }
       put(next, target);
     }
-    edge.to = find_or_add(std::move(next), from, t);
+    edge.to = find_or_add(std::move(next), from, {t});
     if (edge.to != kNone) graph_.edges[from].push_back(edge);
+    return edge.overrun;
+  }
+
+  static bool meet(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+    return std::any_of(a.begin(), a.end(),
+                       [&](std::uint32_t each) { return std::binary_search(b.begin(), b.end(), each); });
+  }
+
+  // Fires all that may be a circle together, in every combination. What no other one feeds, or what feeds no
+  // other one, is in none.
+  void circles(std::uint32_t from, std::vector<std::uint32_t> some) {
+    for (std::size_t before = 0; before != some.size();) {
+      before = some.size();
+      const auto is_in_none = [&](std::uint32_t t) {
+        bool feeds = false;
+        bool is_fed = false;
+        for (const std::uint32_t other : some) {
+          if (other == t) continue;
+          feeds = feeds || meet(net_.transitions[t].targets, net_.transitions[other].sources);
+          is_fed = is_fed || meet(net_.transitions[other].targets, net_.transitions[t].sources);
+        }
+        return !feeds || !is_fed;
+      };
+      std::vector<std::uint32_t> left;
+      std::remove_copy_if(some.begin(), some.end(), std::back_inserter(left), is_in_none);
+      some = std::move(left);
+    }
+    std::size_t budget = kCombinations;
+    std::vector<std::uint32_t> chosen;
+    combine(from, some, 0, chosen, budget);
+  }
+
+  void combine(std::uint32_t from, const std::vector<std::uint32_t>& some, std::size_t next,
+               std::vector<std::uint32_t>& chosen, std::size_t& budget) {
+    if (next == some.size()) {
+      if (chosen.size() > 1) fire_together(from, chosen);
+      return;
+    }
+    if (budget == 0 || --budget == 0) {
+      graph_.complete = false;
+      return;
+    }
+    combine(from, some, next + 1, chosen, budget);
+    const auto conflicts = [&](std::uint32_t other) {
+      return meet(net_.transitions[other].sources, net_.transitions[some[next]].sources);
+    };
+    if (std::any_of(chosen.begin(), chosen.end(), conflicts)) return;
+    chosen.push_back(some[next]);
+    combine(from, some, next + 1, chosen, budget);
+    chosen.pop_back();
+  }
+
+  void fire_together(std::uint32_t from, const std::vector<std::uint32_t>& chosen) {
+    PlaceSet next = graph_.markings[from];
+    for (const std::uint32_t t : chosen)
+      for (const std::uint32_t source : net_.transitions[t].sources) take(next, source);
+    for (const std::uint32_t t : chosen)
+      for (const std::uint32_t target : net_.transitions[t].targets) put(next, target);
+    const std::uint32_t to = find_or_add(std::move(next), from, chosen);
+    if (to != kNone) graph_.edges[from].push_back({chosen.front(), to, true});
   }
 
   const TokenNet& net_;
@@ -207,8 +274,8 @@ std::vector<PlaceSet> places_to_leave(const TokenNet& net, const MarkingGraph& g
   return result;
 }
 
-std::vector<std::uint32_t> way_to(const MarkingGraph& graph, std::uint32_t marking) {
-  std::vector<std::uint32_t> way;
+std::vector<std::vector<std::uint32_t>> way_to(const MarkingGraph& graph, std::uint32_t marking) {
+  std::vector<std::vector<std::uint32_t>> way;
   for (; marking != 0; marking = graph.parent[marking]) way.push_back(graph.by[marking]);
   std::reverse(way.begin(), way.end());
   return way;

@@ -3,10 +3,11 @@
 // A sequential function chart (IEC 61131-3, 2.6): steps, transitions, actions. No layout: drawings compute
 // it, a file that brings one keeps it in `layout`.
 //
-// Invariants (checked by `check`): one initial step at least, names legal and unique (a transition may have
-// none), every transition has a source and a target, all of them exist. Simultaneous divergence = several
-// targets, convergence = several sources; alternative branches = several transitions with a common source,
-// tested in the order of `priority`, then of the list.
+// Invariants (checked by `check`): one initial step at least, and no two in one network (steps that
+// transitions connect); names legal and unique (a transition may have none), every transition has a source
+// and a target, all of them exist. Simultaneous divergence = several targets, convergence = several sources;
+// alternative branches = several transitions with a common source, tested in the order of `priority`, then of
+// the list.
 //
 // `where` of a part is its place in the file that it was read from; empty for a chart that was made by
 // program.

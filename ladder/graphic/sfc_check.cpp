@@ -1,6 +1,8 @@
 // The invariants of a chart; see sfc_chart.h.
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 
 #include "ladder/graphic/identifier.h"
 #include "ladder/graphic/sfc_chart.h"
@@ -19,6 +21,7 @@ class Checker {
     steps();
     actions();
     for (std::size_t i = 0; i < chart_.transitions.size(); ++i) transition(i);
+    if (found_.empty()) networks();
     return std::move(found_);
   }
 
@@ -55,6 +58,36 @@ class Checker {
     if (!initial)
       add(code::kNoInitialStep, {}, "the chart has no initial step",
           "mark the step that is active at the start");
+  }
+
+  // 2.6.2: each network has exactly one initial step. Steps are of one network if transitions connect them.
+  void networks() {
+    std::vector<std::uint32_t> above(chart_.steps.size());
+    std::iota(above.begin(), above.end(), 0U);
+    const auto root = [&](std::uint32_t step) {
+      while (above[step] != step) step = above[step] = above[above[step]];
+      return step;
+    };
+    for (const Transition& each : chart_.transitions) {
+      for (const std::vector<StepId>* ends : {&each.sources, &each.targets})
+        for (const StepId id : *ends) above[root(id.value)] = root(each.sources.front().value);
+    }
+    std::vector<std::optional<std::size_t>> initial(chart_.steps.size());  // by network
+    for (std::size_t i = 0; i < chart_.steps.size(); ++i) {
+      if (!chart_.steps[i].initial) continue;
+      std::optional<std::size_t>& first = initial[root(static_cast<std::uint32_t>(i))];
+      if (first) initial_twice(*first, i);
+      if (!first) first = i;
+    }
+  }
+
+  void initial_twice(std::size_t first, std::size_t second) {
+    add(code::kInitialTwice, chart_.steps[second].where,
+        step_name(first) + " and " + step_name(second) + " are both initial, and transitions connect them",
+        "a network has one initial step; where both branches start at once, let one initial step be left by "
+        "a "
+        "transition TO (" +
+            chart_.steps[first].name + ", " + chart_.steps[second].name + ")");
   }
 
   void action_block(std::size_t step, const ActionBlock& block) {

@@ -16,6 +16,7 @@ inline constexpr const char* kMissingEnd = "E0716";
 inline constexpr const char* kUnknownStep = "E0717";
 inline constexpr const char* kStepTwice = "E0718";
 inline constexpr const char* kBadCondition = "E0719";
+inline constexpr const char* kInitialTwice = "E0720";
 
 // A chart that does not fit the variables around it (ladder/lowering/sfc_to_ladder.h).
 inline constexpr const char* kNameOfVariable = "E0721";

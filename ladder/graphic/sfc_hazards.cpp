@@ -21,7 +21,11 @@ constexpr std::size_t kShownSteps = 6;  // of a way to a situation
 class Findings {
  public:
   Findings(const SfcChart& chart, const TokenNet& net, const MarkingGraph& graph, Diagnostics& out)
-      : chart_(chart), net_(net), graph_(graph), out_(out) {}
+      : chart_(chart), net_(net), graph_(graph), out_(out), has_exit_(net.places, false) {
+    for (const NetTransition& each : net_.transitions) {
+      for (const std::uint32_t place : each.sources) has_exit_[place] = true;
+    }
+  }
 
   void overruns() {
     for (const Overrun& each : graph_.overruns) {
@@ -33,34 +37,28 @@ class Findings {
     }
   }
 
-  void waits() {
+  // Tokens that are lost, and deadlocks. After a step was entered twice a token more or less is no new
+  // mistake, but that the chart stops is; `whole`: the net is that of the chart, so this is certain too.
+  void waits(bool whole) {
     const std::vector<PlaceSet> leave = places_to_leave(net_, graph_);
     const std::vector<bool> sound = without_overrun();
-    std::vector<bool> has_exit(net_.places, false);
-    for (const NetTransition& each : net_.transitions) {
-      for (const std::uint32_t place : each.sources) has_exit[place] = true;
-    }
     std::vector<bool> reported(net_.places, false);
-    for (std::uint32_t m = 0; m < graph_.markings.size(); ++m) {
-      if (!sound[m]) continue;
-      std::vector<std::uint32_t> stuck;
-      bool others = false;
-      bool fresh = false;
-      for (std::uint32_t place = 0; place < net_.places; ++place) {
-        if (!contains(graph_.markings[m], place)) continue;
-        if (has_exit[place] && !contains(leave[m], place)) {
-          stuck.push_back(place);
-          fresh = fresh || !reported[place];
-        } else {
-          others = true;
+    std::vector<bool> dead(net_.places, false);
+    for (const bool safe : {true, false}) {
+      for (std::uint32_t m = 0; m < graph_.markings.size(); ++m) {
+        if (sound[m] != safe || (!safe && !whole)) continue;
+        bool others = false;
+        const std::vector<std::uint32_t> stuck = stuck_in(m, leave[m], others);
+        for (const std::uint32_t place : stuck) {
+          if (safe && others && !reported[place]) lost(m, place);
+          reported[place] = true;
         }
+        const bool fresh =
+            std::any_of(stuck.begin(), stuck.end(), [&](std::uint32_t place) { return !dead[place]; });
+        if (others || !fresh) continue;
+        for (const std::uint32_t place : stuck) dead[place] = true;
+        deadlock(m, stuck);
       }
-      if (!fresh) continue;
-      for (const std::uint32_t place : stuck) {
-        if (others && !reported[place]) lost(m, place);
-        reported[place] = true;
-      }
-      if (!others) deadlock(m, stuck);
     }
   }
 
@@ -69,17 +67,34 @@ class Findings {
     out_.push_back({code, Severity::Warning, where, std::move(message), std::move(hint)});
   }
 
+  // Active steps that have a way out but can never be left; `others`: there are steps that can be, or ends.
+  std::vector<std::uint32_t> stuck_in(std::uint32_t marking, const PlaceSet& leave, bool& others) const {
+    std::vector<std::uint32_t> stuck;
+    for (std::uint32_t place = 0; place < net_.places; ++place) {
+      if (!contains(graph_.markings[marking], place)) continue;
+      if (has_exit_[place] && !contains(leave, place)) {
+        stuck.push_back(place);
+      } else {
+        others = true;
+      }
+    }
+    return stuck;
+  }
+
   std::uint32_t origin(std::uint32_t transition) const { return net_.transitions[transition].origin; }
   std::string label(std::uint32_t transition) const { return transition_label(chart_, origin(transition)); }
 
   // "after T1, T2, T3 ..."
   std::string way(std::uint32_t marking, const std::string& then) const {
-    const std::vector<std::uint32_t> path = way_to(graph_, marking);
+    const std::vector<std::vector<std::uint32_t>> path = way_to(graph_, marking);
     if (path.empty()) return "at the start " + then;
     std::string text = "for example after ";
     const std::size_t first = path.size() > kShownSteps ? path.size() - kShownSteps : 0;
     if (first > 0) text += "..., ";
-    for (std::size_t i = first; i < path.size(); ++i) text += (i > first ? ", " : "") + label(path[i]);
+    for (std::size_t i = first; i < path.size(); ++i) {
+      text += i > first ? ", " : "";
+      for (std::size_t k = 0; k < path[i].size(); ++k) text += (k > 0 ? " with " : "") + label(path[i][k]);
+    }
     return text + " " + then;
   }
 
@@ -135,6 +150,7 @@ class Findings {
   const TokenNet& net_;
   const MarkingGraph& graph_;
   Diagnostics& out_;
+  std::vector<bool> has_exit_;  // by place
 };
 
 }  // namespace
@@ -144,14 +160,15 @@ Diagnostics find_hazards(const SfcChart& chart, const HazardOptions& options) {
   TokenNet net = token_net(chart);
   MarkingGraph graph = explore(net, std::max<std::size_t>(options.marking_limit / 4, 1));
   find_unreachable(chart, net, graph, found);
-  if (!graph.complete) {
+  const bool whole = graph.complete;
+  if (!whole) {
     net = reduced(std::move(net));
     graph = explore(net, options.marking_limit);
   }
   Findings findings(chart, net, graph, found);
   findings.overruns();
   if (graph.complete) {
-    findings.waits();
+    findings.waits(whole);
   } else {
     found.push_back({code::kSearchCut, Severity::Note, chart.steps.front().where,
                      "the chart has more than " + std::to_string(options.marking_limit) +

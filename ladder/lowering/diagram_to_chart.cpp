@@ -6,6 +6,7 @@
 #include "ladder/graphic/identifier.h"
 #include "ladder/lowering/chart_tracer.h"
 #include "ladder/lowering/drawn_body_text.h"
+#include "ladder/lowering/drawn_conditions.h"
 #include "ladder/lowering/network_lowering.h"
 #include "ladder/source/codes.h"
 
@@ -27,22 +28,25 @@ class ChartReader {
         texts_(scope),
         tracer_(diagram_, scope),
         graph_(diagram_, scope),
-        networks_(graph_, scope) {}
+        networks_(graph_, scope),
+        conditions_(body, graph_, networks_, texts_) {}
 
   DrawnChart read() {
     result_.chart.final_scan = body_.final_scan;
     refuse();
-    for (const Network& network : graph_.networks()) networks_.lower(network);
+    for (const Network& network : graph_.networks())
+      if (!conditions_.is_condition(network)) networks_.lower(network);
+    result_.networks.every_scan = networks_.take();
     steps();
     transitions();
     for (const graphic::NamedBody& action : body_.actions)
       result_.chart.actions.push_back(
           {action.name, texts_.statements(action.body), scope_.location(action.where)});
     action_blocks();
-    result_.networks = networks_.take();
+    graphic::LadderProgram& networks = result_.networks.every_scan;
     graphic::LadderProgram more = texts_.take_networks();
-    std::move(more.rungs.begin(), more.rungs.end(), std::back_inserter(result_.networks.rungs));
-    std::move(more.wires.begin(), more.wires.end(), std::back_inserter(result_.networks.wires));
+    std::move(more.rungs.begin(), more.rungs.end(), std::back_inserter(networks.rungs));
+    std::move(more.wires.begin(), more.wires.end(), std::back_inserter(networks.wires));
     result_.edges = texts_.take_variables();
     return std::move(result_);
   }
@@ -98,6 +102,9 @@ class ChartReader {
       }
     }
     sort_branches(drawn);
+    std::vector<const Element*> order;
+    for (const Drawn& each : drawn) order.push_back(each.element);
+    result_.networks.conditions = conditions_.take(order);
     for (Drawn& each : drawn) {
       if (each.transition.targets.empty())
         scope_.error(code::kBadDiagram, each.element->where, "nothing follows this transition",
@@ -171,18 +178,12 @@ class ChartReader {
     const graphic::TransitionCondition& condition = element.condition;
     switch (condition.source) {
       case ConditionSource::Connection:
-        return networks_.evaluate(condition.input, element);
+        return conditions_.connected(element);
       case ConditionSource::Inline:
-        return texts_.condition(condition.body.front(), condition.reference);
+        return conditions_.inline_body(element);
       case ConditionSource::Reference: {
-        for (const graphic::NamedBody& each : body_.transitions) {
-          if (!graphic::same_name(each.name, condition.reference)) continue;
-          // A network that several transitions name runs once.
-          const auto [found, is_new] = named_.try_emplace(&each);
-          if (is_new) found->second = texts_.condition(each.body, each.name);
-          return found->second;
-        }
-        return graphic::contact(condition.reference);
+        const graphic::Condition* named = conditions_.named(element);
+        return named != nullptr ? *named : graphic::contact(condition.reference);
       }
       case ConditionSource::None:
         break;
@@ -245,9 +246,9 @@ class ChartReader {
   ChartTracer tracer_;
   DiagramGraph graph_;
   NetworkLowering networks_;
+  DrawnConditions conditions_;
   std::map<const Element*, StepId> step_ids_;
   std::map<std::string, StepId> by_name_;
-  std::map<const graphic::NamedBody*, graphic::Condition> named_;
   int inline_actions_ = 0;
   DrawnChart result_;
 };

@@ -3,20 +3,21 @@
 // The chart of a drawn SFC body: divergences and convergences become transitions with several sources and
 // targets, jumps lead to their steps, alternative branches keep their order from left to right.
 //
-// Networks of LD and FBD beside the chart - those that feed transitions - run in every scan before the
-// transitions are tested: `networks`. Actions and transitions in ST keep their text, those drawn as LD or FBD
-// become ST.
+// Networks of LD and FBD beside the chart run in every scan before the transitions are tested, what is drawn
+// as the condition of transitions while one of them is enabled (sfc_semantics.md, "Drawn conditions"):
+// `networks`. Actions and transitions in ST keep their text, those drawn as LD or FBD become ST.
 
 #include <optional>
 
 #include "ladder/graphic/project.h"
+#include "ladder/lowering/condition_network.h"
 #include "ladder/lowering/diagram_scope.h"
 
 namespace stepwright::lowering {
 
 struct DrawnChart {
   graphic::SfcChart chart;
-  graphic::LadderProgram networks;
+  ChartNetworks networks;
   std::vector<graphic::Wire> edges;  // states of edge contacts in actions
 };
 

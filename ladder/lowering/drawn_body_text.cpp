@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ladder/graphic/identifier.h"
+#include "ladder/lowering/condition_guard.h"
 #include "ladder/lowering/diagram_to_ladder.h"
 #include "ladder/lowering/ladder_to_syntax.h"
 #include "ladder/lowering/network_lowering.h"
@@ -55,42 +56,55 @@ std::string DrawnBodyText::statements(const graphic::DiagramBody& body) {
   return scope_.piece(body.text);
 }
 
-std::string DrawnBodyText::ladder_statements(const graphic::DiagramBody& body) {
-  const graphic::LadderProgram ladder = diagram_to_ladder(body.diagram, scope_);
+bool DrawnBodyText::refuse_jumps(const graphic::LadderProgram& ladder, const graphic::DiagramBody& body,
+                                 const char* what) {
   for (const graphic::Rung& rung : ladder.rungs) {
     if (rung.label.empty() && rung.jump_to.empty() && !rung.is_return) continue;
-    scope_.error(code::kExchangeUnsupported, body.where, "jumps and labels in an action are not supported",
+    scope_.error(code::kExchangeUnsupported, body.where,
+                 std::string("jumps and labels in ") + what + " are not supported",
                  "call a function block that jumps");
-    return {};
+    return true;
   }
+  return false;
+}
+
+std::string DrawnBodyText::ladder_statements(const graphic::DiagramBody& body) {
+  const graphic::LadderProgram ladder = diagram_to_ladder(body.diagram, scope_);
+  if (refuse_jumps(ladder, body, "an action")) return {};
   LadderText text = ladder_text(ladder, scope_.new_wire());
   for (graphic::Wire& wire : text.variables) variables_.push_back(std::move(wire));
   return text.statements;
 }
 
-Condition DrawnBodyText::condition(const graphic::DiagramBody& body, const std::string& name) {
+Condition DrawnBodyText::expression(const graphic::DiagramBody& body, const std::string& name) {
   Condition result;
+  const auto [text, skipped] = expression_of(body.text.text, name);
+  const std::string fault = fault_of_expression(text);
+  if (!fault.empty()) {
+    scope_.error(code::kBadDiagram, body.where, "the condition of the transition: " + fault,
+                 "write a BOOL expression of ST");
+    return result;
+  }
+  if (graphic::same_name(text, "TRUE")) return result;
+  graphic::SourceText piece{text, {}};
+  for (graphic::TextAnchor anchor : body.text.anchors) {
+    if (anchor.text >= skipped) {
+      piece.anchors.push_back({static_cast<std::uint32_t>(anchor.text - skipped), anchor.file});
+    } else {
+      const auto delta = static_cast<std::uint32_t>(skipped - anchor.text);
+      piece.anchors.assign(1, {0, anchor.file + delta});
+    }
+  }
+  result.kind = ConditionKind::Expression;
+  result.name = scope_.piece(piece);
+  return result;
+}
+
+DrawnCondition DrawnBodyText::condition(const graphic::DiagramBody& body, const std::string& name) {
+  DrawnCondition result;
   if (refuse(body)) return result;
   if (body.language == BodyLanguage::StructuredText) {
-    const auto [text, skipped] = expression_of(body.text.text, name);
-    const std::string fault = fault_of_expression(text);
-    if (!fault.empty()) {
-      scope_.error(code::kBadDiagram, body.where, "the condition of the transition: " + fault,
-                   "write a BOOL expression of ST");
-      return result;
-    }
-    if (graphic::same_name(text, "TRUE")) return result;
-    graphic::SourceText piece{text, {}};
-    for (graphic::TextAnchor anchor : body.text.anchors) {
-      if (anchor.text >= skipped) {
-        piece.anchors.push_back({static_cast<std::uint32_t>(anchor.text - skipped), anchor.file});
-      } else {
-        const auto delta = static_cast<std::uint32_t>(skipped - anchor.text);
-        piece.anchors.assign(1, {0, anchor.file + delta});
-      }
-    }
-    result.kind = ConditionKind::Expression;
-    result.name = scope_.piece(piece);
+    result.value = expression(body, name);
     return result;
   }
   const DiagramGraph graph(body.diagram, scope_);
@@ -112,12 +126,40 @@ Condition DrawnBodyText::condition(const graphic::DiagramBody& body, const std::
     scope_.error(code::kBadDiagram, body.where, "nothing is written to the transition '" + name + "'",
                  "end the network with a variable or coil of that name");
   } else {
-    result = lowering.evaluate_output(*output);
+    result.value = lowering.evaluate_output(*output);
   }
   graphic::LadderProgram ladder = lowering.take();
-  std::move(ladder.rungs.begin(), ladder.rungs.end(), std::back_inserter(networks_.rungs));
-  std::move(ladder.wires.begin(), ladder.wires.end(), std::back_inserter(networks_.wires));
+  if (!refuse_jumps(ladder, body, "a transition")) result.statements = guarded(std::move(ladder));
   return result;
+}
+
+std::string DrawnBodyText::guarded(graphic::LadderProgram network) {
+  if (only_reads(network)) {
+    std::move(network.rungs.begin(), network.rungs.end(), std::back_inserter(networks_.rungs));
+    std::move(network.wires.begin(), network.wires.end(), std::back_inserter(networks_.wires));
+    return {};
+  }
+  for (graphic::Rung& rung : network.rungs) sense_edges(rung.condition, network);
+  LadderText text = ladder_text(network, scope_.new_wire());
+  for (graphic::Wire& wire : text.variables) variables_.push_back(std::move(wire));
+  return text.statements;
+}
+
+// The edge of a variable is sensed in every scan, also where the network does not run. That of a wire, which
+// the network computes, is one between two of its runs.
+void DrawnBodyText::sense_edges(Condition& condition, const graphic::LadderProgram& network) {
+  for (Condition& child : condition.children) sense_edges(child, network);
+  const bool of_wire =
+      std::any_of(network.wires.begin(), network.wires.end(),
+                  [&](const graphic::Wire& wire) { return graphic::same_name(wire.name, condition.name); });
+  if (condition.edge == graphic::Edge::None || of_wire) return;
+  const std::string name = scope_.new_wire();
+  networks_.wires.push_back({name, "BOOL", false});
+  graphic::Rung& rung = networks_.rungs.emplace_back();
+  rung.condition = condition;
+  rung.condition.negated = false;
+  rung.coils.push_back({graphic::CoilKind::Normal, name});
+  condition = graphic::contact(name, condition.negated);
 }
 
 }  // namespace stepwright::lowering

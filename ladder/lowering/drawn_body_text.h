@@ -11,6 +11,12 @@
 
 namespace stepwright::lowering {
 
+// The condition of a transition.
+struct DrawnCondition {
+  graphic::Condition value;
+  std::string statements;  // a network that runs before `value` is read, only while the transition is enabled
+};
+
 class DrawnBodyText {
  public:
   explicit DrawnBodyText(DiagramScope& scope) : scope_(scope) {}
@@ -18,15 +24,20 @@ class DrawnBodyText {
   // Statements of an action.
   std::string statements(const graphic::DiagramBody& body);
   // The condition of a transition: an expression, or what a network writes to the variable `name`.
-  graphic::Condition condition(const graphic::DiagramBody& body, const std::string& name);
+  DrawnCondition condition(const graphic::DiagramBody& body, const std::string& name);
+  // A network that is a condition as statements; empty if it may run in every scan, where it goes then.
+  std::string guarded(graphic::LadderProgram network);
 
-  // What runs in every scan for conditions that were drawn.
+  // What runs in every scan for conditions that were drawn: contacts and their edges.
   graphic::LadderProgram take_networks() { return std::move(networks_); }
   // Variables that the texts need.
   std::vector<graphic::Wire> take_variables() { return std::move(variables_); }
 
  private:
   std::string ladder_statements(const graphic::DiagramBody& body);
+  graphic::Condition expression(const graphic::DiagramBody& body, const std::string& name);
+  void sense_edges(graphic::Condition& condition, const graphic::LadderProgram& network);
+  bool refuse_jumps(const graphic::LadderProgram& ladder, const graphic::DiagramBody& body, const char* what);
   bool refuse(const graphic::DiagramBody& body);
 
   DiagramScope& scope_;

@@ -29,7 +29,7 @@ bool has_edge_action(const graphic::Step& step) {
 
 }  // namespace
 
-SfcLoweringContext::SfcLoweringContext(const graphic::Pou& pou, graphic::LadderProgram networks)
+SfcLoweringContext::SfcLoweringContext(const graphic::Pou& pou, ChartNetworks networks)
     : pou_(pou), networks_(std::move(networks)) {
   pou_.origin = std::get<SfcChart>(pou.body);
   pou_.step_variables.clear();
@@ -55,7 +55,8 @@ void SfcLoweringContext::for_each_text(Visit visit) const {
     }
   }
   for (const graphic::Action& action : chart().actions) visit(action.st_body);
-  for (const graphic::Rung& rung : networks_.rungs) {
+  for (const ConditionNetwork& network : networks_.conditions) visit(network.statements);
+  for (const graphic::Rung& rung : networks_.every_scan.rungs) {
     for_each_text_of(rung.condition, visit);
     for (const graphic::Block& block : rung.blocks) {
       for (const auto& [pin, value] : block.inputs) visit(value);
@@ -198,7 +199,7 @@ Condition SfcLoweringContext::rewrite(Condition condition) const {
 }
 
 void SfcLoweringContext::add_networks() {
-  for (graphic::Rung& rung : networks_.rungs) {
+  for (graphic::Rung& rung : networks_.every_scan.rungs) {
     rung.condition = rewrite(std::move(rung.condition));
     for (graphic::Block& block : rung.blocks) {
       for (auto& [pin, value] : block.inputs) value = rewrite(std::string_view(value));
@@ -206,11 +207,11 @@ void SfcLoweringContext::add_networks() {
     }
     add(std::move(rung));
   }
-  networks_.rungs.clear();
+  networks_.every_scan.rungs.clear();
 }
 
 graphic::Pou SfcLoweringContext::finish() {
-  pou_.body = graphic::LadderProgram{std::move(rungs_), std::move(networks_.wires)};
+  pou_.body = graphic::LadderProgram{std::move(rungs_), std::move(networks_.every_scan.wires)};
   return std::move(pou_);
 }
 

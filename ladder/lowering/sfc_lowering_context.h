@@ -11,6 +11,7 @@
 
 #include "ladder/graphic/identifier.h"
 #include "ladder/graphic/project.h"
+#include "ladder/lowering/condition_network.h"
 
 namespace stepwright::lowering {
 
@@ -33,7 +34,7 @@ class SfcLoweringContext {
  public:
   // Reserves every name that `pou` uses and declares the step and transition bits and what they need. The
   // body of `pou` is a sound chart. `networks` run beside it.
-  explicit SfcLoweringContext(const graphic::Pou& pou, graphic::LadderProgram networks = {});
+  explicit SfcLoweringContext(const graphic::Pou& pou, ChartNetworks networks = {});
 
   const graphic::SfcChart& chart() const { return pou_.origin; }
   const std::vector<StepVariables>& steps() const { return steps_; }
@@ -41,6 +42,8 @@ class SfcLoweringContext {
   const std::vector<ActionVariables>& actions() const { return actions_; }
   graphic::Condition active(graphic::StepId step, bool negated = false) const;
   graphic::Condition fires(std::size_t transition, bool negated = false) const;
+  // Their texts are not rewritten yet.
+  const std::vector<ConditionNetwork>& condition_networks() const { return networks_.conditions; }
   const std::string& clock_timer() const { return clock_timer_; }
   const std::string& now() const { return now_; }
   const std::string& first_scan() const { return pou_.first_scan_variable; }
@@ -53,7 +56,7 @@ class SfcLoweringContext {
   std::string rewrite(std::string_view text) const;
   graphic::Condition rewrite(graphic::Condition condition) const;
 
-  // The rungs of the networks, with their flags replaced.
+  // The rungs of the networks that run in every scan, with their flags replaced.
   void add_networks();
   void add(graphic::Rung rung) { rungs_.push_back(std::move(rung)); }
   // The POU with the rungs as its body. The context is used up.
@@ -76,7 +79,7 @@ class SfcLoweringContext {
   std::unordered_map<std::string, std::size_t> action_index_;
   std::vector<StepVariables> steps_;
   std::vector<ActionVariables> actions_;
-  graphic::LadderProgram networks_;
+  ChartNetworks networks_;
   std::vector<graphic::Rung> rungs_;
   std::string clock_timer_;
   std::string now_;

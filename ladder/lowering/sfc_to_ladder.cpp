@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "ladder/lowering/condition_guard.h"
 #include "ladder/lowering/sfc_actions.h"
 #include "ladder/lowering/sfc_lowering_context.h"
 #include "ladder/lowering/sfc_name_check.h"
@@ -67,20 +68,28 @@ void lower_transition_bits(SfcLoweringContext& context) {
     return chart.transitions[a].priority < chart.transitions[b].priority;
   });
   std::vector<std::vector<std::size_t>> before(chart.steps.size());  // places in `order`, by source
+  ConditionGuard guard(context);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Transition& transition = chart.transitions[order[i]];
     std::vector<Condition> series;
     for (const StepId source : transition.sources) series.push_back(context.active(source));
-    series.push_back(context.rewrite(transition.condition));
+    const bool guarded = guard.guards(order[i]);
+    if (!guarded) series.push_back(context.rewrite(transition.condition));
     std::set<std::size_t> rivals;
     for (const StepId source : transition.sources) {
       rivals.insert(before[source.value].begin(), before[source.value].end());
       before[source.value].push_back(i);
     }
     for (const std::size_t j : rivals) series.push_back(context.fires(order[j], true));
+    const std::string way =
+        names_of(chart, transition.sources) + " -> " + names_of(chart, transition.targets);
+    guard.run_shared_network(order[i]);
+    if (guarded) {
+      guard.evaluate(order[i], graphic::all(std::move(series)), way);
+      continue;
+    }
     Rung rung;
-    rung.comment =
-        "Transition " + names_of(chart, transition.sources) + " -> " + names_of(chart, transition.targets);
+    rung.comment = "Transition " + way;
     rung.condition = graphic::all(std::move(series));
     rung.coils.push_back({CoilKind::Normal, context.fires(order[i]).name});
     context.add(std::move(rung));
@@ -147,7 +156,7 @@ void lower_end_of_scan(SfcLoweringContext& context) {
 }
 
 result::Result<Pou> lower(const Pou& pou, const std::vector<graphic::Variable>* globals,
-                          graphic::LadderProgram networks = {}) {
+                          ChartNetworks networks = {}) {
   assert(std::holds_alternative<SfcChart>(pou.body));
   Diagnostics diagnostics = graphic::check(std::get<SfcChart>(pou.body));
   if (!result::has_errors(diagnostics)) diagnostics = check_names(pou, globals);
@@ -176,7 +185,7 @@ result::Result<Pou> lower_sfc(const Pou& pou, const std::vector<graphic::Variabl
   return lower(pou, &globals);
 }
 
-result::Result<Pou> lower_sfc_beside(const Pou& pou, graphic::LadderProgram networks) {
+result::Result<Pou> lower_sfc_beside(const Pou& pou, ChartNetworks networks) {
   return lower(pou, nullptr, std::move(networks));
 }
 

@@ -5,8 +5,9 @@
 // meaning of a chart is the meaning of its rungs. ladder/doc/sfc_semantics.md is the specification.
 // Pure functions; use from any thread.
 //
-// Invariants of the result: every transition is evaluated on the step bits at the start of the scan; one
-// evolution per scan; all generated names are legal, unique in the POU and listed in its variables.
+// Invariants of the result: every transition is evaluated on the step bits at the start of the scan, and what
+// its condition calls or computes only while it is enabled; one evolution per scan; all generated names are
+// legal, unique in the POU and listed in its variables.
 //
 //   Result<graphic::Pou> ladder = lower_sfc(pou);            // pou.body holds an SfcChart
 //   std::get<graphic::LadderProgram>(ladder->body).rungs     // what the compiler takes
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "ladder/graphic/project.h"
+#include "ladder/lowering/condition_network.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::lowering {
@@ -33,10 +35,9 @@ namespace stepwright::lowering {
 [[nodiscard]] result::Result<graphic::Pou> lower_sfc(const graphic::Pou& pou,
                                                      const std::vector<graphic::Variable>& globals);
 
-// The same with networks that run in every scan before the transitions are tested (drawn beside the chart):
-// their rungs may read the flags of steps and actions too.
-[[nodiscard]] result::Result<graphic::Pou> lower_sfc_beside(const graphic::Pou& pou,
-                                                            graphic::LadderProgram networks);
+// The same with networks that were drawn beside the chart or as its conditions: they may read the flags of
+// steps and actions too.
+[[nodiscard]] result::Result<graphic::Pou> lower_sfc_beside(const graphic::Pou& pou, ChartNetworks networks);
 
 // Every POU that holds a chart lowered, the others unchanged; all or nothing.
 [[nodiscard]] result::Result<graphic::Project> lower_sfc(const graphic::Project& project);

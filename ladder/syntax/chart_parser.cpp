@@ -67,15 +67,15 @@ bool takes_duration(std::string_view qualifier) {
 
 }  // namespace
 
-// name(qualifier, duration, indicator, ...)
+// name(qualifier, duration, indicator, ...); without a qualifier indicators may follow: name(, indicator)
 ActionUse Parser::action_use() {
   ActionUse result;
   result.action = *expect_name("the name of an action");
   if (!accept(TokenKind::LeftParen)) return result;
   const bool qualified = at(TokenKind::Identifier) && !peek(1).is(TokenKind::Dot);
-  if (qualified) {
-    result.qualifier = peek().text;
-    result.qualifier_where = advance().where;
+  if (qualified || at(TokenKind::Comma)) {
+    result.qualifier_where = peek().where;
+    if (qualified) result.qualifier = advance().text;
     if (takes_duration(result.qualifier) && accept(TokenKind::Comma))
       result.duration = action_argument("a duration");
     while (accept(TokenKind::Comma)) {

@@ -99,10 +99,16 @@ const ChartCase kCases[] = {
            "TO A := x; END_TRANSITION"),
      "after 'fork', 'leave' transition B + C -> A waits for step 'B'"},
     {"Deadlock", "W0705", 4, 6,
-     CHART("INITIAL_STEP A: END_STEP\nSTEP B: END_STEP INITIAL_STEP C: END_STEP\nTRANSITION t1 FROM (A, C) "
-           "TO B := "
-           "x; END_TRANSITION\nTRANSITION t2 FROM (B, C) TO A := x; END_TRANSITION"),
+     CHART(
+         "INITIAL_STEP A: END_STEP\nSTEP B: END_STEP STEP C: END_STEP\nTRANSITION t1 FROM A TO B := x; "
+         "END_TRANSITION\nTRANSITION t2 FROM A TO C := x; END_TRANSITION\nTRANSITION t3 FROM (B, C) TO A := "
+         "x; END_TRANSITION"),
      "step 'B'"},
+    {"TwoInitialSteps", "E0720", 4, 14,
+     CHART("INITIAL_STEP A: END_STEP\nINITIAL_STEP B: END_STEP\nTRANSITION FROM A TO B := x; END_TRANSITION"),
+     "one initial step"},
+    {"DurationWithoutQualifier", "E0703", 3, 25, CHART("INITIAL_STEP A: lamp(, T#1s); END_STEP"),
+     "takes no duration"},
 };
 
 class ChartDiagnostic : public testing::TestWithParam<ChartCase> {};

@@ -55,7 +55,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"E0719", "compares 'S1' with nothing",
               [](SfcChart& c) { c.transitions[1].condition.operand.clear(); }},
         Fault{"E0719", "transition 'T02' tests nothing",
-              [](SfcChart& c) { c.transitions[2].condition.name.clear(); }}));
+              [](SfcChart& c) { c.transitions[2].condition.name.clear(); }},
+        Fault{"E0720", "step 'S00_START' and step 'S02_MOVE' are both initial",
+              [](SfcChart& c) { c.steps[2].initial = true; }}));
 
 TEST(SfcCheck, WhenChartIsSound_ThenNothingIsFound) {
   for (const SfcChart& chart : {support::sequence_chart(), support::nested_chart(),

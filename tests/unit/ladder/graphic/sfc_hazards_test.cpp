@@ -106,6 +106,7 @@ TEST(SfcHazards, WhenAlternativesConvergeLikeSimultaneous_ThenItIsADeadlock) {
   EXPECT_THAT(found[1].hint, HasSubstr("'JOIN' waits for step 'C'"));
 }
 
+// SFC-U-2
 TEST(SfcHazards, WhenNothingLeadsToAStep_ThenOnlyTheFirstOfItsBranchIsReported) {
   EXPECT_THAT(findings(chart_of({{"T1", {"A"}, {"A2"}}, {"T2", {"X"}, {"Y"}}, {"T3", {"Y"}, {"Z"}}})),
               ElementsAre("W0701 X"));
@@ -162,18 +163,137 @@ TEST(SfcHazards, WhenAThousandStepsRunInTenBranches_ThenTheAnswerIsStillExact) {
 
 TEST(SfcHazards, WhenTheSearchIsCut_ThenItSaysSoAndKeepsWhatIsCertain) {
   // Two branches that take two tools one after the other: they do not melt.
-  SfcChart chart = chart_of({{"TAKE1", {"A", "T1"}, {"A1"}},
-                             {"TAKE2", {"A1", "T2"}, {"A2"}},
-                             {"GIVE", {"A2"}, {"A", "T1", "T2"}},
-                             {"TAKE3", {"B", "T1"}, {"B1"}},
-                             {"TAKE4", {"B1", "T2"}, {"B2"}},
-                             {"GIVE2", {"B2"}, {"B", "T1", "T2"}},
-                             {"T9", {"X"}, {"A"}}});
-  for (Step& each : chart.steps) {
-    each.initial = each.name == "A" || each.name == "B" || each.name == "T1" || each.name == "T2";
-  }
+  const SfcChart chart = chart_of({{"START", {"I"}, {"A", "B", "T1", "T2"}},
+                                   {"TAKE1", {"A", "T1"}, {"A1"}},
+                                   {"TAKE2", {"A1", "T2"}, {"A2"}},
+                                   {"GIVE", {"A2"}, {"A", "T1", "T2"}},
+                                   {"TAKE3", {"B", "T1"}, {"B1"}},
+                                   {"TAKE4", {"B1", "T2"}, {"B2"}},
+                                   {"GIVE2", {"B2"}, {"B", "T1", "T2"}},
+                                   {"T9", {"X"}, {"A"}}});
   EXPECT_THAT(findings(chart), ElementsAre("W0701 X"));
   EXPECT_THAT(findings(chart, 2), ElementsAre("W0701 X", "W0706"));
+}
+
+// SFC-U-1. Where a token is doubled more can happen than transitions that fire one by one: A -> B and B -> A
+// in one scan keep both active.
+TEST(SfcHazards, WhenTokensChangePlacesInOneScan_ThenWhatFollowsCanFire) {
+  const SfcChart chart = chart_of({{"SPLIT", {"S0"}, {"S2"}},
+                                   {"JOIN", {"S1", "S2"}, {"S5"}},
+                                   {"BACK", {"S1"}, {"S0"}},
+                                   {"FORK", {"S2"}, {"S1", "S0"}},
+                                   {"goal", {"S2", "S5"}, {"S1"}}});
+  EXPECT_THAT(findings(chart), ::testing::Not(::testing::Contains(HasSubstr("W0702"))));
+  EXPECT_THAT(findings(chart), ::testing::Contains(HasSubstr("W0703")));
+}
+
+// Everything that the tokens can come to, all sets of transitions that may fire in one scan tried: the
+// meaning of the chart, not a search that could be short of it.
+struct Truth {
+  std::set<std::size_t> fires;    // transitions of the chart
+  std::set<std::size_t> reached;  // steps
+  bool deadlock = false;
+};
+
+using Bits = std::uint32_t;  // of steps
+
+struct BitTransition {
+  Bits sources = 0;
+  Bits targets = 0;
+  std::size_t origin = 0;
+};
+
+std::vector<BitTransition> bit_transitions(const TokenNet& net) {
+  std::vector<BitTransition> result;
+  for (const NetTransition& each : net.transitions) {
+    BitTransition& bits = result.emplace_back();
+    for (const std::uint32_t place : each.sources) bits.sources |= Bits{1} << place;
+    for (const std::uint32_t place : each.targets) bits.targets |= Bits{1} << place;
+    bits.origin = each.origin;
+  }
+  return result;
+}
+
+Truth truth_of(const TokenNet& net) {
+  const std::vector<BitTransition> transitions = bit_transitions(net);
+  Bits exits = 0;
+  for (const BitTransition& each : transitions) exits |= each.sources;
+  Bits initial = 0;
+  for (const std::uint32_t place : net.marked) initial |= Bits{1} << place;
+  Truth truth;
+  std::set<Bits> seen{initial};
+  std::vector<Bits> open{initial};
+  while (!open.empty()) {
+    const Bits at = open.back();
+    open.pop_back();
+    for (std::size_t i = 0; i < net.places; ++i)
+      if ((at >> i & 1U) != 0) truth.reached.insert(i);
+    std::vector<const BitTransition*> enabled;
+    for (const BitTransition& each : transitions)
+      if ((at & each.sources) == each.sources) enabled.push_back(&each);
+    if (enabled.empty() && (at & exits) == at) truth.deadlock = true;
+    for (std::uint32_t set = 1; set < 1U << enabled.size(); ++set) {
+      Bits taken = 0;
+      Bits given = 0;
+      bool conflict = false;
+      for (std::size_t i = 0; i < enabled.size(); ++i) {
+        if ((set >> i & 1U) == 0) continue;
+        conflict = conflict || (taken & enabled[i]->sources) != 0;
+        taken |= enabled[i]->sources;
+        given |= enabled[i]->targets;
+        truth.fires.insert(enabled[i]->origin);
+      }
+      const Bits next = (at & ~taken) | given;
+      if (!conflict && seen.insert(next).second) open.push_back(next);
+    }
+  }
+  return truth;
+}
+
+// SFC-U-1, SFC-U-3. What a warning says is true, and nothing is left unsaid: what is no consequence of a
+// warning has one.
+TEST(SfcHazards, WhenChartsAreRandom_ThenWarningsAreWhatTheTokensCanDo) {
+  std::size_t unsafe_deadlocks = 0;
+  std::size_t never = 0;
+  for (unsigned seed = 1; seed <= 3000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    SfcChart chart = std::get<SfcChart>(lowering::random_pou(random).body);
+    for (std::uint32_t i = 0; i < chart.steps.size(); ++i) chart.steps[i].where = {"steps", i, 1};
+    for (std::uint32_t i = 0; i < chart.transitions.size(); ++i) chart.transitions[i].where = {"arcs", i, 1};
+    const Truth truth = truth_of(token_net(chart));
+    bool deadlock = false;
+    bool doubled = false;
+    std::set<std::size_t> reported;
+    std::size_t unreachable = 0;
+    for (const result::Diagnostic& each : find_hazards(chart)) {
+      deadlock = deadlock || each.code == "W0705";
+      doubled = doubled || each.code == "W0703";
+      if (each.code == "W0701") {
+        ASSERT_EQ(truth.reached.count(each.where.line), 0U) << result::to_string(each);
+        ++unreachable;
+      }
+      if (each.code != "W0702") continue;
+      ASSERT_EQ(truth.fires.count(each.where.line), 0U) << result::to_string(each);
+      reported.insert(each.where.line);
+    }
+    ASSERT_EQ(deadlock, truth.deadlock);
+    unsafe_deadlocks += deadlock && doubled ? 1 : 0;
+    for (std::size_t t = 0; t < chart.transitions.size(); ++t) {
+      const auto& sources = chart.transitions[t].sources;
+      const bool all = std::all_of(sources.begin(), sources.end(),
+                                   [&](StepId step) { return truth.reached.count(step.value) != 0; });
+      if (all && truth.fires.count(t) == 0) {
+        ASSERT_EQ(reported.count(t), 1U) << "transition " << t;
+        ++never;
+      }
+    }
+    if (truth.reached.size() < chart.steps.size()) {
+      ASSERT_GT(unreachable + reported.size(), 0U);
+    }
+  }
+  EXPECT_GT(unsafe_deadlocks, 20U);
+  EXPECT_GT(never, 100U);
 }
 
 // Whether a step can be active that has a way out but can never be left.

@@ -60,6 +60,25 @@ std::vector<ActionBlock> action_blocks(std::mt19937& random) {
   return blocks;
 }
 
+// Of steps that transitions connect one is initial.
+void keep_one_initial_step_in_each_network(graphic::SfcChart& chart) {
+  std::vector<std::uint32_t> network(chart.steps.size());
+  for (std::uint32_t i = 0; i < network.size(); ++i) network[i] = i;
+  const auto join = [&](StepId a, StepId b) {
+    const std::uint32_t from = network[a.value];
+    const std::uint32_t to = network[b.value];
+    std::replace(network.begin(), network.end(), from, to);
+  };
+  for (const graphic::Transition& each : chart.transitions) {
+    for (const StepId id : each.sources) join(id, each.sources.front());
+    for (const StepId id : each.targets) join(id, each.sources.front());
+  }
+  for (std::size_t i = 0; i < network.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k)
+      if (network[k] == network[i] && chart.steps[k].initial) chart.steps[i].initial = false;
+  }
+}
+
 }  // namespace
 
 graphic::Pou random_pou(std::mt19937& random) {
@@ -81,6 +100,7 @@ graphic::Pou random_pou(std::mt19937& random) {
     transition.priority = pick(random, 3);
     chart.transitions.push_back(std::move(transition));
   }
+  keep_one_initial_step_in_each_network(chart);
   // With and without the flags Q of the actions, which without final scan decides how they are lowered.
   chart.final_scan = pick(random, 2) == 0;
   const bool flags = pick(random, 2) == 0;

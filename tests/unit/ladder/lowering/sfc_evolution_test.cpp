@@ -93,11 +93,12 @@ TEST(SfcEvolution, WhenOnlySomeHaveAPriority_ThenThoseWithoutGoFirst) {
 TEST(SfcEvolution, WhenTheFirstTransitionLacksASource_ThenItDoesNotShutTheOtherOut) {
   ChartRun run(
       "VAR oc : BOOL; END_VAR\n"
-      "INITIAL_STEP A: END_STEP INITIAL_STEP W: END_STEP STEP V: END_STEP STEP B: END_STEP STEP C: oc(N); "
-      "END_STEP\n"
+      "INITIAL_STEP I: END_STEP STEP A: END_STEP STEP W: END_STEP STEP V: END_STEP STEP B: END_STEP\n"
+      "STEP C: oc(N); END_STEP\n"
+      "TRANSITION FROM I TO (A, W) := TRUE; END_TRANSITION\n"
       "TRANSITION FROM W TO V := r; END_TRANSITION\n"
       "TRANSITION FROM (A, V) TO B := TRUE; END_TRANSITION TRANSITION FROM A TO C := go; END_TRANSITION");
-  EXPECT_EQ(run.trace("main.oc", "0010"), "0011");
+  EXPECT_EQ(run.trace("main.oc", "00010"), "00011");
 }
 
 // SFC-E-6
@@ -167,6 +168,30 @@ TEST(SfcEvolution, WhenAFunctionBlockIsAChart_ThenEachInstanceHasItsOwnTokens) {
             (Traces{"01100000", "00011000", "01111111", "00011111"}));
 }
 
+// SFC-E-12
+TEST(SfcEvolution, WhenABlockIsCalledTwiceInAScan_ThenEachCallIsOneScanOfItsChart) {
+  ChartRun run(
+      "VAR f : Seq; END_VAR\nIF go THEN f(); END_IF; IF r THEN f(); END_IF;",
+      "FUNCTION_BLOCK Seq\nVAR_OUTPUT a, b, c, late : BOOL; END_VAR\n"
+      "INITIAL_STEP S0: a(N); END_STEP STEP S1: b(N); END_STEP STEP S2: c(N); late(D, T#20ms); END_STEP\n"
+      "TRANSITION FROM S0 TO S1 := TRUE; END_TRANSITION TRANSITION FROM S1 TO S2 := TRUE; END_TRANSITION\n"
+      "END_FUNCTION_BLOCK\n");
+  // The first call is the first scan, two calls are two scans, and the time goes on where there is none.
+  EXPECT_EQ(run.traces({"main.f.a", "main.f.b", "main.f.c", "main.f.late"}, "01010001", "00010000"),
+            (Traces{"01100000", "00000000", "00011111", "00000001"}));
+}
+
+// SFC-E-13
+TEST(SfcEvolution, WhenAPriorityIsZero_ThenItIsThatOfATransitionWithoutOne) {
+  ChartRun run(
+      "VAR ob, oc, od : BOOL; END_VAR\n"
+      "INITIAL_STEP A: END_STEP STEP B: ob(N); END_STEP STEP C: oc(N); END_STEP STEP D: od(N); END_STEP\n"
+      "TRANSITION FROM A TO B := r; END_TRANSITION\n"
+      "TRANSITION (PRIORITY := 0) FROM A TO C := go; END_TRANSITION\n"
+      "TRANSITION FROM A TO D := go; END_TRANSITION");
+  EXPECT_EQ(run.traces({"main.ob", "main.oc", "main.od"}, "010", "000"), (Traces{"000", "011", "000"}));
+}
+
 // SFC-F-1
 TEST(SfcFlag, WhenAnotherActionReadsX_ThenItIsTheStepsState) {
   ChartRun run(
@@ -221,9 +246,10 @@ TEST(SfcAction, WhenTheDurationIsAVariable_ThenItsValueCounts) {
 // SFC-A-2
 TEST(SfcAction, WhenIndicatorsAreWritten_ThenTheyChangeNothing) {
   ChartRun run(
-      "VAR ob, done, fault : BOOL; END_VAR\n"
-      "INITIAL_STEP A: q(N, done); ob(L, T#20ms, done, fault); END_STEP");
-  EXPECT_EQ(run.traces({"main.q", "main.ob", "main.done"}, "0000"), (Traces{"1111", "1100", "0000"}));
+      "VAR ob, oc, done, fault : BOOL; END_VAR\n"
+      "INITIAL_STEP A: q(N, done); ob(L, T#20ms, done, fault); oc(, done); END_STEP");
+  EXPECT_EQ(run.traces({"main.q", "main.ob", "main.oc", "main.done"}, "0000"),
+            (Traces{"1111", "1100", "1111", "0000"}));
 }
 
 // SFC-A-3

@@ -28,7 +28,9 @@ std::set<std::string> ids_in(const std::string& text) {
 
 TEST(SfcSemantics, Ids_WhenPageAndTestsAreCompared_ThenEachCitesTheOther) {
   std::set<std::string> cited;
-  for (const char* folder : {"tests/unit/ladder/lowering", "tests/unit/ladder/driver", "tests/st/programs"}) {
+  for (const char* folder :
+       {"tests/unit/ladder/lowering", "tests/unit/ladder/driver", "tests/unit/ladder/exchange",
+        "tests/unit/ladder/graphic", "tests/st/programs"}) {
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
       if (entry.is_regular_file()) cited.merge(ids_in(read(entry.path())));
   }

@@ -16,6 +16,7 @@ enum class Shape {
   Reset,    // IDLE -> RUN (B) beside WAIT -> RST (R) -> OFF; RUN stays active
   Held,     // as InARow, while a second token stands in a step with R
   Ended,    // as InARow, LAST has R
+  Again,    // IDLE -> RUN (B) -> IDLE
 };
 
 struct Row {
@@ -50,6 +51,9 @@ std::string chart_of(const Row& row) {
     case Shape::InARow:
       text = step("IDLE", set, true) + step("RUN", block) + step("LAST", "");
       return text + go("IDLE", "RUN") + go("RUN", "LAST");
+    case Shape::Again:
+      text = step("IDLE", "", true) + step("RUN", block);
+      return text + go("IDLE", "RUN") + go("RUN", "IDLE");
     case Shape::Ended:
       text = step("IDLE", set, true) + step("RUN", block) + step("LAST", "R");
       return text + go("IDLE", "RUN") + go("RUN", "LAST");
@@ -175,6 +179,21 @@ constexpr Row kRows[] = {
     // Reset before the time is over, while the step is left: nothing stays stored.
     {"SFC-Q-SD-8", Shape::Ended, "SD, T#70ms", "00100001000000", "00000000000000"},
     {"SFC-Q-SL-8", Shape::Ended, "SL, T#70ms", "00100001000000", "00111110000000"},
+    // T#0s, and a time below zero.
+    {"SFC-Q-L-9", Shape::InARow, "L, T#0s", "00100001000000", "00000000000000"},
+    {"SFC-Q-D-9", Shape::InARow, "D, T#0s", "00100001000000", "00111110000000"},
+    {"SFC-Q-SD-9", Shape::InARow, "SD, T#0s", "00100001000000", "00111111111111"},
+    {"SFC-Q-DS-9", Shape::InARow, "DS, T#0s", "00100001000000", "00111111111111"},
+    {"SFC-Q-SL-9", Shape::InARow, "SL, T#0s", "00100001000000", "00000000000000"},
+    {"SFC-Q-L-10", Shape::InARow, "L, T#-1s", "00100001000000", "00000000000000"},
+    {"SFC-Q-D-10", Shape::InARow, "D, T#-1s", "00100001000000", "00111110000000"},
+    {"SFC-Q-SD-10", Shape::InARow, "SD, T#-1s", "00100001000000", "00111111111111"},
+    {"SFC-Q-DS-10", Shape::InARow, "DS, T#-1s", "00100001000000", "00111111111111"},
+    {"SFC-Q-SL-10", Shape::InARow, "SL, T#-1s", "00100001000000", "00000000000000"},
+    // Entered again in scan 8 (SD: in scan 6), left in scan 5, without R.
+    {"SFC-Q-SL-11", Shape::Again, "SL, T#20ms", "00101001000000", "00110000000000"},
+    {"SFC-Q-SD-11", Shape::Again, "SD, T#40ms", "00101100000000", "00000011111111"},
+    {"SFC-Q-DS-11", Shape::Again, "DS, T#20ms", "00100101000000", "00001111111111"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Doc, SfcTable, ::testing::ValuesIn(kRows), [](const auto& each) {
