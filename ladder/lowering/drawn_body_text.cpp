@@ -18,20 +18,18 @@ using graphic::ConditionKind;
 using graphic::Element;
 using graphic::ElementKind;
 
-// "name := a AND b;" and ":= a AND b;" as "a AND b", with the number of bytes cut off its front.
-std::pair<std::string, std::size_t> expression_of(const std::string& text, const std::string& name) {
-  const char* blank = " \t\r\n";
-  std::size_t begin = text.find_first_not_of(blank);
-  if (begin == std::string::npos) return {"", 0};
-  const std::size_t assign = text.find(":=");
-  if (assign != std::string::npos) {
-    std::string target = text.substr(begin, assign - begin);
-    target.erase(target.find_last_not_of(blank) + 1);
-    if (target.empty() || graphic::same_name(target, name)) begin = text.find_first_not_of(blank, assign + 2);
+// The part of a text, with the places of its bytes.
+graphic::SourceText part_of(const graphic::SourceText& text, std::size_t begin, std::size_t end) {
+  graphic::SourceText part{text.text.substr(begin, end - begin), {}};
+  for (const graphic::TextAnchor& anchor : text.anchors) {
+    if (anchor.text >= begin) {
+      part.anchors.push_back({static_cast<std::uint32_t>(anchor.text - begin), anchor.file});
+    } else {
+      const auto delta = static_cast<std::uint32_t>(begin - anchor.text);
+      part.anchors.assign(1, {0, anchor.file + delta});
+    }
   }
-  if (begin == std::string::npos) return {"", 0};
-  std::size_t end = text.find_last_not_of(" \t\r\n;");
-  return {text.substr(begin, end + 1 > begin ? end + 1 - begin : 0), begin};
+  return part;
 }
 
 }  // namespace
@@ -52,7 +50,7 @@ bool DrawnBodyText::refuse(const graphic::DiagramBody& body) {
 std::string DrawnBodyText::statements(const graphic::DiagramBody& body) {
   if (refuse(body)) return {};
   if (body.language == BodyLanguage::Diagram) return ladder_statements(body);
-  return scope_.piece(body.text);
+  return scope_.piece(body.text, syntax::PieceKind::StatementList, body.where);
 }
 
 std::string DrawnBodyText::ladder_statements(const graphic::DiagramBody& body) {
@@ -64,35 +62,47 @@ std::string DrawnBodyText::ladder_statements(const graphic::DiagramBody& body) {
     return {};
   }
   LadderText text = ladder_text(ladder, scope_.new_wire());
+  for (const std::string& fault : text.faults) scope_.error(code::kBadDiagram, body.where, fault);
+  if (!text.faults.empty()) return {};
   for (graphic::Wire& wire : text.variables) variables_.push_back(std::move(wire));
   return text.statements;
 }
 
-Condition DrawnBodyText::condition(const graphic::DiagramBody& body, const std::string& name) {
+graphic::SourceText DrawnBodyText::expression_of(const graphic::SourceText& text, const std::string& name) {
+  using syntax::TokenKind;
+  const std::vector<syntax::Token> tokens = reader_.tokens(text.text);
+  std::size_t first = 0;
+  std::size_t last = tokens.size() - 1;  // behind the expression
+  if (tokens[0].is(TokenKind::Assign)) first = 1;
+  if (tokens[0].is(TokenKind::Identifier) && tokens[1].is(TokenKind::Assign) &&
+      graphic::same_name(tokens[0].text, name))
+    first = 2;
+  while (last > first && tokens[last - 1].is(TokenKind::Semicolon)) --last;
+  if (first == last) return {};
+  return part_of(text, syntax::begin_of(tokens[first], text.text),
+                 syntax::end_of(tokens[last - 1], text.text));
+}
+
+Condition DrawnBodyText::written_condition(const graphic::DiagramBody& body, const std::string& name) {
   Condition result;
-  if (refuse(body)) return result;
-  if (body.language == BodyLanguage::StructuredText) {
-    const auto [text, skipped] = expression_of(body.text.text, name);
-    const std::string fault = fault_of_expression(text);
-    if (!fault.empty()) {
-      scope_.error(code::kBadDiagram, body.where, "the condition of the transition: " + fault,
-                   "write a BOOL expression of ST");
-      return result;
-    }
-    if (graphic::same_name(text, "TRUE")) return result;
-    graphic::SourceText piece{text, {}};
-    for (graphic::TextAnchor anchor : body.text.anchors) {
-      if (anchor.text >= skipped) {
-        piece.anchors.push_back({static_cast<std::uint32_t>(anchor.text - skipped), anchor.file});
-      } else {
-        const auto delta = static_cast<std::uint32_t>(skipped - anchor.text);
-        piece.anchors.assign(1, {0, anchor.file + delta});
-      }
-    }
-    result.kind = ConditionKind::Expression;
-    result.name = scope_.piece(piece);
+  const graphic::SourceText text = expression_of(body.text, name);
+  if (text.text.empty()) {
+    scope_.error(code::kBadDiagram, body.where, "the condition of the transition is missing",
+                 "write a BOOL expression of ST");
     return result;
   }
+  if (graphic::same_name(text.text, "TRUE")) return result;
+  std::string condition = scope_.piece(text, syntax::PieceKind::Expression, body.where);
+  if (condition.empty()) return result;  // and reported
+  result.kind = ConditionKind::Expression;
+  result.name = std::move(condition);
+  return result;
+}
+
+Condition DrawnBodyText::condition(const graphic::DiagramBody& body, const std::string& name) {
+  if (refuse(body)) return {};
+  if (body.language == BodyLanguage::StructuredText) return written_condition(body, name);
+  Condition result;
   const DiagramGraph graph(body.diagram, scope_);
   NetworkLowering lowering(graph, scope_);
   const Element* output = nullptr;

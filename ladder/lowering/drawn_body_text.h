@@ -8,6 +8,7 @@
 #include "ladder/graphic/diagram.h"
 #include "ladder/graphic/ladder_program.h"
 #include "ladder/lowering/diagram_scope.h"
+#include "ladder/syntax/piece.h"
 
 namespace stepwright::lowering {
 
@@ -28,8 +29,12 @@ class DrawnBodyText {
  private:
   std::string ladder_statements(const graphic::DiagramBody& body);
   bool refuse(const graphic::DiagramBody& body);
+  graphic::Condition written_condition(const graphic::DiagramBody& body, const std::string& name);
+  // "name := a AND b;" and ":= a AND b;" as "a AND b".
+  graphic::SourceText expression_of(const graphic::SourceText& text, const std::string& name);
 
   DiagramScope& scope_;
+  syntax::PieceReader reader_;
   graphic::LadderProgram networks_;
   std::vector<graphic::Wire> variables_;
 };
