@@ -5,38 +5,13 @@
 #include <utility>
 
 #include "ladder/source/suggestion.h"
+#include "ladder/syntax/piece.h"
 
 namespace stepwright::driver {
 
 namespace {
 
 namespace code = source::code;
-
-std::string marked(const syntax::TextSlice& slice, Marks marks) {
-  const std::string text(slice.text);
-  if (marks == Marks::None) return text;
-  return "{@" + std::to_string(slice.where.file.value) + ":" + std::to_string(slice.where.offset) + "}" +
-         text + "{@}";
-}
-
-bool is_identifier(std::string_view text) {
-  for (const char c : text) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-    if (!letter && !(c >= '0' && c <= '9')) return false;
-  }
-  return !text.empty() && !(text.front() >= '0' && text.front() <= '9');
-}
-
-graphic::Condition condition_of(const syntax::TextSlice& slice, Marks marks) {
-  const std::string folded = source::upper(slice.text);
-  if (folded == "TRUE") return graphic::always();
-  graphic::Condition condition;
-  const bool plain = is_identifier(slice.text) && folded != "FALSE";
-  if (plain && marks == Marks::None) return graphic::contact(std::string(slice.text));
-  condition.kind = graphic::ConditionKind::Expression;
-  condition.name = marked(slice, marks);
-  return condition;
-}
 
 class Conversion {
  public:
@@ -54,7 +29,7 @@ class Conversion {
       result.transitions.push_back(transition(each));
     for (const syntax::ActionDeclaration& each : chart_.actions)
       result.actions.push_back(
-          {std::string(each.name.text), marked(each.body, marks_), sources_.location(each.name.where)});
+          {std::string(each.name.text), marked(each.body), sources_.location(each.name.where)});
     result.final_scan = chart_.final_scan;
     return result;
   }
@@ -91,7 +66,7 @@ class Conversion {
       sink_.error(code::kBadChart, use.duration.where, "the qualifier " + qualifier + " takes no duration",
                   "remove it, or use L, D, SD, DS or SL");
     } else if (timed) {
-      block.duration = marked(use.duration, marks_);
+      block.duration = marked(use.duration);
     }
     return block;
   }
@@ -121,11 +96,31 @@ class Conversion {
     result.where = sources_.location(declaration.name ? declaration.name->where : declaration.where);
     result.sources = steps(declaration.sources);
     result.targets = steps(declaration.targets);
-    result.condition = condition_of(declaration.condition, marks_);
+    result.condition = condition_of(declaration.condition);
     return result;
   }
 
+  // A text that the parser read, on one line where it is compiled: as long as it was.
+  std::string marked(const syntax::TextSlice& slice) {
+    if (marks_ == Marks::None) return std::string(slice.text);
+    return "{@" + std::to_string(slice.where.file.value) + ":" + std::to_string(slice.where.offset) + "}" +
+           reader_.bare_line(slice.text) + "{@}";
+  }
+
+  graphic::Condition condition_of(const syntax::TextSlice& slice) {
+    const std::vector<syntax::Token> tokens = reader_.tokens(slice.text);
+    const syntax::Token* only = tokens.size() == 2 ? &tokens.front() : nullptr;
+    if (only != nullptr && only->is(syntax::Keyword::True)) return graphic::always();
+    if (only != nullptr && only->is(syntax::TokenKind::Identifier) && marks_ == Marks::None)
+      return graphic::contact(std::string(slice.text));
+    graphic::Condition condition;
+    condition.kind = graphic::ConditionKind::Expression;
+    condition.name = marked(slice);
+    return condition;
+  }
+
   const syntax::Chart& chart_;
+  syntax::PieceReader reader_;
   Marks marks_;
   const source::SourceSet& sources_;
   source::DiagnosticSink& sink_;

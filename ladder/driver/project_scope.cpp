@@ -1,6 +1,6 @@
 #include "ladder/driver/project_scope.h"
 
-#include <cctype>
+#include <utility>
 
 #include "ladder/graphic/identifier.h"
 #include "ladder/graphic/type_text.h"
@@ -40,8 +40,14 @@ void add_parameter(lowering::Signature& signature, syntax::Section section, lowe
     signature.in_outs.push_back(std::move(parameter));
 }
 
-bool is_name(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+// Behind the index that begins with the first of the tokens; 0 if it is not closed.
+std::size_t index_length(std::span<const syntax::Token> tokens) {
+  int depth = 0;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].is(syntax::TokenKind::LeftBracket)) ++depth;
+    if (tokens[i].is(syntax::TokenKind::RightBracket) && --depth == 0) return i + 1;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -101,47 +107,48 @@ std::string ProgramInterfaces::type_behind(std::string name) const {
   return name;
 }
 
-std::string ProgramInterfaces::type_below(std::string base, std::string_view path) const {
-  while (!path.empty() && !base.empty()) {
+std::string ProgramInterfaces::type_below(std::string base, std::span<const syntax::Token> path) const {
+  while (!path.front().is(syntax::TokenKind::End) && !base.empty()) {
     base = type_behind(std::move(base));
-    if (path.front() == '[') {
-      const std::size_t close = path.find(']');
+    if (path.front().is(syntax::TokenKind::LeftBracket)) {
+      const std::size_t length = index_length(path);
+      if (length == 0) return {};
       base = graphic::element_type(base);
-      if (close == std::string_view::npos) return {};
-      path.remove_prefix(close + 1);
-      continue;
+      path = path.subspan(length);
+    } else if (path.front().is(syntax::TokenKind::Dot) && path[1].is(syntax::TokenKind::Identifier)) {
+      base = type_of_member(base, path[1].text);
+      path = path.subspan(2);
+    } else {
+      return {};
     }
-    if (path.front() != '.') return {};
-    std::size_t end = 1;
-    while (end < path.size() && is_name(path[end])) ++end;
-    const std::string field(path.substr(1, end - 1));
-    path.remove_prefix(end);
-    std::string member;
-    if (graphic::is_structure(base)) {
-      for (const graphic::StructureMember& each : graphic::members_of(base))
-        if (graphic::same_name(each.name, field)) member = each.type;
-    } else if (const lowering::Signature* block = signature(base)) {
-      for (const auto* list : {&block->outputs, &block->inputs, &block->in_outs})
-        for (const lowering::Parameter& each : *list)
-          if (graphic::same_name(each.name, field)) member = each.type;
-    }
-    base = member;
   }
   return base;
 }
 
+std::string ProgramInterfaces::type_of_member(const std::string& base, std::string_view name) const {
+  std::string type;
+  if (graphic::is_structure(base)) {
+    for (const graphic::StructureMember& each : graphic::members_of(base))
+      if (graphic::same_name(each.name, name)) type = each.type;
+  } else if (const lowering::Signature* block = signature(base)) {
+    for (const auto* list : {&block->outputs, &block->inputs, &block->in_outs})
+      for (const lowering::Parameter& each : *list)
+        if (graphic::same_name(each.name, name)) type = each.type;
+  }
+  return type;
+}
+
 std::string ProjectScope::type_of(const std::string& variable) const {
-  std::size_t end = 0;
-  while (end < variable.size() && is_name(variable[end])) ++end;
-  const std::string name = variable.substr(0, end);
-  if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) != 0) return {};
+  const std::vector<syntax::Token> tokens = reader_.tokens(variable);
+  if (!tokens.front().is(syntax::TokenKind::Identifier)) return {};
+  const std::string_view name = tokens.front().text;
   std::string type;
   for (const graphic::Variable& each : pou_.variables)
     if (graphic::same_name(each.name, name)) type = each.type;
   if (type.empty() && pou_.kind == graphic::PouKind::Function && graphic::same_name(pou_.name, name))
     type = pou_.result_type;
-  if (type.empty()) type = interfaces_.type_of_global(name);
-  return interfaces_.type_below(type, std::string_view(variable).substr(end));
+  if (type.empty()) type = interfaces_.type_of_global(std::string(name));
+  return interfaces_.type_below(type, std::span(tokens).subspan(1));
 }
 
 std::string ProjectScope::mark(std::uint32_t where) const {
@@ -157,10 +164,17 @@ void ProjectScope::note(std::uint32_t where, const std::string& what) {
   if (where != 0) context_.sources.add_note({file_, where}, "POU '" + pou_.name + "', " + what);
 }
 
-std::string ProjectScope::piece(const graphic::SourceText& text) {
-  if (!marks_ || text.anchors.empty()) return text.text;
+std::string ProjectScope::piece(const graphic::SourceText& text, syntax::PieceKind kind,
+                                std::uint32_t where) {
+  if (!marks_) return text.text;
+  if (text.anchors.empty()) {
+    const syntax::Piece piece = reader_.read(text.text, kind);
+    if (!piece.is_whole) error(source::code::kUnexpectedToken, where, piece.fault, piece.hint);
+    return piece.is_whole ? reader_.bare_line(text.text) : std::string();
+  }
   const source::FileId file = add_text(context_.sources, file_, {}, text);
-  return "{@" + std::to_string(file.value) + ":0}" + text.text + "{@}";
+  if (!syntax::parse_piece(context_, file, kind, syntax::TextKind::Piece).is_whole) return {};
+  return "{@" + std::to_string(file.value) + ":0}" + reader_.bare_line(text.text) + "{@}";
 }
 
 void ProjectScope::error(const char* code, std::uint32_t where, std::string message, std::string hint) {

@@ -4,11 +4,13 @@
 // file. Internal to this folder.
 
 #include <map>
+#include <span>
 #include <string>
 
 #include "ladder/graphic/project.h"
 #include "ladder/lowering/diagram_scope.h"
 #include "ladder/syntax/parser.h"
+#include "ladder/syntax/piece.h"
 
 namespace stepwright::driver {
 
@@ -21,11 +23,13 @@ class ProgramInterfaces {
   const lowering::Signature* signature(const std::string& type) const;
   // The ST text of the type that a name stands for; the name itself if it stands for none.
   std::string type_behind(std::string name) const;
-  // Type of a variable below `base`: ".field[1].more"; empty if unknown.
-  std::string type_below(std::string base, std::string_view path) const;
+  // Type of a variable below `base`, with the tokens behind its name: ".field[1].more"; empty if unknown.
+  std::string type_below(std::string base, std::span<const syntax::Token> path) const;
   std::string type_of_global(const std::string& name) const;
 
  private:
+  std::string type_of_member(const std::string& base, std::string_view name) const;
+
   std::map<std::string, lowering::Signature> pous_;
   std::map<std::string, std::string> types_;    // ST text of the type
   std::map<std::string, std::string> globals_;  // its type
@@ -45,7 +49,7 @@ class ProjectScope final : public lowering::DiagramScope {
   std::string mark(std::uint32_t where) const override;
   result::Location location(std::uint32_t where) const override;
   void note(std::uint32_t where, const std::string& what) override;
-  std::string piece(const graphic::SourceText& text) override;
+  std::string piece(const graphic::SourceText& text, syntax::PieceKind kind, std::uint32_t where) override;
   void error(const char* code, std::uint32_t where, std::string message, std::string hint) override;
   std::string new_wire() override { return "__W" + std::to_string(wires_++) + "_"; }
 
@@ -57,6 +61,7 @@ class ProjectScope final : public lowering::DiagramScope {
   const ProgramInterfaces& interfaces_;
   source::FileId file_;
   syntax::SyntaxContext& context_;
+  mutable syntax::PieceReader reader_;  // learns spellings, nothing else
   std::size_t wires_ = 0;
   bool marks_ = true;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ladder/driver/chart_conversion.h"
+#include "ladder/syntax/blank.h"
 
 namespace stepwright::driver {
 
@@ -178,14 +179,13 @@ class TextSheets {
 
   // The comment that ends a line: "x : BOOL; (* start button *)", "x : BOOL; // start button".
   std::string comment_behind(std::size_t offset) const {
-    const std::string_view rest = text_.substr(offset, text_.find('\n', offset) - offset);
-    std::size_t begin = 0;
-    while (begin < rest.size() && is_blank(rest[begin])) ++begin;
-    const std::string_view open = rest.substr(begin, 2);
-    if (open == "//") return collapsed(rest.substr(begin + 2));
-    if (open != "(*" && open != "/*") return {};
-    const std::size_t end = rest.find(open == "(*" ? "*)" : "*/", begin + 2);
-    return collapsed(rest.substr(begin + 2, end == std::string_view::npos ? end : end - begin - 2));
+    std::size_t at = offset;
+    while (at < text_.size() && is_blank(text_[at]) && text_[at] != '\n') ++at;
+    const syntax::Blank blank = syntax::blank_at(text_, at);
+    if (blank.kind != syntax::BlankKind::Comment) return {};
+    const std::size_t begin = at + blank.open.size();
+    const std::size_t end = blank.closed ? blank.end - blank.close.size() : blank.end;
+    return collapsed(text_.substr(begin, end - begin));
   }
 
   void add_section(const char* kind, std::string name, std::size_t first, Keyword last) {

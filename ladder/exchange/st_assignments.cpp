@@ -1,69 +1,59 @@
 #include "ladder/exchange/st_assignments.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 
-#include "ladder/graphic/identifier.h"
+#include "ladder/syntax/piece.h"
 
 namespace stepwright::exchange {
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const auto space = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
-  const auto begin = std::find_if_not(text.begin(), text.end(), space);
-  const auto end = std::find_if_not(text.rbegin(), std::make_reverse_iterator(begin), space).base();
-  return {begin, end};
+using syntax::Token;
+using syntax::TokenKind;
+
+// One statement, without its ';', or nothing if it is no assignment.
+std::optional<Assignment> assignment_of(const std::string& st, const std::vector<Token>& tokens,
+                                        std::size_t first, std::size_t last) {
+  std::size_t assign = first;
+  while (assign < last && !tokens[assign].is(TokenKind::Assign) && !tokens[assign].is(TokenKind::LeftParen))
+    ++assign;
+  if (tokens[first].is(TokenKind::Keyword) || assign == last || !tokens[assign].is(TokenKind::Assign))
+    return std::nullopt;
+  const auto text = [&](std::size_t from, std::size_t to) {
+    const std::size_t begin = syntax::begin_of(tokens[from], st);
+    return st.substr(begin, syntax::end_of(tokens[to - 1], st) - begin);
+  };
+  return Assignment{text(first, assign), text(assign + 1, last)};
 }
 
-bool is_place(const std::string& text) {
-  return !text.empty() &&
-         (std::isalpha(static_cast<unsigned char>(text[0])) != 0 || text[0] == '_' || text[0] == '%') &&
-         std::all_of(text.begin(), text.end(), [](char c) {
-           return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '[' ||
-                  c == ']' || c == '%';
-         });
-}
-
-// Words that make a statement more than an expression.
-bool has_statement_word(const std::string& text) {
-  constexpr std::array<const char*, 16> words{"IF",       "THEN",  "ELSE",   "ELSIF",   "END_IF", "FOR",
-                                              "DO",       "WHILE", "CASE",   "REPEAT",  "UNTIL",  "EXIT",
-                                              "CONTINUE", "OF",    "RETURN", "END_CASE"};
-  std::string word;
-  for (const char c : text + " ") {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
-      word += c;
-      continue;
-    }
-    if (std::any_of(words.begin(), words.end(), [&](const char* w) { return graphic::same_name(w, word); }))
-      return true;
-    word.clear();
-  }
-  return false;
+// A drawing has no place for comments, and what is not on it would be lost.
+bool has_comment(syntax::PieceReader& reader, const std::string& st) {
+  std::string line = st;
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return reader.bare_line(st) != line;
 }
 
 }  // namespace
 
 std::optional<std::vector<Assignment>> assignments_of(const std::string& st) {
-  // Strings and comments may hold anything; such a text is not taken apart.
-  if (st.find_first_of("'\"") != std::string::npos || st.find("(*") != std::string::npos ||
-      st.find("//") != std::string::npos || has_statement_word(st)) {
+  syntax::PieceReader reader;
+  if (!reader.read(st, syntax::PieceKind::StatementList).is_whole || has_comment(reader, st))
     return std::nullopt;
-  }
+  const std::vector<Token> tokens = reader.tokens(st);
   std::vector<Assignment> list;
-  for (std::size_t begin = 0; begin < st.size();) {
-    const std::size_t end = std::min(st.find(';', begin), st.size());
-    const std::string statement = trimmed(st.substr(begin, end - begin));
-    begin = end + 1;
-    if (statement.empty()) continue;
-    const std::size_t assign = statement.find(":=");
-    if (assign == std::string::npos) return std::nullopt;
-    Assignment assignment{trimmed(statement.substr(0, assign)), trimmed(statement.substr(assign + 2))};
-    const bool plain =
-        assignment.expression.find(":=") == std::string::npos && !assignment.expression.empty();
-    if (!is_place(assignment.target) || !plain) return std::nullopt;
-    list.push_back(std::move(assignment));
+  for (std::size_t first = 0; !tokens[first].is(TokenKind::End);) {
+    std::size_t last = first;
+    while (!tokens[last].is(TokenKind::Semicolon) && !tokens[last].is(TokenKind::End)) {
+      // The formats that ask have no words for texts.
+      if (tokens[last].is(TokenKind::String) || tokens[last].is(TokenKind::WideString)) return std::nullopt;
+      ++last;
+    }
+    if (last > first) {
+      auto assignment = assignment_of(st, tokens, first, last);
+      if (!assignment) return std::nullopt;
+      list.push_back(std::move(*assignment));
+    }
+    first = last + (tokens[last].is(TokenKind::Semicolon) ? 1 : 0);
   }
   return list;
 }

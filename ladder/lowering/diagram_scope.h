@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ladder/graphic/diagram.h"
+#include "ladder/syntax/parser.h"
 #include "runtime/result/diagnostic.h"
 
 namespace stepwright::lowering {
@@ -44,8 +45,9 @@ class DiagramScope {
   // What stands at a byte of the diagram's file and behind it: "network 2, coil 'lamp'". Diagnostics and
   // traps there say so.
   virtual void note(std::uint32_t where, const std::string& what) = 0;
-  // A text with the marks of where its pieces stand.
-  virtual std::string piece(const graphic::SourceText& text) = 0;
+  // A text with the marks of where its pieces stand, on one line. What is not whole (syntax/piece.h) is
+  // reported, at `where` if the text does not know its place, and becomes empty.
+  virtual std::string piece(const graphic::SourceText& text, syntax::PieceKind kind, std::uint32_t where) = 0;
   virtual void error(const char* code, std::uint32_t where, std::string message, std::string hint = {}) = 0;
   // The name of a variable that nothing else in the POU has.
   virtual std::string new_wire() = 0;

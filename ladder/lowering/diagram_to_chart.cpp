@@ -4,6 +4,7 @@
 #include <map>
 
 #include "ladder/graphic/identifier.h"
+#include "ladder/graphic/type_text.h"
 #include "ladder/lowering/chart_tracer.h"
 #include "ladder/lowering/drawn_body_text.h"
 #include "ladder/lowering/drawn_conditions.h"
@@ -183,7 +184,7 @@ class ChartReader {
         return conditions_.inline_body(element);
       case ConditionSource::Reference: {
         const graphic::Condition* named = conditions_.named(element);
-        return named != nullptr ? *named : graphic::contact(condition.reference);
+        return named != nullptr ? *named : referred(condition.reference, element.where);
       }
       case ConditionSource::None:
         break;
@@ -191,6 +192,30 @@ class ChartReader {
     scope_.error(code::kBadDiagram, element.where, "the transition has no condition",
                  "write TRUE for one that always holds");
     return {};
+  }
+
+  // What is no transition is a variable or an expression.
+  graphic::Condition referred(const std::string& reference, std::uint32_t where) {
+    const syntax::Piece piece = reader_.read(reference, syntax::PieceKind::Expression);
+    if (!is_whole(piece, "the condition '" + reference + "'", where)) return {};
+    graphic::Condition condition = graphic::contact(graphic::trimmed(reader_.bare_line(reference)));
+    if (!piece.is_operand) condition.kind = graphic::ConditionKind::Expression;
+    return condition;
+  }
+
+  bool is_whole(const syntax::Piece& piece, const std::string& what, std::uint32_t where) {
+    if (!piece.is_whole) scope_.error(code::kBadDiagram, where, what + ": " + piece.fault, piece.hint);
+    return piece.is_whole;
+  }
+
+  // The texts of an action block.
+  bool is_sound(const graphic::DiagramAction& row) {
+    using syntax::PieceKind;
+    const auto whole = [&](const std::string& text, PieceKind kind, const char* what) {
+      return text.empty() || is_whole(reader_.read(text, kind), what + (" '" + text + "'"), row.where);
+    };
+    return whole(row.duration, PieceKind::Expression, "the duration") &&
+           whole(row.reference, PieceKind::Variable, "the target");
   }
 
   void action_blocks() {
@@ -220,6 +245,7 @@ class ChartReader {
                    "qualifiers are N, S, R, L, D, P, P0, P1, SD, DS and SL");
       return;
     }
+    if (!is_sound(row)) return;
     block.qualifier = *known;
     block.where = scope_.location(row.where);
     block.duration = row.duration;
@@ -242,6 +268,7 @@ class ChartReader {
   const graphic::DrawnBody& body_;
   const graphic::Diagram& diagram_;
   DiagramScope& scope_;
+  syntax::PieceReader reader_;
   DrawnBodyText texts_;
   ChartTracer tracer_;
   DiagramGraph graph_;

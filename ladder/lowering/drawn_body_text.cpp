@@ -19,20 +19,18 @@ using graphic::ConditionKind;
 using graphic::Element;
 using graphic::ElementKind;
 
-// "name := a AND b;" and ":= a AND b;" as "a AND b", with the number of bytes cut off its front.
-std::pair<std::string, std::size_t> expression_of(const std::string& text, const std::string& name) {
-  const char* blank = " \t\r\n";
-  std::size_t begin = text.find_first_not_of(blank);
-  if (begin == std::string::npos) return {"", 0};
-  const std::size_t assign = text.find(":=");
-  if (assign != std::string::npos) {
-    std::string target = text.substr(begin, assign - begin);
-    target.erase(target.find_last_not_of(blank) + 1);
-    if (target.empty() || graphic::same_name(target, name)) begin = text.find_first_not_of(blank, assign + 2);
+// The part of a text, with the places of its bytes.
+graphic::SourceText part_of(const graphic::SourceText& text, std::size_t begin, std::size_t end) {
+  graphic::SourceText part{text.text.substr(begin, end - begin), {}};
+  for (const graphic::TextAnchor& anchor : text.anchors) {
+    if (anchor.text >= begin) {
+      part.anchors.push_back({static_cast<std::uint32_t>(anchor.text - begin), anchor.file});
+    } else {
+      const auto delta = static_cast<std::uint32_t>(begin - anchor.text);
+      part.anchors.assign(1, {0, anchor.file + delta});
+    }
   }
-  if (begin == std::string::npos) return {"", 0};
-  std::size_t end = text.find_last_not_of(" \t\r\n;");
-  return {text.substr(begin, end + 1 > begin ? end + 1 - begin : 0), begin};
+  return part;
 }
 
 }  // namespace
@@ -53,7 +51,7 @@ bool DrawnBodyText::refuse(const graphic::DiagramBody& body) {
 std::string DrawnBodyText::statements(const graphic::DiagramBody& body) {
   if (refuse(body)) return {};
   if (body.language == BodyLanguage::Diagram) return ladder_statements(body);
-  return scope_.piece(body.text);
+  return scope_.piece(body.text, syntax::PieceKind::StatementList, body.where);
 }
 
 bool DrawnBodyText::refuse_jumps(const graphic::LadderProgram& ladder, const graphic::DiagramBody& body,
@@ -72,31 +70,40 @@ std::string DrawnBodyText::ladder_statements(const graphic::DiagramBody& body) {
   const graphic::LadderProgram ladder = diagram_to_ladder(body.diagram, scope_);
   if (refuse_jumps(ladder, body, "an action")) return {};
   LadderText text = ladder_text(ladder, scope_.new_wire());
+  for (const std::string& fault : text.faults) scope_.error(code::kBadDiagram, body.where, fault);
+  if (!text.faults.empty()) return {};
   for (graphic::Wire& wire : text.variables) variables_.push_back(std::move(wire));
   return text.statements;
 }
 
-Condition DrawnBodyText::expression(const graphic::DiagramBody& body, const std::string& name) {
+graphic::SourceText DrawnBodyText::expression_of(const graphic::SourceText& text, const std::string& name) {
+  using syntax::TokenKind;
+  const std::vector<syntax::Token> tokens = reader_.tokens(text.text);
+  std::size_t first = 0;
+  std::size_t last = tokens.size() - 1;  // behind the expression
+  if (tokens[0].is(TokenKind::Assign)) first = 1;
+  if (tokens[0].is(TokenKind::Identifier) && tokens[1].is(TokenKind::Assign) &&
+      graphic::same_name(tokens[0].text, name))
+    first = 2;
+  while (last > first && tokens[last - 1].is(TokenKind::Semicolon)) --last;
+  if (first == last) return {};
+  return part_of(text, syntax::begin_of(tokens[first], text.text),
+                 syntax::end_of(tokens[last - 1], text.text));
+}
+
+Condition DrawnBodyText::written_condition(const graphic::DiagramBody& body, const std::string& name) {
   Condition result;
-  const auto [text, skipped] = expression_of(body.text.text, name);
-  const std::string fault = fault_of_expression(text);
-  if (!fault.empty()) {
-    scope_.error(code::kBadDiagram, body.where, "the condition of the transition: " + fault,
+  const graphic::SourceText text = expression_of(body.text, name);
+  if (text.text.empty()) {
+    scope_.error(code::kBadDiagram, body.where, "the condition of the transition is missing",
                  "write a BOOL expression of ST");
     return result;
   }
-  if (graphic::same_name(text, "TRUE")) return result;
-  graphic::SourceText piece{text, {}};
-  for (graphic::TextAnchor anchor : body.text.anchors) {
-    if (anchor.text >= skipped) {
-      piece.anchors.push_back({static_cast<std::uint32_t>(anchor.text - skipped), anchor.file});
-    } else {
-      const auto delta = static_cast<std::uint32_t>(skipped - anchor.text);
-      piece.anchors.assign(1, {0, anchor.file + delta});
-    }
-  }
+  if (graphic::same_name(text.text, "TRUE")) return result;
+  std::string condition = scope_.piece(text, syntax::PieceKind::Expression, body.where);
+  if (condition.empty()) return result;  // and reported
   result.kind = ConditionKind::Expression;
-  result.name = scope_.piece(piece);
+  result.name = std::move(condition);
   return result;
 }
 
@@ -104,7 +111,7 @@ DrawnCondition DrawnBodyText::condition(const graphic::DiagramBody& body, const 
   DrawnCondition result;
   if (refuse(body)) return result;
   if (body.language == BodyLanguage::StructuredText) {
-    result.value = expression(body, name);
+    result.value = written_condition(body, name);
     return result;
   }
   const DiagramGraph graph(body.diagram, scope_);
@@ -129,11 +136,11 @@ DrawnCondition DrawnBodyText::condition(const graphic::DiagramBody& body, const 
     result.value = lowering.evaluate_output(*output);
   }
   graphic::LadderProgram ladder = lowering.take();
-  if (!refuse_jumps(ladder, body, "a transition")) result.statements = guarded(std::move(ladder));
+  if (!refuse_jumps(ladder, body, "a transition")) result.statements = guarded(std::move(ladder), body.where);
   return result;
 }
 
-std::string DrawnBodyText::guarded(graphic::LadderProgram network) {
+std::string DrawnBodyText::guarded(graphic::LadderProgram network, std::uint32_t where) {
   if (only_reads(network)) {
     std::move(network.rungs.begin(), network.rungs.end(), std::back_inserter(networks_.rungs));
     std::move(network.wires.begin(), network.wires.end(), std::back_inserter(networks_.wires));
@@ -141,6 +148,8 @@ std::string DrawnBodyText::guarded(graphic::LadderProgram network) {
   }
   for (graphic::Rung& rung : network.rungs) sense_edges(rung.condition, network);
   LadderText text = ladder_text(network, scope_.new_wire());
+  for (const std::string& fault : text.faults) scope_.error(code::kBadDiagram, where, fault);
+  if (!text.faults.empty()) return {};
   for (graphic::Wire& wire : text.variables) variables_.push_back(std::move(wire));
   return text.statements;
 }

@@ -8,6 +8,7 @@
 #include "ladder/graphic/diagram.h"
 #include "ladder/graphic/ladder_program.h"
 #include "ladder/lowering/diagram_scope.h"
+#include "ladder/syntax/piece.h"
 
 namespace stepwright::lowering {
 
@@ -26,7 +27,7 @@ class DrawnBodyText {
   // The condition of a transition: an expression, or what a network writes to the variable `name`.
   DrawnCondition condition(const graphic::DiagramBody& body, const std::string& name);
   // A network that is a condition as statements; empty if it may run in every scan, where it goes then.
-  std::string guarded(graphic::LadderProgram network);
+  std::string guarded(graphic::LadderProgram network, std::uint32_t where);
 
   // What runs in every scan for conditions that were drawn: contacts and their edges.
   graphic::LadderProgram take_networks() { return std::move(networks_); }
@@ -35,12 +36,15 @@ class DrawnBodyText {
 
  private:
   std::string ladder_statements(const graphic::DiagramBody& body);
-  graphic::Condition expression(const graphic::DiagramBody& body, const std::string& name);
   void sense_edges(graphic::Condition& condition, const graphic::LadderProgram& network);
   bool refuse_jumps(const graphic::LadderProgram& ladder, const graphic::DiagramBody& body, const char* what);
   bool refuse(const graphic::DiagramBody& body);
+  graphic::Condition written_condition(const graphic::DiagramBody& body, const std::string& name);
+  // "name := a AND b;" and ":= a AND b;" as "a AND b".
+  graphic::SourceText expression_of(const graphic::SourceText& text, const std::string& name);
 
   DiagramScope& scope_;
+  syntax::PieceReader reader_;
   graphic::LadderProgram networks_;
   std::vector<graphic::Wire> variables_;
 };

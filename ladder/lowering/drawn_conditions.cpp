@@ -45,7 +45,7 @@ Condition DrawnConditions::connected(const Element& transition) {
     if (network != network_of_.end()) touched.insert(network->second);
   }
   Condition value = lowering_.evaluate(transition.condition.input, transition);
-  const std::string statements = texts_.guarded(lowering_.take());
+  const std::string statements = texts_.guarded(lowering_.take(), transition.where);
   const bool known = std::any_of(touched.begin(), touched.end(),
                                  [&](std::size_t each) { return shared_of_.count(each) != 0; });
   if (statements.empty() && !known) return value;

@@ -1,10 +1,12 @@
 #include "ladder/lowering/ladder_to_syntax.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "ladder/source/codes.h"
 #include "ladder/source/name_table.h"
+#include "ladder/syntax/piece.h"
 
 namespace stepwright::lowering {
 
@@ -17,26 +19,65 @@ using graphic::Condition;
 using graphic::ConditionKind;
 using graphic::Edge;
 using graphic::Rung;
+using syntax::PieceKind;
 
-// Statements of several lines on one line: comments up to the end of a line would swallow the rest. Every
-// character keeps its distance from the last mark of a written source.
-std::string on_one_line(const std::string& text) {
-  std::string line = text;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const bool comment = line[i] == '/' && i + 1 < line.size() && line[i + 1] == '/';
-    if (comment) {
-      while (i < line.size() && line[i] != '\n') line[i++] = ' ';
-      if (i == line.size()) break;
-    } else if (line[i] == '(' && i + 1 < line.size() && line[i + 1] == '*') {
-      const std::size_t end = line.find("*)", i + 2);
-      for (const std::size_t last = end == std::string::npos ? line.size() : end; i < last; ++i)
-        if (line[i] == '\n' || line[i] == '\r') line[i] = ' ';
-      --i;
-    }
-    if (line[i] == '\n' || line[i] == '\r') line[i] = ' ';
+// A text that is not what its place asks for.
+struct BrokenPiece {
+  std::string text;
+  PieceKind kind = PieceKind::Word;
+  std::size_t rung = 0;
+  std::string fault;
+};
+
+// The texts of a ladder, each read before it is used.
+class Pieces {
+ public:
+  // `place` marks the rung, for texts that bring no mark of their own.
+  void begin_rung(const std::string& place) {
+    place_ = place;
+    ++rung_;
   }
-  return line;
-}
+
+  std::string word(const std::string& text) { return read(text, PieceKind::Word); }
+  std::string variable(const std::string& text) { return read(text, PieceKind::Variable); }
+  std::string expression(const std::string& text) { return read(text, PieceKind::Expression); }
+  std::string statements(const std::string& text) { return read(text, PieceKind::StatementList); }
+
+  // An expression beside an operator.
+  std::string operand(const std::string& text) {
+    bool is_operand = true;
+    const std::string piece = read(text, PieceKind::Expression, &is_operand);
+    return is_operand ? piece : "(" + piece + ")";
+  }
+
+  // The condition with texts that can stand in a line.
+  Condition condition(Condition condition) {
+    if (condition.kind == ConditionKind::Contact || condition.kind == ConditionKind::Comparison)
+      condition.name = operand(condition.name);
+    if (condition.kind == ConditionKind::Comparison) condition.operand = operand(condition.operand);
+    if (condition.kind == ConditionKind::Expression) condition.name = expression(condition.name);
+    for (Condition& child : condition.children) child = this->condition(std::move(child));
+    return condition;
+  }
+
+  const std::vector<BrokenPiece>& broken() const { return broken_; }
+
+ private:
+  std::string read(const std::string& text, PieceKind kind, bool* is_operand = nullptr) {
+    const syntax::Piece piece = reader_.read(text, kind);
+    if (!piece.is_whole) {
+      broken_.push_back({place_ + text, kind, rung_, piece.fault});
+      return {};
+    }
+    if (is_operand != nullptr) *is_operand = piece.is_operand;
+    return reader_.line(text);
+  }
+
+  syntax::PieceReader reader_;
+  std::vector<BrokenPiece> broken_;
+  std::string place_;
+  std::size_t rung_ = 0;
+};
 
 class Writer {
  public:
@@ -47,8 +88,11 @@ class Writer {
     std::string all;
     for (const Rung& each : ladder_.rungs) {
       line_.clear();
+      pieces_.begin_rung(each.place);
+      const std::size_t broken = pieces_.broken().size();
       rung(each);
-      all += on_one_line(line_) + "\n";
+      // Nothing is made of a rung with a broken text.
+      all += (pieces_.broken().size() == broken ? line_ : std::string()) + "\n";
     }
     return all;
   }
@@ -59,6 +103,7 @@ class Writer {
   }
 
   std::size_t edges() const { return edges_; }
+  const std::vector<BrokenPiece>& broken() const { return pieces_.broken(); }
 
  private:
   std::string power() const { return prefix_ + "POWER"; }
@@ -73,8 +118,8 @@ class Writer {
 
   void rung(const Rung& rung) {
     line_ += rung.place;
-    if (!rung.label.empty()) line_ += rung.label + ": ";
-    const std::string condition = to_st(sensed(rung.condition));
+    if (!rung.label.empty()) line_ += pieces_.word(rung.label) + ": ";
+    const std::string condition = to_st(sensed(pieces_.condition(rung.condition)));
     const bool only_coil =
         rung.coils.size() == 1 && rung.blocks.empty() && rung.jump_to.empty() && !rung.is_return;
     if (only_coil && direct_coil(rung.coils.front(), condition)) return;
@@ -86,7 +131,7 @@ class Writer {
     line_ += power() + " := " + condition + "; ";
     for (const Block& each : rung.blocks) block(each);
     for (const Coil& each : rung.coils) coil(each);
-    if (!rung.jump_to.empty()) line_ += "IF " + power() + " THEN JMP " + rung.jump_to + "; END_IF; ";
+    if (!rung.jump_to.empty()) line_ += "IF " + power() + " THEN " + jump(rung) + "END_IF; ";
     if (rung.is_return) line_ += "IF " + power() + " THEN RETURN; END_IF; ";
   }
 
@@ -101,9 +146,11 @@ class Writer {
       line_ += call_text(only);
       return true;
     }
-    line_ += rung.is_return ? "RETURN; " : "JMP " + rung.jump_to + "; ";
+    line_ += rung.is_return ? "RETURN; " : jump(rung);
     return true;
   }
+
+  std::string jump(const Rung& rung) { return "JMP " + pieces_.word(rung.jump_to) + "; "; }
 
   // The condition with each edge replaced by a variable that was computed before it.
   Condition sensed(const Condition& condition) {
@@ -123,29 +170,21 @@ class Writer {
   }
 
   bool direct_coil(const Coil& coil, const std::string& condition) {
-    switch (coil.kind) {
-      case CoilKind::Normal:
-        line_ += coil.variable + " := " + condition + "; ";
-        return true;
-      case CoilKind::Negated:
-        line_ += coil.variable + " := NOT (" + condition + "); ";
-        return true;
-      case CoilKind::Set:
-        line_ += coil.variable + " := " + coil.variable + " OR (" + condition + "); ";
-        return true;
-      case CoilKind::Reset:
-        line_ += coil.variable + " := " + coil.variable + " AND NOT (" + condition + "); ";
-        return true;
-      default:
-        return false;
-    }
+    if (coil.kind == CoilKind::RisingEdge || coil.kind == CoilKind::FallingEdge) return false;
+    const std::string variable = pieces_.variable(coil.variable);
+    const char* negation = coil.kind == CoilKind::Negated || coil.kind == CoilKind::Reset ? "NOT " : "";
+    line_ += variable + " := ";
+    if (coil.kind == CoilKind::Set) line_ += variable + " OR ";
+    if (coil.kind == CoilKind::Reset) line_ += variable + " AND ";
+    line_ += coil.kind == CoilKind::Normal ? condition + "; " : negation + ("(" + condition + "); ");
+    return true;
   }
 
   void coil(const Coil& coil) {
     if (direct_coil(coil, power())) return;
     const std::string state = new_edge();
     const bool rising = coil.kind == CoilKind::RisingEdge;
-    line_ += coil.variable +
+    line_ += pieces_.variable(coil.variable) +
              " := " + (rising ? power() + " AND NOT " + state : state + " AND NOT " + power()) + "; " +
              state + " := " + power() + "; ";
   }
@@ -153,17 +192,19 @@ class Writer {
   void block(const Block& block) {
     std::string ends;
     for (const auto& [formal, variable] : block.outputs)
-      if (source::upper(formal) == "ENO" && !variable.empty()) ends += variable + " := " + power() + "; ";
+      if (source::upper(formal) == "ENO" && !variable.empty())
+        ends += pieces_.variable(variable) + " := " + power() + "; ";
     const bool runs = !block.instance.empty() && !block.power_input.empty();
     const std::string body = call_text(block);
     line_ += (runs ? body : "IF " + power() + " THEN " + body + "END_IF; ") + ends;
   }
 
-  std::string call_text(const Block& block) const {
-    if (block.type.empty()) return block.st_body + "; ";
-    if (!block.instance.empty()) return block.instance + "(" + arguments(block, "") + "); ";
+  std::string call_text(const Block& block) {
+    if (block.type.empty()) return pieces_.statements(block.st_body) + "; ";
+    if (!block.instance.empty()) return pieces_.variable(block.instance) + "(" + arguments(block, "") + "); ";
     const std::string result = result_of(block);
-    return (result.empty() ? "" : result + " := ") + block.type + "(" + arguments(block, result) + "); ";
+    return (result.empty() ? "" : pieces_.variable(result) + " := ") + pieces_.word(block.type) + "(" +
+           arguments(block, result) + "); ";
   }
 
   // The variable that takes the result of a function.
@@ -178,29 +219,45 @@ class Writer {
     return folded.empty() || folded == "OUT" || folded == source::upper(block.type);
   }
 
-  std::string arguments(const Block& block, const std::string& result) const {
+  std::string arguments(const Block& block, const std::string& result) {
     std::string list;
     const auto add = [&](const std::string& argument) { list += (list.empty() ? "" : ", ") + argument; };
-    if (!block.power_input.empty()) add(block.power_input + " := " + power());
-    for (const auto& [formal, expression] : block.inputs) {
-      if (source::upper(formal) == "EN" || expression.empty()) continue;
-      add(formal.empty() ? expression : formal + " := " + expression);
+    if (!block.power_input.empty()) add(pieces_.word(block.power_input) + " := " + power());
+    for (const auto& [formal, text] : block.inputs) {
+      if (source::upper(formal) == "EN" || text.empty()) continue;
+      const std::string value = pieces_.expression(text);
+      add(formal.empty() ? value : pieces_.word(formal) + " := " + value);
     }
     for (const auto& [formal, variable] : block.outputs) {
       const bool taken = !result.empty() && is_result(block, formal);
-      if (!taken && source::upper(formal) != "ENO" && !variable.empty()) add(formal + " => " + variable);
+      if (!taken && source::upper(formal) != "ENO" && !variable.empty())
+        add(pieces_.word(formal) + " => " + pieces_.variable(variable));
     }
     return list;
   }
 
   const graphic::LadderProgram& ladder_;
   std::string prefix_;
+  Pieces pieces_;
   std::vector<graphic::Wire> variables_;
   std::string line_;
   std::size_t edges_ = 0;
   std::size_t pulses_ = 0;
   bool needs_power_ = false;
 };
+
+// At its mark, or in the line of its rung. What can be read of it is kept for the analysis, so that one run
+// reports all mistakes.
+void report(const BrokenPiece& piece, const std::string& file_name, syntax::SyntaxContext& context,
+            syntax::Statements& body) {
+  const std::string lines(piece.rung > 0 ? piece.rung - 1 : 0, '\n');
+  const source::FileId file = context.sources.add(file_name, lines + piece.text);
+  auto parsed = syntax::parse_piece(context, file, piece.kind, syntax::TextKind::Generated);
+  if (parsed.is_whole)
+    context.sink.error(source::code::kUnexpectedToken, {file, static_cast<std::uint32_t>(lines.size())},
+                       piece.fault);
+  std::move(parsed.statements.begin(), parsed.statements.end(), std::back_inserter(body));
+}
 
 }  // namespace
 
@@ -209,6 +266,7 @@ LadderText ladder_text(const graphic::LadderProgram& ladder, const std::string& 
   LadderText result;
   result.statements = writer.text();
   result.variables = writer.variables();
+  for (const BrokenPiece& each : writer.broken()) result.faults.push_back(each.fault);
   return result;
 }
 
@@ -223,6 +281,7 @@ LadderStatements ladder_to_syntax(const graphic::LadderProgram& ladder, const st
     return result;
   }
   result.body = syntax::parse_statements(context, file, syntax::TextKind::Generated);
+  for (const BrokenPiece& each : writer.broken()) report(each, file_name, context, result.body);
   std::string declarations;
   const std::vector<graphic::Wire> wires = writer.variables();
   for (const graphic::Wire& each : wires) declarations += declaration_of(each, keeps_state);

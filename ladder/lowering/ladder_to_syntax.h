@@ -7,6 +7,10 @@
 // Power flows without branches: a set coil is `v := v OR power`, a reset coil `v := v AND NOT power`. Blocks
 // run before the coils of their rung.
 //
+// Every text of the diagram is read alone before it goes into a line (syntax/piece.h): a name, a variable, an
+// expression or statements, and nothing else. An expression on a contact or in a comparison keeps together as
+// if it stood in parentheses. What is not whole is reported and goes nowhere.
+//
 // Contacts and coils that sense an edge keep the last state in a generated variable `__EDGE<n>`, FALSE at the
 // start (as R_TRIG and F_TRIG). Jumps and labels become statements of their own.
 
@@ -25,6 +29,7 @@ struct LadderStatements {
 struct LadderText {
   std::string statements;
   std::vector<graphic::Wire> variables;
+  std::vector<std::string> faults;  // texts that are not whole; `statements` is of no use then
 };
 LadderText ladder_text(const graphic::LadderProgram& ladder, const std::string& prefix);
 

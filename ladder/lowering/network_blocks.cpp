@@ -16,6 +16,7 @@ using graphic::ElementKind;
 using graphic::Pin;
 using graphic::Rung;
 using graphic::same_name;
+using syntax::PieceKind;
 
 namespace {
 
@@ -168,7 +169,8 @@ bool NetworkLowering::writes_variable(const Element& element, const Origin& orig
     if (same_name(pin.name, origin.output) && pin.modifier.negated) return false;
   if (!done_.insert(&variable).second) return false;
   const bool is_result = same_name(origin.output, result_of(element).output);
-  block.outputs.emplace_back(is_result ? "" : origin.output, marked(variable.name, variable, element));
+  block.outputs.emplace_back(is_result ? "" : origin.output,
+                             marked(variable.name, PieceKind::Variable, variable, element));
   return true;
 }
 
@@ -208,8 +210,9 @@ Condition NetworkLowering::block_output(const Origin& origin, const Element& own
     const auto enable = enables_.find(&element);
     if (enable != enables_.end()) value = enable->second;
   } else if (!element.instance.empty()) {
-    value = graphic::contact(scope_.mark(element.where) + element.instance + "." + pin->name +
-                             scope_.mark(owner.where));
+    value =
+        graphic::contact(scope_.mark(element.where) + named(element.instance, PieceKind::Variable, element) +
+                         "." + named(pin->name, PieceKind::Word, element) + scope_.mark(owner.where));
   } else if (is_inline(element)) {
     value.kind = ConditionKind::Expression;
     value.name = scope_.mark(element.where) + inline_call(element) + scope_.mark(owner.where);
@@ -226,8 +229,9 @@ std::string NetworkLowering::inline_call(const Element& element) {
   call_inputs(element, unused, block);
   std::string list;
   for (const auto& [formal, value] : block.inputs)
-    list += (list.empty() ? "" : ", ") + (formal.empty() ? "" : formal + " := ") + value;
-  return element.name.text + "(" + list + ")";
+    list += (list.empty() ? "" : ", ") +
+            (formal.empty() ? "" : named(formal, PieceKind::Word, element) + " := ") + value;
+  return named(element.name.text, PieceKind::Word, element) + "(" + list + ")";
 }
 
 }  // namespace stepwright::lowering

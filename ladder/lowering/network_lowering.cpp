@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ladder/graphic/identifier.h"
+#include "ladder/graphic/type_text.h"
 #include "ladder/source/codes.h"
 
 namespace stepwright::lowering {
@@ -17,6 +18,7 @@ using graphic::ElementKind;
 using graphic::Pin;
 using graphic::Rung;
 using graphic::Storage;
+using syntax::PieceKind;
 
 namespace {
 
@@ -140,7 +142,7 @@ void NetworkLowering::coils(const std::vector<const Element*>& group) {
   if (inverts_power(first.modifier)) condition = through_wire(graphic::negation(condition), first);
   std::vector<Coil> list;
   for (const Element* each : group)
-    list.push_back({coil_kind(each->modifier), marked(each->name, *each, first)});
+    list.push_back({coil_kind(each->modifier), marked(each->name, PieceKind::Variable, *each, first)});
   add(first, std::move(condition)).coils = std::move(list);
   group_.clear();
 }
@@ -150,7 +152,7 @@ void NetworkLowering::jump(const Element& element) {
   if (input_of(element).connections.empty()) condition = graphic::always();
   Rung& rung = add(element, std::move(condition));
   if (element.kind == ElementKind::Jump) {
-    rung.jump_to = element.name.text;
+    rung.jump_to = named(element.name.text, PieceKind::Word, element);
   } else {
     rung.is_return = true;
   }
@@ -160,7 +162,7 @@ void NetworkLowering::jump(const Element& element) {
 void NetworkLowering::assignment(const Element& element) {
   const Pin& pin = input_of(element);
   if (pin.connections.empty() && pin.expression.text.empty()) return;
-  const std::string target = marked(element.name, element, element);
+  const std::string target = marked(element.name, PieceKind::Variable, element, element);
   const graphic::Modifier& modifier = element.modifier;
   const bool wired_or = pin.connections.size() > 1;
   const Origin origin = wired_or || pin.connections.empty() ? Origin{} : graph_.from(pin.connections.front());
@@ -203,7 +205,8 @@ Condition NetworkLowering::power(const Pin& pin, const Element& owner) {
   if (pin.connections.empty()) {
     Condition none;
     none.kind = ConditionKind::Expression;
-    none.name = pin.expression.text.empty() ? "FALSE" : marked(pin.expression, owner, owner);
+    none.name =
+        pin.expression.text.empty() ? "FALSE" : marked(pin.expression, PieceKind::Expression, owner, owner);
     return none;
   }
   std::vector<Condition> branches;
@@ -237,8 +240,8 @@ Condition NetworkLowering::read_once(const Origin& origin, const Element& owner)
     case ElementKind::InOutVariable: {
       Condition value;
       value.kind = ConditionKind::Expression;
-      value.name = marked(element.name, element, owner);
       const bool in = element.kind == ElementKind::InVariable;
+      value.name = marked(element.name, in ? PieceKind::Expression : PieceKind::Variable, element, owner);
       value.negated = in ? element.modifier.negated : element.output_modifier.negated;
       return value;
     }
@@ -265,7 +268,7 @@ Condition NetworkLowering::contact(const Element& element, const Element& owner)
   } else {
     result = power(input_of(element), element);
     if (element.kind == ElementKind::Contact) {
-      Condition own = graphic::contact(marked(element.name, element, owner), element.modifier.negated);
+      Condition own = graphic::contact(operand(element, owner), element.modifier.negated);
       own.edge = element.modifier.edge;
       result = graphic::all({std::move(result), std::move(own)});
     }
@@ -315,42 +318,33 @@ bool NetworkLowering::is_power(const Pin& pin) const {
           source->kind == ElementKind::Coil);
 }
 
-std::string NetworkLowering::marked(const graphic::SourceText& text, const Element& element,
-                                    const Element& owner) {
-  const std::uint32_t where = text.anchors.empty() ? element.where : text.anchors.front().file;
-  const std::string fault = fault_of_expression(text.text);
-  if (!fault.empty()) {
-    scope_.error(source::code::kBadDiagram, where, fault, "write a variable or an expression of ST");
-    return "FALSE";
-  }
-  const std::string mark = scope_.mark(where);
-  return mark.empty() ? text.text : mark + text.text + scope_.mark(owner.where);
+bool NetworkLowering::is_whole(const graphic::SourceText& text, const syntax::Piece& piece,
+                               const Element& element) {
+  if (piece.is_whole) return true;
+  std::uint32_t where = element.where;
+  for (const graphic::TextAnchor& anchor : text.anchors)
+    if (anchor.text <= piece.fault_at) where = anchor.file + (piece.fault_at - anchor.text);
+  scope_.error(source::code::kBadDiagram, where,
+               reader_.tokens(text.text).size() == 1 ? piece.fault : "'" + text.text + "': " + piece.fault,
+               piece.hint.empty() ? "write a variable or an expression of ST" : piece.hint);
+  return false;
 }
 
-std::string fault_of_expression(const std::string& text) {
-  int depth = 0;
-  bool blank = true;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    const std::string two = text.substr(i, 2);
-    if (two == "(*" || two == "/*") {
-      const std::size_t end = text.find(two == "(*" ? "*)" : "*/", i + 2);
-      if (end == std::string::npos) return "the comment has no end";
-      i = end + 1;
-      continue;
-    }
-    if (two == "//" || c == '{' || c == ';') return "'" + text + "' is no expression";
-    if (c == '\'' || c == '"') {
-      for (++i; i < text.size() && text[i] != c; ++i)
-        if (text[i] == '$') ++i;
-      if (i >= text.size()) return "the string has no end";
-    }
-    if (c == '(') ++depth;
-    if (c == ')' && --depth < 0) return "a parenthesis is closed that was not opened";
-    if (c != ' ' && c != '\t' && c != '\n' && c != '\r') blank = false;
-  }
-  if (depth != 0) return "a parenthesis is not closed";
-  return blank ? "a variable or expression is missing" : "";
+std::string NetworkLowering::marked(const graphic::SourceText& text, syntax::PieceKind kind,
+                                    const Element& element, const Element& owner) {
+  if (!is_whole(text, reader_.read(text.text, kind), element)) return "FALSE";
+  const std::string mark = scope_.mark(text.anchors.empty() ? element.where : text.anchors.front().file);
+  const std::string line = graphic::trimmed(reader_.bare_line(text.text));
+  return mark.empty() ? line : mark + line + scope_.mark(owner.where);
+}
+
+std::string NetworkLowering::operand(const Element& element, const Element& owner) {
+  const std::string text = marked(element.name, PieceKind::Expression, element, owner);
+  return reader_.read(element.name.text, PieceKind::Expression).is_operand ? text : "(" + text + ")";
+}
+
+std::string NetworkLowering::named(const std::string& text, syntax::PieceKind kind, const Element& element) {
+  return is_whole({text, {}}, reader_.read(text, kind), element) ? text : "FALSE";
 }
 
 }  // namespace stepwright::lowering

@@ -9,6 +9,7 @@
 
 #include "ladder/graphic/ladder_program.h"
 #include "ladder/lowering/diagram_graph.h"
+#include "ladder/syntax/piece.h"
 
 namespace stepwright::lowering {
 
@@ -62,12 +63,19 @@ class NetworkLowering {
   Origin result_of(const graphic::Element& block) const;
 
   graphic::Rung& add(const graphic::Element& element, graphic::Condition condition);
-  // A text of the diagram with its mark; falls back to the mark of the element that it stands in.
-  std::string marked(const graphic::SourceText& text, const graphic::Element& element,
+  // A text of the diagram with its mark; falls back to the mark of the element that it stands in. What is not
+  // whole is reported.
+  std::string marked(const graphic::SourceText& text, syntax::PieceKind kind, const graphic::Element& element,
                      const graphic::Element& owner);
+  // The same for an expression beside an operator: in parentheses unless it is an operand.
+  std::string operand(const graphic::Element& element, const graphic::Element& owner);
+  // A name that goes into a text together with others; reported if it is none.
+  std::string named(const std::string& text, syntax::PieceKind kind, const graphic::Element& element);
+  bool is_whole(const graphic::SourceText& text, const syntax::Piece& piece, const graphic::Element& element);
 
   const DiagramGraph& graph_;
   DiagramScope& scope_;
+  syntax::PieceReader reader_;
   graphic::LadderProgram ladder_;
   std::set<const graphic::Element*> done_;
   std::set<const graphic::Element*> running_;
@@ -77,8 +85,5 @@ class NetworkLowering {
   std::map<const graphic::Element*, graphic::Condition> enables_;  // power at EN of blocks that ran
   std::set<std::string> checked_;
 };
-
-// Why a text cannot stand as an expression, or nothing: it must not end the statement that it is put into.
-std::string fault_of_expression(const std::string& text);
 
 }  // namespace stepwright::lowering

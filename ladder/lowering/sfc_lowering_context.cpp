@@ -80,14 +80,14 @@ void SfcLoweringContext::reserve_names() {
   for (const graphic::Action& action : chart().actions) names_.insert(action.name);
   // A text may use globals and functions that this POU does not declare.
   for_each_text([&](const std::string& text) {
-    for_each_identifier(text, [&](std::string_view name) { names_.insert(name); });
+    for_each_identifier(reader_, text, [&](std::string_view name) { names_.insert(name); });
   });
 }
 
 void SfcLoweringContext::declare_steps() {
   std::vector<bool> timed(chart().steps.size(), false);
   for_each_text([&](const std::string& text) {
-    replace_flags(text, [&](std::string_view name, char flag) {
+    replace_flags(reader_, text, [&](std::string_view name, char flag) {
       const auto step = flag == 'T' ? step_index_.find(graphic::upper(name)) : step_index_.end();
       if (step != step_index_.end()) timed[step->second] = true;
       return std::string();
@@ -129,7 +129,7 @@ void SfcLoweringContext::declare_actions() {
       read[action->second] = true;
   };
   for_each_text([&](const std::string& text) {
-    replace_flags(text, [&](std::string_view name, char flag) {
+    replace_flags(reader_, text, [&](std::string_view name, char flag) {
       if (flag == 'Q' || flag == 'A') mark(name);
       return std::string();
     });
@@ -188,7 +188,8 @@ std::string SfcLoweringContext::variable_of(std::string_view owner, char flag) c
 }
 
 std::string SfcLoweringContext::rewrite(std::string_view text) const {
-  return replace_flags(text, [this](std::string_view owner, char flag) { return variable_of(owner, flag); });
+  return replace_flags(reader_, text,
+                       [this](std::string_view owner, char flag) { return variable_of(owner, flag); });
 }
 
 Condition SfcLoweringContext::rewrite(Condition condition) const {

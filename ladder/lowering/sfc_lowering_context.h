@@ -12,6 +12,7 @@
 #include "ladder/graphic/identifier.h"
 #include "ladder/graphic/project.h"
 #include "ladder/lowering/condition_network.h"
+#include "ladder/syntax/piece.h"
 
 namespace stepwright::lowering {
 
@@ -74,6 +75,7 @@ class SfcLoweringContext {
 
   graphic::Pou pou_;
   graphic::NameSet names_;
+  mutable syntax::PieceReader reader_;  // learns spellings, nothing else
   // In upper case -> index; the first of a name counts.
   std::unordered_map<std::string, std::size_t> step_index_;
   std::unordered_map<std::string, std::size_t> action_index_;

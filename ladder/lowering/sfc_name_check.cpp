@@ -1,7 +1,6 @@
 #include "ladder/lowering/sfc_name_check.h"
 
 #include <algorithm>
-#include <cctype>
 #include <unordered_map>
 #include <utility>
 
@@ -75,14 +74,12 @@ class TargetChecker {
       add(graphic::code::kNameOfVariable, action.where,
           "action '" + action.name + "' has the name of a variable", "rename one of them");
     }
-    for_each_identifier(action.st_body, [&](std::string_view name) {
-      if (graphic::same_name(name, "RETURN")) {
-        add(graphic::code::kReturnInAction, action.where,
-            "RETURN in action '" + action.name + "' would leave the whole chart",
-            "use IF around the rest of the action");
-      }
-    });
-    for_each_written_flag(action.st_body, [&](std::string_view owner, char flag) {
+    if (holds_return(reader_, action.st_body)) {
+      add(graphic::code::kReturnInAction, action.where,
+          "RETURN in action '" + action.name + "' would leave the whole chart",
+          "use IF around the rest of the action");
+    }
+    for_each_written_flag(reader_, action.st_body, [&](std::string_view owner, char flag) {
       if (!has_flag(owner, flag)) return;
       add(graphic::code::kFlagWritten, action.where,
           "action '" + action.name + "' writes the flag " + std::string(owner) + "." + flag,
@@ -115,25 +112,17 @@ class TargetChecker {
 
   void indicators(const graphic::Step& step, const graphic::ActionBlock& block) {
     if (!knows_globals_) return;
-    std::string name;
-    bool begins = true;  // the first name of a path: "motor" of "motor.fault"
-    for (const char c : block.indicator + ",") {
-      const bool in_name = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-      if (in_name && begins) name += c;
-      if (!in_name && c != ' ') begins = false;
-      if (c != ',') continue;
-      if (graphic::is_identifier(name) && variable_of(name) == nullptr) {
-        add(graphic::code::kUnknownIndicator, block.where,
-            "indicator '" + name + "' of action '" + block.target + "' of step '" + step.name +
-                "' is not declared",
-            "an indicator is a variable that shows what the action does");
-      }
-      name.clear();
-      begins = true;
-    }
+    for_each_first_name(reader_, block.indicator, [&](std::string_view name) {
+      if (variable_of(std::string(name)) != nullptr) return;
+      add(graphic::code::kUnknownIndicator, block.where,
+          "indicator '" + std::string(name) + "' of action '" + block.target + "' of step '" + step.name +
+              "' is not declared",
+          "an indicator is a variable that shows what the action does");
+    });
   }
 
   const SfcChart& chart_;
+  syntax::PieceReader reader_;
   VariableIndex variables_;
   VariableIndex globals_;
   graphic::NameSet steps_;

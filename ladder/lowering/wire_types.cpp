@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "ladder/graphic/identifier.h"
+#include "ladder/syntax/piece.h"
 
 namespace stepwright::lowering {
 namespace {
@@ -13,6 +13,7 @@ using graphic::Element;
 using graphic::ElementKind;
 using graphic::Pin;
 using graphic::same_name;
+using syntax::TokenKind;
 
 constexpr int kMaxDepth = 200;
 
@@ -109,28 +110,44 @@ class Inference {
   const DiagramScope& scope_;
 };
 
+std::string type_of_literal(const syntax::Token& token) {
+  const bool is_long = graphic::upper(token.text.substr(0, 1)) == "L";
+  switch (token.kind) {
+    case TokenKind::Keyword:
+      return token.is(syntax::Keyword::True) || token.is(syntax::Keyword::False) ? "BOOL" : "";
+    case TokenKind::Integer:
+      return "INT";
+    case TokenKind::Real:
+      return "REAL";
+    case TokenKind::Time:
+      return is_long ? "LTIME" : "TIME";
+    case TokenKind::Date:
+      return is_long ? "LDATE" : "DATE";
+    case TokenKind::TimeOfDay:
+      return is_long ? "LTOD" : "TOD";
+    case TokenKind::DateAndTime:
+      return is_long ? "LDT" : "DT";
+    case TokenKind::String:
+      return "STRING";
+    case TokenKind::WideString:
+      return "WSTRING";
+    default:
+      return {};
+  }
+}
+
 }  // namespace
 
 std::string type_of_text(const std::string& text, const DiagramScope& scope) {
   if (text.empty()) return {};
   const std::string known = scope.type_of(text);
   if (!known.empty()) return known;
-  if (same_name(text, "TRUE") || same_name(text, "FALSE")) return "BOOL";
-  const std::size_t hash = text.find('#');
-  if (hash != std::string::npos) {
-    const std::string prefix = graphic::upper(text.substr(0, hash));
-    if (prefix == "T" || prefix == "LT") return "TIME";
-    if (prefix == "D") return "DATE";
-    if (prefix == "2" || prefix == "8" || prefix == "16") return "INT";
-    return prefix;
-  }
-  if (text[0] == '\'') return "STRING";
-  if (text[0] == '"') return "WSTRING";
-  const bool number = text.find_first_not_of("0123456789_.+-eE") == std::string::npos &&
-                      text.find_first_of("0123456789") != std::string::npos &&
-                      std::isalpha(static_cast<unsigned char>(text[0])) == 0;
-  if (!number) return {};
-  return text.find('.') == std::string::npos ? "INT" : "REAL";
+  syntax::PieceReader reader;
+  const std::vector<syntax::Token> tokens = reader.tokens(text);
+  const bool sign = tokens[0].is(TokenKind::Minus) || tokens[0].is(TokenKind::Plus);
+  const syntax::Token& first = tokens[sign ? 1 : 0];
+  if (first.is(TokenKind::TypePrefix)) return std::string(first.text);
+  return tokens.size() == (sign ? 3U : 2U) ? type_of_literal(first) : std::string();
 }
 
 std::string type_of(const Origin& origin, const DiagramGraph& graph, const DiagramScope& scope) {

@@ -169,8 +169,12 @@ void Parser::transition_condition(TransitionDeclaration& result) {
     advance();
     return;
   }
-  result.condition = slice_until(TokenKind::Semicolon);
-  expect(TokenKind::Semicolon, "behind the condition");
+  const std::size_t first = at_;
+  const std::size_t errors = context_.sink.error_count();
+  expression();
+  if (context_.sink.error_count() == errors) result.condition = slice_from(first);
+  // What stands behind a mistake belongs to it.
+  if (!expect(TokenKind::Semicolon, "behind the condition")) slice_until(Keyword::EndTransition);
 }
 
 std::vector<Name> Parser::step_list() {
@@ -190,10 +194,34 @@ ActionDeclaration Parser::action() {
   const Token& open = advance();
   if (const auto name = expect_name("the name of the action")) result.name = *name;
   expect(TokenKind::Colon, "behind the name of the action");
-  result.body = slice_until(Keyword::EndAction);
+  const std::size_t first = at_;
+  action_statements();
+  result.body = slice_from(first);
   expect_end(Keyword::EndAction, open);
   accept(TokenKind::Semicolon);
   return result;
+}
+
+// As the body of a POU, except that the last statement may stand without ';'.
+void Parser::action_statements() {
+  open_end_ = true;
+  while (!at(Keyword::EndAction) && !at(TokenKind::End) && !at_pou_start() && !at_chart()) {
+    statements();
+    if (at(Keyword::EndAction) || at(TokenKind::End) || at_pou_start() || at_chart()) break;
+    unexpected("a statement");
+    advance();
+  }
+  open_end_ = false;
+}
+
+TextSlice Parser::slice_from(std::size_t first) const {
+  TextSlice slice;
+  slice.where = tokens_[first].where;
+  if (at_ == first) return slice;
+  const char* begin = tokens_[first].text.data();
+  const Token& last = tokens_[at_ - 1];
+  slice.text = std::string_view(begin, static_cast<std::size_t>(last.text.data() + last.text.size() - begin));
+  return slice;
 }
 
 template <typename Kind>

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "ladder/syntax/blank.h"
 #include "ladder/syntax/date_literal.h"
 #include "ladder/syntax/number.h"
 #include "ladder/syntax/soft_words.h"
@@ -79,11 +80,12 @@ bool is_foreign_code(std::string_view pragma) {
 
 class Lexer {
  public:
-  Lexer(const source::SourceSet& sources, source::FileId file, TextKind kind, source::NameTable& names,
-        source::DiagnosticSink& sink, Extent extent)
+  // `text` is that of `file`, or stands in no file.
+  Lexer(const source::SourceSet& sources, source::FileId file, std::string_view text, TextKind kind,
+        source::NameTable& names, source::DiagnosticSink& sink, Extent extent)
       : sources_(sources),
         file_(file),
-        text_(sources.text(file).substr(0, extent.end)),
+        text_(text.substr(0, extent.end)),
         kind_(kind),
         names_(names),
         sink_(sink),
@@ -126,62 +128,28 @@ class Lexer {
   }
 
   void skip_blank() {
-    while (at_ < text_.size()) {
-      const char c = peek();
-      if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f') {
-        ++at_;
-      } else if (at_text("(*")) {
-        skip_comment("(*", "*)");
-      } else if (at_text("/*")) {
-        skip_comment("/*", "*/");
-      } else if (at_text("//")) {
-        const std::size_t end = text_.find('\n', at_);
-        at_ = end == std::string_view::npos ? text_.size() : end;
-      } else if (c == '{') {
-        pragma();
-      } else {
-        return;
-      }
+    for (Blank blank = blank_at(text_, at_); blank.kind != BlankKind::None; blank = blank_at(text_, at_)) {
+      start_ = at_;
+      at_ = blank.end;
+      if (!blank.closed) return unterminated(blank);
+      if (blank.kind == BlankKind::Pragma) pragma(blank);
     }
   }
 
-  // Comments of one kind nest (6.1.5).
-  void skip_comment(std::string_view open, std::string_view close) {
-    start_ = at_;
-    int depth = 0;
-    while (at_ < text_.size()) {
-      if (at_text(open)) {
-        ++depth;
-        at_ += 2;
-      } else if (at_text(close)) {
-        at_ += 2;
-        if (--depth == 0) return;
-      } else {
-        ++at_;
-      }
-    }
-    sink_.error(code::kUnterminated, place(start_), "the comment has no end",
-                "close it with '" + std::string(close) + "'");
+  void unterminated(const Blank& blank) {
+    const bool comment = blank.kind == BlankKind::Comment;
+    sink_.error(code::kUnterminated, place(start_),
+                comment ? "the comment has no end" : "the pragma has no end",
+                "close it with '" + std::string(blank.close) + "'");
     push(TokenKind::Bad);
   }
 
   // A pragma that means something to the parser becomes a token, any other one is skipped (6.2). Editors
   // that translate to C put C code into pragmas, in doubled braces where it has braces of its own: that it
   // does not run must be said.
-  void pragma() {
-    start_ = at_;
-    const bool doubled = at_text("{{");
-    const std::string_view close = doubled ? "}}" : "}";
-    const std::size_t end = text_.find(close, at_);
-    if (end == std::string_view::npos) {
-      sink_.error(code::kUnterminated, place(start_), "the pragma has no end",
-                  "close it with '" + std::string(close) + "'");
-      at_ = text_.size();
-      push(TokenKind::Bad);
-      return;
-    }
-    const std::string_view inside = text_.substr(at_ + 1, end - at_ - 1);
-    at_ = end + close.size();
+  void pragma(const Blank& blank) {
+    const bool doubled = blank.open.size() > 1;
+    const std::string_view inside = text_.substr(start_ + 1, at_ - blank.close.size() - start_ - 1);
     if (doubled || is_foreign_code(inside))
       sink_.warning(code::kForeignCode, place(start_),
                     "this pragma holds code of another language, which is skipped",
@@ -388,7 +356,13 @@ class Lexer {
 
 std::vector<Token> lex(const source::SourceSet& sources, source::FileId file, TextKind kind,
                        source::NameTable& names, source::DiagnosticSink& sink, Extent extent) {
-  return Lexer(sources, file, kind, names, sink, extent).run();
+  return Lexer(sources, file, sources.text(file), kind, names, sink, extent).run();
+}
+
+std::vector<Token> lex(std::string_view text, source::NameTable& names) {
+  const source::SourceSet none;
+  source::DiagnosticSink sink(none);
+  return Lexer(none, source::FileId(0), text, TextKind::Piece, names, sink, {}).run();
 }
 
 }  // namespace stepwright::syntax

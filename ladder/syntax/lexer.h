@@ -14,7 +14,9 @@
 
 namespace stepwright::syntax {
 
-enum class TextKind : std::uint8_t { Written, Generated };
+// A Piece is a text that will stand inside of a generated one: generated names may stand in it, marks say
+// nothing yet.
+enum class TextKind : std::uint8_t { Written, Generated, Piece };
 
 // A part of a text, in bytes.
 struct Extent {
@@ -26,5 +28,9 @@ struct Extent {
 // (intern_keywords).
 std::vector<Token> lex(const source::SourceSet& sources, source::FileId file, TextKind kind,
                        source::NameTable& names, source::DiagnosticSink& sink, Extent extent = {});
+
+// All tokens of a piece that stands in no SourceSet, closed by one End token. They view `text`, and places
+// are bytes of it. Nothing is reported: what is not ST is a Bad token.
+std::vector<Token> lex(std::string_view text, source::NameTable& names);
 
 }  // namespace stepwright::syntax

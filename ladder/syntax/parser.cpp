@@ -53,6 +53,36 @@ Statements Parser::whole_statements() {
   return list;
 }
 
+PieceResult Parser::piece(PieceKind kind) {
+  PieceResult result;
+  const std::size_t errors = context_.sink.error_count();
+  if (kind == PieceKind::StatementList) {
+    open_end_ = true;
+    jumps_ = false;
+    result.statements = whole_statements();
+  } else if (at(TokenKind::End)) {
+    context_.sink.error(source::code::kUnexpectedToken, peek().where,
+                        kind == PieceKind::Word       ? "a name is missing"
+                        : kind == PieceKind::Variable ? "a variable is missing"
+                                                      : "a variable or expression is missing");
+  } else if (kind == PieceKind::Word) {
+    if (!at(TokenKind::Keyword)) expect_name("a name");
+    accept(TokenKind::Keyword);
+    result.is_operand = true;
+  } else if (kind == PieceKind::Variable && !at(TokenKind::Identifier) && !at(TokenKind::Direct)) {
+    unexpected("a variable");
+  } else {
+    const source::Position where = peek().where;
+    const ExpressionPtr value = kind == PieceKind::Variable ? primary() : expression();
+    if (kind == PieceKind::Variable && value->kind == ExpressionKind::Call)
+      context_.sink.error(source::code::kUnexpectedToken, where, "expected a variable, found a call");
+    result.is_operand = value->kind != ExpressionKind::Unary && value->kind != ExpressionKind::Binary;
+  }
+  if (!at(TokenKind::End)) unexpected(describe(TokenKind::End));
+  result.is_whole = context_.sink.error_count() == errors;
+  return result;
+}
+
 std::vector<VariableDeclaration> Parser::whole_variables() {
   std::vector<VariableDeclaration> list;
   while (!at(TokenKind::End)) {
@@ -76,6 +106,14 @@ void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit, TextKin
 Statements parse_statements(SyntaxContext& context, source::FileId file, TextKind kind) {
   const auto tokens = lex(context.sources, file, kind, context.names, context.sink);
   return internal::Parser(context, tokens, kind).whole_statements();
+}
+
+PieceResult parse_piece(SyntaxContext& context, source::FileId file, PieceKind piece, TextKind kind) {
+  const std::size_t errors = context.sink.error_count();
+  const auto tokens = lex(context.sources, file, kind, context.names, context.sink);
+  PieceResult result = internal::Parser(context, tokens, kind).piece(piece);
+  result.is_whole = context.sink.error_count() == errors;
+  return result;
 }
 
 std::vector<VariableDeclaration> parse_variables(SyntaxContext& context, source::FileId file, TextKind kind) {

@@ -29,6 +29,20 @@ void parse_unit(SyntaxContext& context, source::FileId file, Unit& unit, TextKin
 // A whole text that is one statement list. In a Generated text "JMP name;" and "name:" are statements too.
 Statements parse_statements(SyntaxContext& context, source::FileId file, TextKind kind);
 
+// What a text that stands in a chart or a diagram can be (piece.h).
+enum class PieceKind : std::uint8_t {
+  Word,           // a name, or a reserved word that names a function: "AND", "MOD"
+  Variable,       // what can be written: "a", "m.x[2]", "p^", "w.%X3", "%QX0.0"
+  Expression,     // whatever has a value
+  StatementList,  // with or without ';' behind the last one
+};
+struct PieceResult {
+  Statements statements;    // of a StatementList, also of one with mistakes
+  bool is_whole = false;    // the text is that and nothing else; if not, it was reported
+  bool is_operand = false;  // a value, and no operator stands outside of its parentheses and brackets
+};
+PieceResult parse_piece(SyntaxContext& context, source::FileId file, PieceKind piece, TextKind kind);
+
 // A whole text of VAR sections.
 std::vector<VariableDeclaration> parse_variables(SyntaxContext& context, source::FileId file, TextKind kind);
 

@@ -33,7 +33,7 @@ Statements Parser::statements() {
 StatementPtr Parser::statement() {
   const Nesting nesting(*this);
   if (too_deep()) return nullptr;
-  if (kind_ == TextKind::Generated) {
+  if (jumps_) {
     if (StatementPtr jump = jump_statement()) return jump;
   }
   switch (peek().is(TokenKind::Keyword) ? peek().keyword : Keyword::None) {
@@ -61,6 +61,7 @@ StatementPtr Parser::statement() {
 // Behind a statement. A forgotten ';' is reported; if a statement begins on the spot, nothing is skipped.
 void Parser::end_of_statement() {
   if (accept(TokenKind::Semicolon)) return;
+  if (open_end_ && (at(TokenKind::End) || at(Keyword::EndAction))) return;
   expect(TokenKind::Semicolon, "behind the statement");
   const bool begins_here =
       at(TokenKind::Identifier) && at_ > 0 &&

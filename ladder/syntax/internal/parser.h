@@ -16,12 +16,13 @@ class Parser {
  public:
   // `tokens` and `context` must outlive the parser.
   Parser(SyntaxContext& context, const std::vector<Token>& tokens, TextKind kind)
-      : context_(context), tokens_(tokens), kind_(kind) {}
+      : context_(context), tokens_(tokens), kind_(kind), jumps_(kind == TextKind::Generated) {}
 
   // parser.cpp
   void unit(Unit& out);
   Statements whole_statements();
   std::vector<VariableDeclaration> whole_variables();
+  PieceResult piece(PieceKind kind);
 
  private:
   bool at_declaration_of_unit() const;
@@ -169,9 +170,12 @@ class Parser {
   void transition_condition(TransitionDeclaration& result);
   std::vector<Name> step_list();
   ActionDeclaration action();
+  void action_statements();
   // From the cursor to before the given token; `until` is not passed.
   template <typename Kind>
   TextSlice slice_until(Kind until);
+  // The text from a token to before the cursor.
+  TextSlice slice_from(std::size_t first) const;
 
   SyntaxContext& context_;
   const std::vector<Token>& tokens_;
@@ -180,6 +184,8 @@ class Parser {
   std::size_t reported_at_ = static_cast<std::size_t>(-1);
   int nesting_ = 0;
   int cases_ = 0;                  // CASE statements around the cursor
+  bool jumps_;                     // "JMP name;" and "name:" are statements
+  bool open_end_ = false;          // the last statement of the list may stand without ';'
   const char* closing_ = nullptr;  // END_TEST, END_MOCK: of what is being read
 };
 

@@ -30,6 +30,7 @@ std::string unit_tests() {
   std::string text;
   for (const auto& entry : fs::recursive_directory_iterator(kRoot / "tests/unit/ladder"))
     if (entry.path().extension() == ".cpp") text += read(entry.path());
+  text += read(kRoot / "tests/st/chart_texts_test.cpp");
   return text;
 }
 

@@ -182,6 +182,50 @@ TEST(LadderToSyntax, Jump_WhenTheLabelIsMissing_ThenTheRungIsNamed) {
   EXPECT_EQ(errors[0].where.line, 2u);
 }
 
+TEST(LadderToSyntax, Contact_WhenItHoldsAnExpression_ThenItKeepsTogether) {
+  const auto with = [](graphic::Condition condition) {
+    graphic::LadderProgram ladder{
+        {rung(graphic::always(), CoilKind::Normal, "b"), rung(std::move(condition), CoilKind::Normal, "q")}};
+    return trace(std::move(ladder), "0110");
+  };
+  EXPECT_EQ(with(graphic::all({contact("b OR a"), contact("a")})), "0110");
+  EXPECT_EQ(with(contact("a AND c OR b", true)), "0000");
+  EXPECT_EQ(with(edge("b OR a", graphic::Edge::Rising)), "1000");
+  EXPECT_EQ(with(graphic::compare("b OR a", graphic::CompareOp::Equal, "a AND b // it's")), "0110");
+}
+
+TEST(LadderToSyntax, Texts_WhenTheyAreNotWhole_ThenTheRungIsNamed) {
+  const auto error_of = [](graphic::Rung broken) {
+    graphic::LadderProgram ladder{{rung(contact("a"), CoilKind::Normal, "q"), std::move(broken)}};
+    const auto errors = errors_of(project_of(std::move(ladder)));
+    return errors.empty()
+               ? "compiles"
+               : errors[0].where.file + ":" + std::to_string(errors[0].where.line) + " " + errors[0].code;
+  };
+  for (const char* text : {"a) OR (b", "a (* b", "a; q := TRUE", "a, b", ""}) {
+    EXPECT_EQ(error_of(rung(contact(text), CoilKind::Normal, "p")).substr(0, 9), "main.ld:2") << text;
+    EXPECT_EQ(error_of(rung(contact("a"), CoilKind::Normal, text)).substr(0, 9), "main.ld:2") << text;
+  }
+  const auto with = [](graphic::Block block) {
+    graphic::Rung result;
+    result.condition = contact("a");
+    result.blocks.push_back(std::move(block));
+    return result;
+  };
+  for (const char* text : {"n := 1; END_IF; n := 2; IF a THEN n := 3", "n := 1 (*", "END_IF", "n := 'a"}) {
+    graphic::Block statements;
+    statements.st_body = text;
+    EXPECT_EQ(error_of(with(statements)).substr(0, 9), "main.ld:2") << text;
+  }
+  graphic::Block call;
+  call.type = "ADD";
+  call.inputs = {{"", "n"}, {"", "2, 3"}};
+  call.outputs = {{"", "n"}};
+  EXPECT_EQ(error_of(with(call)), "main.ld:2 E0104");
+  call.inputs[1].second = "2 // two";
+  EXPECT_EQ(error_of(with(call)), "compiles");
+}
+
 TEST(LadderToSyntax, Edge_WhenInAFunction_ThenIsRefused) {
   graphic::Project project = project_of({{rung(edge("a", graphic::Edge::Rising), CoilKind::Normal, "q")}},
                                         graphic::PouKind::Function);
