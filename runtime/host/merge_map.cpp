@@ -26,6 +26,8 @@ Word word_at(const void* from) {
 std::size_t next_difference(std::span<const std::byte> before, std::span<const std::byte> after,
                             std::size_t at) {
   const std::size_t size = before.size();
+  // Changes come together.
+  if (at < size && before[at] != after[at]) return at;
   while (at < size) {
     if (at % kBlock == 0) {
       while (at + kBlock <= size && std::memcmp(before.data() + at, after.data() + at, kBlock) == 0)
@@ -41,6 +43,26 @@ std::size_t next_difference(std::span<const std::byte> before, std::span<const s
     }
   }
   return size;
+}
+
+// The usual sizes cost no call.
+void copy(std::byte* to, const std::byte* from, std::size_t size) {
+  switch (size) {
+    case 1:
+      *to = *from;
+      return;
+    case 2:
+      std::memcpy(to, from, 2);
+      return;
+    case 4:
+      std::memcpy(to, from, 4);
+      return;
+    case 8:
+      std::memcpy(to, from, 8);
+      return;
+    default:
+      std::memcpy(to, from, size);
+  }
 }
 
 // Where values begin and end, from one run after the other. Where they lie over each other, each border of
@@ -122,7 +144,7 @@ void MergeMap::merge(std::span<const std::byte> before, std::span<const std::byt
     }
     const std::size_t begin = begin_of(at);
     at = end_of(begin);
-    std::memcpy(shared.data() + begin, after.data() + begin, at - begin);
+    copy(shared.data() + begin, after.data() + begin, at - begin);
   }
 }
 

@@ -33,6 +33,7 @@ class FakeDriver final : public image::IoDriver {
     output.store(std::to_integer<int>(outputs[0]));
     return image::IoStatus::Good;
   }
+  std::uint64_t held_reads() const override { return held.load(); }
 
   // The same as on_read, set once while scans run already.
   void intervene(std::function<void(std::int64_t)> act) {
@@ -45,6 +46,7 @@ class FakeDriver final : public image::IoDriver {
   std::atomic<bool> lost{false};
   std::atomic<int> output{-1};
   std::atomic<std::uint64_t> reads{0};
+  std::atomic<std::uint64_t> held{0};
 
  private:
   std::function<void(std::int64_t)> late_;

@@ -166,6 +166,13 @@ TEST(HostRuntime, WhenInputOutputIsLost_ThenItIsInFault) {
   EXPECT_EQ(harness.runtime->status().state, RuntimeState::Fault);
 }
 
+TEST(HostRuntime, WhenInputsAreHeld_ThenTheStatusSaysHowOften) {
+  Harness harness;
+  EXPECT_EQ(harness.runtime->status().detail.find("held"), std::string::npos);
+  harness.driver.held = 3;
+  EXPECT_NE(harness.runtime->status().detail.find("inputs were held in 3 reads"), std::string::npos);
+}
+
 TEST(HostRuntime, WhenTheSupervisorIsLostAndPolicyIsContinue_ThenBarriersNoLongerHold) {
   Harness harness;
   harness.load(step_program());
