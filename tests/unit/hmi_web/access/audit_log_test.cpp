@@ -166,7 +166,7 @@ TEST_F(AuditLogTest, WhenItCannotBeWritten_ThenTheEntryFails) {
   EXPECT_FALSE(log);
 }
 
-// Entries of some 450 bytes in files of 2 kB, of which 8 kB are kept.
+// Entries of some 550 bytes in files of 2 kB, of which 8 kB are kept.
 constexpr AuditLimits kSmall{2'000, 8'000};
 
 class AuditSegments : public AuditLogTest {
@@ -177,11 +177,13 @@ class AuditSegments : public AuditLogTest {
     return log ? std::move(*log) : nullptr;
   }
   void append(AuditLog& log, int count) {
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
       ASSERT_TRUE(log.append({.user = "ada",
                               .action = "plan.goal",
                               .target = std::to_string(log.entries() + 1),
+                              .reason = std::string(200, 'x'),
                               .result = "done"}));
+    }
   }
   TrailCheck check() const { return *check_trail(file_); }
 };
@@ -236,6 +238,7 @@ TEST_F(AuditSegments, WhenItIsReadByPages_ThenEveryEntryIsThereOnce) {
 
 TEST_F(AuditSegments, WhenAnEntryOfAClosedSegmentIsChanged_ThenTheCheckNamesFileAndEntry) {
   append(*open_small(), 12);
+  ASSERT_GT(segments_of(file_).size(), 3u);
   const Segment second = segments_of(file_)[1];
   std::ifstream in(second.file, std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(in), {});

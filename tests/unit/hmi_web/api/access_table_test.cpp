@@ -74,6 +74,7 @@ const std::map<std::string, Role>& expected_roles() {
       {"POST /api/alarms/suppress", Role::Operator},
       {"POST /api/alarms/unsuppress", Role::Operator},
       {"POST /api/alarms/remove", Role::Engineer},
+      {"POST /api/history/calendar", Role::Engineer},
       {"POST /api/alarms/return", Role::Engineer},
       {"GET /api/recipe-tags", Role::Viewer},
       {"GET /api/recipes", Role::Viewer},

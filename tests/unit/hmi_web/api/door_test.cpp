@@ -259,6 +259,7 @@ TEST_F(DoorTest, WhenTheAuditIsRead_ThenItComesInPagesAndAsFiles) {
   const auto opened = session(Role::Engineer);
   const auto operator_session = session(Role::Operator);
   for (int i = 0; i < 3; ++i) ask("POST", "/api/plan/abort", "{}", operator_session);
+  audit->settle();
   const json page = json::parse(ask("GET", "/api/audit", "", opened).text);
   EXPECT_EQ(page["count"], 6);
   EXPECT_EQ(page["broken_line"], 0);
