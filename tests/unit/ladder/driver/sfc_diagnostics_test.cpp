@@ -107,7 +107,7 @@ const ChartCase kCases[] = {
     {"TwoInitialSteps", "E0720", 4, 14,
      CHART("INITIAL_STEP A: END_STEP\nINITIAL_STEP B: END_STEP\nTRANSITION FROM A TO B := x; END_TRANSITION"),
      "one initial step"},
-    {"DurationWithoutQualifier", "E0703", 3, 25, CHART("INITIAL_STEP A: lamp(, T#1s); END_STEP"),
+    {"DurationWithoutQualifier", "E0703", 3, 24, CHART("INITIAL_STEP A: lamp(, T#1s); END_STEP"),
      "takes no duration"},
 };
 
