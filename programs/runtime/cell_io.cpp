@@ -44,14 +44,15 @@ class SharedIo final : public CellIo {
   io_memory::MemoryDriver driver_;
 };
 
-// Who takes this process for lost, and when: the guard, and the Modbus client. In simulated time nobody waits
-// for it.
+// Who takes this process for lost, and when: the guard, which a gateway does not start, and the Modbus
+// client. In simulated time nobody waits for it.
 io_memory::Judgement judgement_of(const config::CellConfig& config) {
   if (config.clock.mode != config::ClockMode::Real) return {};
-  std::chrono::nanoseconds after = config.safety.guard.timeout;
-  if (config.safety.io.modbus)
-    after = std::min<std::chrono::nanoseconds>(after, config.modbus_client.holder_timeout);
-  return {after.count(), config.safety.guard.enabled || config.safety.io.modbus};
+  const std::chrono::nanoseconds guard = config.safety.guard.timeout;
+  const std::chrono::nanoseconds client = config.modbus_client.holder_timeout;
+  const bool guarded = config.safety.guard.enabled && !config.controller.remote();
+  if (!config.safety.io.modbus) return {guard.count(), guarded};
+  return {(guarded ? std::min(guard, client) : client).count(), true};
 }
 
 // Keeps the plant's state after each of its steps.

@@ -11,8 +11,8 @@
 //   auto guard = OutputGuard::create("press", 64, 64, matrix, {});
 //   while (going) if (const char* news = (*guard)->turn(stop_descriptor)) log(news);
 //
-// Threads: one. A turn waits for a tick at most, and takes no heap. Fails as IoArea::open, and with R0045 if
-// another guard watches the area.
+// Threads: one. A turn waits for a tick at most, and takes no heap but to find a runtime of another PID
+// namespace. Fails as IoArea::open, and with R0045 if another guard watches the area.
 
 #include <cstdint>
 #include <memory>

@@ -117,7 +117,7 @@ void RetainKeeper::restore(const RetainChannel& channel, std::uint64_t source, s
   if (!prepared->misfit.empty()) {
     set_note("retained values that do not fit the program: " + prepared->misfit +
              (restored ? "" : "; all have their initial values"));
-  } else if (kept_from_ != nullptr) {
+  } else if (kept_from_ != nullptr && noted_.load(std::memory_order_acquire)) {
     set_note({});
   }
 }
@@ -169,6 +169,7 @@ std::string RetainKeeper::note() const {
 
 void RetainKeeper::set_note(std::string note) {
   const std::lock_guard lock(mutex_);
+  noted_.store(!note.empty(), std::memory_order_release);
   note_ = std::move(note);
 }
 

@@ -61,9 +61,9 @@ struct RetainChannel : std::enable_shared_from_this<RetainChannel> {
   explicit RetainChannel(RetainedValues of)
       : values(std::move(of)), kept(values.size()), buffer(values.size()) {}
 
-  const RetainArrival* arrival_from(std::uint64_t source) const {
+  const RetainArrival* arrival_from(std::uint64_t from) const {
     for (const RetainArrival& each : arrivals)
-      if (each.source == source) return &each;
+      if (each.source == from) return &each;
     return nullptr;
   }
 

@@ -125,7 +125,7 @@ class GuardedCell {
   // A status with this detail has come, or is among those that came meanwhile.
   bool status_says(const std::string& text) {
     while (const auto message = client->receive(std::chrono::milliseconds(100))) {
-      const auto* const status = std::get_if<host::RuntimeStatus>(&message->body);
+      const auto* const status = std::get_if<host::RuntimeStatus>(&*message);
       if (status != nullptr && status->detail.find(text) != std::string::npos) return true;
     }
     return false;
