@@ -35,7 +35,7 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::ve
   engines->pop_back();
   Machine machine{std::move(own),    std::move(*engines),
                   std::move(*bools), std::move(*merge_map),
-                  std::move(plan),   std::vector<std::byte>(program.sizes().output_bytes)};
+                  std::move(plan),   std::vector<std::byte>(io.output_bytes())};
   try {
     return std::unique_ptr<PreparedProgram>(
         new PreparedProgram(std::move(*loaded), std::move(machine), std::move(digest), surroundings));

@@ -77,7 +77,7 @@ LineLoop::Done LineLoop::know_program(const ControllerStatus& status) {
     program_.reset();
     forces_.clear_all();
     image_.clear();
-    plant_.fit(0, 0);
+    plant_.fit(0, 0, own_time_ns());
     return {};
   }
   if (program_ != nullptr && program_->digest_bytes() == status.digest) return {};
@@ -96,7 +96,7 @@ LineLoop::Done LineLoop::know_program(const ControllerStatus& status) {
   program_ = std::move(*program);
   forces_.clear_all();  // those that are known here were of another program
   image_.assign(program_->image_bytes(), std::byte{0});
-  plant_.fit(program_->sizes().input_bytes, program_->sizes().output_bytes);
+  plant_.fit(program_->sizes().input_bytes, program_->sizes().output_bytes, own_time_ns());
   return {};
 }
 
