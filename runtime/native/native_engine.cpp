@@ -62,14 +62,15 @@ bool NativeEngine::supported() {
 #endif
 }
 
-result::Result<std::unique_ptr<NativeEngine>> NativeEngine::compile(const bytecode::Program& program) {
+result::Result<std::unique_ptr<NativeEngine>> NativeEngine::compile(const bytecode::Program& program,
+                                                                    Form form) {
   if (!supported()) {
     return result::fail("R0010", {}, "this machine cannot run native code of Stepwright",
                         "native code needs an x86-64 processor with SSE4.1, or an AArch64 one, and Linux");
   }
   auto code = std::make_shared<Code>();
   const ProgramFacts facts(program);
-  if (const asmjit::Error error = make_code(facts, code->program)) {
+  if (const asmjit::Error error = make_code(facts, form == Form::Checked, code->program)) {
     return result::fail(
         "R0010", {}, std::string("no native code can be made: ") + asmjit::DebugUtils::errorAsString(error));
   }
@@ -113,6 +114,13 @@ bytecode::Trap NativeEngine::run(const bytecode::Invocation& invocation, std::sp
 
 void NativeEngine::set_interrupt(const bytecode::Interrupt* interrupt) {
   parts_->interrupt = interrupt;
+}
+
+std::optional<NativeEngine::BrokenCheck> NativeEngine::broken_check() const {
+  const std::uint32_t number = parts_->context().broken_check;
+  if (number == 0) return std::nullopt;
+  const CodePlace& place = parts_->code->program.checks[number - 1];
+  return BrokenCheck{place.function, place.pc};
 }
 
 std::size_t NativeEngine::code_bytes() const {

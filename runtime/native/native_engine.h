@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "runtime/bytecode/engine.h"
@@ -29,10 +30,14 @@ class NativeEngine final : public bytecode::Engine {
   // True if this machine can run the code that is made.
   static bool supported();
 
+  // Checked is for tests: slower code that also proves, as it runs, what the loops' registers rely on
+  // (runtime/doc/native.md). On AArch64 both are the same.
+  enum class Form : std::uint8_t { Plain, Checked };
+
   // Fails (code "R0010") where the machine is not supported or gives no memory for code. The program's bytes
   // may go away afterwards.
-  [[nodiscard]] static result::Result<std::unique_ptr<NativeEngine>> compile(
-      const bytecode::Program& program);
+  [[nodiscard]] static result::Result<std::unique_ptr<NativeEngine>> compile(const bytecode::Program& program,
+                                                                             Form form = Form::Plain);
 
   // An engine of its own on the same machine code, for another thread: nothing is compiled, and it takes no
   // more than the memory for its calls and slots.
@@ -44,6 +49,14 @@ class NativeEngine final : public bytecode::Engine {
   bytecode::Trap run(const bytecode::Invocation& invocation, std::span<std::byte> memory,
                      std::uint64_t& budget) override;
   void set_interrupt(const bytecode::Interrupt* interrupt) override;
+
+  // Of the checked form: the first instruction, of all runs, at which what the translator relies on did not
+  // hold.
+  struct BrokenCheck {
+    std::uint32_t function = 0;
+    std::uint32_t pc = 0;
+  };
+  std::optional<BrokenCheck> broken_check() const;
 
   // Bytes of machine code, constants included.
   std::size_t code_bytes() const;

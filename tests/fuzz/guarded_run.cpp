@@ -90,10 +90,11 @@ Outcome run_scans(const Program& program, std::span<const std::unique_ptr<Runner
 }
 
 // The engine's slots lie at the guard, too.
-std::unique_ptr<bytecode::Engine> native_engine(const Program& program, Side side) {
+std::unique_ptr<native::NativeEngine> native_engine(const Program& program, Side side,
+                                                    native::NativeEngine::Form form) {
   const std::size_t bytes = (native::ProgramFacts(program).context_bytes() + 7) / 8 * 8;
   const GuardedSize guard(bytes, side);
-  auto compiled = native::NativeEngine::compile(program);
+  auto compiled = native::NativeEngine::compile(program, form);
   // A verified program can always be compiled.
   if (!compiled || GuardedSize::live() == 0) std::abort();
   return std::move(*compiled);
@@ -105,16 +106,22 @@ Outcome run_program(const Program& program, Side side) {
   Guarded<std::uint64_t> stack(program.sizes().stack_slots, side);
   Guarded<std::uint8_t> quick_code(program.container().section(Section::Code).size(), side);
   std::vector<std::unique_ptr<Runner>> runners;
+  const native::NativeEngine* checked = nullptr;  // the last of them
   runners.push_back(std::make_unique<Runner>(program, side));
   runners.back()->engine = std::make_unique<vm::Interpreter>(program, stack.inner());
   runners.push_back(std::make_unique<Runner>(program, side));
   runners.back()->engine =
       std::make_unique<vm::Interpreter>(program, stack.inner(), std::as_writable_bytes(quick_code.inner()));
   if (native::NativeEngine::supported()) {
-    runners.push_back(std::make_unique<Runner>(program, side));
-    runners.back()->engine = native_engine(program, side);
+    for (const auto form : {native::NativeEngine::Form::Plain, native::NativeEngine::Form::Checked}) {
+      auto engine = native_engine(program, side, form);
+      checked = engine.get();
+      runners.push_back(std::make_unique<Runner>(program, side));
+      runners.back()->engine = std::move(engine);
+    }
   }
   const Outcome outcome = run_scans(program, runners);
+  if (outcome == Outcome::Ran && checked != nullptr && checked->broken_check()) return Outcome::Differs;
   return stack.intact() && quick_code.intact() ? outcome : Outcome::BrokeOut;
 }
 

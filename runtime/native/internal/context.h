@@ -8,6 +8,7 @@
 
 #include "runtime/bytecode/container_format.h"
 #include "runtime/bytecode/interrupt.h"
+#include "runtime/bytecode/value_type.h"
 
 namespace stepwright::native {
 
@@ -25,6 +26,7 @@ struct Context {
   std::uint32_t trap_code;      // of a trap whose site does not say why
   std::uint8_t condition;       // a comparison's result, while a register is made free for it
   std::uint32_t cost;           // what the slice of the budget is too small for
+  std::uint32_t broken_check;   // of checked code: the number of the first check that failed; 0: none
   bytecode::BudgetSlices slices;
 };
 
@@ -32,6 +34,15 @@ struct Context {
 inline constexpr std::uint32_t kMostCalls = bytecode::kMaxCallDepth + 1;
 
 inline constexpr std::uint32_t kSlotBytes = 8;
+
+// How a value of this type lies in a slot.
+constexpr bytecode::MemType slot_memory(bytecode::StackType type) {
+  using bytecode::MemType;
+  constexpr MemType kTypes[] = {MemType::Bool, MemType::I32, MemType::I64,
+                                MemType::F32,  MemType::F64, MemType::I64};
+  return kTypes[static_cast<std::uint8_t>(type)];
+}
+
 inline constexpr std::uint32_t kFirstSlot = sizeof(Context);
 
 }  // namespace stepwright::native

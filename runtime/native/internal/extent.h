@@ -25,6 +25,11 @@ struct Extent {
     return out.end > kFarthest ? Extent{} : out;
   }
 
+  // So many bytes at one place: no access of that size within the extent lies anywhere else.
+  constexpr bool is_place_of(std::uint64_t bytes) const {
+    return space != Space::Unknown && end - first == bytes;
+  }
+
   friend bool operator==(const Extent&, const Extent&) = default;
 };
 

@@ -22,12 +22,19 @@ struct CallSite {
   std::uint32_t return_pc = 0;
 };
 
+// An instruction of the bytecode.
+struct CodePlace {
+  std::uint32_t function = 0;
+  std::uint32_t pc = 0;
+};
+
 struct ProgramCode {
   CodeMemory memory;
   Entry enter = nullptr;
   std::vector<const void*> functions;
   std::vector<bytecode::Trap> sites;  // numbered from 1
   std::vector<CallSite> calls;        // in the order of their offsets
+  std::vector<CodePlace> checks;      // of checked code, numbered from 1
 
   // Takes over the finished code.
   asmjit::Error place(asmjit::CodeHolder& holder, asmjit::Label entry_label,
@@ -44,6 +51,7 @@ class FirstError final : public asmjit::ErrorHandler {
 };
 
 // What the library says if it cannot make the code, e.g. for want of memory. One for each kind of processor.
-asmjit::Error make_code(const ProgramFacts& facts, ProgramCode& out);
+// Checked code exists on x86-64 only, where loops keep variables in registers; elsewhere it is the plain one.
+asmjit::Error make_code(const ProgramFacts& facts, bool checked, ProgramCode& out);
 
 }  // namespace stepwright::native

@@ -1,6 +1,7 @@
 #include "runtime/native/internal/program_facts.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "runtime/native/internal/context.h"
 
@@ -49,7 +50,7 @@ ProgramFacts::ProgramFacts(const bytecode::Program& program)
   }
   find_spoilers(order);
   for (std::uint32_t i = 0; i < function_count(); ++i) {
-    effects_.push_back(memory_effects(view(), codes_[i], functions_[i].places));
+    effects_.push_back(memory_effects(program_, codes_[i], functions_[i].places));
   }
   mark_bytes();
 }
@@ -173,6 +174,15 @@ void ProgramFacts::mark_bytes() {
   }
   others_before_.assign(1, 0);
   for (const std::uint8_t byte : other) others_before_.push_back(others_before_.back() + byte);
+}
+
+const MemoryEffect& ProgramFacts::effect(std::uint32_t function, std::uint32_t item, bool store) const {
+  const std::vector<MemoryEffect>& all = effects_[function];
+  const auto before = [](const MemoryEffect& effect, std::uint32_t number) { return effect.item < number; };
+  auto found = std::lower_bound(all.begin(), all.end(), item, before);
+  while (found->store != store) ++found;
+  assert(found->item == item);
+  return *found;
 }
 
 bool ProgramFacts::plain_bool(std::uint32_t function, const Extent& extent) const {

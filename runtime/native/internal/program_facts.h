@@ -32,6 +32,9 @@ class ProgramFacts {
   const FunctionCode& code(std::uint32_t function) const { return codes_[function]; }
   const std::vector<MemoryEffect>& effects(std::uint32_t function) const { return effects_[function]; }
 
+  // What the instruction reads or writes; requires that it does.
+  const MemoryEffect& effect(std::uint32_t function, std::uint32_t item, bool store) const;
+
   // Bytes of the block that holds the context and all slots.
   std::uint32_t context_bytes() const { return context_bytes_; }
 

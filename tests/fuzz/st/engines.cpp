@@ -37,7 +37,14 @@ std::string shown(const bytecode::Trap& trap) {
 
 // Of the engines beside the first, which is the interpreter of the code as it is.
 std::string name_of(std::size_t engine) {
-  return engine == 1 ? "quick" : "native";
+  return engine == 1 ? "quick" : engine == 2 ? "native" : "checked";
+}
+
+std::unique_ptr<native::NativeEngine> native_engine(const bytecode::Program& program,
+                                                    native::NativeEngine::Form form) {
+  auto engine = native::NativeEngine::compile(program, form);
+  if (!engine) throw std::runtime_error(result::to_string(engine.error()));
+  return std::move(*engine);
 }
 
 }  // namespace
@@ -51,9 +58,10 @@ struct Engines::Parts {
     engines.push_back(std::make_unique<vm::Interpreter>(program.program(), stack));
     engines.push_back(std::make_unique<vm::Interpreter>(program.program(), stack, quick_code));
     if (has_native()) {
-      auto native = native::NativeEngine::compile(program.program());
-      if (!native) throw std::runtime_error(result::to_string(native.error()));
-      engines.push_back(std::move(*native));
+      engines.push_back(native_engine(program.program(), native::NativeEngine::Form::Plain));
+      auto proving = native_engine(program.program(), native::NativeEngine::Form::Checked);
+      checked = proving.get();
+      engines.push_back(std::move(proving));
     }
     const auto initial = program.program().container().section(bytecode::Section::InitialData);
     std::vector<std::byte> memory(program.program().memory_size());
@@ -82,6 +90,7 @@ struct Engines::Parts {
   std::vector<std::uint64_t> stack;
   std::vector<std::byte> quick_code;
   std::vector<std::unique_ptr<bytecode::Engine>> engines;
+  const native::NativeEngine* checked = nullptr;  // one of them
   std::vector<std::vector<std::byte>> memories;
   std::vector<std::uint32_t> tasks;  // the one that goes first first
   std::int64_t now_ns = 0;
@@ -101,6 +110,9 @@ std::string Engines::Parts::run(const bytecode::Invocation& invocation) {
       out += "budget left: " + std::to_string(left) + ", " + name_of(i) + ": " + std::to_string(other_left) +
              "\n";
   }
+  if (checked != nullptr && checked->broken_check())
+    out += "check broken in " + std::to_string(checked->broken_check()->function) + " at " +
+           std::to_string(checked->broken_check()->pc) + "\n";
   return out + compare();
 }
 

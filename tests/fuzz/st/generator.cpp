@@ -48,7 +48,9 @@ class Generator {
     const int dimensions = !large && random_.chance(30) ? 2 : 1;
     for (int i = 0; i < dimensions; ++i) {
       const std::int64_t low = random_.between(-3, 4);
-      type.bounds.push_back({low, low + random_.between(1, large || dimensions == 2 ? 3 : 7)});
+      const std::int64_t most = large || dimensions == 2 ? 3 : 7;
+      // Often one element: its place is known whatever the index.
+      type.bounds.push_back({low, low + (random_.chance(30) ? 0 : random_.between(1, most))});
     }
     out_->types.push_back(std::move(type));
     return &out_->types.back();
@@ -78,7 +80,7 @@ class Generator {
 
   const Type* structure() {
     Type type{.kind = TypeKind::Struct, .name = "S" + std::to_string(out_->types.size())};
-    const auto fields = random_.between(2, 4);
+    const auto fields = random_.between(1, 4);
     for (int i = 0; i < fields; ++i) {
       std::string name = "f" + std::to_string(i);
       const Type* const part = inner_ != nullptr && random_.chance(40) ? inner_ : scalar();
@@ -124,6 +126,7 @@ class Generator {
   const Type* aggregate() {
     if (structure_ != nullptr && random_.chance(40)) return structure_;
     if (structure_ != nullptr && random_.chance(25)) return array_of(structure_);
+    if (random_.chance(20)) return array_of(array_of(scalar()));
     return array_of(scalar());
   }
 

@@ -211,6 +211,12 @@ void StatementGenerator::steps(Statement& out, Scalar type) {
       out.step = expressions_.small_literal(type, down ? -step : step, down ? -step : step);
     return;
   }
+  if (random_.chance(30)) {  // no turn, one or two
+    const auto first = random_.between(1, 6);
+    out.value = expressions_.small_literal(type, first, first);
+    out.limit = expressions_.small_literal(type, first - 1, first + 1);
+    return;
+  }
   out.value = expressions_.small_literal(type, has_sign ? -4 : 0, 6);
   out.limit = expressions_.small_literal(type, has_sign ? -3 : 0, 8);
   const bool computed = random_.chance(60);
@@ -243,7 +249,7 @@ bool StatementGenerator::loop(Statements& out, int depth) {
   if (loops_ >= counters_.size()) return false;
   Statement made = make(random_.chance(50) ? StatementKind::While : StatementKind::Repeat);
   made.counter = counters_[loops_++];
-  made.turns = static_cast<int>(random_.between(1, 6));
+  made.turns = static_cast<int>(random_.chance(40) ? random_.between(0, 2) : random_.between(1, 6));
   made.value = expressions_.exact(Scalar::Bool, kExpressionDepth);
   made.body = block(static_cast<int>(random_.between(1, 3)), depth);
   --loops_;

@@ -4,7 +4,6 @@
 
 namespace stepwright::native::a64 {
 
-using bytecode::AddressMode;
 using bytecode::Opcode;
 using bytecode::StackType;
 using bytecode::TrapCode;
@@ -142,11 +141,11 @@ void FunctionWork::emit_nan(const Cold& cold) {
   take(cold.y);
 }
 
-bool FunctionWork::plain_bool(AddressMode mode, std::uint32_t offset) const {
-  if (mode == AddressMode::Ind) return facts().plain_bool(function_, {});
-  const Extent where = mode == AddressMode::Abs ? Extent{Space::Image, offset, std::uint64_t{offset} + 1}
-                                                : own().places.own(offset, 1);
-  return facts().plain_bool(function_, where);
+bool FunctionWork::reads_plain_bool() const {
+  return facts().plain_bool(function_, facts().effect(function_, item_, false).extent);
 }
+                                                : own().places.own(offset, 1);
+                                                return facts().plain_bool(function_, where);
+                                                }
 
-}  // namespace stepwright::native::a64
+                                                }  // namespace stepwright::native::a64

@@ -68,8 +68,8 @@ class FunctionWork {
   Mem field(std::size_t offset) { return ptr(kContext, static_cast<std::int32_t>(offset)); }
   // Where the running instance is kept during calls.
   Mem saved_self() { return local(code().record.local_count + code().record.max_stack); }
-  // True if the byte that such an access reads can only be 0 or 1.
-  bool plain_bool(bytecode::AddressMode mode, std::uint32_t offset) const;
+  // True if the BOOL that the current instruction reads can only be 0 or 1.
+  bool reads_plain_bool() const;
 
  private:
   struct Cold {

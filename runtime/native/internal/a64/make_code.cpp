@@ -101,7 +101,7 @@ void emit_refill(Assembler& out, asmjit::Label refill) {
 
 }  // namespace a64
 
-asmjit::Error make_code(const ProgramFacts& facts, ProgramCode& out) {
+asmjit::Error make_code(const ProgramFacts& facts, bool, ProgramCode& out) {
   asmjit::CodeHolder holder;
   FirstError errors;
   if (const asmjit::Error error = holder.init(asmjit::Environment::host())) return error;

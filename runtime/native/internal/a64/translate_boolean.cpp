@@ -2,7 +2,6 @@
 
 namespace stepwright::native::a64 {
 
-using bytecode::AddressMode;
 using bytecode::Instruction;
 using bytecode::MemType;
 using bytecode::Opcode;
@@ -15,8 +14,7 @@ RegisterId load_operand(FunctionWork& work, const Instruction& in) {
   const bool own = bytecode::is_this_boolean(in.opcode);
   const RegisterId to = work.operands().allocate(false);
   const Mem byte = own ? work.of_self(in.a, 1) : work.absolute(in.a, 1);
-  work.emit().load(to, MemType::Bool, byte,
-                   work.plain_bool(own ? AddressMode::This : AddressMode::Abs, in.a));
+  work.emit().load(to, MemType::Bool, byte, work.reads_plain_bool());
   return to;
 }
 

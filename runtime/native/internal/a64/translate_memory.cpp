@@ -20,7 +20,7 @@ bool is_real(MemType type) {
 void load(FunctionWork& work, const MemoryAccess& access, std::uint32_t offset) {
   Operands& operands = work.operands();
   const std::uint32_t bytes = size_of(access.type);
-  const bool plain = access.type != MemType::Bool || work.plain_bool(access.mode, offset);
+  const bool plain = access.type != MemType::Bool || work.reads_plain_bool();
   if (access.mode == AddressMode::Ind) {
     const RegisterId reference = operands.pop_register();
     check_reference(work, reference, bytes);

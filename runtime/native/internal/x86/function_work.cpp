@@ -1,5 +1,7 @@
 #include "runtime/native/internal/x86/function_work.h"
 
+#include "runtime/native/internal/x86/effect_check.h"
+
 namespace stepwright::native {
 
 using bytecode::AddressMode;
@@ -12,7 +14,10 @@ FunctionWork::FunctionWork(ProgramWork& program, std::uint32_t function)
     : program_(program),
       function_(function),
       operands_(program.out, program.pool, own().places.instances,
-                own().places.first_slot + code().record.local_count * kSlotBytes) {}
+                own().places.first_slot + code().record.local_count * kSlotBytes) {
+  if (program.checks == nullptr) return;
+  operands_.set_check([this](const Value& load, RegisterId known) { check_known(*this, load, known); });
+}
 
 const bytecode::Instruction* FunctionWork::next() const {
   const std::uint32_t index = item_ + 1;
@@ -24,7 +29,7 @@ const bytecode::Instruction* FunctionWork::next() const {
 void FunctionWork::enter_loop(const Loop& loop) {
   loop_ = &loop;
   for (const Pinned& variable : loop.variables) {
-    const Location from{variable.where.space, variable.where.first, kNoRegister, 0, 0};
+    const Location from{variable.where.space, variable.where.first, kNoRegister, 0};
     Value value = Value::of_load(variable.type, from);
     operands_.registers().pin(variable.reg);
     operands_.read_pinned(value, variable.reg);
@@ -39,10 +44,10 @@ void FunctionWork::leave_loop() {
   loop_ = nullptr;
 }
 
-const Pinned* FunctionWork::pinned(const Extent& where, MemType type) const {
-  if (loop_ == nullptr) return nullptr;
+const Pinned* FunctionWork::pinned(const MemoryEffect& effect) const {
+  if (loop_ == nullptr || !effect.is_scalar()) return nullptr;
   for (const Pinned& variable : loop_->variables) {
-    if (variable.type == type && variable.where == where) return &variable;
+    if (variable.type == effect.type && variable.where == effect.extent) return &variable;
   }
   return nullptr;
 }
@@ -54,7 +59,7 @@ void FunctionWork::write_back() {
 void FunctionWork::write_back(const Loop& loop) {
   for (const Pinned& variable : loop.variables) {
     if (!variable.written) continue;
-    const Location to{variable.where.space, variable.where.first, kNoRegister, 0, 0};
+    const Location to{variable.where.space, variable.where.first, kNoRegister, 0};
     operands_.store_register(to, size_of(variable.type), variable.reg);
   }
 }
@@ -137,48 +142,31 @@ void FunctionWork::emit_cold() {
 
 Location FunctionWork::of_self(std::uint32_t offset) const {
   const Extent own_bytes = own().places.own(offset, 0);
-  return {own_bytes.space, own_bytes.first, kNoRegister, 0, 0};
+  return {own_bytes.space, own_bytes.first, kNoRegister, 0};
 }
 
 Location FunctionWork::local(std::uint32_t index) const {
-  return {Space::Slot, own().places.first_slot + std::uint64_t{index} * kSlotBytes, kNoRegister, 0, 0};
+  return {Space::Slot, own().places.first_slot + std::uint64_t{index} * kSlotBytes, kNoRegister, 0};
 }
 
 asmjit::x86::Mem FunctionWork::saved_self() const {
   return operands_.memory(local(code().record.local_count + code().record.max_stack), 8);
 }
 
-bool FunctionWork::within_bounds(const Location& location, std::uint32_t bytes) const {
-  const std::uint64_t end = location.offset + location.reach + bytes;
-  switch (location.space) {
-    case Space::Image:
-      return end <= memory_size();
-    case Space::Instance:
-      return end <= code().record.instance_size;
-    default:
-      return true;
-  }
-}
-
 RegisterId FunctionWork::destination(StackType type) {
   const bytecode::Instruction* const store = next();
   if (loop_ == nullptr || store == nullptr) return kNoRegister;
-  Location to;
-  MemType memory = slot_memory(type);
-  if (store->opcode == Opcode::LocalSet) {
-    to = local(store->a);
-  } else if (is_memory_access(store->opcode) && memory_access(store->opcode).store) {
+  if (store->opcode != Opcode::LocalSet) {
+    if (!is_memory_access(store->opcode)) return kNoRegister;
     const MemoryAccess access = memory_access(store->opcode);
     // A narrow integer is cut to its type by the store itself.
-    if (access.mode == AddressMode::Ind || size_of(access.type) != size_of(memory)) return kNoRegister;
-    memory = access.type;
-    to = access.mode == AddressMode::Abs ? absolute(store->a) : of_self(store->a);
-  } else {
-    return kNoRegister;
+    const bool whole = size_of(access.type) == size_of(slot_memory(type));
+    if (!access.store || access.mode == AddressMode::Ind || !whole) return kNoRegister;
   }
-  const Pinned* const variable = pinned(to.extent(size_of(memory)), memory);
+  const Pinned* const variable = pinned(effect_of(item_ + 1, true));
   if (variable == nullptr) return kNoRegister;
   operands_.before_pinned_write(variable->reg);
+  ahead_ = variable->reg;
   return variable->reg;
 }
 

@@ -4,6 +4,7 @@
 // operands, labels, traps and the loop that keeps variables in registers.
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "runtime/bytecode/trap.h"
@@ -23,11 +24,14 @@ struct ProgramWork {
   asmjit::Label refill;                // more budget for the cost in the context; keeps every register
   std::vector<bytecode::Trap>& sites;  // numbered from 1
   std::vector<CallSite>& calls;        // in the order of their offsets
+  std::vector<CodePlace>* checks;      // null: the code is not checked (effect_check.h)
 };
 
 class FunctionWork {
  public:
   FunctionWork(ProgramWork& program, std::uint32_t function);
+  FunctionWork(const FunctionWork&) = delete;
+  FunctionWork& operator=(const FunctionWork&) = delete;
 
   asmjit::x86::Assembler& out() { return program_.out; }
   Operands& operands() { return operands_; }
@@ -49,8 +53,13 @@ class FunctionWork {
   const Loop* loop() const { return loop_; }
   void enter_loop(const Loop& loop);
   void leave_loop();
-  // The variable of the loop at exactly this place, or null.
-  const Pinned* pinned(const Extent& where, bytecode::MemType type) const;
+  // What the current instruction, or another one, reads or writes; requires that it does.
+  const MemoryEffect& effect(bool store) const { return effect_of(item_, store); }
+  const MemoryEffect& effect_of(std::uint32_t item, bool store) const {
+    return facts().effect(function_, item, store);
+  }
+  // The variable of the loop that an access with this effect reads or writes, or null: then it touches none.
+  const Pinned* pinned(const MemoryEffect& effect) const;
   // Stores the variables that the loop writes, without leaving it.
   void write_back();
 
@@ -68,17 +77,17 @@ class FunctionWork {
   void emit_cold();
 
   // Places as instructions name them.
-  Location absolute(std::uint32_t offset) const { return {Space::Image, offset, kNoRegister, 0, 0}; }
+  Location absolute(std::uint32_t offset) const { return {Space::Image, offset, kNoRegister, 0}; }
   Location of_self(std::uint32_t offset) const;
   Location local(std::uint32_t index) const;
   // Where the running instance is kept during calls.
   asmjit::x86::Mem saved_self() const;
-  // True if this many bytes there are the function's to use, whatever the index.
-  bool within_bounds(const Location& location, std::uint32_t bytes) const;
 
   // The register of a loop variable into which the result of this type goes next, or kNoRegister: values
   // that refer to it have been moved away.
   RegisterId destination(bytecode::StackType type);
+  // The last such register since this was asked; kNoRegister if there was none.
+  RegisterId take_ahead() { return std::exchange(ahead_, kNoRegister); }
 
  private:
   struct Cold {
@@ -99,6 +108,7 @@ class FunctionWork {
   Operands operands_;
   std::uint32_t item_ = 0;
   const Loop* loop_ = nullptr;
+  RegisterId ahead_ = kNoRegister;
   std::vector<Cold> cold_;
 };
 

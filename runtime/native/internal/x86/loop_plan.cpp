@@ -94,7 +94,7 @@ class LoopPlanner {
     const auto weight = weights(loop);
     std::map<std::pair<Space, std::uint64_t>, Candidate> found;
     for (const MemoryEffect& effect : effects) {
-      if (!effect.scalar) continue;
+      if (!effect.is_scalar()) continue;
       Candidate& candidate = found[{effect.extent.space, effect.extent.first}];
       candidate.variable.where = effect.extent;
       candidate.variable.type = effect.type;
@@ -133,7 +133,7 @@ class LoopPlanner {
     if (variable.type == MemType::Bool && !program_.plain_bool(function_, variable.where)) return false;
     const InstanceRange& instances = program_.facts(function_).places.instances;
     return std::all_of(effects.begin(), effects.end(), [&](const MemoryEffect& effect) {
-      if (effect.scalar && effect.type == variable.type && effect.extent == variable.where) return true;
+      if (effect.is_scalar() && effect.type == variable.type && effect.extent == variable.where) return true;
       if (!effect.store && !variable.written) return true;
       return !may_overlap(effect.extent, variable.where, instances);
     });

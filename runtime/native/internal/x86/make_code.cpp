@@ -75,15 +75,22 @@ void emit_refill(x86::Assembler& out, asmjit::Label refill) {
 
 }  // namespace
 
-asmjit::Error make_code(const ProgramFacts& facts, ProgramCode& out) {
+asmjit::Error make_code(const ProgramFacts& facts, bool checked, ProgramCode& out) {
   asmjit::CodeHolder holder;
   FirstError errors;
   if (const asmjit::Error error = holder.init(asmjit::Environment::host())) return error;
   holder.setErrorHandler(&errors);
   x86::Assembler assembler(&holder);
   ConstantPool pool;
-  ProgramWork work{facts,     assembler, pool, {}, assembler.newLabel(), assembler.newLabel(),
-                   out.sites, out.calls};
+  ProgramWork work{facts,
+                   assembler,
+                   pool,
+                   {},
+                   assembler.newLabel(),
+                   assembler.newLabel(),
+                   out.sites,
+                   out.calls,
+                   checked ? &out.checks : nullptr};
   for (std::uint32_t i = 0; i < facts.function_count(); ++i) work.functions.push_back(assembler.newLabel());
 
   const asmjit::Label entry = assembler.newLabel();

@@ -87,10 +87,17 @@ void Operands::spill(std::uint32_t index) {
   const StackType type = value.type;
   const std::uint32_t bytes = width_of(type);
   const RegisterId from = read_scratch(value);
+  forget_slot(index);
   store_register(target, bytes, from);
   release(value);
   value = Value::of_load(slot_memory(type), target);
   value.type = type;
+}
+
+// Before a slot changes: a register may still hold the operand that lay there.
+void Operands::forget_slot(std::uint32_t index) {
+  const std::uint64_t at = slot(index).offset;
+  registers_.forget_overlapping({Space::Slot, at, at + kSlotBytes}, instances_);
 }
 
 void Operands::store_register(const Location& to, std::uint32_t bytes, RegisterId from) {
@@ -242,8 +249,7 @@ asmjit::Operand Operands::source(Value& value, std::uint32_t bytes) {
   if (value.is(Value::Kind::Load) && value.bytes() == bytes && value.memory != MemType::Ref) {
     const bool whole =
         value.type != StackType::Bool || (value.plain && !value.inverted && value.bit == bytecode::kNoBit);
-    const bool known =
-        value.location.fixed() && registers_.find(value.location.extent(bytes), value.memory) != kNoRegister;
+    const bool known = registers_.find(value.where, value.memory) != kNoRegister;
     if (whole && !known) return memory(value.location, bytes);
   }
   return general(in_register(value), bytes);
@@ -253,8 +259,7 @@ asmjit::Operand Operands::float_source(Value& value) {
   const std::uint32_t bytes = width_of(value.type);
   if (value.is(Value::Kind::Constant) && value.constant != 0) return constant(value.constant, bytes);
   if (value.is(Value::Kind::Load)) {
-    const bool known =
-        value.location.fixed() && registers_.find(value.location.extent(bytes), value.memory) != kNoRegister;
+    const bool known = registers_.find(value.where, value.memory) != kNoRegister;
     if (!known) return memory(value.location, bytes);
   }
   return xmm(in_register(value));
@@ -303,15 +308,12 @@ x86::Mem Operands::memory(const Location& location, std::uint32_t bytes) const {
 }
 
 Location Operands::slot(std::uint32_t index) const {
-  return {Space::Slot, first_slot_ + std::uint64_t{index} * kSlotBytes, kNoRegister, 0, 0};
+  return {Space::Slot, first_slot_ + std::uint64_t{index} * kSlotBytes, kNoRegister, 0};
 }
 
 void Operands::before_write(const Extent& extent) {
   for (Value& value : stack_) {
-    if (value.is(Value::Kind::Load) &&
-        may_overlap(value.location.extent(value.bytes()), extent, instances_)) {
-      read(value);
-    }
+    if (value.is(Value::Kind::Load) && may_overlap(value.where, extent, instances_)) read(value);
   }
   registers_.forget_overlapping(extent, instances_);
 }
@@ -373,6 +375,7 @@ void Operands::begin_block(const std::vector<StackType>& types) {
 void Operands::pop_to_slot() {
   Value value = pop_settled();
   const RegisterId from = in_register(value);
+  forget_slot(depth());
   x86::Mem target = slot_memory_at(depth());
   if (value.type == StackType::Bool) {
     out_.movzx(gp32(kScratch), gp8(from));

@@ -8,6 +8,8 @@
 // A value that was popped keeps its registers until it is released.
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "runtime/native/internal/x86/constant_pool.h"
@@ -30,6 +32,11 @@ class Operands {
   Operands(asmjit::x86::Assembler& out, ConstantPool& pool, const InstanceRange& instances,
            std::uint32_t first_slot)
       : out_(out), pool_(pool), instances_(instances), first_slot_(first_slot) {}
+
+  // Of checked code (effect_check.h): called where a register is used in place of a load that would give the
+  // same.
+  using CheckKnown = std::function<void(const Value& load, RegisterId known)>;
+  void set_check(CheckKnown check) { check_known_ = std::move(check); }
 
   Registers& registers() { return registers_; }
   std::uint32_t depth() const { return static_cast<std::uint32_t>(stack_.size()); }
@@ -98,6 +105,7 @@ class Operands {
   void read_bool(RegisterId target, Value& value);
   void load_constant(const Value& value, RegisterId reg);
   void spill(std::uint32_t index);
+  void forget_slot(std::uint32_t index);
   void spill_one(bool floating);
   RegisterId read_scratch(Value& value);
   void address_into(RegisterId target, const Location& location);
@@ -113,6 +121,7 @@ class Operands {
   Registers registers_;
   std::vector<Value> stack_;
   bool flags_pending_ = false;
+  CheckKnown check_known_;
 };
 
 }  // namespace stepwright::native

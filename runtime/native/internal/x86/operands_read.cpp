@@ -11,11 +11,12 @@ void Operands::read(Value& value) {
   const bool changes_flags =
       value.memory == MemType::Bool && (value.bit != bytecode::kNoBit || !value.plain || value.inverted);
   if (changes_flags) settle_flags();
-  const Extent where = value.location.extent(value.bytes());
-  const bool whole = value.location.fixed() && value.bit == bytecode::kNoBit;
+  const Extent where = value.where;
+  const bool whole = where.is_place_of(value.bytes()) && value.bit == bytecode::kNoBit;
   const RegisterId known = whole ? registers_.find(where, value.memory) : kNoRegister;
   const bool invert = value.inverted && known != kNoRegister;
   if (known != kNoRegister) {
+    if (check_known_ && value.plain) check_known_(value, known);
     registers_.retain(known);
     value = Value::of_register(value.type, known);
     if (!invert) return;

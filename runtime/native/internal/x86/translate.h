@@ -27,11 +27,13 @@ void call_aligned(asmjit::x86::Assembler& out, std::uint64_t function);
 // Makes the code of a whole function, at its label.
 void translate_function(ProgramWork& program, std::uint32_t function);
 
-// The checks of an address before `bytes` bytes are read or written there; afterwards the place may be used.
-Location checked(FunctionWork& work, Value& address, std::uint32_t bytes);
+// The place that an address leads to, checked as far as the effect asks for it, before so many bytes there
+// are read or written. The value is what holds the place's register, to be released behind the access.
+Location place_at(FunctionWork& work, Value& address, const MemoryEffect& effect, std::uint32_t bytes);
 // Stores a popped value, which is released.
-void store(FunctionWork& work, const Location& to, bytecode::MemType type, Value& value);
+void store(FunctionWork& work, const Location& to, const MemoryEffect& effect, Value& value);
 // Pushes what lies there, not read yet if possible.
-void push_load(FunctionWork& work, const Location& from, bytecode::MemType type, bytecode::StackType slot);
+void push_load(FunctionWork& work, const Location& from, const MemoryEffect& effect,
+               bytecode::StackType slot);
 
 }  // namespace stepwright::native

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/native/internal/x86/effect_check.h"
 #include "runtime/native/internal/x86/translate.h"
 
 namespace stepwright::native {
@@ -22,7 +23,7 @@ void pass_arguments(FunctionWork& work, std::uint32_t callee, const FunctionReco
   for (std::uint32_t i = record.param_count; i > 0; --i) {
     const StackType type = work.view().local_type(record, i - 1);
     Value value = operands.pop_settled();
-    const Location to{Space::Slot, first_slot + std::uint64_t{i - 1} * kSlotBytes, kNoRegister, 0, 0};
+    const Location to{Space::Slot, first_slot + std::uint64_t{i - 1} * kSlotBytes, kNoRegister, 0};
     operands.store_register(to, width_of(type), operands.in_register(value));
     operands.release(value);
   }
@@ -152,10 +153,12 @@ void copy(FunctionWork& work, std::uint32_t bytes) {
   Operands& operands = work.operands();
   Value source = operands.pop_settled();
   Value target = operands.pop_settled();
-  const Location from = checked(work, source, bytes);
-  const Location to = checked(work, target, bytes);
+  const Location from = place_at(work, source, work.effect(false), bytes);
+  const Location to = place_at(work, target, work.effect(true), bytes);
+  check_access(work, from, work.effect(false), bytes);
+  check_access(work, to, work.effect(true), bytes);
   const std::uint32_t cost = bytes / 16;
-  operands.before_write(to.extent(bytes));
+  operands.before_write(work.effect(true).extent);
   if (cost != 0) {
     operands.settle_flags();
     work.charge(cost);

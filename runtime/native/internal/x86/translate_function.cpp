@@ -1,3 +1,4 @@
+#include "runtime/native/internal/x86/effect_check.h"
 #include "runtime/native/internal/x86/translate.h"
 
 namespace stepwright::native {
@@ -26,10 +27,11 @@ bool store_unless(FunctionWork& work, x86::CondCode kept) {
   const bool own = access.mode == bytecode::AddressMode::This;
   const Location to = own ? work.of_self(store.instruction.a) : work.absolute(store.instruction.a);
   const std::uint32_t bytes = size_of(access.type);
-  const Extent where = to.extent(bytes);
-  if (work.pinned(where, access.type) != nullptr) return false;
+  const MemoryEffect& effect = work.effect_of(work.item() + 2, true);
+  if (work.pinned(effect) != nullptr) return false;
 
   // Nothing here changes the flags.
+  check_access(work, to, effect, bytes);
   Operands& operands = work.operands();
   x86::Assembler& out = work.out();
   const RegisterId value = operands.allocate(false);
@@ -41,7 +43,7 @@ bool store_unless(FunctionWork& work, x86::CondCode kept) {
   }
   bytes < 4 ? out.movzx(gp32(kScratch), memory) : out.mov(general(kScratch, bytes), memory);
   out.emit(x86::Inst::cmovccFromCond(kept), gp64(value), gp64(kScratch));
-  operands.before_write(where);
+  operands.before_write(effect.extent);
   out.mov(memory, general(value, bytes));
   operands.registers().release(value);
   return true;
@@ -95,6 +97,7 @@ class FunctionTranslator {
   }
 
   void end(std::uint32_t item) {
+    if (reachable_) check_loop(work_);
     if (work_.loop() == nullptr || work_.loop()->last != item) return;
     if (reachable_) work_.write_back();
     work_.leave_loop();

@@ -155,7 +155,7 @@ void not_bool(FunctionWork& work) {
 // A load, perhaps inverted, and the operation behind it.
 void fused(FunctionWork& work, const Instruction& in) {
   const bool own = bytecode::is_this_boolean(in.opcode);
-  push_load(work, own ? work.of_self(in.a) : work.absolute(in.a), bytecode::MemType::Bool, StackType::Bool);
+  push_load(work, own ? work.of_self(in.a) : work.absolute(in.a), work.effect(false), StackType::Bool);
   switch (in.opcode) {
     case Opcode::LoadNotBoolAbs:
     case Opcode::LoadNotBoolThis:

@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "runtime/native/internal/x86/effect_check.h"
 #include "runtime/native/internal/x86/translate.h"
 
 namespace stepwright::native {
@@ -18,31 +19,34 @@ namespace {
 constexpr std::uint64_t kFarthestOperand = 0x7FFF0000;
 
 void load(FunctionWork& work, MemoryAccess access, const Instruction& in) {
+  const MemoryEffect& effect = work.effect(false);
   Location from;
   if (access.mode == AddressMode::Ind) {
     Value address = work.operands().pop_settled();
-    from = checked(work, address, size_of(access.type));
+    from = place_at(work, address, effect, size_of(access.type));
   } else {
     from = access.mode == AddressMode::Abs ? work.absolute(in.a) : work.of_self(in.a);
   }
-  push_load(work, from, access.type, stack_type(access.type));
+  push_load(work, from, effect, stack_type(access.type));
 }
 
 void store_access(FunctionWork& work, MemoryAccess access, const Instruction& in) {
   Operands& operands = work.operands();
+  const MemoryEffect& effect = work.effect(true);
   Value value = operands.pop_settled_beside_flags();
   if (access.mode != AddressMode::Ind) {
-    return store(work, access.mode == AddressMode::Abs ? work.absolute(in.a) : work.of_self(in.a),
-                 access.type, value);
+    const bool absolute = access.mode == AddressMode::Abs;
+    return store(work, absolute ? work.absolute(in.a) : work.of_self(in.a), effect, value);
   }
   Value address = operands.pop_settled_beside_flags();
-  const Location to = checked(work, address, size_of(access.type));
-  store(work, to, access.type, value);
-  if (!to.fixed()) operands.release(Value::of_load(MemType::U8, to));
+  const Location to = place_at(work, address, effect, size_of(access.type));
+  store(work, to, effect, value);
+  operands.release(address);
 }
 
 void load_bit(FunctionWork& work, const Instruction& in) {
-  Value value = Value::of_load(MemType::Bool, work.absolute(in.a));
+  check_access(work, work.absolute(in.a), work.effect(false), 1);
+  Value value = Value::of_load(MemType::Bool, work.absolute(in.a), work.effect(false).extent);
   value.bit = static_cast<std::uint8_t>(in.b);
   work.operands().push(value);
 }
@@ -51,7 +55,8 @@ void store_bit(FunctionWork& work, const Instruction& in) {
   Operands& operands = work.operands();
   Value value = operands.pop_settled();
   const Location to = work.absolute(in.a);
-  operands.before_write(to.extent(1));
+  check_access(work, to, work.effect(true), 1);
+  operands.before_write(work.effect(true).extent);
   operands.settle_flags();
   const x86::Mem byte = operands.memory(to, 1);
   const auto mask = static_cast<std::int32_t>(1u << in.b);
@@ -72,8 +77,7 @@ void store_bit(FunctionWork& work, const Instruction& in) {
 void offset(FunctionWork& work, std::uint32_t bytes) {
   Operands& operands = work.operands();
   Value base = operands.pop_settled();
-  if (base.is(Value::Kind::Address) &&
-      base.location.offset + base.location.reach + bytes <= kFarthestOperand) {
+  if (base.is(Value::Kind::Address) && base.location.offset + bytes <= kFarthestOperand) {
     base.location.offset += bytes;
   } else if (bytes != 0) {
     operands.settle_flags();
@@ -122,8 +126,7 @@ void scale(FunctionWork& work, Value& number, std::uint32_t stride) {
 }
 
 // Adds the checked number of an element to an address that has no index yet.
-Value with_index(FunctionWork& work, const Value& base, Value number, std::uint32_t stride,
-                 std::uint64_t reach) {
+Value with_index(FunctionWork& work, const Value& base, Value number, std::uint32_t stride) {
   Location location = base.location;
   if (scalable(stride)) {
     location.index = work.operands().in_register(number);
@@ -133,13 +136,11 @@ Value with_index(FunctionWork& work, const Value& base, Value number, std::uint3
     location.index = number.reg;
     location.shift = 0;
   }
-  location.reach = reach;
   return Value::of_address(location);
 }
 
 // Adds it to an address that has an index: one register for both.
-Value with_second_index(FunctionWork& work, const Value& base, Value number, std::uint32_t stride,
-                        std::uint64_t reach) {
+Value with_second_index(FunctionWork& work, const Value& base, Value number, std::uint32_t stride) {
   Operands& operands = work.operands();
   Location location = base.location;
   Value first = Value::of_register(StackType::I64, location.index);
@@ -155,7 +156,6 @@ Value with_second_index(FunctionWork& work, const Value& base, Value number, std
   operands.release(number);
   location.index = sum;
   location.shift = 0;
-  location.reach += reach;
   return Value::of_address(location);
 }
 
@@ -182,7 +182,7 @@ bool constant_index(FunctionWork& work, const Value& index, Value& base, const I
   }
   if (!base.is(Value::Kind::Address)) return false;
   const auto distance = static_cast<std::uint64_t>(value - in.signed_a()) * in.c;
-  if (base.location.offset + base.location.reach + distance > kFarthestOperand) return false;
+  if (base.location.offset + distance > kFarthestOperand) return false;
   base.location.offset += distance;
   return true;
 }
@@ -191,24 +191,19 @@ void index(FunctionWork& work, const Instruction& in) {
   Operands& operands = work.operands();
   Value number = operands.pop_settled();
   Value base = operands.pop_settled();
-  const auto last = static_cast<std::uint32_t>(std::int64_t{in.signed_b()} - in.signed_a());
   if (number.is(Value::Kind::Constant) && constant_index(work, number, base, in)) {
     return operands.push(base);
   }
   check_index(work, number, {in.signed_a(), in.signed_b()});
-  const std::uint64_t reach = std::uint64_t{last} * in.c;
-  if (in.c == 0) {
+  if (in.signed_a() == in.signed_b() || in.c == 0) {  // the only element
     operands.release(number);
-    return operands.push(base);
-  }
-  const bool near = base.is(Value::Kind::Address) && reach <= kFarthestOperand &&
-                    base.location.offset + base.location.reach + reach <= kFarthestOperand;
-  if (!near) {
+    operands.push(base);
+  } else if (!base.is(Value::Kind::Address)) {
     operands.push(dynamic_index(work, base, number, in.c));
   } else if (base.location.fixed()) {
-    operands.push(with_index(work, base, number, in.c, reach));
+    operands.push(with_index(work, base, number, in.c));
   } else {
-    operands.push(with_second_index(work, base, number, in.c, reach));
+    operands.push(with_second_index(work, base, number, in.c));
   }
 }
 
@@ -250,7 +245,6 @@ void address_of_frame(FunctionWork& work, std::uint32_t offset) {
     const std::uint64_t lowest_frames = places.frames.lowest - work.code().record.frame_offset;
     operands.settle_flags();
     location.index = operands.allocate(false);
-    location.reach = places.frames.highest - places.frames.lowest;
     const x86::Mem frames = x86::ptr(kContext, static_cast<std::int32_t>(offsetof(Context, frames)), 8);
     work.out().mov(gp64(location.index), frames);
     work.out().sub(gp64(location.index), static_cast<std::int32_t>(lowest_frames));
@@ -258,31 +252,40 @@ void address_of_frame(FunctionWork& work, std::uint32_t offset) {
   operands.push(Value::of_address(location));
 }
 
-}  // namespace
-
-Location checked(FunctionWork& work, Value& address, std::uint32_t bytes) {
-  Operands& operands = work.operands();
-  if (address.is(Value::Kind::Address) && work.within_bounds(address.location, bytes)) {
-    return address.location;
-  }
-  operands.settle_flags();
-  const RegisterId reg = operands.in_register(address);
+void check_reference(FunctionWork& work, RegisterId reference, std::uint32_t bytes) {
   if (bytes > work.memory_size()) {
-    work.out().jmp(work.reference_trap(reg));
-  } else {
-    work.out().cmp(gp64(reg), work.memory_size() - bytes);
-    work.out().ja(work.reference_trap(reg));
+    work.out().jmp(work.reference_trap(reference));
+    return;
   }
-  return {Space::Image, 0, reg, 0, work.memory_size() - std::min<std::uint64_t>(bytes, work.memory_size())};
+  work.out().cmp(gp64(reference), work.memory_size() - bytes);
+  work.out().ja(work.reference_trap(reference));
 }
 
-void push_load(FunctionWork& work, const Location& from, MemType type, StackType slot) {
-  const Extent where = from.extent(size_of(type));
-  const Pinned* const variable = from.fixed() ? work.pinned(where, type) : nullptr;
+}  // namespace
+
+Location place_at(FunctionWork& work, Value& address, const MemoryEffect& effect, std::uint32_t bytes) {
+  Operands& operands = work.operands();
+  if (effect.fixed) {
+    // Wherever the address is kept by now: this is the place.
+    check_address(work, address, effect, bytes);
+    operands.release(address);
+    address = {};
+    return {effect.extent.space, effect.extent.first, kNoRegister, 0};
+  }
+  if (effect.inside && address.is(Value::Kind::Address)) return address.location;
+  if (!effect.inside) operands.settle_flags();
+  const RegisterId reg = operands.in_register(address);
+  if (!effect.inside) check_reference(work, reg, bytes);
+  return {Space::Image, 0, reg, 0};
+}
+
+void push_load(FunctionWork& work, const Location& from, const MemoryEffect& effect, StackType slot) {
+  const Pinned* const variable = work.pinned(effect);
   if (variable != nullptr) return work.operands().push(Value::of_register(slot, variable->reg));
-  Value value = Value::of_load(type, from);
+  check_access(work, from, effect, size_of(effect.type));
+  Value value = Value::of_load(effect.type, from, effect.extent);
   value.type = slot;
-  value.plain = type != MemType::Bool || work.facts().plain_bool(work.function(), where);
+  value.plain = effect.type != MemType::Bool || work.facts().plain_bool(work.function(), effect.extent);
   work.operands().push(value);
 }
 
@@ -302,13 +305,12 @@ bool translate_memory(FunctionWork& work, const Instruction& in) {
       return true;
     case Opcode::LocalGet: {
       const StackType type = work.view().local_type(work.code().record, in.a);
-      push_load(work, work.local(in.a), slot_memory(type), type);
+      push_load(work, work.local(in.a), work.effect(false), type);
       return true;
     }
     case Opcode::LocalSet: {
-      const StackType type = work.view().local_type(work.code().record, in.a);
       Value value = operands.pop_settled_beside_flags();
-      store(work, work.local(in.a), slot_memory(type), value);
+      store(work, work.local(in.a), work.effect(true), value);
       return true;
     }
     case Opcode::AddrAbs:

@@ -91,7 +91,7 @@ bool translate_stack(FunctionWork& work, const Instruction& in) {
     case Opcode::ConstNull:
       return operands.push(Value::of_constant(StackType::Ref, bytecode::kNullRef)), true;
     case Opcode::Now: {
-      const Location now{Space::Slot, offsetof(Context, now_ns), kNoRegister, 0, 0};
+      const Location now{Space::Slot, offsetof(Context, now_ns), kNoRegister, 0};
       return operands.push(Value::of_load(MemType::I64, now)), true;
     }
     case Opcode::Dup:

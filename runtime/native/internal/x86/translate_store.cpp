@@ -1,3 +1,4 @@
+#include "runtime/native/internal/x86/effect_check.h"
 #include "runtime/native/internal/x86/translate.h"
 
 namespace stepwright::native {
@@ -31,13 +32,17 @@ void store_pinned(FunctionWork& work, const Pinned& variable, Value& value) {
   x86::Assembler& out = work.out();
   operands.before_pinned_write(variable.reg);
   const bool narrow = size_of(variable.type) < 4 && variable.type != MemType::Bool;
-  if (!narrow || wrapped(work, variable.type)) return operands.into(variable.reg, value);
+  if (!narrow || wrapped(work, variable.type)) {
+    operands.into(variable.reg, value);
+    return write_through(work, variable);
+  }
   const std::uint32_t bytes = size_of(variable.type);
   const RegisterId from = operands.in_register(value);
   const bool is_signed = variable.type == MemType::I8 || variable.type == MemType::I16;
   is_signed ? out.movsx(gp32(variable.reg), general(from, bytes))
             : out.movzx(gp32(variable.reg), general(from, bytes));
   operands.release(value);
+  write_through(work, variable);
 }
 
 void store_constant(FunctionWork& work, const Location& to, std::uint32_t bytes, std::uint64_t bits) {
@@ -70,25 +75,23 @@ void store_ref(FunctionWork& work, const Location& to, Value& value) {
 
 }  // namespace
 
-void store(FunctionWork& work, const Location& to, MemType type, Value& value) {
+void store(FunctionWork& work, const Location& to, const MemoryEffect& effect, Value& value) {
   Operands& operands = work.operands();
+  if (const Pinned* const variable = work.pinned(effect)) return store_pinned(work, *variable, value);
+  const MemType type = effect.type;
   const std::uint32_t bytes = size_of(type);
-  const Extent where = to.extent(bytes);
-  if (const Pinned* const variable = to.fixed() ? work.pinned(where, type) : nullptr) {
-    return store_pinned(work, *variable, value);
-  }
+  check_access(work, to, effect, bytes);
   // The value is read first: what it remembers may be what the store changes.
   const bool constant = value.is(Value::Kind::Constant);
-  const bool inside = value.is(Value::Kind::Address) && work.within_bounds(value.location, 0);
   if (!constant) operands.in_register(value);
-  operands.before_write(where);
+  operands.before_write(effect.extent);
   if (constant) return store_constant(work, to, bytes, value.constant);
-  if (type == MemType::Ref && !inside) return store_ref(work, to, value);
+  if (type == MemType::Ref && !effect.ref_inside) return store_ref(work, to, value);
   const RegisterId reg = value.reg;
   operands.store_register(to, bytes, reg);
   operands.release(value);
   const bool whole = (bytes >= 4 && type != MemType::Ref) || type == MemType::Bool || wrapped(work, type);
-  if (to.fixed() && whole) operands.registers().remember(reg, where, type);
+  if (whole && effect.extent.is_place_of(bytes)) operands.registers().remember(reg, effect.extent, type);
 }
 
 }  // namespace stepwright::native

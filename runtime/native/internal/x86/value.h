@@ -12,16 +12,15 @@
 
 namespace stepwright::native {
 
-// A place in memory that has been checked: fixed, or with an index that counts 1 << shift bytes.
+// How machine code addresses a place in memory: fixed, or with an index that counts 1 << shift bytes. Which
+// bytes an access there may touch is not told from this but from its effect (memory_effects.h).
 struct Location {
   Space space = Space::Image;
   std::uint64_t offset = 0;
   RegisterId index = kNoRegister;
   std::uint8_t shift = 0;
-  std::uint64_t reach = 0;  // the largest distance that the index adds, in bytes
 
   bool fixed() const { return index == kNoRegister; }
-  Extent extent(std::uint32_t bytes) const { return {space, offset, offset + reach + bytes}; }
 };
 
 struct Value {
@@ -36,6 +35,7 @@ struct Value {
   bool inverted = false;                                           // Load of a Bool or bit
   asmjit::x86::CondCode condition = asmjit::x86::CondCode::kZero;  // Flags
   Location location;                                               // Load, Address
+  Extent where;                                                    // Load: the bytes that it may read
   std::uint64_t constant = 0;
 
   static Value of_constant(bytecode::StackType type, std::uint64_t bits) {
@@ -51,13 +51,18 @@ struct Value {
     value.reg = reg;
     return value;
   }
-  static Value of_load(bytecode::MemType memory, const Location& location) {
+  static Value of_load(bytecode::MemType memory, const Location& location, const Extent& where) {
     Value value;
     value.kind = Kind::Load;
     value.type = stack_type(memory);
     value.memory = memory;
     value.location = location;
+    value.where = where;
     return value;
+  }
+  // Of a slot, or of what else lies at a fixed place.
+  static Value of_load(bytecode::MemType memory, const Location& location) {
+    return of_load(memory, location, {location.space, location.offset, location.offset + size_of(memory)});
   }
   static Value of_address(const Location& location) {
     Value value;
@@ -82,14 +87,6 @@ constexpr std::uint32_t width_of(bytecode::StackType type) {
   using bytecode::StackType;
   if (type == StackType::Bool) return 1;
   return type == StackType::I32 || type == StackType::F32 ? 4 : 8;
-}
-
-// How a value of this type lies in a slot.
-constexpr bytecode::MemType slot_memory(bytecode::StackType type) {
-  using bytecode::MemType;
-  constexpr MemType kTypes[] = {MemType::Bool, MemType::I32, MemType::I64,
-                                MemType::F32,  MemType::F64, MemType::I64};
-  return kTypes[static_cast<std::uint8_t>(type)];
 }
 
 }  // namespace stepwright::native

@@ -52,6 +52,7 @@ Extras all_extras() {
   out.push_back(retained());
   out.push_back(bit_parts());
   out.push_back(instances());
+  out.push_back(aliases());
   out.push_back(ladder());
   return out;
 }

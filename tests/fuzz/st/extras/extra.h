@@ -67,6 +67,7 @@ std::unique_ptr<Extra> globals();
 std::unique_ptr<Extra> retained();
 std::unique_ptr<Extra> bit_parts();
 std::unique_ptr<Extra> instances();
+std::unique_ptr<Extra> aliases();
 std::unique_ptr<Extra> ladder();  // its programs need random_ladder of their seed (ladder.h)
 inline constexpr const char* kLadderName = "ladder diagram";
 

@@ -1,7 +1,8 @@
 #pragma once
 
-// One program in both engines, the interpreter with and without its quick form, and in engines that share the
-// code of another, each with an image of its own: every run is compared byte for byte.
+// One program in both engines, each in both of its forms (the interpreter with and without its quick one,
+// native code plain and checked) and in engines that share the code of another, each with an image of its own:
+// every run is compared byte for byte, and no check of the checked code may fail.
 //
 //   EnginePair pair(model);
 //   pair.write<std::int32_t>(0, 7);
@@ -22,6 +23,12 @@
 
 namespace stepwright::native {
 
+#if defined(__x86_64__)
+inline constexpr bool kHasCheckedForm = true;
+#else
+inline constexpr bool kHasCheckedForm = false;
+#endif
+
 class EnginePair {
  public:
   explicit EnginePair(const writer::ContainerModel& model)
@@ -33,14 +40,14 @@ class EnginePair {
         other_stack_(stack_.size()),
         other_quick_(quick_.another(other_stack_)) {
     for (auto& image : images_) image.resize(loaded_.program().memory_size());
-    auto compiled = NativeEngine::compile(loaded_.program());
-    if (!compiled) throw std::runtime_error(result::to_string(compiled.error()));
-    native_ = std::move(*compiled);
+    native_ = compiled(NativeEngine::Form::Plain);
+    if (kHasCheckedForm) checked_ = compiled(NativeEngine::Form::Checked);
     // Nobody asks; but budgets are handed out in slices, which must make no difference.
     native_->set_interrupt(&interrupt_);
     other_native_ = native_->another();
     other_native_->set_interrupt(&interrupt_);
     other_quick_.set_interrupt(&interrupt_);
+    if (checked_) checked_->set_interrupt(&interrupt_);
     quick_.set_interrupt(&interrupt_);
     const auto initial = loaded_.program().container().section(bytecode::Section::InitialData);
     for (auto& image : images_) std::copy(initial.begin(), initial.end(), image.begin());
@@ -63,7 +70,8 @@ class EnginePair {
     return compare("native", *native_, images_[1], invocation, budget, left) +
            compare("quick", quick_, images_[2], invocation, budget, left) +
            compare("other native", *other_native_, images_[3], invocation, budget, left) +
-           compare("other quick", other_quick_, images_[4], invocation, budget, left);
+           compare("other quick", other_quick_, images_[4], invocation, budget, left) +
+           run_checked(invocation, budget, left);
   }
 
   // Requires as many bytes as the memory has.
@@ -93,6 +101,21 @@ class EnginePair {
   const reader::LoadedProgram& loaded() const { return loaded_; }
 
  private:
+  std::unique_ptr<NativeEngine> compiled(NativeEngine::Form form) const {
+    auto engine = NativeEngine::compile(loaded_.program(), form);
+    if (!engine) throw std::runtime_error(result::to_string(engine.error()));
+    return std::move(*engine);
+  }
+
+  std::string run_checked(const bytecode::Invocation& invocation, std::uint64_t budget, std::uint64_t left) {
+    if (!checked_) return {};
+    std::string out = compare("checked", *checked_, images_[5], invocation, budget, left);
+    if (const auto broken = checked_->broken_check()) {
+      out += "check broken in " + std::to_string(broken->function) + " at " + std::to_string(broken->pc);
+    }
+    return out;
+  }
+
   // What another engine makes of the same run, beside the interpreter's trap, image and budget that is left.
   std::string compare(const char* name, bytecode::Engine& engine, std::vector<std::byte>& image,
                       const bytecode::Invocation& invocation, std::uint64_t budget, std::uint64_t left) {
@@ -126,8 +149,9 @@ class EnginePair {
   vm::Interpreter other_quick_;
   std::unique_ptr<NativeEngine> native_;
   std::unique_ptr<NativeEngine> other_native_;
+  std::unique_ptr<NativeEngine> checked_;  // null where there is no such form
   bytecode::Interrupt interrupt_;
-  std::vector<std::byte> images_[5];
+  std::vector<std::byte> images_[6];
   bytecode::Trap trap_;
 };
 

@@ -37,8 +37,10 @@ Mappings mappings() {
 }
 
 TEST(NativeEngine, WhenCodeIsMade_ThenNoPageIsWritableAndExecutable) {
+  const auto loaded = support::TestProgram::load(random_program(1));
   const Mappings before = mappings();
-  EnginePair pair(random_program(1));
+  const auto engine = NativeEngine::compile(loaded.program());
+  ASSERT_TRUE(engine);
   const Mappings during = mappings();
   EXPECT_EQ(during.writable_and_executable, 0);
   EXPECT_EQ(during.executable_without_file, before.executable_without_file + 1);

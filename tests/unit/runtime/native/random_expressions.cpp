@@ -160,78 +160,6 @@ void ExpressionWriter::constant(StackType type) {
   }
 }
 
-void ExpressionWriter::push_address(std::uint32_t bytes) {
-  const std::uint32_t stride = below(3) == 0 ? 1 + below(12) : 1u << below(4);
-  const std::int32_t lower = below(3) == 0 ? static_cast<std::int32_t>(below(5)) - 2 : 0;
-  const std::uint32_t span = 20 * stride + 2 * bytes;
-  const bool own = around_.instance_size > span && below(3) != 0;
-  const std::uint32_t size = own ? around_.instance_size : around_.image_size;
-  const std::uint32_t base = size > span ? below(size - span) : 0;
-  const auto index = [&](std::int32_t count) {
-    push(StackType::I32, 1);
-    if (!rash(25)) {
-      b_.const_i32(count - 1);
-      b_.emit(Opcode::AndI32);
-      b_.const_i32(lower);
-      b_.emit(Opcode::AddI32);
-    }
-  };
-  // One variable for several indexes: checks that repeat one before.
-  const bool repeated = around_.instance_size != 0 && below(6) == 0;
-  const std::uint32_t variable = repeated ? own_place(MemType::I32) : 0;
-  if (repeated) {
-    index(4);
-    b_.store(MemType::I32, AddressMode::This, variable);
-  }
-  if (rash(30)) {
-    load(StackType::Ref);  // nowhere, or what was stored there
-  } else if (around_.frame_size != 0 && below(4) == 0) {
-    b_.addr_frame(below(kFrameScalars));
-  } else {
-    own ? b_.addr_this(base) : b_.addr_abs(base);
-  }
-  if (repeated) {
-    for (std::uint32_t i = 1 + below(3); i > 0; --i) {
-      b_.load(MemType::I32, AddressMode::This, variable);
-      if (rash(12)) {
-        b_.const_i32(1);
-        b_.emit(Opcode::AddI32);
-        b_.store(MemType::I32, AddressMode::This, variable);
-        b_.load(MemType::I32, AddressMode::This, variable);
-      }
-      const auto wider = static_cast<std::int32_t>(below(4));
-      b_.index(lower - (wider & 1), lower + 3 + (wider >> 1), below(2) == 0 ? stride : 1);
-    }
-    return;
-  }
-  switch (below(5)) {
-    case 0:
-      break;
-    case 4:
-      index(4);
-      b_.const_i32(lower);
-      index_between(stride);
-      break;
-    case 1:
-      b_.offset(rash(30) ? around_.image_size : below(stride + 1));
-      break;
-    case 2:
-      index(4);
-      b_.index(lower, lower + 3, stride);
-      index(4);
-      b_.index(lower, lower + 3, below(2) == 0 ? stride : 1);
-      break;
-    default:
-      index(8);
-      b_.index(lower, lower + 7, stride);
-      if (below(3) == 0) b_.offset(below(bytes + 1));
-  }
-  if (below(16) == 0) {
-    b_.emit(Opcode::Dup);
-    b_.emit(Opcode::Drop);
-  }
-}
-
 void ExpressionWriter::store_variable() {
   const auto type = static_cast<StackType>(below(12) == 0 ? 5 : below(5));
   const MemType memory = memory_type(type);
@@ -251,14 +179,6 @@ void ExpressionWriter::store_leaf() {
     return b_.store(memory, AddressMode::Abs, place(memory, around_.image_size));
   }
   b_.store(memory, AddressMode::This, own_place(memory));
-}
-
-void ExpressionWriter::store_indirect() {
-  const auto type = static_cast<StackType>(below(12) == 0 ? 5 : below(5));
-  const MemType memory = memory_type(type);
-  push_address(size_of(memory));
-  push(type, 3);
-  b_.store(memory, AddressMode::Ind);
 }
 
 void ExpressionWriter::call(const Callee& callee) {

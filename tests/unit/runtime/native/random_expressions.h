@@ -23,9 +23,10 @@ struct Callee {
 // Where code stands and what is there.
 struct Surroundings {
   std::uint32_t image_size = 0;
-  std::uint32_t instance_size = 0;  // 0: no instance
-  std::uint32_t bit_bytes = 0;      // bits lie in the first so many bytes of the image
-  std::uint32_t frame_size = 0;     // of the function; strings are kept behind its first kFrameScalars bytes
+  std::uint32_t instance_size = 0;   // 0: no instance
+  std::uint32_t bit_bytes = 0;       // bits lie in the first so many bytes of the image
+  std::uint32_t frame_size = 0;      // of the function; strings are kept behind its first kFrameScalars bytes
+  std::uint32_t first_instance = 0;  // absolute address of the first instance that it runs on
   std::uint32_t nested_instance = 0;    // offset of an instance within the own one; 0: none
   std::vector<std::uint32_t> counters;  // offsets in the instance that loops count in
   std::vector<bytecode::StackType> locals;
@@ -53,6 +54,9 @@ class ExpressionWriter {
   void store_variable();
   void store_leaf();
   void store_indirect();
+  // By an address that stays on the stack.
+  void store_by_copy_of_address();
+  void store_by_reference();
   void call(const Callee& callee);
   // An operation on strings that leaves nothing.
   void change_string();
@@ -65,6 +69,12 @@ class ExpressionWriter {
   bytecode::MemType memory_type(bytecode::StackType type);
   std::uint32_t place(bytecode::MemType type, std::uint32_t size);
   std::uint32_t own_place(bytecode::MemType type);
+  void push_place(std::uint32_t bytes);
+  void push_alias();
+  void push_index(std::int32_t lower, std::int32_t count);
+  void wait_for_branch();
+  void replace_in_branch(std::uint32_t bytes);
+  void store_at_address(bytecode::StackType type, bytecode::MemType memory);
   void leaf(bytecode::StackType type);
   void load(bytecode::StackType type);
   void constant(bytecode::StackType type);

@@ -43,6 +43,8 @@ class StatementWriter {
         return call();
       case 4:
         return expressions_.change_string();
+      case 5:
+        return expressions_.store_by_reference();
       case 8:
       case 9:
         return choice(depth);
@@ -111,6 +113,12 @@ class StatementWriter {
 
   // Counts in a variable that the body may use and sometimes changes; the budget ends what does not end.
   void loop(int depth) {
+    // An address that stays on the stack for all of the loop.
+    const bool carries = below(5) == 0;
+    if (carries) {
+      expressions_.push_address(8);
+      ++carried_;
+    }
     const std::uint32_t counter =
         around_.counters[below(static_cast<std::uint32_t>(around_.counters.size()))];
     const auto start = b_.new_label();
@@ -118,7 +126,15 @@ class StatementWriter {
     b_.const_i32(0);
     b_.store(MemType::I32, AddressMode::This, counter);
     b_.bind(start);
-    statements(1 + static_cast<int>(below(4)), depth - 1);
+    if (below(3) == 0) {  // no turn, one or two
+      b_.load(MemType::I32, AddressMode::This, counter);
+      b_.const_i32(static_cast<std::int32_t>(below(3)));
+      b_.emit(Opcode::GeI32);
+      b_.jump_if_true(exit);
+    }
+    if (carries) expressions_.store_by_copy_of_address();
+    below(3) == 0 ? plain_statements() : statements(1 + static_cast<int>(below(4)), depth - 1);
+    if (carries && below(2) == 0) expressions_.store_by_copy_of_address();
     if (below(3) == 0) {
       expressions_.push(StackType::Bool, 2);
       b_.jump_if_true(exit);
@@ -144,9 +160,29 @@ class StatementWriter {
       b_.jump(start);
     }
     b_.bind(exit);
+    if (!carries) return;
+    b_.emit(Opcode::Drop);
+    --carried_;
+  }
+
+  // Nothing that keeps a loop from having variables in registers.
+  void plain_statements() {
+    for (auto i = 2 + below(4); i > 0; --i) {
+      switch (below(4)) {
+        case 0:
+          expressions_.store_indirect();
+          break;
+        case 1:
+          expressions_.store_by_reference();
+          break;
+        default:
+          expressions_.store_leaf();
+      }
+    }
   }
 
   void leave() {
+    if (carried_ != 0) return;  // the stack would not be empty
     const auto stay = b_.new_label();
     expressions_.push(StackType::Bool, 2);
     b_.jump_if_false(stay);
@@ -163,6 +199,7 @@ class StatementWriter {
   const Surroundings& around_;
   std::mt19937& random_;
   ExpressionWriter expressions_;
+  int carried_ = 0;  // addresses on the stack below the statement
 };
 
 constexpr std::uint32_t kInputs = 8;
@@ -237,6 +274,7 @@ writer::ContainerModel random_program(std::uint32_t seed) {
     FunctionBuilder block("FB", FunctionKind::FunctionBlock, kBlockBytes);
     Surroundings inner = around;
     inner.instance_size = kBlockBytes;
+    inner.first_instance = kAreas + kMainBytes;
     inner.locals = random_locals(random);
     write_body(block, inner, random, 4);
     functions.push_back(std::move(block).take());
@@ -248,6 +286,7 @@ writer::ContainerModel random_program(std::uint32_t seed) {
   }
   FunctionBuilder main("MAIN", FunctionKind::Program, kMainBytes);
   around.instance_size = kMainBytes;
+  around.first_instance = kAreas;
   around.nested_instance = random() % 2 == 0 ? kMainBytes - kBlockBytes : 0;
   around.locals = random_locals(random);
   write_body(main, around, random, 10);
