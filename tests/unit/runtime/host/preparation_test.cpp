@@ -4,6 +4,8 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <optional>
+#include <thread>
 
 #include "tests/support/scarcity.h"
 #include "tests/unit/runtime/host/harness.h"
@@ -79,7 +81,6 @@ class Preparing {
   }
 
   static constexpr std::uint64_t kTicket = 1'000;
-  Harness harness;
 
  private:
   void hold() {
@@ -94,6 +95,9 @@ class Preparing {
   bool held_ = false;
   bool finished_ = false;
   std::optional<support::BeforeThreads> hook_;
+
+ public:
+  Harness harness;  // last: its threads use the rest
 };
 
 TEST(Preparation, WhenAProgramIsBeingPrepared_ThenCommandsAreAnsweredAndWhatRunsGoesOn) {

@@ -104,20 +104,20 @@ TEST(PromptCommands, WhenTheProgramIsStopped_ThenRampsGoOnAtOnceFromWhatWasDrive
 
 constexpr const char* kFaultyBeside = R"(
 CONFIGURATION c
-  VAR_GLOBAL count : DINT; END_VAR
+  VAR_GLOBAL out AT %QB0 : USINT; go : BOOL; END_VAR
   TASK t(INTERVAL := T#1h, PRIORITY := 0);
   TASK often(INTERVAL := T#5ms, PRIORITY := 1);
   PROGRAM p WITH t : hourly;
   PROGRAM q WITH often : faulty;
 END_CONFIGURATION
 PROGRAM hourly
-VAR out AT %QB0 : USINT; END_VAR
+VAR_EXTERNAL out : USINT; END_VAR
 out := 200;
 END_PROGRAM
 PROGRAM faulty
-VAR_EXTERNAL count : DINT; END_VAR
-count := count + 1;
-IF count > 50 THEN count := count / (count - count); END_IF;
+VAR_EXTERNAL go : BOOL; END_VAR
+VAR count : DINT; END_VAR
+IF go THEN count := 1 / count; END_IF;
 END_PROGRAM
 )";
 
@@ -127,9 +127,10 @@ TEST(PromptCommands, WhenATaskBesideTheLeadingOneTraps_ThenItIsReportedAndRampsG
   for (auto& column : config.safety.safe_state.columns)
     column.ramps = {{.byte = 0, .type = scan::RampType::U8, .target = 10, .per_second = 1'000}};
   Hourly plant(config, kFaultyBeside);
+  EXPECT_EQ(plant.harness.bits(CommandKind::Write, {address_of(kFaultyBeside, "go"), 1, 1}), Outcome::Done);
   const StepEvent event = plant.harness.event();
   EXPECT_EQ(event.kind, EventKind::Trap);
-  EXPECT_NE(event.detail.find("test.st:17"), std::string::npos) << event.detail;
+  EXPECT_NE(event.detail.find("test.st:16"), std::string::npos) << event.detail;
   EXPECT_EQ(plant.harness.runtime->status().state, RuntimeState::Fault);
   EXPECT_TRUE(plant.harness.wait([&] { return plant.harness.driver.output.load() == 10; }));
   EXPECT_EQ(plant.scan(), 1u);
@@ -179,7 +180,13 @@ END_PROGRAM
 
 struct Gated {
   Gated() : harness(prompt_config(), false) {
-    harness.driver.on_read = [this](std::int64_t) { gate.hold(); };
+    harness.driver.on_read = [this](std::int64_t) {
+      {
+        const std::lock_guard lock(mutex);
+        seen.insert(harness.driver.output.load());
+      }
+      gate.hold();
+    };
     EXPECT_EQ(harness.load(compiled(kOften)), Outcome::Done);
   }
   ~Gated() { gate.open(); }
@@ -201,6 +208,8 @@ struct Gated {
   }
 
   Gate gate;
+  std::mutex mutex;
+  std::set<int> seen;  // what the outputs were when a scan began
   Harness harness;
 };
 
@@ -243,12 +252,6 @@ TEST(PromptCommands, WhenAStopOvertakesAStart_ThenTheStartDoesNotUndoIt) {
 // one, the outputs would show the last of them only.
 TEST(PromptCommands, WhenManyLongCommandsCome_ThenScansGoOnBetweenThem) {
   Gated plant;
-  std::mutex mutex;
-  std::set<int> seen;
-  plant.harness.driver.fill = [&](std::span<std::byte>) {
-    const std::lock_guard lock(mutex);
-    seen.insert(plant.harness.driver.output.load());
-  };
   plant.harness.start();
   plant.gate.close();
   BlockWrite block;
@@ -260,8 +263,8 @@ TEST(PromptCommands, WhenManyLongCommandsCome_ThenScansGoOnBetweenThem) {
   plant.gate.open();
   for (int i = 0; i < 200; ++i) EXPECT_EQ(plant.next().outcome, Outcome::Done);
   plant.harness.stop();
-  const std::lock_guard lock(mutex);
-  EXPECT_GE(seen.size(), 5u);
+  const std::lock_guard lock(plant.mutex);
+  EXPECT_GE(plant.seen.size(), 5u);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace stepwright::host {
 namespace {
 
-constexpr std::size_t kLarge = 16u << 10;
+constexpr std::size_t kLarge = 64u << 10;
 constexpr int kMostAttempts = 200;
 
 // Three tasks, two of them on threads of their own; an image large enough for its memory to count as large.
@@ -23,11 +23,11 @@ std::vector<std::byte> three_tasks(const std::string& more = "") {
   return compiled(R"(
 CONFIGURATION c
   VAR_GLOBAL out AT %QB0 : USINT; fast_count, slow_count, other_count : DINT;
-    pad : ARRAY[0..9999] OF DINT; )" +
+    pad : ARRAY[0..99999] OF DINT; )" +
                   more + R"( END_VAR
-  TASK fast(INTERVAL := T#1ms, PRIORITY := 0);
-  TASK slow(INTERVAL := T#5ms, PRIORITY := 5);
-  TASK other(INTERVAL := T#5ms, PRIORITY := 6);
+  TASK fast(INTERVAL := T#2ms, PRIORITY := 0);
+  TASK slow(INTERVAL := T#20ms, PRIORITY := 5);
+  TASK other(INTERVAL := T#20ms, PRIORITY := 6);
   PROGRAM pf WITH fast : quick;
   PROGRAM ps WITH slow : heavy;
   PROGRAM po WITH other : third;

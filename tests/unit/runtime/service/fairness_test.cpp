@@ -91,13 +91,17 @@ TEST(Fairness, WhenOneProcessTakesAllItCan_ThenAnotherOneGetsIn) {
 class HeldDriver final : public image::IoDriver {
  public:
   image::IoStatus read_inputs(std::int64_t, std::span<std::byte>) override {
-    while (hold.load()) std::this_thread::sleep_for(1ms);
+    while (hold.load()) {
+      held = true;
+      std::this_thread::sleep_for(1ms);
+    }
     return image::IoStatus::Good;
   }
   image::IoStatus write_outputs(std::int64_t, std::span<const std::byte>) override {
     return image::IoStatus::Good;
   }
   std::atomic<bool> hold{false};
+  std::atomic<bool> held{false};
 };
 
 TEST(Fairness, WhenAClientHas200CommandsUnderWay_ThenThoseOfOthersAreTakenAndAStopGoesAhead) {
@@ -110,6 +114,7 @@ TEST(Fairness, WhenAClientHas200CommandsUnderWay_ThenThoseOfOthersAreTakenAndASt
   ASSERT_TRUE(greedy->download(step_program({.interval_us = 1'000}), kPatience));
   ASSERT_TRUE(greedy->call(Start{}, kPatience));
   driver.hold = true;
+  while (!driver.held.load()) std::this_thread::sleep_for(1ms);
   constexpr std::uint32_t kFree = support::StepProgramLayout::kFree;
   for (std::uint64_t id = 1; id <= 200; ++id) greedy->send(Request{777, id, Write{{kFree, 0xFF, 1}}});
   // Those beyond its share are refused at once; then all of its requests have been looked at.
@@ -120,6 +125,9 @@ TEST(Fairness, WhenAClientHas200CommandsUnderWay_ThenThoseOfOthersAreTakenAndASt
   }
   other->send(Request{778, 1, Write{{kFree, 0xFF, 2}}});
   greedy->send(Request{777, 500, Stop{"test"}});
+  // Answered at once: then everything before it has been looked at.
+  ASSERT_TRUE(other->call(ResendEvents{1}, kPatience));
+  ASSERT_TRUE(greedy->call(ResendEvents{1}, kPatience));
   driver.hold = false;
   const auto first = next<Reply>(*greedy);
   ASSERT_TRUE(first);
@@ -137,6 +145,8 @@ class BusyObserver final : public ServiceObserver {
   void on_event(const host::StepEvent& event) override {
     if (event.kind == host::EventKind::Started) std::this_thread::sleep_for(1s);
   }
+  void on_supervisor(bool alive) override { supervised = alive; }
+  std::atomic<bool> supervised{false};
 };
 
 TEST(Fairness, WhenTheServiceWasBusy_ThenTheSupervisorIsJudgedByWhatItSaidMeanwhile) {
@@ -155,8 +165,9 @@ TEST(Fairness, WhenTheServiceWasBusy_ThenTheSupervisorIsJudgedByWhatItSaidMeanwh
       std::this_thread::sleep_for(20ms);
     }
   });
+  while (!busy.supervised.load()) std::this_thread::sleep_for(1ms);
   ASSERT_TRUE(client->call(Start{}, kPatience));
-  // The service comes back to its clients after it was busy.
+  ASSERT_TRUE(status_when(*client, [](const RuntimeStatus& s) { return s.state == RuntimeState::Running; }));
   for (int i = 0; i < 5; ++i) {
     const auto status = next<RuntimeStatus>(*client);
     ASSERT_TRUE(status);
