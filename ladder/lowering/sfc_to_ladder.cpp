@@ -58,6 +58,54 @@ void lower_clock(SfcLoweringContext& context) {
   }
 }
 
+// A transition names those that go before it, up to this many of a step. Where a step has more, a bit of the
+// step says that one of them fires: the rungs of n transitions would hold n * n / 2 contacts otherwise.
+constexpr std::size_t kMostNamedRivals = 8;
+
+// What shuts out a transition: those with a common source that go before it.
+class Rivals {
+ public:
+  explicit Rivals(SfcLoweringContext& context)
+      : context_(context), before_(context.chart().steps.size()), leaves_(before_.size()) {
+    std::vector<std::size_t> leaving(before_.size(), 0);
+    for (const Transition& each : context.chart().transitions)
+      for (const StepId source : each.sources) ++leaving[source.value];
+    for (std::size_t i = 0; i < leaving.size(); ++i) {
+      const std::string& step = context.chart().steps[i].name;
+      if (leaving[i] > kMostNamedRivals + 1)
+        leaves_[i] = context.declare(step + "_LEAVES", "BOOL", "a transition out of step " + step + " fires");
+    }
+  }
+
+  // To be asked for the transitions in the order of their priority. Adds to the rung what shuts the
+  // transition out, and the coils that tell those behind it.
+  void add(std::size_t transition, std::vector<Condition>& series, Rung& rung) {
+    std::set<std::size_t> named;
+    for (const StepId source : context_.chart().transitions[transition].sources) {
+      std::vector<std::size_t>& before = before_[source.value];
+      const std::string& leaves = leaves_[source.value];
+      if (leaves.empty()) {
+        named.insert(before.begin(), before.end());
+      } else {
+        const bool first = before.empty();
+        if (!first) series.push_back(graphic::contact(leaves, true));
+        rung.coils.push_back({first ? CoilKind::Normal : CoilKind::Set, leaves});
+      }
+      if (leaves.empty() || before.empty()) before.push_back(next_);
+    }
+    order_.push_back(transition);
+    ++next_;
+    for (const std::size_t each : named) series.push_back(context_.fires(order_[each], true));
+  }
+
+ private:
+  SfcLoweringContext& context_;
+  std::vector<std::vector<std::size_t>> before_;  // by step: places in `order_`
+  std::vector<std::string> leaves_;               // by step: its bit; empty: its transitions name each other
+  std::vector<std::size_t> order_;
+  std::size_t next_ = 0;
+};
+
 // In the order of their priority, so that a transition can look at the bits of those that go before it.
 void lower_transition_bits(SfcLoweringContext& context) {
   const SfcChart& chart = context.chart();
@@ -66,23 +114,18 @@ void lower_transition_bits(SfcLoweringContext& context) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return chart.transitions[a].priority < chart.transitions[b].priority;
   });
-  std::vector<std::vector<std::size_t>> before(chart.steps.size());  // places in `order`, by source
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Transition& transition = chart.transitions[order[i]];
-    std::vector<Condition> series;
-    for (const StepId source : transition.sources) series.push_back(context.active(source));
-    series.push_back(context.rewrite(transition.condition));
-    std::set<std::size_t> rivals;
-    for (const StepId source : transition.sources) {
-      rivals.insert(before[source.value].begin(), before[source.value].end());
-      before[source.value].push_back(i);
-    }
-    for (const std::size_t j : rivals) series.push_back(context.fires(order[j], true));
+  Rivals rivals(context);
+  for (const std::size_t i : order) {
+    const Transition& transition = chart.transitions[i];
     Rung rung;
     rung.comment =
         "Transition " + names_of(chart, transition.sources) + " -> " + names_of(chart, transition.targets);
+    rung.coils.push_back({CoilKind::Normal, context.fires(i).name});
+    std::vector<Condition> series;
+    for (const StepId source : transition.sources) series.push_back(context.active(source));
+    series.push_back(context.rewrite(transition.condition));
+    rivals.add(i, series, rung);
     rung.condition = graphic::all(std::move(series));
-    rung.coils.push_back({CoilKind::Normal, context.fires(order[i]).name});
     context.add(std::move(rung));
   }
 }

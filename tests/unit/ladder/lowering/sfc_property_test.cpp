@@ -130,12 +130,28 @@ class Comparison {
   std::int64_t now_ns_ = 1'000'000'000;
 };
 
+// So many transitions that some steps have a bit for those that leave them, and others have none.
+graphic::Pou crowded_pou(std::mt19937& random) {
+  graphic::Pou pou = random_pou(random);
+  std::vector<graphic::Transition>& transitions = std::get<SfcChart>(pou.body).transitions;
+  const std::vector<graphic::Transition> known = transitions;
+  for (std::size_t more = random() % 40; more > 0; --more) {
+    graphic::Transition each = known[random() % known.size()];
+    each.name.clear();
+    each.targets = known[random() % known.size()].targets;
+    each.condition = known[random() % known.size()].condition;
+    each.priority = static_cast<int>(random() % 3);
+    transitions.push_back(std::move(each));
+  }
+  return pou;
+}
+
 template <typename Runner>
-void compare_random_charts(unsigned charts) {
+void compare_random_charts(unsigned charts, graphic::Pou (*make)(std::mt19937&) = random_pou) {
   for (unsigned seed = 1; seed <= charts && !::testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    const graphic::Pou pou = random_pou(random);
+    const graphic::Pou pou = make(random);
     ASSERT_TRUE(graphic::check(std::get<SfcChart>(pou.body)).empty());
     Comparison<Runner>(pou, seed).run(60);
   }
@@ -147,6 +163,12 @@ TEST(SfcLowering, WhenChartsAndInputsAreRandom_ThenLadderFollowsReference) {
 
 TEST(SfcLowering, WhenRandomChartsAreCompiled_ThenTheMachineFollowsReference) {
   compare_random_charts<Machine>(300);
+}
+
+// SFC-E-12
+TEST(SfcLowering, WhenManyTransitionsLeaveAStep_ThenLadderAndMachineFollowReference) {
+  compare_random_charts<Rungs>(1000, crowded_pou);
+  compare_random_charts<Machine>(100, crowded_pou);
 }
 
 }  // namespace
