@@ -77,8 +77,13 @@ bool NameSet::contains(std::string_view name) const {
 
 std::string NameSet::unique(std::string_view wanted) {
   const std::string base = make_identifier(wanted);
-  std::string name = base;
-  for (int i = 2; !insert(name); ++i) name = base + "_" + std::to_string(i);
+  if (insert(base)) return base;
+  // Numbers that were taken stay taken.
+  int& number = numbers_.try_emplace(upper(base), 2).first->second;
+  std::string name;
+  do {
+    name = base + "_" + std::to_string(number++);
+  } while (!insert(name));
   return name;
 }
 

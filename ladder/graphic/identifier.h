@@ -9,6 +9,7 @@
 
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "runtime/naming/ascii_names.h"
@@ -38,7 +39,8 @@ class NameSet {
   std::string unique(std::string_view wanted);
 
  private:
-  std::unordered_set<std::string> used_;  // upper case
+  std::unordered_set<std::string> used_;          // upper case
+  std::unordered_map<std::string, int> numbers_;  // of a name that was wanted: the next to try
 };
 
 }  // namespace stepwright::graphic
