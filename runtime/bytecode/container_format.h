@@ -26,8 +26,11 @@ inline constexpr std::uint32_t kMaxImageBytes = 64u << 20;
 inline constexpr std::uint32_t kMaxStackSlots = 1u << 20;
 inline constexpr std::uint32_t kMaxCallDepth = 64;
 inline constexpr std::uint32_t kMaxTasks = 16;
-inline constexpr std::uint32_t kMaxStringBytes = 4096;
-inline constexpr std::uint32_t kMaxLocals = 4096;  // of one function, parameters included
+inline constexpr std::uint32_t kMaxStringBytes = 4096;    // of a name
+inline constexpr std::uint32_t kMaxTextBytes = 1u << 16;  // of what people read: a condition, a comment
+// Of all texts longer than a name together, counted wherever one is used.
+inline constexpr std::uint32_t kMaxLongTextBytes = 16u << 20;
+inline constexpr std::uint32_t kMaxLocals = 0xFFFF;  // of one function, parameters included
 
 struct FileHeader {
   std::uint32_t magic;
@@ -87,7 +90,7 @@ struct SizesRecord {
   std::uint32_t frame_bytes;  // of one task
 };
 
-// A piece of the section Strings; UTF-8, not terminated.
+// A piece of the section Strings; UTF-8, not terminated. A name or a text.
 struct StringRef {
   std::uint32_t offset;
   std::uint32_t length;
@@ -215,7 +218,7 @@ enum SfcStepFlag : std::uint8_t { kStepInitial = 1 };
 
 struct SfcStepRecord {
   StringRef name;
-  StringRef comment;
+  StringRef comment;      // a text
   std::uint32_t address;  // of the step's activity (X): a BOOL byte, or a bit
   std::uint8_t bit;       // kNoBit for a BOOL byte
   std::uint8_t flags;     // SfcStepFlag
@@ -224,7 +227,7 @@ struct SfcStepRecord {
 
 struct SfcTransitionRecord {
   StringRef name;
-  StringRef condition;         // as text
+  StringRef condition;         // a text
   std::uint32_t first_source;  // into SfcLinks: indexes of steps within the chart
   std::uint32_t source_count;
   std::uint32_t first_target;

@@ -54,8 +54,16 @@ class TableChecker {
   static Status valid(bool condition) { return condition ? Status::Ok : Status::BadRecord; }
   static Status first_of(Status a, Status b) { return a != Status::Ok ? a : b; }
 
-  Status string(StringRef ref) const {
-    if (ref.length > kMaxStringBytes) return Status::BadString;
+  Status string(StringRef ref) const { return string(ref, kMaxStringBytes); }
+
+  // Long ones are counted together: a small file may use one many times, and viewers copy each use.
+  Status text(StringRef ref) {
+    if (ref.length > kMaxStringBytes) long_texts_ += ref.length;
+    return long_texts_ > kMaxLongTextBytes ? Status::BadString : string(ref, kMaxTextBytes);
+  }
+
+  Status string(StringRef ref, std::uint32_t longest) const {
+    if (ref.length > longest) return Status::BadString;
     if (!in_range(ref.offset, ref.length, view_.section(Section::Strings).size())) return Status::BadString;
     return is_utf8(view_.string(ref)) ? Status::Ok : Status::BadString;
   }
@@ -252,17 +260,17 @@ class TableChecker {
     return true;
   }
 
-  Status step(const SfcStepRecord& r) const {
+  Status step(const SfcStepRecord& r) {
     return first_of(valid(r.reserved == 0 && (r.flags & ~kStepInitial) == 0),
-                    first_of(bit_address(r.address, r.bit), first_of(string(r.name), string(r.comment))));
+                    first_of(bit_address(r.address, r.bit), first_of(string(r.name), text(r.comment))));
   }
 
-  Status transition(const SfcTransitionRecord& r) const {
+  Status transition(const SfcTransitionRecord& r) {
     const Status place = r.address == kNoIndex ? valid(r.bit == kNoBit) : bit_address(r.address, r.bit);
     const Status links_in_file =
         valid(in_range(r.first_source, r.source_count, view_.count<Section::SfcLinks>()) &&
               in_range(r.first_target, r.target_count, view_.count<Section::SfcLinks>()));
-    return first_of(first_of(place, links_in_file), first_of(string(r.name), string(r.condition)));
+    return first_of(first_of(place, links_in_file), first_of(string(r.name), text(r.condition)));
   }
 
   Status source(const SourceMapRecord& r, std::uint32_t index) const {
@@ -282,6 +290,7 @@ class TableChecker {
   std::uint32_t next_step_ = 0;
   std::uint32_t next_transition_ = 0;
   std::uint32_t next_link_ = 0;
+  std::uint64_t long_texts_ = 0;  // bytes
 };
 
 }  // namespace

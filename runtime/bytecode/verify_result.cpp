@@ -23,7 +23,7 @@ const char* explain(VerifyStatus status) {
     case VerifyStatus::BadRecord:
       return "a record is inconsistent";
     case VerifyStatus::BadString:
-      return "a name lies outside the string section or is not UTF-8";
+      return "a name or text lies outside the string section, is too long or is not UTF-8";
     case VerifyStatus::BadType:
       return "a type is inconsistent";
     case VerifyStatus::BadAddress:

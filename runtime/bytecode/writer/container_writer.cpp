@@ -3,6 +3,7 @@
 #include <cstring>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include "runtime/bytecode/code_check.h"
 #include "runtime/bytecode/container_parse.h"
@@ -185,8 +186,7 @@ SectionBuffers sections_of(const ContainerModel& model) {
 }
 
 // The verifier's refusal with the name of what it points at.
-tl::unexpected<result::Diagnostics> refuse(const ContainerModel& model,
-                                           const bytecode::VerifyResult& verdict) {
+tl::unexpected<Refusal> refuse(const ContainerModel& model, const bytecode::VerifyResult& verdict) {
   result::Location where;
   std::string place = "section " + std::to_string(static_cast<std::uint32_t>(verdict.section)) + ", record " +
                       std::to_string(verdict.index);
@@ -198,13 +198,16 @@ tl::unexpected<result::Diagnostics> refuse(const ContainerModel& model,
       where = {model.source_files[line.file], line.line, line.column};
     }
   }
-  return result::fail("B0100", where, place + ": " + bytecode::explain(verdict.status));
+  return tl::unexpected<Refusal>(
+      {verdict, result::fail("B0100", where, place + ": " + bytecode::explain(verdict.status)).value()});
 }
 
 // Fills in what only the analysis of the code can know: frames, max_stack, stack_slots, call_depth.
 bytecode::VerifyResult complete(const ContainerModel& model, SectionBuffers& sections) {
   if (const auto frames = layout_frames(model, sections); !frames.ok()) return frames;
   const std::vector<std::byte> draft = sections.assemble();
+  if (draft.size() > bytecode::kMaxContainerBytes)
+    return {bytecode::VerifyStatus::TooLarge, Section::Code, 0, 0};
   bytecode::ContainerView view;
   if (const auto file = bytecode::parse_container(draft, view); !file.ok()) return file;
   if (const auto tables = bytecode::check_tables(view); !tables.ok()) return tables;
@@ -231,7 +234,7 @@ bytecode::VerifyResult complete(const ContainerModel& model, SectionBuffers& sec
 
 }  // namespace
 
-result::Result<std::vector<std::byte>> write_container(const ContainerModel& model) {
+tl::expected<std::vector<std::byte>, Refusal> try_write_container(const ContainerModel& model) {
   SectionBuffers sections = sections_of(model);
   if (const auto verdict = complete(model, sections); !verdict.ok()) return refuse(model, verdict);
   std::vector<std::byte> file = sections.assemble();
@@ -240,6 +243,12 @@ result::Result<std::vector<std::byte>> write_container(const ContainerModel& mod
   if (const auto verdict = bytecode::verify(file, scratch, program); !verdict.ok())
     return refuse(model, verdict);
   return file;
+}
+
+result::Result<std::vector<std::byte>> write_container(const ContainerModel& model) {
+  auto written = try_write_container(model);
+  if (!written) return tl::unexpected<result::Diagnostics>(std::move(written.error().diagnostics));
+  return std::move(*written);
 }
 
 }  // namespace stepwright::writer

@@ -19,6 +19,12 @@ struct CallEdge {
   friend auto operator<=>(const CallEdge&, const CallEdge&) = default;
 };
 
+// One that is too large stays so.
+std::uint32_t end_of_frame(const bytecode::FunctionRecord& function) {
+  const std::uint64_t end = std::uint64_t{function.frame_offset} + function.frame_size;
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(end, 0xFFFF'FFFF));
+}
+
 std::vector<CallEdge> call_edges(const std::vector<Function>& functions) {
   std::vector<CallEdge> edges;
   for (std::size_t f = 0; f < functions.size(); ++f) {
@@ -52,7 +58,7 @@ VerifyResult layout_frames(const ContainerModel& model, SectionBuffers& sections
       const bytecode::FunctionRecord& caller = records[edge.caller];
       bytecode::FunctionRecord& callee = records[edge.callee];
       const std::uint32_t depth = std::max(depths[edge.callee], depths[edge.caller] + 1);
-      const std::uint32_t offset = std::max(callee.frame_offset, caller.frame_offset + caller.frame_size);
+      const std::uint32_t offset = std::max(callee.frame_offset, end_of_frame(caller));
       if (depth > bytecode::kMaxCallDepth) {
         return {VerifyStatus::Recursion, Section::Functions, static_cast<std::uint32_t>(edge.callee), 0};
       }
@@ -64,7 +70,7 @@ VerifyResult layout_frames(const ContainerModel& model, SectionBuffers& sections
 
   bytecode::SizesRecord sizes = sections.get<Section::Sizes>(0);
   for (std::uint32_t f = 0; f < records.size(); ++f) {
-    sizes.frame_bytes = std::max(sizes.frame_bytes, records[f].frame_offset + records[f].frame_size);
+    sizes.frame_bytes = std::max(sizes.frame_bytes, end_of_frame(records[f]));
     sections.set<Section::Functions>(f, records[f]);
   }
   sections.set<Section::Sizes>(0, sizes);

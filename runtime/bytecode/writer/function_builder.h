@@ -64,6 +64,8 @@ class FunctionBuilder {
   LocalId add_param(bytecode::StackType type);
   LocalId add_local(bytecode::StackType type);
   void set_result(bytecode::StackType type);
+  // Parameters included.
+  std::size_t local_count() const { return function_.locals.size(); }
 
   // Room for a local that needs an address: its offset in the function's frame, for addr_frame. `align` is a
   // power of two, 8 at most. Not initialised when the function starts.

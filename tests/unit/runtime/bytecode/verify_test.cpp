@@ -107,6 +107,52 @@ TEST(Verify, Records_WhenOneIsInconsistent_ThenItIsNamed) {
   expect(with_record<S::Strings>(0, [](auto& r) { r = 0xFF; }), V::BadString, S::Types);
 }
 
+TEST(Verify, Texts_WhenTheyAreLong_ThenConditionsAndCommentsMayBe) {
+  const auto with_lengths = [](std::size_t name, std::size_t comment, std::size_t condition) {
+    writer::ContainerModel model = support::sample_model();
+    writer::SfcChart& chart = model.charts.front();
+    chart.steps.front().name = std::string(name, 'n');
+    chart.steps.front().comment = std::string(comment, 'c');
+    chart.transitions.front().condition = std::string(condition, 't');
+    const auto written = writer::try_write_container(model);
+    return written ? VerifyStatus::Ok : written.error().verdict.status;
+  };
+  EXPECT_EQ(with_lengths(kMaxStringBytes, kMaxTextBytes, kMaxTextBytes), VerifyStatus::Ok);
+  EXPECT_EQ(with_lengths(kMaxStringBytes + 1, 0, 0), VerifyStatus::BadString);
+  EXPECT_EQ(with_lengths(1, kMaxTextBytes + 1, 0), VerifyStatus::BadString);
+  EXPECT_EQ(with_lengths(1, 0, kMaxTextBytes + 1), VerifyStatus::BadString);
+}
+
+// However often one is used: a small file must not make viewers copy without end.
+TEST(Verify, Texts_WhenTheLongOnesTogetherAreTooLong_ThenIsRefused) {
+  const auto with_transitions = [](std::size_t count, std::uint32_t length) {
+    writer::ContainerModel model = support::sample_model();
+    writer::SfcChart& chart = model.charts.front();
+    chart.transitions.front().condition = std::string(length, 't');
+    chart.transitions.resize(count, chart.transitions.front());
+    const auto written = writer::try_write_container(model);
+    return written ? VerifyStatus::Ok : written.error().verdict.status;
+  };
+  constexpr std::size_t kMost = kMaxLongTextBytes / kMaxTextBytes;
+  EXPECT_EQ(with_transitions(kMost, kMaxTextBytes), VerifyStatus::Ok);
+  EXPECT_EQ(with_transitions(kMost + 1, kMaxTextBytes), VerifyStatus::BadString);
+  EXPECT_EQ(with_transitions(10 * kMost, kMaxStringBytes), VerifyStatus::Ok);
+}
+
+TEST(Verify, Locals_WhenThereAreTooMany_ThenIsRefused) {
+  const auto with_locals = [](std::uint32_t count) {
+    writer::ContainerModel model = support::sample_model();
+    writer::FunctionBuilder f("many", FunctionKind::Function);
+    for (std::uint32_t i = 0; i < count; ++i) f.add_local(StackType::I32);
+    f.emit(Opcode::Return);
+    model.functions.push_back(std::move(f).take());
+    const auto written = writer::try_write_container(model);
+    return written ? VerifyStatus::Ok : written.error().verdict.status;
+  };
+  EXPECT_EQ(with_locals(kMaxLocals), VerifyStatus::Ok);
+  EXPECT_EQ(with_locals(kMaxLocals + 1), VerifyStatus::BadRecord);
+}
+
 // An engine that makes code sets slots aside for functions that nothing calls, too.
 TEST(Verify, Functions_WhenThoseThatNothingCallsNeedTooManySlots_ThenIsRefused) {
   writer::ContainerModel model = support::sample_model();
