@@ -45,7 +45,7 @@ void ExpressionEmitter::convert(const Type& from, const Type& to) {
 // The same bytes, read as the other type (table 26).
 void ExpressionEmitter::transfer_bits(const Type& from, const Type& to) {
   const std::uint32_t at = temporary(from.size);
-  const writer::LocalId value = b_.add_local(semantics::slot_type(from));
+  const writer::LocalId value = local(semantics::slot_type(from));
   b_.local_set(value);
   b_.addr_frame(at);
   b_.local_get(value);
@@ -55,7 +55,7 @@ void ExpressionEmitter::transfer_bits(const Type& from, const Type& to) {
 }
 
 void ExpressionEmitter::narrow_character() {
-  const writer::LocalId character = b_.add_local(bytecode::StackType::I32);
+  const writer::LocalId character = local(bytecode::StackType::I32);
   b_.local_set(character);
   b_.local_get(character);
   b_.const_i32(semantics::kNoCharacter);

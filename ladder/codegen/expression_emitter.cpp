@@ -63,6 +63,30 @@ void ExpressionEmitter::value(const Value& value, Width width) {
   }
 }
 
+void ExpressionEmitter::begin_statement() {
+  for (Temporary& each : temporaries_) each.in_use = false;
+  for (const auto& [local, type] : statement_locals_) release(local, type);
+  statement_locals_.clear();
+}
+
+writer::LocalId ExpressionEmitter::local(bytecode::StackType type) {
+  const writer::LocalId taken = held_local(type);
+  statement_locals_.emplace_back(taken, type);
+  return taken;
+}
+
+writer::LocalId ExpressionEmitter::held_local(bytecode::StackType type) {
+  auto& free = free_locals_[static_cast<std::size_t>(type)];
+  if (free.empty()) return b_.add_local(type);
+  const writer::LocalId taken = free.back();
+  free.pop_back();
+  return taken;
+}
+
+void ExpressionEmitter::release(writer::LocalId local, bytecode::StackType type) {
+  free_locals_[static_cast<std::size_t>(type)].push_back(local);
+}
+
 void ExpressionEmitter::constant(const semantics::Constant& constant, const Type& type) {
   switch (machine_type(type)) {
     case Machine::Bool:
@@ -121,7 +145,7 @@ void ExpressionEmitter::enabled(const Value& value) {
   writer::LocalId result;
   copies_before(value.before);
   if (scalar) {
-    result = b_.add_local(semantics::slot_type(type));
+    result = local(semantics::slot_type(type));
     constant(value.constant, type);
     b_.local_set(result);
   } else if (!nothing) {
@@ -144,14 +168,18 @@ void ExpressionEmitter::enabled(const Value& value) {
 void ExpressionEmitter::check(const Value& value) {
   this->value(*value.operands[0]);
   locate(value.where);
-  const semantics::IntegerRange& range = value.type->range;
-  switch (machine_type(*value.type)) {
+  check_range(*value.type);
+}
+
+void ExpressionEmitter::check_range(const Type& type) {
+  const semantics::IntegerRange& range = type.range;
+  switch (machine_type(type)) {
     case Machine::U64:
       return b_.check_u64(static_cast<std::uint64_t>(range.low), static_cast<std::uint64_t>(range.high));
     case Machine::I64:
       return b_.check_i64(static_cast<std::int64_t>(range.low), static_cast<std::int64_t>(range.high));
     case Machine::U32:
-      if (value.type->size == 4) return check_udint(range);
+      if (type.size == 4) return check_udint(range);
       [[fallthrough]];
     default:
       return b_.check_i32(static_cast<std::int32_t>(range.low), static_cast<std::int32_t>(range.high));
@@ -167,7 +195,7 @@ void ExpressionEmitter::check_udint(const semantics::IntegerRange& range) {
 
 // The right operand of AND_THEN and OR_ELSE is evaluated only if the left one leaves the result open.
 void ExpressionEmitter::short_circuit(const Value& value) {
-  const writer::LocalId result = b_.add_local(bytecode::StackType::Bool);
+  const writer::LocalId result = local(bytecode::StackType::Bool);
   const writer::Label end = b_.new_label();
   for (const auto& each : value.operands) {
     this->value(*each);
@@ -276,7 +304,7 @@ void ExpressionEmitter::select(const Value& value) {
 // A chain of selections: every operand is evaluated, as the arguments of any function are.
 void ExpressionEmitter::multiplex(const Value& value) {
   const auto count = static_cast<std::int32_t>(value.operands.size() - 1);
-  const writer::LocalId selector = b_.add_local(bytecode::StackType::I32);
+  const writer::LocalId selector = local(bytecode::StackType::I32);
   this->value(*value.operands[0]);
   b_.local_set(selector);
   const writer::Label in_range = b_.new_label();

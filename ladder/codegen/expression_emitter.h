@@ -10,8 +10,10 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "ladder/codegen/container_limits.h"
 #include "ladder/codegen/literal_pool.h"
 #include "ladder/semantics/model.h"
 #include "ladder/source/source_set.h"
@@ -47,6 +49,7 @@ struct ProgramLayout {
   std::array<std::uint32_t, 4> bases{};  // absolute address of %I, %Q, %M, Data
   std::unordered_map<const semantics::Pou*, std::uint32_t> functions;
   LiteralPool* literals = nullptr;
+  ContainerLimits* limits = nullptr;
 
   // Of a place in an area.
   std::uint32_t address(const semantics::Place& place) const {
@@ -68,8 +71,13 @@ class ExpressionEmitter {
   // the column; for others the line does.
   void call_site(source::Position where, const semantics::Pou& callee);
 
-  // The temporaries of the statement before are free again.
+  // The temporaries and locals of the statement before are free again.
   void begin_statement();
+  // A local of the machine beside those of the POU, with any value in it: of the statement; or until it is
+  // released, across the statements within one.
+  writer::LocalId local(bytecode::StackType type);
+  writer::LocalId held_local(bytecode::StackType type);
+  void release(writer::LocalId local, bytecode::StackType type);
   void value(const semantics::Value& value, Width width = Width::Exact);
   void constant(const semantics::Constant& constant, const semantics::Type& type);
   void load(const semantics::Place& place);
@@ -89,6 +97,8 @@ class ExpressionEmitter {
   void operation(syntax::Operator op, const semantics::Type& operands);
   // Cuts an I32 to the type, if it is narrower.
   void wrap(const semantics::Type& type);
+  // Traps unless the value on the stack lies in the range of the subrange type.
+  void check_range(const semantics::Type& type);
 
   std::uint32_t address(const semantics::Place& place) const { return layout_.address(place); }
   std::uint32_t function_of(const semantics::Pou& pou) const { return layout_.functions.at(&pou); }
@@ -168,6 +178,8 @@ class ExpressionEmitter {
   source::Position here_;  // what was marked last
   writer::FunctionBuilder& b_;
   std::vector<Temporary> temporaries_;
+  std::array<std::vector<writer::LocalId>, bytecode::kStackTypeCount> free_locals_;
+  std::vector<std::pair<writer::LocalId, bytecode::StackType>> statement_locals_;
 };
 
 template <typename Emit>
@@ -209,11 +221,11 @@ void ExpressionEmitter::store_bit(const semantics::Place& place, Push push) {
     b_.store_bit(address(place), place.bit);
     return;
   }
-  const writer::LocalId at = b_.add_local(bytecode::StackType::Ref);
+  const writer::LocalId at = local(bytecode::StackType::Ref);
   reference(place);
   b_.local_set(at);
   push();
-  const writer::LocalId bit = b_.add_local(bytecode::StackType::Bool);
+  const writer::LocalId bit = local(bytecode::StackType::Bool);
   b_.local_set(bit);
   b_.local_get(at);
   b_.local_get(at);

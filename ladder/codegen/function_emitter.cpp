@@ -34,6 +34,7 @@ bytecode::FunctionKind kind_of(semantics::PouKind kind) {
 FunctionEmitter::FunctionEmitter(const ProgramLayout& layout, FileTable& files, const semantics::Pou& pou)
     : pou_(pou),
       b_(pou.spelling, kind_of(pou.kind), pou.type != nullptr ? pou.type->size : 0),
+      limits_(*layout.limits),
       e_(layout, files, b_) {
   for (std::size_t i = 0; i < pou.slots.size(); ++i) {
     if (i < pou.parameter_count) {
@@ -49,6 +50,7 @@ FunctionEmitter::FunctionEmitter(const ProgramLayout& layout, FileTable& files, 
 }
 
 writer::Function FunctionEmitter::run() && {
+  if (b_.local_count() > bytecode::kMaxLocals) limits_.too_many_locals(pou_, last_slot());
   block(pou_.entry);
   block(pou_.body);
   e_.line(pou_.end);
@@ -61,8 +63,22 @@ void FunctionEmitter::leave() {
   b_.emit(Opcode::Return);
 }
 
+// The variable that is one too many for the locals.
+source::Position FunctionEmitter::last_slot() const {
+  for (const semantics::Variable& each : pou_.variables) {
+    const semantics::Base base = each.place.base;
+    const bool in_slot = base == semantics::Base::Slot || base == semantics::Base::SlotRef;
+    if (in_slot && each.place.slot >= bytecode::kMaxLocals) return each.where;
+  }
+  return pou_.where;
+}
+
 void FunctionEmitter::block(const semantics::Block& statements) {
-  for (const Statement& each : statements) statement(each);
+  for (const Statement& each : statements) {
+    const bool room = b_.local_count() <= bytecode::kMaxLocals;
+    statement(each);
+    if (room && b_.local_count() > bytecode::kMaxLocals) limits_.too_many_locals(pou_, each.where);
+  }
 }
 
 void FunctionEmitter::statement(const Statement& statement) {
@@ -163,7 +179,7 @@ void FunctionEmitter::case_test(const semantics::CaseRange& range, LocalId selec
 
 void FunctionEmitter::select(const Statement& statement) {
   const Type& type = *statement.value->type;
-  const LocalId selector = b_.add_local(semantics::slot_type(type));
+  const LocalId selector = e_.held_local(semantics::slot_type(type));
   e_.value(*statement.value);
   b_.local_set(selector);
   const Label end = b_.new_label();
@@ -188,6 +204,7 @@ void FunctionEmitter::select(const Statement& statement) {
     b_.bind(next);
   }
   b_.bind(end);
+  e_.release(selector, semantics::slot_type(type));
 }
 
 void FunctionEmitter::body(const Statement& statement, const Loop& loop) {
@@ -216,124 +233,6 @@ void FunctionEmitter::repeat_loop(const Statement& statement) {
   e_.value(*statement.value);
   b_.jump_if_false(start);
   b_.bind(loop.exit);
-}
-
-// The limit and the step are evaluated once (7.3.3.4.2). Behind the loop the variable holds the first value
-// that was out of range, wrapped to its type.
-void FunctionEmitter::count(const Statement& statement) {
-  e_.assign(statement.target, *statement.value);
-  const bool constant_step = statement.step->kind == ValueKind::Constant;
-  const __int128 step = constant_step ? statement.step->constant.integer : 0;
-  const bool constant_limit = statement.limit->kind == ValueKind::Constant;
-  if (constant_step && (constant_limit || step == 1 || step == -1)) return count_by_constant(statement);
-  count_by_value(statement);
-}
-
-void FunctionEmitter::count_by_constant(const Statement& statement) {
-  const Type& type = *statement.target.type;
-  const bool upwards = statement.step->constant.integer > 0;
-  const LocalId limit = b_.add_local(semantics::slot_type(type));
-  Loop loop{b_.new_label(), b_.new_label()};
-  if (statement.limit->kind != ValueKind::Constant) {
-    e_.value(*statement.limit);
-    b_.local_set(limit);
-    loop.kept.emplace_back(statement.limit.get(), limit);
-  }
-  const Label start = b_.new_label();
-  e_.load(statement.target);
-  if (statement.limit->kind == ValueKind::Constant) {
-    e_.constant(statement.limit->constant, type);
-  } else {
-    b_.local_get(limit);
-  }
-  e_.operation(upwards ? Operator::LessEqual : Operator::GreaterEqual, type);
-  b_.jump_if_false(loop.exit);
-  b_.bind(start);
-  body(statement, loop);
-  b_.bind(loop.next);
-  e_.line(statement.where);
-  push_last(statement, limit);
-  e_.store(statement.target, [&](Width width) {
-    e_.load(statement.target);
-    e_.constant(statement.step->constant, type);
-    e_.operation(Operator::Add, type);
-    if (width == Width::Exact) e_.wrap(type);
-  });
-  b_.jump_if_false(start);
-  b_.bind(loop.exit);
-}
-
-// The test stands before the step, on the old value, so that it cannot be fooled by a wrap.
-void FunctionEmitter::push_last(const Statement& statement, LocalId limit) {
-  const Type& type = *statement.target.type;
-  const __int128 step = statement.step->constant.integer;
-  if (statement.limit->kind != ValueKind::Constant) {
-    // Step 1 or -1: the last value is the limit itself.
-    e_.load(statement.target);
-    b_.local_get(limit);
-    return e_.operation(step > 0 ? Operator::GreaterEqual : Operator::LessEqual, type);
-  }
-  const semantics::Constant last{statement.limit->constant.integer - step};
-  if (!semantics::fits(last, type)) return b_.const_bool(true);
-  e_.load(statement.target);
-  e_.constant(last, type);
-  e_.operation(step > 0 ? Operator::Greater : Operator::Less, type);
-}
-
-// Limit and step are variables: the sign of the step decides at run time, and up to 32 bits the next value is
-// computed in 64, where it cannot wrap.
-void FunctionEmitter::count_by_value(const Statement& statement) {
-  const Type& type = *statement.target.type;
-  const LocalId limit = b_.add_local(semantics::slot_type(type));
-  const LocalId step = b_.add_local(semantics::slot_type(type));
-  e_.value(*statement.limit);
-  b_.local_set(limit);
-  e_.value(*statement.step);
-  b_.local_set(step);
-  const Loop loop{
-      b_.new_label(), b_.new_label(), {{statement.limit.get(), limit}, {statement.step.get(), step}}};
-  const bool wide = type.size == 8;
-  const auto within = [&](bool next) {
-    for (const Operator op : {Operator::GreaterEqual, Operator::LessEqual}) {
-      const auto widened = [&](auto push) {
-        push();
-        if (!wide) b_.emit(type.is_unsigned() ? Opcode::U32ToI64 : Opcode::I32ToI64);
-      };
-      widened([&] { e_.load(statement.target); });
-      if (next) {
-        widened([&] { b_.local_get(step); });
-        b_.emit(Opcode::AddI64);
-      }
-      widened([&] { b_.local_get(limit); });
-      const bool unsigned_order = wide && type.is_unsigned();
-      b_.emit(binary_opcode(op, unsigned_order ? Machine::U64 : Machine::I64));
-    }
-    b_.local_get(step);
-    e_.constant({}, type);
-    e_.operation(Operator::GreaterEqual, type);
-    b_.emit(Opcode::Select);
-  };
-  within(false);
-  b_.jump_if_false(loop.exit);
-  const Label start = b_.new_label();
-  b_.bind(start);
-  body(statement, loop);
-  b_.bind(loop.next);
-  e_.line(statement.where);
-  within(true);
-  advance(statement, step);
-  b_.jump_if_true(start);
-  b_.bind(loop.exit);
-}
-
-void FunctionEmitter::advance(const Statement& statement, LocalId step) {
-  const Type& type = *statement.target.type;
-  e_.store(statement.target, [&](Width width) {
-    e_.load(statement.target);
-    b_.local_get(step);
-    e_.operation(Operator::Add, type);
-    if (width == Width::Exact) e_.wrap(type);
-  });
 }
 
 }  // namespace stepwright::codegen

@@ -3,6 +3,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "ladder/codegen/container_limits.h"
 #include "ladder/codegen/function_emitter.h"
 #include "ladder/codegen/symbol_table.h"
 #include "runtime/bytecode/writer/container_writer.h"
@@ -84,6 +85,8 @@ result::Result<std::vector<std::byte>> generate(const Model& model, const std::v
   add_memory(model, layout, out);
   LiteralPool literals(static_cast<std::uint32_t>(out.initial_data.size()));
   layout.literals = &literals;
+  ContainerLimits limits(sources);
+  layout.limits = &limits;
   FileTable files(sources, file_names);
   for (const Pou* each : functions) {
     out.functions.push_back(FunctionEmitter(layout, files, *each).run());
@@ -98,7 +101,10 @@ result::Result<std::vector<std::byte>> generate(const Model& model, const std::v
   for (const semantics::ProgramInstance& each : model.instances) symbols.instance(each, charts);
   add_tasks(model, layout, symbols, out);
   symbols.finish();
-  return writer::write_container(out);
+  if (!limits.errors().empty()) return tl::unexpected(std::move(limits.errors()));
+  auto container = writer::try_write_container(out);
+  if (!container) return tl::unexpected(limits.explained(std::move(container.error()), out, functions));
+  return std::move(*container);
 }
 
 }  // namespace stepwright::codegen

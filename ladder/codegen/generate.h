@@ -42,8 +42,9 @@ struct ChartOrigin {
   std::vector<ChartTransition> transitions;
 };
 
-// Requires a model without errors. `file_names`: how the container calls each file of `sources`. Fails
-// (B0100) only if the writer's verifier rejects the result.
+// Requires a model without errors. `file_names`: how the container calls each file of `sources`. Fails where
+// the program is larger than a container may be (E0109, E0209, at the place), and with B0100 if the writer's
+// verifier rejects the result for another reason, which is a mistake of the compiler.
 [[nodiscard]] result::Result<std::vector<std::byte>> generate(const semantics::Model& model,
                                                               const std::vector<ChartOrigin>& charts,
                                                               const source::SourceSet& sources,

@@ -81,10 +81,10 @@ void ExpressionEmitter::open_index(const PlaceStep& step) {
     value(*step.open[0].upper);
     return b_.index_dyn(step.stride);
   }
-  const LocalId at = b_.add_local(bytecode::StackType::Ref);
-  const LocalId flat = b_.add_local(bytecode::StackType::I32);
-  const LocalId count = b_.add_local(bytecode::StackType::I32);
-  const LocalId index = b_.add_local(bytecode::StackType::I32);
+  const LocalId at = local(bytecode::StackType::Ref);
+  const LocalId flat = local(bytecode::StackType::I32);
+  const LocalId count = local(bytecode::StackType::I32);
+  const LocalId index = local(bytecode::StackType::I32);
   b_.local_set(at);
   b_.const_i32(0);
   b_.local_set(flat);
@@ -140,7 +140,7 @@ void ExpressionEmitter::load_bit(const Place& place) {
 
 // A byte and a BOOL on the stack become the byte with the bit set to the BOOL.
 void ExpressionEmitter::merge_bit(std::uint8_t bit) {
-  const LocalId set = b_.add_local(bytecode::StackType::I32);
+  const LocalId set = local(bytecode::StackType::I32);
   b_.emit(Opcode::BoolToI32);
   b_.const_i32(bit);
   b_.emit(Opcode::ShlI32);

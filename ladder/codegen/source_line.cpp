@@ -12,6 +12,7 @@ std::uint32_t FileTable::index_of(source::Position where) {
   if (note.empty() && where.file == plain_file_) return plain_index_;
   std::string name = file_names_[where.file.value];
   if (!note.empty()) name += " (" + note + ")";
+  name = ContainerLimits::name(std::move(name));
   const auto [found, added] = index_.try_emplace(std::move(name), static_cast<std::uint32_t>(names_.size()));
   if (added) names_.push_back(found->first);
   if (note.empty()) {

@@ -98,8 +98,7 @@ void ExpressionEmitter::chain(const Value& value) {
   const Type& type = *value.operands[0]->type;
   std::vector<writer::LocalId> locals;
   for (const auto& each : value.operands) {
-    locals.push_back(
-        b_.add_local(type.is_string() ? bytecode::StackType::Ref : semantics::slot_type(*each->type)));
+    locals.push_back(local(type.is_string() ? bytecode::StackType::Ref : semantics::slot_type(*each->type)));
     this->value(*each);
     b_.local_set(locals.back());
   }
@@ -132,7 +131,7 @@ void ExpressionEmitter::swap_groups(unsigned bits, bool wide) {
   b_.emit(wide ? Opcode::AndI64 : Opcode::AndI32);
   b_.const_i32(static_cast<std::int32_t>(bits));
   b_.emit(wide ? Opcode::ShlI64 : Opcode::ShlI32);
-  const writer::LocalId upper = b_.add_local(wide ? bytecode::StackType::I64 : bytecode::StackType::I32);
+  const writer::LocalId upper = local(wide ? bytecode::StackType::I64 : bytecode::StackType::I32);
   b_.local_set(upper);
   b_.const_i32(static_cast<std::int32_t>(bits));
   b_.emit(wide ? Opcode::ShrI64 : Opcode::ShrI32);
@@ -173,7 +172,7 @@ void ExpressionEmitter::trap_unless(bytecode::TrapCode code) {
 
 // Takes 64 bits. A digit is none if its bit 8 and one of its bits 4 and 2 are set.
 void ExpressionEmitter::is_valid_bcd() {
-  const writer::LocalId code = b_.add_local(bytecode::StackType::I64);
+  const writer::LocalId code = local(bytecode::StackType::I64);
   b_.local_set(code);
   const auto shifted = [&](std::int32_t bits) {
     b_.local_get(code);
@@ -193,8 +192,8 @@ void ExpressionEmitter::is_valid_bcd() {
 
 // From the highest digit down: number := number * 10 + digit.
 void ExpressionEmitter::from_bcd(const Type& from, const Type& to) {
-  const writer::LocalId rest = b_.add_local(bytecode::StackType::I64);
-  const writer::LocalId number = b_.add_local(bytecode::StackType::I64);
+  const writer::LocalId rest = local(bytecode::StackType::I64);
+  const writer::LocalId number = local(bytecode::StackType::I64);
   const unsigned bits = from.bit_count();
   widen(from);
   b_.local_set(rest);
@@ -225,8 +224,8 @@ void ExpressionEmitter::from_bcd(const Type& from, const Type& to) {
 
 // From the lowest digit up; a number with more digits than the target has is out of range.
 void ExpressionEmitter::to_bcd(const Type& from, const Type& to) {
-  const writer::LocalId rest = b_.add_local(bytecode::StackType::I64);
-  const writer::LocalId code = b_.add_local(bytecode::StackType::I64);
+  const writer::LocalId rest = local(bytecode::StackType::I64);
+  const writer::LocalId code = local(bytecode::StackType::I64);
   widen(from);
   b_.local_set(rest);
   b_.const_i64(0);

@@ -52,6 +52,8 @@ std::unordered_map<std::string, const Variable*> variables_by_name(const Pou& po
 
 // Two types of one name (structures without a name) get different ones.
 std::uint32_t SymbolTable::add(writer::Type type) {
+  constexpr std::size_t kLongestName = bytecode::kMaxStringBytes - 16;  // with room for a number
+  type.name = ContainerLimits::name(std::move(type.name), kLongestName);
   const std::uint32_t same = names_[type.name]++;
   if (same > 0) type.name += "#" + std::to_string(same + 1);
   out_.types.push_back(std::move(type));
@@ -154,6 +156,7 @@ std::uint32_t SymbolTable::member_type(const Type& type) {
 }
 
 void SymbolTable::variable(const Variable& variable, const std::string& path, SymbolSection section) {
+  layout_.limits->check_path(path, variable.where);
   writer::Symbol symbol;
   symbol.name = path;
   symbol.type = type(*variable.type);
@@ -176,7 +179,7 @@ void SymbolTable::configured() {
 
 std::uint32_t SymbolTable::trigger(const semantics::Trigger& trigger) {
   writer::Symbol symbol;
-  symbol.name = trigger.name;
+  symbol.name = ContainerLimits::name(trigger.name);
   symbol.type = type(*trigger.place.type);
   symbol.address = layout_.address(trigger.place);
   symbol.bit = trigger.place.bit;
@@ -272,6 +275,8 @@ void SymbolTable::walk(const std::string& path, const Pou& pou, std::uint32_t ad
 }
 
 void SymbolTable::chart(const std::string& path, const ChartOrigin& origin, std::uint32_t address) {
+  ContainerLimits& limits = *layout_.limits;
+  limits.check_path(path, origin.pou->where);
   writer::SfcChart out;
   out.name = path;
   const auto variables = variables_by_name(*origin.pou);
@@ -285,11 +290,11 @@ void SymbolTable::chart(const std::string& path, const ChartOrigin& origin, std:
     const std::uint32_t active = place(step.variable);
     // A chart whose steps cannot be found in the image would mislead a viewer.
     if (active == bytecode::kNoIndex) return;
-    out.steps.push_back({step.name, step.comment, active, bytecode::kNoBit, step.initial});
+    out.steps.push_back({step.name, limits.text(step.comment), active, bytecode::kNoBit, step.initial});
   }
   for (const ChartTransition& each : origin.transitions)
-    out.transitions.push_back(
-        {each.name, each.condition, each.sources, each.targets, place(each.variable), bytecode::kNoBit});
+    out.transitions.push_back({each.name, limits.text(each.condition), each.sources, each.targets,
+                               place(each.variable), bytecode::kNoBit});
   out_.charts.push_back(std::move(out));
 }
 

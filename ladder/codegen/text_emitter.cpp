@@ -37,10 +37,6 @@ bool is_simple(const Value& value) {
 
 }  // namespace
 
-void ExpressionEmitter::begin_statement() {
-  for (Temporary& each : temporaries_) each.in_use = false;
-}
-
 // A free piece of the frame, used until the statement ends.
 std::uint32_t ExpressionEmitter::temporary(std::uint32_t bytes) {
   for (Temporary& each : temporaries_) {
@@ -116,7 +112,7 @@ void ExpressionEmitter::narrow_number(const Value& value) {
   const bool is_unsigned = op == StringOpId::ToU64S || op == StringOpId::ToU64W;
   if ((!is_signed && !is_unsigned) || value.type->size == 8) return;
   const semantics::IntegerRange range = semantics::range_of(value.type->elementary);
-  const writer::LocalId number = b_.add_local(bytecode::StackType::I64);
+  const writer::LocalId number = local(bytecode::StackType::I64);
   b_.local_set(number);
   b_.local_get(number);
   b_.const_i64(static_cast<std::int64_t>(range.high));
@@ -141,8 +137,8 @@ void ExpressionEmitter::compare_texts(Operator op, const Type& type) {
 
 // MIN, MAX: the address of the string that it is.
 void ExpressionEmitter::extreme_text(const Value& value, bool maximum) {
-  const writer::LocalId best = b_.add_local(bytecode::StackType::Ref);
-  const writer::LocalId next = b_.add_local(bytecode::StackType::Ref);
+  const writer::LocalId best = local(bytecode::StackType::Ref);
+  const writer::LocalId next = local(bytecode::StackType::Ref);
   this->value(*value.operands[0]);
   b_.local_set(best);
   for (std::size_t i = 1; i < value.operands.size(); ++i) {

@@ -49,6 +49,34 @@ TEST(Generate, Store_WhenTheTargetIsMemory_ThenNoWrapIsNeeded) {
   EXPECT_NE(std::find(compared.begin(), compared.end(), Opcode::WrapI16), compared.end());
 }
 
+TEST(Generate, For_WhenLimitAndStepAreConstant_ThenATurnIsOneTestAndOneAddition) {
+  const auto code =
+      opcodes("PROGRAM main VAR i, n : DINT; END_VAR FOR i := 1 TO 10 DO n := n + 1; END_FOR; END_PROGRAM");
+  const std::vector<Opcode> expected = {
+      Opcode::ConstI32, Opcode::StoreI32This, Opcode::LoadI32This, Opcode::ConstI32, Opcode::LeI32,
+      Opcode::JumpIfFalse,
+      // body
+      Opcode::LoadI32This, Opcode::ConstI32, Opcode::AddI32, Opcode::StoreI32This,
+      // turn
+      Opcode::LoadI32This, Opcode::ConstI32, Opcode::GtI32, Opcode::LoadI32This, Opcode::ConstI32,
+      Opcode::AddI32, Opcode::StoreI32This, Opcode::JumpIfFalse, Opcode::Return};
+  EXPECT_EQ(code, expected);
+}
+
+TEST(Generate, Locals_WhenStatementsFollowEachOther_ThenTheyAreUsedAgain) {
+  const auto locals = [](int count) {
+    std::string body;
+    for (int i = 0; i < count; ++i)
+      body += "CASE x OF 1: FOR y := 1 TO x BY z DO b := b AND_THEN x > y; END_FOR; END_CASE; ";
+    const support::CompiledProgram program(
+        input_of("PROGRAM main VAR x, y, z : DINT; b : BOOL; END_VAR " + body + "END_PROGRAM"));
+    const auto& container = program.loaded().program().container();
+    return container.record<bytecode::Section::Functions>(0).local_count;
+  };
+  EXPECT_EQ(locals(1), 4u);
+  EXPECT_EQ(locals(100), 4u);
+}
+
 TEST(Generate, Functions_WhenAPouIsNotUsed_ThenItIsLeftOut) {
   const support::CompiledProgram program(input_of(
       "FUNCTION unused : INT unused := 1; END_FUNCTION PROGRAM main VAR t : TON; END_VAR t(); END_PROGRAM"));
