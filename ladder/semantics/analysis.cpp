@@ -43,7 +43,8 @@ Place frame_place(Pou& pou, const Type* type) {
   place.base = Base::Frame;
   place.offset = pou.frame_size;
   place.type = type;
-  pou.frame_size += type->size;
+  // Far more than a container may have, which is told when it is written.
+  pou.frame_size = std::min(pou.frame_size, std::uint32_t{1} << 31) + type->size;
   return place;
 }
 

@@ -67,6 +67,15 @@ void Configurer::declare_task(const syntax::TaskDeclaration& declaration) {
     if (const auto value = expressions.constant(*declaration.priority, type))
       task.priority = static_cast<std::uint32_t>(value->integer);
   }
+  add_task(std::move(task), declaration.name.where);
+}
+
+void Configurer::add_task(Task task, Position where) {
+  if (a_.model.tasks.size() == bytecode::kMaxTasks)
+    a_.error(code::kBadTask, where,
+             "a program has at most " + std::to_string(bytecode::kMaxTasks) +
+                 " tasks, one for each program without a task included",
+             "let a task run several programs: PROGRAM ... WITH the same task");
   a_.model.tasks.push_back(std::move(task));
 }
 

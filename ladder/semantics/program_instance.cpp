@@ -73,7 +73,7 @@ std::size_t Configurer::background_task(const syntax::Name& program) {
   task.name = std::string(program.text) + ".background";
   task.priority = std::numeric_limits<std::uint32_t>::max();
   task.interval_us = 0;
-  a_.model.tasks.push_back(std::move(task));
+  add_task(std::move(task), program.where);
   return a_.model.tasks.size() - 1;
 }
 

@@ -70,6 +70,86 @@ std::string many_steps(int count) {
   return text + "END_PROGRAM\n";
 }
 
+std::string many_alternatives(int count) {
+  std::string text = "PROGRAM main\nVAR n : INT; END_VAR\nINITIAL_STEP S: END_STEP\n";
+  text += each(count, [](int i) { return "STEP T" + number(i) + ": END_STEP\n"; });
+  text += each(count, [](int i) {
+    return "TRANSITION FROM S TO T" + number(i) + " := n = " + number(i % 30'000) +
+           "; END_TRANSITION\nTRANSITION FROM T" + number(i) + " TO S := TRUE; END_TRANSITION\n";
+  });
+  return text + "END_PROGRAM\n";
+}
+
+std::string long_condition(int count) {
+  return "PROGRAM main\nVAR contact_with_a_long_name : BOOL; END_VAR\nINITIAL_STEP S0: END_STEP\n"
+         "STEP S1: END_STEP\nTRANSITION FROM S0 TO S1 := " +
+         each(count, [](int i) { return std::string(i > 0 ? " AND\n " : "") + "contact_with_a_long_name"; }) +
+         "; END_TRANSITION\nTRANSITION FROM S1 TO S0 := TRUE; END_TRANSITION\nEND_PROGRAM\n";
+}
+
+std::string many_selections(int count) {
+  return dint_program(
+      repeated("CASE x OF 1: y := 2; END_CASE;\nFOR x := 0 TO y BY 2 DO y := y - 1; END_FOR;\n", count));
+}
+
+std::string many_locals(int count) {
+  return "FUNCTION f : DINT\nVAR\n" +
+         each(count - 1, [](int i) { return "  v" + number(i) + " : DINT;\n"; }) +
+         "END_VAR\n  f := v0;\nEND_FUNCTION\n" + dint_program("x := f();\n");
+}
+
+std::string many_tasks(int count) {
+  return "PROGRAM p END_PROGRAM\nCONFIGURATION c\n" +
+         each(count,
+              [](int i) { return "  TASK t" + number(i) + "(INTERVAL := T#10ms, PRIORITY := 1);\n"; }) +
+         each(count, [](int i) { return "  PROGRAM p" + number(i) + " WITH t" + number(i) + " : p;\n"; }) +
+         "END_CONFIGURATION\n";
+}
+
+std::string many_background_programs(int count) {
+  return "PROGRAM p END_PROGRAM\nCONFIGURATION c\n" +
+         each(8, [](int i) { return "  TASK t" + number(i) + "(INTERVAL := T#10ms, PRIORITY := 1);\n"; }) +
+         "  PROGRAM first WITH t0 : p;\n" +
+         each(count, [](int i) { return "  PROGRAM p" + number(i) + " : p;\n"; }) + "END_CONFIGURATION\n";
+}
+
+std::string large_frames(int tasks) {
+  return "FUNCTION large : INT\nVAR a : ARRAY[1..20000000] OF BYTE; END_VAR\n  a[1] := 1;\n  large := 1;\n"
+         "END_FUNCTION\nPROGRAM p\nVAR n : INT; END_VAR\n  n := large();\nEND_PROGRAM\nCONFIGURATION c\n" +
+         each(tasks,
+              [](int i) { return "  TASK t" + number(i) + "(INTERVAL := T#10ms, PRIORITY := 1);\n"; }) +
+         each(tasks, [](int i) { return "  PROGRAM p" + number(i) + " WITH t" + number(i) + " : p;\n"; }) +
+         "END_CONFIGURATION\n";
+}
+
+std::string chart_in_blocks(int depth) {
+  const std::string instance(250, 'i');
+  return "FUNCTION_BLOCK B0\nINITIAL_STEP S: END_STEP\nEND_FUNCTION_BLOCK\n" +
+         each(depth,
+              [&](int i) {
+                return "FUNCTION_BLOCK B" + number(i + 1) + "\nVAR " + instance + " : B" + number(i) +
+                       "; END_VAR\n  " + instance + "();\nEND_FUNCTION_BLOCK\n";
+              }) +
+         program("  x : B" + number(depth) + ";\n", "x();\n");
+}
+
+std::string many_arguments(int count) {
+  return dint_program("x := MAX(" + each(count, [](int i) { return (i > 0 ? "," : "") + number(i); }) +
+                      ");\n");
+}
+
+std::string bounded_array(const std::string& lower, const std::string& upper) {
+  return program("  x : ARRAY[" + lower + ".." + upper + "] OF BYTE;\n", "x[" + lower + "] := 1;\n");
+}
+
+std::string string_of(int characters) {
+  return program("  x : STRING[" + number(characters) + "];\n", "x := 'a';\n");
+}
+
+std::string variable_at(const std::string& address) {
+  return program("  x AT " + address + " : BYTE;\n", "x := 1;\n");
+}
+
 std::string many_callees(int count) {
   return each(count,
               [](int i) {

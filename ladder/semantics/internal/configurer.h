@@ -57,6 +57,8 @@ class Configurer {
 
   // configurer.cpp
   void declare_task(const syntax::TaskDeclaration& declaration);
+  // Reports the first one that is one too many.
+  void add_task(Task task, Position where);
   void set_interval(const syntax::TaskDeclaration& declaration, Task& task);
   void set_trigger(const syntax::TaskDeclaration& declaration, Task& task);
   std::optional<Place> trigger_place(const syntax::Expression& source);

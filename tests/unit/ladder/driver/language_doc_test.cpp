@@ -40,7 +40,8 @@ TEST(LanguagePage, Rows_WhenTheyNameTests_ThenTheTestsExist) {
   const std::regex quoted("`([^`]+)`");
   int rows = 0;
   for (std::string line; std::getline(page, line);) {
-    if (line.rfind("| ", 0) != 0 || line.rfind("| choice", 0) == 0) continue;
+    const bool heading = line.rfind("| choice", 0) == 0 || line.rfind("| limit", 0) == 0;
+    if (line.rfind("| ", 0) != 0 || heading) continue;
     ++rows;
     const std::string last = line.substr(line.rfind("| ", line.size() - 3));
     int named = 0;

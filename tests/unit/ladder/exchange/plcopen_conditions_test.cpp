@@ -196,5 +196,38 @@ TEST(DrawnCondition, WhenTheResultOfANetworkIsModified_ThenItHoldsAsDrawn) {
   }
 }
 
+// As a plan has it that looks at 1,500 facts before it begins: 42,000 bytes.
+TEST(WrittenCondition, WhenItHasManyFacts_ThenTheFileCompiles) {
+  graphic::Pou pou;
+  pou.name = "main";
+  std::vector<graphic::Condition> facts;
+  for (int i = 0; i < 1500; ++i) {
+    const std::string name = "gate_of_station" + std::to_string(1000 + i) + "_is_ready";
+    pou.variables.push_back({name, "BOOL"});
+    facts.push_back(graphic::contact(name));
+  }
+  graphic::SfcChart chart;
+  chart.steps.resize(2);
+  chart.steps[0].name = "START";
+  chart.steps[0].initial = true;
+  chart.steps[1].name = "GO";
+  chart.transitions.resize(2);
+  chart.transitions[0].sources = chart.transitions[1].targets = {graphic::StepId(0)};
+  chart.transitions[0].targets = chart.transitions[1].sources = {graphic::StepId(1)};
+  chart.transitions[0].condition = graphic::all(std::move(facts));
+  chart.transitions[1].condition = graphic::always();
+  pou.body = std::move(chart);
+  graphic::Project project;
+  project.pous = {pou};
+  const auto written = write_plcopen(project);
+  ASSERT_TRUE(written) << result::to_string(written.error());
+  const auto read = read_plcopen("plan.xml", *written);
+  ASSERT_TRUE(read) << result::to_string(read.error());
+  driver::CompileInput input;
+  input.projects = {&*read};
+  const auto output = driver::compile(input);
+  EXPECT_TRUE(output) << result::to_string(output.error());
+}
+
 }  // namespace
 }  // namespace stepwright::exchange

@@ -255,5 +255,24 @@ TEST(DrawnLadder, WhenAVariableIsUnknown_ThenPouNetworkElementAndPlaceAreNamed) 
                     xml.begin(), xml.begin() + static_cast<std::ptrdiff_t>(xml.find("nowhere")), '\n')));
 }
 
+TEST(DrawnLadder, WhenAChainOfContactsIsTooLong_ThenOneOfThemIsNamed) {
+  const auto chain = [](int length) {
+    std::string body;
+    for (int i = 0; i < length; ++i) {
+      const std::string from = i == 0 ? "1" : std::to_string(i + 9);
+      body += contact(i + 10, 50 + 40 * i, 10, from, "a");
+    }
+    return ladder(bools("a q"), body + coil(2, 50 + 40 * length, 10, std::to_string(length + 9), "q"));
+  };
+  EXPECT_EQ(run(chain(1000), "a", " |a", "q"), "0 1");
+  const auto project = read_plcopen("plc.xml", chain(1001));
+  ASSERT_TRUE(project);
+  const auto output = driver::compile(input_of(*project));
+  ASSERT_FALSE(output);
+  EXPECT_EQ(output.error().front().code, "E0106");
+  EXPECT_THAT(output.error().front().message, HasSubstr("POU 'main', network 1, contact 'a': "));
+  EXPECT_EQ(output.error().front().where.file, "plc.xml");
+}
+
 }  // namespace
 }  // namespace stepwright::exchange
