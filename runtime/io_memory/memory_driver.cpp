@@ -37,15 +37,14 @@ bool MemoryDriver::read_in_time(std::span<std::byte> inputs) {
   const TwinBlock block = area_->inputs();
   SlotHeader slot{};
   // A plant that has not written yet holds nothing back.
-  if (block.read(slot, inputs) || !block.written()) {
-    fresh_ns_ = monotonic_ns();
+  const bool good = block.read(slot, inputs) || !block.written();
+  const std::int64_t now_ns = monotonic_ns();
+  if (good) {
+    age_.fresh(now_ns);
     return true;
   }
-  held_reads_.fetch_add(1, std::memory_order_relaxed);
-  const std::int64_t now_ns = monotonic_ns();
-  if (fresh_ns_ == 0) fresh_ns_ = now_ns;
   const std::int64_t timeout_ns = plant_timeout_ns();
-  return now_ns - fresh_ns_ <= (timeout_ns == 0 ? kHeldNs : timeout_ns);
+  return age_.held(now_ns, timeout_ns == 0 ? kHeldNs : timeout_ns);
 }
 
 std::int64_t MemoryDriver::plant_timeout_ns() const {

@@ -21,6 +21,7 @@
 #include <memory>
 
 #include "runtime/image/io_driver.h"
+#include "runtime/io_memory/input_age.h"
 #include "runtime/io_memory/io_area.h"
 #include "runtime/io_memory/process_mark.h"
 
@@ -69,7 +70,7 @@ class MemoryDriver final : public image::IoDriver {
   // The plant is heard of, as far as it must be. Any thread.
   bool plant_alive() const;
   // The plant was faster than every attempt to read them.
-  std::uint64_t held_reads() const override { return held_reads_.load(std::memory_order_relaxed); }
+  std::uint64_t held_reads() const override { return age_.held_reads(); }
 
  private:
   bool take_lease(std::int64_t now_ns);
@@ -88,8 +89,7 @@ class MemoryDriver final : public image::IoDriver {
   bool left_ = false;                // farewell was said
   std::uint64_t generation_ = 0;
   std::int64_t wanted_since_ns_ = 0;
-  std::int64_t fresh_ns_ = 0;  // when inputs were read last; 0: never
-  std::atomic<std::uint64_t> held_reads_{0};
+  InputAge age_;
 };
 
 }  // namespace stepwright::io_memory

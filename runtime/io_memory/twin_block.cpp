@@ -53,7 +53,7 @@ void TwinBlock::write(const SlotHeader& header, std::span<const std::byte> bytes
   count.store(next, std::memory_order_release);
 }
 
-bool TwinBlock::read(SlotHeader& header, std::span<std::byte> bytes) const {
+bool TwinBlock::read(SlotHeader& header, std::span<std::byte> bytes, WriterTurn turn, void* writer) const {
   assert(bytes.size() <= bytes_ && bytes_ <= kMaxAreaBytes);
   const std::atomic<std::uint64_t>& count = count_of(memory_);
   // What is overtaken must not be seen: the caller's bytes are written once the copy is known to be whole.
@@ -65,6 +65,7 @@ bool TwinBlock::read(SlotHeader& header, std::span<std::byte> bytes) const {
     std::byte* const slot = slot_of(memory_, newest, bytes_);
     load_words(&head, slot, sizeof head);
     load_words(whole.data(), slot + sizeof head, bytes.size());
+    turn(writer);
     // The slot is written again only after another count.
     if (count.load(std::memory_order_relaxed) != newest) continue;
     header = head;

@@ -24,7 +24,15 @@ class TwinBlock {
 
   // The newest write; `bytes` may be shorter than the block. False, and nothing changed, if there was none or
   // a writer was faster than every attempt. Takes as much stack as the bytes are.
-  [[nodiscard]] bool read(SlotHeader& header, std::span<std::byte> bytes) const;
+  [[nodiscard]] bool read(SlotHeader& header, std::span<std::byte> bytes) const {
+    return read(
+        header, bytes, [](void*) {}, nullptr);
+  }
+  // The same with a writer whose turn comes in each attempt, between the copy and the look whether it is
+  // whole: what an overtaken reader sees, in tests.
+  using WriterTurn = void (*)(void* writer);
+  [[nodiscard]] bool read(SlotHeader& header, std::span<std::byte> bytes, WriterTurn turn,
+                          void* writer) const;
 
   // There was a write: a read that fails was overtaken.
   bool written() const;

@@ -101,6 +101,29 @@ TEST_F(MergeMapTest, WhenATaskChangesItsCopyOfTheInputs_ThenTheDriversStay) {
   EXPECT_EQ(shared, before);
 }
 
+// Every value of the merged image is one of: the task's, where the task changed it; else the shared one.
+TEST_F(MergeMapTest, WhenBothChangeAnything_ThenEveryValueIsOneOfTheTwo) {
+  for (int round = 0; round < 300; ++round) {
+    std::vector<std::byte> shared = before, after = before;
+    for (int change = 0; change < 40; ++change) {
+      shared[random() % shared.size()] ^= static_cast<std::byte>(random());
+      after[random() % after.size()] ^= static_cast<std::byte>(random());
+    }
+    const std::vector<std::byte> others = shared;
+    map.merge(before, after, shared);
+    for (const reader::Tag& tag : info.tags()) {
+      const reader::Variable& v = tag.variable;
+      if (v.bit != bytecode::kNoBit || bytecode::is_string(v.type) || tag.name == "input") continue;
+      const std::size_t size = bytecode::size_of(bytecode::mem_type(v.type));
+      if (size == 1) continue;
+      const auto same = [&](const auto& a, const auto& b) {
+        return std::memcmp(a.data() + v.address, b.data() + v.address, size) == 0;
+      };
+      ASSERT_TRUE(same(shared, same(after, before) ? others : after)) << tag.name;
+    }
+  }
+}
+
 TEST_F(MergeMapTest, WhenAStringIsChanged_ThenItIsTakenAsAWhole) {
   const auto text_at = [&](const std::vector<std::byte>& image) {
     return reader::read_text(*info.find("text"), image);

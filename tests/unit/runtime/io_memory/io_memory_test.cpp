@@ -266,91 +266,88 @@ TEST_F(IoMemory, WhenOneWritesAndOneReads_ThenNoReadIsTorn) {
   EXPECT_EQ(whole, 2'000);
 }
 
-// A writer without a pause, which overtakes the reader at any time.
-class BusyWriter {
- public:
-  template <typename Write>
-  explicit BusyWriter(Write write)
-      : thread_([this, write]() mutable {
-          for (std::uint64_t n = 1; !stop_; ++n) write(n);
-        }) {}
-  ~BusyWriter() {
-    stop_ = true;
-    thread_.join();
-  }
+// A writer that comes twice in each attempt of a reader, for as many attempts as it is told.
+struct Overtaking {
+  TwinBlock block;
+  int attempts;
+  std::uint64_t writes = 0;
 
- private:
-  std::atomic<bool> stop_{false};
-  std::thread thread_;
+  static void turn(void* self) {
+    auto& writer = *static_cast<Overtaking*>(self);
+    if (writer.attempts-- <= 0) return;
+    for (int i = 0; i < 2; ++i) {
+      ++writer.writes;
+      writer.block.write({writer.writes, writer.writes}, all(24, static_cast<int>(writer.writes)));
+    }
+  }
 };
 
-TEST_F(IoMemory, WhenAReadIsOvertaken_ThenNothingChanges) {
-  constexpr std::uint32_t kBytes = 65'536;
-  auto writer_area = area(16, kBytes);
-  auto reader_area = area(16, kBytes);
-  const BusyWriter writer([&, bytes = Bytes(kBytes)](std::uint64_t n) mutable {
-    std::memset(bytes.data(), static_cast<int>(n & 0xFF), 8);  // the rest stays: as fast as can be
-    std::memset(bytes.data() + kBytes - 8, static_cast<int>(n & 0xFF), 8);
-    writer_area->outputs().write({n, n}, bytes);
-  });
-  Bytes bytes(kBytes);
-  const std::int64_t give_up_ns = monotonic_ns() + 30'000 * kMs;
-  int overtaken = 0;
-  for (int reads = 0; (reads < 2'000 || overtaken == 0) && monotonic_ns() < give_up_ns; ++reads) {
-    const Bytes before = bytes;
-    SlotHeader header{7, 7};
-    if (reader_area->outputs().read(header, bytes)) {
-      ASSERT_EQ(bytes.front(), bytes.back());
-    } else {
-      overtaken += reader_area->outputs().written() ? 1 : 0;
-      ASSERT_EQ(bytes, before);
-      ASSERT_EQ(header.generation, 7u);
-    }
+TEST_F(IoMemory, WhenEveryAttemptIsOvertaken_ThenNothingChanges) {
+  auto area = this->area();
+  Overtaking writer{area->outputs(), 1'000};
+  Bytes bytes = all(24, 0x77);
+  SlotHeader header{7, 8};
+  EXPECT_FALSE(area->outputs().written());
+  EXPECT_FALSE(area->outputs().read(header, bytes)) << "there is nothing yet";
+  area->outputs().write({1, 1}, all(24, 1));
+  EXPECT_TRUE(area->outputs().written());
+  EXPECT_FALSE(area->outputs().read(header, bytes, Overtaking::turn, &writer));
+  EXPECT_GT(writer.writes, 2u);
+  EXPECT_EQ(bytes, all(24, 0x77));
+  EXPECT_EQ(header.generation, 7u);
+  EXPECT_EQ(header.time_ns, 8u);
+}
+
+TEST_F(IoMemory, WhenSomeAttemptsAreOvertaken_ThenTheNewestWriteIsRead) {
+  auto area = this->area();
+  area->outputs().write({1, 1}, all(24, 1));
+  for (int attempts = 0; attempts < 4; ++attempts) {
+    Overtaking writer{area->outputs(), attempts, 100};
+    area->outputs().write({100, 100}, all(24, 100));
+    Bytes bytes(24);
+    SlotHeader header{};
+    ASSERT_TRUE(area->outputs().read(header, bytes, Overtaking::turn, &writer));
+    EXPECT_EQ(header.generation, writer.writes);
+    EXPECT_EQ(bytes, all(24, static_cast<int>(writer.writes)));
   }
 }
 
-// A plant whose block counts on while it is read: no attempt ever finds it still.
-class RestlessInputs {
- public:
-  explicit RestlessInputs(IoArea& area)
-      : count_(reinterpret_cast<BlockHeader*>(reinterpret_cast<std::byte*>(&area.header()) +
-                                              area.header().inputs_at)
-                   ->count),
-        writer_([this](std::uint64_t) { count_.fetch_add(1); }) {}
+TEST(InputAge, WhenInputsAreHeld_ThenTheyAreCountedAndTooOldInTheEnd) {
+  InputAge age;
+  EXPECT_TRUE(age.held(1'000, 100)) << "there were none: these are as good as any";
+  EXPECT_TRUE(age.held(1'100, 100));
+  EXPECT_FALSE(age.held(1'101, 100));
+  age.fresh(1'200);
+  EXPECT_TRUE(age.held(1'300, 100));
+  EXPECT_FALSE(age.held(1'301, 100));
+  EXPECT_EQ(age.held_reads(), 5u);
+}
 
- private:
-  std::atomic<std::uint64_t>& count_;
-  BusyWriter writer_;
-};
-
-TEST_F(IoMemory, WhenInputsCannotBeReadInTime_ThenTheyAreHeldAndCountedAndLostInTheEnd) {
-  constexpr std::uint32_t kBytes = 65'536;
+// Beside a plant that never pauses: a read gives one write as a whole, or leaves what was there and counts.
+TEST_F(IoMemory, WhenAPlantWritesWithoutAPause_ThenInputsAreWholeOrHeld) {
+  constexpr std::uint32_t kBytes = 16'384;
   auto plant = area(kBytes, 24);
   MemoryDriver driver(area(kBytes, 24));
-  Bytes inputs = all(kBytes, 7);
-  plant->inputs().write({0, 1}, inputs);
-  inputs = all(kBytes, 0);
-  EXPECT_EQ(driver.read_inputs(0, inputs), IoStatus::Good);
-  EXPECT_EQ(driver.held_reads(), 0u);
-  IoStatus status = IoStatus::Good;
-  {
-    const RestlessInputs restless(*plant);
-    const std::int64_t give_up_ns = monotonic_ns() + 30'000 * kMs;
-    while (status == IoStatus::Good && monotonic_ns() < give_up_ns) {
-      const std::uint64_t held = driver.held_reads();
-      const Bytes before = inputs;
-      status = driver.read_inputs(0, inputs);
-      // Which slot the count names is this plant's own affair; what is held is what was there.
-      if (driver.held_reads() > held) {
-        ASSERT_EQ(inputs, before);
-      }
+  std::atomic<bool> stop{false};
+  std::thread writer([&] {
+    Bytes bytes(kBytes);
+    for (int n = 1; !stop; ++n) {
+      std::memset(bytes.data(), n & 0xFF, bytes.size());
+      plant->inputs().write({0, 1}, bytes);
+    }
+  });
+  Bytes inputs(kBytes);
+  for (int read = 0; read < 2'000; ++read) {
+    const Bytes before = inputs;
+    const std::uint64_t held = driver.held_reads();
+    driver.read_inputs(0, inputs);
+    ASSERT_EQ(inputs, all(kBytes, std::to_integer<int>(inputs[0])));
+    if (driver.held_reads() > held) {
+      ASSERT_EQ(inputs, before);
     }
   }
-  EXPECT_EQ(status, IoStatus::Lost);
-  EXPECT_GT(driver.held_reads(), 1u);
-  plant->inputs().write({0, 2}, all(kBytes, 9));
-  EXPECT_EQ(driver.read_inputs(0, inputs), IoStatus::Good) << "whole ones are there again";
-  EXPECT_EQ(inputs, all(kBytes, 9));
+  stop = true;
+  writer.join();
 }
 
 // A writer that is killed in the middle leaves its newest complete write, at every instant.
