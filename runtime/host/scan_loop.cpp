@@ -15,6 +15,7 @@ constexpr std::int64_t kTimingPeriodNs = 100'000'000;
 // Simulated with a speed: what the simulation lags behind more than this is not caught up.
 constexpr std::int64_t kMaxLagNs = 100'000'000;
 constexpr std::int64_t kRecordingWaitNs = 1'000'000;
+constexpr std::int64_t kFullRingWaitNs = 1'000'000;
 
 // Why a program is at fault, beside its trap. No heap: it is the scan thread's.
 FixedText<kMaxReasonBytes> reason_of(const scan::ScanCycle& cycle) {
@@ -136,8 +137,10 @@ void ScanLoop::report_task_failure() {
 void ScanLoop::turn_simulated() {
   const bool held =
       now_.state != RuntimeState::Running || now_.waiting_for_supervisor || !stepper_.may_scan();
-  // A full ring holds the clock too: no event is lost in simulated time.
-  if (held || program_->events().full()) return wait(-1);
+  if (held) return wait(-1);
+  // A full ring holds the clock too: no event is lost in simulated time. It may have room again although
+  // nobody has rung: it was not full yet when the service began to take.
+  if (program_->events().full()) return wait(kFullRingWaitNs);
   // So does a recording that cannot follow; its writer looks for news by itself.
   if (!tap_.has_room(program_->image().bytes().size())) return wait(kRecordingWaitNs);
   if (config_.speed > 0.0 && !stepper_.on() && early(program_->cycle().next_time_ns())) return;

@@ -46,7 +46,7 @@ TEST(Convert, WhenAnExtraCommandBreaksABound_ThenItIsDropped) {
   bad = good;
   bad.kind(5);
   EXPECT_FALSE(from_extra(bad).has_value()) << "an unknown kind";
-  for (const std::uint8_t kind : {2, 3, 4}) {
+  for (std::uint8_t kind = 2; kind <= 4; ++kind) {
     bad = good;
     bad.kind(kind);
     EXPECT_TRUE(from_extra(bad).has_value());
