@@ -88,8 +88,8 @@ enum class Outcome : std::uint8_t {
   ChangeOutdated,  // the program that it was planned for is not the one that runs
   StepLost,        // an active step has no counterpart; `detail` is its number in the plan
   ProgramDiffers,  // addresses of a program that is not the one that is loaded, which `program_digest` is
-  Refused,         // by a controller behind a line, by the line, or a program that cannot be had; see the problems
-  Overtaken,       // a start that was asked for before a stop, which went ahead of it
+  Refused,    // by a controller behind a line, by the line, or a program that cannot be had; see the problems
+  Overtaken,  // a start that was asked for before a stop, which went ahead of it
   StepsUnfit,  // active steps are no situation of the new chart; `detail` is the chart's number in the plan
 };
 

@@ -33,9 +33,8 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::ve
   if (!engines) return result::forward(engines);
   std::unique_ptr<bytecode::Engine> own = std::move(engines->back());
   engines->pop_back();
-  Machine machine{std::move(own),    std::move(*engines),
-                  std::move(*bools), std::move(*merge_map),
-                  std::move(plan),   std::vector<std::byte>(io.output_bytes())};
+  Machine machine{std::move(own),        std::move(*engines), std::move(*bools),
+                  std::move(*merge_map), std::move(plan),     std::vector<std::byte>(io.output_bytes())};
   try {
     return std::unique_ptr<PreparedProgram>(
         new PreparedProgram(std::move(*loaded), std::move(machine), std::move(digest), surroundings));

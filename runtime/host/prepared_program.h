@@ -47,10 +47,10 @@ class PreparedProgram {
 
   // Verifies the container and takes its memory and threads. Fails with the diagnostics of the verifier, with
   // R0004 where the program needs more than a cell or a message can carry, with R0021 where its values cannot
-  // all be told apart (reader::visit_values), with R0010 (see make_engine), with R0071 where the system gives no
-  // threads for its tasks, or with R0076 where it takes more memory than is free within the limit of the process.
-  // Throws std::bad_alloc where the system gives no memory after all. What is passed by reference must outlive the
-  // program.
+  // all be told apart (reader::visit_values), with R0010 (see make_engine), with R0071 where the system gives
+  // no threads for its tasks, or with R0076 where it takes more memory than is free within the limit of the
+  // process. Throws std::bad_alloc where the system gives no memory after all. What is passed by reference
+  // must outlive the program.
   [[nodiscard]] static result::Result<std::unique_ptr<PreparedProgram>> create(
       std::vector<std::byte> container, std::string digest, const Surroundings& surroundings);
 

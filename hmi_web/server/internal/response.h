@@ -72,8 +72,7 @@ inline void fill_with_answer(Response& response, const api::Answer& answer, cons
     response.set(http::field::content_disposition, "attachment; filename=\"" + answer.file_name + "\"");
   if (!answer.set_cookie.empty()) {
     const bool ends = answer.set_cookie == "-";
-    response.set(http::field::set_cookie, cookie + "=" +
-                                              (ends ? "; Max-Age=0" : answer.set_cookie) +
+    response.set(http::field::set_cookie, cookie + "=" + (ends ? "; Max-Age=0" : answer.set_cookie) +
                                               "; Path=/; Secure; HttpOnly; SameSite=Strict");
   }
   response.content_length(answer.text.size());

@@ -1,8 +1,8 @@
 #pragma once
 
 // One program in both engines, each in both of its forms (the interpreter with and without its quick one,
-// native code plain and checked) and in engines that share the code of another, each with an image of its own:
-// every run is compared byte for byte, and no check of the checked code may fail.
+// native code plain and checked) and in engines that share the code of another, each with an image of its
+// own: every run is compared byte for byte, and no check of the checked code may fail.
 //
 //   EnginePair pair(model);
 //   pair.write<std::int32_t>(0, 7);
