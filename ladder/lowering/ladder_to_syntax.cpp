@@ -273,6 +273,8 @@ LadderText ladder_text(const graphic::LadderProgram& ladder, const std::string& 
 LadderStatements ladder_to_syntax(const graphic::LadderProgram& ladder, const std::string& file_name,
                                   bool keeps_state, syntax::SyntaxContext& context) {
   Writer writer(ladder, "__");
+  // What the text of a chart lacks was reported when the chart was read.
+  const bool told = context.sink.has_errors();
   const source::FileId file = context.sources.add(file_name, writer.text());
   LadderStatements result;
   if (writer.edges() > 0 && !keeps_state) {
@@ -281,7 +283,9 @@ LadderStatements ladder_to_syntax(const graphic::LadderProgram& ladder, const st
     return result;
   }
   result.body = syntax::parse_statements(context, file, syntax::TextKind::Generated);
-  for (const BrokenPiece& each : writer.broken()) report(each, file_name, context, result.body);
+  source::DiagnosticSink silent(context.sources);
+  syntax::SyntaxContext again{context.sources, context.names, told ? silent : context.sink};
+  for (const BrokenPiece& each : writer.broken()) report(each, file_name, again, result.body);
   std::string declarations;
   const std::vector<graphic::Wire> wires = writer.variables();
   for (const graphic::Wire& each : wires) declarations += declaration_of(each, keeps_state);
