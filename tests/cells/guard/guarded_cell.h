@@ -124,7 +124,9 @@ class GuardedCell {
   }
   // A status with this detail has come, or is among those that came meanwhile.
   bool status_says(const std::string& text) {
-    while (const auto message = client->receive(std::chrono::milliseconds(100))) {
+    for (int i = 0; i < 50; ++i) {
+      const auto message = client->receive(std::chrono::milliseconds(100));
+      if (!message) return false;
       const auto* const status = std::get_if<host::RuntimeStatus>(&*message);
       if (status != nullptr && status->detail.find(text) != std::string::npos) return true;
     }
