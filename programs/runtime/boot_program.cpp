@@ -69,9 +69,9 @@ void BootProgram::keep_on() {
     next_.reset();
     lock.unlock();
     const auto kept = record::replace_file(config_.keep, container);
-    runtime_.set_note(kept
-                          ? std::string()
-                          : "the program is not kept for the next start: " + result::to_string(kept.error()));
+    runtime_.set_note(
+        "program", kept ? std::string()
+                        : "the program is not kept for the next start: " + result::to_string(kept.error()));
     lock.lock();
   }
 }
@@ -79,7 +79,7 @@ void BootProgram::keep_on() {
 result::Diagnostics BootProgram::run() {
   auto done = load_and_start();
   if (done) return {};
-  runtime_.set_note(result::to_string(done.error()));
+  runtime_.set_note("program", result::to_string(done.error()));
   return std::move(done.error());
 }
 

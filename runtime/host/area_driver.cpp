@@ -16,12 +16,16 @@ image::IoStatus AreaDriver::read_inputs(std::int64_t now_ns, std::span<std::byte
 
 image::IoStatus AreaDriver::write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) {
   assert(outputs.size() <= outputs_.size());
-  const auto rest = std::copy(outputs.begin(), outputs.end(), outputs_.begin());
-  std::fill(rest, outputs_.end(), std::byte{0});
+  std::ranges::copy(outputs, outputs_.begin());
   written_ = true;
   const image::IoStatus status = driver_.write_outputs(now_ns, outputs_);
   write_good_ = write_good_ && status == image::IoStatus::Good;
   return status;
+}
+
+void AreaDriver::rest_outputs(std::span<const std::byte> rest) {
+  assert(rest.size() <= outputs_.size());
+  std::ranges::copy(rest, outputs_.end() - static_cast<std::ptrdiff_t>(rest.size()));
 }
 
 std::span<const std::byte> AreaDriver::outputs() {

@@ -1,7 +1,8 @@
 #pragma once
 
 // Fits the I/O areas of the cell, which the driver was wired for, to those of a program, which may be
-// smaller. What the program does not have reads from nowhere and is written as zero.
+// smaller. What the program does not have reads from nowhere; every write drives all outputs of the cell, and
+// those behind the program's stay in the safe state that rest_outputs or a longer write gave them.
 //
 // Threads: the scan thread. Memory is taken once.
 
@@ -25,6 +26,9 @@ class AreaDriver final : public image::IoDriver {
   image::IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) override;
 
   void safe(std::uint8_t cause, bool settled) override { driver_.safe(cause, settled); }
+  void rest_outputs(std::span<const std::byte> rest) override;
+  bool lapsed() override { return driver_.lapsed(); }
+  void farewell() override { driver_.farewell(); }
   void beat() override { driver_.beat(); }
 
   // What was written last; before the first write what somebody else left, else zero.

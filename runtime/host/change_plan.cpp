@@ -45,13 +45,17 @@ std::string first_names(const std::vector<std::string>& names) {
   return text;
 }
 
+std::optional<ImagePlace> place_of(const AddressMap& map, const image::Force& force) {
+  const bool whole = force.bit == image::kWholeBytes;
+  return map.find(force.address, force.size, whole ? bytecode::kNoBit : force.bit);
+}
+
+// Adds to what `to` has. Returns how many had no place.
 std::uint32_t move(const AddressMap& map, const image::ForceTable& from, image::ForceTable& to,
                    std::size_t image_size) {
   std::uint32_t lost = 0;
-  to.clear_all();
   for (image::Force force : from.forces()) {
-    const bool whole = force.bit == image::kWholeBytes;
-    const auto place = map.find(force.address, force.size, whole ? bytecode::kNoBit : force.bit);
+    const auto place = place_of(map, force);
     if (place) {
       force.address = place->address;
       force.bit = place->bit == bytecode::kNoBit ? image::kWholeBytes : place->bit;
@@ -134,11 +138,17 @@ void ChangePlan::carry(const image::ProcessImage& from, image::ProcessImage& to)
 }
 
 std::uint32_t ChangePlan::move_forces(const image::ForceTable& from, image::ForceTable& to) const {
+  to.clear_all();
   return move(forward_, from, to, to_.loaded().program().image_size());
 }
 
 std::uint32_t ChangePlan::move_forces_back(const image::ForceTable& from, image::ForceTable& to) const {
-  return move(backward_, from, to, from_.loaded().program().image_size());
+  const std::size_t image_size = from_.loaded().program().image_size();
+  const image::ForceTable at_swap = to;
+  to.clear_all();
+  for (const image::Force& force : at_swap.forces())
+    if (!place_of(forward_, force)) to.set(force, image_size);
+  return move(backward_, from, to, image_size);
 }
 
 result::Diagnostic ChangePlan::lost_step_problem(std::uint32_t step) const {

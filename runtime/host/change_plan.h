@@ -60,6 +60,7 @@ class ChangePlan {
   void carry(const image::ProcessImage& from, image::ProcessImage& to) const;
   // The forces of one program as forces of the other, by variable. Returns how many had no place any more.
   std::uint32_t move_forces(const image::ForceTable& from, image::ForceTable& to) const;
+  // At a rollback. What `to` has forced at the swap and the failed program had no place for is forced again.
   std::uint32_t move_forces_back(const image::ForceTable& from, image::ForceTable& to) const;
   // For ScanCycle::take_over, in either direction.
   std::span<const std::uint32_t> tasks() const { return tasks_; }

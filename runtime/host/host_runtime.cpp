@@ -78,6 +78,10 @@ HostRuntime::HostRuntime(const HostConfig& config, image::IoDriver& driver, Plan
 }
 
 HostRuntime::~HostRuntime() {
+  end();
+}
+
+void HostRuntime::end() {
   if (!thread_.joinable()) return;
   loop_->quit();
   thread_.join();
@@ -201,6 +205,7 @@ StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing:
   if (slot.note.kind == EventKind::RolledBack) {
     event.detail = slot.note.other->digest() + " trapped: " +
                    result::to_string(reader::describe(slot.note.other->loaded().program(), slot.note.trap));
+    if (!slot.note.reason.view().empty()) event.detail += "; " + slot.note.reason.str();
   }
   event.image = slot.image;
   for (std::size_t i = 0; i < slot.plant.size(); ++i) event.plant.push_back({plant_names_[i], slot.plant[i]});
@@ -234,7 +239,7 @@ RuntimeStatus HostRuntime::status() const {
   if (const std::string retain = retain_->note(); !retain.empty()) note(retain);
   {
     const std::lock_guard lock(note_mutex_);
-    if (!note_.empty()) note(note_);
+    for (const auto& [of, text] : notes_) note(text);
   }
   if (const std::int64_t silent_ns = monitor_.silent_ns(); silent_ns > 0)
     note("the scan has not come back for " + std::to_string(silent_ns / 1'000'000) + " ms");
@@ -254,9 +259,13 @@ RuntimeStatus HostRuntime::status() const {
   return status;
 }
 
-void HostRuntime::set_note(std::string note) {
+void HostRuntime::set_note(const std::string& of, std::string note) {
   const std::lock_guard lock(note_mutex_);
-  note_ = std::move(note);
+  if (note.empty()) {
+    notes_.erase(of);
+  } else {
+    notes_[of] = std::move(note);
+  }
 }
 
 std::span<const std::byte> HostRuntime::program() const {

@@ -38,8 +38,12 @@ class HostRuntime final : public RuntimePort {
   [[nodiscard]] static result::Result<std::unique_ptr<HostRuntime>> create(const HostConfig& config,
                                                                            image::IoDriver& driver,
                                                                            PlantAccess* plant);
-  // Stops the program, outputs to their safe state, and joins the scan thread.
+  // As `end`, and then what is retained or recorded is written.
   ~HostRuntime() override;
+
+  // Stops the program and joins the scan thread: outputs are in their safe state and the driver has said
+  // farewell when it returns. Waits for no disk. Nothing but the status and the destructor may follow.
+  void end();
 
   [[nodiscard]] result::Result<void> load(std::uint64_t ticket, std::vector<std::byte> container,
                                           std::string digest) override;
@@ -66,7 +70,7 @@ class HostRuntime final : public RuntimePort {
   // What the monotonic clock shows at scan time 0.
   std::int64_t clock_origin_ns() const { return loop_->clock_origin_ns(); }
   // Something about this process that its status should say, behind the rest. Any thread.
-  void set_note(std::string note);
+  void set_note(const std::string& of, std::string note);
   // Whether the scan comes back. Any thread.
   const ScanMonitor& monitor() const { return monitor_; }
 
@@ -96,7 +100,7 @@ class HostRuntime final : public RuntimePort {
   std::string detail_;   // of the newest event that has one
   std::uint64_t traps_ = 0;  // that the service has heard of
   mutable std::mutex note_mutex_;
-  std::string note_;
+  std::map<std::string, std::string> notes_;  // by what they are of
   ProgramShelf programs_;
   std::map<std::uint64_t, std::unique_ptr<const BlockWrite>> blocks_;  // by ticket, while they are under way
   std::size_t commands_under_way_ = 0;

@@ -32,7 +32,7 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::ve
                   BoolBytes(*info, program.image_size()),
                   MergeMap(*info, scan::layout_of(program)),
                   std::move(plan),
-                  std::vector<std::byte>(program.sizes().output_bytes)};
+                  std::vector<std::byte>(io.output_bytes())};
   try {
     return std::unique_ptr<PreparedProgram>(
         new PreparedProgram(std::move(*loaded), std::move(machine), std::move(digest), surroundings));

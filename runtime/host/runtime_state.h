@@ -27,6 +27,8 @@ enum class EventKind : std::uint8_t {
 inline constexpr const char* kSupervisorLost = "the supervisor was lost";
 
 // The detail of a Trap event that no program caused.
+inline constexpr const char* kStoodStill =
+    "the runtime stood still: its outputs were taken for lost and stay safe until a start";
 inline constexpr const char* kIoLost = "the I/O driver does not answer";
 
 }  // namespace stepwright::host

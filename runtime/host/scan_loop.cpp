@@ -63,6 +63,9 @@ void ScanLoop::run() {
   }
   const auto hold = hold_tasks();
   stop("the runtime ends");
+  // Before anything that waits: for a disk, for another thread.
+  io_.farewell();
+  lifeline_.rest();
   tap_.end("the runtime ends");
 }
 
@@ -92,6 +95,10 @@ void ScanLoop::turn_real() {
   }
   PreparedProgram* const scanned = program_;
   const auto hold = hold_tasks();
+  if (io_.lapsed()) {
+    stop(kStoodStill, scan::SafeCause::Killed);
+    return;
+  }
   program_->cycle().settle_overruns(due_ns + late_ns);
   scan_once();
   // After a rollback another crew is at work, which is not held.

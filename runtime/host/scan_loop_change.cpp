@@ -1,6 +1,8 @@
 // Online change and rollback, as the scan thread performs them between two scans
 // (runtime/doc/online_change.md).
 
+#include <array>
+#include <cstdio>
 #include <utility>
 
 #include "runtime/host/change_plan.h"
@@ -10,6 +12,15 @@ namespace stepwright::host {
 namespace {
 
 constexpr double kNsPerUs = 1'000.0;
+
+// Forces of variables that only the failed program had. No heap: it is the scan thread's.
+FixedText<kMaxReasonBytes> dropped_text(std::uint32_t forces) {
+  if (forces == 0) return {};
+  std::array<char, kMaxReasonBytes> text{};
+  const int length =
+      std::snprintf(text.data(), text.size(), "%u forces of what only it had are gone", forces);
+  return FixedText<kMaxReasonBytes>(std::string_view(text.data(), static_cast<std::size_t>(length)));
+}
 
 }  // namespace
 
@@ -82,8 +93,8 @@ bool ScanLoop::tried(const scan::ScanReport& report) {
   return false;
 }
 
-// The outputs are as the scan before the trap left them; the old program drives them from the next scan on,
-// with fresh inputs and the values that it had at the swap.
+// The outputs are as the scan before the trap left them, and what a stop would hold are those; the old
+// program drives them from the next scan on, with fresh inputs and the values that it had at the swap.
 void ScanLoop::roll_back(const bytecode::Trap& trap) {
   const ChangePlan& plan = *trial_.plan;
   PreparedProgram& failed = plan.to();
@@ -92,17 +103,18 @@ void ScanLoop::roll_back(const bytecode::Trap& trap) {
   const auto hold = before.crew().hold();
   before.cycle().take_over(failed.cycle(), plan.tasks_back());
   before.crew().take_over(failed.crew(), plan.tasks_back(), before.cycle().next_time_ns());
-  plan.move_forces_back(failed.cycle().forces(), before.cycle().forces());
+  const std::uint32_t dropped = plan.move_forces_back(failed.cycle().forces(), before.cycle().forces());
   retain_from(before);
   adopt(before);
   tap_.state(record::StateCause::Change, running());
+  publish_forces();
   trial_ = {};
   now_.kept = &failed;  // until the event, which speaks of it, is on its way
   if (barrier_ && !supervisor_lost_ && !real()) {
     now_.waiting_for_supervisor = true;
     end_stretch();
   }
-  emit(EventKind::RolledBack, trap, {}, &failed);
+  emit(EventKind::RolledBack, trap, dropped_text(dropped).view(), &failed);
   now_.kept = nullptr;
 }
 

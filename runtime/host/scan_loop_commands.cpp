@@ -147,8 +147,8 @@ Outcome ScanLoop::start(const Command& command) {
   if (real()) {
     next_start_ns_ = clock_.now_ns() - origin_ns_;
     // A start that the first scan would take back is none: whoever asks is told now.
-    if (!command.regardless &&
-        io_.read_inputs(next_start_ns_, program_->image().inputs()) == image::IoStatus::Lost)
+    if (!command.regardless && (io_.lapsed() || io_.read_inputs(next_start_ns_, program_->image().inputs()) ==
+                                                    image::IoStatus::Lost))
       return Outcome::IoLost;
   }
   // Initial values, then what is retained; what somebody forced stays forced.

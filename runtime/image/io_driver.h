@@ -23,7 +23,8 @@ class IoDriver {
   // Called at the start of a scan at `now_ns` of the scan's clock (starts at 0).
   virtual IoStatus read_inputs(std::int64_t now_ns, std::span<std::byte> inputs) = 0;
 
-  // Called at the end of a scan with the outputs that hold from `now_ns` on.
+  // Called at the end of a scan with the outputs that hold from `now_ns` on. A program may have fewer than
+  // there are: the rest stays as rest_outputs, or a longer write, left it.
   virtual IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) = 0;
 
   // The outputs as whoever drove them last left them, before the first write; false where nobody knows.
@@ -32,6 +33,18 @@ class IoDriver {
   // The outputs of the next write are safe ones, for this cause (scan::SafeCause); settled: they stay as they
   // are. Scan thread.
   virtual void safe(std::uint8_t, bool) {}
+
+  // What lies behind the outputs of the next writes: those that the program lacks, in their safe state. Of
+  // use for a driver that has more outputs than the program.
+  virtual void rest_outputs(std::span<const std::byte>) {}
+
+  // This process stood still for so long that others took it for lost and made its outputs safe. Until the
+  // next safe ones nothing is written. Scan thread.
+  virtual bool lapsed() { return false; }
+
+  // Nobody drives any more: the outputs stay as the newest write left them. The last call but for the
+  // destructor; before the process waits for anything at its end. Scan thread.
+  virtual void farewell() {}
 
   // The scan is alive. Called now and then by a thread beside the scan's, with the same rules.
   virtual void beat() {}

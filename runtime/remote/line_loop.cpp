@@ -39,13 +39,15 @@ void LineLoop::run() {
     const Done turned = simulated() ? turn_lock_step() : turn_by_clock();
     if (!turned) lose(turned.error());
   }
-  if (!running()) return;
-  // The last word; what the line does not carry any more the controller's own watch has to do.
-  if (contact_) static_cast<void>(link_.command(control::Command::Stop));
-  end_stretch();
-  now_.state = host::RuntimeState::Stopped;
-  plant_.make_safe(own_time_ns());
-  publish();
+  if (running()) {
+    // The last word; what the line does not carry any more the controller's own watch has to do.
+    if (contact_) static_cast<void>(link_.command(control::Command::Stop));
+    end_stretch();
+    now_.state = host::RuntimeState::Stopped;
+    plant_.make_safe(own_time_ns());
+    publish();
+  }
+  plant_.farewell();
 }
 
 void LineLoop::quit() {
@@ -207,8 +209,9 @@ LineLoop::Done LineLoop::exchange_by_clock() {
   return refresh_image();
 }
 
-// The plant does not answer: the controller's outputs go nowhere.
+// The plant does not answer, or this process stood still: the controller's outputs go nowhere.
 LineLoop::Done LineLoop::plant_lost() {
+  const char* const reason = plant_.stood_still() ? host::kStoodStill : host::kIoLost;
   const auto stopped = link_.command(control::Command::Stop);
   if (!stopped) return tl::unexpected(stopped.error());
   auto status = link_.status();
@@ -217,7 +220,7 @@ LineLoop::Done LineLoop::plant_lost() {
   end_stretch();
   now_.state = host::RuntimeState::Fault;
   plant_.make_safe(own_time_ns());
-  emit(host::EventKind::Trap, host::kIoLost);
+  emit(host::EventKind::Trap, reason);
   return {};
 }
 

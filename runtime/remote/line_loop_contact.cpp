@@ -76,7 +76,7 @@ LineLoop::Done LineLoop::know_program(const ControllerStatus& status) {
   if (status.digest == kNoProgram) {
     program_.reset();
     image_.clear();
-    plant_.fit(0, 0);
+    plant_.fit(0, 0, own_time_ns());
     return {};
   }
   if (program_ != nullptr && program_->digest_bytes() == status.digest) return {};
@@ -94,7 +94,7 @@ LineLoop::Done LineLoop::know_program(const ControllerStatus& status) {
   if (!program) return result::forward(program);
   program_ = std::move(*program);
   image_.assign(program_->image_bytes(), std::byte{0});
-  plant_.fit(program_->sizes().input_bytes, program_->sizes().output_bytes);
+  plant_.fit(program_->sizes().input_bytes, program_->sizes().output_bytes, own_time_ns());
   return {};
 }
 

@@ -102,7 +102,7 @@ LineLoop::Done LineLoop::adopt(std::shared_ptr<const RemoteProgram> program) {
   known_event_ = status->event;
   forces_.clear_all();
   now_.state = host::RuntimeState::Stopped;
-  plant_.fit(program_->sizes().input_bytes, program_->sizes().output_bytes);
+  plant_.fit(program_->sizes().input_bytes, program_->sizes().output_bytes, own_time_ns());
   image_.assign(program_->image_bytes(), std::byte{0});
   auto outputs = link_.outputs(plant_.outputs());
   if (!outputs) return result::forward(outputs);

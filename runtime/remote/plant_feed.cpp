@@ -14,22 +14,32 @@ PlantFeed::PlantFeed(const host::HostConfig& config, image::IoDriver& driver, ho
   std::ranges::stable_sort(faults_, {}, &host::ScheduledFault::at_ns);
 }
 
-void PlantFeed::fit(std::size_t input_bytes, std::size_t output_bytes) {
+void PlantFeed::fit(std::size_t input_bytes, std::size_t output_bytes, std::int64_t time_ns) {
   inputs_.assign(input_bytes, std::byte{0});
   outputs_.assign(output_bytes, std::byte{0});
+  safe_.driven(io_.outputs());
+  safe_.enter(scan::SafeCause::Stop, time_ns);
 }
 
 bool PlantFeed::read(std::int64_t time_ns) {
-  return io_.read_inputs(time_ns, inputs_) == image::IoStatus::Good;
+  stood_still_ = stood_still_ || io_.lapsed();
+  return io_.read_inputs(time_ns, inputs_) == image::IoStatus::Good && !io_.lapsed();
 }
 
 bool PlantFeed::write(std::int64_t time_ns) {
+  stood_still_ = io_.lapsed();
+  if (stood_still_) {
+    make_safe(time_ns);
+    return false;
+  }
+  if (!safe_.settled()) safe_.apply_behind(outputs_.size(), time_ns);
+  io_.rest_outputs(safe_.outputs().subspan(outputs_.size()));
   safe_.driven(outputs_);
   return io_.write_outputs(time_ns, outputs_) == image::IoStatus::Good;
 }
 
 void PlantFeed::make_safe(std::int64_t time_ns) {
-  safe_.enter(scan::SafeCause::IoLost, time_ns);
+  safe_.enter(stood_still_ ? scan::SafeCause::Killed : scan::SafeCause::IoLost, time_ns);
   keep_safe(time_ns);
 }
 
@@ -37,7 +47,7 @@ void PlantFeed::keep_safe(std::int64_t time_ns) {
   safe_.apply(time_ns, outputs_);
   io_.safe(static_cast<std::uint8_t>(safe_.cause()), safe_.settled());
   // A plant that does not answer either is not news now.
-  static_cast<void>(io_.write_outputs(time_ns, outputs_));
+  static_cast<void>(io_.write_outputs(time_ns, safe_.outputs()));
 }
 
 void PlantFeed::inject_due(std::int64_t time_ns) {

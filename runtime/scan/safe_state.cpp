@@ -125,19 +125,50 @@ void SafeState::enter(SafeCause cause, std::int64_t time_ns) {
   apply_safe_state(matrix_[index_of(cause)].outputs, memory_);
 }
 
-void SafeState::apply(std::int64_t time_ns, std::span<std::byte> outputs) {
+double SafeState::position_of(std::size_t ramp, std::int64_t time_ns) const {
   const double seconds = static_cast<double>(time_ns - since_ns_) / kNsPerSecond;
+  return position(ramps()[ramp], starts_[ramp], seconds < 0.0 ? 0.0 : seconds);
+}
+
+void SafeState::apply(std::int64_t time_ns, std::span<std::byte> outputs) {
   const std::span<const SafeRamp> ramps = this->ramps();
   bool settled = true;
   for (std::size_t i = 0; i < ramps.size(); ++i) {
     if (!fits(ramps[i], memory_)) continue;
-    const double number = position(ramps[i], starts_[i], seconds < 0.0 ? 0.0 : seconds);
+    const double number = position_of(i, time_ns);
     settled = settled && number == ramps[i].target;
     store_number(ramps[i], number, memory_);
   }
   settled_ = settled;
   for (std::size_t i = 0; i < outputs.size(); ++i)
     outputs[i] = i < memory_.size() ? memory_[i] : std::byte{0};
+}
+
+// A number of which the program has the first bytes only is brought on in the others.
+void SafeState::apply_behind(std::size_t first, std::int64_t time_ns) {
+  const std::span<const SafeRamp> ramps = this->ramps();
+  bool settled = true;
+  for (std::size_t i = 0; i < ramps.size(); ++i) {
+    const std::size_t size = size_of(ramps[i].type);
+    if (!fits(ramps[i], memory_) || ramps[i].byte + size <= first) continue;
+    const double number = position_of(i, time_ns);
+    settled = settled && number == ramps[i].target;
+    SafeRamp alone = ramps[i];
+    alone.byte = 0;
+    std::array<std::byte, 4> bytes{};
+    store_number(alone, number, bytes);
+    for (std::size_t at = 0; at < size; ++at)
+      if (ramps[i].byte + at >= first) memory_[ramps[i].byte + at] = bytes[at];
+  }
+  settled_ = settled;
+}
+
+void SafeState::go_on(const SafeState& before) {
+  driven(before.memory_);
+  cause_ = before.cause_;
+  since_ns_ = before.since_ns_;
+  settled_ = before.settled_;
+  starts_ = before.starts_;
 }
 
 }  // namespace stepwright::scan

@@ -7,6 +7,8 @@
 // Thread rule: one thread. No heap: rules and memory belong to the caller and outlive the state.
 // Invariants: bits without a rule are zero; what the program writes after the cause came is not driven; for
 // equal times and equal outputs at the cause the outputs are the same, however often they are asked for.
+// The memory is that of all outputs there are. A program may have fewer: then `driven` leaves those behind
+// its own in their safe state, and `apply_behind` brings their ramps on while it runs.
 //
 //   scan::SafeState safe(matrix, memory);        // as many bytes of memory as there are outputs
 //   safe.driven(outputs);                        // after every scan of a program that runs
@@ -88,6 +90,13 @@ class SafeState {
   // zero.
   void apply(std::int64_t time_ns, std::span<std::byte> outputs);
 
+  // The same for the outputs from byte `first` on, in the memory; those before it stay as they are.
+  void apply_behind(std::size_t first, std::int64_t time_ns);
+
+  // The outputs behind `first` go on as those of `before`, which another program has left: with its cause and
+  // its ramps. Requires an equal matrix.
+  void go_on(const SafeState& before);
+
   SafeCause cause() const { return cause_; }
   // Every ramp has come to its target: nothing changes any more.
   bool settled() const { return settled_; }
@@ -96,6 +105,7 @@ class SafeState {
 
  private:
   std::span<const SafeRamp> ramps() const;
+  double position_of(std::size_t ramp, std::int64_t time_ns) const;
 
   SafeMatrix matrix_;
   std::span<std::byte> memory_;

@@ -44,6 +44,7 @@ void ScanCycle::start(const StartPoint& at) {
   fault_reported_ = true;
   watchdog_report_ = {};
   state_ = ScanState::Running;
+  io_.rest_outputs(rest());
 }
 
 void ScanCycle::stop(SafeCause cause) {
@@ -77,9 +78,23 @@ void ScanCycle::take_over(const ScanCycle& before, std::span<const std::uint32_t
   last_trap_ = {};
   watchdog_report_ = {};
   fault_reported_ = true;
-  // What a safe state would hold is what is driven now.
-  if (before.state_ == ScanState::Running) safe_.driven(before.safe_.outputs());
+  // What a safe state would hold is what is driven now. Outputs that only `before` had are nobody's from now
+  // on: as after a stop.
+  if (before.state_ == ScanState::Running || before.holds_outputs()) {
+    safe_.go_on(before.safe_);
+    if (before.image_.outputs().size() > image_.outputs().size()) {
+      safe_.enter(SafeCause::Stop, last_time_ns_);
+      safe_.driven(before.safe_.outputs().first(image_.outputs().size()));
+    }
+  }
   state_ = ScanState::Running;
+  io_.rest_outputs(rest());
+}
+
+void ScanCycle::hold_outputs_on_trap(bool hold) {
+  const bool held = holds_outputs();
+  hold_outputs_on_trap_ = hold;
+  if (held && !hold) safe_.enter(held_cause_, last_time_ns_);
 }
 
 // A driver that does not answer is no news while nothing runs.
@@ -93,7 +108,9 @@ void ScanCycle::idle(std::int64_t time_ns) {
 void ScanCycle::fail(ScanState state, SafeCause cause, std::int64_t time_ns) {
   state_ = state;
   fault_reported_ = false;
-  safe_.enter(cause, time_ns);
+  held_cause_ = cause;
+  // Who takes over instead goes on from what is driven.
+  if (!holds_outputs()) safe_.enter(cause, time_ns);
 }
 
 void ScanCycle::fail(const Execution& done, std::int64_t time_ns) {
@@ -267,17 +284,25 @@ void ScanCycle::make_safe(std::int64_t time_ns) {
   io_.safe(static_cast<std::uint8_t>(safe_.cause()), safe_.settled());
 }
 
-// In any state but Running the outputs are in their safe state, forces or not.
+// The outputs that the program lacks, while it runs.
+void ScanCycle::move_rest(std::int64_t time_ns) {
+  if (safe_.settled() || rest().empty()) return;
+  safe_.apply_behind(image_.outputs().size(), time_ns);
+  io_.rest_outputs(rest());
+}
+
+// In any state but Running all outputs are in their safe state, forces or not.
 void ScanCycle::write_outputs(std::int64_t time_ns) {
-  if (state_ != ScanState::Running) make_safe(time_ns);
-  const bool written = io_.write_outputs(io_time(time_ns), image_.outputs()) == image::IoStatus::Good;
-  if (state_ != ScanState::Running) return;
-  if (written) return safe_.driven(image_.outputs());
-  fail(ScanState::IoLost, SafeCause::IoLost, time_ns);
-  ++statistics_.io_losses;
+  if (state_ == ScanState::Running) {
+    move_rest(time_ns);
+    const bool written = io_.write_outputs(io_time(time_ns), image_.outputs()) == image::IoStatus::Good;
+    if (written) return safe_.driven(image_.outputs());
+    fail(ScanState::IoLost, SafeCause::IoLost, time_ns);
+    ++statistics_.io_losses;
+  }
   make_safe(time_ns);
-  // The device may be reachable for this last word; nothing more can be done if it is not.
-  static_cast<void>(io_.write_outputs(io_time(time_ns), image_.outputs()));
+  // A device that does not answer may be reachable for this word; nothing more can be done if it is not.
+  static_cast<void>(io_.write_outputs(io_time(time_ns), safe_.outputs()));
 }
 
 }  // namespace stepwright::scan

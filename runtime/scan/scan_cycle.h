@@ -108,9 +108,10 @@ struct CyclePoint {
 class ScanCycle {
  public:
   // Everything passed in must outlive the cycle. Requires an image of layout_of(program), and for the outputs
-  // as somebody drove them last `safe_outputs`: as many bytes as there are outputs, outside the image. A safe
-  // state holds and ramps from those; what a force or the scan of a fault has left in the image since was
-  // never put out.
+  // as somebody drove them last `safe_outputs`: as many bytes as the driver has outputs, at least as many as
+  // the program has, outside the image. A safe state holds and ramps from those; what a force or the scan of
+  // a fault has left in the image since was never put out. Outputs behind the program's are driven as well:
+  // they stay in their safe state while it runs.
   ScanCycle(const bytecode::Program& program, bytecode::Engine& engine, image::ProcessImage& image,
             std::span<std::byte> safe_outputs, image::IoDriver& io, Clock& clock, const ScanConfig& config);
 
@@ -137,7 +138,8 @@ class ScanCycle {
 
   // While set, a trap does not put the outputs into their safe state: the caller has another program that
   // drives them from the next scan on, and until then they stay as the scan before left them.
-  void hold_outputs_on_trap(bool hold) { hold_outputs_on_trap_ = hold; }
+  // Ended while a trap holds them, that goes to the safe state of its cause.
+  void hold_outputs_on_trap(bool hold);
 
   // One scan at next_time_ns(): runs every task that is due then.
   ScanReport run_scan();
@@ -183,6 +185,8 @@ class ScanCycle {
   void fail(const Execution& done, std::int64_t time_ns);
   void make_safe(std::int64_t time_ns);
   bool holds_outputs() const;
+  std::span<const std::byte> rest() const { return safe_.outputs().subspan(image_.outputs().size()); }
+  void move_rest(std::int64_t time_ns);
   std::int64_t io_time(std::int64_t time_ns);
   void read_inputs(std::int64_t time_ns);
   void run_tasks(std::int64_t time_ns);
@@ -210,6 +214,7 @@ class ScanCycle {
   SafeState safe_;
   WatchdogReport watchdog_report_;
   bool hold_outputs_on_trap_ = false;
+  SafeCause held_cause_ = SafeCause::Trap;  // of the trap whose outputs are held
 };
 
 }  // namespace stepwright::scan

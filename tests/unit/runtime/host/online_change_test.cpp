@@ -369,6 +369,39 @@ TEST(OnlineChange, WhenForced_ThenForcesHoldThroughChangeAndRollback) {
   EXPECT_EQ(number(run.harness.event(), first, "main.a"), 1234.0);
 }
 
+// The failed program lacks `b`, and has `only`, which is forced while it is on trial.
+TEST(OnlineChange, WhenTheFailedProgramLackedAForcedVariable_ThenItIsForcedAgainAndWhatIsGoneIsSaid) {
+  const std::vector<std::byte> first =
+      compiled(program_text("VAR a, b : DINT; out AT %QB0 : USINT; END_VAR", "a := 0; b := 0;"));
+  const std::vector<std::byte> second =
+      compiled(program_text("VAR a, only, k, zero : DINT; out AT %QB0 : USINT; END_VAR",
+                            "a := 0; k := k + 1; IF only = 8 AND k > 5 THEN a := 5 / zero; END_IF;"));
+  HostConfig config;
+  config.clock = ClockMode::Real;
+  config.change_trial_scans = 100'000;
+  Running run(program_text("VAR a, b : DINT; out AT %QB0 : USINT; END_VAR", "a := 0; b := 0;"), config);
+  const auto force = [&](const std::vector<std::byte>& program, const char* name, std::uint32_t value) {
+    const auto place = reader::ProgramInfo::read(program)->find(name)->address;
+    ASSERT_EQ(run.harness.bits(CommandKind::Force, {place, 0xFFFF'FFFFu, value}), Outcome::Done);
+  };
+  force(first, "main.a", 7);
+  force(first, "main.b", 9);
+  const Completion changed = run.harness.change(second, "second");
+  ASSERT_EQ(changed.outcome, Outcome::Done);
+  EXPECT_EQ(changed.change.dropped_forces, 1u);
+  EXPECT_EQ(run.harness.event().kind, EventKind::Changed);
+  force(second, "main.only", 8);
+  const StepEvent back = run.harness.event();
+  ASSERT_EQ(back.kind, EventKind::RolledBack);
+  EXPECT_NE(back.detail.find("1 forces of what only it had are gone"), std::string::npos) << back.detail;
+  EXPECT_EQ(run.harness.runtime->forces().size(), 2u);
+  ASSERT_TRUE(run.reach(back.scan + 5));
+  EXPECT_EQ(run.harness.stop(), Outcome::Done);
+  const StepEvent stopped = run.harness.event();
+  EXPECT_EQ(number(stopped, first, "main.a"), 7.0);
+  EXPECT_EQ(number(stopped, first, "main.b"), 9.0);
+}
+
 TEST(OnlineChange, WhenChangedAgainAndAgain_ThenNoScanIsLostAndNoProgramIsKept) {
   Running run(counting());
   const std::vector<std::byte> odd = compiled(counting("VAR pad : LINT; END_VAR"));

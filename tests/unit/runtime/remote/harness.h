@@ -35,10 +35,12 @@ class TestPlant final : public image::IoDriver {
   image::IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) override {
     last_write_ns = now_ns;
     if (!outputs.empty()) output = outputs[0];
+    if (!outputs.empty()) last_output = outputs.back();
     return image::IoStatus::Good;
   }
   std::atomic<std::byte> input{std::byte{0}};
   std::atomic<std::byte> output{std::byte{0}};
+  std::atomic<std::byte> last_output{std::byte{0}};
   std::atomic<bool> lost{false};
   std::atomic<std::int64_t> last_read_ns{0};
   std::atomic<std::int64_t> last_write_ns{0};

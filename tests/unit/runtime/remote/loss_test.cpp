@@ -88,6 +88,22 @@ TEST(Loss_WhenTheLineIsCut, ThenThePlantHasSafeOutputsAndOnlyAStartLeavesTheFaul
   EXPECT_EQ(again.sequence, event.sequence + 1);
 }
 
+// The cell has more outputs than the controller's program.
+TEST(Loss_WhenTheProgramLacksOutputs, ThenTheyAreInTheirSafeStateAllTheTime) {
+  RemoteConfig config = quick_config();
+  const auto last = static_cast<std::uint32_t>(config.host.output_bytes - 1);
+  for (const scan::SafeCause cause : {scan::SafeCause::Stop, scan::SafeCause::IoLost}) {
+    const std::uint8_t value = cause == scan::SafeCause::Stop ? 85 : 86;
+    config.host.safety.safe_state.of(cause).outputs = {{last, 0xFF, scan::SafeMode::Value, value}};
+  }
+  Bench bench(config);
+  bring_to_run(bench);
+  EXPECT_EQ(bench.plant.last_output.load(), std::byte{85});
+  bench.world->cut = true;
+  EXPECT_EQ(bench.driver.event().kind, EventKind::Trap);
+  EXPECT_EQ(bench.plant.last_output.load(), std::byte{86});
+}
+
 TEST(Loss_WhenItIsCutWhileStopped, ThenItIsSaidAndNothingElse) {
   Bench bench;
   bench.driver.load(step_program());
