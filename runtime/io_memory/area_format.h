@@ -41,6 +41,7 @@ struct AreaHeader {
   std::atomic<std::uint32_t> owner_pid;
   std::atomic<std::uint32_t> cause;    // scan::SafeCause that the outputs stand for, unless a program drives
   std::atomic<std::uint32_t> settled;  // 1: no ramp is on its way
+  std::atomic<std::uint64_t> owner_space;  // PID namespace of owner_pid (its inode); 0: not said
 
   // The plant.
   alignas(64) std::atomic<std::uint64_t> plant_heartbeat_ns;
@@ -48,6 +49,11 @@ struct AreaHeader {
 
   // A runtime that wants the lease: its process, 0 if none does.
   alignas(64) std::atomic<std::uint32_t> wanted_by;
+
+  // The guard, while it holds its lock.
+  std::atomic<std::uint32_t> guard_pid;
+  std::atomic<std::uint64_t> guard_space;
+  std::atomic<std::uint64_t> guard_heartbeat_ns;
 };
 static_assert(sizeof(AreaHeader) == 256 && std::atomic<std::uint64_t>::is_always_lock_free);
 
@@ -57,6 +63,7 @@ enum class AreaLock : std::uint8_t {
   Lease = 1,   // the outputs are driven
   Guard = 2,   // a guard watches
   Plant = 3,   // a plant is attached
+  Use = 4,     // shared by all who have it open: it keeps its sizes
 };
 
 // Block: two slots that are written in turn, so that the newest is whole whenever a writer is killed.

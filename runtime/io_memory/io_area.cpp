@@ -84,6 +84,9 @@ result::Result<std::unique_ptr<IoArea>> IoArea::open(const std::string& name, st
       return refused(path, std::strerror(errno));
     area->bytes_ = wanted;
     if (auto mapped = area->map(input_bytes, output_bytes); !mapped) return result::forward(mapped);
+    // From now on nobody gives it other sizes, whether anybody drives already or not.
+    struct flock use = range(AreaLock::Use, F_RDLCK);
+    if (fcntl(descriptor, F_OFD_SETLK, &use) != 0) return refused(path, std::strerror(errno));
     area->unlock(AreaLock::Making);
     return area;
   }
@@ -133,7 +136,7 @@ bool IoArea::locked_elsewhere(AreaLock lock) const {
 
 bool IoArea::in_use() const {
   return locked_elsewhere(AreaLock::Lease) || locked_elsewhere(AreaLock::Guard) ||
-         locked_elsewhere(AreaLock::Plant);
+         locked_elsewhere(AreaLock::Plant) || locked_elsewhere(AreaLock::Use);
 }
 
 }  // namespace stepwright::io_memory

@@ -31,8 +31,8 @@ std::int64_t monotonic_ns();
 
 class IoArea {
  public:
-  // An area that nobody uses gives way to one of the sizes that are asked for. Requires a proper name and
-  // sizes from 1 to kMaxAreaBytes.
+  // An area that nobody has open gives way to one of the sizes that are asked for; this one keeps its sizes
+  // for as long as it lives. Requires a proper name and sizes from 1 to kMaxAreaBytes.
   [[nodiscard]] static result::Result<std::unique_ptr<IoArea>> open(const std::string& name,
                                                                     std::uint32_t input_bytes,
                                                                     std::uint32_t output_bytes);

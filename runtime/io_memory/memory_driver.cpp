@@ -1,6 +1,6 @@
 #include "runtime/io_memory/memory_driver.h"
 
-#include <unistd.h>
+#include <utility>
 
 namespace stepwright::io_memory {
 namespace {
@@ -10,11 +10,17 @@ constexpr std::int64_t kLeasePatienceNs = 1'000'000'000;
 }  // namespace
 
 MemoryDriver::~MemoryDriver() {
+  farewell();
+}
+
+void MemoryDriver::farewell() {
   AreaHeader& header = area_->header();
+  if (std::exchange(left_, true)) return;
   if (!leased_.load(std::memory_order_relaxed)) {
     if (wanted_since_ns_ != 0) header.wanted_by.store(0, std::memory_order_release);
     return;
   }
+  leased_.store(false, std::memory_order_release);  // no more heartbeats
   header.owner.store(static_cast<std::uint32_t>(Owner::Farewell), std::memory_order_release);
   area_->unlock(AreaLock::Lease);
 }
@@ -35,23 +41,47 @@ bool MemoryDriver::plant_alive() const {
 
 image::IoStatus MemoryDriver::write_outputs(std::int64_t, std::span<const std::byte> outputs) {
   const std::int64_t now_ns = monotonic_ns();
+  const bool safe = std::exchange(safe_, false);
+  if (left_) return image::IoStatus::Lost;
   if (!leased_.load(std::memory_order_relaxed) && !take_lease(now_ns)) {
     const bool patient = now_ns - wanted_since_ns_ < kLeasePatienceNs;
     return patient ? image::IoStatus::Good : image::IoStatus::Lost;
   }
+  const bool late = lapsed();
+  if (late && !safe) return image::IoStatus::Good;  // a scan that was under way
   area_->outputs().write({generation_, static_cast<std::uint64_t>(now_ns)}, outputs);
+  if (late) {
+    // Only now: who sees the heartbeat finds the safe outputs.
+    give_heartbeat(now_ns);
+    lapsed_.store(false, std::memory_order_release);
+  }
   return image::IoStatus::Good;
+}
+
+bool MemoryDriver::overdue(std::int64_t now_ns) const {
+  if (judgement_.after_ns == 0) return false;
+  const auto heard_ns =
+      static_cast<std::int64_t>(area_->header().heartbeat_ns.load(std::memory_order_acquire));
+  if (now_ns - heard_ns <= judgement_.after_ns) return false;
+  return judgement_.always || area_->locked_elsewhere(AreaLock::Guard);
+}
+
+bool MemoryDriver::lapsed() {
+  if (!leased_.load(std::memory_order_relaxed)) return false;
+  if (!lapsed_.load(std::memory_order_acquire) && overdue(monotonic_ns()))
+    lapsed_.store(true, std::memory_order_release);
+  return lapsed_.load(std::memory_order_acquire);
 }
 
 bool MemoryDriver::take_lease(std::int64_t now_ns) {
   AreaHeader& header = area_->header();
   if (wanted_since_ns_ == 0) wanted_since_ns_ = now_ns;
-  const auto self = static_cast<std::uint32_t>(getpid());
-  header.wanted_by.store(self, std::memory_order_release);
+  header.wanted_by.store(self_.pid, std::memory_order_release);
   if (!area_->try_lock(AreaLock::Lease)) return false;
   generation_ = header.generation.load(std::memory_order_relaxed) + 1;
-  header.heartbeat_ns.store(static_cast<std::uint64_t>(now_ns), std::memory_order_relaxed);
-  header.owner_pid.store(self, std::memory_order_relaxed);
+  give_heartbeat(now_ns);
+  header.owner_pid.store(self_.pid, std::memory_order_relaxed);
+  header.owner_space.store(self_.space, std::memory_order_relaxed);
   header.cause.store(0, std::memory_order_relaxed);
   header.settled.store(1, std::memory_order_relaxed);
   header.generation.store(generation_, std::memory_order_relaxed);
@@ -66,6 +96,19 @@ bool MemoryDriver::guarded() const {
   return owner != Owner::Farewell && area_->locked_elsewhere(AreaLock::Guard);
 }
 
+GuardFigures MemoryDriver::guard() const {
+  const AreaHeader& header = area_->header();
+  GuardFigures figures;
+  figures.there = area_->locked_elsewhere(AreaLock::Guard);
+  if (!figures.there) return figures;
+  figures.process = {header.guard_pid.load(std::memory_order_acquire),
+                     header.guard_space.load(std::memory_order_acquire)};
+  const auto heard_ns = static_cast<std::int64_t>(header.guard_heartbeat_ns.load(std::memory_order_acquire));
+  // One of an earlier version says nothing of itself.
+  if (heard_ns != 0) figures.silent_ns = monotonic_ns() - heard_ns;
+  return figures;
+}
+
 bool MemoryDriver::left_outputs(std::span<std::byte> outputs) {
   SlotHeader slot{};
   return area_->outputs().read(slot, outputs);
@@ -73,14 +116,23 @@ bool MemoryDriver::left_outputs(std::span<std::byte> outputs) {
 
 // The guard goes on with what is not settled when this process says farewell.
 void MemoryDriver::safe(std::uint8_t cause, bool settled) {
+  safe_ = true;
   if (!leased_.load(std::memory_order_relaxed)) return;
   area_->header().cause.store(cause, std::memory_order_relaxed);
   area_->header().settled.store(settled ? 1 : 0, std::memory_order_relaxed);
 }
 
+void MemoryDriver::give_heartbeat(std::int64_t now_ns) {
+  area_->header().heartbeat_ns.store(static_cast<std::uint64_t>(now_ns), std::memory_order_release);
+}
+
+// The one that comes too late is not given: the scan thread sees the lapse first.
 void MemoryDriver::beat() {
   if (!leased_.load(std::memory_order_acquire)) return;
-  area_->header().heartbeat_ns.store(static_cast<std::uint64_t>(monotonic_ns()), std::memory_order_release);
+  const std::int64_t now_ns = monotonic_ns();
+  if (lapsed_.load(std::memory_order_acquire)) return;
+  if (overdue(now_ns)) return lapsed_.store(true, std::memory_order_release);
+  give_heartbeat(now_ns);
 }
 
 }  // namespace stepwright::io_memory

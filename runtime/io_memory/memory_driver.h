@@ -6,6 +6,10 @@
 // The driver takes the lease with its first write: until a guard that drives has given way it writes nothing
 // (a few milliseconds; after a second the I/O counts as lost). From then on it alone writes.
 //
+// A heartbeat that was older than `judged_after` made others drive the safe outputs, if there are others:
+// from then on nothing is written and no heartbeat is given until the outputs are safe ones here, too
+// (lapsed). Then it goes on: what others have made safe never comes back by itself.
+//
 // Threads: the scan thread; beat by any one other. A scan takes no heap, lock or system call, but one system
 // call while the lease is being taken. Invariants: outputs are written under the lease only; inputs that
 // cannot be read stay as they were; Lost when the plant announced how long it may be silent and is silent for
@@ -17,6 +21,7 @@
 
 #include "runtime/image/io_driver.h"
 #include "runtime/io_memory/io_area.h"
+#include "runtime/io_memory/process_mark.h"
 
 namespace stepwright::io_memory {
 
@@ -26,11 +31,24 @@ enum class PlantNeed : std::uint8_t {
   Always,     // without one the I/O is lost
 };
 
+// Who takes the runtime for lost when it is silent.
+struct Judgement {
+  std::int64_t after_ns = 0;  // how old the heartbeat may be; 0: nobody does, as in simulated time
+  bool always = false;        // also while no guard watches: a bus master with a safe state of its own, say
+};
+
+struct GuardFigures {
+  bool there = false;
+  std::int64_t silent_ns = 0;  // how long it has not been heard of
+  ProcessMark process;
+};
+
 class MemoryDriver final : public image::IoDriver {
  public:
-  explicit MemoryDriver(std::unique_ptr<IoArea> area, PlantNeed need = PlantNeed::Announced)
-      : area_(std::move(area)), need_(need) {}
-  // Says farewell: nobody drives the outputs any more, and the guard leaves them alone.
+  explicit MemoryDriver(std::unique_ptr<IoArea> area, PlantNeed need = PlantNeed::Announced,
+                        const Judgement& judgement = {})
+      : area_(std::move(area)), need_(need), judgement_(judgement) {}
+  // Says farewell, unless that was said.
   ~MemoryDriver() override;
 
   // Requires the sizes of the area.
@@ -38,19 +56,31 @@ class MemoryDriver final : public image::IoDriver {
   image::IoStatus write_outputs(std::int64_t now_ns, std::span<const std::byte> outputs) override;
   bool left_outputs(std::span<std::byte> outputs) override;
   void safe(std::uint8_t cause, bool settled) override;
+  bool lapsed() override;
+  // The guard leaves the outputs alone, or brings what is not settled to its end.
+  void farewell() override;
   void beat() override;
 
   // A guard watches this area, and not one that is about to end because the last runtime said farewell.
   bool guarded() const;
+  // The guard that is there, whoever started it. Any thread; a system call.
+  GuardFigures guard() const;
   // The plant is heard of, as far as it must be. Any thread.
   bool plant_alive() const;
 
  private:
   bool take_lease(std::int64_t now_ns);
+  bool overdue(std::int64_t now_ns) const;
+  void give_heartbeat(std::int64_t now_ns);
 
   std::unique_ptr<IoArea> area_;
+  const ProcessMark self_ = ProcessMark::own();
   PlantNeed need_;
+  Judgement judgement_;
   std::atomic<bool> leased_{false};
+  std::atomic<bool> lapsed_{false};  // no heartbeat until safe outputs are written
+  bool safe_ = false;                // those of the next write
+  bool left_ = false;                // farewell was said
   std::uint64_t generation_ = 0;
   std::int64_t wanted_since_ns_ = 0;
 };

@@ -1,13 +1,12 @@
 #include "runtime/io_memory/output_guard.h"
 
 #include <poll.h>
-#include <signal.h>
-#include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <utility>
+
+#include "runtime/io_memory/process_mark.h"
 
 namespace stepwright::io_memory {
 namespace {
@@ -17,18 +16,10 @@ constexpr std::int64_t kPatienceNs = 1'000'000'000;
 constexpr int kFenceMs = 1'000;
 constexpr int kLockAttempts = 20;
 
-int open_process(std::uint32_t pid) {
-  return static_cast<int>(syscall(SYS_pidfd_open, static_cast<pid_t>(pid), 0));
-}
-
 // Whatever stands in the memory of others.
 scan::SafeCause cause_of(const AreaHeader& header) {
   const std::uint32_t cause = header.cause.load(std::memory_order_relaxed);
   return cause < scan::kSafeCauses ? static_cast<scan::SafeCause>(cause) : scan::SafeCause::Stop;
-}
-
-bool send_kill(int process) {
-  return syscall(SYS_pidfd_send_signal, process, SIGKILL, nullptr, 0) == 0 || errno == ESRCH;
 }
 
 }  // namespace
@@ -61,7 +52,13 @@ OutputGuard::OutputGuard(std::unique_ptr<IoArea> area, const scan::SafeMatrix& m
       memory_(outputs_.size()),
       safe_(matrix, memory_),
       looked_ns_(monotonic_ns()),
-      awake_since_ns_(looked_ns_) {}
+      awake_since_ns_(looked_ns_) {
+  AreaHeader& header = area_->header();
+  const ProcessMark self = ProcessMark::own();
+  header.guard_heartbeat_ns.store(static_cast<std::uint64_t>(looked_ns_), std::memory_order_relaxed);
+  header.guard_pid.store(self.pid, std::memory_order_relaxed);
+  header.guard_space.store(self.space, std::memory_order_release);
+}
 
 OutputGuard::~OutputGuard() {
   forget_process();
@@ -79,6 +76,7 @@ const char* OutputGuard::look(std::int64_t now_ns) {
   // watched them for as long as they have time.
   if (now_ns - looked_ns_ > options_.tick_ns + options_.timeout_ns / 2) awake_since_ns_ = now_ns;
   looked_ns_ = now_ns;
+  area_->header().guard_heartbeat_ns.store(static_cast<std::uint64_t>(now_ns), std::memory_order_release);
   switch (state_) {
     case GuardState::Waiting:
       return wait_for_owner(now_ns);
@@ -110,22 +108,25 @@ const char* OutputGuard::wait_for_owner(std::int64_t now_ns) {
   if (owner != Owner::Runtime) return nullptr;
   gave_way_ns_ = 0;
   generation_ = header.generation.load(std::memory_order_acquire);
-  process_ = open_process(header.owner_pid.load(std::memory_order_acquire));
+  process_ = open_process(
+      {header.owner_pid.load(std::memory_order_acquire), header.owner_space.load(std::memory_order_acquire)});
   // The same holder still: then the descriptor is that of his process and of no later one with its number.
   const bool same = area_->locked_elsewhere(AreaLock::Lease) &&
                     header.generation.load(std::memory_order_acquire) == generation_;
-  if (process_ < 0 || !same) {
+  if (!same) {
     forget_process();
     return nullptr;
   }
   state_ = GuardState::Watching;
   awake_since_ns_ = now_ns;
-  return "watches a runtime";
+  return process_ >= 0 ? "watches a runtime"
+                       : "watches a runtime of another PID namespace, by its lock and its heartbeat";
 }
 
 const char* OutputGuard::watch(std::int64_t now_ns) {
   AreaHeader& header = area_->header();
-  const bool ended = process_ended(0);
+  // Of a process that it cannot see the kernel says by the lock that it is gone.
+  const bool ended = process_ >= 0 ? process_ended(0) : !area_->locked_elsewhere(AreaLock::Lease);
   const bool same = header.generation.load(std::memory_order_acquire) == generation_;
   if (!same || owner() == Owner::Farewell) {
     forget_process();
@@ -145,7 +146,7 @@ const char* OutputGuard::watch(std::int64_t now_ns) {
 
 // A runtime that is not heard of may wake up in the middle of a write: it must be gone first.
 const char* OutputGuard::fence() {
-  if (!send_kill(process_) || !process_ended(kFenceMs)) {
+  if (process_ < 0 || !kill_process(process_) || !process_ended(kFenceMs)) {
     const bool known = std::exchange(state_, GuardState::Helpless) == GuardState::Helpless;
     return known ? nullptr : "the runtime is not heard of and cannot be killed: its outputs stay as they are";
   }
@@ -161,7 +162,9 @@ const char* OutputGuard::begin_driving(scan::SafeCause cause, std::int64_t now_n
   SlotHeader slot{};
   if (area_->outputs().read(slot, outputs_)) safe_.driven(outputs_);
   generation_ = header.generation.load(std::memory_order_relaxed) + 1;
-  header.owner_pid.store(static_cast<std::uint32_t>(getpid()), std::memory_order_relaxed);
+  const ProcessMark self = ProcessMark::own();
+  header.owner_pid.store(self.pid, std::memory_order_relaxed);
+  header.owner_space.store(self.space, std::memory_order_relaxed);
   header.cause.store(static_cast<std::uint32_t>(cause), std::memory_order_relaxed);
   header.settled.store(0, std::memory_order_relaxed);
   header.wanted_by.store(0, std::memory_order_relaxed);

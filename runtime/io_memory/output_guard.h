@@ -11,8 +11,8 @@
 //   auto guard = OutputGuard::create("press", 64, 64, matrix, {});
 //   while (going) if (const char* news = (*guard)->turn(stop_descriptor)) log(news);
 //
-// Threads: one. A turn waits for a tick at most, and takes no heap. Fails as IoArea::open, and with R0045 if
-// another guard watches the area.
+// Threads: one. A turn waits for a tick at most, and takes no heap but to find a runtime of another PID
+// namespace. Fails as IoArea::open, and with R0045 if another guard watches the area.
 
 #include <cstdint>
 #include <memory>
@@ -33,7 +33,8 @@ enum class GuardState : std::uint8_t {
   Waiting,   // nobody drives
   Watching,  // a runtime drives
   Driving,   // the guard drives
-  Helpless,  // a runtime is lost, but this user may not kill it: nothing can be done
+  Helpless,  // a runtime is lost, but cannot be killed (another user's, or of a PID namespace that this
+             // process does not see): nothing can be done
 };
 
 class OutputGuard {
@@ -76,7 +77,7 @@ class OutputGuard {
   std::vector<std::byte> memory_;
   scan::SafeState safe_;
   GuardState state_ = GuardState::Waiting;
-  int process_ = -1;                 // descriptor of the runtime that is watched
+  int process_ = -1;                 // descriptor of the runtime that is watched; -1: none, or not visible
   std::uint64_t generation_ = 0;     // of the lease that is watched or held
   std::int64_t looked_ns_ = 0;       // when it looked last
   std::int64_t awake_since_ns_ = 0;  // before that the guard itself was kept from looking

@@ -137,6 +137,88 @@ TEST_F(IoMemory, WhenSizesDiffer_ThenAnAreaInUseStaysAndAnUnusedOneGoes) {
   EXPECT_EQ(code(16, 25), "");
 }
 
+// Nobody drives yet, no guard and no plant is there: whoever has it open uses it.
+TEST_F(IoMemory, WhenItIsOpenElsewhere_ThenItKeepsItsSizesFromTheFirstMoment) {
+  {
+    const auto first = area();
+    EXPECT_EQ(code(16, 2'400), "R0043");
+    EXPECT_EQ(code(16, 25), "R0043");
+    EXPECT_EQ(code(16, 24), "");
+    EXPECT_EQ(code(16, 2'400), "R0043") << "the second one that had it open has taken nothing along";
+  }
+  EXPECT_EQ(code(16, 2'400), "");
+}
+
+// The heartbeat is put back, so that nothing depends on how long this takes.
+class Lapse : public IoMemory {
+ protected:
+  static constexpr std::int64_t kAnHour = 3'600'000 * kMs;
+  void stand_still() {
+    area()->header().heartbeat_ns.store(static_cast<std::uint64_t>(monotonic_ns() - 2 * kAnHour));
+  }
+  bool heard() {
+    return monotonic_ns() - static_cast<std::int64_t>(area()->header().heartbeat_ns.load()) < kAnHour;
+  }
+};
+
+TEST_F(Lapse, WhenTheProcessStoodStill_ThenNothingButSafeOutputsIsWrittenAndOnlyThenItIsHeardOf) {
+  MemoryDriver driver(area(), PlantNeed::Announced, {.after_ns = kAnHour, .always = true});
+  const auto plant = this->plant();
+  Bytes outputs(24);
+  EXPECT_FALSE(driver.lapsed());
+  driver.write_outputs(0, all(24, 1));
+  driver.beat();
+  EXPECT_FALSE(driver.lapsed());
+  for (const bool beat_first : {true, false}) {
+    stand_still();
+    if (beat_first) driver.beat();  // the monitor's thread may be the first that goes on
+    EXPECT_EQ(driver.write_outputs(0, all(24, 2)), IoStatus::Good);  // a scan that was under way
+    plant->read_outputs(outputs);
+    EXPECT_NE(outputs, all(24, 2));
+    EXPECT_FALSE(heard());
+    EXPECT_TRUE(driver.lapsed());
+    driver.safe(5, true);
+    EXPECT_EQ(driver.write_outputs(0, all(24, 3)), IoStatus::Good);
+    plant->read_outputs(outputs);
+    EXPECT_EQ(outputs, all(24, 3));
+    EXPECT_TRUE(heard());
+    EXPECT_FALSE(driver.lapsed());
+  }
+  driver.write_outputs(0, all(24, 4));
+  plant->read_outputs(outputs);
+  EXPECT_EQ(outputs, all(24, 4));
+}
+
+TEST_F(Lapse, WhenNobodyJudges_ThenItGoesOn) {
+  MemoryDriver simulated(area());
+  simulated.write_outputs(0, all(24, 1));
+  stand_still();
+  EXPECT_FALSE(simulated.lapsed());
+  simulated.farewell();
+  MemoryDriver alone(area(), PlantNeed::Announced, {.after_ns = kAnHour});
+  alone.write_outputs(0, all(24, 1));
+  stand_still();
+  EXPECT_FALSE(alone.lapsed());
+  const auto guard = area();
+  ASSERT_TRUE(guard->try_lock(AreaLock::Guard));
+  EXPECT_TRUE(alone.lapsed()) << "a guard watches";
+}
+
+TEST_F(IoMemory, WhenFarewellWasSaid_ThenNothingIsWrittenAnyMore) {
+  MemoryDriver driver(area());
+  const auto plant = this->plant();
+  driver.write_outputs(0, all(24, 1));
+  driver.farewell();
+  EXPECT_EQ(plant->owner(), Owner::Farewell);
+  EXPECT_FALSE(area()->locked_elsewhere(AreaLock::Lease));
+  driver.write_outputs(0, all(24, 2));
+  driver.beat();
+  Bytes outputs(24);
+  plant->read_outputs(outputs);
+  EXPECT_EQ(outputs, all(24, 1));
+  EXPECT_FALSE(area()->locked_elsewhere(AreaLock::Lease));
+}
+
 TEST_F(IoMemory, WhenTheFileIsSomethingElse_ThenItIsMadeAnew) {
   const std::string path = area_path(name_);
   { std::unique_ptr<FILE, int (*)(FILE*)>(fopen(path.c_str(), "w"), fclose); }

@@ -3,11 +3,13 @@
 #include "runtime/io_memory/output_guard.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstring>
 #include <filesystem>
 #include <functional>
@@ -83,6 +85,8 @@ class OutputGuardTest : public testing::Test {
     auto area = IoArea::open(name_, 8, kOutputs);
     return (*area)->header().owner_pid.load();
   }
+
+  bool hidden() { return (*IoArea::open(name_, 8, kOutputs))->header().owner_space.load() == 1; }
 
   bool turn_until(OutputGuard& guard, const std::function<bool()>& condition) {
     for (int i = 0; i < 6'000; ++i) {
@@ -245,6 +249,54 @@ TEST_F(OutputGuardTest, WhenThereIsAGuard_ThenASecondIsRefused) {
   const auto second = OutputGuard::create(name_, 8, kOutputs, rules_.matrix(), {});
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().front().code, "R0045");
+}
+
+// In a PID namespace of its own the runtime is process 1: here that is somebody else.
+TEST_F(OutputGuardTest, WhenTheRuntimeIsOfAnotherPidNamespace_ThenItAndNoOtherIsWatchedAndKilled) {
+  std::array<int, 2> told{};
+  ASSERT_EQ(pipe(told.data()), 0);
+  const pid_t outer = fork();
+  if (outer == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (unshare(CLONE_NEWPID) != 0) _exit(77);
+    const pid_t inner = runtime(live);  // returns here only
+    [[maybe_unused]] const ssize_t written = write(told[1], &inner, sizeof inner);
+    waitpid(inner, nullptr, 0);
+    _exit(0);
+  }
+  close(told[1]);
+  pid_t inner = 0;
+  if (read(told[0], &inner, sizeof inner) != sizeof inner) {
+    waitpid(outer, nullptr, 0);
+    GTEST_SKIP() << "no PID namespace can be made here";
+  }
+  const auto guard = this->guard(200 * kMs);
+  ASSERT_TRUE(turn_until(*guard, GuardState::Watching));
+  EXPECT_EQ(area_pid(), 1u);
+  for (int i = 0; i < 20; ++i) guard->turn(-1);
+  EXPECT_EQ(guard->state(), GuardState::Watching);
+  kill(inner, SIGSTOP);
+  ASSERT_TRUE(turn_until(*guard, GuardState::Driving));
+  EXPECT_EQ(byte(0), 0);
+  int status = 0;
+  EXPECT_EQ(waitpid(outer, &status, 0), outer);  // it has seen the other one's end
+}
+
+// Another user's namespace, say: the lock still tells that it is gone.
+TEST_F(OutputGuardTest, WhenTheRuntimeCannotBeSeen_ThenItsLockAndItsHeartbeatTell) {
+  const auto guard = this->guard(200 * kMs);
+  const pid_t child = runtime([this](MemoryDriver& driver) {
+    (*IoArea::open(name_, 8, kOutputs))->header().owner_space.store(1);
+    live(driver);
+  });
+  while (!hidden()) usleep(1'000);
+  ASSERT_TRUE(turn_until(*guard, GuardState::Watching));
+  kill(child, SIGSTOP);
+  ASSERT_TRUE(turn_until(*guard, GuardState::Helpless));
+  EXPECT_EQ(byte(0), 0x11);
+  end(child, SIGKILL);
+  ASSERT_TRUE(turn_until(*guard, GuardState::Driving));
+  EXPECT_EQ(byte(0), 0);
 }
 
 // Garbage in memory that others can write.
