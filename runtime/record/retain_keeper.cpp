@@ -5,6 +5,9 @@
 namespace stepwright::record {
 namespace {
 
+// The source of what a store held; programs are numbered from 1.
+constexpr std::uint64_t kStore = 0;
+
 // "2 new (MAIN.a, ...)", or nothing.
 void tell(std::string& text, const std::vector<std::string>& names, const char* what) {
   if (names.empty()) return;
@@ -33,40 +36,70 @@ std::unique_ptr<RetainKeeper> RetainKeeper::open(const RetainConfig& config) {
 RetainKeeper::RetainKeeper(const RetainConfig& config) : config_(config), period_ns_(config.period_ns) {
   if (config.store.empty()) return;
   if (auto found = RetainStore::read(config.store)) {
-    stored_ = std::move(*found);
-    if (stored_ && !stored_->damage.empty())
-      set_note(config.store.string() + ": " + stored_->damage + "; the other one is used");
+    if (*found) found_ = std::make_shared<const StoredState>(std::move(**found));
+    if (found_ && !found_->damage.empty())
+      set_note(config.store.string() + ": " + found_->damage + "; the other one is used");
   } else {
     std::string note = result::to_string(found.error());
     if (auto aside = RetainStore::set_aside(config.store)) note += "; it is kept as " + aside->string();
     set_note(note + "; retained variables have their initial values");
   }
-  writer_ = std::make_unique<RetainWriter>(config.store, std::chrono::nanoseconds(config.period_ns), stored_);
+  writer_ = std::make_unique<RetainWriter>(config.store, std::chrono::nanoseconds(config.period_ns),
+                                           found_ ? std::optional(*found_) : std::nullopt);
 }
 
 result::Result<std::shared_ptr<RetainChannel>> RetainKeeper::prepare(const bytecode::Program& program) {
   auto values = RetainedValues::of(program);
   if (!values) return result::forward(values);
   auto channel = std::make_shared<RetainChannel>(std::move(*values));
-  if (writer_ != nullptr && channel->values.size() > 0) writer_->add(channel);
+  if (channel->values.size() == 0) return channel;
+  forget_unused();
+  channel->source = ++sources_;
+  if (found_ && !begun_.load(std::memory_order_acquire))
+    channel->arrivals.push_back(arrival(kStore, found_->layout, *channel));
+  for (const auto& each : channels_)
+    channel->arrivals.push_back(arrival(each->source, each->values.in_payload(), *channel));
+  channel->arrivals.push_back(arrival(channel->source, channel->values.in_payload(), *channel));
+  channels_.push_back(channel);
+  if (writer_ != nullptr) writer_->add(channel);
   return channel;
 }
 
-const StateLayout* RetainKeeper::kept_layout() const {
-  if (kept_from_ != nullptr) return &kept_from_->values.in_payload();
-  return stored_ ? &stored_->layout : nullptr;
+RetainArrival RetainKeeper::arrival(std::uint64_t source, const StateLayout& from,
+                                    const RetainChannel& to) const {
+  RetainArrival arrival{source, VariableTransfer::between(from, to.values.in_image()), {}, {}};
+  arrival.misfit = misfit(arrival.transfer.report());
+  if (config_.policy == RetainPolicy::Refuse)
+    arrival.refusal = misfit(VariableTransfer::between(from, to.values.in_payload()).report());
+  return arrival;
+}
+
+// What only this list, and that of the writer, still hold.
+void RetainKeeper::forget_unused() {
+  const long holders = writer_ == nullptr ? 1 : 2;
+  std::erase_if(channels_, [&](const auto& each) { return each.use_count() <= holders; });
+}
+
+std::optional<std::uint64_t> RetainKeeper::kept_source() const {
+  if (kept_from_ != nullptr) return kept_from_->source;
+  if (found_ && !begun_.load(std::memory_order_relaxed)) return kStore;
+  return std::nullopt;
+}
+
+const StateLayout& RetainKeeper::kept_layout() const {
+  return kept_from_ != nullptr ? kept_from_->values.in_payload() : found_->layout;
 }
 
 std::span<const std::byte> RetainKeeper::kept_payload() const {
-  return kept_from_ != nullptr ? std::span<const std::byte>(kept_from_->kept) : stored_->payload;
+  return kept_from_ != nullptr ? std::span<const std::byte>(kept_from_->kept) : found_->payload;
 }
 
 result::Diagnostics RetainKeeper::refusal(const RetainChannel& channel, bool cold) const {
-  const StateLayout* const kept = kept_layout();
-  if (config_.policy != RetainPolicy::Refuse || cold || kept == nullptr || channel.values.size() == 0)
-    return {};
-  const auto transfer = VariableTransfer::between(*kept, channel.values.in_payload());
-  const std::string text = misfit(transfer.report());
+  const auto source = kept_source();
+  if (config_.policy != RetainPolicy::Refuse || cold || !source || channel.values.size() == 0) return {};
+  const RetainArrival* const prepared = channel.arrival_from(*source);
+  const std::string text =
+      prepared != nullptr ? prepared->refusal : arrival(*source, kept_layout(), channel).refusal;
   if (text.empty()) return {};
   auto failed = result::fail("R0025", {config_.store.string(), 0, 0},
                              "the retained values do not fit the program: " + text,
@@ -74,25 +107,28 @@ result::Diagnostics RetainKeeper::refusal(const RetainChannel& channel, bool col
   return std::move(failed.value());
 }
 
+// A source that was prepared later than the program is none that a runtime has; then it is worked out here.
+void RetainKeeper::restore(const RetainChannel& channel, std::uint64_t source, std::span<std::byte> image) {
+  const RetainArrival* prepared = channel.arrival_from(source);
+  std::optional<RetainArrival> late;
+  if (prepared == nullptr) prepared = &late.emplace(arrival(source, kept_layout(), channel));
+  const bool restored = prepared->misfit.empty() || config_.policy != RetainPolicy::Initialise;
+  if (restored) prepared->transfer.apply(kept_payload(), image);
+  if (!prepared->misfit.empty()) {
+    set_note("retained values that do not fit the program: " + prepared->misfit +
+             (restored ? "" : "; all have their initial values"));
+  } else if (kept_from_ != nullptr && noted_.load(std::memory_order_acquire)) {
+    set_note({});
+  }
+}
+
 void RetainKeeper::begin(RetainChannel& channel, std::span<std::byte> image, bool cold) {
   current_ = nullptr;
   if (channel.values.size() == 0) return;  // what is kept stays for the program that wants it
-  const StateLayout* const kept = kept_layout();
-  if (!cold && kept != nullptr) {
-    const auto transfer = VariableTransfer::between(*kept, channel.values.in_image());
-    const std::string text = misfit(transfer.report());
-    const bool restored = text.empty() || config_.policy != RetainPolicy::Initialise;
-    if (restored) transfer.apply(kept_payload(), image);
-    if (!text.empty()) {
-      set_note("retained values that do not fit the program: " + text +
-               (restored ? "" : "; all have their initial values"));
-    } else if (kept_from_ != nullptr) {
-      set_note({});
-    }
-  }
+  if (const auto source = kept_source(); source && !cold) restore(channel, *source, image);
   channel.values.area().gather(image, channel.kept);
   kept_from_ = channel.shared_from_this();
-  stored_.reset();
+  begun_.store(true, std::memory_order_release);
   current_ = &channel;
   due_ns_ = 0;
   publish(image);
@@ -133,6 +169,7 @@ std::string RetainKeeper::note() const {
 
 void RetainKeeper::set_note(std::string note) {
   const std::lock_guard lock(mutex_);
+  noted_.store(!note.empty(), std::memory_order_release);
   note_ = std::move(note);
 }
 

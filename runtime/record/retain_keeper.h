@@ -6,7 +6,9 @@
 //
 // Threads: `open` and `prepare` on the service thread, `note` and `committed` on any, the rest on the scan
 // thread. `offer` is all that a scan does: nothing until the period is over, then a copy and one atomic
-// exchange; no heap, no lock, no system call. The others may take memory: no scan runs meanwhile.
+// exchange; no heap, no lock, no system call. How values come from one program into another is worked out in
+// `prepare`, from every program and store that may be kept when the prepared one starts: a start copies, and
+// its time does not grow with the names. The others take memory only to say what does not fit.
 //
 //   auto keeper = RetainKeeper::open({.store = state_dir / "retain.store"});
 //   auto channel = keeper->prepare(program);                   // loaded
@@ -15,6 +17,7 @@
 //   keeper->offer(image, now_ns);                              // after each scan
 //   keeper->finish(image);                                     // stopped, trapped, at the end
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -23,6 +26,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "runtime/record/retain_store.h"
 #include "runtime/record/retain_writer.h"
@@ -48,7 +52,7 @@ class RetainKeeper {
   // its store says.
   static std::unique_ptr<RetainKeeper> open(const RetainConfig& config);
 
-  // Of a verified program. Fails with R0021.
+  // Of a verified program, which is to start behind all that were prepared before. Fails with R0021.
   [[nodiscard]] result::Result<std::shared_ptr<RetainChannel>> prepare(const bytecode::Program& program);
 
   // Why the program may not start (R0025), under the policy Refuse; nothing if it may.
@@ -74,20 +78,32 @@ class RetainKeeper {
  private:
   explicit RetainKeeper(const RetainConfig& config);
   void publish(std::span<const std::byte> image);
-  // Layout and values of what is kept at present; null without any.
-  const StateLayout* kept_layout() const;
+  RetainArrival arrival(std::uint64_t source, const StateLayout& from, const RetainChannel& to) const;
+  void forget_unused();
+  void restore(const RetainChannel& channel, std::uint64_t source, std::span<std::byte> image);
+  // What is kept at present, as arrivals name it; none: nothing.
+  std::optional<std::uint64_t> kept_source() const;
+  const StateLayout& kept_layout() const;
   std::span<const std::byte> kept_payload() const;
   void set_note(std::string note);
 
   const RetainConfig config_;
   const std::int64_t period_ns_;
-  std::optional<StoredState> stored_;         // until a program has taken it over
+  std::shared_ptr<const StoredState> found_;  // what the store held at the beginning; null: nothing
+  std::atomic<bool> begun_{false};            // a program has taken that over
+
+  // The service thread's: all programs whose values may be kept, so that the last one to let go is this
+  // thread.
+  std::vector<std::shared_ptr<RetainChannel>> channels_;
+  std::uint64_t sources_ = 0;
+
   std::shared_ptr<RetainChannel> kept_from_;  // the program whose values are kept, behind that
   RetainChannel* current_ = nullptr;          // it runs
   std::int64_t due_ns_ = 0;
   std::uint64_t number_ = 0;
   mutable std::mutex mutex_;  // of the note; never taken in a scan
   std::string note_;
+  std::atomic<bool> noted_{false};  // there is one
   std::unique_ptr<RetainWriter> writer_;  // null without a store
 };
 

@@ -201,8 +201,10 @@ result::Result<void> RetainStore::open(const std::filesystem::path& path, const 
 }
 
 bool RetainStore::is_there() const {
-  struct stat info {};
-  return fstat(descriptor_, &info) == 0 && info.st_nlink > 0;
+  struct stat held {};
+  struct stat named {};
+  return fstat(descriptor_, &held) == 0 && stat(path_.c_str(), &named) == 0 && held.st_dev == named.st_dev &&
+         held.st_ino == named.st_ino;
 }
 
 result::Result<void> RetainStore::write(std::span<const std::byte> payload) {

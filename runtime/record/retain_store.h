@@ -62,7 +62,7 @@ class RetainStore {
   [[nodiscard]] result::Result<void> write(std::span<const std::byte> payload);
 
   std::uint64_t sequence() const { return sequence_; }  // of the newest values
-  bool is_there() const;                                // nobody removed the file
+  bool is_there() const;  // the path still names the file: nobody removed, moved or replaced it
 
  private:
   RetainStore() = default;

@@ -3,10 +3,12 @@
 // What one program retains, with all the memory that keeping it takes.
 //
 // Threads: made on any; `buffer` goes from the scan thread to the one that writes the store, `kept` belongs
-// to the scan thread, the rest is immutable.
+// to the scan thread, the rest is immutable once the program is handed over.
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,13 +48,29 @@ class RetainedValues {
   VariableTransfer back_;
 };
 
+// How the values of one source, a store or another program, come into the image of this one.
+struct RetainArrival {
+  std::uint64_t source = 0;
+  VariableTransfer transfer;
+  std::string misfit;   // what does not fit; empty: nothing
+  std::string refusal;  // the same, where the policy asks for it
+};
+
 // The same with its buffers, which have one place in memory.
 struct RetainChannel : std::enable_shared_from_this<RetainChannel> {
   explicit RetainChannel(RetainedValues of)
       : values(std::move(of)), kept(values.size()), buffer(values.size()) {}
 
+  const RetainArrival* arrival_from(std::uint64_t from) const {
+    for (const RetainArrival& each : arrivals)
+      if (each.source == from) return &each;
+    return nullptr;
+  }
+
   const RetainedValues values;
-  std::vector<std::byte> kept;  // as they were when the program was last stopped
+  std::uint64_t source = 0;             // as which others name it
+  std::vector<RetainArrival> arrivals;  // from all that can be kept when it starts
+  std::vector<std::byte> kept;          // as they were when the program was last stopped
   TripleBuffer buffer;
 };
 

@@ -55,6 +55,29 @@ TEST(RetainKeeper, WhenAProgramIsStoppedAndStarted_ThenItGoesOnWithoutAStoreToo)
   EXPECT_EQ(machine.get("MAIN.free"), 0);
 }
 
+// Names are compared when a program is prepared: what is left for the start are copies.
+TEST(RetainKeeper, WhenAProgramStarts_ThenTheScanThreadTakesNoMemory) {
+  if (!support::guard_is_active()) GTEST_SKIP() << "a sanitizer owns malloc";
+  const TestFolder folder;
+  leave(folder, kNumbers, "MAIN.n", 77);
+  RetainedMachine machine(kNumbers, {.store = folder.store(), .policy = RetainPolicy::Refuse});
+  const auto quiet = [&] {
+    const support::GuardCounts before = support::guard_counts();
+    const bool started = machine.begin();
+    return started && support::guard_counts() == before;
+  };
+  EXPECT_TRUE(quiet()) << "from the store";
+  EXPECT_EQ(machine.get("MAIN.n"), 77);
+  machine.set("MAIN.n", 78);
+  machine.stop();
+  EXPECT_TRUE(quiet()) << "from itself";
+  EXPECT_EQ(machine.get("MAIN.n"), 78);
+  machine.stop();
+  machine.load("VAR RETAIN s : STRING[8]; END_VAR VAR pad : LINT; END_VAR VAR RETAIN n : DINT := 5; END_VAR");
+  EXPECT_TRUE(quiet()) << "from another program";
+  EXPECT_EQ(machine.get("MAIN.n"), 78);
+}
+
 TEST(RetainKeeper, WhenAnotherProgramFollows_ThenWhatFitsIsCarried) {
   const TestFolder folder;
   RetainedMachine machine("VAR RETAIN n : DINT; gone : INT; r : INT := 1; a : ARRAY[0..1] OF INT; END_VAR",

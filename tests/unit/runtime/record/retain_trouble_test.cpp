@@ -151,5 +151,27 @@ TEST(RetainTrouble, WhenSomebodyRemovesTheStore_ThenItIsMadeAgain) {
   EXPECT_EQ(std::to_integer<int>((*found)->payload[0]), 9);
 }
 
+// The store goes elsewhere, and something else takes its place: what is there is what the path names.
+TEST(RetainTrouble, WhenTheStoreIsMovedAway_ThenItIsMadeAgain) {
+  const TestFolder folder;
+  RetainedMachine machine(kNumbers, {.store = folder.store(), .period_ns = 1'000'000});
+  machine.start();
+  ASSERT_TRUE(machine.settled());
+  std::filesystem::rename(folder.store(), folder.path() / "taken");
+  machine.set("MAIN.n", 7);
+  machine.offer();
+  ASSERT_TRUE(machine.settled());
+  std::filesystem::copy_file(folder.path() / "taken", folder.store(),
+                             std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::rename(folder.store(), folder.path() / "again");
+  std::filesystem::copy_file(folder.path() / "taken", folder.store());
+  machine.set("MAIN.n", 8);
+  machine.offer();
+  ASSERT_TRUE(machine.settled());
+  const auto found = RetainStore::read(folder.store());
+  ASSERT_TRUE(found && *found);
+  EXPECT_EQ(std::to_integer<int>((*found)->payload[0]), 8);
+}
+
 }  // namespace
 }  // namespace stepwright::record

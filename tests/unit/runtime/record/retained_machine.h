@@ -60,6 +60,13 @@ class RetainedMachine {
     keeper_->begin(*channel_, image(), cold);
     return {};
   }
+  // As start, with nothing around it; false if it is refused.
+  bool begin() {
+    program_->start_at(0);
+    if (!keeper_->refusal(*channel_, false).empty()) return false;
+    keeper_->begin(*channel_, image(), false);
+    return true;
+  }
   void stop() { keeper_->finish(image()); }
   void offer() { keeper_->offer(image(), ++now_ns_ * 1'000'000'000); }
 
