@@ -11,7 +11,7 @@ namespace stepwright::storage {
 
 result::Result<FileLock> FileLock::take(const std::filesystem::path& file) {
   const std::string name = file.string() + ".lock";
-  const int descriptor = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  const int descriptor = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
   if (descriptor < 0)
     return result::fail("S0001", {name}, std::string("the file cannot be opened: ") + std::strerror(errno),
                         "see that its folder exists and can be written");

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <span>
 
+#include "programs/config/state_dir.h"
 #include "runtime/base/hash64.h"
 #include "runtime/settings/toml_document.h"
 
@@ -187,8 +188,7 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   const TomlTable cell = root.table("cell");
   config.name = cell.text("name", config.name);
   const std::string state_dir = cell.text("state_dir", {});
-  config.state_dir =
-      state_dir.empty() ? temporary_folder() / ("stepwright-" + config.name) : folder / state_dir;
+  config.state_dir = state_dir.empty() ? default_state_dir(config.name) : folder / state_dir;
   read_clock(root.table("clock"), config.clock);
   config.engine = read_engine(root.table("runtime"));
   config.cpu = read_cpu(root.table("runtime"));

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "programs/config/cell_options.h"
+#include "programs/config/state_dir.h"
 #include "programs/gateway/controller_line.h"
 #include "programs/gateway/follow_plan.h"
 #include "programs/gateway/gateway_metrics.h"
@@ -33,15 +34,6 @@ using result::ExitCode;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kLook{20};
-
-result::Result<void> make_state_dir(const std::filesystem::path& folder) {
-  std::error_code error;
-  if (std::filesystem::create_directories(folder, error))
-    std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
-  if (!error) return {};
-  return result::fail("R0001", {folder.string(), 0, 0},
-                      "the state folder cannot be made: " + error.message());
-}
 
 // The line in the log: found, lost, and why.
 class LineJournal {
@@ -110,7 +102,7 @@ int serve(const config::CellConfig& config, log::Logger& log, const process::Sto
           process::ReloadSignal& reload, process::NotifySocket& init) {
   auto options = remote_options(config);
   if (!options) return fail(options.error(), ExitCode::BadInput);
-  if (auto made = make_state_dir(config.state_dir); !made) return fail(made.error(), ExitCode::BadInput);
+  if (auto made = config::claim_state_dir(config); !made) return fail(made.error(), ExitCode::BadInput);
   auto io = cell_runtime::CellIo::create(config);
   if (!io) return fail(io.error(), ExitCode::BadInput);
   auto line = make_line(config.controller);

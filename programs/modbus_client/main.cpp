@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "programs/config/cell_options.h"
+#include "programs/config/state_dir.h"
 #include "programs/log/logger.h"
 #include "programs/log/reload_log.h"
 #include "programs/metrics_server/metrics_server.h"
@@ -118,9 +119,7 @@ result::Result<std::unique_ptr<io_memory::PlantSide>> open_area(const config::Ce
     return result::fail("C0526", {config.file.string(), 0, 0}, "the I/O of this cell is not over Modbus",
                         "[io] kind = \"modbus\" and [[modbus.device]]");
   }
-  std::error_code error;
-  if (std::filesystem::create_directories(config.state_dir, error))
-    std::filesystem::permissions(config.state_dir, std::filesystem::perms::owner_all, error);
+  if (auto made = config::claim_state_dir(config); !made) return result::forward(made);
   return io_memory::PlantSide::open(config.safety.io.name, config.image.input_bytes,
                                     config.image.output_bytes);
 }

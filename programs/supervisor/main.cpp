@@ -15,6 +15,7 @@
 
 #include "programs/config/cell_config.h"
 #include "programs/config/dds_options.h"
+#include "programs/config/state_dir.h"
 #include "programs/log/logger.h"
 #include "programs/log/reload_log.h"
 #include "programs/process/command_line.h"
@@ -92,13 +93,7 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
 
 // Attends one cell. Returns when that cannot be done, or, with `once`, when its run is over.
 int attend(const config::CellConfig& config, bool once, Shared& shared) {
-  std::error_code error;
-  std::filesystem::create_directories(config.state_dir, error);
-  if (error) {
-    const auto failed = result::fail("R0001", {config.state_dir.string(), 0, 0},
-                                     "the state folder cannot be made: " + error.message());
-    return fail(failed.value(), ExitCode::BadInput);
-  }
+  if (auto made = config::claim_state_dir(config); !made) return fail(made.error(), ExitCode::BadInput);
   auto mission = supervisor_program::CellMission::open(config);
   if (!mission) return fail(mission.error(), ExitCode::BadInput);
   const dds::ParticipantConfig participant = config::participant_of(config.dds, "supervisor");

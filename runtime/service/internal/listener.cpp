@@ -47,7 +47,7 @@ result::Result<Listener> Listener::bind(const std::filesystem::path& path) {
   // The lock goes with its process, however that ends: who holds it may replace the socket that was left
   // behind.
   const std::string lock_path = path.string() + ".lock";
-  Descriptor lock(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+  Descriptor lock(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
   if (!lock.ok()) return failed(path, "the lock beside the socket cannot be opened");
   if (::flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
     return refused(path, "the socket is in use: a runtime of this cell is running already",

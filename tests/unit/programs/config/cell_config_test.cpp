@@ -109,7 +109,7 @@ TEST_F(CellConfigTest, WhenTheTemporaryFolderIsGone_ThenThereIsStillAStateFolder
   const auto config = load_cell_config(write("[cell]\nname = \"line\"\n"));
   before == nullptr ? unsetenv("TMPDIR") : setenv("TMPDIR", kept.c_str(), 1);
   ASSERT_TRUE(config.has_value());
-  EXPECT_EQ(config->state_dir, "/tmp/stepwright-line");
+  EXPECT_EQ(config->state_dir, "/tmp/stepwright-" + std::to_string(geteuid()) + "/line");
 }
 
 TEST_F(CellConfigTest, WhenNothingIsSaidOfRetain_ThenValuesAreKeptInTheStateFolderAndProgramsAreNot) {
