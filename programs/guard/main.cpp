@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -31,10 +32,13 @@ using result::ExitCode;
 // Above the scan thread's.
 constexpr int kPriority = 82;
 constexpr std::int64_t kNsPerMs = 1'000'000;
+constexpr std::chrono::milliseconds kStandby{20};
 
 struct Options {
-  int starter = 0;  // the runtime that started it; 0: nobody, the guard stays until it is asked to end
-  int ready = -1;   // where to write a byte once it watches
+  int starter = 0;         // the runtime that started it; 0: nobody, the guard stays until it is asked to end
+  int ready = -1;          // where to write a byte once it watches
+  bool standby = false;    // waits while another guard watches
+  bool concerned = false;  // only tells whether the cell wants one
 };
 
 // The process that started the guard.
@@ -86,6 +90,10 @@ result::Result<std::unique_ptr<OutputGuard>> make_guard(const config::CellConfig
 int run(const config::CellConfig& config, const Options& options) {
   const process::StopSignal stop;
   auto guard = make_guard(config);
+  while (!guard && options.standby && guard.error().front().code == "R0045") {
+    if (stop.wait_for(kStandby)) return to_int(ExitCode::Done);
+    guard = make_guard(config);
+  }
   if (!guard) return process::fail(guard.error(), ExitCode::BadInput);
   enter_real_time();
   std::printf("guard of '%s' watches %s\n", config.name.c_str(),
@@ -120,6 +128,18 @@ int main(int argc, char** argv) {
       "--starter", guard.starter,
       "the process that starts it: the guard ends when that is gone and nobody drives the outputs");
   app.add_option("--ready", guard.ready, "descriptor to write a byte to once the guard watches");
-  const auto config = stepwright::config::parse_cell(app, options, argc, argv);
+  app.add_flag("--standby", guard.standby,
+               "wait while another guard watches, and go on for it when that is gone");
+  app.add_flag("--concerned", guard.concerned,
+               "only tell by the exit code whether this cell wants a guard: 0 yes, 1 no");
+  if (const auto exit = stepwright::process::parse(app, argc, argv)) return *exit;
+  // Of a file that is wrong the runtime says so.
+  if (guard.concerned) {
+    using stepwright::result::ExitCode;
+    const auto cell = stepwright::config::read_cell_config(options.config, options.overrides);
+    const bool wanted = cell.config.safety.io.shared_memory && cell.config.safety.guard.enabled;
+    return to_int(wanted ? ExitCode::Done : ExitCode::BadInput);
+  }
+  const auto config = stepwright::config::load_cell(options);
   return config ? stepwright::guard::run(*config, guard) : config.error();
 }

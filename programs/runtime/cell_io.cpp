@@ -14,7 +14,6 @@
 #include "programs/runtime/fleet_plant.h"
 #include "programs/runtime/plant_memory.h"
 #include "runtime/image/no_io.h"
-#include "runtime/io_memory/memory_driver.h"
 
 namespace stepwright::cell_runtime {
 namespace {
@@ -32,16 +31,29 @@ class Unwired final : public CellIo {
 // The plant is another process. Devices are wanted from the beginning; a simulator may come later.
 class SharedIo final : public CellIo {
  public:
-  SharedIo(std::unique_ptr<io_memory::IoArea> area, bool devices)
-      : driver_(std::move(area), devices ? io_memory::PlantNeed::Always : io_memory::PlantNeed::Announced) {}
+  SharedIo(std::unique_ptr<io_memory::IoArea> area, bool devices, const io_memory::Judgement& judgement)
+      : driver_(std::move(area), devices ? io_memory::PlantNeed::Always : io_memory::PlantNeed::Announced,
+                judgement) {}
   image::IoDriver& driver() override { return driver_; }
   host::PlantAccess* plant() override { return nullptr; }
   bool guarded() const override { return driver_.guarded(); }
+  io_memory::GuardFigures guard() const override { return driver_.guard(); }
   bool alive() const override { return driver_.plant_alive(); }
 
  private:
   io_memory::MemoryDriver driver_;
 };
+
+// Who takes this process for lost, and when: the guard, which a gateway does not start, and the Modbus
+// client. In simulated time nobody waits for it.
+io_memory::Judgement judgement_of(const config::CellConfig& config) {
+  if (config.clock.mode != config::ClockMode::Real) return {};
+  const std::chrono::nanoseconds guard = config.safety.guard.timeout;
+  const std::chrono::nanoseconds client = config.modbus_client.holder_timeout;
+  const bool guarded = config.safety.guard.enabled && !config.controller.remote();
+  if (!config.safety.io.modbus) return {guard.count(), guarded};
+  return {(guarded ? std::min(guard, client) : client).count(), true};
+}
 
 // Keeps the plant's state after each of its steps.
 class KeptDriver final : public image::IoDriver {
@@ -202,7 +214,7 @@ result::Result<std::unique_ptr<CellIo>> CellIo::create(const config::CellConfig&
     auto area =
         io_memory::IoArea::open(config.safety.io.name, config.image.input_bytes, config.image.output_bytes);
     if (!area) return result::forward(area);
-    return std::make_unique<SharedIo>(std::move(*area), config.safety.io.modbus);
+    return std::make_unique<SharedIo>(std::move(*area), config.safety.io.modbus, judgement_of(config));
   }
   if (config.plant.kind == "none") return std::make_unique<Unwired>();
   if (auto faults = check_faults(config); !faults) return result::forward(faults);

@@ -10,6 +10,7 @@
 #include "programs/config/cell_config.h"
 #include "runtime/host/plant_access.h"
 #include "runtime/image/io_driver.h"
+#include "runtime/io_memory/memory_driver.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::cell_runtime {
@@ -22,6 +23,8 @@ class CellIo {
   virtual host::PlantAccess* plant() = 0;
   // A guard process watches the outputs.
   virtual bool guarded() const { return false; }
+  // The guard that is there.
+  virtual io_memory::GuardFigures guard() const { return {}; }
   // What stands behind the I/O is there. Always true where it cannot be missing.
   virtual bool alive() const { return true; }
 

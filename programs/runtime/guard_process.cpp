@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,60 +23,86 @@ tl::unexpected<result::Diagnostics> failed(const std::filesystem::path& log, con
                       "its own words are in this file; [guard] enabled = false runs without one");
 }
 
-// The guard, twice removed from the runtime: a session of its own, so that no signal to the runtime's group
-// reaches it, and no child that somebody would have to wait for. `ready` stays open in it; it writes there.
-[[noreturn]] void become_guard(std::vector<char*> argv, const char* log, int ready) {
-  setsid();
-  if (const pid_t pid = fork(); pid != 0) _exit(pid < 0 ? 1 : 0);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  const int out = open(log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
-  const int nowhere = open("/dev/null", O_RDONLY | O_CLOEXEC);
-  if (nowhere >= 0) dup2(nowhere, STDIN_FILENO);
-  if (out >= 0) {
-    dup2(out, STDOUT_FILENO);
-    dup2(out, STDERR_FILENO);
-  }
-  fcntl(ready, F_SETFD, 0);
-  execv(argv[0], argv.data());
-  _exit(127);
+std::filesystem::path log_of(const config::CellConfig& config) {
+  return config.state_dir / "guard.log";
 }
 
-}  // namespace
-
-result::Result<void> start_guard(const config::CellConfig& config) {
-  const std::filesystem::path log = config.state_dir / "guard.log";
-  std::array<int, 2> ready{};
-  if (pipe2(ready.data(), O_CLOEXEC) != 0) return failed(log, std::strerror(errno));
+std::vector<std::string> arguments_of(const config::CellConfig& config, int ready) {
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
-  std::vector<std::string> arguments = {(self.parent_path() / "stepwright-guard").string(),
-                                        "guard",
-                                        "--config",
-                                        std::filesystem::absolute(config.file).string(),
-                                        "--starter",
-                                        std::to_string(getpid()),
-                                        "--ready",
-                                        std::to_string(ready[1])};
+  std::vector<std::string> arguments = {
+      (self.parent_path() / "stepwright-guard").string(), "guard",     "--config",
+      std::filesystem::absolute(config.file).string(),    "--starter", std::to_string(getpid())};
+  if (ready >= 0) arguments.insert(arguments.end(), {"--ready", std::to_string(ready)});
   for (const std::string& entry : config.overrides) {
     arguments.emplace_back("--set");
     arguments.push_back(entry);
   }
+  return arguments;
+}
+
+// A session of its own, so that no signal to the runtime's group reaches it; no signal is blocked in it.
+class SpawnOptions {
+ public:
+  SpawnOptions(int log, int ready) {
+    sigset_t none;
+    sigemptyset(&none);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setsigmask(&attributes_, &none);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK);
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions_, log, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, log, STDERR_FILENO);
+    // Onto itself: it stays open in the guard.
+    if (ready >= 0) posix_spawn_file_actions_adddup2(&actions_, ready, ready);
+  }
+  ~SpawnOptions() {
+    posix_spawn_file_actions_destroy(&actions_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+  SpawnOptions(const SpawnOptions&) = delete;
+  SpawnOptions& operator=(const SpawnOptions&) = delete;
+
+  const posix_spawn_file_actions_t* actions() const { return &actions_; }
+  const posix_spawnattr_t* attributes() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_;
+  posix_spawn_file_actions_t actions_;
+};
+
+}  // namespace
+
+result::Result<pid_t> spawn_guard(const config::CellConfig& config, int ready) {
+  const std::filesystem::path path = log_of(config);
+  // Nobody else's file is written to by way of a link that somebody put here.
+  const int log = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0600);
+  if (log < 0) return failed(path, std::string("its log cannot be opened: ") + std::strerror(errno));
+  std::vector<std::string> arguments = arguments_of(config, ready);
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
+  const SpawnOptions options(log, ready);
+  pid_t pid = -1;
+  const int error = posix_spawn(&pid, argv[0], options.actions(), options.attributes(), argv.data(), environ);
+  close(log);
+  if (error != 0) return failed(path, std::strerror(error));
+  return pid;
+}
 
-  const std::string log_text = log.string();
-  const pid_t pid = fork();
-  if (pid == 0) become_guard(std::move(argv), log_text.c_str(), ready[1]);
+result::Result<pid_t> start_guard(const config::CellConfig& config) {
+  std::array<int, 2> ready{};
+  if (pipe2(ready.data(), O_CLOEXEC) != 0) return failed(log_of(config), std::strerror(errno));
+  auto pid = spawn_guard(config, ready[1]);
   close(ready[1]);
-  if (pid > 0) waitpid(pid, nullptr, 0);
   // A byte: it watches. The end of the pipe without one: it could not.
   pollfd entry{ready[0], POLLIN, 0};
   char byte = 0;
-  const bool watches = pid > 0 && poll(&entry, 1, kPatienceMs) == 1 && read(ready[0], &byte, 1) == 1;
+  const bool watches = pid && poll(&entry, 1, kPatienceMs) == 1 && read(ready[0], &byte, 1) == 1;
   close(ready[0]);
-  return watches ? result::Result<void>() : failed(log, "it does not start");
+  if (!pid || watches) return pid;
+  waitpid(*pid, nullptr, WNOHANG);
+  return failed(log_of(config), "it does not start");
 }
 
 }  // namespace stepwright::cell_runtime

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "programs/config/cell_options.h"
+#include "programs/config/state_dir.h"
 #include "programs/log/logger.h"
 #include "programs/process/command_line.h"
 #include "programs/process/notify_socket.h"
@@ -18,7 +19,7 @@
 #include "programs/runtime/attendant.h"
 #include "programs/runtime/boot_program.h"
 #include "programs/runtime/cell_io.h"
-#include "programs/runtime/guard_process.h"
+#include "programs/runtime/guard_watch.h"
 #include "programs/runtime/host_options.h"
 #include "runtime/host/host_runtime.h"
 #include "runtime/host/thread_stacks.h"
@@ -39,19 +40,13 @@ std::string describe(const config::ClockConfig& clock) {
   return text;
 }
 
-// The folder of the socket, for this user only where it is made here. A plant that was kept for an earlier
-// folder of the name is not this one's.
+// The folder of the socket. A plant that was kept for an earlier folder of the name is not this one's.
 result::Result<void> make_state_dir(const config::CellConfig& config) {
-  const std::filesystem::path& folder = config.state_dir;
-  std::error_code error;
-  if (std::filesystem::create_directories(folder, error)) {
-    std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
-    std::error_code ignored;  // what cannot be removed cannot be opened either
-    std::filesystem::remove(config.plant_memory_path(), ignored);
-  }
-  if (!error) return {};
-  return result::fail("R0001", {folder.string(), 0, 0},
-                      "the state folder cannot be made: " + error.message());
+  auto made = config::claim_state_dir(config);
+  if (!made) return result::forward(made);
+  std::error_code ignored;  // what cannot be removed cannot be opened either
+  if (*made) std::filesystem::remove(config.plant_memory_path(), ignored);
+  return {};
 }
 
 // From the first scan on, if the configuration asks for it.
@@ -100,10 +95,8 @@ int run(const config::CellConfig& config) {
   if (auto made = make_state_dir(config); !made) return fail(made.error(), ExitCode::BadInput);
   auto io = CellIo::create(config);
   if (!io) return fail(io.error(), ExitCode::BadInput);
-  if (config.safety.guard.enabled && !(*io)->guarded()) {
-    auto started = start_guard(config);
-    if (!started && !(*io)->guarded()) return fail(started.error(), ExitCode::RuntimeFault);
-  }
+  GuardWatch guard(config, **io, log);
+  if (auto started = guard.start(); !started) return fail(started.error(), ExitCode::RuntimeFault);
 
   auto runtime = host::HostRuntime::create(*options, (*io)->driver(), (*io)->plant());
   if (!runtime) return fail(runtime.error(), ExitCode::RuntimeFault);
@@ -132,8 +125,12 @@ int run(const config::CellConfig& config) {
     (*server)->turn(service::kStatusPeriod, stop.descriptor());
     if (reload.take()) (void)attendant.reload();
     attendant.turn();
+    guard.turn();
+    (*runtime)->set_note("guard", guard.note());
   }
   init.stopping();
+  // Safe outputs and the farewell first: everything else at the end may wait for a disk.
+  (*runtime)->end();
   log.info("ends", "runtime '" + config.name + "' ends");
   return to_int(ExitCode::Done);
 }

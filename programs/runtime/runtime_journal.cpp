@@ -27,6 +27,10 @@ void RuntimeJournal::event(const host::StepEvent& event) {
       return log_.info("started", "program " + shortened(event.program_digest) + " started",
                        {{"digest", event.program_digest}, {"scan", event.scan}});
     case host::EventKind::Stopped:
+      if (event.detail == host::kStoodStill) {
+        return log_.error("stood_still", "program stopped: " + event.detail,
+                          {{"digest", event.program_digest}, {"scan", event.scan}});
+      }
       return log_.info("stopped", "program stopped: " + event.detail,
                        {{"digest", event.program_digest}, {"scan", event.scan}, {"reason", event.detail}});
     case host::EventKind::Trap:

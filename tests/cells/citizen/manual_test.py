@@ -53,7 +53,7 @@ class Manual(unittest.TestCase):
                            check=True, capture_output=True)
             found = {path.relative_to(root).as_posix() for path in pathlib.Path(root).rglob("*") if path.is_file()}
             self.assertIn("share/man/man1/stepwright.1", found)
-            for name in ("runtime", "link", "supervisor", "hmi", "modbus-server"):
+            for name in ("runtime", "guard", "link", "supervisor", "hmi", "modbus-server"):
                 self.assertIn(f"lib/systemd/system/stepwright-{name}@.service", found)
 
 

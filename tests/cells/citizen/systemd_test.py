@@ -138,7 +138,7 @@ class Units(unittest.TestCase):
     def test_there_is_one_for_each_process(self):
         self.assertEqual([unit.name for unit in UNITS],
                          [f"stepwright-{name}@.service"
-                          for name in ("gateway", "hmi", "link", "modbus-client", "modbus-server", "runtime",
+                          for name in ("gateway", "guard", "hmi", "link", "modbus-client", "modbus-server", "runtime",
                                        "supervisor")])
 
     def test_systemd_finds_nothing_wrong(self):
@@ -174,6 +174,17 @@ class Units(unittest.TestCase):
                 codes = {name: stepwright(name, "--concerned", "--config", file).returncode
                          for name in ("runtime", "gateway")}
                 self.assertEqual(codes, {"runtime": 1, "gateway": 1, wanted: 0})
+
+    def test_the_guard_has_a_unit_of_its_own_that_the_runtime_wants(self):
+        text = (SOURCES / "programs/systemd/stepwright-runtime@.service").read_text(encoding="utf-8")
+        for key in ("After", "Wants"):
+            self.assertIn(f"\n{key}=stepwright-guard@%i.service\n", text)
+        file = self.folder / "cell.toml"
+        for text, wanted in {"": 1, '[io]\nkind = "modbus"\n': 0, '[io]\nkind = "shared_memory"\n': 1,
+                             '[io]\nkind = "shared_memory"\n[guard]\nenabled = true\n': 0, "[guard\n": 1}.items():
+            with self.subTest(text=text):
+                file.write_text('[cell]\nname = "x"\n' + text, encoding="utf-8")
+                self.assertEqual(stepwright("guard", "--concerned", "--config", file).returncode, wanted)
 
     def test_their_exposure_is_at_most_2_5(self):
         for unit in UNITS:

@@ -98,6 +98,7 @@ class GuardedCell {
     return TestProcess({STEPWRIGHT_BIN_DIR "/stepwright", command, "--config", config().string()},
                        folder_ / (command + std::to_string(++started_) + ".log"));
   }
+  std::filesystem::path folder() const { return folder_.path(); }
   TestProcess start_guard() {
     TestProcess guard = start("guard");
     EXPECT_TRUE(guard.wait_for("watches /dev/shm")) << guard.output();
@@ -107,15 +108,29 @@ class GuardedCell {
   TestProcess start_runtime() {
     TestProcess runtime = start("runtime");
     EXPECT_TRUE(runtime.wait_for("listens on")) << runtime.output();
-    auto opened =
-        service::Connection::open(folder_ / "state" / "runtime.sock", {service::Role::Controller, "test", 0});
-    EXPECT_TRUE(opened) << runtime.output();
-    if (!opened) return runtime;
-    client = std::move(*opened);
+    if (!attach()) return runtime;
     EXPECT_TRUE(client->download(guarded_program(), kPatience));
     EXPECT_TRUE(client->call(service::Start{}, kPatience));
     EXPECT_TRUE(wait([&] { return output(0) == kRuns; })) << runtime.output();
     return runtime;
+  }
+  // `client` is of the runtime that is there now.
+  bool attach() {
+    auto opened =
+        service::Connection::open(folder_ / "state" / "runtime.sock", {service::Role::Controller, "test", 0});
+    EXPECT_TRUE(opened) << (opened ? "" : result::to_string(opened.error()));
+    if (opened) client = std::move(*opened);
+    return opened.has_value();
+  }
+  // A status with this detail has come, or is among those that came meanwhile.
+  bool status_says(const std::string& text) {
+    for (int i = 0; i < 50; ++i) {
+      const auto message = client->receive(std::chrono::milliseconds(100));
+      if (!message) return false;
+      const auto* const status = std::get_if<host::RuntimeStatus>(&*message);
+      if (status != nullptr && status->detail.find(text) != std::string::npos) return true;
+    }
+    return false;
   }
 
   void set_input(std::size_t at, int value) {
