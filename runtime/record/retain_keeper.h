@@ -103,7 +103,7 @@ class RetainKeeper {
   std::uint64_t number_ = 0;
   mutable std::mutex mutex_;  // of the note; never taken in a scan
   std::string note_;
-  std::atomic<bool> noted_{false};  // there is one
+  std::atomic<bool> noted_{false};        // there is one
   std::unique_ptr<RetainWriter> writer_;  // null without a store
 };
 
