@@ -15,7 +15,7 @@ namespace {
 
 // Bytes for each byte of bytecode, while machine code is made of it and for the quick form of the
 // interpreter.
-constexpr std::uint64_t kNativePerCodeByte = 20;
+constexpr std::uint64_t kNativePerCodeByte = 28;
 constexpr std::uint64_t kQuickPerCodeByte = 2;
 // A task has a copy of the image and one of what it got; the event ring holds many (event_ring.cpp).
 constexpr std::uint64_t kImagesPerThread = 2;
