@@ -4,19 +4,26 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <mutex>
 #include <utility>
 
 #include "programs/log/line.h"
+#include "programs/log/line_writer.h"
 #include "programs/log/rate_limit.h"
 
 namespace stepwright::log {
 namespace {
 
-// spdlog brings the sinks and survives their errors; what a line looks like is ours.
-using Sink = std::shared_ptr<spdlog::logger>;
+bool takes_more(int descriptor) {
+  pollfd entry{descriptor, POLLOUT, 0};
+  return poll(&entry, 1, 0) == 1;
+}
 
-result::Result<Sink> make_sink(const std::string& process, const config::LogConfig& config) {
+// spdlog brings the sinks and survives their errors; what a line looks like is ours.
+result::Result<LineTarget> make_target(const std::string& process, const config::LogConfig& config) {
   try {
     spdlog::sink_ptr sink;
     if (config.file.empty()) {
@@ -28,7 +35,10 @@ result::Result<Sink> make_sink(const std::string& process, const config::LogConf
     logger->set_pattern("%v");
     logger->set_level(spdlog::level::trace);
     logger->flush_on(spdlog::level::trace);  // a line that explains a crash must not be lost in it
-    return logger;
+    LineTarget target;
+    target.write = [logger](const std::string& line) { logger->info(spdlog::string_view_t(line)); };
+    if (config.file.empty()) target.ready = [] { return takes_more(STDERR_FILENO); };
+    return target;
   } catch (const spdlog::spdlog_ex& problem) {
     result::Location where = config.where;
     if (where.file.empty()) where.file = config.file.string();
@@ -40,14 +50,21 @@ result::Result<Sink> make_sink(const std::string& process, const config::LogConf
 }  // namespace
 
 struct Logger::State {
-  State(std::string p, const config::LogConfig& c, Sink s)
-      : process(std::move(p)), config(c), sink(std::move(s)), limit(c.limit_per_s) {}
-
-  void put(const Message& message, Fields fields) const {
-    sink->info(spdlog::string_view_t(config.format == config::LogFormat::Json ? json_line(message, fields)
-                                                                              : text_line(message)));
+  State(std::string p, const config::LogConfig& c, LineTarget target)
+      : process(std::move(p)), config(c), limit(c.limit_per_s) {
+    writer.set_target(std::move(target));
   }
-  void tell(const std::vector<Suppressed>& list) const {
+
+  void put(const Message& message, Fields fields) {
+    writer.put(config.format == config::LogFormat::Json ? json_line(message, fields) : text_line(message));
+  }
+  void tell(const std::vector<Suppressed>& list) {
+    if (const std::uint64_t lost = writer.take_lost(); lost > 0) {
+      const std::string text =
+          std::to_string(lost) + " lines were lost: the log is not written as fast as it grows";
+      put({std::chrono::system_clock::now(), LogLevel::Warning, process, "lost_lines", text},
+          {{"count", lost}});
+    }
     for (const Suppressed& each : list) {
       const std::string text =
           std::to_string(each.count) + " more messages of kind '" + each.kind + "' were suppressed";
@@ -59,8 +76,8 @@ struct Logger::State {
   std::mutex mutex;
   std::string process;
   config::LogConfig config;
-  Sink sink;
   RateLimit limit;
+  LineWriter writer;
 };
 
 Logger::Logger(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -71,18 +88,18 @@ Logger::~Logger() {
 }
 
 result::Result<std::unique_ptr<Logger>> Logger::open(std::string process, const config::LogConfig& config) {
-  auto sink = make_sink(process, config);
-  if (!sink) return result::forward(sink);
+  auto target = make_target(process, config);
+  if (!target) return result::forward(target);
   return std::unique_ptr<Logger>(
-      new Logger(std::make_unique<State>(std::move(process), config, std::move(*sink))));
+      new Logger(std::make_unique<State>(std::move(process), config, std::move(*target))));
 }
 
 result::Result<void> Logger::reopen(const config::LogConfig& config) {
-  auto sink = make_sink(state_->process, config);
-  if (!sink) return result::forward(sink);
+  auto target = make_target(state_->process, config);
+  if (!target) return result::forward(target);
   const std::scoped_lock lock(state_->mutex);
   state_->config = config;
-  state_->sink = std::move(*sink);
+  state_->writer.set_target(std::move(*target));
   state_->limit.set_limit(config.limit_per_s);
   return {};
 }

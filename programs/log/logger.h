@@ -10,9 +10,10 @@
 // A message is a sentence that says everything; the fields repeat its values for machines and appear in JSON
 // only. The kind is a short constant word: it is what the limit counts by and what one filters by.
 //
-// Threads: any, except that of the scan, which never logs. Nothing here fails a caller: a file that can no
-// longer be written (a full disk) costs lines, and standard error says so once a second. C0463: the file
-// cannot be opened.
+// Threads: any, except that of the scan, which never logs. Nothing here fails a caller or keeps it
+// (line_writer.h): a file that can no longer be written (a full disk) and a reader that is gone or does not
+// read cost lines; standard error says so once a second, or the log itself how many were lost. C0463: the
+// file cannot be opened.
 
 #include <cstdint>
 #include <initializer_list>

@@ -69,6 +69,7 @@ result::Result<nlohmann::json> sample_often(Attached& runtime, const std::vector
       variables = std::move(*resolved);
     }
     print(*snapshot, *variables, before);
+    if (std::ferror(stdout) != 0) break;  // nobody reads any more
     if (!arguments.json_file.empty()) samples.push_back(sample_json(*snapshot, *variables));
   }
   return samples;

@@ -1,5 +1,7 @@
 #include "programs/process/command_line.h"
 
+#include <signal.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -13,7 +15,17 @@ constexpr double kLongestS = 1e9;
 
 }  // namespace
 
+// Who reads what a process says may go away at any time. To ignore the signal would be inherited by every
+// program that a process starts; a handler is not.
+void outlive_broken_pipes() {
+  struct sigaction action {};
+  action.sa_handler = [](int) {};
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGPIPE, &action, nullptr);
+}
+
 std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+  outlive_broken_pipes();
   const std::string name = app.get_name();
   const std::string command = name.substr(name.rfind(' ') + 1);
   const int skip = argc > 1 && argv[1] == command ? 1 : 0;

@@ -1,6 +1,7 @@
 #pragma once
 
-// What every process does around its command line: parse it, report what is wrong, choose the exit code.
+// What every process does at its beginning and around its command line: outlive those who read what it says,
+// parse it, report what is wrong, choose the exit code.
 //
 //   CLI::App app{"Carry the service of a runtime over Fast DDS", "stepwright link"};
 //   ...
@@ -18,9 +19,14 @@ class App;
 
 namespace stepwright::process {
 
-// Parses the arguments. The name of the command, which `stepwright` leaves in front of its arguments, is
-// skipped: it is the last word of the app's name. Returns the exit code with which the process is to end now:
-// Done after --help, Usage after a wrong command line (its message went to stderr); nothing if it goes on.
+// A pipe or socket whose reader is gone is an error of the write (EPIPE) from now on and not the end of the
+// process: a log that cannot be written costs the line. Programs that this one starts are not concerned.
+void outlive_broken_pipes();
+
+// Parses the arguments, after outlive_broken_pipes: every process begins with it. The name of the command,
+// which `stepwright` leaves in front of its arguments, is skipped: it is the last word of the app's name.
+// Returns the exit code with which the process is to end now: Done after --help, Usage after a wrong command
+// line (its message went to stderr); nothing if it goes on.
 [[nodiscard]] std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
 // What is wrong with an option's text as a number of seconds above 0; empty if nothing is. For
