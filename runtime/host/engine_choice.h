@@ -2,8 +2,10 @@
 
 // Which engine runs a program.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "runtime/bytecode/engine.h"
 #include "runtime/bytecode/program.h"
@@ -21,5 +23,10 @@ enum class EngineKind : std::uint8_t {
 // had.
 [[nodiscard]] result::Result<std::unique_ptr<bytecode::Engine>> make_engine(EngineKind kind,
                                                                             const bytecode::Program& program);
+
+// The same for `count` threads (1 at least), an engine for each. The program is translated once: they share
+// its code.
+[[nodiscard]] result::Result<std::vector<std::unique_ptr<bytecode::Engine>>> make_engines(
+    EngineKind kind, const bytecode::Program& program, std::size_t count);
 
 }  // namespace stepwright::host

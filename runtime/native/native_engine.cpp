@@ -10,13 +10,25 @@
 
 namespace stepwright::native {
 
-struct NativeEngine::Parts {
-  ProgramCode code;
+// What never changes once it is made.
+struct NativeEngine::Code {
+  ProgramCode program;
   std::vector<std::uint32_t> entry_costs;  // of each function: the bytes of its bytecode
   std::vector<bool> of_library;            // each function
+  std::size_t context_bytes = 0;           // the context and all slots
+  std::uint32_t memory_size = 0;
+};
+
+struct NativeEngine::Parts {
+  explicit Parts(std::shared_ptr<const Code> c)
+      : code(std::move(c)),
+        memory((code->context_bytes + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)) {
+    new (memory.data()) Context{};
+  }
+
+  std::shared_ptr<const Code> code;  // of all engines that were made from one, whichever ends last
   std::vector<std::uint64_t> returns = std::vector<std::uint64_t>(kMostCalls);
   std::vector<std::uint64_t> memory;  // the context and all slots
-  std::uint32_t memory_size = 0;
   const bytecode::Interrupt* interrupt = nullptr;
 
   Context& context() { return *reinterpret_cast<Context*>(memory.data()); }
@@ -24,12 +36,13 @@ struct NativeEngine::Parts {
   // Back to the call that led out of what the user wrote.
   void leave_library(bytecode::Trap& trap) {
     std::uint32_t function = trap.function;
-    const auto base = reinterpret_cast<std::uintptr_t>(code.memory.data());
-    for (std::uint32_t i = 0; of_library[function] && i < context().return_count; ++i) {
+    const std::vector<CallSite>& calls = code->program.calls;
+    const auto base = reinterpret_cast<std::uintptr_t>(code->program.memory.data());
+    for (std::uint32_t i = 0; code->of_library[function] && i < context().return_count; ++i) {
       const std::size_t offset = returns[i] - base;
-      const auto site = std::ranges::lower_bound(code.calls, offset, {}, &CallSite::offset);
+      const auto site = std::ranges::lower_bound(calls, offset, {}, &CallSite::offset);
       // The outermost call is that of the entry.
-      if (site == code.calls.end() || site->offset != offset) return;
+      if (site == calls.end() || site->offset != offset) return;
       function = trap.caller = site->function;
       trap.return_pc = site->return_pc;
     }
@@ -54,27 +67,31 @@ result::Result<std::unique_ptr<NativeEngine>> NativeEngine::compile(const byteco
     return result::fail("R0010", {}, "this machine cannot run native code of Stepwright",
                         "native code needs an x86-64 processor with SSE4.1, or an AArch64 one, and Linux");
   }
-  auto parts = std::make_unique<Parts>();
+  auto code = std::make_shared<Code>();
   const ProgramFacts facts(program);
-  if (const asmjit::Error error = make_code(facts, parts->code)) {
+  if (const asmjit::Error error = make_code(facts, code->program)) {
     return result::fail(
         "R0010", {}, std::string("no native code can be made: ") + asmjit::DebugUtils::errorAsString(error));
   }
   for (std::uint32_t i = 0; i < facts.function_count(); ++i) {
     const bytecode::FunctionRecord& record = facts.code(i).record;
-    parts->entry_costs.push_back(record.code_size);
-    parts->of_library.push_back((record.flags & bytecode::kFunctionOfLibrary) != 0);
+    code->entry_costs.push_back(record.code_size);
+    code->of_library.push_back((record.flags & bytecode::kFunctionOfLibrary) != 0);
   }
-  parts->memory.resize((facts.context_bytes() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
-  new (parts->memory.data()) Context{};
-  parts->memory_size = program.memory_size();
-  return std::unique_ptr<NativeEngine>(new NativeEngine(std::move(parts)));
+  code->context_bytes = facts.context_bytes();
+  code->memory_size = program.memory_size();
+  return std::unique_ptr<NativeEngine>(new NativeEngine(std::make_unique<Parts>(std::move(code))));
+}
+
+std::unique_ptr<NativeEngine> NativeEngine::another() const {
+  return std::unique_ptr<NativeEngine>(new NativeEngine(std::make_unique<Parts>(parts_->code)));
 }
 
 bytecode::Trap NativeEngine::run(const bytecode::Invocation& invocation, std::span<std::byte> memory,
                                  std::uint64_t& budget) {
-  assert(memory.size() == parts_->memory_size);
-  const std::uint32_t cost = parts_->entry_costs[invocation.function];
+  const Code& code = *parts_->code;
+  assert(memory.size() == code.memory_size);
+  const std::uint32_t cost = code.entry_costs[invocation.function];
   if (cost > budget) return {bytecode::TrapCode::Watchdog, invocation.function, 0};
   Context& context = parts_->context();
   context.now_ns = invocation.now_ns;
@@ -85,10 +102,10 @@ bytecode::Trap NativeEngine::run(const bytecode::Invocation& invocation, std::sp
   context.self = memory.data() + invocation.instance;
   context.frames = invocation.frames;
   context.returns = parts_->returns.data();
-  const std::uint32_t site = parts_->code.enter(&context, parts_->code.functions[invocation.function]);
+  const std::uint32_t site = code.program.enter(&context, code.program.functions[invocation.function]);
   budget = context.budget + context.slices.reserve;
   if (site == 0) return {};
-  bytecode::Trap trap = parts_->code.sites[site - 1];
+  bytecode::Trap trap = code.program.sites[site - 1];
   if (!trap) trap.code = static_cast<bytecode::TrapCode>(context.trap_code);
   parts_->leave_library(trap);
   return trap;
@@ -99,7 +116,7 @@ void NativeEngine::set_interrupt(const bytecode::Interrupt* interrupt) {
 }
 
 std::size_t NativeEngine::code_bytes() const {
-  return parts_->code.memory.code_bytes();
+  return parts_->code->program.memory.code_bytes();
 }
 
 }  // namespace stepwright::native

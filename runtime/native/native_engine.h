@@ -4,7 +4,8 @@
 // input it leaves the same image, the same trap and the same budget as vm::Interpreter, bit for bit
 // (runtime/doc/native.md).
 //
-// Thread rule: as bytecode::Engine; compile on any thread. Invariants: no page is writable and executable at
+// Thread rule: as bytecode::Engine; compile on any thread; engines that share their code (`another`) may run
+// at the same time. Invariants: no page is writable and executable at
 // the same time; every fault is an explicit check, no signal is used; running takes no heap and no lock.
 //
 //   auto engine = native::NativeEngine::compile(program);
@@ -33,6 +34,10 @@ class NativeEngine final : public bytecode::Engine {
   [[nodiscard]] static result::Result<std::unique_ptr<NativeEngine>> compile(
       const bytecode::Program& program);
 
+  // An engine of its own on the same machine code, for another thread: nothing is compiled, and it takes no
+  // more than the memory for its calls and slots.
+  std::unique_ptr<NativeEngine> another() const;
+
   ~NativeEngine() override;
 
   // Requires a program call of the program: function, instance and frames as a task has them.
@@ -44,6 +49,7 @@ class NativeEngine final : public bytecode::Engine {
   std::size_t code_bytes() const;
 
  private:
+  struct Code;
   struct Parts;
   explicit NativeEngine(std::unique_ptr<Parts> parts);
 

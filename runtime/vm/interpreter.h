@@ -33,6 +33,14 @@ class Interpreter final : public bytecode::Engine {
   Interpreter(const bytecode::Program& program, std::span<std::uint64_t> stack,
               std::span<std::byte> quick_code);
 
+  // Runs the same code, quick or not, on a stack of its own: for another thread.
+  Interpreter another(std::span<std::uint64_t> stack) const {
+    Interpreter other = *this;
+    other.stack_ = stack;
+    other.interrupt_ = nullptr;
+    return other;
+  }
+
   // Requires a function that a task calls (ProgramCallRecord): the stack is sized for those.
   bytecode::Trap run(const bytecode::Invocation& invocation, std::span<std::byte> memory,
                      std::uint64_t& budget) override;

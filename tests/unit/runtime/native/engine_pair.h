@@ -1,7 +1,7 @@
 #pragma once
 
-// One program in both engines, the interpreter with and without its quick form, each with an image of its
-// own: every run is compared byte for byte.
+// One program in both engines, the interpreter with and without its quick form, and in engines that share the
+// code of another, each with an image of its own: every run is compared byte for byte.
 //
 //   EnginePair pair(model);
 //   pair.write<std::int32_t>(0, 7);
@@ -29,13 +29,18 @@ class EnginePair {
         stack_(loaded_.program().sizes().stack_slots),
         quick_code_(loaded_.program().container().section(bytecode::Section::Code).size()),
         interpreter_(loaded_.program(), stack_),
-        quick_(loaded_.program(), stack_, quick_code_) {
+        quick_(loaded_.program(), stack_, quick_code_),
+        other_stack_(stack_.size()),
+        other_quick_(quick_.another(other_stack_)) {
     for (auto& image : images_) image.resize(loaded_.program().memory_size());
     auto compiled = NativeEngine::compile(loaded_.program());
     if (!compiled) throw std::runtime_error(result::to_string(compiled.error()));
     native_ = std::move(*compiled);
     // Nobody asks; but budgets are handed out in slices, which must make no difference.
     native_->set_interrupt(&interrupt_);
+    other_native_ = native_->another();
+    other_native_->set_interrupt(&interrupt_);
+    other_quick_.set_interrupt(&interrupt_);
     quick_.set_interrupt(&interrupt_);
     const auto initial = loaded_.program().container().section(bytecode::Section::InitialData);
     for (auto& image : images_) std::copy(initial.begin(), initial.end(), image.begin());
@@ -56,7 +61,9 @@ class EnginePair {
     std::uint64_t left = budget;
     trap_ = interpreter_.run(invocation, images_[0], left);
     return compare("native", *native_, images_[1], invocation, budget, left) +
-           compare("quick", quick_, images_[2], invocation, budget, left);
+           compare("quick", quick_, images_[2], invocation, budget, left) +
+           compare("other native", *other_native_, images_[3], invocation, budget, left) +
+           compare("other quick", other_quick_, images_[4], invocation, budget, left);
   }
 
   // Requires as many bytes as the memory has.
@@ -115,9 +122,12 @@ class EnginePair {
   std::vector<std::byte> quick_code_;
   vm::Interpreter interpreter_;
   vm::Interpreter quick_;
+  std::vector<std::uint64_t> other_stack_;
+  vm::Interpreter other_quick_;
   std::unique_ptr<NativeEngine> native_;
+  std::unique_ptr<NativeEngine> other_native_;
   bytecode::Interrupt interrupt_;
-  std::vector<std::byte> images_[3];
+  std::vector<std::byte> images_[5];
   bytecode::Trap trap_;
 };
 
