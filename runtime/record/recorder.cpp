@@ -1,6 +1,9 @@
 #include "runtime/record/recorder.h"
 
 #include <algorithm>
+#include <future>
+#include <new>
+#include <system_error>
 #include <utility>
 
 namespace stepwright::record {
@@ -62,14 +65,36 @@ result::Result<Session*> Recorder::begin(const RecordingOptions& options, Runtim
   join();
   if (session_ != nullptr && !session_->released.load()) retired_.push_back(std::move(session_));
   std::erase_if(retired_, [](const auto& session) { return session->released.load(); });
+  // All that may be refused comes first: then nothing has changed, the files neither.
+  std::unique_ptr<Session> session;
+  std::promise<bool> opened;
+  std::thread writer;
+  try {
+    session = std::make_unique<Session>(options.ring_bytes, std::max(options.hash_every, 1u),
+                                        options.keyframe_every);
+    writer = std::thread([this, go = opened.get_future()]() mutable {
+      if (go.get()) write_until_end();
+    });
+  } catch (const std::bad_alloc&) {
+    return result::fail("R0072", {options.file.string(), 0, 0}, "the system gives no memory for a recording");
+  } catch (const std::system_error& error) {
+    return result::fail("R0071", {options.file.string(), 0, 0},
+                        std::string("the system gives no thread for a recording: ") + error.what(),
+                        "the limit of processes (ulimit -u) may be reached");
+  }
+  writer_ = std::move(writer);
   options_ = options;
   options_.hash_every = std::max(options.hash_every, 1u);
   facts_ = std::move(facts);
   segment_ = 0;
   ended_ = false;
   quit_.store(false);
-  if (auto opened = open_file(); !opened) return result::forward(opened);
-  session_ = std::make_unique<Session>(options_.ring_bytes, options_.hash_every, options_.keyframe_every);
+  if (auto made = open_file(); !made) {
+    opened.set_value(false);
+    join();
+    return result::forward(made);
+  }
+  session_ = std::move(session);
   {
     const std::lock_guard lock(mutex_);
     status_ = {};
@@ -77,7 +102,7 @@ result::Result<Session*> Recorder::begin(const RecordingOptions& options, Runtim
     status_.file = options.file.string();
     announced_.clear();
   }
-  writer_ = std::thread([this] { write_until_end(); });
+  opened.set_value(true);
   return session_.get();
 }
 

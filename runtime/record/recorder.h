@@ -71,8 +71,8 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // Opens the file and gives the session that the scan thread is to begin. Fails with R0051 (the file) or
-  // R0052 (there is a recording already).
+  // Opens the file and gives the session that the scan thread is to begin. Fails with R0051 (the file), R0052
+  // (there is a recording already), R0071 (the system gives no thread) or R0072 (no memory).
   [[nodiscard]] result::Result<Session*> begin(const RecordingOptions& options, RuntimeFacts facts);
   // The session will never reach the scan thread.
   void abandon();
