@@ -2,6 +2,8 @@
 
 #include <poll.h>
 
+#include <new>
+#include <system_error>
 #include <utility>
 
 #include "runtime/host/limits.h"
@@ -11,8 +13,8 @@
 namespace stepwright::cell_runtime {
 namespace {
 
-// Commands are answered within a scan of an empty runtime; this is for a machine in trouble.
-constexpr int kAnswerWithinMs = 10'000;
+// A large program takes seconds to be prepared; this is for a machine in trouble.
+constexpr int kAnswerWithinMs = 120'000;
 
 }  // namespace
 
@@ -30,7 +32,13 @@ result::Result<std::optional<FoundProgram>> find_boot_program(const config::Boot
 
 BootProgram::BootProgram(config::BootSection config, host::HostRuntime& runtime)
     : config_(std::move(config)), runtime_(runtime) {
-  if (!config_.keep.empty()) thread_ = std::thread([this] { keep_on(); });
+  if (config_.keep.empty()) return;
+  try {
+    thread_ = std::thread([this] { keep_on(); });
+  } catch (const std::system_error& error) {
+    runtime_.set_note(std::string("programs are not kept for the next start: no thread: ") + error.what());
+    config_.keep.clear();
+  }
 }
 
 BootProgram::~BootProgram() {
@@ -52,9 +60,12 @@ std::function<void(std::span<const std::byte>)> BootProgram::keeper() {
       booted_ = digest;
       return;
     }
-    {
+    try {
       const std::lock_guard lock(mutex_);
       next_.emplace(container.begin(), container.end());
+    } catch (const std::bad_alloc&) {
+      next_.reset();
+      return runtime_.set_note("the program is not kept for the next start: there is no memory for it");
     }
     news_.notify_one();
   };
@@ -90,19 +101,19 @@ result::Result<void> BootProgram::load_and_start() {
   const std::filesystem::path file = (*found)->file;
   std::string digest = service::to_hex(service::sha256((*found)->container));
   auto loaded = runtime_.load(0, std::move((*found)->container), digest);
+  if (loaded) loaded = complete(1);
   if (!loaded) {
     // It was no download.
     for (result::Diagnostic& each : loaded.error()) each.where.file = file.string();
     return loaded;
   }
   booted_ = std::move(digest);
-  if (!config_.autostart) return complete(1);
-  // Both at once: between two commands a stopped program waits for its next inputs.
+  if (!config_.autostart) return {};
   host::Command start;
   start.kind = host::CommandKind::Start;
   start.regardless = true;  // devices that are not there are a fault, as if they were lost later
   if (!runtime_.submit(start)) return result::fail("R0006", {}, "the runtime is busy");
-  return complete(2);
+  return complete(1);
 }
 
 // Waits for the commands that are under way.

@@ -58,7 +58,7 @@ class BootProgram {
   [[nodiscard]] result::Result<void> complete(int commands);
   void keep_on();
 
-  const config::BootSection config_;
+  config::BootSection config_;
   host::HostRuntime& runtime_;
   std::string booted_;  // digest of what was loaded at the start, until another program comes
 

@@ -2,6 +2,8 @@
 // through its socket, against the cell's plant, and depends on no other process. SIGTERM ends it with safe
 // outputs.
 
+#include <malloc.h>
+
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <csignal>
@@ -89,6 +91,9 @@ int run(const config::CellConfig& config) {
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk, not the end
   static_cast<void>(host::limit_thread_stacks());  // a refusal costs memory only
+  // One heap for all threads: what the preparation of a program took goes back to the system, and no 64 MiB
+  // of address space for each thread count as locked.
+  static_cast<void>(mallopt(M_ARENA_MAX, 1));
   const process::StopSignal stop;
   process::ReloadSignal reload;
   process::NotifySocket init;

@@ -39,10 +39,18 @@ enum class CommandKind : std::uint8_t {
   WriteBlock,  // block
 };
 
+// What does not wait behind other commands. What was to be performed before a stop and comes after it does
+// not make the program run again (Outcome::Overtaken).
+constexpr bool goes_ahead(CommandKind kind) {
+  return kind == CommandKind::Stop || kind == CommandKind::SupervisorAlive ||
+         kind == CommandKind::SupervisorLost;
+}
+
 struct Command {
   CommandKind kind = CommandKind::Stop;
   bool barrier = false;
   std::uint64_t ticket = 0;  // comes back in the completion
+  std::uint64_t order = 0;   // in which commands were given; grows
   std::uint64_t event = 0;
   double value = 0.0;
   ImageBits bits;
@@ -72,7 +80,8 @@ enum class Outcome : std::uint8_t {
   ChangeOutdated,  // the program that it was planned for is not the one that runs
   StepLost,        // an active step has no counterpart; `detail` is its number in the plan
   ProgramDiffers,  // a write to a program that is not the one that is loaded
-  Refused,         // by a controller behind a line, or by the line; see the problems
+  Refused,    // by a controller behind a line, by the line, or a program that cannot be had; see the problems
+  Overtaken,  // a start that was asked for before a stop, which went ahead of it
   StepsUnfit,  // active steps are no situation of the new chart; `detail` is the chart's number in the plan
 };
 

@@ -41,8 +41,9 @@ struct HostConfig {
   SafetyConfig safety;
   LostSupervisor on_lost_supervisor = LostSupervisor::Continue;
   std::vector<ScheduledFault> faults;
-  std::vector<TaskSettings> tasks;        // by name; a task without an entry has the defaults
-  int cpu = -1;                           // real clock: the only processor of the scan; -1: any
+  std::vector<TaskSettings> tasks;     // by name; a task without an entry has the defaults
+  int cpu = -1;                        // real clock: the only processor of the scan; -1: any
+  std::size_t memory_limit_bytes = 0;  // of this process, below the limits of the system; 0: none of its own
   std::uint32_t change_trial_scans = 10;  // in which a trap of a changed program brings the old one back
   record::RetainConfig retain;            // without a store retained values end with the process
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <future>
 #include <random>
+#include <system_error>
 #include <utility>
 
 #include "runtime/host/task_status.h"
@@ -12,6 +13,8 @@ namespace {
 
 // Fewer than the queues of the scan loop hold.
 constexpr std::size_t kMaxUnderWay = 200;
+// What goes ahead of the others has some room of its own.
+constexpr std::size_t kMaxUrgentUnderWay = 250;
 constexpr double kNsPerUs = 1'000.0;
 
 // What the system refused to the scan thread and its process.
@@ -48,19 +51,28 @@ result::Result<std::unique_ptr<HostRuntime>> HostRuntime::create(const HostConfi
   if (!snapshots) return result::forward(snapshots);
   auto reader = SnapshotReader::open((*snapshots)->descriptor());
   if (!reader) return result::forward(reader);
-  std::unique_ptr<HostRuntime> self(
-      new HostRuntime(config, driver, plant, std::move(*snapshots), std::move(*reader)));
-  if (!self->loop_->ok()) return result::fail("R0001", {}, "the system gives no more descriptors");
+  try {
+    std::unique_ptr<HostRuntime> self(
+        new HostRuntime(config, driver, plant, std::move(*snapshots), std::move(*reader)));
+    if (!self->loop_->ok()) return result::fail("R0001", {}, "the system gives no more descriptors");
+    self->start_threads();
+    return self;
+  } catch (const std::system_error& error) {
+    return result::fail("R0001", {}, std::string("the system gives no thread: ") + error.what(),
+                        "the limit of processes (ulimit -u) may be reached");
+  }
+}
+
+void HostRuntime::start_threads() {
   std::promise<std::string> entered;
   std::future<std::string> refused = entered.get_future();
-  self->thread_ = std::thread([loop = self->loop_.get(), real = config.clock == ClockMode::Real,
-                               cpu = config.cpu, entered = std::move(entered)]() mutable {
+  thread_ = std::thread([loop = loop_.get(), real = config_.clock == ClockMode::Real, cpu = config_.cpu,
+                         entered = std::move(entered)]() mutable {
     entered.set_value(real ? enter_real_time(cpu) : std::string());
     loop->run();
   });
-  self->refused_ = refused.get();
-  self->monitor_.start();
-  return self;
+  refused_ = refused.get();
+  monitor_.start();
 }
 
 HostRuntime::HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
@@ -73,7 +85,9 @@ HostRuntime::HostRuntime(const HostConfig& config, image::IoDriver& driver, Plan
       incarnation_(random_incarnation()),
       retain_(record::RetainKeeper::open(config_.retain)),
       loop_(std::make_unique<ScanLoop>(config_, io_, plant, *snapshots_, *retain_)),
-      monitor_(config.safety.monitor_ns, [this] { io_.beat(); }) {
+      monitor_(config.safety.monitor_ns, [this] { io_.beat(); }),
+      preparer_([this](PreparationJob job) { return prepare(std::move(job)); },
+                [this] { loop_->news().ring(); }) {
   monitor_.watch(loop_->lifeline());
 }
 
@@ -81,38 +95,6 @@ HostRuntime::~HostRuntime() {
   if (!thread_.joinable()) return;
   loop_->quit();
   thread_.join();
-}
-
-result::Result<std::unique_ptr<PreparedProgram>> HostRuntime::prepare(std::vector<std::byte> container,
-                                                                      std::string digest) {
-  auto program = PreparedProgram::create(std::move(container), std::move(digest),
-                                         {io_, loop_->clock(), config_, &loop_->lifeline(), &monitor_,
-                                          loop_->clock_origin_ns(), plant_names_.size()});
-  if (!program) return result::forward(program);
-  auto retained = retain_->prepare((*program)->loaded().program());
-  if (!retained) return result::forward(retained);
-  (*program)->set_retained(std::move(*retained));
-  return program;
-}
-
-result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::byte> container,
-                                       std::string digest) {
-  auto program = prepare(std::move(container), std::move(digest));
-  if (!program) return result::forward(program);
-  Command command;
-  command.kind = CommandKind::Load;
-  command.ticket = ticket;
-  return send(std::move(command), std::move(*program), nullptr);
-}
-
-result::Result<void> HostRuntime::send(Command command, std::unique_ptr<PreparedProgram> program,
-                                       std::unique_ptr<ChangePlan> plan) {
-  command.program = program.get();
-  command.change = plan.get();
-  if (recorder_.active()) recorder_.announce(program->digest(), program->loaded().bytes());
-  if (!send(command)) return result::fail("R0006", {}, "the runtime is busy", "try again");
-  programs_.add(std::move(program), std::move(plan), command.ticket);
-  return {};
 }
 
 result::Result<void> HostRuntime::record(std::uint64_t ticket, const record::RecordingOptions& options) {
@@ -153,12 +135,32 @@ result::Result<void> HostRuntime::write(std::uint64_t ticket, BlockWrite block) 
 }
 
 bool HostRuntime::send(const Command& command) {
-  if (commands_under_way_ >= kMaxUnderWay || !loop_->submit(command)) return false;
+  const std::size_t most = goes_ahead(command.kind) ? kMaxUrgentUnderWay : kMaxUnderWay;
+  if (commands_under_way_ >= most) return false;
+  Command ordered = command;
+  ordered.order = ++last_order_;
+  // What is to be started is the program that is on its way.
+  if (command.kind == CommandKind::Start && preparer_.under_way() > 0) {
+    starts_.push_back(ordered);
+    ++commands_under_way_;
+    return true;
+  }
+  return pass_on(ordered);
+}
+
+bool HostRuntime::pass_on(Command command) {
+  if (!loop_->submit(std::move(command))) return false;
   ++commands_under_way_;
   return true;
 }
 
 std::optional<Completion> HostRuntime::take_completion() {
+  take_preparations();
+  if (!refusals_.empty()) {
+    Completion refusal = std::move(refusals_.front());
+    refusals_.pop_front();
+    return refusal;
+  }
   auto completion = loop_->take_completion();
   if (!completion) return std::nullopt;
   --commands_under_way_;
@@ -172,7 +174,7 @@ std::optional<StepEvent> HostRuntime::take_event() {
   const ScanFigures figures = loop_->figures();
   const ProgramShelf::Held* held = programs_.next_event();
   if (held == nullptr) {
-    programs_.clear(figures.program, figures.kept);
+    if (!changing_) preparer_.discard(programs_.clear(figures.program, figures.kept));
     return std::nullopt;
   }
   EventRing& ring = held->program->events();

@@ -4,18 +4,21 @@
 //
 //   HostConfig config;                                           // simulated clock, as fast as possible
 //   auto runtime = HostRuntime::create(config, driver, &plant);
-//   (*runtime)->load(1, container, digest);                      // refusals come back at once
+//   (*runtime)->load(1, container, digest);                      // prepared beside this thread
 //   (*runtime)->submit({.kind = CommandKind::Start, .barrier = true, .ticket = 2});
 //   poll((*runtime)->descriptor()), then:
 //   (*runtime)->clear();
 //   while (auto completion = (*runtime)->take_completion()) ...
 //   while (auto event = (*runtime)->take_event()) ...
 //
-// Threads: create, use and destroy it on one thread (the service's); it brings its own for the scan. Driver
+// Threads: create, use and destroy it on one thread (the service's); it brings its own for the scan and for
+// the preparation of programs. A start waits for the downloads that were asked for before it; everything else
+// is performed meanwhile, on the program that is loaded. Driver
 // and plant are called by the scan thread only and must outlive the runtime. States: Empty -load-> Stopped
 // -start-> Running -stop, load, lost supervisor-> Stopped; Running -trap, lost I/O-> Fault -start-> Running;
 // Fault -load-> Stopped; an online change, and its rollback, stay in Running.
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -23,6 +26,7 @@
 
 #include "runtime/host/host_config.h"
 #include "runtime/host/plant_access.h"
+#include "runtime/host/program_preparer.h"
 #include "runtime/host/program_shelf.h"
 #include "runtime/host/runtime_port.h"
 #include "runtime/host/scan_loop.h"
@@ -63,6 +67,8 @@ class HostRuntime final : public RuntimePort {
   // stop, else up to 0.1 s old. Require a loaded program.
   std::uint32_t leading_task() const { return loop_->figures().program->tasks().leader; }
   scan::TaskTiming timing(std::uint32_t task) const { return loop_->figures().program->timing(task); }
+  // Downloads that are prepared at present; they go on with take_completion.
+  std::size_t preparing() const { return preparer_.under_way(); }
   // What the monotonic clock shows at scan time 0.
   std::int64_t clock_origin_ns() const { return loop_->clock_origin_ns(); }
   // Something about this process that its status should say, behind the rest. Any thread.
@@ -74,11 +80,13 @@ class HostRuntime final : public RuntimePort {
   HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
               std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader);
 
+  void start_threads();
   bool send(const Command& command);
-  [[nodiscard]] result::Result<std::unique_ptr<PreparedProgram>> prepare(std::vector<std::byte> container,
-                                                                         std::string digest);
-  [[nodiscard]] result::Result<void> send(Command command, std::unique_ptr<PreparedProgram> program,
-                                          std::unique_ptr<ChangePlan> plan);
+  bool pass_on(Command command);
+  // On the preparer's thread.
+  [[nodiscard]] result::Result<Preparation> prepare(PreparationJob job);
+  void take_preparations();
+  [[nodiscard]] result::Result<void> hand_over(Preparation prepared);
   void explain(const ProgramShelf::Held& held, Completion& completion) const;
   StepEvent to_event(const PreparedProgram& program, const EventRing::Slot& slot) const;
 
@@ -100,6 +108,11 @@ class HostRuntime final : public RuntimePort {
   ProgramShelf programs_;
   std::map<std::uint64_t, std::unique_ptr<const BlockWrite>> blocks_;  // by ticket, while they are under way
   std::size_t commands_under_way_ = 0;
+  std::uint64_t last_order_ = 0;
+  std::deque<Command> starts_;             // that wait for a download
+  std::deque<Completion> refusals_;        // of programs that could not be had
+  std::optional<std::uint64_t> changing_;  // ticket of the change that is prepared: what runs must stay
+  ProgramPreparer preparer_;               // last but one: it uses the rest
   std::thread thread_;
 };
 

@@ -1,5 +1,6 @@
-// Online change, as the service thread prepares and reports it.
+// Downloads and online changes, as the service thread has them prepared and reports them.
 
+#include <new>
 #include <utility>
 
 #include "runtime/host/host_runtime.h"
@@ -17,22 +18,81 @@ result::Diagnostics not_running() {
 
 }  // namespace
 
+result::Result<void> HostRuntime::load(std::uint64_t ticket, std::vector<std::byte> container,
+                                       std::string digest) {
+  return preparer_.submit({ticket, std::move(container), std::move(digest), DownloadMode::Replace, nullptr});
+}
+
 result::Result<void> HostRuntime::change(std::uint64_t ticket, std::vector<std::byte> container,
                                          std::string digest, DownloadMode mode) {
-  if (programs_.any_pending()) {
+  if (programs_.any_pending() || preparer_.under_way() > 0) {
     return tl::unexpected(problem("R0032", "another download is under way", "try again when it is done"));
   }
   const ScanFigures figures = loop_->figures();
   PreparedProgram* const running = programs_.find(figures.program);
   if (running == nullptr || figures.state != RuntimeState::Running) return tl::unexpected(not_running());
-  auto program = prepare(std::move(container), std::move(digest));
+  auto accepted = preparer_.submit({ticket, std::move(container), std::move(digest), mode, running});
+  if (accepted) changing_ = ticket;
+  return accepted;
+}
+
+// On the preparer's thread: nothing here is changed by any other while a job is under way.
+result::Result<Preparation> HostRuntime::prepare(PreparationJob job) {
+  Preparation done;
+  auto program = PreparedProgram::create(
+      std::move(job.container), std::move(job.digest),
+      {io_, loop_->clock(), config_, &loop_->lifeline(), &monitor_, loop_->clock_origin_ns(),
+       plant_names_.size(), [loop = loop_.get()] { loop->task_failed(); }});
   if (!program) return result::forward(program);
-  auto plan = ChangePlan::make(*running, **program, mode);
-  if (!plan) return result::forward(plan);
+  auto retained = retain_->prepare((*program)->loaded().program());
+  if (!retained) return result::forward(retained);
+  (*program)->set_retained(std::move(*retained));
+  if (job.mode != DownloadMode::Replace) {
+    auto plan = ChangePlan::make(*job.running, **program, job.mode);
+    if (!plan) return result::forward(plan);
+    done.plan = std::move(*plan);
+  }
+  done.program = std::move(*program);
+  return done;
+}
+
+// Hands the programs that are ready to the scan thread, and after them the starts that waited for them.
+void HostRuntime::take_preparations() {
+  while (auto prepared = preparer_.take()) {
+    const std::uint64_t ticket = prepared->ticket;
+    if (changing_ == ticket) changing_.reset();
+    auto problems = std::move(prepared->problems);
+    if (prepared->program != nullptr) {
+      auto handed = hand_over(std::move(*prepared));
+      if (handed) continue;
+      problems = std::move(handed.error());
+    }
+    refusals_.push_back({ticket, Outcome::Refused, std::move(problems)});
+  }
+  while (!starts_.empty() && preparer_.under_way() == 0) {
+    --commands_under_way_;
+    // There is room: it was counted all the time.
+    static_cast<void>(pass_on(starts_.front()));
+    starts_.pop_front();
+  }
+}
+
+result::Result<void> HostRuntime::hand_over(Preparation prepared) {
   Command command;
-  command.kind = CommandKind::Change;
-  command.ticket = ticket;
-  return send(std::move(command), std::move(*program), std::move(*plan));
+  command.kind = prepared.plan == nullptr ? CommandKind::Load : CommandKind::Change;
+  command.ticket = prepared.ticket;
+  command.program = prepared.program.get();
+  command.change = prepared.plan.get();
+  try {
+    if (recorder_.active())
+      recorder_.announce(prepared.program->digest(), prepared.program->loaded().bytes());
+  } catch (const std::bad_alloc&) {
+    return result::fail("R0072", {"download", 0, 0}, "the system gives no memory to record the program",
+                        "end the recording first; nothing was changed");
+  }
+  if (!send(command)) return result::fail("R0006", {}, "the runtime is busy", "try again");
+  programs_.add(std::move(prepared.program), std::move(prepared.plan), command.ticket);
+  return {};
 }
 
 // In words what the scan thread said in numbers.

@@ -3,6 +3,7 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/host/memory_room.h"
 #include "runtime/host/program_fit.h"
 
 namespace stepwright::host {
@@ -18,17 +19,20 @@ result::Result<std::unique_ptr<PreparedProgram>> PreparedProgram::create(std::ve
   auto info = reader::ProgramInfo::read(loaded->bytes());
   if (!info) return result::forward(info);
   TaskPlan plan = plan_tasks(*info, surroundings.config);
+  const std::size_t threads = plan.others().size() + 1;
+  const MemoryNeed need{.code_bytes = program.container().section(bytecode::Section::Code).size(),
+                        .image_bytes = program.memory_size(),
+                        .threads = threads,
+                        .native = surroundings.config.engine != EngineKind::Vm};
+  if (auto room = check_memory(need, surroundings.config.memory_limit_bytes); !room)
+    return result::forward(room);
   // An engine belongs to one thread.
-  std::vector<std::unique_ptr<bytecode::Engine>> engines;
-  for (std::size_t i = 0; i <= plan.others().size(); ++i) {
-    auto made = make_engine(surroundings.config.engine, program);
-    if (!made) return result::forward(made);
-    engines.push_back(std::move(*made));
-  }
-  std::unique_ptr<bytecode::Engine> own = std::move(engines.back());
-  engines.pop_back();
+  auto engines = make_engines(surroundings.config.engine, program, threads);
+  if (!engines) return result::forward(engines);
+  std::unique_ptr<bytecode::Engine> own = std::move(engines->back());
+  engines->pop_back();
   Machine machine{std::move(own),
-                  std::move(engines),
+                  std::move(*engines),
                   BoolBytes(*info, program.image_size()),
                   MergeMap(*info, scan::layout_of(program)),
                   std::move(plan),
@@ -65,7 +69,8 @@ PreparedProgram::PreparedProgram(reader::LoadedProgram loaded, Machine machine, 
   image_.reset(loaded_.program().container().section(bytecode::Section::InitialData));
   const CrewSetup setup{machine_.merge_map,     around.clock,
                         around.monitor,         around.config.safety.stall_ns,
-                        around.clock_origin_ns, scan::ScanConfig{}.budget};
+                        around.clock_origin_ns, scan::ScanConfig{}.budget,
+                        around.task_failed};
   crew_ = std::make_unique<TaskCrew>(loaded_.program(), image_, cycle_, setup, machine_.plan,
                                      std::move(machine_.engines), published_);
 }

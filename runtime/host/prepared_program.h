@@ -1,10 +1,11 @@
 #pragma once
 
 // A verified program with all the memory that running it takes: image, stack, engine, scan, step watch, event
-// ring. Built by the service thread; handed to the scan thread, which runs it until the next one comes;
-// destroyed by the service thread again.
+// ring. Built by the thread that prepares programs; handed to the scan thread, which runs it until the next
+// one comes; destroyed by the preparing thread again.
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -41,12 +42,14 @@ class PreparedProgram {
     ScanMonitor* monitor = nullptr;    // looks at the threads of other tasks; null: nobody does
     std::int64_t clock_origin_ns = 0;  // what the clock shows at scan time 0
     std::size_t plant_values = 0;
+    std::function<void()> task_failed = [] {};  // see CrewSetup::failed
   };
 
   // Verifies the container and takes its memory and threads. Fails with the diagnostics of the verifier, with
-  // R0004 where the program needs more than a cell or a message can carry, with R0010 (see make_engine), or
-  // with R0071 where the system gives no threads for its tasks. What is passed by reference must outlive the
-  // program.
+  // R0004 where the program needs more than a cell or a message can carry, with R0010 (see make_engine), with
+  // R0071 where the system gives no threads for its tasks, or with R0076 where it takes more memory than is
+  // free within the limit of the process. Throws std::bad_alloc where the system gives no memory after all.
+  // What is passed by reference must outlive the program.
   [[nodiscard]] static result::Result<std::unique_ptr<PreparedProgram>> create(
       std::vector<std::byte> container, std::string digest, const Surroundings& surroundings);
 

@@ -1,6 +1,7 @@
 #include "runtime/host/program_shelf.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace stepwright::host {
@@ -48,14 +49,19 @@ const ProgramShelf::Held* ProgramShelf::next_event() const {
   return oldest;
 }
 
-void ProgramShelf::clear(const PreparedProgram* running, const PreparedProgram* kept) {
+std::vector<ProgramShelf::Held> ProgramShelf::clear(const PreparedProgram* running,
+                                                    const PreparedProgram* kept) {
   // An event may speak of a program other than its own.
-  if (next_event() != nullptr) return;
-  std::erase_if(held_, [&](const Held& held) {
-    return !held.pending && held.program.get() != running && held.program.get() != kept;
-  });
+  if (next_event() != nullptr) return {};
+  const auto needed = [&](const Held& held) {
+    return held.pending || held.program.get() == running || held.program.get() == kept;
+  };
+  const auto first_gone = std::stable_partition(held_.begin(), held_.end(), needed);
+  std::vector<Held> gone(std::make_move_iterator(first_gone), std::make_move_iterator(held_.end()));
+  held_.erase(first_gone, held_.end());
   for (Held& held : held_)
     if (!held.pending && kept == nullptr) held.plan.reset();
+  return gone;
 }
 
 }  // namespace stepwright::host

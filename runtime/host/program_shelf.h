@@ -5,12 +5,12 @@
 // that ended but still hold events that nobody has taken.
 //
 // Threads: the service's. Invariant: events come in the order of their sequence, whichever program they are
-// of. Engines are destroyed here, never on the scan thread.
+// of. What is not needed any more is handed out, to be destroyed where nobody waits for it.
 //
 //   shelf.add(std::move(program), std::move(plan), ticket);
 //   if (const ProgramShelf::Held* held = shelf.done(completion.ticket)) ...
 //   while (const ProgramShelf::Held* held = shelf.next_event()) ... held->program->events().pop();
-//   shelf.clear(loop.figures().program, loop.figures().kept);
+//   preparer.discard(shelf.clear(loop.figures().program, loop.figures().kept));
 
 #include <cstdint>
 #include <memory>
@@ -44,9 +44,9 @@ class ProgramShelf {
 
   // The program that holds the oldest event; null if there is none.
   const Held* next_event() const;
-  // Destroys what neither the scan thread (which names what it still uses) nor an event needs. Requires names
-  // that the scan thread published before this call.
-  void clear(const PreparedProgram* running, const PreparedProgram* kept);
+  // Hands out what neither the scan thread (which names what it still uses) nor an event needs. Requires
+  // names that the scan thread published before this call.
+  [[nodiscard]] std::vector<Held> clear(const PreparedProgram* running, const PreparedProgram* kept);
 
  private:
   std::vector<Held> held_;

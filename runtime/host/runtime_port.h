@@ -24,7 +24,8 @@ class RuntimePort {
   virtual ~RuntimePort() = default;
 
   // Verifies the container and has it take the place of the loaded one between two scans; the completion
-  // carries `ticket`. Refused containers fail at once and change nothing.
+  // carries `ticket`. A refused container changes nothing; it fails at once or completes with
+  // Outcome::Refused and the problems. A start that is submitted later is performed later.
   [[nodiscard]] virtual result::Result<void> load(std::uint64_t ticket, std::vector<std::byte> container,
                                                   std::string digest) = 0;
   // The same beside the running program, which the new one takes over from between two scans; its values,

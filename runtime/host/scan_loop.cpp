@@ -40,6 +40,7 @@ ScanLoop::ScanLoop(const HostConfig& config, AreaDriver& io, PlantAccess* plant,
       plant_(plant),
       snapshots_(snapshots),
       retain_(retain),
+      urgent_(kQueue),
       commands_(kQueue),
       completions_(kQueue),
       lifeline_(config.safety.stall_ns),
@@ -56,6 +57,7 @@ void ScanLoop::run() {
   while (!quit_.load(std::memory_order_acquire)) {
     take_commands();
     if (real()) {
+      report_task_failure();
       turn_real();
     } else {
       turn_simulated();
@@ -72,7 +74,7 @@ void ScanLoop::quit() {
 }
 
 bool ScanLoop::submit(Command command) {
-  if (!commands_.push(std::move(command))) return false;
+  if (!(goes_ahead(command.kind) ? urgent_ : commands_).push(std::move(command))) return false;
   wake_.ring();
   return true;
 }
@@ -81,9 +83,7 @@ void ScanLoop::turn_real() {
   if (program_ == nullptr) return wait(-1);
   const bool running = now_.state == RuntimeState::Running;
   const std::int64_t due_ns = running ? program_->cycle().next_time_ns() : idle_due_ns_;
-  lifeline_.rest_until(origin_ns_ + due_ns);
-  sleep_until(origin_ns_ + due_ns);
-  lifeline_.busy();
+  if (!reached(due_ns)) return;
   const std::int64_t late_ns = clock_.now_ns() - origin_ns_ - due_ns;
   if (!running) {
     idle_io(due_ns + late_ns);
@@ -96,6 +96,33 @@ void ScanLoop::turn_real() {
   scan_once();
   // After a rollback another crew is at work, which is not held.
   if (program_ == scanned) program_->crew().look_at_triggers();
+}
+
+// Waits for the instant. False if something is to be done before it. One system call, but for what comes in
+// between.
+bool ScanLoop::reached(std::int64_t due_ns) {
+  const std::int64_t instant_ns = origin_ns_ + due_ns;
+  const bool far = instant_ns - clock_.now_ns() > kUndisturbedNs;
+  if (far && (commands_left_ || warm_change_.waiting)) return false;
+  lifeline_.rest_until(instant_ns);
+  const bool rang = far && !wake_.wait_until(instant_ns);
+  const bool interrupted = rang && instant_ns - clock_.now_ns() > kUndisturbedNs;
+  if (!interrupted && (rang || !far)) sleep_until(instant_ns);
+  lifeline_.busy();
+  return !interrupted;
+}
+
+// Without a scan: the one of the leading task may be far away.
+void ScanLoop::report_task_failure() {
+  if (!task_failed_.load(std::memory_order_acquire)) return;
+  task_failed_.store(false, std::memory_order_release);
+  if (now_.state != RuntimeState::Running) return;
+  const auto hold = hold_tasks();
+  if (program_->cycle().state() == scan::ScanState::Running) return;
+  const scan::ScanReport report = program_->cycle().report_fault();
+  if (trial_.active() && tried(report)) return;
+  if (tap_.recording()) tap_.state(record::StateCause::Tasks, running());
+  faulted(report);
 }
 
 void ScanLoop::turn_simulated() {
@@ -111,7 +138,11 @@ void ScanLoop::turn_simulated() {
 
 void ScanLoop::wait(std::int64_t timeout_ns) {
   lifeline_.rest();
-  wake_.wait(timeout_ns);
+  if (timeout_ns < 0) {
+    wake_.wait();
+  } else {
+    wake_.wait_until(clock_.now_ns() + timeout_ns);
+  }
   lifeline_.busy();
 }
 
@@ -148,15 +179,9 @@ void ScanLoop::scan_once() {
                  {io_.inputs().first(program_->image().inputs().size()), io_.read_good(), io_.write_good()},
                  running());
   }
-  if (report.state == scan::ScanState::Running) retain_.offer(program_->image().bytes(), clock_.now_ns());
-  if (report.state != scan::ScanState::Running) {
-    retain_.finish(program_->image().bytes());
-    end_stretch();
-    program_->crew().stop();
-    now_.state = RuntimeState::Fault;
-    next_start_ns_ = program_->cycle().next_time_ns();
-    emit(EventKind::Trap, report.trap, reason_of(program_->cycle()).view());
-  } else if (changed) {
+  if (report.state != scan::ScanState::Running) return faulted(report);
+  retain_.offer(program_->image().bytes(), clock_.now_ns());
+  if (changed) {
     if (barrier_ && !supervisor_lost_ && !real()) {
       now_.waiting_for_supervisor = true;
       end_stretch();
@@ -168,6 +193,16 @@ void ScanLoop::scan_once() {
   } else {
     publish_if_due();
   }
+}
+
+void ScanLoop::faulted(const scan::ScanReport& report) {
+  retain_.finish(program_->image().bytes());
+  end_stretch();
+  program_->crew().stop();
+  now_.state = RuntimeState::Fault;
+  next_start_ns_ = program_->cycle().next_time_ns();
+  if (real()) idle_due_ns_ = safe_time_ns();  // ramps go on at once
+  emit(EventKind::Trap, report.trap, reason_of(program_->cycle()).view());
 }
 
 // Inputs stay fresh and outputs safe while no program runs. A driver that does not answer is no news then.

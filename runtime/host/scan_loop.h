@@ -2,7 +2,9 @@
 
 // The scan thread: takes commands between two scans, waits for the next one (or, in simulated time, does
 // not), runs it, compares the steps, and publishes events, figures and the image. Nothing that the service,
-// the link or a supervisor does or fails to do delays a scan in real time.
+// the link or a supervisor does or fails to do delays a scan in real time. In real time commands, a fault of
+// another task and the end interrupt the wait for a scan that is far away; a stop and what is said about a
+// supervisor go ahead of every other command.
 //
 // Threads: `run` is the body of the scan thread; the functions under "service thread" belong to that one
 // thread; `quit` may be called from any. No heap, lock or log on the path of a scan; a doorbell is rung (one
@@ -30,6 +32,7 @@
 #include "runtime/host/snapshot_memory.h"
 #include "runtime/host/spsc_queue.h"
 #include "runtime/host/stepper.h"
+#include "runtime/host/wake_signal.h"
 #include "runtime/record/scan_tap.h"
 #include "runtime/scan/histogram.h"
 
@@ -63,6 +66,9 @@ struct ForceList {
   std::size_t count = 0;
 };
 
+// Real clock: so close to a scan nothing disturbs the wait for it.
+inline constexpr std::int64_t kUndisturbedNs = 2'000'000;
+
 class ScanLoop {
  public:
   // What is passed by reference must outlive the loop; `plant` may be null.
@@ -83,13 +89,19 @@ class ScanLoop {
   // The event ring of the program that runs was full and has room again.
   void events_taken() { wake_.ring(); }
 
+  // A task on a thread of its own has ended the program with a fault: it is reported now. Any thread.
+  void task_failed() {
+    task_failed_.store(true, std::memory_order_release);
+    wake_.ring();
+  }
+
   // Measures scans and, in real time, sets them off. Any thread.
   scan::Clock& clock() { return clock_; }
   // What the clock shows at scan time 0.
   std::int64_t clock_origin_ns() const { return origin_ns_; }
   // Of the scan thread. Any thread.
   Lifeline& lifeline() { return lifeline_; }
-  bool ok() const { return wake_.ok() && news_.ok(); }
+  bool ok() const { return news_.ok(); }
 
  private:
   // Commands (scan_loop_commands.cpp).
@@ -98,6 +110,7 @@ class ScanLoop {
   Completion apply(const Command& command);
   Outcome load(PreparedProgram* program);
   Outcome start(const Command& command);
+  bool time_for_commands(std::int64_t begin_ns);
   result::Diagnostics refused_start(const Command& command) const;
   Outcome stop(std::string_view reason, scan::SafeCause cause = scan::SafeCause::Stop);
   Outcome force(const ImageBits& bits);
@@ -113,7 +126,7 @@ class ScanLoop {
   void adopt(PreparedProgram& program);
 
   // Online change (scan_loop_change.cpp).
-  std::optional<Command> next_command();
+  std::optional<Command> next_command(std::int64_t begin_ns);
   Completion change(const Command& command);
   bool tried(const scan::ScanReport& report);
   void roll_back(const bytecode::Trap& trap);
@@ -122,8 +135,11 @@ class ScanLoop {
 
   // One turn of the loop (scan_loop.cpp).
   void turn_real();
+  bool reached(std::int64_t due_ns);
+  void report_task_failure();
   void turn_simulated();
   void scan_once();
+  void faulted(const scan::ScanReport& report);
   void idle_io(std::int64_t time_ns);
   bool early(std::int64_t next_ns);
   void inject_scheduled(std::int64_t time_ns);
@@ -149,14 +165,16 @@ class ScanLoop {
   record::RetainKeeper& retain_;
   MonotonicClock clock_;
 
+  SpscQueue<Command> urgent_;  // stops and the supervisor's life: ahead of the others
   SpscQueue<Command> commands_;
   SpscQueue<Completion> completions_;
   std::vector<Completion> finished_;  // the scan thread's: commands of this turn; sized once
-  Doorbell wake_;
+  WakeSignal wake_;
   Doorbell news_;
   SeqCell<ScanFigures> figures_;
   SeqCell<ForceList> forces_;
   std::atomic<bool> quit_{false};
+  std::atomic<bool> task_failed_{false};
   Lifeline lifeline_;
 
   // The rest belongs to the scan thread.
@@ -165,6 +183,8 @@ class ScanLoop {
   std::int64_t origin_ns_ = 0;      // real clock: monotonic time at scan time 0
   std::int64_t next_start_ns_ = 0;  // scan time at which a start takes over
   std::int64_t idle_due_ns_ = 0;    // real clock: scan time of the next I/O while no program runs
+  bool commands_left_ = false;      // real clock: there was no time for all of them before the scan
+  std::uint64_t stopped_at_ = 0;    // order of the newest stop: starts that were asked for before it are void
   bool barrier_ = false;
   bool supervisor_lost_ = false;
   std::size_t next_fault_ = 0;  // into config_.faults, which are sorted by time

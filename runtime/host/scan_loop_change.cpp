@@ -13,10 +13,15 @@ constexpr double kNsPerUs = 1'000.0;
 
 }  // namespace
 
-// The commands in their order. In real time a change is warmed up in this pause between two scans and
-// performed in the next one, with the commands behind it waiting; the simulated clock stands still meanwhile
-// anyway.
-std::optional<Command> ScanLoop::next_command() {
+// The commands in their order, those that go ahead first. In real time a change is warmed up in this pause
+// between two scans and performed in the next one, with the commands behind it waiting; the simulated clock
+// stands still meanwhile anyway.
+std::optional<Command> ScanLoop::next_command(std::int64_t begin_ns) {
+  if (auto command = urgent_.pop()) return command;
+  if (!time_for_commands(begin_ns)) {
+    commands_left_ = true;
+    return std::nullopt;
+  }
   if (std::exchange(warm_change_.waiting, false)) return warm_change_.command;
   auto command = commands_.pop();
   const bool running = now_.state == RuntimeState::Running;

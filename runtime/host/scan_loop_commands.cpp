@@ -9,6 +9,9 @@
 namespace stepwright::host {
 namespace {
 
+// Of the time between two scans, for commands.
+constexpr std::int64_t kCommandShareNs = 200'000;
+
 Outcome outcome_of(image::BitsStatus status) {
   switch (status) {
     case image::BitsStatus::Done:
@@ -28,7 +31,9 @@ Outcome outcome_of(image::BitsStatus status) {
 void ScanLoop::take_commands() {
   bool any = false;
   bool stale = false;
-  while (auto command = next_command()) {
+  const std::int64_t begin_ns = clock_.now_ns();
+  commands_left_ = false;
+  while (auto command = next_command(begin_ns)) {
     Completion completion = held_apply(*command);
     publish_forces();
     // Who sees the completion must find a status that knows of it, and one that lets go of what was held: who
@@ -53,6 +58,16 @@ void ScanLoop::take_commands() {
   news_.ring();
 }
 
+// Real clock: commands take turns with the scans. They have a share of the time after each, and more of it as
+// long as the next one is far.
+bool ScanLoop::time_for_commands(std::int64_t begin_ns) {
+  if (!real() || program_ == nullptr) return true;
+  const bool scans = now_.state == RuntimeState::Running;
+  const std::int64_t due_ns = scans ? program_->cycle().next_time_ns() : idle_due_ns_;
+  const std::int64_t now_ns = clock_.now_ns();
+  return now_ns - begin_ns < kCommandShareNs || origin_ns_ + due_ns - now_ns > kUndisturbedNs;
+}
+
 Completion ScanLoop::held_apply(const Command& command) {
   Completion completion;
   {
@@ -74,6 +89,7 @@ Completion ScanLoop::apply(const Command& command) {
         return {command.ticket, Outcome::RetainRefused, std::move(problems)};
       return done(start(command));
     case CommandKind::Stop:
+      stopped_at_ = command.order;
       return done(stop(command.text.view()));
     case CommandKind::Acknowledge:
       if (command.event >= now_.last_event) release_barrier();
@@ -92,6 +108,7 @@ Completion ScanLoop::apply(const Command& command) {
       supervisor_lost_ = false;
       return done(Outcome::Done);
     case CommandKind::SupervisorLost:
+      if (config_.on_lost_supervisor == LostSupervisor::Safe) stopped_at_ = command.order;
       supervisor_lost();
       return done(Outcome::Done);
     case CommandKind::Step:
@@ -137,11 +154,12 @@ void ScanLoop::adopt(PreparedProgram& program) {
 
 // Why the start would lose what the user wants kept.
 result::Diagnostics ScanLoop::refused_start(const Command& command) const {
-  if (program_ == nullptr || now_.state == RuntimeState::Running) return {};
+  if (program_ == nullptr || now_.state == RuntimeState::Running || command.order < stopped_at_) return {};
   return retain_.refusal(program_->retained(), command.cold);
 }
 
 Outcome ScanLoop::start(const Command& command) {
+  if (command.order < stopped_at_) return Outcome::Overtaken;
   if (program_ == nullptr) return Outcome::NoProgram;
   if (now_.state == RuntimeState::Running) return Outcome::AlreadyRunning;
   if (real()) {
@@ -171,11 +189,16 @@ Outcome ScanLoop::stop(std::string_view reason, scan::SafeCause cause) {
   if (now_.state != RuntimeState::Running) return program_ == nullptr ? Outcome::NoProgram : Outcome::Done;
   end_trial();
   end_stretch();
-  next_start_ns_ = program_->cycle().next_time_ns();
+  // In real time the next scan may be far away: ramps begin now.
+  next_start_ns_ = real() ? safe_time_ns() : program_->cycle().next_time_ns();
   idle_due_ns_ = next_start_ns_;
   program_->crew().stop();
   retain_.finish(program_->image().bytes());  // before outputs go to their safe state
-  program_->cycle().stop(cause);
+  if (real()) {
+    program_->cycle().stop(cause, next_start_ns_);
+  } else {
+    program_->cycle().stop(cause);
+  }
   program_->publish_timings();
   now_.state = RuntimeState::Stopped;
   now_.waiting_for_supervisor = false;

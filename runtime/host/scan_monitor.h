@@ -95,4 +95,22 @@ class ScanMonitor {
   std::thread thread_;
 };
 
+// Has a monitor look at a lifeline for as long as it lives, whatever else fails meanwhile.
+class MonitorWatch {
+ public:
+  // Null: nobody looks. Both must outlive it.
+  MonitorWatch(ScanMonitor* monitor, Lifeline& lifeline) : monitor_(monitor), lifeline_(lifeline) {
+    if (monitor_ != nullptr) monitor_->watch(lifeline_);
+  }
+  ~MonitorWatch() {
+    if (monitor_ != nullptr) monitor_->unwatch(lifeline_);
+  }
+  MonitorWatch(const MonitorWatch&) = delete;
+  MonitorWatch& operator=(const MonitorWatch&) = delete;
+
+ private:
+  ScanMonitor* monitor_;
+  Lifeline& lifeline_;
+};
+
 }  // namespace stepwright::host

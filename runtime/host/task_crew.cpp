@@ -8,9 +8,8 @@ TaskCrew::TaskCrew(const bytecode::Program& program, image::ProcessImage& image,
                    const CrewSetup& setup, const TaskPlan& plan,
                    std::vector<std::unique_ptr<bytecode::Engine>> engines,
                    std::span<SeqCell<scan::TaskTiming>> timings)
-    : share_{
-          program,         image,        cycle, setup.clock, setup.merge_map, setup.monitor, setup.stall_ns,
-          setup.origin_ns, setup.budget, {},    {}} {
+    : share_{program,        image,           cycle,        setup.clock, setup.merge_map, setup.monitor,
+             setup.stall_ns, setup.origin_ns, setup.budget, {},          setup.failed} {
   share_.wake_others = [this] { look_at_triggers(); };
   const scan::TaskTable table(program, plan.options, ~plan.own_tasks);
   const std::vector<std::uint32_t> others = plan.others();

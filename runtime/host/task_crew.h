@@ -11,6 +11,7 @@
 // Threads: the scan thread, with the crew held; built and destroyed by the service thread.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -29,6 +30,8 @@ struct CrewSetup {
   std::int64_t stall_ns = 0;       // see Lifeline
   std::int64_t origin_ns = 0;      // what the clock shows at scan time 0
   std::uint64_t budget = 0;        // of a task's cycle
+  // Called by a worker when a fault of its task has ended the program; neither blocks nor throws.
+  std::function<void()> failed = [] {};
 };
 
 class TaskCrew {

@@ -1,8 +1,5 @@
 #include "runtime/host/task_worker.h"
 
-#include <time.h>
-
-#include <cerrno>
 #include <cstring>
 #include <mutex>
 #include <utility>
@@ -10,7 +7,6 @@
 namespace stepwright::host {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;
 // How often the figures of a task are published.
 constexpr std::int64_t kPublishPeriodNs = 100'000'000;
 
@@ -25,19 +21,16 @@ TaskWorker::TaskWorker(CrewShare& share, const scan::Task& task, std::unique_ptr
       memory_(share.program.memory_size()),
       before_(share.program.image_size()),
       lifeline_(share.stall_ns),
+      watch_(share.monitor, lifeline_),
       wake_ns_(scan::kNever) {
-  sem_init(&wake_, 0, 0);
   engine_->set_interrupt(lifeline_.interrupt());
-  if (share_.monitor != nullptr) share_.monitor->watch(lifeline_);
   thread_ = std::thread([this, placement] { run(placement); });
 }
 
 TaskWorker::~TaskWorker() {
   quit_.store(true, std::memory_order_release);
-  sem_post(&wake_);
+  wake_.ring();
   thread_.join();
-  if (share_.monitor != nullptr) share_.monitor->unwatch(lifeline_);
-  sem_destroy(&wake_);
 }
 
 void TaskWorker::start(std::int64_t time_ns) {
@@ -56,13 +49,13 @@ void TaskWorker::go_on() {
   active_ = true;
   pending_ = false;
   wake_ns_.store(task_.due_ns, std::memory_order_release);
-  sem_post(&wake_);
+  wake_.ring();
 }
 
 void TaskWorker::rest() {
   active_ = false;
   wake_ns_.store(scan::kNever, std::memory_order_release);
-  sem_post(&wake_);
+  wake_.ring();
 }
 
 // An edge while the one before still waits for its cycle is lost, as it is between two scans.
@@ -74,7 +67,7 @@ void TaskWorker::look_at_trigger() {
   if (!edge) return;
   if (pending_) ++timing_.overruns;
   pending_ = true;
-  sem_post(&wake_);
+  wake_.ring();
 }
 
 void TaskWorker::run(const ThreadPlacement& placement) {
@@ -89,15 +82,8 @@ void TaskWorker::run(const ThreadPlacement& placement) {
 // Until the task is due or somebody wakes it. One system call.
 void TaskWorker::wait() {
   const std::int64_t due_ns = wake_ns_.load(std::memory_order_acquire);
-  if (due_ns == scan::kNever) {
-    while (sem_wait(&wake_) != 0 && errno == EINTR) {
-    }
-    return;
-  }
-  const std::int64_t until_ns = share_.origin_ns + due_ns;
-  const timespec until{until_ns / kSecond, until_ns % kSecond};
-  while (sem_clockwait(&wake_, CLOCK_MONOTONIC, &until) != 0 && errno == EINTR) {
-  }
+  if (due_ns == scan::kNever) return wake_.wait();
+  wake_.wait_until(share_.origin_ns + due_ns);
 }
 
 void TaskWorker::cycle() {
@@ -124,6 +110,7 @@ bool TaskWorker::take(std::int64_t& time_ns, scan::TaskCycle& measured) {
   timing_.overruns += overrun.missed;
   timing_.skipped += overrun.skipped;
   share_.cycle.foreign_overrun(overrun, now_ns);
+  tell_of_fault();
   // An event runs at the instant at which it is found, a cycle at the instant at which it was due.
   time_ns = due && !pending_ ? task_.due_ns : now_ns;
   if (due && !pending_ && !task_.freewheeling) {
@@ -138,7 +125,7 @@ bool TaskWorker::take(std::int64_t& time_ns, scan::TaskCycle& measured) {
   const bool held = task_.has_trigger() && task_.triggered;
   if (!pending_ && held) return false;
   pending_ = false;
-  if (!share_.cycle.begin_foreign(now_ns)) return false;
+  if (!share_.cycle.begin_foreign(now_ns)) return tell_of_fault();
   epoch_ = share_.epoch;
   const std::span<const std::byte> shared = share_.image.bytes();
   std::memcpy(memory_.data(), shared.data(), shared.size());
@@ -164,7 +151,16 @@ void TaskWorker::give_back(const scan::Execution& done, scan::TaskCycle measured
     share_.cycle.forces().apply(share_.image.bytes());
   }
   share_.cycle.end_foreign(measured.end_ns - share_.origin_ns, done);
+  tell_of_fault();
   share_.wake_others();
+}
+
+// The leading task may not be due for long: the thread that scans hears of a fault now. False if nothing
+// runs.
+bool TaskWorker::tell_of_fault() {
+  if (share_.cycle.state() == scan::ScanState::Running) return true;
+  share_.failed();
+  return false;
 }
 
 void TaskWorker::publish_if_due(std::int64_t now_ns) {

@@ -8,8 +8,6 @@
 // Threads: the worker's own; what stands under "crew" is called with the crew's mutex held. No heap or log
 // while it runs; one lock at either end of a cycle.
 
-#include <semaphore.h>
-
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -24,6 +22,7 @@
 #include "runtime/host/real_time.h"
 #include "runtime/host/scan_monitor.h"
 #include "runtime/host/seq_cell.h"
+#include "runtime/host/wake_signal.h"
 #include "runtime/image/process_image.h"
 #include "runtime/scan/scan_cycle.h"
 
@@ -42,6 +41,8 @@ struct CrewShare {
   std::uint64_t budget = 0;    // of a task's cycle
   // What a worker calls after it has written to the image: others may wait for what it wrote.
   std::function<void()> wake_others;
+  // What a worker calls when a fault of its task has ended the program: the thread that scans has to say so.
+  std::function<void()> failed;
   PriorityMutex mutex{};  // guards image, cycle and what follows
   bool running = false;
   std::uint64_t epoch = 0;  // counts starts: what a task began before one does not count after it
@@ -50,7 +51,7 @@ struct CrewShare {
 class TaskWorker {
  public:
   // Starts the thread; it rests until the first `start`. `engine` is the worker's own. All else must outlive
-  // it.
+  // it. Throws std::system_error where the system gives no thread; then nobody knows of it.
   TaskWorker(CrewShare& share, const scan::Task& task, std::unique_ptr<bytecode::Engine> engine,
              const ThreadPlacement& placement, SeqCell<scan::TaskTiming>& timing);
   // Ends the thread after the cycle that it is in.
@@ -76,6 +77,7 @@ class TaskWorker {
   void cycle();
   bool take(std::int64_t& time_ns, scan::TaskCycle& measured);
   void give_back(const scan::Execution& done, scan::TaskCycle measured);
+  bool tell_of_fault();
   void publish_if_due(std::int64_t now_ns);
 
   CrewShare& share_;
@@ -86,14 +88,15 @@ class TaskWorker {
   std::vector<std::byte> before_;  // the image as the task got it
   scan::TaskTiming timing_;
   Lifeline lifeline_;  // says something during an execution only
+  MonitorWatch watch_;
   std::int64_t published_ns_ = 0;
   std::uint64_t epoch_ = 0;
   bool active_ = false;   // was started and nothing has stopped it
   bool pending_ = false;  // the trigger has risen and no cycle has begun since
-  sem_t wake_;
+  WakeSignal wake_;
   std::atomic<std::int64_t> wake_ns_;  // when the thread is to wake by itself; kNever: not at all
   std::atomic<bool> quit_{false};
-  std::thread thread_;
+  std::thread thread_;  // last: it uses the rest
 };
 
 }  // namespace stepwright::host

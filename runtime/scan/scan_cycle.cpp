@@ -46,10 +46,10 @@ void ScanCycle::start(const StartPoint& at) {
   state_ = ScanState::Running;
 }
 
-void ScanCycle::stop(SafeCause cause) {
-  if (state_ == ScanState::Running) safe_.enter(cause, last_time_ns_);
+void ScanCycle::stop(SafeCause cause, std::int64_t time_ns) {
+  if (state_ == ScanState::Running) safe_.enter(cause, time_ns);
   state_ = ScanState::Stopped;
-  write_outputs(last_time_ns_);
+  write_outputs(time_ns);
 }
 
 void ScanCycle::inherit_outputs(std::span<const std::byte> driven, SafeCause cause, std::int64_t time_ns) {
@@ -186,14 +186,24 @@ ScanReport ScanCycle::run_scan() {
   advance(time_ns);
   if (!holds_outputs()) write_outputs(time_ns);
 
-  ScanReport report{state_, scan_, time_ns, image_.hash(), {}};
-  const bool program_failed = state_ == ScanState::Trapped || state_ == ScanState::WatchdogExpired;
-  if (program_failed && !fault_reported_) report.trap = last_trap_;
-  fault_reported_ = true;
+  const ScanReport report = this->report(time_ns);
   trace_hash_ = base::hash_mix(base::hash_mix(trace_hash_, scan_), report.image_hash);
   ++statistics_.scans;
   statistics_.scan_time.record(clock_.now_ns() - begin_ns);
   return report;
+}
+
+ScanReport ScanCycle::report(std::int64_t time_ns) {
+  ScanReport report{state_, scan_, time_ns, image_.hash(), {}};
+  const bool program_failed = state_ == ScanState::Trapped || state_ == ScanState::WatchdogExpired;
+  if (program_failed && !fault_reported_) report.trap = last_trap_;
+  fault_reported_ = true;
+  return report;
+}
+
+ScanReport ScanCycle::report_fault() {
+  assert(state_ != ScanState::Running);
+  return report(last_time_ns_);
 }
 
 // A task on another thread may have spoken to the driver after this scan was due and before it began.

@@ -118,8 +118,9 @@ class ScanCycle {
   void start(const StartPoint& at);
 
   // No task runs any more. The outputs are in the safe state of the cause when it returns. A cause that came
-  // before it stays.
-  void stop(SafeCause cause = SafeCause::Stop);
+  // before it stays. At `time_ns`, where ramps begin; without it at the instant of the newest scan.
+  void stop(SafeCause cause, std::int64_t time_ns);
+  void stop(SafeCause cause = SafeCause::Stop) { stop(cause, last_time_ns_); }
 
   // The outputs go on as somebody drove them before: the cycle of another program, or a process that is gone.
   // At `time_ns` the cause comes again, so that ramps begin where they were left. Requires that nothing runs.
@@ -159,6 +160,10 @@ class ScanCycle {
   // It was late; `fault`: as OverrunPolicy::Fault wants it.
   void foreign_overrun(const Overrun& overrun, std::int64_t time_ns);
 
+  // The report of a fault between two scans (of a foreign task), which no scan has to bring any more.
+  // Requires that the state is not Running.
+  ScanReport report_fault();
+
   // Where it stands, and how it goes on from there: of the same program, with an image as it was then. Forces
   // stay as they are.
   CyclePoint point() const;
@@ -183,6 +188,7 @@ class ScanCycle {
   void fail(const Execution& done, std::int64_t time_ns);
   void make_safe(std::int64_t time_ns);
   bool holds_outputs() const;
+  ScanReport report(std::int64_t time_ns);
   std::int64_t io_time(std::int64_t time_ns);
   void read_inputs(std::int64_t time_ns);
   void run_tasks(std::int64_t time_ns);

@@ -154,8 +154,8 @@ ChangeFigures measure_changes() {
     const auto changing =
         runtime->change(i + 2, programs[(i + 1) % 2], std::to_string(i + 1), host::DownloadMode::Change);
     require(changing.has_value(), changing ? "" : result::to_string(changing.error()));
-    prepared_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - asked).count());
     const host::Completion done = runtime.completion();
+    prepared_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - asked).count());
     require(done.outcome == host::Outcome::Done, result::to_string(done.problems));
     require(done.change.carried == kVariables, "variables were not carried");
     pauses_us.push_back(done.change.pause_us);

@@ -86,10 +86,21 @@ class Harness {
     command.kind = kind;
     return this->command(command).outcome;
   }
-  Outcome load(std::vector<std::byte> container, const std::string& digest = "program") {
+  Completion download(std::vector<std::byte> container, const std::string& digest = "program") {
     auto loading = runtime->load(++ticket_, std::move(container), digest);
     EXPECT_TRUE(loading) << (loading ? "" : result::to_string(loading.error()));
-    return completion().outcome;
+    return completion();
+  }
+  // The same; what is refused at once comes as Refused with its problems, too.
+  Completion try_load(std::vector<std::byte> container, const std::string& digest) {
+    auto loading = runtime->load(++ticket_, std::move(container), digest);
+    if (!loading) return {ticket_, Outcome::Refused, loading.error()};
+    return completion();
+  }
+  Outcome load(std::vector<std::byte> container, const std::string& digest = "program") {
+    const Completion done = download(std::move(container), digest);
+    EXPECT_NE(done.outcome, Outcome::Refused) << result::to_string(done.problems);
+    return done.outcome;
   }
   Outcome block(BlockWrite block) {
     auto written = runtime->write(++ticket_, std::move(block));

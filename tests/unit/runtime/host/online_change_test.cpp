@@ -150,12 +150,18 @@ TEST(OnlineChange, WhenARollbackComesFirst_ThenTheChangePlannedForTheOtherProgra
   // The scan thread stands at the inputs of a scan of the first program.
   ASSERT_TRUE(runtime.change(901, compiled(counting("VAR zero : DINT; END_VAR", "n := n / zero;")), "bad",
                              DownloadMode::Change));
+  const auto handed_over = [&] {
+    EXPECT_FALSE(runtime.take_completion());
+    return runtime.preparing() == 0;
+  };
+  ASSERT_TRUE(run.harness.wait(handed_over));
   const std::uint64_t at = reads;
   allowed = at;
   ASSERT_TRUE(run.harness.wait([&] { return reads > at; }));
   // Now at those of the second one, which will trap.
   ASSERT_TRUE(run.harness.wait([&] { return runtime.take_completion().has_value(); }));
   ASSERT_TRUE(runtime.change(902, compiled(counting()), "third", DownloadMode::Change));
+  ASSERT_TRUE(run.harness.wait(handed_over));
   allowed = ~std::uint64_t{0};
   std::optional<Completion> refused;
   ASSERT_TRUE(run.harness.wait([&] { return (refused = runtime.take_completion()).has_value(); }));
