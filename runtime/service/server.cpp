@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <list>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,11 @@ using namespace internal;
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr std::size_t kMaxClients = 16;
+// A process may have as many of them as are free (16 if it is alone), so that another finds room.
+constexpr std::size_t kMaxClients = 32;
+constexpr int kAcceptedPerTurn = 32;
+// More than a socket holds unread.
+constexpr int kReadsOfOverdue = 16;
 
 // Tickets of commands that the service itself gives; the request handler counts from 1.
 constexpr std::uint64_t kOwnTicket = 0;
@@ -35,20 +40,25 @@ struct Server::State {
         port(p),
         handler(p, events),
         supervisor(config.supervisor_lost_after),
+        greeting_within(config.greeting_within),
         on_program(config.on_program),
         program(p.status().program_digest),
         process(config.version),
         observer(config.observer == nullptr ? nobody : *config.observer) {}
 
+  void read(Session& session);
   void accept_clients();
   void take_news();
+  void pass_on(const Answer& answer);
   void serve(Session& session);
   void receive(Session& session, const Message& message);
   void greet(Session& session, const Hello& hello);
   void request(Session& session, const Request& request);
+  std::optional<Reply> handle(Session& session, const Request& request);
   void reload(Session& session, const Request& request);
   void push_events(Session& session);
   void push_status();
+  void hear_everybody();
   void watch_supervisor();
   void watch_program();
   void forget_closed();
@@ -59,6 +69,7 @@ struct Server::State {
   EventHistory events;
   RequestHandler handler;
   SupervisorWatch supervisor;
+  milliseconds greeting_within;
   std::function<void(std::span<const std::byte>)> on_program;
   std::string program;  // its digest, as it was last looked at
   ProcessWatch process;
@@ -100,8 +111,7 @@ void Server::turn(milliseconds timeout, int stop_descriptor) {
   for (Session& session : s.sessions) {
     const short ready = entries[next++].revents;
     if ((ready & (POLLIN | POLLHUP | POLLERR)) != 0) {
-      session.read();
-      s.serve(session);
+      s.read(session);
     }
   }
   if (entries[1].revents != 0) s.accept_clients();
@@ -121,6 +131,9 @@ void Server::set_supervisor_lost_after(milliseconds lost_after) {
 
 void Server::State::forget_closed() {
   const std::size_t known = clients();
+  for (Session& session : sessions) {
+    if (!session.greeted && Clock::now() - session.since() > greeting_within) session.close();
+  }
   for (const Session& session : sessions) {
     if (session.closed() && session.greeted) observer.on_client(session.name, session.role, false);
   }
@@ -134,15 +147,30 @@ std::size_t Server::State::clients() const {
 }
 
 void Server::State::accept_clients() {
-  while (true) {
+  for (int i = 0; i < kAcceptedPerTurn; ++i) {
     Descriptor socket = listener.accept();
     if (!socket.ok()) return;
-    // One too many is closed at once: it goes out of scope.
-    if (sessions.size() < kMaxClients) sessions.emplace_back(++last_session, std::move(socket));
+    sessions.emplace_back(++last_session, std::move(socket));
+    const pid_t peer = sessions.back().process();
+    const auto own = static_cast<std::size_t>(std::count_if(
+        sessions.begin(), sessions.end(), [&](const Session& each) { return each.process() == peer; }));
+    // One too many is closed at once.
+    if (own + sessions.size() > kMaxClients + 1) sessions.pop_back();
   }
 }
 
-void Server::State::take_news() {
+// What a client says may be too large for the memory that there is: then the connection is given up.
+void Server::State::read(Session& session) {
+  try {
+    session.read();
+    serve(session);
+  } catch (const std::bad_alloc&) {
+    session.close();
+  }
+}
+
+// What there is no memory for at present stays where it is until the next turn.
+void Server::State::take_news() try {
   port.clear();
   bool completed = false;
   while (auto event = port.take_event()) {
@@ -155,13 +183,21 @@ void Server::State::take_news() {
   while (auto completion = port.take_completion()) {
     status_due = true;
     completed = true;
-    auto answer = handler.complete(*completion);
-    if (!answer) continue;
-    for (Session& session : sessions) {
-      if (session.number() == answer->session) session.send(std::move(answer->reply));
-    }
+    if (auto answer = handler.complete(*completion)) pass_on(*answer);
   }
   if (completed) watch_program();
+} catch (const std::bad_alloc&) {
+  status_due = true;
+}
+
+void Server::State::pass_on(const Answer& answer) {
+  const auto session = std::find_if(sessions.begin(), sessions.end(),
+                                    [&](const Session& each) { return each.number() == answer.session; });
+  if (answer.commit && !answer.reply.accepted()) {
+    observer.on_refusal(session == sessions.end() ? "" : session->name,
+                        {answer.reply.client, answer.reply.id, *answer.commit}, answer.reply);
+  }
+  if (session != sessions.end()) session->send(answer.reply);
 }
 
 void Server::State::watch_program() {
@@ -225,13 +261,25 @@ void Server::State::request(Session& session, const Request& request) {
     supervisor.heard(Clock::now());
   }
   if (std::holds_alternative<Reload>(request.body)) return reload(session, request);
-  auto reply = handler.handle(session.number(), request);
+  auto reply = handle(session, request);
   if (!reply) return;
   if (!reply->accepted()) observer.on_refusal(session.name, request, *reply);
   if (std::holds_alternative<ResendEvents>(request.body) && reply->accepted()) {
     session.next_event = std::min(session.next_event, reply->offset);
   }
   session.send(std::move(*reply));
+}
+
+std::optional<Reply> Server::State::handle(Session& session, const Request& request) try {
+  return handler.handle(session.number(), request);
+} catch (const std::bad_alloc&) {
+  Reply reply;
+  reply.client = request.client;
+  reply.id = request.id;
+  auto failed = result::fail("R0072", {}, "the system gives no memory for this request; nothing was changed",
+                             "the limit of memory may be reached (MemoryMax= of the unit, ulimit -v)");
+  reply.problems = std::move(failed.value());
+  return reply;
 }
 
 // Not remembered: reading a file twice does no harm.
@@ -243,7 +291,7 @@ void Server::State::reload(Session& session, const Request& request) {
   session.send(reply);
 }
 
-void Server::State::push_events(Session& session) {
+void Server::State::push_events(Session& session) try {
   if (!session.greeted) return;
   while (session.keeps_up() && !session.closed()) {
     const host::StepEvent* event = events.at_or_after(session.next_event);
@@ -251,9 +299,11 @@ void Server::State::push_events(Session& session) {
     session.send(*event);
     session.next_event = event->sequence + 1;
   }
+} catch (const std::bad_alloc&) {
+  // It is sent in another turn.
 }
 
-void Server::State::push_status() {
+void Server::State::push_status() try {
   status_due = false;
   status_at = Clock::now();
   host::RuntimeStatus status = port.status();
@@ -262,9 +312,20 @@ void Server::State::push_status() {
   for (Session& session : sessions) {
     if (session.greeted && session.keeps_up()) session.send(status);
   }
+} catch (const std::bad_alloc&) {
+  // The next one comes within kStatusPeriod.
+}
+
+// This thread may have been busy while the supervisor spoke: nobody is lost whose word has come and was not
+// read.
+void Server::State::hear_everybody() {
+  for (Session& session : sessions) {
+    for (int i = 0; i < kReadsOfOverdue && !session.closed() && session.readable(); ++i) read(session);
+  }
 }
 
 void Server::State::watch_supervisor() {
+  if (supervisor.overdue(Clock::now())) hear_everybody();
   const auto change = supervisor.check(Clock::now());
   if (change == SupervisorWatch::Change::None) return;
   observer.on_supervisor(change == SupervisorWatch::Change::Came);

@@ -6,7 +6,9 @@
 //   (*server)->run(stop_descriptor);          // until that descriptor is readable
 //
 // Threads: the one that uses the RuntimePort. Invariants: no client can make it block, grow without bound or
-// stop; a malformed message ends the connection that it came from. Clients of the same user only (mode 0600).
+// stop, nor keep others out: there is room for a client of another process, whatever one process opens, and
+// for its commands; what there is no memory for costs the request or its connection. A malformed message ends
+// the connection that it came from. Clients of the same user only (mode 0600).
 
 #include <chrono>
 #include <cstddef>
@@ -23,13 +25,15 @@
 namespace stepwright::service {
 
 struct ServerConfig {
-  std::filesystem::path socket;  // in a folder that exists
+  std::filesystem::path socket{};  // in a folder that exists
   // After the last sign of life of a supervisor the runtime's policy applies.
   std::chrono::milliseconds supervisor_lost_after{1'000};
   std::string version = {};             // of the program, for its status
   ServiceObserver* observer = nullptr;  // told of everything that happens; outlives the server
   // Called with the container whenever another program has been loaded.
   std::function<void(std::span<const std::byte>)> on_program{};
+  // Within this time a connection says hello, or its place is another's.
+  std::chrono::milliseconds greeting_within{2'000};
 };
 
 class Server {

@@ -61,7 +61,7 @@ result::Result<std::vector<std::byte>> Downloads::commit(std::uint64_t client,
     return result::fail("R0003", {}, "the download was never begun, or begun for another program",
                         "begin the download again");
   }
-  const Download download = std::move(*found);
+  Download download = std::move(*found);
   downloads_.erase(found);
   const auto arrived = std::count(download.chunks.begin(), download.chunks.end(), true);
   if (static_cast<std::size_t>(arrived) != download.chunks.size()) {
@@ -74,7 +74,7 @@ result::Result<std::vector<std::byte>> Downloads::commit(std::uint64_t client,
     return result::fail("R0003", {}, "the program arrived damaged: its SHA-256 is not the announced one",
                         "begin the download again");
   }
-  return download.bytes;
+  return std::move(download.bytes);
 }
 
 }  // namespace stepwright::service::internal

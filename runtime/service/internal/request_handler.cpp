@@ -51,6 +51,8 @@ result::Diagnostics explain(const host::Completion& completion) {
     case Outcome::RetainRefused:
     case Outcome::Refused:
       return completion.problems;
+    case Outcome::Overtaken:
+      return one("R0002", "a stop was asked for after this start", "start again");
     case Outcome::ProgramDiffers:
       return one("R0002", "the program that the addresses are of is not the one that is loaded",
                  "read the program and its symbols again");
@@ -59,6 +61,11 @@ result::Diagnostics explain(const host::Completion& completion) {
                  "step mode needs [clock] mode = \"simulated\"");
   }
   return {};
+}
+
+tl::unexpected<result::Diagnostics> busy() {
+  return result::fail("R0006", {}, "too many commands of this client are under way",
+                      "wait for their answers");
 }
 
 // The command of a request that the scan thread performs; none for the others.
@@ -134,9 +141,12 @@ std::optional<Reply> RequestHandler::handle(std::uint64_t session, const Request
   reply.client = request.client;
   reply.id = request.id;
   const std::uint64_t ticket = ++last_ticket_;
-  auto performed = perform(request, ticket, reply);
+  auto performed =
+      has_share(session, request.body) ? perform(request, ticket, reply) : result::Result<bool>(busy());
   if (performed && !*performed) {
-    pending_.emplace(ticket, Pending{session, std::move(reply)});
+    Pending pending{session, std::move(reply), {}};
+    if (const auto* commit = std::get_if<DownloadCommit>(&request.body)) pending.commit = *commit;
+    pending_.emplace(ticket, std::move(pending));
     return std::nullopt;
   }
   if (!performed) reply.problems = std::move(performed.error());
@@ -144,10 +154,19 @@ std::optional<Reply> RequestHandler::handle(std::uint64_t session, const Request
   return reply;
 }
 
+bool RequestHandler::has_share(std::uint64_t session, const RequestBody& body) const {
+  const bool piece =
+      std::holds_alternative<DownloadBegin>(body) || std::holds_alternative<DownloadChunk>(body);
+  if (!remembered(body) || piece || std::holds_alternative<Stop>(body)) return true;
+  const auto own = static_cast<std::size_t>(std::count_if(
+      pending_.begin(), pending_.end(), [&](const auto& each) { return each.second.session == session; }));
+  return own + pending_.size() < kMaxPending;
+}
+
 std::optional<Answer> RequestHandler::complete(const host::Completion& completion) {
   const auto found = pending_.find(completion.ticket);
   if (found == pending_.end()) return std::nullopt;
-  Answer answer{found->second.session, std::move(found->second.reply)};
+  Answer answer{found->second.session, std::move(found->second.reply), found->second.commit};
   pending_.erase(found);
   answer.reply.problems = explain(completion);
   answer.reply.offset = completion.scan;

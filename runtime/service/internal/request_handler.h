@@ -3,7 +3,7 @@
 // Performs the requests of all clients on a runtime, each once.
 //
 // Threads: the service's. A request is answered at once, or, if the scan thread has to act, when its
-// completion comes.
+// completion comes. However many commands a client sends, those of others are taken (kMaxPending).
 
 #include <cstdint>
 #include <functional>
@@ -23,10 +23,13 @@ namespace stepwright::service::internal {
 struct Answer {
   std::uint64_t session = 0;
   Reply reply;
+  std::optional<DownloadCommit> commit;  // that it answers, if it is one
 };
 
 class RequestHandler {
  public:
+  static constexpr std::size_t kMaxPending = 200;  // of all clients together; stops come on top
+
   // Both must outlive the handler.
   RequestHandler(host::RuntimePort& port, const EventHistory& events) : port_(port), events_(events) {}
 
@@ -40,8 +43,12 @@ class RequestHandler {
   struct Pending {
     std::uint64_t session = 0;
     Reply reply;  // as it will be if the outcome is good
+    std::optional<DownloadCommit> commit;
   };
 
+  // Whether this client may have one more command under way: as many as are free, so that there is always
+  // room for another client. A stop is never one too many.
+  bool has_share(std::uint64_t session, const RequestBody& body) const;
   // An error, a reply that is known at once (true), or one that waits for a completion (false).
   [[nodiscard]] result::Result<bool> perform(const Request& request, std::uint64_t ticket, Reply& reply);
   [[nodiscard]] result::Result<bool> submit(const RequestBody& body, std::uint64_t ticket);

@@ -1,10 +1,12 @@
 #include "runtime/service/internal/session.h"
 
+#include <poll.h>
 #include <sys/socket.h>
 
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -14,6 +16,18 @@ namespace {
 constexpr std::size_t kReadBytes = 64u << 10;
 
 }  // namespace
+
+Session::Session(std::uint64_t number, Descriptor socket)
+    : number_(number), socket_(std::move(socket)), since_(Clock::now()) {
+  ucred peer{};
+  socklen_t size = sizeof peer;
+  if (::getsockopt(socket_.get(), SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0) process_ = peer.pid;
+}
+
+bool Session::readable() const {
+  pollfd entry{socket_.get(), POLLIN, 0};
+  return ::poll(&entry, 1, 0) == 1;
+}
 
 void Session::read() {
   std::array<std::byte, kReadBytes> buffer;
@@ -43,7 +57,11 @@ std::optional<Message> Session::next() {
 
 void Session::send(const Message& message) {
   // Nothing that the runtime makes exceeds a message: images and lists are bounded where they enter.
-  if (closed_ || !encode_frame(message, out_)) return;
+  try {
+    if (closed_ || !encode_frame(message, out_)) return;
+  } catch (const std::bad_alloc&) {
+    closed_ = true;
+  }
   if (out_.size() - sent_ > kMaxUnsent) closed_ = true;
 }
 

@@ -4,6 +4,9 @@
 //
 // Threads: the service's. Nothing blocks; what a client does not read is bounded.
 
+#include <sys/types.h>
+
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -16,19 +19,28 @@ namespace stepwright::service::internal {
 
 class Session {
  public:
-  Session(std::uint64_t number, Descriptor socket) : number_(number), socket_(std::move(socket)) {}
+  using Clock = std::chrono::steady_clock;
+
+  // Of a socket that was accepted just now.
+  Session(std::uint64_t number, Descriptor socket);
 
   std::uint64_t number() const { return number_; }
+  // The process at the other end, as the system names it; 0 if it does not.
+  pid_t process() const { return process_; }
+  Clock::time_point since() const { return since_; }
   int descriptor() const { return socket_.get(); }
   bool closed() const { return closed_; }
   void close() { closed_ = true; }
 
+  // Whether something is there to read.
+  bool readable() const;
   // Reads what is there, up to a bound per call. Closes on the end of the stream and on errors.
   void read();
   // The next message of the client. A malformed one closes the session.
   std::optional<Message> next();
 
-  // Queues a message. A client that lets kMaxUnsent pile up is closed.
+  // Queues a message. A client that lets kMaxUnsent pile up is closed, as is one for whose message there is
+  // no memory: half of it may be queued.
   void send(const Message& message);
   // The answer to Hello, with the descriptor of the snapshot memory beside it.
   void welcome(int snapshot_descriptor);
@@ -50,6 +62,8 @@ class Session {
 
   std::uint64_t number_;
   Descriptor socket_;
+  pid_t process_ = 0;
+  Clock::time_point since_;
   FrameBuffer in_;
   std::vector<std::byte> out_;
   std::size_t sent_ = 0;

@@ -25,11 +25,15 @@ using support::TemporaryFolder;
 
 class ServiceHarness {
  public:
+  // `server_config` without its socket and time of the supervisor; without a driver there is no I/O.
   explicit ServiceHarness(const host::HostConfig& config = {},
-                          std::chrono::milliseconds supervisor_lost_after = std::chrono::seconds(60))
+                          std::chrono::milliseconds supervisor_lost_after = std::chrono::seconds(60),
+                          ServerConfig server_config = {}, image::IoDriver* driver = nullptr)
       : stop_(eventfd(0, 0)) {
-    runtime_ = std::move(*host::HostRuntime::create(config, driver_, nullptr));
-    auto server = Server::create({socket(), supervisor_lost_after}, *runtime_);
+    runtime_ = std::move(*host::HostRuntime::create(config, driver == nullptr ? driver_ : *driver, nullptr));
+    server_config.socket = socket();
+    server_config.supervisor_lost_after = supervisor_lost_after;
+    auto server = Server::create(server_config, *runtime_);
     EXPECT_TRUE(server) << (server ? "" : result::to_string(server.error()));
     server_ = std::move(*server);
     thread_ = std::thread([this] { server_->run(stop_); });
