@@ -36,7 +36,8 @@ BootProgram::BootProgram(config::BootSection config, host::HostRuntime& runtime)
   try {
     thread_ = std::thread([this] { keep_on(); });
   } catch (const std::system_error& error) {
-    runtime_.set_note(std::string("programs are not kept for the next start: no thread: ") + error.what());
+    runtime_.set_note("program",
+                      std::string("programs are not kept for the next start: no thread: ") + error.what());
     config_.keep.clear();
   }
 }
@@ -65,7 +66,8 @@ std::function<void(std::span<const std::byte>)> BootProgram::keeper() {
       next_.emplace(container.begin(), container.end());
     } catch (const std::bad_alloc&) {
       next_.reset();
-      return runtime_.set_note("the program is not kept for the next start: there is no memory for it");
+      return runtime_.set_note("program",
+                               "the program is not kept for the next start: there is no memory for it");
     }
     news_.notify_one();
   };
