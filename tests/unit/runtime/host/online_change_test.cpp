@@ -400,7 +400,7 @@ TEST(OnlineChange, WhenTheFailedProgramLackedAForcedVariable_ThenItIsForcedAgain
   const StepEvent back = run.harness.event();
   ASSERT_EQ(back.kind, EventKind::RolledBack);
   EXPECT_NE(back.detail.find("1 forces of what only it had are gone"), std::string::npos) << back.detail;
-  EXPECT_EQ(run.harness.runtime->forces().size(), 2u);
+  EXPECT_EQ(run.harness.runtime->forces().places.size(), 2u);
   ASSERT_TRUE(run.reach(back.scan + 5));
   EXPECT_EQ(run.harness.stop(), Outcome::Done);
   const StepEvent stopped = run.harness.event();

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "runtime/service/codec.h"
+#include "runtime/service/digest.h"
 #include "tests/support/scarcity.h"
 #include "tests/support/step_program.h"
 #include "tests/unit/runtime/service/service_harness.h"
@@ -111,19 +112,22 @@ TEST(Fairness, WhenAClientHas200CommandsUnderWay_ThenThoseOfOthersAreTakenAndASt
   ServiceHarness harness(config, 60s, {}, &driver);
   const auto greedy = harness.connect();
   const auto other = harness.connect();
-  ASSERT_TRUE(greedy->download(step_program({.interval_us = 1'000}), kPatience));
+  const auto program = step_program({.interval_us = 1'000});
+  const std::string digest = to_hex(sha256(program));
+  ASSERT_TRUE(greedy->download(program, kPatience));
   ASSERT_TRUE(greedy->call(Start{}, kPatience));
   driver.hold = true;
   while (!driver.held.load()) std::this_thread::sleep_for(1ms);
   constexpr std::uint32_t kFree = support::StepProgramLayout::kFree;
-  for (std::uint64_t id = 1; id <= 200; ++id) greedy->send(Request{777, id, Write{{kFree, 0xFF, 1}}});
+  for (std::uint64_t id = 1; id <= 200; ++id)
+    greedy->send(Request{777, id, Write{{digest, {kFree, 0xFF, 1}}}});
   // Those beyond its share are refused at once; then all of its requests have been looked at.
   for (std::uint64_t id = 101; id <= 200; ++id) {
     const auto refused = next<Reply>(*greedy);
     ASSERT_TRUE(refused);
     EXPECT_EQ(refused->problems.front().code, "R0006");
   }
-  other->send(Request{778, 1, Write{{kFree, 0xFF, 2}}});
+  other->send(Request{778, 1, Write{{digest, {kFree, 0xFF, 2}}}});
   greedy->send(Request{777, 500, Stop{"test"}});
   // Answered at once: then everything before it has been looked at.
   ASSERT_TRUE(other->call(ResendEvents{1}, kPatience));
