@@ -142,6 +142,8 @@ graphic::Pou crowded_pou(std::mt19937& random) {
     each.condition = known[random() % known.size()].condition;
     each.priority = static_cast<int>(random() % 3);
     transitions.push_back(std::move(each));
+    // Two networks that it would join have an initial step each.
+    if (!graphic::check(std::get<SfcChart>(pou.body)).empty()) transitions.pop_back();
   }
   return pou;
 }
