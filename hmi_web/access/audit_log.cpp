@@ -158,8 +158,8 @@ void AuditLog::append_later(AuditEntry entry) {
 
 void AuditLog::settle() {
   std::unique_lock lock(waiting_mutex_);
-  const std::uint64_t before = tries_;
-  settled_.wait(lock, [&] { return waiting_.empty() || tries_ > before; });
+  const std::uint64_t before = failures_;
+  settled_.wait(lock, [&] { return waiting_.empty() || failures_ > before; });
 }
 
 // False: nothing waits, or it cannot be written.
@@ -178,8 +178,10 @@ bool AuditLog::write_first_waiting() {
     written = append_at(first.entry, first.time).has_value();
   }
   const std::lock_guard lock(waiting_mutex_);
-  ++tries_;
-  if (written) waiting_.pop_front();
+  if (written)
+    waiting_.pop_front();
+  else
+    ++failures_;
   if (waiting_.empty()) left_out_ = 0;
   settled_.notify_all();
   return written;

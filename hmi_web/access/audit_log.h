@@ -109,7 +109,7 @@ class AuditLog {
   std::condition_variable_any waits_, settled_;
   std::deque<Waiting> waiting_;  // this and below: guarded by waiting_mutex_
   std::uint64_t left_out_ = 0;   // that there was no room for
-  std::uint64_t tries_ = 0;
+  std::uint64_t failures_ = 0;
   std::jthread writer_;  // last: it uses all of the above
 };
 

@@ -24,7 +24,8 @@ const Type* TypeResolver::array(const syntax::TypeSpec& spec) {
     constexpr std::int64_t kBound = 1LL << 30;
     if (*high < *low || *low < -kBound || *high > kBound) {
       a_.error(code::kBadArrayBounds, each.low->where,
-               "the bounds " + std::to_string(*low) + ".." + std::to_string(*high) + " hold no element",
+               "the bounds " + std::to_string(*low) + ".." + std::to_string(*high) +
+                   (*high < *low ? " hold no element" : " reach beyond -1073741824..1073741824"),
                "the lower bound comes first");
       return nullptr;
     }

@@ -114,7 +114,7 @@ std::string many_background_programs(int count) {
 }
 
 std::string large_frames(int tasks) {
-  return "FUNCTION large : INT\nVAR a : ARRAY[1..20000000] OF BYTE; END_VAR\n  a[1] := 1;\n  large := 1;\n"
+  return "FUNCTION large : INT\nVAR a : ARRAY[1..16000000] OF BYTE; END_VAR\n  a[1] := 1;\n  large := 1;\n"
          "END_FUNCTION\nPROGRAM p\nVAR n : INT; END_VAR\n  n := large();\nEND_PROGRAM\nCONFIGURATION c\n" +
          each(tasks,
               [](int i) { return "  TASK t" + number(i) + "(INTERVAL := T#10ms, PRIORITY := 1);\n"; }) +
