@@ -144,8 +144,5 @@ void FunctionWork::emit_nan(const Cold& cold) {
 bool FunctionWork::reads_plain_bool() const {
   return facts().plain_bool(function_, facts().effect(function_, item_, false).extent);
 }
-                                                : own().places.own(offset, 1);
-                                                return facts().plain_bool(function_, where);
-                                                }
 
-                                                }  // namespace stepwright::native::a64
+}  // namespace stepwright::native::a64
