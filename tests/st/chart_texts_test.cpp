@@ -132,25 +132,43 @@ void add_expressions(const std::string& text, std::set<std::string>& expressions
   }
 }
 
-// The tokens behind "AND (" of "X_FIRES := STEP_X AND (condition); " in the lowered text of a chart.
-std::vector<Token> lowered_condition(Parsed& parsed, std::size_t transition) {
+using Tokens = std::vector<Token>;
+
+// What stands for the condition of a transition in the lowered text of a chart: in "X_FIRES := STEP_X AND
+// (condition); " or, where it is evaluated under the power of its step only, in "X_FIRES := condition; ",
+// with or without parentheses.
+std::vector<Tokens> lowered_conditions(Parsed& parsed, std::size_t transition) {
   const std::string wanted = "TRANS" + std::to_string(transition) + "_FIRES";
   for (std::uint32_t i = 0; i < parsed.sources.size(); ++i) {
     const source::FileId file(i);
     const std::size_t found = parsed.sources.text(file).find(wanted + " := ");
     if (parsed.sources.name(file) != "p.sfc" || found == std::string_view::npos) continue;
-    std::vector<Token> tokens =
+    const Tokens tokens =
         syntax::lex(parsed.sources, file, syntax::TextKind::Generated, parsed.names, parsed.sink);
-    const auto begin =
-        std::find_if(tokens.begin(), tokens.end(), [&](const Token& each) { return each.text == wanted; });
-    const auto open =
-        std::find_if(begin, tokens.end(), [](const Token& each) { return each.is(TokenKind::LeftParen); });
-    const auto semicolon =
-        std::find_if(open, tokens.end(), [](const Token& each) { return each.is(TokenKind::Semicolon); });
-    if (open == tokens.end() || semicolon == tokens.end()) return {};
-    return {open + 1, semicolon - 1};
+    std::vector<Tokens> candidates;
+    for (auto at = tokens.begin(); at + 1 < tokens.end(); ++at) {
+      if (at->text != wanted || !(at + 1)->is(TokenKind::Assign)) continue;
+      const auto semicolon =
+          std::find_if(at, tokens.end(), [](const Token& each) { return each.is(TokenKind::Semicolon); });
+      const auto open =
+          std::find_if(at, semicolon, [](const Token& each) { return each.is(TokenKind::LeftParen); });
+      candidates.push_back({at + 2, semicolon});
+      if (open != semicolon) candidates.push_back({open + 1, semicolon - 1});
+    }
+    return candidates;
   }
   return {};
+}
+
+// What is wrong with the tokens that stand for those from `first` on.
+std::string difference(const Tokens& found, Tokens::const_iterator first) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Token& written = first[static_cast<std::ptrdiff_t>(i)];
+    if (found[i].kind != written.kind || found[i].text != written.text || found[i].where != written.where)
+      return "'" + std::string(found[i].text) + "' stands for '" + std::string(written.text) + "'";
+  }
+  return first[static_cast<std::ptrdiff_t>(found.size())].is(TokenKind::Semicolon) ? ""
+                                                                                   : "tokens are missing";
 }
 
 // What is wrong with an expression as the condition of the only transition.
@@ -162,16 +180,14 @@ std::string difference(const std::string& expression) {
   lowering.lower_charts();
   for (const result::Diagnostic& each : parsed.sink.take())
     if (each.severity == result::Severity::Error) return result::to_string(each);
-  const std::vector<Token> found = lowered_condition(parsed, 0);
   const auto first = std::find_if(parsed.tokens.begin(), parsed.tokens.end(),
                                   [&](const Token& each) { return each.where.offset >= head.size(); });
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const Token& written = first[static_cast<std::ptrdiff_t>(i)];
-    if (found[i].kind != written.kind || found[i].text != written.text || found[i].where != written.where)
-      return "'" + std::string(found[i].text) + "' stands for '" + std::string(written.text) + "'";
+  std::string wrong = "nothing stands for it";
+  for (const Tokens& each : lowered_conditions(parsed, 0)) {
+    wrong = difference(each, first);
+    if (wrong.empty()) return {};
   }
-  return first[static_cast<std::ptrdiff_t>(found.size())].is(TokenKind::Semicolon) ? ""
-                                                                                   : "tokens are missing";
+  return wrong;
 }
 
 TEST(ChartTexts, WhenExpressionsOfTheLanguageTestsAreConditions_ThenTheirTokensStay) {

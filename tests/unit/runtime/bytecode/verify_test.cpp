@@ -129,7 +129,7 @@ TEST(Verify, Texts_WhenTheLongOnesTogetherAreTooLong_ThenIsRefused) {
     writer::ContainerModel model = support::sample_model();
     writer::SfcChart& chart = model.charts.front();
     chart.transitions.front().condition = std::string(length, 't');
-    chart.transitions.resize(count, chart.transitions.front());
+    chart.transitions.assign(count, writer::SfcTransition(chart.transitions.front()));
     const auto written = writer::try_write_container(model);
     return written ? VerifyStatus::Ok : written.error().verdict.status;
   };
