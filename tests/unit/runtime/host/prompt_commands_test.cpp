@@ -68,7 +68,7 @@ TEST(PromptCommands, WhenTheNextScanIsFar_ThenEveryOtherCommandIsPerformedWithou
   const ImageBits bits{address_of(kHourly, "spare"), 0xFF, 7};
   EXPECT_EQ(plant.harness.bits(CommandKind::Force, bits), Outcome::Done);
   EXPECT_EQ(plant.harness.bits(CommandKind::Unforce, bits), Outcome::Done);
-  EXPECT_EQ(plant.harness.block({"", {bits}}), Outcome::Done);
+  EXPECT_EQ(plant.harness.block({plant.harness.runtime->status().program_digest, {bits}}), Outcome::Done);
   EXPECT_EQ(std::to_integer<int>(plant.harness.image()[bits.byte_offset]), 7);
   EXPECT_EQ(plant.scan(), 1u);
   EXPECT_EQ(plant.harness.change(compiled(std::string(kHourly) + " ")).outcome, Outcome::Done);
@@ -255,6 +255,7 @@ TEST(PromptCommands, WhenManyLongCommandsCome_ThenScansGoOnBetweenThem) {
   plant.harness.start();
   plant.gate.close();
   BlockWrite block;
+  block.program_digest = plant.harness.runtime->status().program_digest;
   const std::uint32_t out = address_of(kOften, "out");
   for (std::uint64_t i = 1; i <= 200; ++i) {
     block.parts.assign(kMaxBlockWrites, {out, 0xFF, i});
