@@ -362,6 +362,7 @@ TEST(OnlineChange, WhenForced_ThenForcesHoldThroughChangeAndRollback) {
       compiled(program_text("VAR a, b : DINT; out AT %QB0 : USINT; END_VAR", "b := b + 1; a := 0;"));
   const auto place = reader::ProgramInfo::read(first)->find("main.a")->address;
   ASSERT_EQ(run.harness.bits(CommandKind::Force, {place, 0xFFFF'FFFFu, 1234}), Outcome::Done);
+  ASSERT_TRUE(run.reach(run.status().scan + 2)) << "a force holds from the next scan on";
   const std::vector<std::byte> second =
       compiled(program_text("VAR pad : LINT; k, zero, c : DINT; a : DINT; out AT %QB0 : USINT; END_VAR",
                             "a := 0; k := k + 1; IF k = 8 THEN a := 5 / zero; END_IF;"));
