@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <sys/un.h>
 
+#include <array>
 #include <cstring>
 #include <fstream>
 #include <random>
@@ -282,6 +283,10 @@ TEST(Connection, WhenTheServiceSpeaksAnotherVersion_ThenBothAreNamed) {
   ASSERT_EQ(::listen(listener, 1), 0);
   std::thread service([&] {
     const int client = ::accept(listener, nullptr, nullptr);
+    // A service has read the greeting when it ends the connection; what it has not would end it with an
+    // error.
+    std::array<std::byte, 4'096> hello{};
+    EXPECT_GT(::recv(client, hello.data(), hello.size(), 0), 0);
     std::vector<std::byte> welcome;
     EXPECT_TRUE(encode_frame(Welcome{99}, welcome));
     ::send(client, welcome.data(), welcome.size(), MSG_NOSIGNAL);
