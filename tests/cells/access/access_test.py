@@ -20,7 +20,7 @@ class Claim(unittest.TestCase):
             self.assertEqual(page.ask("GET", "/api/forces").status, 401)
             answer = page.claim()
             self.assertRegex(answer.headers["Set-Cookie"],
-                             rf"^__Host-stepwright-{page.port}=[\w-]{43}; Path=/; Secure; HttpOnly; SameSite=Strict$")
+                             rf"^__Host-stepwright-{page.port}=[\w-]{{43}}; Path=/; Secure; HttpOnly; SameSite=Strict$")
             self.assertEqual(page.ask("GET", "/api/forces").status, 200)
             self.assertEqual(page.upgrade(f"Cookie: {page.cookie}"), 403)
             csrf = f"Sec-WebSocket-Protocol: csrf.{page.csrf}"
@@ -104,7 +104,8 @@ class OneServer(unittest.TestCase):
 class Records(unittest.TestCase):
     def test_a_history_that_cannot_be_kept_keeps_nobody_from_looking(self):
         with Page(more=NO_PLANT + '[history]\nfolder = "kept/history"\n') as page:
-            blocked = page.cell.folder / "kept"
+            blocked = page.cell.state / "kept"
+            blocked.parent.mkdir(mode=0o700, exist_ok=True)
             blocked.write_text("not a folder", encoding="utf-8")
             page.start()
             self.assertIn("nothing is recorded: ", page.process.output())
