@@ -22,7 +22,7 @@ def need_mounts():
 
 def mount(folder, *options):
     pathlib.Path(folder).mkdir(exist_ok=True)
-    subprocess.run(["mount", "-t", "tmpfs", "-o", ",".join(options), "stepwright-test", folder], check=True)
+    subprocess.run(["mount", "-t", "tmpfs", "-o", ",".join(["mode=0700", *options]), "stepwright-test", folder], check=True)
 
 
 def remount(folder, *options):
