@@ -76,16 +76,6 @@ class PlainText {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-Rung statements(std::string comment, Condition condition, std::string st) {
-  Rung rung;
-  rung.comment = std::move(comment);
-  rung.condition = std::move(condition);
-  graphic::Block block;
-  block.st_body = std::move(st);
-  rung.blocks.push_back(std::move(block));
-  return rung;
-}
-
 }  // namespace
 
 bool only_reads(std::string_view text) {

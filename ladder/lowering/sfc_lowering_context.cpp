@@ -216,4 +216,14 @@ graphic::Pou SfcLoweringContext::finish() {
   return std::move(pou_);
 }
 
+graphic::Rung statements(std::string comment, graphic::Condition condition, std::string st) {
+  graphic::Rung rung;
+  rung.comment = std::move(comment);
+  rung.condition = std::move(condition);
+  graphic::Block block;
+  block.st_body = std::move(st);
+  rung.blocks.push_back(std::move(block));
+  return rung;
+}
+
 }  // namespace stepwright::lowering

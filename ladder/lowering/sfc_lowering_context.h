@@ -87,4 +87,7 @@ class SfcLoweringContext {
   std::string now_;
 };
 
+// A rung that runs statements of ST where its condition has power.
+graphic::Rung statements(std::string comment, graphic::Condition condition, std::string st);
+
 }  // namespace stepwright::lowering

@@ -29,16 +29,6 @@ std::string names_of(const SfcChart& chart, const std::vector<StepId>& ids) {
   return text;
 }
 
-Rung statements(std::string comment, Condition condition, std::string st) {
-  Rung rung;
-  rung.comment = std::move(comment);
-  rung.condition = std::move(condition);
-  graphic::Block block;
-  block.st_body = std::move(st);
-  rung.blocks.push_back(std::move(block));
-  return rung;
-}
-
 // The elapsed times, before the transitions read them.
 void lower_clock(SfcLoweringContext& context) {
   if (context.now().empty()) return;

@@ -6,10 +6,6 @@
 namespace stepwright::host {
 namespace {
 
-constexpr std::size_t kRingBytes = 8u << 20;
-constexpr std::size_t kMinSlots = 6;
-constexpr std::size_t kMaxSlots = 256;
-
 // The slots that an event of this kind must leave to others.
 std::size_t left_free(EventKind kind) {
   switch (kind) {
@@ -27,7 +23,7 @@ std::size_t left_free(EventKind kind) {
 
 EventRing::EventRing(std::size_t image_bytes, std::size_t plant_values) {
   const std::size_t slot_bytes = sizeof(Slot) + image_bytes + plant_values * sizeof(double);
-  slots_.resize(std::clamp(kRingBytes / slot_bytes, kMinSlots, kMaxSlots));
+  slots_.resize(std::clamp(kBytes / slot_bytes, kFewestSlots, kMostSlots));
   for (Slot& slot : slots_) {
     slot.image.resize(image_bytes);
     slot.plant.resize(plant_values);

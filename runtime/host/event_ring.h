@@ -36,6 +36,11 @@ struct EventNote {
 
 class EventRing {
  public:
+  // As many slots as these bytes have room for, within these bounds.
+  static constexpr std::size_t kBytes = 8u << 20;
+  static constexpr std::size_t kFewestSlots = 6;
+  static constexpr std::size_t kMostSlots = 256;
+
   struct Slot {
     EventNote note;
     std::vector<std::byte> image;

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "runtime/host/event_ring.h"
 #include "runtime/host/thread_stacks.h"
 
 namespace stepwright::host {
@@ -17,12 +18,9 @@ namespace {
 // interpreter.
 constexpr std::uint64_t kNativePerCodeByte = 28;
 constexpr std::uint64_t kQuickPerCodeByte = 2;
-// A task has a copy of the image and one of what it got; the event ring holds many (event_ring.cpp).
+// A task has a copy of the image and one of what it got; the event ring holds many.
 constexpr std::uint64_t kImagesPerThread = 2;
 constexpr std::uint64_t kImagesOnce = 2;
-constexpr std::uint64_t kMostEvents = 256;
-constexpr std::uint64_t kFewestEvents = 4;
-constexpr std::uint64_t kEventBytes = 8u << 20;
 constexpr std::uint64_t kOfAThread = kThreadStackBytes + (64u << 10);
 constexpr std::uint64_t kOnce = 2u << 20;
 constexpr unsigned kCapIpcLock = 14;
@@ -99,8 +97,9 @@ std::string in_mb(std::uint64_t bytes) {
 std::uint64_t needed_bytes(const MemoryNeed& need) {
   const std::uint64_t code = need.code_bytes * (need.native ? kNativePerCodeByte : kQuickPerCodeByte);
   const std::uint64_t images = need.image_bytes * (kImagesOnce + kImagesPerThread * need.threads);
-  const std::uint64_t events =
-      std::min(kMostEvents * need.image_bytes, std::max(kEventBytes, kFewestEvents * need.image_bytes));
+  const std::uint64_t events = std::min(
+      std::uint64_t{EventRing::kMostSlots} * need.image_bytes,
+      std::max(std::uint64_t{EventRing::kBytes}, std::uint64_t{EventRing::kFewestSlots} * need.image_bytes));
   return kOnce + code + images + events + need.threads * kOfAThread;
 }
 
