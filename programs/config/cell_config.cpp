@@ -192,6 +192,8 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   read_clock(root.table("clock"), config.clock);
   config.engine = read_engine(root.table("runtime"));
   config.cpu = read_cpu(root.table("runtime"));
+  config.memory_limit_mb =
+      static_cast<std::uint32_t>(root.table("runtime").integer("memory_limit_mb", 0, {0, 1'000'000}));
   config.tasks = read_tasks(root);
   config.plant.described = root.has_table("plant");
   read_plant(root.table("plant"), folder, config.plant);

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
+#include "programs/config/state_dir.h"
 #include "programs/process/command_line.h"
 
 namespace stepwright::config {
@@ -20,6 +21,8 @@ result::ExitCode concerned(const CellOptions& options, bool remote) {
 tl::expected<CellConfig, int> load_cell(const CellOptions& options) {
   auto config = load_cell_config(options.config, options.overrides);
   if (!config) return tl::unexpected(process::fail(config.error(), result::ExitCode::BadInput));
+  if (auto checked = check_state_dir(*config); !checked)
+    return tl::unexpected(process::fail(checked.error(), result::ExitCode::BadInput));
   return std::move(*config);
 }
 

@@ -21,14 +21,18 @@ std::filesystem::path users_folder() {
   return temporary_folder() / ("stepwright-" + std::to_string(geteuid()));
 }
 
+bool is_default(const CellConfig& config) {
+  return config.state_dir.parent_path() == users_folder();
+}
+
 // Somebody else could put links and files of his own into a folder that he may write to.
-result::Result<void> check_owner(const std::filesystem::path& folder, bool follow) {
+result::Result<void> check_owner(const std::filesystem::path& folder, bool follow, bool anyones = false) {
   const char* const hint = "name another folder with state_dir in [cell]";
   struct stat info {};
   if ((follow ? stat(folder.c_str(), &info) : lstat(folder.c_str(), &info)) != 0)
     return refused(folder, std::string("the state folder cannot be used: ") + std::strerror(errno), hint);
   if (!S_ISDIR(info.st_mode)) return refused(folder, "the state folder is no folder", hint);
-  if (info.st_uid != geteuid() && info.st_uid != 0)
+  if (!anyones && info.st_uid != geteuid() && info.st_uid != 0)
     return refused(folder,
                    "the state folder belongs to another user (" + std::to_string(info.st_uid) +
                        "), who could put files of his own there",
@@ -56,7 +60,7 @@ std::filesystem::path default_state_dir(const std::string& cell) {
 
 result::Result<bool> claim_state_dir(const CellConfig& config) {
   const std::filesystem::path& folder = config.state_dir;
-  const bool by_default = folder.parent_path() == users_folder();
+  const bool by_default = is_default(config);
   if (by_default) {
     if (auto made = make(folder.parent_path()); !made) return made;
     if (auto checked = check_owner(folder.parent_path(), false); !checked) return result::forward(checked);
@@ -65,6 +69,19 @@ result::Result<bool> claim_state_dir(const CellConfig& config) {
   if (!made) return made;
   if (auto checked = check_owner(folder, !by_default); !checked) return result::forward(checked);
   return made;
+}
+
+result::Result<void> check_state_dir(const CellConfig& config) {
+  const bool by_default = is_default(config);
+  const auto check = [&](const std::filesystem::path& folder) -> result::Result<void> {
+    struct stat info {};
+    if (lstat(folder.c_str(), &info) != 0 && errno == ENOENT) return {};
+    return check_owner(folder, !by_default, !by_default);
+  };
+  if (by_default) {
+    if (auto checked = check(config.state_dir.parent_path()); !checked) return checked;
+  }
+  return check(config.state_dir);
 }
 
 }  // namespace stepwright::config

@@ -5,6 +5,7 @@
 #include <spdlog/sinks/stdout_sinks.h>
 
 #include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <mutex>
@@ -22,8 +23,24 @@ bool takes_more(int descriptor) {
   return poll(&entry, 1, 0) == 1;
 }
 
+// A link in a folder into which everybody may write may be anybody's and lead anywhere.
+bool may_mislead(const std::filesystem::path& file) {
+  struct stat link {};
+  struct stat folder {};
+  if (lstat(file.c_str(), &link) != 0 || !S_ISLNK(link.st_mode)) return false;
+  const std::filesystem::path parent = file.has_parent_path() ? file.parent_path() : ".";
+  return stat(parent.c_str(), &folder) == 0 && (folder.st_mode & S_IWOTH) != 0;
+}
+
 // spdlog brings the sinks and survives their errors; what a line looks like is ours.
 result::Result<LineTarget> make_target(const std::string& process, const config::LogConfig& config) {
+  const auto refuse = [&](const std::string& why) {
+    result::Location where = config.where;
+    if (where.file.empty()) where.file = config.file.string();
+    return result::fail("C0463", where, "the log cannot be opened: " + why,
+                        "name a file in a folder that this user may write to, or leave [log] file out");
+  };
+  if (may_mislead(config.file)) return refuse("it is a link in a folder into which everybody may write");
   try {
     spdlog::sink_ptr sink;
     if (config.file.empty()) {
@@ -40,10 +57,7 @@ result::Result<LineTarget> make_target(const std::string& process, const config:
     if (config.file.empty()) target.ready = [] { return takes_more(STDERR_FILENO); };
     return target;
   } catch (const spdlog::spdlog_ex& problem) {
-    result::Location where = config.where;
-    if (where.file.empty()) where.file = config.file.string();
-    return result::fail("C0463", where, std::string("the log cannot be opened: ") + problem.what(),
-                        "name a file in a folder that this user may write to, or leave [log] file out");
+    return refuse(problem.what());
   }
 }
 

@@ -24,8 +24,8 @@ class Commands {
   }
 
   int run() const {
-    auto config = config::load_cell_config(cell_.config, cell_.overrides);
-    return config ? chosen_(*config) : process::fail(config.error(), result::ExitCode::BadInput);
+    const auto config = config::load_cell(cell_);
+    return config ? chosen_(*config) : config.error();
   }
 
  private:

@@ -1,17 +1,49 @@
 #include "programs/process/command_line.h"
 
 #include <signal.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
 #include <string>
+#include <system_error>
 
 namespace stepwright::process {
 namespace {
 
 // Longer than anybody waits, and safe to count in any unit.
 constexpr double kLongestS = 1e9;
+
+// There may be no memory to put a text together.
+void say(const char* text) {
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, std::strlen(text));
+}
+
+[[noreturn]] void end(const char* refused, const char* hint) {
+  say("R0001: the system gives no more ");
+  say(refused);
+  say("\n  hint: ");
+  say(hint);
+  say("\n");
+  std::_Exit(to_int(result::ExitCode::RuntimeFault));
+}
+
+[[noreturn]] void on_terminate() {
+  try {
+    if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    end("memory", "the limit of its unit (MemoryMax) or of the shell (ulimit -v) may be reached");
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      end("threads", "the limit of its unit (TasksMax) or of its user (ulimit -u) may be reached");
+  } catch (...) {
+  }
+  std::abort();
+}
 
 }  // namespace
 
@@ -24,8 +56,13 @@ void outlive_broken_pipes() {
   sigaction(SIGPIPE, &action, nullptr);
 }
 
+void end_with_a_word() {
+  std::set_terminate(on_terminate);
+}
+
 std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   outlive_broken_pipes();
+  end_with_a_word();
   const std::string name = app.get_name();
   const std::string command = name.substr(name.rfind(' ') + 1);
   const int skip = argc > 1 && argv[1] == command ? 1 : 0;

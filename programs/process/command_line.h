@@ -23,7 +23,11 @@ namespace stepwright::process {
 // process: a log that cannot be written costs the line. Programs that this one starts are not concerned.
 void outlive_broken_pipes();
 
-// Parses the arguments, after outlive_broken_pipes: every process begins with it. The name of the command,
+// From now on a thread or memory that the system refuses, where nothing can be done about it, ends the process
+// with what was refused on stderr and ExitCode::RuntimeFault, and no longer by an abort.
+void end_with_a_word();
+
+// Parses the arguments, after the two above: every process begins with it. The name of the command,
 // which `stepwright` leaves in front of its arguments, is skipped: it is the last word of the app's name.
 // Returns the exit code with which the process is to end now: Done after --help, Usage after a wrong command
 // line (its message went to stderr); nothing if it goes on.

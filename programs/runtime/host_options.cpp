@@ -35,6 +35,7 @@ result::Result<host::HostConfig> host_options(const config::CellConfig& config) 
                                    ? host::LostSupervisor::Safe
                                    : host::LostSupervisor::Continue;
   options.cpu = config.cpu;
+  options.memory_limit_bytes = std::size_t{config.memory_limit_mb} << 20;
   for (const config::TaskConfig& task : config.tasks) options.tasks.push_back(task_settings(task));
   for (const config::ScheduledFault& fault : config.faults) {
     // A change of what is asked for is the supervisor's business.

@@ -3,19 +3,17 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
-#include <deque>
 #include <mutex>
 #include <utility>
 
 #include "runtime/dds/internal/convert.h"
 #include "runtime/dds/internal/participant.h"
+#include "runtime/dds/internal/request_queue.h"
 #include "runtime/dds/internal/topics.h"
 #include "runtime_typesPubSubTypes.h"
 
 namespace stepwright::dds {
 namespace {
-
-constexpr std::size_t kMaxQueuedRequests = 256;
 
 using namespace internal;
 
@@ -59,8 +57,7 @@ struct LinkEndpoint::State {
     if (!request) return;
     {
       const std::scoped_lock lock(mutex);
-      if (queue.size() >= kMaxQueuedRequests) return;
-      queue.push_back(std::move(*request));
+      if (!queue.push(std::move(*request))) return;
     }
     notify();
   }
@@ -68,7 +65,7 @@ struct LinkEndpoint::State {
   std::unique_ptr<Participant> participant;
   int wake;
   std::mutex mutex;
-  std::deque<service::Request> queue;
+  RequestQueue queue;
   Writer<idl::ReplyPubSubType> replies;
   Writer<idl::EventPubSubType> events;
   Writer<idl::StatusPubSubType> statuses;
@@ -103,10 +100,7 @@ void LinkEndpoint::clear() {
 
 std::optional<service::Request> LinkEndpoint::take_request() {
   const std::scoped_lock lock(state_->mutex);
-  if (state_->queue.empty()) return std::nullopt;
-  service::Request request = std::move(state_->queue.front());
-  state_->queue.pop_front();
-  return request;
+  return state_->queue.pop();
 }
 
 bool LinkEndpoint::supervisor_alive() const {

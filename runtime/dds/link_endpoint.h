@@ -8,7 +8,7 @@
 //   while (auto request = (*endpoint)->take_request()) forward(*request);
 //
 // Threads: any function from any thread; Fast DDS fills the queue from its own. The queue of requests is
-// bounded: what does not fit is dropped, and its sender asks again.
+// bounded: what does not fit is dropped, and its sender asks again; a stop goes ahead and finds room.
 
 #include <cstdint>
 #include <memory>

@@ -50,6 +50,8 @@ class LineLoop {
 
   // Commands (line_loop_commands.cpp).
   void take_commands();
+  void take_urgent();
+  void perform(const RemoteCommand& command);
   host::Completion apply(const RemoteCommand& command);
   host::Completion reach(const RemoteCommand& command);
   host::Completion load(const RemoteCommand& command);
@@ -128,6 +130,7 @@ class LineLoop {
   std::int64_t next_ns_ = 0;  // own time of the next scan
   bool barrier_ = false;
   bool supervisor_lost_ = false;
+  std::uint64_t stopped_at_ = 0;  // order of the newest stop: starts that were asked for before it are void
   host::Stepper stepper_;
   scan::Histogram turns_;  // how long a turn takes, there and back
 

@@ -52,11 +52,17 @@ result::Diagnostics one(const char* code, result::Location where, std::string me
 
 void LineLoop::take_commands() {
   end_forces(wall_ns());
-  while (auto command = box_.next_command()) {
-    Completion completion = apply(*command);
-    publish();  // who sees the completion must find a status that knows of it
-    box_.complete(std::move(completion));
-  }
+  while (auto command = box_.next_command()) perform(*command);
+}
+
+void LineLoop::take_urgent() {
+  while (auto command = box_.next_urgent()) perform(*command);
+}
+
+void LineLoop::perform(const RemoteCommand& command) {
+  Completion completion = apply(command);
+  publish();  // who sees the completion must find a status that knows of it
+  box_.complete(std::move(completion));
 }
 
 // What this side does by itself; the rest needs the controller.
@@ -99,6 +105,7 @@ Completion LineLoop::apply(const RemoteCommand& asked) {
 
 Completion LineLoop::reach(const RemoteCommand& asked) {
   const host::Command& command = asked.command;
+  if (command.kind == CommandKind::Stop) stopped_at_ = command.order;
   if (command.kind == CommandKind::Stop && !running())
     return {command.ticket, program_ == nullptr ? Outcome::NoProgram : Outcome::Done, {}};
   if (!contact_) {
@@ -124,7 +131,7 @@ Completion LineLoop::failed(std::uint64_t ticket, result::Diagnostics why) {
 
 // Of a request that the line did not carry: then the controller is lost, too.
 Completion LineLoop::lost(std::uint64_t ticket, result::Diagnostics why) {
-  lose(why);
+  if (contact_) lose(why);
   return failed(ticket, std::move(why));
 }
 
@@ -157,6 +164,7 @@ result::Diagnostics LineLoop::refusal(const CommandAnswer& answer) const {
 }
 
 Completion LineLoop::start(const host::Command& command) {
+  if (command.order < stopped_at_) return {command.ticket, Outcome::Overtaken, {}};
   if (program_ == nullptr) return {command.ticket, Outcome::NoProgram, {}};
   if (running()) return {command.ticket, Outcome::AlreadyRunning, {}};
   std::uint16_t flags = 0;
@@ -285,6 +293,7 @@ Completion LineLoop::supervisor_lost(const host::Command& command) {
     release_barrier();
     return {command.ticket, Outcome::Done, {}};
   }
+  stopped_at_ = command.order;
   if (!running() || !contact_) return {command.ticket, Outcome::Done, {}};
   return stop(command, host::kSupervisorLost);
 }

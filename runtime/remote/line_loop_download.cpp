@@ -11,12 +11,11 @@ namespace stepwright::remote {
 host::Completion LineLoop::load(const RemoteCommand& asked) {
   const std::uint64_t ticket = asked.command.ticket;
   if (auto fit = fits(*asked.program); !fit) return failed(ticket, std::move(fit.error()));
-  const bool ran = running();
   if (auto moved = bring(*asked.program); !moved) {
     const bool said_no = moved.error().front().code == "R0144";
     return said_no ? failed(ticket, std::move(moved.error())) : lost(ticket, std::move(moved.error()));
   }
-  if (ran) {
+  if (running()) {
     end_stretch();
     now_.state = host::RuntimeState::Stopped;
     now_.waiting_for_supervisor = false;
@@ -61,7 +60,8 @@ LineLoop::Done LineLoop::bring(const RemoteProgram& program) {
   return {};
 }
 
-// The container in pieces. By the clock what runs goes on meanwhile, and so do its inputs and outputs.
+// The container in pieces. By the clock what runs goes on meanwhile, and so do its inputs and outputs, and a stop
+// does not wait for the last piece.
 LineLoop::Done LineLoop::transfer(const RemoteProgram& program) {
   const auto exchange_if_due = [this] {
     if (simulated() || program_ == nullptr || due_ns_ > wall_ns()) return true;
@@ -83,7 +83,9 @@ LineLoop::Done LineLoop::transfer(const RemoteProgram& program) {
     const auto piece =
         bytes.subspan(at, std::min<std::size_t>(control::transfer::kMaxBytes, bytes.size() - at));
     if (auto sent = link_.send_piece(static_cast<std::uint32_t>(at), piece); !sent) return sent;
-    if (!exchange_if_due()) return result::fail("R0141", {link_.name(), 0, 0}, "lost during a download");
+    take_urgent();
+    if (!contact_ || !exchange_if_due())
+      return result::fail("R0141", {link_.name(), 0, 0}, "lost during a download");
   }
   if (running() && program_ != nullptr) {
     // The last image of what the commit stops.

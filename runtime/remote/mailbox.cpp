@@ -6,6 +6,8 @@ namespace stepwright::remote {
 namespace {
 
 constexpr std::size_t kMaxUnderWay = 200;
+// What goes ahead of the others has some room of its own.
+constexpr std::size_t kMaxUrgentUnderWay = 250;
 constexpr std::size_t kMaxEvents = 256;
 
 template <typename T>
@@ -21,9 +23,11 @@ std::optional<T> pop(std::deque<T>& queue) {
 bool Mailbox::submit(RemoteCommand command) {
   {
     const std::lock_guard lock(mutex_);
-    if (under_way_ >= kMaxUnderWay) return false;
+    const bool ahead = host::goes_ahead(command.command.kind);
+    if (under_way_ >= (ahead ? kMaxUrgentUnderWay : kMaxUnderWay)) return false;
     ++under_way_;
-    commands_.push_back(std::move(command));
+    command.command.order = ++last_order_;
+    (ahead ? urgent_ : commands_).push_back(std::move(command));
   }
   wake_.ring();
   return true;
@@ -51,7 +55,12 @@ RemoteFigures Mailbox::figures() const {
 
 std::optional<RemoteCommand> Mailbox::next_command() {
   const std::lock_guard lock(mutex_);
-  return pop(commands_);
+  return pop(urgent_.empty() ? commands_ : urgent_);
+}
+
+std::optional<RemoteCommand> Mailbox::next_urgent() {
+  const std::lock_guard lock(mutex_);
+  return pop(urgent_);
 }
 
 void Mailbox::complete(host::Completion completion) {

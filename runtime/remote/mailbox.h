@@ -41,7 +41,7 @@ struct RemoteFigures {
 class Mailbox {
  public:
   // Service.
-  // False if too many are under way.
+  // False if too many are under way. What goes ahead (host::goes_ahead) has room of its own.
   bool submit(RemoteCommand command);
   std::optional<host::Completion> take_completion();
   std::optional<host::StepEvent> take_event();
@@ -49,7 +49,10 @@ class Mailbox {
   host::Doorbell& news() { return news_; }
 
   // Line.
+  // What goes ahead comes first.
   std::optional<RemoteCommand> next_command();
+  // Only what goes ahead: between the parts of something long.
+  std::optional<RemoteCommand> next_urgent();
   void complete(host::Completion completion);
   // An event more than there is room for is lost; false then. A line in lock-step asks first.
   bool add(host::StepEvent event);
@@ -62,8 +65,10 @@ class Mailbox {
  private:
   mutable std::mutex mutex_;
   std::deque<RemoteCommand> commands_;
+  std::deque<RemoteCommand> urgent_;
   std::deque<host::Completion> completions_;
   std::deque<host::StepEvent> events_;
+  std::uint64_t last_order_ = 0;
   std::size_t under_way_ = 0;
   RemoteFigures figures_;
   host::Doorbell wake_;

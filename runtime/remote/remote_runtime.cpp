@@ -1,6 +1,7 @@
 #include "runtime/remote/remote_runtime.h"
 
 #include <random>
+#include <system_error>
 #include <utility>
 
 namespace stepwright::remote {
@@ -34,7 +35,12 @@ result::Result<std::unique_ptr<RemoteRuntime>> RemoteRuntime::create(const Remot
   if (!self->box_.ok()) return result::fail("R0001", {}, "the system gives no more descriptors");
   self->loop_ =
       std::make_unique<LineLoop>(self->config_, *self->line_, driver, plant, *self->snapshots_, self->box_);
-  self->thread_ = std::thread([loop = self->loop_.get()] { loop->run(); });
+  try {
+    self->thread_ = std::thread([loop = self->loop_.get()] { loop->run(); });
+  } catch (const std::system_error& error) {
+    return result::fail("R0001", {}, std::string("the system gives no thread: ") + error.what(),
+                        "the limit of processes (ulimit -u) may be reached");
+  }
   return self;
 }
 

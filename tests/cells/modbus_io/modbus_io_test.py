@@ -1,6 +1,7 @@
 """Devices over Modbus as the I/O of a cell: runtime, guard and client as processes, and PLCs of pymodbus as the field."""
 
 import json
+import os
 import pathlib
 import re
 import signal
@@ -287,6 +288,27 @@ class ModbusIo(unittest.TestCase):
         asked = plant.command("modbus-client", "--status")
         self.assertEqual(asked.returncode, 5)
         self.assertIn("R0127", asked.stderr)
+
+    def test_a_client_that_is_killed_frozen_or_restarted_is_lost_io_until_a_start(self):
+        plant = Plant(self)
+        plant.start_all()
+        for number in (signal.SIGKILL, signal.SIGSTOP, signal.SIGTERM):
+            with self.subTest(number=number):
+                self.assertTrue(eventually(lambda: plant.field() == 1000 or plant.lost_again()), plant.log())
+                losses = plant.losses()
+                if number == signal.SIGSTOP:
+                    os.kill(plant.client.pid, number)
+                else:
+                    plant.client.end(number)
+                self.assertTrue(eventually(lambda: plant.losses() > losses), plant.log())
+                if number == signal.SIGSTOP:
+                    os.kill(plant.client.pid, signal.SIGCONT)
+                else:
+                    plant.client = plant.cell.start("modbus-client")
+                self.assertTrue(eventually(lambda: plant.field() == 7), plant.log())
+                self.assertTrue(eventually(lambda: not plant.status()["lost"]), plant.log())
+                self.assertEqual(plant.field(), 7)  # who is back does not start the program
+                plant.start_again()
 
     def test_an_autostart_waits_for_its_devices(self):
         plant = Plant(self)

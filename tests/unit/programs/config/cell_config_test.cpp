@@ -242,5 +242,11 @@ TEST_F(CellConfigTest, WhenOneThingIsWrong_ThenTheReadingStillHasTheRest) {
   EXPECT_EQ(reading.config.plant.seed, 9u);
 }
 
+TEST_F(CellConfigTest, WhenTheRuntimeHasALimitOfMemory_ThenItIsRead) {
+  EXPECT_EQ(load_cell_config(write(""))->memory_limit_mb, 0u);
+  EXPECT_EQ(load_cell_config(write("[runtime]\nmemory_limit_mb = 200\n"))->memory_limit_mb, 200u);
+  EXPECT_FALSE(load_cell_config(write("[runtime]\nmemory_limit_mb = -1\n")).has_value());
+}
+
 }  // namespace
 }  // namespace stepwright::config

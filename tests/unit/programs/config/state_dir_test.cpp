@@ -81,5 +81,32 @@ TEST_F(StateDir, WhenTheCellNamesOne_ThenALinkOfItsOwnerIsAsGoodAsAFolder) {
   EXPECT_NE(refusal(config).find("everybody may write"), std::string::npos);
 }
 
+// A client may be another user than the runtime, where the cell names the folder; nobody has to be there yet.
+TEST_F(StateDir, WhenAClientLooks_ThenOnlyAFolderThatMayMisleadItIsRefused) {
+  const auto look = [](const CellConfig& config) {
+    const auto checked = check_state_dir(config);
+    return checked ? "" : result::to_string(checked.error());
+  };
+  const CellConfig by_default = cell();
+  EXPECT_EQ(look(by_default), "");
+  EXPECT_FALSE(std::filesystem::exists(by_default.state_dir));
+  ASSERT_TRUE(claim_state_dir(by_default));
+  EXPECT_EQ(look(by_default), "");
+  const CellConfig named = cell("state_dir = \"state\"\n");
+  ASSERT_TRUE(claim_state_dir(named));
+  if (geteuid() == 0) {  // only root can give a folder away
+    ASSERT_EQ(chown(by_default.state_dir.c_str(), 65'534, 65'534), 0);
+    EXPECT_NE(look(by_default).find("belongs to another user"), std::string::npos);
+    ASSERT_EQ(chown(named.state_dir.c_str(), 65'534, 65'534), 0);
+    EXPECT_EQ(look(named), "");
+  }
+  ASSERT_EQ(chmod(named.state_dir.c_str(), 0777), 0);
+  EXPECT_NE(look(named).find("everybody may write"), std::string::npos);
+  ASSERT_EQ(chmod(named.state_dir.c_str(), 0700), 0);
+  std::filesystem::remove_all(by_default.state_dir);
+  std::filesystem::create_directory_symlink(named.state_dir, by_default.state_dir);
+  EXPECT_NE(look(by_default).find("no folder"), std::string::npos) << look(by_default);
+}
+
 }  // namespace
 }  // namespace stepwright::config

@@ -125,5 +125,20 @@ TEST_F(LoggerTest, WhenTheDiskIsFull_ThenLoggingGoesOnWithoutHarm) {
   EXPECT_FALSE(lines(config_.file).empty());
 }
 
+// Somebody else's link would have this user write where that one may not.
+TEST_F(LoggerTest, WhenTheFileIsALink_ThenItIsFollowedOnlyWhereNotEverybodyMayPutOne) {
+  std::filesystem::create_symlink(folder_ / "elsewhere.log", config_.file);
+  open()->info("one", "followed");
+  EXPECT_EQ(lines(folder_ / "elsewhere.log").size(), 1u);
+  std::filesystem::permissions(folder_, std::filesystem::perms::all | std::filesystem::perms::sticky_bit);
+  const auto refused = Logger::open("runtime", config_);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error()[0].code, "C0463");
+  std::filesystem::remove(config_.file);
+  open()->info("two", "a file of its own");
+  EXPECT_EQ(lines(config_.file).size(), 1u);
+  EXPECT_EQ(lines(folder_ / "elsewhere.log").size(), 1u);
+}
+
 }  // namespace
 }  // namespace stepwright::log

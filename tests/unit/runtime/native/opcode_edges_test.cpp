@@ -1,9 +1,12 @@
 // Every opcode at the edges of its operands, on both engines: memory, trap and budget are the same. The
-// random programs of differential_test.cpp meet such values by chance only.
+// random programs of differential_test.cpp meet such values by chance only. STEPWRIGHT_EDGE_RUNS: how often each
+// function runs at most, where an emulator makes the whole too long.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <random>
 
@@ -103,10 +106,15 @@ std::vector<Case> constant_cases(const Shape& shape, std::mt19937& random) {
   return out;
 }
 
+std::size_t most_runs() {
+  const char* const text = std::getenv("STEPWRIGHT_EDGE_RUNS");
+  return text == nullptr ? SIZE_MAX : std::strtoul(text, nullptr, 10);
+}
+
 class Edges {
  public:
   Edges(const Shape& shape, const std::vector<Case>& cases)
-      : shape_(shape), cases_(cases), memory_(edge_memory()) {
+      : shape_(shape), cases_(cases), most_runs_(most_runs()), memory_(edge_memory()) {
     writer::ContainerModel model = edge_model();
     model.tasks.emplace_back().name = "task";
     for (const Case& each : cases) {
@@ -141,7 +149,7 @@ class Edges {
       if (each.sources[i] == Source::Constant) lists[i] = {0};
     }
     std::string found;
-    combine(lists, each.most_runs, random, [&](const Values& chosen) {
+    combine(lists, std::min(each.most_runs, most_runs_), random, [&](const Values& chosen) {
       if (!found.empty()) return;
       fill(each, instance, chosen, random);
       pair_->reset(memory_);
@@ -185,6 +193,7 @@ class Edges {
 
   const Shape& shape_;
   const std::vector<Case>& cases_;
+  const std::size_t most_runs_;
   std::vector<std::byte> memory_;
   std::unique_ptr<EnginePair> pair_;
 };
