@@ -1,5 +1,9 @@
 // What each command does (runtime/doc/modbus_controller.md, Commands).
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
 #include "firmware/app/controller.h"
 
 namespace stepwright::app {
@@ -12,7 +16,8 @@ namespace {
 
 constexpr std::uint16_t kStartWords = control::command::kArguments + 1;
 constexpr std::uint16_t kBeginWords = control::command::kArguments + 2 + control::kDigestRegisters;
-constexpr std::uint16_t kBitsWords = control::command::kArguments + 10;
+constexpr std::uint16_t kBitsWords = control::command::kArguments + control::bits::kCount;
+constexpr std::uint64_t kNsPerMs = 1'000'000;
 
 std::span<const std::uint16_t> arguments(const CommandWords& command) {
   return std::span(command.words).subspan(control::command::kArguments);
@@ -32,10 +37,19 @@ Refusal refusal_of(image::BitsStatus status) {
   return Refusal::OutOfBounds;
 }
 
-image::BitsStatus change_forces(Machine& machine, control::Command code, const image::ImageBits& bits) {
+// When a force ends; one that would last longer than the clock does has no end.
+std::int64_t end_of(std::uint64_t ms, std::int64_t now_ns) {
+  const auto left_ns = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max() - now_ns);
+  if (ms == 0 || ms >= left_ns / kNsPerMs) return image::kNoEnd;
+  return now_ns + static_cast<std::int64_t>(ms * kNsPerMs);
+}
+
+image::BitsStatus change_forces(Machine& machine, control::Command code, const image::ImageBits& bits,
+                                std::int64_t end_ns) {
   image::Force force;
   const image::BitsStatus status = image::to_force(bits, machine.image().size(), force);
   if (status != image::BitsStatus::Done) return status;
+  force.end_ns = end_ns;
   if (code == control::Command::Unforce) return image::clear_force(*machine.forces(), force);
   return image::set_force(*machine.forces(), force, machine.image().size());
 }
@@ -133,10 +147,18 @@ Judgement Controller::commit() {
 }
 
 Judgement Controller::bits(control::Command code, const CommandWords& command) {
+  using namespace control::bits;
   if (machine_.forces() == nullptr) return {Refusal::NoProgram, 0};
-  const image::ImageBits bits{control::get32(arguments(command), 0), control::get64(arguments(command), 2),
-                              control::get64(arguments(command), 6)};
-  if (code != control::Command::WriteBits) return {refusal_of(change_forces(machine_, code, bits)), 0};
+  const std::span<const std::uint16_t> words = arguments(command);
+  std::array<std::byte, kDigestBytes> named{};
+  control::get_bytes(words.subspan(kDigest, kDigestBytes / 2), named);
+  if (!std::equal(named.begin(), named.end(), machine_.digest().begin())) return {Refusal::OtherProgram, 0};
+  const image::ImageBits bits{control::get32(words, kByte), control::get64(words, kMask),
+                              control::get64(words, kValue)};
+  if (code != control::Command::WriteBits) {
+    const std::int64_t end_ns = end_of(control::get64(words, kMs), board_.tick.now_ns());
+    return {refusal_of(change_forces(machine_, code, bits, end_ns)), 0};
+  }
   const Refusal refusal = refusal_of(image::write_bits(machine_.image(), bits));
   touched();
   return {refusal, 0};

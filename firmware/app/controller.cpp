@@ -48,6 +48,7 @@ bool Controller::work() {
     answer_ = {waiting_.number, result};
     command_waits_ = false;
   }
+  machine_.end_forces(now_ns);
   const bool due = machine_.due(now_ns);
   if (due) scan_by_clock(now_ns);
   keep_retained(false);

@@ -147,6 +147,13 @@ void Machine::idle() {
   if (cycle_ && !running()) cycle_->idle(next_.time_ns);
 }
 
+void Machine::end_forces(std::int64_t now_ns) {
+  if (!cycle_) return;
+  image::Force ended;
+  while (cycle_->forces().take_ended(now_ns, ended)) {
+  }
+}
+
 ScanFigures Machine::figures() const {
   ScanFigures figures = figures_;
   figures.overruns = earlier_overruns_ + (cycle_ ? cycle_->statistics().overruns : 0);

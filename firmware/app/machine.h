@@ -89,6 +89,8 @@ class Machine {
   std::span<std::byte> markers() { return image_ ? image_->markers() : std::span<std::byte>(); }
   // Room for a copy of the retained values.
   std::span<std::byte> retain_copy() { return retain_copy_; }
+  // Those whose time is over at `now_ns` of the clock are released.
+  void end_forces(std::int64_t now_ns);
   image::ForceTable* forces() { return cycle_ ? &cycle_->forces() : nullptr; }
 
  private:

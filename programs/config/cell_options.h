@@ -34,7 +34,8 @@ void add_cell_options(CLI::App& app, CellOptions& options);
 // it, so that one of the two starts and says what is wrong.
 [[nodiscard]] result::ExitCode concerned(const CellOptions& options, bool remote);
 
-// The cell that the parsed options name, with a state folder that can be trusted (check_state_dir); or the exit code, after what is wrong went to stderr.
+// The cell that the parsed options name, with a state folder that can be trusted (check_state_dir); or the
+// exit code, after what is wrong went to stderr.
 [[nodiscard]] tl::expected<CellConfig, int> load_cell(const CellOptions& options);
 
 // Parses the command line and loads the cell that it names; or the exit code with which the process is to end

@@ -25,8 +25,8 @@ std::filesystem::path default_state_dir(const std::string& cell);
 // link.
 [[nodiscard]] result::Result<bool> claim_state_dir(const CellConfig& config);
 
-// For who only looks for a process there, maybe another user: R0001 if everybody may write into the folder, or if a
-// default folder is a link or somebody else's. One that is not there is nobody's.
+// For who only looks for a process there, maybe another user: R0001 if everybody may write into the folder,
+// or if a default folder is a link or somebody else's. One that is not there is nobody's.
 [[nodiscard]] result::Result<void> check_state_dir(const CellConfig& config);
 
 }  // namespace stepwright::config

@@ -56,11 +56,16 @@ ControllerOutputs outputs_from(std::span<const std::uint16_t> words) {
   return outputs;
 }
 
-std::array<std::uint16_t, 10> bits_arguments(const image::ImageBits& bits) {
-  std::array<std::uint16_t, 10> arguments{};
-  control::put32(arguments, 0, bits.byte_offset);
-  control::put64(arguments, 2, bits.mask);
-  control::put64(arguments, 6, bits.value & bits.mask);
+std::array<std::uint16_t, control::bits::kCount> bits_arguments(const image::ImageBits& bits,
+                                                                const ProgramDigest& program,
+                                                                std::uint64_t ms) {
+  using namespace control::bits;
+  std::array<std::uint16_t, kCount> arguments{};
+  control::put32(arguments, kByte, bits.byte_offset);
+  control::put64(arguments, kMask, bits.mask);
+  control::put64(arguments, kValue, bits.value & bits.mask);
+  control::put_bytes(std::span(arguments).subspan(kDigest), std::span(program).first(kDigestBytes));
+  control::put64(arguments, kMs, ms);
   return arguments;
 }
 

@@ -66,7 +66,10 @@ struct ControllerOutputs {
 // Requires outputs::kData words at least; the bytes of the outputs stand behind them.
 ControllerOutputs outputs_from(std::span<const std::uint16_t> words);
 
-// The arguments of the commands that write, force and release bits.
-std::array<std::uint16_t, 10> bits_arguments(const image::ImageBits& bits);
+// The arguments of the commands that write, force and release bits of a program. `ms`: when a force ends, 0:
+// never.
+std::array<std::uint16_t, control::bits::kCount> bits_arguments(const image::ImageBits& bits,
+                                                                const ProgramDigest& program,
+                                                                std::uint64_t ms = 0);
 
 }  // namespace stepwright::remote

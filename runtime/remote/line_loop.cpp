@@ -39,7 +39,6 @@ void LineLoop::run() {
     const Done turned = simulated() ? turn_lock_step() : turn_by_clock();
     if (!turned) lose(turned.error());
   }
-  end_forces(image::kNoEnd - 1);  // nobody would end them
   if (running()) {
     // The last word; what the line does not carry any more the controller's own watch has to do.
     if (contact_) static_cast<void>(link_.command(control::Command::Stop));

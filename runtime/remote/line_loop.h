@@ -63,7 +63,7 @@ class LineLoop {
   [[nodiscard]] Done begin_run();
   host::Completion stop(const host::Command& command, std::string_view reason);
   host::Completion bits(const host::Command& command);
-  void end_forces(std::int64_t now_ns);
+  void end_forces();
   host::Completion step(const host::Command& command);
   host::Completion inject(const host::Command& command);
   host::Completion supervisor_lost(const host::Command& command);

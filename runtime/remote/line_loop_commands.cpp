@@ -51,7 +51,7 @@ result::Diagnostics one(const char* code, result::Location where, std::string me
 }  // namespace
 
 void LineLoop::take_commands() {
-  end_forces(wall_ns());
+  end_forces();
   while (auto command = box_.next_command()) perform(*command);
 }
 
@@ -149,6 +149,12 @@ Completion LineLoop::refused(std::uint64_t ticket, const CommandAnswer& answer) 
       return {ticket, Outcome::ForcesFull, {}};
     case control::Refusal::NotForced:
       return {ticket, Outcome::NotForced, {}};
+    case control::Refusal::OtherProgram: {
+      Completion completion{ticket, Outcome::ProgramDiffers, {}};
+      if (program_ != nullptr)
+        completion.program_digest = host::FixedText<host::kDigestLetters>(program_->digest());
+      return completion;
+    }
     default:
       return failed(ticket, refusal(answer));
   }
@@ -241,7 +247,10 @@ Completion LineLoop::bits(const host::Command& command) {
     const auto bytes = static_cast<std::uint32_t>(image::reach_of(bits));
     bits.value = program_->bools().settled(bits.byte_offset, bytes, bits.value);
   }
-  const auto arguments = bits_arguments(bits);
+  // It ends where it is: whoever watches here may die before.
+  const auto ms =
+      static_cast<std::uint64_t>((std::max<std::int64_t>(command.duration_ns, 0) + 999'999) / 1'000'000);
+  const auto arguments = bits_arguments(bits, program_->digest_bytes(), ms);
   const control::Command code = write                                ? control::Command::WriteBits
                                 : command.kind == CommandKind::Force ? control::Command::Force
                                                                      : control::Command::Unforce;
@@ -256,19 +265,11 @@ Completion LineLoop::bits(const host::Command& command) {
   return refused(command.ticket, *answer);
 }
 
-// The controller keeps forces without an end: this side releases them. What the line does not carry is tried
-// again when it does.
-void LineLoop::end_forces(std::int64_t now_ns) {
-  if (!contact_ || forces_.next_end_ns() == image::kNoEnd) return;
+// The controller has released them by itself.
+void LineLoop::end_forces() {
   bool any = false;
   image::Force ended;
-  while (contact_ && forces_.take_ended(now_ns, ended)) {
-    any = true;
-    auto answer = link_.command(control::Command::Unforce, bits_arguments(image::bits_of(ended)));
-    if (answer) continue;
-    static_cast<void>(forces_.set(ended, image_.size()));
-    lose(answer.error());
-  }
+  while (forces_.take_ended(wall_ns(), ended)) any = true;
   if (any) publish();
 }
 

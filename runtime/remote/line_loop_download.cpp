@@ -54,7 +54,7 @@ LineLoop::Done LineLoop::bring(const RemoteProgram& program) {
   }
   if (auto stopped = link_.command(control::Command::Stop); !stopped) return tl::unexpected(stopped.error());
   for (const image::Force& force : forces_.forces()) {
-    if (auto freed = link_.command(control::Command::Unforce, bits_arguments(image::bits_of(force))); !freed)
+    if (auto freed = link_.command(control::Command::Unforce, bits_arguments(image::bits_of(force), program.digest_bytes())); !freed)
       return tl::unexpected(freed.error());
   }
   return {};

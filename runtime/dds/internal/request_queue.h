@@ -1,8 +1,8 @@
 #pragma once
 
-// Requests on their way from Fast DDS to the runtime's service. It is bounded: what does not fit is dropped, and
-// its sender asks again; but a stop finds room when nothing else does. A stop goes ahead of all that waits, up to
-// the newest start: a start that was asked for before it must not come after it.
+// Requests on their way from Fast DDS to the runtime's service. It is bounded: what does not fit is dropped,
+// and its sender asks again; but a stop finds room when nothing else does. A stop goes ahead of all that
+// waits, up to the newest start: a start that was asked for before it must not come after it.
 //
 // Threads: one at a time; who has more brings a mutex.
 

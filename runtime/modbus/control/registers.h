@@ -18,7 +18,7 @@
 namespace stepwright::modbus::control {
 
 inline constexpr std::uint16_t kMagic = 0x5357;  // "SW"
-inline constexpr std::uint16_t kVersion = 1;
+inline constexpr std::uint16_t kVersion = 2;
 inline constexpr std::uint16_t kMaxRead = 125;         // registers of one FC 3 (and of FC 23's read half)
 inline constexpr std::uint16_t kMaxWrite = 123;        // of one FC 16
 inline constexpr std::uint16_t kMaxWriteInRw = 121;    // of FC 23's write half
@@ -95,11 +95,22 @@ enum class Command : std::uint16_t {
   TransferBegin = 3,   // arguments 0-1: bytes; 2-17: SHA-256
   TransferCommit = 4,  // checks the digest, verifies, writes the free slot, loads; stops what runs
   TransferAbort = 5,   //
-  WriteBits = 6,  // arguments 0-1: byte of the image; 2-5: mask; 6-9: value (little-endian bits from there)
-  Force = 7,      // the same
-  Unforce = 8,    // the same; value ignored
-  ClearRetained = 9,  // forgets what is retained; only while nothing runs
+  WriteBits = 6,       // bits::; of another program than the loaded one it is refused
+  Force = 7,           // the same, with its end
+  Unforce = 8,         // the same; value ignored
+  ClearRetained = 9,   // forgets what is retained; only while nothing runs
 };
+
+// Arguments of the commands that name memory. An address is another variable in the next program.
+namespace bits {
+inline constexpr std::uint16_t kByte = 0;     // 32 bits: byte of the image
+inline constexpr std::uint16_t kMask = 2;     // 64 bits, little-endian from there
+inline constexpr std::uint16_t kValue = 6;    // 64 bits
+inline constexpr std::uint16_t kDigest = 10;  // the first 4 registers of the program's SHA-256
+inline constexpr std::uint16_t kMs = 14;      // 64 bits: after so long a force ends by itself; 0: never
+inline constexpr std::uint16_t kCount = 18;
+inline constexpr std::uint16_t kDigestBytes = 8;
+}  // namespace bits
 
 enum StartFlag : std::uint16_t {
   kStartLockStep = 1u << 0,
@@ -123,6 +134,7 @@ enum class Refusal : std::uint16_t {
   NotStopped = 12,  // only while nothing runs
   BadArguments = 13,
   NotSupported = 14,  // the program uses what this controller lacks; detail: which limit
+  OtherProgram = 15,  // bits of a program that is not the loaded one
 };
 
 // The container in pieces, in order, with FC 16 from kFirst: the offset of its first byte, how many bytes,

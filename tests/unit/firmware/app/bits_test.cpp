@@ -35,6 +35,29 @@ TEST_F(BitsTest, Force_WhenProgramStartsAgain_ThenStays_WhenAnotherIsLoaded_Then
   EXPECT_EQ(controller.turn(bytes_of({0})).outputs[0], std::byte{0});
 }
 
+// Its master may be gone by then.
+TEST_F(BitsTest, Force_WhenItsTimeIsOver_ThenIsReleasedByTheController) {
+  EXPECT_TRUE(bits(Command::Force, kInput, 0xFF, 7, 1'000).done());
+  EXPECT_TRUE(bits(Command::Force, kOutput, 0xFF, 0x55, 0xFFFF'FFFF'FFFF'FFFF).done())
+      << "longer than the clock lasts";
+  EXPECT_EQ(controller.turn(bytes_of({0})).outputs[0], std::byte{0x55});
+  EXPECT_EQ(board.machine().forces()->forces().size(), 2u);
+  controller.expect_done(Command::Stop);
+  board.run_ms(1'500);
+  ASSERT_EQ(board.machine().forces()->forces().size(), 1u);
+  EXPECT_EQ(board.machine().forces()->forces()[0].address, kOutput);
+}
+
+TEST_F(BitsTest, Bits_WhenOfAnotherProgram_ThenAreRefused) {
+  const remote::ProgramDigest counting = controller.status().digest;
+  controller.download(compiled("PROGRAM main VAR x : ARRAY[0..99] OF BYTE; END_VAR END_PROGRAM"));
+  for (const Command code : {Command::WriteBits, Command::Force, Command::Unforce})
+    EXPECT_EQ(bits_of(counting, code, 4, 0xFF, 1).refusal, Refusal::OtherProgram);
+  EXPECT_TRUE(board.machine().forces()->forces().empty());
+  EXPECT_EQ(controller.image()[4], std::byte{0});
+  EXPECT_TRUE(bits(Command::WriteBits, 4, 0xFF, 1).done());
+}
+
 TEST_F(BitsTest, Bits_WhenBeyondTheImage_ThenAreRefused) {
   const std::uint32_t size = controller.status().image_bytes;
   for (const Command code : {Command::WriteBits, Command::Force, Command::Unforce}) {

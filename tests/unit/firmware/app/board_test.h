@@ -24,11 +24,19 @@ class BoardTest : public testing::Test {
     controller.download(compiled(program));
     controller.start(flags);
   }
-  remote::CommandAnswer bits(Command code, std::uint32_t byte, std::uint64_t mask, std::uint64_t value) {
-    std::vector<std::uint16_t> arguments(10);
-    control::put32(arguments, 0, byte);
-    control::put64(arguments, 2, mask);
-    control::put64(arguments, 6, value);
+  remote::CommandAnswer bits(Command code, std::uint32_t byte, std::uint64_t mask, std::uint64_t value,
+                             std::uint64_t ms = 0) {
+    return bits_of(controller.status().digest, code, byte, mask, value, ms);
+  }
+  remote::CommandAnswer bits_of(const remote::ProgramDigest& program, Command code, std::uint32_t byte,
+                                std::uint64_t mask, std::uint64_t value, std::uint64_t ms = 0) {
+    std::vector<std::uint16_t> arguments(control::bits::kCount);
+    control::put32(arguments, control::bits::kByte, byte);
+    control::put64(arguments, control::bits::kMask, mask);
+    control::put64(arguments, control::bits::kValue, value);
+    control::put_bytes(std::span(arguments).subspan(control::bits::kDigest),
+                       std::span(program).first(control::bits::kDigestBytes));
+    control::put64(arguments, control::bits::kMs, ms);
     return controller.command(code, arguments);
   }
   // The exception of a request; 0 if it is answered.

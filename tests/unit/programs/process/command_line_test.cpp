@@ -19,7 +19,8 @@ TEST(CommandLine, Process_WhenTheSystemRefusesAThread_ThenItEndsWithAWord) {
         const support::FailingThread failing(1);
         [&]() noexcept { std::thread([] {}).join(); }();  // GoogleTest catches what comes up to it
       },
-      testing::ExitedWithCode(to_int(result::ExitCode::RuntimeFault)), "R0001: the system gives no more threads");
+      testing::ExitedWithCode(to_int(result::ExitCode::RuntimeFault)),
+      "R0001: the system gives no more threads");
 }
 
 TEST(CommandLine, Process_WhenTheSystemRefusesMemory_ThenItEndsWithAWord) {
@@ -28,7 +29,8 @@ TEST(CommandLine, Process_WhenTheSystemRefusesMemory_ThenItEndsWithAWord) {
         end_with_a_word();
         std::thread([] { throw std::bad_alloc(); }).join();
       },
-      testing::ExitedWithCode(to_int(result::ExitCode::RuntimeFault)), "R0001: the system gives no more memory");
+      testing::ExitedWithCode(to_int(result::ExitCode::RuntimeFault)),
+      "R0001: the system gives no more memory");
 }
 
 // Anything else is a fault of the program: it leaves its core.

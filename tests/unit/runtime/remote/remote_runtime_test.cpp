@@ -135,7 +135,8 @@ TEST(RemoteRuntime_WhenBitsAreOfAnotherProgram, ThenTheControllerIsNotAsked) {
   EXPECT_TRUE(bench.runtime->forces().places.empty());
 }
 
-TEST(RemoteRuntime_WhenTheTimeOfAForceIsOver, ThenTheControllerIsFreedOfIt) {
+// Whose end the controller keeps: who forced may be gone by then.
+TEST(RemoteRuntime_WhenTheTimeOfAForceIsOver, ThenTheControllerReleasesIt) {
   Bench bench;
   bench.driver.load(step_program({.steps = 2}));
   host::Command command;
@@ -149,6 +150,12 @@ TEST(RemoteRuntime_WhenTheTimeOfAForceIsOver, ThenTheControllerIsFreedOfIt) {
   command.duration_ns = 1'000'000;
   ASSERT_EQ(bench.driver.run(command).outcome, Outcome::Done) << "the same place, with another end";
   EXPECT_TRUE(bench.driver.await([&] { return bench.runtime->forces().places.empty(); }));
+  {
+    const std::lock_guard lock(bench.world->mutex);
+    ASSERT_EQ(bench.world->board.machine().forces()->forces().size(), 1u) << "the board's clock stands";
+    bench.world->board.run_ms(2);
+    EXPECT_TRUE(bench.world->board.machine().forces()->forces().empty());
+  }
   EXPECT_EQ(bench.driver.bits(CommandKind::Unforce, command.bits).outcome, Outcome::NotForced);
 }
 
