@@ -71,6 +71,7 @@ class ClientReader {
       line.endpoint.data_bits = static_cast<std::uint8_t>(table.integer("data_bits", 8, {7, 8}));
       line.endpoint.stop_bits = static_cast<std::uint8_t>(table.integer("stop_bits", 1, {1, 2}));
       line.endpoint.rs485 = table.boolean("rs485", false);
+      line.endpoint.echo = table.boolean("echo", false);
       if (table.has("gap_us"))
         line.gap = std::chrono::microseconds(table.integer("gap_us", 0, {0, 1'000'000}));
       lines_.push_back(std::move(line));
@@ -140,8 +141,17 @@ class ClientReader {
                   "1 to 247; over TCP also 0 and 255");
     }
     if (!host.empty()) {
-      device.endpoint = modbus::master::TcpEndpoint{host, port};
+      const bool rtu = table.choice("framing", "tcp", {"tcp", "rtu"}) == "rtu";
+      device.endpoint = modbus::master::TcpEndpoint{
+          host, port, rtu ? modbus::master::Framing::Rtu : modbus::master::Framing::Tcp};
+      device.requests_per_connection =
+          static_cast<std::uint32_t>(table.integer("requests_per_connection", 0, {0, 1'000'000}));
+      device.pause = milliseconds(table.integer("pause_ms", 0, {0, 60'000}));
       return true;
+    }
+    for (const char* key : {"framing", "requests_per_connection", "pause_ms"}) {
+      if (table.has(key))
+        return fail("C0521", table.where(key), std::string("a serial line has no ") + key, "it is of TCP");
     }
     const auto found =
         std::ranges::find_if(lines_, [&](const Line& each) { return each.endpoint.device == line; });

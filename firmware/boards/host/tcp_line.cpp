@@ -72,7 +72,7 @@ bool TcpLine::greet() {
 }
 
 bool TcpLine::serve(pdu::DataModel& model) {
-  std::array<std::byte, pdu::kMaxTcpFrame> bytes;
+  std::array<std::byte, pdu::kMaxTcpRequest> bytes;
   const ssize_t count = ::recv(peer_, bytes.data(), bytes.size(), 0);
   if (count < 0 && (errno == EAGAIN || errno == EINTR)) return false;
   if (count <= 0) return hang_up(), true;

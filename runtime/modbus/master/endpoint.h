@@ -12,10 +12,15 @@
 
 namespace stepwright::modbus::master {
 
+// What stands around a request: the header of Modbus TCP, or unit and checksum as on a serial line, which
+// some converters between network and line pass on as they are.
+enum class Framing : std::uint8_t { Tcp, Rtu };
+
 struct TcpEndpoint {
   std::string host =
       "127.0.0.1";  // IPv4, IPv6, or a name, whose look-up may block for as long as the resolver does
   std::uint16_t port = 502;
+  Framing framing = Framing::Tcp;
   friend bool operator==(const TcpEndpoint&, const TcpEndpoint&) = default;
 };
 
@@ -29,6 +34,7 @@ struct SerialEndpoint {
   std::uint8_t data_bits = 8;  // 7 or 8
   std::uint8_t stop_bits = 1;  // 1 or 2
   bool rs485 = false;          // the kernel's driver switches the direction
+  bool echo = false;           // the adapter repeats to this side all that it sends
   friend bool operator==(const SerialEndpoint&, const SerialEndpoint&) = default;
 };
 

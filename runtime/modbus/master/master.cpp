@@ -12,8 +12,11 @@
 #include <utility>
 
 #include "runtime/modbus/line/line_claim.h"
+#include "runtime/modbus/master/exchange.h"
 #include "runtime/modbus/master/late_answer.h"
 #include "runtime/modbus/master/tcp_connect.h"
+#include "runtime/modbus/master/wire_request.h"
+#include "runtime/modbus/pdu/wire.h"
 
 namespace stepwright::modbus::master {
 namespace {
@@ -30,10 +33,6 @@ constexpr std::size_t kReadHead = 5;   // of the answer to a read, beside its va
 constexpr std::size_t kWriteHead = 9;  // of a request that writes several
 constexpr std::size_t kMask = 10;
 constexpr std::size_t kReadWriteHead = 13;
-
-constexpr std::size_t bytes_of_bits(std::size_t bits) {
-  return (bits + 7) / 8;
-}
 
 tl::unexpected<result::Diagnostics> impossible(const std::string& name, const std::string& what) {
   return result::fail("R0126", {name, 0, 0}, what);
@@ -74,11 +73,18 @@ bool is_range(std::uint16_t first, std::size_t count, std::size_t most) {
 
 constexpr Outcome kBadRequest{Fault::BadRequest, 0, 0};
 
+// libmodbus looks at neither length nor unit of a TCP answer's header (3.1.6), and knows no echo.
+std::optional<Exchange> exchange_for(const Endpoint& endpoint) {
+  if (const auto* tcp = std::get_if<TcpEndpoint>(&endpoint)) return Exchange({.framing = tcp->framing});
+  if (std::get<SerialEndpoint>(endpoint).echo) return Exchange({.framing = Framing::Rtu, .echo = true});
+  return std::nullopt;
+}
+
 }  // namespace
 
 struct Master::State {
   State(Endpoint e, const MasterOptions& o, Context c)
-      : endpoint(std::move(e)), options(o), context(std::move(c)) {}
+      : endpoint(std::move(e)), options(o), context(std::move(c)), exchange(exchange_for(endpoint)) {}
 
   bool serial() const { return std::holds_alternative<SerialEndpoint>(endpoint); }
   bool open() const { return modbus_get_socket(context.get()) >= 0; }
@@ -126,11 +132,15 @@ struct Master::State {
   }
 
   // `characters`: of the request and its answer, which a line takes its time for.
-  void apply_timeout(std::size_t characters) {
+  std::chrono::microseconds timeout_for(std::size_t characters) const {
     const auto* const on_line = std::get_if<SerialEndpoint>(&endpoint);
     const std::chrono::microseconds wire =
         on_line != nullptr ? time_on(*on_line, characters) : std::chrono::microseconds(0);
-    const auto us = (options.timeout + wire).count();
+    return options.timeout + wire;
+  }
+
+  void apply_timeout(std::size_t characters) {
+    const auto us = timeout_for(characters).count();
     modbus_set_response_timeout(context.get(), static_cast<std::uint32_t>(us / 1'000'000),
                                 static_cast<std::uint32_t>(us % 1'000'000));
     // Without a timeout between bytes libmodbus holds the whole answer to the one above.
@@ -152,12 +162,50 @@ struct Master::State {
       const auto free_at = last + options.gap;
       if (Clock::now() < free_at) std::this_thread::sleep_until(free_at);
     }
-    if ((stale || serial()) && !drain()) {
+    if ((stale || exchange || serial()) && !drain()) {
       close();
       return {Fault::ConnectionLost, 0, EBADMSG};
     }
     stale = false;
     apply_timeout(characters);
+    return {};
+  }
+
+  // The answer's PDU in `room` where all is well.
+  Answer ask_itself(const WireRequest& request, std::span<std::byte> room) {
+    const std::size_t characters = request.pdu().size() + request.answer_bytes() + 6;
+    if (const Outcome ready = prepare(characters); !ready.good()) return {ready, {}};
+    const auto timeout = std::chrono::ceil<std::chrono::milliseconds>(timeout_for(characters));
+    const auto unit = static_cast<std::uint8_t>(modbus_get_slave(context.get()));
+    const Answer answer = exchange->ask(modbus_get_socket(context.get()), unit, request, timeout, room);
+    last = Clock::now();
+    if (answer.outcome.fault == Fault::BadAnswer) return {bad_answer(0), {}};
+    if (answer.outcome.fault == Fault::ConnectionLost) close();
+    return answer;
+  }
+
+  // A request whose answer has nothing but that it was done.
+  Outcome tell(const WireRequest& request) {
+    std::array<std::byte, Exchange::kMaxAdu> room;
+    return ask_itself(request, room).outcome;
+  }
+
+  // One whose answer has registers.
+  Outcome fetch(const WireRequest& request, std::span<std::uint16_t> words) {
+    std::array<std::byte, Exchange::kMaxAdu> room;
+    const Answer answer = ask_itself(request, room);
+    if (!answer.outcome.good()) return answer.outcome;
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = pdu::get16(request.table(answer.pdu), 2 * i);
+    return {};
+  }
+
+  Outcome fetch_bits(const WireRequest& request, std::span<std::uint8_t> bits) {
+    std::array<std::byte, Exchange::kMaxAdu> room;
+    const Answer answer = ask_itself(request, room);
+    if (!answer.outcome.good()) return answer.outcome;
+    const auto packed = request.table(answer.pdu);
+    for (std::size_t i = 0; i < bits.size(); ++i)
+      bits[i] = (std::to_integer<unsigned>(packed[i / 8]) >> (i % 8)) & 1u;
     return {};
   }
 
@@ -215,6 +263,7 @@ struct Master::State {
   Endpoint endpoint;
   MasterOptions options;
   Context context;
+  std::optional<Exchange> exchange;  // where the frames are this side's own
   line::LineClaim claim;
   Clock::time_point last{};
   bool stale = false;  // bytes may be on their way that nobody asked for
@@ -265,6 +314,11 @@ void Master::set_timeout(std::chrono::milliseconds timeout) {
 
 Outcome Master::read_bits(BitTable table, std::uint16_t first, std::span<std::uint8_t> bits) {
   if (!is_range(first, bits.size(), kMaxReadBits)) return kBadRequest;
+  if (state_->exchange) {
+    const auto function =
+        table == BitTable::Coils ? pdu::Function::ReadCoils : pdu::Function::ReadDiscreteInputs;
+    return state_->fetch_bits(WireRequest::read(function, first, bits.size()), bits);
+  }
   const auto read = table == BitTable::Coils ? modbus_read_bits : modbus_read_input_bits;
   return state_->ask(kEcho + kReadHead + bytes_of_bits(bits.size()), bits.size(), [&](modbus_t* context) {
     return read(context, first, static_cast<int>(bits.size()), bits.data());
@@ -273,6 +327,11 @@ Outcome Master::read_bits(BitTable table, std::uint16_t first, std::span<std::ui
 
 Outcome Master::read_registers(RegisterTable table, std::uint16_t first, std::span<std::uint16_t> words) {
   if (!is_range(first, words.size(), kMaxReadRegisters)) return kBadRequest;
+  if (state_->exchange) {
+    const auto function = table == RegisterTable::Holding ? pdu::Function::ReadHoldingRegisters
+                                                          : pdu::Function::ReadInputRegisters;
+    return state_->fetch(WireRequest::read(function, first, words.size()), words);
+  }
   const auto read = table == RegisterTable::Holding ? modbus_read_registers : modbus_read_input_registers;
   return state_->ask(kEcho + kReadHead + 2 * words.size(), words.size(), [&](modbus_t* context) {
     return read(context, first, static_cast<int>(words.size()), words.data());
@@ -280,17 +339,25 @@ Outcome Master::read_registers(RegisterTable table, std::uint16_t first, std::sp
 }
 
 Outcome Master::write_coil(std::uint16_t address, bool value) {
+  constexpr std::uint16_t kOn = 0xFF00;
+  if (state_->exchange) {
+    return state_->tell(
+        WireRequest::write_single(pdu::Function::WriteSingleCoil, address, value ? kOn : std::uint16_t{0}));
+  }
   return state_->ask(2 * kEcho, 1,
                      [&](modbus_t* context) { return modbus_write_bit(context, address, value ? 1 : 0); });
 }
 
 Outcome Master::write_register(std::uint16_t address, std::uint16_t value) {
+  if (state_->exchange)
+    return state_->tell(WireRequest::write_single(pdu::Function::WriteSingleRegister, address, value));
   return state_->ask(2 * kEcho, 1,
                      [&](modbus_t* context) { return modbus_write_register(context, address, value); });
 }
 
 Outcome Master::write_coils(std::uint16_t first, std::span<const std::uint8_t> bits) {
   if (!is_range(first, bits.size(), kMaxWriteBits)) return kBadRequest;
+  if (state_->exchange) return state_->tell(WireRequest::write_coils(first, bits));
   return state_->ask(kWriteHead + bytes_of_bits(bits.size()) + kEcho, bits.size(), [&](modbus_t* context) {
     return modbus_write_bits(context, first, static_cast<int>(bits.size()), bits.data());
   });
@@ -298,12 +365,14 @@ Outcome Master::write_coils(std::uint16_t first, std::span<const std::uint8_t> b
 
 Outcome Master::write_registers(std::uint16_t first, std::span<const std::uint16_t> words) {
   if (!is_range(first, words.size(), kMaxWriteRegisters)) return kBadRequest;
+  if (state_->exchange) return state_->tell(WireRequest::write_registers(first, words));
   return state_->ask(kWriteHead + 2 * words.size() + kEcho, words.size(), [&](modbus_t* context) {
     return modbus_write_registers(context, first, static_cast<int>(words.size()), words.data());
   });
 }
 
 Outcome Master::mask_register(std::uint16_t address, std::uint16_t and_mask, std::uint16_t or_mask) {
+  if (state_->exchange) return state_->tell(WireRequest::mask(address, and_mask, or_mask));
   return state_->ask(2 * kMask, 1, [&](modbus_t* context) {
     return modbus_mask_write_register(context, address, and_mask, or_mask);
   });
@@ -315,6 +384,8 @@ Outcome Master::read_write_registers(std::uint16_t write_first, std::span<const 
       !is_range(read_first, read.size(), kMaxReadRegisters)) {
     return kBadRequest;
   }
+  if (state_->exchange)
+    return state_->fetch(WireRequest::read_write(write_first, write, read_first, read.size()), read);
   const std::size_t characters = kReadWriteHead + 2 * write.size() + kReadHead + 2 * read.size();
   return state_->ask(characters, read.size(), [&](modbus_t* context) {
     return modbus_write_and_read_registers(context, write_first, static_cast<int>(write.size()), write.data(),

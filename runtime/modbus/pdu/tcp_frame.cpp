@@ -9,7 +9,7 @@ constexpr std::size_t kProtocolAt = 2;
 constexpr std::size_t kLengthAt = 4;
 constexpr std::size_t kUnitAt = 6;
 constexpr std::size_t kShortest = 2;  // unit and a function code
-constexpr std::size_t kLongest = 1 + kMaxPdu;
+constexpr std::size_t kLongest = 1 + kMaxCountedPdu;
 
 }  // namespace
 

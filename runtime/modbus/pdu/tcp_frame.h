@@ -23,11 +23,15 @@ namespace stepwright::modbus::pdu {
 
 inline constexpr std::size_t kTcpHeader = 7;
 inline constexpr std::size_t kMaxTcpFrame = kTcpHeader + kMaxPdu;
+// As long as a request may say that it is: its count of bytes has eight bits. One that is longer than kMaxPdu is
+// answered with an exception, and the connection stays.
+inline constexpr std::size_t kMaxCountedPdu = 10 + 255;  // FC 23
+inline constexpr std::size_t kMaxTcpRequest = kTcpHeader + kMaxCountedPdu;
 
 struct TcpFrame {
   std::uint16_t transaction = 0;
   std::uint8_t unit = 0;
-  std::span<const std::byte> pdu;  // 1 to kMaxPdu bytes of the buffer
+  std::span<const std::byte> pdu;  // 1 to kMaxCountedPdu bytes of the buffer
   std::size_t bytes = 0;           // of the whole frame
 };
 
@@ -38,7 +42,7 @@ struct TcpTake {
 };
 
 // The first frame of a stream's unread bytes. Bad, as soon as it can be known: a protocol other than 0, or a
-// length outside of 2 to 254 (unit and PDU). A stream has no place at which it could be picked up again after
+// length outside of 2 to 266 (unit and PDU). A stream has no place at which it could be picked up again after
 // that.
 TcpTake take_frame(std::span<const std::byte> bytes);
 

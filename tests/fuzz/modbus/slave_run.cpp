@@ -68,7 +68,7 @@ struct Pages {
     return std::as_bytes(tail);
   }
 
-  Guarded<std::uint8_t> input{pdu::kMaxTcpFrame, Side::Back};
+  Guarded<std::uint8_t> input{pdu::kMaxTcpRequest, Side::Back};
   Guarded<std::uint8_t> pdu_out;
   Guarded<std::uint8_t> frame_out;
 };
@@ -119,7 +119,7 @@ class TcpSlave {
   }
 
   Pages& pages_;
-  std::array<std::uint8_t, pdu::kMaxTcpFrame> input_{};
+  std::array<std::uint8_t, pdu::kMaxTcpRequest> input_{};
   std::size_t used_ = 0;
   StrictModel model_;
 };

@@ -27,7 +27,7 @@ Bytes with_right_length(Bytes frame) {
 
 // Not pdu::take_frame: a server must not be tested with its own mistake.
 void judge(const Bytes& stream, Burst& burst) {
-  constexpr std::size_t kMostLength = 254;
+  constexpr std::size_t kMostLength = 266;
   std::size_t at = 0;
   while (at < stream.size()) {
     const std::size_t left = stream.size() - at;

@@ -69,6 +69,7 @@ void LineOfUnits::serve() {
       std::array<std::uint8_t, 64> bytes{};
       const ssize_t got = read(ours_, bytes.data(), bytes.size());
       if (got > 0) received.insert(received.end(), bytes.begin(), bytes.begin() + got);
+      if (got > 0 && echo_ && write(ours_, bytes.data(), static_cast<std::size_t>(got)) < 0) stop_ = true;
     }
     const auto now = Clock::now();
     if (received.size() >= kRequest) {

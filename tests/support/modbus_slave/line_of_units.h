@@ -33,6 +33,8 @@ class LineOfUnits {
     delay_ms_[unit] = static_cast<int>(time.count());
   }
   void silence(std::uint8_t unit, bool silent) { silent_[unit] = silent; }
+  // The adapter of the master repeats to it what it sends.
+  void echo() { echo_ = true; }
 
  private:
   void serve();
@@ -43,6 +45,7 @@ class LineOfUnits {
   std::array<std::atomic<int>, 256> delay_ms_{};
   std::array<std::atomic<int>, 256> requests_{};
   std::array<std::atomic<bool>, 256> silent_{};
+  std::atomic<bool> echo_{false};
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };

@@ -1,6 +1,7 @@
 // The messages of the server as they arrive: hmi_web/doc/protocol.md.
 
 import type { AlarmList } from '../records/records';
+import type { Value } from './value';
 
 export interface Point {
   id: string;
@@ -214,7 +215,7 @@ export interface ScanFigures {
   realtime_factor: number;
 }
 
-export type Value = number | null;
+export type { Value };
 
 // What travels whole whenever it changes.
 export interface LiveFields {

@@ -2,7 +2,7 @@
 
 import { ask as request, sentences } from '../access/api';
 import { dateText } from '../lib/language.svelte';
-import type { Value } from '../lib/protocol';
+import type { Value } from '../lib/value';
 
 export type Priority = 'critical' | 'high' | 'medium' | 'low';
 

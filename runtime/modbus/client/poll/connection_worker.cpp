@@ -14,6 +14,10 @@ constexpr milliseconds kFirstPause{20};
 constexpr milliseconds kTick{1};
 constexpr int kShareOfTheDead = 3;  // parts of the others' time to one of theirs
 
+bool is_gone(const Outcome& outcome) {
+  return outcome.fault == Fault::NotConnected || outcome.fault == Fault::ConnectionLost;
+}
+
 // A gateway's word for a unit that does not answer it (Modbus Application Protocol V1.1b3, section 7).
 bool is_silence(const Outcome& outcome) {
   constexpr std::uint8_t kPathUnavailable = 10;
@@ -25,8 +29,7 @@ bool is_silence(const Outcome& outcome) {
 
 Quality quality_of(const Outcome& outcome) {
   if (outcome.fault == Fault::Exception && !is_silence(outcome)) return Quality::DeviceFailure;
-  const bool gone = outcome.fault == Fault::NotConnected || outcome.fault == Fault::ConnectionLost;
-  return gone ? Quality::NotConnected : Quality::CommFailure;
+  return is_gone(outcome) ? Quality::NotConnected : Quality::CommFailure;
 }
 
 // Worth another try with fewer tags: one address of the request may be wrong.
@@ -44,7 +47,12 @@ ConnectionWorker::ConnectionWorker(std::vector<Device> devices, master::Master m
       serial_(std::holds_alternative<master::SerialEndpoint>(board_.devices().front().endpoint)),
       words_(master::kMaxReadRegisters),
       bits_(master::kMaxReadBits) {
-  for (const Device& device : board_.devices()) units_.emplace_back(device, Clock::now(), serial_);
+  for (const Device& device : board_.devices()) {
+    units_.emplace_back(device, Clock::now(), serial_);
+    between_ = std::max(between_, device.pause);
+    const std::uint32_t most = device.requests_per_connection;
+    if (most > 0) most_requests_ = most_requests_ == 0 ? most : std::min(most_requests_, most);
+  }
   thread_ = std::thread([this] { run(); });
 }
 
@@ -92,6 +100,11 @@ void ConnectionWorker::run() {
       if (stop_) return;
     }
     take_outputs();
+    if (used_up()) {
+      goes_on_ = true;
+      master_.close();
+      connect_at_ = Clock::now() + between_;
+    }
     if (!master_.connected() && !connect()) continue;
     const Job job = next_job(Clock::now());
     if (job.turn != Turn::Wait) units_[job.unit].begins(Clock::now());
@@ -109,12 +122,21 @@ void ConnectionWorker::run() {
         probe(job.unit);
         break;
     }
-    wrote_last_ = job.turn == Turn::Write;
+    // What was lost with its connection has the first request of the next one.
+    if (master_.connected()) wrote_last_ = job.turn == Turn::Write;
     const bool all =
         std::ranges::all_of(units_, [](Unit& unit) { return unit.asleep() || unit.writes().clean(); });
     const std::scoped_lock lock(mutex_);
-    written_ = all && !new_outputs_ && master_.connected();
+    written_ = all && !new_outputs_ && (master_.connected() || goes_on_);
   }
+}
+
+bool ConnectionWorker::used_up() const {
+  return most_requests_ > 0 && requests_ >= most_requests_ && master_.connected();
+}
+
+bool ConnectionWorker::repeats(const Outcome& outcome) const {
+  return is_gone(outcome) && answered_;
 }
 
 bool ConnectionWorker::connect() {
@@ -125,7 +147,10 @@ bool ConnectionWorker::connect() {
   }
   const Outcome outcome = master_.connect();
   now = Clock::now();
-  connect_at_ = now + pause_;
+  requests_ = 0;
+  answered_ = false;
+  const bool goes_on = std::exchange(goes_on_, false);
+  connect_at_ = now + std::max(pause_, between_);
   pause_ = std::clamp(2 * pause_, kFirstPause, std::max(kFirstPause, settings_.reconnect_at_most));
   silent_.clear();
   probe_at_ = {};
@@ -134,6 +159,7 @@ bool ConnectionWorker::connect() {
       board_.offline(i, Quality::NotConnected, outcome.text(), now);
     return false;
   }
+  if (goes_on) return true;
   for (std::size_t i = 0; i < units_.size(); ++i) {
     units_[i].begin_anew();
     units_[i].hope(now);
@@ -199,9 +225,9 @@ Outcome ConnectionWorker::read(Unit& unit, const ReadRequest& request) {
 
 void ConnectionWorker::read_group(std::size_t index, GroupPoll& group) {
   Unit& unit = units_[index];
-  const auto began = Clock::now();
-  const auto before = std::exchange(group.began, began);
-  for (std::size_t i = 0; i < group.requests.size();) {
+  if (group.next == 0) group.before = std::exchange(group.began, Clock::now());
+  for (std::size_t& i = group.next; i < group.requests.size();) {
+    if (used_up()) return;  // the rest on the next connection
     const ReadRequest& request = group.requests[i];
     const auto sent = Clock::now();
     const Outcome outcome = read(unit, request);
@@ -215,19 +241,20 @@ void ConnectionWorker::read_group(std::size_t index, GroupPoll& group) {
       group.requests.insert(group.requests.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                             std::move(halves[1]));
       continue;
-    } else {
+    } else if (!repeats(outcome)) {
       board_.not_read(index, request.tags, quality_of(outcome), outcome.text());
     }
     if (!judge(index, outcome, sent, false)) return;  // due as before, unless it sleeps now
     ++i;
   }
+  group.next = 0;
   const std::uint64_t missed = group.advance(Clock::now());
   const auto at = static_cast<std::size_t>(&group - unit.groups().data());
   board_.count(index, [&](DeviceCounters&, std::vector<GroupStatus>& groups) {
     ++groups[at].turns;
     groups[at].overruns += missed;
-    if (before != Clock::time_point{})
-      groups[at].period.record(std::chrono::nanoseconds(began - before).count());
+    if (group.before != Clock::time_point{})
+      groups[at].period.record(std::chrono::nanoseconds(group.began - group.before).count());
   });
 }
 
@@ -263,7 +290,7 @@ void ConnectionWorker::write_next(std::size_t index) {
     std::vector<std::uint8_t> exceeded;
     for (const std::uint32_t tag : tags) exceeded.push_back(unit.writes().exceeded(tag));
     board_.written(index, tags, exceeded, now);
-  } else {
+  } else if (!repeats(outcome)) {
     board_.not_written(index, tags, quality_of(outcome), outcome.text(), now);
   }
   judge(index, outcome, sent, true);
@@ -289,6 +316,7 @@ void ConnectionWorker::probe(std::size_t index) {
 
 bool ConnectionWorker::judge(std::size_t index, const Outcome& outcome, Clock::time_point sent, bool write) {
   const auto now = Clock::now();
+  ++requests_;
   board_.count(index, [&](DeviceCounters& counters, std::vector<GroupStatus>&) {
     ++counters.requests;
     counters.writes += write ? 1 : 0;
@@ -301,7 +329,7 @@ bool ConnectionWorker::judge(std::size_t index, const Outcome& outcome, Clock::t
     on_silence(index, outcome.text(), sent, now);
     return false;
   }
-  if (outcome.fault == Fault::ConnectionLost || outcome.fault == Fault::NotConnected) {
+  if (is_gone(outcome)) {
     on_lost(outcome.text(), now);
     return false;
   }
@@ -312,7 +340,8 @@ bool ConnectionWorker::judge(std::size_t index, const Outcome& outcome, Clock::t
   units_[index].answered();
   board_.online(index, now);
   silent_.clear();
-  pause_ = milliseconds(0);
+  answered_ = true;
+  pause_ = kFirstPause;
   return true;
 }
 
@@ -345,7 +374,7 @@ void ConnectionWorker::on_silence(std::size_t index, const std::string& error, C
 void ConnectionWorker::on_lost(const std::string& error, Clock::time_point now) {
   master_.close();
   for (std::size_t i = 0; i < units_.size(); ++i) {
-    board_.offline(i, Quality::NotConnected, error, now);
+    if (!answered_) board_.offline(i, Quality::NotConnected, error, now);
     board_.count(i,
                  [](DeviceCounters& counters, std::vector<GroupStatus>&) { ++counters.connection_losses; });
   }

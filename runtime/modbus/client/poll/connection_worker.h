@@ -7,7 +7,8 @@
 // are tried again one at a time and more and more rarely, so that their timeouts take at most a quarter of
 // the line's time at first and next to nothing later. When nobody answers, nobody is spared; who answers
 // first then wakes the others. A connection is made anew when it is lost, when every unit of it is silent, or
-// two of them are in a row (half-open: nothing comes and nothing says so).
+// two of them are in a row (half-open: nothing comes and nothing says so); never twice within 20 ms. The loss
+// of one that has carried answers says nothing about its units: the request is repeated on the next one.
 //
 // Threads: its own; set_outputs, written and board() from any.
 
@@ -61,6 +62,9 @@ class ConnectionWorker {
   void wait_until(Clock::time_point at);
   void take_outputs();
   bool connect();
+  bool used_up() const;
+  // The connection was lost in a request, which comes again on another one.
+  bool repeats(const master::Outcome& outcome) const;
   Job next_job(Clock::time_point now);
   bool others_first(std::size_t unit, Clock::time_point now);
   void read_group(std::size_t unit, GroupPoll& group);
@@ -81,6 +85,11 @@ class ConnectionWorker {
   std::vector<std::uint16_t> words_;
   std::vector<std::uint8_t> bits_;
 
+  std::uint32_t most_requests_ = 0;  // of a connection; 0: any number
+  std::chrono::milliseconds between_{0};
+  std::uint32_t requests_ = 0;  // of this one
+  bool answered_ = false;       // this one has carried an answer
+  bool goes_on_ = false;        // the next one goes on where this one ends
   Clock::time_point connect_at_{};
   std::chrono::milliseconds pause_{0};  // before the next attempt but one
   Clock::time_point probe_at_{};        // no dead unit is tried before

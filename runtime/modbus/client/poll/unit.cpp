@@ -26,6 +26,7 @@ void Unit::plan() {
   const ReadLimits limits{device_->max_gap, device_->max_registers, device_->max_bits};
   for (GroupPoll& group : groups_) {
     group.requests = plan_reads(group.inputs, limits);
+    if (group.next >= group.requests.size()) group.next = 0;
     for (ReadRequest& request : group.requests) {
       for (std::uint32_t& tag : request.tags) tag += group.first_input;
     }

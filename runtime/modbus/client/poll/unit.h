@@ -21,7 +21,9 @@ struct GroupPoll {
   std::vector<Tag> inputs;
   std::vector<ReadRequest> requests;  // tags as indices of the device's inputs
   std::chrono::steady_clock::time_point due;
-  std::chrono::steady_clock::time_point began{};  // its newest turn
+  std::chrono::steady_clock::time_point began{};   // its newest turn
+  std::chrono::steady_clock::time_point before{};  // the turn before that
+  std::size_t next = 0;  // request of the turn under way: a connection that is lost does not begin it anew
 
   // After a turn: the next one on the grid. Returns how many were missed.
   std::uint64_t advance(std::chrono::steady_clock::time_point now);

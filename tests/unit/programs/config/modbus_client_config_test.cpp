@@ -108,6 +108,19 @@ TEST(ModbusClientConfig, WhenEverythingIsSaid_ThenItIsKept) {
   EXPECT_EQ(bit.bit, 15);
 }
 
+TEST(ModbusClientConfig, WhenADeviceEndsItsConnectionsOrHasFramesOfALine_ThenThatIsKept) {
+  const Read told = read_tags("{ address = \"%IW3\", holding = 100 }",
+                              "framing = \"rtu\"\nrequests_per_connection = 1\npause_ms = 30");
+  EXPECT_EQ(told.found(), Found{});
+  const Device& device = told.settings.devices.at(0);
+  EXPECT_EQ(std::get<modbus::master::TcpEndpoint>(device.endpoint).framing, modbus::master::Framing::Rtu);
+  EXPECT_EQ(device.requests_per_connection, 1u);
+  EXPECT_EQ(device.pause.count(), 30);
+  const Device plain = read_tags("{ address = \"%IW3\", holding = 100 }").settings.devices.at(0);
+  EXPECT_EQ(std::get<modbus::master::TcpEndpoint>(plain.endpoint).framing, modbus::master::Framing::Tcp);
+  EXPECT_EQ(plain.requests_per_connection, 0u);
+}
+
 TEST(ModbusClientConfig, WhenDevicesShareALine_ThenTheyHaveItsSettings) {
   const Read line = read(
       "[io]\nkind = \"modbus\"\n[modbus.lines.\"/dev/ttyUSB0\"]\nbaud = 9600\nparity = \"none\"\nstop_bits = "
@@ -176,6 +189,8 @@ TEST(ModbusClientConfig, WhenADeviceIsWrong_ThenItsPlaceIsTold) {
   EXPECT_EQ(device("name = \"d\"\nline = \"/dev/x\"\nport = 502"), Found{"6 C0521"});
   EXPECT_EQ(device("name = \"d\"\nline = \"/dev/x\"\nunit = 0"), Found{"6 C0521"});
   EXPECT_EQ(device("name = \"d\"\nhost = \"h\"\nunit = 248"), Found{"6 C0521"});
+  for (const char* key : {"framing = \"rtu\"", "requests_per_connection = 1", "pause_ms = 5"})
+    EXPECT_EQ(device("name = \"d\"\nline = \"/dev/x\"\n" + std::string(key)), Found{"6 C0521"}) << key;
   EXPECT_EQ(device("host = \"h\""), Found{"3 C0005"});
   EXPECT_EQ(
       read(

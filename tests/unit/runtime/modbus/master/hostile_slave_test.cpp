@@ -1,10 +1,8 @@
 // Slaves that answer wrongly, on purpose: nothing of what they say reaches the values, and no request takes
 // longer than its timeout.
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <functional>
 #include <random>
@@ -12,63 +10,16 @@
 #include <vector>
 
 #include "runtime/modbus/master/master.h"
+#include "runtime/modbus/pdu/crc16.h"
+#include "tests/support/modbus_slave/raw_slave.h"
 
 namespace stepwright::modbus::master {
 namespace {
 
 using namespace std::chrono_literals;
-using Bytes = std::vector<std::uint8_t>;
-
-// Accepts one connection after the other and answers each request as the test says.
-class RawSlave {
- public:
-  using Answer = std::function<void(int client, const Bytes& request)>;
-
-  explicit RawSlave(Answer answer) : answer_(std::move(answer)) {
-    listener_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t length = sizeof address;
-    bind(listener_, reinterpret_cast<sockaddr*>(&address), length);
-    listen(listener_, 4);
-    getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &length);
-    port_ = ntohs(address.sin_port);
-    thread_ = std::thread([this] { serve(); });
-  }
-  ~RawSlave() {
-    shutdown(listener_, SHUT_RDWR);
-    thread_.join();
-    close(listener_);
-  }
-  RawSlave(const RawSlave&) = delete;
-  RawSlave& operator=(const RawSlave&) = delete;
-  std::uint16_t port() const { return port_; }
-
- private:
-  void serve() {
-    while (true) {
-      const int client = accept(listener_, nullptr, nullptr);
-      if (client < 0) return;
-      Bytes request(300);
-      while (true) {
-        const ssize_t got = recv(client, request.data(), request.size(), 0);
-        if (got <= 0) break;
-        answer_(client, Bytes(request.begin(), request.begin() + got));
-      }
-      close(client);
-    }
-  }
-
-  Answer answer_;
-  int listener_ = -1;
-  std::uint16_t port_ = 0;
-  std::thread thread_;
-};
-
-void say(int client, const Bytes& bytes) {
-  static_cast<void>(send(client, bytes.data(), bytes.size(), MSG_NOSIGNAL));
-}
+using support::RawSlave;
+using support::say;
+using Bytes = RawSlave::Bytes;
 
 // The right answer to FC 3 with two registers, to be spoilt.
 Bytes right(const Bytes& request) {
@@ -90,9 +41,17 @@ TEST(HostileSlave, WhenTheAnswerIsRight_ThenItIsTaken) {
 }
 
 TEST(HostileSlave, WhenOneThingOfTheAnswerIsWrong_ThenItIsABadAnswer) {
-  // Transaction, function, byte count, and the count that goes with a longer frame.
+  // Transaction, protocol, unit, the header's length, function, byte count, and the count that goes with a
+  // longer frame.
   const std::vector<std::function<void(Bytes&)>> faults = {
       [](Bytes& bytes) { bytes[1] ^= 0x40; },
+      [](Bytes& bytes) { bytes[3] = 1; },
+      [](Bytes& bytes) { bytes[6] ^= 1; },
+      [](Bytes& bytes) { bytes[5] = 6; },
+      [](Bytes& bytes) {
+        bytes[5] = 8;
+        bytes.push_back(0);
+      },
       [](Bytes& bytes) { bytes[7] = 4; },
       [](Bytes& bytes) { bytes[7] = 0x84; },
       [](Bytes& bytes) {
@@ -107,7 +66,9 @@ TEST(HostileSlave, WhenOneThingOfTheAnswerIsWrong_ThenItIsABadAnswer) {
       },
       [](Bytes& bytes) {
         bytes[8] = 255;
-        bytes.resize(260);
+        bytes[4] = 1;
+        bytes[5] = 2;
+        bytes.resize(264);
       },
   };
   for (std::size_t i = 0; i < faults.size(); ++i) {
@@ -151,7 +112,95 @@ TEST(HostileSlave, WhenItSendsWithoutEnd_ThenTheNextRequestGivesUp) {
   EXPECT_FALSE(master->connected());
 }
 
-// Under the sanitizers this is the proof that no answer can do harm in libmodbus.
+// Its echo of "input 700, one register" looks like an answer with the register 16#BC00, but for its length.
+TEST(HostileSlave, WhenItEchoes_ThenNoReadTakesThatForAnAnswer) {
+  RawSlave slave([](int client, const Bytes& request) { say(client, request); });
+  auto master = Master::create(TcpEndpoint{"127.0.0.1", slave.port()}, {.timeout = 200ms});
+  for (const std::size_t count : {1, 2, 3, 125}) {
+    ASSERT_TRUE(master->connect().good());
+    std::vector<std::uint16_t> words(count, 7);
+    EXPECT_EQ(master->read_registers(RegisterTable::Input, 700, words).fault, Fault::BadAnswer) << count;
+    EXPECT_EQ(words[0], 7);
+  }
+}
+
+TEST(HostileSlave, WhenItAnswersTwiceOrAddsBytes_ThenTheNextRequestHasItsOwnAnswer) {
+  for (const bool twice : {true, false}) {
+    std::uint8_t value = 0;
+    RawSlave slave([&](int client, const Bytes& request) {
+      Bytes bytes = right(request);
+      bytes[10] = ++value;
+      const Bytes more = twice ? bytes : Bytes{0, 0};
+      bytes.insert(bytes.end(), more.begin(), more.end());
+      say(client, bytes);
+    });
+    auto master = Master::create(TcpEndpoint{"127.0.0.1", slave.port()}, {.timeout = 1s});
+    ASSERT_TRUE(master->connect().good());
+    for (std::uint16_t i = 1; i <= 50; ++i) {
+      std::array<std::uint16_t, 2> words{};
+      ASSERT_TRUE(master->read_registers(RegisterTable::Holding, 0, words).good()) << i;
+      EXPECT_EQ(words[0], i);
+    }
+    EXPECT_EQ(slave.connections(), 1);
+  }
+}
+
+// Of a request that was given up: its transaction says so.
+TEST(HostileSlave, WhenAnAnswerComesWithTheNextOne_ThenItIsPassedOver) {
+  Bytes held;
+  RawSlave slave([&](int client, const Bytes& request) {
+    Bytes bytes = right(request);
+    bytes[12] = request[1];
+    if (held.empty()) {
+      held = bytes;
+      return;
+    }
+    Bytes both = held;
+    both.insert(both.end(), bytes.begin(), bytes.end());
+    say(client, both);
+  });
+  auto master = Master::create(TcpEndpoint{"127.0.0.1", slave.port()}, {.timeout = 50ms});
+  ASSERT_TRUE(master->connect().good());
+  std::array<std::uint16_t, 2> words{};
+  EXPECT_EQ(master->read_registers(RegisterTable::Holding, 0, words).fault, Fault::Timeout);
+  master->set_timeout(5s);
+  EXPECT_TRUE(master->read_registers(RegisterTable::Holding, 0, words).good());
+  EXPECT_EQ(words[1], 2) << "the second transaction's";
+}
+
+// Frames of a serial line, as a converter passes them on.
+TEST(HostileSlave, WhenFramesAreThoseOfALine_ThenChecksumUnitAndLengthAreLookedAt) {
+  using Fault_of = std::function<void(Bytes&)>;
+  const std::vector<std::pair<Fault_of, Fault>> cases = {
+      {[](Bytes&) {}, Fault::None},
+      {[](Bytes& bytes) { bytes[0] ^= 1; }, Fault::BadAnswer},
+      {[](Bytes& bytes) { bytes[1] = 4; }, Fault::BadAnswer},
+      {[](Bytes& bytes) { bytes[2] = 6; }, Fault::BadAnswer},
+      {[](Bytes& bytes) { bytes.pop_back(); }, Fault::Timeout},
+      {[](Bytes& bytes) {
+         bytes = {1, 0x83, 2};
+       },
+       Fault::Exception},
+  };
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    RawSlave slave([&](int client, const Bytes& request) {
+      EXPECT_EQ(Bytes(request.begin(), request.end() - 2), (Bytes{1, 3, 0, 0, 0, 2}));
+      Bytes bytes = {1, 3, 4, 0, 1, 0, 2};
+      cases[i].first(bytes);
+      const std::uint16_t crc = pdu::crc16(std::as_bytes(std::span(bytes)));
+      bytes.push_back(static_cast<std::uint8_t>(crc & 0xFF));
+      bytes.push_back(static_cast<std::uint8_t>(crc >> 8));
+      say(client, bytes);
+    });
+    auto master = Master::create(TcpEndpoint{"127.0.0.1", slave.port(), Framing::Rtu}, {.timeout = 200ms});
+    ASSERT_TRUE(master->connect().good());
+    std::array<std::uint16_t, 2> words{};
+    EXPECT_EQ(master->read_registers(RegisterTable::Holding, 0, words).fault, cases[i].second) << i;
+    EXPECT_EQ(words[1], i == 0 ? 2 : 0);
+  }
+}
+
+// Under the sanitizers this is the proof that no answer can do harm.
 TEST(HostileSlave, WhenAnswersAreRandom_ThenNoneIsTakenForMoreThanItIs) {
   std::mt19937 random(5);
   RawSlave slave([&](int client, const Bytes& request) {

@@ -75,6 +75,20 @@ TEST(SlowLine, WhenTheAnswerTakesLongerOnTheWireThanTheTimeout_ThenItIsWaitedFor
   EXPECT_EQ(words[99], 1'099);
 }
 
+TEST(EchoingLine, WhenTheAdapterRepeatsWhatIsSent_ThenTheAnswerBehindItIsTaken) {
+  LineOfUnits line;
+  line.echo();
+  for (const bool known : {true, false}) {
+    auto master = Master::create(
+        SerialEndpoint{.device = line.device(), .baud = 115'200, .parity = Parity::None, .echo = known},
+        {.timeout = 500ms});
+    ASSERT_TRUE(master->connect().good());
+    std::array<std::uint16_t, 2> words{};
+    EXPECT_EQ(master->read_registers(RegisterTable::Holding, 5, words).good(), known);
+    EXPECT_EQ(words[1], known ? 1'006 : 0);
+  }
+}
+
 TEST(TimeOnLine, WhenCharactersAreSent_ThenEachTakesItsBits) {
   const SerialEndpoint line{.device = "x", .baud = 9'600};  // 8E1: 11 bits
   EXPECT_EQ(time_on(line, 96), 110'000us);

@@ -30,9 +30,9 @@ TEST(TcpFrame, WhenCutAnywhere_ThenNeedsMore) {
 TEST(TcpFrame, WhenProtocolOrLengthCannotBe_ThenBadAtOnce) {
   EXPECT_EQ(take_frame(bytes({0, 1, 0, 1})).state, State::Bad);
   EXPECT_EQ(take_frame(bytes({0, 1, 1, 0})).state, State::Bad);
-  for (const unsigned length : {0u, 1u, 255u, 0x100u, 0xFFFFu})
+  for (const unsigned length : {0u, 1u, 267u, 0x200u, 0xFFFFu})
     EXPECT_EQ(take_frame(bytes({0, 1, 0, 0, length >> 8, length & 0xFF})).state, State::Bad) << length;
-  EXPECT_EQ(take_frame(bytes({0, 1, 0, 0, 0, 254})).state, State::NeedsMore);
+  EXPECT_EQ(take_frame(bytes({0, 1, 0, 0, 1, 10})).state, State::NeedsMore);
   EXPECT_EQ(take_frame(bytes({0, 1, 0, 0, 0, 2, 1, 7})).state, State::Frame);
 }
 

@@ -128,7 +128,7 @@ TEST(Server, WhenTheStreamIsNoModbus_ThenThatConnectionEnds) {
   ServerHarness harness;
   const Client other = harness.client();
   for (const Bytes& wrong : {bytes({0, 1, 0, 1, 0, 6, 1, 3, 0, 1, 0, 1}), bytes({0, 1, 0, 0, 0, 1, 1}),
-                             bytes({0, 1, 0, 0, 1, 0, 1}), bytes({'G', 'E', 'T', ' ', '/', ' '})}) {
+                             bytes({0, 1, 0, 0, 1, 11, 1}), bytes({'G', 'E', 'T', ' ', '/', ' '})}) {
     const Client client = harness.client();
     EXPECT_EQ(client.ask(wrong, 1), "closed");
   }
@@ -155,6 +155,19 @@ TEST(Server, WhenMalformedOrDenied_ThenItsException) {
   EXPECT_EQ(code(bytes({23, 0, 10, 0, 1, 0, 5, 0, 1, 2, 0, 1})), "97 02");
   EXPECT_EQ(client.ask(frame(1, bytes({6, 0, 5, 0, 1})), 12).substr(21, 2), "06");
   EXPECT_EQ(harness.data.tables.writes, 1);
+}
+
+// One register too many for any frame: the request is refused like any other, and the next one is answered.
+TEST(Server, WhenARequestIsLongerThanTheProtocolHasIt_ThenException3AndTheConnectionStays) {
+  ServerHarness harness;
+  const Client client = harness.client();
+  Bytes write = bytes({16, 0, 0, 0, 124, 248});
+  write.resize(6 + 248);
+  Bytes read_write = bytes({23, 0, 0, 0, 1, 0, 0, 0, 122, 244});
+  read_write.resize(10 + 244);
+  EXPECT_EQ(client.ask(frame(1, write), 9), "00 01 00 00 00 03 01 90 03");
+  EXPECT_EQ(client.ask(frame(2, read_write), 9), "00 02 00 00 00 03 01 97 03");
+  EXPECT_EQ(client.ask(frame(3, kRead), 11), "00 03 00 00 00 05 01 03 02 00 00");
 }
 
 TEST(Server, WhenTheUnitIsAnother_ThenException11OrSilence) {
