@@ -127,6 +127,10 @@ class ClientReader {
     const std::string line = table.text("line", {});
     const auto port = static_cast<std::uint16_t>(table.integer("port", 502, {1, 65'535}));
     device.unit = static_cast<std::uint8_t>(table.integer("unit", 1, {0, 255}));
+    const bool rtu = table.choice("framing", "tcp", {"tcp", "rtu"}) == "rtu";
+    device.requests_per_connection =
+        static_cast<std::uint32_t>(table.integer("requests_per_connection", 0, {0, 1'000'000}));
+    device.pause = milliseconds(table.integer("pause_ms", 0, {0, 60'000}));
     if (host.empty() == line.empty()) {
       return fail("C0521", device.where,
                   host.empty() ? "it is not said where the device is" : "the device has two places",
@@ -141,12 +145,8 @@ class ClientReader {
                   "1 to 247; over TCP also 0 and 255");
     }
     if (!host.empty()) {
-      const bool rtu = table.choice("framing", "tcp", {"tcp", "rtu"}) == "rtu";
       device.endpoint = modbus::master::TcpEndpoint{
           host, port, rtu ? modbus::master::Framing::Rtu : modbus::master::Framing::Tcp};
-      device.requests_per_connection =
-          static_cast<std::uint32_t>(table.integer("requests_per_connection", 0, {0, 1'000'000}));
-      device.pause = milliseconds(table.integer("pause_ms", 0, {0, 60'000}));
       return true;
     }
     for (const char* key : {"framing", "requests_per_connection", "pause_ms"}) {
