@@ -66,18 +66,23 @@ tl::expected<OpenedSession, Refusal> AccessControl::claim(std::string_view token
   if (auto added = users_->add(name, Role::Administrator, *hash); !added)
     return tl::unexpected(refusal(added.error()));
   setup_token_.clear();
+  familiar_.remember(name, address);
   return sessions_.open(name, Role::Administrator, address);
 }
 
 tl::expected<OpenedSession, Refusal> AccessControl::log_in(const std::string& name,
                                                            const std::string& password,
                                                            const std::string& address) {
-  if (auto wait = locked(name, address)) return tl::unexpected(*std::move(wait));
+  // Who is at home here answers for his own failures only, and not for those of others with his name or
+  // address.
+  const bool familiar = familiar_.knows(name, address);
+  const std::string key = familiar ? name + "\n" + address : name;
+  if (auto wait = locked(key, familiar ? "" : address)) return tl::unexpected(*std::move(wait));
   const auto user = users_->find(name);
   // Nobody's password is hashed as well: how long it takes does not tell who is there.
   const bool right = matches(user ? user->password_hash : std::string(), password) && user;
   if (!right) {
-    names_.failed(name);
+    names_.failed(key);
     addresses_.failed(address);
     return refuse("H0026", "name or password are wrong");
   }
@@ -86,7 +91,8 @@ tl::expected<OpenedSession, Refusal> AccessControl::log_in(const std::string& na
   const auto present = users_->find(name);
   if (!present || present->password_hash != user->password_hash)
     return refuse("H0026", "name or password are wrong");
-  names_.succeeded(name);
+  names_.succeeded(key);
+  familiar_.remember(name, address);
   return sessions_.open(name, present->role, address);
 }
 

@@ -34,4 +34,17 @@ void LoginGuard::succeeded(const std::string& key) {
   entries_.erase(key);
 }
 
+void FamiliarLogins::remember(const std::string& name, const std::string& address) {
+  const std::lock_guard lock(mutex_);
+  pairs_[{name, address}] = ++last_;
+  if (pairs_.size() <= kMostKeys) return;
+  pairs_.erase(std::min_element(pairs_.begin(), pairs_.end(),
+                                [](const auto& a, const auto& b) { return a.second < b.second; }));
+}
+
+bool FamiliarLogins::knows(const std::string& name, const std::string& address) const {
+  const std::lock_guard lock(mutex_);
+  return pairs_.contains({name, address});
+}
+
 }  // namespace stepwright::access

@@ -10,9 +10,11 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "hmi_web/access/session_table.h"
 
@@ -47,6 +49,22 @@ class LoginGuard {
   const Clock clock_;
   mutable std::mutex mutex_;
   std::map<std::string, Entry> entries_;  // guarded by mutex_
+};
+
+// Who has logged in from where since the start: locks are for those who guess, and not for who has shown that
+// name and address are theirs. Threads: every function from any. At most kMostKeys pairs, the oldest go.
+class FamiliarLogins {
+ public:
+  static constexpr std::size_t kMostKeys = 1'024;
+
+  void remember(const std::string& name, const std::string& address);
+  bool knows(const std::string& name, const std::string& address) const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::uint64_t last_ = 0;
+  std::map<std::pair<std::string, std::string>, std::uint64_t>
+      pairs_;  // guarded by mutex_; the order of log-ins
 };
 
 }  // namespace stepwright::access

@@ -17,6 +17,7 @@
 #include "hmi_web/server/internal/response.h"
 #include "hmi_web/server/internal/viewer_session.h"
 #include "hmi_web/server/internal/wire.h"
+#include "hmi_web/server/waiting_room.h"
 #include "runtime/result/last_barrier.h"
 
 namespace stepwright::server {
@@ -33,7 +34,9 @@ struct HttpServer::State {
 
   void accept();
   void end_connection() { --connections; }
-  void add_viewer(internal::Wire wire, HttpRequest request, const api::Caller& who);
+  // Whether there is room for one more page of this session or address.
+  bool takes_viewer(const std::string& owner);
+  void add_viewer(internal::Wire wire, HttpRequest request, const api::Caller& who, std::string owner);
   void pump_viewers();
   void shut_down();
 
@@ -41,10 +44,15 @@ struct HttpServer::State {
   ServerLimits limits;
   std::optional<RequestPolicy> policy;
   std::size_t connections = 0;
+  WaitingRoom waiting;  // before the context: connections that end with it leave the room
   asio::io_context io{1};
   tcp::acceptor acceptor{io};
   asio::steady_timer accept_retry{io};
-  std::vector<std::weak_ptr<ViewerSession>> viewers;
+  struct Viewer {
+    std::weak_ptr<ViewerSession> session;
+    std::string owner;
+  };
+  std::vector<Viewer> viewers;
   std::function<std::string()> metrics;
   std::string metrics_type;
   std::function<void(const std::string&)> on_trouble;
@@ -78,10 +86,12 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
         wire_(std::in_place, internal::make_wire(std::move(socket), server.tls.get())),
         server_(server) {}
   ~HttpConnection() {
+    server_.waiting.leave(waits_);
     if (!upgraded_) server_.end_connection();
   }
 
   void start() {
+    wait_for_request();
     transport().expires_after(server_.limits.request_timeout);
     wire_->kind().handshake([self = shared_from_this()](beast::error_code error) {
       if (!error) self->read();
@@ -96,7 +106,21 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   beast::tcp_stream& transport() { return wire_->kind().transport(); }
   std::string_view header(http::field name) const { return view(parser_->get()[name]); }
 
+  // Until its request is here others may have its place.
+  void wait_for_request() {
+    if (waits_ != 0) return;
+    waits_ = server_.waiting.enter(peer_.to_string(), [self = weak_from_this()] {
+      const auto connection = self.lock();
+      if (!connection) return;
+      connection->waits_ = 0;
+      beast::error_code ignored;
+      connection->transport().socket().close(ignored);
+    });
+  }
+  void has_request() { server_.waiting.leave(std::exchange(waits_, 0)); }
+
   void read() {
+    wait_for_request();
     parser_.emplace();
     large_.reset();
     parser_->header_limit(static_cast<std::uint32_t>(server_.limits.header_bytes));
@@ -111,6 +135,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   }
 
   void read_body() {
+    if (parser_->get().count(http::field::host) > 1) return refuse(400, "a request has one Host");
     if (server_.door != nullptr) {
       const std::size_t most = most_body();
       if (parser_->content_length().value_or(0) > most) return refuse(413, "the body is too long");
@@ -132,6 +157,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     if (admission.route == nullptr || admission.route->most_body <= usual) return usual;
     const std::size_t most = admission.route->most_body;
     large_ = std::move(admission);
+    has_request();
     transport().expires_after(server_.limits.large_request_timeout);
     return most;
   }
@@ -146,6 +172,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   }
 
   void answer() {
+    has_request();
     if (server_.door == nullptr) return serve({});
     if (!server_.policy->is_own_authority(header(http::field::host)))
       return refuse(403, "this name is not served here");
@@ -222,10 +249,14 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
                                 header(http::field::if_none_match), beast::websocket::is_upgrade(request)});
     if (server_.feed == nullptr && (decision.status == 101 || decision.status == 426))
       decision = {404, nullptr, "there is nothing here"};
+    // A session's pages are counted together, wherever they are.
+    const std::string owner = who.csrf.empty() ? peer_.to_string() : who.csrf;
+    if (decision.status == 101 && !server_.takes_viewer(owner))
+      decision = {503, nullptr, "too many pages are open: close some"};
     if (decision.status == 101) {
       upgraded_ = true;
       transport().expires_never();
-      server_.add_viewer(*std::exchange(wire_, std::nullopt), parser_->release(), who);
+      server_.add_viewer(*std::exchange(wire_, std::nullopt), parser_->release(), who, owner);
       return;
     }
     const bool figures = decision.status == 200 && decision.asset == nullptr;
@@ -248,6 +279,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   // For what is not HTTP, is too long, or brings a body that nobody wants. The connection ends.
   void refuse(unsigned status, std::string_view reason) {
+    has_request();
     response_ = Response(static_cast<http::status>(status), 11);
     add_common_fields(response_);
     fill_with_error(response_, {status, nullptr, reason}, false);
@@ -281,6 +313,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   std::optional<http::response_serializer<http::string_body>> serializer_;
   std::optional<api::Admission> large_;  // of a request whose head was admitted for its large body
   bool upgraded_ = false;
+  WaitingRoom::Ticket waits_ = 0;
 };
 
 }  // namespace
@@ -296,7 +329,7 @@ void HttpServer::State::accept() {
       });
       return;
     }
-    if (connections < limits.connections) {
+    if (connections < limits.connections || waiting.turn_one_out()) {
       ++connections;
       beast::error_code ignored;
       socket.set_option(tcp::no_delay(true), ignored);
@@ -306,19 +339,25 @@ void HttpServer::State::accept() {
   });
 }
 
-void HttpServer::State::add_viewer(internal::Wire wire, HttpRequest request, const api::Caller& who) {
-  std::erase_if(viewers, [](const auto& viewer) { return viewer.expired(); });
+bool HttpServer::State::takes_viewer(const std::string& owner) {
+  std::erase_if(viewers, [](const Viewer& viewer) { return viewer.session.expired(); });
+  const auto same = std::ranges::count(viewers, owner, &Viewer::owner);
+  return viewers.size() < limits.viewers && static_cast<std::size_t>(same) < limits.viewers_of_one;
+}
+
+void HttpServer::State::add_viewer(internal::Wire wire, HttpRequest request, const api::Caller& who,
+                                   std::string owner) {
   auto viewer = std::make_shared<ViewerSession>(
       std::move(wire), *feed, [this, who] { return door == nullptr || door->may_listen(who); },
       [this] { end_connection(); });
-  viewers.push_back(viewer);
+  viewers.push_back({viewer, std::move(owner)});
   const std::string protocol = who.csrf.empty() ? "" : std::string(api::kCsrfProtocol) + who.csrf;
   viewer->start(std::move(request), {limits.silent_viewer, limits.viewer_begins}, protocol);
 }
 
 void HttpServer::State::pump_viewers() {
   for (const auto& entry : viewers) {
-    if (const auto viewer = entry.lock()) viewer->pump();
+    if (const auto viewer = entry.session.lock()) viewer->pump();
   }
 }
 
@@ -326,7 +365,7 @@ void HttpServer::State::shut_down() {
   beast::error_code ignored;
   acceptor.close(ignored);
   for (const auto& entry : viewers) {
-    if (const auto viewer = entry.lock()) viewer->cut();
+    if (const auto viewer = entry.session.lock()) viewer->cut();
   }
   io.stop();
 }

@@ -28,10 +28,12 @@
 namespace stepwright::server {
 
 struct ServerLimits {
-  std::size_t connections = 128;                   // more are closed at once
-  std::size_t header_bytes = 8'192;                // of a request
-  std::size_t body_bytes = 16'384;                 // of a request to the API, unless its route takes more
-  std::chrono::seconds request_timeout{10};        // from the first byte expected to the last
+  std::size_t connections = 128;             // for more there is room only in place of some that say nothing
+  std::size_t viewers = 96;                  // of these
+  std::size_t viewers_of_one = 24;           // session, or address where nobody logs in
+  std::size_t header_bytes = 8'192;          // of a request
+  std::size_t body_bytes = 16'384;           // of a request to the API, unless its route takes more
+  std::chrono::seconds request_timeout{10};  // from the first byte expected to the last
   std::chrono::seconds large_request_timeout{60};  // of routes that take a larger body
   std::chrono::seconds silent_viewer{15};          // without any answer to pings: disconnected
   std::chrono::seconds viewer_begins{10};          // within this: a page says at once what it shows

@@ -33,8 +33,8 @@ EngineKind read_engine(const TomlTable& table) {
 }
 
 void read_plant(const TomlTable& table, const std::filesystem::path& folder, PlantConfig& plant) {
-  // A plant that is misspelt has no ports that could be wrong.
-  const std::string otherwise = table.has("kind") ? "none" : plant.kind;
+  // A plant that nobody describes is none; one that is misspelt has no ports that could be wrong.
+  const std::string otherwise = table.has("kind") || !plant.described ? "none" : plant.kind;
   plant.kind = table.choice("kind", otherwise, {"tank_bench", "sorting_line", "fleet", "none"});
   plant.seed = static_cast<std::uint64_t>(table.integer("seed", 1, {0, 1e15}));
   plant.uncertainty = table.boolean("uncertainty", plant.uncertainty);
@@ -223,7 +223,9 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.executive.max_replans = static_cast<int>(executive.integer("max_replans", 8, {0, 1'000}));
   config.executive.report_fluent = executive.text("report_fluent", {});
   config.executive.settle = std::chrono::milliseconds(executive.integer("settle_ms", 3'000, {0, 600'000}));
-  config.executive.start = executive.choice("start", "auto", {"auto", "operator"}) == "operator"
+  // What moves outside of a simulation is started by somebody who sees it.
+  const std::string starter = config.safety.io.shared_memory && !root.has("fleet") ? "operator" : "auto";
+  config.executive.start = executive.choice("start", starter, {"auto", "operator"}) == "operator"
                                ? RunStart::Operator
                                : RunStart::Auto;
   if (config.executive.start == RunStart::Operator && root.has("fleet"))

@@ -60,7 +60,7 @@ struct PlantConfig {
   std::size_t boxes = 5;            // of the line's order list; 1 to 9
   FleetPlantConfig fleet;           // of kind "fleet" only
   std::vector<PortAddress> ports;
-  bool described = false;  // the file has a table [plant]; without one the defaults hold
+  bool described = false;  // the file has a table [plant]; without one there is none
 };
 
 // Something that goes wrong at a given plant time: a fault of the plant by its name ("leak_a1"), or a change

@@ -93,6 +93,11 @@ void read_io(const TomlTable& root, SafetyConfig& safety, result::Diagnostics& p
     problems.push_back(
         {code, result::Severity::Error, std::move(where), std::move(message), std::move(hint)});
   };
+  if (kind == "shared_memory" && root.table("clock").text("mode", "simulated") != "real") {
+    fail("C0446", io.where("kind"),
+         "a plant in shared memory goes by its own clock, and this cell's is simulated",
+         "[clock] mode = \"real\"");
+  }
   if (safety.io.shared_memory && !io_memory::is_area_name(safety.io.name)) {
     fail("C0447", io.where("name"), "'" + safety.io.name + "' is no name for a shared-memory area",
          "letters, digits, '-', '_' and '.', 64 of them at most");

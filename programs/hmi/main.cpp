@@ -45,7 +45,7 @@ int run(const config::CellConfig& config) {
   auto log = log::Logger::open("hmi", config.log);
   if (!log) return fail(log.error(), ExitCode::BadInput);
   config::CellConfig running = config;
-  const auto picture = hmi::picture_of(hmi::shown_plant(config));
+  const auto picture = hmi::picture_of(config.plant);
   if (!picture) return fail(picture.error(), ExitCode::BadInput);
   drawing::Drawing drawn;
   if (const auto& file = config.hmi.drawing; !file.empty()) {

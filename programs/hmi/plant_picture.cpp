@@ -199,12 +199,6 @@ PlantPicture picture_of(const PlantDescription& plant, const std::vector<config:
   return PictureBuilder(plant, ports).build();
 }
 
-config::PlantConfig shown_plant(const config::CellConfig& config) {
-  config::PlantConfig plant = config.plant;
-  if (config.safety.io.shared_memory && !plant.described) plant.kind = "none";
-  return plant;
-}
-
 result::Result<PlantPicture> picture_of(const config::PlantConfig& plant) {
   if (plant.kind == "fleet") return fleet_picture(plant);
   if (plant.kind == "sorting_line") {

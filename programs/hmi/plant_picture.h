@@ -27,9 +27,6 @@ struct PlantPicture {
   std::vector<server::PointSources> sources;  // by the points of the synoptic
 };
 
-// The plant that the page shows: none of a cell that is wired to a real one and describes none.
-config::PlantConfig shown_plant(const config::CellConfig& config);
-
 // The configured plant; an empty picture for a kind without a description. Fails with what is wrong with a
 // fleet's map (F0101 to F0104).
 [[nodiscard]] result::Result<PlantPicture> picture_of(const config::PlantConfig& plant);

@@ -1,19 +1,21 @@
 #include "programs/log/logger.h"
 
 #include <spdlog/logger.h>
-#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
 #include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <mutex>
 #include <utility>
 
 #include "programs/log/line.h"
 #include "programs/log/line_writer.h"
 #include "programs/log/rate_limit.h"
+#include "programs/log/rotating_file.h"
 
 namespace stepwright::log {
 namespace {
@@ -22,6 +24,23 @@ bool takes_more(int descriptor) {
   pollfd entry{descriptor, POLLOUT, 0};
   return poll(&entry, 1, 0) == 1;
 }
+
+// The file of a log as spdlog wants it, which survives its errors.
+class FileSink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+ public:
+  explicit FileSink(std::unique_ptr<RotatingFile> file) : file_(std::move(file)) {}
+
+ private:
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    spdlog::memory_buf_t line;
+    formatter_->format(message, line);
+    if (const int error = file_->append({line.data(), line.size()}); error != 0)
+      throw spdlog::spdlog_ex("the log cannot be written", error);
+  }
+  void flush_() override {}
+
+  std::unique_ptr<RotatingFile> file_;
+};
 
 // A link in a folder into which everybody may write may be anybody's and lead anywhere.
 bool may_mislead(const std::filesystem::path& file) {
@@ -46,7 +65,9 @@ result::Result<LineTarget> make_target(const std::string& process, const config:
     if (config.file.empty()) {
       sink = std::make_shared<spdlog::sinks::stderr_sink_st>();
     } else {
-      sink = std::make_shared<spdlog::sinks::basic_file_sink_st>(config.file.string());
+      auto file = RotatingFile::open(config.file, {std::uint64_t{config.max_mb} << 20, config.keep});
+      if (!file) return refuse(std::strerror(file.error()));
+      sink = std::make_shared<FileSink>(std::move(*file));
     }
     auto logger = std::make_shared<spdlog::logger>(process, std::move(sink));
     logger->set_pattern("%v");

@@ -2,6 +2,7 @@
 
 #include <poll.h>
 
+#include <chrono>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -15,6 +16,8 @@ namespace {
 
 // A large program takes seconds to be prepared; this is for a machine in trouble.
 constexpr int kAnswerWithinMs = 120'000;
+// A disk that had no room may have some by then.
+constexpr std::chrono::seconds kTryAgain{5};
 
 }  // namespace
 
@@ -73,18 +76,25 @@ std::function<void(std::span<const std::byte>)> BootProgram::keeper() {
   };
 }
 
+// What could not be kept is tried again until it is, or until another program comes.
 void BootProgram::keep_on() {
   std::unique_lock lock(mutex_);
+  std::optional<std::vector<std::byte>> unkept;
   while (true) {
-    news_.wait(lock, [this] { return quit_ || next_; });
-    if (!next_) return;
-    const std::vector<std::byte> container = std::move(*next_);
-    next_.reset();
+    const auto something = [this] { return quit_ || next_; };
+    if (unkept) {
+      news_.wait_for(lock, kTryAgain, something);
+    } else {
+      news_.wait(lock, something);
+    }
+    if (quit_ && !next_) return;
+    if (next_) unkept = std::exchange(next_, std::nullopt);
     lock.unlock();
-    const auto kept = record::replace_file(config_.keep, container);
+    const auto kept = record::replace_file(config_.keep, *unkept);
     runtime_.set_note(
         "program", kept ? std::string()
                         : "the program is not kept for the next start: " + result::to_string(kept.error()));
+    if (kept) unkept.reset();
     lock.lock();
   }
 }

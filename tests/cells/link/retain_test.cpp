@@ -181,5 +181,22 @@ TEST(RetainProcess, WhenThePolicyIsRefuse_ThenAProgramThatDoesNotFitIsNotStarted
   ASSERT_TRUE(ok(client->call(service::Start{.cold = true}, kPatience)));
 }
 
+// A folder in its place stands for a disk without room.
+TEST(BootProcess, WhenTheProgramCannotBeKept_ThenThatIsSaidAndTriedAgainUntilItIs) {
+  TestCell cell(98, std::string(kReal) + "[runtime]\nboot = true\n");
+  const std::filesystem::path kept = cell.folder() / "state" / "boot.swb";
+  TestProcess runtime = cell.start_runtime();
+  std::filesystem::create_directory(kept);
+  const auto client = cell.attach(service::Role::Controller);
+  const std::vector<std::byte> container = counting_program();
+  ASSERT_TRUE(client->download(container, kPatience));
+  EXPECT_TRUE(eventually(
+      [&] { return status(*client).detail.find("not kept for the next start") != std::string::npos; }));
+  std::filesystem::remove(kept);
+  EXPECT_TRUE(eventually([&] { return std::filesystem::is_regular_file(kept); }));
+  EXPECT_EQ(std::filesystem::file_size(kept), container.size());
+  EXPECT_TRUE(eventually([&] { return status(*client).detail.find("not kept") == std::string::npos; }));
+}
+
 }  // namespace
 }  // namespace stepwright::cells

@@ -120,6 +120,19 @@ TEST_F(AccessControlTest, WhenOneAddressTriesManyNames_ThenTheAddressIsLocked) {
   EXPECT_EQ(log_in_code("root", "root's secret", "near"), "");
 }
 
+// Somebody who guesses, elsewhere with her name or beside her with others', does not lock the administrator
+// out.
+TEST_F(AccessControlTest, WhenOthersGuess_ThenWhoHasLoggedInFromThereComesInAllTheSame) {
+  claim();
+  for (int i = 0; i < 20; ++i) (void)log_in_code("name" + std::to_string(i), "wrong", "here");
+  for (int i = 0; i < 20; ++i) (void)log_in_code("root", "wrong", "far");
+  EXPECT_EQ(log_in_code("root", "root's secret", "far"), "H0027");
+  EXPECT_EQ(log_in_code("root", "root's secret", "elsewhere"), "H0027");
+  EXPECT_EQ(log_in_code("root", "root's secret", "here"), "");
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(log_in_code("root", "wrong", "here"), "H0026");
+  EXPECT_EQ(log_in_code("root", "root's secret", "here"), "H0027") << "her own failures count";
+}
+
 TEST_F(AccessControlTest, WhenThePasswordIsChanged_ThenTheUsersOtherSessionsEnd) {
   claim();
   const std::string here = session_of("root", "root's secret");

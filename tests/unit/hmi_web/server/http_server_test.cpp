@@ -406,5 +406,37 @@ TEST_F(HttpServerTest, WhenTooManyConnect_ThenTheSurplusIsClosedAndOthersAreServ
   EXPECT_NE(response.find("HTTP/1.1 200"), std::string::npos);
 }
 
+// More of them than there are places, and the page comes all the same.
+TEST_F(HttpServerTest, WhenSocketsSayNothing_ThenTheyMakeRoomForThoseWhoDo) {
+  end();
+  start({.connections = 4});
+  std::vector<std::unique_ptr<RawConnection>> silent;
+  for (int i = 0; i < 12; ++i) {
+    silent.push_back(std::make_unique<RawConnection>(server_->port()));
+    if (i % 2 == 0) silent.back()->send("GET / HTTP/1.1\r\nHost:");
+  }
+  for (int i = 0; i < 20; ++i) EXPECT_NE(get("/").find("HTTP/1.1 200"), std::string::npos) << i;
+}
+
+TEST_F(HttpServerTest, WhenOneAddressOpensManyPages_ThenTheyAreBoundedAndOthersStillComeIn) {
+  end();
+  start({.connections = 6, .viewers = 4, .viewers_of_one = 3});
+  std::vector<std::unique_ptr<RawConnection>> pages;
+  for (int i = 0; i < 3; ++i) {
+    pages.push_back(std::make_unique<RawConnection>(server_->port()));
+    pages.back()->send(upgrade_request());
+    EXPECT_NE(pages.back()->read_until("\r\n\r\n").find("101"), std::string::npos);
+  }
+  RawConnection surplus(server_->port());
+  surplus.send(upgrade_request());
+  EXPECT_NE(surplus.read_all().find("HTTP/1.1 503"), std::string::npos);
+  EXPECT_NE(get("/").find("HTTP/1.1 200"), std::string::npos);
+}
+
+// Behind a proxy the second one may be read as another place.
+TEST_F(HttpServerTest, WhenARequestHasTwoHosts_ThenItIsRefused) {
+  EXPECT_NE(get("/", "Host: elsewhere\r\n").find("HTTP/1.1 400"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace stepwright::server

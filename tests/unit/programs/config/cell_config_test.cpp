@@ -63,6 +63,19 @@ TEST_F(CellConfigTest, WhenAnOperatorStartsRuns_ThenACellOfAFleetIsRefused) {
   EXPECT_FALSE(load_cell_config(write("[executive]\nstart = \"later\"\n")).has_value());
 }
 
+TEST_F(CellConfigTest, WhenOutputsAreReal_ThenAnOperatorStartsRunsUnlessTheCellSaysOtherwise) {
+  const std::string real = "[clock]\nmode = \"real\"\n[io]\nkind = \"shared_memory\"\n";
+  EXPECT_EQ(load_cell_config(write(""))->executive.start, RunStart::Auto);
+  EXPECT_EQ(load_cell_config(write(real))->executive.start, RunStart::Operator);
+  EXPECT_EQ(load_cell_config(write(real + "[executive]\nstart = \"auto\"\n"))->executive.start,
+            RunStart::Auto);
+}
+
+TEST_F(CellConfigTest, WhenNobodyDescribesAPlant_ThenThereIsNone) {
+  EXPECT_EQ(load_cell_config(write(""))->plant.kind, "none");
+  EXPECT_EQ(load_cell_config(write("[plant]\nseed = 3\n"))->plant.kind, "tank_bench");
+}
+
 TEST_F(CellConfigTest, WhenAPlanningFileIsMissing_ThenTheErrorStandsAtItsKey) {
   const auto config = load_cell_config(write("[planning]\ndomain = \"gone.pddl\"\n"));
   ASSERT_FALSE(config.has_value());
@@ -227,13 +240,16 @@ TEST_F(CellConfigTest, WhenAnInterfaceIsNoAddress_ThenItIsRefusedAtItsPlace) {
 }
 
 TEST_F(CellConfigTest, WhenTheLogIsConfigured_ThenItsFileIsTakenFromTheFolder) {
-  const auto config = load_cell_config(
-      write("[log]\nformat = \"json\"\nlevel = \"warning\"\nfile = \"cell.log\"\nlimit_per_s = 3\n"));
+  const auto config =
+      load_cell_config(write("[log]\nformat = \"json\"\nlevel = \"warning\"\nfile = "
+                             "\"cell.log\"\nlimit_per_s = 3\nmax_mb = 5\nkeep = 2\n"));
   ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
   EXPECT_EQ(config->log.format, LogFormat::Json);
   EXPECT_EQ(config->log.level, LogLevel::Warning);
   EXPECT_EQ(config->log.file, folder_ / "cell.log");
   EXPECT_EQ(config->log.limit_per_s, 3u);
+  EXPECT_EQ(config->log.max_mb, 5u);
+  EXPECT_EQ(config->log.keep, 2u);
 }
 
 TEST_F(CellConfigTest, WhenOneThingIsWrong_ThenTheReadingStillHasTheRest) {

@@ -189,10 +189,12 @@ TEST(SafetyConfig, WhenWatchdogsAreConfigured_ThenTasksHaveTheirsOrTheCommonOne)
 
 TEST(SafetyConfig, WhenIoAndGuardDoNotGoTogether_ThenItIsRefused) {
   EXPECT_EQ(read("[guard]\nenabled = true\n").found(), Found{"2:11 C0446"});
-  EXPECT_EQ(read("[io]\nkind = \"shared_memory\"\nname = \"../etc\"\n").found(), Found{"3:8 C0447"});
-  const Read good = read(
-      "[cell]\nname = \"press\"\n[io]\nkind = \"shared_memory\"\n[guard]\nenabled = true\n"
-      "timeout_ms = 100\n");
+  const std::string real = "[clock]\nmode = \"real\"\n";
+  EXPECT_EQ(read(real + "[io]\nkind = \"shared_memory\"\nname = \"../etc\"\n").found(), Found{"5:8 C0447"});
+  EXPECT_EQ(read("[io]\nkind = \"shared_memory\"\n").found(), Found{"2:8 C0446"});
+  const Read good = read(real +
+                         "[cell]\nname = \"press\"\n[io]\nkind = \"shared_memory\"\n[guard]\nenabled = true\n"
+                         "timeout_ms = 100\n");
   EXPECT_EQ(good.found(), Found{});
   EXPECT_EQ(good.safety.io.name, "press");
   EXPECT_EQ(good.safety.host.monitor_ns, 20'000'000);
