@@ -178,13 +178,21 @@ TEST(PrintSvg, WhenTextsHoldAnyBytes_ThenTheSvgIsWellFormed) {
   EXPECT_TRUE(document.load_string(svg.c_str()));
 }
 
-TEST(PrintSvg, WhenThereAreThousandRungs_ThenTheyArePrintedInASecondOfProcessorTime) {
-  const graphic::Sheet sheet = sheet_of(long_ladder(1000));
-  const std::clock_t start = std::clock();
-  const std::string svg = print_svg({sheet}, {.project = "Cell"});
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  EXPECT_GT(page_count(svg), 50);
-  EXPECT_LT(seconds, 1.0);
+// The best of three, in seconds of the processor.
+double seconds_to_print(const graphic::Sheet& sheet, int least_pages) {
+  double best = 1e9;
+  for (int i = 0; i < 3; ++i) {
+    const std::clock_t start = std::clock();
+    const std::string svg = print_svg({sheet}, {.project = "Cell"});
+    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    EXPECT_GT(page_count(svg), least_pages);
+  }
+  return best;
+}
+
+TEST(PrintSvg, WhenThereAreTenTimesAsManyRungs_ThenTheyTakeFarLessThanAHundredTimesAsLong) {
+  const double few = seconds_to_print(sheet_of(long_ladder(100)), 5);
+  EXPECT_LT(seconds_to_print(sheet_of(long_ladder(1000)), 50), 40 * std::max(few, 0.001));
 }
 
 }  // namespace

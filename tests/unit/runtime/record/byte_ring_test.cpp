@@ -87,7 +87,8 @@ TEST(Encoder, WhenNumbersOfAllSizesAreWritten_ThenTheyReadTheSame) {
       EXPECT_TRUE(in.at_end());
       const auto number = static_cast<std::int64_t>(value);
       EXPECT_EQ(unzigzag(zigzag(number)), number);
-      EXPECT_EQ(unzigzag(zigzag(-number)), -number);
+      const auto negative = static_cast<std::int64_t>(0 - value);
+      EXPECT_EQ(unzigzag(zigzag(negative)), negative);
     }
   }
 }

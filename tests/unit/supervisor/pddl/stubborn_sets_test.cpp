@@ -227,7 +227,8 @@ TEST(StubbornSets, WhenTheProofIsOfIndependentParts_ThenItDoesNotMeetAllTheirMix
   const RelaxedTask relaxed(space);
   LandmarkCut cut(relaxed, [] { return true; });  // stopped at once: counts one set
   SearchControl control(0ms, 0, nullptr);
-  AStarSearch search(space, control, LowerBounds(space, [] { return true; }), {.cut = &cut});
+  const LowerBounds bounds(space, [] { return true; });
+  AStarSearch search(space, control, bounds, {.cut = &cut});
   StopReason reason = StopReason::None;
   ASSERT_EQ(search.run(100'000, reason), SearchStatus::Exhausted);
   EXPECT_EQ(control.best().quality.steps, 16u);
