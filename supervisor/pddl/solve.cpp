@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "supervisor/pddl/grounding/grounder.h"
+#include "supervisor/pddl/grounding/never_valued.h"
 #include "supervisor/pddl/partial_order.h"
 #include "supervisor/pddl/search/action_elimination.h"
 #include "supervisor/pddl/search/first_plan.h"
@@ -131,7 +132,8 @@ class Solver {
   model::Outcome infeasible(std::string reason) {
     figures();
     outcome_.kind = model::OutcomeKind::Infeasible;
-    outcome_.reason = std::move(reason);
+    const std::string hint = never_valued(ground_);
+    outcome_.reason = std::move(reason) + (hint.empty() ? "" : "\n  hint: " + hint);
     return std::move(outcome_);
   }
 
