@@ -92,6 +92,9 @@ const Case kCases[] = {
     {"TrailingText", false, "(:goal (at c y)))", "(:goal (at c y))))", 5, 20, "P0003", "too many"},
     {"HugeNumber", false, "(= (fuel c) 3)", "(= (fuel c) 1e999)", 4, 31, "P0009", "range"},
     {"TinyNumber", false, "(= (fuel c) 3)", "(= (fuel c) 1e-999)", 4, 31, "P0009", "range"},
+    {"BelowTheGridInInit", false, "(= (fuel c) 3)", "(= (fuel c) -1e-10)", 4, 31, "P0009", "smaller unit"},
+    {"BelowTheGridInAGoal", false, "(at c y)", "(>= (fuel c) 3e-10)", 5, 23, "P0009", "3e-10"},
+    {"BesideTheGrid", true, "(fuel ?c) 1))", "(fuel ?c) 2.5e-9))", 8, 49, "P0009", "multiples of 1e-9"},
     {"Preference", false, "(at c y)", "(preference g (at c y))", 5, 11, "P0008", "preferences"},
     {"ZeroDivisor", true, "(fuel ?c) 1))", "(fuel ?c) (/ 1 0)))", 8, 54, "P0117", "zero"},
     {"DivisorMissing", true, "(fuel ?c) 1))", "(fuel ?c) (/ 1)))", 8, 49, "P0106", "two operands"},
@@ -244,6 +247,26 @@ result::Diagnostics metric_errors(const std::string& metric, const std::string& 
       {"p.pddl", "(define (problem p) (:domain d) (:init (= (n) 0)" + values +
                      ") (:goal (done))\n(:metric minimize " + metric + "))"});
   return task ? result::Diagnostics{} : task.error();
+}
+
+TEST(Numbers, WhenTheyHaveDigitsThatDoNotCount_ThenThatIsSaid) {
+  const auto warnings = [](const std::string& number) {
+    const auto task =
+        parse_task({"d.pddl", replaced(kGoodDomain, "(fuel ?c) 1))", "(fuel ?c) " + number + "))")},
+                   {"p.pddl", kGoodProblem});
+    EXPECT_TRUE(task.has_value()) << number;
+    return task ? task->warnings() : result::Diagnostics{};
+  };
+  for (const std::string number : {"1e-9", "0.1", "123456789.25", "1e300", "0", "0.000000123"}) {
+    EXPECT_TRUE(warnings(number).empty()) << number;
+  }
+  for (const std::string number : {"1.0000000004", "0.3333333333333"}) {
+    const result::Diagnostics said = warnings(number);
+    ASSERT_EQ(said.size(), 1u) << number;
+    EXPECT_EQ(said[0].code, "P0009");
+    EXPECT_EQ(said[0].where.line, 8u);
+    EXPECT_EQ(said[0].where.column, 49u);
+  }
 }
 
 TEST(Metric, WhenItsDivisorIsAndStaysZero_ThenP0117AtTheDivisor) {
