@@ -15,6 +15,9 @@ namespace stepwright::pddl {
 namespace {
 
 constexpr std::size_t kDefaultMemoryMb = 4096;
+// Checks of the work on a plan's orderings that nothing ends: some milliseconds, which is enough for most
+// plans also where the budget has ended.
+constexpr std::size_t kFreeChecks = 16;
 
 class Solver {
  public:
@@ -164,7 +167,9 @@ class Solver {
     for (const GoalStatus& goal : *goals) {
       if (!goal.met) return refuse("the goal " + goal.text + " does not hold after it");
     }
-    auto orderings = lift_partial_order(task_, plan);
+    std::size_t asked = 0;
+    auto orderings =
+        lift_partial_order(task_, plan, [&] { return ++asked > kFreeChecks && control_.used_up(); });
     if (orderings) plan.orderings = std::move(*orderings);
     outcome_.plan = std::move(plan);
   }
