@@ -14,7 +14,9 @@ using namespace stepwright;
 void describe_plan(CLI::App& app, plan::PlanArguments& arguments) {
   app.add_option("domain", arguments.domain, "the PDDL domain")->required();
   app.add_option("problem", arguments.problem, "the PDDL problem")->required();
-  app.add_flag("--optimal", arguments.optimal, "prove the optimum; no time limit unless --time");
+  auto* optimal =
+      app.add_flag("--optimal", arguments.optimal, "prove the optimum; no time limit unless --time");
+  app.add_flag("--first", arguments.first, "end with the first plan")->excludes(optimal);
   app.add_option("--time", arguments.time_s, "time budget in seconds (default 10)")
       ->check(CLI::Validator(process::refuse_seconds, "SECONDS"));
   app.add_option("--memory", arguments.memory_mb, "memory budget in MB (default 4096)")
@@ -24,13 +26,15 @@ void describe_plan(CLI::App& app, plan::PlanArguments& arguments) {
       ->check(CLI::Range(1u, 2u));
   app.add_flag("--progress", arguments.progress, "show the progress also where stderr is no terminal");
   app.add_option("--json", arguments.json_file, "write the outcome and its figures as JSON");
-  app.add_option("--out", arguments.out_file, "write the plan");
+  app.add_option("--out", arguments.out_file, "write the plan, each one as soon as it is found");
   auto* svg = app.add_option("--svg", arguments.picture.svg_file, "draw schedule and causal graph");
   app.add_option("--binding", arguments.picture.binding_file, "durations and shared outputs for --svg")
       ->needs(svg);
   app.footer(
-      "Exit codes: 0 the plan is proved optimal, 1 wrong input, 2 wrong usage, 3 no plan exists (proved), 4 "
-      "the budget ended first, or Ctrl-C or SIGTERM came (the best plan so far is printed).");
+      "Exit codes: 0 a plan was found (the last line says whether it is proved optimal), 1 wrong input, 2 "
+      "wrong "
+      "usage, 3 no plan exists (proved), 4 the budget ended, or Ctrl-C or SIGTERM came, before there was a "
+      "plan.");
 }
 
 void describe_validate(CLI::App& app, plan::ValidateArguments& arguments) {

@@ -8,9 +8,11 @@
 
 #include "programs/plan/output.h"
 #include "programs/plan/progress_line.h"
+#include "programs/process/files.h"
 #include "programs/process/interruption.h"
 #include "supervisor/pddl/plan_file.h"
 #include "supervisor/pddl/solve.h"
+#include "supervisor/pddl/validate.h"
 
 namespace stepwright::plan {
 namespace {
@@ -65,6 +67,7 @@ nlohmann::json to_json(const model::Outcome& outcome) {
 pddl::Options options_of(const PlanArguments& arguments, ProgressLine& line) {
   pddl::Options options;
   options.optimal = arguments.optimal;
+  options.first_only = arguments.first;
   const double time_s = arguments.time_s.value_or(arguments.optimal ? 0.0 : kDefaultTimeS);
   options.budget.time = std::chrono::milliseconds(std::llround(std::ceil(time_s * 1000.0)));
   options.budget.memory_mb = arguments.memory_mb;
@@ -73,12 +76,29 @@ pddl::Options options_of(const PlanArguments& arguments, ProgressLine& line) {
   return options;
 }
 
+bool is_valid(const pddl::Task& task, const model::Plan& plan) {
+  pddl::PlanText text;
+  text.actions = plan.actions;
+  text.lines.assign(plan.actions.size(), 0);
+  return pddl::validate(task, text, pddl::KeepStates::Last).valid;
+}
+
+// A plan that is found goes to its file at once, so that it is there whatever ends the process. A stream gets
+// the last one only.
+void write_when_found(const pddl::Task& task, const PlanArguments& arguments, pddl::Options& options) {
+  if (arguments.out_file.empty() || process::is_stream(arguments.out_file)) return;
+  options.on_improvement = [&task, &arguments](const model::Plan& plan) {
+    if (is_valid(task, plan)) write_file(arguments.out_file, pddl::print_plan(plan));
+  };
+}
+
 // Ctrl-C and SIGTERM end the search with the best plan so far.
 model::Outcome search(const pddl::Task& task, const PlanArguments& arguments) {
   const process::Interruption interruption;
   ProgressLine line(progress_mode(arguments.progress));
   pddl::Options options = options_of(arguments, line);
   options.cancel = interruption.flag();
+  write_when_found(task, arguments, options);
   return pddl::solve(task, options);
 }
 
@@ -101,9 +121,9 @@ void print(const model::Outcome& outcome) {
   if (!outcome.reason.empty()) std::fprintf(stderr, "%s\n", outcome.reason.c_str());
 }
 
-ExitCode exit_code(model::OutcomeKind kind) {
-  if (kind == model::OutcomeKind::Solved) return ExitCode::Done;
-  return kind == model::OutcomeKind::Infeasible ? ExitCode::NoPlan : ExitCode::BudgetExhausted;
+ExitCode exit_code(const model::Outcome& outcome) {
+  if (outcome.plan) return ExitCode::Done;
+  return outcome.kind == model::OutcomeKind::Infeasible ? ExitCode::NoPlan : ExitCode::BudgetExhausted;
 }
 
 }  // namespace
@@ -130,7 +150,7 @@ ExitCode run_plan(const PlanArguments& arguments) {
     return ExitCode::BadInput;
   }
   if (outcome.plan && !picture->draw(*task, *outcome.plan)) return ExitCode::BadInput;
-  return exit_code(outcome.kind);
+  return exit_code(outcome);
 }
 
 }  // namespace stepwright::plan

@@ -1,8 +1,7 @@
 #pragma once
 
-// `stepwright plan DOMAIN PROBLEM [--optimal] [--time S] [--json FILE] [--out PLAN] [--svg FILE [--binding
-// B]]
-// [--threads N] [--progress]`.
+// `stepwright plan DOMAIN PROBLEM [--optimal | --first] [--time S] [--json FILE] [--out PLAN]
+// [--svg FILE [--binding B]] [--threads N] [--progress]`.
 
 #include <optional>
 #include <string>
@@ -16,6 +15,7 @@ struct PlanArguments {
   std::string domain;
   std::string problem;
   bool optimal = false;
+  bool first = false;            // end with the first plan
   std::optional<double> time_s;  // default: 10 s; none with --optimal
   std::size_t memory_mb = 0;     // 0: the planner's default
   unsigned threads = 2;          // 1: the same plan every time
@@ -25,6 +25,7 @@ struct PlanArguments {
   PictureArguments picture;
 };
 
+// Done with a plan, proved optimal or not; NoPlan if it is proved that there is none.
 result::ExitCode run_plan(const PlanArguments& arguments);
 
 }  // namespace stepwright::plan

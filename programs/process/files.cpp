@@ -37,16 +37,14 @@ fs::path behind_links(const std::string& path) {
   return error ? fs::path(path) : real;
 }
 
-// A device or a pipe takes bytes as they come and must not be replaced by a file. /dev/stdout is one even
-// where it leads to a file, which others write to as well.
+}  // namespace
+
 bool is_stream(const std::string& path) {
   if (path.starts_with("/dev/") || path.starts_with("/proc/")) return true;
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
-
-}  // namespace
 
 result::Result<std::string> read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);

@@ -12,6 +12,10 @@ namespace stepwright::process {
 // Fails with E0001.
 [[nodiscard]] result::Result<std::string> read_file(const std::string& path);
 
+// A device or a pipe: it takes bytes as they come and must not be replaced by a file. /dev/stdout is one even
+// where it leads to a file, which others write to as well.
+bool is_stream(const std::string& path);
+
 // Written beside its place and moved there, so that nobody meets half a file. A device or a pipe is written
 // to as it is, and a link stays a link. Returns E0002 or nothing.
 [[nodiscard]] result::Diagnostics write_file(const std::string& path, std::string_view bytes);

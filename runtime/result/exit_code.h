@@ -9,7 +9,7 @@ enum class ExitCode : int {
   BadInput = 1,         // the input is wrong; the diagnostic is on stderr
   Usage = 2,            // the command line is wrong
   NoPlan = 3,           // proved: no plan exists
-  BudgetExhausted = 4,  // time or memory ended first
+  BudgetExhausted = 4,  // time or memory ended before there was an answer
   RuntimeFault = 5,     // a fault at run time: a trap, a lost process, a goal missed
 };
 

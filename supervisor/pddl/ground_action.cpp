@@ -39,7 +39,7 @@ class DerivedReads {
   void complete(std::set<std::string>& names) {
     if (definition_.axioms.empty()) return;
     std::vector<std::string> open(names.begin(), names.end());
-    while (!open.empty()) {
+    while (!open.empty() && !instantiator_.time_to_stop()) {
       const std::vector<std::string> words = words_of(open.back());
       open.pop_back();
       std::set<std::string> found;
@@ -91,11 +91,12 @@ void find_counts(const Definition& definition, const std::set<int>& pure, Ground
 
 struct ActionInspector::Parts {
   const Definition& definition;
-  ActionInstantiator instantiator{definition};
+  ActionInstantiator instantiator;
   std::set<int> metric_only = metric_only_functions(definition);
 };
 
-ActionInspector::ActionInspector(const Task& task) : parts_(new Parts{task.definition()}) {}
+ActionInspector::ActionInspector(const Task& task, std::function<bool()> stop)
+    : parts_(new Parts{task.definition(), ActionInstantiator(task.definition(), std::move(stop))}) {}
 
 ActionInspector::~ActionInspector() = default;
 
@@ -120,6 +121,10 @@ result::Result<GroundActionInfo> ActionInspector::inspect(const model::GroundAct
   }
   DerivedReads(definition, instantiator).complete(info.reads);
   find_counts(definition, parts_->metric_only, info);
+  if (instantiator.time_to_stop()) {
+    return result::fail("P0311", {"plan", 0, 0}, model::to_string(action) + ": the budget ended",
+                        "what it reads and changes was not worked out");
+  }
   return info;
 }
 

@@ -9,6 +9,7 @@
 //   for (const Requirement& r : info->preconditions) ...
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -69,12 +70,14 @@ struct GroundActionInfo {
 // For many actions of one task. One object per use; it only reads the task, which must outlive it.
 class ActionInspector {
  public:
-  explicit ActionInspector(const Task& task);
+  // `stop` is asked now and then; since it said so nothing can be inspected any more.
+  explicit ActionInspector(const Task& task, std::function<bool()> stop = {});
   ActionInspector(const ActionInspector&) = delete;
   ActionInspector& operator=(const ActionInspector&) = delete;
   ~ActionInspector();
 
-  // Fails (P03xx) on an unknown action, a wrong number of arguments, an unknown object or a wrong type.
+  // Fails (P03xx) on an unknown action, a wrong number of arguments, an unknown object or a wrong type, and
+  // once it is stopped (P0311).
   [[nodiscard]] result::Result<GroundActionInfo> inspect(const model::GroundAction& action);
 
  private:

@@ -39,7 +39,7 @@ class Names {
 // Of each action once: a long plan applies the same ones again and again.
 class Footprints {
  public:
-  explicit Footprints(const Task& task) : inspector_(task) {}
+  Footprints(const Task& task, std::function<bool()> stop) : inspector_(task, std::move(stop)) {}
 
   result::Result<const Footprint*> of(const model::GroundAction& action) {
     const auto [entry, added] = known_.try_emplace(model::to_string(action));
@@ -124,9 +124,10 @@ class Reduction {
 
 }  // namespace
 
-result::Result<std::vector<model::Ordering>> lift_partial_order(const Task& task, const model::Plan& plan) {
+result::Result<std::vector<model::Ordering>> lift_partial_order(const Task& task, const model::Plan& plan,
+                                                                std::function<bool()> stop) {
   const std::size_t count = plan.actions.size();
-  Footprints prints(task);
+  Footprints prints(task, std::move(stop));
   std::vector<const Footprint*> steps;
   for (const model::GroundAction& action : plan.actions) {
     auto print = prints.of(action);

@@ -7,6 +7,7 @@
 //
 // Thread rule: pure functions.
 
+#include <functional>
 #include <vector>
 
 #include "runtime/result/result.h"
@@ -16,8 +17,9 @@
 namespace stepwright::pddl {
 
 // The transitively reduced partial order, sorted by (before, after). Fails if the plan names an unknown
-// action; the plan need not reach the goal.
-[[nodiscard]] result::Result<std::vector<model::Ordering>> lift_partial_order(const Task& task,
-                                                                              const model::Plan& plan);
+// action, or (P0311) if `stop`, which is asked about every thousand steps of work, gives up; the plan need
+// not reach the goal.
+[[nodiscard]] result::Result<std::vector<model::Ordering>> lift_partial_order(
+    const Task& task, const model::Plan& plan, std::function<bool()> stop = {});
 
 }  // namespace stepwright::pddl

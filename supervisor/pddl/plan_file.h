@@ -1,7 +1,8 @@
 #pragma once
 
-// Plans as text, in the format of VAL: one action in parentheses per line, `;` comments, an optional `12:` or
-// `0.00:` before and `[1]` after; names in any case.
+// Plans as text, in the format of VAL: actions in parentheses, mostly one per line, `;` comments, an optional
+// `12:` or `0.00:` before and `[1]` after each; names in any case. Time stamps order the actions; those of
+// the same time stay as they stand.
 //
 // Thread rule: pure functions.
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "supervisor/pddl/grounding/grounder.h"
+#include "supervisor/pddl/grounding/never_valued.h"
 #include "supervisor/pddl/partial_order.h"
 #include "supervisor/pddl/search/action_elimination.h"
 #include "supervisor/pddl/search/first_plan.h"
@@ -14,6 +15,9 @@ namespace stepwright::pddl {
 namespace {
 
 constexpr std::size_t kDefaultMemoryMb = 4096;
+// Checks of the work on a plan's orderings that nothing ends: some milliseconds, which is enough for most
+// plans also where the budget has ended.
+constexpr std::size_t kFreeChecks = 16;
 
 class Solver {
  public:
@@ -131,7 +135,8 @@ class Solver {
   model::Outcome infeasible(std::string reason) {
     figures();
     outcome_.kind = model::OutcomeKind::Infeasible;
-    outcome_.reason = std::move(reason);
+    const std::string hint = never_valued(ground_);
+    outcome_.reason = std::move(reason) + (hint.empty() ? "" : "\n  hint: " + hint);
     return std::move(outcome_);
   }
 
@@ -162,7 +167,9 @@ class Solver {
     for (const GoalStatus& goal : *goals) {
       if (!goal.met) return refuse("the goal " + goal.text + " does not hold after it");
     }
-    auto orderings = lift_partial_order(task_, plan);
+    std::size_t asked = 0;
+    auto orderings =
+        lift_partial_order(task_, plan, [&] { return ++asked > kFreeChecks && control_.used_up(); });
     if (orderings) plan.orderings = std::move(*orderings);
     outcome_.plan = std::move(plan);
   }

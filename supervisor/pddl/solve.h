@@ -49,7 +49,8 @@ struct Options {
 // Solves the task. Outcome::kind: Solved when the plan is proved optimal (or the first one with
 // `first_only`); Infeasible only when proved, with the reason; Exhausted when the budget ended first, with
 // the best plan so far; Cancelled likewise. Plan::cost is the value of the metric after the plan (the number
-// of actions without a metric). The plan's orderings are filled by lift_partial_order.
+// of actions without a metric). The plan's orderings are filled by lift_partial_order, unless they take
+// longer than the budget.
 [[nodiscard]] model::Outcome solve(const Task& task, const Options& options = {});
 
 }  // namespace stepwright::pddl

@@ -1,9 +1,12 @@
 #include "supervisor/pddl/lifted/instantiate_action.h"
 
+#include "supervisor/pddl/lifted/static_truth.h"
 #include "supervisor/pddl/numeric.h"
 
 namespace stepwright::pddl {
 namespace {
+
+constexpr std::uint64_t kStepsBetweenChecks = 1024;
 
 Requirement impossible(std::string text) {
   Requirement requirement;
@@ -17,6 +20,29 @@ bool constant(const NumericNode& node) {
 }
 
 }  // namespace
+
+bool ActionInstantiator::time_to_stop() {
+  if (!stopped_ && stop_ && ++steps_ % kStepsBetweenChecks == 0) stopped_ = stop_();
+  return stopped_;
+}
+
+// Calls `visit` for every combination of objects for the quantifier's variables from `next` on, but for those
+// for which static facts give its part the truth that is `needless`. False if `visit` or the clock says so.
+bool ActionInstantiator::instances(const Formula& formula, std::size_t next, Binding& binding, bool needless,
+                                   const std::function<bool()>& visit) {
+  if (next == formula.variables.size()) return visit();
+  const Typed& variable = formula.variables[next];
+  int& place = binding[static_cast<std::size_t>(variable.slot)];
+  bool goes_on = true;
+  for (const int object : definition_.objects_by_type[static_cast<std::size_t>(variable.type)]) {
+    place = object;
+    const bool decided = static_truth(definition_, formula.parts[0], binding, initial_) == needless;
+    goes_on = !time_to_stop() && (decided || instances(formula, next + 1, binding, needless, visit));
+    if (!goes_on) break;
+  }
+  place = -1;
+  return goes_on;
+}
 
 NumericNode ActionInstantiator::number(const Expression& expression, const Binding& binding) const {
   NumericNode node;
@@ -104,7 +130,7 @@ void ActionInstantiator::collect_parts(const Formula& formula, Binding& binding,
     }
     return;
   }
-  for_each_binding(definition_, formula.variables, binding, [&] {
+  instances(formula, 0, binding, positive, [&] {
     collect(formula.parts[0], binding, positive, list);
     return true;
   });
@@ -118,13 +144,12 @@ Requirement ActionInstantiator::any(const Formula& formula, Binding& binding, bo
     all.kind = RequirementKind::All;
     all.text = print(definition_, part, binding);
     collect(part, binding, sign, all.parts);
+    const bool holds_always = all.parts.empty();
     either.parts.push_back(all.parts.size() == 1 ? Requirement(all.parts[0]) : std::move(all));
+    return !holds_always;
   };
   if (!formula.variables.empty()) {
-    for_each_binding(definition_, formula.variables, binding, [&] {
-      alternative(formula.parts[0], positive);
-      return true;
-    });
+    instances(formula, 0, binding, !positive, [&] { return alternative(formula.parts[0], positive); });
   } else {
     for (std::size_t i = 0; i < formula.parts.size(); ++i) {
       alternative(formula.parts[i], positive != (formula.kind == FormulaKind::Imply && i == 0));
@@ -175,7 +200,7 @@ void ActionInstantiator::changes(const Effect& effect, Binding& binding, const s
   if (effect.kind == EffectKind::Forall) {
     for_each_binding(definition_, effect.variables, binding, [&] {
       changes(effect.parts[0], binding, when, list);
-      return true;
+      return !time_to_stop();
     });
     return;
   }

@@ -43,10 +43,18 @@ StopReason SearchControl::check() {
   if (const StopReason reason = stopped_.load(std::memory_order_relaxed); reason != StopReason::None) {
     return reason;
   }
-  if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return stop(StopReason::Cancelled);
-  if (time_.count() > 0 && now - start_ >= time_) return stop(StopReason::Time);
-  if (memory_used_up(now)) return stop(StopReason::Memory);
-  return StopReason::None;
+  const StopReason reason = ended(now);
+  return reason == StopReason::None ? reason : stop(reason);
+}
+
+bool SearchControl::used_up() {
+  return ended(Clock::now()) != StopReason::None;
+}
+
+StopReason SearchControl::ended(Clock::time_point now) {
+  if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return StopReason::Cancelled;
+  if (time_.count() > 0 && now - start_ >= time_) return StopReason::Time;
+  return memory_used_up(now) ? StopReason::Memory : StopReason::None;
 }
 
 bool SearchControl::memory_used_up(Clock::time_point now) {

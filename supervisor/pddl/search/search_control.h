@@ -53,6 +53,9 @@ class SearchControl {
   // reason to stop, it stays.
   StopReason check();
 
+  // Has the budget ended, or was the search cancelled? Also after `finish`.
+  bool used_up();
+
   // Whether the budget allows for so many bytes more; for what cannot be stopped half-way.
   bool has_room_for(std::size_t bytes) const;
   // Bytes that the process has grown by since this control was made.
@@ -88,6 +91,7 @@ class SearchControl {
   friend class MemoryShare;
 
   StopReason stop(StopReason reason);
+  StopReason ended(Clock::time_point now);
   bool memory_used_up(Clock::time_point now);
 
   const std::thread::id owner_;

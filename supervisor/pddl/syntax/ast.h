@@ -120,9 +120,9 @@ struct Axiom {
 struct Type {
   std::string name;
   Place at;
-  std::string parent_name = "object";
+  std::vector<std::string> parent_names;  // mostly one; an object of the type is one of each
   Place parent_at;
-  int parent = -1;           // -1: the root
+  std::vector<int> parents;  // none: the root, or an either
   std::vector<int> members;  // of an either: an object of any of them fits
 };
 
@@ -171,6 +171,8 @@ struct Definition {
   // The objects of a type and of its subtypes.
   std::vector<std::vector<int>> objects_by_type;
 
+  // The type and all its ancestors, each once.
+  std::vector<int> lineage(int type) const;
   // Does every object of the type fit where one of `ancestor` is asked for?
   bool is_subtype(int type, int ancestor) const;
   // Does the object fit where one of the type is asked for?
@@ -180,5 +182,8 @@ struct Definition {
 // The function that PDDL 2.1 predefines for metrics: the number of actions here, where nothing has a
 // duration.
 inline constexpr const char* kTotalTimeName = "total-time";
+
+// The function that ":action-costs" is about (PDDL 3.1).
+inline constexpr const char* kTotalCostName = "total-cost";
 
 }  // namespace stepwright::pddl

@@ -6,6 +6,7 @@
 #include "supervisor/pddl/lifted/evaluate.h"
 #include "supervisor/pddl/syntax/formula_checker.h"
 #include "supervisor/pddl/syntax/stratify.h"
+#include "supervisor/pddl/syntax/valueless_changes.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -25,7 +26,7 @@ const std::vector<std::string> kKnownRequirements = {":strips",
                                                      ":action-costs",
                                                      ":derived-predicates"};
 
-// What PDDL has beyond the language here.
+// What PDDL has beyond the language here. Many domains declare some of it and use none.
 const std::vector<std::string> kUnsupportedRequirements = {":durative-actions",   ":duration-inequalities",
                                                            ":continuous-effects", ":timed-initial-literals",
                                                            ":timed-effects",      ":time",
@@ -33,6 +34,12 @@ const std::vector<std::string> kUnsupportedRequirements = {":durative-actions", 
                                                            ":goal-utilities",     ":object-fluents",
                                                            ":non-deterministic",  ":probabilistic-effects",
                                                            ":hierarchy",          ":method-preconditions"};
+
+Atom atom_of(const Call& call) {
+  Atom ground{call.symbol, {}};
+  for (const Term& term : call.arguments) ground.arguments.push_back(term.index);
+  return ground;
+}
 
 class Checker {
  public:
@@ -58,7 +65,9 @@ class Checker {
     axiom_heads();
     actions();
     axioms();
-    initial_state();
+    initial_facts();
+    initial_fluents();
+    warn_of_valueless_changes(definition_, reporter_);
     metric();
     goal();
     derive_initial();
@@ -68,6 +77,7 @@ class Checker {
  private:
   void requirements(const std::vector<RequirementFlag>& flags);
   bool match_domain();
+  void type(const Typed& type);
   void types();
   void implicit_parents();
   void find_cycles();
@@ -78,18 +88,15 @@ class Checker {
   void axiom_heads();
   void actions();
   void axioms();
-  void initial_state();
+  void initial_facts();
+  void initial_fluents();
+  void start_total_cost();
   void metric();
   void static_parts(const Expression& expression);
   void goal();
   void derive_initial();
 
-  bool declare(std::map<std::string, int>& ids, const std::string& name, Place at, std::size_t id,
-               const std::string& what) {
-    if (ids.emplace(name, static_cast<int>(id)).second) return true;
-    reporter_.error("P0108", at, "the " + what + " '" + name + "' is declared twice");
-    return false;
-  }
+  void repeated(const std::string& what, const std::string& name, Place at, bool same);
 
   ParsedDomain domain_;
   ParsedProblem problem_;
@@ -105,8 +112,8 @@ void Checker::requirements(const std::vector<RequirementFlag>& flags) {
       return std::find(list.begin(), list.end(), flag.name) != list.end();
     };
     if (listed(kUnsupportedRequirements)) {
-      reporter_.error("P0112", flag.at, "the requirement '" + flag.name + "' is not supported",
-                      "a plan made without it could be wrong");
+      reporter_.warning("P0112", flag.at, "the requirement '" + flag.name + "' is not supported",
+                        "what uses it is refused where it stands");
     } else if (!listed(kKnownRequirements)) {
       reporter_.warning("P0112", flag.at, "unknown requirement '" + flag.name + "'",
                         did_you_mean(flag.name, kKnownRequirements));
@@ -137,51 +144,84 @@ void Checker::implicit_parents() {
   const std::size_t count = definition_.types.size();
   for (std::size_t i = 1; i < count; ++i) {
     const Type type = definition_.types[i];
-    if (definition_.type_ids.count(type.parent_name) != 0) continue;
-    reporter_.warning("P0101", type.parent_at, "the supertype '" + type.parent_name + "' is not declared",
-                      "add it to ':types'");
-    definition_.type_ids.emplace(type.parent_name, static_cast<int>(definition_.types.size()));
-    definition_.types.push_back({type.parent_name, type.parent_at, "object", type.parent_at, 0, {}});
+    for (const std::string& parent : type.parent_names) {
+      if (definition_.type_ids.count(parent) != 0) continue;
+      reporter_.warning("P0101", type.parent_at, "the supertype '" + parent + "' is not declared",
+                        "add it to ':types'");
+      definition_.type_ids.emplace(parent, static_cast<int>(definition_.types.size()));
+      definition_.types.push_back({parent, type.parent_at, {"object"}, type.parent_at, {}, {}});
+    }
   }
 }
 
+// A type that stands twice has the supertypes of both places; so it has those of an either.
+void Checker::type(const Typed& type) {
+  std::vector<std::string> parents = type.either;
+  if (parents.empty()) parents.push_back(type.type_name);
+  const auto [known, added] =
+      definition_.type_ids.emplace(type.name, static_cast<int>(definition_.types.size()));
+  if (added) {
+    definition_.types.push_back({type.name, type.at, std::move(parents), type.type_at, {}, {}});
+    return;
+  }
+  reporter_.warning("P0108", type.at, "the type '" + type.name + "' is declared twice",
+                    "it has the supertypes of both declarations");
+  std::vector<std::string>& all = definition_.types[static_cast<std::size_t>(known->second)].parent_names;
+  all.insert(all.end(), parents.begin(), parents.end());
+}
+
 void Checker::types() {
-  definition_.types.push_back({"object", {}, "", {}, -1, {}});
+  definition_.types.push_back({"object", {}, {}, {}, {}, {}});
   definition_.type_ids.emplace("object", 0);
   for (const Typed& type : domain_.types) {
     if (type.name == "object") continue;
     names_.require(":typing", type.at);
-    if (!declare(definition_.type_ids, type.name, type.at, definition_.types.size(), "type")) continue;
-    definition_.types.push_back({type.name, type.at, type.type_name, type.type_at, 0, {}});
+    this->type(type);
   }
   implicit_parents();
   for (std::size_t i = 1; i < definition_.types.size(); ++i) {
     Type& type = definition_.types[i];
-    type.parent = definition_.type_ids.at(type.parent_name);
+    for (const std::string& parent : type.parent_names) {
+      type.parents.push_back(definition_.type_ids.at(parent));
+    }
   }
   find_cycles();
 }
 
 void Checker::find_cycles() {
   for (std::size_t i = 1; i < definition_.types.size(); ++i) {
-    int ancestor = definition_.types[i].parent;
-    std::size_t steps = 0;
-    while (ancestor > 0 && ancestor != static_cast<int>(i) && steps++ < definition_.types.size()) {
-      ancestor = definition_.types[static_cast<std::size_t>(ancestor)].parent;
-    }
-    if (ancestor != static_cast<int>(i)) continue;
     Type& type = definition_.types[i];
+    const bool circle = std::any_of(type.parents.begin(), type.parents.end(), [&](int parent) {
+      const std::vector<int> line = definition_.lineage(parent);
+      return std::find(line.begin(), line.end(), static_cast<int>(i)) != line.end();
+    });
+    if (!circle) continue;
     reporter_.error("P0109", type.at, "the type '" + type.name + "' is its own ancestor");
-    type.parent = 0;  // Breaks the cycle, so that everything after can walk up.
+    type.parents = {0};  // Breaks the cycle.
+  }
+}
+
+// What stands twice in the same way is harmless: constants are repeated among the objects of many problems.
+void Checker::repeated(const std::string& what, const std::string& name, Place at, bool same) {
+  const std::string message = "the " + what + " '" + name + "' is declared twice";
+  if (same) {
+    reporter_.warning("P0108", at, message, "once is enough");
+  } else {
+    reporter_.error("P0108", at, message, "with different types: which of them is meant?");
   }
 }
 
 void Checker::objects(const std::vector<Typed>& list) {
   for (const Typed& object : list) {
     const std::vector<int> types = names_.types(object);
-    if (!declare(definition_.object_ids, object.name, object.at, definition_.objects.size(), "object"))
-      continue;
-    definition_.objects.push_back({object.name, types});
+    const auto [known, added] =
+        definition_.object_ids.emplace(object.name, static_cast<int>(definition_.objects.size()));
+    if (added) {
+      definition_.objects.push_back({object.name, types});
+    } else {
+      repeated("object", object.name, object.at,
+               definition_.objects[static_cast<std::size_t>(known->second)].types == types);
+    }
   }
 }
 
@@ -189,8 +229,9 @@ void Checker::group_objects() {
   definition_.objects_by_type.resize(definition_.types.size());
   for (std::size_t object = 0; object < definition_.objects.size(); ++object) {
     std::set<int> all;  // two types of an object may have an ancestor in common
-    for (int type : definition_.objects[object].types) {
-      for (; type != -1; type = definition_.types[static_cast<std::size_t>(type)].parent) all.insert(type);
+    for (const int type : definition_.objects[object].types) {
+      const std::vector<int> line = definition_.lineage(type);
+      all.insert(line.begin(), line.end());
     }
     for (const int type : all) {
       definition_.objects_by_type[static_cast<std::size_t>(type)].push_back(static_cast<int>(object));
@@ -200,10 +241,20 @@ void Checker::group_objects() {
 
 void Checker::symbols(std::vector<Symbol>& parsed, std::vector<Symbol>& table,
                       std::map<std::string, int>& ids, const std::string& what) {
+  const auto types_of = [](const Symbol& symbol) {
+    std::vector<int> types;
+    for (const Typed& parameter : symbol.parameters) types.push_back(parameter.type);
+    return types;
+  };
   for (Symbol& symbol : parsed) {
-    if (!declare(ids, symbol.name, symbol.at, table.size(), what)) continue;
-    names_.begin(symbol.parameters);
-    table.push_back(std::move(symbol));
+    names_.declaration(symbol.parameters);
+    const auto [known, added] = ids.emplace(symbol.name, static_cast<int>(table.size()));
+    if (added) {
+      table.push_back(std::move(symbol));
+    } else {
+      repeated(what, symbol.name, symbol.at,
+               types_of(symbol) == types_of(table[static_cast<std::size_t>(known->second)]));
+    }
   }
 }
 
@@ -238,8 +289,11 @@ void Checker::axioms() {
 
 void Checker::actions() {
   for (Action& action : domain_.actions) {
-    if (!declare(definition_.action_ids, action.name, action.at, definition_.actions.size(), "action"))
+    const auto id = static_cast<int>(definition_.actions.size());
+    if (!definition_.action_ids.emplace(action.name, id).second) {
+      reporter_.error("P0108", action.at, "the action '" + action.name + "' is declared twice");
       continue;
+    }
     names_.begin(action.parameters);
     names_.formula(action.precondition);
     names_.effect(action.effect);
@@ -248,26 +302,42 @@ void Checker::actions() {
   }
 }
 
-void Checker::initial_state() {
-  const auto atom = [](const Call& call) {
-    Atom ground{call.symbol, {}};
-    for (const Term& term : call.arguments) ground.arguments.push_back(term.index);
-    return ground;
-  };
+void Checker::initial_facts() {
   for (Call& fact : problem_.facts) {
     if (!names_.ground(fact, false)) continue;
     if (names_.derived(fact, "set in ':init'")) continue;
-    if (!definition_.facts.insert(atom(fact)).second) {
+    if (!definition_.facts.insert(atom_of(fact)).second) {
       reporter_.warning("P0114", fact.at, "this fact stands twice in ':init'");
     }
   }
+  for (Call& fact : problem_.denied) {
+    if (!names_.ground(fact, false)) continue;
+    if (names_.derived(fact, "set in ':init'")) continue;
+    if (definition_.facts.count(atom_of(fact)) != 0) {
+      reporter_.error("P0114", fact.at, "this fact stands in ':init' both with and without 'not'");
+    }
+  }
+}
+
+void Checker::initial_fluents() {
   for (InitialFluent& initial : problem_.fluents) {
     if (!names_.ground(initial.call, true)) continue;
-    const auto [place, added] = definition_.fluents.emplace(atom(initial.call), initial.value);
+    const auto [place, added] = definition_.fluents.emplace(atom_of(initial.call), initial.value);
     if (!added && place->second != initial.value) {
       reporter_.error("P0114", initial.call.at, "'" + initial.call.name + "' gets two values in ':init'");
     }
   }
+  start_total_cost();
+}
+
+// PDDL leaves the costs undefined then, so that no action could be executed; nobody means that.
+void Checker::start_total_cost() {
+  const auto found = definition_.function_ids.find(kTotalCostName);
+  if (found == definition_.function_ids.end()) return;
+  const Symbol& cost = definition_.functions[static_cast<std::size_t>(found->second)];
+  if (!cost.parameters.empty() || !definition_.fluents.emplace(Atom{found->second, {}}, 0.0).second) return;
+  reporter_.warning("P0118", problem_.at, "'total-cost' has no value in ':init': it starts at 0",
+                    "add (= (total-cost) 0) to ':init'");
 }
 
 bool mentions(const Expression& expression, const std::string& name) {

@@ -24,7 +24,7 @@ class DomainParser : private SectionParser {
     if (keyword == ":derived") return axiom();
     if (!once(keyword, at)) return false;
     if (keyword == ":requirements") return requirements(domain_.requirements);
-    if (keyword == ":types") return types();
+    if (keyword == ":types") return formulas_.typed_list(TokenKind::Name, domain_.types);
     if (keyword == ":constants") return formulas_.typed_list(TokenKind::Name, domain_.constants);
     if (keyword == ":predicates") return declarations(domain_.predicates);
     if (keyword == ":functions") return functions();
@@ -37,17 +37,6 @@ class DomainParser : private SectionParser {
     while (!tokens_.at(TokenKind::Close)) {
       symbols.emplace_back();
       if (!formulas_.declaration(symbols.back())) return false;
-    }
-    return true;
-  }
-
-  bool types() {
-    if (!formulas_.typed_list(TokenKind::Name, domain_.types)) return false;
-    for (const Typed& type : domain_.types) {
-      if (type.either.empty()) continue;
-      tokens_.reporter().error("P0008", type.type_at, "'either' is not supported here",
-                               "a type has one supertype; objects and parameters may have several types");
-      return false;
     }
     return true;
   }

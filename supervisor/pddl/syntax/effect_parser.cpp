@@ -33,9 +33,10 @@ bool FormulaParser::effect_body(Effect& effect, const std::string& head) {
     return formula(effect.condition[0]) && this->effect(effect.parts[0]) && close();
   }
   if (head == "forall") {
-    effect.kind = EffectKind::Forall;
     effect.parts.resize(1);
-    return quantifier(effect.variables) && this->effect(effect.parts[0]) && close();
+    if (!quantifier(effect.variables)) return false;
+    effect.kind = effect.variables.empty() ? EffectKind::And : EffectKind::Forall;
+    return this->effect(effect.parts[0]) && close();
   }
   if (head == "assign") return numeric_effect(effect, ChangeKind::Assign);
   if (head == "increase") return numeric_effect(effect, ChangeKind::Increase);

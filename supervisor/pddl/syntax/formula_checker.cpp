@@ -1,6 +1,7 @@
 #include "supervisor/pddl/syntax/formula_checker.h"
 
 #include <algorithm>
+#include <set>
 
 namespace stepwright::pddl {
 
@@ -26,7 +27,7 @@ int FormulaChecker::type(const Typed& typed) {
   if (typed.either.empty()) return type(typed.type_name, typed.type_at);
   const auto found = definition_.type_ids.find(typed.type_name);
   if (found != definition_.type_ids.end()) return found->second;
-  Type either{typed.type_name, typed.type_at, {}, typed.type_at, -1, {}};
+  Type either{typed.type_name, typed.type_at, {}, typed.type_at, {}, {}};
   for (const std::string& name : typed.either) either.members.push_back(type(name, typed.type_at));
   const int id = static_cast<int>(definition_.types.size());
   definition_.types.push_back(std::move(either));
@@ -58,14 +59,30 @@ void FormulaChecker::begin(std::vector<Typed>& parameters) {
   push(parameters);
 }
 
+void FormulaChecker::declaration(std::vector<Typed>& parameters) {
+  std::set<std::string> names;
+  for (Typed& parameter : parameters) {
+    parameter.type = type(parameter);
+    if (names.insert(parameter.name).second) continue;
+    reporter_.warning("P0108", parameter.at, "the name '" + parameter.name + "' stands twice",
+                      "these are two arguments all the same");
+  }
+}
+
+// A variable of a quantifier hides one of the same name outside of it.
 void FormulaChecker::push(std::vector<Typed>& variables) {
+  const auto outside = static_cast<std::ptrdiff_t>(scope_.size());
   for (Typed& variable : variables) {
     variable.type = type(variable);
     variable.slot = slots_++;
-    const bool twice = std::any_of(scope_.begin(), scope_.end(),
-                                   [&](const Typed& other) { return other.name == variable.name; });
-    if (twice)
+    const auto same = [&](const Typed& other) { return other.name == variable.name; };
+    if (std::any_of(scope_.begin() + outside, scope_.end(), same)) {
       reporter_.error("P0108", variable.at, "the variable '" + variable.name + "' is declared twice");
+    } else if (std::any_of(scope_.begin(), scope_.begin() + outside, same)) {
+      reporter_.warning("P0108", variable.at,
+                        "the variable '" + variable.name + "' hides the one of that name outside",
+                        "give it another name");
+    }
     scope_.push_back(variable);
   }
 }
@@ -93,14 +110,15 @@ bool FormulaChecker::resolve(Term& term, std::vector<int>& types) {
     types = definition_.objects[static_cast<std::size_t>(term.index)].types;
     return true;
   }
-  for (const Typed& variable : scope_) {
-    if (variable.name != term.name) continue;
-    term.index = variable.slot;
-    types = {variable.type};
+  const auto variable = std::find_if(scope_.rbegin(), scope_.rend(),
+                                     [&](const Typed& known) { return known.name == term.name; });
+  if (variable != scope_.rend()) {
+    term.index = variable->slot;
+    types = {variable->type};
     return true;
   }
   std::vector<std::string> names;
-  for (const Typed& variable : scope_) names.push_back(variable.name);
+  for (const Typed& known : scope_) names.push_back(known.name);
   reporter_.error("P0105", term.at, "unknown variable '" + term.name + "'", did_you_mean(term.name, names));
   return false;
 }
@@ -198,11 +216,6 @@ bool FormulaChecker::ground(Call& call, bool function) {
   return resolve(call, function);
 }
 
-void FormulaChecker::quantified(std::vector<Typed>& variables, Place at) {
-  if (variables.empty()) reporter_.error("P0106", at, "a quantifier needs a variable");
-  push(variables);
-}
-
 void FormulaChecker::expression(Expression& expression) {
   for (std::size_t i = 1; i < expression.operands.size() && expression.kind == NumericKind::Divide; ++i) {
     const Expression& divisor = expression.operands[i];
@@ -237,11 +250,11 @@ void FormulaChecker::formula(Formula& formula) {
       break;
     case FormulaKind::Forall:
       require(":universal-preconditions", formula.at);
-      quantified(formula.variables, formula.at);
+      push(formula.variables);
       break;
     case FormulaKind::Exists:
       require(":existential-preconditions", formula.at);
-      quantified(formula.variables, formula.at);
+      push(formula.variables);
       break;
     case FormulaKind::And:
     case FormulaKind::Not:
@@ -255,7 +268,8 @@ void FormulaChecker::formula(Formula& formula) {
 }
 
 void FormulaChecker::numeric_effect(Effect& effect) {
-  const bool cost = effect.call.name == "total-cost" && definition_.requirements.count(":action-costs") != 0;
+  const bool cost =
+      effect.call.name == kTotalCostName && definition_.requirements.count(":action-costs") != 0;
   if (!cost) require(":numeric-fluents", effect.at);
   if (resolve(effect.call, true)) {
     Symbol& function = definition_.functions[static_cast<std::size_t>(effect.call.symbol)];
@@ -282,7 +296,7 @@ void FormulaChecker::effect(Effect& effect) {
       break;
     case EffectKind::Forall:
       require(":conditional-effects", effect.at);
-      quantified(effect.variables, effect.at);
+      push(effect.variables);
       break;
     case EffectKind::And:
       break;

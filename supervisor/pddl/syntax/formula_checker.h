@@ -20,6 +20,9 @@ class FormulaChecker {
   // The variables of an action; replaces those of the one before.
   void begin(std::vector<Typed>& parameters);
 
+  // The parameters of a predicate or function, whose names say nothing.
+  void declaration(std::vector<Typed>& parameters);
+
   void formula(Formula& formula);
   void effect(Effect& effect);
   void expression(Expression& expression);
@@ -61,7 +64,6 @@ class FormulaChecker {
   void wrong_type(const std::string& name, Place at, const std::string& found, const std::string& symbol,
                   std::size_t argument, int wanted);
   void numeric_effect(Effect& effect);
-  void quantified(std::vector<Typed>& variables, Place at);
 
   Definition& definition_;
   Reporter& reporter_;

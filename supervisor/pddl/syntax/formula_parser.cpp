@@ -17,8 +17,8 @@ std::optional<Relation> relation_of(const std::string& symbol) {
 }  // namespace
 
 bool FormulaParser::too_deep() {
-  // Deeper than any real file, shallow enough for the stack.
-  constexpr std::size_t kMaxDepth = 250;
+  // Deeper than any real file, shallow enough for a stack of 2 MB.
+  constexpr std::size_t kMaxDepth = 1200;
   if (tokens_.depth() < kMaxDepth) return false;
   tokens_.reporter().error("P0006", tokens_.peek().at, "nested too deeply",
                            "at most " + std::to_string(kMaxDepth) + " parentheses may be open");
@@ -188,6 +188,13 @@ bool FormulaParser::connective(Formula& formula, FormulaKind kind) {
   return close();
 }
 
+// Over no variables, both quantifiers say what stands in them.
+bool FormulaParser::quantified(Formula& formula, FormulaKind kind) {
+  if (!quantifier(formula.variables) || !connective(formula, kind)) return false;
+  if (formula.variables.empty()) formula.kind = FormulaKind::And;
+  return true;
+}
+
 bool FormulaParser::formula(Formula& formula) {
   if (too_deep()) return false;
   formula.at = tokens_.peek().at;
@@ -203,8 +210,7 @@ bool FormulaParser::formula(Formula& formula) {
   if (head == "not") return connective(formula, FormulaKind::Not);
   if (head == "imply") return connective(formula, FormulaKind::Imply);
   if (head == "forall" || head == "exists") {
-    return quantifier(formula.variables) &&
-           connective(formula, head == "forall" ? FormulaKind::Forall : FormulaKind::Exists);
+    return quantified(formula, head == "forall" ? FormulaKind::Forall : FormulaKind::Exists);
   }
   if (head == "preference") {
     tokens_.reporter().error("P0008", at, "preferences are not supported");

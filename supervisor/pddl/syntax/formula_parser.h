@@ -36,6 +36,7 @@ class FormulaParser {
   bool compare(Formula& formula);
   bool equality(Formula& formula);
   bool quantifier(std::vector<Typed>& variables);
+  bool quantified(Formula& formula, FormulaKind kind);
   bool connective(Formula& formula, FormulaKind kind);
   bool numeric_effect(Effect& effect, ChangeKind change);
   bool effect_body(Effect& effect, const std::string& head);

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "runtime/naming/ascii_names.h"
+#include "supervisor/pddl/numeric.h"
 
 namespace stepwright::pddl {
 namespace {
@@ -101,8 +102,22 @@ class Lexer {
     } else if (status != std::errc() || end != text.data() + text.size()) {
       reporter_.error("P0005", at, "'" + text + "' is not a number",
                       "a number is written 12, -3 or 0.25; a name starts with a letter");
+    } else {
+      check_grid(value, text, at);
     }
     push(TokenKind::Number, text, at, value);
+  }
+
+  // What the grid of numbers loses would make conditions hold that do not.
+  void check_grid(double value, const std::string& text, Place at) {
+    const Rounding rounding = rounding_of(value);
+    if (rounding == Rounding::Lost) {
+      reporter_.error("P0009", at, "'" + text + "' is too small to be told from its neighbours",
+                      "numbers are multiples of 1e-9: measure this in a smaller unit");
+    } else if (rounding == Rounding::Digits) {
+      reporter_.warning("P0009", at, "'" + text + "' has digits that do not count",
+                        "numbers are multiples of 1e-9");
+    }
   }
 
   void symbol(Place at) {

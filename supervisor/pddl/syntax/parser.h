@@ -42,6 +42,7 @@ struct ParsedProblem {
   std::vector<RequirementFlag> requirements;
   std::vector<Typed> objects;
   std::vector<Call> facts;
+  std::vector<Call> denied;  // "(not (fact))"
   std::vector<InitialFluent> fluents;
   bool has_goal = false;
   Formula goal;

@@ -33,12 +33,23 @@ class ProblemParser : private SectionParser {
     if (keyword == ":objects") return formulas_.typed_list(TokenKind::Name, problem_.objects);
     if (keyword == ":init") return init();
     if (keyword == ":metric") return metric();
+    if (keyword == ":length") return length();
     if (keyword == ":goal") {
       goal_tried_ = true;
       problem_.has_goal = formulas_.formula(problem_.goal);
       return problem_.has_goal;
     }
     return unknown(keyword, at, {":domain", ":requirements", ":objects", ":init", ":goal", ":metric"});
+  }
+
+  // "(:length (:serial 5) (:parallel 3))" of PDDL 1.2: what its author knew of plans binds none.
+  bool length() {
+    while (tokens_.accept(TokenKind::Open)) {
+      if (!tokens_.expect(TokenKind::Keyword, "':serial' or ':parallel'")) return false;
+      if (!tokens_.expect(TokenKind::Number, "a number") || !tokens_.expect(TokenKind::Close, "')'"))
+        return false;
+    }
+    return true;
   }
 
   // An error in one element of the initial state ends that element only.
@@ -53,9 +64,10 @@ class ProblemParser : private SectionParser {
   bool element() {
     const Token& next = tokens_.peek(1);
     if (next.kind == TokenKind::Operator && next.text == "=") return fluent();
-    if (next.kind == TokenKind::Name && (next.text == "not" || next.text == "and")) {
-      tokens_.reporter().error("P0008", next.at, "'" + next.text + "' cannot stand in ':init'",
-                               "facts that are not listed do not hold");
+    if (next.kind == TokenKind::Name && next.text == "not") return denial();
+    if (next.kind == TokenKind::Name && next.text == "and") {
+      tokens_.reporter().error("P0008", next.at, "'and' cannot stand in ':init'",
+                               "all that is listed there holds together");
       tokens_.take();
       return false;
     }
@@ -69,6 +81,13 @@ class ProblemParser : private SectionParser {
     if (!formulas_.call(fact)) return false;
     problem_.facts.push_back(std::move(fact));
     return true;
+  }
+
+  bool denial() {
+    tokens_.take();
+    tokens_.take();
+    problem_.denied.emplace_back();
+    return formulas_.call(problem_.denied.back()) && tokens_.expect(TokenKind::Close, "')'");
   }
 
   bool fluent() {

@@ -7,6 +7,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 from cell_process import STEPWRIGHT, TIMEOUT_S, stepwright
@@ -60,12 +61,12 @@ class PlanCommand(unittest.TestCase):
 
     def test_no_progress_unless_asked_for(self):
         result, _ = self.plan(self.folder, "--time", "1.5")
-        self.assertEqual(result.returncode, 4)
+        self.assertEqual(result.returncode, 0)
         self.assertNotIn("states", result.stderr)
 
     def test_progress_lines(self):
         result, outcome = self.plan(self.folder, "--time", "2.5", "--progress")
-        self.assertEqual(result.returncode, 4)
+        self.assertEqual(result.returncode, 0)
         lines = [line for line in result.stderr.splitlines() if re.match(r"\d+ s: ", line)]
         self.assertGreaterEqual(len(lines), 1, result.stderr)
         for line in lines:
@@ -76,7 +77,7 @@ class PlanCommand(unittest.TestCase):
     def test_the_end_of_the_memory_leaves_the_best_plan(self):
         for threads in ("1", "2"):
             result, outcome = self.plan(self.folder, "--time", "60", "--memory", "8", "--threads", threads)
-            self.assertEqual(result.returncode, 4)
+            self.assertEqual(result.returncode, 0)
             self.assertIn("memory", outcome["reason"])
             self.assertGreater(outcome["plan_steps"], 0)
             self.assertLess(outcome["peak_mb"], 12)
@@ -91,7 +92,7 @@ class PlanCommand(unittest.TestCase):
                     self.assertIsNone(planner.poll())
                 planner.send_signal(number)
                 stdout, stderr = planner.communicate(timeout=TIMEOUT_S)
-            self.assertEqual(planner.returncode, 4, stderr)
+            self.assertEqual(planner.returncode, 0, stderr)
             self.assertIn("interrupted", stderr)
             outcome = json.loads(file.read_text(encoding="utf-8"))
             self.assertEqual(outcome["outcome"], "cancelled")
@@ -100,6 +101,26 @@ class PlanCommand(unittest.TestCase):
             valid = stepwright("validate", self.folder / "domain.pddl", self.folder / "problem.pddl",
                                self.folder / "best.plan", "--quiet")
             self.assertEqual(valid.returncode, 0, valid.stderr)
+
+    def test_a_plan_is_in_its_file_as_soon_as_it_is_found(self):
+        file = self.folder / "best.plan"
+        command = [STEPWRIGHT, "plan", self.folder / "domain.pddl", self.folder / "problem.pddl", "--time", "100",
+                   "--out", file]
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL) as planner:
+            while not file.exists():
+                self.assertIsNone(planner.poll())
+                time.sleep(0.005)
+            planner.kill()
+        valid = stepwright("validate", self.folder / "domain.pddl", self.folder / "problem.pddl", file, "--quiet")
+        self.assertEqual(valid.returncode, 0, valid.stderr)
+
+    def test_the_first_plan_is_enough_if_so_wanted(self):
+        result, outcome = self.plan(self.folder, "--first", "--time", "100")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((outcome["outcome"], outcome["proved_optimal"]), ("solved", False))
+        self.assertGreater(outcome["plan_steps"], 0)
+        both = stepwright("plan", self.folder / "domain.pddl", self.folder / "problem.pddl", "--first", "--optimal")
+        self.assertEqual(both.returncode, 2)
 
     def test_what_cannot_be_written_or_drawn_is_said_before_the_search(self):
         for option, value, code in (("--out", "/nonexistent/plan", "E0002"), ("--json", self.folder, "E0002"),

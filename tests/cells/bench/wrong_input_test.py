@@ -44,8 +44,8 @@ class WrongInput(unittest.TestCase):
 
     def test_what_pddl_has_and_this_planner_has_not(self):
         for name, old, new, expected in (
-            ("domain.pddl", ":numeric-fluents)", ":numeric-fluents :durative-actions)",
-             r"domain\.pddl:5:77: P0112: .*:durative-actions"),
+            ("domain.pddl", "(:action load", "(:durative-action load",
+             r"domain\.pddl:\d+:\d+: P0008: .*:durative-action"),
             ("domain.pddl", "vehicle place client leveltransf - object", "vehicle place client leveltransf - place",
              r"domain\.pddl:7:13: P0109: .*'place'"),
             ("problem.pddl", "(* 50 (postponed))", "(/ (postponed) 0)",

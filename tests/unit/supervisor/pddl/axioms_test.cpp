@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <random>
+#include <string>
 
 #include "supervisor/pddl/grounding/grounder.h"
 #include "supervisor/pddl/partial_order.h"
@@ -98,6 +100,69 @@ TEST(Axioms, WhenAnActionReadsADerivedFact_ThenItWaitsForWhatTheFactDependsOn) {
   ASSERT_TRUE(orderings.has_value());
   // (take b) reads (clear b) and (handempty), which no action writes by these names.
   EXPECT_EQ(orderings->size(), 2u);
+}
+
+std::string objects_named(int count) {
+  std::string names;
+  for (int i = 0; i < count; ++i) names += " n" + std::to_string(i);
+  return names;
+}
+
+// A chain of objects; what is linked to a lamp three steps on can be done.
+TEST(Axioms, WhenStaticFactsJoinTheVariables_ThenOrderingsTakeStepsOfTheChainOnly) {
+  std::string chain;
+  for (int i = 0; i + 1 < 60; ++i) chain += "(e n" + std::to_string(i) + " n" + std::to_string(i + 1) + ")";
+  const Task task = testing::make_task(
+      R"((define (domain d) (:requirements :adl :derived-predicates) (:predicates (e ?x ?y) (on ?x) (linked ?x) (done ?x))
+    (:derived (linked ?x) (exists (?a ?b ?c) (and (e ?x ?a) (e ?a ?b) (e ?b ?c) (on ?c))))
+    (:action switch :parameters (?x) :effect (on ?x))
+    (:action go :parameters (?x) :precondition (linked ?x) :effect (done ?x))))",
+      "(define (problem p) (:domain d) (:objects" + objects_named(60) + ") (:init " + chain +
+          ") (:goal (done n0)))");
+  model::Plan plan;
+  plan.actions = {{"switch", {"n7"}}, {"switch", {"n3"}}, {"go", {"n0"}}};
+  std::size_t asked = 0;
+  const auto orderings = lift_partial_order(task, plan, [&] { return ++asked > 100; });
+  ASSERT_TRUE(orderings.has_value()) << result::to_string(orderings.error());
+  EXPECT_LE(asked, 2u);  // once for 1024 steps; there are 60 x 60 x 60 combinations
+  EXPECT_EQ(*orderings, (std::vector<model::Ordering>{{1, 2}}));  // (go n0) cannot depend on n7
+}
+
+// Nothing is known of lamps beforehand: all combinations of them count.
+Task ranked_lamps() {
+  std::string ranks;
+  for (int i = 0; i < 50; ++i) ranks += "(= (rank n" + std::to_string(i) + ") " + std::to_string(i) + ")";
+  return testing::make_task(
+      R"((define (domain d) (:requirements :adl :derived-predicates :numeric-fluents) (:predicates (on ?x) (lit) (done))
+    (:functions (rank ?x))
+    (:derived (lit) (exists (?a ?b ?c) (and (< (+ (rank ?a) (rank ?b) (rank ?c)) 1) (on ?c))))
+    (:action switch :parameters (?x) :effect (on ?x))
+    (:action go :precondition (lit) :effect (done))))",
+      "(define (problem p) (:domain d) (:objects" + objects_named(50) + ") (:init " + ranks +
+          ") (:goal (done)))");
+}
+
+TEST(Axioms, WhenOrderingsAreStopped_ThenNothingMoreIsWorkedOut) {
+  model::Plan plan;
+  plan.actions = {{"switch", {"n0"}}, {"go", {}}};
+  std::size_t asked = 0;
+  const auto orderings = lift_partial_order(ranked_lamps(), plan, [&] { return ++asked == 5; });
+  ASSERT_FALSE(orderings.has_value());
+  EXPECT_EQ(orderings.error()[0].code, "P0311");
+  EXPECT_EQ(asked, 5u);
+}
+
+TEST(Axioms, WhenTheSearchIsCancelled_ThenThePlanComesWithoutOrderingsThatTakeLong) {
+  const Task task = ranked_lamps();
+  std::atomic<bool> cancel{false};
+  Options options;
+  options.cancel = &cancel;
+  options.on_improvement = [&](const model::Plan&) { cancel = true; };
+  const model::Outcome cancelled = solve(task, options);
+  ASSERT_TRUE(cancelled.plan.has_value());
+  EXPECT_EQ(cancelled.kind, model::OutcomeKind::Cancelled);
+  EXPECT_FALSE(cancelled.plan->orderings.has_value());
+  EXPECT_TRUE(solve(task).plan->orderings.has_value());
 }
 
 TEST(Axioms, WhenNothingThatItReadsChanges_ThenADerivedFactIsStatic) {

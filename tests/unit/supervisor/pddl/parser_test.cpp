@@ -66,8 +66,6 @@ const Case kCases[] = {
     {"EndOfFile", true, "(decrease (fuel ?c) 1))))", "(decrease (fuel ?c) 1))", 10, 1, "P0004", "line 6"},
     {"BadNumber", true, "(fuel ?c) 1))", "(fuel ?c) 1x))", 8, 49, "P0005", "1x"},
     {"SectionTwice", true, "(:types car place)", "(:types car place) (:types bus)", 3, 23, "P0007", ":types"},
-    {"EitherForAType", true, "(:types car place)", "(:types car - (either place bus) place)", 3, 17, "P0008",
-     "one supertype"},
     {"EitherUnknownForAnObject", false, "c - car", "c - (either car bus)", 3, 17, "P0101", "'bus'"},
     {"Durative", true, "(:action go", "(:durative-action go", 6, 4, "P0008", "no duration"},
     {"UnknownType", true, "?c - car ?a ?b - place)", "?c - car ?a ?b - plaec)", 7, 35, "P0101", "'place'"},
@@ -76,7 +74,6 @@ const Case kCases[] = {
     {"UnknownVariable", true, "(at ?c ?b) (d", "(at ?c ?bb) (d", 9, 42, "P0105", "'?b'"},
     {"Arity", true, "(and (at ?c ?a)", "(and (at ?c)", 8, 25, "P0106", "takes 2"},
     {"TypeMismatch", true, "(and (at ?c ?a)", "(and (at ?a ?c)", 8, 28, "P0107", "'place'"},
-    {"TypeTwice", true, "(:types car place)", "(:types car place car)", 3, 21, "P0108", "car"},
     {"TypeCycle", true, "(:types car place)", "(:types car - place place - car)", 3, 11, "P0109", "ancestor"},
     {"SumAsCondition", true, "(>= (fuel ?c) 1)", "(+ (fuel ?c) 1)", 8, 36, "P0003", "a comparison"},
     {"OtherDomain", false, "(:domain d)", "(:domain e)", 2, 12, "P0111", "'e'"},
@@ -87,16 +84,17 @@ const Case kCases[] = {
     {"ValueNotANumber", false, "(= (fuel c) 3)", "(= (fuel c) x)", 4, 31, "P0003", "a number"},
     {"FunctionAsPredicate", false, "(:goal (at c y))", "(:goal (fuel c))", 5, 11, "P0102", "function"},
     {"ObjectTwice", false, "c - car x", "c - car c x", 3, 21, "P0108", "c"},
-    {"NegativeInit", false, "(at c x)", "(not (at c x))", 4, 11, "P0008", "do not hold"},
+    {"AndInInit", false, "(at c x)", "(and (at c x))", 4, 11, "P0008", "together"},
+    {"NegatedNumber", false, "(at c x)", "(not (= (fuel c) 2))", 4, 16, "P0003", "a name"},
+    {"NegatedUnknown", false, "(at c x)", "(not (att c x))", 4, 16, "P0102", "'at'"},
     {"MetricWord", false, "(:goal (at c y))", "(:goal (at c y)) (:metric least 1)", 5, 29, "P0003",
      "minimize"},
     {"TrailingText", false, "(:goal (at c y)))", "(:goal (at c y))))", 5, 20, "P0003", "too many"},
     {"HugeNumber", false, "(= (fuel c) 3)", "(= (fuel c) 1e999)", 4, 31, "P0009", "range"},
     {"TinyNumber", false, "(= (fuel c) 3)", "(= (fuel c) 1e-999)", 4, 31, "P0009", "range"},
-    {"UnsupportedRequirement", true, ":numeric-fluents)", ":numeric-fluents :durative-actions)", 2, 43,
-     "P0112", "':durative-actions' is not supported"},
-    {"PreferencesRequirement", true, ":numeric-fluents)", ":numeric-fluents :preferences)", 2, 43, "P0112",
-     "':preferences'"},
+    {"BelowTheGridInInit", false, "(= (fuel c) 3)", "(= (fuel c) -1e-10)", 4, 31, "P0009", "smaller unit"},
+    {"BelowTheGridInAGoal", false, "(at c y)", "(>= (fuel c) 3e-10)", 5, 23, "P0009", "3e-10"},
+    {"BesideTheGrid", true, "(fuel ?c) 1))", "(fuel ?c) 2.5e-9))", 8, 49, "P0009", "multiples of 1e-9"},
     {"Preference", false, "(at c y)", "(preference g (at c y))", 5, 11, "P0008", "preferences"},
     {"ZeroDivisor", true, "(fuel ?c) 1))", "(fuel ?c) (/ 1 0)))", 8, 54, "P0117", "zero"},
     {"DivisorMissing", true, "(fuel ?c) 1))", "(fuel ?c) (/ 1)))", 8, 49, "P0106", "two operands"},
@@ -131,8 +129,8 @@ const Case kCases[] = {
     {"UnknownInAction", true, ":precondition", ":precondtion", 8, 5, "P0008", ":precondition"},
     {"GoalTwice", false, "(:goal (at c y))", "(:goal (at c y)) (:goal (at c x))", 5, 21, "P0007", ":goal"},
     {"LetterlessVariable", true, "?c - car ?a", "? - car ?a", 7, 18, "P0002", "?"},
-    {"QuantifierOfNothing", false, "(:goal (at c y))", "(:goal (exists () (at c y)))", 5, 10, "P0106",
-     "a variable"},
+    {"QuantifierOfTwo", false, "(:goal (at c y))", "(:goal (exists () (at c y) (at c x)))", 5, 10, "P0106",
+     "found 2"},
     {"EmptyMetric", false, "(:goal (at c y))", "(:goal (at c y)) (:metric minimize)", 5, 37, "P0003",
      "a number"},
     {"TypeIsItsOwnParent", true, "(:types car place)", "(:types car - car place)", 3, 11, "P0109",
@@ -249,6 +247,26 @@ result::Diagnostics metric_errors(const std::string& metric, const std::string& 
       {"p.pddl", "(define (problem p) (:domain d) (:init (= (n) 0)" + values +
                      ") (:goal (done))\n(:metric minimize " + metric + "))"});
   return task ? result::Diagnostics{} : task.error();
+}
+
+TEST(Numbers, WhenTheyHaveDigitsThatDoNotCount_ThenThatIsSaid) {
+  const auto warnings = [](const std::string& number) {
+    const auto task =
+        parse_task({"d.pddl", replaced(kGoodDomain, "(fuel ?c) 1))", "(fuel ?c) " + number + "))")},
+                   {"p.pddl", kGoodProblem});
+    EXPECT_TRUE(task.has_value()) << number;
+    return task ? task->warnings() : result::Diagnostics{};
+  };
+  for (const std::string number : {"1e-9", "0.1", "123456789.25", "1e300", "0", "0.000000123"}) {
+    EXPECT_TRUE(warnings(number).empty()) << number;
+  }
+  for (const std::string number : {"1.0000000004", "0.3333333333333"}) {
+    const result::Diagnostics said = warnings(number);
+    ASSERT_EQ(said.size(), 1u) << number;
+    EXPECT_EQ(said[0].code, "P0009");
+    EXPECT_EQ(said[0].where.line, 8u);
+    EXPECT_EQ(said[0].where.column, 49u);
+  }
 }
 
 TEST(Metric, WhenItsDivisorIsAndStaysZero_ThenP0117AtTheDivisor) {

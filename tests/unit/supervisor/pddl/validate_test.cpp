@@ -172,13 +172,42 @@ TEST(Validate, WhenPrinted_ThenARowPerStepWithTheFluents) {
 }
 
 TEST(PlanFile, WhenPrefixesAndCaseVary_ThenTheSameActions) {
-  const auto plan = parse_plan({"p",
-                                "; comment\n(LOAD v1 F1 level8)\n12: (move v1 f1 a1) ; later\n0.003: (Unload "
-                                "v1 a1 level8) [1.000]\n\n"});
+  const auto plan =
+      parse_plan({"p",
+                  "; comment\n(LOAD v1 F1 level8)\n12: (move v1 f1 a1) ; later\n12.003: (Unload "
+                  "v1 a1 level8) [1.000]\n\n"});
   ASSERT_TRUE(plan.has_value()) << result::to_string(plan.error());
   ASSERT_EQ(plan->actions.size(), 3u);
   EXPECT_EQ(model::to_string(plan->actions[2]), "(unload v1 a1 level8)");
   EXPECT_EQ(plan->lines, (std::vector<std::uint32_t>{2, 3, 4}));
+}
+
+std::string in_one_line(const std::string& text) {
+  const auto plan = parse_plan({"p", text});
+  if (!plan) return result::to_string(plan.error());
+  std::string actions;
+  for (const model::GroundAction& action : plan->actions) actions += model::to_string(action);
+  return actions;
+}
+
+TEST(PlanFile, WhenSeveralActionsStandInALine_ThenAllAreRead) {
+  EXPECT_EQ(in_one_line("(a)(b x)\n (c) (d) ; (e)\n"), "(a)(b x)(c)(d)");
+  EXPECT_EQ(in_one_line("0: (a) [1] 1.5: (b) [2.0] (c)\n"), "(a)(b)(c)");
+  const auto wrong = parse_plan({"p", "(a) b (c)\n(d"});
+  ASSERT_FALSE(wrong);
+  ASSERT_EQ(wrong.error().size(), 2u);
+  EXPECT_EQ(wrong.error()[0].where.column, 5u);
+  EXPECT_EQ(wrong.error()[1].code, "P0404");
+}
+
+TEST(PlanFile, WhenThereAreTimeStamps_ThenTheyOrderTheActions) {
+  EXPECT_EQ(in_one_line("1.0: (b)\n0.0: (a)\n"), "(a)(b)");
+  EXPECT_EQ(in_one_line("10: (c) 9: (b)\n1e0: (a) [1]\n"), "(a)(b)(c)");
+  EXPECT_EQ(in_one_line("2: (c)\n1: (a)\n1: (b)\n"), "(a)(b)(c)");  // together: as they stand
+  EXPECT_EQ(in_one_line("2: (c)\n(d)\n1: (a)\n(b)\n"),
+            "(a)(b)(c)(d)");  // without a time: behind the one before
+  EXPECT_NE(in_one_line("nan: (b)\n1: (a)\n").find("P0403"), std::string::npos);
+  EXPECT_EQ(parse_plan({"p", "1: (b)\n0: (a)"})->lines, (std::vector<std::uint32_t>{2, 1}));
 }
 
 TEST(PlanFile, WhenLinesAreMalformed_ThenEachIsLocated) {
