@@ -1,5 +1,6 @@
 #include "ladder/driver/project_scope.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "ladder/graphic/identifier.h"
@@ -149,6 +150,15 @@ std::string ProjectScope::type_of(const std::string& variable) const {
     type = pou_.result_type;
   if (type.empty()) type = interfaces_.type_of_global(std::string(name));
   return interfaces_.type_below(type, std::span(tokens).subspan(1));
+}
+
+bool ProjectScope::is_private(const std::string& variable) const {
+  using graphic::VariableSection;
+  return std::any_of(pou_.variables.begin(), pou_.variables.end(), [&](const graphic::Variable& each) {
+    return graphic::same_name(each.name, variable) && each.address.empty() &&
+           each.section != VariableSection::InOut && each.section != VariableSection::External &&
+           each.section != VariableSection::Global;
+  });
 }
 
 std::string ProjectScope::mark(std::uint32_t where) const {

@@ -43,6 +43,7 @@ class ProjectScope final : public lowering::DiagramScope {
       : pou_(pou), interfaces_(interfaces), file_(file), context_(context) {}
 
   std::string type_of(const std::string& variable) const override;
+  bool is_private(const std::string& variable) const override;
   const lowering::Signature* signature(const std::string& type) const override {
     return interfaces_.signature(type);
   }

@@ -44,7 +44,8 @@ bool before(const Element* a, const Element* b) {
          std::tuple(order_of(*b), b->position.y, b->position.x, b->id);
 }
 
-// "coil 'lamp'", "block TON 'delay'"
+}  // namespace
+
 std::string title_of(const Element& element) {
   std::string title = graphic::to_string(element.kind);
   if (element.kind == ElementKind::Comment || element.kind == ElementKind::Error) return title;
@@ -56,8 +57,6 @@ std::string title_of(const Element& element) {
   std::replace(name.begin(), name.end(), '\n', ' ');
   return name.empty() ? title : title + " '" + name + "'";
 }
-
-}  // namespace
 
 bool does_something(const Element& element) {
   switch (element.kind) {
@@ -83,8 +82,7 @@ DiagramGraph::DiagramGraph(const graphic::Diagram& diagram, DiagramScope& scope)
     for (const Element* each : networks_[i].elements)
       scope.note(each->where, "network " + std::to_string(i + 1) + ", " + title_of(*each));
   add_notes();
-  circles_ = find_circles(true);
-  value_circles_ = find_circles(false);
+  circles_ = find_circles();
 }
 
 template <typename Visit>
@@ -226,13 +224,11 @@ const std::vector<const Element*>& DiagramGraph::readers_of(const Origin& origin
 
 // Takes away what has no inputs left, then what has no readers left: the circles stay, and what lies between
 // two of them.
-std::set<const Element*> DiagramGraph::find_circles(bool through_variables) const {
+std::set<const Element*> DiagramGraph::find_circles() const {
   std::set<const Element*> circles;
   std::map<const Element*, std::vector<const Element*>> forward;
   std::map<const Element*, std::vector<const Element*>> backward;
   for (const auto& [origin, readers] : readers_) {
-    const bool holds = origin.first->kind == ElementKind::InOutVariable || !origin.first->instance.empty();
-    if (holds && !through_variables) continue;
     for (const Element* reader : readers) {
       forward[origin.first].push_back(reader);
       backward[reader].push_back(origin.first);

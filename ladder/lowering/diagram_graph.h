@@ -5,8 +5,8 @@
 //
 // A network is what hangs together when the power rails are taken away. Networks run from top to bottom.
 // Inside, what does something (coils, blocks, variables that are written, jumps) runs from top to bottom and
-// left to right, each after what its inputs come from; an execution order that the file gives goes first
-// (IEC 61131-3, 8.1.4 to 8.1.6).
+// left to right, each after what its inputs come from (evaluation_order.h); an execution order that the file
+// gives goes first (IEC 61131-3, 8.1.4 to 8.1.6).
 
 #include <cstddef>
 #include <map>
@@ -48,9 +48,6 @@ class DiagramGraph {
   const std::vector<const graphic::Element*>& readers_of(const Origin& origin) const;
   // True for elements that may depend on themselves.
   bool in_circle(const graphic::Element& element) const { return circles_.count(&element) != 0; }
-  // The same where no variable and no instance of a function block lies on the way: what is read before it is
-  // computed.
-  bool in_value_circle(const graphic::Element& element) const { return value_circles_.count(&element) != 0; }
   // Numbers in the order given by the file take part in the order of evaluation.
   bool has_order() const { return has_order_; }
 
@@ -58,7 +55,7 @@ class DiagramGraph {
   void index();
   void join();
   void add_notes();
-  std::set<const graphic::Element*> find_circles(bool through_variables) const;
+  std::set<const graphic::Element*> find_circles() const;
   // The output that a connection without a name means: the first one that is not ENO.
   static std::string output_name(const graphic::Element& element, const std::string& wanted);
   std::size_t root_of(std::size_t element) const;
@@ -73,11 +70,13 @@ class DiagramGraph {
   mutable std::vector<std::size_t> parents_;                   // union-find
   std::map<std::pair<const graphic::Element*, std::string>, std::vector<const graphic::Element*>> readers_;
   std::set<const graphic::Element*> circles_;
-  std::set<const graphic::Element*> value_circles_;
   std::vector<Network> networks_;
   bool has_order_ = false;
 };
 
 bool does_something(const graphic::Element& element);
+
+// "coil 'lamp'", "block TON 'delay'"
+std::string title_of(const graphic::Element& element);
 
 }  // namespace stepwright::lowering

@@ -36,6 +36,8 @@ class DiagramScope {
 
   // ST type of a variable, an element of an array, a member: "a.b[1].c"; empty if it is none or unknown.
   virtual std::string type_of(const std::string& variable) const = 0;
+  // Whether the POU declares it for itself: nothing else can write it but through a reference or VAR_IN_OUT.
+  virtual bool is_private(const std::string& variable) const = 0;
   // Null for standard functions and for what does not exist.
   virtual const Signature* signature(const std::string& type) const = 0;
   // The mark of a byte of the diagram's file (ladder/syntax/lexer.h), or nothing.

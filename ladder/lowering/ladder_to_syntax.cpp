@@ -160,9 +160,9 @@ class Writer {
       variables_.push_back({pulse, "BOOL", false});
       const std::string state = new_edge();
       const bool rising = condition.edge == Edge::Rising;
-      line_ += pulse + " := " +
-               (rising ? condition.name + " AND NOT " + state : state + " AND NOT " + condition.name) + "; " +
-               state + " := " + condition.name + "; ";
+      // The contact is read once: its text may be a call.
+      line_ += pulse + " := " + (rising ? "NOT " : "") + state + "; " + state + " := " + condition.name +
+               "; " + pulse + " := " + pulse + " AND " + (rising ? "" : "NOT ") + state + "; ";
       return graphic::contact(pulse, condition.negated);
     }
     for (Condition& child : result.children) child = sensed(child);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ladder/graphic/identifier.h"
+#include "ladder/lowering/block_pins.h"
 #include "ladder/lowering/network_lowering.h"
 #include "ladder/lowering/wire_types.h"
 #include "ladder/source/codes.h"
@@ -18,46 +19,6 @@ using graphic::Rung;
 using graphic::same_name;
 using syntax::PieceKind;
 
-namespace {
-
-bool is_connected(const Pin& pin) {
-  return !pin.connections.empty() || !pin.expression.text.empty();
-}
-
-}  // namespace
-
-const Pin* NetworkLowering::enable_of(const Element& block) const {
-  for (const Pin& pin : block.inputs)
-    if (same_name(pin.name, "EN") && is_connected(pin)) return &pin;
-  return nullptr;
-}
-
-// The output that carries the value of a function.
-Origin NetworkLowering::result_of(const Element& block) const {
-  const Signature* signature = scope_.signature(block.name.text);
-  for (const Pin& pin : block.outputs) {
-    const bool own = same_name(pin.name, "OUT") || pin.name.empty() || same_name(pin.name, block.name.text);
-    const bool declared = signature != nullptr &&
-                          std::any_of(signature->outputs.begin(), signature->outputs.end(),
-                                      [&](const Parameter& each) { return same_name(each.name, pin.name); });
-    if (own && !declared) return {&block, pin.name};
-  }
-  for (const Pin& pin : block.outputs)
-    if (!same_name(pin.name, "ENO")) return {&block, pin.name};
-  return {&block, ""};
-}
-
-// A function that is read once stands where it is read.
-bool NetworkLowering::is_inline(const Element& element) const {
-  if (!element.instance.empty() || enable_of(element) != nullptr || graph_.in_value_circle(element))
-    return false;
-  if (graph_.has_order() && element.order.value_or(0) != 0) return false;
-  std::size_t readers = 0;
-  for (const Pin& pin : element.outputs) readers += graph_.readers_of({&element, pin.name}).size();
-  for (const Pin& pin : element.in_outs) readers += graph_.readers_of({&element, pin.name}).size();
-  return readers == 1 && graph_.readers_of(result_of(element)).size() == 1 && element.in_outs.empty();
-}
-
 void NetworkLowering::check_block(const Element& element) {
   const Signature* signature = scope_.signature(element.name.text);
   if (signature != nullptr && !signature->is_function && element.instance.empty())
@@ -68,9 +29,9 @@ void NetworkLowering::check_block(const Element& element) {
 
 void NetworkLowering::block(const Element& element) {
   check_block(element);
-  if (is_inline(element)) return;
+  if (order_.is_inline(element)) return;
   const bool function = element.instance.empty();
-  const Origin result = result_of(element);
+  const Origin result = result_of(element, scope_);
   std::size_t readers = 0;
   for (const Pin& pin : element.outputs) readers += graph_.readers_of({&element, pin.name}).size();
   // A standard function whose result nobody reads does nothing.
@@ -79,8 +40,9 @@ void NetworkLowering::block(const Element& element) {
   if (const Pin* enable = enable_of(element)) {
     condition = power(*enable, element);
     if (enable->modifier.negated) condition = through_wire(condition, element), condition.negated = true;
-    const bool several = readers > 1 || !graph_.readers_of({&element, "ENO"}).empty() || !function;
-    if (several && readers > 0) condition = through_wire(std::move(condition), element);
+    // Whoever reads an output asks whether the block ran.
+    const bool is_read = readers > 1 || !function || written_by_call(result) == nullptr;
+    if (is_read && readers > 0) condition = through_wire(std::move(condition), element);
     enables_[&element] = condition;
   }
   Rung rung;
@@ -89,10 +51,11 @@ void NetworkLowering::block(const Element& element) {
   block.instance = element.instance;
   rung.condition = std::move(condition);
   call_inputs(element, rung, block);
-  call_outputs(element, rung, block);
+  call_outputs(element, block);
   rung.place = scope_.mark(element.where);
   rung.blocks.push_back(std::move(block));
   ladder_.rungs.push_back(std::move(rung));
+  if (order_.is_held(element)) hold_outputs(element);
 }
 
 void NetworkLowering::call_inputs(const Element& element, Rung& rung, graphic::Block& block) {
@@ -119,7 +82,7 @@ void NetworkLowering::call_inputs(const Element& element, Rung& rung, graphic::B
   }
   for (const Pin& pin : element.in_outs) {
     if (!is_connected(pin)) continue;
-    const Condition value = power(pin, element);
+    const Condition value = variable(pin, element);
     block.inputs.emplace_back(pin.name, value.negated ? graphic::to_st(value) : value.name);
   }
 }
@@ -140,43 +103,55 @@ std::string NetworkLowering::argument(const Pin& pin, const Element& owner) {
   return pin.modifier.negated ? "NOT (" + text + ")" : text;
 }
 
-void NetworkLowering::call_outputs(const Element& element, Rung&, graphic::Block& block) {
+void NetworkLowering::call_outputs(const Element& element, graphic::Block& block) {
   if (!element.instance.empty()) return;  // its outputs are read from the instance
-  const Origin result = result_of(element);
+  const Origin result = result_of(element, scope_);
   for (const Pin& pin : element.outputs) {
     if (same_name(pin.name, "ENO")) continue;
     const Origin origin{&element, pin.name};
-    const bool is_result = same_name(pin.name, result.output);
-    if (graph_.readers_of(origin).empty() && !is_result) continue;
-    if (graph_.readers_of(origin).empty() && wires_.count({&element, pin.name}) == 0) continue;
-    if (writes_variable(element, origin, block)) continue;
-    block.outputs.emplace_back(is_result ? "" : pin.name,
-                               result_wire(origin, graph_.in_value_circle(element)));
+    if (graph_.readers_of(origin).empty()) continue;
+    const std::string formal = same_name(pin.name, result.output) ? "" : pin.name;
+    if (const Element* variable = written_by_call(origin)) {
+      written_.insert(variable);
+      block.outputs.emplace_back(formal, marked(variable->name, PieceKind::Variable, *variable, element));
+    } else {
+      block.outputs.emplace_back(formal, result_wire(origin));
+    }
   }
 }
 
-// The only reader is a variable: the call writes it.
-bool NetworkLowering::writes_variable(const Element& element, const Origin& origin, graphic::Block& block) {
+// What this call of an instance gave, before another one changes it.
+void NetworkLowering::hold_outputs(const Element& element) {
+  for (const Pin& pin : element.outputs) {
+    const Origin origin{&element, pin.name};
+    if (same_name(pin.name, "ENO") || graph_.readers_of(origin).empty()) continue;
+    Condition value = block_output(origin, element);
+    value.negated = false;  // readers negate
+    hold(origin, value);
+  }
+}
+
+const Element* NetworkLowering::written_by_call(const Origin& origin) {
+  const Element& element = *origin.element;
   const auto& readers = graph_.readers_of(origin);
-  if (readers.size() != 1 || readers.front()->kind != ElementKind::OutVariable) return false;
+  if (readers.size() != 1 || readers.front()->kind != ElementKind::OutVariable) return nullptr;
   const Element& variable = *readers.front();
   const graphic::Modifier& m = variable.modifier;
   const bool plain = !m.negated && m.edge == graphic::Edge::None && m.storage == graphic::Storage::None;
-  if (!plain || variable.inputs.front().connections.size() != 1 ||
-      wires_.count({&element, origin.output}) != 0)
-    return false;
+  if (!plain || variable.inputs.front().connections.size() != 1 || order_.is_read_back(element))
+    return nullptr;
   for (const Pin& pin : element.outputs)
-    if (same_name(pin.name, origin.output) && pin.modifier.negated) return false;
-  if (!done_.insert(&variable).second) return false;
-  const bool is_result = same_name(origin.output, result_of(element).output);
-  block.outputs.emplace_back(is_result ? "" : origin.output,
-                             marked(variable.name, PieceKind::Variable, variable, element));
-  return true;
+    if (same_name(pin.name, origin.output) && pin.modifier.negated) return nullptr;
+  return order_.writes_at_once(element, variable) ? &variable : nullptr;
 }
 
-std::string NetworkLowering::result_wire(const Origin& origin, bool keeps) {
+std::string NetworkLowering::result_wire(const Origin& origin) {
   std::string& name = wires_[{origin.element, origin.output}];
   if (!name.empty()) return name;
+  const Element& element = *origin.element;
+  // What runs in a loop only now and then is read when it did not run, too.
+  const bool keeps =
+      order_.is_read_back(element) || (enable_of(element) != nullptr && graph_.in_circle(element));
   name = scope_.new_wire();
   // What a standard function gives depends on its inputs: the analysis knows. Only what is read before it is
   // computed needs a type at once.
@@ -199,7 +174,7 @@ Condition NetworkLowering::block_output(const Origin& origin, const Element& own
   for (const Pin& each : element.outputs)
     if (same_name(each.name, origin.output)) pin = &each;
   for (const Pin& each : element.in_outs)
-    if (pin == nullptr && same_name(each.name, origin.output)) return power(each, owner);
+    if (pin == nullptr && same_name(each.name, origin.output)) return variable(each, owner);
   if (pin == nullptr) {
     scope_.error(source::code::kBadDiagram, owner.where,
                  "block " + element.name.text + " has no output '" + origin.output + "'");
@@ -213,11 +188,11 @@ Condition NetworkLowering::block_output(const Origin& origin, const Element& own
     value =
         graphic::contact(scope_.mark(element.where) + named(element.instance, PieceKind::Variable, element) +
                          "." + named(pin->name, PieceKind::Word, element) + scope_.mark(owner.where));
-  } else if (is_inline(element)) {
+  } else if (order_.is_inline(element)) {
     value.kind = ConditionKind::Expression;
     value.name = scope_.mark(element.where) + inline_call(element) + scope_.mark(owner.where);
   } else {
-    value = graphic::contact(result_wire(origin, graph_.in_value_circle(element)));
+    value = graphic::contact(result_wire(origin));
   }
   if (pin->modifier.negated) value.negated = !value.negated;
   return value;

@@ -22,7 +22,7 @@ using syntax::PieceKind;
 
 namespace {
 
-constexpr int kMaxDepth = 1000;
+constexpr std::size_t kMaxDepth = 1000;
 
 CoilKind coil_kind(const graphic::Modifier& modifier) {
   if (modifier.storage == Storage::Set) return CoilKind::Set;
@@ -30,17 +30,6 @@ CoilKind coil_kind(const graphic::Modifier& modifier) {
   if (modifier.edge == graphic::Edge::Rising) return CoilKind::RisingEdge;
   if (modifier.edge == graphic::Edge::Falling) return CoilKind::FallingEdge;
   return modifier.negated ? CoilKind::Negated : CoilKind::Normal;
-}
-
-// A coil that is negated and more: the power is inverted before it.
-bool inverts_power(const graphic::Modifier& modifier) {
-  return modifier.negated && coil_kind(modifier) != CoilKind::Negated;
-}
-
-bool same_sources(const Pin& a, const Pin& b) {
-  return std::equal(
-      a.connections.begin(), a.connections.end(), b.connections.begin(), b.connections.end(),
-      [](const Connection& x, const Connection& y) { return x.from == y.from && x.output == y.output; });
 }
 
 const Pin& input_of(const Element& element) {
@@ -52,27 +41,13 @@ const Pin& input_of(const Element& element) {
 
 void NetworkLowering::lower(const Network& network) {
   const std::size_t first = ladder_.rungs.size();
-  for (std::size_t i = 0; i < network.doers.size(); ++i) {
-    const Element& element = *network.doers[i];
-    if (done_.count(&element) != 0) continue;
-    if (element.kind != ElementKind::Coil) {
-      run(element, 0);
-      continue;
-    }
-    // Coils one below the other with the same power are one rung.
-    std::vector<const Element*> group{&element};
-    for (std::size_t j = i + 1; j < network.doers.size(); ++j) {
-      const Element& next = *network.doers[j];
-      if (next.kind != ElementKind::Coil || !same_sources(input_of(element), input_of(next))) break;
-      if (inverts_power(next.modifier) || inverts_power(element.modifier)) break;
-      group.push_back(&next);
-    }
-    coils(group);
-  }
+  for (const EvaluationOrder::Turn& turn : order_.turns_of(network)) run(turn);
   if (ladder_.rungs.size() == first && !network.labels.empty()) ladder_.rungs.emplace_back();
   if (ladder_.rungs.size() == first) return;
   for (std::size_t i = first + 1; i < ladder_.rungs.size(); ++i) ladder_.rungs[i].goes_on = true;
-  ladder_.rungs[first].comment = network.comment;
+  const std::string feedback = order_.feedback_of(network);
+  ladder_.rungs[first].comment =
+      network.comment + (network.comment.empty() || feedback.empty() ? "" : " ") + feedback;
   if (network.labels.empty()) return;
   ladder_.rungs[first].label = network.labels.back();
   for (std::size_t i = 0; i + 1 < network.labels.size(); ++i) {
@@ -83,45 +58,37 @@ void NetworkLowering::lower(const Network& network) {
 }
 
 Condition NetworkLowering::evaluate(const Pin& pin, const Element& owner) {
-  demand(pin, owner, 0);
+  for (const EvaluationOrder::Turn& turn : order_.turns_before(pin, owner)) run(turn);
   return power(pin, owner);
 }
 
-void NetworkLowering::demand(const Pin& pin, const Element& owner, int depth) {
-  if (depth > kMaxDepth) return;
-  for (const Connection& connection : pin.connections) {
-    const Element* source = graph_.from(connection).element;
-    if (source == nullptr || done_.count(source) != 0) continue;
-    const bool own_time = graph_.has_order() && source->order.value_or(0) != 0;
-    const bool runs = source->kind == ElementKind::Block || source->kind == ElementKind::InOutVariable;
-    // Inside a circle a variable is read as it is: it is written at its own place.
-    const bool feeds_back =
-        source->kind == ElementKind::InOutVariable && graph_.in_circle(*source) && graph_.in_circle(owner);
-    if (runs && !own_time && !feeds_back) run(*source, depth + 1);
-    // The path to a contact goes on through it.
-    if (source->kind == ElementKind::Contact || source->kind == ElementKind::Coil) {
-      if (!running_.insert(source).second) continue;
-      demand(input_of(*source), *source, depth + 1);
-      running_.erase(source);
-    }
+void NetworkLowering::run(const EvaluationOrder::Turn& turn) {
+  const Element& element = *turn.front();
+  switch (element.kind) {
+    case ElementKind::Coil:
+      coils(turn);
+      break;
+    case ElementKind::Block:
+      block(element);
+      break;
+    case ElementKind::Jump:
+    case ElementKind::Return:
+      jump(element);
+      break;
+    case ElementKind::OutVariable:
+      if (written_.count(&element) == 0) assignment(element);
+      break;
+    case ElementKind::InOutVariable:
+      if (does_something(element)) assignment(element);
+      if (order_.is_held(element)) hold({&element, ""}, read_once({&element, ""}, element));
+      break;
+    case ElementKind::InVariable:
+      if (order_.is_held(element)) hold({&element, ""}, read_once({&element, ""}, element));
+      break;
+    default:
+      if (order_.is_held(element)) read({&element, ""}, element);
+      break;
   }
-}
-
-void NetworkLowering::run(const Element& element, int depth) {
-  if (depth > kMaxDepth) {
-    scope_.error(source::code::kTooDeep, element.where, "blocks are connected in too long a chain",
-                 "split the network with a variable");
-    return;
-  }
-  if (done_.count(&element) != 0 || !running_.insert(&element).second) return;
-  for (const Pin& pin : element.inputs) demand(pin, element, depth);
-  for (const Pin& pin : element.in_outs) demand(pin, element, depth);
-  running_.erase(&element);
-  if (!done_.insert(&element).second) return;
-  if (element.kind == ElementKind::Block) block(element);
-  if (element.kind == ElementKind::OutVariable) assignment(element);
-  if (element.kind == ElementKind::InOutVariable && does_something(element)) assignment(element);
-  if (element.kind == ElementKind::Jump || element.kind == ElementKind::Return) jump(element);
 }
 
 Rung& NetworkLowering::add(const Element& element, Condition condition) {
@@ -132,19 +99,18 @@ Rung& NetworkLowering::add(const Element& element, Condition condition) {
 }
 
 void NetworkLowering::coils(const std::vector<const Element*>& group) {
-  for (const Element* each : group) {
-    demand(input_of(*each), *each, 0);
-    group_.insert(each);
-    done_.insert(each);
-  }
   const Element& first = *group.front();
-  Condition condition = power(input_of(first), first);
+  // A coil that keeps its own time may have been read before.
+  const auto known = wires_.find({&first, ""});
+  const bool is_known = known != wires_.end() && !order_.is_read_back(first);
+  Condition condition = is_known ? graphic::contact(known->second) : power(input_of(first), first);
+  for (const Element* each : group)
+    if (!graph_.readers_of({each, ""}).empty()) condition = link(std::move(condition), *each);
   if (inverts_power(first.modifier)) condition = through_wire(graphic::negation(condition), first);
   std::vector<Coil> list;
   for (const Element* each : group)
     list.push_back({coil_kind(each->modifier), marked(each->name, PieceKind::Variable, *each, first)});
   add(first, std::move(condition)).coils = std::move(list);
-  group_.clear();
 }
 
 void NetworkLowering::jump(const Element& element) {
@@ -188,9 +154,7 @@ void NetworkLowering::assignment(const Element& element) {
 }
 
 Condition NetworkLowering::evaluate_output(const Element& element) {
-  const Pin& pin = input_of(element);
-  demand(pin, element, 0);
-  Condition value = power(pin, element);
+  Condition value = evaluate(input_of(element), element);
   const CoilKind kind = coil_kind(element.modifier);
   if (element.modifier.negated) value = graphic::negation(value);
   if (kind == CoilKind::Normal || kind == CoilKind::Negated) return value;
@@ -225,6 +189,9 @@ Condition NetworkLowering::read(const Origin& origin, const Element& owner) {
         value.negated = pin.modifier.negated;
     return value;
   }
+  const bool is_link =
+      origin.element->kind == ElementKind::Contact || origin.element->kind == ElementKind::Coil;
+  if (is_link && order_.is_read_back(*origin.element)) return graphic::contact(kept_link(*origin.element));
   return read_once(origin, owner);
 }
 
@@ -274,25 +241,45 @@ Condition NetworkLowering::contact(const Element& element, const Element& owner)
     }
   }
   reading_.erase(&element);
-  const Origin origin{&element, ""};
-  if (element.kind == ElementKind::Contact && !is_shared(origin)) return result;
-  Condition wire = through_wire(std::move(result), element);
+  if (element.kind == ElementKind::Contact && !order_.is_held(element)) return result;
+  return link(std::move(result), element);
+}
+
+Condition NetworkLowering::variable(const Pin& pin, const Element& owner) {
+  if (pin.connections.size() != 1) return power(pin, owner);
+  const Origin origin = graph_.from(pin.connections.front());
+  const bool is_variable = origin.element != nullptr && (origin.element->kind == ElementKind::InVariable ||
+                                                         origin.element->kind == ElementKind::InOutVariable);
+  return is_variable ? read_once(origin, owner) : power(pin, owner);
+}
+
+Condition NetworkLowering::link(Condition power, const Element& element) {
+  if (order_.is_read_back(element)) {
+    Condition wire = graphic::contact(kept_link(element));
+    add(element, std::move(power)).coils = {{CoilKind::Normal, wire.name}};
+    return wire;
+  }
+  Condition wire = through_wire(std::move(power), element);
   wires_[{&element, ""}] = wire.name;
   return wire;
 }
 
-// Read by more than one, where coils that are driven together count once.
-bool NetworkLowering::is_shared(const Origin& origin) const {
-  std::size_t others = 0;
-  bool group = false;
-  for (const Element* reader : graph_.readers_of(origin)) {
-    if (group_.count(reader) != 0) {
-      group = true;
-    } else {
-      ++others;
-    }
+std::string NetworkLowering::kept_link(const Element& element) {
+  std::string& name = wires_[{&element, ""}];
+  if (name.empty()) {
+    name = scope_.new_wire();
+    ladder_.wires.push_back({name, "BOOL", true});
   }
-  return others + (group ? 1 : 0) > 1;
+  return name;
+}
+
+void NetworkLowering::hold(const Origin& origin, const Condition& value) {
+  const std::string name = scope_.new_wire();
+  ladder_.wires.push_back({name, "", false});
+  graphic::Block statement;
+  statement.st_body = name + " := " + (value.negated ? graphic::to_st(value) : value.name);
+  add(*origin.element, graphic::always()).blocks.push_back(std::move(statement));
+  wires_[{origin.element, origin.output}] = name;
 }
 
 Condition NetworkLowering::through_wire(Condition condition, const Element& element) {

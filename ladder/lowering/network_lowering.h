@@ -9,6 +9,7 @@
 
 #include "ladder/graphic/ladder_program.h"
 #include "ladder/lowering/diagram_graph.h"
+#include "ladder/lowering/evaluation_order.h"
 #include "ladder/syntax/piece.h"
 
 namespace stepwright::lowering {
@@ -16,7 +17,8 @@ namespace stepwright::lowering {
 class NetworkLowering {
  public:
   // All must outlive this.
-  NetworkLowering(const DiagramGraph& graph, DiagramScope& scope) : graph_(graph), scope_(scope) {}
+  NetworkLowering(const DiagramGraph& graph, DiagramScope& scope)
+      : graph_(graph), scope_(scope), order_(graph, scope) {}
 
   // Appends the rungs of everything that does something in the network.
   void lower(const Network& network);
@@ -29,17 +31,16 @@ class NetworkLowering {
   graphic::LadderProgram take() { return std::move(ladder_); }
 
  private:
-  // Evaluation of what must be there before an input is read.
-  void demand(const graphic::Pin& pin, const graphic::Element& owner, int depth);
-  void run(const graphic::Element& element, int depth);
-
+  void run(const EvaluationOrder::Turn& turn);
   void coils(const std::vector<const graphic::Element*>& group);
   void assignment(const graphic::Element& element);
   void jump(const graphic::Element& element);
   void block(const graphic::Element& element);
   void call_inputs(const graphic::Element& element, graphic::Rung& rung, graphic::Block& block);
-  void call_outputs(const graphic::Element& element, graphic::Rung& rung, graphic::Block& block);
-  bool writes_variable(const graphic::Element& element, const Origin& result, graphic::Block& block);
+  void call_outputs(const graphic::Element& element, graphic::Block& block);
+  void hold_outputs(const graphic::Element& element);
+  // The variable that the call writes itself: the only reader of this output. Null if there is none.
+  const graphic::Element* written_by_call(const Origin& origin);
   void check_block(const graphic::Element& element);
 
   // What an input reads, now.
@@ -47,6 +48,8 @@ class NetworkLowering {
   graphic::Condition read(const Origin& origin, const graphic::Element& owner);
   graphic::Condition read_once(const Origin& origin, const graphic::Element& owner);
   graphic::Condition contact(const graphic::Element& element, const graphic::Element& owner);
+  // The variable that a VAR_IN_OUT is connected to.
+  graphic::Condition variable(const graphic::Pin& pin, const graphic::Element& owner);
   graphic::Condition block_output(const Origin& origin, const graphic::Element& owner);
   std::string argument(const graphic::Pin& pin, const graphic::Element& owner);
   std::string inline_call(const graphic::Element& element);
@@ -55,12 +58,13 @@ class NetworkLowering {
   graphic::Condition through_wire(graphic::Condition condition, const graphic::Element& element);
   // What becomes text must not sense edges, for which ST has no expression: a wire is computed before it.
   graphic::Condition without_edges(graphic::Condition condition, const graphic::Element& element);
-  std::string result_wire(const Origin& origin, bool keeps);
-  bool is_inline(const graphic::Element& element) const;
-  bool is_shared(const Origin& origin) const;
+  std::string result_wire(const Origin& origin);
+  // The power behind a contact or coil, for everything that reads it.
+  graphic::Condition link(graphic::Condition power, const graphic::Element& element);
+  std::string kept_link(const graphic::Element& element);
+  // A value as it is now, for everything that reads it.
+  void hold(const Origin& origin, const graphic::Condition& value);
   bool is_power(const graphic::Pin& pin) const;
-  const graphic::Pin* enable_of(const graphic::Element& block) const;
-  Origin result_of(const graphic::Element& block) const;
 
   graphic::Rung& add(const graphic::Element& element, graphic::Condition condition);
   // A text of the diagram with its mark; falls back to the mark of the element that it stands in. What is not
@@ -77,10 +81,9 @@ class NetworkLowering {
   DiagramScope& scope_;
   syntax::PieceReader reader_;
   graphic::LadderProgram ladder_;
-  std::set<const graphic::Element*> done_;
-  std::set<const graphic::Element*> running_;
+  EvaluationOrder order_;
+  std::set<const graphic::Element*> written_;  // variables that a call has written
   std::set<const graphic::Element*> reading_;
-  std::set<const graphic::Element*> group_;  // coils that are driven together
   std::map<std::pair<const graphic::Element*, std::string>, std::string> wires_;
   std::map<const graphic::Element*, graphic::Condition> enables_;  // power at EN of blocks that ran
   std::set<std::string> checked_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 #include "ladder/graphic/identifier.h"
 #include "ladder/syntax/piece.h"
@@ -35,21 +37,29 @@ class Inference {
  public:
   Inference(const DiagramGraph& graph, const DiagramScope& scope) : graph_(graph), scope_(scope) {}
 
-  std::string of(const Origin& origin, int depth) const {
+  std::string of(const Origin& origin, int depth) {
     if (origin.element == nullptr || depth > kMaxDepth) return {};
     switch (origin.element->kind) {
       case ElementKind::InVariable:
       case ElementKind::InOutVariable:
         return type_of_text(origin.element->name.text, scope_);
       case ElementKind::Block:
-        return of_block(*origin.element, origin.output, depth);
+        return of_known_block(origin, depth);
       default:
         return "BOOL";
     }
   }
 
  private:
-  std::string of_block(const Element& block, const std::string& output, int depth) const {
+  // Each output is looked at once: in a loop it says nothing about itself.
+  std::string of_known_block(const Origin& origin, int depth) {
+    const std::pair key(origin.element, origin.output);
+    const auto [found, is_new] = known_.try_emplace(key);
+    if (!is_new) return found->second;
+    return known_[key] = of_block(*origin.element, origin.output, depth);
+  }
+
+  std::string of_block(const Element& block, const std::string& output, int depth) {
     if (same_name(output, "ENO")) return "BOOL";
     for (const Pin& pin : block.in_outs)
       if (same_name(pin.name, output)) return of_pin(pin, depth);
@@ -61,7 +71,7 @@ class Inference {
     return of_function(block, depth);
   }
 
-  std::string of_function(const Element& block, int depth) const {
+  std::string of_function(const Element& block, int depth) {
     const std::string name = graphic::upper(block.name.text);
     if (any_of(name, {"GT", "GE", "EQ", "LE", "LT", "NE"})) return "BOOL";
     if (any_of(name, {"LEN", "FIND", "TRUNC"})) return name == "TRUNC" ? "DINT" : "INT";
@@ -89,7 +99,7 @@ class Inference {
   }
 
   // Inputs that are points in time: the difference of two is a duration (IEC 61131-3, table 35).
-  std::ptrdiff_t dates(const Element& block, int depth) const {
+  std::ptrdiff_t dates(const Element& block, int depth) {
     return std::count_if(block.inputs.begin(), block.inputs.end(),
                          [&](const Pin& pin) { return is_date(of_pin(pin, depth)); });
   }
@@ -101,13 +111,14 @@ class Inference {
            scope_.type_of(origin.element->name.text).empty();
   }
 
-  std::string of_pin(const Pin& pin, int depth) const {
+  std::string of_pin(const Pin& pin, int depth) {
     if (pin.connections.empty()) return type_of_text(pin.expression.text, scope_);
     return of(graph_.from(pin.connections.front()), depth + 1);
   }
 
   const DiagramGraph& graph_;
   const DiagramScope& scope_;
+  std::map<std::pair<const Element*, std::string>, std::string> known_;
 };
 
 std::string type_of_literal(const syntax::Token& token) {
@@ -151,7 +162,13 @@ std::string type_of_text(const std::string& text, const DiagramScope& scope) {
 }
 
 std::string type_of(const Origin& origin, const DiagramGraph& graph, const DiagramScope& scope) {
-  return Inference(graph, scope).of(origin, 0);
+  const std::string type = Inference(graph, scope).of(origin, 0);
+  if (!type.empty()) return type;
+  // A loop that no variable leads into: what it leads to knows.
+  for (const Element* reader : graph.readers_of(origin))
+    if (reader->kind == ElementKind::OutVariable)
+      if (std::string written = scope.type_of(reader->name.text); !written.empty()) return written;
+  return {};
 }
 
 }  // namespace stepwright::lowering
