@@ -32,9 +32,8 @@ void describe_plan(CLI::App& app, plan::PlanArguments& arguments) {
       ->needs(svg);
   app.footer(
       "Exit codes: 0 a plan was found (the last line says whether it is proved optimal), 1 wrong input, 2 "
-      "wrong "
-      "usage, 3 no plan exists (proved), 4 the budget ended, or Ctrl-C or SIGTERM came, before there was a "
-      "plan.");
+      "wrong usage, 3 no plan exists (proved), 4 the budget ended, or Ctrl-C or SIGTERM came, before there "
+      "was a plan.");
 }
 
 void describe_validate(CLI::App& app, plan::ValidateArguments& arguments) {

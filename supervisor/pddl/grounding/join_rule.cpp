@@ -8,6 +8,8 @@
 namespace stepwright::pddl {
 namespace {
 
+constexpr std::size_t kMostAlternatives = 16;  // of an action
+
 bool is_static(const Definition& definition, const Expression& expression) {
   if (expression.kind == NumericKind::Fluent &&
       definition.functions[static_cast<std::size_t>(expression.call.symbol)].changes) {
@@ -46,16 +48,40 @@ void find_witnesses(std::size_t parameters, JoinRule& rule) {
   }
 }
 
+void add_filter(const Formula& formula, bool holds, JoinRule& rule) {
+  std::set<int> slots;
+  collect_slots(formula, slots);
+  rule.filters.push_back({&formula, {slots.begin(), slots.end()}, holds});
+}
+
 void complete(const Definition& definition, JoinRule& rule) {
   for (const Formula* conjunct : rule.conjuncts) {
     if (conjunct->kind == FormulaKind::Atom) {
       const Call& call = conjunct->call;
       rule.atoms.push_back({call.symbol, &call.arguments, changes(definition, call)});
     } else if (is_static(definition, *conjunct)) {
-      std::set<int> slots;
-      collect_slots(*conjunct, slots);
-      rule.filters.push_back({conjunct, {slots.begin(), slots.end()}});
+      add_filter(*conjunct, true, rule);
     }
+  }
+  for (const Formula* formula : rule.ruled_out) add_filter(*formula, false, rule);
+}
+
+// The rules for the alternatives of the first disjunction that static facts decide, of all of them in turn;
+// the rule itself if it has none, or too many.
+void split(const Definition& definition, JoinRule rule, std::size_t most, std::vector<JoinRule>& rules) {
+  const auto choice =
+      std::find_if(rule.conjuncts.begin(), rule.conjuncts.end(), [&](const Formula* conjunct) {
+        return conjunct->kind == FormulaKind::Or && is_static(definition, *conjunct);
+      });
+  if (choice == rule.conjuncts.end() || (*choice)->parts.size() > most)
+    return rules.push_back(std::move(rule));
+  const std::vector<Formula>& parts = (*choice)->parts;
+  rule.conjuncts.erase(choice);
+  for (const Formula& part : parts) {
+    JoinRule alternative = rule;
+    flatten(part, alternative.conjuncts);
+    split(definition, std::move(alternative), most / parts.size(), rules);
+    rule.ruled_out.push_back(&part);
   }
 }
 
@@ -70,7 +96,7 @@ std::vector<JoinRule> join_rules(const Definition& definition) {
     rule.variables = action.parameters;
     rule.slots = action.slots;
     flatten(action.precondition, rule.conjuncts);
-    rules.push_back(std::move(rule));
+    split(definition, std::move(rule), kMostAlternatives, rules);
   }
   for (std::size_t a = 0; a < definition.axioms.size(); ++a) {
     const Axiom& axiom = definition.axioms[a];

@@ -146,7 +146,7 @@ bool Joiner::filters_hold(std::vector<std::size_t>& checked) {
   for (std::size_t f = 0; f < frame_.checked.size(); ++f) {
     const JoinFilter& filter = frame_.rule->filters[f];
     if (frame_.checked[f] || !decided(filter)) continue;
-    if (!holds_now(*filter.formula)) return false;
+    if (holds_now(*filter.formula) != filter.holds) return false;
     frame_.checked[f] = true;
     checked.push_back(f);
   }

@@ -5,10 +5,6 @@
 namespace stepwright::pddl {
 namespace {
 
-int object_of(const Term& term, const Binding& binding) {
-  return term.variable ? binding[static_cast<std::size_t>(term.index)] : term.index;
-}
-
 bool visit_from(const Definition& definition, const std::vector<Typed>& variables, std::size_t next,
                 Binding& binding, const std::function<bool()>& visit) {
   if (next == variables.size()) return visit();
@@ -77,6 +73,10 @@ void collect_values(const Definition& definition, const Expression& expression, 
 }
 
 }  // namespace
+
+int object_of(const Term& term, const Binding& binding) {
+  return term.variable ? binding[static_cast<std::size_t>(term.index)] : term.index;
+}
 
 Atom ground(const Call& call, const Binding& binding) {
   Atom atom{call.symbol, {}};

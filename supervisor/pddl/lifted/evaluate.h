@@ -13,6 +13,9 @@
 
 namespace stepwright::pddl {
 
+// The object that the term stands for; -1 for a variable that is not bound.
+int object_of(const Term& term, const Binding& binding);
+
 Atom ground(const Call& call, const Binding& binding);
 
 // Nothing if a fluent has no value or a divisor is zero.

@@ -20,9 +20,8 @@ class ActionInstantiator {
   explicit ActionInstantiator(const Definition& definition, std::function<bool()> stop = {})
       : definition_(definition), initial_(initial_state(definition)), stop_(std::move(stop)) {}
 
-  // Since `stop` said so nothing is complete any more, and nothing that is appended means anything.
-  bool stopped() const { return stopped_; }
-  // Counts one step of work; asks `stop` every so often.
+  // Counts one step of work and asks `stop` every so often. Since it said so nothing is complete any more,
+  // and nothing that is appended means anything.
   bool time_to_stop();
 
   // Appends what the formula requires; an impossible formula gives an Any without parts.

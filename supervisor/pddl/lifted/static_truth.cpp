@@ -6,13 +6,8 @@ namespace stepwright::pddl {
 namespace {
 
 bool bound(const std::vector<Term>& terms, const Binding& binding) {
-  return std::all_of(terms.begin(), terms.end(), [&](const Term& term) {
-    return !term.variable || binding[static_cast<std::size_t>(term.index)] >= 0;
-  });
-}
-
-int object_of(const Term& term, const Binding& binding) {
-  return term.variable ? binding[static_cast<std::size_t>(term.index)] : term.index;
+  return std::all_of(terms.begin(), terms.end(),
+                     [&](const Term& term) { return object_of(term, binding) >= 0; });
 }
 
 std::optional<bool> opposite_of(std::optional<bool> truth) {

@@ -33,7 +33,12 @@ WidthSearch::WidthSearch(const RelaxedTask& task, SearchControl& control, const 
       own_(kBits + kStepWords),
       seen_(kFilterBits / 64, 0),
       before_(space_.words()),
-      state_(space_.words()) {}
+      state_(space_.words()) {
+  list_values(space_.initial().data(), usual_);
+  for (std::size_t v = 0; v < usual_.size(); ++v) {
+    if (v >= space_.domains().size() || space_.domains()[v].count > 1) usual_[v] = 0;
+  }
+}
 
 std::size_t WidthSearch::bytes() const {
   return nodes_.memory() + reached_.memory() + own_.memory() + open_.capacity() * sizeof(Entry) +
@@ -56,6 +61,7 @@ void WidthSearch::list_values(const Word* state, std::vector<std::uint64_t>& val
 
 // True if it is new.
 bool WidthSearch::see(std::uint64_t key) {
+  ++looked_up_;
   const std::size_t place = key & (kFilterBits - 1);
   const Word mask = Word{1} << (place & 63);
   const bool fresh = (seen_[place >> 6] & mask) == 0;
@@ -63,27 +69,37 @@ bool WidthSearch::see(std::uint64_t key) {
   return fresh;
 }
 
+// What the values of the state can make pairs with.
+void WidthSearch::list_partners(const Word* own) {
+  const std::uint64_t group = mix(own[kLeft] + 1, own[kDone] + 1);
+  keys_.assign(values_.size(), 0);
+  present_.clear();
+  unusual_.clear();
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    if (values_[i] == 0) continue;
+    keys_[i] = mix(group, values_[i]);
+    present_.push_back(i);
+    if (values_[i] != usual_[i]) unusual_.push_back(i);
+  }
+}
+
 // Of the state in `state_`. Where nothing but the state has changed since its parent, only values that the
 // parent had not can be new.
 int WidthSearch::novelty(const Word* own, const Word* parent) {
   list_values(state_.data(), values_);
-  const std::uint64_t group = mix(own[kLeft] + 1, own[kDone] + 1);
+  list_partners(own);
   const bool same = parent != nullptr && parent[kLeft] == own[kLeft] && parent[kDone] == own[kDone];
-  const auto changed = [&](std::size_t i) {
-    return values_[i] != 0 && (!same || values_[i] != values_before_[i]);
-  };
+  const auto changed = [&](std::size_t i) { return !same || values_[i] != values_before_[i]; };
   int least = 3;
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    if (changed(i) && see(mix(group, values_[i]))) least = 1;
+  for (const std::size_t i : present_) {
+    if (changed(i) && see(keys_[i])) least = 1;
   }
   if (values_.size() > kMostPaired) return least;
-  for (std::size_t i = 0; i < values_.size(); ++i) {
+  for (const std::size_t i : present_) {
     if (!changed(i)) continue;
-    const std::uint64_t one = mix(group, values_[i]);
-    for (std::size_t j = 0; j < values_.size(); ++j) {
-      if (values_[j] == 0 || j == i || (j < i && changed(j))) continue;
-      const std::uint64_t other = mix(group, values_[j]);
-      if (see(mix(std::min(one, other), std::max(one, other)))) least = std::min(least, 2);
+    for (const std::size_t j : values_[i] == usual_[i] ? unusual_ : present_) {
+      if (j == i || (j < i && changed(j))) continue;
+      if (see(mix(std::min(keys_[i], keys_[j]), std::max(keys_[i], keys_[j])))) least = std::min(least, 2);
     }
   }
   return least;

@@ -5,8 +5,9 @@
 // landmarks left and as much done of the relaxed plan made when the last landmark was reached (Lipovetzky,
 // Geffner 2017, "Best-first width search: exploration and exploitation in classical planning"). Which pairs
 // were seen is kept in a filter of fixed size (Singh, Lipovetzky, Ramirez, Segovia-Aguas 2021, "Approximate
-// novelty search"). A state takes far less time than with an estimate, and what misleads estimates does not
-// mislead it.
+// novelty search"). Two facts on their own that hold from the start are never a new pair: where most facts
+// are such (the free cells of a board), their pairs would take nearly all of the time. A state takes far less
+// time than with an estimate, and what misleads estimates does not mislead it.
 //
 // Complete: its end without a plan proves that there is none.
 //
@@ -31,6 +32,9 @@ class WidthSearch {
   // estimate would take as long. Found: a plan was offered to the control and was better. Exhausted: there is
   // none. Stopped: see `reason`.
   SearchStatus run(std::uint64_t states, StopReason& reason);
+
+  // Values and pairs of values that were looked up so far.
+  std::uint64_t looked_up() const { return looked_up_; }
 
  private:
   struct Entry {
@@ -57,6 +61,7 @@ class WidthSearch {
   int novelty(const Word* own, const Word* parent);
   void list_values(const Word* state, std::vector<std::uint64_t>& values) const;
   bool see(std::uint64_t key);
+  void list_partners(const Word* own);
   void expand(std::uint32_t node);
   std::size_t bytes() const;
 
@@ -73,9 +78,13 @@ class WidthSearch {
   std::vector<Word> seen_;  // a filter of bits
   std::vector<Word> before_, state_;
   std::vector<std::uint64_t> values_, values_before_;
+  std::vector<std::uint64_t> usual_;            // by variable: the initial value, if it is a fact on its own
+  std::vector<std::uint64_t> keys_;             // of values_, with the group of the state
+  std::vector<std::size_t> present_, unusual_;  // of values_
   std::vector<int> applicable_;
   std::uint32_t order_ = 0;
   std::uint64_t met_ = 0;  // states
+  std::uint64_t looked_up_ = 0;
   bool started_ = false, found_ = false;
 };
 

@@ -67,6 +67,27 @@ std::vector<std::string> joined(const Task& task) {
   return found;
 }
 
+TEST(Joiner, WhenStaticFactsDecideADisjunction_ThenTheyAreJoinedAndEveryBindingIsFoundOnce) {
+  const Task task = testing::make_task(
+      R"((define (domain d) (:requirements :adl) (:predicates (at ?c) (right ?a ?b) (up ?a ?b) (open ?c) (shut ?c))
+    (:action step :parameters (?a ?b)
+      :precondition (and (at ?a) (or (and (right ?a ?b) (not (shut ?b))) (up ?b ?a)))
+      :effect (and (at ?b) (not (at ?a))))
+    (:action look :parameters (?a) :precondition (or (at ?a) (up ?a ?a)) :effect (open ?a))))",
+      R"((define (problem p) (:domain d) (:objects x y z)
+    (:init (shut z) (at x) (at y) (right x y) (right x z) (up y x) (up z y)) (:goal (open x))))");
+  const std::vector<JoinRule> rules = join_rules(task.definition());
+  ASSERT_EQ(rules.size(), 3u);  // (at ?a) is not static: one rule for (look ?a)
+  EXPECT_EQ(rules[0].atoms.size(), 2u);
+  EXPECT_EQ(rules[0].filters.size(), 1u);
+  EXPECT_EQ(rules[1].atoms.size(), 2u);
+  EXPECT_EQ(rules[1].filters.size(), 1u);  // that the first alternative does not hold
+  std::vector<std::string> steps = joined(task);
+  std::erase_if(steps, [](const std::string& text) { return text.starts_with("look"); });
+  std::sort(steps.begin(), steps.end());
+  EXPECT_EQ(steps, (std::vector<std::string>{"step x y", "step y z"}));  // x y by both alternatives
+}
+
 Task pairs_task(const std::string& precondition, const std::string& more = "") {
   return testing::make_task(
       "(define (domain d) (:requirements :adl :derived-predicates) (:types thing place)"

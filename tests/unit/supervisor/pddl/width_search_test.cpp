@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
 
 #include "supervisor/pddl/grounding/grounder.h"
 #include "supervisor/pddl/search/lazy_search.h"
@@ -80,6 +81,38 @@ TEST(WidthSearch, WhenCratesStandInEachOthersWay_ThenItFindsAPlanThatEstimatesMi
   EXPECT_LT(width.expanded, 500u);
   const Result estimates = search(depot(), width.expanded, false);
   EXPECT_NE(estimates.status, SearchStatus::Found);
+}
+
+// A robot that walks along a row of free cells, each step nearer to its end.
+Task row_of_cells(int cells) {
+  std::string names, facts;
+  for (int i = 0; i < cells; ++i) {
+    const std::string name = "c" + std::to_string(i);
+    names += " " + name;
+    if (i > 0) facts += "(free " + name + ") (next c" + std::to_string(i - 1) + " " + name + ") ";
+  }
+  return testing::make_task(
+      R"((define (domain d) (:requirements :strips) (:predicates (at ?c) (free ?c) (next ?a ?b))
+    (:action step :parameters (?a ?b) :precondition (and (at ?a) (next ?a ?b) (free ?b))
+      :effect (and (not (at ?a)) (free ?a) (at ?b) (not (free ?b))))))",
+      "(define (problem p) (:domain d) (:objects" + names + ") (:init (at c0) " + facts + ") (:goal (at c" +
+          std::to_string(cells - 1) + ")))");
+}
+
+TEST(WidthSearch, WhenMostFactsHoldFromTheStart_ThenTheirPairsAreNotLookedUp) {
+  constexpr int kCells = 200;
+  const Task task = row_of_cells(kCells);
+  GroundTask ground = ground_task(task.definition(), [] { return false; });
+  arrange_by_groups(ground);
+  const StateSpace space(ground);
+  const RelaxedTask relaxed(space);
+  const Landmarks landmarks(relaxed, [] { return false; });
+  SearchControl control(std::chrono::milliseconds(0), 0, nullptr);
+  StopReason reason = StopReason::None;
+  WidthSearch width(relaxed, control, landmarks);
+  EXPECT_EQ(width.run(10'000, reason), SearchStatus::Found);
+  // A state has about kCells values and three that the start had not; there are kCells states.
+  EXPECT_LT(width.looked_up(), 8u * kCells * kCells);
 }
 
 TEST(WidthSearch, WhenTasksAreRandom_ThenItFindsAPlanOrProvesThatThereIsNone) {
