@@ -98,7 +98,8 @@ CheckReport check_cell(const std::filesystem::path& file, const std::vector<std:
   if (auto options = cell_runtime::host_options(cell.config); !options) add(report.problems, options.error());
   add(report.problems, cell_runtime::check_cell_io(cell.config));
   add(report.problems, check_processes(cell.config));
-  if (const auto trusted = config::check_state_dir(cell.config); !trusted) add(report.problems, trusted.error());
+  if (const auto trusted = config::check_state_dir(cell.config); !trusted)
+    add(report.problems, trusted.error());
   if (!cell.config.history.alarms.empty()) {
     if (const auto alarms = alarms::load_alarms(cell.config.history.alarms); !alarms)
       add(report.problems, alarms.error());

@@ -121,8 +121,8 @@ struct CellConfig {
                                     // the name in the temporary folder)
   ClockConfig clock;
   EngineKind engine = EngineKind::Auto;  // [runtime] engine: "auto" is native where the machine can
-  std::uint32_t memory_limit_mb = 0;     // [runtime] memory_limit_mb: of the runtime's process; 0: the system's
-  int cpu = -1;                          // [runtime] cpu: the only processor of the scan; -1: any
+  std::uint32_t memory_limit_mb = 0;  // [runtime] memory_limit_mb: of the runtime's process; 0: the system's
+  int cpu = -1;                       // [runtime] cpu: the only processor of the scan; -1: any
   std::vector<TaskConfig> tasks;
   PlantConfig plant;
   ImageConfig image;

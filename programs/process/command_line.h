@@ -23,8 +23,8 @@ namespace stepwright::process {
 // process: a log that cannot be written costs the line. Programs that this one starts are not concerned.
 void outlive_broken_pipes();
 
-// From now on a thread or memory that the system refuses, where nothing can be done about it, ends the process
-// with what was refused on stderr and ExitCode::RuntimeFault, and no longer by an abort.
+// From now on a thread or memory that the system refuses, where nothing can be done about it, ends the
+// process with what was refused on stderr and ExitCode::RuntimeFault, and no longer by an abort.
 void end_with_a_word();
 
 // Parses the arguments, after the two above: every process begins with it. The name of the command,

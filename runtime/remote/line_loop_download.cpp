@@ -54,14 +54,16 @@ LineLoop::Done LineLoop::bring(const RemoteProgram& program) {
   }
   if (auto stopped = link_.command(control::Command::Stop); !stopped) return tl::unexpected(stopped.error());
   for (const image::Force& force : forces_.forces()) {
-    if (auto freed = link_.command(control::Command::Unforce, bits_arguments(image::bits_of(force), program.digest_bytes())); !freed)
+    if (auto freed = link_.command(control::Command::Unforce,
+                                   bits_arguments(image::bits_of(force), program.digest_bytes()));
+        !freed)
       return tl::unexpected(freed.error());
   }
   return {};
 }
 
-// The container in pieces. By the clock what runs goes on meanwhile, and so do its inputs and outputs, and a stop
-// does not wait for the last piece.
+// The container in pieces. By the clock what runs goes on meanwhile, and so do its inputs and outputs, and a
+// stop does not wait for the last piece.
 LineLoop::Done LineLoop::transfer(const RemoteProgram& program) {
   const auto exchange_if_due = [this] {
     if (simulated() || program_ == nullptr || due_ns_ > wall_ns()) return true;

@@ -47,10 +47,10 @@ struct Device {
   milliseconds retry_after{500};      // how long a dead unit is left alone after its first try
   milliseconds retry_at_most{5'000};  // twice as long after each further one, while others answer there
   OnLoss on_loss = OnLoss::Safe;
-  milliseconds loss_after{1'000};  // without news; never less than two periods of the tag's group
+  milliseconds loss_after{1'000};             // without news; never less than two periods of the tag's group
   std::uint32_t requests_per_connection = 0;  // TCP: then another connection is made; 0: it stays
   milliseconds pause{0};                      // TCP: between two connections
-  std::uint16_t max_gap = 8;       // registers that nobody asked for, between two of one request (bits: x 16)
+  std::uint16_t max_gap = 8;  // registers that nobody asked for, between two of one request (bits: x 16)
   std::uint16_t max_registers = 125;
   std::uint16_t max_bits = 2'000;
   bool single_writes = true;  // FC 5 and 6 for one object; else FC 15 and 16

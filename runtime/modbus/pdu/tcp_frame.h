@@ -23,8 +23,8 @@ namespace stepwright::modbus::pdu {
 
 inline constexpr std::size_t kTcpHeader = 7;
 inline constexpr std::size_t kMaxTcpFrame = kTcpHeader + kMaxPdu;
-// As long as a request may say that it is: its count of bytes has eight bits. One that is longer than kMaxPdu is
-// answered with an exception, and the connection stays.
+// As long as a request may say that it is: its count of bytes has eight bits. One that is longer than kMaxPdu
+// is answered with an exception, and the connection stays.
 inline constexpr std::size_t kMaxCountedPdu = 10 + 255;  // FC 23
 inline constexpr std::size_t kMaxTcpRequest = kTcpHeader + kMaxCountedPdu;
 

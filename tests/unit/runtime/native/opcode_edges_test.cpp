@@ -1,6 +1,6 @@
 // Every opcode at the edges of its operands, on both engines: memory, trap and budget are the same. The
-// random programs of differential_test.cpp meet such values by chance only. STEPWRIGHT_EDGE_RUNS: how often each
-// function runs at most, where an emulator makes the whole too long.
+// random programs of differential_test.cpp meet such values by chance only. STEPWRIGHT_EDGE_RUNS: how often
+// each function runs at most, where an emulator makes the whole too long.
 
 #include <gtest/gtest.h>
 
