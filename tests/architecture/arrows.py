@@ -34,7 +34,7 @@ ARROWS = {
     "runtime/modbus/pdu": [],
     "runtime/modbus/map": ["runtime/modbus/pdu", "runtime/host"],
     "runtime/modbus/server": ["runtime/modbus/line", "runtime/modbus/map", "runtime/service"],
-    "runtime/modbus/master": ["runtime/modbus/line", "runtime/result"],
+    "runtime/modbus/master": ["runtime/modbus/line", "runtime/modbus/pdu", "runtime/result"],
     "runtime/modbus/client": ["runtime/modbus/master", "runtime/scan"],
     "runtime/remote": ["runtime/service", "runtime/modbus/control", "runtime/modbus/master"],
     "firmware/decimal": [],

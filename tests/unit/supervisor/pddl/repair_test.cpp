@@ -66,7 +66,8 @@ TEST_F(RepairBench, WhenTheVehicleStandsElsewhere_ThenOneMoveConnectsTheWholeRes
   state.set("(is-at v1 f1)", false);
   state.set("(is-at v1 a2)", true);
   const RepairOutcome mended =
-      repair(*task_.with_initial(state), from(plan_, 1), {.search = optimal(), .compare = false});
+      repair(*task_.with_initial(state), from(plan_, 1),
+             {.search = optimal(), .connect_time = std::chrono::minutes(1), .compare = false});
   ASSERT_EQ(mended.kind, RepairKind::Repaired);
   EXPECT_GE(mended.kept, plan_.actions.size() - 2);
   EXPECT_LE(mended.connection, 1u);
@@ -145,7 +146,8 @@ TEST_F(RepairBench, WhenActionsAreExcluded_ThenOnlyWhatIsBehindThemIsKept) {
   Options search = optimal();
   search.excluded = [](const model::GroundAction& action) { return action.name == "three"; };
   for (const bool compare : {true, false}) {
-    const RepairOutcome mended = repair(task, remaining, {.search = search, .compare = compare});
+    const RepairOutcome mended = repair(
+        task, remaining, {.search = search, .connect_time = std::chrono::minutes(1), .compare = compare});
     ASSERT_EQ(mended.kind, RepairKind::Repaired);
     EXPECT_EQ(mended.outcome.plan->actions, std::vector<model::GroundAction>(7, {"one", {}}));
     EXPECT_EQ(mended.kept, 1u);
