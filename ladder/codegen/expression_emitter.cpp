@@ -277,8 +277,17 @@ void ExpressionEmitter::shift(const Value& value) {
   using semantics::StandardFunction;
   const Type& type = *value.type;
   const bool wide = type.size == 8;
+  const Value& places = *value.operands[1];
   this->value(*value.operands[0]);
-  this->value(*value.operands[1]);
+  this->value(places);
+  const bool is_unsigned = places.kind == ValueKind::Convert && places.operands.front()->type->is_unsigned();
+  if (places.kind != ValueKind::Constant && !is_unsigned) {
+    b_.emit(Opcode::Dup);
+    b_.const_i32(0);
+    b_.emit(Opcode::GeI32);
+    locate(value.where);
+    trap_unless(bytecode::TrapCode::BadArgument);
+  }
   switch (value.function) {
     case StandardFunction::Shl:
       b_.emit(wide ? Opcode::ShlI64 : Opcode::ShlI32);

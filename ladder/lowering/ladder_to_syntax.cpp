@@ -190,13 +190,19 @@ class Writer {
   }
 
   void block(const Block& block) {
+    // A function says itself whether it had a value.
+    const bool is_function = !block.type.empty() && block.instance.empty();
     std::string ends;
-    for (const auto& [formal, variable] : block.outputs)
-      if (source::upper(formal) == "ENO" && !variable.empty())
-        ends += pieces_.variable(variable) + " := " + power() + "; ";
+    std::string idle;
+    for (const auto& [formal, variable] : block.outputs) {
+      if (source::upper(formal) != "ENO" || variable.empty()) continue;
+      if (is_function) idle += pieces_.variable(variable) + " := FALSE; ";
+      if (!is_function) ends += pieces_.variable(variable) + " := " + power() + "; ";
+    }
     const bool runs = !block.instance.empty() && !block.power_input.empty();
     const std::string body = call_text(block);
-    line_ += (runs ? body : "IF " + power() + " THEN " + body + "END_IF; ") + ends;
+    if (!idle.empty()) idle = "ELSE " + idle;
+    line_ += (runs ? body : "IF " + power() + " THEN " + body + idle + "END_IF; ") + ends;
   }
 
   std::string call_text(const Block& block) {
@@ -230,7 +236,8 @@ class Writer {
     }
     for (const auto& [formal, variable] : block.outputs) {
       const bool taken = !result.empty() && is_result(block, formal);
-      if (!taken && source::upper(formal) != "ENO" && !variable.empty())
+      const bool is_power = source::upper(formal) == "ENO" && !block.instance.empty();
+      if (!taken && !is_power && !variable.empty())
         add(pieces_.word(formal) + " => " + pieces_.variable(variable));
     }
     return list;

@@ -5,7 +5,8 @@
 // Each rung becomes one line of ST in a generated source named after the POU, so that line 3 of a diagnostic
 // or of a trap is rung 3 (a rung that copies a piece of a written source names the places of that source).
 // Power flows without branches: a set coil is `v := v OR power`, a reset coil `v := v AND NOT power`. Blocks
-// run before the coils of their rung.
+// run before the coils of their rung. ENO of a function is that of its call, FALSE if it had no value; that
+// of a function block is the power at its EN.
 //
 // Every text of the diagram is read alone before it goes into a line (syntax/piece.h): a name, a variable, an
 // expression or statements, and nothing else. An expression on a contact or in a comparison keeps together as

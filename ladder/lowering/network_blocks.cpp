@@ -103,14 +103,25 @@ std::string NetworkLowering::argument(const Pin& pin, const Element& owner) {
   return pin.modifier.negated ? "NOT (" + text + ")" : text;
 }
 
+bool NetworkLowering::asks_enabled(const Element& element) const {
+  return std::any_of(element.outputs.begin(), element.outputs.end(), [&](const Pin& pin) {
+    return same_name(pin.name, "ENO") && !graph_.readers_of({&element, pin.name}).empty();
+  });
+}
+
 void NetworkLowering::call_outputs(const Element& element, graphic::Block& block) {
   if (!element.instance.empty()) return;  // its outputs are read from the instance
   const Origin result = result_of(element, scope_);
   for (const Pin& pin : element.outputs) {
-    if (same_name(pin.name, "ENO")) continue;
     const Origin origin{&element, pin.name};
-    if (graph_.readers_of(origin).empty()) continue;
-    const std::string formal = same_name(pin.name, result.output) ? "" : pin.name;
+    // A call is not a statement because somebody reads its ENO.
+    const bool is_result = same_name(pin.name, result.output);
+    if (graph_.readers_of(origin).empty() && !(is_result && asks_enabled(element))) continue;
+    if (same_name(pin.name, "ENO")) {
+      block.outputs.emplace_back(pin.name, result_wire(origin));
+      continue;
+    }
+    const std::string formal = is_result ? "" : pin.name;
     if (const Element* variable = written_by_call(origin)) {
       written_.insert(variable);
       block.outputs.emplace_back(formal, marked(variable->name, PieceKind::Variable, *variable, element));
@@ -155,7 +166,7 @@ std::string NetworkLowering::result_wire(const Origin& origin) {
   name = scope_.new_wire();
   // What a standard function gives depends on its inputs: the analysis knows. Only what is read before it is
   // computed needs a type at once.
-  const bool overloaded = scope_.signature(origin.element->name.text) == nullptr;
+  const bool overloaded = scope_.signature(element.name.text) == nullptr && !same_name(origin.output, "ENO");
   std::string type = overloaded && !keeps ? std::string() : type_of(origin, graph_, scope_);
   if (type.empty() && keeps) {
     scope_.error(
@@ -181,7 +192,7 @@ Condition NetworkLowering::block_output(const Origin& origin, const Element& own
     return {};
   }
   Condition value;
-  if (same_name(origin.output, "ENO")) {
+  if (same_name(origin.output, "ENO") && !element.instance.empty()) {
     const auto enable = enables_.find(&element);
     if (enable != enables_.end()) value = enable->second;
   } else if (!element.instance.empty()) {

@@ -38,6 +38,7 @@ class NetworkLowering {
   void block(const graphic::Element& element);
   void call_inputs(const graphic::Element& element, graphic::Rung& rung, graphic::Block& block);
   void call_outputs(const graphic::Element& element, graphic::Block& block);
+  bool asks_enabled(const graphic::Element& element) const;
   void hold_outputs(const graphic::Element& element);
   // The variable that the call writes itself: the only reader of this output. Null if there is none.
   const graphic::Element* written_by_call(const Origin& origin);

@@ -1,5 +1,7 @@
 // EN and ENO (IEC 61131-3, 6.6.1.4 and 6.6.1.7): a call with EN := FALSE does nothing, its ENO is FALSE.
 //
+// ENO is FALSE, too, if a standard function has no value (error_guard.cpp).
+//
 // The arguments are part of the call: none is evaluated if it does nothing. The value of a function that was
 // not called is the first value of its type.
 
@@ -50,14 +52,14 @@ ValuePtr ExpressionAnalyzer::enabled(ValuePtr called, const Expression& call) {
   ValuePtr result = make(ValueKind::Enabled, called->type, call.where);
   auto slot = enable_slot(call, result->before, result->after);
   if (!slot) return nullptr;
+  if (has_enabled) called = unless_error(std::move(called), *slot);
+  if (!called) return nullptr;
   result->operands.push_back(load(std::move(*slot), call.where));
   const Type* type = called->type;
   result->operands.push_back(std::move(called));
   if (type->kind == TypeKind::Nothing) return result;
   if (type->is_scalar()) {
-    std::vector<std::byte> first = type->initial;
-    first.resize(type->size);
-    result->constant = semantics::load(*type, first);
+    result->constant = first_value(*type);
   } else {
     result->place = frame_place(*pou_, type);
     result->operands.push_back(load(a_.allocate_place(type, call.where), call.where));

@@ -47,6 +47,9 @@ ValuePtr StandardAnalyzer::shift(const Expression& call, Values values, int whic
                        !widens(*count, *a_.type_table().elementary(ElementaryType::Dint));
   if (rotates && is_long) {
     const Position where = values[1]->where;
+    // A negative number stays one.
+    const IntegerRange range = range_of(count->elementary);
+    if (!count->is_unsigned()) values[1] = bounded(std::move(values[1]), -1, range.high);
     values[1] = e_.combine(syntax::Operator::Modulo, std::move(values[1]),
                            ExpressionAnalyzer::make_constant({bits}, count, where), where);
   }

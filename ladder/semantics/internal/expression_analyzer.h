@@ -187,6 +187,11 @@ class ExpressionAnalyzer {
   std::optional<Place> enable_slot(const syntax::Expression& call, std::vector<CopyBefore>& before,
                                    std::vector<CopyAfter>& after);
   ValuePtr enabled(ValuePtr called, const syntax::Expression& call);
+  // error_guard.cpp
+  // The call, whose value is the first of its type where it would be an error; `enabled` says which.
+  ValuePtr unless_error(ValuePtr called, const Place& enabled);
+  ValuePtr has_value(const Value& called);
+  static Constant first_value(const Type& scalar);
   Statement enabled_block(Statement called, const syntax::Expression& call);
   // call_arguments.cpp
   // Which parameter each argument means; false after a report.

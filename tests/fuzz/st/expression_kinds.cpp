@@ -121,7 +121,8 @@ ExpressionPtr ExpressionGenerator::bit_string(Scalar type, int depth) {
     case 4:
       return node(Operation::Not, type, list(exact(type, depth)));
     default: {
-      ExpressionPtr count = random_.chance(60) ? nullptr : varying(Scalar::Dint, depth);
+      // A negative number of places ends the scan: most are small.
+      ExpressionPtr count = random_.chance(85) ? nullptr : varying(Scalar::Dint, depth);
       if (!count) count = small_literal(Scalar::Dint, 0, 70);
       return node(random_.pick({Operation::Shl, Operation::Shr, Operation::Rol, Operation::Ror}), type,
                   list(exact(type, depth), std::move(count)));

@@ -61,16 +61,20 @@ static _Noreturn void trap(int code) {
 
 #define BITS(NAME, T, WIDTH)                                         \
   static inline T shl_##NAME(T a, int32_t n) {                       \
+    if (n < 0) trap(BAD_ARGUMENT);                                   \
     return (uint32_t)n < WIDTH ? (T)((uint64_t)a << n) : 0;          \
   }                                                                  \
   static inline T shr_##NAME(T a, int32_t n) {                       \
+    if (n < 0) trap(BAD_ARGUMENT);                                   \
     return (uint32_t)n < WIDTH ? (T)(a >> n) : 0;                    \
   }                                                                  \
   static inline T rol_##NAME(T a, int32_t n) {                       \
+    if (n < 0) trap(BAD_ARGUMENT);                                   \
     const unsigned by = (uint32_t)n % WIDTH;                         \
     return by == 0 ? a : (T)((uint64_t)a << by | a >> (WIDTH - by)); \
   }                                                                  \
   static inline T ror_##NAME(T a, int32_t n) {                       \
+    if (n < 0) trap(BAD_ARGUMENT);                                   \
     const unsigned by = (uint32_t)n % WIDTH;                         \
     return by == 0 ? a : (T)(a >> by | (uint64_t)a << (WIDTH - by)); \
   }                                                                  \

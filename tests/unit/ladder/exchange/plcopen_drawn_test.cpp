@@ -61,6 +61,17 @@ TEST(DrawnLadder, WhenBlocksWithEnableStandInSeries_ThenPowerGoesOnThroughEno) {
             "000 100 221 220 331");
 }
 
+TEST(DrawnLadder, WhenAFunctionHasNoValue_ThenEnoIsWithoutPower) {
+  const std::string body =
+      contact(2, 50, 10, "1", "a") + input(3, 50, 40, "12") + input(4, 50, 60, "n") +
+      block(5, 120, 10, "DIV", "EN=2 IN1=3 IN2=4", "ENO OUT") + output(6, 220, 40, "5:OUT", "m") +
+      coil(7, 240, 10, "5:ENO", "done") + contact(8, 50, 110, "1", "b") + input(9, 50, 140, "4") +
+      block(10, 120, 110, "MOVE", "EN=8 IN=9", "ENO OUT") + output(11, 220, 140, "10:OUT", "n") +
+      block(12, 120, 210, "DIV", "EN=2 IN1=3 IN2=4", "ENO OUT") + coil(13, 240, 210, "12:ENO", "may");
+  EXPECT_EQ(run(ladder(bools("a b done may") + ints("n m"), body), "a b", " |a|b|a", "n m done may"),
+            "0000 0000 4000 4311");
+}
+
 TEST(DrawnLadder, WhenBranchesAreParallel_ThenTheyAreAWiredOr) {
   const std::string body = contact(2, 50, 10, "1", "a") + contact(3, 100, 10, "2", "b") +
                            contact(4, 50, 50, "1", "c") + contact(5, 150, 10, "3 4", "d") +
