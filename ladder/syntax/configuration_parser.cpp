@@ -58,13 +58,20 @@ void Parser::resource_item(Resource& out) {
   skip_resource_item();
 }
 
-// Behind its semicolon, or to what can only be the next item or the end.
+// Behind its semicolon, or to what can only be the next item or the end. Where an END_VAR follows sooner, the
+// first word of a section is wrong or missing: all of it is skipped.
 void Parser::skip_resource_item() {
+  constexpr std::size_t kLongestSection = 1'000;  // tokens that are looked through for it
+  const std::size_t first = at_;
+  std::size_t behind = first;  // the first semicolon
   while (!at(TokenKind::End) && !at_pou_start() && !at_variable_section() && !at(Keyword::VarConfig) &&
          !at(Keyword::VarAccess) && !at(Keyword::Task) && !at(Keyword::EndResource) &&
          !at(Keyword::EndConfiguration)) {
-    if (advance().is(TokenKind::Semicolon)) return;
+    if (accept(Keyword::EndVar)) return;
+    if (advance().is(TokenKind::Semicolon) && behind == first) behind = at_;
+    if (behind != first && at_ - first > kLongestSection) break;
   }
+  if (behind != first) at_ = behind;
 }
 
 // TASK name (INTERVAL := T#10ms, PRIORITY := 1);  TASK name (SINGLE := trigger, PRIORITY := 1);
