@@ -15,7 +15,7 @@ def expect(what, found, wanted):
 
 
 client.connect()
-expect("magic", client.read_holding_registers(0xF000, 2, slave=1).registers, [0x5357, 1])
+expect("magic", client.read_holding_registers(0xF000, 2, slave=1).registers, [0x5357, 2])
 client.write_registers(0xF200, [1, 0x3C00], slave=1)
 expect("coils", client.read_coils(0, 8, slave=1).bits[:8], [bool(0x3C >> i & 1) for i in range(8)])
 expect("discrete inputs", client.read_discrete_inputs(2, 4, slave=1).bits[:4], [True] * 4)
