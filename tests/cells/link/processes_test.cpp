@@ -52,7 +52,7 @@ TEST(RuntimeProcess, WhenTheConfigurationIsWrong_ThenItSaysWhatAndEnds) {
       {"[safe_state.outputs]\n\"%QX64.0\" = \"one\"\n", "C0303"},
       {"[safe_state.outputs]\n\"%IX0.0\" = \"one\"\n", "C0303"},
       {"[safe_state.outputs]\n\"Q0\" = \"one\"\n", "C0302"},
-      {"[[faults]]\nat_s = 1.0\nname = \"leek_a1\"\nvalue = 1.0\n", "C0311"},
+      {"[plant]\nkind = \"tank_bench\"\n[[faults]]\nat_s = 1.0\nname = \"leek_a1\"\nvalue = 1.0\n", "C0311"},
       {"[clock]\nmood = \"real\"\n", "C0002"},
   };
   for (const auto& [text, code] : wrong) {
