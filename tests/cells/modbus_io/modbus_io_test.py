@@ -327,7 +327,7 @@ class ModbusIo(unittest.TestCase):
         second = plant.cell.start("modbus-client")
         self.assertEqual(second.wait(), 1)
         self.assertIn("R0044", second.output())
-        other = Cell('[io]\nkind = "shared_memory"\n', name="no-devices")
+        other = Cell('[io]\nkind = "shared_memory"\n\n[clock]\nmode = "real"\n', name="no-devices")
         self.addCleanup(other.__exit__)
         refused = other.start("modbus-client")
         self.assertEqual(refused.wait(), 1)

@@ -24,7 +24,7 @@ std::string content(const std::filesystem::path& file) {
 TEST(RotatingFile, WhenItIsFull_ThenOlderOnesAreKeptAndTheOldestGoes) {
   const support::TemporaryFolder folder;
   const auto file = folder / "cell.log";
-  auto log = RotatingFile::open(file, {.max_bytes = 10, .keep = 2});
+  auto log = RotatingFile::open(file, {.max_bytes = 11, .keep = 2});
   ASSERT_TRUE(log);
   for (const char* line :
        {"one..\n", "two\n", "three\n", "four\n", "a line that is longer than all of it\n", "six\n"})
