@@ -35,13 +35,37 @@ function(_firmware_sources out)
   set(${out} ${all} PARENT_SCOPE)
 endfunction()
 
+# One object below FOLDER; what two images share (the core knows its processor and no board) is made once.
+function(_firmware_object out folder source)
+  set(object ${PROJECT_BINARY_DIR}/firmware/${folder}/${source}.o)
+  set(${out} ${object} PARENT_SCOPE)
+  get_property(known GLOBAL PROPERTY STEPWRIGHT_FIRMWARE_OBJECTS)
+  if(object IN_LIST known)
+    return()
+  endif()
+  set_property(GLOBAL APPEND PROPERTY STEPWRIGHT_FIRMWARE_OBJECTS ${object})
+  get_filename_component(parent ${object} DIRECTORY)
+  file(MAKE_DIRECTORY ${parent})
+  add_custom_command(
+    OUTPUT ${object}
+    COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} ${STEPWRIGHT_ARM_CXX} ${ARGN} ${firmware_flags} -I${PROJECT_SOURCE_DIR} -MD -MF
+            ${object}.d -c ${PROJECT_SOURCE_DIR}/${source} -o ${object}
+    DEPENDS ${PROJECT_SOURCE_DIR}/${source}
+    DEPFILE ${object}.d
+    COMMENT "${folder}: ${source}"
+    VERBATIM)
+endfunction()
+
 function(firmware_image image)
   cmake_parse_arguments(ARG "BASIC" "" "" ${ARGN})
-  set(cpu ${ARG_UNPARSED_ARGUMENTS})
+  set(processor ${ARG_UNPARSED_ARGUMENTS})
+  list(GET processor 0 name)
+  string(REPLACE "-mcpu=" "" name ${name})
   set(basic "")
+  set(basic_flag "")
   if(ARG_BASIC)
     set(basic BASIC)
-    list(APPEND cpu -DSTEPWRIGHT_FIRMWARE_BASIC)
+    set(basic_flag -DSTEPWRIGHT_FIRMWARE_BASIC)
   endif()
   string(REPLACE "-basic" "" board ${image})
   set(folder ${PROJECT_BINARY_DIR}/firmware)
@@ -49,23 +73,17 @@ function(firmware_image image)
   _firmware_sources(sources ${basic})
   set(objects "")
   foreach(source IN LISTS sources)
-    set(object ${folder}/${image}/${source}.o)
-    get_filename_component(parent ${object} DIRECTORY)
-    file(MAKE_DIRECTORY ${parent})
-    add_custom_command(
-      OUTPUT ${object}
-      COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} ${STEPWRIGHT_ARM_CXX} ${cpu} ${firmware_flags}
-              -DSTEPWRIGHT_BOARD_HEADER="firmware/boards/${board}/board.h" -I${PROJECT_SOURCE_DIR} -MD -MF ${object}.d -c
-              ${PROJECT_SOURCE_DIR}/${source} -o ${object}
-      DEPENDS ${PROJECT_SOURCE_DIR}/${source}
-      DEPFILE ${object}.d
-      COMMENT "${image}: ${source}"
-      VERBATIM)
+    if(source MATCHES "^runtime/")
+      _firmware_object(object "${name}" ${source} ${processor})
+    else()
+      _firmware_object(object ${image} ${source} ${processor} ${basic_flag}
+                       -DSTEPWRIGHT_BOARD_HEADER="firmware/boards/${board}/board.h")
+    endif()
     list(APPEND objects ${object})
   endforeach()
   add_custom_command(
     OUTPUT ${folder}/${image}.elf
-    COMMAND ${STEPWRIGHT_ARM_CXX} ${cpu} ${objects} -nostartfiles -T ${script} -Wl,--gc-sections -Wl,--fatal-warnings
+    COMMAND ${STEPWRIGHT_ARM_CXX} ${processor} ${objects} -nostartfiles -T ${script} -Wl,--gc-sections -Wl,--fatal-warnings
             -Wl,--no-warn-rwx-segments -Wl,-Map=${folder}/${image}.map -o ${folder}/${image}.elf
     DEPENDS ${objects} ${script}
     COMMENT "${image}.elf"
