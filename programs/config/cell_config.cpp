@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <span>
 
+#include "programs/config/place.h"
 #include "programs/config/state_dir.h"
 #include "runtime/base/hash64.h"
 #include "runtime/settings/toml_document.h"
@@ -238,6 +239,8 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
   config.dds.domain_id = static_cast<std::uint32_t>(dds.integer("domain_id", 0, {0, 232}));
   config.dds.runtime_id = dds.text("runtime_id", config.name);
   read_addresses(dds, config.dds);
+  config.dds.place = dds.text("place", place_of(config.state_dir));
+  if (config.dds.place == "any") config.dds.place.clear();
   config.change = read_change(root);
   const result::Diagnostics controller = read_controller(root, folder, config.controller);
   config.hmi = read_hmi(root.table("hmi"), folder, config.state_dir);

@@ -111,6 +111,8 @@ struct DdsConfig {
   // IPv4 addresses of this machine that Fast DDS may use; nothing listens on any other.
   std::vector<std::string> interfaces = {"127.0.0.1"};
   std::vector<std::string> peers;  // IPv4 addresses of other machines, where multicast does not reach
+  // Where the runtime lives, as its link says it; empty: wherever. Default: this machine, this state folder.
+  std::string place;
 };
 
 struct CellConfig {

@@ -67,6 +67,7 @@ result::Diagnostics check_parts(const TomlTable& root) {
       {"runtime", "boot", "the controller keeps its program in its own flash", true},
       {"runtime", "program", "download it to the controller: `stepwright download`", false},
       {"retain", "file", "the controller retains values in its own memory", false},
+      {"io", "restart", "the controller decides itself", false},
       {"guard", "enabled", "the controller has a watchdog of its own", true},
   };
   result::Diagnostics problems;

@@ -13,8 +13,9 @@ namespace stepwright::config {
 // `process` is for diagnostics; `runtime_id` is another runtime of the domain, or empty for the cell's own.
 inline dds::ParticipantConfig participant_of(const DdsConfig& dds, std::string process,
                                              const std::string& runtime_id = {}) {
-  return {dds.domain_id, std::move(process), runtime_id.empty() ? dds.runtime_id : runtime_id, dds.interfaces,
-          dds.peers};
+  const bool own = runtime_id.empty() || runtime_id == dds.runtime_id;
+  return {dds.domain_id,  std::move(process), own ? dds.runtime_id : runtime_id,
+          dds.interfaces, dds.peers,          own ? dds.place : std::string()};
 }
 
 }  // namespace stepwright::config

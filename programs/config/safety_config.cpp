@@ -84,6 +84,7 @@ void read_io(const TomlTable& root, SafetyConfig& safety, result::Diagnostics& p
   safety.io.modbus = kind == "modbus";
   safety.io.shared_memory = safety.io.modbus || kind == "shared_memory";
   safety.io.name = io.text("name", root.table("cell").text("name", "cell"));
+  safety.io.restart = read_restart(io, safety.io.shared_memory, problems);
   const TomlTable guard = root.table("guard");
   // What moves in the field goes on moving when the runtime is killed.
   safety.guard.enabled = guard.boolean("enabled", safety.io.modbus);

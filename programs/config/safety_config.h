@@ -35,6 +35,7 @@
 #include <cstdint>
 #include <string>
 
+#include "programs/config/restart_config.h"
 #include "runtime/host/safety_config.h"
 #include "runtime/result/diagnostic.h"
 #include "runtime/settings/toml_document.h"
@@ -45,6 +46,7 @@ struct IoConfig {
   bool shared_memory = false;  // else the plant of the [plant] table, which lives in the runtime's process
   bool modbus = false;         // shared memory whose plant is `stepwright modbus-client`
   std::string name;            // of the area; default: the cell's name
+  RestartConfig restart;       // after lost I/O
 };
 
 struct GuardConfig {

@@ -1,8 +1,10 @@
 #include "programs/download/download_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -99,13 +101,19 @@ int refuse(const Arguments& arguments, const result::Diagnostics& problems, Exit
 }
 
 void print(DownloadMode mode, const service::Reply& reply) {
+  result::Diagnostics warnings;
+  std::copy_if(reply.problems.begin(), reply.problems.end(), std::back_inserter(warnings),
+               [](const result::Diagnostic& each) { return each.severity == result::Severity::Warning; });
+  if (!warnings.empty()) static_cast<void>(process::fail(warnings, ExitCode::Done));
   const std::string digest = reply.digest.substr(0, 12);
   if (mode == DownloadMode::Replace) {
     std::printf("%s is loaded; it is stopped\n", digest.c_str());
     return;
   }
   std::printf("%s runs; it took over within %.1f us\n", digest.c_str(), reply.change.pause_us);
-  for (const result::Diagnostic& note : reply.problems) std::printf("  %s\n", note.message.c_str());
+  for (const result::Diagnostic& note : reply.problems) {
+    if (note.severity == result::Severity::Note) std::printf("  %s\n", note.message.c_str());
+  }
   if (reply.change.dropped_forces > 0)
     std::printf("  %u forces are gone with their variables\n", reply.change.dropped_forces);
 }

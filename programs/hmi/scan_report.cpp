@@ -115,6 +115,7 @@ json of_process(const host::RuntimeStatus& status) {
           {"clients", status.process.clients},
           {"traps", status.process.traps},
           {"lost_events", status.process.lost_events},
+          {"warnings", status.process.warnings},
           {"changes", status.changes}};
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 namespace stepwright::link {
@@ -16,6 +17,7 @@ constexpr auto kAlivePeriod = 50ms;     // of the signs of life in both directio
 constexpr auto kSnapshotPeriod = 30ms;  // of the image on Fast DDS: often enough for an eye
 constexpr auto kHealthPeriod = 1s;
 constexpr auto kConnectPeriod = 50ms;
+const std::string kNamesake = "another runtime of this name is in the domain, at ";
 // The service sends its status every 100 ms: a runtime that is silent for so long hangs.
 constexpr auto kSilence = 600ms;
 
@@ -96,7 +98,11 @@ void Bridge::keep_alive() {
 // Each is also the link's heartbeat.
 void Bridge::publish_status() {
   was_answering_ = runtime_answers();
-  endpoint_->publish_status(status_, was_answering_);
+  if (namesakes_.empty()) return endpoint_->publish_status(status_, was_answering_);
+  host::RuntimeStatus told = status_;
+  told.detail += (told.detail.empty() ? "" : "; ") + kNamesake + namesakes_.front();
+  ++told.process.warnings;
+  endpoint_->publish_status(told, was_answering_);
 }
 
 void Bridge::publish_snapshot() {
@@ -114,6 +120,18 @@ void Bridge::publish_health() {
   health.tasks = status_.task_details;
   devices_.fill(health);
   endpoint_->publish_health(std::move(health));
+  look_for_namesakes();
+}
+
+// They do no harm, as nobody of theirs meets anybody of ours; but people mix them up.
+void Bridge::look_for_namesakes() {
+  auto places = endpoint_->namesakes();
+  if (places == namesakes_) return;
+  for (const std::string& place : places) {
+    if (std::find(namesakes_.begin(), namesakes_.end(), place) == namesakes_.end())
+      log_.warning("namesake", kNamesake + place, {{"place", place}});
+  }
+  namesakes_ = std::move(places);
 }
 
 }  // namespace stepwright::link

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "programs/link/device_watch.h"
 #include "programs/log/logger.h"
@@ -40,6 +41,7 @@ class Bridge {
   void publish_snapshot();
   std::chrono::milliseconds pause() const;
   void publish_health();
+  void look_for_namesakes();
   bool runtime_answers() const;
 
   std::unique_ptr<dds::LinkEndpoint> endpoint_;
@@ -50,7 +52,8 @@ class Bridge {
   host::RuntimeStatus status_;                       // the newest
   bool was_answering_ = false;
   bool was_supervised_ = false;
-  Clock::time_point heard_{};  // a status of the runtime
+  std::vector<std::string> namesakes_;  // as they were told last
+  Clock::time_point heard_{};           // a status of the runtime
   Clock::time_point alive_at_{};
   Clock::time_point snapshot_at_{};
   Clock::time_point health_at_{};

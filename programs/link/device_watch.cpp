@@ -3,8 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "programs/device_status/status_socket.h"
 #include "programs/link/device_health.h"
-#include "programs/modbus_client/status_socket.h"
 #include "runtime/result/last_barrier.h"
 
 namespace stepwright::link {
@@ -45,7 +45,7 @@ void DeviceWatch::run(const std::stop_token& stop) {
 }
 
 void DeviceWatch::ask() {
-  const auto text = modbus_client::ask_status(socket_);
+  const auto text = device_status::ask_status(socket_);
   auto devices = text ? device_health(*text) : std::nullopt;
   const std::scoped_lock lock(mutex_);
   known_ = devices.has_value();

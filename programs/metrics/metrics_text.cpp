@@ -125,6 +125,10 @@ constexpr std::array kMetrics = {
            [](const RuntimeStatus& s) { return one(s.last_event); }},
     Metric{"stepwright_lost_events_total", "counter", "Events that nobody took in time.",
            [](const RuntimeStatus& s) { return one(s.process.lost_events); }},
+    Metric{"stepwright_warnings", "gauge",
+           "Conditions that somebody should mend; the status names them (a lost guard, a program or retained "
+           "values that could not be stored).",
+           [](const RuntimeStatus& s) { return one(s.process.warnings); }},
     Metric{"stepwright_service_clients", "gauge", "Clients of the service socket.",
            [](const RuntimeStatus& s) { return one(s.process.clients); }},
     Metric{"stepwright_uptime_seconds", "gauge", "Time since the service began.",

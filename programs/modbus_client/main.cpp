@@ -15,13 +15,13 @@
 
 #include "programs/config/cell_options.h"
 #include "programs/config/state_dir.h"
+#include "programs/device_status/status_socket.h"
 #include "programs/log/logger.h"
 #include "programs/log/reload_log.h"
 #include "programs/metrics_server/metrics_server.h"
 #include "programs/modbus_client/client_metrics.h"
 #include "programs/modbus_client/field_outputs.h"
 #include "programs/modbus_client/status_json.h"
-#include "programs/modbus_client/status_socket.h"
 #include "programs/process/command_line.h"
 #include "programs/process/files.h"
 #include "programs/process/notify_socket.h"
@@ -52,7 +52,7 @@ std::string json_text(const nlohmann::json& json) {
 }
 
 int tell_status(const config::CellConfig& config, const Options& options) {
-  const auto text = ask_status(config.modbus_client_path());
+  const auto text = device_status::ask_status(config.modbus_client_path());
   if (!text) return process::fail(text.error(), ExitCode::RuntimeFault);
   const auto status = nlohmann::json::parse(*text, nullptr, false);
   if (status.is_discarded()) {
@@ -135,8 +135,8 @@ int run(const config::CellConfig& config) {
   if (!plant) return process::fail(plant.error(), ExitCode::BadInput);
   auto client = IoClient::create(config.modbus_client);
   if (!client) return process::fail(client.error(), ExitCode::BadInput);
-  auto server = StatusServer::create(config.modbus_client_path(),
-                                     [&] { return json_text(to_json(config.name, (*client)->status())); });
+  auto server = device_status::StatusServer::create(
+      config.modbus_client_path(), [&] { return json_text(to_json(config.name, (*client)->status())); });
   if (!server) return process::fail(server.error(), ExitCode::BadInput);
   auto figures = metrics::MetricsServer::start(config.modbus_client_metrics, "modbus.client.metrics", [&] {
     return to_metrics(to_json(config.name, (*client)->status()));

@@ -63,6 +63,20 @@ void Attendant::turn() {
   if (pulse_.alive(ScanPulse::Clock::now())) heartbeat_.turn();
 }
 
+void Attendant::on_event(const host::StepEvent& event) {
+  journal_.event(event);
+  if (watch_ != nullptr) watch_->event(event);
+}
+
+void Attendant::on_stop() {
+  if (watch_ != nullptr) watch_->stop_asked();
+}
+
+void Attendant::on_supervisor(bool alive) {
+  journal_.supervisor(alive);
+  if (watch_ != nullptr) watch_->supervisor(alive);
+}
+
 void Attendant::on_status(const host::RuntimeStatus& status) {
   journal_.status(status);
   if (listener_) listener_(status);

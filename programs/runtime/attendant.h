@@ -19,6 +19,7 @@
 #include "programs/config/cell_config.h"
 #include "programs/log/logger.h"
 #include "programs/process/notify_socket.h"
+#include "programs/runtime/io_watch.h"
 #include "programs/runtime/runtime_journal.h"
 #include "programs/runtime/scan_pulse.h"
 #include "runtime/host/runtime_port.h"
@@ -32,6 +33,8 @@ class Attendant final : public service::ServiceObserver {
   Attendant(config::CellConfig config, log::Logger& log, process::NotifySocket& init);
 
   void attach(service::Server& server, const host::RuntimePort& port);
+  // Hears of events, stops and supervisors, too.
+  void attach(IoWatch& watch) { watch_ = &watch; }
   // Who wants to hear every status, too.
   void tell(std::function<void(const host::RuntimeStatus&)> listener) { listener_ = std::move(listener); }
   // Between two turns of the service.
@@ -39,7 +42,8 @@ class Attendant final : public service::ServiceObserver {
   // Reads the file again. Errors: nothing has changed; notes: what has, and what needs a restart.
   result::Diagnostics reload();
 
-  void on_event(const host::StepEvent& event) override { journal_.event(event); }
+  void on_event(const host::StepEvent& event) override;
+  void on_stop() override;
   void on_status(const host::RuntimeStatus& status) override;
   void on_client(const std::string& name, service::Role role, bool came) override {
     journal_.client(name, role, came);
@@ -48,7 +52,7 @@ class Attendant final : public service::ServiceObserver {
                   const service::Reply& reply) override {
     journal_.refusal(client, request, reply);
   }
-  void on_supervisor(bool alive) override { journal_.supervisor(alive); }
+  void on_supervisor(bool alive) override;
   result::Diagnostics on_reload() override { return reload(); }
 
  private:
@@ -62,8 +66,9 @@ class Attendant final : public service::ServiceObserver {
   ScanPulse pulse_;
   service::Server* server_ = nullptr;
   const host::RuntimePort* port_ = nullptr;
-  std::string digest_;  // of the program whose period the pulse knows
-  std::string told_;    // the state that the init system knows
+  IoWatch* watch_ = nullptr;  // of a runtime whose I/O can be lost
+  std::string digest_;        // of the program whose period the pulse knows
+  std::string told_;          // the state that the init system knows
   std::function<void(const host::RuntimeStatus&)> listener_;
 };
 

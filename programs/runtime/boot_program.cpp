@@ -19,6 +19,14 @@ constexpr int kAnswerWithinMs = 120'000;
 // A disk that had no room may have some by then.
 constexpr std::chrono::seconds kTryAgain{5};
 
+result::Diagnostics not_kept(const std::string& why) {
+  return {{"R0027",
+           result::Severity::Warning,
+           {},
+           "the program is not kept for the next start: " + why,
+           "it is tried again; until it is kept, a power cut brings back the program before"}};
+}
+
 }  // namespace
 
 result::Result<std::optional<FoundProgram>> find_boot_program(const config::BootSection& config) {
@@ -55,25 +63,35 @@ BootProgram::~BootProgram() {
   thread_.join();
 }
 
-std::function<void(std::span<const std::byte>)> BootProgram::keeper() {
-  if (config_.keep.empty()) return {};
-  return [this](std::span<const std::byte> container) {
-    // What was loaded at the start was not downloaded.
-    const std::string digest = service::to_hex(service::sha256(container));
-    if (std::exchange(booted_, {}) == digest) {
-      booted_ = digest;
-      return;
-    }
-    try {
-      const std::lock_guard lock(mutex_);
-      next_.emplace(container.begin(), container.end());
-    } catch (const std::bad_alloc&) {
-      next_.reset();
-      return runtime_.set_note("program",
-                               "the program is not kept for the next start: there is no memory for it");
-    }
-    news_.notify_one();
-  };
+void BootProgram::keep(std::span<const std::byte> container) {
+  // What was loaded at the start was not downloaded.
+  const std::string digest = service::to_hex(service::sha256(container));
+  if (std::exchange(booted_, {}) == digest) {
+    booted_ = digest;
+    return;
+  }
+  const std::lock_guard lock(mutex_);
+  try {
+    next_.emplace(container.begin(), container.end());
+    outcome_.reset();
+  } catch (const std::bad_alloc&) {
+    next_.reset();
+    return decide(not_kept("there is no memory for it"));
+  }
+  news_.notify_one();
+}
+
+std::optional<result::Diagnostics> BootProgram::outcome() {
+  decided_.clear();
+  const std::lock_guard lock(mutex_);
+  return outcome_;
+}
+
+// The mutex is held.
+void BootProgram::decide(std::optional<result::Diagnostics> outcome) {
+  outcome_ = std::move(outcome);
+  runtime_.set_note("program", outcome_->empty() ? std::string() : outcome_->front().message);
+  decided_.ring();
 }
 
 // What could not be kept is tried again until it is, or until another program comes.
@@ -91,11 +109,10 @@ void BootProgram::keep_on() {
     if (next_) unkept = std::exchange(next_, std::nullopt);
     lock.unlock();
     const auto kept = record::replace_file(config_.keep, *unkept);
-    runtime_.set_note(
-        "program", kept ? std::string()
-                        : "the program is not kept for the next start: " + result::to_string(kept.error()));
-    if (kept) unkept.reset();
     lock.lock();
+    if (next_) continue;  // a newer one decides
+    decide(kept ? result::Diagnostics{} : not_kept(result::to_string(kept.error())));
+    if (kept) unkept.reset();
   }
 }
 

@@ -4,17 +4,16 @@
 // the one that the configuration names. What is wrong with it is said, in the status too; the runtime comes
 // up and waits for a download.
 //
-// Threads: the service's. What is kept is written by a thread of its own, as the disk may take its time.
-// Invariant: the kept file is always one whole program.
+// Threads: the service's. What is kept is written by a thread of its own, as the disk may take its time; what
+// the disk refuses is tried again. Invariant: the kept file is always one whole program.
 //
 //   BootProgram boot(config.boot, *runtime);
-//   auto server = Server::create({socket, lost_after, boot.keeper()}, *runtime);
+//   auto server = Server::create({.socket = socket, .keeper = boot.keeper()}, *runtime);
 //   if (const auto problems = boot.run(); !problems.empty()) ...
 
 #include <condition_variable>
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -23,8 +22,10 @@
 #include <vector>
 
 #include "programs/config/retain_config.h"
+#include "runtime/host/doorbell.h"
 #include "runtime/host/host_runtime.h"
 #include "runtime/result/result.h"
+#include "runtime/service/program_keeper.h"
 
 namespace stepwright::cell_runtime {
 
@@ -38,16 +39,16 @@ struct FoundProgram {
 [[nodiscard]] result::Result<std::optional<FoundProgram>> find_boot_program(
     const config::BootSection& config);
 
-class BootProgram {
+class BootProgram final : private service::ProgramKeeper {
  public:
   BootProgram(config::BootSection config, host::HostRuntime& runtime);
   // What is to be kept is kept when it returns.
-  ~BootProgram();
+  ~BootProgram() override;
   BootProgram(const BootProgram&) = delete;
   BootProgram& operator=(const BootProgram&) = delete;
 
-  // For ServerConfig::on_program; empty if nothing is to be kept. Must not outlive this object.
-  std::function<void(std::span<const std::byte>)> keeper();
+  // For ServerConfig::keeper; null if nothing is to be kept.
+  service::ProgramKeeper* keeper() { return config_.keep.empty() ? nullptr : this; }
 
   // Loads and starts the program, as far as it is asked for. Returns why not, with its place: R0024 and R0026
   // of the file, those of the verifier, R0025 of what it retains.
@@ -56,15 +57,21 @@ class BootProgram {
  private:
   [[nodiscard]] result::Result<void> load_and_start();
   [[nodiscard]] result::Result<void> complete(int commands);
+  void keep(std::span<const std::byte> container) override;
+  std::optional<result::Diagnostics> outcome() override;
+  int descriptor() const override { return decided_.descriptor(); }
   void keep_on();
+  void decide(std::optional<result::Diagnostics> outcome);
 
   config::BootSection config_;
   host::HostRuntime& runtime_;
   std::string booted_;  // digest of what was loaded at the start, until another program comes
 
-  std::mutex mutex_;  // of the two below
+  host::Doorbell decided_;
+  std::mutex mutex_;  // of all below but the thread
   std::condition_variable news_;
   std::optional<std::vector<std::byte>> next_;  // the newest program, until it is kept
+  std::optional<result::Diagnostics> outcome_ = result::Diagnostics{};
   bool quit_ = false;
   std::thread thread_;
 };

@@ -183,6 +183,18 @@ result::Result<void> check_faults(const config::CellConfig& config) {
   return {};
 }
 
+// Faults of a plant that nobody simulates would never come.
+result::Diagnostics check_no_plant(const config::CellConfig& config) {
+  result::Diagnostics problems;
+  for (const config::ScheduledFault& fault : config.faults) {
+    if (config::is_goal_change(fault)) continue;
+    problems.push_back({"C0448", result::Severity::Error, fault.where,
+                        "fault '" + fault.name + "' is of a simulated plant, and this cell has none",
+                        "[plant] kind = \"tank_bench\", \"sorting_line\" or \"fleet\""});
+  }
+  return problems;
+}
+
 }  // namespace
 
 std::vector<bridge::PortWire> plant_wires(const config::CellConfig& config) {
@@ -198,7 +210,7 @@ std::vector<bridge::PortWire> plant_wires(const config::CellConfig& config) {
 }
 
 result::Diagnostics check_cell_io(const config::CellConfig& config) {
-  if (config.plant.kind == "none") return {};
+  if (config.plant.kind == "none") return check_no_plant(config);
   result::Diagnostics problems;
   if (auto faults = check_faults(config); !faults) problems = std::move(faults.error());
   auto plant = make_plant(config.plant);
@@ -210,6 +222,10 @@ result::Diagnostics check_cell_io(const config::CellConfig& config) {
 }
 
 result::Result<std::unique_ptr<CellIo>> CellIo::create(const config::CellConfig& config) {
+  if (config.plant.kind == "none") {
+    if (result::Diagnostics problems = check_no_plant(config); !problems.empty())
+      return tl::unexpected(std::move(problems));
+  }
   if (config.safety.io.shared_memory) {
     auto area =
         io_memory::IoArea::open(config.safety.io.name, config.image.input_bytes, config.image.output_bytes);

@@ -23,6 +23,7 @@
 #include "programs/runtime/cell_io.h"
 #include "programs/runtime/guard_watch.h"
 #include "programs/runtime/host_options.h"
+#include "programs/runtime/io_watch.h"
 #include "runtime/host/host_runtime.h"
 #include "runtime/host/thread_stacks.h"
 #include "runtime/result/exit_code.h"
@@ -112,6 +113,8 @@ int run(const config::CellConfig& config) {
       **runtime);
   if (!server) return fail(server.error(), ExitCode::BadInput);
   attendant.attach(**server, **runtime);
+  IoWatch watch(config, **io, **runtime, log);
+  attendant.attach(watch);
   wait_for_devices(config, **io, stop, log);
   // Only now: the socket says that this is the one runtime of the folder, and so of what is retained in it.
   if (const auto problems = boot.run(); !problems.empty()) log.error("boot", result::to_string(problems));
@@ -130,6 +133,7 @@ int run(const config::CellConfig& config) {
     (*server)->turn(service::kStatusPeriod, stop.descriptor());
     if (reload.take()) (void)attendant.reload();
     attendant.turn();
+    watch.turn();
     guard.turn();
     (*runtime)->set_note("guard", guard.note());
   }

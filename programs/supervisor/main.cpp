@@ -38,6 +38,8 @@ using std::chrono::milliseconds;
 
 // Between two looks at what viewers should know of where a plan would begin.
 constexpr milliseconds kLook{200};
+// A runtime that is there answers within this time.
+constexpr milliseconds kFirstLook{2'000};
 
 // What the cells of one supervisor share.
 struct Shared {
@@ -101,6 +103,14 @@ int attend(const config::CellConfig& config, bool once, Shared& shared) {
   std::unique_lock joining(shared.joining);
   auto controller = executive::DdsController::connect(participant);
   if (!controller) return fail(controller.error(), ExitCode::RuntimeFault);
+  joining.unlock();
+  // Before anybody hears of it: who has the runtime is not disturbed, nor those who look on.
+  if ((*controller)->wait_for_runtime(kFirstLook)) {
+    if (auto claimed = (*controller)->claim();
+        !claimed && claimed.error().front().code == dds::kHeldByAnother)
+      return fail(claimed.error(), ExitCode::RuntimeFault);
+  }
+  joining.lock();
   auto publisher = dds::PlanPublisher::create(participant);
   if (!publisher) return fail(publisher.error(), ExitCode::RuntimeFault);
   if (++shared.attended == shared.cells) {

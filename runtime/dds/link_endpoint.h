@@ -13,6 +13,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "runtime/dds/health.h"
 #include "runtime/dds/types.h"
@@ -31,8 +33,10 @@ class LinkEndpoint {
   // Makes it unreadable until something new happens; call it before looking.
   void clear();
   std::optional<service::Request> take_request();
-  // True while a supervisor is present.
+  // True while the supervisor that holds the runtime is heard of. Another one is refused (D0009) for as long.
   bool supervisor_alive() const;
+  // Where other runtimes of this name live in the domain. They never meet this one's processes.
+  std::vector<std::string> namesakes() const;
 
   // False if the queue towards slow readers is full: then they fetch the event again.
   bool publish_event(std::uint64_t incarnation, const StepEvent& event);
@@ -40,7 +44,8 @@ class LinkEndpoint {
   // Also the heartbeat of the link: call it at least every 80 ms, or clients take the link for dead.
   void publish_status(const RuntimeStatus& status, bool runtime_connected);
   void publish_snapshot(const Snapshot& snapshot);
-  // For people who look closely: once a second is enough. It adds who follows the runtime.
+  // For people who look closely, and for the domain to know of this runtime: once a second is enough. It adds
+  // who follows the runtime.
   void publish_health(RuntimeHealth health);
   // False while nobody looks at snapshots.
   bool snapshot_wanted() const;

@@ -1,6 +1,9 @@
 #include "runtime/dds/runtime_client.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "runtime/dds/internal/client_session.h"
@@ -17,6 +20,13 @@ result::Result<void> done(result::Result<service::Reply> reply) {
   return {};
 }
 
+// As another supervisor is told who has the runtime.
+std::string described(const std::string& process) {
+  std::array<char, 65> host{};
+  if (gethostname(host.data(), host.size() - 1) != 0) host[0] = '?';
+  return "process " + std::to_string(getpid()) + " ('" + process + "') on " + host.data();
+}
+
 }  // namespace
 
 struct RuntimeClient::State {
@@ -30,8 +40,8 @@ result::Result<std::unique_ptr<RuntimeClient>> RuntimeClient::connect(const Part
                                                                       ClientRole role) {
   auto participant = internal::Participant::create(config);
   if (!participant) return result::forward(participant);
-  std::unique_ptr<State> state(new State{
-      internal::ClientSession(std::move(*participant), role, internal::random_client(), config.name)});
+  std::unique_ptr<State> state(new State{internal::ClientSession(
+      std::move(*participant), role, internal::random_client(), config.place, described(config.name))});
   if (!state->session.ok()) {
     return result::fail("D0005", {}, "Fast DDS cannot create the endpoints of '" + config.name + "'");
   }
@@ -69,6 +79,10 @@ result::Result<Download> RuntimeClient::download(std::span<const std::byte> cont
   auto reply = state_->session.ask(service::DownloadCommit{container.size(), digest, mode});
   if (!reply) return result::forward(reply);
   return Download{std::move(reply->digest), reply->change, std::move(reply->problems)};
+}
+
+result::Result<void> RuntimeClient::claim() {
+  return done(state_->session.ask(service::ReadForces{}));
 }
 
 result::Result<void> RuntimeClient::start(const StartOptions& options) {

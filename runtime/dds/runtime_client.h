@@ -14,7 +14,8 @@
 // between never performs one twice. Diagnostics: D0001 no runtime answers, D0002 refused by the runtime in
 // its present state, D0003 the container was refused (the verifier's own diagnostics follow), D0004 request
 // out of bounds, D0005 Fast DDS could not start, D0006 an address that is none of this machine, D0008 the
-// link is of another version and does not carry this; R0009 of the runtime (runtime/service/requests.h).
+// link is of another version and does not carry this, D0009 another supervisor drives the runtime; R0009 of
+// the runtime (runtime/service/requests.h).
 
 #include <chrono>
 #include <cstddef>
@@ -37,6 +38,9 @@ inline constexpr std::chrono::milliseconds kRequestTimeout{5'000};
 // While the runtime lives, a container is on its way for so long at most: a gateway sends it over a serial
 // line, at 9600 baud some 40 s for 32 KiB.
 inline constexpr std::chrono::milliseconds kDownloadTimeout{180'000};
+
+// The code by which a supervisor knows that another one has the runtime.
+inline constexpr const char* kHeldByAnother = "D0009";
 
 // What came of a download.
 struct Download {
@@ -63,6 +67,9 @@ class RuntimeClient {
   [[nodiscard]] result::Result<std::string> download(std::span<const std::byte> container);
   // The same with a mode: an online change takes over from the running program between two scans.
   [[nodiscard]] result::Result<Download> download(std::span<const std::byte> container, DownloadMode mode);
+  // A supervisor has the runtime from now on, for as long as it lives; every other request of it asks for the
+  // same. D0009 with who has it.
+  [[nodiscard]] result::Result<void> claim();
   // Cold start of the loaded program. In simulated time the clock goes on from where it stands.
   [[nodiscard]] result::Result<void> start(const StartOptions& options);
   // Outputs to their safe state; `reason` (up to 200 bytes) comes back in the Stopped event.

@@ -34,6 +34,9 @@ struct ParticipantConfig {
   // find each other by multicast.
   std::vector<std::string> interfaces = {"127.0.0.1"};
   std::vector<std::string> peers = {};  // hosts to announce to where multicast does not reach
+  // Where the runtime lives (machine and state folder): two of one name in a domain never meet, and are told
+  // of each other. Empty: wherever it is.
+  std::string place = {};
 };
 
 enum class ClientRole : std::uint8_t {

@@ -245,10 +245,14 @@ RuntimeStatus HostRuntime::status() const {
     status.detail += text;
   };
   if (!refused_.empty()) note(refused_);
-  if (const std::string retain = retain_->note(); !retain.empty()) note(retain);
+  const auto warn = [&](const std::string& text) {
+    note(text);
+    ++status.process.warnings;
+  };
+  if (const std::string retain = retain_->note(); !retain.empty()) warn(retain);
   {
     const std::lock_guard lock(note_mutex_);
-    for (const auto& [of, text] : notes_) note(text);
+    for (const auto& [of, text] : notes_) warn(text);
   }
   if (const std::int64_t silent_ns = monitor_.silent_ns(); silent_ns > 0)
     note("the scan has not come back for " + std::to_string(silent_ns / 1'000'000) + " ms");

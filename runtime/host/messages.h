@@ -96,6 +96,7 @@ struct ProcessFigures {
   std::uint64_t clients = 0;         // of the service: a link, tools
   std::uint64_t traps = 0;           // program faults and lost I/O since the process began
   std::uint64_t lost_events = 0;     // that the service did not take in time (real clock only)
+  std::uint64_t warnings = 0;  // conditions that somebody should mend; `detail` of the status names them
 
   friend bool operator==(const ProcessFigures&, const ProcessFigures&) = default;
 };

@@ -171,7 +171,8 @@ void fields(A& a, T& m) {
   a(m.incarnation, m.state, m.program_digest, m.scan, m.time_ns, m.last_event, m.overruns, m.scan_p50_us,
     m.scan_p99_us, m.scan_max_us, m.realtime_factor, m.trace_hash, m.waiting_for_supervisor, m.detail,
     m.changes, m.last_change_pause_us, m.plant, m.tasks, m.task_details, m.process.version,
-    m.process.uptime_s, m.process.resident_bytes, m.process.clients, m.process.traps, m.process.lost_events);
+    m.process.uptime_s, m.process.resident_bytes, m.process.clients, m.process.traps, m.process.lost_events,
+    m.process.warnings);
 }
 
 class Encoder {

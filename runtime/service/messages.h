@@ -19,7 +19,7 @@
 
 namespace stepwright::service {
 
-inline constexpr std::uint32_t kProtocolVersion = 6;
+inline constexpr std::uint32_t kProtocolVersion = 7;
 // Of one message without its frame: the largest event, or a reply full of diagnostics.
 inline constexpr std::size_t kMaxMessageBytes = host::kMaxImageBytes + (64u << 10);
 inline constexpr std::chrono::milliseconds kStatusPeriod{100};

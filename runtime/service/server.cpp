@@ -29,6 +29,19 @@ constexpr int kAcceptedPerTurn = 32;
 // More than a socket holds unread.
 constexpr int kReadsOfOverdue = 16;
 
+// A disk that takes longer keeps nobody from going on.
+constexpr milliseconds kKeptWithin{5'000};
+
+const result::Diagnostics& not_kept_yet() {
+  static const result::Diagnostics warning{
+      {"R0027",
+       result::Severity::Warning,
+       {},
+       "the program is not kept for the next start yet: the disk takes its time",
+       "until it is, a power cut brings back the program before"}};
+  return warning;
+}
+
 // Tickets of commands that the service itself gives; the request handler counts from 1.
 constexpr std::uint64_t kOwnTicket = 0;
 
@@ -41,7 +54,7 @@ struct Server::State {
         handler(p, events),
         supervisor(config.supervisor_lost_after),
         greeting_within(config.greeting_within),
-        on_program(config.on_program),
+        keeper(config.keeper),
         program(p.status().program_digest),
         process(config.version),
         observer(config.observer == nullptr ? nobody : *config.observer) {}
@@ -50,6 +63,8 @@ struct Server::State {
   void accept_clients();
   void take_news();
   void pass_on(const Answer& answer);
+  void answer(Answer answer);
+  void pass_on_held();
   void serve(Session& session);
   void receive(Session& session, const Message& message);
   void greet(Session& session, const Hello& hello);
@@ -70,11 +85,16 @@ struct Server::State {
   RequestHandler handler;
   SupervisorWatch supervisor;
   milliseconds greeting_within;
-  std::function<void(std::span<const std::byte>)> on_program;
+  ProgramKeeper* keeper;
   std::string program;  // its digest, as it was last looked at
   ProcessWatch process;
   ServiceObserver nobody;
   ServiceObserver& observer;
+  struct Held {
+    Answer answer;
+    Clock::time_point until;
+  };
+  std::vector<Held> held;  // answers to downloads whose programs are being kept
   std::list<Session> sessions;
   std::uint64_t last_session = 0;
   bool status_due = false;
@@ -98,7 +118,10 @@ void Server::run(int stop_descriptor) {
 void Server::turn(milliseconds timeout, int stop_descriptor) {
   State& s = *state_;
   std::vector<pollfd> entries{
-      {stop_descriptor, POLLIN, 0}, {s.listener.descriptor(), POLLIN, 0}, {s.port.descriptor(), POLLIN, 0}};
+      {stop_descriptor, POLLIN, 0},
+      {s.listener.descriptor(), POLLIN, 0},
+      {s.port.descriptor(), POLLIN, 0},
+      {s.keeper == nullptr || s.held.empty() ? -1 : s.keeper->descriptor(), POLLIN, 0}};
   for (const Session& session : s.sessions) {
     const int wanted = POLLIN | (session.wants_to_write() ? POLLOUT : 0);
     entries.push_back({session.descriptor(), static_cast<short>(wanted), 0});
@@ -107,7 +130,7 @@ void Server::turn(milliseconds timeout, int stop_descriptor) {
   const auto wait = std::clamp(std::min(timeout, until_status), milliseconds(0), timeout);
   poll(entries.data(), entries.size(), static_cast<int>(wait.count()));
 
-  std::size_t next = 3;
+  std::size_t next = 4;
   for (Session& session : s.sessions) {
     const short ready = entries[next++].revents;
     if ((ready & (POLLIN | POLLHUP | POLLERR)) != 0) {
@@ -183,9 +206,10 @@ void Server::State::take_news() try {
   while (auto completion = port.take_completion()) {
     status_due = true;
     completed = true;
-    if (auto answer = handler.complete(*completion)) pass_on(*answer);
+    if (auto done = handler.complete(*completion)) answer(std::move(*done));
   }
   if (completed) watch_program();
+  pass_on_held();
 } catch (const std::bad_alloc&) {
   status_due = true;
 }
@@ -201,11 +225,31 @@ void Server::State::pass_on(const Answer& answer) {
 }
 
 void Server::State::watch_program() {
-  if (!on_program) return;
+  if (keeper == nullptr) return;
   std::string now = port.status().program_digest;
   if (now == program) return;
   program = std::move(now);
-  on_program(port.program());
+  keeper->keep(port.program());
+}
+
+// A download is answered when its program will be there after a power cut, too.
+void Server::State::answer(Answer answer) {
+  if (keeper == nullptr || !answer.commit || !answer.reply.accepted()) return pass_on(answer);
+  watch_program();
+  held.push_back({std::move(answer), Clock::now() + kKeptWithin});
+}
+
+void Server::State::pass_on_held() {
+  if (held.empty()) return;
+  const auto outcome = keeper->outcome();
+  std::erase_if(held, [&](Held& each) {
+    if (!outcome && Clock::now() < each.until) return false;
+    const result::Diagnostics& late = outcome ? *outcome : not_kept_yet();
+    each.answer.reply.problems.insert(each.answer.reply.problems.end(), late.begin(), late.end());
+    handler.remember(each.answer.reply);
+    pass_on(each.answer);
+    return true;
+  });
 }
 
 void Server::State::serve(Session& session) {
@@ -264,6 +308,7 @@ void Server::State::request(Session& session, const Request& request) {
   if ((start != nullptr && start->barrier) || std::holds_alternative<Acknowledge>(request.body)) {
     supervisor.heard(Clock::now());
   }
+  if (std::holds_alternative<Stop>(request.body)) observer.on_stop();
   if (std::holds_alternative<Reload>(request.body)) return reload(session, request);
   auto reply = handle(session, request);
   if (!reply) return;
@@ -275,6 +320,11 @@ void Server::State::request(Session& session, const Request& request) {
 }
 
 std::optional<Reply> Server::State::handle(Session& session, const Request& request) try {
+  for (Held& each : held) {
+    if (each.answer.reply.client != request.client || each.answer.reply.id != request.id) continue;
+    each.answer.session = session.number();  // it asks again over a new connection
+    return std::nullopt;
+  }
   return handler.handle(session.number(), request);
 } catch (const std::bad_alloc&) {
   Reply reply;

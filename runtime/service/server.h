@@ -13,13 +13,12 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <memory>
-#include <span>
 #include <string>
 
 #include "runtime/host/runtime_port.h"
 #include "runtime/result/result.h"
+#include "runtime/service/program_keeper.h"
 #include "runtime/service/service_observer.h"
 
 namespace stepwright::service {
@@ -30,8 +29,7 @@ struct ServerConfig {
   std::chrono::milliseconds supervisor_lost_after{1'000};
   std::string version = {};             // of the program, for its status
   ServiceObserver* observer = nullptr;  // told of everything that happens; outlives the server
-  // Called with the container whenever another program has been loaded.
-  std::function<void(std::span<const std::byte>)> on_program{};
+  ProgramKeeper* keeper = nullptr;      // null: programs are not kept for the next start; outlives the server
   // Within this time a connection says hello, or its place is another's.
   std::chrono::milliseconds greeting_within{2'000};
 };

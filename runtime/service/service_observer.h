@@ -31,6 +31,8 @@ class ServiceObserver {
   // Somebody asks for the configuration to be read again. An error means that nothing has changed; notes say
   // what is in force now and what needs a restart.
   virtual result::Diagnostics on_reload() { return {}; }
+  // A client asks for a stop, whether anything runs or not.
+  virtual void on_stop() {}
   // A supervisor came, or was not heard of for too long.
   virtual void on_supervisor(bool /*alive*/) {}
 };

@@ -15,6 +15,8 @@ class DdsController final : public Controller {
   [[nodiscard]] static result::Result<std::unique_ptr<DdsController>> connect(
       const dds::ParticipantConfig& config);
 
+  // Fails with D0009 if another supervisor has the runtime.
+  [[nodiscard]] result::Result<void> claim() { return client_->claim(); }
   bool wait_for_runtime(std::chrono::milliseconds timeout) override;
   bool alive() const override;
   result::Result<std::string> download(std::span<const std::byte> container) override;

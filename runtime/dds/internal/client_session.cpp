@@ -17,13 +17,19 @@ constexpr std::chrono::milliseconds kEventGrace{30};
 // Within which the endpoints of a link that has just come are all found.
 constexpr std::chrono::milliseconds kExtraGrace{1'000};
 constexpr std::chrono::milliseconds kExtraLook{5};
+// Within which a supervisor that was killed is known to be gone, and how often its successor asks.
+constexpr std::chrono::milliseconds kClaimPatience{2'000};
+constexpr std::chrono::milliseconds kClaimPause{100};
 
 }  // namespace
 
 ClientSession::ClientSession(std::unique_ptr<Participant> participant, ClientRole role, std::uint64_t client,
-                             const std::string& process)
+                             std::string place, const std::string& process)
     : participant_(std::move(participant)),
+      place_(std::move(place)),
+      supervises_(role == ClientRole::Supervisor),
       requests_(client),
+      namesakes_(*participant_),
       commands_(*participant_, kCommandTopic, Profile::Queue),
       chunks_(*participant_, kChunkTopic, Profile::Queue),
       extras_(*participant_, kExtraTopic, Profile::Queue),
@@ -46,13 +52,15 @@ ClientSession::ClientSession(std::unique_ptr<Participant> participant, ClientRol
   presence_ =
       std::make_unique<Writer<idl::PresencePubSubType>>(*participant_, kPresenceTopic, Profile::Heartbeat);
   if (!presence_->ok()) return;
-  heart_ = std::jthread([this, process](const std::stop_token& stop) { beat(stop, process); });
+  heart_ =
+      std::jthread([this, process, client](const std::stop_token& stop) { beat(stop, process, client); });
 }
 
-void ClientSession::beat(const std::stop_token& stop, const std::string& process) {
+void ClientSession::beat(const std::stop_token& stop, const std::string& process, std::uint64_t client) {
   idl::Presence sample;
   sample.runtime_id(participant_->runtime_id());
   sample.process(process);
+  sample.client(client);
   std::mutex mutex;
   std::condition_variable_any never;
   std::unique_lock lock(mutex);
@@ -63,8 +71,8 @@ void ClientSession::beat(const std::stop_token& stop, const std::string& process
 }
 
 bool ClientSession::ok() const {
-  return commands_.ok() && chunks_.ok() && extras_.ok() && reply_reader_.ok() && event_reader_.ok() &&
-         snapshot_reader_.ok() && health_reader_.ok() && status_reader_.ok() &&
+  return namesakes_.ok() && commands_.ok() && chunks_.ok() && extras_.ok() && reply_reader_.ok() &&
+         event_reader_.ok() && snapshot_reader_.ok() && health_reader_.ok() && status_reader_.ok() &&
          (presence_ == nullptr || presence_->ok());
 }
 
@@ -80,14 +88,32 @@ bool ClientSession::wait_for_runtime(std::chrono::milliseconds timeout) {
   });
 }
 
+// A supervisor that is gone is noticed a moment later: whoever comes in its place asks again.
 result::Result<service::Reply> ClientSession::ask(service::RequestBody body) {
   if (!travels(body)) return result::fail("R0002", {}, "this is asked on the socket of the runtime only");
+  const auto deadline = Clock::now() + kClaimPatience;
+  while (true) {
+    auto reply = ask_once(body);
+    const bool held = !reply && reply.error().front().code == kHeldByAnother;
+    if (!held || Clock::now() >= deadline) return reply;
+    std::this_thread::sleep_for(kClaimPause);
+  }
+}
+
+tl::unexpected<result::Diagnostics> ClientSession::nobody_answers() const {
+  std::string hint = "are the processes 'runtime' and 'link' of the cell running?";
+  if (const auto elsewhere = namesakes_.places(place_); !elsewhere.empty() && !place_.empty()) {
+    hint = "one of that name lives at " + elsewhere.front() + ", and this one is looked for at " + place_ +
+           ": [dds] place names another place, \"any\" all of them";
+  }
+  return result::fail("D0001", {}, "no runtime '" + participant_->runtime_id() + "' answers on Fast DDS",
+                      hint);
+}
+
+result::Result<service::Reply> ClientSession::ask_once(const service::RequestBody& body) {
   const auto deadline = Clock::now() + kRequestTimeout;
   // Where this client's events start must be known before it causes any.
-  if (!wait_for_runtime(kRequestTimeout)) {
-    return result::fail("D0001", {}, "no runtime '" + participant_->runtime_id() + "' answers on Fast DDS",
-                        "are the processes 'runtime' and 'link' of the cell running?");
-  }
+  if (!wait_for_runtime(kRequestTimeout)) return nobody_answers();
   if (link_is_older(body)) {
     return result::fail("D0008", {},
                         "the link of '" + participant_->runtime_id() + "' does not carry this request",
@@ -95,7 +121,7 @@ result::Result<service::Reply> ClientSession::ask(service::RequestBody body) {
   }
   const auto longest =
       std::holds_alternative<service::DownloadCommit>(body) ? Clock::now() + kDownloadTimeout : deadline;
-  const service::Request request = requests_.open(std::move(body));
+  const service::Request request = requests_.open(body);
   std::optional<service::Reply> reply;
   for (auto now = Clock::now(); !reply && (now < deadline || (now < longest && runtime_alive()));
        now = Clock::now()) {
@@ -122,13 +148,16 @@ bool ClientSession::link_is_older(const service::RequestBody& body) const {
 bool ClientSession::send(const service::Request& request) {
   if (is_extra(request.body)) {
     auto sample = to_extra(participant_->runtime_id(), request);
+    sample.supervisor(supervises_);
     return extras_.write(sample);
   }
   if (std::holds_alternative<service::DownloadChunk>(request.body)) {
     auto sample = to_chunk(participant_->runtime_id(), request);
+    sample.supervisor(supervises_);
     return chunks_.write(sample);
   }
   auto sample = to_command(participant_->runtime_id(), request);
+  sample.supervisor(supervises_);
   return commands_.write(sample);
 }
 

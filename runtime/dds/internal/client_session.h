@@ -18,6 +18,7 @@
 
 #include "runtime/dds/internal/convert.h"
 #include "runtime/dds/internal/event_order.h"
+#include "runtime/dds/internal/namesakes.h"
 #include "runtime/dds/internal/participant.h"
 #include "runtime/dds/internal/request_table.h"
 #include "runtime/dds/runtime_client.h"
@@ -27,8 +28,9 @@ namespace stepwright::dds::internal {
 
 class ClientSession {
  public:
+  // `place` as in the configuration; `process` as it calls itself.
   ClientSession(std::unique_ptr<Participant> participant, ClientRole role, std::uint64_t client,
-                const std::string& process);
+                std::string place, const std::string& process);
 
   bool ok() const;
   bool runtime_alive() const;
@@ -51,14 +53,19 @@ class ClientSession {
   void on_snapshot(const idl::Snapshot& sample);
   void on_health(const idl::Health& sample);
   bool send(const service::Request& request);
+  [[nodiscard]] result::Result<service::Reply> ask_once(const service::RequestBody& body);
+  tl::unexpected<result::Diagnostics> nobody_answers() const;
   bool link_is_older(const service::RequestBody& body) const;
   // Says until it is stopped that this supervisor lives.
-  void beat(const std::stop_token& stop, const std::string& process);
+  void beat(const std::stop_token& stop, const std::string& process, std::uint64_t client);
   // Asks for missing events, at most every `kResendPeriod`, and learns what the runtime has forgotten.
   void fetch_missing(std::unique_lock<std::mutex>& lock);
 
   std::unique_ptr<Participant> participant_;
+  const std::string place_;
+  const bool supervises_;
   RequestTable requests_;
+  Namesakes namesakes_;
 
   mutable std::mutex mutex_;
   std::condition_variable news_;

@@ -216,6 +216,7 @@ idl::Status to_status(const std::string& runtime_id, const RuntimeStatus& status
   process.clients(status.process.clients);
   process.traps(status.process.traps);
   process.lost_events(status.process.lost_events);
+  process.warnings(status.process.warnings);
   sample.process(process);
   sample.changes(status.changes);
   sample.last_change_pause_us(status.last_change_pause_us);
@@ -251,8 +252,8 @@ std::optional<RuntimeStatus> from_status(const idl::Status& sample) {
   status.detail = sample.detail();
   status.plant = std::move(*plant);
   const idl::ProcessFigures& process = sample.process();
-  status.process = {process.version(), process.uptime_s(), process.resident_bytes(),
-                    process.clients(), process.traps(),    process.lost_events()};
+  status.process = {process.version(), process.uptime_s(),    process.resident_bytes(), process.clients(),
+                    process.traps(),   process.lost_events(), process.warnings()};
   status.changes = sample.changes();
   status.last_change_pause_us = sample.last_change_pause_us();
   return status;

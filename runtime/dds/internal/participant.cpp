@@ -8,9 +8,12 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "runtime/dds/internal/addresses.h"
 #include "runtime/host/limits.h"
+#include "runtime/service/digest.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 // Debian's libfastrtps 2.9.1 deletes a statistics object of 64 bytes as one of 56, which is its own affair.
@@ -36,6 +39,17 @@ bool valid_id(const std::string& id) {
          std::all_of(id.begin(), id.end(), [](unsigned char c) {
            return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
          });
+}
+
+// Who says no place meets all of the name, those without a place included: a name of a partition may be a
+// pattern, which no id contains.
+std::vector<std::string> partitions_of(const ParticipantConfig& config, Scope scope) {
+  constexpr std::size_t kLetters = 16;
+  if (scope == Scope::Domain) return {"/"};
+  const std::string all = config.runtime_id + "@";
+  if (config.place.empty()) return {all, all + "*"};
+  const auto bytes = std::as_bytes(std::span(config.place));
+  return {all + service::to_hex(service::sha256(bytes)).substr(0, kLetters)};
 }
 
 // Fast DDS 2.9 delivers between participants of one process by calling the other one's reader directly, under
@@ -87,13 +101,19 @@ result::Result<std::unique_ptr<Participant>> Participant::create(const Participa
   // A profile file in the working folder must not change how a cell communicates.
   self->participant_ = create_lowest(config);
   if (self->participant_ == nullptr) return refuse(config, "a participant");
-  fdds::PublisherQos publisher_qos = fdds::PUBLISHER_QOS_DEFAULT;
-  publisher_qos.partition().push_back(config.runtime_id.c_str());
-  self->publisher_ = self->participant_->create_publisher(publisher_qos);
-  fdds::SubscriberQos subscriber_qos = fdds::SUBSCRIBER_QOS_DEFAULT;
-  subscriber_qos.partition().push_back(config.runtime_id.c_str());
-  self->subscriber_ = self->participant_->create_subscriber(subscriber_qos);
-  if (self->publisher_ == nullptr || self->subscriber_ == nullptr) return refuse(config, "an endpoint");
+  for (const Scope scope : {Scope::Runtime, Scope::Domain}) {
+    fdds::PublisherQos publisher_qos = fdds::PUBLISHER_QOS_DEFAULT;
+    fdds::SubscriberQos subscriber_qos = fdds::SUBSCRIBER_QOS_DEFAULT;
+    for (const std::string& partition : partitions_of(config, scope)) {
+      publisher_qos.partition().push_back(partition.c_str());
+      subscriber_qos.partition().push_back(partition.c_str());
+    }
+    const auto i = static_cast<std::size_t>(scope);
+    self->publishers_[i] = self->participant_->create_publisher(publisher_qos);
+    self->subscribers_[i] = self->participant_->create_subscriber(subscriber_qos);
+    if (self->publishers_[i] == nullptr || self->subscribers_[i] == nullptr)
+      return refuse(config, "an endpoint");
+  }
   return self;
 }
 

@@ -7,6 +7,7 @@
 // that is destroyed waits for the handler that runs. Endpoints must be destroyed before their participant.
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -32,6 +33,9 @@ namespace stepwright::dds::internal {
 
 namespace fdds = eprosima::fastdds::dds;
 
+// Whom an endpoint meets: the processes of one runtime, or all of the domain.
+enum class Scope : std::uint8_t { Runtime, Domain };
+
 class Participant {
  public:
   // Fails with D0005, for example when every participant number of the domain is taken.
@@ -43,14 +47,14 @@ class Participant {
   const std::string& runtime_id() const { return runtime_id_; }
   // The topic, created on first use; null if Fast DDS refuses.
   fdds::Topic* topic(const char* name, const fdds::TypeSupport& type);
-  fdds::Publisher* publisher() const { return publisher_; }
-  fdds::Subscriber* subscriber() const { return subscriber_; }
+  fdds::Publisher* publisher(Scope scope) const { return publishers_[static_cast<std::size_t>(scope)]; }
+  fdds::Subscriber* subscriber(Scope scope) const { return subscribers_[static_cast<std::size_t>(scope)]; }
 
  private:
   Participant() = default;
   fdds::DomainParticipant* participant_ = nullptr;
-  fdds::Publisher* publisher_ = nullptr;
-  fdds::Subscriber* subscriber_ = nullptr;
+  std::array<fdds::Publisher*, 2> publishers_{};  // by scope
+  std::array<fdds::Subscriber*, 2> subscribers_{};
   std::string runtime_id_;
 };
 
@@ -60,15 +64,16 @@ class Writer final : private fdds::DataWriterListener {
  public:
   using Sample = typename PubSubType::type;
 
-  Writer(Participant& participant, const char* topic_name, Profile profile) : participant_(participant) {
+  Writer(Participant& participant, const char* topic_name, Profile profile, Scope scope = Scope::Runtime)
+      : participant_(participant), scope_(scope) {
     fdds::Topic* topic = participant.topic(topic_name, fdds::TypeSupport(new PubSubType()));
     if (topic != nullptr) {
-      writer_ = participant.publisher()->create_datawriter(topic, writer_qos(profile), this,
-                                                           fdds::StatusMask::publication_matched());
+      writer_ = participant.publisher(scope)->create_datawriter(topic, writer_qos(profile), this,
+                                                                fdds::StatusMask::publication_matched());
     }
   }
   ~Writer() override {
-    if (writer_ != nullptr) participant_.publisher()->delete_datawriter(writer_);
+    if (writer_ != nullptr) participant_.publisher(scope_)->delete_datawriter(writer_);
   }
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
@@ -87,6 +92,7 @@ class Writer final : private fdds::DataWriterListener {
   }
 
   Participant& participant_;
+  Scope scope_;
   fdds::DataWriter* writer_ = nullptr;
   std::atomic<int> matched_{0};
 };
@@ -101,24 +107,25 @@ class Reader final : private fdds::DataReaderListener {
   using OnAlive = std::function<void(bool)>;
 
   Reader(Participant& participant, const char* topic_name, Profile profile, OnSample on_sample,
-         OnAlive on_alive = {})
+         OnAlive on_alive = {}, Scope scope = Scope::Runtime)
       : participant_(participant),
+        scope_(scope),
         name_(topic_name),
         on_sample_(std::move(on_sample)),
         on_alive_(std::move(on_alive)) {
     fdds::Topic* topic = participant.topic(topic_name, fdds::TypeSupport(new PubSubType()));
     if (topic != nullptr) {
-      reader_ = participant.subscriber()->create_datareader(topic, reader_qos(profile), this,
-                                                            fdds::StatusMask::data_available()
-                                                                << fdds::StatusMask::liveliness_changed()
-                                                                << fdds::StatusMask::subscription_matched()
-                                                                << fdds::StatusMask::sample_lost());
+      reader_ = participant.subscriber(scope)->create_datareader(
+          topic, reader_qos(profile), this,
+          fdds::StatusMask::data_available()
+              << fdds::StatusMask::liveliness_changed() << fdds::StatusMask::subscription_matched()
+              << fdds::StatusMask::sample_lost());
     }
   }
   ~Reader() override {
     if (reader_ == nullptr) return;
     reader_->set_listener(nullptr);
-    participant_.subscriber()->delete_datareader(reader_);
+    participant_.subscriber(scope_)->delete_datareader(reader_);
   }
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
@@ -171,6 +178,7 @@ class Reader final : private fdds::DataReaderListener {
   }
 
   Participant& participant_;
+  Scope scope_;
   const char* name_;  // one of topics.h
   OnSample on_sample_;
   OnAlive on_alive_;

@@ -14,6 +14,7 @@ inline constexpr char kStatusTopic[] = "stepwright/status/2";
 inline constexpr char kHealthTopic[] = "stepwright/health/1";
 inline constexpr char kSnapshotTopic[] = "stepwright/snapshot/1";
 inline constexpr char kPresenceTopic[] = "stepwright/presence/1";
+inline constexpr char kBeaconTopic[] = "stepwright/beacon/1";
 inline constexpr char kDocumentTopic[] = "stepwright/plan_document/1";
 inline constexpr char kGoalFormTopic[] = "stepwright/goal_form/1";
 inline constexpr char kOutlookTopic[] = "stepwright/outlook/1";

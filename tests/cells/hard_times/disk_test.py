@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from mounts import fill, make_read_only, mount, need_mounts, remount, unmount
+from mounts import empty, fill, make_read_only, mount, need_mounts, remount, unmount
 from processes import NO_PLANT, Cell, eventually, stepwright
 
 REAL = NO_PLANT + '[clock]\nmode = "real"\n'
@@ -39,6 +39,33 @@ class Disk(unittest.TestCase):
         cell.load(2_000)  # another program, too: none of it needs the disk
         self.scans_go_on(cell)
         self.assertEqual(runtime.end(), 0)
+
+    def test_a_program_that_the_disk_refuses_is_told_and_kept_when_there_is_room(self):
+        cell = self.cell(REAL + "[runtime]\nboot = true\n")
+        cell.start_runtime()
+        first, second = (self.program(cell, name) for name in ("first", "second"))
+        self.assertEqual(self.download(cell, first).returncode, 0)
+        kept = cell.state / "boot.swb"
+        self.assertEqual(kept.read_bytes(), first.read_bytes())  # when it is answered, not later
+        fill(cell.state)
+        told = self.download(cell, second)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertRegex(told.stderr, r"R0027: the program is not kept for the next start: .*No space left on device")
+        self.assertEqual(cell.figure("stepwright_warnings"), 1)
+        self.assertEqual(kept.read_bytes(), first.read_bytes())
+        empty(cell.state)
+        self.assertTrue(eventually(lambda: kept.read_bytes() == second.read_bytes()))
+        self.assertTrue(eventually(lambda: cell.figure("stepwright_warnings") == 0))
+
+    def program(self, cell, name):
+        source, image = cell.folder / f"{name}.st", cell.folder / f"{name}.swb"
+        source.write_text(f"PROGRAM {name}\nVAR x : INT; END_VAR\nx := x + 1;\nEND_PROGRAM\n", encoding="utf-8")
+        done = stepwright("compile", source, "-o", image)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return image
+
+    def download(self, cell, image):
+        return stepwright("download", image, "--config", cell.config, "--replace")
 
     def test_a_log_on_a_full_disk_loses_lines_and_nothing_else(self):
         cell = self.cell(REAL + '[log]\nformat = "json"\nfile = "state/cell.log"\nlimit_per_s = 1000\n')

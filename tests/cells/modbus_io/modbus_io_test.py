@@ -7,6 +7,7 @@ import re
 import signal
 import socket
 import subprocess
+import time
 import unittest
 
 from namespaces import need_network_of_its_own
@@ -233,6 +234,32 @@ class ModbusIo(unittest.TestCase):
         self.assertEqual(plant.field(), 7)  # the program is not started by a device that answers again
         plant.start_again()
         self.assertTrue(eventually(lambda: plant.field() == 1000 or plant.lost_again()), plant.log())
+
+    def test_where_the_cell_says_so_the_program_is_started_again_unless_somebody_stops_it(self):
+        plant = Plant(self)
+        text = plant.cell.config.read_text(encoding="utf-8")
+        plant.cell.config.write_text(text.replace('kind = "modbus"', 'kind = "modbus"\nrestart = "auto"\n'
+                                                  'restart_after_s = 0.3\nrestart_limit = 100'), encoding="utf-8")
+        plant.start_all()
+        self.assertTrue(eventually(lambda: plant.field() == 1000), plant.client.output())
+        plant.plc.end(signal.SIGKILL)
+        plant.runtime.wait_for(r"device 'plc' \(127\.0\.0\.1:\d+\): ")
+        self.assertIn("device 'plc'", plant.command("status").stdout)
+        plant.start_plc()
+        plant.runtime.wait_for(r"the program is started again \(\d+ of 100 within an hour\)")
+        self.assertTrue(eventually(lambda: plant.field() == 1000), plant.log())
+        # A stop is a stop, also of a program that waits for its devices.
+        losses = plant.losses()
+        plant.plc.end(signal.SIGKILL)
+        self.assertTrue(eventually(lambda: plant.losses() > losses), plant.log())
+        self.assertEqual(plant.command("stop").returncode, 0)
+        starts = plant.runtime.output().count("started again")
+        plant.start_plc()
+        self.assertTrue(eventually(lambda: plant.field() == 7), plant.client.output())
+        self.assertTrue(eventually(lambda: plant.runtime.output().count("the I/O is there again") == 2), plant.log())
+        time.sleep(1)  # three times as long as a start would have taken
+        self.assertEqual(plant.runtime.output().count("started again"), starts)
+        self.assertEqual(plant.field(), 7)
 
     def test_a_start_is_refused_for_as_long_as_the_devices_are_lost(self):
         plant = Plant(self)

@@ -39,6 +39,12 @@ def unmount(folder):
     subprocess.run(["umount", "-l", folder], check=False)
 
 
+def empty(folder):
+    """What `fill` has put there is gone."""
+    for each in [pathlib.Path(folder) / "filler", *pathlib.Path(folder).glob("file*")]:
+        each.unlink(missing_ok=True)
+
+
 def fill(folder):
     """Until not a byte and not a file more fits."""
     try:

@@ -77,7 +77,7 @@ export interface Runtime {
   detail: string;
   program: string;
   scan: { scans: number; time_s: number; realtime_factor: number; overruns: number; p50_us: number; p99_us: number; max_us: number } | null;
-  process: { version: string; uptime_s: number; resident_bytes: number; clients: number; traps: number; lost_events: number; changes: number } | null;
+  process: { version: string; uptime_s: number; resident_bytes: number; clients: number; traps: number; lost_events: number; warnings: number; changes: number } | null;
   tasks: Task[];
   io: Io | null;
   followers: number | null;

@@ -55,6 +55,20 @@ std::array<std::uint8_t, 16> safe(const Read& read, SafeCause cause) {
   return bytes;
 }
 
+TEST(SafetyConfig, WhenLostIoIsToComeBackByItself_ThenAfterWhatTimeAndHowOften) {
+  EXPECT_FALSE(read("").safety.io.restart.automatic);
+  const Read own = read(
+      "[clock]\nmode = \"real\"\n[io]\nkind = \"shared_memory\"\nrestart = \"auto\"\nrestart_after_s = 0.5\n"
+      "restart_limit = 7\n");
+  EXPECT_EQ(own.found(), Found{});
+  EXPECT_TRUE(own.safety.io.restart.automatic);
+  EXPECT_EQ(own.safety.io.restart.after, std::chrono::milliseconds(500));
+  EXPECT_EQ(own.safety.io.restart.limit, 7u);
+  EXPECT_EQ(read("[io]\nrestart = \"auto\"\n").found(), Found{"2:11 C0446"});
+  EXPECT_EQ(read("[io]\nrestart = \"often\"\n").found().size(), 1u);
+  EXPECT_EQ(read("[io]\nrestart_limit = 0\n").found().size(), 1u);
+}
+
 TEST(SafetyConfig, WhenNothingIsSaid_ThenOutputsAreZeroAndNothingElseIsOn) {
   const Read nothing = read("");
   EXPECT_EQ(safe(nothing, SafeCause::Trap), (std::array<std::uint8_t, 16>{}));

@@ -14,7 +14,7 @@ FollowedRuntime running() {
   host::RuntimeStatus status;
   status.state = host::RuntimeState::Running;
   status.program_digest = "ab12";
-  status.process = {"0.1.0", 61.5, 4'096, 2, 1, 0};
+  status.process = {"0.1.0", 61.5, 4'096, 2, 1, 0, 0};
   status.tasks = {{"fast", 10'000, 0, 500, 3, 1, {1, 2, 3, 4, 5}, {6, 7, 8, 9, 10}, {0, 1, 1, 2, 3}},
                   {"slow", 0, 1, 5, 0, 0, {}, {}, {}}};
   FollowedRuntime runtime{.runtime = "bench", .own = true, .alive = true, .status = status};

@@ -16,7 +16,7 @@ host::RuntimeStatus sample_status() {
   status.scan_p50_us = 12.5;
   status.scan_p99_us = 40;
   status.scan_max_us = 1'000;
-  status.process = {"0.1.0", 60.5, 12u << 20, 2, 3, 4};
+  status.process = {"0.1.0", 60.5, 12u << 20, 2, 3, 4, 1};
   return status;
 }
 
@@ -37,6 +37,7 @@ TEST(Metrics, WhenARuntimeAnswers_ThenItsFiguresAreThereInBaseUnits) {
   EXPECT_TRUE(has_line(text, "stepwright_build_info{runtime=\"bench\",version=\"0.1.0\"} 1"));
   EXPECT_TRUE(has_line(text, "stepwright_traps_total{runtime=\"bench\"} 3"));
   EXPECT_TRUE(has_line(text, "stepwright_lost_events_total{runtime=\"bench\"} 4"));
+  EXPECT_TRUE(has_line(text, "stepwright_warnings{runtime=\"bench\"} 1"));
   EXPECT_TRUE(has_line(text, "stepwright_service_clients{runtime=\"bench\"} 2"));
   EXPECT_TRUE(has_line(text, "stepwright_resident_memory_bytes{runtime=\"bench\"} 12582912"));
 }

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "programs/device_status/status_socket.h"
 #include "programs/modbus_client/client_metrics.h"
 #include "programs/modbus_client/status_json.h"
-#include "programs/modbus_client/status_socket.h"
 #include "tests/support/temporary_folder.h"
 
 namespace stepwright::modbus_client {
@@ -89,10 +89,10 @@ TEST(StatusSocket, WhenSomebodyAsks_ThenTheTextIsWholeAndNobodyElseMay) {
   const auto socket = folder / "s.sock";
   const std::string long_text(3'000'000, 'x');
   {
-    const auto server = StatusServer::create(socket, [&] { return long_text; });
+    const auto server = device_status::StatusServer::create(socket, [&] { return long_text; });
     ASSERT_TRUE(server);
     for (int i = 0; i < 3; ++i) {
-      const auto told = ask_status(socket);
+      const auto told = device_status::ask_status(socket);
       ASSERT_TRUE(told);
       EXPECT_EQ(*told, long_text);
     }
@@ -100,7 +100,7 @@ TEST(StatusSocket, WhenSomebodyAsks_ThenTheTextIsWholeAndNobodyElseMay) {
     EXPECT_EQ(rights & (std::filesystem::perms::group_all | std::filesystem::perms::others_all),
               std::filesystem::perms::none);
   }
-  const auto nobody = ask_status(socket);
+  const auto nobody = device_status::ask_status(socket);
   ASSERT_FALSE(nobody);
   EXPECT_EQ(nobody.error()[0].code, "R0127");
 }
@@ -131,7 +131,7 @@ class Asking {
 TEST(StatusSocket, WhenThereAreNoDescriptorsForAWhile_ThenItAnswersAgainAfterwards) {
   const support::TemporaryFolder folder;
   const auto socket = folder / "s.sock";
-  const auto server = StatusServer::create(socket, [] { return std::string("status"); });
+  const auto server = device_status::StatusServer::create(socket, [] { return std::string("status"); });
   ASSERT_TRUE(server);
   const Asking first, second;
   rlimit before{};
@@ -145,7 +145,7 @@ TEST(StatusSocket, WhenThereAreNoDescriptorsForAWhile_ThenItAnswersAgainAfterwar
   EXPECT_TRUE(asked);
   EXPECT_FALSE(answered);
   EXPECT_TRUE(second.answered_within(10'000));
-  const auto told = ask_status(socket);
+  const auto told = device_status::ask_status(socket);
   ASSERT_TRUE(told) << result::to_string(told.error());
   EXPECT_EQ(*told, "status");
 }

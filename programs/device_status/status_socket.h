@@ -13,7 +13,7 @@
 
 #include "runtime/result/result.h"
 
-namespace stepwright::modbus_client {
+namespace stepwright::device_status {
 
 class StatusServer {
  public:
@@ -38,4 +38,4 @@ class StatusServer {
 // What the server says. Fails with R0127 if nobody does.
 [[nodiscard]] result::Result<std::string> ask_status(const std::filesystem::path& path);
 
-}  // namespace stepwright::modbus_client
+}  // namespace stepwright::device_status

@@ -1,4 +1,4 @@
-#include "programs/modbus_client/status_socket.h"
+#include "programs/device_status/status_socket.h"
 
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 #include <memory>
 #include <utility>
 
-namespace stepwright::modbus_client {
+namespace stepwright::device_status {
 namespace {
 
 constexpr int kWaiting = 8;
@@ -114,4 +114,4 @@ result::Result<std::string> ask_status(const std::filesystem::path& path) {
   return text;
 }
 
-}  // namespace stepwright::modbus_client
+}  // namespace stepwright::device_status
