@@ -109,8 +109,7 @@ bool Executive::resume() {
   record_ = std::move((*journal)->record);
   changed_ = std::move((*journal)->changed);
   next_change_ = (*journal)->next_change;
-  time_s_ = (*journal)->time_s;
-  time_offset_s_ = (*journal)->time_offset_s;
+  clock_ = RunClock((*journal)->clock);
   for (const Incident& incident : record_.incidents) devices_.restore(incident.devices);
   tare_ = (*journal)->start.tare;
   known_ = true;
@@ -138,8 +137,7 @@ bool Executive::stay_over(Journal&& journal) {
   record_ = std::move(journal.record);
   changed_ = std::move(journal.changed);
   next_change_ = journal.next_change;
-  time_s_ = journal.time_s;
-  time_offset_s_ = journal.time_offset_s;
+  clock_ = RunClock(journal.clock);
   goal_ = std::move(journal.start.goal);
   tare_ = record_.tare;
   known_ = journal.known;
@@ -178,9 +176,9 @@ bool Executive::recover_runtime(bool was_held) {
   // What happened meanwhile shows in the present steps; an event that the runtime waits for comes by itself.
   const auto snapshot = controller_.snapshot();
   if (!snapshot || snapshot->program_digest != digest_) return true;
-  take_time(snapshot->time_ns);
+  clock_.see(snapshot->incarnation, snapshot->time_ns);
   unwatched_ = true;
-  const Decision decision = judge_steps(snapshot->image, time_s_);
+  const Decision decision = judge_steps(snapshot->image, clock_.now_s());
   unwatched_ = false;
   if (decision.verdict == Verdict::Finished) return finish();
   if (decision.verdict == Verdict::Replan) return replan(decision.cause);
@@ -218,7 +216,7 @@ bool Executive::observe_once(const PreparedPlan& observer, bool& lost) {
       return give_up("the program that reads the sensors trapped: " + event->detail);
     }
     if (event->program_digest == digest_) {
-      take_time(event->time_ns);
+      clock_.see(event->incarnation, event->time_ns);
       if (event->kind == host::EventKind::Trap || event->kind == host::EventKind::Stopped) {
         return give_up("the runtime stopped while the sensors were read: " + event->detail);
       }
@@ -245,8 +243,8 @@ bool Executive::launch() {
   progress_ = {};
   progress_.actions.assign(current_.plan.actions.size(), ActionState::Pending);
   follows_ = true;
-  if (record_.episodes.size() == 1) record_.started_s = time_s_;
-  record_.episodes.back().started_s = time_s_;
+  if (record_.episodes.size() == 1) record_.started_s = clock_.now_s();
+  record_.episodes.back().started_s = clock_.now_s();
   while (!install(current_, Kind::Plan)) {
     if (record_.phase == Phase::Safe) return false;
     if (!await_runtime()) return false;
@@ -374,8 +372,8 @@ void Executive::publish() {
   // Of a run of which nothing has begun only a hold is worth keeping.
   if (!options_.journal.empty() && (!record_.episodes.empty() || hold_ || journalled_hold_)) {
     journalled_hold_ = hold_;
-    Journal journal{record_, current_.start, current_.plan,    changed_, next_change_,
-                    time_s_, time_offset_s_, journalled_hold_, known_,   seen_.planning};
+    Journal journal{record_,        current_.start,   current_.plan, changed_,      next_change_,
+                    clock_.state(), journalled_hold_, known_,        seen_.planning};
     journal.start.goal = goal_;
     // A journal that cannot be written costs a restart its memory, not this run.
     (void)write_journal(options_.journal, journal);

@@ -38,6 +38,7 @@
 #include "supervisor/executive/planning_job.h"
 #include "supervisor/executive/recurrence.h"
 #include "supervisor/executive/rest_watch.h"
+#include "supervisor/executive/run_clock.h"
 #include "supervisor/executive/run_record.h"
 #include "supervisor/translate/estimate.h"
 #include "supervisor/translate/progress.h"
@@ -198,7 +199,6 @@ class Executive {
   // executive_follow.cpp: watching one program.
   Decision follow();
   Decision judge(const host::StepEvent& event);
-  void take_time(std::int64_t time_ns);
   Decision judge_steps(std::span<const std::byte> image, double time_s);
   bool settled(const std::vector<bool>& active) const;
   void note_progress(const translate::Progress& progress, double time_s);
@@ -249,8 +249,7 @@ class Executive {
   std::string goal_;                       // PDDL; empty: the problem's
   std::map<std::string, double> changed_;  // fluents set from outside so far
   std::size_t next_change_ = 0;            // into options_.goal_changes
-  double time_s_ = 0.0;                    // of the record: scan clock, going on over restarts of the runtime
-  double time_offset_s_ = 0.0;             // record time - scan clock
+  RunClock clock_;                         // of the record
 
   std::uint64_t observed_event_ = 0;  // the event with which the last observation ended
 

@@ -49,7 +49,7 @@ Executive::Decision Executive::follow() {
     const auto event = controller_.wait_event(std::chrono::milliseconds(200));
     if (!event) {
       if (runtime_lost()) return {Verdict::RuntimeLost};
-      if (auto change = due_change(time_s_)) return {Verdict::Replan, *change};
+      if (auto change = due_change(clock_.now_s())) return {Verdict::Replan, *change};
       continue;
     }
     const Decision decision = judge(*event);
@@ -64,14 +64,14 @@ Executive::Decision Executive::judge(const host::StepEvent& event) {
     return give_up_because(IncidentKind::ProgramFault,
                            "the program trapped and was rolled back: " + event.detail);
   if (event.program_digest != digest_) return {};  // news of a program that was replaced since
-  take_time(event.time_ns);
+  clock_.see(event.incarnation, event.time_ns);
   switch (event.kind) {
     case host::EventKind::Started:
     case host::EventKind::Changed:
     case host::EventKind::RolledBack:
       return {};
     case host::EventKind::StepChange:
-      return judge_steps(event.image, time_s_);
+      return judge_steps(event.image, clock_.now_s());
     case host::EventKind::Trap:
       return give_up_because(IncidentKind::ProgramFault, "the program trapped: " + event.detail);
     case host::EventKind::Stopped:
@@ -81,13 +81,6 @@ Executive::Decision Executive::judge(const host::StepEvent& event) {
   if (event.detail != host::kSupervisorLost)
     return give_up_because(IncidentKind::Operator, "stopped from outside: " + event.detail);
   return {Verdict::Replan, {IncidentKind::LostRuntime, {"the runtime stopped: " + event.detail}, {}}};
-}
-
-// A runtime that was restarted counts its time from zero again; the record's time goes on.
-void Executive::take_time(std::int64_t time_ns) {
-  const double time_s = static_cast<double>(time_ns) * 1e-9;
-  if (time_s + time_offset_s_ < time_s_) time_offset_s_ = time_s_;
-  time_s_ = time_s + time_offset_s_;
 }
 
 Executive::Decision Executive::judge_steps(std::span<const std::byte> image, double time_s) {

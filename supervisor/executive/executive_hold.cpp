@@ -33,8 +33,8 @@ result::Result<void> Executive::request_resume() {
 // False if the run is over. A runtime that is gone, or stopped, changes nothing here: whoever resumes has the
 // plant looked at anew.
 bool Executive::stay_held() {
-  const double since_s = time_s_;
-  double now_s = time_s_;  // by the newest picture: a plant at rest causes no events
+  const double since_s = clock_.now_s();
+  double now_s = clock_.now_s();  // by the newest picture: a plant at rest causes no events
   set_phase(Phase::Held, "held by the operator: the plant rests until the run is resumed or aborted");
   (void)controller_.acknowledge(observed_event_);
   while (hold_) {
@@ -50,7 +50,7 @@ bool Executive::stay_held() {
     }
     const auto snapshot = controller_.snapshot();
     if (snapshot && snapshot->program_digest == digest_)
-      now_s = std::max(now_s, 1e-9 * static_cast<double>(snapshot->time_ns) + time_offset_s_);
+      now_s = std::max(now_s, clock_.at(snapshot->incarnation, snapshot->time_ns));
   }
   record_.incidents.back().evidence.push_back(fmt::format("resumed after {:.1f} s", now_s - since_s));
   set_phase(Phase::Replanning, "resumed by the operator");

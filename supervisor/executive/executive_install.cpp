@@ -99,7 +99,7 @@ bool Executive::await_event(host::EventKind kind) {
     if (!event) continue;
     (void)controller_.acknowledge(event->sequence);
     if (event->kind != kind || event->program_digest != digest_) continue;
-    take_time(event->time_ns);
+    clock_.see(event->incarnation, event->time_ns);
     return true;
   }
   return false;

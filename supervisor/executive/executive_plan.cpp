@@ -41,7 +41,7 @@ double ms_since(steady_clock::time_point start) {
 
 void Executive::open_incident(const Cause& cause) {
   Incident incident;
-  incident.time_s = time_s_;
+  incident.time_s = clock_.now_s();
   incident.kind = cause.kind;
   incident.evidence = cause.evidence;
   incident.action = cause.action;
@@ -103,7 +103,7 @@ void Executive::close_episode(std::string& last_done) {
     ActionRecord& action = actions[i];
     if (action.state == ActionState::Active && progress_.rests(i)) {
       action.state = ActionState::Done;
-      note_done(i, time_s_);
+      note_done(i, clock_.now_s());
     }
     if (action.state == ActionState::Done) last_done = action.text;
     if (action.state == ActionState::Active) action.state = ActionState::Failed;
@@ -121,7 +121,7 @@ bool Executive::replan(const Cause& cause) {
   if (!held && static_cast<int>(replans) >= options_.max_replans) {
     return give_up("after " + std::to_string(replans) + " replans: " + sentence, cause.kind);
   }
-  record_.replans.push_back({time_s_, sentence, last_done, held});
+  record_.replans.push_back({clock_.now_s(), sentence, last_done, held});
   note_failed_devices(cause);
   if (is_wish(cause.kind)) recurrence_.forget();
   if (cause.kind == IncidentKind::LostRuntime) drift_.forget();
@@ -274,7 +274,7 @@ std::optional<Executive::Planned> Executive::overtaken(PlanningJob& job, StartSt
     give_up("aborted by the operator", IncidentKind::Operator);
     return Planned::Over;
   }
-  if (const auto change = due_change(time_s_)) {
+  if (const auto change = due_change(clock_.now_s())) {
     job.cancel();
     overtake(sentence_of(change->evidence));
     start.planning = with_changes(start.planning);

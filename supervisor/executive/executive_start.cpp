@@ -95,7 +95,7 @@ bool Executive::stay_ready() {
   for (show();;) {
     if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
     const bool started = wait_start(kLookAtRequests);
-    if (due_change(time_s_)) {
+    if (due_change(clock_.now_s())) {
       record_.episodes.clear();
       set_phase(Phase::Planning, "looking for a plan for what is wanted now");
       if (!plan_first()) return false;
@@ -128,7 +128,7 @@ bool Executive::begin_again() {
     tracked = seen_.planning;
   }
   forget_run();
-  (void)due_change(time_s_);  // the goal that the run was started with
+  (void)due_change(clock_.now_s());  // the goal that the run was started with
   set_phase(Phase::Planning, "started by the operator");
   if (!known_) return start_afresh(/*wanted=*/true);
   open_incident({IncidentKind::Operator, {"started by the operator"}, {}});
@@ -142,8 +142,8 @@ void Executive::forget_run() {
   fresh.expected = std::move(record_.expected);
   fresh.observed = std::move(record_.observed);
   fresh.tare = std::move(record_.tare);
-  fresh.started_s = time_s_;
-  fresh.finished_s = time_s_;
+  fresh.started_s = clock_.now_s();
+  fresh.finished_s = clock_.now_s();
   record_ = std::move(fresh);
   devices_ = {};
   recurrence_.forget();

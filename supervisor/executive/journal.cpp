@@ -72,8 +72,8 @@ result::Result<std::optional<Journal>> journal_from(const json& document, const 
   journal.plan = plan_from(document.at("plan"));
   document.at("changed").get_to(journal.changed);
   journal.next_change = document.at("next_change");
-  journal.time_s = document.at("time_s");
-  journal.time_offset_s = document.at("time_offset_s");
+  journal.clock = {document.at("time_s"), document.at("time_offset_s"),
+                   document.value("incarnation", std::uint64_t{0})};
   if (document.contains("held")) {  // a journal that an earlier version has left has none of these
     journal.held = document.at("held");
     journal.known = document.at("known");
@@ -93,8 +93,9 @@ result::Result<void> write_journal(const std::filesystem::path& file, const Jour
                          {"plan", plan_json(journal.plan)},
                          {"changed", journal.changed},
                          {"next_change", journal.next_change},
-                         {"time_s", journal.time_s},
-                         {"time_offset_s", journal.time_offset_s},
+                         {"time_s", journal.clock.now_s},
+                         {"time_offset_s", journal.clock.offset_s},
+                         {"incarnation", journal.clock.incarnation},
                          {"held", journal.held},
                          {"known", journal.known},
                          {"seen", {{"facts", journal.seen.facts}, {"fluents", journal.seen.fluents}}}};

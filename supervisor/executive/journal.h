@@ -13,6 +13,7 @@
 
 #include "runtime/result/result.h"
 #include "supervisor/executive/planning_desk.h"
+#include "supervisor/executive/run_clock.h"
 #include "supervisor/executive/run_record.h"
 
 namespace stepwright::executive {
@@ -23,11 +24,10 @@ struct Journal {
   model::Plan plan;                       // actions and orderings only
   std::map<std::string, double> changed;  // fluents set from outside
   std::size_t next_change = 0;
-  double time_s = 0.0;         // of the record, when the journal was written
-  double time_offset_s = 0.0;  // record time - scan clock of the runtime
-  bool held = false;           // an operator wants it to be
-  bool known = false;          // the sensors have their tare
-  model::NamedState seen;      // of the plant, as the planner counts
+  RunClock::State clock;   // when the journal was written
+  bool held = false;       // an operator wants it to be
+  bool known = false;      // the sensors have their tare
+  model::NamedState seen;  // of the plant, as the planner counts
 };
 
 // Returns once it is on the disk; fails with X0004.

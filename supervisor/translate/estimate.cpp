@@ -197,6 +197,7 @@ result::Result<Tare> identify_tare(const Binding& binding, const Values& means,
                                    const model::NamedState& known) {
   Tare tare;
   for (const Sensor& sensor : binding.sensors) {
+    if (!sensor.tare) continue;
     auto counts = read(means, filtered_variable(sensor));
     if (!counts) return result::forward(counts);
     const auto level = known.fluents.find(sensor.fluent);

@@ -215,6 +215,7 @@ void ClientSession::on_status(const idl::Status& sample) {
 void ClientSession::on_event(const idl::Event& sample) {
   auto event = from_event(sample);
   if (!event) return event_reader_.refuse();
+  event->incarnation = sample.incarnation();
   {
     const std::scoped_lock lock(mutex_);
     events_.add(sample.incarnation(), std::move(*event));
@@ -227,6 +228,7 @@ void ClientSession::on_snapshot(const idl::Snapshot& sample) {
   if (!snapshot) return snapshot_reader_.refuse();
   {
     const std::scoped_lock lock(mutex_);
+    if (status_) snapshot->incarnation = status_->incarnation;
     snapshot_ = std::move(snapshot);
     snapshot_is_new_ = true;
   }

@@ -99,8 +99,7 @@ bool FleetExecutive::resume() {
   next_request_ = known.next_request;
   first_epoch_s_ = known.first_epoch_s;
   epoch_s_ = known.epoch_s;
-  time_s_ = known.time_s;
-  time_offset_s_ = known.time_offset_s;
+  clock_ = executive::RunClock(known.clock);
   revision_ = known.request.revision;
   for (const Standing& each : known.request.standing) {
     if (ledger_.vehicles()[each.vehicle].lost) standing_[each.vehicle] = each;
@@ -139,8 +138,7 @@ void FleetExecutive::write_journal() {
                                                .next_request = next_request_,
                                                .first_epoch_s = first_epoch_s_,
                                                .epoch_s = epoch_s_,
-                                               .time_s = time_s_,
-                                               .time_offset_s = time_offset_s_});
+                                               .clock = clock_.state()});
 }
 
 bool FleetExecutive::await_runtime() {
@@ -154,25 +152,35 @@ bool FleetExecutive::await_runtime() {
 // The missions run without anybody who follows them. A runtime that has them still goes on; one that has lost
 // them has stopped the vehicles.
 bool FleetExecutive::recover_runtime() {
+  if (has_gone_on()) {
+    set_phase(Phase::Executing, "following the missions again");
+    return true;
+  }
+  if (record_.phase == Phase::Safe) return false;
+  if (const auto loaded = carrier()) {
+    return give_up(
+        "the runtime was restarted, and the forks of " + *loaded + " have left their load somewhere",
+        IncidentKind::LostRuntime);
+  }
+  return replan(
+      {IncidentKind::LostRuntime, {"the runtime was restarted or stopped while nobody watched it"}, {}});
+}
+
+// A runtime that is not heard of, as on a machine with much else to do, is waited for. Whether it has gone on
+// with its program meanwhile; the phase is the one of before then. False with the phase Safe: aborted.
+bool FleetExecutive::has_gone_on() {
+  const Phase phase = record_.phase;
+  const std::string message = record_.message;
   if (!controller_.alive()) {
     set_phase(Phase::Waiting, "the runtime does not answer; waiting for it");
     if (!await_runtime()) return false;
   }
   const auto status = controller_.status();
-  const bool runs =
-      status && status->state == host::RuntimeState::Running && status->program_digest == running_->digest;
-  if (!runs) {
-    if (const auto loaded = carrier()) {
-      return give_up(
-          "the runtime was restarted, and the forks of " + *loaded + " have left their load somewhere",
-          IncidentKind::LostRuntime);
-    }
-    return replan(
-        {IncidentKind::LostRuntime, {"the runtime was restarted or stopped while nobody watched it"}, {}});
-  }
+  if (!status || status->state != host::RuntimeState::Running || status->program_digest != running_->digest)
+    return false;
   open_incident({IncidentKind::LostRuntime, {"the runtime was not seen for a while; it has gone on"}, {}});
   decide(Response::GoOn);
-  set_phase(Phase::Executing, "following the missions again");
+  set_phase(phase, message);
   return true;
 }
 

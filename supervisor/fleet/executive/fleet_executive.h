@@ -29,6 +29,7 @@
 
 #include "runtime/result/result.h"
 #include "supervisor/executive/controller.h"
+#include "supervisor/executive/run_clock.h"
 #include "supervisor/executive/run_record.h"
 #include "supervisor/fleet/executive/fleet_desk.h"
 #include "supervisor/fleet/executive/fleet_document.h"
@@ -94,6 +95,7 @@ class FleetExecutive {
   std::optional<std::string> carrier() const;
   bool await_runtime();
   bool recover_runtime();
+  bool has_gone_on();
   bool finish();
   std::vector<std::string> missed() const;
   void note_goals();
@@ -121,7 +123,6 @@ class FleetExecutive {
   bool crosses(const geometry::ConvexPolygon& area) const;
   Cause lose(const std::vector<std::uint32_t>& errors, const FleetReading& reading,
              const std::vector<double>& begun_m);
-  void take_time(std::int64_t time_ns);
   bool runtime_lost();
   std::chrono::milliseconds plan_clock() const;   // since the plan's time zero
   std::chrono::milliseconds first_clock() const;  // since the first plan's
@@ -183,8 +184,7 @@ class FleetExecutive {
   LedgerState planned_from_;  // of the plan: what the ledger said, and what was asked
   FleetRequest planned_as_;
   std::uint32_t revision_ = 0;
-  double time_s_ = 0.0;         // scan clock
-  double time_offset_s_ = 0.0;  // of the record's time, over restarts of the runtime
+  executive::RunClock clock_;   // of the record
   double first_epoch_s_ = 0.0;  // of the first plan's time zero
   double epoch_s_ = 0.0;        // of this plan's
   bool confirmed_ = false;

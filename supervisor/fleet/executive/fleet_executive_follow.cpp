@@ -32,7 +32,7 @@ FleetExecutive::Decision FleetExecutive::follow() {
     const auto event = controller_.wait_event(milliseconds(200));
     if (!event) {
       if (runtime_lost()) return {Verdict::RuntimeLost, {}};
-      if (auto cause = due_requests(time_s_)) return {Verdict::Replan, *cause};
+      if (auto cause = due_requests(clock_.now_s())) return {Verdict::Replan, *cause};
       publish(false);
       continue;
     }
@@ -51,7 +51,7 @@ FleetExecutive::Decision FleetExecutive::judge(const host::StepEvent& event) {
             {IncidentKind::ProgramFault, {"the program trapped and was rolled back: " + event.detail}, {}}};
   }
   if (event.program_digest != running_->digest) return {};  // news of a program that was replaced since
-  take_time(event.time_ns);
+  clock_.see(event.incarnation, event.time_ns);
   switch (event.kind) {
     case host::EventKind::Started:
     case host::EventKind::Changed:
@@ -74,7 +74,7 @@ FleetExecutive::Decision FleetExecutive::judge_reading(const FleetReading& readi
   note(news);
   if (reading.emergency_stop) return {Verdict::Hold, {}};
   if (!news.errors.empty()) return {Verdict::Replan, lose(news.errors, reading, {})};
-  if (auto cause = due_requests(time_s_)) return {Verdict::Replan, *cause};
+  if (auto cause = due_requests(clock_.now_s())) return {Verdict::Replan, *cause};
   if (news.finished) return {Verdict::Finished, {}};
   return {};
 }
@@ -94,13 +94,13 @@ void FleetExecutive::note_stop(const StopMade& stop, bool begun) {
     begun_[stop.vehicle] = first_clock();
     ledger_.made(stop.vehicle, mission.stops[stop.stop], first_clock());
     action.state = executive::ActionState::Active;
-    if (!action.started_s) action.started_s = time_s_;  // a journal may know better
+    if (!action.started_s) action.started_s = clock_.now_s();  // a journal may know better
     return;
   }
   ledger_.ended(mission.stops[stop.stop], begun_[stop.vehicle], first_clock());
   action.state = executive::ActionState::Done;
-  if (!action.finished_s) action.finished_s = time_s_;
-  record_.finished_s = time_s_;
+  if (!action.finished_s) action.finished_s = clock_.now_s();
+  record_.finished_s = clock_.now_s();
 }
 
 std::size_t FleetExecutive::action_of(const StopMade& stop) const {
@@ -289,19 +289,12 @@ bool FleetExecutive::runtime_lost() {
   return confirmed_ || ++silent_rounds_ > kMaxSilentRounds;
 }
 
-// A runtime that was restarted counts its time from zero again; the record's time goes on.
-void FleetExecutive::take_time(std::int64_t time_ns) {
-  const double time_s = static_cast<double>(time_ns) * 1e-9;
-  if (time_s + time_offset_s_ < time_s_) time_offset_s_ = time_s_;
-  time_s_ = time_s + time_offset_s_;
-}
-
 milliseconds FleetExecutive::plan_clock() const {
-  return since(epoch_s_, time_s_);
+  return since(epoch_s_, clock_.now_s());
 }
 
 milliseconds FleetExecutive::first_clock() const {
-  return since(first_epoch_s_, time_s_);
+  return since(first_epoch_s_, clock_.now_s());
 }
 
 }  // namespace stepwright::fleet

@@ -25,7 +25,7 @@ std::string joined(const std::vector<std::string>& sentences) {
 }  // namespace
 
 bool FleetExecutive::replan(const Cause& cause) {
-  record_.replans.push_back({time_s_, joined(cause.evidence), {}, to_hold_});
+  record_.replans.push_back({clock_.now_s(), joined(cause.evidence), {}, to_hold_});
   open_incident(cause);
   if (!to_hold_ && static_cast<int>(counted(record_.replans)) > options_.max_replans) {
     return give_up(fmt::format("{} plans were not enough: {}", options_.max_replans, joined(cause.evidence)),
@@ -126,7 +126,7 @@ bool FleetExecutive::launch(FleetOutcome outcome, const FleetRequest& request) {
   while (!install(outcome.prepared)) {
     if (record_.phase == Phase::Safe || !await_runtime()) return false;
   }
-  epoch_s_ = time_s_;
+  epoch_s_ = clock_.now_s();
   if (first) first_epoch_s_ = epoch_s_;
   launch_record(outcome);
   follow_plan(std::move(outcome), request);
@@ -151,7 +151,7 @@ void FleetExecutive::launch_record(const FleetOutcome& outcome) {
   const Schedule& made = answer.plan.schedule;
   executive::Episode episode;
   episode.digest = running_->digest;
-  episode.started_s = time_s_;
+  episode.started_s = clock_.now_s();
   episode.origin = record_.episodes.empty() ? "planned" : "replanned";
   episode.first_plan_ms = answer.figures.total_ms - answer.figures.improve_ms;
   episode.optimal_plan_ms = answer.figures.total_ms;
@@ -179,13 +179,13 @@ void FleetExecutive::launch_record(const FleetOutcome& outcome) {
   }
   episode.planned_makespan_s = episode.cost;
   if (made.lower_bound.count() > 0) episode.bound = seconds(made.lower_bound);
-  if (record_.episodes.empty()) record_.started_s = time_s_;
+  if (record_.episodes.empty()) record_.started_s = clock_.now_s();
   record_.episodes.push_back(std::move(episode));
 }
 
 void FleetExecutive::open_incident(const Cause& cause) {
   executive::Incident incident;
-  incident.time_s = time_s_;
+  incident.time_s = clock_.now_s();
   incident.kind = cause.kind;
   incident.evidence = cause.evidence;
   incident.action = cause.vehicle;

@@ -50,15 +50,16 @@ std::optional<FleetExecutive::Cause> FleetExecutive::hold(const Cause& cause, Ph
   held_ = true;
   to_hold_ = false;  // whoever resumes the fleet means both
   set_phase(phase, message);
-  const double until_s = time_s_ + static_cast<double>(options_.hold.count());
-  double now_s = time_s_;
+  const double until_s = clock_.now_s() + static_cast<double>(options_.hold.count());
+  double now_s = clock_.now_s();
   while (true) {
     if (abort_) {
       give_up("aborted by the operator", IncidentKind::Operator);
       return std::nullopt;
     }
     const auto event = controller_.wait_event(milliseconds(200));
-    if (event ? !take_held(*event) : runtime_lost()) {
+    if (event ? !take_held(*event) : runtime_lost() && !has_gone_on()) {
+      if (record_.phase == Phase::Safe) return std::nullopt;
       give_up("the fleet was stopped while it was held", IncidentKind::LostRuntime);
       return std::nullopt;
     }
@@ -66,9 +67,9 @@ std::optional<FleetExecutive::Cause> FleetExecutive::hold(const Cause& cause, Ph
     const auto snapshot = controller_.snapshot();
     if (!event && snapshot && snapshot->program_digest == running_->digest) {
       reading_ = running_->reader.read(snapshot->image);
-      now_s = std::max(now_s, 1e-9 * static_cast<double>(snapshot->time_ns) + time_offset_s_);
+      now_s = std::max(now_s, clock_.at(snapshot->incarnation, snapshot->time_ns));
     }
-    now_s = std::max(now_s, time_s_);
+    now_s = std::max(now_s, clock_.now_s());
     (void)due_requests(now_s);  // what they ask for is in the next plan
     publish(false);             // nobody who stands causes news
     if (!held_) {
@@ -90,7 +91,7 @@ bool FleetExecutive::take_held(const host::StepEvent& event) {
   if (event.kind == host::EventKind::RolledBack) return false;
   if (event.program_digest != running_->digest) return true;
   if (ends_the_run(event.kind)) return false;
-  take_time(event.time_ns);
+  clock_.see(event.incarnation, event.time_ns);
   if (event.kind == host::EventKind::StepChange) reading_ = running_->reader.read(event.image);
   publish(false);
   return true;
@@ -147,7 +148,7 @@ ErrorReset FleetExecutive::take_resets() {
 // Who stops by himself meanwhile is lost as well. The clock stands still at the event with which all rest.
 FleetExecutive::Rest FleetExecutive::await_rest(const PreparedFleet& halt,
                                                 const std::vector<double>& begun_m) {
-  const double begun_s = time_s_;
+  const double begun_s = clock_.now_s();
   const bool reset = std::ranges::find(reset_running_, true) != reset_running_.end();
   const double until_s = begun_s + kRestWithin_s;
   const auto end = [&](const std::string& reason, IncidentKind kind) {
@@ -158,20 +159,21 @@ FleetExecutive::Rest FleetExecutive::await_rest(const PreparedFleet& halt,
     if (abort_) return end("aborted by the operator", IncidentKind::Operator);
     const auto event = controller_.wait_event(milliseconds(200));
     if (!event) {
-      if (!runtime_lost()) continue;
+      if (!runtime_lost() || has_gone_on()) continue;
+      if (record_.phase == Phase::Safe) return Rest::Ended;
       return end("the runtime was lost while the fleet was brought to rest", IncidentKind::LostRuntime);
     }
     if (ends_the_run(event->kind))
       return end("the fleet was stopped while it was brought to rest: " + event->detail,
                  IncidentKind::ProgramFault);
     if (event->program_digest == running_->digest && event->kind == host::EventKind::StepChange) {
-      take_time(event->time_ns);
+      clock_.see(event->incarnation, event->time_ns);
       reading_ = running_->reader.read(event->image);
       if (reading_.emergency_stop) {
         (void)controller_.acknowledge(event->sequence);  // the clock goes on while the fleet is held
         return Rest::EmergencyStop;
       }
-      const bool seen_anew = !reset || time_s_ >= begun_s + kSeenAnew_s;
+      const bool seen_anew = !reset || clock_.now_s() >= begun_s + kSeenAnew_s;
       receive_returned(seen_anew);
       watch_errors(begun_m);
       if (seen_anew && all_rest(halt)) {
@@ -179,7 +181,7 @@ FleetExecutive::Rest FleetExecutive::await_rest(const PreparedFleet& halt,
         if (to_hold_) (void)controller_.acknowledge(event->sequence);  // as above
         return Rest::Reached;
       }
-      if (time_s_ > until_s) return end("the fleet does not come to rest", IncidentKind::Timeout);
+      if (clock_.now_s() > until_s) return end("the fleet does not come to rest", IncidentKind::Timeout);
     }
     (void)controller_.acknowledge(event->sequence);
   }

@@ -177,8 +177,9 @@ json document_of(const FleetJournal& journal) {
           {"next_request", journal.next_request},
           {"first_epoch_s", journal.first_epoch_s},
           {"epoch_s", journal.epoch_s},
-          {"time_s", journal.time_s},
-          {"time_offset_s", journal.time_offset_s}};
+          {"time_s", journal.clock.now_s},
+          {"time_offset_s", journal.clock.offset_s},
+          {"incarnation", journal.clock.incarnation}};
 }
 
 }  // namespace
@@ -210,8 +211,8 @@ result::Result<std::optional<FleetJournal>> read_fleet_journal(const std::filesy
     journal.next_request = document.at("next_request");
     journal.first_epoch_s = document.at("first_epoch_s");
     journal.epoch_s = document.at("epoch_s");
-    journal.time_s = document.at("time_s");
-    journal.time_offset_s = document.at("time_offset_s");
+    journal.clock = {document.at("time_s"), document.at("time_offset_s"),
+                     document.value("incarnation", std::uint64_t{0})};
     const std::size_t vehicles = journal.ledger.vehicles.size();
     bool fits = journal.request.rest.starts.size() == vehicles;
     for (const Standing& each : journal.request.standing) fits = fits && each.vehicle < vehicles;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runtime/result/result.h"
+#include "supervisor/executive/run_clock.h"
 #include "supervisor/executive/run_record.h"
 #include "supervisor/fleet/executive/fleet_desk.h"
 #include "supervisor/fleet/executive/fleet_ledger.h"
@@ -27,8 +28,7 @@ struct FleetJournal {
   std::size_t next_request = 0;
   double first_epoch_s = 0.0;
   double epoch_s = 0.0;
-  double time_s = 0.0;
-  double time_offset_s = 0.0;
+  executive::RunClock::State clock;
 };
 
 // X0004: the file cannot be written.

@@ -134,6 +134,11 @@ void BindingReader::read_sensors(const TomlTable& sensors) {
     sensor.tolerance = table.number("tolerance", sensor.tolerance, {1e-6, 1e9});
     sensor.resolution = table.number("resolution", sensor.resolution, {0.0, 1e9});
     sensor.filter = to_ms(table.number("filter_s", 0.5, kPositiveDuration));
+    sensor.tare = table.boolean("tare", sensor.tare);
+    if (!sensor.tare && table.has("max_bias_counts")) {
+      table.report("max_bias_counts", "it bounds a tare, and '" + name + "' is not tared",
+                   "tare = true where the sensor has a bias that is read before a run");
+    }
     sensor.max_bias_counts = table.number("max_bias_counts", sensor.max_bias_counts, {0.0, 65'535.0});
     sensor.max_drift = table.number("max_drift", kDrift * sensor.tolerance, {sensor.tolerance, 1e9});
     sensor.unit = table.text("unit", "");

@@ -84,6 +84,7 @@ bool SimulatedController::running() const {
 }
 
 bool SimulatedController::wait_for_runtime(std::chrono::milliseconds) {
+  silent_ = false;
   if (std::exchange(killed_, false)) {
     for (std::uint32_t i = 0; i < plant_->actuators().size(); ++i)
       plant_->set_actuator(core::ActuatorId(i), false);
@@ -200,12 +201,12 @@ bool SimulatedController::scan_once() {
 }
 
 std::optional<host::StepEvent> SimulatedController::wait_event(std::chrono::milliseconds) {
-  if (killed_) return std::nullopt;
+  if (killed_ || silent_) return std::nullopt;
   for (std::uint64_t i = 0; events_.empty(); ++i) {
     if (!running() || acknowledged_ < sequence_) return std::nullopt;
     if (i > kMaxQuietScans) throw std::runtime_error("no step event for a very long time");
     scan_once();
-    if (killed_ || std::exchange(interrupted_, false)) return std::nullopt;
+    if (killed_ || silent_ || std::exchange(interrupted_, false)) return std::nullopt;
   }
   host::StepEvent event = std::move(events_.front());
   events_.pop_front();

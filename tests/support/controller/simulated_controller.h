@@ -48,6 +48,8 @@ class SimulatedController final : public executive::Controller {
   void kill_runtime() { killed_ = true; }
   // The same, before the first scan after this time of the plant.
   void kill_runtime_at(double time_s) { kill_at_s_ = time_s; }
+  // Nobody hears of it, as on a busy machine; whoever waits for it finds it as it was.
+  void silence_runtime() { silent_ = true; }
   void refuse_changes() { refuse_changes_ = true; }
   int changes() const { return changes_; }
   std::function<void(std::span<const std::byte> outputs)> on_change;  // as they are after the swap
@@ -57,7 +59,7 @@ class SimulatedController final : public executive::Controller {
   void interrupt() { interrupted_ = true; }
 
   bool wait_for_runtime(std::chrono::milliseconds) override;
-  bool alive() const override { return !killed_; }
+  bool alive() const override { return !killed_ && !silent_; }
   result::Result<std::string> download(std::span<const std::byte> container) override;
   result::Result<std::string> change(std::span<const std::byte> container) override;
   result::Result<void> start(bool barrier) override;
@@ -87,6 +89,7 @@ class SimulatedController final : public executive::Controller {
   std::uint64_t acknowledged_ = 0;
   scan::StartPoint next_start_;
   bool killed_ = false;
+  bool silent_ = false;
   std::optional<double> kill_at_s_;
   bool refuse_changes_ = false;
   bool interrupted_ = false;

@@ -85,8 +85,7 @@ TEST(Journal, WhenWrittenAndRead_ThenItIsTheSame) {
   journal.plan.actions = {{"load", {"v1", "f1", "level8"}}, {"move", {"v1", "f1", "a1"}}};
   journal.plan.orderings = std::vector<model::Ordering>{{0, 1}};
   journal.changed = {{"(demand c1)", 8.0}};
-  journal.time_s = 42.5;
-  journal.time_offset_s = 12.5;
+  journal.clock = {42.5, 12.5, 0xFFFF'FFFF'FFFF'FFF1u};
   ASSERT_TRUE(write_journal(file, journal).has_value());
   const auto read = read_journal(file);
   ASSERT_TRUE(read.has_value() && read->has_value());
@@ -95,8 +94,9 @@ TEST(Journal, WhenWrittenAndRead_ThenItIsTheSame) {
   EXPECT_EQ((*read)->plan.actions, journal.plan.actions);
   EXPECT_EQ((*read)->plan.orderings, journal.plan.orderings);
   EXPECT_EQ((*read)->changed, journal.changed);
-  EXPECT_EQ((*read)->time_s, journal.time_s);
-  EXPECT_EQ((*read)->time_offset_s, journal.time_offset_s);
+  EXPECT_EQ((*read)->clock.now_s, journal.clock.now_s);
+  EXPECT_EQ((*read)->clock.offset_s, journal.clock.offset_s);
+  EXPECT_EQ((*read)->clock.incarnation, journal.clock.incarnation);
 }
 
 // A search that its budget ended knows no bound; JSON has no infinity.

@@ -59,6 +59,22 @@ TEST_F(EstimateTest, WhenTared_ThenTheBiasIsTakenOut) {
   EXPECT_NEAR(now->measured.fluents.at("(level a1)"), 2.0, 1e-9);
 }
 
+// What the problem says of a level is no reason to take a transmitter's reading for a bias.
+TEST_F(EstimateTest, WhenASensorIsNotTared_ThenItIsBelieved) {
+  for (Sensor& sensor : binding_.sensors) sensor.tare = sensor.name == "S2";
+  const Values shown = values(1.5, 1.5, 1.5);
+  const auto tare = identify_tare(binding_, shown, start_);
+  ASSERT_TRUE(tare);
+  EXPECT_EQ(tare->size(), 1u);
+  EXPECT_TRUE(tare->contains("S2"));
+  const auto now = estimate(binding_, shown, *tare, start_);
+  EXPECT_NEAR(now->measured.fluents.at("(lev v1)"), 1.5, 1e-9);
+  EXPECT_NEAR(now->measured.fluents.at("(level a1)"), 2.0, 1e-9);
+  EXPECT_THAT(deviations(binding_, start_, now->measured),
+              ElementsAre("level of v1 is 1.5, expected 2.0 (tolerance 0.2)",
+                          "level of a2 is 1.5, expected 2.0 (tolerance 0.2)"));
+}
+
 TEST_F(EstimateTest, WhenALevelMovesWhileTheSensorsAreRead_ThenThatIsSaid) {
   Values shown = values(2, 1.6, 2);
   const Calibration& a1 = binding_.sensors[1].calibration;

@@ -174,6 +174,29 @@ TEST(FleetHold, WhenTheEmergencyStopIsPressedOnTheWayToRest_ThenOneResumeLetsThe
   hall.expect_clean();
 }
 
+TEST(FleetHold, WhenTheRuntimeIsNotHeardOfForAWhile_ThenItIsWaitedForAndTheFleetRestsAndGoesOn) {
+  SmallHall hall;
+  FleetExecutiveOptions options = hall.options();
+  options.requests = {{12.0, HoldChange{}}, {45.0, ResumeChange{}}};
+  Phase phase = Phase::Planning;
+  int silences = 0;
+  hall.controller().on_scan = [&, scans = 0](std::span<const std::byte>) mutable {
+    const bool once = (phase == Phase::Holding && silences == 0) || (phase == Phase::Held && silences == 1);
+    if (once && ++scans % 20 == 0) {
+      hall.controller().silence_runtime();
+      ++silences;
+    }
+    if (phase == Phase::Held && scans++ % 50 == 0) hall.controller().interrupt();
+  };
+  const RunRecord record = hall.run(options, [&](const RunRecord& now) { phase = now.phase; });
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(silences, 2);
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  EXPECT_TRUE(told(record, "the runtime was not seen for a while; it has gone on"));
+  hall.expect_clean();
+}
+
 // The drum arrives at least a minute behind the crate.
 constexpr const char* kCrateFirst = R"([{"name": "crate first", "from": {"goal": "crate", "at": "end"},
   "to": {"goal": "drum", "at": "end"}, "distance_ms": [60000, null]}])";
