@@ -187,7 +187,8 @@ TEST_F(Monitor, WhenForcedBesideDownloads_ThenNoForeignVariableIsForced) {
     ASSERT_EQ(other.wait(), 0) << other.output();
     EXPECT_EQ(values()["MAIN.foreign"], 0) << round;
     ASSERT_EQ(run("forces", "--json " + path("report.json")), 0) << err;
-    for (const auto& place : json()["forces"]) EXPECT_EQ(place["name"], "MAIN.named") << round;
+    const auto report = json();
+    for (const auto& place : report["forces"]) EXPECT_EQ(place["name"], "MAIN.named") << round;
   }
 }
 
@@ -291,7 +292,8 @@ TEST_F(Monitor, WhenItIsRecordedInRealTime_ThenTheReplayIsEqualOnBothEngines) {
   EXPECT_EQ(json()["gaps"], 0);
   ASSERT_EQ(run_plain("replay", path("run.swrec") + " --json " + path("report.json")), 0) << out << err;
   EXPECT_EQ(json()["engines"].size(), 2u);
-  for (const auto& engine : json()["engines"]) {
+  const auto report = json();
+  for (const auto& engine : report["engines"]) {
     EXPECT_EQ(engine["scans"], scans);
     EXPECT_TRUE(engine["equal"]);
     EXPECT_GT(engine["realtime_factor"], 1.0);

@@ -246,7 +246,8 @@ TEST_F(ChangeRoutesTest, WhenARefusedProgramWasKeptBefore_ThenItsVersionIsAsItWa
   const json before = state()["versions"];
   fixture_.programs.refusal = "R0036";
   EXPECT_EQ(code(apply(first_, next_)), "409 R0036");
-  for (const auto& each : state()["versions"]) {
+  const json after = state()["versions"];
+  for (const auto& each : after) {
     EXPECT_TRUE(std::find(before.begin(), before.end(), each) != before.end()) << each;
   }
 }
