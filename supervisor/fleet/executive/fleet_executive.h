@@ -131,6 +131,7 @@ class FleetExecutive {
   // fleet_executive_rest.cpp: to rest, between two plans and after an emergency stop.
   std::optional<Cause> hold(const Cause& cause, executive::Phase phase, const std::string& message);
   std::optional<Cause> hold_stopped();
+  bool stay(const std::string& reason, executive::IncidentKind kind);
   std::optional<Cause> hold_asked();
   bool take_held(const host::StepEvent& event);
   Cause resumed();
@@ -178,8 +179,9 @@ class FleetExecutive {
   std::vector<bool> resets_;                        // by vehicle: with the next program
   std::vector<bool> reset_running_;                 // with the one that brings the fleet to rest
   std::uint32_t reset_number_ = 0;
-  bool held_ = false;     // by an emergency stop or an operator
-  bool to_hold_ = false;  // an operator wants it as soon as all rest
+  bool held_ = false;            // by an emergency stop or an operator
+  std::uint64_t rested_at_ = 0;  // the event with which all rested
+  bool to_hold_ = false;         // an operator wants it as soon as all rest
   std::vector<Blocked> blocked_;
   LedgerState planned_from_;  // of the plan: what the ledger said, and what was asked
   FleetRequest planned_as_;

@@ -70,17 +70,28 @@ FleetRequest FleetExecutive::next_request() {
   return request;
 }
 
+// What cannot be planned is no end while all vehicles stand: people can take an order back, open a place,
+// bring a vehicle back.
 bool FleetExecutive::plan_rest() {
-  const auto begin = std::chrono::steady_clock::now();
+  auto begin = std::chrono::steady_clock::now();
+  const auto wait_for_people = [&](const std::string& reason, IncidentKind kind) {
+    const bool goes_on = stay(reason, kind);
+    begin = std::chrono::steady_clock::now();
+    return goes_on;
+  };
   while (true) {
     const FleetRequest request = next_request();
-    if (request.standing.size() == reading_.vehicles.size())
-      return give_up("no vehicle is left that can drive", IncidentKind::FailedActuator);
+    if (request.standing.size() == reading_.vehicles.size()) {
+      if (!wait_for_people("no vehicle is left that can drive", IncidentKind::FailedActuator)) return false;
+      continue;
+    }
     auto outcome = desk_.plan(ledger_, request);
     if (abort_) return give_up("aborted by the operator", IncidentKind::Operator);
     if (!outcome) {
-      return give_up("no program could be made: " + result::to_string(outcome.error()),
-                     IncidentKind::ProgramFault);
+      if (!wait_for_people("no program could be made: " + result::to_string(outcome.error()),
+                           IncidentKind::ProgramFault))
+        return false;
+      continue;
     }
     if (outcome->prepared.program) {
       for (const std::string& name : outcome->rest.unbound)
@@ -95,9 +106,23 @@ bool FleetExecutive::plan_rest() {
       ++revision_;
       return launch(*std::move(outcome), request);
     }
-    if (!relax(*outcome))
-      return give_up("there is no plan for what remains: " + outcome->reason, IncidentKind::Position);
+    if (relax(*outcome)) continue;
+    if (!wait_for_people("there is no plan for what remains: " + outcome->reason, IncidentKind::Position))
+      return false;
   }
+}
+
+// All vehicles rest until somebody lets the fleet go on, which plans anew. False if the run is over.
+bool FleetExecutive::stay(const std::string& reason, IncidentKind kind) {
+  decide(Response::Replan);
+  (void)controller_.acknowledge(rested_at_);  // the clock goes on while the fleet is held
+  const auto cause =
+      hold({kind, {reason}, {}}, Phase::Held,
+           reason + ": all vehicles rest until the run is resumed, with other orders perhaps, or aborted");
+  if (!cause) return false;
+  open_incident(*cause);
+  set_phase(Phase::Replanning, cause->evidence.front());
+  return true;
 }
 
 // Gives up what keeps the rest from being done; false if there is nothing more to give up.

@@ -77,9 +77,12 @@ std::optional<FleetExecutive::Cause> FleetExecutive::hold(const Cause& cause, Ph
       return resumed();
     }
     if (now_s > until_s) {
-      give_up(phase == Phase::Held ? "nobody has let the fleet go on that an operator held"
-                                   : "nobody has let the fleet go on after the emergency stop",
-              IncidentKind::Operator);
+      const char* const nobody = cause.kind != IncidentKind::Operator ? "nobody has let the fleet go on"
+                                 : phase == Phase::Held
+                                     ? "nobody has let the fleet go on that an operator held"
+                                     : "nobody has let the fleet go on after the emergency stop";
+      give_up(cause.kind == IncidentKind::Operator ? nobody : cause.evidence.front() + "; " + nobody,
+              cause.kind);
       return std::nullopt;
     }
     if (event) (void)controller_.acknowledge(event->sequence);
@@ -177,6 +180,7 @@ FleetExecutive::Rest FleetExecutive::await_rest(const PreparedFleet& halt,
       receive_returned(seen_anew);
       watch_errors(begun_m);
       if (seen_anew && all_rest(halt)) {
+        rested_at_ = event->sequence;
         track(begun_m);
         if (to_hold_) (void)controller_.acknowledge(event->sequence);  // as above
         return Rest::Reached;

@@ -130,6 +130,45 @@ TEST(FleetEmergencyStop, WhenNobodyLetsTheFleetGoOn_ThenTheRunEndsSafely) {
   hall.expect_clean();
 }
 
+// Nothing can be planned, and nobody is in danger: people mend it, and the run goes on.
+TEST(FleetStay, WhenNoVehicleIsLeft_ThenTheRunWaitsForPeopleAndGoesOn) {
+  SmallHall hall({{12.0, "dead_v1", 1.0},
+                  {12.0, "dead_v2", 1.0},
+                  {12.0, "dead_v3", 1.0},
+                  {40.0, "dead_v1", 0.0, true},
+                  {40.0, "dead_v2", 0.0, true},
+                  {40.0, "dead_v3", 0.0, true}});
+  FleetExecutiveOptions options = hall.options();
+  options.requests = {{45.0, ReturnChange{"truck 1"}},
+                      {45.0, ReturnChange{"truck 2"}},
+                      {45.0, ReturnChange{"truck 3"}},
+                      {50.0, ResumeChange{}}};
+  bool waited = false;
+  hall.controller().on_scan = [&, scans = 0](std::span<const std::byte>) mutable {
+    if (waited && ++scans % 50 == 0) hall.controller().interrupt();  // nobody who rests causes an event
+  };
+  const RunRecord record = hall.run(options, [&](const RunRecord& now) {
+    waited = waited || (now.phase == Phase::Held && now.message.starts_with("no vehicle is left"));
+  });
+  SCOPED_TRACE(story(record));
+  EXPECT_TRUE(waited);
+  EXPECT_EQ(record.phase, Phase::Done);
+  EXPECT_TRUE(all_met(record));
+  hall.expect_clean();
+}
+
+TEST(FleetStay, WhenNobodyComes_ThenTheRunEndsWithTheReasonOfTheWait) {
+  SmallHall hall({{12.0, "dead_v1", 1.0}, {12.0, "dead_v2", 1.0}, {12.0, "dead_v3", 1.0}});
+  FleetExecutiveOptions options = hall.options();
+  options.hold = std::chrono::seconds(10);
+  const RunRecord record = hall.run(options);
+  SCOPED_TRACE(story(record));
+  EXPECT_EQ(record.phase, Phase::Safe);
+  EXPECT_EQ(record.message, "no vehicle is left that can drive; nobody has let the fleet go on");
+  EXPECT_FALSE(hall.controller().any_output());
+  hall.expect_clean();
+}
+
 TEST(FleetHold, WhenAnOperatorHoldsTheFleet_ThenAllRestUntilItIsResumedAndAllIsDelivered) {
   SmallHall hall;
   FleetExecutiveOptions options = hall.options();
