@@ -16,8 +16,11 @@ TEST(CommandLine, Process_WhenTheSystemRefusesAThread_ThenItEndsWithAWord) {
   EXPECT_EXIT(
       {
         end_with_a_word();
-        const support::FailingThread failing(1);
-        [&]() noexcept { std::thread([] {}).join(); }();  // GoogleTest catches what comes up to it
+        // Of a thread: GoogleTest catches what comes up to it.
+        std::thread([] {
+          const support::FailingThread failing(1);
+          std::thread([] {}).join();
+        }).join();
       },
       testing::ExitedWithCode(to_int(result::ExitCode::RuntimeFault)),
       "R0001: the system gives no more threads");

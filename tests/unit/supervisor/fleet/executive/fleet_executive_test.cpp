@@ -40,6 +40,7 @@ TEST(FleetExecutiveRun, WhenSomethingIsOrderedMeanwhile_ThenAllIsDeliveredAndNob
 
 TEST(FleetExecutiveRun, WhenNobodyCanDoWhatIsLeft_ThenTheOutputsAreSafeAndItIsSaidWhatIsMissing) {
   SmallHall hall({{5.0, "dead_v1", 1.0}, {5.0, "dead_v2", 1.0}, {5.0, "dead_v3", 1.0}});
+  hall.tell_time();
   const RunRecord record = hall.run(hall.options());
   SCOPED_TRACE(story(record));
   EXPECT_EQ(record.phase, Phase::Safe);

@@ -28,6 +28,8 @@ class SmallHall {
   // Made once for each problem: what it plans does not depend on what it has planned.
   FleetDesk& desk();
   support::SimulatedController& controller() { return controller_; }
+  // The executive looks at the clock every half second, also while nobody who rests causes an event.
+  void tell_time();
   void expect_clean() const;
   double truth(const std::string& name) const { return controller_.plant_value(name); }
 
