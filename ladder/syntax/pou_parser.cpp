@@ -37,10 +37,15 @@ void Parser::pou_head(PouDeclaration& result) {
 // Variables and statements or a chart, up to the word that ends them.
 void Parser::pou_body(PouDeclaration& result, std::optional<Keyword> end) {
   // "x : INT" is no statement: the word VAR is missing. In a generated text it is a label.
-  while (at_variable_section() ||
+  const bool is_program = result.kind == PouKind::Program;
+  while (at_variable_section() || (is_program && at(Keyword::VarAccess)) ||
          (kind_ == TextKind::Written && (at_declaration() || at_unopened_section()))) {
     if (at_variable_section()) {
       variable_section(result.variables);
+      continue;
+    }
+    if (is_program && at(Keyword::VarAccess)) {
+      access_section();
       continue;
     }
     unexpected("VAR before a declaration");

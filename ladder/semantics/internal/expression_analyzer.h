@@ -168,6 +168,9 @@ class ExpressionAnalyzer {
   // conversion.cpp
   ValuePtr convert_literal(ValuePtr value, const Type* type, Position where);
   ValuePtr retype(ValuePtr value, const Type* type, Position where);
+  // Values whose type depends on where they stand (Value::adapts).
+  static bool adapts_to(const Value& value, const Type& type);
+  ValuePtr adapted(ValuePtr value, const Type* type);
   // X_TO_Y and its like; nothing if the name is none of them.
   std::optional<NamedConversion> named_conversion(const std::string& folded) const;
   ValuePtr explicit_conversion(const syntax::Expression& call, const NamedConversion& conversion);

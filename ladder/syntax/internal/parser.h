@@ -156,6 +156,8 @@ class Parser {
   void program_instance(Resource& out);
   void program_elements(ProgramDeclaration& out);
   void access_section();
+  bool access_line();
+  bool access_path();
   void configured_section(std::vector<ConfiguredVariable>& out);
   bool configured_line(std::vector<ConfiguredVariable>& out);
 
