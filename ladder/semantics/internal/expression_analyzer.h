@@ -110,7 +110,12 @@ class ExpressionAnalyzer {
   std::optional<Member> instance_member(const Type& type, const syntax::Name& name);
   const Variable* find_variable(NameId name) const;
   void report_unknown(const syntax::Name& name);
-  std::string why_read_only(const Variable& variable) const;
+  struct Protection {
+    std::string why;  // empty: it can be written
+    std::string hint;
+  };
+  Protection protection(const Variable& variable) const;
+  void protect(Position where, std::string why, std::string hint);
 
   // test_place.cpp: what a TEST sees beside what a program sees.
   bool in_test() const { return pou_ != nullptr && pou_->test != nullptr; }
@@ -177,6 +182,7 @@ class ExpressionAnalyzer {
   ValuePtr bcd_conversion(ValuePtr value, const NamedConversion& conversion, const syntax::Expression& call);
 
   // call.cpp
+  static std::string index_hint(std::string_view name, const Type& type);
   ValuePtr call(const syntax::Expression& expression);
   ValuePtr callee(const syntax::Expression& expression);
   ValuePtr function_call(const syntax::Expression& expression, Pou& function);
@@ -222,7 +228,7 @@ class ExpressionAnalyzer {
   Analysis& a_;
   Pou* pou_;
   // Why the place that is being resolved cannot be written, and where to say so; empty if it can.
-  std::string read_only_;
+  Protection read_only_;
   Position read_only_where_;
 };
 

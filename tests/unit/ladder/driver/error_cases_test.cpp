@@ -164,7 +164,8 @@ std::vector<ErrorCase> all_cases() {
   std::vector<ErrorCase> cases(std::begin(kCases), std::end(kCases));
   for (const auto more :
        {stepwright::driver_test::type_error_cases(), stepwright::driver_test::configuration_error_cases(),
-        stepwright::driver_test::text_error_cases(), stepwright::driver_test::test_error_cases()})
+        stepwright::driver_test::text_error_cases(), stepwright::driver_test::habit_error_cases(),
+        stepwright::driver_test::test_error_cases()})
     cases.insert(cases.end(), more.begin(), more.end());
   return cases;
 }
