@@ -28,6 +28,14 @@ std::string unknown_function_hint(const std::string& folded,
 
 }  // namespace
 
+// For a variable that is called: "a(3)" where a[3] is meant.
+std::string ExpressionAnalyzer::index_hint(std::string_view name, const Type& type) {
+  const char* const part = type.kind == TypeKind::Array ? "an element"
+                           : type.is_string()           ? "a character"
+                                                        : nullptr;
+  return part == nullptr ? "" : std::string(part) + " is written " + std::string(name) + "[...]";
+}
+
 void ExpressionAnalyzer::note_callee(const Pou& callee) {
   if (pou_ == nullptr) return;
   if (pou_->known_callees.insert(&callee).second) pou_->callees.push_back(&callee);
@@ -40,6 +48,12 @@ ValuePtr ExpressionAnalyzer::call(const Expression& expression) {
 
 ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
   if (!expression.operands.empty()) {
+    const Expression* root = expression.operands[0].get();
+    while (!root->operands.empty()) root = root->operands[0].get();
+    if (root->kind == syntax::ExpressionKind::Variable && find_variable(root->name.id) == nullptr) {
+      report_unknown(root->name);
+      return nullptr;
+    }
     a_.error(code::kNoResult, expression.where, "a function block has no result",
              "call it as a statement and read its outputs afterwards");
     return nullptr;
@@ -53,7 +67,8 @@ ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
       a_.error(code::kNoResult, name.where, "the function block " + quote(name.text) + " has no result",
                "call it as a statement and read its outputs afterwards");
     } else {
-      a_.error(code::kNotCallable, name.where, quote(name.text) + " is a variable and cannot be called");
+      a_.error(code::kNotCallable, name.where, quote(name.text) + " is a variable and cannot be called",
+               index_hint(name.text, *variable->type));
     }
     return nullptr;
   }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ladder/semantics/internal/configurer.h"
+#include "ladder/semantics/internal/constant_order.h"
 
 namespace stepwright::semantics::internal {
 
@@ -98,8 +99,10 @@ void declare_globals(Analysis& a, TypeResolver& types, const syntax::Unit& unit,
   // The variables of a function block may name globals, so that these come first.
   std::stable_partition(lines.begin(), lines.end(),
                         [&](const auto* line) { return !types.names_block(*line->type); });
-  for (const syntax::VariableDeclaration* line : lines) {
-    const Type* type = types.resolve(*line->type);
+  const ConstantOrder ordered = constant_order(a, lines, unit.types);
+  for (const std::size_t i : ordered.order) {
+    const syntax::VariableDeclaration* line = lines[i];
+    const Type* type = ordered.broken[i] ? nullptr : types.resolve(*line->type);
     if (type != nullptr && !is_global_line(a, *line, *type)) type = nullptr;
     ExpressionAnalyzer expressions(a, nullptr);
     if (line->names.empty() && type != nullptr) declare_direct(a, types, expressions, *line, *type);

@@ -30,6 +30,7 @@ std::string path_of(const Expression& source) {
 void Configurer::run() {
   for (const syntax::Resource& resource : configuration_.resources) {
     const std::size_t first = a_.model.tasks.size();
+    resource_tasks_ = {first, first};
     for (const syntax::TaskDeclaration& each : resource.tasks) declare_task(each);
     resource_tasks_ = tasks_.emplace_back(TaskRange{first, a_.model.tasks.size()});
     for (const syntax::ProgramDeclaration& each : resource.programs) declare_program(each, tasks_.size() - 1);
@@ -44,6 +45,24 @@ void Configurer::run() {
       if (each.resource == r) add_calls(each);
   }
   check_clock();
+  qualify_tasks();
+}
+
+// Names of tasks are those of their resource: where two resources have one name, viewers see RESOURCE.task.
+void Configurer::qualify_tasks() {
+  std::vector<std::pair<std::size_t, std::string>> names;
+  for (std::size_t r = 0; r < tasks_.size(); ++r)
+    for (std::size_t i = tasks_[r].first; i < tasks_[r].end; ++i) {
+      const std::string& name = a_.model.tasks[i].name;
+      const bool elsewhere = std::ranges::any_of(tasks_, [&](const TaskRange& other) {
+        for (std::size_t k = other.first; k < other.end && other.first != tasks_[r].first; ++k)
+          if (naming::same_name(a_.model.tasks[k].name, name)) return true;
+        return false;
+      });
+      const std::string_view resource = configuration_.resources[r].name.text;
+      if (elsewhere && !resource.empty()) names.emplace_back(i, std::string(resource) + "." + name);
+    }
+  for (auto& [task, name] : names) a_.model.tasks[task].name = std::move(name);
 }
 
 void Configurer::run_only(const Pou& program) {
@@ -57,10 +76,10 @@ void Configurer::declare_task(const syntax::TaskDeclaration& declaration) {
   ExpressionAnalyzer expressions(a_, nullptr);
   Task task;
   task.name = std::string(declaration.name.text);
-  for (const Task& other : a_.model.tasks)
-    if (naming::same_name(other.name, task.name))
-      a_.error(code::kDuplicate, declaration.name.where, "there is another task " + quote(task.name),
-               "the resources of a configuration share their names here");
+  for (std::size_t i = resource_tasks_.first; i < a_.model.tasks.size(); ++i)
+    if (naming::same_name(a_.model.tasks[i].name, task.name))
+      a_.error(code::kDuplicate, declaration.name.where,
+               "there is another task " + quote(task.name) + " in this resource");
   set_interval(declaration, task);
   if (declaration.priority) {
     const Type* type = a_.type_table().elementary(ElementaryType::Udint);

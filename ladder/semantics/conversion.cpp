@@ -60,12 +60,25 @@ ValuePtr ExpressionAnalyzer::mismatch(const Type& from, const Type& to, Position
 
 ValuePtr ExpressionAnalyzer::convert(ValuePtr value, const Type* type, Position where) {
   if (!value || type == nullptr || value->type == type) return value;
+  if (adapts_to(*value, *type)) return adapted(std::move(value), type);
   bool known = false;
   value = convert_derived(std::move(value), type, where, known);
   if (known) return value;
   if (value->type->is_literal()) return convert_literal(std::move(value), type, where);
   if (!widens(*value->type, *type)) return mismatch(*value->type, *type, where);
   return convert_exactly(std::move(value), type);
+}
+
+bool ExpressionAnalyzer::adapts_to(const Value& value, const Type& type) {
+  if (!value.adapts || type.kind != TypeKind::Elementary) return false;
+  return value.kind == ValueKind::Truncate ? type.is_integer() : type.is(ElementaryType::Real);
+}
+
+ValuePtr ExpressionAnalyzer::adapted(ValuePtr value, const Type* type) {
+  value->adapts = false;
+  if (value->kind != ValueKind::Truncate) return convert_exactly(std::move(value), type);
+  value->type = type;
+  return value;
 }
 
 // A function of literals that is no constant: SEL(b, 1, 2). Its operands get the type.

@@ -129,7 +129,9 @@ const Type* TypeResolver::enumeration(const syntax::TypeSpec& spec, std::string 
   Constant next;
   for (const syntax::Enumerator& each : spec.enumerators) {
     if (each.value) {
+      const Type* const outer = std::exchange(a_.numbered, type);
       const auto value = expressions.constant(*each.value, base);
+      a_.numbered = outer;
       if (!value) return nullptr;
       next = *value;
     }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "runtime/naming/ascii_names.h"
+
 namespace stepwright::semantics::internal {
 
 using syntax::Expression;
@@ -147,6 +149,9 @@ ValuePtr ExpressionAnalyzer::typed_literal(const Expression& expression) {
 
 ValuePtr ExpressionAnalyzer::variable(const Expression& expression) {
   const syntax::Name& name = expression.name;
+  if (a_.numbered != nullptr)
+    if (const Enumerator* before = a_.numbered->find_enumerator(name.id))
+      return make_constant({before->value}, a_.numbered->base, expression.where);
   const Variable* found = find_variable(name.id);
   if (found == nullptr) {
     const auto known = a_.enum_values.find(name.id.value);
@@ -168,6 +173,9 @@ ValuePtr ExpressionAnalyzer::enum_value(const Expression& expression) {
     // The context says which of several enumerations is meant.
     return make_constant({name.id.value}, a_.type_table().any_enumerator(), name.where);
   }
+  if (a_.numbered != nullptr && naming::same_name(a_.numbered->name, expression.prefix->text))
+    if (const Enumerator* before = a_.numbered->find_enumerator(name.id))
+      return make_constant({before->value}, a_.numbered->base, expression.where);
   const auto type = a_.types.find(expression.prefix->id.value);
   if (type == a_.types.end() || (type->second != nullptr && type->second->kind != TypeKind::Enumeration)) {
     // Of a name that is no type at all it was said before.

@@ -1,4 +1,5 @@
 #include "ladder/semantics/internal/layout.h"
+#include "ladder/semantics/internal/constant_order.h"
 #include "ladder/semantics/internal/test_suite.h"
 
 #include <algorithm>
@@ -24,10 +25,17 @@ void Layout::run() {
     number_parameters();
     declare_result();
   }
-  for (std::size_t i = 0; i < line_types_.size(); ++i) {
+  std::vector<const VariableDeclaration*> lines;
+  for (const VariableDeclaration& each : declaration.variables) lines.push_back(&each);
+  // One after the other, behind the constants that it names: a bound may be one.
+  const ConstantOrder ordered = constant_order(a_, lines, {});
+  for (const std::size_t i : ordered.order) {
     const VariableDeclaration& line = declaration.variables[i];
-    // One after the other: a bound may name a constant that was declared before.
-    if (!is_numbered(line)) line_types_[i] = type_of(line);
+    if (ordered.broken[i]) {
+      line_types_[i] = nullptr;
+    } else if (!is_numbered(line)) {
+      line_types_[i] = type_of(line);
+    }
     if (line.names.empty() && line_types_[i] != nullptr)
       declare_direct(a_, types_, expressions_, line, *line_types_[i]);
     for (const syntax::Name& name : line.names) declare(line, name, line_types_[i]);

@@ -93,6 +93,8 @@ const Type* ExpressionAnalyzer::common_type(const Value& left, const Value& righ
   const Type& l = *left.type;
   const Type& r = *right.type;
   if (&l == &r) return &l;
+  if (adapts_to(left, r) && r.is_real()) return &r;
+  if (adapts_to(right, l) && l.is_real()) return &l;
   if (l.kind == TypeKind::AnyEnumerator || l.kind == TypeKind::Null) return takes_name(r, l) ? &r : nullptr;
   if (r.kind == TypeKind::AnyEnumerator || r.kind == TypeKind::Null) return takes_name(l, r) ? &l : nullptr;
   if (l.is_string() || r.is_string()) return common_text(left, right);
@@ -179,6 +181,11 @@ ValuePtr ExpressionAnalyzer::combine(Operator op, ValuePtr left, ValuePtr right,
     if (!constant) return combine(op, settle(std::move(left)), settle(std::move(right)), where);
     if (common->kind == TypeKind::AnyInteger) return fold_literals(op, *left, *right, where);
   }
+  // A power of an integer stays one that can be a REAL beside a literal and another one.
+  const auto may_be_real = [](const Value& each) {
+    return each.type->is_literal() || (each.adapts && each.type->is(ElementaryType::Lreal));
+  };
+  const bool adapts = common->is(ElementaryType::Lreal) && may_be_real(*left) && may_be_real(*right);
   left = convert(std::move(left), common, where);
   right = convert(std::move(right), common, where);
   if (!left || !right) return nullptr;
@@ -197,10 +204,12 @@ ValuePtr ExpressionAnalyzer::combine(Operator op, ValuePtr left, ValuePtr right,
   if (left->kind == ValueKind::Binary && left->op == op && !is_comparison(op) && left->type == common &&
       left->operands[0]->type == common) {
     left->operands.push_back(std::move(right));
+    left->adapts = adapts;
     return left;
   }
   ValuePtr result = make(ValueKind::Binary, type, where);
   result->op = op;
+  result->adapts = adapts && type == common;
   result->operands.push_back(std::move(left));
   result->operands.push_back(std::move(right));
   return result;

@@ -35,6 +35,11 @@ void ExpressionAnalyzer::report_unknown(const syntax::Name& name) {
              "declare an instance of a function block, or call the function with (...)");
     return;
   }
+  const std::string& folded = a_.names.folded(name.id);
+  if (folded == "THIS" || folded == "SUPER")
+    return a_.error(code::kNotSupported, name.where,
+                    quote(name.text) + " belongs to classes and methods, which are not supported",
+                    "a block names its own variables as they are, and other blocks by their instances");
   if (a_.sink.is_full()) return a_.error(code::kUndeclared, name.where, {});
   std::vector<std::string_view> candidates;
   if (pou_ != nullptr)
@@ -44,23 +49,35 @@ void ExpressionAnalyzer::report_unknown(const syntax::Name& name) {
                   source::did_you_mean(name.text, candidates));
 }
 
-std::string ExpressionAnalyzer::why_read_only(const Variable& variable) const {
-  if (variable.constant) return "is a constant";
+namespace {
+
+constexpr const char* kPlantHint = "what the plant measures is read; commands go to an output (%Q)";
+
+}  // namespace
+
+ExpressionAnalyzer::Protection ExpressionAnalyzer::protection(const Variable& variable) const {
+  if (variable.constant) return {"is a constant", "declare it without CONSTANT to write it"};
   // Who tests a program plays its plant.
   if (in_test()) return {};
   const bool at_input = variable.open_address == syntax::Area::Input;
-  if (at_input || variable.place.base == Base::Input) return "is an input of the plant (%I)";
-  if (variable.section == Section::Input) return "is an input (VAR_INPUT)";
+  if (at_input || variable.place.base == Base::Input) return {"is an input of the plant (%I)", kPlantHint};
+  if (variable.section == Section::Input)
+    return {"is an input (VAR_INPUT)", "copy it into a variable of VAR or VAR_TEMP and write that"};
   return {};
+}
+
+void ExpressionAnalyzer::protect(Position where, std::string why, std::string hint) {
+  read_only_ = {std::move(why), std::move(hint)};
+  read_only_where_ = where;
 }
 
 std::optional<Place> ExpressionAnalyzer::place(const Expression& expression, Access access) {
   // Indexes hold expressions of their own, so the state is that of the outer place again afterwards.
-  std::string outer = std::exchange(read_only_, {});
+  Protection outer = std::exchange(read_only_, {});
   const Position outer_where = read_only_where_;
   std::optional<Place> found = part(expression);
-  if (found && access == Access::Write && !read_only_.empty()) {
-    a_.error(code::kReadOnly, read_only_where_, read_only_ + " and cannot be written");
+  if (found && access == Access::Write && !read_only_.why.empty()) {
+    a_.error(code::kReadOnly, read_only_where_, read_only_.why + " and cannot be written", read_only_.hint);
     found.reset();
   }
   if (found && access == Access::Write && pou_ != nullptr && is_outside(*found)) pou_->writes_outside = true;
@@ -85,6 +102,15 @@ std::optional<Place> ExpressionAnalyzer::part(const Expression& expression) {
       return partial_place(expression);
     case ExpressionKind::Error:
       return std::nullopt;
+    case ExpressionKind::Call:
+      if (const Variable* called =
+              expression.operands.empty() ? find_variable(expression.name.id) : nullptr) {
+        if (called->type == nullptr) return std::nullopt;
+        a_.error(code::kNeedsVariable, expression.where, "a variable is needed here, and no call",
+                 index_hint(expression.name.text, *called->type));
+        return std::nullopt;
+      }
+      [[fallthrough]];
     default:
       a_.error(code::kNeedsVariable, expression.where, "a variable is needed here");
       return std::nullopt;
@@ -102,11 +128,8 @@ std::optional<Place> ExpressionAnalyzer::variable_place(const syntax::Name& name
     a_.error(code::kBadDiagram, name.where, "this is read before it is computed, so that it has no type",
              "connect it through a variable");
   if (found->type == nullptr) return std::nullopt;
-  const std::string why = why_read_only(*found);
-  if (!why.empty()) {
-    read_only_ = quote(name.text) + " " + why;
-    read_only_where_ = name.where;
-  }
+  Protection kept = protection(*found);
+  if (!kept.why.empty()) protect(name.where, quote(name.text) + " " + kept.why, std::move(kept.hint));
   // The body reads the edge of an input with R_EDGE, its callers write the input itself.
   const bool senses = found->edge != syntax::Edge::None;
   Place place = copy_direct(senses ? found->edge_place : found->place);
@@ -164,7 +187,7 @@ std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::struct_member(cons
 std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::instance_member(const Type& type,
                                                                               const syntax::Name& name) {
   // Writing a member writes into the block, not to the variable that holds it: t.IN := x, t being an input.
-  read_only_.clear();
+  read_only_ = {};
   const Variable* found = type.pou->find(name.id);
   if (found == nullptr) {
     std::vector<std::string_view> candidates;
@@ -184,8 +207,8 @@ std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::instance_member(co
     return std::nullopt;
   }
   if (found->section == Section::Output) {
-    read_only_ = quote(name.text) + " is an output of " + type.name;
-    read_only_where_ = name.where;
+    protect(name.where, quote(name.text) + " is an output of " + type.name,
+            "only the block writes its outputs; callers give it inputs");
   }
   return Member{found->type, found->place.offset};
 }
@@ -194,8 +217,7 @@ std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::instance_member(co
 std::optional<Place> ExpressionAnalyzer::direct_place(const Expression& expression) {
   const syntax::DirectAddress& address = expression.address;
   if (address.area == syntax::Area::Input && !in_test()) {
-    read_only_ = quote(syntax::to_string(address)) + " is an input of the plant";
-    read_only_where_ = expression.where;
+    protect(expression.where, quote(syntax::to_string(address)) + " is an input of the plant", kPlantHint);
   }
   if (pou_ == nullptr) {
     a_.error(code::kNotConstant, expression.where, "the value must be known when the program is compiled");

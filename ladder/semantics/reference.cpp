@@ -62,7 +62,7 @@ std::optional<Place> ExpressionAnalyzer::followed_place(const Expression& expres
   std::optional<Place> base = part(*expression.operands[0]);
   if (!base) return std::nullopt;
   // A constant or an input that holds a reference can be followed and what it leads to written.
-  read_only_.clear();
+  read_only_ = {};
   if (!base->type->is_reference()) {
     a_.error(code::kTypeMismatch, expression.where, base->type->name + " is no reference",
              "'^' follows a REF_TO");

@@ -13,7 +13,6 @@ const char* section_name(Section section) {
 }
 
 bool Layout::allowed(const VariableDeclaration& line, const Type& type) {
-  const bool is_function = pou_.kind == PouKind::Function;
   const Position where = line.names.empty() ? line.address_where : line.names.front().where;
   std::string why;
   if (pou_.test != nullptr && line.section != Section::Local && line.section != Section::External) {
@@ -21,8 +20,6 @@ bool Layout::allowed(const VariableDeclaration& line, const Type& type) {
         std::string(section_name(line.section)) + " has no meaning in a TEST, which nothing calls: write VAR";
   } else if (line.section == Section::Global) {
     why = "VAR_GLOBAL stands in a configuration or outside of POUs";
-  } else if (line.section == Section::External && is_function) {
-    why = "a function sees no globals through VAR_EXTERNAL";
   } else if (type.kind == TypeKind::Instance) {
     why = forbidden_block(line);
   }
@@ -34,7 +31,8 @@ bool Layout::allowed(const VariableDeclaration& line, const Type& type) {
 
 std::string Layout::forbidden_block(const VariableDeclaration& line) const {
   const bool is_function = pou_.kind == PouKind::Function;
-  if ((is_function || line.section == Section::Temp) && line.section != Section::InOut)
+  const bool elsewhere = line.section == Section::InOut || line.section == Section::External;
+  if ((is_function || line.section == Section::Temp) && !elsewhere)
     return "a function block keeps its state and cannot live in a " +
            std::string(is_function ? "function" : "VAR_TEMP");
   if (line.constant) return "a function block cannot be CONSTANT";

@@ -163,6 +163,7 @@ const Type* StandardAnalyzer::unify(Values& values, std::size_t first, Position 
     for (std::size_t i = first; i < values.size(); ++i) {
       Value stand_in;
       stand_in.type = common;
+      stand_in.adapts = common == values[model]->type && values[model]->adapts;
       if (common->is_literal()) stand_in.constant = values[model]->constant;
       const Type* wider = e_.common_type(stand_in, *values[i]);
       if (wider == nullptr) {

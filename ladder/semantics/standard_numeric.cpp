@@ -98,7 +98,8 @@ ValuePtr StandardAnalyzer::power(const Expression& call, Values values, int) {
   return e_.power(std::move(values[0]), std::move(values[1]), call.where);
 }
 
-// REAL ** number is REAL, all else is computed as LREAL: an integer power is exact up to 2^53.
+// REAL ** number is REAL, all else is computed as LREAL: an integer power is exact up to 2^53. An integer
+// that is implicitly a REAL makes a REAL power where one stands (figure 12).
 ValuePtr ExpressionAnalyzer::power(ValuePtr base, ValuePtr exponent, Position where) {
   const Type& b = *base->type;
   const Type& e = *exponent->type;
@@ -110,6 +111,9 @@ ValuePtr ExpressionAnalyzer::power(ValuePtr base, ValuePtr exponent, Position wh
       (b.is(ElementaryType::Real) || b.kind == TypeKind::AnyReal) && !e.is(ElementaryType::Lreal);
   const Type* type =
       literals ? types.any_real() : types.elementary(single ? ElementaryType::Real : ElementaryType::Lreal);
+  const Type& real = *types.elementary(ElementaryType::Real);
+  const bool adapts = !literals && !single && b.is_integer() && (b.is_literal() || widens(b, real)) &&
+                      !e.is(ElementaryType::Lreal);
   std::vector<ValuePtr> operands;
   operands.push_back(std::move(base));
   operands.push_back(std::move(exponent));
@@ -119,12 +123,26 @@ ValuePtr ExpressionAnalyzer::power(ValuePtr base, ValuePtr exponent, Position wh
     if (!each) return nullptr;
   }
   StandardAnalyzer standard(a_, *this);
-  return standard.defined(standard.make_standard(StandardFunction::Power, type, std::move(operands), where),
-                          where);
+  ValuePtr result = standard.defined(
+      standard.make_standard(StandardFunction::Power, type, std::move(operands), where), where);
+  if (result) result->adapts = adapts;
+  return result;
 }
 
+// The type of the result is that of the place where the call stands (tables 22 and 23), DINT if that says
+// nothing.
 ValuePtr StandardAnalyzer::truncate(const Expression& call, Values values, int) {
-  return e_.truncated(std::move(values[0]), a_.type_table().elementary(ElementaryType::Dint), call);
+  const bool constant = values[0]->kind == ValueKind::Constant;
+  ValuePtr result =
+      e_.truncated(std::move(values[0]), a_.type_table().elementary(ElementaryType::Lint), call);
+  if (!result) return nullptr;
+  if (constant && result->kind == ValueKind::Constant) {
+    result->type = a_.type_table().any_integer();
+  } else {
+    result->type = a_.type_table().elementary(ElementaryType::Dint);
+    result->adapts = true;
+  }
+  return result;
 }
 
 ValuePtr StandardAnalyzer::is_valid(const Expression& call, Values values, int) {

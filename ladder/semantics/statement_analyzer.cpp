@@ -221,13 +221,14 @@ std::optional<Statement> StatementAnalyzer::select(const syntax::Statement& stat
   Statement result = make(StatementKind::Case, statement.where);
   result.value = expressions_.settled_value(*statement.value);
   const Type* selector = result.value ? result.value->type : nullptr;
-  const bool selects = selector == nullptr || selector->is_integer() || selector->is_bits() ||
-                       selector->is(ElementaryType::Char) || selector->is(ElementaryType::Wchar) ||
-                       selector->kind == TypeKind::Enumeration;
+  // Values that are counted: equality of reals depends on rounding, and a string is no single value here.
+  const bool selects = selector == nullptr || selector->kind == TypeKind::Enumeration ||
+                       (selector->kind == TypeKind::Elementary && !selector->is_real());
   if (!selects) {
     a_.error(code::kTypeMismatch, statement.value->where,
-             "the selector of CASE must be an integer, an enumeration or a character, not " +
-                 plain_name(*selector));
+             "the selector of CASE cannot be " + plain_name(*selector),
+             "it is a BOOL, an integer, a bit string, a character, a TIME, a date or an enumeration; "
+             "compare others with IF");
     selector = nullptr;
   }
   Labelled seen;

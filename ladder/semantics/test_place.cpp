@@ -72,10 +72,9 @@ std::optional<Place> ExpressionAnalyzer::inner_place(Place base, const Expressio
     return std::nullopt;
   }
   if (found->type == nullptr) return std::nullopt;
-  read_only_.clear();
+  read_only_ = {};
   if (found->constant) {
-    read_only_ = quote(name.text) + " is a constant";
-    read_only_where_ = name.where;
+    protect(name.where, quote(name.text) + " is a constant", "declare it without CONSTANT to write it");
   }
   if (found->open_address) {
     // Of an instance that runs, the place that VAR_CONFIG gave it.

@@ -137,6 +137,9 @@ struct Value {
   // Of the width of the strings. Concat takes two or more; SetCharAt makes a text of the one character that
   // is its operand; To... gives a value of `type`, which may be narrower than what the machine reads.
   bytecode::StringOpId text_op = bytecode::StringOpId::CopyS;
+  // Truncate: of TRUNC, whose integer type is that of the place where it stands; DINT if that says nothing.
+  // Of a power of an integer, LREAL: where a REAL stands it is one.
+  bool adapts = false;
   Constant constant;
   Place place;
   const Pou* pou = nullptr;

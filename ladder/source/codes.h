@@ -96,5 +96,6 @@ inline constexpr const char* kMissingCase = "W0014";
 inline constexpr const char* kEmptyBody = "W0015";
 inline constexpr const char* kOverlap = "W0016";
 inline constexpr const char* kForeignCode = "W0017";
+inline constexpr const char* kAccessPath = "W0018";
 
 }  // namespace stepwright::source::code

@@ -150,12 +150,38 @@ void Parser::program_elements(ProgramDeclaration& out) {
   expect(TokenKind::RightParen, "to close the connections of the program");
 }
 
+// VAR_ACCESS name : [resource.][program.][block.]variable : type READ_WRITE; END_VAR (6.8.1)
 void Parser::access_section() {
-  context_.sink.error(source::code::kNotSupported, peek().where,
-                      "access paths are not supported: clients read and write variables by their names",
-                      "leave VAR_ACCESS out; a client names the variable itself, as in main.level");
-  while (!at(Keyword::EndVar) && !at(TokenKind::End) && !at_pou_start()) advance();
-  accept(Keyword::EndVar);
+  const Token& open = advance();
+  while (!at(TokenKind::End) && !at(TokenKind::Keyword)) {
+    if (accept(TokenKind::Semicolon)) continue;
+    if (!access_line()) skip_declaration();
+  }
+  expect_end(Keyword::EndVar, open);
+}
+
+bool Parser::access_line() {
+  const auto name = expect_name("the name of an access path");
+  if (!name || !expect(TokenKind::Colon, "behind the name of the access path") || !access_path())
+    return false;
+  if (!expect(TokenKind::Colon, "behind the path") || type()->kind == TypeKind::Error) return false;
+  if (at_word("READ_ONLY") || at_word("READ_WRITE")) advance();
+  context_.sink.warning(source::code::kAccessPath, name->where,
+                        "no client can name the access path '" + std::string(name->text) + "'",
+                        "clients read and write variables by their own names, as in main.level");
+  return expect(TokenKind::Semicolon, "behind the access path");
+}
+
+bool Parser::access_path() {
+  do {
+    if (at(TokenKind::Direct)) return direct_address().has_value();
+    if (!expect_name("a path of names, or an address")) return false;
+    if (!accept(TokenKind::LeftBracket)) continue;
+    do expression();
+    while (accept(TokenKind::Comma));
+    if (!expect(TokenKind::RightBracket, "to close the index")) return false;
+  } while (accept(TokenKind::Dot));
+  return true;
 }
 
 void Parser::configured_section(std::vector<ConfiguredVariable>& out) {

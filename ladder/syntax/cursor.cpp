@@ -68,8 +68,13 @@ bool Parser::expect(TokenKind kind, const char* after) {
   reported_at_ = at_;
   if (at(TokenKind::Bad)) return false;
   std::string message = std::string("expected ") + describe(kind) + " " + after + ", found " + quoted(peek());
-  const std::string hint =
-      at(TokenKind::Equal) && kind == TokenKind::Assign ? "an assignment is written ':='" : "";
+  if (peek().foreign) return false;
+  const bool twice =
+      kind == TokenKind::Assign && (at(TokenKind::Plus) || at(TokenKind::Minus)) && peek(1).is(peek().kind);
+  const char* const sign = at(TokenKind::Plus) ? "+" : "-";
+  const std::string hint = at(TokenKind::Equal) && kind == TokenKind::Assign ? "an assignment is written ':='"
+                           : twice ? std::string("write x := x ") + sign + " 1"
+                                   : std::string();
   // What is missing belongs behind the token before, which may be on another line.
   const bool missing = kind == TokenKind::Semicolon;
   context_.sink.error(code::kUnexpectedToken, missing ? after_previous() : peek().where, std::move(message),
@@ -83,7 +88,7 @@ bool Parser::expect(Keyword keyword, const char* after) {
   return false;
 }
 
-bool Parser::expect_end(Keyword keyword, const Token& open) {
+bool Parser::expect_end(Keyword keyword, const Token& open, const std::string& hint) {
   if (accept(keyword)) return true;
   // A comment without an end has swallowed the END.
   const bool swallowed = at(TokenKind::End) && at_ > 0 && tokens_[at_ - 1].is(TokenKind::Bad);
@@ -92,7 +97,8 @@ bool Parser::expect_end(Keyword keyword, const Token& open) {
     reported_at_ = at_;
     context_.sink.error(code::kMissingEnd, open.where,
                         "'" + std::string(open.text) + "' is not closed: '" + to_string(keyword) +
-                            "' is missing before " + quoted(peek()));
+                            "' is missing before " + quoted(peek()),
+                        hint);
   }
   return false;
 }
@@ -119,7 +125,8 @@ bool Parser::at_block_end() const {
       Keyword::EndIf,    Keyword::Else,  Keyword::Elsif,       Keyword::EndCase,    Keyword::EndFor,
       Keyword::EndWhile, Keyword::Until, Keyword::EndRepeat,   Keyword::EndAction,  Keyword::EndTransition,
       Keyword::EndStep,  Keyword::Step,  Keyword::InitialStep, Keyword::Transition, Keyword::Action};
-  return at(TokenKind::End) || at_pou_start() || at_variable_section() || is_one_of(peek(), kEnds);
+  return at(TokenKind::End) || at_pou_start() || at_variable_section() || is_one_of(peek(), kEnds) ||
+         at_object() || at_misspelt_elsif();
 }
 
 bool Parser::at_statement_keyword() const {

@@ -25,13 +25,19 @@ std::optional<std::array<std::uint64_t, 3>> three_numbers(std::string_view text,
   return numbers;
 }
 
-// ".36" in nanoseconds.
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// ".360_227_4" in nanoseconds; single underscores may divide the digits.
 std::optional<std::int64_t> fraction_ns(std::string_view digits) {
-  if (digits.empty()) return std::nullopt;
+  if (digits.empty() || !is_digit(digits.back())) return std::nullopt;
   std::int64_t ns = 0;
   std::int64_t scale = kNsPerSecond;
-  for (const char c : digits) {
-    if (c < '0' || c > '9') return std::nullopt;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const char c = digits[i];
+    if (c == '_' && i > 0 && digits[i - 1] != '_') continue;
+    if (!is_digit(c)) return std::nullopt;
     scale /= 10;
     ns += (c - '0') * scale;
   }

@@ -49,6 +49,8 @@ void Parser::variable_section(std::vector<VariableDeclaration>& out) {
       model.retain = true;
     } else if (accept(Keyword::NonRetain)) {
       model.non_retain = true;
+    } else if (accept_modifier()) {
+      continue;
     } else {
       break;
     }

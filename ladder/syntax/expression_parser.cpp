@@ -101,6 +101,18 @@ ExpressionPtr Parser::expression() {
   return binary(0);
 }
 
+// "a := 5" and "a => 5" where a value stands: what was meant is a comparison.
+ExpressionPtr Parser::no_assignment(ExpressionPtr before) {
+  if (!at(TokenKind::Assign) && !at(TokenKind::Output)) return before;
+  unexpected("a comparison", at(TokenKind::Assign)
+                                 ? "equal is written '='; ':=' assigns, and only a statement does that"
+                                 : "greater or equal is written '>='");
+  advance();
+  expression();
+  reported_at_ = at_;
+  return error_node();
+}
+
 ExpressionPtr Parser::binary(int level) {
   if (level > kPowerLevel) return unary();
   ExpressionPtr left = binary(level + 1);
@@ -152,7 +164,7 @@ ExpressionPtr Parser::primary() {
   switch (peek().kind) {
     case TokenKind::LeftParen: {
       advance();
-      ExpressionPtr inside = expression();
+      ExpressionPtr inside = no_assignment(expression());
       expect(TokenKind::RightParen, "to close the parenthesis");
       return inside;
     }

@@ -73,6 +73,26 @@ const char* hint_of(TokenKind kind) {
   }
 }
 
+// Operators that other languages write so, and what stands for them here.
+struct ForeignOperator {
+  std::string_view text;
+  TokenKind kind;
+  Keyword keyword;
+  const char* hint;
+};
+constexpr ForeignOperator kForeignOperators[] = {
+    {"==", TokenKind::Equal, Keyword::None, "equal is written '='"},
+    {"!=", TokenKind::NotEqual, Keyword::None, "not equal is written '<>'"},
+    {"&&", TokenKind::Keyword, Keyword::And, "write AND"},
+    {"||", TokenKind::Keyword, Keyword::Or, "write OR"},
+    {"!", TokenKind::Keyword, Keyword::Not, "write NOT"},
+    {"%", TokenKind::Keyword, Keyword::Mod, "the remainder of a division is written MOD"},
+    {"+=", TokenKind::Assign, Keyword::None, "write x := x + ..."},
+    {"-=", TokenKind::Assign, Keyword::None, "write x := x - ..."},
+    {"*=", TokenKind::Assign, Keyword::None, "write x := x * ..."},
+    {"/=", TokenKind::Assign, Keyword::None, "write x := x / ..., or '<>' for not equal"},
+};
+
 // Statements of C end with a semicolon, or are a single call of what reads or writes a variable of the block.
 bool is_foreign_code(std::string_view pragma) {
   return pragma.find(';') != std::string_view::npos || pragma.find("FbVar(") != std::string_view::npos;
@@ -183,7 +203,7 @@ class Lexer {
     const char c = peek();
     if (starts_name(c)) return word();
     if (is_digit(c)) return number();
-    if (c == '%') return direct();
+    if (c == '%' && (starts_name(peek(1)) || is_digit(peek(1)))) return direct();
     if (c == '\'' || c == '"') return string(c);
     symbol();
   }
@@ -284,7 +304,11 @@ class Lexer {
   }
 
   void bad_number() {
-    bad(code::kBadLiteral, shown(text_.substr(start_, at_ - start_)) + " is no number",
+    const std::string_view text = text_.substr(start_, at_ - start_);
+    if (parse_duration(text))
+      return bad(code::kBadLiteral, shown(text) + " is no number",
+                 "a duration is written T#" + std::string(text));
+    bad(code::kBadLiteral, shown(text) + " is no number",
         "bases are 2#, 8#, 10# and 16#; an integer has at most 64 bits, underscores stand between digits");
   }
 
@@ -308,7 +332,22 @@ class Lexer {
     push(quote == '"' ? TokenKind::WideString : TokenKind::String);
   }
 
+  bool foreign_operator() {
+    for (const ForeignOperator& each : kForeignOperators) {
+      if (!at_text(each.text)) continue;
+      at_ += each.text.size();
+      sink_.error(code::kBadCharacter, place(start_), "'" + std::string(each.text) + "' is no operator of ST",
+                  each.hint);
+      Token& token = push(each.kind);
+      token.keyword = each.keyword;
+      token.foreign = true;
+      return true;
+    }
+    return false;
+  }
+
   void symbol() {
+    if (foreign_operator()) return;
     struct Symbol {
       std::string_view text;
       TokenKind kind;

@@ -10,13 +10,17 @@ void Parser::unit(Unit& out) {
   bool lost = false;  // in what belongs to a mistake that was reported
   while (!at(TokenKind::End)) {
     lost = lost && !at_declaration_of_unit();
+    if (at_object()) {
+      skip_object();
+      continue;
+    }
     if (!at_declaration_of_unit() && !at(Keyword::VarGlobal)) {
       if (accept(TokenKind::Semicolon)) continue;
       if (!lost) unexpected("PROGRAM, FUNCTION_BLOCK, FUNCTION, TYPE, VAR_GLOBAL or CONFIGURATION");
       lost = true;
       // Everything up to the next declaration belongs to the same mistake.
       do advance();
-      while (!at(TokenKind::End) && !at(Keyword::VarGlobal) && !at_declaration_of_unit());
+      while (!at(TokenKind::End) && !at(Keyword::VarGlobal) && !at_declaration_of_unit() && !at_object());
     } else if (at_test()) {
       test(out.tests);
     } else if (at_mock()) {

@@ -25,8 +25,11 @@ void Parser::pou_head(PouDeclaration& result) {
   } else if (open.is(Keyword::Function)) {
     result.kind = PouKind::Function;
   }
+  while (accept_modifier()) {
+  }
   if (const auto name = expect_name("the name of the POU")) {
     result.name = *name;
+    skip_inheritance();
   } else {
     skip_header_line();
   }
@@ -37,10 +40,19 @@ void Parser::pou_head(PouDeclaration& result) {
 // Variables and statements or a chart, up to the word that ends them.
 void Parser::pou_body(PouDeclaration& result, std::optional<Keyword> end) {
   // "x : INT" is no statement: the word VAR is missing. In a generated text it is a label.
-  while (at_variable_section() ||
+  const bool is_program = result.kind == PouKind::Program;
+  while (at_variable_section() || at_object() || (is_program && at(Keyword::VarAccess)) ||
          (kind_ == TextKind::Written && (at_declaration() || at_unopened_section()))) {
     if (at_variable_section()) {
       variable_section(result.variables);
+      continue;
+    }
+    if (at_object()) {
+      skip_object();
+      continue;
+    }
+    if (is_program && at(Keyword::VarAccess)) {
+      access_section();
       continue;
     }
     unexpected("VAR before a declaration");
@@ -105,6 +117,7 @@ bool Parser::at_unopened_section() const {
 
 // An END_IF too many, a VAR between statements: one report, then on with the body.
 void Parser::stray_word(PouDeclaration& pou) {
+  if (at_object()) return skip_object();
   unexpected("a statement");
   if (at_variable_section()) return variable_section(pou.variables);
   // An IF that was not read has left its ELSE and its END_IF behind.

@@ -128,22 +128,48 @@ void Parser::expect_in_head(Keyword word, const char* after, Keyword last) {
   }
 }
 
+// Of IF, WHILE and UNTIL.
+ExpressionPtr Parser::condition() {
+  return no_assignment(expression());
+}
+
+// "ELSEIF x THEN": as other languages write it.
+bool Parser::at_misspelt_elsif() const {
+  if (!at(TokenKind::Identifier)) return false;
+  const std::string word = source::upper(peek().text);
+  if (word != "ELSEIF" && word != "ELIF") return false;
+  for (std::size_t i = 1;; ++i) {
+    const Token& token = peek(i);
+    if (token.is(Keyword::Then)) return true;
+    if (token.is(TokenKind::End) || token.is(TokenKind::Semicolon) || token.is(TokenKind::Assign))
+      return false;
+  }
+}
+
 StatementPtr Parser::if_statement() {
   auto node = make_statement(StatementKind::If);
-  const Token& open = peek();
+  const Token* open = &peek();
+  std::string hint;
   do {
+    if (at_misspelt_elsif()) unexpected("'ELSIF'", "it is written ELSIF");
     advance();  // IF, ELSIF
     Branch branch;
-    branch.condition = expression();
+    branch.condition = condition();
     expect_in_head(Keyword::Then, "behind the condition", Keyword::Then);
     branch.body = statements();
     node->branches.push_back(std::move(branch));
-  } while (at(Keyword::Elsif));
-  if (accept(Keyword::Else)) {
+  } while (at(Keyword::Elsif) || at_misspelt_elsif());
+  if (at(Keyword::Else)) {
+    const Token& otherwise = advance();
+    // "ELSE IF" is an IF in the ELSE: if an END_IF is missing, another form was meant.
+    if (at(Keyword::If) && context_.sources.line(peek().where) == context_.sources.line(otherwise.where)) {
+      open = &otherwise;
+      hint = "ELSE IF begins another IF with an END_IF of its own; a further branch is written ELSIF";
+    }
     node->has_else = true;
     node->otherwise = statements();
   }
-  if (expect_end(Keyword::EndIf, open)) end_of_statement();
+  if (expect_end(Keyword::EndIf, *open, hint)) end_of_statement();
   return node;
 }
 
@@ -228,7 +254,7 @@ StatementPtr Parser::for_statement() {
 StatementPtr Parser::while_statement() {
   auto node = make_statement(StatementKind::While);
   const Token& open = advance();
-  node->value = expression();
+  node->value = condition();
   expect_in_head(Keyword::Do, "behind the condition", Keyword::Do);
   node->body = statements();
   if (expect_end(Keyword::EndWhile, open)) end_of_statement();
@@ -240,7 +266,7 @@ StatementPtr Parser::repeat_statement() {
   const Token& open = advance();
   node->body = statements();
   if (!expect_end(Keyword::Until, open)) return node;
-  node->value = expression();
+  node->value = condition();
   accept(TokenKind::Semicolon);
   if (expect_end(Keyword::EndRepeat, open)) end_of_statement();
   return node;

@@ -137,6 +137,7 @@ struct Token {
   TokenKind kind = TokenKind::End;
   Keyword keyword = Keyword::None;  // TokenKind::Keyword only
   bool based = false;               // Integer: written with a base ("16#FF")
+  bool foreign = false;             // an operator of another language, reported: what was meant
   source::Position where;
   std::string_view text;
   source::NameId name;  // Identifier, TypePrefix, Keyword

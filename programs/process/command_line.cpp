@@ -45,6 +45,14 @@ void say(const char* text) {
   std::abort();
 }
 
+// An option takes one value each time that it is named: "--set KEY=VALUE NAME" leaves NAME to the arguments,
+// in whatever order they stand.
+void take_one_value_each(CLI::App& app) {
+  for (CLI::Option* each : app.get_options())
+    if (!each->get_positional() && each->get_expected_max() > 1) each->allow_extra_args(false);
+  for (CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; })) take_one_value_each(*each);
+}
+
 }  // namespace
 
 // Who reads what a process says may go away at any time. To ignore the signal would be inherited by every
@@ -65,6 +73,7 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   end_with_a_word();
   const std::string name = app.get_name();
   const std::string command = name.substr(name.rfind(' ') + 1);
+  take_one_value_each(app);
   const int skip = argc > 1 && argv[1] == command ? 1 : 0;
   try {
     app.parse(argc - skip, argv + skip);

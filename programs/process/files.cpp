@@ -23,6 +23,11 @@ result::Diagnostics unwritten(const std::string& path, const std::string& why) {
            "its folder must exist and take a new file"}};
 }
 
+// "-" is standard output.
+std::string place_of(const std::string& path) {
+  return path == "-" ? "/dev/stdout" : path;
+}
+
 bool write_to(const fs::path& path, std::string_view bytes, std::ios::openmode mode) {
   errno = 0;
   std::ofstream file(path, std::ios::binary | mode);
@@ -40,7 +45,7 @@ fs::path behind_links(const std::string& path) {
 }  // namespace
 
 bool is_stream(const std::string& path) {
-  if (path.starts_with("/dev/") || path.starts_with("/proc/")) return true;
+  if (path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/")) return true;
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
@@ -53,7 +58,8 @@ result::Result<std::string> read_file(const std::string& path) {
   return std::string{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-result::Diagnostics write_file(const std::string& path, std::string_view bytes) {
+result::Diagnostics write_file(const std::string& given, std::string_view bytes) {
+  const std::string path = place_of(given);
   if (is_stream(path)) {
     if (write_to(path, bytes, std::ios::app)) return {};
     return unwritten(path, std::strerror(errno));
@@ -70,7 +76,8 @@ result::Diagnostics write_file(const std::string& path, std::string_view bytes) 
   return unwritten(path, why);
 }
 
-result::Diagnostics check_writable(const std::string& path) {
+result::Diagnostics check_writable(const std::string& given) {
+  const std::string path = place_of(given);
   std::error_code error;
   if (fs::is_directory(path, error)) return unwritten(path, "it is a folder");
   if (is_stream(path)) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Files that commands read and write whole.
+// Files that commands read and write whole. What they write to the name "-" goes to standard output.
 
 #include <string>
 #include <string_view>

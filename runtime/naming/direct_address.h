@@ -2,7 +2,7 @@
 
 // Directly represented variables (IEC 61131-3, 6.5.5) as text: "%IX0.0", "%QB3", "%MW12". Words count in
 // words of their own size: %IW1 is the bytes 2 and 3, so that addresses of different sizes overlap (as in
-// CODESYS). Pure; no heap.
+// CODESYS). One number of a bit counts in bits: %QX75 is %QX9.3. Pure; no heap.
 //
 //   parse_direct_address("%IW1")  ->  {Area::Input, .bits = 16, .byte = 2}
 
@@ -37,8 +37,8 @@ struct SizeLetter {
 };
 inline constexpr SizeLetter kSizeLetters[] = {{'X', 1}, {'B', 8}, {'W', 16}, {'D', 32}, {'L', 64}};
 
-// Takes a decimal number below kAreaLimit off the front of `text`; single underscores may divide its digits.
-constexpr std::optional<std::uint32_t> take_index(std::string_view& text) {
+// Takes a decimal number below `limit` off the front of `text`; single underscores may divide its digits.
+constexpr std::optional<std::uint32_t> take_index(std::string_view& text, std::uint32_t limit = kAreaLimit) {
   const auto is_digit = [&text](std::size_t at) {
     return at < text.size() && text[at] >= '0' && text[at] <= '9';
   };
@@ -47,7 +47,7 @@ constexpr std::optional<std::uint32_t> take_index(std::string_view& text) {
   std::size_t at = 0;
   while (is_digit(at)) {
     value = value * 10 + static_cast<std::uint32_t>(text[at] - '0');
-    if (value >= kAreaLimit) return std::nullopt;
+    if (value >= limit) return std::nullopt;
     ++at;
     if (at < text.size() && text[at] == '_' && is_digit(at + 1)) ++at;
   }
@@ -72,16 +72,22 @@ constexpr std::optional<DirectAddress> parse_direct_address(std::string_view tex
     text.remove_prefix(1);
     break;
   }
-  const auto index = internal::take_index(text);
+  const bool is_bit = address.bits == 1;
+  const auto index = internal::take_index(text, is_bit ? kAreaLimit * 8 : kAreaLimit);
   if (!index) return std::nullopt;
-  if (address.bits == 1) {
-    if (text.empty() || text[0] != '.') return std::nullopt;
+  if (is_bit && text.empty()) {
+    address.byte = *index / 8;
+    address.bit = static_cast<std::uint8_t>(*index % 8);
+    return address;
+  }
+  if (is_bit) {
+    if (text[0] != '.') return std::nullopt;
     text.remove_prefix(1);
     const auto bit = internal::take_index(text);
     if (!bit || *bit > 7) return std::nullopt;
     address.bit = static_cast<std::uint8_t>(*bit);
   }
-  const std::uint32_t bytes = address.bits == 1 ? 1 : address.bits / 8u;
+  const std::uint32_t bytes = is_bit ? 1 : address.bits / 8u;
   if (!text.empty() || (*index + 1) * bytes > kAreaLimit) return std::nullopt;
   address.byte = *index * bytes;
   return address;

@@ -1,6 +1,10 @@
-# Writes text files as a C++ source that defines one function of stepwright::driver, which gives them all by name:
-#   cmake -DOUTPUT=F -DINPUTS=a.st,b.st -DHEADER=h.h -DTYPE=T -DFUNCTION=f [-DPREFIX=folder/] [-DNAME=NAME_WE] -P embed.cmake
+# Writes text files as a C++ source that defines one function, which gives them all by name:
+#   cmake -DOUTPUT=F -DINPUTS=a.st,b.st -DHEADER=h.h -DTYPE=T -DFUNCTION=f [-DPREFIX=folder/] [-DNAME=NAME_WE]
+#         [-DNAMESPACE=stepwright::driver] -P embed.cmake
 # TYPE is an aggregate of name and text; NAME says how a file is called (get_filename_component; NAME by default).
+if(NOT NAMESPACE)
+  set(NAMESPACE stepwright::driver)
+endif()
 if(NOT NAME)
   set(NAME NAME)
 endif()
@@ -13,7 +17,7 @@ foreach(input IN LISTS inputs)
 endforeach()
 file(CONFIGURE OUTPUT "${OUTPUT}" @ONLY CONTENT [[#include "@HEADER@"
 
-namespace stepwright::driver {
+namespace @NAMESPACE@ {
 
 namespace {
 
@@ -26,5 +30,5 @@ std::span<const @TYPE@> @FUNCTION@() {
   return kTexts;
 }
 
-}  // namespace stepwright::driver
+}  // namespace @NAMESPACE@
 ]])

@@ -50,6 +50,9 @@ struct Analysis {
   // In first values a reference that is not NULL is the number of its target here, from 1, until the value
   // lies in an area.
   std::vector<FirstTarget> first_targets = {};
+  // The enumeration that is being declared: in the values of its names the names before are numbers
+  // (6.4.4.2).
+  const Type* numbered = nullptr;
 
   void error(const char* what, Position where, std::string message, std::string hint = {}) {
     sink.error(what, where, std::move(message), std::move(hint));

@@ -64,6 +64,7 @@ class Configurer {
   std::optional<Place> trigger_place(const syntax::Expression& source);
   std::optional<Place> program_output(const syntax::Expression& source);
   void check_clock() const;
+  void qualify_tasks();
 
   // program_instance.cpp
   std::optional<std::size_t> find_task(const syntax::Name& name) const;

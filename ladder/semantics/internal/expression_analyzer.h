@@ -110,7 +110,12 @@ class ExpressionAnalyzer {
   std::optional<Member> instance_member(const Type& type, const syntax::Name& name);
   const Variable* find_variable(NameId name) const;
   void report_unknown(const syntax::Name& name);
-  std::string why_read_only(const Variable& variable) const;
+  struct Protection {
+    std::string why;  // empty: it can be written
+    std::string hint;
+  };
+  Protection protection(const Variable& variable) const;
+  void protect(Position where, std::string why, std::string hint);
 
   // test_place.cpp: what a TEST sees beside what a program sees.
   bool in_test() const { return pou_ != nullptr && pou_->test != nullptr; }
@@ -168,12 +173,16 @@ class ExpressionAnalyzer {
   // conversion.cpp
   ValuePtr convert_literal(ValuePtr value, const Type* type, Position where);
   ValuePtr retype(ValuePtr value, const Type* type, Position where);
+  // Values whose type depends on where they stand (Value::adapts).
+  static bool adapts_to(const Value& value, const Type& type);
+  ValuePtr adapted(ValuePtr value, const Type* type);
   // X_TO_Y and its like; nothing if the name is none of them.
   std::optional<NamedConversion> named_conversion(const std::string& folded) const;
   ValuePtr explicit_conversion(const syntax::Expression& call, const NamedConversion& conversion);
   ValuePtr bcd_conversion(ValuePtr value, const NamedConversion& conversion, const syntax::Expression& call);
 
   // call.cpp
+  static std::string index_hint(std::string_view name, const Type& type);
   ValuePtr call(const syntax::Expression& expression);
   ValuePtr callee(const syntax::Expression& expression);
   ValuePtr function_call(const syntax::Expression& expression, Pou& function);
@@ -219,7 +228,7 @@ class ExpressionAnalyzer {
   Analysis& a_;
   Pou* pou_;
   // Why the place that is being resolved cannot be written, and where to say so; empty if it can.
-  std::string read_only_;
+  Protection read_only_;
   Position read_only_where_;
 };
 

@@ -38,7 +38,7 @@ class Parser {
   bool expect(TokenKind kind, const char* after);
   bool expect(Keyword keyword, const char* after);
   // Closes a block that `open` began: reports the missing END at the place of `open`.
-  bool expect_end(Keyword keyword, const Token& open);
+  bool expect_end(Keyword keyword, const Token& open, const std::string& hint = {});
   std::optional<Name> expect_name(const char* what);
   void unexpected(const std::string& wanted, const std::string& hint = {});
   // The end of the token before: where something is missing.
@@ -59,6 +59,7 @@ class Parser {
   // expression_parser.cpp
   ExpressionPtr expression();
   ExpressionPtr binary(int level);
+  ExpressionPtr no_assignment(ExpressionPtr before);
   ExpressionPtr unary();
   ExpressionPtr primary();
   ExpressionPtr name_or_call();
@@ -85,11 +86,20 @@ class Parser {
   ExpressionPtr array_values();
   ExpressionPtr struct_values();
 
+  // object_parser.cpp
+  bool at_object() const;
+  void skip_object();
+  void object_word();
+  bool accept_modifier();
+  void skip_inheritance();
+
   // statement_parser.cpp
   Statements statements();
   StatementPtr statement();
   StatementPtr simple_statement();
   StatementPtr if_statement();
+  ExpressionPtr condition();
+  bool at_misspelt_elsif() const;
   StatementPtr case_statement();
   StatementPtr for_statement();
   StatementPtr while_statement();
@@ -156,6 +166,8 @@ class Parser {
   void program_instance(Resource& out);
   void program_elements(ProgramDeclaration& out);
   void access_section();
+  bool access_line();
+  bool access_path();
   void configured_section(std::vector<ConfiguredVariable>& out);
   bool configured_line(std::vector<ConfiguredVariable>& out);
 

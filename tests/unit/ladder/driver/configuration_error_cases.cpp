@@ -49,8 +49,9 @@ constexpr ErrorCase kCases[] = {
     {"ConfiguredArea", "E0504", 5, 44,
      CELL("PROGRAM p WITH fast : o; VAR_CONFIG p.b AT %QX0.0 : BOOL; END_VAR")},
     {"OpenAddressLeft", "E0505", 2, 164, CELL("PROGRAM p WITH fast : o;"), "VAR_CONFIG p.b"},
-    {"AccessPaths", "E0107", 5, 26,
-     CELL("PROGRAM p WITH fast : a; VAR_ACCESS v : p.n : INT READ_ONLY; END_VAR")},
+    {"AccessPathWithoutVariable", "E0104", 5, 41,
+     CELL("PROGRAM p WITH fast : a; VAR_ACCESS v : : INT READ_ONLY; END_VAR"), nullptr},
+    {"TaskTwiceInAResource", "E0202", 5, 6, CELL("TASK fast(INTERVAL := T#2ms); PROGRAM p WITH fast : a;")},
     {"InOutOfProgram", "E0411", 2, 9, "\nPROGRAM main\nVAR_IN_OUT x : INT; END_VAR\nEND_PROGRAM"},
 };
 

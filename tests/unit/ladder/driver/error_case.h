@@ -32,6 +32,9 @@ std::span<const ErrorCase> test_error_cases();
 // Mistakes in configurations.
 std::span<const ErrorCase> configuration_error_cases();
 
+// What people write who come from other languages.
+std::span<const ErrorCase> habit_error_cases();
+
 }  // namespace stepwright::driver_test
 
 // The body of a program with some variables.

@@ -100,6 +100,7 @@ const ErrorCase kCases[] = {
     {"DuplicateArgument", "E0405", 3, 12, BODY("t(IN := b, IN := b);")},
     {"ForReal", "E0406", 3, 5, BODY("FOR r := 1 TO 3 DO i := 1; END_FOR;")},
     {"DuplicateCase", "E0407", 5, 1, BODY("CASE i OF\n1..3: j := 1;\n2: j := 2;\nEND_CASE;")},
+    {"CaseOfReal", "E0301", 3, 6, BODY("CASE r OF 1: j := 1; END_CASE;"), "IF"},
     {"ExitOutside", "E0408", 3, 1, BODY("EXIT;")},
     {"NeedsVariable", "E0409", 3, 12,
      "FUNCTION_BLOCK f\nVAR_IN_OUT x : INT; END_VAR END_FUNCTION_BLOCK PROGRAM main VAR y : f; END_VAR\n y(x "
@@ -163,7 +164,8 @@ std::vector<ErrorCase> all_cases() {
   std::vector<ErrorCase> cases(std::begin(kCases), std::end(kCases));
   for (const auto more :
        {stepwright::driver_test::type_error_cases(), stepwright::driver_test::configuration_error_cases(),
-        stepwright::driver_test::text_error_cases(), stepwright::driver_test::test_error_cases()})
+        stepwright::driver_test::text_error_cases(), stepwright::driver_test::habit_error_cases(),
+        stepwright::driver_test::test_error_cases()})
     cases.insert(cases.end(), more.begin(), more.end());
   return cases;
 }

@@ -20,6 +20,14 @@ TEST(DirectAddress, WhenSpeltAnotherWay_ThenItIsTheSameAddress) {
   EXPECT_EQ(parse_direct_address("%MW1_024"), parse_direct_address("%MW1024"));
 }
 
+TEST(DirectAddress, WhenABitHasOneNumber_ThenTheBitsOfTheAreaAreCounted) {
+  EXPECT_EQ(parse_direct_address("%IX0"), parse_direct_address("%IX0.0"));
+  EXPECT_EQ(parse_direct_address("%QX75"), parse_direct_address("%QX9.3"));
+  EXPECT_EQ(parse_direct_address("%Q75"), parse_direct_address("%QX9.3"));
+  EXPECT_EQ(parse_direct_address("%MX524287"), parse_direct_address("%MX65535.7"));
+  EXPECT_FALSE(parse_direct_address("%MX524288"));
+}
+
 TEST(DirectAddress, WhenItIsTheLastOfTheArea_ThenTheNextIsBeyond) {
   EXPECT_TRUE(parse_direct_address("%IX65535.7"));
   EXPECT_FALSE(parse_direct_address("%IX65536.0"));
@@ -31,7 +39,7 @@ TEST(DirectAddress, WhenItIsTheLastOfTheArea_ThenTheNextIsBeyond) {
 }
 
 TEST(DirectAddress, WhenIllFormed_ThenThereIsNone) {
-  for (const char* text : {"",        "%",       "%I",       "IX0.0",  "%IX",    "%IX0",    "%IX0.",
+  for (const char* text : {"",        "%",       "%I",       "IX0.0",  "%IX",    "%IX1_",   "%IX0.",
                            "%IX.1",   "%IX0.8",  "%IX0.0.0", "%IXx.1", "%II0.0", "%ZX0.0",  "%X1",
                            "%IW",     "%IW1.",   "%IW1.2",   "%IW-1",  "%IW+1",  "%IW1 ",   "%IX0.0 ",
                            "%IX 0.0", " %IX0.0", "%MW1__0",  "%MW_1",  "%MW1_",  "%IX0.1_", "%IX0x.1"}) {

@@ -1,0 +1,41 @@
+// The command `compile`: what it writes where, and what can be checked.
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/programs/compile/compile_program.h"
+
+namespace stepwright::compile_test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+using CompileCommand = CompileProgram;
+
+constexpr const char* kMain =
+    "PROGRAM main\nVAR n : INT; m : INT; END_VAR\nn := n + 1; m := 2 * n;\nEND_PROGRAM\n";
+
+TEST_F(CompileCommand, WhenTheReportGoesToADash_ThenItIsStandardOutput) {
+  const std::string source = write("main.st", kMain);
+  ASSERT_EQ(run("compile " + source + " -o " + path("main.swb") + " --json -"), 0) << errors;
+  const auto report = nlohmann::json::parse(output);
+  EXPECT_TRUE(report["diagnostics"].empty());
+  EXPECT_EQ(report["bytes"], std::filesystem::file_size(path("main.swb")));
+  EXPECT_FALSE(std::filesystem::exists("-"));
+  ASSERT_EQ(run_program("stepwright-exec", path("main.swb") + " --scans 2 --json -"), 0) << errors;
+  EXPECT_THAT(output, HasSubstr("image_hash"));
+}
+
+TEST_F(CompileCommand, WhenOptionsStandBetweenSources_ThenEachTakesOneValue) {
+  const std::string source = write("main.st", kMain);
+  const std::string block = write("block.st", "FUNCTION f : INT\nf := 1;\nEND_FUNCTION\n");
+  EXPECT_EQ(run("compile -W all " + source + " -o " + path("main.swb") + " " + block), 0) << errors;
+  EXPECT_THAT(errors, HasSubstr("W0005"));
+  EXPECT_EQ(run_program("stepwright-exec", "--scans 2 --trace main.n,main.m " + path("main.swb")), 0)
+      << errors;
+}
+
+}  // namespace
+}  // namespace stepwright::compile_test
