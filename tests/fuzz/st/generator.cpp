@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "tests/fuzz/st/extras/chart.h"
@@ -62,7 +63,7 @@ class Generator {
       if (!random_.chance(35)) continue;
       extras_.push_back(each.get());
       out_->before += each->before(random_);
-      out_->ladder = out_->ladder || each->name() == kLadderName;
+      out_->ladder = out_->ladder || std::string_view(each->name()) == kLadderName;
     }
   }
 
