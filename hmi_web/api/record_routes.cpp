@@ -46,7 +46,7 @@ constexpr const char* kText = R"({"type": "string"})";
 Route record_row(const CellRecords* records, const char* path, const char* name, const char* summary,
                  const char* answer, Ask ask) {
   Route route = reading_row(path, name, summary, answer);
-  route.answer_type = answer == kText ? "text/csv" : "application/json";
+  route.answer_type = std::string_view(answer) == kText ? "text/csv" : "application/json";
   route.handler = [records, ask](const Call& call) {
     return records == nullptr ? no_records() : (records->*ask)(call.parameters);
   };
