@@ -112,8 +112,10 @@ result::Result<void> UserStore::add(const std::string& name, Role role, std::str
   if (auto fits = check_name(name); !fits) return fits;
   const std::lock_guard lock(mutex_);
   if (find_in(users_, name) != users_.end())
-    return result::fail("H0024", {}, "there is a user '" + name + "' already");
-  if (users_.size() >= kMaxUsers) return result::fail("H0024", {}, "there are too many users");
+    return result::fail("H0029", {}, "there is a user '" + name + "' already",
+                        "choose another name, or change the role of the one there is");
+  if (users_.size() >= kMaxUsers)
+    return result::fail("H0029", {}, "there are too many users", "remove one that nobody uses");
   auto users = users_;
   users.push_back({name, role, std::move(password_hash)});
   std::sort(users.begin(), users.end(), [](const User& a, const User& b) { return a.name < b.name; });

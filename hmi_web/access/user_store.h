@@ -10,7 +10,8 @@
 // administrator there is always one.
 //
 // Diagnostics: H0021 the file cannot be written, H0022 it is damaged (with its place), H0023 a name or a
-// password that cannot be one, H0024 no such user, or one too many, H0025 the last administrator would go.
+// password that cannot be one, H0024 no such user, H0029 a name twice, or one user too many, H0025 the last
+// administrator would go.
 
 #include <filesystem>
 #include <memory>

@@ -8,14 +8,12 @@
 #include <optional>
 #include <utility>
 
-#include "runtime/result/closest.h"
+#include "hmi_web/api/internal/known_names.h"
 
 namespace stepwright::api {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::size_t kMostEdits = 2;
 
 // Counts what the parser has read, so that its events have a place.
 struct Reading {
@@ -134,13 +132,8 @@ class Events : public nlohmann::json_sax<json> {
   bool unknown(const std::string& name) {
     std::vector<std::string> names;
     for (const Field& field : shape_.fields) names.push_back(field.name);
-    const std::string* meant = result::closest(name.substr(0, 64), names, kMostEdits);
-    std::string all;
-    for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
-    return fault("H0031", "there is no member '" + name.substr(0, 64) + "'",
-                 meant != nullptr ? "did you mean '" + *meant + "'?"
-                 : all.empty()    ? "none"
-                                  : "possible: " + all);
+    const std::string shown = name.substr(0, kMostNameBytes);
+    return fault("H0031", "there is no member '" + shown + "'", names_hint(shown, names));
   }
   bool wrong_type(const std::string& found) {
     if (depth_ == 0) return fault("H0030", "the body is no JSON object", "{...}");

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "hmi_web/access/secrets.h"
+#include "hmi_web/api/internal/known_names.h"
 
 namespace stepwright::api {
 namespace {
@@ -28,6 +29,14 @@ std::string_view cookie_named(std::string_view header, std::string_view name) {
 
 bool is_json(std::string_view content_type) {
   return trimmed(content_type.substr(0, content_type.find(';'))) == "application/json";
+}
+
+// What is misspelt must not look as if it had been heeded.
+Answer unknown_parameter(const std::string& name, const std::vector<Parameter>& known) {
+  std::vector<std::string> names;
+  for (const Parameter& each : known) names.push_back(each.name);
+  const std::string shown = name.substr(0, kMostNameBytes);
+  return refused(400, "H0060", "there is no parameter '" + shown + "'", names_hint(shown, names));
 }
 
 std::string result_of(const Answer& answer) {
@@ -131,6 +140,10 @@ Admission Door::admit(const Request& request) const {
   if (!match.readable) {
     admission.refusal = refused(400, "H0060", "a parameter cannot be read",
                                 "a percent sign is followed by two hexadecimal digits, and not by 00");
+    return admission;
+  }
+  if (!match.unknown.empty()) {
+    admission.refusal = unknown_parameter(match.unknown, match.route->query);
     return admission;
   }
   admission.call.parameters = std::move(match.parameters);

@@ -14,8 +14,8 @@ unsigned status_of(const std::string& code) {
       code == "H0098")
     return 409;  // programs that cannot take over now
   if (code == "H0073" || code == "H0078" || code == "H0079" || code == "H0080") return 409;  // recipes
-  if (code == "H0025" || code == "D0002" || code == "D0003" || code == "R0009" || code == "X0008" ||
-      code == "C0606")
+  if (code == "H0025" || code == "H0029" || code == "D0002" || code == "D0003" || code == "R0009" ||
+      code == "X0008" || code == "C0606")
     return 409;                                                           // not in this state
   if (code == "D0007") return 504;                                        // somebody has not answered
   if (code == "H0021" || code == "D0001" || code == "H0020") return 503;  // somebody or something is missing

@@ -74,6 +74,8 @@ void take_query(Match& match, std::string_view query) {
     const auto& known = match.route->query;
     if (std::any_of(known.begin(), known.end(), [&](const Parameter& each) { return each.name == *name; }))
       match.parameters.emplace(*name, std::move(*value));
+    else if (match.unknown.empty())
+      match.unknown = *name;
   }
 }
 

@@ -20,6 +20,7 @@ struct Match {
   const Route* route = nullptr;
   std::map<std::string, std::string, std::less<>> parameters = {};
   bool readable = true;      // false: the query has a part that cannot be decoded
+  std::string unknown = {};  // the first parameter of the query that the row does not name
   std::string allowed = {};  // without a route: methods that the path has, "GET, POST"; empty: no such path
 };
 
@@ -28,7 +29,7 @@ class RouteTable {
   // Rows that contradict each other are a programmer's error.
   explicit RouteTable(std::vector<Route> rows);
 
-  // HEAD is GET. Only parameters that the row names are taken from the query; what is encoded is decoded.
+  // HEAD is GET. What is encoded is decoded.
   Match find(std::string_view method, std::string_view target) const;
   const std::vector<Route>& rows() const { return rows_; }
 

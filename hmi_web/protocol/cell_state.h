@@ -4,10 +4,11 @@
 // of the runtime at that time.
 //
 // Invariant: `points` has one entry per point of the synoptic and `tags` one per tag of the program with the
-// digest `program_digest`; an entry without a value is unknown. Steps and transitions are indices into that
-// program, ascending.
+// digest `program_digest`; an entry without a value is unknown, unless it has a text. Steps and transitions
+// are indices into that program, ascending.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,7 @@ struct CellState {
   std::vector<std::uint32_t> true_transitions;
   std::vector<std::optional<double>> points;
   std::vector<std::optional<double>> tags;
+  std::map<std::uint32_t, std::string> texts;  // of tags that people read as text, by their index
 
   friend bool operator==(const CellState&, const CellState&) = default;
 };

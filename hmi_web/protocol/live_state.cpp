@@ -36,16 +36,19 @@ std::array<std::pair<const char*, json>, 12> whole_fields(const CellState& state
 
 }  // namespace
 
-void LiveState::take_numbers(const std::vector<std::optional<double>>& values, std::uint64_t sequence,
-                             std::vector<Number>& kept) {
+void LiveState::take_values(const std::vector<std::optional<double>>& values, const Texts& texts,
+                            std::uint64_t sequence, std::vector<Number>& kept) {
   kept.resize(values.size());
+  auto next = texts.begin();
   for (std::size_t i = 0; i < values.size(); ++i) {
     Number& number = kept[i];
-    if (number.changed != 0 && number.value == values[i]) continue;
+    const bool is_text = next != texts.end() && next->first == i;
+    if (number.changed != 0 && !is_text && !number.is_text && number.value == values[i]) continue;
     number.value = values[i];
-    std::string text = number_text(values[i]);
-    if (number.changed != 0 && number.text == text) continue;
-    number.text = std::move(text);
+    number.is_text = is_text;
+    std::string fresh = is_text ? text(json(next++->second)) : number_text(values[i]);
+    if (number.changed != 0 && number.text == fresh) continue;
+    number.text = std::move(fresh);
     number.changed = sequence;
   }
 }
@@ -60,8 +63,8 @@ void LiveState::take(const CellState& now, std::uint64_t sequence, bool anew) {
     fields_[i] = {fields[i].first, std::move(fresh), sequence};
   }
   if (anew) tags_.clear();
-  take_numbers(now.points, sequence, points_);
-  take_numbers(now.tags, sequence, tags_);
+  take_values(now.points, {}, sequence, points_);
+  take_values(now.tags, now.texts, sequence, tags_);
 }
 
 // "3":1.5,"7":null, - with a comma behind each.

@@ -13,6 +13,7 @@
 // not UTF-8 is repaired, numbers that are not finite become null.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,10 +52,12 @@ class LiveState {
     std::optional<double> value;
     std::string text;
     std::uint64_t changed = 0;
+    bool is_text = false;
   };
+  using Texts = std::map<std::uint32_t, std::string>;
 
-  static void take_numbers(const std::vector<std::optional<double>>& values, std::uint64_t sequence,
-                           std::vector<Number>& kept);
+  static void take_values(const std::vector<std::optional<double>>& values, const Texts& texts,
+                          std::uint64_t sequence, std::vector<Number>& kept);
   static void append(const std::vector<Number>& numbers, TagRange range, std::uint64_t since,
                      std::string& text);
   void append_tags(const StateRequest& request, std::string& text) const;

@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/bytecode/value_type.h"
+
 namespace stepwright::recorder {
 namespace {
 
@@ -110,10 +112,13 @@ void CellRecorder::take_layout(const std::shared_ptr<const server::ProgramLayout
   std::unordered_map<std::uint32_t, Series*> old;
   for (Series& one : before) old[one.tag.value] = &one;
   if (layout) {
-    for (const protocol::ProgramTag& tag : layout->program.tags) {
-      auto made = series(tag.name);
-      // A name that the historian does not take (longer than 255 bytes) has no history; its place stays.
-      Series one = made ? *made : Series{TagId(~0U), std::nullopt, 0, true};
+    for (std::size_t i = 0; i < layout->tags.size(); ++i) {
+      // A text has no history, nor has a name that the historian does not take (longer than 255 bytes); its
+      // place stays.
+      Series one{TagId(~0U), std::nullopt, 0, true};
+      if (!bytecode::is_string(layout->tags[i].type)) {
+        if (auto made = series(layout->program.tags[i].name)) one = *made;
+      }
       if (const auto found = old.find(one.tag.value); found != old.end()) {
         one = *found->second;
         old.erase(found);

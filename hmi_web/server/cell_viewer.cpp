@@ -69,6 +69,8 @@ CellView CellViewer::view(const Observation& observation) {
   state.true_transitions = indices_of_true(layout_->transitions, snapshot.image);
   for (std::size_t i = 0; i < layout_->tags.size(); ++i) {
     state.tags[i] = read(layout_->tags[i], snapshot.image);
+    if (auto text = read_text(layout_->tags[i], snapshot.image))
+      state.texts.emplace(static_cast<std::uint32_t>(i), *std::move(text));
   }
   return view;
 }

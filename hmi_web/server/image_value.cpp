@@ -1,5 +1,6 @@
 #include "hmi_web/server/image_value.h"
 
+#include "runtime/bytecode/reader/read_value.h"
 #include "runtime/bytecode/value_type.h"
 #include "runtime/naming/direct_address.h"
 
@@ -7,10 +8,41 @@ namespace stepwright::server {
 
 using bytecode::ElementaryType;
 
+namespace {
+
+bool lies_in(const reader::Variable& variable, std::span<const std::byte> image) {
+  const std::uint32_t size = bytecode::is_string(variable.type)
+                                 ? bytecode::kStringHeaderBytes
+                                 : bytecode::size_of(bytecode::mem_type(variable.type));
+  return variable.address < image.size() && image.size() - variable.address >= size;
+}
+
+// At the end of a character.
+void cut(std::string& text) {
+  if (text.size() <= kMostTextBytes) return;
+  std::size_t end = kMostTextBytes;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  text.resize(end);
+  text += "\xE2\x80\xA6";  // an ellipsis
+}
+
+}  // namespace
+
 std::optional<double> read(const reader::Variable& variable, std::span<const std::byte> image) {
-  const std::uint32_t size = bytecode::size_of(bytecode::mem_type(variable.type));
-  if (variable.address >= image.size() || image.size() - variable.address < size) return std::nullopt;
+  if (bytecode::is_string(variable.type) || !lies_in(variable, image)) return std::nullopt;
   return reader::read_number(variable, image);
+}
+
+bool has_text(const reader::Variable& variable) {
+  return bytecode::is_string(variable.type) || variable.type == ElementaryType::Date ||
+         variable.type == ElementaryType::Tod || variable.type == ElementaryType::Dt;
+}
+
+std::optional<std::string> read_text(const reader::Variable& variable, std::span<const std::byte> image) {
+  if (!has_text(variable) || !lies_in(variable, image)) return std::nullopt;
+  std::string text = reader::read_text(variable, image);
+  cut(text);
+  return text;
 }
 
 std::optional<reader::Variable> variable_at(std::string_view address, std::uint32_t output_offset) {

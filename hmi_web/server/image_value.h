@@ -10,14 +10,21 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "runtime/bytecode/reader/program_info.h"
 
 namespace stepwright::server {
 
-// As reader::read_number; no value if the variable reaches past the end of the image.
+// As reader::read_number; no value if the variable reaches past the end of the image, nor of a text.
 std::optional<double> read(const reader::Variable& variable, std::span<const std::byte> image);
+
+// STRING, WSTRING, DATE, TOD and DT: what people read as text.
+bool has_text(const reader::Variable& variable);
+// Of such a variable as reader::read_text, as long as a page shows it: after kMostTextBytes comes "…".
+inline constexpr std::size_t kMostTextBytes = 254;
+std::optional<std::string> read_text(const reader::Variable& variable, std::span<const std::byte> image);
 
 // A direct address in the input or output area: "%IX0.2", "%IW1" (bytes 2 and 3), "%QB4". A word is read as
 // signed, as an INT at that address is. `output_offset` is where the output area begins; inputs begin at 0.

@@ -42,7 +42,8 @@ bool Executive::stay_held() {
     if (const auto change = due_change(now_s)) {
       std::vector<std::string>& evidence = record_.incidents.back().evidence;
       evidence.insert(evidence.end(), change->evidence.begin(), change->evidence.end());
-      publish();
+      set_phase(Phase::Held, change->evidence.back() +
+                                 ": that is planned for when the run is resumed; until then the plant rests");
     }
     if (const auto event = controller_.wait_event(milliseconds(200))) {
       note_while_held(*event);

@@ -81,7 +81,7 @@ TEST_F(UserStoreTest, WhenAPasswordIsPoor_ThenItIsRefused) {
 TEST_F(UserStoreTest, WhenTheNameIsTaken_ThenItIsRefused) {
   const auto users = open();
   ASSERT_TRUE(users->add("ada", Role::Viewer, hash_));
-  EXPECT_EQ(users->add("ada", Role::Administrator, hash_).error().front().code, "H0024");
+  EXPECT_EQ(users->add("ada", Role::Administrator, hash_).error().front().code, "H0029");
   EXPECT_EQ(users->find("ada")->role, Role::Viewer);
 }
 

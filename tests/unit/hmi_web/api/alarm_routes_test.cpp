@@ -83,11 +83,24 @@ TEST_F(AlarmRoutesTest, WhenTheAlarmDoesNotAllowIt_ThenTheStatusSaysSoAndTheTrai
 
 TEST_F(AlarmRoutesTest, WhenHistoryIsAskedFor_ThenTheParametersOfTheRowAreHandedOver) {
   const access::OpenedSession viewer = fixture_.session(Role::Viewer);
-  fixture_.ask("GET", "/api/history/trend?tags=a%3Bpoints%2Fb&columns=5&odd=1", {}, viewer);
+  fixture_.ask("GET", "/api/history/trend?tags=a%3Bpoints%2Fb&columns=5", {}, viewer);
   fixture_.ask("GET", "/api/alarms?all=1", {}, viewer);
   fixture_.ask("GET", "/api/alarms/journal?alarm=x%20y&most=3", {}, viewer);
   EXPECT_EQ(fixture_.records.asked, (std::vector<std::string>{"trend columns=5 tags=a;points/b",
                                                               "alarms all=1", "journal alarm=x y most=3"}));
+}
+
+TEST_F(AlarmRoutesTest, WhenAParameterIsUnknown_ThenItIsRefusedByItsName) {
+  const access::OpenedSession viewer = fixture_.session(Role::Viewer);
+  const Answer misspelt = fixture_.ask("GET", "/api/history/trend?tag=Main.level", {}, viewer);
+  EXPECT_EQ(misspelt.status, 400u);
+  const json problem = json::parse(misspelt.text)["problems"][0];
+  EXPECT_EQ(problem["code"], "H0060");
+  EXPECT_EQ(problem["message"], "there is no parameter 'tag'");
+  EXPECT_EQ(problem["hint"], "did you mean 'tags'?");
+  const Answer none = fixture_.ask("GET", "/api/history/tags?tags=a", {}, viewer);
+  EXPECT_EQ(json::parse(none.text)["problems"][0]["hint"], "none");
+  EXPECT_TRUE(fixture_.records.asked.empty());
 }
 
 TEST_F(AlarmRoutesTest, WhenAPageFollowsTheHistoryByItself_ThenItsSessionEndsIdleAllTheSame) {

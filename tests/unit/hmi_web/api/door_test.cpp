@@ -226,7 +226,11 @@ TEST_F(DoorTest, WhenAnAdministratorKeepsUsers_ThenTheyAreListedAndTheTrailHasBe
   const auto opened = session(Role::Administrator);
   const std::string user = R"({"name": "ada", "role": "operator", "password": "ada's secret"})";
   EXPECT_EQ(ask("POST", "/api/users", user, opened).status, 200u);
-  EXPECT_EQ(code(ask("POST", "/api/users", user, opened)), "H0024");
+  const Answer again = ask("POST", "/api/users", user, opened);
+  EXPECT_EQ(again.status, 409u);
+  EXPECT_EQ(code(again), "H0029");
+  EXPECT_NE(again.text.find("there is a user 'ada' already"), std::string::npos);
+  EXPECT_EQ(ask("PUT", "/api/users/nobody/role", R"({"role": "engineer"})", opened).status, 404u);
   const auto hers = control->sessions().open("ada", Role::Operator, "");
   EXPECT_EQ(ask("PUT", "/api/users/ada/role", R"({"role": "engineer"})", opened).status, 200u);
   EXPECT_EQ(ask("GET", "/api/forces", "", hers).status, 401u) << "her session has ended";

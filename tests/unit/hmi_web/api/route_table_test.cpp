@@ -43,10 +43,12 @@ TEST_F(RouteTableTest, WhenThePathHasParts_ThenTheyAreDecoded) {
   EXPECT_EQ(match.parameters.at("name"), "a b/c");
 }
 
-TEST_F(RouteTableTest, WhenTheQueryNamesParameters_ThenOnlyKnownOnesAreTaken) {
+TEST_F(RouteTableTest, WhenTheQueryNamesParameters_ThenKnownOnesAreTakenAndTheFirstOtherOneIsTold) {
+  EXPECT_EQ(table_.find("GET", "/api/users?before=7").unknown, "");
   const Match match = table_.find("GET", "/api/users?x=1&before=7&before=8&y");
   ASSERT_NE(match.route, nullptr);
   EXPECT_TRUE(match.readable);
+  EXPECT_EQ(match.unknown, "x");
   EXPECT_EQ(match.parameters.size(), 1u);
   EXPECT_EQ(match.parameters.at("before"), "7");
 }

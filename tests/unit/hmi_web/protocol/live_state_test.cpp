@@ -47,6 +47,21 @@ TEST_F(LiveStateTest, WhenNothingIsThereYet_ThenTheWholeStateComes) {
   EXPECT_FALSE(message.contains("show"));
 }
 
+TEST_F(LiveStateTest, WhenTagsHaveTexts_ThenTheyTravelAsTextWheneverTheyChange) {
+  state_.tags = {0.0, std::nullopt, 2.0, std::nullopt, 4.0};
+  state_.texts = {{1, "said \"so\""}, {3, ""}};
+  live_.take(state_, 2, true);
+  EXPECT_EQ(whole()["tags"], json({{"0", 0}, {"1", "said \"so\""}, {"2", 2}, {"3", ""}, {"4", 4}}));
+  live_.take(state_, 3, false);
+  EXPECT_FALSE(since(2).contains("tags"));
+  state_.texts[3] = "now";
+  live_.take(state_, 4, false);
+  EXPECT_EQ(since(2)["tags"], json({{"3", "now"}}));
+  state_.texts.clear();
+  live_.take(state_, 5, false);
+  EXPECT_EQ(since(4)["tags"], json({{"1", nullptr}, {"3", nullptr}})) << "it is not known any more";
+}
+
 TEST_F(LiveStateTest, WhenNumbersAreNotFinite_ThenTheyAreNull) {
   state_.points = {std::nan(""), std::numeric_limits<double>::infinity(), 1e300};
   live_.take(state_, 2, false);

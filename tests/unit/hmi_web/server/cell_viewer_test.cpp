@@ -51,6 +51,40 @@ TEST(CellViewer, WhenAnImageIsSeen_ThenStepsTransitionsAndTagsAreReadFromIt) {
   EXPECT_EQ(state.scan, 12u);
 }
 
+// A STRING[4], a WSTRING[2] and a DATE.
+TEST(CellViewer, WhenVariablesAreTexts_ThenTheyAreReadAsTextAndHaveNoNumber) {
+  auto layout = std::make_shared<ProgramLayout>();
+  layout->program.tags = {
+      {"word", "STRING", ""}, {"wide", "WSTRING", ""}, {"day", "DATE", ""}, {"n", "INT", ""}};
+  layout->tags = {{ElementaryType::String, 0, kNoBit},
+                  {ElementaryType::Wstring, 8, kNoBit},
+                  {ElementaryType::Date, 16, kNoBit},
+                  {ElementaryType::Int, 0, kNoBit}};
+  Observation seen =
+      running(bytes({4, 0, 2, 0, 'h', 0xFC, 0, 0, 2, 0, 1, 0, 0xAC, 0x20, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+  seen.layout = layout;
+  CellViewer viewer({});
+
+  const auto state = viewer.view(seen).state;
+
+  using Texts = std::map<std::uint32_t, std::string>;
+  EXPECT_EQ(state.texts, (Texts{{0, "h\xC3\xBC"}, {1, "\xE2\x82\xAC"}, {2, "D#1970-01-01"}}));
+  EXPECT_FALSE(state.tags[0].has_value());
+  EXPECT_EQ(state.tags[3], 4.0);
+
+  seen.snapshot->image.resize(2);
+  EXPECT_TRUE(viewer.view(seen).state.texts.empty()) << "the image is shorter than the program says";
+}
+
+TEST(ImageValue, WhenATextIsLong_ThenItIsCutAtTheEndOfACharacter) {
+  std::vector<std::byte> image = bytes({0, 2, 0, 1});  // 512 characters, of them 256
+  image.resize(516, std::byte{0xFC});
+  const auto text = read_text({ElementaryType::String, 0, kNoBit}, image);
+  ASSERT_TRUE(text.has_value());
+  EXPECT_EQ(text->size(), kMostTextBytes + 3);
+  EXPECT_TRUE(text->ends_with("\xC3\xBC\xE2\x80\xA6"));
+}
+
 TEST(CellViewer, WhenTheImageIsShorterThanTheProgramSays_ThenTheMissingValuesAreUnknown) {
   CellViewer viewer({});
 

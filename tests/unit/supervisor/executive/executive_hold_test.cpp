@@ -41,6 +41,7 @@ struct HeldBench {
   void see(const RunRecord& now) {
     if (phases.empty() || phases.back() != to_string(now.phase)) phases.emplace_back(to_string(now.phase));
     held = now.phase == Phase::Held;
+    if (held) held_messages.push_back(now.message);
     if (held && on_held) on_held();
     if (!asked && when && when(now)) {
       asked = true;
@@ -66,6 +67,7 @@ struct HeldBench {
   std::function<void()> on_held;
   std::function<void()> on_rested = [this] { EXPECT_TRUE(executive->request_resume()); };
   std::vector<std::string> phases;
+  std::vector<std::string> held_messages;
   bool asked = false;
   bool held = false;
   bool driven = false;
@@ -107,6 +109,23 @@ TEST(ExecutiveHold, WhenAskedTwiceOrWithoutNeed_ThenItIsRefusedWithTheReason) {
   };
   EXPECT_EQ(bench.executive->run().phase, Phase::Done);
   EXPECT_EQ(second, "X0008");
+}
+
+TEST(ExecutiveHold, WhenAnotherGoalComesWhileItIsHeld_ThenItSaysThatThePlantRestsAndPlansForItAfterwards) {
+  HeldBench bench;
+  bool asked = false;
+  bench.on_held = [&] {
+    if (std::exchange(asked, true)) return;
+    EXPECT_TRUE(bench.executive->request_goal("(= (level a1) 4)"));
+  };
+  const RunRecord record = bench.executive->run();
+  SCOPED_TRACE(story(record));
+  ASSERT_FALSE(bench.held_messages.empty());
+  EXPECT_EQ(
+      bench.held_messages.back(),
+      "the goal was changed to (= (level a1) 4): that is planned for when the run is resumed; until then the "
+      "plant rests");
+  EXPECT_EQ(record.phase, Phase::Done);
 }
 
 TEST(ExecutiveHold, WhenAskedBeforeThePlanBegins_ThenNothingMovesUntilItIsResumed) {
