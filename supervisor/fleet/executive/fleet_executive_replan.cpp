@@ -75,7 +75,7 @@ FleetRequest FleetExecutive::next_request() {
 bool FleetExecutive::plan_rest() {
   auto begin = std::chrono::steady_clock::now();
   const auto wait_for_people = [&](const std::string& reason, IncidentKind kind) {
-    const bool goes_on = stay(reason, kind);
+    const bool goes_on = stay(reason, kind) && bring_to_rest();  // who comes back is reset by that
     begin = std::chrono::steady_clock::now();
     return goes_on;
   };

@@ -46,6 +46,7 @@ StepEvent event(std::uint64_t sequence) {
   event.detail = "why";
   event.image = {std::byte{1}, std::byte{2}};
   event.plant = {{"level", 0.5}};
+  event.incarnation = 7;  // of the fake link's runtime, which is told beside it
   return event;
 }
 
@@ -267,7 +268,7 @@ TEST(LinkEndpoint, WhenASnapshotIsPublished_ThenTheClientHasIt) {
   FakeLink link(42, accept);
   auto client = client_of(42, ClientRole::Viewer);
   ASSERT_TRUE(client->wait_for_runtime(kPatience));
-  const Snapshot sent{3, 4, "cd", std::vector<std::byte>(200'000, std::byte{9}), {{"level", 1.5}}};
+  const Snapshot sent{3, 4, "cd", std::vector<std::byte>(200'000, std::byte{9}), {{"level", 1.5}}, 7};
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
   while (!client->snapshot() && std::chrono::steady_clock::now() < deadline) {
     link.endpoint().publish_snapshot(sent);

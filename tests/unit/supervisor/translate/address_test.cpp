@@ -16,11 +16,12 @@ TEST(ParseAddress, WhenBitOrWord_ThenCountsBitsFromTheArea) {
   EXPECT_EQ(word->first_bit, 48U);
   EXPECT_EQ(word->bits, 16U);
   EXPECT_EQ(parse_address("%M0.1")->first_bit, 1U);
+  EXPECT_EQ(parse_address("%IX21")->first_bit, 21U);
 }
 
 TEST(ParseAddress, WhenMalformed_ThenRefuses) {
-  for (const char* text : {"", "%", "%I", "IX0.0", "%IX0", "%IX0.8", "%IX0.", "%IXx.1", "%IW", "%IW1.2",
-                           "%ZX0.0", "%IX70000.0", "%IL9000", "%IW-1", "%IX0.0 ", "%IX 0.0"}) {
+  for (const char* text : {"", "%", "%I", "IX0.0", "%IX0.8", "%IX0.", "%IXx.1", "%IW", "%IW1.2", "%ZX0.0",
+                           "%IX70000.0", "%IL9000", "%IW-1", "%IX0.0 ", "%IX 0.0"}) {
     EXPECT_FALSE(parse_address(text)) << text;
   }
 }

@@ -220,11 +220,11 @@ TEST(FleetHold, WhenTheRuntimeIsNotHeardOfForAWhile_ThenItIsWaitedForAndTheFleet
   int silences = 0;
   hall.controller().on_scan = [&, scans = 0](std::span<const std::byte>) mutable {
     const bool once = (phase == Phase::Holding && silences == 0) || (phase == Phase::Held && silences == 1);
-    if (once && ++scans % 20 == 0) {
-      hall.controller().silence_runtime();
-      ++silences;
-    }
-    if (phase == Phase::Held && scans++ % 50 == 0) hall.controller().interrupt();
+    if (++scans % 50 != 0) return;
+    hall.controller().interrupt();
+    if (!once) return;
+    hall.controller().silence_runtime();
+    ++silences;
   };
   const RunRecord record = hall.run(options, [&](const RunRecord& now) { phase = now.phase; });
   SCOPED_TRACE(story(record));
