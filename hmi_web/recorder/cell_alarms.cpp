@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "hmi_web/recorder/json_writer.h"
@@ -20,6 +21,8 @@ constexpr std::int64_t kStatisticsNs = 600'000'000'000;
 constexpr std::size_t kMostForStatistics = 100'000;
 constexpr double kLevelDeadband = 1.0;  // per cent
 constexpr std::string_view kMonitor = "MON_SCAN[";
+// Of an alarm whose source says nothing: whether it holds is not known, and it is not normal for that.
+constexpr const char* kNoValue = "no value";
 
 AlarmDefinition made(std::string name, std::string text, std::string source, ConditionKind kind,
                      Priority priority) {
@@ -74,7 +77,7 @@ void write_names(JsonWriter& out, const char* key, const std::vector<AlarmId>& i
 }
 
 void write_figures(JsonWriter& out, const alarms::AlarmFigures& figures,
-                   const std::vector<AlarmDefinition>& definitions) {
+                   const std::vector<AlarmDefinition>& definitions, std::size_t no_value) {
   out.key("figures").open('{');
   out.key("annunciated").integer(static_cast<std::int64_t>(figures.annunciated));
   out.key("in_ten_minutes").integer(figures.in_ten_minutes);
@@ -87,6 +90,7 @@ void write_figures(JsonWriter& out, const alarms::AlarmFigures& figures,
   out.close('}');
   out.key("unacknowledged").integer(figures.unacknowledged).key("shelved").integer(figures.shelved);
   out.key("suppressed").integer(figures.suppressed).key("out_of_service").integer(figures.out_of_service);
+  out.key("no_value").integer(static_cast<std::int64_t>(no_value));
   write_names(out, "stale", figures.stale, definitions);
   write_names(out, "chattering", figures.chattering, definitions);
   out.key("most_frequent").open('[');
@@ -154,6 +158,12 @@ CellAlarms::CellAlarms(alarms::AlarmEngine engine, std::unique_ptr<alarms::Alarm
   for (const protocol::Point& point : points) point_ids_.push_back(point.id);
   for (const std::string& name : engine_.sources())
     sources_.push_back({name, nullptr, name.starts_with(kMonitor), false, std::nullopt});
+  std::map<std::string_view, const Source*> by_name;
+  for (const Source& source : sources_) by_name.emplace(source.name, &source);
+  for (const AlarmDefinition& one : engine_.definitions()) {
+    const auto suppressor = by_name.find(one.suppress_when);
+    uses_.push_back({by_name.at(one.source), suppressor == by_name.end() ? nullptr : suppressor->second});
+  }
 }
 
 // States of the journal, and the figures of its last ten minutes.
@@ -190,7 +200,8 @@ CellAlarms::Read CellAlarms::reader_of(const std::string& name, const server::Pr
   if (name == kRuntimeAlive)
     return [flag](const RecordedScan& scan) { return flag(scan.observation->runtime_alive); };
   if (name == kRuntimeFault) {
-    return [flag](const RecordedScan& scan) {
+    return [flag](const RecordedScan& scan) -> std::optional<double> {
+      if (!scan.observation->runtime_alive) return std::nullopt;
       return flag(scan.observation->report && scan.observation->report->state == "fault");
     };
   }
@@ -237,6 +248,13 @@ std::int64_t CellAlarms::time_of(const Source& source, double value, const Recor
   return scan.time_ns - (before_count_ - std::llround(value)) * interval_ns_;
 }
 
+CellAlarms::Missing CellAlarms::missing_of(const Source& source, bool has_value, const RecordedScan& scan) {
+  if (has_value) return Missing::Nothing;
+  const server::Observation& seen = *scan.observation;
+  if (!seen.runtime_alive || !seen.snapshot || !scan.view->layout) return Missing::Image;
+  return source.read ? Missing::Value : Missing::Variable;
+}
+
 void CellAlarms::take(const RecordedScan& scan) {
   resolve(scan.view->layout);
   measure_interval(scan);
@@ -247,6 +265,7 @@ void CellAlarms::take(const RecordedScan& scan) {
     std::optional<double> value = source.read ? source.read(scan) : std::nullopt;
     // The next program has other monitors, or none: what this one raised is over.
     if (source.is_monitor && !source.read && scan.view->layout) value = 0.0;
+    note_missing(source, missing_of(source, value.has_value(), scan));
     // Its scan is known, and its time with the next image.
     const bool counts = source.is_monitor && source.read && value.value_or(0.0) >= 1.0;
     if (counts && monitor_now_ && interval_ns_ == 0) continue;
@@ -258,6 +277,34 @@ void CellAlarms::take(const RecordedScan& scan) {
   }
   engine_.advance(now_ns_);
   hand_on();
+}
+
+// Pages are told, though nothing has happened to an alarm.
+void CellAlarms::note_missing(Source& source, Missing missing) {
+  if (std::exchange(source.missing, missing) != missing) ++revision_;
+}
+
+const char* CellAlarms::word_of(AlarmId id) const {
+  const AlarmState state = engine_.view(id).status.state();
+  const bool unknown = uses_[id.value].watched->missing != Missing::Nothing;
+  return state == AlarmState::Normal && unknown ? kNoValue : to_string(state);
+}
+
+// A sentence; empty if both of its sources have values.
+std::string CellAlarms::problem_of(AlarmId id) const {
+  const auto [watched, suppressor] = uses_[id.value];
+  switch (watched->missing) {
+    case Missing::Image:
+      return "no image of a running program is there";
+    case Missing::Variable:
+      return "the program has no variable '" + watched->name + "'";
+    case Missing::Value:
+      return "'" + watched->name + "' has no value";
+    case Missing::Nothing:
+      break;
+  }
+  if (suppressor == nullptr || suppressor->missing != Missing::Variable) return {};
+  return "the program has no variable '" + suppressor->name + "', which would suppress it";
 }
 
 void CellAlarms::hand_on() {
@@ -279,9 +326,9 @@ result::Result<AlarmChange> CellAlarms::command(std::string_view alarm, alarms::
     by.alarm = *id;
     by.time_ns = now_ns_;
     engine_.advance(now_ns_);  // a delay or a shelf may have ended: that is no part of the change
-    change.before = engine_.view(*id).status.state();
+    change.before = word_of(*id);
     auto done = engine_.command(by);
-    change.after = engine_.view(*id).status.state();
+    change.after = word_of(*id);
     hand_on();
     if (!done) return result::forward(done);
   }
@@ -297,7 +344,7 @@ std::uint64_t CellAlarms::revision() const {
 std::string no_alarms_json(const std::string& problem) {
   JsonWriter out;
   out.open('{').key("count").integer(0).key("alarms").open('[').close(']');
-  write_figures(out, {}, {});
+  write_figures(out, {}, {}, 0);
   out.key("journal").open('{').key("failing").boolean(true).key("dropped").integer(0);
   return out.key("problem").text(problem).close('}').close('}').take();
 }
@@ -309,15 +356,20 @@ std::string CellAlarms::json(bool all) const {
     const std::lock_guard lock(mutex_);
     const auto& definitions = engine_.definitions();
     const alarms::AlarmFigures figures = statistics_.figures(now_ns_);
+    std::size_t no_value = 0;
     out.key("count").integer(static_cast<std::int64_t>(definitions.size())).key("alarms").open('[');
     for (std::uint32_t i = 0; i < definitions.size(); ++i) {
       const AlarmDefinition& one = definitions[i];
       const alarms::AlarmView& view = engine_.view(AlarmId(i));
-      const AlarmState state = view.status.state();
-      if (!all && state == AlarmState::Normal) continue;
+      const std::string_view state = word_of(AlarmId(i));
+      if (state == kNoValue) ++no_value;
+      // While there is no image they are all without a value, and what is lost is an alarm of its own.
+      const bool blind = state == kNoValue && uses_[i].watched->missing == Missing::Image;
+      if (!all && (blind || state == to_string(AlarmState::Normal))) continue;
       out.open('{').key("name").text(one.name).key("text").text(one.text).key("source").text(one.source);
-      out.key("priority").text(to_string(one.priority)).key("state").text(to_string(state));
+      out.key("priority").text(to_string(one.priority)).key("state").text(state);
       out.key("active").boolean(view.status.active).key("value").number(view.value);
+      out.key("problem").text(problem_of(AlarmId(i)));
       out.key("group").text(one.group).key("first_out").boolean(view.first_out);
       out.key("longest_shelving_min")
           .integer(std::chrono::duration_cast<std::chrono::minutes>(one.longest_shelving).count());
@@ -328,7 +380,7 @@ std::string CellAlarms::json(bool all) const {
       out.key("consequence").text(one.consequence).key("response").text(one.response).close('}');
     }
     out.close(']');
-    write_figures(out, figures, definitions);
+    write_figures(out, figures, definitions, no_value);
   }
   const alarms::JournalStatus status = journal_->status();
   out.key("journal").open('{').key("failing").boolean(status.failing);

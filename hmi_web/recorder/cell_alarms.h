@@ -56,10 +56,10 @@ struct RecordedScan {
   const server::CellView* view = nullptr;
 };
 
-// What a command has made of its alarm.
+// What a command has made of its alarm: states as `json` names them.
 struct AlarmChange {
-  alarms::AlarmState before = alarms::AlarmState::Normal;
-  alarms::AlarmState after = alarms::AlarmState::Normal;
+  std::string before;
+  std::string after;
 };
 
 class CellAlarms {
@@ -78,6 +78,7 @@ class CellAlarms {
   [[nodiscard]] result::Result<AlarmChange> command(std::string_view alarm, alarms::Command by);
 
   // {"alarms": [...], "figures": {...}, "journal": {...}}; without `all` those that are normal are left out.
+  // An alarm whose source says nothing is not normal: its state is "no value", and `problem` says why.
   std::string json(bool all) const;
   // Counts up whenever an alarm has changed.
   std::uint64_t revision() const;
@@ -87,12 +88,20 @@ class CellAlarms {
 
  private:
   using Read = std::function<std::optional<double>(const RecordedScan&)>;
+  // Why a source says nothing.
+  enum class Missing : std::uint8_t {
+    Nothing,   // it has a value
+    Image,     // no runtime answers, or no image of its program has come
+    Variable,  // the program has none of that name
+    Value,     // the point of the picture has none
+  };
   struct Source {
     std::string name;
     Read read;
     bool is_monitor = false;
     bool offered = false;
     std::optional<double> last;
+    Missing missing = Missing::Image;
   };
 
   CellAlarms(alarms::AlarmEngine engine, std::unique_ptr<alarms::AlarmJournal> journal,
@@ -103,6 +112,10 @@ class CellAlarms {
   void resolve(const std::shared_ptr<const server::ProgramLayout>& layout);
   std::int64_t time_of(const Source& source, double value, const RecordedScan& scan) const;
   void measure_interval(const RecordedScan& scan);
+  static Missing missing_of(const Source& source, bool has_value, const RecordedScan& scan);
+  void note_missing(Source& source, Missing missing);
+  const char* word_of(alarms::AlarmId alarm) const;
+  std::string problem_of(alarms::AlarmId alarm) const;
   void hand_on();
 
   std::unique_ptr<alarms::AlarmJournal> journal_;
@@ -110,7 +123,13 @@ class CellAlarms {
   std::shared_ptr<const server::ProgramLayout> layout_;  // that `sources_` were resolved for
   bool resolved_ = false;
   std::vector<Source> sources_;  // by alarms::SourceId
-  Read monitor_now_;             // the program's count of its scans
+  // Of each alarm; what suppresses it may be null.
+  struct Use {
+    const Source* watched = nullptr;
+    const Source* suppressor = nullptr;
+  };
+  std::vector<Use> uses_;
+  Read monitor_now_;  // the program's count of its scans
   // Of the image before: its time and that count, from which the scan's interval follows.
   std::int64_t before_ns_ = 0, before_count_ = 0, interval_ns_ = 0;
 

@@ -312,7 +312,7 @@ result::Result<api::AlarmChange> RecordQueries::act(const api::AlarmAction& acti
   command.shelve_for = action.shelve_for;
   auto change = recorder_.alarms().command(action.alarm, std::move(command));
   if (!change) return result::forward(change);
-  return api::AlarmChange{to_string(change->before), to_string(change->after)};
+  return api::AlarmChange{std::move(change->before), std::move(change->after)};
 }
 
 namespace {

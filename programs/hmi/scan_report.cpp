@@ -22,6 +22,8 @@ const char* word_for_io(dds::IoKind kind) {
       return "shared memory";
     case dds::IoKind::Modbus:
       return "modbus";
+    case dds::IoKind::Nothing:
+      return "nothing";
   }
   return "";
 }

@@ -12,15 +12,17 @@ namespace {
 
 constexpr std::chrono::seconds kPeriod{1};
 
-dds::IoKind kind_of(const config::IoConfig& io) {
+dds::IoKind kind_of(const config::CellConfig& config) {
+  const config::IoConfig& io = config.safety.io;
   if (io.modbus) return dds::IoKind::Modbus;
-  return io.shared_memory ? dds::IoKind::SharedMemory : dds::IoKind::SimulatedPlant;
+  if (io.shared_memory) return dds::IoKind::SharedMemory;
+  return config.plant.kind == "none" ? dds::IoKind::Nothing : dds::IoKind::SimulatedPlant;
 }
 
 }  // namespace
 
 DeviceWatch::DeviceWatch(const config::CellConfig& config)
-    : kind_(kind_of(config.safety.io)), socket_(config.modbus_client_path()) {
+    : kind_(kind_of(config)), socket_(config.modbus_client_path()) {
   if (kind_ != dds::IoKind::Modbus) return;
   problem_ = "not asked yet";
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });

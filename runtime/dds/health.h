@@ -19,6 +19,7 @@ enum class IoKind : std::uint8_t {
   SimulatedPlant = 0,  // in the runtime's own process
   SharedMemory = 1,    // another process on the same machine
   Modbus = 2,          // devices, through `stepwright modbus-client`
+  Nothing = 3,         // outputs go nowhere, inputs are 0
 };
 
 // A device of remote I/O; times count from the start of its client.

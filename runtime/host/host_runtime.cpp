@@ -193,7 +193,7 @@ std::optional<StepEvent> HostRuntime::take_event() {
   StepEvent event = to_event(*held->program, *ring.front());
   ring.pop();
   if (was_full) loop_->events_taken();
-  detail_ = event.detail;
+  newest_ = {event.kind, event.program_digest, event.detail};
   if (event.kind == EventKind::Trap) ++traps_;
   return event;
 }
@@ -221,6 +221,20 @@ StepEvent HostRuntime::to_event(const PreparedProgram& program, const EventRing:
   return event;
 }
 
+// Another program, or the same one loaded or started again, has not stopped for what was said of the one
+// before.
+bool HostRuntime::still_holds(const NewestEvent& event, const ScanFigures& figures) {
+  if (figures.program == nullptr || event.program_digest != figures.program->digest()) return false;
+  switch (event.kind) {
+    case EventKind::Trap:
+      return figures.state == RuntimeState::Fault;
+    case EventKind::Stopped:
+      return figures.state == RuntimeState::Stopped;
+    default:
+      return figures.state == RuntimeState::Running;
+  }
+}
+
 RuntimeStatus HostRuntime::status() const {
   const ScanFigures figures = loop_->figures();
   RuntimeStatus status;
@@ -239,7 +253,7 @@ RuntimeStatus HostRuntime::status() const {
   status.waiting_for_supervisor = figures.waiting_for_supervisor;
   status.changes = figures.changes;
   status.last_change_pause_us = static_cast<double>(figures.last_change_pause_ns) / kNsPerUs;
-  status.detail = detail_;
+  if (still_holds(newest_, figures)) status.detail = newest_.detail;
   const auto note = [&](const std::string& text) {
     if (!status.detail.empty()) status.detail += "; ";
     status.detail += text;

@@ -81,6 +81,12 @@ class HostRuntime final : public RuntimePort {
   const ScanMonitor& monitor() const { return monitor_; }
 
  private:
+  struct NewestEvent {
+    EventKind kind = EventKind::Started;
+    std::string program_digest;
+    std::string detail;
+  };
+
   HostRuntime(const HostConfig& config, image::IoDriver& driver, PlantAccess* plant,
               std::unique_ptr<SnapshotWriter> snapshots, std::unique_ptr<SnapshotReader> reader);
 
@@ -92,6 +98,8 @@ class HostRuntime final : public RuntimePort {
   void take_preparations();
   [[nodiscard]] result::Result<void> hand_over(Preparation prepared);
   void explain(const ProgramShelf::Held& held, Completion& completion) const;
+  // What the newest event says, for as long as it is why the runtime is as it is.
+  static bool still_holds(const NewestEvent& event, const ScanFigures& figures);
   StepEvent to_event(const PreparedProgram& program, const EventRing::Slot& slot) const;
 
   HostConfig config_;
@@ -105,7 +113,7 @@ class HostRuntime final : public RuntimePort {
   std::unique_ptr<ScanLoop> loop_;
   ScanMonitor monitor_;  // between what it looks at all the time and the programs, whose tasks come and go
   std::string refused_;  // what the system refused to the scan thread
-  std::string detail_;   // of the newest event that has one
+  NewestEvent newest_;   // that the service has heard of
   std::uint64_t traps_ = 0;  // that the service has heard of
   mutable std::mutex note_mutex_;
   std::map<std::string, std::string> notes_;  // by what they are of

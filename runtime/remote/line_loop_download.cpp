@@ -103,6 +103,7 @@ LineLoop::Done LineLoop::adopt(std::shared_ptr<const RemoteProgram> program) {
   if (status->digest != program->digest_bytes() || status->state == control::State::Running)
     return result::fail("R0143", {link_.name(), 0, 0}, "the controller did not load what it committed");
   program_ = std::move(program);
+  detail_.clear();  // of the program before
   known_event_ = status->event;
   forces_.clear_all();
   now_.state = host::RuntimeState::Stopped;

@@ -39,7 +39,7 @@ RunRecord Executive::run() {
         going = replan(decision.cause);
         break;
       case Verdict::RuntimeLost:
-        going = recover_runtime();
+        going = recover_runtime(Away::Runtime);
         break;
       case Verdict::GiveUp:
         going = give_up(decision.cause);
@@ -127,7 +127,7 @@ bool Executive::resume() {
   drift_.follow(current_.run);  // its sums begin anew
   note_told_alarms();
   set_phase(Phase::Waiting, "the supervisor was restarted and looks for its runtime");
-  return await_runtime() && recover_runtime(hold_);
+  return await_runtime() && recover_runtime(Away::Supervisor);
 }
 
 // A run had ended before the supervisor did. Where an operator starts runs it stays so, and another one
@@ -147,7 +147,7 @@ bool Executive::stay_over(Journal&& journal) {
 }
 
 // The runtime is there (again): goes on with the plan if the runtime still has it, else replans.
-bool Executive::recover_runtime(bool was_held) {
+bool Executive::recover_runtime(Away who) {
   if (!controller_.alive()) {
     set_phase(Phase::Waiting, "the runtime does not answer; waiting for it");
     if (!await_runtime()) return false;
@@ -158,17 +158,29 @@ bool Executive::recover_runtime(bool was_held) {
                     status->state == host::RuntimeState::Running && status->program_digest == digest_;
   // While it is held nobody expects the plan to run: the plant rests under the program that reads the
   // sensors.
-  if (!runs && was_held) {
+  const bool was_away = who == Away::Supervisor;
+  if (!runs && was_away && hold_) {
     return replan(
         {IncidentKind::Operator, {"held by the operator; the supervisor was restarted meanwhile"}, {}});
   }
   if (!runs) {
+    // A runtime that still has the program was not lost: it has stopped because nobody was there.
+    const bool has_program = was_away && status && status->program_digest == digest_;
+    if (has_program)
+      return replan(
+          {IncidentKind::LostSupervisor, {"the runtime has stopped while the supervisor was away"}, {}});
     return replan(
         {IncidentKind::LostRuntime, {"the runtime was restarted or stopped while nobody watched it"}, {}});
   }
-  open_incident({IncidentKind::LostRuntime,
-                 {"the runtime was not seen for a while; it has gone on with the plan"},
-                 {}});
+  if (was_away) {
+    open_incident({IncidentKind::LostSupervisor,
+                   {"the supervisor was restarted; the runtime has gone on with the plan"},
+                   {}});
+  } else {
+    open_incident({IncidentKind::LostRuntime,
+                   {"the runtime was not seen for a while; it has gone on with the plan"},
+                   {}});
+  }
   if (!read_program(current_, Kind::Plan)) return false;
   decide(Response::GoOn);
   confirmed_ = true;

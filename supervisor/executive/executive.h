@@ -109,6 +109,7 @@ class Executive {
   std::uint64_t outlook_revision() const;
 
  private:
+  enum class Away : std::uint8_t { Runtime, Supervisor };  // who was not there for a while
   enum class Stage : std::uint8_t { Running, Ready, Over };
   enum class Verdict : std::uint8_t { GoOn, Replan, Finished, GiveUp, RuntimeLost };
   struct Decision {
@@ -130,7 +131,7 @@ class Executive {
   bool await_runtime();
   bool runtime_lost();
   // `was_held`: this supervisor has just begun, and the journal says that the run is held.
-  bool recover_runtime(bool was_held = false);
+  bool recover_runtime(Away who);
   bool finish();
   void reach_goal();
   std::vector<std::string> missed() const;

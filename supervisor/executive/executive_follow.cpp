@@ -80,7 +80,7 @@ Executive::Decision Executive::judge(const host::StepEvent& event) {
   // Whoever stopped the plant on purpose does not want it to go on by itself.
   if (event.detail != host::kSupervisorLost)
     return give_up_because(IncidentKind::Operator, "stopped from outside: " + event.detail);
-  return {Verdict::Replan, {IncidentKind::LostRuntime, {"the runtime stopped: " + event.detail}, {}}};
+  return {Verdict::Replan, {IncidentKind::LostSupervisor, {"the runtime stopped: " + event.detail}, {}}};
 }
 
 Executive::Decision Executive::judge_steps(std::span<const std::byte> image, double time_s) {

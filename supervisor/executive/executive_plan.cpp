@@ -23,6 +23,11 @@ bool is_wish(IncidentKind kind) {
          kind == IncidentKind::Operator;
 }
 
+// Of a process that was not there, which says nothing about the plant.
+bool is_absence(IncidentKind kind) {
+  return kind == IncidentKind::LostRuntime || kind == IncidentKind::LostSupervisor;
+}
+
 Response response_of(const Episode& episode) {
   if (episode.origin == "kept") return Response::GoOn;
   return episode.origin == "repaired" ? Response::Repair : Response::Replan;
@@ -124,7 +129,7 @@ bool Executive::replan(const Cause& cause) {
   record_.replans.push_back({clock_.now_s(), sentence, last_done, held});
   note_failed_devices(cause);
   if (is_wish(cause.kind)) recurrence_.forget();
-  if (cause.kind == IncidentKind::LostRuntime) drift_.forget();
+  if (is_absence(cause.kind)) drift_.forget();
   set_phase(hold_ ? Phase::Holding : Phase::Replanning, sentence);
   // A program that runs is relieved by the next one, without a stop. Anything else stops at once, not only
   // with the download that follows; a runtime that is gone or was restarted has nothing to stop.
@@ -166,8 +171,8 @@ bool Executive::mend(const std::string& signature, const model::NamedState& trac
     }
     const model::NamedState planning = with_changes(seen_.planning);
     const Incident& incident = record_.incidents.back();
-    // A wish and the end of a runtime come in any state.
-    const bool plants_own = !is_wish(incident.kind) && incident.kind != IncidentKind::LostRuntime;
+    // A wish and the end of a process come in any state.
+    const bool plants_own = !is_wish(incident.kind) && !is_absence(incident.kind);
     if (plants_own && incident.devices.empty() && !interrupted.empty() && planning == stuck_at_) {
       return give_up("the plant does not follow: for the second time in the same state, " +
                      record_.replans.back().cause);

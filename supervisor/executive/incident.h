@@ -24,6 +24,7 @@ enum class IncidentKind : std::uint8_t {
   LostRuntime,     // the runtime is gone, or came back without the program
   ProgramFault,    // the program trapped, was stopped from outside, or could not be made
   Operator,        // aborted
+  LostSupervisor,  // the supervisor was away, and the runtime went on or went to its safe state
 };
 
 enum class Response : std::uint8_t {

@@ -84,8 +84,16 @@ async function forces(page) {
     document.querySelector('[data-testid=forces]')?.innerText.includes(`${name} = FALSE`), tag);
   const told = execFileSync(given.server, ['forces', '--config', given.cell, '--set', `cell.state_dir="${given.state}"`], { encoding: 'utf8' });
   check(told.includes('1 of 64 places are forced'), `the runtime itself says so: ${told.trim().replaceAll('\n', '; ')}`);
+  await waitFor(page, 'and its value is marked', (name) =>
+    [...document.querySelectorAll('[data-panel=tags] tbody tr')].every((row) => (row.querySelector('[data-forced]') !== null) === row.querySelector('th').firstChild.textContent.trim().startsWith(name)), tag);
   await shot(page, 'banner');
   await isAccessible(page, 'the page with its banner');
+  await page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
+  await page.waitForTimeout(200);
+  const top = await page.getByTestId('forces').evaluate((node) => node.getBoundingClientRect().top);
+  check(top >= 0 && top < 60, `it is seen wherever one has scrolled to (${top})`);
+  await shot(page, 'banner-below');
+  await page.evaluate(() => scrollTo(0, 0));
   await page.getByRole('button', { name: `release ${tag}` }).click();
   await waitFor(page, 'until it is released', () => document.querySelector('[data-testid=forces]') === null);
   return tag;

@@ -22,6 +22,10 @@ name = "stirs"
 source = "Main.stir"
 when = "on"
 priority = "low"
+
+[[alarm]]
+name = "misspelt"
+source = "Main.stri"
 `;
 
 // Images of 800 KB: what waits for a receiver that stands still soon fills its socket.
@@ -73,6 +77,16 @@ async function actsBefore(page, cell) {
   const raised = await happened(page, 'its alarm is raised', 'level.high', 'raise', ({ value }) => value === 60);
   check(raised.comment === '', 'by a server that saw it happen');
   check((await asksApi(page, '/api/alarms/acknowledge', { name: 'level.high', reason: 'seen' })) === '200', 'and acknowledged');
+  await page.getByRole('button', { name: 'Standing' }).click();
+  await waitFor(page, 'an alarm whose variable the program does not have is not normal', () => document.querySelector('[data-alarm="misspelt"]')?.dataset.state === 'no value');
+  check((await page.getByTestId('no-value').innerText()) === '1 alarm without a value', 'and the bar counts it');
+  await page.locator('[data-alarm="misspelt"] button').click();
+  check((await page.getByTestId('alarm-list').innerText()).includes("the program has no variable 'Main.stri'"), 'the list says why');
+  await shot(page, 'no-value');
+  await page.getByRole('button', { name: 'Journal' }).click();
+  await page.locator('#scan-more').click();
+  await waitFor(page, 'no plant is spoken of where there is none', () => document.querySelector('[data-testid=io-kind]')?.innerText.startsWith('Nothing:'));
+  await page.keyboard.press('Escape');
   check((await asksApi(page, '/api/tags/force', { name: 'Main.batches', value: '2', minutes: 5, reason: 'test of the banner' })) === '200', 'a variable is forced from the page');
   cell.run('force', '--config', cell.config, 'Main.soak', 'T#9s');
   await waitFor(page, 'another one at the socket of the runtime: the banner shows both', () => {
@@ -176,6 +190,12 @@ async function theRuntimeIsKilled(page, cell) {
   await cell.stop('runtime', 'SIGKILL');
   await tells(page, 'the page says that the runtime is lost', 'The runtime does not answer');
   const lost = await happened(page, 'so does the journal', 'runtime.lost', 'raise');
+  await page.locator('#program-more').click();
+  await waitFor(page, 'the program in detail looks as old as its values are', () =>
+    document.querySelector('#program-details .columns')?.classList.contains('stale') &&
+    document.querySelector('#program-details header').innerText.includes('the last values known, of scan'));
+  await shot(page, 'program');
+  await page.keyboard.press('Escape');
   await isAccessible(page, 'a page without a runtime');
   await shot(page, 'runtime');
   cell.startAgain();

@@ -73,6 +73,9 @@ async function measuresAndExports(page) {
   await waitFor(page, 'a click leaves a mark to measure from', () =>
     document.querySelector('[data-testid=history-values] thead').innerText.includes('since'));
   await page.getByRole('button', { name: 'remove the mark' }).click();
+  await page.getByLabel('Tag to add').fill('B17');
+  await page.getByRole('button', { name: 'Add' }).click();
+  check((await page.getByTestId('history-refusal').innerText()) === 'There is no history of “B17”.', 'a name that is none is told');
   await page.getByLabel('Tag to add').fill('B1');
   await page.getByRole('button', { name: 'Add' }).click();
   await waitFor(page, 'a variable of the program joins in', () => document.querySelector('[data-tag=B1]') !== null);
@@ -99,6 +102,9 @@ async function showsAnAlarm(page, server) {
   server.tell('runtime on');
   await waitFor(page, 'it returns, and waits to be acknowledged', () =>
     document.querySelector('[data-alarm="runtime.lost"]')?.dataset.state === 'returned, unacknowledged');
+  const bar = await page.getByTestId('alarm-summary').innerText();
+  check(/The runtime does not answer\s*over\s*0 active, 1 unacknowledged/.test(bar), `and the bar does not take it for one that stands (${bar.replaceAll('\n', ' ')})`);
+  await shot(page, 'returned');
   await page.getByRole('button', { name: 'Journal' }).click();
   await waitFor(page, 'the journal has both', () =>
     document.querySelectorAll('[data-testid=journal] [data-event=raise]').length >= 1 &&
@@ -155,6 +161,8 @@ async function actsOnAlarms(page) {
   await isAccessible(page, 'what may be done to an alarm, beside the history,');
   await lost.getByRole('button', { name: 'Acknowledge' }).click();
   await stateOf(page, 'runtime.lost', 'normal', 'what has returned is normal once it is acknowledged');
+  await until('and whoever goes by keys stays where that was', () =>
+    page.evaluate(() => document.activeElement.closest('[role=group]')?.getAttribute('aria-label') === 'act on runtime.lost'));
 
   const tank = await opens(page, 'a1.low');
   await tank.getByRole('button', { name: 'Shelve …' }).click();

@@ -123,7 +123,7 @@ idl::Health to_health(const std::string& runtime_id, const RuntimeHealth& health
 std::optional<RuntimeHealth> from_health(const idl::Health& sample) {
   if (sample.tasks().size() > idl::TASK_BOUND || sample.devices().size() > idl::DEVICE_BOUND ||
       sample.devices_problem().size() > idl::REASON_BOUND ||
-      sample.io() > static_cast<std::uint8_t>(IoKind::Modbus)) {
+      sample.io() > static_cast<std::uint8_t>(IoKind::Nothing)) {
     return std::nullopt;
   }
   RuntimeHealth health;

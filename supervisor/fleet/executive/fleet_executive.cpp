@@ -122,7 +122,8 @@ bool FleetExecutive::resume_plan(FleetOutcome outcome, const FleetRequest& reque
   }
   running_.emplace(Running{status->program_digest, *std::move(reader)});
   follow_plan(std::move(outcome), request);
-  open_incident({IncidentKind::LostRuntime, {"the supervisor was restarted; the missions have gone on"}, {}});
+  open_incident(
+      {IncidentKind::LostSupervisor, {"the supervisor was restarted; the missions have gone on"}, {}});
   decide(Response::GoOn);
   set_phase(Phase::Executing, "following the missions again");
   return true;  // what happened meanwhile shows in the next event

@@ -65,7 +65,11 @@ FleetExecutive::Decision FleetExecutive::judge(const host::StepEvent& event) {
       break;
   }
   // Whoever stopped the fleet on purpose does not want it to go on by itself.
-  return {Verdict::GiveUp, {IncidentKind::Operator, {"stopped from outside: " + event.detail}, {}}};
+  const bool unattended = event.detail == host::kSupervisorLost;
+  return {Verdict::GiveUp,
+          {unattended ? IncidentKind::LostSupervisor : IncidentKind::Operator,
+           {"stopped from outside: " + event.detail},
+           {}}};
 }
 
 FleetExecutive::Decision FleetExecutive::judge_reading(const FleetReading& reading) {

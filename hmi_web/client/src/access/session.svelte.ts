@@ -15,7 +15,7 @@ export type Dialog =
   | { kind: 'goal' }
   | { kind: 'abort' | 'stop' | 'hold' | 'resume' | 'start' | 'order' | 'block' }
   | { kind: 'unblock' | 'return'; name: string }
-  | { kind: 'force'; tag: string; value: string }
+  | { kind: 'force'; tag: string; type: string; value: string }
   | { kind: 'alarm'; deed: 'shelve' | 'suppress' | 'remove'; alarm: string; text: string; most: number }
   | { kind: 'help'; topic: Topic; title: string }
   // `done` is told the recipe to be shown then.

@@ -2,10 +2,11 @@
 
 import { fixed, tagValue, UNKNOWN } from '../lib/format';
 import type { Value } from '../lib/protocol';
+import { numberOr, type TagValue } from '../lib/value';
 import { bindingsOf, isTrue, namesOf, poseTransform, transformOf, type Binding, type Box, type PoseBinding, type RangeBinding } from './bindings';
 
 // A value of the cell by its name; null if there is no such thing.
-export type Look = (name: string) => { value: Value; type: string; unit: string } | null;
+export type Look = (name: string) => { value: TagValue; type: string; unit: string } | null;
 
 interface Bound {
   element: SVGGraphicsElement;
@@ -62,7 +63,7 @@ export class DrawnPicture {
   show(look: Look): void {
     for (const one of this.bound) {
       if (one.binding.kind === 'pose') {
-        this.place(one, one.binding, namesOf(one.binding).map((name) => look(name)?.value ?? null));
+        this.place(one, one.binding, namesOf(one.binding).map((name) => numberOr(look(name)?.value)));
         continue;
       }
       const found = look(one.binding.name);
@@ -70,7 +71,7 @@ export class DrawnPicture {
       const words = this.words(one.binding, value, found?.type ?? '', found?.unit ?? '');
       if (words === one.shown) continue;
       one.shown = words;
-      this.write(one, value, words);
+      this.write(one, one.binding.kind === 'text' && typeof value === 'string', numberOr(value), words);
     }
   }
 
@@ -86,15 +87,16 @@ export class DrawnPicture {
     if (transform !== null) element.setAttribute('transform', `${transform} ${ownTransform}`.trim());
   }
 
-  private words(binding: Binding, value: Value, type: string, unit: string): string {
-    if (binding.kind !== 'text') return String(value);
+  private words(binding: Binding, value: TagValue, type: string, unit: string): string {
+    if (binding.kind !== 'text') return String(numberOr(value));
+    if (typeof value === 'string') return value;
     if (value === null) return UNKNOWN;
     const number = binding.digits === null ? tagValue(value, type) : fixed(value, binding.digits);
     return [number, binding.unit || unit].filter((part) => part !== '').join(' ');
   }
 
-  private write({ element, binding, ownTransform, box, title }: Bound, value: Value, words: string): void {
-    element.classList.toggle('unknown', value === null);
+  private write({ element, binding, ownTransform, box, title }: Bound, isText: boolean, value: Value, words: string): void {
+    element.classList.toggle('unknown', value === null && !isText);
     if (title !== '') element.setAttribute('aria-label', `${title}: ${binding.kind === 'text' ? words : value === null ? UNKNOWN : value}`);
     if (binding.kind === 'text') element.textContent = words;
     else if (binding.kind === 'show') element.classList.toggle('hidden', !isTrue(binding, value));

@@ -1,5 +1,6 @@
 export default {
   drawing: 'drawing of the plant',
+  forced: 'Forced: {names}.',
   cannot: 'The drawing could not be fetched.',
   unbound: 'Bound to nothing in this cell: {names}',
 } as const;

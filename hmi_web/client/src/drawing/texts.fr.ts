@@ -3,6 +3,7 @@ import type english from './texts.en';
 
 export default {
   drawing: 'dessin de l’installation',
+  forced: 'Variables forcées : {names}.',
   cannot: 'Le dessin n’a pas pu être chargé.',
   unbound: 'Lié à rien dans cette cellule : {names}',
 } satisfies Translation<typeof english>;

@@ -1,5 +1,6 @@
 // A goal as conditions that all must hold, each a row of a form; to PDDL and, as far as it is no more than that, back.
 
+import { decimalText, readNumber } from '../lib/number_input';
 import { t } from './texts';
 import type { GoalSensor, GoalSymbol, GoalWords } from './words';
 
@@ -64,13 +65,10 @@ export function othersOf(condition: Condition, words: GoalWords): string[] {
   return condition.other !== '' && !all.includes(condition.other) ? [condition.other, ...all] : all;
 }
 
-// As PDDL writes it, whatever is usual where it was typed.
-const decimal = (text: string) => text.trim().replace(',', '.');
-
 export function writeCondition(condition: Condition): string {
   const subject = subjectOf(condition);
   if (condition.kind === 'fact') return condition.holds ? subject : `(not ${subject})`;
-  return `(${condition.relation} ${subject} ${condition.other || decimal(condition.number) || '?'})`;
+  return `(${condition.relation} ${subject} ${condition.other || decimalText(condition.number) || condition.number.trim() || '?'})`;
 }
 
 // A line for each, so that a line of a problem tells the condition.
@@ -90,10 +88,9 @@ export function conditionOfLine(line: number, count: number): number {
 export function problemOf(condition: Condition, sensor: GoalSensor | undefined): string {
   if (condition.objects.includes('')) return t('chooseObject');
   if (condition.kind === 'fact' || condition.other !== '') return '';
-  const text = decimal(condition.number);
-  if (text === '') return t('numberMissing');
-  if (!/^-?\d+(\.\d+)?$/.test(text)) return t('noNumber', { text: condition.number.trim() });
-  const value = Number(text);
+  if (condition.number.trim() === '') return t('numberMissing');
+  const value = readNumber(condition.number);
+  if (value === null) return t('noNumber', { text: condition.number.trim() });
   if (sensor?.range && (value < sensor.range[0] || value > sensor.range[1])) {
     return t('outOfRange', { label: sensor.label || sensor.fluent, low: sensor.range[0], high: sensor.range[1] });
   }

@@ -1,5 +1,5 @@
 // Everything that the page knows about the cell, kept up to date by the connection. Components read it;
-// nothing else writes it.
+// nothing else writes it, but for who looks: App.
 
 import { Connection, liveUrl, type LinkState } from './connection';
 import {
@@ -14,9 +14,10 @@ import {
   type ServerMessage,
   type StandingForce,
   type StateMessage,
-  type Value,
 } from './protocol';
+import { ForcedNames } from './forces';
 import { TrendData } from './trend_data';
+import { numberOr, type TagValue, type Value } from './value';
 import { Wanted } from './wanted';
 
 // Planned times count from the start of their plan; everything else is the cell's clock.
@@ -64,6 +65,7 @@ export class Cell {
   routes = $state.raw<unknown>(null);
   // What is forced in the runtime, whoever has forced it.
   forces = $state.raw<StandingForce[]>([]);
+  readonly forced: ForcedNames = $derived.by(() => new ForcedNames(this.forces));
   scanOpen = $state(false); // the scan in detail is asked for
   programOpen = $state(false); // so are the sources of the program
   changeOpen = $state(false); // so is what changes it
@@ -71,7 +73,7 @@ export class Cell {
   live = $state<LiveFields>({ ...NOTHING });
   points = $state<Value[]>([]);
   // Programs have thousands of tags that change with every scan and are hardly ever looked at: one signal for them all.
-  private tagValues: Value[] = [];
+  private tagValues: TagValue[] = [];
   private tagVersion = $state(0);
   // Not reactive itself: a chart redraws when `trendVersion` moves.
   trend = new TrendData(0);
@@ -138,6 +140,11 @@ export class Cell {
     }, Math.max(10, this.shownAt + SHOW_EVERY_MS - performance.now()));
   }
 
+  // What is shown of the cell is of some time ago.
+  get isStale(): boolean {
+    return this.link !== 'live' || !this.live.runtime_alive;
+  }
+
   // The value of a point by its id; null if there is no such point or it is not known now.
   point(id: string): Value {
     const index = this.pointIndex.get(id);
@@ -148,15 +155,20 @@ export class Cell {
     return (this.point(id) ?? 0) > 0.5;
   }
 
-  get tags(): readonly Value[] {
+  get tags(): readonly TagValue[] {
     void this.tagVersion;
     return this.tagValues;
   }
 
   // The value of a variable of the program by its whole name in lower case.
-  tag(name: string): Value {
+  tagValue(name: string): TagValue {
     const index = this.tagIndex.get(name);
     return index === undefined ? null : (this.tags[index] ?? null);
+  }
+
+  // The same of a number; null for a text.
+  tag(name: string): Value {
+    return numberOr(this.tagValue(name));
   }
 
   private take(message: ServerMessage): void {
@@ -234,7 +246,7 @@ export class Cell {
     if (tags) this.takeTags(tags);
   }
 
-  private takeTags(tags: Record<string, Value>): void {
+  private takeTags(tags: Record<string, TagValue>): void {
     for (const index in tags) this.tagValues[Number(index)] = tags[index] ?? null;
     this.tagVersion += 1;
   }

@@ -2,7 +2,8 @@
 
 import type { ServerMessage } from './protocol';
 
-export type LinkState = 'connecting' | 'live' | 'lost';
+// `closed`: nobody looks, as nobody who may has logged in.
+export type LinkState = 'connecting' | 'live' | 'lost' | 'closed';
 
 export interface ConnectionEvents {
   onMessage(message: ServerMessage): void;
@@ -79,7 +80,7 @@ export class Connection {
     this.wanted = open;
     this.retryMs = FIRST_RETRY_MS;
     this.events.onOther();
-    this.events.onState('connecting');
+    this.events.onState(open ? 'connecting' : 'closed');
     if (open) this.open();
   }
 

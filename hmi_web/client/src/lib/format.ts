@@ -1,12 +1,18 @@
 // How numbers become text, in the language of the page. A value that is not known is a dash, never a zero.
 
-import { fixedText, numberText } from './language.svelte';
-import type { Value } from './protocol';
+import { fixedText, numberText, powerText } from './language.svelte';
+import type { TagValue, Value } from './protocol';
 
 export const UNKNOWN = '–';
 
+// Beyond these the digits say less than the power of ten.
+const MOST = 1e9;
+const LEAST = 1e-4;
+const needsPower = (value: number) => Math.abs(value) >= MOST || (value !== 0 && Math.abs(value) < LEAST);
+
 export function fixed(value: Value | undefined, digits: number): string {
-  return value === null || value === undefined ? UNKNOWN : fixedText(value, digits);
+  if (value === null || value === undefined) return UNKNOWN;
+  return Math.abs(value) >= MOST ? powerText(value) : fixedText(value, digits);
 }
 
 // Of a difference: "+0.03", "−0.20", "0".
@@ -18,6 +24,7 @@ export function signed(value: number, digits: number): string {
 export function short(value: Value | undefined): string {
   if (value === null || value === undefined) return UNKNOWN;
   const size = Math.abs(value);
+  if (needsPower(value)) return powerText(value);
   if (Number.isInteger(value)) return fixedText(value, 0);
   return fixedText(value, size >= 100 ? 0 : size >= 10 ? 1 : 2);
 }
@@ -29,7 +36,8 @@ export function whole(count: number): string {
 
 // The number at a mark of an axis; uPlot has none for marks that it leaves out.
 export function tickNumber(value: number | null): string {
-  return value === null ? '' : numberText(value);
+  if (value === null) return '';
+  return needsPower(value) ? powerText(value) : numberText(value);
 }
 
 // "1:02.5" of seconds.
@@ -64,12 +72,20 @@ export function micros(value: Value | undefined): string {
 }
 
 // A tag's value by its IEC type, as a literal of IEC 61131-3: the same in every language.
-export function tagValue(value: Value | undefined, type: string): string {
+export function tagValue(value: TagValue | undefined, type: string): string {
   if (value === null || value === undefined) return UNKNOWN;
+  if (typeof value === 'string') return type === 'STRING' ? `'${value}'` : type === 'WSTRING' ? `"${value}"` : value;
   if (type === 'BOOL') return value > 0 ? 'TRUE' : 'FALSE';
   if (type === 'TIME' || type === 'LTIME') return `${seconds(value / 1e9)} s`;
-  if (type === 'REAL' || type === 'LREAL') return value.toFixed(3);
+  if (type === 'REAL' || type === 'LREAL') return realText(value);
   return String(value);
+}
+
+// "1.5", "1.0E38", "2.0E-5": what is not 0 does not look like 0.
+function realText(value: number): string {
+  if (value === 0 || (Math.abs(value) < MOST && Math.abs(value) >= 0.0005)) return value.toFixed(3);
+  const [digits = '', power = ''] = Number(value.toPrecision(7)).toExponential().split('e');
+  return `${digits.includes('.') ? digits : `${digits}.0`}E${power.replace('+', '')}`;
 }
 
 function seconds(value: number): string {

@@ -139,6 +139,7 @@ const plain = kept((locale, digits) => {
   const count = Number(digits);
   return new Intl.NumberFormat(locale, { minimumFractionDigits: count, maximumFractionDigits: count, useGrouping: false });
 });
+const powers = kept((locale) => new Intl.NumberFormat(locale, { notation: 'scientific', maximumFractionDigits: 3 }));
 const dates = kept((locale, options) => new Intl.DateTimeFormat(locale, JSON.parse(options) as Intl.DateTimeFormatOptions));
 
 // "1,234" and "0.05" in the language; with as many digits behind the point as there are, up to six.
@@ -151,7 +152,12 @@ export function fixedText(value: number, digits: number): string {
   return plain(language.locale, String(digits)).format(Number(value.toFixed(digits)) === 0 ? 0 : value);
 }
 
-// Of ms since 1970; `options` as of Intl.DateTimeFormat.
+// "1E38": of what would be a row of digits.
+export function powerText(value: number): string {
+  return powers(language.locale).format(value);
+}
+
+// Of ms since 1970; `options` as of Intl.DateTimeFormat. A day has 24 hours in every language, as axes and journals have them.
 export function dateText(time: number | Date, options: Intl.DateTimeFormatOptions): string {
-  return dates(language.locale, JSON.stringify(options)).format(time);
+  return dates(language.locale, JSON.stringify({ ...options, hourCycle: 'h23' })).format(time);
 }

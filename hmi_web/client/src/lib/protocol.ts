@@ -1,7 +1,7 @@
 // The messages of the server as they arrive: hmi_web/doc/protocol.md.
 
 import type { AlarmList } from '../records/records';
-import type { Value } from './value';
+import type { TagValue, Value } from './value';
 
 export interface Point {
   id: string;
@@ -215,7 +215,7 @@ export interface ScanFigures {
   realtime_factor: number;
 }
 
-export type { Value };
+export type { TagValue, Value };
 
 // What travels whole whenever it changes.
 export interface LiveFields {
@@ -238,7 +238,7 @@ export interface StateMessage extends LiveFields {
   seq: number;
   show?: number;
   points: Value[];
-  tags: Record<string, Value>; // of those that are wanted all
+  tags: Record<string, TagValue>; // of those that are wanted all
 }
 
 export interface DeltaMessage extends Partial<LiveFields> {
@@ -246,7 +246,7 @@ export interface DeltaMessage extends Partial<LiveFields> {
   seq: number;
   show?: number; // the choice with this number is answered: `tags` has all that it wants
   points?: Record<string, Value>;
-  tags?: Record<string, Value>;
+  tags?: Record<string, TagValue>;
 }
 
 export interface TrendMessage {

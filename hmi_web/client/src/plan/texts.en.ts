@@ -31,6 +31,7 @@ export default {
   kind_failed_sensor: 'Sensor failed',
   kind_leak: 'Leak',
   kind_lost_runtime: 'Runtime lost',
+  kind_lost_supervisor: 'Supervisor lost',
   kind_program_fault: 'Program fault',
   kind_operator: 'By the operator',
   decision_open: 'being decided',

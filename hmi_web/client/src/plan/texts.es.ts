@@ -34,6 +34,7 @@ export default {
   kind_failed_sensor: 'Sensor averiado',
   kind_leak: 'Fuga',
   kind_lost_runtime: 'Autómata no disponible',
+  kind_lost_supervisor: 'Supervisor no disponible',
   kind_program_fault: 'Fallo del programa',
   kind_operator: 'Por el operador',
   decision_open: 'por decidir',

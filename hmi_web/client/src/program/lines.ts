@@ -99,7 +99,7 @@ export const lookupOf =
   (path): Result => {
     const { value, type } = live(path);
     const kind = kindOf(type);
-    return kind === null || value === null ? null : { kind, value };
+    return kind === null || typeof value !== 'number' ? null : { kind, value };
   };
 
 export interface LineValue {

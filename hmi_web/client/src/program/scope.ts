@@ -1,6 +1,6 @@
 // What the names of a sheet stand for in one of its instances: tags of the running program, or steps of its chart.
 
-import type { ProgramMessage, Tag, Value } from '../lib/protocol';
+import type { ProgramMessage, Tag, TagValue } from '../lib/protocol';
 import type { Instance, Sheet, Sources } from './document';
 
 // Names are compared without upper and lower case.
@@ -43,7 +43,7 @@ export class TagTable {
 
 // A value with its type; a step's flag is a BOOL.
 export interface Live {
-  value: Value;
+  value: TagValue;
   type: string;
 }
 
@@ -84,7 +84,7 @@ export class Scope {
     return whole !== '' && this.tags.index(whole) >= 0;
   }
 
-  live(path: string, values: readonly Value[], activeSteps: ReadonlySet<number>): Live {
+  live(path: string, values: readonly TagValue[], activeSteps: ReadonlySet<number>): Live {
     let known = this.known.get(path);
     if (!known) this.known.set(path, (known = this.find(path)));
     if (known.tag >= 0) return { value: values[known.tag] ?? null, type: known.type };

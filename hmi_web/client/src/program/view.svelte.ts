@@ -1,7 +1,7 @@
 // What the panel looks at: a sheet in one of its instances, a variable, and the values of one scan.
 
 import type { Cell } from '../lib/cell.svelte';
-import type { Value } from '../lib/protocol';
+import type { TagValue } from '../lib/protocol';
 import type { Sheet, Sources, Use } from './document';
 import { lookupOf, type LiveOf } from './lines';
 import { flowOf, type RungFlow } from './power';
@@ -16,7 +16,7 @@ export class ProgramView {
   sources = $state.raw<Sources>({ digest: '', state: 'absent', instances: [], sheets: [] });
   place = $state.raw<Place>({ sheet: 0, instance: '', block: -1, line: 0 });
   target = $state(''); // the variable whose uses are listed; empty: none
-  values = $state.raw<readonly Value[]>([]);
+  values = $state.raw<readonly TagValue[]>([]);
   steps = $state.raw<ReadonlySet<number>>(new Set());
   scan = $state(0);
   jumps = $state(0); // grows with every jump, so that the same place is shown again
@@ -89,6 +89,16 @@ export class ProgramView {
   }
 
   readonly live: LiveOf = (path) => this.scope?.live(path, this.values, this.steps) ?? { value: null, type: '' };
+
+  // Of the instance that is shown.
+  isForced(path: string): boolean {
+    return this.cell.forced.has(this.scope?.resolve(path) ?? '');
+  }
+
+  // By its whole name.
+  isTagForced(tag: string): boolean {
+    return this.cell.forced.has(tag);
+  }
 
   take(sources: Sources): void {
     this.sources = sources;

@@ -3,9 +3,11 @@ import type english from './bar_texts.en';
 
 export default {
   region: 'Alarme, Historie und Rezepte',
-  alarmCount: { one: '{count} Alarm', other: '{count} Alarme' },
+  alarmCount: { one: '{count} aktiv', other: '{count} aktiv' },
   unacknowledged: '{alarms}, {waiting} unquittiert',
   noAlarms: 'Keine Alarme',
+  over: 'vorbei',
+  noValue: { one: '{count} Alarm ohne Wert', other: '{count} Alarme ohne Wert' },
   flood: 'Alarmflut: {count} in zehn Minuten',
   alarms: 'Alarme',
   history: 'Historie',

@@ -1,8 +1,10 @@
 export default {
   region: 'alarms, history and recipes',
-  alarmCount: { one: '{count} alarm', other: '{count} alarms' },
+  alarmCount: { one: '{count} active', other: '{count} active' },
   unacknowledged: '{alarms}, {waiting} unacknowledged',
   noAlarms: 'No alarms',
+  over: 'over',
+  noValue: { one: '{count} alarm without a value', other: '{count} alarms without a value' },
   flood: 'alarm flood: {count} in ten minutes',
   alarms: 'Alarms',
   history: 'History',

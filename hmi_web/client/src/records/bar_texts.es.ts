@@ -3,9 +3,11 @@ import type english from './bar_texts.en';
 
 export default {
   region: 'alarmas, historial y recetas',
-  alarmCount: { one: '{count} alarma', other: '{count} alarmas' },
+  alarmCount: { one: '{count} activa', other: '{count} activas' },
   unacknowledged: '{alarms}, {waiting} sin reconocer',
   noAlarms: 'Sin alarmas',
+  over: 'terminada',
+  noValue: { one: '{count} alarma sin valor', other: '{count} alarmas sin valor' },
   flood: 'avalancha de alarmas: {count} en diez minutos',
   alarms: 'Alarmas',
   history: 'Historial',

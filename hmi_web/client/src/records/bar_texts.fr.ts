@@ -3,9 +3,11 @@ import type english from './bar_texts.en';
 
 export default {
   region: 'alarmes, historique et recettes',
-  alarmCount: { one: '{count} alarme', other: '{count} alarmes' },
+  alarmCount: { one: '{count} active', other: '{count} actives' },
   unacknowledged: '{alarms}, {waiting} à acquitter',
   noAlarms: 'Aucune alarme',
+  over: 'disparue',
+  noValue: { one: '{count} alarme sans valeur', other: '{count} alarmes sans valeur' },
   flood: 'avalanche d’alarmes : {count} en dix minutes',
   alarms: 'Alarmes',
   history: 'Historique',

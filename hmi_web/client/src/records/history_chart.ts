@@ -3,7 +3,7 @@
 
 import uPlot from 'uplot';
 
-import { tickNumber } from '../lib/format';
+import { inUnits, marks, roomFor, unitOf } from '../lib/axis';
 import type { History } from './records';
 
 const HEIGHT = 300;
@@ -52,6 +52,9 @@ function seriesOf(trace: Trace): uPlot.Series[] {
   return [edge, { ...edge }, line];
 }
 
+// The powers of ten in whose units the scales of a chart are drawn at present, in the order of its traces.
+const powers = new WeakMap<uPlot, Map<string, number>>();
+
 export function makeChart(host: HTMLElement, traces: Trace[], events: ChartEvents): uPlot {
   const axis: uPlot.Axis = {
     stroke: () => style('--text-soft'),
@@ -76,7 +79,7 @@ export function makeChart(host: HTMLElement, traces: Trace[], events: ChartEvent
             [0.001, ':{ss}.{fff}', '\n{YYYY}-{MM}-{DD} {HH}:{mm}', null, '\n{HH}:{mm}', null, null, null, 1],
           ] as uPlot.Axis.Values,
         },
-        ...units.map((unit, index): uPlot.Axis => ({ ...axis, values: (_, ticks) => ticks.map(tickNumber), scale: unit, size: 48, side: index === 0 ? 3 : 1, show: index < 2, grid: { ...axis.grid, show: index === 0 }, ...(unit ? { label: unit, labelSize: 14, labelFont: '11px system-ui, sans-serif' } : {}) })),
+        ...units.map((unit, index): uPlot.Axis => ({ ...axis, values: (chart, ticks) => marks(ticks, powers.get(chart)?.get(unit) ?? 1), scale: unit, size: roomFor(48), side: index === 0 ? 3 : 1, show: index < 2, grid: { ...axis.grid, show: index === 0 }, ...(unit ? { label: unit, labelSize: 14, labelFont: '11px system-ui, sans-serif' } : {}) })),
       ],
       scales: Object.fromEntries([['x', { time: true, auto: false }], ...units.map((unit) => [unit, { auto: true }])]) as uPlot.Scales,
       cursor: { points: { show: false }, drag: { x: true, y: false, setScale: false } },
@@ -120,10 +123,18 @@ export function makeChart(host: HTMLElement, traces: Trace[], events: ChartEvent
   return chart;
 }
 
-export function draw(chart: uPlot, history: History): void {
+export function draw(chart: uPlot, traces: readonly Trace[], history: History): void {
   const count = history.series[0]?.last.length ?? 0;
   const times = Array.from({ length: count }, (_, index) => (history.from_ms + index * history.column_ms) / 1e3);
-  const columns = history.series.flatMap((one) => [one.greatest, one.least, one.last]);
+  const columnsOf = (index: number) => {
+    const one = history.series[index];
+    return one ? [one.greatest, one.least, one.last] : [];
+  };
+  const byUnit = new Map<string, number>();
+  for (const { unit } of traces)
+    if (!byUnit.has(unit)) byUnit.set(unit, unitOf(traces.flatMap((trace, index) => (trace.unit === unit ? columnsOf(index) : []))));
+  powers.set(chart, byUnit);
+  const columns = traces.flatMap((trace, index) => columnsOf(index).map((column) => inUnits(column, byUnit.get(trace.unit) ?? 1)));
   chart.batch(() => {
     chart.setData([times, ...columns] as uPlot.AlignedData, false);
     chart.setScale('x', { min: history.from_ms / 1e3, max: history.to_ms / 1e3 });

@@ -14,6 +14,7 @@ export interface Alarm {
   state: string;
   active: boolean;
   value: Value;
+  problem: string; // why its source, or what would suppress it, says nothing
   group: string;
   first_out: boolean;
   since_ms: Value;
@@ -41,6 +42,7 @@ export interface AlarmFigures {
   shelved: number;
   suppressed: number;
   out_of_service: number;
+  no_value: number; // of all alarms, also of those that are not listed
   stale: string[];
   chattering: string[];
   most_frequent: { name: string; count: number }[];
@@ -97,14 +99,40 @@ export function isUnacknowledged(alarm: Alarm): boolean {
   return alarm.state === UNACKNOWLEDGED || alarm.state.endsWith(`, ${UNACKNOWLEDGED}`);
 }
 
+// Whether its condition holds is not known: it is neither normal nor does it stand.
+export function isUnknown(alarm: Alarm): boolean {
+  return alarm.state === 'no value';
+}
+
+// It has gone, and waits for somebody to see that or to reset it.
+export function isOver(alarm: Alarm): boolean {
+  return !alarm.active && !isHidden(alarm) && !isUnknown(alarm) && alarm.state !== 'normal';
+}
+
 // Hidden ones are told apart: somebody has decided that they do not matter now.
 export function isHidden(alarm: Alarm): boolean {
   return ['shelved', 'suppressed by design', 'out of service'].includes(alarm.state);
 }
 
-// What people should look at first: unacknowledged before acknowledged, by priority, the newest first.
+// What the bar tells of: how many stand, are to be acknowledged, and say nothing; first the one to look at.
+export function summaryOf(list: AlarmList | null): { first: Alarm | undefined; active: number; waiting: number; unknown: number } {
+  const told = (list?.alarms ?? []).filter((alarm) => !isHidden(alarm) && !isUnknown(alarm)).sort(byUrgency);
+  return {
+    first: told[0],
+    active: told.filter(({ active }) => active).length,
+    waiting: told.filter(isUnacknowledged).length,
+    unknown: list?.figures.no_value ?? 0,
+  };
+}
+
+// What people should look at first: what stands before what is over, unacknowledged before acknowledged, by priority, the
+// newest first; then what is not known, and what is hidden.
 export function byUrgency(a: Alarm, b: Alarm): number {
-  const rank = (alarm: Alarm) => (isHidden(alarm) ? 2 : isUnacknowledged(alarm) ? 0 : 1);
+  const rank = (alarm: Alarm) => {
+    if (isHidden(alarm)) return 5;
+    if (isUnknown(alarm)) return 4;
+    return isUnacknowledged(alarm) ? (isOver(alarm) ? 1 : 0) : isOver(alarm) ? 3 : 2;
+  };
   return (
     rank(a) - rank(b) ||
     PRIORITIES.indexOf(a.priority) - PRIORITIES.indexOf(b.priority) ||
@@ -137,6 +165,5 @@ export function moment(time: Value | undefined): string {
     minute: '2-digit',
     second: '2-digit',
     fractionalSecondDigits: 2,
-    hourCycle: 'h23',
   } as Intl.DateTimeFormatOptions);
 }

@@ -60,6 +60,7 @@ export default {
   io_simulated_plant: 'Eine simulierte Anlage im Laufzeitsystem: Sie kann nicht ausfallen.',
   io_shared_memory: 'Ein anderer Prozess auf demselben Rechner, über gemeinsamen Speicher; schweigt er zu lange, geht das Laufzeitsystem in den sicheren Zustand.',
   io_modbus: 'Geräte über Modbus, durch den Modbus-Client.',
+  io_nothing: 'Nichts: Ausgänge wirken nirgends, Eingänge bleiben 0.',
   noIo: 'Die Verbindung dieses Laufzeitsystems sagt dazu nichts.',
   devices: 'Geräte',
   device: 'Gerät',

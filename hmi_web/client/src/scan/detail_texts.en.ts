@@ -57,6 +57,7 @@ export default {
   io_simulated_plant: 'A simulated plant inside the runtime: it cannot be lost.',
   io_shared_memory: 'Another process on the runtime’s machine, through shared memory; when it is silent for too long the runtime goes to its safe state.',
   io_modbus: 'Devices over Modbus, through the Modbus client.',
+  io_nothing: 'Nothing: outputs go nowhere, and inputs stay 0.',
   noIo: 'The link of this runtime does not tell.',
   devices: 'devices',
   device: 'Device',

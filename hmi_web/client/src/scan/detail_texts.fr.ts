@@ -60,6 +60,7 @@ export default {
   io_simulated_plant: 'Une installation simulée dans l’automate : elle ne peut pas être perdue.',
   io_shared_memory: 'Un autre processus de la même machine, par mémoire partagée ; s’il reste muet trop longtemps, l’automate passe en position de sécurité.',
   io_modbus: 'Appareils en Modbus, par le client Modbus.',
+  io_nothing: 'Rien : les sorties n’agissent sur rien, les entrées restent à 0.',
   noIo: 'La liaison de cet automate ne le dit pas.',
   devices: 'appareils',
   device: 'Appareil',

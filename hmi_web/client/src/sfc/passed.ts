@@ -1,6 +1,6 @@
 // Which steps of the chart the run has left behind. Only actions have a state in the plan; that a step between them
 // (START, a rest, a wait) was passed follows from what it leads to: a step that can only be entered from here has been
-// entered.
+// entered. An initial step is entered without any transition, when the program starts: it says nothing of the steps before it.
 
 import type { PlanAction, ProgramMessage } from '../lib/protocol';
 
@@ -21,7 +21,7 @@ export function passedSteps(program: ProgramMessage, active: Set<number>, action
   for (let before = -1; before !== entered.size + passed.size; ) {
     before = entered.size + passed.size;
     for (const { from, to } of program.transitions) {
-      if (!to.some((target) => entered.has(target) && ways.get(target) === 1)) continue;
+      if (!to.some((target) => entered.has(target) && ways.get(target) === 1 && !program.steps[target]?.initial)) continue;
       for (const source of from) {
         entered.add(source);
         if (!active.has(source) && !states.has(program.steps[source]?.name ?? '')) passed.add(source);

@@ -14,6 +14,7 @@ export default {
   link_live: 'live',
   link_lost: 'getrennt',
   link_connecting: 'verbindet',
+  link_closed: 'abgemeldet',
   runtime_empty: 'leer',
   runtime_running: 'läuft',
   runtime_stopped: 'gestoppt',
@@ -29,6 +30,7 @@ export default {
   phase_done: 'fertig',
   phase_safe: 'sicherer Zustand',
   staleServer: 'Keine Verbindung zum HMI-Server. Angezeigt wird der Stand von {time}. Die Verbindung wird neu aufgebaut …',
+  loggedOut: 'Hier ist niemand angemeldet. Angezeigt wird der Stand von {time}.',
   noServer: 'Der HMI-Server antwortet nicht. Neuer Versuch läuft …',
   staleRuntime: 'Das Laufzeitsystem antwortet nicht. Angezeigt wird seine letzte Meldung (Zyklus {scan}).',
   staleSupervisor: 'Der Supervisor antwortet nicht. Bis er wieder da ist, wird nicht neu geplant; der Plan ist der seiner letzten Meldung.',
@@ -49,4 +51,7 @@ export default {
   help: 'Hilfe',
   close: 'Schließen',
   old: 'angezeigt wird ein alter Stand',
+  forced: 'geforct',
+  rowsShown: '{shown} von {total} Zeilen',
+  moreRows: 'Mehr zeigen',
 } satisfies Translation<typeof english>;

@@ -11,6 +11,7 @@ export default {
   link_live: 'live',
   link_lost: 'offline',
   link_connecting: 'connecting',
+  link_closed: 'logged out',
   runtime_empty: 'empty',
   runtime_running: 'running',
   runtime_stopped: 'stopped',
@@ -26,6 +27,7 @@ export default {
   phase_done: 'done',
   phase_safe: 'safe',
   staleServer: 'No connection to the HMI server. What you see is of {time}. Reconnecting …',
+  loggedOut: 'Nobody is logged in here. What you see is of {time}.',
   noServer: 'The HMI server does not answer. Trying again …',
   staleRuntime: 'The runtime does not answer. What you see is its last report (scan {scan}).',
   staleSupervisor: 'The supervisor does not answer. Nothing is replanned until it is back; its plan is of its last report.',
@@ -46,4 +48,7 @@ export default {
   help: 'Help',
   close: 'Close',
   old: 'what is shown is old',
+  forced: 'forced',
+  rowsShown: '{shown} of {total} rows',
+  moreRows: 'Show more',
 } as const;

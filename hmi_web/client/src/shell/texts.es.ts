@@ -14,6 +14,7 @@ export default {
   link_live: 'en vivo',
   link_lost: 'sin conexión',
   link_connecting: 'conectando',
+  link_closed: 'sin sesión',
   runtime_empty: 'vacío',
   runtime_running: 'en marcha',
   runtime_stopped: 'parado',
@@ -29,6 +30,7 @@ export default {
   phase_done: 'terminado',
   phase_safe: 'estado seguro',
   staleServer: 'Sin conexión con el servidor HMI. Lo que se muestra es de las {time}. Reconectando…',
+  loggedOut: 'Nadie ha iniciado sesión aquí. Lo que se muestra es de las {time}.',
   noServer: 'El servidor HMI no responde. Reintentando…',
   staleRuntime: 'El autómata no responde. Se muestra su último informe (ciclo {scan}).',
   staleSupervisor: 'El supervisor no responde. Nada se vuelve a planificar hasta que regrese; el plan es el de su último informe.',
@@ -49,4 +51,7 @@ export default {
   help: 'Ayuda',
   close: 'Cerrar',
   old: 'lo que se muestra es antiguo',
+  forced: 'forzada',
+  rowsShown: '{shown} de {total} filas',
+  moreRows: 'Mostrar más',
 } satisfies Translation<typeof english>;

@@ -14,6 +14,7 @@ export default {
   link_live: 'en direct',
   link_lost: 'hors ligne',
   link_connecting: 'connexion',
+  link_closed: 'déconnecté',
   runtime_empty: 'vide',
   runtime_running: 'en marche',
   runtime_stopped: 'arrêté',
@@ -29,6 +30,7 @@ export default {
   phase_done: 'terminé',
   phase_safe: 'position sûre',
   staleServer: 'Pas de connexion au serveur IHM. Les valeurs affichées datent de {time}. Reconnexion en cours…',
+  loggedOut: 'Personne n’est connecté ici. Les valeurs affichées datent de {time}.',
   noServer: 'Le serveur IHM ne répond pas. Nouvelle tentative…',
   staleRuntime: 'L’automate ne répond pas. Affichage de son dernier rapport (cycle {scan}).',
   staleSupervisor: 'Le superviseur ne répond pas. Rien n’est replanifié avant son retour ; le plan est celui de son dernier rapport.',
@@ -49,4 +51,7 @@ export default {
   help: 'Aide',
   close: 'Fermer',
   old: 'les valeurs affichées sont anciennes',
+  forced: 'forcée',
+  rowsShown: '{shown} lignes sur {total}',
+  moreRows: 'Afficher plus',
 } satisfies Translation<typeof english>;

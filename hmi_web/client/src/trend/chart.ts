@@ -2,7 +2,8 @@
 
 import uPlot from 'uplot';
 
-import { fixed, tickNumber, tickText } from '../lib/format';
+import { inUnits, marks, roomFor, unitOf } from '../lib/axis';
+import { fixed, tickText } from '../lib/format';
 import type { Point } from '../lib/protocol';
 import type { TrendData } from '../lib/trend_data';
 
@@ -32,6 +33,10 @@ export function areLevels(lines: Line[]): boolean {
   return lines.every((line) => line.unit === '%');
 }
 
+// The power of ten in whose units a chart is drawn at present.
+const units = new WeakMap<uPlot, number>();
+const unitFor = (chart: uPlot) => units.get(chart) ?? 1;
+
 export function makeChart(host: HTMLElement, lines: Line[], height: number): uPlot {
   const style = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const top = (high: number) => (areLevels(lines) ? Math.max(100, high) : Math.max(LEAST_RANGE, 1.1 * high));
@@ -45,10 +50,10 @@ export function makeChart(host: HTMLElement, lines: Line[], height: number): uPl
     {
       width: Math.max(host.clientWidth, 200),
       height,
-      scales: { x: { time: false }, y: { range: (_, _low, high) => [0, top(high)] } },
+      scales: { x: { time: false }, y: { range: (chart, _low, high) => [0, top(high * unitFor(chart)) / unitFor(chart)] } },
       axes: [
         { ...axis, values: (_, ticks) => ticks.map((tick) => tickText(tick)) },
-        { ...axis, size: 38, values: (_, ticks) => ticks.map(tickNumber) },
+        { ...axis, size: roomFor(38), values: (chart, ticks) => marks(ticks, unitFor(chart)) },
       ],
       cursor: { points: { size: 6 }, drag: { x: true, y: false } },
       legend: { show: false },
@@ -61,7 +66,7 @@ export function makeChart(host: HTMLElement, lines: Line[], height: number): uPl
             width: line.dashed ? 1 : 2,
             ...(line.dashed ? { dash: [5, 4] } : {}),
             points: { show: false },
-            value: (_, value) => `${fixed(value, 1)} ${line.unit}`,
+            value: (chart, value) => `${fixed(value * unitFor(chart), 1)} ${line.unit}`,
           }),
         ),
       ],
@@ -73,5 +78,7 @@ export function makeChart(host: HTMLElement, lines: Line[], height: number): uPl
 
 export function draw(chart: uPlot, data: TrendData): void {
   // The chart keeps the arrays that it is given; the trend goes on changing its own.
-  chart.setData([data.times.slice(), ...data.columns.map((column) => column.slice())] as uPlot.AlignedData);
+  const unit = unitOf(data.columns);
+  units.set(chart, unit);
+  chart.setData([data.times.slice(), ...data.columns.map((column) => inUnits(column, unit))] as uPlot.AlignedData);
 }

@@ -8,7 +8,17 @@ import { test } from 'node:test';
 import { load } from './load_modules.mjs';
 
 let reloads = 0;
-globalThis.window = { setTimeout, clearTimeout, location: { reload: () => (reloads += 1) } };
+class Socket {
+  static OPEN = 1;
+  readyState = 1;
+  close() {}
+  send() {}
+}
+globalThis.WebSocket = Socket;
+globalThis.document = { addEventListener() {}, visibilityState: 'visible' };
+globalThis.window = {
+  setTimeout, clearTimeout, addEventListener() {}, location: { reload: () => (reloads += 1), protocol: 'http:', host: 'localhost' },
+};
 const { Cell } = await load(process.env.CLIENT, ['lib/cell.svelte']);
 
 const synoptic = { points: [{ id: 'a', label: 'a', unit: '', trend: true }], floor: { forklifts: [], estop_ok: '' } };
@@ -88,4 +98,17 @@ test('Cell_WhenTheProgramChanges_ThenIndicesOfTheOldOneAreAskedForNoMore', () =>
   assert.deepEqual(said(cell).show, { number: 1, digest: 'ab', tags: [[0, 2]], also: ['plan', 'routes'] });
   cell.take(program('cd', 2));
   assert.deepEqual(said(cell).show, { number: 2, digest: 'cd', tags: [], also: ['plan', 'routes'] });
+});
+
+test('Cell_WhenSomebodyLogsOut_ThenItIsClosedAndItsServerIsNotLost', () => {
+  const cell = cellAt(hello('e1'), program());
+  let losses = 0;
+  const connection = cell.connect(() => [], () => (losses += 1));
+  connection.restart(false);
+  assert.equal(cell.link, 'closed');
+  assert.equal(losses, 0);
+  assert.ok(cell.isStale, 'what is shown is old');
+  connection.restart(true);
+  assert.equal(cell.link, 'connecting', 'who logs in again');
+  connection.restart(false);
 });

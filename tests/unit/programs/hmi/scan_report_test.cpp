@@ -86,6 +86,12 @@ TEST(ScanReport, WhenDevicesAndTopicsAreKnown_ThenTheyAreTold) {
   EXPECT_TRUE(said["dds"][1]["age_s"].is_null());
 }
 
+TEST(ScanReport, WhenNothingStandsBehindTheInputs_ThenNoPlantIsSpokenOf) {
+  FollowedRuntime runtime = running();
+  runtime.health->io = dds::IoKind::Nothing;
+  EXPECT_EQ(report(runtime)["io"]["kind"], "nothing");
+}
+
 TEST(ScanReport, WhenATextIsNoUtf8_ThenTheRestStillArrives) {
   FollowedRuntime runtime = running();
   runtime.status->detail = "a\xFFz";

@@ -217,6 +217,14 @@ RuntimeHealth some_health() {
   return health;
 }
 
+TEST(Convert, WhenNothingIsBehindTheInputs_ThenThatTravels) {
+  RuntimeHealth health = some_health();
+  health.io = IoKind::Nothing;
+  const auto back = from_health(to_health("bench", health));
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->io, IoKind::Nothing);
+}
+
 TEST(Convert, WhenHealthTravels_ThenNothingIsLost) {
   const auto back = from_health(to_health("bench", some_health()));
   ASSERT_TRUE(back.has_value());
@@ -246,7 +254,7 @@ TEST(Convert, WhenHealthBreaksABound_ThenItIsDropped) {
   };
   EXPECT_TRUE(refused([](idl::Health& h) { h.tasks().resize(idl::TASK_BOUND + 1); }));
   EXPECT_TRUE(refused([](idl::Health& h) { h.devices().resize(idl::DEVICE_BOUND + 1); }));
-  EXPECT_TRUE(refused([](idl::Health& h) { h.io(3); }));
+  EXPECT_TRUE(refused([](idl::Health& h) { h.io(4); }));
   EXPECT_TRUE(refused([](idl::Health& h) { h.devices_problem(kLong); }));
   EXPECT_TRUE(refused([](idl::Health& h) { h.tasks()[0].name(kLong); }));
   EXPECT_TRUE(refused([](idl::Health& h) { h.tasks()[0].jitter().counts().resize(idl::COUNT_BOUND + 1); }));

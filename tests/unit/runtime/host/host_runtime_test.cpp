@@ -354,6 +354,23 @@ TEST(HostRuntime, WhenEventsAreLost_ThenTheTrapIsNot) {
   EXPECT_NE(harness.runtime->status().detail.find(event.detail), std::string::npos);
 }
 
+TEST(HostRuntime, WhenATrappedProgramIsLoadedReplacedOrStartedAgain_ThenItsFaultIsToldNoMore) {
+  const auto trapping = step_program({.steps = 1, .scans_per_step = 5, .trap_at_end = true});
+  for (const char* next : {"the same", "another", "none"}) {
+    Harness harness;
+    harness.load(trapping);
+    harness.start();
+    for (int i = 0; i < 3; ++i) harness.event();
+    EXPECT_NE(harness.runtime->status().detail.find("steps.st:2"), std::string::npos);
+    if (next != std::string("none")) harness.load(next == std::string("another") ? step_program() : trapping);
+    if (next == std::string("none")) {
+      harness.start();
+      harness.event();  // that it has started
+    }
+    EXPECT_EQ(harness.runtime->status().detail, "") << next;
+  }
+}
+
 TEST(HostRuntime, WhenASpeedIsSet_ThenSimulatedTimeDoesNotRunAhead) {
   HostConfig config;
   config.speed = 10.0;

@@ -187,7 +187,7 @@ TEST(ExecutiveBench, WhenASupervisorIsRestarted_ThenAlarmsThatWereToldAreNotTold
   const RunRecord record = Executive(bench_desk(), controller, options, {}).run();
   ASSERT_GE(record.incidents.size(), 3u) << story(record);
   ASSERT_FALSE(record.incidents[0].alarms.empty());
-  EXPECT_EQ(record.incidents[1].kind, IncidentKind::LostRuntime);
+  EXPECT_EQ(record.incidents[1].kind, IncidentKind::LostSupervisor);
   const Alarm& first = record.incidents[0].alarms[0];
   for (std::size_t i = 1; i < record.incidents.size(); ++i) {
     for (const Alarm& alarm : record.incidents[i].alarms) {

@@ -82,7 +82,7 @@ TEST(FleetExecutiveRun, WhenTheSupervisorIsKilled_ThenTheNextOneGoesOnWithTheSam
   EXPECT_EQ(record.phase, Phase::Done);
   EXPECT_TRUE(all_met(record));
   EXPECT_EQ(record.episodes.size(), 1u);
-  EXPECT_EQ(record.incidents.front().kind, IncidentKind::LostRuntime);
+  EXPECT_EQ(record.incidents.front().kind, IncidentKind::LostSupervisor);
   EXPECT_EQ(hall.controller().stops(), 1);
   hall.expect_clean();
 }

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "hmi_web/recorder/cell_alarms.h"
+#include "tests/support/temporary_folder.h"
+
+namespace stepwright::recorder {
+namespace {
+
+using bytecode::ElementaryType;
+using nlohmann::json;
+
+std::shared_ptr<const server::ProgramLayout> program(const std::vector<std::string>& variables) {
+  auto layout = std::make_shared<server::ProgramLayout>();
+  for (const std::string& name : variables) {
+    const auto address = static_cast<std::uint32_t>(4 * layout->tags.size());
+    layout->program.tags.push_back({name, "DINT", ""});
+    layout->tags.push_back({ElementaryType::Dint, address, bytecode::kNoBit});
+  }
+  return layout;
+}
+
+alarms::AlarmDefinition alarm(std::string name, std::string source, std::string suppress_when = {}) {
+  alarms::AlarmDefinition one;
+  one.name = std::move(name);
+  one.source = std::move(source);
+  one.suppress_when = std::move(suppress_when);
+  return one;
+}
+
+class MissingSourceTest : public testing::Test {
+ protected:
+  void open(std::vector<alarms::AlarmDefinition> definitions) {
+    auto made =
+        CellAlarms::open(folder_ / "alarms.db", std::move(definitions), {{"a1.level", "A1", "%", true}}, {});
+    ASSERT_TRUE(made.has_value()) << result::to_string(made.error());
+    alarms_ = std::move(*made);
+  }
+  // A program with these variables, all of that value; null: the runtime does not answer.
+  void look(const std::shared_ptr<const server::ProgramLayout>& layout, std::int32_t value = 0,
+            std::optional<double> level = 50.0) {
+    server::Observation seen;
+    server::CellView view;
+    seen.runtime_alive = layout != nullptr;
+    seen.layout = view.layout = layout;
+    if (layout) {
+      std::vector<std::byte> image(4 * layout->tags.size());
+      for (std::size_t i = 0; i < layout->tags.size(); ++i)
+        std::memcpy(image.data() + 4 * i, &value, sizeof value);
+      seen.snapshot = server::ImageSnapshot{1, 0.0, image, {}};
+    }
+    view.state.points = {level};
+    alarms_->take({time_ns_ += 1'000'000'000, &seen, &view});
+  }
+  json listed(bool all = false) const {
+    const json told = json::parse(alarms_->json(all));
+    json by_name = json::object();
+    for (const json& one : told["alarms"]) by_name[one["name"].get<std::string>()] = one;
+    return by_name;
+  }
+  json figure() const { return json::parse(alarms_->json(false))["figures"]["no_value"]; }
+
+  support::TemporaryFolder folder_;
+  std::unique_ptr<CellAlarms> alarms_;
+  std::int64_t time_ns_ = 0;
+};
+
+TEST_F(MissingSourceTest, WhenTheProgramHasNoSuchVariable_ThenItsAlarmIsNotNormalAndSaysWhy) {
+  open({alarm("good", "main.level"), alarm("misspelt", "main.levle")});
+  look(program({"main.level"}));
+  EXPECT_EQ(listed(true)["good"]["state"], "normal");
+  EXPECT_EQ(listed(true)["good"]["problem"], "");
+  ASSERT_TRUE(listed().contains("misspelt")) << "it stands among those that are not normal";
+  EXPECT_EQ(listed()["misspelt"]["state"], "no value");
+  EXPECT_EQ(listed()["misspelt"]["problem"], "the program has no variable 'main.levle'");
+  EXPECT_EQ(figure(), 1);
+}
+
+TEST_F(MissingSourceTest,
+       WhenAnOnlineChangeTakesTheVariableAway_ThenPagesAreToldAndTheAlarmIsNoLongerNormal) {
+  open({alarm("high", "main.high"), alarm("low", "main.low")});
+  look(program({"main.high", "main.low"}));
+  EXPECT_EQ(listed().size(), 0u);
+  const std::uint64_t before = alarms_->revision();
+  look(program({"main.low"}));
+  EXPECT_GT(alarms_->revision(), before);
+  EXPECT_EQ(listed()["high"]["state"], "no value");
+  EXPECT_FALSE(listed().contains("low"));
+  const std::uint64_t after = alarms_->revision();
+  look(program({"main.low"}));
+  EXPECT_EQ(alarms_->revision(), after) << "once";
+  look(program({"main.high", "main.low"}));
+  EXPECT_EQ(listed(true)["high"]["state"], "normal") << "it is back";
+}
+
+TEST_F(MissingSourceTest, WhenAnAlarmWasRaisedBefore_ThenItStaysSoAndTheReasonIsTold) {
+  open({alarm("high", "main.high")});
+  look(program({"main.high"}), 1);
+  look(program({"main.other"}));
+  EXPECT_EQ(listed()["high"]["state"], "unacknowledged");
+  EXPECT_EQ(listed()["high"]["problem"], "the program has no variable 'main.high'");
+  const auto done = alarms_->command("high", {.event = alarms::AlarmEvent::Acknowledge, .user = "anna"});
+  ASSERT_TRUE(done.has_value());
+  EXPECT_EQ(done->after, "acknowledged");
+}
+
+TEST_F(MissingSourceTest, WhenNoImageIsThere_ThenNoAlarmCountsAsNormalAndTheListStaysShort) {
+  open({alarm("high", "main.high"), alarm("fault", std::string(kRuntimeFault))});
+  EXPECT_EQ(figure(), 2) << "before the first look";
+  look(nullptr);
+  EXPECT_EQ(listed().size(), 0u);
+  EXPECT_EQ(figure(), 2);
+  EXPECT_EQ(listed(true)["high"]["state"], "no value");
+  EXPECT_EQ(listed(true)["fault"]["state"], "no value") << "nobody knows whether it is one";
+}
+
+TEST_F(MissingSourceTest, WhenAPointHasNoValueOrASuppressorIsMissing_ThenThatIsTold) {
+  open({alarm("level", "a1.level"), alarm("idle", "main.level", "main.cleaning")});
+  look(program({"main.level"}), 0, std::nullopt);
+  EXPECT_EQ(listed()["level"]["problem"], "'a1.level' has no value");
+  EXPECT_EQ(listed(true)["idle"]["state"], "normal");
+  EXPECT_EQ(listed(true)["idle"]["problem"],
+            "the program has no variable 'main.cleaning', which would suppress it");
+}
+
+}  // namespace
+}  // namespace stepwright::recorder
