@@ -132,9 +132,9 @@ TEST(FleetEmergencyStop, WhenNobodyLetsTheFleetGoOn_ThenTheRunEndsSafely) {
 
 // Nothing can be planned, and nobody is in danger: people mend it, and the run goes on.
 TEST(FleetStay, WhenNoVehicleIsLeft_ThenTheRunWaitsForPeopleAndGoesOn) {
-  SmallHall hall({{12.0, "dead_v1", 1.0},
-                  {12.0, "dead_v2", 1.0},
-                  {12.0, "dead_v3", 1.0},
+  SmallHall hall({{3.0, "dead_v1", 1.0},
+                  {3.0, "dead_v2", 1.0},
+                  {3.0, "dead_v3", 1.0},
                   {40.0, "dead_v1", 0.0, true},
                   {40.0, "dead_v2", 0.0, true},
                   {40.0, "dead_v3", 0.0, true}});
