@@ -130,7 +130,7 @@ class Executive {
   bool launch();
   bool await_runtime();
   bool runtime_lost();
-  // `was_held`: this supervisor has just begun, and the journal says that the run is held.
+  // Supervisor: this one has just begun, where another one has left its journal.
   bool recover_runtime(Away who);
   bool finish();
   void reach_goal();
