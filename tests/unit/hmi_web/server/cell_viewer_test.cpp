@@ -153,10 +153,11 @@ TEST(VariableAt, WhenTheAddressIsInAnIoArea_ThenItIsFound) {
 }
 
 TEST(VariableAt, WhenTheAddressIsNone_ThenNothingIsFound) {
-  for (const char* text : {"", "%", "%I", "%IX", "%IX0", "%IX0.", "%IX0.8", "%IX0.1x", "%MX0.0", "%IW",
-                           "%IW1.2", "%IW99999999999999999999", "%IZ1", "IX0.0", "%IX.1", "%IW-1"}) {
+  for (const char* text : {"", "%", "%I", "%IX", "%IX0.", "%IX0.8", "%IX0.1x", "%MX0.0", "%IW", "%IW1.2",
+                           "%IW99999999999999999999", "%IZ1", "IX0.0", "%IX.1", "%IW-1"}) {
     EXPECT_FALSE(variable_at(text, 64).has_value()) << text;
   }
+  EXPECT_TRUE(variable_at("%IX0", 64).has_value());
 }
 
 }  // namespace

@@ -16,9 +16,8 @@ TEST(IoAddress, WhenWellFormed_ThenAreaWidthAndPlaceAreRead) {
 }
 
 TEST(IoAddress, WhenMalformed_ThenRefusedAtItsPlace) {
-  for (const char* text :
-       {"", "%", "IX0.0", "%I", "%IX", "%IX0", "%IX0.", "%IX0.8", "%IX-1.0", "%IX0.0 ", "%MW1", "%IW",
-        "%IW1.0", "%IX0.0.0", "%IW4294967296", "%IW2000000", "%IX 0.0", "%II0.0"}) {
+  for (const char* text : {"", "%", "IX0.0", "%I", "%IX", "%IX0.", "%IX0.8", "%IX-1.0", "%IX0.0 ", "%MW1",
+                           "%IW", "%IW1.0", "%IX0.0.0", "%IW4294967296", "%IW2000000", "%IX 0.0", "%II0.0"}) {
     const auto address = parse_io_address(text, {"cell.toml", 7, 3});
     ASSERT_FALSE(address) << text;
     EXPECT_EQ(address.error().front().code, "C0302");
@@ -30,6 +29,7 @@ TEST(IoAddress, WhenWritten_ThenReadsBack) {
   for (const char* text : {"%IX0.0", "%QX12.7", "%IB5", "%IW3", "%QD2"}) {
     EXPECT_EQ(to_string(parse_io_address(text, {}).value()), text);
   }
+  EXPECT_EQ(to_string(parse_io_address("%QX75", {}).value()), "%QX9.3");  // the bits of the area, counted
 }
 
 }  // namespace
