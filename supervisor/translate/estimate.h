@@ -65,9 +65,9 @@ std::vector<std::string> deviations(const Binding& binding, const model::NamedSt
 // sentences such as "level of a1 moves: 2.0, then 1.2". Fails with T0010 if a value is missing.
 [[nodiscard]] result::Result<std::vector<std::string>> movements(const Binding& binding, const Values& means);
 
-// Bias of each sensor that the binding has tared = mean counts - calibration at the known level. The others are
-// believed: where they show something else than the problem says, the plant is there. Fails with T0010 if a value or level is
-// missing and with T0011 if a bias is larger than the binding allows.
+// Bias of each sensor that the binding has tared = mean counts - calibration at the known level. The others
+// are believed: where they show something else than the problem says, the plant is there. Fails with T0010 if
+// a value or level is missing and with T0011 if a bias is larger than the binding allows.
 [[nodiscard]] result::Result<Tare> identify_tare(const Binding& binding, const Values& means,
                                                  const model::NamedState& known);
 
