@@ -43,6 +43,7 @@ Trail follow(dds::RuntimeClient& client, Disturb disturb) {
       ADD_FAILURE() << "event " << run.events.size() + 1 << " did not come";
       return run;
     }
+    event->incarnation = 0;  // every run has a process of its own
     run.events.push_back(std::move(*event));
     disturb(run.events.size());
     if (run.events.size() <= kSteps && !ok(client.acknowledge(run.events.back().sequence))) return run;
