@@ -19,7 +19,7 @@ export default {
   diagram: 'Netzwerke aus Funktionsbausteinen',
   diagramPicture: 'Funktionsbausteine mit den Werten auf ihren Leitungen',
   usesOf: 'Verwendungen von {name}',
-  usesOfForced: 'Verwendungen von {name}, geforct',
+  usesOfForced: 'Verwendungen von {name} [F], geforct',
   searchLabel: 'Namen und Texte des Programms durchsuchen',
   searchHint: 'Name oder Text ( / )',
   found: 'Gefundenes',

@@ -16,7 +16,7 @@ export default {
   diagram: 'networks of function blocks',
   diagramPicture: 'function blocks with the values on their wires',
   usesOf: 'uses of {name}',
-  usesOfForced: 'uses of {name}, which is forced',
+  usesOfForced: 'uses of {name} [F], which is forced',
   searchLabel: 'Search names and texts of the program',
   searchHint: 'name or text ( / )',
   found: 'found',

@@ -19,7 +19,7 @@ export default {
   diagram: 'redes de bloques de función',
   diagramPicture: 'bloques de función con los valores en sus conexiones',
   usesOf: 'usos de {name}',
-  usesOfForced: 'usos de {name}, forzada',
+  usesOfForced: 'usos de {name} [F], forzada',
   searchLabel: 'Buscar en nombres y textos del programa',
   searchHint: 'nombre o texto ( / )',
   found: 'resultados',

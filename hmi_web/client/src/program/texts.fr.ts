@@ -19,7 +19,7 @@ export default {
   diagram: 'réseaux de blocs fonctionnels',
   diagramPicture: 'blocs fonctionnels avec les valeurs sur leurs liaisons',
   usesOf: 'utilisations de {name}',
-  usesOfForced: 'emplois de {name}, forcée',
+  usesOfForced: 'emplois de {name} [F], forcée',
   searchLabel: 'Chercher dans les noms et textes du programme',
   searchHint: 'nom ou texte ( / )',
   found: 'résultats',
