@@ -71,7 +71,7 @@ async function showsTheOthers(page, names) {
   await waitFor(page, 'the other cell runs', (press) => document.querySelector(press)?.innerText.includes('running'), row(names.press));
   await page.getByRole('button', { name: names.press }).press('Enter');
   await waitFor(page, 'it is shown when it is chosen', (press) => document.querySelector('[data-testid=shown-runtime]').dataset.shown === press, names.press);
-  check((await page.getByTestId('io-kind').innerText()).startsWith('A simulated plant'), 'with its plant');
+  check((await page.getByTestId('io-kind').innerText()).startsWith('Nothing: outputs go nowhere'), 'with the plant that it has not');
   await page.locator('[data-task=Fast]').getByRole('button', { name: 'Latency' }).click();
   await waitFor(page, 'what simulated time does not have is not drawn', () =>
     document.querySelector('[data-task=Fast]').innerText.includes('Nothing measured'));

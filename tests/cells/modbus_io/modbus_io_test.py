@@ -244,7 +244,7 @@ class ModbusIo(unittest.TestCase):
         self.assertTrue(eventually(lambda: plant.field() == 1000), plant.client.output())
         plant.plc.end(signal.SIGKILL)
         plant.runtime.wait_for(r"device 'plc' \(127\.0\.0\.1:\d+\): ")
-        self.assertIn("device 'plc'", plant.command("status").stdout)
+        self.assertTrue(eventually(lambda: plant.cell.figure("stepwright_warnings") == 1))
         plant.start_plc()
         plant.runtime.wait_for(r"the program is started again \(\d+ of 100 within an hour\)")
         self.assertTrue(eventually(lambda: plant.field() == 1000), plant.log())
