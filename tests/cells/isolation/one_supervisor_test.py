@@ -38,7 +38,7 @@ class OneSupervisor(unittest.TestCase):
             self.cells[each].runtime = self.cells[each].start_runtime()
             self.cells[each].start("link")
             # The same cell as the supervisor's machine sees it.
-            view = Cell(JOB, name=f"bench-{each}", domain=DOMAIN, dds=f'interfaces = ["{HOSTS["s"]}"]\n')
+            view = Cell(JOB, name=f"bench-{each}", domain=DOMAIN, dds=f'interfaces = ["{HOSTS["s"]}"]\nplace = "any"\n')
             self.addCleanup(view.__exit__)
             views += ["--config", view.config]
         self.supervisor = Process([*self.network.prefix("s"), STEPWRIGHT, "supervisor", *views],
