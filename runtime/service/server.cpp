@@ -215,6 +215,7 @@ void Server::State::take_news() try {
 }
 
 void Server::State::pass_on(const Answer& answer) {
+  handler.remember(answer.reply);
   const auto session = std::find_if(sessions.begin(), sessions.end(),
                                     [&](const Session& each) { return each.number() == answer.session; });
   if (answer.commit && !answer.reply.accepted()) {
@@ -246,7 +247,6 @@ void Server::State::pass_on_held() {
     if (!outcome && Clock::now() < each.until) return false;
     const result::Diagnostics& late = outcome ? *outcome : not_kept_yet();
     each.answer.reply.problems.insert(each.answer.reply.problems.end(), late.begin(), late.end());
-    handler.remember(each.answer.reply);
     pass_on(each.answer);
     return true;
   });

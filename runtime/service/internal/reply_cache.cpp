@@ -18,16 +18,8 @@ void ReplyCache::add(const Reply& reply) {
   if (replies.size() > kReplies) replies.pop_front();
 }
 
-void ReplyCache::replace(const Reply& reply) {
-  if (Reply* known = place_of(reply.client, reply.id)) *known = reply;
-}
-
 const Reply* ReplyCache::find(std::uint64_t client, std::uint64_t id) const {
-  return const_cast<ReplyCache*>(this)->place_of(client, id);
-}
-
-Reply* ReplyCache::place_of(std::uint64_t client, std::uint64_t id) {
-  for (Client& known : clients_) {
+  for (const Client& known : clients_) {
     if (known.number != client) continue;
     const auto found = std::find_if(known.replies.begin(), known.replies.end(),
                                     [&](const Reply& reply) { return reply.id == id; });

@@ -19,14 +19,10 @@ class ReplyCache {
   static constexpr std::size_t kReplies = 128;  // of one client; it never has so many requests open
 
   void add(const Reply& reply);
-  // The reply to the same request, if it is still there, gives way to this one.
-  void replace(const Reply& reply);
   // Null if there is none.
   const Reply* find(std::uint64_t client, std::uint64_t id) const;
 
  private:
-  Reply* place_of(std::uint64_t client, std::uint64_t id);
-
   struct Client {
     std::uint64_t number = 0;
     std::deque<Reply> replies;

@@ -199,7 +199,6 @@ std::optional<Answer> RequestHandler::complete(const host::Completion& completio
   answer.reply.problems = explain(completion, meant);
   answer.reply.offset = completion.scan;
   answer.reply.change = completion.change;
-  replies_.add(answer.reply);
   return answer;
 }
 

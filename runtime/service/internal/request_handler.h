@@ -38,8 +38,8 @@ class RequestHandler {
   // The reply that the scan thread's completion makes possible, and whom it is for; none for commands that
   // the service itself gave.
   std::optional<Answer> complete(const host::Completion& completion);
-  // Who asks again gets this reply, too: more is known than when it was made.
-  void remember(const Reply& reply) { replies_.replace(reply); }
+  // That answer is given: who asks again gets the same.
+  void remember(const Reply& reply) { replies_.add(reply); }
 
  private:
   struct Pending {
