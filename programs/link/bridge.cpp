@@ -120,6 +120,7 @@ void Bridge::publish_health() {
   health.tasks = status_.task_details;
   devices_.fill(health);
   endpoint_->publish_health(std::move(health));
+  endpoint_->announce();
   look_for_namesakes();
 }
 

@@ -175,11 +175,14 @@ void LinkEndpoint::publish_snapshot(const Snapshot& snapshot) {
   state_->snapshots.write(sample);
 }
 
-void LinkEndpoint::publish_health(RuntimeHealth health) {
+void LinkEndpoint::announce() {
   idl::Beacon beacon;
   beacon.runtime_id(state_->participant->runtime_id());
   beacon.place(state_->place);
   state_->beacon.write(beacon);
+}
+
+void LinkEndpoint::publish_health(RuntimeHealth health) {
   if (!state_->health.matched()) return;
   health.readers = state_->statuses.readers();
   auto sample = to_health(state_->participant->runtime_id(), health);

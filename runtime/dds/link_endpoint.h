@@ -44,8 +44,9 @@ class LinkEndpoint {
   // Also the heartbeat of the link: call it at least every 80 ms, or clients take the link for dead.
   void publish_status(const RuntimeStatus& status, bool runtime_connected);
   void publish_snapshot(const Snapshot& snapshot);
-  // For people who look closely, and for the domain to know of this runtime: once a second is enough. It adds
-  // who follows the runtime.
+  // To all of the domain: this runtime is there, and where. Once a second is enough.
+  void announce();
+  // For people who look closely: once a second is enough. It adds who follows the runtime.
   void publish_health(RuntimeHealth health);
   // False while nobody looks at snapshots.
   bool snapshot_wanted() const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 #include <utility>
 
 #include "supervisor/fleet/executive/fleet_executive.h"
@@ -27,6 +28,13 @@ constexpr std::uint32_t kEmergencyStop = 24;
 bool ends_the_run(host::EventKind kind) {
   return kind == host::EventKind::Trap || kind == host::EventKind::Stopped ||
          kind == host::EventKind::RolledBack;
+}
+
+// Why a run ends that was held for `cause`.
+std::string nobody_came(IncidentKind kind, const std::string& cause, Phase phase) {
+  const std::string nobody = "nobody has let the fleet go on";
+  if (kind != IncidentKind::Operator) return cause + "; " + nobody;
+  return nobody + (phase == Phase::Held ? " that an operator held" : " after the emergency stop");
 }
 
 }  // namespace
@@ -77,12 +85,7 @@ std::optional<FleetExecutive::Cause> FleetExecutive::hold(const Cause& cause, Ph
       return resumed();
     }
     if (now_s > until_s) {
-      const char* const nobody = cause.kind != IncidentKind::Operator ? "nobody has let the fleet go on"
-                                 : phase == Phase::Held
-                                     ? "nobody has let the fleet go on that an operator held"
-                                     : "nobody has let the fleet go on after the emergency stop";
-      give_up(cause.kind == IncidentKind::Operator ? nobody : cause.evidence.front() + "; " + nobody,
-              cause.kind);
+      give_up(nobody_came(cause.kind, cause.evidence.front(), phase), cause.kind);
       return std::nullopt;
     }
     if (event) (void)controller_.acknowledge(event->sequence);

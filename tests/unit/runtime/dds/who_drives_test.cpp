@@ -37,7 +37,7 @@ std::unique_ptr<RuntimeClient> join(std::uint32_t domain, ClientRole role, const
 bool told_of(FakeLink& link, FakeLink& other, const std::string& place) {
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
   while (std::chrono::steady_clock::now() < deadline) {
-    other.endpoint().publish_health({});
+    other.endpoint().announce();
     const auto places = link.endpoint().namesakes();
     if (places == std::vector<std::string>{place}) return true;
     std::this_thread::sleep_for(10ms);
@@ -104,7 +104,7 @@ TEST(WhoDrives, WhenTheRuntimeOfTheNameLivesElsewhere_ThenTheClientIsToldWhere) 
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
   std::string told;
   while (told.find("host:/there") == std::string::npos && std::chrono::steady_clock::now() < deadline) {
-    link.endpoint().publish_health({});
+    link.endpoint().announce();
     const auto refused = lost->start({});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().front().code, "D0001");
