@@ -115,6 +115,7 @@ try {
   browser.context.once('page', (page) => listenTo(page, lines));
   const { page, problems } = await openPage(browser.context, line.url);
   await isLive(page, 'the page is live');
+  server.tell('run');
   await asksForWhatItShows(page, lines);
   await comesBackWithoutAHole(page, lines, line, shot);
   await showsTheSameAsANewPage(page, server);

@@ -16,13 +16,15 @@ async function picksUpTheCell(page) {
   check((await page.locator('[data-testid=banner]').count()) === 0, 'nothing is stale');
 }
 
-async function followsTheCell(page) {
+async function followsTheCell(page, server) {
   const before = await page.evaluate(() => ({
     steps: document.querySelector('[data-testid=active-steps]').innerText,
     done: document.querySelector('[data-testid=plan-progress]').ariaValueNow,
     level: document.querySelector('[data-tank=v1]').dataset.level,
+    x: document.querySelector('[data-vehicle=v1]').dataset.x,
     scan: document.querySelector('[data-scan=scan]').innerText,
   }));
+  server.tell('run 30'); // a move has ended there, a load and an order go on
   await waitFor(page, 'the active steps change', (old) => {
     const now = document.querySelector('[data-testid=active-steps]').innerText;
     return now !== old.steps && document.querySelector('.step.active') !== null;
@@ -36,11 +38,7 @@ async function followsTheCell(page) {
     return level !== old.level && document.querySelector('[data-scan=scan]').innerText !== old.scan;
   }, before);
   await waitFor(page, 'a pump runs', () => document.querySelector('[data-pump].running') !== null);
-  await waitFor(page, 'the vehicle moves', () => {
-    const x = document.querySelector('[data-vehicle=v1]').dataset.x;
-    globalThis.firstX ??= x;
-    return globalThis.firstX !== x;
-  });
+  await waitFor(page, 'the vehicle moves', (old) => document.querySelector('[data-vehicle=v1]').dataset.x !== old.x, before);
   await waitFor(page, 'a level that an action changes is not compared', () => {
     const row = document.querySelector('[data-fluent="(lev v1)"]');
     return row?.cells[3].innerText === 'moving' && row.cells[1].innerText.includes('→');
@@ -103,7 +101,8 @@ async function showsExitsWhenAsked(page) {
   await page.getByRole('button', { name: 'Exits' }).click();
 }
 
-async function showsWhatWentWrong(page) {
+async function showsWhatWentWrong(page, server) {
+  server.tell('run 48');
   await waitFor(page, 'an incident is shown once it has happened', () =>
     document.querySelectorAll('[data-panel=incidents] [data-incident]').length === 1);
   const text = await page.locator('[data-incident=level]').innerText();
@@ -144,6 +143,7 @@ async function outlivesTheServer(page, server) {
   );
   await shot(page, 'stale-1440', false);
   const again = await startServer(given.server, server.port, 4, 55);
+  again.tell('run');
   await waitFor(page, 'the page comes back by itself', () =>
     document.querySelector('[data-testid=banner]') === null &&
     document.querySelector('[data-testid=link]').innerText === 'live' &&
@@ -152,16 +152,16 @@ async function outlivesTheServer(page, server) {
   return again;
 }
 
-let server = await startServer(given.server, 0, 2, 24); // its script lasts for 25 s from there on
+let server = await startServer(given.server, 0, 2, 24);
 const browser = await launchBrowser(given);
 try {
   const { page, problems } = await openPage(browser.context, server.url);
   await picksUpTheCell(page);
-  await followsTheCell(page);
+  await followsTheCell(page, server);
   await drawsTheTrend(page);
   const first = await trendBegin(page);
   check(first >= 24 && first < 55, `it begins with the server (${first})`);
-  await showsWhatWentWrong(page);
+  await showsWhatWentWrong(page, server);
   await ticksWhatIsPassed(page);
   await drawsTheChartReadably(page);
   await showsExitsWhenAsked(page);

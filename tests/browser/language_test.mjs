@@ -118,6 +118,7 @@ async function canBeReadInEveryTheme(page) {
 endInTime();
 
 const server = await startServer(given.server, 0, 4, 24, folder);
+server.tell('run');
 const browser = await launchBrowser(given);
 let opened;
 try {

@@ -1,11 +1,13 @@
 // hmi_scripted_cell [PORT [SPEED [START_S [HISTORY]]]]: the real HMI server over a scripted bench, for the
 // browser test, open to whoever looks. With a folder for its history there are users, too: operator,
-// engineer, password "correct horse". Prints its address; "runtime off" and "runtime on" on its input end and
+// engineer, password "correct horse". Prints its address, and stands still until its input says how far to
+// go: "run" to the end of the script, "run 30" to its second 30. "runtime off" and "runtime on" end and
 // restart the runtime that it plays.
 
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <string>
 #include <thread>
 
@@ -20,6 +22,8 @@
 using namespace stepwright;
 
 namespace {
+
+constexpr double kForever = std::numeric_limits<double>::infinity();
 
 // With what every cell is watched for; null without a folder.
 std::unique_ptr<recorder::CellRecorder> open_recorder(const char* folder) {
@@ -124,6 +128,8 @@ int main(int argc, char** argv) {
     for (std::string line; std::getline(std::cin, line);) {
       if (line == "runtime off") cell.set_runtime_alive(false);
       if (line == "runtime on") cell.set_runtime_alive(true);
+      if (line == "run") cell.run_until(kForever);
+      if (line.starts_with("run ")) cell.run_until(std::stod(line.substr(4)));
     }
   }
   (*http)->stop();

@@ -255,6 +255,7 @@ async function goesOnAfterAKill(page, server) {
 }
 
 let server = await startServer(given.server, 0, 4, 24, folder);
+server.tell('run');
 const browser = await launchBrowser(given);
 let opened;
 try {

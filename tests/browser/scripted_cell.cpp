@@ -76,11 +76,21 @@ ScriptedCell::ScriptedCell(double speed, double start_s)
     : layout_(layout_of(script_.program())),
       speed_(speed),
       start_s_(start_s),
+      end_s_(start_s),
       begun_(std::chrono::steady_clock::now()) {}
 
-double ScriptedCell::now_s() const {
+double ScriptedCell::now_s() {
+  const std::lock_guard lock(mutex_);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begun_;
-  return std::min(start_s_ + elapsed.count() * speed_, script_.end_s() + 10);
+  return std::min(start_s_ + elapsed.count() * speed_, end_s_);
+}
+
+void ScriptedCell::run_until(double end_s) {
+  const double now = now_s();
+  const std::lock_guard lock(mutex_);
+  start_s_ = now;
+  end_s_ = std::max(now, std::min(end_s, script_.end_s() + 10));
+  begun_ = std::chrono::steady_clock::now();
 }
 
 server::Observation ScriptedCell::observe() {

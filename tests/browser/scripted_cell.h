@@ -1,13 +1,15 @@
 #pragma once
 
 // A CellSource whose cell follows the bench script at a chosen pace, with an image as a runtime would have
-// it.
+// it. Its time stands still until it is told to go on, and where it was told to: a page that comes late
+// has missed nothing.
 //
-// Threads: observe() from one, set_runtime_alive() from any.
+// Threads: observe() from one, the others from any.
 
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -26,18 +28,22 @@ class ScriptedCell : public server::CellSource {
     std::this_thread::sleep_for(std::chrono::milliseconds(30));  // as often as a link sends one
   }
   void set_runtime_alive(bool alive) { alive_ = alive; }
+  // From where it stands, until then, s of the script.
+  void run_until(double end_s);
 
   // The sources of the points of bench_synoptic().
   static std::vector<server::PointSources> point_sources();
 
  private:
-  double now_s() const;
+  double now_s();
   server::ImageSnapshot snapshot(double time_s) const;
 
   BenchScript script_;
   std::shared_ptr<const server::ProgramLayout> layout_;
   double speed_;
+  std::mutex mutex_;  // of what follows
   double start_s_;
+  double end_s_;
   std::chrono::steady_clock::time_point begun_;
   std::atomic<bool> alive_ = true;
 };

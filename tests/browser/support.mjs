@@ -21,7 +21,7 @@ export function options() {
   return given;
 }
 
-// Starts the scripted cell and waits for its address.
+// Starts the scripted cell and waits for its address; its script stands still at `startS` until tell('run') or tell('run 30').
 export async function startServer(program, port, speed, startS, ...more) {
   const child = spawn(program, [port, speed, startS, ...more].map(String), { stdio: ['pipe', 'pipe', 'inherit'] });
   const ended = new Promise((resolve) => child.once('exit', resolve));

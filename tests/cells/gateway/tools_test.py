@@ -146,7 +146,7 @@ class Tools(unittest.TestCase):
         self.assertTrue(eventually(lambda: self.area.output() == 2))
         self.controller.silence()
         self.assertTrue(eventually(lambda: self.area.output() == 0x80))
-        self.assertIn("R0141", self.said())
+        self.assertTrue(eventually(lambda: "R0141" in self.said()), self.said())  # a log's lines come by and by
         self.assertIn("R0141", self.run_tool("start", code=1))
         self.controller.speak()
         self.assertTrue(eventually(lambda: self.said().count("the controller answers") == 2))
