@@ -100,6 +100,7 @@ class RecordedRun {
     auto session = recorder.begin(options, facts());
     if (!session) return result::forward(session);
     recorder.announce(kDigest, container_);
+    this->session = *session;
     tap.begin(*session);
     tap.state(StateCause::Begin, running());
     return {};
@@ -153,6 +154,7 @@ class RecordedRun {
   RandomIo io;
   scan::ScanCycle cycle;
   ScanTap tap;
+  const Session* session = nullptr;  // of the recording
 };
 
 // Waits until the writer has ended.
