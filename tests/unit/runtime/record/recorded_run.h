@@ -97,11 +97,11 @@ class RecordedRun {
 
   // Begins a recording with the present state.
   result::Result<void> begin(Recorder& recorder, const RecordingOptions& options) {
-    auto session = recorder.begin(options, facts());
-    if (!session) return result::forward(session);
+    auto begun = recorder.begin(options, facts());
+    if (!begun) return result::forward(begun);
     recorder.announce(kDigest, container_);
-    this->session = *session;
-    tap.begin(*session);
+    session = *begun;
+    tap.begin(*begun);
     tap.state(StateCause::Begin, running());
     return {};
   }
