@@ -70,7 +70,8 @@ std::filesystem::path required_file(const TomlTable& table, const char* key,
   return text.empty() ? std::filesystem::path() : file_of(table, key, folder, text);
 }
 
-void read_planning(const TomlTable& table, const std::filesystem::path& folder, PlanningConfig& planning) {
+void read_planning(const TomlTable& table, const std::filesystem::path& folder, bool real,
+                   PlanningConfig& planning) {
   planning.domain = required_file(table, "domain", folder);
   planning.problem = required_file(table, "problem", folder);
   planning.binding = required_file(table, "binding", folder);
@@ -78,6 +79,10 @@ void read_planning(const TomlTable& table, const std::filesystem::path& folder, 
     planning.programs.push_back(file_of(table, "programs", folder, text));
   planning.optimal = table.boolean("optimal", planning.optimal);
   planning.sequential = table.boolean("sequential", planning.sequential);
+  planning.initial =
+      table.choice("initial", real ? "observed" : "problem", {"problem", "observed"}) == "observed"
+          ? InitialState::Observed
+          : InitialState::Problem;
   planning.monitors = table.boolean("monitors", planning.monitors);
   planning.time = std::chrono::milliseconds(table.integer("time_ms", planning.time.count(), {1, 86'400'000}));
 }
@@ -208,7 +213,8 @@ CellReading read_cell_config(const std::filesystem::path& file, const std::vecto
                                              config.image.input_bytes, config.image.output_bytes},
                                             found);
   config.modbus_client_metrics = read_metrics(root.table("modbus").table("client"));
-  if (root.has("planning")) read_planning(root.table("planning"), folder, config.planning);
+  if (root.has("planning"))
+    read_planning(root.table("planning"), folder, config.safety.io.shared_memory, config.planning);
   if (root.has("fleet")) {
     config.fleet = read_fleet_mission(root.table("fleet"), folder);
     if (root.has("planning")) {

@@ -35,6 +35,8 @@ namespace stepwright::config {
 enum class ClockMode : std::uint8_t { Simulated, Real };
 enum class LostSupervisorPolicy : std::uint8_t { Continue, Safe };
 enum class RunStart : std::uint8_t { Auto, Operator };
+// Where the first plan starts: as the problem says, or where sensors show something, as they show it.
+enum class InitialState : std::uint8_t { Problem, Observed };
 enum class EngineKind : std::uint8_t { Auto, Native, Vm };
 
 struct ClockConfig {
@@ -86,10 +88,11 @@ struct PlanningConfig {
   std::filesystem::path domain;
   std::filesystem::path problem;
   std::filesystem::path binding;
-  std::vector<std::filesystem::path> programs;  // PLCopen XML, hand-written; run behind the plan in its task
-  bool optimal = true;                          // prove the optimum before the start (within `time`)
-  std::chrono::milliseconds time{10'000};       // budget of one planning or replanning
-  bool sequential = false;                      // strictly sequential chart, as in the paper
+  std::vector<std::filesystem::path> programs;   // PLCopen XML, hand-written; run behind the plan in its task
+  bool optimal = true;                           // prove the optimum before the start (within `time`)
+  std::chrono::milliseconds time{10'000};        // budget of one planning or replanning
+  bool sequential = false;                       // strictly sequential chart, as in the paper
+  InitialState initial = InitialState::Problem;  // Observed where the I/O is real
   bool monitors = true;  // rungs that watch the plan in the scan; false for small controllers
 };
 

@@ -32,6 +32,7 @@ inline executive::ExecutiveOptions executive_options(const CellConfig& config) {
   options.cell = config.name;
   options.max_replans = config.executive.max_replans;
   options.settle = config.executive.settle;
+  options.believes_sensors = config.planning.initial == InitialState::Observed;
   options.operator_starts = config.executive.start == RunStart::Operator;
   options.barrier = config.clock.mode == ClockMode::Simulated;
   options.journal = config.journal_path();

@@ -40,7 +40,8 @@ result::Result<ExecReport> run(const reader::LoadedProgram& loaded, const ExecOp
   }
   ExecReport report;
   report.image_hash = image.hash();
-  for (const std::string& name : options.trace) report.trace.emplace_back(name, std::vector<reader::Value>());
+  for (const reader::NamedVariable& variable : *variables)
+    report.trace.emplace_back(variable.name, std::vector<reader::Value>());
   while (report.scans < options.scans && cycle.state() == scan::ScanState::Running) {
     const scan::ScanReport scanned = cycle.run_scan();
     report.scans = scanned.scan;

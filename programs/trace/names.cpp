@@ -1,6 +1,7 @@
 #include "programs/trace/names.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -53,11 +54,11 @@ result::Result<std::vector<reader::NamedVariable>> resolve_names(const reader::P
   std::vector<reader::NamedVariable> variables;
   result::Diagnostics problems;
   for (const AskedName& asked : names) {
-    auto variable = reader::resolve_name(info, asked.name, code, asked.where);
-    if (variable) {
-      variables.push_back(std::move(*variable));
+    auto found = reader::resolve_values(info, asked.name, code, asked.where);
+    if (found) {
+      std::ranges::move(*found, std::back_inserter(variables));
     } else {
-      problems.insert(problems.end(), variable.error().begin(), variable.error().end());
+      problems.insert(problems.end(), found.error().begin(), found.error().end());
     }
   }
   if (!problems.empty()) return tl::unexpected(std::move(problems));

@@ -23,7 +23,7 @@ std::vector<std::string> split_names(std::string_view list);
 // A name a line; empty lines and what follows a `#` or `//` are left out. Fails with E0001.
 [[nodiscard]] result::Result<std::vector<AskedName>> read_names(const std::string& file);
 
-// Every name, or the diagnostics of all that are wrong.
+// Every value of every name (all of an array or a structure), or the diagnostics of all that are wrong.
 [[nodiscard]] result::Result<std::vector<reader::NamedVariable>> resolve_names(
     const reader::ProgramInfo& info, const std::vector<AskedName>& names, const char* code = "R0057");
 

@@ -77,6 +77,11 @@ bool Executive::start_afresh(bool wanted) {
   seen_ = std::move(*estimate);
   drift_.rest(seen_.measured.fluents);
   const auto wrong = translate::deviations(desk_.binding(), initial, seen_.measured);
+  if (!wrong.empty() && options_.believes_sensors) {
+    open_incident(
+        {IncidentKind::Operator, {"the plan starts where the plant is: " + sentence_of(wrong)}, {}});
+    return mend({}, initial, {}, {});
+  }
   if (!wrong.empty()) {
     const bool levels = !translate::differences(desk_.binding(), initial, seen_.measured).front().is_fact;
     return replan({levels ? IncidentKind::Level : IncidentKind::Position,
@@ -289,6 +294,15 @@ bool Executive::await_runtime() {
   return true;
 }
 
+// A planner counts in units: a level that it takes for 9 is no 9 where the sensor shows 9.24.
+void Executive::note_goal() {
+  model::NamedState shown = with_changes(seen_.planning);
+  for (const translate::Difference& off : translate::differences(desk_.binding(), shown, seen_.measured)) {
+    if (!off.is_fact) shown.fluents[off.atom] = off.measured;
+  }
+  record_.goal = desk_.goal_status(shown, goal_);
+}
+
 // Measured fluents that the goal does not speak of.
 std::set<std::string> Executive::beside_goal() const {
   std::set<std::string> fluents;
@@ -314,7 +328,7 @@ std::vector<std::string> Executive::missed() const {
 // The plan has ended. Amounts that no sensor sees and fractions of what a planner counts in add up over a
 // run, so the goal may need another plan.
 bool Executive::finish() {
-  record_.goal = desk_.goal_status(with_changes(seen_.planning), goal_);
+  note_goal();
   const std::vector<std::string> left = missed();
   if (left.empty()) {
     reach_goal();

@@ -61,8 +61,9 @@ struct ExecutiveOptions {
   std::chrono::milliseconds settle{3'000};  // plant time over which sensors are averaged before a decision
   bool barrier = true;                      // simulated time waits for every decision
   bool operator_starts = false;             // the first plan waits for request_start; nothing moves before it
-  std::filesystem::path journal;            // for a restarted supervisor; empty: none is kept
-  std::vector<GoalChange> goal_changes;     // in order of time
+  bool believes_sensors = false;  // the first plan starts where they show the plant, whatever :init says
+  std::filesystem::path journal;  // for a restarted supervisor; empty: none is kept
+  std::vector<GoalChange> goal_changes;  // in order of time
 };
 
 // Several causes as one sentence: "a; b".
@@ -135,6 +136,7 @@ class Executive {
   bool finish();
   void reach_goal();
   std::vector<std::string> missed() const;
+  void note_goal();
   std::set<std::string> beside_goal() const;
   bool give_up(const std::string& reason, IncidentKind kind = IncidentKind::ProgramFault,
                result::ExitCode exit = result::ExitCode::RuntimeFault);
@@ -208,6 +210,7 @@ class Executive {
                       double time_s) const;
   std::set<std::string> moving_atoms(const translate::Progress& progress) const;
   FailedAction failure_of(std::size_t action, double time_s) const;
+  FailedAction standstill_of(const Alarm& alarm) const;
   void note_alarms(std::span<const std::byte> image);
   void note_told_alarms();
   void note_levels(const std::set<std::string>& moving);

@@ -96,7 +96,7 @@ Executive::Decision Executive::judge_steps(std::span<const std::byte> image, dou
   seen_ = std::move(*estimate);
   note_progress(progress, time_s);
   record_levels(desk_.binding(), expected, seen_.measured, record_);
-  record_.goal = desk_.goal_status(with_changes(seen_.planning), goal_);
+  note_goal();
   note_alarms(image);
   note_levels(moving_atoms(progress));
   if (settled(active)) drift_.see(seen_.measured.fluents, progress);
@@ -169,8 +169,29 @@ Situation Executive::situation(const translate::Progress& progress, const model:
   now.drift = drift_.found();
   for (const Alarm& alarm : alarms_) {
     if (alarm.kind == to_string(translate::MonitorKind::Motion)) now.frozen.push_back(alarm.sensor);
+    if (alarm.kind == to_string(translate::MonitorKind::Standstill))
+      now.failed.push_back(standstill_of(alarm));
   }
   return now;
+}
+
+// Pump, valve or sensor: which of them, one level alone cannot tell.
+FailedAction Executive::standstill_of(const Alarm& alarm) const {
+  FailedAction failed;
+  failed.text = alarm.action;
+  failed.reason = FailedAction::Reason::NoEffect;
+  for (const model::GroundAction& action : current_.plan.actions) {
+    if (model::to_string(action) != alarm.action) continue;
+    translate::Assignment assignment;
+    failed.outputs = desk_.binding().action_for(action, assignment)->outputs;
+    failed.devices = desk_.binding().devices_of(action);
+    break;
+  }
+  const auto sensor = std::ranges::find(desk_.binding().sensors, alarm.sensor, &translate::Sensor::name);
+  failed.sentence =
+      fmt::format("{} has stopped halfway: the {} stands still though {} {} on", alarm.action, sensor->label,
+                  fmt::join(failed.outputs, " and "), failed.outputs.size() == 1 ? "is" : "are");
+  return failed;
 }
 
 // Alarms that the program's monitors have raised since the last look.

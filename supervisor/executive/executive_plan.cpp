@@ -211,7 +211,7 @@ Executive::Planned Executive::plan_to_goal(const model::NamedState& tracked,
                    .goal = goal_};
   const Planned planned = plan_watched(start, remaining);
   if (planned != Planned::Ready) return planned;
-  record_.goal = desk_.goal_status(with_changes(seen_.planning), goal_);
+  note_goal();
   const std::vector<translate::Difference> left = left_over();
   if (left.empty()) return Planned::Ready;
   std::set<std::string> away;

@@ -9,8 +9,8 @@
 #include "ladder/graphic/identifier.h"
 #include "supervisor/translate/action_conditions.h"
 #include "supervisor/translate/internal/expectation.h"
+#include "supervisor/translate/internal/pace.h"
 #include "supervisor/translate/internal/watch_chart.h"
-#include "supervisor/translate/schedule.h"
 #include "supervisor/translate/sensor_program.h"
 
 namespace stepwright::translate {
@@ -27,9 +27,6 @@ using graphic::Variable;
 using graphic::VariableSection;
 
 constexpr const char* kNow = "MON_NOW";
-// A rest is shorter, and a filter faster.
-constexpr std::int64_t kStill_us = 2'000'000;
-
 std::string numbered(const char* name, std::size_t number) {
   char text[32];
   std::snprintf(text, sizeof text, "%s_%02zu", name, number);
@@ -56,6 +53,14 @@ std::string still_variable(const Sensor& sensor) {
 }
 std::string last_variable(const Sensor& sensor) {
   return "LAST_" + sensor.name;
+}
+
+// Counts at which the level that an action moves was found to have gone on, and the scans since then.
+std::string mark_variable(std::size_t action) {
+  return numbered("MARK", action + 1);
+}
+std::string since_variable(std::size_t action) {
+  return numbered("SINCE", action + 1);
 }
 
 std::string short_number(double value) {
@@ -119,7 +124,8 @@ class Monitors {
     for (const Variable& each : translation_.project.globals) names.insert(each.name);
     std::vector<std::string> needed = {kAlarmCount, kNow, kAlarmsTold, "MON_SCAN", "MON_VALUE"};
     for (std::size_t i = 0; i < run_.actions.size(); ++i) {
-      needed.insert(needed.end(), {run_flag(i), fail_flag(i), ran_flag(i), had_failed_flag(i)});
+      needed.insert(needed.end(), {run_flag(i), fail_flag(i), ran_flag(i), had_failed_flag(i),
+                                   mark_variable(i), since_variable(i)});
     }
     for (const Sensor& sensor : binding_.sensors) {
       needed.push_back(still_variable(sensor));
@@ -132,6 +138,8 @@ class Monitors {
     }
     return {};
   }
+
+  std::int64_t interval_us() const { return translation_.project.tasks.front().interval_us; }
 
   void count_scan() {
     graphic::Block block;
@@ -148,6 +156,7 @@ class Monitors {
     invariants(action, expected);
     effects(action, expected);
     motion(action);
+    progress(action);
     if (ladder_.rungs.size() == first) return;
     remember(action);
     Rung skip;
@@ -196,7 +205,7 @@ class Monitors {
     const ActionBinding& entry = *binding_.action_for(run_.actions[action].action, assignment);
     if (entry.completion.kind != CompletionKind::Fluent) return;
     const Sensor& sensor = *binding_.sensor_of(instantiate(entry.completion.atom, assignment));
-    if (!shows_motion(sensor, run_.actions[action])) return;
+    if (!sensor.must_move || !internal::shows_motion(sensor, run_.actions[action], binding_)) return;
     const std::string still = still_variable(sensor);
     const std::string last = last_variable(sensor);
     graphic::Block count;
@@ -207,7 +216,7 @@ class Monitors {
     counts.condition = graphic::contact(run_flag(action));
     counts.blocks.push_back(std::move(count));
     ladder_.rungs.push_back(std::move(counts));
-    const std::string most = std::to_string(kStill_us / translation_.project.tasks.front().interval_us);
+    const std::string most = std::to_string(internal::kStill_us / interval_us());
     raise({action, MonitorKind::Motion, sensor.name + " changes while it should", sensor.tag, sensor.name},
           graphic::contact(run_flag(action)), graphic::compare(still, graphic::CompareOp::Less, most));
     graphic::Block clear;
@@ -219,18 +228,41 @@ class Monitors {
     moved_.insert(sensor.name);
   }
 
-  // Whether so many counts go by within the time that tells a standstill that a sensor cannot show the same
-  // all the while. One that counts pieces may.
-  bool shows_motion(const Sensor& sensor, const model::PlannedAction& planned) const {
-    constexpr double kLeastCounts = 2.0;
-    const auto before = planned.before.fluents.find(sensor.fluent);
-    const auto after = planned.after.fluents.find(sensor.fluent);
-    const auto duration = nominal_duration(planned, binding_);
-    if (before == planned.before.fluents.end() || after == planned.after.fluents.end() || !duration)
-      return false;
-    const double counts =
-        std::abs(sensor.calibration.counts_at(after->second) - sensor.calibration.counts_at(before->second));
-    return counts * (static_cast<double>(kStill_us) / 1e6) >= kLeastCounts * *duration;
+  // While the outputs of an action are on, the level that completes it goes on where it should.
+  void progress(std::size_t action) {
+    const model::PlannedAction& planned = run_.actions[action];
+    Assignment assignment;
+    const ActionBinding& entry = *binding_.action_for(planned.action, assignment);
+    const auto pace = internal::pace_of(planned, binding_);
+    if (!pace || entry.outputs.empty()) return;
+    const Sensor& sensor = *pace->sensor;
+    std::vector<Condition> on{graphic::contact(run_flag(action))};
+    std::string all_on;
+    for (const std::string& output : entry.outputs) {
+      on.push_back(graphic::contact(output));
+      all_on += (all_on.empty() ? "" : " AND ") + output;
+      read_.insert(output);
+    }
+    const std::string filtered = filtered_variable(sensor);
+    const std::string mark = mark_variable(action);
+    const std::string since = since_variable(action);
+    const std::string now = as_dint(filtered);
+    graphic::Block count;
+    count.st_body = "IF NOT " + ran_flag(action) + " OR NOT (" + all_on + ") OR " +
+                    (pace->rises ? now + " - " + mark : mark + " - " + now) +
+                    " >= " + std::to_string(pace->least_counts) + " THEN " + mark + " := " + now + "; " +
+                    since + " := 0; ELSE " + since + " := " + since + " + 1; END_IF;";
+    Rung counts;
+    counts.comment = "scans for which the " + sensor.label + " has not gone on";
+    counts.condition = graphic::contact(run_flag(action));
+    counts.blocks.push_back(std::move(count));
+    ladder_.rungs.push_back(std::move(counts));
+    const double scans = pace->within_s * 1e6 / static_cast<double>(interval_us());
+    raise(
+        {action, MonitorKind::Standstill, sensor.label + " goes on while it is moved", filtered, sensor.name},
+        graphic::all(std::move(on)),
+        graphic::compare(since, graphic::CompareOp::Less, std::to_string(std::llround(scans))));
+    paced_.push_back(action);
   }
 
   template <typename Wanted>
@@ -362,6 +394,10 @@ class Monitors {
       monitors.variables.push_back(
           variable(last_variable(sensor), binding_.tag(sensor.tag)->type, VariableSection::Local));
     }
+    for (const std::size_t action : paced_) {
+      monitors.variables.push_back(variable(mark_variable(action), "DINT", VariableSection::Local));
+      monitors.variables.push_back(variable(since_variable(action), "DINT", VariableSection::Local));
+    }
     for (const std::size_t action : watched_) {
       monitors.variables.push_back(variable(ran_flag(action), "BOOL", VariableSection::Local));
       monitors.variables.push_back(variable(had_failed_flag(action), "BOOL", VariableSection::Local));
@@ -382,8 +418,9 @@ class Monitors {
   graphic::LadderProgram ladder_;
   std::string next_label_;  // where the section before jumps to
   std::vector<std::size_t> watched_;
-  std::set<std::string> moved_;  // sensors whose counts are compared with the last ones
-  std::set<std::string> read_;   // globals that the rungs read
+  std::set<std::string> moved_;     // sensors whose counts are compared with the last ones
+  std::vector<std::size_t> paced_;  // actions whose level has to go on
+  std::set<std::string> read_;      // globals that the rungs read
 };
 
 }  // namespace
@@ -405,9 +442,11 @@ const char* to_string(MonitorKind kind) {
     case MonitorKind::Effect:
       return "effect";
     case MonitorKind::Motion:
+      return "motion";
+    case MonitorKind::Standstill:
       break;
   }
-  return "motion";
+  return "standstill";
 }
 
 result::Result<void> add_monitors(Translation& translation, const model::PlannedRun& run,

@@ -8,8 +8,10 @@
 //                 neither it nor an action beside it changes
 //   effect        when the action is done: every observed fact and level that it and no other changed
 //   motion        while the action runs: the raw counts of the level that it moves change at least every 2 s
-//                 (where at least two counts go by in that time); if not, the sensor is frozen, or nothing
-//                 moves
+//                 (of sensors that must move, where at least two counts go by in that time); if not, the
+//                 sensor is frozen
+//   standstill    while its outputs are on: the level that it moves goes on, by half a unit in the nominal
+//                 time of three, 8 s at most (internal/pace.h)
 //
 // PROGRAM monitors is a ladder diagram with a section for each action, which is jumped over while the action
 // does not run. An alarm is raised once: MON_SCAN[n] is its scan (counted from 1 in MON_NOW since the program

@@ -58,7 +58,7 @@ struct StepInfo {
   std::vector<std::string> assumed;   // Action: parts of its precondition that no sensor can check
 };
 
-enum class MonitorKind : std::uint8_t { Precondition, Invariant, Effect, Motion };
+enum class MonitorKind : std::uint8_t { Precondition, Invariant, Effect, Motion, Standstill };
 
 // What the rungs of a program watch (monitors.h).
 struct Monitor {

@@ -61,6 +61,17 @@ const Tag* tag_at(const ProgramInfo& info, std::uint32_t address, std::uint8_t b
   return nullptr;
 }
 
+// Both in upper case.
+bool is_inside(std::string_view name, std::string_view whole) {
+  return name.size() > whole.size() && name.starts_with(whole) &&
+         (name[whole.size()] == '[' || name[whole.size()] == '.');
+}
+
+// `n` of `MAIN.n`. Both in upper case.
+bool is_end_of(std::string_view name, std::string_view end) {
+  return name.size() > end.size() && name.ends_with(end) && name[name.size() - end.size() - 1] == '.';
+}
+
 // What to do about a name that is none.
 std::string hint_for(const ProgramInfo& info, const std::string& path) {
   if (!info.complete()) {
@@ -72,11 +83,13 @@ std::string hint_for(const ProgramInfo& info, const std::string& path) {
   names.reserve(info.tags().size());
   for (const Tag& tag : info.tags()) {
     names.push_back(naming::upper(tag.name));
-    const std::string& name = names.back();
-    const bool inside = name.size() > wanted.size() && name.starts_with(wanted) &&
-                        (name[wanted.size()] == '[' || name[wanted.size()] == '.');
-    if (inside) return "it has several values: name one of them, e.g. `" + tag.name + "`";
+    if (is_inside(names.back(), wanted))
+      return "it has several values: name one of them, e.g. `" + tag.name + "`";
   }
+  const auto whole =
+      std::ranges::find_if(names, [&](const std::string& name) { return is_end_of(name, wanted); });
+  if (whole != names.end())
+    return "did you mean `" + info.tags()[static_cast<std::size_t>(whole - names.begin())].name + "`?";
   // One slip in three letters, rounded up.
   if (const std::string* meant = result::closest(wanted, names, (wanted.size() + 2) / 3)) {
     const std::size_t index = static_cast<std::size_t>(meant - names.data());
@@ -109,6 +122,19 @@ result::Result<NamedVariable> resolve_name(const ProgramInfo& info, std::string_
   if (const Tag* tag = info.find_tag(path)) return NamedVariable{tag->name, tag->variable};
   return result::fail(code, where, "there is no variable `" + path + "` with a single value",
                       hint_for(info, path));
+}
+
+result::Result<std::vector<NamedVariable>> resolve_values(const ProgramInfo& info, std::string_view name,
+                                                          const char* code, const result::Location& where) {
+  auto single = resolve_name(info, name, code, where);
+  if (single) return std::vector{*std::move(single)};
+  const std::string whole = naming::upper(plain_path(name));
+  std::vector<NamedVariable> inside;
+  for (const Tag& tag : info.tags()) {
+    if (is_inside(naming::upper(tag.name), whole)) inside.push_back({tag.name, tag.variable});
+  }
+  if (inside.empty()) return result::forward(single);
+  return inside;
 }
 
 Variable variable_of_place(const ProgramInfo& info, std::uint32_t address, std::uint8_t bit,

@@ -10,6 +10,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runtime/bytecode/reader/program_info.h"
 #include "runtime/result/result.h"
@@ -26,6 +27,12 @@ struct NamedVariable {
 [[nodiscard]] result::Result<NamedVariable> resolve_name(const ProgramInfo& info, std::string_view name,
                                                          const char* code = "R0057",
                                                          const result::Location& where = {});
+
+// The same, and of an array, a structure or an instance all values inside of it, in the order of the program.
+[[nodiscard]] result::Result<std::vector<NamedVariable>> resolve_values(const ProgramInfo& info,
+                                                                        std::string_view name,
+                                                                        const char* code = "R0057",
+                                                                        const result::Location& where = {});
 
 // What stands at a place of the image: the variable there, else its direct address, else its bytes. `bit` is
 // 0xFF for whole bytes.

@@ -134,6 +134,7 @@ void BindingReader::read_sensors(const TomlTable& sensors) {
     sensor.tolerance = table.number("tolerance", sensor.tolerance, {1e-6, 1e9});
     sensor.resolution = table.number("resolution", sensor.resolution, {0.0, 1e9});
     sensor.filter = to_ms(table.number("filter_s", 0.5, kPositiveDuration));
+    sensor.must_move = table.boolean("must_move", sensor.must_move);
     sensor.tare = table.boolean("tare", sensor.tare);
     if (!sensor.tare && table.has("max_bias_counts")) {
       table.report("max_bias_counts", "it bounds a tare, and '" + name + "' is not tared",

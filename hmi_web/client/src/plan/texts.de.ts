@@ -49,6 +49,7 @@ export default {
   monitor_invariant: 'Invariante',
   monitor_effect: 'Wirkung',
   monitor_motion: 'Bewegung',
+  monitor_standstill: 'Stillstand',
   alarm: '{kind} von {action}: {condition}, Zyklus {scan}',
   replans: 'Umplanungen',
   replanList: 'Umplanungen',

@@ -46,6 +46,7 @@ export default {
   monitor_invariant: 'invariant',
   monitor_effect: 'effect',
   monitor_motion: 'motion',
+  monitor_standstill: 'standstill',
   alarm: '{kind} of {action}: {condition}, scan {scan}',
   replans: 'Replans',
   replanList: 'replans',

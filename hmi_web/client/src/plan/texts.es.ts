@@ -49,6 +49,7 @@ export default {
   monitor_invariant: 'invariante',
   monitor_effect: 'efecto',
   monitor_motion: 'movimiento',
+  monitor_standstill: 'inmovilidad',
   alarm: '{kind} de {action}: {condition}, ciclo {scan}',
   replans: 'Replanificaciones',
   replanList: 'replanificaciones',

@@ -49,6 +49,7 @@ export default {
   monitor_invariant: 'invariant',
   monitor_effect: 'effet',
   monitor_motion: 'mouvement',
+  monitor_standstill: 'immobilité',
   alarm: '{kind} de {action} : {condition}, cycle {scan}',
   replans: 'Replanifications',
   replanList: 'replanifications',

@@ -71,6 +71,19 @@ TEST_F(CellConfigTest, WhenOutputsAreReal_ThenAnOperatorStartsRunsUnlessTheCellS
             RunStart::Auto);
 }
 
+TEST_F(CellConfigTest, WhenInputsAreReal_ThenTheFirstPlanStartsFromThemUnlessTheCellSaysOtherwise) {
+  for (const char* file : {"domain.pddl", "problem.pddl", "binding.toml"})
+    std::ofstream(folder_ / file) << "";
+  const std::string planning =
+      "[planning]\ndomain = \"domain.pddl\"\nproblem = \"problem.pddl\"\nbinding = \"binding.toml\"\n";
+  const std::string real = "[clock]\nmode = \"real\"\n[io]\nkind = \"shared_memory\"\n" + planning;
+  EXPECT_EQ(load_cell_config(write(planning))->planning.initial, InitialState::Problem);
+  EXPECT_EQ(load_cell_config(write(real))->planning.initial, InitialState::Observed);
+  EXPECT_EQ(load_cell_config(write(real + "initial = \"problem\"\n"))->planning.initial,
+            InitialState::Problem);
+  EXPECT_FALSE(load_cell_config(write(planning + "initial = \"guessed\"\n")).has_value());
+}
+
 TEST_F(CellConfigTest, WhenNobodyDescribesAPlant_ThenThereIsNone) {
   EXPECT_EQ(load_cell_config(write(""))->plant.kind, "none");
   EXPECT_EQ(load_cell_config(write("[plant]\nseed = 3\n"))->plant.kind, "tank_bench");

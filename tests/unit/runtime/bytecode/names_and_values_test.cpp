@@ -57,6 +57,7 @@ TEST(ResolveName, WhenAnAddressIsGiven_ThenItIsThatPlace) {
 
 TEST(ResolveName, WhenANameIsWrong_ThenTheHintSaysWhatWasMeant) {
   const ProgramInfo info = sample();
+  EXPECT_EQ(hint_of(info, "history[2]"), "did you mean `MAIN.history[2]`?");
   EXPECT_EQ(hint_of(info, "MAIN.levle"), "did you mean `MAIN.level`?");
   EXPECT_EQ(hint_of(info, "MAIN.history"), "it has several values: name one of them, e.g. `MAIN.history[1]`");
   EXPECT_EQ(hint_of(info, "qqqqqqqqqqqqqqqqqqqqqqq"),
@@ -64,6 +65,20 @@ TEST(ResolveName, WhenANameIsWrong_ThenTheHintSaysWhatWasMeant) {
   const auto located = resolve_name(info, "nothing", "B0300", {"list", 4, 2});
   EXPECT_EQ(located.error()[0].code, "B0300");
   EXPECT_EQ(located.error()[0].where.line, 4u);
+}
+
+TEST(ResolveValues, WhenAnArrayOrAnInstanceIsNamed_ThenItIsAllValuesInside) {
+  const ProgramInfo info = sample();
+  const auto history = resolve_values(info, "main.history");
+  ASSERT_TRUE(history);
+  ASSERT_GT(history->size(), 2u);
+  EXPECT_EQ(history->front().name, "MAIN.history[1]");
+  EXPECT_EQ((*history)[2].name, "MAIN.history[3]");
+  for (const NamedVariable& each : *history) EXPECT_TRUE(each.name.starts_with("MAIN.history[")) << each.name;
+  EXPECT_GT(resolve_values(info, "MAIN.timer")->size(), 3u);
+  EXPECT_GT(resolve_values(info, "MAIN")->size(), history->size());
+  EXPECT_EQ(resolve_values(info, "MAIN.level")->size(), 1u);
+  EXPECT_FALSE(resolve_values(info, "MAIN.hist"));
 }
 
 TEST(ResolveName, WhenAPlaceIsNamed_ThenItResolvesToThatPlace) {

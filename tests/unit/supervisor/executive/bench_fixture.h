@@ -2,6 +2,10 @@
 
 // The tank bench with its real planner, compiler, scan and plant, in one thread.
 
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,9 +32,28 @@ inline const PlanningDesk& bench_desk() {
   return desk;
 }
 
-inline RunRecord run_bench(support::SimulatedController& controller, ExecutiveOptions options = {}) {
+// The bench with lines of its binding left out: of transmitters without noise and without bias.
+inline PlanningDesk bench_desk_without(const std::string& lines, const std::filesystem::path& folder) {
+  DeskOptions options = bench_desk_options();
+  std::stringstream text;
+  text << std::ifstream(options.binding).rdbuf();
+  options.binding = folder / "binding.toml";
+  std::ofstream(options.binding) << std::regex_replace(text.str(), std::regex(lines), "");
+  auto opened = PlanningDesk::open(options);
+  if (!opened) throw std::runtime_error(result::to_string(opened.error()));
+  return std::move(*opened);
+}
+
+inline assemblies::BenchParameters exact_bench() {
+  assemblies::BenchParameters parameters;
+  parameters.uncertainty = assemblies::SensorUncertainty::none();
+  return parameters;
+}
+
+inline RunRecord run_bench(support::SimulatedController& controller, ExecutiveOptions options = {},
+                           const PlanningDesk& desk = bench_desk()) {
   options.cell = "bench";
-  return Executive(bench_desk(), controller, std::move(options), {}).run();
+  return Executive(desk, controller, std::move(options), {}).run();
 }
 
 // For messages of failed tests.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/supervisor/executive/bench_fixture.h"
 
 namespace stepwright::executive {
@@ -130,6 +131,34 @@ TEST(ExecutiveIncident, WhenAPumpHasFailed_ThenTheSafeStopNamesIt) {
             std::string::npos)
       << record.message;
   EXPECT_NEAR(controller.plant_value("delivered_c1_percent"), 0.0, 1.0);
+}
+
+// A switch that somebody has turned for a while: it is told and planned for, and no sensor is blamed.
+TEST(ExecutiveIncident, WhenAPumpStandsStillForAWhile_ThenThatIsAnIncidentOfThePumpAndTheGoalIsReached) {
+  const support::TemporaryFolder folder;
+  const PlanningDesk desk = bench_desk_without("must_move = true\n", folder.path());
+  SimulatedController controller(exact_bench(), {{7.5, "weak_b1", 0.0}, {16.0, "weak_b1", 1.0, true}});
+  const RunRecord record = run_bench(controller, {}, desk);
+  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  ASSERT_FALSE(record.incidents.empty());
+  const Incident& first = record.incidents.front();
+  EXPECT_EQ(first.kind, IncidentKind::FailedActuator) << sentence_of(first.evidence);
+  EXPECT_LT(first.time_s, 13.5);
+  EXPECT_NE(
+      sentence_of(first.evidence).find("has stopped halfway: the level of v1 stands still though B1 is on"),
+      std::string::npos)
+      << sentence_of(first.evidence);
+}
+
+// One that shows the same for ever ends the run all the same, as what it is: nothing that can be told from a
+// pump without effect.
+TEST(ExecutiveIncident, WhenASensorWithoutNoiseIsFrozen_ThenTheRunEndsSafely) {
+  const support::TemporaryFolder folder;
+  const PlanningDesk desk = bench_desk_without("must_move = true\n", folder.path());
+  SimulatedController controller(exact_bench(), {{8.5, "frozen_s1", 1.0}});
+  const RunRecord record = run_bench(controller, {}, desk);
+  EXPECT_EQ(record.phase, Phase::Safe) << story(record);
+  EXPECT_EQ(record.incidents.front().kind, IncidentKind::FailedActuator) << story(record);
 }
 
 TEST(ExecutiveIncident, WhenTheRuntimeIsKilled_ThenItIsALostRuntime) {

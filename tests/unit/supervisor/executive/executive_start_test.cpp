@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/supervisor/executive/bench_fixture.h"
 
 namespace stepwright::executive {
@@ -61,6 +62,56 @@ ExecutiveOptions with_journal(const char* name, ExecutiveOptions options = {}) {
   options.journal = testing::TempDir() + name;
   std::filesystem::remove(options.journal);
   return options;
+}
+
+// a1 stands at 4 and no sensor is tared: it is believed.
+RunRecord run_from_four(bool believes_sensors) {
+  const support::TemporaryFolder folder;
+  const PlanningDesk desk = bench_desk_without("tare = true\n", folder.path());
+  assemblies::BenchParameters parameters = exact_bench();
+  parameters.tanks[2].initial_percent = 40.0;
+  SimulatedController controller(parameters);
+  ExecutiveOptions options;
+  options.believes_sensors = believes_sensors;
+  const RunRecord record = run_bench(controller, options, desk);
+  EXPECT_EQ(record.phase, Phase::Done) << story(record);
+  EXPECT_NEAR(controller.plant_value("level_a1_percent"), 50.0, 2.0);
+  return record;
+}
+
+TEST(ExecutiveStart, WhenThePlantIsNotAsTheProblemSays_ThenThatIsWhereTheFirstPlanStartsOrAnIncident) {
+  const RunRecord believed = run_from_four(true);
+  ASSERT_EQ(believed.incidents.size(), 1u) << story(believed);
+  EXPECT_EQ(believed.incidents[0].kind, IncidentKind::Operator);
+  EXPECT_EQ(believed.incidents[0].evidence.front().rfind(
+                "the plan starts where the plant is: level of a1 is 4.", 0),
+            0u)
+      << believed.incidents[0].evidence.front();
+  EXPECT_TRUE(believed.replans.empty()) << story(believed);
+  const RunRecord doubted = run_from_four(false);
+  ASSERT_EQ(doubted.incidents.size(), 1u) << story(doubted);
+  EXPECT_EQ(doubted.incidents[0].kind, IncidentKind::Level);
+}
+
+// The planner counts 4.7 as 5.
+TEST(ExecutiveStart, WhenALevelOnlyRoundsToTheGoal_ThenTheGoalIsNotCalledMet) {
+  const support::TemporaryFolder folder;
+  const PlanningDesk desk = bench_desk_without("tare = true\n", folder.path());
+  assemblies::BenchParameters parameters = exact_bench();
+  parameters.tanks[2].initial_percent = 47.0;
+  SimulatedController controller(parameters);
+  bool seen = false;
+  ExecutiveOptions options;
+  options.cell = "bench";
+  (void)Executive(desk, controller, options, [&](const RunRecord& now) {
+    for (const GoalRecord& goal : now.goal) {
+      const double level = now.observed.contains("(level a1)") ? now.observed.at("(level a1)") : 0.0;
+      if (goal.text.find("(level a1)") == std::string::npos || std::abs(level - 4.7) > 0.1) continue;
+      seen = true;
+      EXPECT_FALSE(goal.met) << level;
+    }
+  }).run();
+  EXPECT_TRUE(seen);
 }
 
 TEST(ExecutiveStart, WhenAnOperatorStartsRuns_ThenThePlanIsShownAndNothingIsDownloadedBefore) {

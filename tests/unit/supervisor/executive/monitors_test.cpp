@@ -33,7 +33,7 @@ struct Raised {
 class MonitoredRun {
  public:
   explicit MonitoredRun(std::vector<PlantFault> faults, const PlanningDesk& desk = bench_desk())
-      : controller_(exact(), std::move(faults)) {
+      : controller_(exact_bench(), std::move(faults)) {
     const auto initial = pddl::to_named(desk.task().initial());
     prepared_ = std::move(desk.prepare({.start = {.planning = initial}})->prepared);
     std::vector<std::string> names = {
@@ -66,12 +66,6 @@ class MonitoredRun {
   double value(std::uint64_t scan, const std::string& name) const { return history_.at(name).at(scan - 1); }
 
  private:
-  static assemblies::BenchParameters exact() {
-    assemblies::BenchParameters parameters;
-    parameters.uncertainty = assemblies::SensorUncertainty::none();
-    return parameters;
-  }
-
   void look(std::span<const std::byte> image) {
     ++scan_;
     const auto values = reader_->values(image);
@@ -189,6 +183,27 @@ TEST(Monitors, WhenAPreconditionAddsLevels_ThenTheirSumIsWatchedToo) {
   EXPECT_EQ(sum->scan, run.events().back());
   EXPECT_GT(sum->value, 1.0);  // levels, not counts
   EXPECT_LT(sum->value, 9.0);
+}
+
+// Its counts are still after that, as those of any transmitter without noise are: only of one that must move
+// that is a fault of its own.
+TEST(Monitors, WhenAPumpStandsStillHalfway_ThenTheAlarmComesAfterTheNominalTimeOfThreeUnits) {
+  const support::TemporaryFolder folder;
+  const PlanningDesk plain = bench_desk_without("must_move = true\n", folder.path());
+  for (const PlanningDesk* desk : {&bench_desk(), &plain}) {
+    MonitoredRun run({{5.0, "weak_b1", 0.0}}, *desk);
+    run.run(1'200);
+    std::map<MonitorKind, std::vector<Raised>> of;
+    for (const Raised& raised : run.raised()) of[raised.monitor.kind].push_back(raised);
+    EXPECT_EQ(of[MonitorKind::Motion].size(), desk == &plain ? 0u : 1u);
+    ASSERT_EQ(of[MonitorKind::Standstill].size(), 1u);
+    const Raised& still = of[MonitorKind::Standstill].front();
+    EXPECT_EQ(still.action.rfind("(load v1 f1", 0), 0u) << still.action;
+    EXPECT_EQ(still.monitor.text, "level of v1 goes on while it is moved");
+    EXPECT_EQ(still.scan, still.seen_in);
+    EXPECT_GT(still.scan, 500u + 250u);
+    EXPECT_LT(still.scan, 500u + 600u);
+  }
 }
 
 TEST(Monitors, WhenTheBindingHasTheirNames_ThenRefused) {
