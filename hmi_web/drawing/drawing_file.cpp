@@ -58,7 +58,8 @@ class Reader {
     drawn.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
     copy(root, drawn, 1);
     give_view_box(root, drawn);
-    if (auto excess = excess_of_references(root))
+    // What is nested too deep is told already, and whoever follows references goes as deep.
+    if (auto excess = mistakes_.empty() ? excess_of_references(root) : std::nullopt)
       tell("C0644", excess->offset, std::move(excess->message), std::move(excess->hint));
     if (!mistakes_.empty()) return tl::unexpected(mistakes_);
     std::ostringstream text;

@@ -12,6 +12,8 @@ namespace {
 constexpr std::string_view kSvgPrefix = "svg:";
 // Of references within what is referred to; nobody draws that deep, and a stack has an end.
 constexpr int kDeepestReference = 16;
+// Elements around one another, also in what is left out of a drawing, and by each reference once more.
+constexpr int kDeepestWalk = kDeepest * (kDeepestReference + 1);
 
 bool is_use(pugi::xml_node node) {
   return plain_name(node.name()) == "use";
@@ -41,6 +43,18 @@ class References {
   }
 
   std::size_t drawn_by_references_below(pugi::xml_node node, int depth) {
+    if (nested_ >= kDeepestWalk) {
+      tell(node, "elements are nested more than " + std::to_string(kDeepest) + " deep",
+           "ungroup some of them");
+      return 0;
+    }
+    ++nested_;
+    const std::size_t drawn = drawn_by_node(node, depth);
+    --nested_;
+    return drawn;
+  }
+
+  std::size_t drawn_by_node(pugi::xml_node node, int depth) {
     std::size_t drawn = 0;
     for (const pugi::xml_attribute attribute : node.attributes()) {
       const std::string_view name = attribute.name();
@@ -128,6 +142,7 @@ class References {
   std::map<std::string, pugi::xml_node, std::less<>> by_id_;
   std::map<pugi::xml_node, std::size_t> known_;
   std::vector<pugi::xml_node> open_;  // that are being looked at
+  int nested_ = 0;                    // elements around what is looked at, also by references
   std::optional<ReferenceExcess> excess_;
 };
 

@@ -38,7 +38,8 @@ class SharedIo final : public CellIo {
   host::PlantAccess* plant() override { return nullptr; }
   bool guarded() const override { return driver_.guarded(); }
   io_memory::GuardFigures guard() const override { return driver_.guard(); }
-  bool alive() const override { return driver_.plant_alive(); }
+  std::optional<io_memory::ProcessMark> other_runtime() const override { return driver_.other_runtime(); }
+  bool alive() const override { return driver_.plant_alive() && !driver_.other_runtime(); }
 
  private:
   io_memory::MemoryDriver driver_;

@@ -4,6 +4,7 @@
 // nothing.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "plant_models/bridge/plant_driver.h"
@@ -25,6 +26,8 @@ class CellIo {
   virtual bool guarded() const { return false; }
   // The guard that is there.
   virtual io_memory::GuardFigures guard() const { return {}; }
+  // A runtime other than this one drives the outputs.
+  virtual std::optional<io_memory::ProcessMark> other_runtime() const { return std::nullopt; }
   // What stands behind the I/O is there. Always true where it cannot be missing.
   virtual bool alive() const { return true; }
 

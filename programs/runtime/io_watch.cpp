@@ -37,6 +37,7 @@ void IoWatch::supervisor(bool alive) {
 
 void IoWatch::turn(IoRestart::Clock::time_point now) {
   tell();
+  tell_other();
   const bool alive = io_.alive();
   if (lost_ && alive) {
     lost_ = false;
@@ -79,6 +80,21 @@ void IoWatch::tell() {
   if (!answer || answer->empty()) return;
   log_.error("lost_devices", *answer, {{"devices", *answer}});
   if (lost_) runtime_.set_note("io", *answer);
+}
+
+void IoWatch::tell_other() {
+  const auto found = io_.other_runtime();
+  const std::uint32_t other = found ? found->pid : 0;
+  if (std::exchange(other_, other) == other) return;
+  if (!found) {
+    runtime_.set_note("io", "");
+    log_.info("other_runtime", "no other runtime drives the outputs any more");
+    return;
+  }
+  const std::string sentence =
+      "another runtime (process " + std::to_string(other) + ") drives these outputs: this one does not";
+  log_.error("other_runtime", sentence + "; two cells of one name share an I/O area", {{"process", other}});
+  runtime_.set_note("io", sentence);
 }
 
 void IoWatch::start() {

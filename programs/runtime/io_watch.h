@@ -10,6 +10,7 @@
 // Threads: the service's; the Modbus client is asked on a thread of its own, as its answer may take time.
 
 #include <atomic>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -37,6 +38,7 @@ class IoWatch {
  private:
   void ask();
   void tell();
+  void tell_other();
   void start();
 
   const config::CellConfig& config_;
@@ -45,6 +47,7 @@ class IoWatch {
   log::Logger& log_;
   IoRestart restart_;
   bool lost_ = false;
+  std::uint32_t other_ = 0;  // the process of another runtime that drives the outputs
   bool supervised_ = false;
   std::atomic<bool> asks_{false};
   std::mutex mutex_;  // of the answer

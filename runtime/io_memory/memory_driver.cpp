@@ -29,7 +29,16 @@ void MemoryDriver::farewell() {
 
 image::IoStatus MemoryDriver::read_inputs(std::int64_t, std::span<std::byte> inputs) {
   const bool in_time = read_in_time(inputs);
-  return in_time && plant_alive() ? image::IoStatus::Good : image::IoStatus::Lost;
+  return in_time && plant_alive() && !other_runtime() ? image::IoStatus::Good : image::IoStatus::Lost;
+}
+
+std::optional<ProcessMark> MemoryDriver::other_runtime() const {
+  if (leased_.load(std::memory_order_acquire)) return std::nullopt;
+  const AreaHeader& header = area_->header();
+  const auto owner = static_cast<Owner>(header.owner.load(std::memory_order_acquire));
+  if (owner != Owner::Runtime || !area_->locked_elsewhere(AreaLock::Lease)) return std::nullopt;
+  return ProcessMark{header.owner_pid.load(std::memory_order_acquire),
+                     header.owner_space.load(std::memory_order_acquire)};
 }
 
 // False if the inputs are older than they may be.

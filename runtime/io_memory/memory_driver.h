@@ -14,11 +14,12 @@
 // call while the lease is being taken. Invariants: outputs are written under the lease only; inputs are those
 // of one write of the plant, whole, or stay as they were (held, and counted); Lost when the plant announced
 // how long it may be silent and is silent for longer, or when inputs had to be held for longer than that (100
-// ms if it announced nothing).
+// ms if it announced nothing), or while another runtime drives the outputs.
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "runtime/image/io_driver.h"
 #include "runtime/io_memory/input_age.h"
@@ -69,6 +70,8 @@ class MemoryDriver final : public image::IoDriver {
   GuardFigures guard() const;
   // The plant is heard of, as far as it must be. Any thread.
   bool plant_alive() const;
+  // A runtime other than this one that drives the outputs. Any thread; a system call while this one does not.
+  std::optional<ProcessMark> other_runtime() const;
   // The plant was faster than every attempt to read them.
   std::uint64_t held_reads() const override { return age_.held_reads(); }
 

@@ -8,9 +8,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
+
+#include "runtime/settings/key_parts.h"
 
 namespace stepwright::settings {
 
@@ -38,6 +41,9 @@ struct TomlDocument::State {
 };
 
 namespace {
+
+// What reads it may have others wait.
+constexpr std::size_t kMostBytes = 1u << 20;
 
 const toml::table* as_table(const void* node) {
   return static_cast<const toml::table*>(node);
@@ -92,16 +98,12 @@ result::Result<std::unique_ptr<TomlDocument>> TomlDocument::load(const std::file
     return result::fail(code + "0001", {file.string(), 0, 0},
                         std::string("the file cannot be read: ") + std::strerror(errno));
   }
-  std::unique_ptr<TomlDocument> document(new TomlDocument());
-  document->state_->file = file.string();
-  document->state_->code = code;
-  try {
-    document->state_->root = toml::parse_file(file.string());
-  } catch (const toml::parse_error& problem) {
-    return result::fail(code + "0001", document->state_->place(problem.source()),
-                        std::string(problem.description()), "the file is not valid TOML");
-  }
-  return document;
+  // Of a file that somebody goes on writing to, no more is read either.
+  std::string text(kMostBytes + 1, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return parse(text, file.string(), std::move(code));
 }
 
 result::Result<std::unique_ptr<TomlDocument>> TomlDocument::parse(std::string_view text, std::string file,
@@ -109,6 +111,16 @@ result::Result<std::unique_ptr<TomlDocument>> TomlDocument::parse(std::string_vi
   std::unique_ptr<TomlDocument> document(new TomlDocument());
   document->state_->file = std::move(file);
   document->state_->code = code;
+  if (text.size() > kMostBytes) {
+    return result::fail(code + "0001", {document->state_->file, 0, 0},
+                        "there is more than " + std::to_string(kMostBytes >> 20) + " MiB of it",
+                        "settings are a few kB: is this the file that was meant?");
+  }
+  if (const auto deep = too_deep_key(text)) {
+    return result::fail(code + "0001", {document->state_->file, deep->line, deep->column},
+                        "a key has more than " + std::to_string(kMostKeyParts) + " parts",
+                        "no setting is so deep: is a dot a slip?");
+  }
   try {
     document->state_->root = toml::parse(text);
   } catch (const toml::parse_error& problem) {
@@ -121,6 +133,7 @@ result::Result<std::unique_ptr<TomlDocument>> TomlDocument::parse(std::string_vi
 result::Result<void> TomlDocument::override_value(const std::string& dotted_key, const std::string& value) {
   toml::table parsed;
   const std::string origin = "--set " + dotted_key + "=" + value;
+  if (too_deep_key(dotted_key + " = " + value)) return not_an_override(state_->code, dotted_key, value);
   try {
     parsed = toml::parse(dotted_key + " = " + value);
   } catch (const toml::parse_error&) {

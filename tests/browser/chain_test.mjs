@@ -1,13 +1,14 @@
-// The whole chain as a person sees it: planner, executive, runtime, link and HMI of the bench, at 30 times real
+// The whole chain as a person sees it: planner, executive, runtime, link and HMI of the bench, at ten times real
 // time, watched from a page. In the middle the HMI is killed, which must not matter to the run.
 
 import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
+import { BY_OPERATOR, startsTheRun } from './people.mjs';
 import { check, options, until, waitFor } from './support.mjs';
 
-const SPEED = 30;
+const SPEED = 10;
 const KILL_AFTER_ACTIONS = 3;
 
 const given = options();
@@ -47,9 +48,11 @@ async function takePictures(page, moment) {
   }
 }
 
-async function showsTheRun(page) {
+async function showsTheRun(page, demo) {
   await waitFor(page, 'the synoptic shows every tank', () => document.querySelectorAll('[data-tank]').length === 4);
   await waitFor(page, 'the plan has 17 actions', () => document.querySelectorAll('[data-action]').length === 17);
+  await startsTheRun(page, demo);
+  await page.getByTestId('log-out').click();
   await waitFor(page, 'a step of the chart is lit', () => document.querySelector('.step.active') !== null);
   await waitFor(page, 'the first actions are done', (few) =>
     Number(document.querySelector('[data-testid=plan-progress]').ariaValueNow) >= few, KILL_AFTER_ACTIONS);
@@ -103,9 +106,9 @@ async function sawEverythingMove(page) {
 await leadOverPage(given, {
   name: 'chain',
   watch: keepHistory,
-  start: () => startDemo(given.server, SPEED),
+  start: () => startDemo(given.server, SPEED, 'bench', BY_OPERATOR),
   steps: async (page, demo) => {
-    await showsTheRun(page);
+    await showsTheRun(page, demo);
     await outlivesTheServer(page, demo);
     await takePictures(page, 'during');
     await reachesTheGoal(page);

@@ -5,6 +5,7 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
+import { BY_OPERATOR, startsTheRun } from './people.mjs';
 import { check, options, until, waitFor } from './support.mjs';
 
 const SPEED = 5;
@@ -55,11 +56,12 @@ async function sawTheLineWork(page) {
 await leadOverPage(given, {
   name: 'line',
   watch: keepHistory,
-  start: () => startDemo(given.server, SPEED, 'conveyor'),
+  start: () => startDemo(given.server, SPEED, 'conveyor', BY_OPERATOR),
   steps: async (page, demo) => {
     await waitFor(page, 'belts, chutes and pushers are drawn', () =>
       document.querySelectorAll('[data-belt]').length === 9 && document.querySelectorAll('[data-pusher]').length === 4);
     await waitFor(page, 'the plan has 36 actions', () => document.querySelectorAll('[data-action]').length === 36);
+    await startsTheRun(page, demo);
     await waitFor(page, 'three boxes are on the line at once', () => globalThis.seen.most >= 3);
     await takePictures(page);
     await waitFor(page, 'the page says that the goal is reached', () =>

@@ -48,6 +48,18 @@ export async function claims(page, token) {
   await dialogIsGone(page, 'there is an administrator');
 }
 
+// What a demo's page is given to have nothing begin before it looks: however late it comes, it sees all of the run.
+export const BY_OPERATOR = ['--set', 'executive.start="operator"'];
+
+// The run of such a demo, by its first administrator.
+export async function startsTheRun(page, demo) {
+  await waitFor(page, 'the plan is ready', () => document.querySelector('[data-testid=phase]')?.innerText === 'ready');
+  await claims(page, await setupToken(demo));
+  await page.getByRole('button', { name: 'Start', exact: true }).click();
+  await dialog(page).getByRole('button', { name: 'Start the run' }).click();
+  await dialogIsGone(page, 'the run is started');
+}
+
 // Somebody else, maybe in place of whoever has logged in.
 export async function logsIn(page, name) {
   if ((await page.getByTestId('log-out').count()) > 0) await page.getByTestId('log-out').click();

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 import { startDemo } from './demo_process.mjs';
 import { leadOverPage } from './page_run.mjs';
-import { claims, dialog, dialogIsGone, isAccessible, setupToken } from './people.mjs';
+import { BY_OPERATOR, isAccessible, startsTheRun } from './people.mjs';
 import { check, options, waitFor } from './support.mjs';
 
 const SPEED = 2;
@@ -45,16 +45,12 @@ await leadOverPage(given, {
   watch: keepHistory,
   start: () =>
     startDemo(given.server, SPEED, 'conveyor', [
-      '--set', 'executive.start="operator"',
+      ...BY_OPERATOR,
       '--fault', 'press_estop=1@0', '--fault', `press_estop=0@${RELEASED_S}`,
       '--fault', `press_reset=1@${RESET_S}`, '--fault', `press_reset=0@${RESET_S + 1}`,
     ]),
   steps: async (page, demo) => {
-    await waitFor(page, 'the plan is ready', () => document.querySelector('[data-testid=phase]')?.innerText === 'ready');
-    await claims(page, await setupToken(demo));
-    await page.getByRole('button', { name: 'Start', exact: true }).click();
-    await dialog(page).getByRole('button', { name: 'Start the run' }).click();
-    await dialogIsGone(page, 'the run is started');
+    await startsTheRun(page, demo);
     await waitFor(page, 'the page says that the emergency stop is pressed', () => globalThis.seen.pressed.startsWith('The emergency stop is pressed.'));
     await waitFor(page, 'the plan begins with waiting for a reset', () => document.querySelector('[data-state=active]')?.innerText.includes('await_reset'));
     await waitFor(page, 'and the page says why', () => document.querySelector('[data-panel=incidents]')?.innerText.includes('contactor closed'));

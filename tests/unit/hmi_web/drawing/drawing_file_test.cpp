@@ -120,6 +120,16 @@ std::string levels(const std::string& element, const std::string& reference) {
   return all + reference.substr(0, reference.find('*')) + "a8" + reference.substr(reference.find('*') + 1);
 }
 
+// Far deeper than any stack of whoever would follow it element by element.
+TEST(Drawing, WhenElementsAreNestedWithoutEnd_ThenItIsRefusedAlsoInWhatIsLeftOut) {
+  std::string nested;
+  for (int i = 0; i < 120'000; ++i) nested += "<g>";
+  for (int i = 0; i < 120'000; ++i) nested += "</g>";
+  EXPECT_THAT(mistake(of(nested)), HasSubstr("C0644 2 elements are nested more than 64 deep"));
+  EXPECT_THAT(mistake(of("<metadata>" + nested + "</metadata>")),
+              HasSubstr("C0644 2 elements are nested more than 64 deep"));
+}
+
 TEST(Drawing, WhenReferencesMultiply_ThenTheyAreRefusedHoweverTheyAreSpelt) {
   for (const auto& [element, reference] : {std::pair("g", "<use href='#nothing' xlink:href='#*'/>"),
                                            std::pair("g", "<use xlink:href='#*' href='#nothing'/>")}) {

@@ -121,6 +121,16 @@ TEST_F(IoMemory, WhenAnotherHasTheLease_ThenTheSecondWritesNothingAndIsLostInThe
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_EQ(status, IoStatus::Lost);
+  // So a start there is refused, and whoever asks is told who it is.
+  Bytes inputs(16);
+  EXPECT_EQ(second.read_inputs(0, inputs), IoStatus::Lost);
+  ASSERT_TRUE(second.other_runtime());
+  EXPECT_EQ(second.other_runtime()->pid, static_cast<std::uint32_t>(::getpid()));
+  EXPECT_FALSE(first.other_runtime());
+  EXPECT_EQ(first.read_inputs(0, inputs), IoStatus::Good);
+  first.farewell();
+  EXPECT_FALSE(second.other_runtime());
+  EXPECT_EQ(second.read_inputs(0, inputs), IoStatus::Good);
 }
 
 TEST_F(IoMemory, WhenSizesDiffer_ThenAnAreaInUseStaysAndAnUnusedOneGoes) {

@@ -18,6 +18,40 @@ TEST(TomlDocument, WhenTheTextIsNoToml_ThenTheErrorHasItsPlace) {
   EXPECT_EQ(document.error()[0].code, "C0001");
 }
 
+// Each part is a table within a table: a short text could otherwise take the stack of whoever reads it.
+TEST(TomlDocument, WhenAKeyHasThousandsOfParts_ThenItIsRefusedAtItsPlace) {
+  std::string deep = "a";
+  for (int i = 0; i < 100'000; ++i) deep += i % 2 == 0 ? ".a" : " . 'b.c'";
+  for (const std::string& text : {"x = 1.5\n[" + deep + "]\ny = 1\n", "x = 1.5\n" + deep + " = 1\n",
+                                  "x = 1.5\nt = {" + deep + " = 1}\n", "x = 1.5\n[[" + deep + "]]\n"}) {
+    const auto document = TomlDocument::parse(text, "cell.toml");
+    ASSERT_FALSE(document.has_value());
+    EXPECT_EQ(document.error()[0].code, "C0001");
+    EXPECT_EQ(document.error()[0].where.line, 2u);
+    EXPECT_NE(document.error()[0].message.find("more than 64 parts"), std::string::npos);
+  }
+  EXPECT_FALSE(parsed("a = 1\n")->override_value(deep, "1"));
+  std::string fits = "a";
+  for (int i = 1; i < 64; ++i) fits += ".a";
+  EXPECT_TRUE(TomlDocument::parse(fits + " = 1\n", "cell.toml"));
+}
+
+TEST(TomlDocument, WhenDotsStandInStringsAndComments_ThenTheyArePartsOfNothing) {
+  const std::string dots(1'000, '.');
+  for (const std::string& text :
+       {"a = \"" + dots + "\"\n", "a = '" + dots + "'\n", "a = \"\"\"\n" + dots + "\"x\n\"\"\"\n",
+        "a = '''\n" + dots + "'x\n'''\n", "a = 1 # " + dots + "\n", "a = \"\\\"" + dots + "\"\n"}) {
+    const auto document = TomlDocument::parse(text, "cell.toml");
+    EXPECT_TRUE(document.has_value()) << text.substr(0, 20) << result::to_string(document.error());
+  }
+}
+
+TEST(TomlDocument, WhenThereIsMoreThanAMebibyte_ThenItIsRefused) {
+  const auto document = TomlDocument::parse("# " + std::string(1u << 20, 'x') + "\na = 1\n", "cell.toml");
+  ASSERT_FALSE(document.has_value());
+  EXPECT_EQ(document.error()[0].code, "C0001");
+}
+
 TEST(TomlDocument, WhenAKeyIsMisspelt_ThenTheHintNamesTheKnownOne) {
   const auto document = parsed("[clock]\nspede = 2.0\n");
   EXPECT_EQ(document->root().table("clock").number("speed", 1.0), 1.0);
