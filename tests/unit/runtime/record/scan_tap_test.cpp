@@ -11,6 +11,8 @@
 namespace stepwright::record {
 namespace {
 
+using Layout = support::SampleLayout;
+
 std::vector<RecordKind> drained(Session& session) {
   std::vector<RecordKind> kinds;
   std::vector<std::byte> record;
@@ -46,14 +48,17 @@ TEST(ScanTap, WhenScansAreLost_ThenTheReplaySaysSoAndTheRestIsEqual) {
   Recorder recorder;
   RecordedRun run;
   ASSERT_TRUE(run.begin(recorder, {.file = folder / "run", .keyframe_every = 0, .ring_bytes = 2'000}));
-  std::uint64_t scans = 1;
-  for (std::uint64_t gaps = 0; gaps < 5; ++scans) {
+  std::uint64_t scans = 0;
+  for (std::uint64_t gaps = 1; gaps <= 5; ++gaps) {
+    // Writes fill a ring faster than any writer empties it, also where scans are slow.
+    while (run.session->gaps < gaps)
+      run.write(Layout::kMain + Layout::kCount, std::byte{static_cast<unsigned char>(gaps)});
     run.scan();
-    if (run.session->gaps == gaps) continue;
-    gaps = run.session->gaps;
-    std::this_thread::sleep_for(2 * Recorder::kPollPeriod);
+    const std::size_t most = run.session->ring.capacity();
+    while (run.session->ring.room() < most - most / 8) std::this_thread::sleep_for(Recorder::kPollPeriod);
+    run.scans(10);
+    scans += 11;
   }
-  run.scan();
   run.tap.end("test");
   EXPECT_GT(finished(recorder).gaps, 0u);
   const auto report = replay(folder / "run", interpreted());
