@@ -66,7 +66,10 @@ class TextSheets {
       : context_(context),
         file_(file),
         text_(context.sources.text(file)),
-        tokens_(syntax::lex(context.sources, file, syntax::TextKind::Written, context.names, context.sink)) {}
+        tokens_(syntax::lex(context.sources, file, syntax::TextKind::Written, context.names, context.sink)) {
+    for (std::size_t i = 0; i < text_.size(); ++i)
+      if (text_[i] == '\n') line_ends_.push_back(i);
+  }
 
   std::vector<Sheet> run(const syntax::Unit& unit) {
     for (const syntax::PouDeclaration& pou : unit.pous) add(pou);
@@ -118,9 +121,18 @@ class TextSheets {
       context_.sink.add(std::move(diagnostics));
       sheet.body = std::move(chart);
     } else {
-      sheet.body = listing_of(text_, body_start(pou), pou.end.offset);
+      sheet.body = listing(body_start(pou), pou.end.offset);
     }
     sheets_.emplace_back(pou.name.where.offset, std::move(sheet));
+  }
+
+  // The same as listing_of, without counting the lines before from the beginning of the file.
+  graphic::Listing listing(std::size_t begin, std::size_t end) const {
+    begin = std::min(begin, text_.size());
+    graphic::Listing found = listing_of(text_.substr(begin, std::max(begin, end) - begin), 0, text_.size());
+    found.first_line +=
+        static_cast<std::uint32_t>(std::ranges::lower_bound(line_ends_, begin) - line_ends_.begin());
+    return found;
   }
 
   // Behind the type of a function's result: BOOL, STRING[20].
@@ -192,7 +204,7 @@ class TextSheets {
     std::size_t end = first;
     while (!tokens_[end].is(last) && !tokens_[end].is(TokenKind::End)) ++end;
     Sheet sheet{kind, std::move(name)};
-    sheet.body = listing_of(text_, tokens_[first].where.offset, end_of(tokens_[end]));
+    sheet.body = listing(tokens_[first].where.offset, end_of(tokens_[end]));
     sheets_.emplace_back(tokens_[first].where.offset, std::move(sheet));
   }
 
@@ -207,6 +219,7 @@ class TextSheets {
   source::FileId file_;
   std::string_view text_;
   std::vector<Token> tokens_;
+  std::vector<std::size_t> line_ends_;
   std::vector<std::pair<std::size_t, Sheet>> sheets_;  // by the byte where it begins
 };
 
