@@ -10,6 +10,7 @@
 //   {}}}};
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct EnvelopePolygon {
   geometry::ConvexPolygon area;
   Bounds stay;     // e(k) - s(k): the set D of the definition
   Bounds overlap;  // e(k) - s(k + 1): the set O; of no meaning in the last polygon
+  // It is not left before so many polygons behind it have been entered: one, or more where whatever drives
+  // the vehicle could not have it wait among them and be out of this one. Those behind the last one do not
+  // count.
+  std::uint32_t left_into = 1;
 };
 
 struct TrajectoryEnvelope {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "supervisor/fleet/program/path_table.h"
+#include "supervisor/fleet/program/wait_places.h"
 
 namespace stepwright::fleet {
 namespace {
@@ -73,6 +74,7 @@ void set_driving_times(VehicleMission& mission, const ProgramOptions& options) {
   const std::vector<Instant> instants = profile(mission, options);
   auto& polygons = mission.grown.envelope.polygons;
   const auto& visits = mission.grown.visits;
+  const WaitPlaces places = wait_places(mission, options.margins);
   for (std::size_t k = 0; k < polygons.size(); ++k) {
     const double leaves_s = time_at(instants, visits[k].exit_m, true);
     const auto set = [&](Bounds& bounds, double enters_m) {
@@ -80,7 +82,13 @@ void set_driving_times(VehicleMission& mission, const ProgramOptions& options) {
       bounds.most = std::max(bounds.most, bounds.least);
     };
     set(polygons[k].stay, visits[k].entry_m);
-    if (k + 1 < polygons.size()) set(polygons[k].overlap, visits[k + 1].entry_m);
+    if (k + 1 < polygons.size()) {
+      set(polygons[k].overlap, visits[k + 1].entry_m);
+      // Not at one instant: two vehicles that wait for each other would both be let go on.
+      polygons[k].overlap.least = std::max(polygons[k].overlap.least, std::chrono::milliseconds(1));
+      polygons[k].overlap.most = std::max(polygons[k].overlap.most, polygons[k].overlap.least);
+    }
+    polygons[k].left_into = static_cast<std::uint32_t>(places.left_into[k] - k);
   }
 }
 

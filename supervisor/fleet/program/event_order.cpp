@@ -22,12 +22,8 @@ void EventOrder::add_vehicle(std::uint32_t v) {
     for (const Interlock& wait : made_.before[v][k]) {
       require(enter(v, k), leave(wait.vehicle, wait.polygon));
     }
-    // To come so far it has to have entered all polygons before which it would halt short of it.
-    std::size_t needed = k + 1;
-    while (needed + 1 < polygons && made_.halt_m[v][needed + 1] < made_.free_m[v][k] + 0.5 * kReached_m)
-      ++needed;
     if (k + 1 < polygons) {
-      require(leave(v, k), enter(v, needed));
+      require(leave(v, k), enter(v, made_.places[v].left_into[k]));
     } else {
       require(leave(v, k), leave(v, k));  // nobody leaves its last polygon
     }
@@ -39,15 +35,14 @@ void EventOrder::add_vehicle(std::uint32_t v) {
 void EventOrder::add_stops(std::uint32_t v) {
   const VehicleMission& mission = plan_.missions[v];
   const std::size_t polygons = mission.grown.visits.size();
-  std::size_t in = 0;
+  const WaitPlaces& places = made_.places[v];
   for (std::size_t k = 0; k < mission.stops.size(); ++k) {
-    const double stop_m = mission.stops[k].arc_m;
-    while (in + 1 < polygons && made_.halt_m[v][in + 1] <= stop_m) ++in;
+    const std::size_t in = places.stops_in[k];
     require(stop_done(v, k), enter(v, in));
     if (k > 0) require(stop_done(v, k), stop_done(v, k - 1));
     if (in + 1 < polygons) require(enter(v, in + 1), stop_done(v, k));
     for (std::size_t left = 0; left <= in; ++left) {
-      if (made_.free_m[v][left] > stop_m) require(leave(v, left), stop_done(v, k));
+      if (places.free_m[left] > mission.stops[k].arc_m) require(leave(v, left), stop_done(v, k));
     }
     require(arrived(v), stop_done(v, k));
   }

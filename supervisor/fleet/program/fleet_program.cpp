@@ -61,7 +61,7 @@ class ProjectWriter {
     project.globals = shared_globals(terminals_);
     std::vector<VehicleNames> vehicles;
     for (std::size_t v = 0; v < plan_.missions.size(); ++v) {
-      auto tables = vehicle_tables(plan_.missions[v], names_[v], interlocks->free_m[v], options_);
+      auto tables = vehicle_tables(plan_.missions[v], names_[v], interlocks->places[v].free_m, options_);
       if (!tables) return result::forward(tables);
       vehicles.push_back(add_tables(v, std::move(*tables)));
     }

@@ -22,6 +22,7 @@
 #include "runtime/result/result.h"
 #include "supervisor/fleet/plan/fleet_plan.h"
 #include "supervisor/fleet/program/terminals.h"
+#include "supervisor/fleet/program/wait_places.h"
 
 namespace stepwright::fleet {
 
@@ -34,12 +35,6 @@ struct DriveData {
   double lock_rate_rad_s = 0.5;
   double speed_lag_s = 0.3;  // of the drives, which set points make up for
   double lock_lag_s = 0.15;
-};
-
-struct FleetMargins {
-  double halt_before_m = 0.15;  // of the entry of a polygon that a vehicle may not enter yet
-  double left_behind_m = 0.1;   // of the way behind a polygon's exit, until others take it for left
-  double outside_m = 0.1;       // by which the outline may be measured outside of its polygons
 };
 
 // Vehicles whose errors are reset as the program begins.

@@ -37,24 +37,6 @@ result::Result<void> check_mission(const VehicleMission& mission, std::size_t in
   return {};
 }
 
-// Of each vehicle: where it halts before its polygons, and where it has left them.
-void find_places(const FleetPlan& plan, const FleetMargins& margins, Interlocks& out) {
-  for (const VehicleMission& mission : plan.missions) {
-    const auto& visits = mission.grown.visits;
-    std::vector<double> halt;
-    for (const Visit& visit : visits) halt.push_back(visit.entry_m - margins.halt_before_m);
-    std::vector<double> free;
-    for (std::size_t k = 0; k < visits.size(); ++k) {
-      double at = visits[k].exit_m + margins.left_behind_m;
-      if (k + 2 < visits.size()) at = std::min(at, halt[k + 2] - kReached_m);
-      if (k + 1 < visits.size()) at = std::max(at, visits[k + 1].entry_m + margins.left_behind_m);
-      free.push_back(at);
-    }
-    out.halt_m.push_back(std::move(halt));
-    out.free_m.push_back(std::move(free));
-  }
-}
-
 result::Result<void> check_parts(const FleetPlan& plan) {
   if (plan.schedule.verdict != Verdict::Scheduled) {
     return result::fail("F1101", {}, "the plan has no schedule", "only a plan that is scheduled can be run");
@@ -145,7 +127,8 @@ result::Result<Interlocks> find_interlocks(const FleetPlan& plan, const ProgramO
   for (auto& vehicle : made.before) {
     for (auto& waits : vehicle) std::ranges::sort(waits);
   }
-  find_places(plan, options.margins, made);
+  for (const VehicleMission& mission : plan.missions)
+    made.places.push_back(wait_places(mission, options.margins));
   if (auto good = check_pairs(plan, made); !good) return result::forward(good);
   const EventOrder order(plan, made);
   if (const auto at = order.blocked()) {
@@ -153,7 +136,7 @@ result::Result<Interlocks> find_interlocks(const FleetPlan& plan, const ProgramO
         "F1103", {},
         fmt::format("'{}' could never enter its polygon {}: the vehicle that it waits for would wait for it",
                     plan.missions[at->vehicle].vehicle, at->polygon),
-        "polygons that a vehicle has to wait between need a way of 0.5 m from entry to entry");
+        "plan with the times of set_driving_times, which tell where vehicles can wait");
   }
   made.times = time_rules(plan);
   keep_waits_that_end(plan, made);

@@ -13,11 +13,9 @@
 
 #include "supervisor/fleet/program/fleet_program.h"
 #include "supervisor/fleet/program/time_rules.h"
+#include "supervisor/fleet/program/wait_places.h"
 
 namespace stepwright::fleet {
-
-// How near a vehicle surely comes to where it halts.
-inline constexpr double kReached_m = 0.1;
 
 // The vehicle has left its polygon.
 struct Interlock {
@@ -30,11 +28,7 @@ struct Interlock {
 struct Interlocks {
   // By vehicle and polygon: what it takes to enter it.
   std::vector<std::vector<std::vector<Interlock>>> before;
-  // By vehicle and polygon, along the path: up to where the vehicle may drive while it may not enter it ...
-  std::vector<std::vector<double>> halt_m;
-  // ... and from where on others may take it for left. That is behind its exit, or earlier, where the vehicle
-  // is all within the next one and would have to wait before it has come so far.
-  std::vector<std::vector<double>> free_m;
+  std::vector<WaitPlaces> places;  // by vehicle
   // What the constraints ask for. No wait of these is for what comes only after it.
   TimeRules times;
 };

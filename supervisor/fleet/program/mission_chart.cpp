@@ -87,7 +87,7 @@ class Writer {
   std::size_t polygons() const { return mission_.grown.visits.size(); }
   double end_m() const { return mission_.path.back().arc_m; }
   double next_halt_m() const {
-    return polygon_ + 1 < polygons() ? interlocks_.halt_m[vehicle_][polygon_ + 1] : kNever;
+    return polygon_ + 1 < polygons() ? interlocks_.places[vehicle_].halt_m[polygon_ + 1] : kNever;
   }
 
   StepId step(MissionStep info, std::string comment) {
@@ -140,7 +140,7 @@ class Writer {
   StepId enter_next(StepId from) {
     ++polygon_;
     part_ = 1;
-    std::vector<Condition> conditions = {beyond(interlocks_.halt_m[vehicle_][polygon_] - reach_m_)};
+    std::vector<Condition> conditions = {beyond(interlocks_.places[vehicle_].halt_m[polygon_] - reach_m_)};
     std::string comment;
     for (const Interlock& wait : interlocks_.before[vehicle_][polygon_]) {
       conditions.push_back(compare("areas_" + names_[wait.vehicle], CompareOp::GreaterEqual,

@@ -7,6 +7,12 @@ namespace stepwright::fleet {
 
 using std::chrono::milliseconds;
 
+namespace {
+
+constexpr milliseconds kInstant{1};
+
+}  // namespace
+
 Motion::Motion(std::span<const TrajectoryEnvelope> envelopes,
                std::span<const TemporalConstraint> constraints) {
   labels_.vehicles = static_cast<std::uint32_t>(envelopes.size());
@@ -51,6 +57,10 @@ void Motion::add_vehicle(std::uint32_t vehicle, const TrajectoryEnvelope& envelo
       at_least(entry, exit_before, before.overlap.least, fastest);
       at_most(entry, exit_before, before.overlap.most, slowest);
     }
+    // A time between them, or two vehicles could be scheduled to change places at one instant.
+    const auto last = static_cast<std::uint32_t>(envelope.polygons.size() - 1);
+    const std::uint32_t into = std::min(last, k + polygon.left_into);
+    if (into > k + 1) at_least(timepoint({vehicle, into}, Side::Entry), exit, kInstant, fastest);
     at_least(entry, exit, polygon.stay.least, fastest);
     at_most(entry, exit, polygon.stay.most, slowest);
   }

@@ -10,7 +10,8 @@
 //   e(k+1) - e(k) >= max(0, stay(k+1).least - overlap(k).least)
 //
 // Without them a slow passage through the overlap would let the next polygon be entered before the first one:
-// with the slow v_min of the paper all earliest entries would be time zero.
+// with the slow v_min of the paper all earliest entries would be time zero. Where a polygon is left only into
+// one farther on (EnvelopePolygon::left_into), e(k) > s(k + left_into).
 //
 // Values; any thread may read.
 

@@ -65,7 +65,8 @@ struct ScheduleOptions {
   Objective objective = Objective::None;
   std::vector<std::chrono::milliseconds> due = {};  // of each vehicle, for TotalTardiness
   std::chrono::milliseconds time{0};  // budget of search, improvement and explanation; zero = no limit
-  // Budget of the search that does not depend on the machine; zero = no limit.
+  // Budget of the search that does not depend on the machine, and once more of those that explain; zero = no
+  // limit.
   std::uint64_t conflicts = 0;
   bool explain = true;                        // name the reason where there is no schedule
   const std::atomic<bool>* cancel = nullptr;  // not owned; may be null

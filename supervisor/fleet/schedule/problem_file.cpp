@@ -112,15 +112,24 @@ geometry::ConvexPolygon area_of(const json& corners, const std::string& key) {
   return *std::move(hull);
 }
 
+std::uint32_t count_of(const json& value, const std::string& key) {
+  constexpr std::uint64_t kMost = 1'000'000;
+  const std::uint64_t count = value.is_number_unsigned() ? value.get<std::uint64_t>() : 0;
+  if (count < 1 || count > kMost) reject("F0602", key, "is no whole number from 1 to 1,000,000");
+  return static_cast<std::uint32_t>(count);
+}
+
 EnvelopePolygon polygon_of(const json& value, const std::string& key, bool last) {
-  only(value, key, {"corners_m", "stay_ms", "overlap_ms"});
+  only(value, key, {"corners_m", "stay_ms", "overlap_ms", "left_into"});
   EnvelopePolygon polygon{.area = area_of(list(value, key, "corners_m"), key + ".corners_m"),
                           .stay = bounds_of(member(value, key, "stay_ms"), key + ".stay_ms", 0),
                           .overlap = {}};
-  if (last && value.contains("overlap_ms")) {
-    reject("F0604", key + ".overlap_ms", "belongs to no next polygon", "leave it out in the last polygon");
+  for (const char* of_next : {"overlap_ms", "left_into"}) {
+    if (!last || !value.contains(of_next)) continue;
+    reject("F0604", key + "." + of_next, "belongs to no next polygon", "leave it out in the last polygon");
   }
   if (!last) polygon.overlap = bounds_of(member(value, key, "overlap_ms"), key + ".overlap_ms", 0);
+  if (value.contains("left_into")) polygon.left_into = count_of(value["left_into"], key + ".left_into");
   if (polygon.overlap.least > polygon.stay.most) {
     reject("F0604", key + ".overlap_ms", "is longer than the stay can be");
   }
@@ -233,6 +242,8 @@ std::string write_problem(const SchedulingProblem& problem) {
       polygons.push_back({{"corners_m", corners}, {"stay_ms", to_json(polygon.stay)}});
       if (polygons.size() < envelope.polygons.size())
         polygons.back()["overlap_ms"] = to_json(polygon.overlap);
+      if (polygons.size() < envelope.polygons.size() && polygon.left_into > 1)
+        polygons.back()["left_into"] = polygon.left_into;
     }
     root["vehicles"].push_back({{"name", envelope.vehicle}, {"polygons", polygons}});
   }

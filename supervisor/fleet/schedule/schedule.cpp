@@ -62,7 +62,8 @@ class Scheduler {
     } else if (answer == internal::Answer::No) {
       made_.verdict = Verdict::Infeasible;
       if (options_.explain) {
-        made_.core = internal::explain(motion_, sections_, constraints_, options_.mode, limits_);
+        made_.core = internal::explain(motion_, sections_, constraints_, options_.mode, limits_,
+                                       made_.figures.explain_conflicts);
       }
       made_.figures.explain_ms = watch_.lap_ms();
     } else {

@@ -67,7 +67,8 @@ struct ScheduleFigures {
   std::size_t spatial_pairs = 0;
   std::size_t sections = 0;
   std::uint64_t decisions = 0;
-  std::uint64_t conflicts = 0;  // of the search
+  std::uint64_t conflicts = 0;          // of the search
+  std::uint64_t explain_conflicts = 0;  // of the searches for the reason
   std::uint64_t restarts = 0;
   double geometry_ms = 0.0;  // overlaps and sections
   double search_ms = 0.0;    // to the first answer

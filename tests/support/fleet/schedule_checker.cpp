@@ -66,6 +66,10 @@ class Judge {
     if (p.polygon + 1 == envelopes_[p.vehicle].polygons.size()) return;
     const PolygonRef next{p.vehicle, p.polygon + 1};
     expect(within(of(p).exit - of(next).entry, polygon.overlap), name(p) + ": overlap");
+    const auto last = static_cast<std::uint32_t>(envelopes_[p.vehicle].polygons.size() - 1);
+    const PolygonRef into{p.vehicle, std::min(last, p.polygon + polygon.left_into)};
+    expect(polygon.left_into == 1 || of(p).exit > of(into).entry || into == next,
+           name(p) + ": left too soon");
     expect(of(p).entry <= of(next).entry && of(p).exit <= of(next).exit, name(p) + ": order");
   }
 

@@ -52,6 +52,8 @@ class Explainer {
             Mode mode, const SearchLimits& limits)
       : motion_(motion), sections_(sections), constraints_(constraints), mode_(mode), limits_(limits) {}
 
+  std::uint64_t conflicts() const { return conflicts_; }
+
   Core explain() {
     Items all(motion_.vehicles());
     for (std::uint32_t v = 0; v < all.size(); ++v) all[v] = v;
@@ -111,11 +113,16 @@ class Explainer {
         chosen.push_back(part - section_part(0));
       }
     }
+    if (stopped_) return false;
+    SearchLimits left = limits_;
+    if (limits_.conflicts > 0) left.conflicts = limits_.conflicts - conflicts_;
     const SearchModel model = make_model(motion_, sections_, mode_, kept, chosen);
     const SearchObjective none;
-    Search search(model, none, limits_);
-    const Answer answer = stopped_ ? Answer::OutOfTime : search.next();
-    stopped_ = answer == Answer::OutOfTime || answer == Answer::Cancelled;
+    Search search(model, none, left);
+    const Answer answer = search.next();
+    conflicts_ += search.figures().conflicts;
+    stopped_ = answer == Answer::OutOfTime || answer == Answer::Cancelled ||
+               (limits_.conflicts > 0 && conflicts_ >= limits_.conflicts);
     return answer == Answer::No;
   }
 
@@ -134,15 +141,19 @@ class Explainer {
   const Sections& sections_;
   std::span<const TemporalConstraint> constraints_;
   Mode mode_;
-  SearchLimits limits_;
+  SearchLimits limits_;  // of all searches together
+  std::uint64_t conflicts_ = 0;
   bool stopped_ = false;
 };
 
 }  // namespace
 
 Core explain(const Motion& motion, const Sections& sections, std::span<const TemporalConstraint> constraints,
-             Mode mode, const SearchLimits& limits) {
-  return Explainer(motion, sections, constraints, mode, limits).explain();
+             Mode mode, const SearchLimits& limits, std::uint64_t& conflicts) {
+  Explainer explainer(motion, sections, constraints, mode, limits);
+  Core core = explainer.explain();
+  conflicts = explainer.conflicts();
+  return core;
 }
 
 }  // namespace stepwright::fleet::internal

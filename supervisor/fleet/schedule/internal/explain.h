@@ -11,8 +11,9 @@
 
 namespace stepwright::fleet::internal {
 
-// Requires a problem without a schedule.
+// Requires a problem without a schedule. The limits are those of all its searches together, which met so many
+// conflicts; where they end it the reason is not minimal.
 Core explain(const Motion& motion, const Sections& sections, std::span<const TemporalConstraint> constraints,
-             Mode mode, const SearchLimits& limits);
+             Mode mode, const SearchLimits& limits, std::uint64_t& conflicts);
 
 }  // namespace stepwright::fleet::internal

@@ -17,6 +17,8 @@
 #include "ladder/exchange/plcopen_writer.h"
 #include "ladder/graphic/sfc_drawing.h"
 #include "ladder/graphic/sfc_hazards.h"
+#include "supervisor/fleet/program/driving_times.h"
+#include "supervisor/fleet/program/interlocks.h"
 #include "tests/support/fleet_program/planned_fleet.h"
 #include "tests/unit/supervisor/fleet/control/made_path.h"
 
@@ -232,6 +234,42 @@ TEST(FleetProgram, WhenThePlanIsNoneThatCanBeRun_ThenThePartIsNamed) {
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().front().code, "F1103");
   EXPECT_NE(made.error().front().message.find("'a' could never enter its polygon 3"), std::string::npos);
+}
+
+// Each of the two takes the place that the other one leaves; between both it is 0.2 m in a polygon of its
+// own, too short to wait there.
+FleetPlan changing_places() {
+  const auto place = [](double x) { return box(x, 0.0, x + 2.0, 2.0); };
+  FleetPlan plan;
+  plan.missions = {straight("a", {0, 20}, 0.0, 20.0, 2.0), straight("b", {0, 40}, 0.0, 20.0, 2.0)};
+  double apart_m = 100.0;
+  for (VehicleMission& mission : plan.missions) {
+    auto& polygons = mission.grown.envelope.polygons;
+    for (EnvelopePolygon& polygon : polygons) polygon.area = place(apart_m += 5.0);
+    polygons[4].area = place(mission.vehicle == "a" ? 0.0 : 10.0);
+    polygons[6].area = place(mission.vehicle == "a" ? 10.0 : 0.0);
+    auto& visits = mission.grown.visits;
+    visits[3].exit_m = 8.1;
+    visits[4] = {0, 0, 8.0, 8.3};
+    visits[5] = {0, 0, 8.2, 8.5};
+    visits[6].entry_m = 8.4;
+    set_times(mission.grown, {.min_mps = 0.0});
+  }
+  return plan;
+}
+
+TEST(FleetProgram, WhenVehiclesCannotWaitWhereTheyWouldChangePlaces_ThenTheScheduleLetsOneGoThroughFirst) {
+  FleetPlan plan = changing_places();
+  plan.schedule = schedule(envelopes_of(plan), {}, {.mode = Mode::Strict});
+  ASSERT_EQ(plan.schedule.verdict, Verdict::Scheduled);
+  EXPECT_EQ(code_of(plan), "F1103") << "whoever knows only the polygons has them change places";
+  for (VehicleMission& mission : plan.missions) set_driving_times(mission, {});
+  EXPECT_EQ(plan.missions[0].grown.envelope.polygons[4].left_into, 2U);
+  EXPECT_EQ(plan.missions[0].grown.envelope.polygons[1].left_into, 1U);
+  plan.schedule = schedule(envelopes_of(plan), {}, {.mode = Mode::Strict});
+  ASSERT_EQ(plan.schedule.verdict, Verdict::Scheduled);
+  const auto made = find_interlocks(plan, {});
+  EXPECT_TRUE(made) << result::to_string(made.error());
 }
 
 TEST(FleetProgram, WhenTheScheduleLooksAtEarliestTimesOnly_ThenItIsRefused) {

@@ -59,6 +59,8 @@ class Orders {
       between(at({v, k}, false), at({v, k}, true), polygons[k].stay);
       if (k + 1 == polygons.size()) break;
       between(at({v, k + 1}, false), at({v, k}, true), polygons[k].overlap);
+      if (polygons[k].left_into == 2 && k + 2 < polygons.size())
+        least(at({v, k + 2}, false), at({v, k}, true), 1);
       const auto overlap = polygons[k].overlap.least;
       const auto drive = [&](const Bounds& stay) {
         return std::max(milliseconds{0}, stay.least - overlap).count();

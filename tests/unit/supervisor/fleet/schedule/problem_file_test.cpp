@@ -59,6 +59,20 @@ TEST(ProblemFile, Read_WhenItIsSound_ThenItHoldsWhatIsWritten) {
   EXPECT_FALSE(problem->constraints[1].from.has_value());
 }
 
+TEST(ProblemFile, Read_WhenAPolygonIsLeftIntoOneFartherOn_ThenThatIsReadAndWritten) {
+  const auto problem = read_problem(replaced("[300, 9000]", "[300, 9000], \"left_into\": 2"), "p.json");
+  ASSERT_TRUE(problem.has_value()) << to_string(problem.error());
+  EXPECT_EQ(problem->envelopes[0].polygons[0].left_into, 2u);
+  EXPECT_EQ(problem->envelopes[0].polygons[1].left_into, 1u);
+  const auto again = read_problem(write_problem(*problem), "p.json");
+  ASSERT_TRUE(again.has_value()) << to_string(again.error());
+  EXPECT_EQ(again->envelopes[0].polygons[0].left_into, 2u);
+  expect_rejected(replaced("[300, 9000]", "[300, 9000], \"left_into\": 0"), "F0602",
+                  "left_into: is no whole number");
+  expect_rejected(replaced("[2000, null]", "[2000, null], \"left_into\": 1"), "F0604",
+                  "left_into: belongs to no next polygon");
+}
+
 TEST(ProblemFile, Read_WhenSomethingIsWrong_ThenItSaysWhatAndWhere) {
   expect_rejected("{\n \"vehicles\": [,]}", "F0601", "p.json:2:15");
   expect_rejected("", "F0601", "p.json:1:1");

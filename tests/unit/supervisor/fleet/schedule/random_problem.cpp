@@ -31,6 +31,7 @@ TrajectoryEnvelope random_envelope(std::uint32_t vehicle, std::uint32_t size, st
         .area = rectangle(x, y, x + 1.2, y + 1.2), .stay = random_stay(random), .overlap = {}};
     polygon.overlap.least = milliseconds(upto(1, random));
     polygon.overlap.most = polygon.overlap.least + milliseconds(upto(5, random));
+    if (upto(5, random) == 0) polygon.left_into = 2;
     envelope.polygons.push_back(std::move(polygon));
     // Straight on most of the time.
     (upto(2, random) == 0 ? y : x) += upto(3, random) == 0 ? -1.0 : 1.0;
