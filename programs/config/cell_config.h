@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "ladder/source/dialect.h"
 #include "programs/config/change_config.h"
 #include "programs/config/controller_config.h"
 #include "programs/config/fleet_config.h"
@@ -91,6 +92,8 @@ struct PlanningConfig {
   std::chrono::milliseconds time{10'000};       // budget of one planning or replanning
   bool sequential = false;                      // strictly sequential chart, as in the paper
   bool monitors = true;  // rungs that watch the plan in the scan; false for small controllers
+  // What hand-written programs, and sources that the page brings, may write beside the standard.
+  const source::Dialect* dialect = &source::standard_dialect();
 };
 
 struct ExecutiveConfig {
