@@ -186,6 +186,8 @@ void ExpressionEmitter::merge_part(const Place& place) {
   b_.const_i32(static_cast<std::int32_t>(mask & ((std::uint64_t{1} << place.whole->bit_count()) - 1)));
   b_.emit(Opcode::AndI32);
   b_.emit(Opcode::OrI32);
+  // The upper bits of a slot are those of the sign.
+  if (place.whole->is_integer()) wrap(*place.whole);
 }
 
 }  // namespace stepwright::codegen

@@ -41,10 +41,13 @@ result::Result<CompileOutput> compile(const CompileInput& input) {
   for (const semantics::TestGroup& each : front.test_groups()) front.analyze(&each);
   const auto model = front.analyze();
   if (sink.has_errors()) return tl::unexpected(sink.take());
-  auto container = front.container(*model);
-  if (!container) return result::forward(container);
   CompileOutput output;
-  output.container = input.document ? with_sources(std::move(*container), input) : std::move(*container);
+  const bool runs = !model->instances.empty() || !input.library;
+  if (runs) {
+    auto container = front.container(*model);
+    if (!container) return result::forward(container);
+    output.container = input.document ? with_sources(std::move(*container), input) : std::move(*container);
+  }
   lint::check(*model, front.unit(), front.user_pous(), input.lint, sink);
   output.warnings = lint::without_suppressed(sink.take(), front.sources());
   return output;

@@ -19,6 +19,7 @@
 
 #include "ladder/graphic/project.h"
 #include "ladder/lint/lint.h"
+#include "ladder/source/dialect.h"
 #include "ladder/source/source_set.h"
 #include "runtime/result/result.h"
 
@@ -36,10 +37,14 @@ struct CompileInput {
   // The container brings the sources with it for viewers (print/program_document.h), if they are not longer
   // than bytecode::kMaxDocumentBytes. Engines never look at them.
   bool document = false;
+  // What the sources may write beside the standard.
+  const source::Dialect* dialect = &source::standard_dialect();
+  // The sources are only checked: they may be a library without a program, which has no container.
+  bool library = false;
 };
 
 struct CompileOutput {
-  std::vector<std::byte> container;  // ready for the verifier (runtime/bytecode)
+  std::vector<std::byte> container;  // ready for the verifier (runtime/bytecode); empty of a library
   result::Diagnostics warnings;      // nothing of severity Error
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "ladder/driver/extension_types.h"
 #include "ladder/semantics/type.h"
 #include "ladder/source/codes.h"
 #include "ladder/source/suggestion.h"
@@ -44,6 +45,11 @@ void ForeignTypes::report(std::span<syntax::VariableDeclaration> variables) cons
     hint =
         "what another system brings along (HMI_INT, python_eval) has to be declared here: add an ST file or "
         "project";
+  const auto is_extension = [&](const syntax::Name& each) {
+    return is_extension_type(context_.names.folded(each.id));
+  };
+  if (std::ranges::all_of(missing, is_extension))
+    hint = source::with_dialects(std::move(hint), &source::Dialect::extension_types);
   context_.sink.error(
       source::code::kUnknownType, missing.front().where,
       (named.size() == 1 ? "the type " + list + " is" : "the types " + list + " are") + " declared nowhere",

@@ -6,6 +6,7 @@
 
 #include "ladder/codegen/generate.h"
 #include "ladder/driver/container_names.h"
+#include "ladder/driver/extension_types.h"
 #include "ladder/driver/library.h"
 
 namespace stepwright::driver {
@@ -42,7 +43,12 @@ std::vector<codegen::ChartOrigin> chart_origins(const PouLowering& lowering, con
 }  // namespace
 
 FrontEnd::FrontEnd(const CompileInput& input)
-    : folder_(input.folder), sink_(sources_), context_{sources_, names_, sink_}, lowering_(context_, unit_) {
+    : folder_(input.folder),
+      dialect_(input.dialect),
+      library_(input.library),
+      sink_(sources_),
+      context_{sources_, names_, sink_, input.dialect},
+      lowering_(context_, unit_) {
   syntax::intern_keywords(names_);
   for (const source::NamedText& each : input.texts)
     syntax::parse_unit(context_, sources_.add(each.name, each.text), unit_);
@@ -50,11 +56,13 @@ FrontEnd::FrontEnd(const CompileInput& input)
   lowering_.add_projects(input.projects);
   user_pous_ = unit_.pous.size();
   add_library(context_, unit_);
+  if (dialect_->extension_types) add_extension_types(context_, unit_);
   lowering_.report_foreign_types();
 }
 
 std::unique_ptr<semantics::Model> FrontEnd::analyze(const semantics::TestGroup* tests) {
-  return semantics::analyze(unit_, user_pous_, names_, sink_, tests);
+  return semantics::analyze(unit_, user_pous_, names_, sink_,
+                            {.tests = tests, .library = library_, .dialect = dialect_});
 }
 
 result::Result<std::vector<std::byte>> FrontEnd::container(const semantics::Model& model) const {

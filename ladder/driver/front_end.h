@@ -38,6 +38,8 @@ class FrontEnd {
 
  private:
   std::string folder_;
+  const source::Dialect* dialect_;
+  bool library_;
   source::SourceSet sources_;
   source::NameTable names_;
   source::DiagnosticSink sink_;

@@ -9,6 +9,7 @@
 #include "ladder/driver/text_sheets.h"
 #include "ladder/lowering/diagram_to_chart.h"
 #include "ladder/lowering/diagram_to_ladder.h"
+#include "ladder/lowering/shown_ladder.h"
 #include "ladder/source/codes.h"
 
 namespace stepwright::driver {
@@ -107,7 +108,7 @@ class ProjectSheets {
     if (drawn.body.diagram.language == graphic::DiagramLanguage::Chart) {
       sheet.body = lowering::diagram_to_chart(drawn, scope).chart;
     } else {
-      sheet.body = lowering::diagram_to_ladder(drawn.body.diagram, scope);
+      sheet.body = lowering::shown_ladder(lowering::diagram_to_ladder(drawn.body.diagram, scope));
       if (drawn.body.diagram.language == graphic::DiagramLanguage::FunctionBlocks)
         sheet.drawn = drawn.body.diagram;
     }
@@ -128,7 +129,7 @@ result::Result<std::vector<Sheet>> sheets_of(const CompileInput& input) {
   source::NameTable names;
   syntax::intern_keywords(names);
   source::DiagnosticSink sink(sources);
-  syntax::SyntaxContext context{sources, names, sink};
+  syntax::SyntaxContext context{sources, names, sink, input.dialect};
   ProgramInterfaces interfaces;
   syntax::Unit library;
   // Drawn blocks name their types in files that are not lexed: all of the library.

@@ -57,4 +57,31 @@ std::optional<std::int64_t> duration_us(const std::string& text) {
   return whole;
 }
 
+std::optional<std::int64_t> clock_duration_us(const std::string& text) {
+  std::string plain;
+  std::string units = "HM";
+  for (const char c : text) {
+    const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.';
+    if (!digit && (c != ':' || units.empty())) return std::nullopt;
+    plain += digit ? c : units.front();
+    if (!digit) units.erase(0, 1);
+  }
+  return units.empty() ? duration_us(plain + "S") : std::nullopt;
+}
+
+std::optional<std::int64_t> xsd_duration_us(const std::string& text) {
+  if (text.size() < 3 || text[0] != 'P') return std::nullopt;
+  // Behind T the units are those of the language; an M before it would be a month.
+  std::string units = "DT";
+  std::string plain;
+  for (const char c : text.substr(1)) {
+    const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.';
+    const std::size_t unit = units.find(c);
+    if (!digit && unit == std::string::npos) return std::nullopt;
+    if (!digit) units = c == 'T' ? "HMS" : units.substr(unit + 1);
+    if (c != 'T') plain += c;
+  }
+  return duration_us(plain);
+}
+
 }  // namespace stepwright::exchange

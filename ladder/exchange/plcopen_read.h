@@ -8,13 +8,16 @@
 #include "ladder/exchange/xml_file.h"
 #include "ladder/graphic/project.h"
 #include "ladder/source/codes.h"
+#include "ladder/source/dialect.h"
 
 namespace stepwright::exchange::plcopen {
 
 // The file that is read and what is wrong with it.
 class ReadContext {
  public:
-  explicit ReadContext(const XmlFile& file) : file_(file) {}
+  ReadContext(const XmlFile& file, const source::Dialect& dialect) : file_(file), dialect_(dialect) {}
+
+  const source::Dialect& dialect() const { return dialect_; }
 
   const XmlFile& file() const { return file_; }
   void error(pugi::xml_node where, const char* code, std::string message, std::string hint = {});
@@ -31,6 +34,7 @@ class ReadContext {
 
  private:
   const XmlFile& file_;
+  const source::Dialect& dialect_;
   result::Diagnostics diagnostics_;
 };
 

@@ -1,5 +1,6 @@
 #include "ladder/exchange/plcopen_reader.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "ladder/exchange/duration.h"
@@ -84,6 +85,12 @@ std::optional<VariableSection> section_of(std::string_view list) {
   return std::nullopt;
 }
 
+// Whether a configuration has an instance of a program.
+bool runs_program(pugi::xml_node configuration) {
+  return !configuration.find_node([](pugi::xml_node each) { return local_name(each) == "pouInstance"; })
+              .empty();
+}
+
 class ProjectReader {
  public:
   ProjectReader(ReadContext& context, Project& project) : context_(context), project_(project) {}
@@ -94,8 +101,16 @@ class ProjectReader {
                      "the root of a TC6 XML file is <project>");
       return;
     }
-    for (const SchemaFault& each : schema_faults(root, Strictness::Required))
-      context_.error(each.node, code::kNotPlcopen, each.message, "the schema of TC6 requires it");
+    const auto older = schema_faults(root, Strictness::Older);
+    const auto strictness = context_.dialect().old_exchange ? Strictness::Older : Strictness::Required;
+    for (const SchemaFault& each : schema_faults(root, strictness)) {
+      const bool of_version_2 = std::ranges::none_of(older, [&](const SchemaFault& old) {
+        return old.node == each.node && old.message == each.message;
+      });
+      const std::string hint = "the schema of TC6 requires it";
+      context_.error(each.node, code::kNotPlcopen, each.message,
+                     of_version_2 ? source::with_dialects(hint, &source::Dialect::old_exchange) : hint);
+    }
     if (context_.failed()) return;
     const pugi::xml_node header = child(root, "contentHeader");
     project_.name = header.attribute("name").value();
@@ -187,16 +202,19 @@ class ProjectReader {
   }
 
   void instances(pugi::xml_node node) {
-    std::size_t count = 0;
-    for (const pugi::xml_node each : child(node, "configurations").children()) {
-      if (local_name(each) != "configuration") continue;
-      if (count++ == 0) {
-        configuration(each);
-      } else {
-        context_.error(each, code::kExchangeUnsupported, "the project has several configurations",
-                       "keep the one that is to run");
-      }
-    }
+    std::vector<pugi::xml_node> found;
+    for (const pugi::xml_node each : child(node, "configurations").children())
+      if (local_name(each) == "configuration") found.push_back(each);
+    // Devices without a program are configurations, too, where these exports come from.
+    std::vector<pugi::xml_node> running;
+    std::ranges::copy_if(found, std::back_inserter(running), runs_program);
+    if (context_.dialect().exported_tasks && !running.empty()) found = running;
+    if (!found.empty()) configuration(found.front());
+    for (std::size_t i = 1; i < found.size(); ++i)
+      context_.error(found[i], code::kExchangeUnsupported, "the project has several configurations",
+                     running.size() == 1 ? source::with_dialects("keep the one that is to run",
+                                                                 &source::Dialect::exported_tasks)
+                                         : "keep the one that is to run");
     project_.parts.instances = extra_of(node, {}, {"configurations"});
   }
 
@@ -226,6 +244,14 @@ class ProjectReader {
     project_.resources.push_back(std::move(resource));
   }
 
+  std::optional<std::int64_t> interval_us(const std::string& text) const {
+    const source::Dialect& dialect = context_.dialect();
+    std::optional<std::int64_t> us = duration_us(text);
+    if (!us && dialect.exported_tasks) us = xsd_duration_us(text);
+    if (!us && dialect.old_exchange) us = clock_duration_us(text);
+    return us;
+  }
+
   void task(pugi::xml_node node, std::uint32_t resource) {
     graphic::Task task;
     task.name = context_.required(node, "name");
@@ -235,13 +261,16 @@ class ProjectReader {
     task.interval_us = 0;
     const std::string interval = node.attribute("interval").value();
     if (!interval.empty()) {
-      const auto us = duration_us(interval);
-      if (us) {
+      if (const auto us = interval_us(interval)) {
         task.interval_us = *us;
       } else {
-        context_.error(node, code::kNotPlcopen,
-                       "the interval '" + interval + "' of task '" + task.name + "' is no duration",
-                       "write it as T#20ms, in whole microseconds");
+        const std::string hint = "write it as T#20ms, in whole microseconds";
+        context_.error(
+            node, code::kNotPlcopen,
+            "the interval '" + interval + "' of task '" + task.name + "' is no duration",
+            xsd_duration_us(interval)     ? source::with_dialects(hint, &source::Dialect::exported_tasks)
+            : clock_duration_us(interval) ? source::with_dialects(hint, &source::Dialect::old_exchange)
+                                          : hint);
       }
     }
     task.comment = context_.documentation(node);
@@ -252,10 +281,23 @@ class ProjectReader {
     project_.tasks.push_back(std::move(task));
   }
 
+  // The type of a program instance: where the dialect says so, that of its name, or an older attribute.
+  std::string type_of(pugi::xml_node node, const std::string& name) {
+    const std::string type = node.attribute("typeName").value();
+    if (!type.empty()) return type;
+    if (context_.dialect().old_exchange && !node.attribute("typeName"))
+      return context_.required(node, "type");
+    if (context_.dialect().exported_tasks) return name;
+    context_.error(node, code::kNotPlcopen, "the attribute 'typeName' of <pouInstance> is empty",
+                   source::with_dialects("name the program that it is an instance of",
+                                         &source::Dialect::exported_tasks));
+    return {};
+  }
+
   void instance(pugi::xml_node node, const std::string& task, std::uint32_t resource) {
     graphic::ProgramInstance instance;
     instance.name = context_.required(node, "name");
-    instance.program = context_.required(node, "typeName");
+    instance.program = type_of(node, instance.name);
     instance.task = task;
     instance.resource = resource;
     instance.comment = context_.documentation(node);
@@ -271,11 +313,12 @@ class ProjectReader {
 }  // namespace
 }  // namespace plcopen
 
-result::Result<graphic::Project> read_plcopen(std::string name, std::string text) {
+result::Result<graphic::Project> read_plcopen(std::string name, std::string text,
+                                              const source::Dialect& dialect) {
   auto file = XmlFile::parse(std::move(name), std::move(text));
   if (!file) return result::forward(file);
   graphic::Project project;
-  plcopen::ReadContext context(*file);
+  plcopen::ReadContext context(*file, dialect);
   plcopen::ProjectReader(context, project).read(file->root());
   if (context.failed()) return tl::unexpected(context.take());
   project.file_name = file->name();

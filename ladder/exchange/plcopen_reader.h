@@ -11,12 +11,14 @@
 #include <string>
 
 #include "ladder/graphic/project.h"
+#include "ladder/source/dialect.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::exchange {
 
 // Fails with E0801 (no XML, too large, a document type), E0802 (not PLCopen, something missing or malformed)
 // and E0804 (what is not supported), each at its line and column of the file.
-[[nodiscard]] result::Result<graphic::Project> read_plcopen(std::string name, std::string text);
+[[nodiscard]] result::Result<graphic::Project> read_plcopen(
+    std::string name, std::string text, const source::Dialect& dialect = source::standard_dialect());
 
 }  // namespace stepwright::exchange

@@ -138,6 +138,12 @@ constexpr RuleText kRules[] = {
      "relPosition=place reference? inline=body? connectionPointOut=out? more"},
 };
 
+// What version 2 requires and files before it lack.
+constexpr struct {
+  const char* kind;
+  const char* name;  // of an attribute or a child
+} kOfVersion2[] = {{"pouInstance", "typeName"}, {"blockAction", "localId"}, {"blockAction", "relPosition"}};
+
 constexpr const char* kPlaced = "localId height? width? executionOrderId? globalId? ";
 constexpr const char* kMore = "addData? documentation=text?";
 
@@ -192,7 +198,8 @@ Rule rule_of(const RuleText& text) {
 
 class Check {
  public:
-  explicit Check(Strictness strictness) : complete_(strictness == Strictness::Complete) {
+  explicit Check(Strictness strictness)
+      : complete_(strictness == Strictness::Complete), older_(strictness == Strictness::Older) {
     for (const RuleText& each : kRules) rules_.emplace(each.kind, rule_of(each));
   }
 
@@ -200,7 +207,7 @@ class Check {
   void element(pugi::xml_node node, const std::string& kind) {
     const Rule& rule = rules_.at(kind);
     if (kind == "text") return;
-    attributes(node, rule);
+    attributes(node, kind, rule);
     std::size_t place = 0;
     for (const pugi::xml_node each : node.children()) {
       if (each.type() != pugi::node_element) continue;
@@ -213,7 +220,7 @@ class Check {
         fault(node, "holds <" + std::string(local_name(each)) + "> too late");
       place = known->second.place;
     }
-    children(node, rule);
+    children(node, kind, rule);
     for (const pugi::xml_node each : node.children())
       if (const auto known = rule.children.find(local_name(each)); known != rule.children.end())
         element(each, known->second.kind);
@@ -226,9 +233,15 @@ class Check {
     faults_.push_back({node, "<" + std::string(local_name(node)) + "> " + what});
   }
 
-  void attributes(pugi::xml_node node, const Rule& rule) {
+  bool may_lack(const std::string& kind, const std::string& name) const {
+    return older_ && std::any_of(std::begin(kOfVersion2), std::end(kOfVersion2),
+                                 [&](const auto& each) { return kind == each.kind && name == each.name; });
+  }
+
+  void attributes(pugi::xml_node node, const std::string& kind, const Rule& rule) {
     for (const std::string& each : rule.required)
-      if (!node.attribute(each.c_str())) fault(node, "has no attribute '" + each + "'");
+      if (!node.attribute(each.c_str()) && !may_lack(kind, each))
+        fault(node, "has no attribute '" + each + "'");
     if (!complete_) return;
     for (const pugi::xml_attribute each : node.attributes()) {
       const auto is_it = [&](const std::string& name) { return name == each.name(); };
@@ -239,14 +252,15 @@ class Check {
     }
   }
 
-  void children(pugi::xml_node node, const Rule& rule) {
+  void children(pugi::xml_node node, const std::string& kind, const Rule& rule) {
     std::size_t chosen = 0;
     bool choice = false;
     for (const std::string& name : rule.order) {
       const char times = rule.children.find(name)->second.times;
       const auto count = static_cast<std::size_t>(
           std::count_if(node.begin(), node.end(), [&](pugi::xml_node n) { return local_name(n) == name; }));
-      if ((times == '1' || times == '+') && count == 0) fault(node, "has no child <" + name + ">");
+      if ((times == '1' || times == '+') && count == 0 && !may_lack(kind, name))
+        fault(node, "has no child <" + name + ">");
       if (complete_ && (times == '1' || times == '?') && count > 1)
         fault(node, "has several children <" + name + ">");
       choice = choice || times == '|';
@@ -256,6 +270,7 @@ class Check {
   }
 
   bool complete_;
+  bool older_;
   std::map<std::string, Rule> rules_;
   std::vector<SchemaFault> faults_;
 };

@@ -16,6 +16,7 @@ struct SchemaFault {
 
 enum class Strictness {
   Required,  // what must be there is there: a file that is read may hold more than we know
+  Older,     // the same, but for what came with version 2
   Complete,  // and nothing else, in the order of the schema: what we write
 };
 

@@ -291,7 +291,7 @@ LadderStatements ladder_to_syntax(const graphic::LadderProgram& ladder, const st
   }
   result.body = syntax::parse_statements(context, file, syntax::TextKind::Generated);
   source::DiagnosticSink silent(context.sources);
-  syntax::SyntaxContext again{context.sources, context.names, told ? silent : context.sink};
+  syntax::SyntaxContext again{context.sources, context.names, told ? silent : context.sink, context.dialect};
   for (const BrokenPiece& each : writer.broken()) report(each, file_name, again, result.body);
   std::string declarations;
   const std::vector<graphic::Wire> wires = writer.variables();

@@ -111,9 +111,15 @@ bool check_calls(Analysis& a) {
 }  // namespace
 
 std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, source::NameTable& names,
-                               source::DiagnosticSink& sink, const TestGroup* tests) {
+                               source::DiagnosticSink& sink, const AnalysisOptions& options) {
+  const TestGroup* tests = options.tests;
   auto model = std::make_unique<Model>();
   Analysis a{*model, names, sink, {}, {}, {}, {}, {}, {}};
+  a.dialect = options.dialect;
+  for (const syntax::Configuration& configuration : unit.configurations) {
+    a.list_names.insert(configuration.name.id.value);
+    for (const syntax::Resource& each : configuration.resources) a.list_names.insert(each.name.id.value);
+  }
   register_pous(a, unit, tests);
   if (tests != nullptr) register_tests(a, *tests);
   TypeResolver types(a, unit);
@@ -129,7 +135,8 @@ std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, 
   // What follows walks along the calls.
   if (!check_calls(a)) return model;
   protect_inputs(a);
-  if (tests == nullptr || has_main(unit, user_pous)) configure(a, types, unit, user_pous);
+  const bool runs = has_main(unit, user_pous);
+  if (runs || (tests == nullptr && !options.library)) configure(a, types, unit, user_pous);
   // Tests name the variables of program instances.
   if (tests != nullptr) analyze_tests(a);
   place_hierarchical(a);

@@ -9,6 +9,7 @@
 
 #include "ladder/semantics/model.h"
 #include "ladder/source/diagnostic_sink.h"
+#include "ladder/source/dialect.h"
 
 namespace stepwright::semantics {
 
@@ -19,10 +20,15 @@ struct TestGroup {
   std::vector<const syntax::PouDeclaration*> mocks;
 };
 
+struct AnalysisOptions {
+  const TestGroup* tests = nullptr;  // the model is one to run them: it needs no main program
+  bool library = false;              // nor does what is only checked
+  const source::Dialect* dialect = &source::standard_dialect();
+};
+
 // `unit` must outlive the model. The first `user_pous` POUs are the user's: one of them is the main program,
-// if no configuration says so. With `tests` the model is one to run them: it needs no main program. If the
-// sink has errors afterwards, the model must not be given to codegen.
+// if no configuration says so. If the sink has errors afterwards, the model must not be given to codegen.
 std::unique_ptr<Model> analyze(const syntax::Unit& unit, std::size_t user_pous, source::NameTable& names,
-                               source::DiagnosticSink& sink, const TestGroup* tests = nullptr);
+                               source::DiagnosticSink& sink, const AnalysisOptions& options = {});
 
 }  // namespace stepwright::semantics

@@ -17,6 +17,8 @@ namespace {
 // A name like "INT_TO_REEL" is a conversion to a type that does not exist; else what the name is near to.
 std::string unknown_function_hint(const std::string& folded,
                                   const std::vector<std::string_view>& candidates) {
+  if (folded == "ADR")
+    return source::with_dialects("REF(...) refers to a variable", &source::Dialect::pointers);
   const std::size_t middle = folded.rfind("TO_");
   if (middle == std::string::npos) return source::did_you_mean(folded, candidates);
   std::vector<std::string_view> types = {"STRING", "WSTRING"};
@@ -80,7 +82,7 @@ ValuePtr ExpressionAnalyzer::callee(const Expression& expression) {
     return nullptr;
   }
   const std::string& folded = a_.names.folded(name.id);
-  if (folded == "REF") return reference_to(expression);
+  if (folded == "REF" || (folded == "ADR" && a_.dialect->pointers)) return reference_to(expression);
   if (folded == "LOWER_BOUND" || folded == "UPPER_BOUND") return array_bound(expression, folded[0] == 'U');
   bool known = false;
   ValuePtr result = StandardAnalyzer(a_, *this).call(expression, folded, known);

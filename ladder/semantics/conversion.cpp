@@ -30,6 +30,11 @@ bool is_date(const Type& type) {
   return type.is(ElementaryType::Date) || type.is(ElementaryType::Tod) || type.is(ElementaryType::Dt);
 }
 
+// REAL_TO_WORD and its like: the standard has them only where the bits are transferred.
+bool rounds_to_bits(const Type& from, const Type& to) {
+  return ((from.is_real() && to.is_bits()) || (from.is_bits() && to.is_real())) && !transfers_bits(from, to);
+}
+
 // Whether X_TO_Y exists.
 bool convertible(const Type& from, const Type& to) {
   if (&from == &to) return true;
@@ -53,6 +58,8 @@ ValuePtr ExpressionAnalyzer::mismatch(const Type& from, const Type& to, Position
   std::string hint = conversion_hint(from, to);
   if (to.is_time() && from.is_literal()) hint = "durations are written T#1s500ms";
   if (from.kind == TypeKind::AnyReal && to.is_integer()) hint = "round it, or declare the variable as REAL";
+  if (exchanges_bits(from, to))
+    hint = source::with_dialects(std::move(hint), &source::Dialect::bits_calculate);
   a_.error(code::kTypeMismatch, where, "expected " + plain_name(to) + ", found " + plain_name(from),
            std::move(hint));
   return nullptr;
@@ -61,12 +68,19 @@ ValuePtr ExpressionAnalyzer::mismatch(const Type& from, const Type& to, Position
 ValuePtr ExpressionAnalyzer::convert(ValuePtr value, const Type* type, Position where) {
   if (!value || type == nullptr || value->type == type) return value;
   if (adapts_to(*value, *type)) return adapted(std::move(value), type);
+  if (type->is_reference()) {
+    Value target;
+    target.type = type;
+    value = null_beside(std::move(value), target);
+  }
   bool known = false;
   value = convert_derived(std::move(value), type, where, known);
   if (known) return value;
   if (value->type->is_literal()) return convert_literal(std::move(value), type, where);
-  if (!widens(*value->type, *type)) return mismatch(*value->type, *type, where);
-  return convert_exactly(std::move(value), type);
+  if (widens(*value->type, *type)) return convert_exactly(std::move(value), type);
+  if (!a_.dialect->bits_calculate || !exchanges_bits(*value->type, *type))
+    return mismatch(*value->type, *type, where);
+  return convert_exactly(counted(std::move(value)), type);
 }
 
 bool ExpressionAnalyzer::adapts_to(const Value& value, const Type& type) {
@@ -121,7 +135,7 @@ ValuePtr ExpressionAnalyzer::convert_literal(ValuePtr value, const Type* type, P
   return make_constant(constant, type, value->where);
 }
 
-ValuePtr ExpressionAnalyzer::convert_exactly(ValuePtr value, const Type* type) {
+ValuePtr ExpressionAnalyzer::convert_exactly(ValuePtr value, const Type* type) const {
   if (value->type == type) return value;
   if (value->kind == ValueKind::Constant) {
     if (const auto constant = converted(value->constant, *value->type, *type))
@@ -148,6 +162,12 @@ ValuePtr ExpressionAnalyzer::truncated(ValuePtr value, const Type* type, const s
   ValuePtr result = make(ValueKind::Truncate, type, call.where);
   result->operands.push_back(std::move(value));
   return result;
+}
+
+// REAL_TO_WORD rounds to a UINT, whose bits the WORD has; WORD_TO_REAL the other way.
+ValuePtr ExpressionAnalyzer::through_unsigned(ValuePtr value, const Type* to) {
+  const std::uint32_t bytes = to->is_bits() ? to->size : value->type->size;
+  return convert_exactly(convert_exactly(std::move(value), whole_type(bytes, false)), to);
 }
 
 // An elementary type, or a string of any length; null if the name is none of them.
@@ -205,7 +225,14 @@ ValuePtr ExpressionAnalyzer::explicit_conversion(const syntax::Expression& call,
   }
   if (value->type->is_string() || conversion.to->is_string())
     return text_conversion(std::move(value), conversion.to, call);
-  if (!convertible(*value->type, *conversion.to)) return no_conversion(*value->type, *conversion.to, call);
+  if (a_.dialect->real_to_bits && rounds_to_bits(*value->type, *conversion.to))
+    return through_unsigned(std::move(value), conversion.to);
+  if (!convertible(*value->type, *conversion.to))
+    return no_conversion(
+        *value->type, *conversion.to, call,
+        rounds_to_bits(*value->type, *conversion.to)
+            ? source::with_dialects("round it to an integer first", &source::Dialect::real_to_bits)
+            : "");
   return convert_exactly(std::move(value), conversion.to);
 }
 

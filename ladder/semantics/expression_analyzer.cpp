@@ -76,8 +76,17 @@ ValuePtr ExpressionAnalyzer::value(const Expression& expression) {
       return variable(expression);
     case ExpressionKind::EnumValue:
       return enum_value(expression);
-    case ExpressionKind::Direct:
     case ExpressionKind::Field:
+      if (bool known = false; ValuePtr enumerator = dotted_enumerator(expression, known)) {
+        return enumerator;
+      } else if (known) {
+        return nullptr;
+      } else if (const Variable* global = qualified_global(expression); global != nullptr && global->value) {
+        const Type* type = global->type->kind == TypeKind::Subrange ? global->type->base : global->type;
+        return make_constant(*global->value, type, expression.where);
+      }
+      [[fallthrough]];
+    case ExpressionKind::Direct:
     case ExpressionKind::Index:
     case ExpressionKind::Dereference:
     case ExpressionKind::Part: {
@@ -242,10 +251,11 @@ std::optional<Constant> ExpressionAnalyzer::constant(const Expression& expressio
 }
 
 std::optional<std::int64_t> ExpressionAnalyzer::constant_integer(const Expression& expression) {
-  const ValuePtr found = settled_value(expression);
+  const ValuePtr found = counted(settled_value(expression));
   if (!found) return std::nullopt;
   if (!found->type->is_integer()) {
-    a_.error(code::kTypeMismatch, expression.where, "an integer is needed here, not " + found->type->name);
+    a_.error(code::kTypeMismatch, expression.where, "an integer is needed here, not " + found->type->name,
+             bits_hint(*found->type));
     return std::nullopt;
   }
   if (found->kind != ValueKind::Constant) {

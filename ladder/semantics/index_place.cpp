@@ -38,6 +38,14 @@ std::optional<Place> ExpressionAnalyzer::index_place(const Expression& expressio
   return base;
 }
 
+ValuePtr ExpressionAnalyzer::index_value(const Expression& index) {
+  ValuePtr value = counted(settled_value(index));
+  if (!value || value->type->is_integer()) return value;
+  a_.error(code::kTypeMismatch, index.where, "an index must be an integer, not " + value->type->name,
+           bits_hint(*value->type));
+  return nullptr;
+}
+
 // Any integer is an index (6.4.4.5), the machine has DINT: what is larger is first brought next to the
 // bounds, where it stays outside of them.
 ValuePtr ExpressionAnalyzer::narrow_index(ValuePtr value, const Dimension& bounds) {
@@ -69,12 +77,8 @@ ValuePtr ExpressionAnalyzer::narrow_index(ValuePtr value, const Dimension& bound
 
 bool ExpressionAnalyzer::add_index(Place& place, const Expression& index, const Dimension& dimension,
                                    std::uint32_t stride) {
-  ValuePtr value = settled_value(index);
+  ValuePtr value = index_value(index);
   if (!value) return false;
-  if (!value->type->is_integer()) {
-    a_.error(code::kTypeMismatch, index.where, "an index must be an integer, not " + value->type->name);
-    return false;
-  }
   if (value->kind != ValueKind::Constant) {
     value = narrow_index(std::move(value), dimension);
     PlaceStep step;
@@ -101,12 +105,8 @@ std::optional<Place> ExpressionAnalyzer::open_index(Place base, const Expression
   step.stride = base.type->element->size;
   for (std::size_t i = 1; i < expression.operands.size(); ++i) {
     OpenIndex each;
-    ValuePtr index = settled_value(*expression.operands[i]);
+    ValuePtr index = index_value(*expression.operands[i]);
     if (!index) return std::nullopt;
-    if (!index->type->is_integer()) {
-      a_.error(code::kTypeMismatch, index->where, "an index must be an integer, not " + index->type->name);
-      return std::nullopt;
-    }
     constexpr Dimension kAll{std::numeric_limits<std::int32_t>::min() + 1,
                              std::numeric_limits<std::int32_t>::max() - 1};
     each.index = narrow_index(std::move(index), kAll);

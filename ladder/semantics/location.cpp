@@ -18,15 +18,17 @@ bool fits_address(Analysis& a, const syntax::VariableDeclaration& line, const Ty
   const unsigned bits = type.is_scalar() ? type.bit_count() : 0;
   // An array or a structure begins at a byte address; a value has an address of its own size.
   const bool sound = bits != 0 ? bits == address.bits : address.bits != 1;
-  if (!sound) {
+  const bool smaller = bits > 1 && bits < address.bits;
+  const char* const hint = bits == 1    ? "a BOOL has an address like %IX0.0"
+                           : bits == 8  ? "use an address like %IB0"
+                           : bits == 16 ? "use an address like %IW0"
+                           : bits == 32 ? "use an address like %ID0"
+                                        : "use an address like %IL0";
+  if (!sound && !(smaller && a.dialect->loose_addresses)) {
     a.error(code::kAddressSize, line.address_where,
             type.name + " does not fit to " + syntax::to_string(address) + ", which has " +
                 std::to_string(address.bits) + (address.bits == 1 ? " bit" : " bits"),
-            bits == 1    ? "a BOOL has an address like %IX0.0"
-            : bits == 8  ? "use an address like %IB0"
-            : bits == 16 ? "use an address like %IW0"
-            : bits == 32 ? "use an address like %ID0"
-                         : "use an address like %IL0");
+            smaller ? source::with_dialects(hint, &source::Dialect::loose_addresses) : hint);
     return false;
   }
   const std::size_t first = address.byte < syntax::kHierarchical ? address.byte : 0;
@@ -64,7 +66,9 @@ bool locate(Analysis& a, const syntax::VariableDeclaration& line, Variable& vari
     return false;
   }
   if (!fits_address(a, line, type)) return false;
-  const syntax::DirectAddress& address = *line.address;
+  syntax::DirectAddress address = *line.address;
+  // A smaller value is at the address of its own size that begins there (Dialect::loose_addresses).
+  if (type.is_scalar()) address.bits = static_cast<std::uint8_t>(type.bit_count());
   variable.address = address;
   variable.place.base = static_cast<Base>(address.area);
   variable.place.bit = address.bits == 1 ? address.bit : bytecode::kNoBit;

@@ -52,12 +52,16 @@ ValuePtr ExpressionAnalyzer::invert(ValuePtr operand, Position where) {
 
 ValuePtr ExpressionAnalyzer::unary(Operator op, ValuePtr operand, Position where) {
   if (!operand) return nullptr;
-  const Type& type = *operand->type;
   const bool is_not = op == Operator::Not;
+  if (is_not) operand = as_bits(std::move(operand));
+  const Type& type = *operand->type;
   const bool negatable = type.is_number() || type.is_time();
   if (is_not ? !(type.is_bool() || type.is_bits()) : !(negatable && !type.is_unsigned())) {
     a_.error(code::kBadOperand, where, std::string(to_string(op)) + " cannot be applied to " + type.name,
-             type.is_unsigned() && !is_not ? "convert it to a signed type first" : "");
+             is_not && type.kind == TypeKind::Elementary && type.is_integer()
+                 ? source::with_dialects("convert it to a bit string first", &source::Dialect::bits_calculate)
+             : type.is_unsigned() ? "convert it to a signed type first"
+                                  : "");
     return nullptr;
   }
   if (op == Operator::Plus) return operand;
@@ -90,8 +94,8 @@ ValuePtr ExpressionAnalyzer::binary(const Expression& expression) {
 
 // The narrowest type that holds every value of both.
 const Type* ExpressionAnalyzer::common_type(const Value& left, const Value& right) const {
-  const Type& l = *left.type;
-  const Type& r = *right.type;
+  const Type& l = type_beside(left, right);
+  const Type& r = type_beside(right, left);
   if (&l == &r) return &l;
   if (adapts_to(left, r) && r.is_real()) return &r;
   if (adapts_to(right, l) && l.is_real()) return &l;
@@ -154,8 +158,14 @@ ValuePtr ExpressionAnalyzer::bad_operands(Operator op, const Value& left, const 
   } else if (is_logic(op) && (left.type->is_number() || right.type->is_number())) {
     hint = "logic works on BOOL and bit strings; compare, or convert with " +
            (left.type->is_literal() ? std::string("INT") : left.type->name) + "_TO_WORD";
+    if (works_on_bits(op, *left.type, *right.type))
+      hint = source::with_dialects(std::move(hint), &source::Dialect::bits_calculate);
   } else if (left.type->is_bits() || right.type->is_bits()) {
+    const bool scales = left.type->is_time() && (op == Operator::Multiply || op == Operator::Divide);
+    const bool numbers = (left.type->is_number() || left.type->is_bits() || scales) &&
+                         (right.type->is_number() || right.type->is_bits());
     hint = "bit strings do not calculate; convert them to an integer first";
+    if (numbers) hint = bits_hint(left.type->is_bits() ? *left.type : *right.type, std::move(hint));
   } else if (left.type->is_number() && right.type->is_number()) {
     hint = "no type holds both; convert one of them";
   }
@@ -171,6 +181,10 @@ ValuePtr ExpressionAnalyzer::combine(Operator op, ValuePtr left, ValuePtr right,
   if (op == Operator::Power) return power(std::move(left), std::move(right), where);
   if (!is_comparison(op) && (is_time_or_date(*left->type) || is_time_or_date(*right->type)))
     return combine_time(op, std::move(left), std::move(right), where);
+  if (a_.dialect->bits_calculate && works_on_bits(op, *left->type, *right->type))
+    return combine_bits(op, std::move(left), std::move(right), where);
+  left = null_beside(std::move(left), *right);
+  right = null_beside(std::move(right), *left);
   const Type* common = common_type(*left, *right);
   if (common != nullptr && common->is_string() && is_comparison(op))
     return compare_texts(op, std::move(left), std::move(right), where);

@@ -31,9 +31,13 @@ std::optional<Place> ExpressionAnalyzer::partial_place(const Expression& express
   std::optional<Place> base = part(*expression.operands[0]);
   if (!base) return std::nullopt;
   const Type& whole = *base->type;
-  if (!whole.is_bits()) {
+  const bool is_number = whole.kind == TypeKind::Elementary && whole.is_integer();
+  if (!whole.is_bits() && !(is_number && a_.dialect->integer_parts)) {
     a_.error(code::kBadOperand, expression.where, whole.name + " has no parts that could be picked out",
-             whole.is_integer() ? "convert it to a bit string first, with " + whole.name + "_TO_WORD" : "");
+             is_number
+                 ? source::with_dialects("convert it to a bit string first, with " + whole.name + "_TO_WORD",
+                                         &source::Dialect::integer_parts)
+                 : "");
     return std::nullopt;
   }
   const unsigned parts = whole.bit_count() / expression.part_bits;

@@ -61,9 +61,12 @@ ExpressionAnalyzer::Protection ExpressionAnalyzer::protection(const Variable& va
   if (in_test()) return {};
   const bool at_input = variable.open_address == syntax::Area::Input;
   if (at_input || variable.place.base == Base::Input) return {"is an input of the plant (%I)", kPlantHint};
-  if (variable.section == Section::Input)
-    return {"is an input (VAR_INPUT)", "copy it into a variable of VAR or VAR_TEMP and write that"};
-  return {};
+  if (variable.section != Section::Input) return {};
+  // An edge is sensed from the input itself, an ARRAY[*] is the caller's.
+  const bool own = variable.edge == syntax::Edge::None && !(variable.type != nullptr && variable.type->open);
+  std::string hint = "copy it into a variable of VAR or VAR_TEMP and write that";
+  if (own) hint = source::with_dialects(std::move(hint), &source::Dialect::written_inputs);
+  return {"is an input (VAR_INPUT)", std::move(hint), own && a_.dialect->written_inputs};
 }
 
 void ExpressionAnalyzer::protect(Position where, std::string why, std::string hint) {
@@ -76,7 +79,9 @@ std::optional<Place> ExpressionAnalyzer::place(const Expression& expression, Acc
   Protection outer = std::exchange(read_only_, {});
   const Position outer_where = read_only_where_;
   std::optional<Place> found = part(expression);
-  if (found && access == Access::Write && !read_only_.why.empty()) {
+  if (found && access == Access::Write && read_only_.tolerated) {
+    tolerate(*found);
+  } else if (found && access == Access::Write && !read_only_.why.empty()) {
     a_.error(code::kReadOnly, read_only_where_, read_only_.why + " and cannot be written", read_only_.hint);
     found.reset();
   }
@@ -84,6 +89,13 @@ std::optional<Place> ExpressionAnalyzer::place(const Expression& expression, Acc
   read_only_ = std::move(outer);
   read_only_where_ = outer_where;
   return found;
+}
+
+// An input that its own POU writes. A function that writes one in memory works on a copy.
+void ExpressionAnalyzer::tolerate(Place& written) {
+  a_.sink.warning(code::kInputWritten, read_only_where_, read_only_.why + " and is written here",
+                  "its callers see no change; a variable of VAR says so");
+  if (written.base == Base::SlotRef && pou_ != nullptr) pou_->writes_outside = true;
 }
 
 std::optional<Place> ExpressionAnalyzer::part(const Expression& expression) {
@@ -128,8 +140,16 @@ std::optional<Place> ExpressionAnalyzer::variable_place(const syntax::Name& name
     a_.error(code::kBadDiagram, name.where, "this is read before it is computed, so that it has no type",
              "connect it through a variable");
   if (found->type == nullptr) return std::nullopt;
-  Protection kept = protection(*found);
-  if (!kept.why.empty()) protect(name.where, quote(name.text) + " " + kept.why, std::move(kept.hint));
+  return known_place(*found, name);
+}
+
+Place ExpressionAnalyzer::known_place(const Variable& variable, const syntax::Name& name) {
+  const Variable* const found = &variable;
+  Protection kept = protection(variable);
+  if (!kept.why.empty()) {
+    protect(name.where, quote(name.text) + " " + kept.why, std::move(kept.hint));
+    read_only_.tolerated = kept.tolerated;
+  }
   // The body reads the edge of an input with R_EDGE, its callers write the input itself.
   const bool senses = found->edge != syntax::Edge::None;
   Place place = copy_direct(senses ? found->edge_place : found->place);
@@ -151,6 +171,10 @@ void ExpressionAnalyzer::advance(Place& place, std::uint32_t offset) {
 std::optional<Place> ExpressionAnalyzer::field_place(const Expression& expression) {
   if (in_test()) {
     if (auto flag = step_flag(expression)) return flag;
+  }
+  if (const Variable* global = qualified_global(expression)) {
+    if (global->type == nullptr) return std::nullopt;
+    return known_place(*global, expression.name);
   }
   std::optional<Place> base = part(*expression.operands[0]);
   if (!base) return std::nullopt;
@@ -200,10 +224,13 @@ std::optional<ExpressionAnalyzer::Member> ExpressionAnalyzer::instance_member(co
     return std::nullopt;
   }
   if (found->type == nullptr) return std::nullopt;
+  const bool own = found->section == Section::Local && found->place.base == Base::This && !found->constant;
   const bool visible = found->section == Section::Input || found->section == Section::Output;
-  if (!visible || found->place.base != Base::This) {
+  const bool seen = (visible && found->place.base == Base::This) || (own && a_.dialect->open_blocks);
+  if (!seen) {
     a_.error(code::kUnknownMember, name.where,
-             quote(name.text) + " is internal to " + type.name + "; only its inputs and outputs can be seen");
+             quote(name.text) + " is internal to " + type.name + "; only its inputs and outputs can be seen",
+             own ? source::with_dialects({}, &source::Dialect::open_blocks) : "");
     return std::nullopt;
   }
   if (found->section == Section::Output) {

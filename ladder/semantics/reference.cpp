@@ -46,6 +46,13 @@ ValuePtr ExpressionAnalyzer::reference_to(const Expression& call) {
   return result;
 }
 
+ValuePtr ExpressionAnalyzer::null_beside(ValuePtr value, const Value& other) const {
+  const bool is_zero = value->kind == ValueKind::Constant && value->type->kind == TypeKind::AnyInteger &&
+                       value->constant.integer == 0;
+  if (!a_.dialect->pointers || !is_zero || !other.type->is_reference()) return value;
+  return make_constant({bytecode::kNullRef}, a_.type_table().null(), value->where);
+}
+
 // A reference in a first value is the number of its target (first_reference.cpp).
 ValuePtr ExpressionAnalyzer::first_value(const Constant& value, const Type* type, Position where) const {
   const FirstTarget* target = a_.first_target(value, *type);

@@ -36,10 +36,17 @@ std::span<const StandardAnalyzer::Entry> StandardAnalyzer::bit_entries() {
 }
 
 ValuePtr StandardAnalyzer::shift(const Expression& call, Values values, int which) {
-  if (!values[0]->type->is_bits())
-    return wrong_operand(call, *values[0]->type,
-                         "it works on BYTE, WORD, DWORD and LWORD; a literal needs a type: WORD#16#1");
   const auto function = static_cast<StandardFunction>(which);
+  // What SHR moves into a signed integer is its sign on some systems and 0 on others.
+  const Type& given = *values[0]->type;
+  const bool is_code = given.kind == TypeKind::Elementary && given.is_integer() &&
+                       (given.is_unsigned() || function != StandardFunction::Shr);
+  if (is_code) values[0] = e_.as_bits(std::move(values[0]));
+  if (!values[0]->type->is_bits()) {
+    const std::string hint = "it works on BYTE, WORD, DWORD and LWORD; a literal needs a type: WORD#16#1";
+    return wrong_operand(call, *values[0]->type,
+                         is_code ? source::with_dialects(hint, &source::Dialect::bits_calculate) : hint);
+  }
   const bool rotates = function == StandardFunction::Rol || function == StandardFunction::Ror;
   const auto bits = static_cast<__int128>(values[0]->type->bit_count());
   const Type* count = values[1]->type;

@@ -167,7 +167,9 @@ const Type* StandardAnalyzer::unify(Values& values, std::size_t first, Position 
       if (common->is_literal()) stand_in.constant = values[model]->constant;
       const Type* wider = e_.common_type(stand_in, *values[i]);
       if (wider == nullptr) {
-        e_.mismatch(*values[i]->type, *common, values[i]->where);
+        const Type& other = *values[i]->type;
+        const bool is_wider = e_.exchanges_bits(*common, other);
+        e_.mismatch(is_wider ? *common : other, is_wider ? other : *common, values[i]->where);
         return nullptr;
       }
       common = wider;

@@ -41,8 +41,9 @@ std::span<const StandardAnalyzer::Entry> StandardAnalyzer::numeric_entries() {
 }
 
 ValuePtr StandardAnalyzer::numeric(const Expression& call, Values values, int which) {
+  values[0] = e_.counted(std::move(values[0]));
   const Type* type = values[0]->type;
-  if (!type->is_number()) return wrong_operand(call, *type);
+  if (!type->is_number()) return wrong_operand(call, *type, e_.bits_hint(*type));
   return make_standard(static_cast<StandardFunction>(which), type, std::move(values), call.where);
 }
 
@@ -70,8 +71,9 @@ bool StandardAnalyzer::as_reals(const Expression& call, Values& values) {
   });
   const Type* type = literals ? a_.type_table().any_real() : nullptr;
   for (ValuePtr& each : values) {
+    each = e_.counted(std::move(each));
     if (!each->type->is_number()) {
-      wrong_operand(call, *each->type);
+      wrong_operand(call, *each->type, e_.bits_hint(*each->type));
       return false;
     }
     if (literals) {
@@ -101,6 +103,8 @@ ValuePtr StandardAnalyzer::power(const Expression& call, Values values, int) {
 // REAL ** number is REAL, all else is computed as LREAL: an integer power is exact up to 2^53. An integer
 // that is implicitly a REAL makes a REAL power where one stands (figure 12).
 ValuePtr ExpressionAnalyzer::power(ValuePtr base, ValuePtr exponent, Position where) {
+  base = counted(std::move(base));
+  exponent = counted(std::move(exponent));
   const Type& b = *base->type;
   const Type& e = *exponent->type;
   if (!b.is_number() || !e.is_number()) return bad_operands(syntax::Operator::Power, *base, *exponent, where);

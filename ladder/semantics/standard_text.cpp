@@ -62,7 +62,7 @@ std::optional<std::uint32_t> StandardAnalyzer::text_operands(const Expression& c
       capacity = std::min(capacity + values[i]->type->capacity, bytecode::kMaxStringCapacity);
       continue;
     }
-    values[i] = e_.settle(std::move(values[i]));
+    values[i] = e_.counted(e_.settle(std::move(values[i])));
     if (!values[i]) return std::nullopt;
     if (!values[i]->type->is_integer()) {
       e_.mismatch(*values[i]->type, *types.elementary(ElementaryType::Int), where);

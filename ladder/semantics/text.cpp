@@ -1,6 +1,7 @@
 // Strings and characters: literals, comparison, single characters, implicit conversion (IEC 61131-3, 6.3.3,
 // 6.4.2 and table 6).
 
+#include <algorithm>
 #include <utility>
 
 #include "ladder/semantics/constant_text.h"
@@ -93,6 +94,20 @@ ValuePtr ExpressionAnalyzer::compare_texts(Operator op, ValuePtr left, ValuePtr 
 
 // To a string or a character. Longer texts are cut.
 ValuePtr ExpressionAnalyzer::convert_text(ValuePtr value, const Type* type, Position where) {
+  const bool narrow_literal = value->kind == ValueKind::Constant && value->type->is_string() &&
+                              value->type->elementary == ElementaryType::Wstring && type->is_string() &&
+                              type->elementary == ElementaryType::String &&
+                              value->type->capacity == value->constant.text.size() &&
+                              std::ranges::all_of(value->constant.text, [](char16_t c) { return c < 256; });
+  if (narrow_literal && !a_.dialect->double_quotes) {
+    a_.error(
+        code::kTypeMismatch, where, "expected STRING, found WSTRING",
+        source::with_dialects("literals of STRING stand in single quotes", &source::Dialect::double_quotes));
+    return nullptr;
+  }
+  if (narrow_literal)
+    value = make_constant(
+        value->constant, a_.type_table().string(ElementaryType::String, value->type->capacity), value->where);
   const Type& from = *value->type;
   const bool same_width = width_of(from) == width_of(*type);
   if (!same_width || (!from.is_string() && !type->is_string())) return mismatch(from, *type, where);
@@ -113,12 +128,8 @@ std::optional<Place> ExpressionAnalyzer::character_place(Place text, const Expre
     return std::nullopt;
   }
   const Expression& index = *expression.operands[1];
-  ValuePtr position = settled_value(index);
+  ValuePtr position = index_value(index);
   if (!position) return std::nullopt;
-  if (!position->type->is_integer()) {
-    a_.error(code::kTypeMismatch, index.where, "an index must be an integer, not " + position->type->name);
-    return std::nullopt;
-  }
   const bool of_any_length = text.base == Base::ThisRef || text.base == Base::SlotRef;
   const std::uint32_t most = of_any_length ? bytecode::kMaxStringCapacity : text.type->capacity;
   const __int128 number = position->constant.integer;

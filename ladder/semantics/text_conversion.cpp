@@ -90,9 +90,10 @@ ValuePtr ExpressionAnalyzer::to_text(ValuePtr value, const Type* to, const synta
                         call.where);
 }
 
-ValuePtr ExpressionAnalyzer::no_conversion(const Type& from, const Type& to, const syntax::Expression& call) {
+ValuePtr ExpressionAnalyzer::no_conversion(const Type& from, const Type& to, const syntax::Expression& call,
+                                           std::string hint) {
   a_.error(code::kTypeMismatch, call.where,
-           "there is no conversion from " + plain_name(from) + " to " + plain_name(to));
+           "there is no conversion from " + plain_name(from) + " to " + plain_name(to), std::move(hint));
   return nullptr;
 }
 

@@ -31,6 +31,7 @@ constexpr Row kRows[] = {
 
 ValuePtr ExpressionAnalyzer::combine_time(Operator op, ValuePtr left, ValuePtr right, Position where) {
   if (op == Operator::Multiply && right->type->is_time()) std::swap(left, right);
+  right = counted(std::move(right));
   const bool scales = (op == Operator::Multiply || op == Operator::Divide) && left->type->is_time() &&
                       right->type->is_number();
   if (scales) return scale_time(op, std::move(left), std::move(right), where);

@@ -97,5 +97,6 @@ inline constexpr const char* kEmptyBody = "W0015";
 inline constexpr const char* kOverlap = "W0016";
 inline constexpr const char* kForeignCode = "W0017";
 inline constexpr const char* kAccessPath = "W0018";
+inline constexpr const char* kInputWritten = "W0019";
 
 }  // namespace stepwright::source::code

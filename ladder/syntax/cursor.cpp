@@ -62,7 +62,7 @@ void Parser::unexpected(const std::string& wanted, const std::string& hint) {
                       "expected " + wanted + ", found " + quoted(peek()), hint);
 }
 
-bool Parser::expect(TokenKind kind, const char* after) {
+bool Parser::expect(TokenKind kind, const char* after, const std::string& otherwise) {
   if (accept(kind)) return true;
   if (reported_at_ == at_) return false;
   reported_at_ = at_;
@@ -74,7 +74,7 @@ bool Parser::expect(TokenKind kind, const char* after) {
   const char* const sign = at(TokenKind::Plus) ? "+" : "-";
   const std::string hint = at(TokenKind::Equal) && kind == TokenKind::Assign ? "an assignment is written ':='"
                            : twice ? std::string("write x := x ") + sign + " 1"
-                                   : std::string();
+                                   : otherwise;
   // What is missing belongs behind the token before, which may be on another line.
   const bool missing = kind == TokenKind::Semicolon;
   context_.sink.error(code::kUnexpectedToken, missing ? after_previous() : peek().where, std::move(message),

@@ -10,9 +10,9 @@ namespace stepwright::syntax::internal {
 namespace {
 
 template <std::size_t N>
-bool is_word(const Token& token, const std::string_view (&words)[N]) {
+bool is_word(const Token& token, const source::NameTable& names, const std::string_view (&words)[N]) {
   return token.is(TokenKind::Identifier) &&
-         std::find(std::begin(words), std::end(words), source::upper(token.text)) != std::end(words);
+         std::find(std::begin(words), std::end(words), names.folded(token.name)) != std::end(words);
 }
 
 }  // namespace
@@ -20,7 +20,8 @@ bool is_word(const Token& token, const std::string_view (&words)[N]) {
 // METHOD name, METHOD PUBLIC name: two names in a row begin nothing else.
 bool Parser::at_object() const {
   static constexpr std::string_view kWords[] = {"METHOD", "PROPERTY", "CLASS", "INTERFACE"};
-  return kind_ == TextKind::Written && peek(1).is(TokenKind::Identifier) && is_word(peek(), kWords);
+  return kind_ == TextKind::Written && peek(1).is(TokenKind::Identifier) &&
+         is_word(peek(), context_.names, kWords);
 }
 
 void Parser::object_word() {
@@ -46,7 +47,8 @@ void Parser::skip_object() {
 bool Parser::accept_modifier() {
   static constexpr std::string_view kWords[] = {"ABSTRACT",  "FINAL",   "INTERNAL", "OVERRIDE",
                                                 "PROTECTED", "PRIVATE", "PUBLIC"};
-  if (kind_ != TextKind::Written || !peek(1).is(TokenKind::Identifier) || !is_word(peek(), kWords))
+  if (kind_ != TextKind::Written || !peek(1).is(TokenKind::Identifier) ||
+      !is_word(peek(), context_.names, kWords))
     return false;
   object_word();
   advance();
@@ -56,7 +58,7 @@ bool Parser::accept_modifier() {
 // "EXTENDS base", "IMPLEMENTS one, other" behind the name of a POU: the rest of its line.
 void Parser::skip_inheritance() {
   static constexpr std::string_view kWords[] = {"EXTENDS", "IMPLEMENTS"};
-  if (kind_ != TextKind::Written || !is_word(peek(), kWords)) return;
+  if (kind_ != TextKind::Written || !is_word(peek(), context_.names, kWords)) return;
   object_word();
   skip_header_line();
 }

@@ -11,6 +11,7 @@
 //   parse_unit(context, file, unit);
 
 #include "ladder/source/diagnostic_sink.h"
+#include "ladder/source/dialect.h"
 #include "ladder/syntax/declaration.h"
 #include "ladder/syntax/lexer.h"
 
@@ -20,6 +21,7 @@ struct SyntaxContext {
   source::SourceSet& sources;
   source::NameTable& names;  // intern_keywords was called
   source::DiagnosticSink& sink;
+  const source::Dialect* dialect = &source::standard_dialect();
 };
 
 // Appends everything that a source file, or a part of it, declares to `unit`.

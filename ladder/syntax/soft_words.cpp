@@ -14,6 +14,11 @@ bool is_prefix(const Token& token) {
          token.is(Keyword::Step) || token.is(Keyword::Task);
 }
 
+// "clock : BOOL R_EDGE"
+bool is_suffix(const Token& token) {
+  return token.is(Keyword::RisingEdge) || token.is(Keyword::FallingEdge);
+}
+
 // The last token of an operand or a name.
 bool ends_operand(const Token& token) {
   switch (token.kind) {
@@ -47,7 +52,9 @@ void soften(std::vector<Token>& tokens) {
     Token& token = tokens[i];
     if (!token.is(TokenKind::Keyword)) continue;
     bool reserved = true;
-    if (is_infix(token)) {
+    if (is_suffix(token)) {
+      reserved = i > 0 && ends_operand(tokens[i - 1]);
+    } else if (is_infix(token)) {
       // "VAR AT %MW0 : INT;" is a variable without a name.
       reserved = (i > 0 && ends_operand(tokens[i - 1])) ||
                  (token.is(Keyword::At) && at(i + 1).is(TokenKind::Direct));

@@ -59,14 +59,21 @@ StatementPtr Parser::statement() {
 }
 
 // Behind a statement. A forgotten ';' is reported; if a statement begins on the spot, nothing is skipped.
-void Parser::end_of_statement() {
+void Parser::end_of_statement(const std::string& hint) {
   if (accept(TokenKind::Semicolon)) return;
   if (open_end_ && (at(TokenKind::End) || at(Keyword::EndAction))) return;
-  expect(TokenKind::Semicolon, "behind the statement");
+  expect(TokenKind::Semicolon, "behind the statement", hint);
   const bool begins_here =
       at(TokenKind::Identifier) && at_ > 0 &&
       context_.sources.line(peek().where) > context_.sources.line(tokens_[at_ - 1].where);
   if (!begins_here) skip_statement();
+}
+
+// Behind END_IF and its like.
+void Parser::end_of_block() {
+  if (!context_.dialect->loose_ends)
+    return end_of_statement(source::with_dialects({}, &source::Dialect::loose_ends));
+  accept(TokenKind::Semicolon);
 }
 
 StatementPtr Parser::simple_statement() {
@@ -135,9 +142,7 @@ ExpressionPtr Parser::condition() {
 
 // "ELSEIF x THEN": as other languages write it.
 bool Parser::at_misspelt_elsif() const {
-  if (!at(TokenKind::Identifier)) return false;
-  const std::string word = source::upper(peek().text);
-  if (word != "ELSEIF" && word != "ELIF") return false;
+  if (!at_word("ELSEIF") && !at_word("ELIF")) return false;
   for (std::size_t i = 1;; ++i) {
     const Token& token = peek(i);
     if (token.is(Keyword::Then)) return true;
@@ -169,7 +174,7 @@ StatementPtr Parser::if_statement() {
     node->has_else = true;
     node->otherwise = statements();
   }
-  if (expect_end(Keyword::EndIf, *open, hint)) end_of_statement();
+  if (expect_end(Keyword::EndIf, *open, hint)) end_of_block();
   return node;
 }
 
@@ -226,7 +231,7 @@ StatementPtr Parser::case_statement() {
     node->has_else = true;
     node->otherwise = statements();
   }
-  if (expect_end(Keyword::EndCase, open)) end_of_statement();
+  if (expect_end(Keyword::EndCase, open)) end_of_block();
   return node;
 }
 
@@ -247,7 +252,7 @@ StatementPtr Parser::for_statement() {
   if (accept(Keyword::By)) node->step = expression();
   expect_in_head(Keyword::Do, "before the statements of the loop", Keyword::Do);
   node->body = statements();
-  if (expect_end(Keyword::EndFor, open)) end_of_statement();
+  if (expect_end(Keyword::EndFor, open)) end_of_block();
   return node;
 }
 
@@ -257,7 +262,7 @@ StatementPtr Parser::while_statement() {
   node->value = condition();
   expect_in_head(Keyword::Do, "behind the condition", Keyword::Do);
   node->body = statements();
-  if (expect_end(Keyword::EndWhile, open)) end_of_statement();
+  if (expect_end(Keyword::EndWhile, open)) end_of_block();
   return node;
 }
 
@@ -268,7 +273,7 @@ StatementPtr Parser::repeat_statement() {
   if (!expect_end(Keyword::Until, open)) return node;
   node->value = condition();
   accept(TokenKind::Semicolon);
-  if (expect_end(Keyword::EndRepeat, open)) end_of_statement();
+  if (expect_end(Keyword::EndRepeat, open)) end_of_block();
   return node;
 }
 

@@ -9,7 +9,7 @@ TypeSpecPtr Parser::type() {
   if (!too_deep()) {
     if (at(Keyword::Array)) return array_type();
     if (at(Keyword::Struct)) return struct_type();
-    if (at(Keyword::RefTo)) return reference_type();
+    if (at(Keyword::RefTo) || at_pointer()) return reference_type();
     if (at(TokenKind::LeftParen)) return enumeration_type();
   }
   return named_type();
@@ -121,9 +121,20 @@ void Parser::enumerators(TypeSpec& spec) {
   if (expect(TokenKind::RightParen, "behind the values")) spec.kind = TypeKind::Enumeration;
 }
 
+// "POINTER TO INT": REF_TO of another system.
+bool Parser::at_pointer() const {
+  return at_word("POINTER") && peek(1).is(Keyword::To);
+}
+
 TypeSpecPtr Parser::reference_type() {
   auto spec = std::make_unique<TypeSpec>();
-  spec->where = advance().where;
+  spec->where = peek().where;
+  if (at_pointer()) {
+    if (!context_.dialect->pointers)
+      unexpected("REF_TO", source::with_dialects({}, &source::Dialect::pointers));
+    advance();
+  }
+  advance();
   spec->element = type();
   if (spec->element->kind != TypeKind::Error) spec->kind = TypeKind::Reference;
   return spec;

@@ -45,12 +45,13 @@ void apply(const WarningOptions& options, result::Diagnostics& diagnostics) {
 
 std::vector<std::byte> compile(const CompileArguments& arguments, sources::SourceFiles& files,
                                result::Diagnostics& diagnostics) {
-  files = sources::load(arguments.sources, diagnostics);
+  files = sources::load(arguments.sources, diagnostics, *arguments.dialect);
   if (!diagnostics.empty()) return {};
   const WarningOptions options = warning_options(arguments.warnings);
   driver::CompileInput input = files.input();
   input.lint = options.level;
-  input.document = !arguments.bare;
+  input.library = arguments.check;
+  input.document = !arguments.bare && !input.library;
   auto output = driver::compile(input);
   diagnostics = output ? std::move(output->warnings) : std::move(output.error());
   apply(options, diagnostics);
@@ -68,7 +69,7 @@ ExitCode run_compile(const CompileArguments& arguments) {
   const auto append = [&](const result::Diagnostics& more) {
     diagnostics.insert(diagnostics.end(), more.begin(), more.end());
   };
-  if (!image.empty())
+  if (!image.empty() && !arguments.check)
     append(process::write_file(arguments.image, {reinterpret_cast<const char*>(image.data()), image.size()}));
   const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
   const bool failed = result::has_errors(diagnostics);

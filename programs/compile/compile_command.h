@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ladder/source/dialect.h"
 #include "runtime/result/exit_code.h"
 
 namespace stepwright::compile_program {
@@ -12,8 +13,10 @@ namespace stepwright::compile_program {
 struct CompileArguments {
   std::vector<std::string> sources;
   std::string image;
+  bool check = false;  // instead of writing an image
   std::string json_file;
-  bool bare = false;                  // without the sources for viewers
+  bool bare = false;  // without the sources for viewers
+  const source::Dialect* dialect = &source::standard_dialect();
   std::vector<std::string> warnings;  // "none", "default", "all"; "error": warnings are errors
 };
 

@@ -5,6 +5,7 @@
 #include "programs/compile/compile_command.h"
 #include "programs/compile/explain_command.h"
 #include "programs/process/command_line.h"
+#include "programs/sources/dialect_option.h"
 
 namespace {
 
@@ -12,8 +13,13 @@ using namespace stepwright;
 
 void describe_compile(CLI::App& app, compile_program::CompileArguments& arguments) {
   app.add_option("sources", arguments.sources, "ST files (.st) and PLCopen projects (.xml)")->required();
-  app.add_option("-o,--output", arguments.image, "image file to write (.swb)")->required();
-  app.add_option("--json", arguments.json_file, "file for the report");
+  CLI::Option_group* result = app.add_option_group("result");
+  result->add_option("-o,--output", arguments.image, "image file to write (.swb)");
+  result->add_flag("--check", arguments.check,
+                   "write no image: the sources may be a library without a PROGRAM");
+  result->require_option(1);
+  sources::add_dialect_option(app, arguments.dialect);
+  app.add_option("--json", arguments.json_file, "file for the report, - for standard output");
   app.add_flag("--bare", arguments.bare,
                "leave out the sources, which the page in the browser shows: smaller");
   app.add_option("-W", arguments.warnings,

@@ -77,6 +77,9 @@ void read_planning(const TomlTable& table, const std::filesystem::path& folder, 
   planning.binding = required_file(table, "binding", folder);
   for (const std::string& text : table.texts("programs"))
     planning.programs.push_back(file_of(table, "programs", folder, text));
+  std::vector<std::string> dialects;
+  for (const source::Dialect& each : source::dialects()) dialects.emplace_back(each.name);
+  planning.dialect = source::find_dialect(table.choice("dialect", dialects.front(), dialects));
   planning.optimal = table.boolean("optimal", planning.optimal);
   planning.sequential = table.boolean("sequential", planning.sequential);
   planning.initial =

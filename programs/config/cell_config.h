@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "ladder/source/dialect.h"
 #include "programs/config/change_config.h"
 #include "programs/config/controller_config.h"
 #include "programs/config/fleet_config.h"
@@ -94,6 +95,8 @@ struct PlanningConfig {
   bool sequential = false;                       // strictly sequential chart, as in the paper
   InitialState initial = InitialState::Problem;  // Observed where the I/O is real
   bool monitors = true;  // rungs that watch the plan in the scan; false for small controllers
+  // What hand-written programs, and sources that the page brings, may write beside the standard.
+  const source::Dialect* dialect = &source::standard_dialect();
 };
 
 struct ExecutiveConfig {

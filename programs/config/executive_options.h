@@ -20,7 +20,8 @@ inline executive::DeskOptions desk_options(const CellConfig& config) {
           .interval_us = config.clock.interval_us,
           .document = !config.controller.remote(),
           .monitors = config.planning.monitors,
-          .report_fluent = config.executive.report_fluent};
+          .report_fluent = config.executive.report_fluent,
+          .dialect = config.planning.dialect};
 }
 
 inline executive::WhatIfOptions what_if_options(const CellConfig& config) {

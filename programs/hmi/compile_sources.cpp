@@ -6,8 +6,9 @@
 
 namespace stepwright::hmi {
 
-result::Result<api::Compiled> compile_sources(const api::SourceTexts& texts) {
+result::Result<api::Compiled> compile_sources(const api::SourceTexts& texts, const source::Dialect& dialect) {
   sources::SourceFiles files;
+  files.dialect = &dialect;
   result::Diagnostics problems;
   for (const auto& [name, text] : texts) files.add(name, text, problems);
   if (!problems.empty()) return tl::unexpected(std::move(problems));

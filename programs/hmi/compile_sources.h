@@ -8,9 +8,11 @@
 // Pure; any thread. Fails with what the compiler says (E...), each at its place.
 
 #include "hmi_web/api/cell_change.h"
+#include "ladder/source/dialect.h"
 
 namespace stepwright::hmi {
 
-[[nodiscard]] result::Result<api::Compiled> compile_sources(const api::SourceTexts& sources);
+[[nodiscard]] result::Result<api::Compiled> compile_sources(
+    const api::SourceTexts& sources, const source::Dialect& dialect = source::standard_dialect());
 
 }  // namespace stepwright::hmi

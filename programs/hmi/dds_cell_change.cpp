@@ -47,6 +47,7 @@ void end(Trial& trial, Trial::State state, std::string why) {
 DdsCellChange::DdsCellChange(DdsCellSource& source, const config::CellConfig& config)
     : source_(source),
       trial_scans_(config.change.trial_scans),
+      dialect_(*config.planning.dialect),
       remote_(config.controller.remote()),
       listener_([this](const std::stop_token& stop) { listen(stop); }) {}
 
@@ -159,7 +160,7 @@ void DdsCellChange::judge(Change& change, const dds::RuntimeStatus& status) cons
 }
 
 Result<api::Compiled> DdsCellChange::compile(const api::SourceTexts& sources) {
-  return compile_sources(sources);
+  return compile_sources(sources, dialect_);
 }
 
 api::Answer DdsCellChange::sources(const std::string& digest, std::span<const std::byte> container) {

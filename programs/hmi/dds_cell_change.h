@@ -50,6 +50,7 @@ class DdsCellChange final : public api::CellChange {
 
   DdsCellSource& source_;
   const std::uint32_t trial_scans_;
+  const source::Dialect& dialect_;
   const bool remote_;  // a controller behind a gateway keeps no sources
   std::mutex mutex_;   // guards what follows
   std::optional<Change> change_;

@@ -39,6 +39,7 @@ source::RenderStyle style_of(int descriptor) {
 driver::CompileInput SourceFiles::input() const {
   driver::CompileInput input;
   input.texts = texts;
+  input.dialect = dialect;
   std::error_code unknown;  // a folder that is gone: names stay as they are given
   input.folder = std::filesystem::current_path(unknown).string();
   for (const graphic::Project& each : projects) input.projects.push_back(&each);
@@ -51,7 +52,7 @@ void SourceFiles::add(const std::string& name, std::string text, result::Diagnos
     texts.push_back({name, std::move(text)});
     return;
   }
-  auto project = exchange::read_plcopen(name, std::move(text));
+  auto project = exchange::read_plcopen(name, std::move(text), *dialect);
   if (project) {
     projects.push_back(std::move(*project));
   } else {
@@ -59,8 +60,10 @@ void SourceFiles::add(const std::string& name, std::string text, result::Diagnos
   }
 }
 
-SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& diagnostics) {
+SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& diagnostics,
+                 const source::Dialect& dialect) {
   SourceFiles sources;
+  sources.dialect = &dialect;
   for (const std::string& path : paths) {
     auto text = process::read_file(path);
     if (text) {

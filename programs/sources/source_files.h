@@ -22,6 +22,7 @@ struct SourceFiles {
   std::vector<source::NamedText> files;   // as they were written, for the lines of diagnostics
   std::vector<source::NamedText> texts;   // the ST files among them
   std::deque<graphic::Project> projects;  // the PLCopen files
+  const source::Dialect* dialect = &source::standard_dialect();
 
   // One more: ST, or PLCopen if its name ends in .xml, of which E08xx is appended.
   void add(const std::string& name, std::string text, result::Diagnostics& diagnostics);
@@ -31,7 +32,8 @@ struct SourceFiles {
 
 // Reads .st (and everything else that is not .xml) as ST, .xml as PLCopen. Appends what is wrong with all of
 // them to `diagnostics`: E0001 for a file that cannot be read, E08xx for an XML file.
-SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& diagnostics);
+SourceFiles load(const std::vector<std::string>& paths, result::Diagnostics& diagnostics,
+                 const source::Dialect& dialect = source::standard_dialect());
 
 // How diagnostics look on a descriptor: in colour and as wide as it is if it is a terminal.
 source::RenderStyle style_of(int descriptor);

@@ -110,7 +110,8 @@ std::vector<const graphic::Project*> JoinedPrograms::projects() const {
   return all;
 }
 
-result::Result<HandWritten> HandWritten::load(const std::vector<std::filesystem::path>& files) {
+result::Result<HandWritten> HandWritten::load(const std::vector<std::filesystem::path>& files,
+                                              const source::Dialect& dialect) {
   HandWritten programs;
   result::Diagnostics problems;
   for (const std::filesystem::path& file : files) {
@@ -122,7 +123,7 @@ result::Result<HandWritten> HandWritten::load(const std::vector<std::filesystem:
     }
     std::stringstream text;
     text << stream.rdbuf();
-    auto project = exchange::read_plcopen(file.string(), text.str());
+    auto project = exchange::read_plcopen(file.string(), text.str(), dialect);
     if (!project) {
       std::move(project.error().begin(), project.error().end(), std::back_inserter(problems));
       continue;

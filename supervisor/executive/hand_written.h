@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "ladder/graphic/project.h"
+#include "ladder/source/dialect.h"
 #include "runtime/result/result.h"
 
 namespace stepwright::executive {
@@ -32,7 +33,9 @@ class HandWritten {
   // None.
   HandWritten() = default;
   // Fails with E0001 (no such file), what read_plcopen says, and X0007 for a file without a program.
-  [[nodiscard]] static result::Result<HandWritten> load(const std::vector<std::filesystem::path>& files);
+  [[nodiscard]] static result::Result<HandWritten> load(
+      const std::vector<std::filesystem::path>& files,
+      const source::Dialect& dialect = source::standard_dialect());
 
   // Programs that a file's configuration names keep the names of their instances, others have their own. Tags
   // of the binding and globals of a file with one name are one variable. Fails with X0006 where they differ

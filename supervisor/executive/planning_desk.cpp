@@ -19,10 +19,13 @@ namespace stepwright::executive {
 namespace {
 
 result::Result<void> compile_project(const graphic::Project& project, const HandWritten& programs,
-                                     bool document, PreparedPlan& prepared) {
+                                     const DeskOptions& options, PreparedPlan& prepared) {
   auto joined = programs.joined(project);
   if (!joined) return tl::unexpected(std::move(joined.error()));
-  auto output = driver::compile({.texts = {}, .projects = joined->projects(), .document = document});
+  auto output = driver::compile({.texts = {},
+                                 .projects = joined->projects(),
+                                 .document = options.document,
+                                 .dialect = options.dialect});
   if (!output) return tl::unexpected(std::move(output.error()));
   prepared.container = std::move(output->container);
   return {};
@@ -87,7 +90,7 @@ result::Result<PlanningDesk> PlanningDesk::open(const DeskOptions& options) {
   const model::Vocabulary vocabulary = pddl::vocabulary(*task);
   auto binding = translate::load_binding(options.binding, &vocabulary);
   if (!binding) return result::forward(binding);
-  auto programs = HandWritten::load(options.programs);
+  auto programs = HandWritten::load(options.programs, *options.dialect);
   if (!programs) return result::forward(programs);
   return PlanningDesk(options, std::move(*task), std::move(*binding), std::move(*programs));
 }
@@ -244,7 +247,7 @@ result::Result<void> PlanningDesk::build(PreparedPlan& prepared, const pddl::Tas
     if (step.kind == translate::StepKind::Action) prepared.episode.actions[*step.action].step = step.name;
   }
   if (auto scheduled = fill_schedule(prepared, binding_, options_.sequential); !scheduled) return scheduled;
-  return compile_project(prepared.translation.project, programs_, options_.document, prepared);
+  return compile_project(prepared.translation.project, programs_, options_, prepared);
 }
 
 result::Result<PreparedPlan> PlanningDesk::observer(bool locate, std::chrono::milliseconds settle) const {
@@ -254,7 +257,7 @@ result::Result<PreparedPlan> PlanningDesk::observer(bool locate, std::chrono::mi
   options.locate = locate;
   options.interval_us = options_.interval_us;
   prepared.translation = translate::observe_program(binding_, options);
-  if (auto compiled = compile_project(prepared.translation.project, programs_, options_.document, prepared);
+  if (auto compiled = compile_project(prepared.translation.project, programs_, options_, prepared);
       !compiled) {
     return tl::unexpected(std::move(compiled.error()));
   }

@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "ladder/source/dialect.h"
 #include "runtime/result/result.h"
 #include "supervisor/executive/hand_written.h"
 #include "supervisor/executive/run_record.h"
@@ -42,6 +43,8 @@ struct DeskOptions {
   bool document = true;       // programs bring their sources with them, for the page
   bool monitors = true;       // rungs that watch the plan in the scan (translate/monitors.h)
   std::string report_fluent;  // what the report follows per action, "(transport-cost)"; empty: the metric
+  // What hand-written programs may write beside the standard.
+  const source::Dialect* dialect = &source::standard_dialect();
 };
 
 // Where a plan starts: what the planner sees, what was measured, the tare of the sensors.

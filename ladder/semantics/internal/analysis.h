@@ -13,6 +13,7 @@
 #include "ladder/semantics/model.h"
 #include "ladder/source/codes.h"
 #include "ladder/source/diagnostic_sink.h"
+#include "ladder/source/dialect.h"
 
 namespace stepwright::semantics::internal {
 
@@ -53,6 +54,8 @@ struct Analysis {
   // The enumeration that is being declared: in the values of its names the names before are numbers
   // (6.4.4.2).
   const Type* numbered = nullptr;
+  const source::Dialect* dialect = &source::standard_dialect();
+  std::set<std::uint32_t> list_names = {};  // NameIds of configurations and resources
 
   void error(const char* what, Position where, std::string message, std::string hint = {}) {
     sink.error(what, where, std::move(message), std::move(hint));

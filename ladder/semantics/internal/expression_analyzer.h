@@ -48,7 +48,7 @@ class ExpressionAnalyzer {
   // What calls of standard functions are made of.
 
   // Conversion as the standard's X_TO_Y; requires one that the language has. Folds constants.
-  ValuePtr convert_exactly(ValuePtr value, const Type* type);
+  ValuePtr convert_exactly(ValuePtr value, const Type* type) const;
   // An elementary type by its name in upper case, or a string of any length; null if it names none.
   const Type* named_type(const std::string& folded) const;
   // "expected X, found Y"; null.
@@ -78,6 +78,16 @@ class ExpressionAnalyzer {
   // report at `where` or in an argument.
   bool pass_arguments(const std::vector<syntax::Argument>& given, const Pou& block, Position where,
                       Statement& out);
+
+  // bit_arithmetic.cpp
+  // A bit string as the number that it is where the dialect has them so; all else as it is.
+  ValuePtr counted(ValuePtr value) const;
+  // An integer as a bit string of its size, or of `bytes` if that is more, where the dialect has them so.
+  ValuePtr as_bits(ValuePtr value, std::uint32_t bytes = 0) const;
+  // What is converted as it stands where the dialect has bit strings as numbers.
+  bool exchanges_bits(const Type& from, const Type& to) const;
+  // The hint where a bit string is no number: a dialect may have it so.
+  std::string bits_hint(const Type& type, std::string hint = {}) const;
 
   const Pou* pou() const { return pou_; }
 
@@ -113,9 +123,16 @@ class ExpressionAnalyzer {
   struct Protection {
     std::string why;  // empty: it can be written
     std::string hint;
+    bool tolerated = false;  // by the dialect, with a warning
   };
   Protection protection(const Variable& variable) const;
   void protect(Position where, std::string why, std::string hint);
+  void tolerate(Place& written);
+  // What other systems write with a dot: Color.Red, List.x; null and nothing where it is neither.
+  ValuePtr dotted_enumerator(const syntax::Expression& expression, bool& known);
+  const Variable* qualified_global(const syntax::Expression& expression);
+  bool is_list_of(const Variable& global, const syntax::Name& list) const;
+  Place known_place(const Variable& found, const syntax::Name& name);
 
   // test_place.cpp: what a TEST sees beside what a program sees.
   bool in_test() const { return pou_ != nullptr && pou_->test != nullptr; }
@@ -132,6 +149,8 @@ class ExpressionAnalyzer {
   std::optional<Place> index_place(const syntax::Expression& expression);
   bool add_index(Place& place, const syntax::Expression& index, const Dimension& dimension,
                  std::uint32_t stride);
+  // An integer of any type; null after a report.
+  ValuePtr index_value(const syntax::Expression& index);
   ValuePtr narrow_index(ValuePtr value, const Dimension& bounds);
   std::optional<Place> open_index(Place base, const syntax::Expression& expression);
   // partial_access.cpp
@@ -139,6 +158,8 @@ class ExpressionAnalyzer {
   // reference.cpp
   std::optional<Place> followed_place(const syntax::Expression& expression);
   ValuePtr reference_to(const syntax::Expression& call);
+  // A literal 0 beside a reference as NULL, where the dialect has pointers; all else as it is.
+  ValuePtr null_beside(ValuePtr value, const Value& other) const;
   // array_bounds.cpp
   ValuePtr array_bound(const syntax::Expression& call, bool upper);
   std::optional<std::vector<const syntax::Expression*>> plain_arguments(
@@ -158,7 +179,8 @@ class ExpressionAnalyzer {
   // text_conversion.cpp
   ValuePtr text_conversion(ValuePtr value, const Type* to, const syntax::Expression& call);
   ValuePtr to_text(ValuePtr value, const Type* to, const syntax::Expression& call);
-  ValuePtr no_conversion(const Type& from, const Type& to, const syntax::Expression& call);
+  ValuePtr no_conversion(const Type& from, const Type& to, const syntax::Expression& call,
+                         std::string hint = {});
 
   // operators.cpp
   ValuePtr unary(const syntax::Expression& expression);
@@ -170,9 +192,18 @@ class ExpressionAnalyzer {
   ValuePtr fold_literals(syntax::Operator op, const Value& left, const Value& right, Position where);
   ValuePtr bad_operands(syntax::Operator op, const Value& left, const Value& right, Position where);
 
+  // bit_arithmetic.cpp
+  // The bit string, or the unsigned integer, of so many bytes.
+  const Type* whole_type(std::uint32_t bytes, bool bits) const;
+  const Type& type_beside(const Value& value, const Value& other) const;
+  std::uint32_t whole_size(const Value& value) const;
+  static bool works_on_bits(syntax::Operator op, const Type& left, const Type& right);
+  ValuePtr combine_bits(syntax::Operator op, ValuePtr left, ValuePtr right, Position where);
+
   // conversion.cpp
   ValuePtr convert_literal(ValuePtr value, const Type* type, Position where);
   ValuePtr retype(ValuePtr value, const Type* type, Position where);
+  ValuePtr through_unsigned(ValuePtr value, const Type* to);
   // Values whose type depends on where they stand (Value::adapts).
   static bool adapts_to(const Value& value, const Type& type);
   ValuePtr adapted(ValuePtr value, const Type* type);

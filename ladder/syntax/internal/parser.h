@@ -35,7 +35,7 @@ class Parser {
   bool accept(TokenKind kind);
   bool accept(Keyword keyword);
   // Reports "expected ..., found ..." unless the token was complained about already.
-  bool expect(TokenKind kind, const char* after);
+  bool expect(TokenKind kind, const char* after, const std::string& otherwise = {});
   bool expect(Keyword keyword, const char* after);
   // Closes a block that `open` began: reports the missing END at the place of `open`.
   bool expect_end(Keyword keyword, const Token& open, const std::string& hint = {});
@@ -110,7 +110,8 @@ class Parser {
   StatementPtr make_statement(StatementKind kind) const;
   Branch case_branch();
   bool at_case_label() const;
-  void end_of_statement();
+  void end_of_statement(const std::string& hint = {});
+  void end_of_block();
 
   // declaration_parser.cpp
   bool at_variable_section() const;
@@ -134,6 +135,7 @@ class Parser {
   void enumerators(TypeSpec& spec);
   void subrange(TypeSpec& spec);
   void text_length(TypeSpec& spec);
+  bool at_pointer() const;
   TypeSpecPtr reference_type();
   void type_section(std::vector<TypeDeclaration>& out);
 

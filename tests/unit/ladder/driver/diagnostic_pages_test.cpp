@@ -53,8 +53,19 @@ std::vector<Mark> marks_of(const std::string& text) {
   return marks;
 }
 
-result::Diagnostics diagnostics_of(const std::string& text, lint::Level level) {
+// "Dialect: matiec": whose examples they are.
+const source::Dialect& dialect_of(std::string_view page) {
+  constexpr std::string_view kWord = "\nDialect: ";
+  const std::size_t at = page.find(kWord);
+  if (at == std::string_view::npos) return source::standard_dialect();
+  const std::string_view rest = page.substr(at + kWord.size());
+  return *source::find_dialect(rest.substr(0, rest.find('\n')));
+}
+
+result::Diagnostics diagnostics_of(const std::string& text, lint::Level level,
+                                   const source::Dialect& dialect) {
   driver::CompileInput input;
+  input.dialect = &dialect;
   input.texts.push_back({"example.st", text});
   input.lint = level;
   const auto output = driver::compile(input);
@@ -87,7 +98,7 @@ TEST_P(Page, WrongExample_WhenCompiled_ThenGivesTheCodeAtTheMarkAndNothingElse) 
   ASSERT_FALSE(expected.empty()) << "no place is marked";
   for (const Mark& each : expected) EXPECT_EQ(each.code, GetParam().code);
   std::vector<Mark> found;
-  const auto diagnostics = diagnostics_of(text, lint::Level::All);
+  const auto diagnostics = diagnostics_of(text, lint::Level::All, dialect_of(GetParam().text));
   for (const auto& each : diagnostics) found.push_back({each.code, each.where.line, each.where.column});
   if (is_trap(GetParam())) {
     EXPECT_TRUE(found.empty()) << to_string(diagnostics);
@@ -98,7 +109,7 @@ TEST_P(Page, WrongExample_WhenCompiled_ThenGivesTheCodeAtTheMarkAndNothingElse) 
 
 TEST_P(Page, RightExample_WhenCompiled_ThenNothingIsReported) {
   const std::string text = block(GetParam().text, "Right:");
-  const auto diagnostics = diagnostics_of(text, lint::Level::All);
+  const auto diagnostics = diagnostics_of(text, lint::Level::All, dialect_of(GetParam().text));
   EXPECT_TRUE(diagnostics.empty()) << to_string(diagnostics);
   if (is_trap(GetParam())) {
     EXPECT_EQ(traps_of(text), std::vector<Mark>());

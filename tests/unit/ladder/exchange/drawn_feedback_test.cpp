@@ -11,6 +11,7 @@
 
 #include "ladder/driver/sheets.h"
 #include "ladder/exchange/plcopen_reader.h"
+#include "ladder/print/program_document.h"
 #include "tests/support/compiled_program.h"
 #include "tests/unit/ladder/exchange/drawn_elements.h"
 #include "tests/unit/ladder/exchange/plcopen_samples.h"
@@ -19,6 +20,7 @@ namespace stepwright::exchange {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string blocks(const std::string& variables, const std::string& body) {
   return editor_project(editor_program(variables, "<FBD>\n" + body + "</FBD>\n"));
@@ -73,6 +75,21 @@ TEST(DrawnFeedback, WhenALoopHasNoOrder_ThenTheDrawingTellsWhoGoesFirst) {
   ASSERT_NE(rungs, nullptr);
   EXPECT_THAT(rungs->rungs.front().comment,
               HasSubstr("Feedback: block OR is evaluated first and reads the last value of block AND."));
+}
+
+// [x]-(r)-[y]-(q): what is read behind the first coil is a wire.
+TEST(DrawnLadder, WhenItIsShown_ThenItIsAsItWasDrawn) {
+  const std::string body = contact(2, 50, 10, "1", "x") + coil(3, 100, 10, "2", "r") +
+                           contact(4, 150, 10, "3", "y") + coil(5, 200, 10, "4", "q");
+  const auto project = read_plcopen("plc.xml", ladder(bools("x r y q"), body));
+  ASSERT_TRUE(project);
+  const auto sheets = driver::sheets_of(input_of(*project));
+  ASSERT_TRUE(sheets);
+  EXPECT_THAT(print::program_document(*sheets), Not(HasSubstr("__")));
+  const auto* rungs = std::get_if<graphic::LadderProgram>(&sheets->front().body);
+  ASSERT_NE(rungs, nullptr);
+  ASSERT_FALSE(rungs->rungs.empty());
+  EXPECT_EQ(rungs->rungs.back().coils.at(0).variable, "q");
 }
 
 struct Gate {

@@ -37,5 +37,29 @@ TEST_F(CompileCommand, WhenOptionsStandBetweenSources_ThenEachTakesOneValue) {
       << errors;
 }
 
+TEST_F(CompileCommand, WhenALibraryIsChecked_ThenItNeedsNoProgramAndNoImageIsWritten) {
+  const std::string library = write(
+      "library.st", "FUNCTION twice : INT\nVAR_INPUT n : INT; END_VAR\ntwice := 2 * n;\nEND_FUNCTION\n");
+  EXPECT_EQ(run("compile --check " + library), 0) << errors;
+  EXPECT_EQ(run("compile --check --json - " + library), 0) << errors;
+  EXPECT_EQ(nlohmann::json::parse(output)["bytes"], 0);
+  EXPECT_EQ(run("compile " + library + " -o " + path("library.swb")), 1);
+  EXPECT_THAT(errors, HasSubstr("E0601"));
+  write("library.st", "FUNCTION twice : INT\nVAR_INPUT n : INT; END_VAR\ntwice := 2 * m;\nEND_FUNCTION\n");
+  EXPECT_EQ(run("compile --check " + library), 1);
+  EXPECT_THAT(errors, HasSubstr("E0201"));
+  EXPECT_EQ(run("compile " + library), 2);
+}
+
+TEST_F(CompileCommand, WhenADialectIsNamed_ThenItsSourcesAreTaken) {
+  const std::string source =
+      write("main.st", "PROGRAM main\nVAR_INPUT n : INT; END_VAR\nn := n + 1;\nEND_PROGRAM\n");
+  EXPECT_EQ(run("compile " + source + " -o " + path("main.swb")), 1);
+  EXPECT_THAT(errors, HasSubstr("--dialect matiec and codesys take it"));
+  EXPECT_EQ(run("compile --dialect matiec " + source + " -o " + path("main.swb")), 0) << errors;
+  EXPECT_THAT(errors, HasSubstr("W0019"));
+  EXPECT_EQ(run("compile --dialect basic " + source + " -o " + path("main.swb")), 2);
+}
+
 }  // namespace
 }  // namespace stepwright::compile_test

@@ -95,6 +95,16 @@ TEST_F(CellConfigTest, WhenAPlanningFileIsMissing_ThenTheErrorStandsAtItsKey) {
   EXPECT_EQ(config.error()[0].where.line, 2u);
 }
 
+TEST_F(CellConfigTest, WhenProgramsAreOfAnotherSystem_ThenItsDialectIsNamed) {
+  const std::string files = "domain = \"cell.toml\"\nproblem = \"cell.toml\"\nbinding = \"cell.toml\"\n";
+  const auto config = load_cell_config(write("[planning]\n" + files + "dialect = \"codesys\"\n"));
+  ASSERT_TRUE(config.has_value()) << result::to_string(config.error());
+  EXPECT_EQ(config->planning.dialect->name, "codesys");
+  const auto wrong = load_cell_config(write("[planning]\n" + files + "dialect = \"basic\"\n"));
+  ASSERT_FALSE(wrong.has_value());
+  EXPECT_EQ(wrong.error()[0].where.line, 5u);
+}
+
 TEST_F(CellConfigTest, WhenALineHasMoreDivertersOrBoxesThanThereAre_ThenEachIsReportedAtItsKey) {
   const auto config = load_cell_config(write("[plant]\nkind = \"sorting_line\"\ndiverters = 5\nboxes = 0\n"));
   ASSERT_FALSE(config.has_value());
