@@ -53,8 +53,8 @@ struct Sensor {
   double tolerance = 0.2;    // of expected states and guards, units of the fluent
   double resolution = 1.0;   // a planner sees multiples of this; 0 = as measured
   milliseconds filter{500};  // time constant of the filter in the program
-  bool must_move = false;    // its raw counts are never the same for long while its level is moved: it is noisy
-  bool tare = false;         // its bias is read before a run, where the level is known; else it is believed
+  bool must_move = false;  // its raw counts are never the same for long while its level is moved: it is noisy
+  bool tare = false;       // its bias is read before a run, where the level is known; else it is believed
   double max_bias_counts = 300.0;  // a larger bias means a broken sensor
   double max_drift = 0.3;          // that may add up unseen over a run (executive/drift_watch.h)
   std::string unit;                // for people: "l"; may be empty
